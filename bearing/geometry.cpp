@@ -1,0 +1,1 @@
+#include "bearing/geometry.hpp"

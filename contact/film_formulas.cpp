@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/film_formulas.hpp"
+
+#include <cmath>
+
+namespace ehd {
+
+double moes_film_formula(const MoesGroups& moes) {
+  // Moes' four asymptotes RI, EI, RP, EP, joined as in Venner (1991).
+  const double ri = 3 / moes.M;
+  const double ei = 2.621 * std::pow(moes.M, -0.2);
+  const double rp = 1.287 * std::pow(moes.L, 2.0 / 3);
+  const double ep = 1.311 * std::pow(moes.M, -0.125) * std::pow(moes.L, 0.75);
+  const double s = (7 + 8 * std::exp(-2 * ei / ri)) / 5;
+  const double isoviscous = std::pow(std::pow(ri, 7.0 / 3) + std::pow(ei, 7.0 / 3), 3 * s / 7);
+  const double piezoviscous =
+      moes.L > 0 ? std::pow(std::pow(rp, -3.5) + std::pow(ep, -3.5), -2 * s / 7) : 0.0;
+  return std::pow(isoviscous + piezoviscous, 1 / s);
+}
+
+std::vector<FilmFormula> film_formulas(const MoesGroups& moes, double G) {
+  std::vector<FilmFormula> formulas{{"Moes (Venner 1991)", "film.couette", moes_film_formula(moes)}};
+  if (!(moes.L > 0) || !(G > 0)) return formulas;
+  const auto [W, U, g] = dowson_from(moes, G);
+  const double moes_per_film_ratio = 1 / std::sqrt(2 * U);  // h/R -> (h/R) U_s^(-1/2)
+  const auto add = [&](const char* name, const char* of, double c, double a, double u, double w) {
+    formulas.push_back(
+        {name, of, c * std::pow(g, a) * std::pow(U, u) * std::pow(W, w) * moes_per_film_ratio});
+  };
+  add("Dowson & Higginson 1966", "film.minimum", 1.6, 0.6, 0.7, -0.13);
+  add("Dowson & Higginson 1977", "film.minimum", 2.65, 0.54, 0.70, -0.13);
+  add("Hamrock & Jacobson 1984", "film.minimum", 3.07, 0.57, 0.71, -0.11);
+  add("Pan & Hamrock 1989", "film.minimum", 1.714, 0.568, 0.694, -0.128);
+  add("Dowson & Toyoda 1978", "film.central", 3.06, 0.56, 0.69, -0.10);
+  add("Pan & Hamrock 1989", "film.central", 2.922, 0.470, 0.692, -0.166);
+  return formulas;
+}
+
+}  // namespace ehd

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Regression formulas of the literature for the film: a plausibility table, never a verdict.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "contact/scaling.hpp"
+
+namespace ehd {
+
+/// One formula evaluated at one point; film in Moes units (h/R) U_s^(-1/2).
+struct FilmFormula {
+  std::string name;      ///< "Dowson & Higginson 1977"
+  std::string of;        ///< "film.minimum" | "film.central" | "film.couette"
+  double moes_film = 0;
+};
+
+/// Moes' interpolation (as in Venner 1991) of the four asymptotes; for the central (Couette) film, sum speed.
+[[nodiscard]] double moes_film_formula(const MoesGroups& moes);
+
+/// Every formula that the groups allow. The power laws of U, W, G need G where it is not known from the case;
+/// `G` is then the one assumed.
+[[nodiscard]] std::vector<FilmFormula> film_formulas(const MoesGroups& moes, double G);
+
+}  // namespace ehd

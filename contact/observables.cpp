@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/observables.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace ehd {
+
+namespace {
+
+using Index = Eigen::Index;
+
+/// The `count` nodes that stand most evenly about node `centre`, shifted inwards at the ends.
+struct Window {
+  Index first, count;
+};
+
+Window window(Index centre_left, Index count, Index size) {
+  count = std::min(count, size);
+  return {std::clamp<Index>(centre_left, 0, size - count), count};
+}
+
+/// Vertex of the parabola through nodes i-1, i, i+1, where i is an interior local extremum.
+struct Point {
+  double x, y;
+};
+
+Point vertex(const Array& x, const Array& y, Index i) {
+  const double left = x[i] - x[i - 1], right = x[i + 1] - x[i];
+  const double slope_left = (y[i] - y[i - 1]) / left, slope_right = (y[i + 1] - y[i]) / right;
+  const double curvature = (slope_right - slope_left) / (left + right);  // half of y''
+  if (curvature == 0) return {x[i], y[i]};
+  const double slope = (slope_left * right + slope_right * left) / (left + right);
+  const double step = std::clamp(-slope / (2 * curvature), -left, right);
+  return {x[i] + step, y[i] + step * (slope + step * curvature)};
+}
+
+/// Minimum of the quartic through five nodes about i within [x_(i-1), x_(i+1)], by golden section; the parabola's
+/// vertex where the quartic has no lower point there than the node itself.
+Point minimum_between_nodes(const Array& x, const Array& y, Index i) {
+  const Index size = x.size();
+  if (i == 0 || i + 1 == size) return {x[i], y[i]};
+  const Point parabola = vertex(x, y, i);
+  if (size < 5) return parabola;
+  const Window w = window(i - 2, 5, size);
+  const Array nodes = x.segment(w.first, w.count), values = y.segment(w.first, w.count);
+  const double golden = (std::sqrt(5.0) - 1) / 2;
+  double a = x[i - 1], b = x[i + 1];
+  double c = b - golden * (b - a), d = a + golden * (b - a);
+  double fc = interpolate(nodes, values, c), fd = interpolate(nodes, values, d);
+  for (int step = 0; step < 60; ++step) {
+    if (fc < fd) {
+      b = d, d = c, fd = fc;
+      c = b - golden * (b - a), fc = interpolate(nodes, values, c);
+    } else {
+      a = c, c = d, fc = fd;
+      d = a + golden * (b - a), fd = interpolate(nodes, values, d);
+    }
+  }
+  const Point quartic{(a + b) / 2, interpolate(nodes, values, (a + b) / 2)};
+  // An unresolved kink can make the quartic overshoot; it may then not go further below the node than thrice the
+  // parabola does.
+  const double depth = y[i] - parabola.y;
+  if (quartic.y > y[i] || y[i] - quartic.y > 3 * depth) return parabola;
+  return quartic;
+}
+
+/// The spike: the last local maximum of P that has a local minimum and another local maximum before it.
+std::optional<Point> spike(const Array& X, const Array& P) {
+  std::optional<Index> last, before;
+  for (Index i = 1; i + 1 < P.size(); ++i) {
+    if (P[i] > P[i - 1] && P[i] >= P[i + 1]) {
+      before = last;
+      last = i;
+    }
+  }
+  if (!last || !before || X[*last] <= 0) return std::nullopt;
+  const double valley = P.segment(*before, *last - *before).minCoeff();
+  constexpr double round_off_ripple = 1e-9;  // relative; a spike of this height is rounding on any grid here
+  if (P[*last] - valley <= round_off_ripple * P[*last]) return std::nullopt;
+  return vertex(X, P, *last);
+}
+
+}  // namespace
+
+double interpolate(const Array& nodes, const Array& values, double x) {
+  // Neville's scheme, in place.
+  Array p = values;
+  for (Index k = 1; k < nodes.size(); ++k) {
+    for (Index i = 0; i + k < nodes.size(); ++i)
+      p[i] = ((x - nodes[i + k]) * p[i] - (x - nodes[i]) * p[i + 1]) / (nodes[i] - nodes[i + k]);
+  }
+  return p[0];
+}
+
+Observables observe(const Fields& fields, const Wanted& wanted) {
+  Observables seen;
+  const auto& [X, P, H, density, log_viscosity, flux, offset, load_beyond, work_beyond] = fields;
+  const Index last = X.size() - 1;
+  const auto want = [&](Quantity quantity) { return wanted.contains(quantity); };
+
+  if (want(Quantity::film_minimum)) {
+    Index i = 0;
+    H.minCoeff(&i);
+    const Point at = minimum_between_nodes(X, H, i);
+    seen[Quantity::film_minimum] = {.value = at.y, .place = at.x};
+  }
+  if (want(Quantity::film_central) && X[0] <= 0 && X[last] >= 0) {
+    const Index right = std::lower_bound(X.begin(), X.end(), 0.0) - X.begin();
+    const Window w = window(right - 3, 6, X.size());
+    seen[Quantity::film_central] = {
+        .value = interpolate(X.segment(w.first, w.count), H.segment(w.first, w.count), 0.0), .place = 0.0};
+  }
+  if (want(Quantity::film_couette)) seen[Quantity::film_couette] = {.value = density[last] * H[last]};
+  if (want(Quantity::film_offset)) seen[Quantity::film_offset] = {.value = offset};
+  if (want(Quantity::approach)) seen[Quantity::approach] = {.value = -offset};
+  if (want(Quantity::pressure_exit)) seen[Quantity::pressure_exit] = {.value = X[last], .place = X[last]};
+  if (want(Quantity::pressure_maximum)) {
+    Index i = 0;
+    P.maxCoeff(&i);
+    const Point at = i > 0 && i < last ? vertex(X, P, i) : Point{X[i], P[i]};
+    seen[Quantity::pressure_maximum] = {.value = at.y, .place = at.x};
+  }
+  if (want(Quantity::pressure_spike)) {
+    if (const auto at = spike(X, P)) seen[Quantity::pressure_spike] = {.value = at->y, .place = at->x};
+  }
+  if (want(Quantity::rolling_force)) {
+    const double twice = work_beyond + ((H.head(last) + H.tail(last)) * (P.tail(last) - P.head(last))).sum() / 2;
+    seen[Quantity::rolling_force] = {.value = std::abs(twice) / 2};
+  }
+  if (want(Quantity::load_error)) {
+    const double load =
+        load_beyond + ((P.head(last) + P.tail(last)) * (X.tail(last) - X.head(last))).sum() / 2;
+    seen[Quantity::load_error] = {.value = std::abs(2 * load / std::numbers::pi - 1)};
+  }
+  if (want(Quantity::flux_variation)) {
+    const double exit = density[last] * H[last];
+    seen[Quantity::flux_variation] = {.value = ((flux - exit).abs().maxCoeff()) / std::abs(exit)};
+  }
+  return seen;
+}
+
+}  // namespace ehd

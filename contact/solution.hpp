@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a solver returns: fields on its finest grid, what was observed and with which error, and the record of how.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "contact/array.hpp"
+#include "contact/problem.hpp"
+
+namespace ehd {
+
+/// Fields on the nodes X_0 < … < X_n, the last being the exit.
+struct Fields {
+  Array X, P, H;
+  Array density;        ///< rho/rho_0 at the nodes
+  Array log_viscosity;  ///< ln(eta/eta_0) at the nodes
+  Array flux;           ///< rho H - rho H^3/(eta lambda) dP/dX on the n faces, as the scheme computes it
+  double offset = 0;    ///< H_0
+  double load_beyond_inlet = 0;  ///< Int P dX from -infinity to X_0 (an asymptotic tail), 0 without
+  double work_beyond_inlet = 0;  ///< Int H dP/dX dX from -infinity to X_0, likewise
+};
+
+/// One observed number. Errors are relative, for film.offset and approach absolute (Hertz units).
+struct Reading {
+  double value = 0;
+  std::optional<double> place = {};  ///< X where it is found
+  std::optional<double> error = {};  ///< estimated, all sources
+};
+
+/// What is unknown or not wanted is absent. Films and offset in Hertz units.
+using Observables = std::map<Quantity, Reading>;
+
+enum class StopReason {
+  converged,
+  tolerance_not_met,  ///< best solution, honest error
+  under_resolved,     ///< the grid cannot see the inlet zone
+  limit_reached,      ///< iterations or time
+  diverged,           ///< no film is reported
+};
+[[nodiscard]] std::string_view to_string(StopReason reason);  ///< "converged", "tolerance-not-met", …
+
+/// Where a relative error comes from; the total is their sum.
+struct ErrorBudget {
+  double discretisation = 0;
+  double iteration = 0;
+  double truncation = 0;
+  [[nodiscard]] double total() const { return discretisation + iteration + truncation; }
+};
+
+/// One grid on the way.
+struct GridRecord {
+  int nodes = 0;  ///< intervals, inlet to exit
+  int newton_iterations = 0;
+  double residual = 0;    ///< final, relative to H_n
+  double inlet_cells = 0;  ///< cells in the inlet zone of width H_cen^(2/3)
+  Observables observed;
+};
+
+/// What a solve cost. One work unit is one kernel product on the finest grid; a product on a coarser level counts its
+/// points over the finest's.
+struct Cost {
+  double wall_s = 0;      ///< without FFT planning
+  double planning_s = 0;  ///< FFT planning
+  double work_units = 0;
+  long convolutions = 0;  ///< kernel products on all levels
+  long newton_iterations = 0;
+  long krylov_iterations = 0;
+  int nodes = 0;
+  int levels = 0;
+  long viscosity_points = 0;  ///< nodes at which a viscosity law needed an exponential or power
+  long density_points = 0;    ///< nodes at which a density law was evaluated
+  long fft_plans = 0;
+};
+
+struct SolveRecord {
+  StopReason status = StopReason::diverged;
+  std::string reason;  ///< one sentence where status is not converged
+  ErrorBudget film_minimum, film_central;
+  Cost cost;
+  std::vector<GridRecord> grids;  ///< coarse to fine
+  std::vector<std::string> notes;
+};
+
+struct Solution {
+  Fields fields;            ///< on the finest grid that ended
+  Observables observables;  ///< with errors; empty where status is diverged
+  SolveRecord record;
+};
+
+}  // namespace ehd

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A benchmark case as a user writes it, and the strict reader. SI and text live here; solvers never see a Case.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "contact/conditions.hpp"
+
+namespace ehd::verification {
+
+/// Their input is wrong: what() is the ONE line "FILE:LINE: key = value: what is wrong; what is allowed".
+class CaseError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+enum class ExpectationKind { exact, published, computed, fit };
+enum class Scaling { hertz, moes, SI, kostreva };
+
+/// One [[expect]]: a number that somebody vouches for, or one that the case waits for.
+struct Expectation {
+  std::string quantity;       ///< "film.minimum", "roller.3.inner.force", …
+  std::string law;            ///< bearing cases only
+  bool waiting = false;       ///< status = "waiting": no value
+  double value = 0;
+  std::string digits;         ///< the text of the value
+  Scaling scaling = Scaling::hertz;
+  double uncertainty = 0;     ///< relative; default half of the last digit
+  ExpectationKind kind = ExpectationKind::computed;
+  int line = 0;
+};
+
+/// A contact case: lubricated (lubricant and inlet present) or dry ([conditions] alone).
+struct ContactCase {
+  Statement statement;
+  std::optional<Lubricant> lubricant = {};
+  std::optional<Inlet> inlet = {};
+  [[nodiscard]] bool dry() const { return !lubricant; }
+};
+
+struct BearingGeometry {
+  int rollers = 0;
+  double pitch_diameter_m = 0;
+  double roller_diameter_m = 0;
+  double length_m = 0;     ///< effective contact length
+  double clearance_m = 0;  ///< diametral; negative: preload
+  double density_kg_per_m3 = 0;
+  double first_azimuth_deg = 0;
+  std::optional<double> ring_thickness_m = {};
+  std::optional<double> roughness_m = {};
+};
+
+struct BearingOperation {
+  double inner_speed_rpm = 0;
+  double outer_speed_rpm = 0;
+  double radial_load_N = 0;
+};
+
+struct PalmgrenDatum {
+  std::optional<double> load_N = {};  ///< default: the largest roller load of the dry solution
+};
+struct LundbergDatum {};
+struct LengthDatum {
+  double x0_m = 0;
+};
+using Datum = std::variant<PalmgrenDatum, LundbergDatum, LengthDatum>;
+
+struct FitRange {
+  std::optional<std::pair<double, double>> load_N = {};  ///< default 0.2 and 1.2 times the largest dry roller load
+  int points = 6;
+};
+
+struct BearingLubricant {
+  Lubricant lubricant;
+  double viscosity_Pa_s = 0;
+};
+
+struct BearingCase {
+  BearingGeometry geometry;
+  BearingOperation operation;
+  double modulus_Pa = 0;
+  double poisson = 0;
+  std::optional<BearingLubricant> lubricant = {};
+  Datum datum = PalmgrenDatum{};
+  FitRange fit = {};
+};
+
+struct Case {
+  std::string id;
+  int version = 0;
+  std::string title;
+  std::string source;
+  std::variant<ContactCase, BearingCase> body;
+  std::vector<Expectation> expectations;
+  std::filesystem::path file;        ///< as named by the user
+  std::map<std::string, int> lines;  ///< dotted key ("bearing.length_m") or table ("bearing") -> line
+};
+
+/// Reads and checks a case; throws CaseError. Everything that can be refused without solving is refused here, the
+/// groups' range included (nondimensionalise is tried).
+[[nodiscard]] Case read_case(const std::filesystem::path& file);
+
+/// A CASE argument: a path to a TOML file, or the id of one in cases/. Throws CaseError.
+[[nodiscard]] std::filesystem::path find_case(const std::string& path_or_id);
+
+/// The folder of the benchmark cases: environment EHD_CASES, else the one the program was built from.
+[[nodiscard]] std::filesystem::path cases_folder();
+
+/// All cases in cases/, by id. Throws CaseError at the first that cannot be read.
+[[nodiscard]] std::vector<Case> all_cases();
+
+/// FILE:LINE: message, with the line of `key` or of its table; the way every CaseError is worded.
+[[nodiscard]] CaseError case_error(const Case& where, const std::string& key, const std::string& message);
+
+}  // namespace ehd::verification
