@@ -1,6 +1,308 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fast/uniform.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "contact/estimate.hpp"
+#include "contact/observables.hpp"
+#include "contact/scaling.hpp"
+#include "fast/start.hpp"
+
 namespace ehd::fast {
-Solution Uniform::solve(const Problem&, const Request&) const { return {}; }
+
+using std::numbers::pi;
+using Clock = std::chrono::steady_clock;
+
+namespace {
+
+// A uniform grid needs this many cells in the inlet zone before its numbers mean anything. Calibrated at M = 1000,
+// L = 10: 0.5 cells 40 % off, 1 cell 12..16 %, 2 cells 2..3 %, 4 cells 1 % (H_min and H_cen).
+constexpr double fewest_inlet_cells = 1.5;
+/// Covers the calibration above three times over.
+double error_of_inlet_cells(double cells) { return 0.5 / (cells * cells); }
+
+// Relative film error per relative flux residual; see README for the measurement.
+constexpr double amplification = 3;
+
+constexpr int first_nodes = 64;
+
+double inlet_of(const Problem& problem, const Lengths& lengths) {
+  if (const auto* cut = std::get_if<TruncatedAt>(&problem.inlet)) return cut->x;
+  return -flooded_reach(problem.groups) * lengths.scale;
+}
+
+/// Everything that one solve carries from grid to grid.
+struct Run {
+  const Problem& problem;
+  Setting setting;
+  Workspace& workspace;
+  Limits limits;
+  Counters counters = {};
+  Lengths lengths;
+  State state = {};
+  bool has_state = false;
+  bool limit_reached = false;
+
+  [[nodiscard]] double cells(int n, double exit) const { return lengths.inlet * n / (exit - setting.inlet); }
+};
+
+/// P >= 0 and a film that opens at the exit: the conditions that tracking the exit leaves to be checked.
+bool admissible(const Discretisation& at, const State& state) {
+  const int n = at.n;
+  return state.P.minCoeff() >= -1e-3 && at.density.value[n] * at.H[n] >= at.density.value[n - 1] * at.H[n - 1];
+}
+
+NewtonResult newton_on(Run& run, State& state, double tolerance) {
+  const NewtonResult result = newton(run.setting, state, tolerance, 60, run.limits, run.workspace, run.counters);
+  if (result.end == NewtonEnd::limit) run.limit_reached = true;
+  return result;
+}
+
+bool succeeded(const NewtonResult& result, const Run& run, const State& state) {
+  return (result.end == NewtonEnd::converged || result.end == NewtonEnd::stalled) &&
+         admissible(run.workspace.now, state);
+}
+
+/// The last resort: from a mild contact (M at most 20, L at most 5) to the one asked for, in steps of one parameter.
+bool continuation(Run& run, int n, double tolerance, NewtonResult& result) {
+  const Setting target = run.setting;
+  const double M0 = std::clamp(target.groups.M, 2.0, 20.0), L0 = std::min(target.groups.L, 5.0);
+  double reached = -1, step = 1;
+  State state;
+  const auto at = [&](double t) {
+    Setting setting = target;
+    setting.groups = groups_from(MoesGroups{.M = std::pow(M0, 1 - t) * std::pow(target.groups.M, t),
+                                            .L = (1 - t) * L0 + t * target.groups.L});
+    if (target.groups.alpha_p_H > 0) {
+      const double unit = setting.groups.alpha_p_H / target.groups.alpha_p_H;
+      setting.viscosity = in_units_of(target.viscosity, unit);
+      setting.density = in_units_of(target.density, unit);
+    }
+    return setting;
+  };
+  while (reached < 1 && step > 1.0 / 64 && !run.limit_reached) {
+    const double t = reached < 0 ? 0 : std::min(1.0, reached + step);
+    run.setting = t < 1 ? at(t) : target;
+    State trial;
+    if (reached < 0) {
+      const Lengths mild = expected_lengths(run.setting.groups);
+      trial = first_iterate(run.setting, mild.film > 0.5 ? Shape::martin : Shape::hertz, mild.film, n,
+                            run.workspace.kernels.of(n));
+    } else {
+      trial = state;
+    }
+    result = newton_on(run, trial, t < 1 ? 1e-4 : tolerance);
+    if (succeeded(result, run, trial)) {
+      state = trial;
+      reached = t;
+      step *= 1.5;
+    } else {
+      if (reached < 0) break;
+      step /= 2;
+    }
+  }
+  run.setting = target;
+  if (reached < 1) return false;
+  run.state = state;
+  return true;
+}
+
+/// A solution on n intervals from nothing.
+bool start(Run& run, int n, double tolerance, NewtonResult& result) {
+  const double film = run.lengths.film;
+  const Shape likely = film > 0.5 ? Shape::martin : Shape::hertz;
+  const Shape other = film > 0.5 ? Shape::hertz : Shape::martin;
+  const std::pair<Shape, double> attempts[] = {{likely, 1.0}, {likely, 2.0}, {likely, 0.5}, {likely, 4.0},
+                                               {other, 1.0},  {other, 2.0}};
+  for (const auto& [shape, factor] : attempts) {
+    State state = first_iterate(run.setting, shape, factor * film, n, run.workspace.kernels.of(n));
+    result = newton_on(run, state, tolerance);
+    if (run.limit_reached) return false;
+    if (succeeded(result, run, state)) {
+      run.state = state;
+      return true;
+    }
+  }
+  return continuation(run, n, tolerance, result);
+}
+
+Fields fields_of(const Run& run) {
+  const Discretisation& at = run.workspace.now;
+  return {.X = Array::LinSpaced(at.n + 1, run.setting.inlet, run.state.exit),
+          .P = run.state.P,
+          .H = at.H,
+          .density = at.density.value,
+          .log_viscosity = at.log_viscosity.value,
+          .flux = at.flux,
+          .offset = run.state.offset,
+          .load_beyond_inlet = at.tail.load,
+          .work_beyond_inlet = at.tail.work};
+}
+
+bool is_absolute(Quantity quantity) {
+  return quantity == Quantity::film_offset || quantity == Quantity::approach;
+}
+
+/// What the grids say of one quantity; infinite where only one grid has it.
+double discretisation_error(const std::vector<GridRecord>& grids, Quantity quantity) {
+  std::vector<double> values;
+  for (const GridRecord& grid : grids) {
+    const auto found = grid.observed.find(quantity);
+    if (found == grid.observed.end()) {
+      values.clear();
+    } else {
+      values.push_back(found->second.value);
+    }
+  }
+  if (values.empty()) return std::numeric_limits<double>::infinity();
+  const GridEstimate judged = estimate(values, Uniform::description.formal_order);
+  return is_absolute(quantity) ? judged.error * std::abs(judged.value) : judged.error;
+}
+
+}  // namespace
+
+double flooded_reach(const Groups&) { return 8; }
+double flooded_truncation(const Groups&) { return 1e-6; }
+
+Solution Uniform::solve(const Problem& problem, const Request& request) const {
+  Workspace workspace;
+  return solve(problem, request, workspace);
+}
+
+Solution Uniform::solve(const Problem& problem, const Request& request, Workspace& workspace) const {
+  const auto begin = Clock::now();
+  const double planning_before = workspace.kernels.planning_s();
+  const long plans_before = workspace.kernels.count();
+  const Lengths lengths = expected_lengths(problem.groups);
+  const bool flooded = std::holds_alternative<Flooded>(problem.inlet);
+  Run run{.problem = problem,
+          .setting = {.groups = problem.groups,
+                      .viscosity = problem.viscosity,
+                      .density = problem.density,
+                      .inlet = inlet_of(problem, lengths),
+                      .with_tail = flooded},
+          .workspace = workspace,
+          .limits = {.newton_iterations = request.max_iterations,
+                     .deadline = begin + std::chrono::duration_cast<Clock::duration>(
+                                             std::chrono::duration<double>(std::min(request.time_limit_s, 1e6)))},
+          .lengths = lengths};
+  Wanted wanted = problem.wanted;
+  wanted.insert({Quantity::film_minimum, Quantity::film_central});
+
+  // The first grid: the coarsest that sees the inlet zone and, for a given number of intervals, halves down from it.
+  const double tolerance = request.tolerance.value_or(0);
+  int n = request.nodes.value_or(first_nodes);
+  const double exit = first_iterate(run.setting, lengths.film > 0.5 ? Shape::martin : Shape::hertz, lengths.film, 16,
+                                    workspace.kernels.of(16)).exit;
+  if (request.nodes) {
+    while (n % 2 == 0 && n / 2 >= 32 && run.cells(n / 2, exit) >= fewest_inlet_cells) n /= 2;
+  } else {
+    while (n < largest_nodes && run.cells(n, exit) < fewest_inlet_cells) n *= 2;
+  }
+  const int last = request.nodes.value_or(largest_nodes);
+
+  Solution solution;
+  SolveRecord& record = solution.record;
+  double newton_residual = 0;
+  const auto budget = [&](Quantity quantity) {
+    return ErrorBudget{.discretisation = discretisation_error(record.grids, quantity),
+                       .iteration = amplification * newton_residual,
+                       .truncation = flooded ? flooded_truncation(problem.groups) : 0};
+  };
+  for (;; n *= 2) {
+    const double target = request.nodes ? (n == last ? 1e-11 : 1e-7) : tolerance / 100;
+    NewtonResult result;
+    bool solved = false;
+    const long newton_before = run.counters.newton;
+    if (run.has_state) {
+      State state = interpolate_to(run.state, n);
+      result = newton_on(run, state, target);
+      solved = succeeded(result, run, state);
+      if (solved) run.state = std::move(state);
+    }
+    if (!solved && !run.limit_reached) solved = start(run, n, target, result);
+    if (run.limit_reached) break;
+    if (solved) {
+      run.has_state = true;
+      newton_residual = result.residual;
+      solution.fields = fields_of(run);
+      GridRecord grid{.nodes = n,
+                      .newton_iterations = static_cast<int>(run.counters.newton - newton_before),
+                      .residual = result.residual,
+                      .observed = observe(solution.fields, wanted)};
+      const double central = grid.observed.contains(Quantity::film_central)
+                                 ? grid.observed.at(Quantity::film_central).value
+                                 : lengths.film;
+      run.lengths.inlet = std::min(lengths.inlet, lengths_from_film(central).inlet);
+      grid.inlet_cells = run.cells(n, run.state.exit);
+      // Numbers of a grid that cannot see the inlet zone say nothing about the next one's error.
+      if (!record.grids.empty() && record.grids.back().inlet_cells < fewest_inlet_cells) record.grids.clear();
+      record.grids.push_back(std::move(grid));
+      record.film_minimum = budget(Quantity::film_minimum);
+      record.film_central = budget(Quantity::film_central);
+      if (!request.nodes && record.film_minimum.total() <= tolerance && record.film_central.total() <= tolerance) break;
+    } else {
+      run.has_state = false;
+      record.grids.clear();
+    }
+    if (n >= last) break;
+  }
+
+  // How it ended.
+  const bool solved = !record.grids.empty();
+  const double cells = solved ? record.grids.back().inlet_cells : run.cells(last, exit);
+  if (solved) {
+    // One grid, or one that hardly sees the inlet zone: the calibrated error where the grids say less.
+    const double least = cells < fewest_inlet_cells || record.grids.size() < 2 ? error_of_inlet_cells(cells) : 0;
+    for (ErrorBudget* const film : {&record.film_minimum, &record.film_central}) {
+      film->discretisation = std::isfinite(film->discretisation) ? std::max(film->discretisation, least) : least;
+    }
+    solution.observables = record.grids.back().observed;
+    for (auto& [quantity, reading] : solution.observables) {
+      if (quantity == Quantity::load_error || quantity == Quantity::flux_variation) continue;
+      double error = budget(quantity).total();
+      if (quantity == Quantity::film_minimum) error = record.film_minimum.total();
+      if (quantity == Quantity::film_central) error = record.film_central.total();
+      if (std::isfinite(error)) reading.error = error;
+    }
+    // A spike is reported with its uncertainty or not at all.
+    const auto spike = solution.observables.find(Quantity::pressure_spike);
+    if (spike != solution.observables.end() && !spike->second.error) solution.observables.erase(spike);
+    std::erase_if(solution.observables, [&](const auto& entry) { return !problem.wanted.contains(entry.first); });
+  }
+  if (run.limit_reached) {
+    record.status = StopReason::limit_reached;
+    record.reason = "the limit on iterations or time was reached";
+  } else if (cells < fewest_inlet_cells) {
+    record.status = StopReason::under_resolved;
+    record.reason = "the grid has fewer than 1.5 cells in the inlet zone of width H_cen^(2/3)";
+  } else if (!solved) {
+    record.status = StopReason::diverged;
+    record.reason = "Newton found no admissible solution from any start";
+  } else if (!request.nodes &&
+             !(record.film_minimum.total() <= tolerance && record.film_central.total() <= tolerance)) {
+    record.status = StopReason::tolerance_not_met;
+    record.reason = "the finest grid's estimated error is above the tolerance";
+  } else {
+    record.status = StopReason::converged;
+  }
+
+  Cost& cost = record.cost;
+  cost.planning_s = workspace.kernels.planning_s() - planning_before;
+  cost.nodes = solved ? record.grids.back().nodes : 0;
+  cost.levels = static_cast<int>(record.grids.size());
+  cost.convolutions = run.counters.convolutions;
+  cost.work_units = cost.nodes > 0 ? run.counters.convolution_points / cost.nodes : 0;
+  cost.newton_iterations = run.counters.newton;
+  cost.krylov_iterations = run.counters.krylov;
+  cost.viscosity_points = run.counters.viscosity_points;
+  cost.density_points = run.counters.density_points;
+  cost.fft_plans = workspace.kernels.count() - plans_before;
+  cost.wall_s = std::chrono::duration<double>(Clock::now() - begin).count() - cost.planning_s;
+  return solution;
+}
+
 }  // namespace ehd::fast

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fast/convolution.hpp"
+
+#include <fftw3.h>
+
+#include <chrono>
+#include <cmath>
+#include <mutex>
+
+namespace ehd::fast {
+
+namespace {
+
+std::mutex planner;  // FFTW's planner is not thread-safe; its execution is
+
+double antiderivative(double u) { return u == 0 ? 0 : u * u * (std::log(std::abs(u)) / 2 - 0.75); }
+
+/// The smallest length >= `least` without prime factors above 5.
+int friendly_length(int least) {
+  for (int length = least;; ++length) {
+    int rest = length;
+    for (const int prime : {2, 3, 5}) {
+      while (rest % prime == 0) rest /= prime;
+    }
+    if (rest == 1 && length % 2 == 0) return length;
+  }
+}
+
+}  // namespace
+
+double hat_moment(int k) {
+  if (k <= 24) return antiderivative(k + 1) - 2 * antiderivative(k) + antiderivative(k - 1);
+  const double q = 1.0 / (static_cast<double>(k) * k);
+  // 2 Sum_m G^(2m)(k)/(2m)!, m = 1..6.
+  return std::log(static_cast<double>(k)) -
+         q * (1.0 / 12 + q * (1.0 / 60 + q * (1.0 / 168 + q * (1.0 / 360 + q / 660))));
+}
+
+double half_hat_moment(int k) {
+  // Int_0^1 (1-s) ln(k+s) ds = G(k+1) - G(k) - G'(k), G' = u ln u - u.
+  if (k == 0) return -0.75;
+  if (k <= 24) return antiderivative(k + 1) - antiderivative(k) - k * (std::log(static_cast<double>(k)) - 1);
+  const double r = 1.0 / k;
+  // Taylor: Sum_m (-1)^(m+1) r^m Int (1-s) s^m ds / m, Int = 1/((m+1)(m+2)).
+  double sum = 0, power = 1;
+  for (int m = 1; m <= 12; ++m) {
+    power *= -r;
+    sum -= power / (static_cast<double>(m) * (m + 1) * (m + 2));
+  }
+  return std::log(static_cast<double>(k)) / 2 + sum;
+}
+
+struct Convolution::Plans {
+  int length;
+  double* real;
+  fftw_complex* modes;
+  fftw_plan forward;
+  fftw_plan backward;
+};
+
+Convolution::Convolution(int intervals) : intervals_(intervals), plans_(std::make_unique<Plans>()) {
+  const int length = friendly_length(2 * intervals);
+  weights_.resize(length / 2 + 1);
+  for (int k = 0; k <= length / 2; ++k) weights_[k] = hat_moment(k);
+
+  inner_half_.resize(intervals + 1);
+  for (int k = 0; k <= intervals; ++k) inner_half_[k] = weights_[k] - half_hat_moment(k);
+
+  plans_->length = length;
+  plans_->real = fftw_alloc_real(static_cast<std::size_t>(length));
+  plans_->modes = fftw_alloc_complex(static_cast<std::size_t>(length / 2 + 1));
+  {
+    const auto begin = std::chrono::steady_clock::now();
+    const std::lock_guard lock(planner);
+    plans_->forward = fftw_plan_dft_r2c_1d(length, plans_->real, plans_->modes, FFTW_ESTIMATE);
+    plans_->backward = fftw_plan_dft_c2r_1d(length, plans_->modes, plans_->real, FFTW_ESTIMATE);
+    planning_s_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  }
+  for (int k = 0; k < length; ++k) plans_->real[k] = weights_[std::min(k, length - k)];
+  fftw_execute(plans_->forward);
+  spectrum_.resize(length / 2 + 1);
+  for (int k = 0; k <= length / 2; ++k) spectrum_[k] = plans_->modes[k][0] / length;
+}
+
+Convolution::~Convolution() {
+  const std::lock_guard lock(planner);
+  fftw_destroy_plan(plans_->forward);
+  fftw_destroy_plan(plans_->backward);
+  fftw_free(plans_->real);
+  fftw_free(plans_->modes);
+}
+
+void Convolution::apply(const Array& x, Array& y) {
+  double* const real = plans_->real;
+  fftw_complex* const modes = plans_->modes;
+  for (int i = 0; i < intervals_; ++i) real[i] = x[i];
+  for (int i = intervals_; i < plans_->length; ++i) real[i] = 0;
+  fftw_execute(plans_->forward);
+  for (int k = 0; k <= plans_->length / 2; ++k) {
+    modes[k][0] *= spectrum_[k];
+    modes[k][1] *= spectrum_[k];
+  }
+  fftw_execute(plans_->backward);
+  y.resize(intervals_ + 1);
+  for (int i = 0; i <= intervals_; ++i) y[i] = real[i];
+}
+
+}  // namespace ehd::fast

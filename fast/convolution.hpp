@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The logarithmic kernel on a uniform grid: a symmetric Toeplitz product by one pair of real FFTs.
+#pragma once
+
+#include <memory>
+
+#include "contact/array.hpp"
+
+namespace ehd::fast {
+
+/// Int hat(t) ln|k - t| dt for the hat function on [-1, 1], k >= 0: the exact weight of piecewise-linear pressure at a
+/// node k spacings away. Second difference of G(u) = u^2 ln|u|/2 - 3u^2/4; beyond 24 spacings, where that difference
+/// cancels, its asymptotic series (next term below 1e-17).
+[[nodiscard]] double hat_moment(int k);
+
+/// Int_0^1 (1 - s) ln(k + s) ds: the outer half of the hat at node 0, seen from node k >= 0.
+[[nodiscard]] double half_hat_moment(int k);
+
+/// y_i = Sum_j g_|i-j| x_j for i, j = 0..n, where x_n = 0 (the exit). Holds its FFTW plans; not copyable, one thread
+/// at a time. Plans are made with FFTW_ESTIMATE, so that two runs do the same arithmetic.
+class Convolution {
+ public:
+  explicit Convolution(int intervals);
+  ~Convolution();
+  Convolution(const Convolution&) = delete;
+  Convolution& operator=(const Convolution&) = delete;
+
+  /// Sizes n + 1 both; x[n] is ignored. `y` may not alias `x`.
+  void apply(const Array& x, Array& y);
+
+  [[nodiscard]] double weight(int k) const { return weights_[k]; }
+  /// Int_0^1 (1 - s) ln|k - s| ds: the inner half of the hat at node 0, seen from node k.
+  [[nodiscard]] double inner_half_weight(int k) const { return inner_half_[k]; }
+  [[nodiscard]] double planning_s() const { return planning_s_; }
+
+ private:
+  struct Plans;
+  int intervals_;
+  Array weights_;   ///< g_0..g_n
+  Array inner_half_;
+  Array spectrum_;  ///< real, since the circulant is symmetric; holds 1/length
+  std::unique_ptr<Plans> plans_;
+  double planning_s_ = 0;
+};
+
+}  // namespace ehd::fast

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reynolds' equation, film and load on a uniform grid X_i = X_a + i h, h = (X* - X_a)/n, and their linearisation.
+//
+//   H_i = H_0 + X_i^2/2 - (1/pi) Sum_j P_j Int hat_j ln|X_i - X'| dX' (+ deflection by the far inlet)
+//   face i between nodes i and i + 1:  F_i = f_(i+1/2) - eps_i (P_(i+1) - P_i)/h,  f = rho H
+//     eps_i = rho_f H_f^3 m/lambda, rho_f and H_f the means of the nodes, m the logarithmic mean of 1/eta
+//     f_(i+1/2) = f_i + (f_(i+1) - f_(i-1))/4 (Fromm), on the first face the mean
+//   flux error e_i = F_i - rho_n H_n for i = 0..n-1 (P = P' = 0 at the exit);  load h Sum P - pi/2.
+//
+// Unknowns P_1..P_(n-1), H_0, X*: as many as equations. Every array is owned by the caller's workspace.
+#pragma once
+
+#include "contact/array.hpp"
+#include "contact/problem.hpp"
+#include "contact/rheology.hpp"
+#include "fast/convolution.hpp"
+#include "fast/inlet_tail.hpp"
+
+namespace ehd::fast {
+
+/// The iterate. P has n + 1 entries; P_0 is the inlet's (0, or the tail's), P_n = 0.
+struct State {
+  Array P;
+  double offset = 0;  ///< H_0
+  double exit = 1;    ///< X*
+};
+
+/// What a solve is about, apart from the iterate.
+struct Setting {
+  Groups groups;
+  Viscosity viscosity;
+  Density density;
+  double inlet = -4;        ///< X_a
+  bool with_tail = false;   ///< flooded: the asymptotic inlet beyond X_a
+};
+
+/// A correction; P has n + 1 entries with zero ends.
+struct Step {
+  Array P;
+  double offset = 0;
+  double exit = 0;
+};
+
+/// Counts that a solve reports.
+struct Counters {
+  long convolutions = 0;
+  double convolution_points = 0;  ///< Sum of intervals over all kernel products
+  long newton = 0;
+  long krylov = 0;
+  long viscosity_points = 0;
+  long density_points = 0;
+};
+
+/// Fields, residual and linearisation at one iterate.
+struct Discretisation {
+  int n = 0;
+  double h = 0;
+
+  // Nodes, n + 1.
+  Array deflection;  ///< h Sum_j g_|i-j| P_j + h ln h Sum P, the kernel product of the pressure alone
+  Array H;
+  LawValues<double> log_viscosity, density;
+  Array fluidity;  ///< 1/eta
+  InletTail tail;
+
+  // Faces, n.
+  Array eps;   ///< rho H^3/(eta lambda)
+  Array flux;  ///< F_i
+  Array e;     ///< F_i - rho_n H_n
+  double load_error = 0;  ///< h Sum P + tail - pi/2
+  double floor = 0;       ///< rounding floor of max|e|/(rho_n H_n)
+
+  // Linearisation: dF_i = Sum_{j = i-1..i+1} (p_ij dP_j + w_ij dH_j) + x_i dX*, dH/dX* at fixed P.
+  Array p_left, p_mid, p_right, w_left, w_mid, w_right, by_exit;
+  Array film_by_exit;
+  double load_by_exit = 0;
+
+  /// Fields and residual. False where the film is not positive or a number is not finite; then only H is meaningful.
+  [[nodiscard]] bool evaluate(const Setting& setting, State& state, Convolution& kernel, Counters& counters);
+  /// The same laws and fields taken from the nodes of a grid with twice the intervals (or, for an odd number, by
+  /// linear interpolation): what a coarse level needs to linearise.
+  void inject(const Discretisation& fine, const Array& fine_pressure, Array& pressure, const Setting& setting, double exit);
+  /// Coefficients of the linearisation at the present fields.
+  void linearise(const Setting& setting, const Array& P, double exit);
+  /// e' = J step, n entries, and the change of the load.
+  void apply(const Step& step, Convolution& kernel, Counters& counters, Array& change, double& load_change) const;
+
+  [[nodiscard]] double exit_flux() const { return density.value[n] * H[n]; }
+  /// max|e|/(rho_n H_n).
+  [[nodiscard]] double residual() const { return e.abs().maxCoeff() / std::abs(exit_flux()); }
+
+ private:
+  mutable Array film_change_, product_;
+};
+
+}  // namespace ehd::fast

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One V(1,0) cycle of linear multigrid for the linearised problem: the preconditioner of GMRES.
+//
+// Smoother: a direct banded solve in the dipole variable d, dP_j = 2 d_j - d_(j-1) - d_(j+1), which turns the log kernel
+// into its second difference (~ 1/k^2), truncated at |k| <= 1; no relaxation factor. Flux errors are averaged over the
+// two faces of a coarse cell, laws and fields are injected, corrections come back by linear interpolation. dH_0 and dX*
+// are solved on the coarsest level, which is dense.
+#pragma once
+
+#include <Eigen/Dense>
+#include <deque>
+#include <memory>
+#include <vector>
+
+#include "fast/banded.hpp"
+#include "fast/discretisation.hpp"
+
+namespace ehd::fast {
+
+class Multigrid {
+ public:
+  static constexpr int coarsest = 64;  ///< dense from here on; 32 and 128 measured no better
+
+  /// Kernels by number of intervals, made once and kept.
+  class Kernels {
+   public:
+    [[nodiscard]] Convolution& of(int intervals);
+    [[nodiscard]] double planning_s() const;
+    [[nodiscard]] long count() const { return static_cast<long>(kernels_.size()); }
+
+   private:
+    std::vector<std::pair<int, std::unique_ptr<Convolution>>> kernels_;
+  };
+
+  /// Linearises every level at the iterate of `finest` (which is linearised already). False where the coarsest matrix
+  /// is singular.
+  [[nodiscard]] bool prepare(const Setting& setting, const Discretisation& finest, const State& state, Kernels& kernels);
+  /// step = approximately J^-1 (flux error, load error).
+  void cycle(const Array& flux_error, double load_error, Step& step, Counters& counters);
+
+ private:
+  struct Level {
+    const Discretisation* scheme = nullptr;
+    std::unique_ptr<Discretisation> own;  ///< on coarse levels
+    Convolution* kernel = nullptr;
+    Array pressure;
+    Banded band;
+    bool smooths = true;
+    Array error, change, dipole;
+    Step step;
+  };
+
+  void assemble_band(Level& level) const;
+  [[nodiscard]] bool assemble_dense(const Level& level);
+  void solve_dense(Level& level, double load_error);
+  void down(std::size_t index, double load_error, Counters& counters);
+
+  std::deque<Level> levels_;  ///< a level keeps its address
+  std::size_t used_ = 0;
+  Eigen::MatrixXd dense_;
+  Eigen::PartialPivLU<Eigen::MatrixXd> factors_;
+  Eigen::VectorXd right_side_;
+};
+
+}  // namespace ehd::fast

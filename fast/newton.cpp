@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fast/newton.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace ehd::fast {
+
+using std::numbers::pi;
+
+namespace {
+
+/// The norm that GMRES and the line search work in: rms of the relative flux error, and the relative load error.
+struct Norm {
+  double by_flux, by_load;
+  explicit Norm(const Discretisation& at)
+      : by_flux(1 / (at.exit_flux() * std::sqrt(static_cast<double>(at.n)))), by_load(2 / pi) {}
+  [[nodiscard]] double of(const Discretisation& at) const {
+    return std::hypot(at.e.matrix().norm() * by_flux, at.load_error * by_load);
+  }
+};
+
+double residual_of(const Discretisation& at) {
+  return std::max(at.residual(), std::abs(at.load_error) * 2 / pi);
+}
+
+constexpr int most_krylov = 40;
+
+/// Flexible GMRES for J step = -(e, load) to a relative residual of 0.1 (tighter was measured to cost more products in
+/// all than it saves in Newton steps).
+void solve_linear(Workspace& w, const Norm& norm, double relative, Counters& counters, Step& step) {
+  const Discretisation& at = w.now;
+  const Eigen::Index n = at.n;
+  w.basis.resize(most_krylov + 1);
+  w.preconditioned.resize(most_krylov);
+  Eigen::MatrixXd hessenberg = Eigen::MatrixXd::Zero(most_krylov + 1, most_krylov);
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(most_krylov + 1), cosines(most_krylov), sines(most_krylov);
+
+  Array& first = w.basis[0];
+  first.resize(n + 1);
+  first.head(n) = -at.e * norm.by_flux;
+  first[n] = -at.load_error * norm.by_load;
+  const double size = first.matrix().norm();
+  right[0] = size;
+  first /= size;
+  int k = 0;
+  while (k < most_krylov) {
+    Step& z = w.preconditioned[static_cast<std::size_t>(k)];
+    const Array& v = w.basis[static_cast<std::size_t>(k)];
+    w.multigrid.cycle(v.head(n) / norm.by_flux, v[n] / norm.by_load, z, counters);
+    double load_change = 0;
+    at.apply(z, w.kernels.of(at.n), counters, w.product, load_change);
+    ++counters.krylov;
+    Array& next = w.basis[static_cast<std::size_t>(k + 1)];
+    next.resize(n + 1);
+    next.head(n) = w.product * norm.by_flux;
+    next[n] = load_change * norm.by_load;
+    for (int i = 0; i <= k; ++i) {
+      const Array& b = w.basis[static_cast<std::size_t>(i)];
+      hessenberg(i, k) = b.matrix().dot(next.matrix());
+      next -= hessenberg(i, k) * b;
+    }
+    hessenberg(k + 1, k) = next.matrix().norm();
+    if (hessenberg(k + 1, k) > 0) next /= hessenberg(k + 1, k);
+    for (int i = 0; i < k; ++i) {
+      const double a = hessenberg(i, k), b = hessenberg(i + 1, k);
+      hessenberg(i, k) = cosines[i] * a + sines[i] * b;
+      hessenberg(i + 1, k) = -sines[i] * a + cosines[i] * b;
+    }
+    const double length = std::hypot(hessenberg(k, k), hessenberg(k + 1, k));
+    cosines[k] = hessenberg(k, k) / length;
+    sines[k] = hessenberg(k + 1, k) / length;
+    hessenberg(k, k) = length;
+    right[k + 1] = -sines[k] * right[k];
+    right[k] *= cosines[k];
+    ++k;
+    if (!(std::abs(right[k]) > relative * size)) break;
+  }
+  const Eigen::VectorXd y =
+      hessenberg.topLeftCorner(k, k).triangularView<Eigen::Upper>().solve(right.head(k));
+  step.P.setZero(n + 1);
+  step.offset = step.exit = 0;
+  for (int i = 0; i < k; ++i) {
+    const Step& z = w.preconditioned[static_cast<std::size_t>(i)];
+    step.P += y[i] * z.P;
+    step.offset += y[i] * z.offset;
+    step.exit += y[i] * z.exit;
+  }
+}
+
+}  // namespace
+
+NewtonResult newton(const Setting& setting, State& state, double tolerance, int most_iterations, const Limits& limits,
+                    Workspace& w, Counters& counters) {
+  NewtonResult result;
+  const int n = static_cast<int>(state.P.size()) - 1;
+  Convolution& kernel = w.kernels.of(n);
+  if (!w.now.evaluate(setting, state, kernel, counters)) return result;
+  Step step;
+  int poor_steps = 0;
+  for (;; ++result.iterations) {
+    result.residual = residual_of(w.now);
+    if (result.residual <= std::max(tolerance, 8 * w.now.floor)) {
+      result.end = NewtonEnd::converged;
+      return result;
+    }
+    if (counters.newton >= limits.newton_iterations || limits.time_is_up()) {
+      result.end = NewtonEnd::limit;
+      return result;
+    }
+    if (result.iterations >= most_iterations || poor_steps >= 6) {
+      result.end = result.residual < 1e-3 ? NewtonEnd::stalled : NewtonEnd::failed;
+      return result;
+    }
+    ++counters.newton;
+    w.now.linearise(setting, state.P, state.exit);
+    if (!w.multigrid.prepare(setting, w.now, state, w.kernels)) return result;
+    const Norm norm(w.now);
+    const double before = norm.of(w.now);
+    solve_linear(w, norm, 0.1, counters, step);
+    if (!step.P.allFinite() || !std::isfinite(step.offset) || !std::isfinite(step.exit)) return result;
+
+    // The whole step is scaled, never clipped node by node.
+    double length = 1;
+    const double largest = step.P.abs().maxCoeff();
+    if (largest > 0.5) length = std::min(length, 0.5 / largest);
+    const double largest_exit = 0.05 * (state.exit + 0.2);
+    if (std::abs(step.exit) > largest_exit) length = std::min(length, largest_exit / std::abs(step.exit));
+    bool accepted = false;
+    for (int halving = 0; halving < 12 && !accepted; ++halving, length /= 2) {
+      w.candidate.P = state.P + length * step.P;
+      w.candidate.offset = state.offset + length * step.offset;
+      w.candidate.exit = state.exit + length * step.exit;
+      if (w.candidate.exit <= setting.inlet / 2) continue;
+      if (!w.trial.evaluate(setting, w.candidate, kernel, counters)) continue;
+      if ((w.trial.H < 0.2 * w.now.H).any()) continue;
+      const double after = norm.of(w.trial);
+      if (!(after < before)) continue;
+      accepted = true;
+      poor_steps = after > 0.9 * before ? poor_steps + 1 : 0;
+    }
+    if (!accepted) {
+      result.end = result.residual < 1e-3 ? NewtonEnd::stalled : NewtonEnd::failed;
+      return result;
+    }
+    std::swap(w.now, w.trial);
+    std::swap(state, w.candidate);
+  }
+}
+
+}  // namespace ehd::fast

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Newton on one grid; each step by flexible GMRES with the multigrid cycle as right preconditioner.
+#pragma once
+
+#include <chrono>
+#include <vector>
+
+#include "fast/discretisation.hpp"
+#include "fast/multigrid.hpp"
+
+namespace ehd::fast {
+
+/// What a caller may keep between solves: FFT plans, kernel tables and every array of a solve. One thread at a time.
+struct Workspace {
+  Multigrid::Kernels kernels;
+  Multigrid multigrid;
+  Discretisation now, trial;
+  State candidate;
+  std::vector<Step> directions, preconditioned;
+  std::vector<Array> basis;
+  Array product;
+};
+
+/// What bounds a solve.
+struct Limits {
+  long newton_iterations = 2000;
+  std::chrono::steady_clock::time_point deadline;
+  [[nodiscard]] bool time_is_up() const { return std::chrono::steady_clock::now() > deadline; }
+};
+
+enum class NewtonEnd { converged, stalled, failed, limit };
+
+struct NewtonResult {
+  NewtonEnd end = NewtonEnd::failed;
+  int iterations = 0;
+  double residual = 0;  ///< max|e|/(rho_n H_n) or the relative load error, whichever is larger
+};
+
+/// Until residual <= max(tolerance, 8 x rounding floor). `stalled`: no further decrease, residual small (< 1e-3) but
+/// above the tolerance. On return workspace.now holds the fields of `state`.
+[[nodiscard]] NewtonResult newton(const Setting& setting, State& state, double tolerance, int most_iterations,
+                                  const Limits& limits, Workspace& workspace, Counters& counters);
+
+}  // namespace ehd::fast

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fast/start.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "contact/film_formulas.hpp"
+#include "contact/scaling.hpp"
+
+namespace ehd::fast {
+
+using std::numbers::pi;
+
+Lengths lengths_from_film(double film) {
+  const double scale = std::max(1.0, std::sqrt(2 * film));
+  return {.film = film, .scale = scale, .inlet = std::pow(std::min(1.0, film), 2.0 / 3) * scale};
+}
+
+Lengths expected_lengths(const Groups& groups) {
+  return lengths_from_film(moes_film_formula({.M = groups.M, .L = groups.L}) / moes_film_per_hertz_film(groups.M));
+}
+
+State first_iterate(const Setting& setting, Shape shape, double film, int n, Convolution& kernel) {
+  State state;
+  // Martin's exit: X* = tan(g_c) sqrt(2 H_min), the gap being parabolic.
+  constexpr double martin_exit = 0.4751299200930562;
+  const double width = std::sqrt(2 * film);
+  state.exit = shape == Shape::hertz ? 1 + 0.45 * std::pow(std::min(1.0, film), 2.0 / 3) : martin_exit * width;
+  const double h = (state.exit - setting.inlet) / n;
+  state.P.setZero(n + 1);
+  const double flux = 1 + martin_exit * martin_exit;  // gap at the exit over the smallest, where dP/dX = 0
+  // Martin: dP/dy ~ 1/(1+y^2)^2 - flux/(1+y^2)^3, y = X/width, integrated from the exit inwards.
+  for (int i = n - 1; i > 0; --i) {
+    const double X = setting.inlet + i * h;
+    if (shape == Shape::hertz) {
+      state.P[i] = std::sqrt(std::max(0.0, 1 - X * X));
+    } else {
+      const double y = (X + h / 2) / width, gap = 1 + y * y;
+      state.P[i] = std::max(0.0, state.P[i + 1] - (1 - flux / gap) / (gap * gap));
+    }
+  }
+  state.P *= pi / 2 / (h * state.P.sum());
+  Array deflection;
+  kernel.apply(state.P, deflection);
+  const int centre = std::clamp(static_cast<int>(std::lround(-setting.inlet / h)), 0, n);
+  const double X = setting.inlet + centre * h;
+  state.offset = film - X * X / 2 + (h * deflection[centre] + h * std::log(h) * state.P.sum()) / pi;
+  return state;
+}
+
+State interpolate_to(const State& coarse, int n) {
+  const int m = static_cast<int>(coarse.P.size()) - 1;
+  State fine{.P = Array::Zero(n + 1), .offset = coarse.offset, .exit = coarse.exit};
+  for (int i = 0; i <= n; ++i) {
+    const double at = static_cast<double>(i) * m / n;
+    const int first = std::clamp(static_cast<int>(at) - 1, 0, m - 3);
+    const double t = at - first;  // cubic Lagrange through 0, 1, 2, 3
+    const double* const p = coarse.P.data() + first;
+    const double value = -(t - 1) * (t - 2) * (t - 3) / 6 * p[0] + t * (t - 2) * (t - 3) / 2 * p[1] -
+                         t * (t - 1) * (t - 3) / 2 * p[2] + t * (t - 1) * (t - 2) / 6 * p[3];
+    fine.P[i] = std::max(0.0, value);
+  }
+  return fine;
+}
+
+}  // namespace ehd::fast

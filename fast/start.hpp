@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// First iterates, and the lengths that a grid must see.
+#pragma once
+
+#include "fast/discretisation.hpp"
+
+namespace ehd::fast {
+
+/// Lengths that follow from a film height, in Hertz half-widths.
+struct Lengths {
+  double film = 0;   ///< H_cen, expected
+  double scale = 1;  ///< l = max(1, sqrt(2 H_cen)): where the pressure lives
+  double inlet = 1;  ///< width of the inlet zone, min(1, H_cen)^(2/3) l
+};
+[[nodiscard]] Lengths lengths_from_film(double film);
+/// By Moes' film formula.
+[[nodiscard]] Lengths expected_lengths(const Groups& groups);
+
+enum class Shape { hertz, martin };
+
+/// Where a flooded grid begins: -reach l, and the relative film error that the far inlet beyond it leaves.
+[[nodiscard]] double flooded_reach(const Groups& groups);
+[[nodiscard]] double flooded_truncation(const Groups& groups);
+
+/// Hertz's pressure, or the pressure of a rigid cylinder (Martin) of film `film`, its size scaled to the load: P on
+/// n + 1 nodes, X*, and H_0 such that the film at X = 0 is `film`.
+[[nodiscard]] State first_iterate(const Setting& setting, Shape shape, double film, int n, Convolution& kernel);
+
+/// The iterate on a grid with `n` intervals by cubic interpolation; pressure kept >= 0.
+[[nodiscard]] State interpolate_to(const State& coarse, int n);
+
+}  // namespace ehd::fast
