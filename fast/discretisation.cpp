@@ -43,6 +43,7 @@ bool Discretisation::evaluate(const Setting& setting, State& state, Convolution&
   P[n] = 0;
 
   // Film by the pressure on the grid; the first node's own half hat comes with the tail.
+  const InletTail& tail = state.tail;
   P[0] = 0;
   const double log_h = std::log(h);
   kernel.apply(P, deflection);
@@ -52,21 +53,20 @@ bool Discretisation::evaluate(const Setting& setting, State& state, Convolution&
   deflection = h * deflection + h * log_h * sum;
   H.resize(n + 1);
   const double x0 = setting.inlet, by_pi = 1 / pi;
+  if (setting.with_tail) {
+    P[0] = tail.pressure;
+    sum += P[0] / 2;
+    for (int i = 0; i <= n; ++i) deflection[i] += h * P[0] * (kernel.inner_half_weight(i) + log_h / 2);
+  }
   for (int i = 0; i <= n; ++i) {
     const double X = x0 + i * h;
     H[i] = state.offset + X * X / 2 - by_pi * deflection[i];
   }
-  tail = {};
   if (setting.with_tail) {
-    const double moment = h * (P * Array::LinSpaced(n + 1, x0, state.exit)).sum();
-    tail = inlet_tail(-x0, H[0] - x0 * x0 / 2, moment, H[n], setting.groups.lambda, ambient_slope(setting.viscosity));
-    P[0] = tail.pressure;
-    sum += P[0] / 2;
     const double* const t = tail.deflection;
     for (int i = 0; i <= n; ++i) {
-      const double X = x0 + i * h, share = h * P[0] * (kernel.inner_half_weight(i) + log_h / 2);
-      deflection[i] += share;
-      H[i] += t[0] + X * (t[1] + X * (t[2] + X * (t[3] + X * t[4]))) - by_pi * share;
+      const double X = x0 + i * h;
+      H[i] += t[0] + X * (t[1] + X * (t[2] + X * (t[3] + X * t[4])));
     }
   }
   load_error = h * sum + tail.load - pi / 2;
@@ -107,6 +107,14 @@ bool Discretisation::evaluate(const Setting& setting, State& state, Convolution&
   floor = std::numeric_limits<double>::epsilon() *
           (eps * P.head(n).max(P.tail(n)) * by_h + (density.value * H).head(n)).maxCoeff() / exit_flux();
   return true;
+}
+
+InletTail Discretisation::tail_of(const Setting& setting, const State& state) const {
+  if (!setting.with_tail) return {};
+  const double far = -setting.inlet;
+  const double moment = h * (state.P * Array::LinSpaced(n + 1, setting.inlet, state.exit)).sum();
+  return inlet_tail(far, H[0] - far * far / 2, moment, exit_flux(), setting.groups.lambda,
+                    ambient_slope(setting.viscosity));
 }
 
 void Discretisation::inject(const Discretisation& fine, const Array& fine_pressure, Array& pressure,

@@ -23,6 +23,7 @@ struct State {
   Array P;
   double offset = 0;  ///< H_0
   double exit = 1;    ///< X*
+  InletTail tail;     ///< flooded: held while Newton runs, refreshed between steps (see newton)
 };
 
 /// What a solve is about, apart from the iterate.
@@ -61,7 +62,6 @@ struct Discretisation {
   Array H;
   LawValues<double> log_viscosity, density;
   Array fluidity;  ///< 1/eta
-  InletTail tail;
 
   // Faces, n.
   Array eps;   ///< rho H^3/(eta lambda)
@@ -77,6 +77,8 @@ struct Discretisation {
 
   /// Fields and residual. False where the film is not positive or a number is not finite; then only H is meaningful.
   [[nodiscard]] bool evaluate(const Setting& setting, State& state, Convolution& kernel, Counters& counters);
+  /// The tail that belongs to the present fields.
+  [[nodiscard]] InletTail tail_of(const Setting& setting, const State& state) const;
   /// The same laws and fields taken from the nodes of a grid with twice the intervals (or, for an odd number, by
   /// linear interpolation): what a coarse level needs to linearise.
   void inject(const Discretisation& fine, const Array& fine_pressure, Array& pressure, const Setting& setting, double exit);

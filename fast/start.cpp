@@ -41,6 +41,20 @@ State first_iterate(const Setting& setting, Shape shape, double film, int n, Con
     }
   }
   state.P *= pi / 2 / (h * state.P.sum());
+  if (setting.with_tail) {
+    // The far inlet's own pressure, lambda 4/(3 x^3): without it the first faces, whose conductance grows as x^6, would
+    // dominate every norm.
+    for (int i = 1; i < n; ++i) {
+      const double x = -(setting.inlet + i * h), far = std::max(1.5, 2 * width);
+      if (x < far) break;
+      state.P[i] = std::max(state.P[i], setting.groups.lambda * 4 / (3 * x * x * x));
+    }
+  }
+  if (setting.with_tail) {
+    const double far = -setting.inlet;
+    state.tail = inlet_tail(far, film - 0.6 - std::log(far) / 2, 0, film, setting.groups.lambda,
+                            ambient_slope(setting.viscosity));
+  }
   Array deflection;
   kernel.apply(state.P, deflection);
   const int centre = std::clamp(static_cast<int>(std::lround(-setting.inlet / h)), 0, n);
@@ -51,7 +65,7 @@ State first_iterate(const Setting& setting, Shape shape, double film, int n, Con
 
 State interpolate_to(const State& coarse, int n) {
   const int m = static_cast<int>(coarse.P.size()) - 1;
-  State fine{.P = Array::Zero(n + 1), .offset = coarse.offset, .exit = coarse.exit};
+  State fine{.P = Array::Zero(n + 1), .offset = coarse.offset, .exit = coarse.exit, .tail = coarse.tail};
   for (int i = 0; i <= n; ++i) {
     const double at = static_cast<double>(i) * m / n;
     const int first = std::clamp(static_cast<int>(at) - 1, 0, m - 3);

@@ -138,8 +138,8 @@ Fields fields_of(const Run& run) {
           .log_viscosity = at.log_viscosity.value,
           .flux = at.flux,
           .offset = run.state.offset,
-          .load_beyond_inlet = at.tail.load,
-          .work_beyond_inlet = at.tail.work};
+          .load_beyond_inlet = run.state.tail.load,
+          .work_beyond_inlet = run.state.tail.work};
 }
 
 bool is_absolute(Quantity quantity) {
@@ -164,7 +164,7 @@ double discretisation_error(const std::vector<GridRecord>& grids, Quantity quant
 
 }  // namespace
 
-double flooded_reach(const Groups&) { return 8; }
+double flooded_reach(const Groups&) { return getenv("REACH") ? atof(getenv("REACH")) : 8; }
 double flooded_truncation(const Groups&) { return 1e-6; }
 
 Solution Uniform::solve(const Problem& problem, const Request& request) const {
