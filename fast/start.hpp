@@ -18,10 +18,6 @@ struct Lengths {
 
 enum class Shape { hertz, martin };
 
-/// Where a flooded grid begins: -reach l, and the relative film error that the far inlet beyond it leaves.
-[[nodiscard]] double flooded_reach(const Groups& groups);
-[[nodiscard]] double flooded_truncation(const Groups& groups);
-
 /// Hertz's pressure, or the pressure of a rigid cylinder (Martin) of film `film`, its size scaled to the load: P on
 /// n + 1 nodes, X*, and H_0 such that the film at X = 0 is `film`.
 [[nodiscard]] State first_iterate(const Setting& setting, Shape shape, double film, int n, Convolution& kernel);
