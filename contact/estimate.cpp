@@ -8,6 +8,12 @@
 
 namespace ehd {
 
+namespace {
+/// Where differences shrink by less than this from grid to grid (a third of an order), the error is judged as if they
+/// shrank by this: no finite bound would be right for all, and a smaller one than at a faster ratio would be absurd.
+constexpr double slowest_ratio = 1.25;
+}  // namespace
+
 GridEstimate estimate(const std::vector<double>& values, double formal_order) {
   assert(!values.empty());
   const std::size_t grids = values.size();
@@ -19,28 +25,36 @@ GridEstimate estimate(const std::vector<double>& values, double formal_order) {
                       .extrapolated_error = std::numeric_limits<double>::infinity()};
   if (grids == 1) return result;
 
-  const double last = values[grids - 1] - values[grids - 2];
+  const auto difference = [&](std::size_t back) { return values[grids - 1 - back] - values[grids - 2 - back]; };
+  const double last = difference(0);
   if (grids == 2) {
-    result.error = result.extrapolated_error = std::abs(last) / size;
+    result.error = result.extrapolated_error = 3 * std::abs(last) / size;
     return result;
   }
-  const double before = values[grids - 2] - values[grids - 3];
+  const double before = difference(1);
   const double ratio = before / last;  // inf or NaN where the last two grids agree to the digit
   const double s = std::pow(2.0, formal_order);
-  double error = std::max(std::abs(last), std::abs(before) / 2);
-  if (ratio >= 1.5 && ratio <= 2 * s) error = 1.25 * std::abs(last) / (std::min(ratio, s) - 1);
+  double error = std::abs(last);
+  if (ratio > 0) error *= std::max(1.0, 1.25 / (std::max(ratio, slowest_ratio) - 1));
+  for (std::size_t back = 1; back <= 3 && back + 2 <= grids; ++back)
+    error = std::max(error, std::ldexp(std::abs(difference(back)), -static_cast<int>(back)));
+  if (grids >= 4) {
+    const auto clean = [&](double r) { return std::abs(r / s - 1) <= 0.05; };
+    if (clean(ratio) && clean(difference(2) / before)) error = 2 * std::abs(last) / (s - 1);
+  }
   result.error = error / size;
-  if (ratio > 0) result.observed_order = std::log2(ratio);
+  if (ratio > 0 && std::isfinite(ratio)) result.observed_order = std::log2(ratio);
 
   result.extrapolated_error = result.error;
   if (ratio >= s / 1.5 && ratio <= 1.5 * s) {
     result.extrapolated = value + last / (s - 1);
-    const double correction = std::abs(last) / (s - 1);
-    result.extrapolated_error = correction / size;
+    result.extrapolated_error = std::abs(last) / (s - 1) / size;
     if (grids >= 4) {
-      const double extrapolated_before = values[grids - 2] + before / (s - 1);
-      const double move = std::abs(result.extrapolated - extrapolated_before);
-      result.extrapolated_error = std::min(correction, move) / size;
+      // Of two moves, since a single one may vanish by chance.
+      const double before_that = values[grids - 3] - values[grids - 4];
+      const double move = std::abs(last + (last - before) / (s - 1));
+      const double move_before = std::abs(before + (before - before_that) / (s - 1));
+      result.extrapolated_error = std::max(move, move_before / s) / size;
     }
   }
   return result;

@@ -18,11 +18,17 @@ struct GridEstimate {
 
 /// `values`: coarse to fine, at least one.
 ///   d_k = f_k - f_(k-1), r = d_(m-1)/d_m, s = 2^formal_order.
-/// - two grids: error |d_m| (covers first order and above).
-/// - monotone, 1.5 <= r <= 2 s: error 1.25 |d_m|/(min(r, s) - 1).
-/// - r < 1.5, negative or larger than 2 s (coincidence): error max(|d_m|, |d_(m-1)|/2).
-/// Extrapolation f_m + d_m/(s - 1) where s/1.5 <= r <= 1.5 s; its error is the move of the extrapolated value from the
-/// grid before (needs four grids), or the size |d_m|/(s - 1) of the last correction.
+/// - two grids: error 3 |d_m|.
+/// - the last two ratios within 5 % of s (needs four grids): error 2 |d_m|/(s - 1).
+/// - else the largest of |d_m| max(1, 1.25/(q - 1)), q the larger of r and 1.25 (a negative r counts as no convergence:
+///   |d_m|), and of the three differences before it, halved from grid to grid: a single small difference, or a single
+///   ratio near s, proves nothing where a spike passes through the grid.
+/// Calibrated on the uniform FFT solver, 450 problems (16 M of 0.05..1000, 9 L of 0..25, two law sets, flooded and -4) on
+/// all grids from 64 intervals to an eighth of 65536, truth from the finest: covers 2880 of 2880 errors of the smallest
+/// film at a median of 8 times the true one, 2878 of 2880 of the central film at 5 times. With only the last two
+/// differences it was 2395 of 2451.
+/// Extrapolation f_m + d_m/(s - 1) where s/1.5 <= r <= 1.5 s. Its error: with four grids the last move of the
+/// extrapolated value, or the move before it over s where that is larger; else the last correction |d_m|/(s - 1).
 [[nodiscard]] GridEstimate estimate(const std::vector<double>& values, double formal_order);
 
 }  // namespace ehd

@@ -93,7 +93,7 @@ bool Discretisation::evaluate(const Setting& setting, State& state, Convolution&
   const double* const gap = H.data();
   const double* const p = P.data();
   for (int i = 0; i < n; ++i) {
-    const double m = log_mean(u[i], u[i + 1], a[i + 1] - a[i]);
+    const double m = log_mean(u[i], u[i + 1], a[i + 1] - a[i]) + setting.fluidity_floor;
     const double Hf = (gap[i] + gap[i + 1]) / 2;
     eps[i] = (rho[i] + rho[i + 1]) / 2 * Hf * Hf * Hf * m * by_lambda;
   }
@@ -157,7 +157,8 @@ void Discretisation::linearise(const Setting& setting, const Array& P, double ex
   const double* const p = P.data();
   const double inlet = setting.inlet;
   for (int i = 0; i < n; ++i) {
-    const LogMean m = log_mean_with_slopes(u[i], u[i + 1], a[i + 1] - a[i]);
+    LogMean m = log_mean_with_slopes(u[i], u[i + 1], a[i + 1] - a[i]);
+    m.value += setting.fluidity_floor;
     const double Hf = (gap[i] + gap[i + 1]) / 2, rho_f = (rho[i] + rho[i + 1]) / 2;
     const double cube = Hf * Hf * Hf * by_lambda, gradient = (p[i + 1] - p[i]) * by_h;
     const double mobility = rho_f * cube * m.value;

@@ -33,6 +33,7 @@ struct Setting {
   Density density;
   double inlet = -4;        ///< X_a
   bool with_tail = false;   ///< flooded: the asymptotic inlet beyond X_a
+  double fluidity_floor = 0;  ///< added to the mean of 1/eta at each face: a homotopy parameter, 0 in every solution
 };
 
 /// A correction; P has n + 1 entries with zero ends.

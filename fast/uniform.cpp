@@ -70,6 +70,35 @@ bool succeeded(const NewtonResult& result, const Run& run, const State& state) {
          admissible(run.workspace.now, state);
 }
 
+/// Where a sharpening spike stops Newton on a finer grid: with a floor under the fluidity, lowered to nothing.
+bool lower_floor(Run& run, State& state, double tolerance, NewtonResult& result) {
+  const Setting target = run.setting;
+  State reached = state;
+  double floor = 1e-2, factor = 0.1;
+  bool any = false;
+  while (!run.limit_reached) {
+    const bool last = floor < 1e-16;
+    run.setting.fluidity_floor = last ? 0 : floor;
+    State trial = reached;
+    result = newton_on(run, trial, last ? tolerance : 1e-5);
+    if (succeeded(result, run, trial)) {
+      reached = trial;
+      any = true;
+      if (last) break;
+      floor *= factor;
+    } else {
+      if (!any || factor > 0.7) break;
+      floor /= factor;
+      factor = std::sqrt(factor);
+      floor *= factor;
+    }
+  }
+  const bool success = run.setting.fluidity_floor == 0 && any && succeeded(result, run, reached);
+  run.setting = target;
+  if (success) state = reached;
+  return success;
+}
+
 /// The last resort: from a mild contact (M at most 20, L at most 5) to the one asked for, in steps of one parameter.
 bool continuation(Run& run, int n, double tolerance, NewtonResult& result) {
   const Setting target = run.setting;
@@ -209,6 +238,7 @@ Solution Uniform::solve(const Problem& problem, const Request& request, Workspac
   Solution solution;
   SolveRecord& record = solution.record;
   double newton_residual = 0;
+  int refused = 0;
   const auto budget = [&](Quantity quantity) {
     return ErrorBudget{.discretisation = discretisation_error(record.grids, quantity),
                        .iteration = amplification * newton_residual,
@@ -223,10 +253,14 @@ Solution Uniform::solve(const Problem& problem, const Request& request, Workspac
       State state = interpolate_to(run.state, n);
       result = newton_on(run, state, target);
       solved = succeeded(result, run, state);
+      if (!solved) {
+        state = interpolate_to(run.state, n);
+        solved = lower_floor(run, state, target, result);
+      }
       if (solved) run.state = std::move(state);
+    } else {
+      solved = start(run, n, target, result);
     }
-    if (!solved && !run.limit_reached) solved = start(run, n, target, result);
-    if (run.limit_reached) break;
     if (solved) {
       run.has_state = true;
       newton_residual = result.residual;
@@ -246,9 +280,11 @@ Solution Uniform::solve(const Problem& problem, const Request& request, Workspac
       record.film_minimum = budget(Quantity::film_minimum);
       record.film_central = budget(Quantity::film_central);
       if (!request.nodes && record.film_minimum.total() <= tolerance && record.film_central.total() <= tolerance) break;
-    } else {
-      run.has_state = false;
-      record.grids.clear();
+    } else if (run.limit_reached) {
+      break;
+    } else if (run.has_state) {
+      refused = n;  // a spike that Newton cannot follow further: the grid before is the best there is
+      break;
     }
     if (n >= last) break;
   }
@@ -270,9 +306,9 @@ Solution Uniform::solve(const Problem& problem, const Request& request, Workspac
       if (quantity == Quantity::film_central) error = record.film_central.total();
       if (std::isfinite(error)) reading.error = error;
     }
-    // A spike is reported with its uncertainty or not at all.
+    // A spike is reported with its uncertainty or not at all; an uncertainty of its own size says nothing.
     const auto spike = solution.observables.find(Quantity::pressure_spike);
-    if (spike != solution.observables.end() && !spike->second.error) solution.observables.erase(spike);
+    if (spike != solution.observables.end() && !(spike->second.error.value_or(1) < 0.5)) solution.observables.erase(spike);
     std::erase_if(solution.observables, [&](const auto& entry) { return !problem.wanted.contains(entry.first); });
   }
   if (run.limit_reached) {
@@ -284,6 +320,10 @@ Solution Uniform::solve(const Problem& problem, const Request& request, Workspac
   } else if (!solved) {
     record.status = StopReason::diverged;
     record.reason = "Newton found no admissible solution from any start";
+  } else if (refused > 0) {
+    record.status = StopReason::tolerance_not_met;
+    record.reason = "Newton does not converge on " + std::to_string(refused) + " intervals; the values are those of " +
+                    std::to_string(record.grids.back().nodes);
   } else if (!request.nodes &&
              !(record.film_minimum.total() <= tolerance && record.film_central.total() <= tolerance)) {
     record.status = StopReason::tolerance_not_met;

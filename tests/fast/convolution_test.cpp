@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fast/convolution.hpp"
+
+#include <gsl/gsl_integration.h>
+
+#include <cmath>
+#include <random>
+
+#include "tests/check.hpp"
+
+using namespace ehd;
+using verification::Tolerance;
+
+namespace {
+
+/// Int_a^b (1 - |t|) ln|k - t| dt by GSL, the singularity put at an end.
+double hat_by_quadrature(int k, double a, double b) {
+  struct Data {
+    int k;
+  } data{k};
+  gsl_function f{[](double t, void* p) {
+                   const double distance = std::abs(static_cast<Data*>(p)->k - t);
+                   return distance > 0 ? (1 - std::abs(t)) * std::log(distance) : 0.0;
+                 },
+                 &data};
+  gsl_integration_workspace* const work = gsl_integration_workspace_alloc(2000);
+  double value = 0, error = 0;
+  gsl_integration_qags(&f, a, b, 1e-15, 1e-13, 2000, work, &value, &error);
+  gsl_integration_workspace_free(work);
+  return value;
+}
+
+const Tolerance quadrature = Tolerance::discretisation(1e-13, 20);
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(convolution)
+
+BOOST_AUTO_TEST_CASE(hat_moments_are_the_integrals_of_the_log_kernel) {
+  int rows = 0;
+  for (const int k : {0, 1, 2, 3, 7, 23, 24, 25, 26, 100, 4096}) {
+    const double whole = hat_by_quadrature(k, -1, 0) + hat_by_quadrature(k, 0, 1);
+    EHD_CHECK(error(fast::hat_moment(k), whole), quadrature);
+    EHD_CHECK(error(fast::half_hat_moment(k), hat_by_quadrature(k, -1, 0)), quadrature);
+    ++rows;
+  }
+  BOOST_REQUIRE_EQUAL(rows, 11);
+}
+
+BOOST_AUTO_TEST_CASE(series_and_closed_form_meet_where_they_change_over) {
+  // Third differences of g are smooth, about 2/k^3: a jump at 24/25 would stand out of the neighbours' trend.
+  for (int k = 20; k < 30; ++k) {
+    const double third = fast::hat_moment(k + 2) - 3 * fast::hat_moment(k + 1) + 3 * fast::hat_moment(k) -
+                         fast::hat_moment(k - 1);
+    const double expected = 2 / std::pow(k + 0.5, 3);
+    EHD_CHECK(error(third, expected), Tolerance::asymptotic(3.0 / (k * k), "next term of the difference, ~ 2.5/k^2"));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(fft_product_equals_the_dense_sum) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  int rows = 0;
+  for (const int n : {16, 17, 100, 128, 333, 1024}) {
+    fast::Convolution kernel(n);
+    Array x(n + 1), y;
+    for (int i = 0; i < n; ++i) x[i] = uniform(random);
+    x[n] = 0;
+    kernel.apply(x, y);
+    double worst = 0, size = 0;
+    for (int i = 0; i <= n; ++i) {
+      double sum = 0, absolute = 0;
+      for (int j = 0; j < n; ++j) {
+        sum += fast::hat_moment(std::abs(i - j)) * x[j];
+        absolute += std::abs(fast::hat_moment(std::abs(i - j)) * x[j]);
+      }
+      worst = std::max(worst, std::abs(y[i] - sum));
+      size = std::max(size, absolute);
+    }
+    // Three transforms of log2(2n) butterflies, and a dense sum whose own rounding grows as sqrt(n).
+    EHD_CHECK(worst / size, Tolerance::round_off(3 * std::log2(2.0 * n) + std::sqrt(n)));
+    ++rows;
+  }
+  BOOST_REQUIRE_EQUAL(rows, 6);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
