@@ -119,7 +119,7 @@ NewtonResult newton(const Setting& setting, State& state, double tolerance, int 
       result.end = NewtonEnd::limit;
       return result;
     }
-    if (result.iterations >= most_iterations || poor_steps >= 6) {
+    if (result.iterations >= most_iterations || poor_steps >= 15) {
       result.end = result.residual < 1e-3 ? NewtonEnd::stalled : NewtonEnd::failed;
       return result;
     }
@@ -134,7 +134,8 @@ NewtonResult newton(const Setting& setting, State& state, double tolerance, int 
     // The whole step is scaled, never clipped node by node.
     double length = 1;
     const double largest = step.P.abs().maxCoeff();
-    if (largest > 0.5) length = std::min(length, 0.5 / largest);
+    const double largest_allowed = 0.5 * std::max(1.0, state.P.maxCoeff() / 2);  // Barus' spike stands at 10 p_H
+    if (largest > largest_allowed) length = std::min(length, largest_allowed / largest);
     const double largest_exit = 0.05 * (state.exit + 0.2);
     if (std::abs(step.exit) > largest_exit) length = std::min(length, largest_exit / std::abs(step.exit));
     bool accepted = false;

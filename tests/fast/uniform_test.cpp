@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fast/uniform.hpp"
+
+#include <cmath>
+
+#include "tests/check.hpp"
+#include "tests/fast/problems.hpp"
+
+using namespace ehd;
+using verification::Tolerance;
+
+namespace {
+
+double film(const Solution& solution, Quantity quantity) { return solution.observables.at(quantity).value; }
+double reported(const Solution& solution, Quantity quantity) { return solution.observables.at(quantity).error.value(); }
+
+/// Films computed by high-order collocation with ten digits and more (literature of this project, Hertz units).
+struct Truth {
+  double M, L;
+  bool flooded;
+  double minimum, central;
+};
+constexpr Truth truths[] = {
+    {5, 5, false, .242348656788, .300522502074},     {20, 10, false, .0741426753998, .0856067317967},
+    {100, 10, false, .0121609125334, .013493910275}, {200, 15, false, .0072455216009, .0078653033017},
+    {5, 5, true, .244974049968, .304553206653},      {20, 10, true, .074327072817, .085869387723},
+    {100, 10, true, .0121636414018, .013497647172},  {200, 15, true, .0072463876853, .0078664543505},
+};
+
+Problem problem_of(const Truth& truth) {
+  return roelands_problem(truth.M, truth.L, truth.flooded ? Inlet{Flooded{}} : Inlet{TruncatedAt{-4}});
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(uniform)
+
+BOOST_AUTO_TEST_CASE(reported_errors_cover_the_true_ones_and_meet_the_tolerance) {
+  int rows = 0;
+  for (const Truth& truth : truths) {
+    for (const double tolerance : {1e-2, 1e-3}) {
+      BOOST_TEST_CONTEXT("M " << truth.M << " L " << truth.L << " flooded " << truth.flooded << " T " << tolerance) {
+        const Solution solution = fast::Uniform{}.solve(problem_of(truth), {.tolerance = tolerance});
+        BOOST_REQUIRE(solution.record.status == StopReason::converged);
+        const Tolerance asked = Tolerance::required(tolerance, "the tolerance asked for");
+        for (const auto& [quantity, value] : {std::pair{Quantity::film_minimum, truth.minimum},
+                                              std::pair{Quantity::film_central, truth.central}}) {
+          EHD_CHECK(reported(solution, quantity), asked);
+          EHD_CHECK(error(film(solution, quantity), value),
+                    Tolerance::discretisation(reported(solution, quantity), 1));
+        }
+        ++rows;
+      }
+    }
+  }
+  BOOST_REQUIRE_EQUAL(rows, 16);
+}
+
+BOOST_AUTO_TEST_CASE(four_thousand_nodes_give_three_digits) {
+  int rows = 0;
+  for (const Truth& truth : truths) {
+    BOOST_TEST_CONTEXT("M " << truth.M << " L " << truth.L << " flooded " << truth.flooded) {
+      const Solution solution = fast::Uniform{}.solve(problem_of(truth), {.tolerance = {}, .nodes = 4096});
+      BOOST_REQUIRE(solution.record.status == StopReason::converged);
+      BOOST_CHECK_EQUAL(solution.record.cost.nodes, 4096);
+      const Tolerance promised =
+          Tolerance::required(truth.M < 200 ? 1e-3 : 2e-3, "issue: 1e-3 to M = 100, 2e-3 at (200, 15)");
+      EHD_CHECK(error(film(solution, Quantity::film_minimum), truth.minimum), promised);
+      EHD_CHECK(error(film(solution, Quantity::film_central), truth.central), Tolerance::required(1e-3, "issue"));
+      ++rows;
+    }
+  }
+  BOOST_REQUIRE_EQUAL(rows, 8);
+}
+
+BOOST_AUTO_TEST_CASE(central_film_converges_with_the_declared_order) {
+  std::vector<double> logs;
+  constexpr double central = .300522502074;
+  for (const int n : {256, 512, 1024, 2048}) {
+    const Solution solution =
+        fast::Uniform{}.solve(roelands_problem(5, 5, TruncatedAt{-4}), {.tolerance = {}, .nodes = n});
+    logs.push_back(std::log2(error(film(solution, Quantity::film_central), central)));
+  }
+  BOOST_REQUIRE_EQUAL(logs.size(), 4u);
+  const double order = (3 * (logs[0] - logs[3]) + (logs[1] - logs[2])) / 10;  // least squares over four grids
+  EHD_CHECK(std::abs(order - fast::Uniform::description.formal_order),
+            Tolerance::asymptotic(0.1, "h^2 relative to its leading term at n = 256, h/d = 0.05"));
+}
+
+BOOST_AUTO_TEST_CASE(a_grid_that_cannot_see_the_inlet_zone_is_under_resolved) {
+  // (1000, 10): true films 8.99596e-4 and 9.64764e-4.
+  int rows = 0;
+  for (const int n : {16, 64, 128, 256, 512}) {
+    const Solution solution =
+        fast::Uniform{}.solve(roelands_problem(1000, 10, TruncatedAt{-4}), {.tolerance = {}, .nodes = n});
+    BOOST_TEST_CONTEXT("n " << n) {
+      BOOST_CHECK(solution.record.status == StopReason::under_resolved);
+      BOOST_CHECK(!solution.record.reason.empty());
+      for (const auto& [quantity, value] : {std::pair{Quantity::film_minimum, 8.9959560167e-4},
+                                            std::pair{Quantity::film_central, 9.6476425613e-4}}) {
+        if (!solution.observables.contains(quantity)) continue;  // no solution at all: no film is reported
+        BOOST_CHECK_GT(film(solution, quantity), 0);
+        EHD_CHECK(error(film(solution, quantity), value),
+                  Tolerance::discretisation(reported(solution, quantity), 1));
+      }
+    }
+    ++rows;
+  }
+  BOOST_REQUIRE_EQUAL(rows, 5);
+}
+
+BOOST_AUTO_TEST_CASE(any_number_of_intervals_works) {
+  int rows = 0;
+  for (const int n : {97, 333, 1000, 1001, 1023}) {
+    const Solution solution =
+        fast::Uniform{}.solve(roelands_problem(20, 10, TruncatedAt{-4}), {.tolerance = {}, .nodes = n});
+    BOOST_TEST_CONTEXT("n " << n) {
+      BOOST_REQUIRE(solution.record.status == StopReason::converged);
+      BOOST_CHECK_EQUAL(solution.fields.X.size(), n + 1);
+      EHD_CHECK(error(film(solution, Quantity::film_central), .0856067317967),
+                Tolerance::discretisation(reported(solution, Quantity::film_central), 1));
+    }
+    ++rows;
+  }
+  BOOST_REQUIRE_EQUAL(rows, 5);
+}
+
+BOOST_AUTO_TEST_CASE(martins_limit_is_approached_at_light_load) {
+  // H_min = 2.447484/M, Couette film 3/M for a rigid cylinder; elasticity enters as M^2 (here 0.0025).
+  const Solution solution = fast::Uniform{}.solve(barus_problem(0.05, 0, Flooded{}), {.tolerance = 1e-4});
+  BOOST_REQUIRE(solution.record.status == StopReason::converged);
+  const double moes = moes_film_per_hertz_film(0.05);
+  const Tolerance rigid = Tolerance::asymptotic(0.05 * 0.05, "deformation over film ~ M^2");
+  EHD_CHECK(error(film(solution, Quantity::film_minimum) * moes, 2.447484 / 0.05), rigid);
+  EHD_CHECK(error(film(solution, Quantity::film_couette) * moes, 3 / 0.05), rigid);
+}
+
+BOOST_AUTO_TEST_CASE(a_truncated_inlet_is_not_flooded) {
+  // Known effect at (3, 4), Barus incompressible: 4.0150 at -4, 4.1195 flooded (Moes units).
+  const Request request{.tolerance = 1e-4};
+  const double moes = moes_film_per_hertz_film(3);
+  const Solution cut = fast::Uniform{}.solve(barus_problem(3, 4, TruncatedAt{-4}), request);
+  const Solution flooded = fast::Uniform{}.solve(barus_problem(3, 4, Flooded{}), request);
+  EHD_CHECK(error(film(cut, Quantity::film_central) * moes, 4.0150), Tolerance::discretisation(1e-4 + 0.00005 / 4, 1));
+  EHD_CHECK(error(film(flooded, Quantity::film_central) * moes, 4.1195), Tolerance::discretisation(1e-4 + 0.0001 / 4, 1));
+  BOOST_CHECK_GT(flooded.record.film_central.truncation, 0);
+  BOOST_CHECK_EQUAL(cut.record.film_central.truncation, 0);
+}
+
+BOOST_AUTO_TEST_CASE(work_does_not_grow_with_the_grid) {
+  // Finest-grid equivalents of kernel products; all coarser grids included.
+  const Problem problem = roelands_problem(20, 10, TruncatedAt{-4});
+  double smallest = 1e9, largest = 0;
+  for (const int n : {1024, 2048, 4096, 8192}) {
+    const Solution solution = fast::Uniform{}.solve(problem, {.tolerance = {}, .nodes = n});
+    BOOST_REQUIRE(solution.record.status == StopReason::converged);
+    smallest = std::min(smallest, solution.record.cost.work_units);
+    largest = std::max(largest, solution.record.cost.work_units);
+  }
+  EHD_CHECK(largest / smallest, Tolerance::required(2, "a rate independent of n, one Newton step more or less in five"));
+}
+
+BOOST_AUTO_TEST_CASE(multigrid_needs_one_or_two_krylov_steps_whatever_the_grid) {
+  int rows = 0;
+  for (const auto& [M, L] : {std::pair{5.0, 5.0}, std::pair{20.0, 10.0}, std::pair{200.0, 15.0}}) {
+    for (const int n : {1024, 4096, 16384}) {
+      const Cost cost =
+          fast::Uniform{}.solve(roelands_problem(M, L, TruncatedAt{-4}), {.tolerance = {}, .nodes = n}).record.cost;
+      BOOST_TEST_CONTEXT("M " << M << " n " << n) {
+        EHD_CHECK(static_cast<double>(cost.krylov_iterations) / static_cast<double>(cost.newton_iterations),
+                  Tolerance::required(2, "the method: 1..2 GMRES steps a Newton step to M = 200"));
+      }
+      ++rows;
+    }
+  }
+  BOOST_REQUIRE_EQUAL(rows, 9);
+}
+
+BOOST_AUTO_TEST_CASE(what_a_case_does_not_need_is_not_computed) {
+  const Solution trivial = fast::Uniform{}.solve(barus_problem(10, 0, TruncatedAt{-4}), {.tolerance = 1e-2});
+  BOOST_CHECK_EQUAL(trivial.record.cost.viscosity_points, 0);
+  BOOST_CHECK_EQUAL(trivial.record.cost.density_points, 0);
+  const Solution barus = fast::Uniform{}.solve(barus_problem(10, 5, TruncatedAt{-4}), {.tolerance = 1e-2});
+  BOOST_CHECK_GT(barus.record.cost.viscosity_points, 0);
+  BOOST_CHECK_EQUAL(barus.record.cost.density_points, 0);
+
+  Problem problem = roelands_problem(20, 10, TruncatedAt{-4});
+  problem.wanted = {Quantity::film_central};
+  const Solution one = fast::Uniform{}.solve(problem, {.tolerance = 1e-2});
+  BOOST_CHECK_EQUAL(one.observables.size(), 1u);
+  BOOST_CHECK(one.observables.contains(Quantity::film_central));
+}
+
+BOOST_AUTO_TEST_CASE(grids_stop_at_the_coarsest_that_meets_the_tolerance) {
+  const Problem problem = roelands_problem(20, 10, TruncatedAt{-4});
+  int before = 0;
+  for (const double tolerance : {1e-2, 1e-3, 1e-4}) {
+    const Solution solution = fast::Uniform{}.solve(problem, {.tolerance = tolerance});
+    BOOST_REQUIRE(solution.record.status == StopReason::converged);
+    BOOST_CHECK_GT(solution.record.cost.nodes, before);
+    before = solution.record.cost.nodes;
+  }
+  BOOST_CHECK_LT(before, 65536);
+}
+
+BOOST_AUTO_TEST_CASE(a_kept_workspace_saves_plans_and_changes_no_digit) {
+  fast::Workspace workspace;
+  const Request request{.tolerance = 1e-3};
+  const Solution first = fast::Uniform{}.solve(roelands_problem(20, 10, TruncatedAt{-4}), request, workspace);
+  const Solution other = fast::Uniform{}.solve(barus_problem(3, 4, Flooded{}), request, workspace);
+  const Solution again = fast::Uniform{}.solve(roelands_problem(20, 10, TruncatedAt{-4}), request, workspace);
+  BOOST_CHECK_GT(first.record.cost.fft_plans, 0);
+  BOOST_CHECK_EQUAL(again.record.cost.fft_plans, 0);
+  BOOST_CHECK(other.record.status == StopReason::converged);
+  BOOST_CHECK((first.fields.P == again.fields.P).all());
+  BOOST_CHECK((first.fields.H == again.fields.H).all());
+}
+
+BOOST_AUTO_TEST_CASE(limits_end_a_solve_as_such) {
+  const Problem problem = roelands_problem(20, 10, TruncatedAt{-4});
+  const Solution few = fast::Uniform{}.solve(problem, {.tolerance = 1e-6, .max_iterations = 3});
+  BOOST_CHECK(few.record.status == StopReason::limit_reached);
+  const Solution late = fast::Uniform{}.solve(problem, {.tolerance = 1e-6, .time_limit_s = 1e-9});
+  BOOST_CHECK(late.record.status == StopReason::limit_reached);
+  const Solution strict = fast::Uniform{}.solve(problem, {.tolerance = 1e-12});
+  BOOST_CHECK(strict.record.status == StopReason::tolerance_not_met);
+  EHD_CHECK(error(film(strict, Quantity::film_minimum), .0741426753998),
+            Tolerance::discretisation(reported(strict, Quantity::film_minimum), 1));
+}
+
+BOOST_AUTO_TEST_CASE(flux_is_constant_and_the_load_is_carried) {
+  const Solution solution =
+      fast::Uniform{}.solve(roelands_problem(20, 10, Flooded{}), {.tolerance = {}, .nodes = 1024});
+  const Tolerance stopped = Tolerance::iteration(1e-10, 10);
+  EHD_CHECK(film(solution, Quantity::flux_variation), stopped);
+  EHD_CHECK(film(solution, Quantity::load_error), stopped);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
