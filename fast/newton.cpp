@@ -102,9 +102,9 @@ NewtonResult newton(const Setting& setting, State& state, double tolerance, int 
   for (;; ++result.iterations) {
     result.residual = residual_of(w.now);
     if (setting.with_tail && result.residual <= std::max({tolerance, 8 * w.now.floor, 1e-3}) && refreshes < 20) {
-      // What the tail does to the film is 1e-2 at the most, so 10 x tolerance is enough for the tail itself.
+      // What the tail does to the film is a few per cent at the most, so this leaves less than the residual does.
       const InletTail fresh = w.now.tail_of(setting, state);
-      if (std::abs(fresh.pressure - state.tail.pressure) > 10 * tolerance * fresh.pressure) {
+      if (std::abs(fresh.pressure - state.tail.pressure) > tolerance * fresh.pressure) {
         ++refreshes;
         state.tail = fresh;
         if (!w.now.evaluate(setting, state, kernel, counters)) return result;

@@ -24,8 +24,9 @@ constexpr double fewest_inlet_cells = 1.5;
 /// Covers the calibration above three times over.
 double error_of_inlet_cells(double cells) { return 0.5 / (cells * cells); }
 
-// Relative film error per relative flux residual; see README for the measurement.
-constexpr double amplification = 3;
+// Iteration stops at this share of the tolerance. Film error over the residual stopped at, measured at 96 problems (M of
+// 0.5..1000, L of 0..20, both law sets, flooded and -4) and three tolerances: at most 0.24, so the residual covers it.
+constexpr double iteration_share = 1.0 / 30;
 
 constexpr int first_nodes = 64;
 
@@ -241,11 +242,11 @@ Solution Uniform::solve(const Problem& problem, const Request& request, Workspac
   int refused = 0;
   const auto budget = [&](Quantity quantity) {
     return ErrorBudget{.discretisation = discretisation_error(record.grids, quantity),
-                       .iteration = amplification * newton_residual,
+                       .iteration = newton_residual,
                        .truncation = cut ? 0 : far.truncation};
   };
   for (;; n *= 2) {
-    const double target = request.nodes ? (n == last ? 1e-11 : 1e-7) : tolerance / 100;
+    const double target = request.nodes ? (n == last ? 1e-11 : 1e-7) : tolerance * iteration_share;
     NewtonResult result;
     bool solved = false;
     const long newton_before = run.counters.newton;
@@ -263,7 +264,7 @@ Solution Uniform::solve(const Problem& problem, const Request& request, Workspac
     }
     if (solved) {
       run.has_state = true;
-      newton_residual = result.residual;
+      newton_residual = std::max(result.residual, request.nodes ? 0 : target);
       solution.fields = fields_of(run);
       GridRecord grid{.nodes = n,
                       .newton_iterations = static_cast<int>(run.counters.newton - newton_before),
