@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/study.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "contact/estimate.hpp"
+#include "contact/film_formulas.hpp"
+#include "contact/observables.hpp"
+#include "contact/scaling.hpp"
+
+namespace ehd::reference {
+
+namespace {
+
+using Eigen::Index;
+
+constexpr double formal_order = 2;
+
+double seconds_since(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+Fields fields_of(const Level& level) {
+  const Evaluation& at = level.at;
+  Fields fields;
+  fields.X = at.X;
+  fields.P = level.state.P;
+  fields.H = at.H;
+  fields.density = at.density.value;
+  fields.log_viscosity = at.viscosity.value;
+  fields.flux = at.wedge - at.mobility * at.gradient;
+  fields.offset = level.state.offset;
+  return fields;
+}
+
+bool is_absolute(Quantity quantity) { return quantity == Quantity::film_offset || quantity == Quantity::approach; }
+/// These measure an error themselves.
+bool is_diagnostic(Quantity quantity) {
+  return quantity == Quantity::load_error || quantity == Quantity::flux_variation;
+}
+
+bool is_film(Quantity quantity) {
+  return quantity == Quantity::film_minimum || quantity == Quantity::film_central || quantity == Quantity::film_couette;
+}
+
+/// Least relative error of a film on a grid with few cells in the inlet zone, whatever differences of grids say; with
+/// more than `safe_inlet_cells` they are enough. Twice what was measured with equal cells: README.md, section 4.
+constexpr double safe_inlet_cells = 8;
+double coarse_grid_error(double inlet_cells) { return 0.4 / (inlet_cells * std::max(1.0, inlet_cells)); }
+
+/// A spike height less certain than this is not reported: where it grows with the grid, differences that fall do so by
+/// chance.
+constexpr double vaguest_spike = 0.1;
+
+/// A quantity as a sequence of grids gives it.
+struct Judged {
+  double value = 0;
+  double error = 0;      ///< relative
+  bool settles = false;  ///< the last differences fall at least by 1.5
+};
+
+Judged judge_grids(const std::vector<double>& values, bool extrapolate) {
+  // The safety of extrapolated values is calibrated on the box of README.md, section 6; the other has its own.
+  constexpr double extrapolation_safety = 2;
+  const GridEstimate now = estimate(values, formal_order);
+  return {.value = extrapolate ? now.extrapolated : now.value,
+          .error = extrapolate ? extrapolation_safety * now.extrapolated_error : now.error,
+          .settles = now.observed_order && *now.observed_order >= std::log2(1.5)};
+}
+
+/// Films are what errors are judged by, wanted or not.
+Wanted with_films(Wanted wanted) {
+  wanted.insert({Quantity::film_minimum, Quantity::film_central});
+  return wanted;
+}
+
+/// The level without the nodes before `first`; the pressure there is set to zero.
+std::pair<Grid, State> cut(const Level& level, Index first) {
+  const Array& s = level.grid.fractions;
+  const Index nodes = s.size() - first;
+  Grid grid{
+      .inlet = level.at.X[first], .fractions = s.tail(nodes) / s[first], .kappa = level.grid.kappa.tail(nodes - 1)};
+  State state{.P = level.state.P.tail(nodes), .offset = level.state.offset, .exit = level.state.exit};
+  state.P[0] = 0;
+  return {std::move(grid), std::move(state)};
+}
+
+}  // namespace
+
+double contact_length(double central_film) { return std::max(1.0, std::sqrt(2 * std::max(central_film, 0.0))); }
+double inlet_zone(double central_film) { return std::pow(std::clamp(central_film, 0.0, 1.0), 2.0 / 3); }
+
+double inlet_cells(const Array& nodes, double central_film) {
+  const double l = contact_length(central_film);
+  const Index right = std::lower_bound(nodes.begin(), nodes.end(), -l) - nodes.begin();
+  const Index i = std::clamp<Index>(right, 1, nodes.size() - 1);
+  return l * inlet_zone(central_film) / (nodes[i] - nodes[i - 1]);
+}
+
+double Level::cells_in_inlet_zone() const { return inlet_cells(at.X, central_film()); }
+
+Study::Study(const Problem& problem, const Request& request)
+    : problem_(problem),
+      request_(request),
+      budget_{.newton_iterations = request.max_iterations,
+              .end = begin_ + std::chrono::duration_cast<Clock::duration>(
+                                  std::chrono::duration<double>(std::min(request.time_limit_s, 1e8)))},
+      expected_film_(moes_film_formula({problem.groups.M, problem.groups.L}) /
+                     moes_film_per_hertz_film(problem.groups.M)) {}
+
+std::optional<Level> Study::attempt(const Equations& equations, const State& start) {
+  NewtonResult run = newton(equations, start, budget_);
+  const int intervals = equations.grid().intervals();
+  budget_.newton_iterations -= run.iterations;
+  spent_.newton_iterations += run.iterations;
+  spent_.convolutions += run.kernel_products;
+  spent_.viscosity_points += run.viscosity_points;
+  spent_.density_points += run.density_points;
+  point_products_ += static_cast<double>(run.kernel_products) * intervals;
+  limit_reached_ = run.end == NewtonEnd::limit_reached;
+  if (run.end != NewtonEnd::solved) return std::nullopt;
+
+  Level level{.grid = equations.grid(),
+              .state = std::move(run.state),
+              .at = std::move(run.at),
+              .iteration_error = run.iteration_error,
+              .seen = {}};
+  level.seen = observe(fields_of(level), with_films(problem_.wanted));
+  if (!level.seen.contains(Quantity::film_central)) return std::nullopt;
+  GridRecord record;
+  record.nodes = intervals;
+  record.newton_iterations = run.iterations;
+  record.residual = level.at.relative_residual();
+  record.inlet_cells = level.cells_in_inlet_zone();
+  record.observed = level.seen;
+  grids_.push_back(std::move(record));
+  return level;
+}
+
+std::optional<Level> Study::solve(const Grid& grid, bool insist) {
+  const auto begin = Clock::now();
+  const Equations equations(problem_, grid);
+  std::optional<Level> level;
+  for (const double factor : {1.0, 2.0, 0.5, 4.0}) {
+    const double film = factor * expected_film_;
+    // Hertz' pressure where the film is thin, Martin's where it is thick, both between.
+    if (expected_film_ < 5) level = attempt(equations, hertz_start(equations, film, 1 + 0.45 * inlet_zone(film)));
+    if (level || limit_reached_) break;
+    if (expected_film_ > 0.1) level = attempt(equations, martin_start(equations, film));
+    if (level || limit_reached_ || !insist) break;
+  }
+  last_grid_s_ = seconds_since(begin);
+  return level;
+}
+
+std::optional<Level> Study::solve(const Grid& grid, const Level& from, bool insist) {
+  const auto begin = Clock::now();
+  const Equations equations(problem_, grid);
+  std::optional<Level> level = attempt(equations, interpolated_start(equations, from.state, from.at));
+  last_grid_s_ = seconds_since(begin);
+  if (level || limit_reached_) return level;
+  return solve(grid, insist);
+}
+
+bool Study::no_time_to_double() const {
+  const double left_s = std::chrono::duration<double>(budget_.end - Clock::now()).count();
+  return 8 * last_grid_s_ > left_s;
+}
+
+std::optional<Truncation> Study::truncation(const Level& level) {
+  constexpr double safety = 2;
+  const Array& X = level.at.X;
+  const double near = std::max(X[0] / 8, -50 * contact_length(level.central_film()));
+  const Index first = std::lower_bound(X.begin(), X.end(), near) - X.begin();
+  const auto [grid, start] = cut(level, first);
+  const auto solved = attempt(Equations(problem_, grid), start);
+  if (!solved) return std::nullopt;
+  grids_.pop_back();  // a cut is no grid of the study
+  const double ratio = X[0] / X[first];
+  Truncation truncation{.inlet = X[0], .errors = {}};
+  for (const auto& [quantity, reading] : level.seen) {
+    if (is_diagnostic(quantity) || !solved->seen.contains(quantity)) continue;
+    const double move = std::abs(solved->seen.at(quantity).value - reading.value) / (ratio * ratio - 1);
+    truncation.errors[quantity].value = safety * move / (is_absolute(quantity) ? 1 : std::abs(reading.value));
+  }
+  return truncation;
+}
+
+Cost Study::cost(int finest) const {
+  Cost cost = spent_;
+  cost.wall_s = seconds_since(begin_);
+  cost.work_units = finest > 0 ? point_products_ / finest : 0;
+  cost.nodes = finest;
+  cost.levels = static_cast<int>(grids_.size());
+  return cost;
+}
+
+Solution Study::report(const std::vector<Level>& levels, bool extrapolate,
+                       const std::optional<Truncation>& truncation) const {
+  const Level& finest = levels.back();
+  const double cells = finest.cells_in_inlet_zone();
+  Solution solution;
+  solution.fields = fields_of(finest);
+  for (auto [quantity, reading] : finest.seen) {
+    const bool film = is_film(quantity);
+    if (!is_diagnostic(quantity)) {
+      std::vector<double> values;
+      for (const Level& level : levels) {
+        if (level.seen.contains(quantity))
+          values.push_back(level.seen.at(quantity).value);
+        else
+          values.clear();
+      }
+      const Judged judged = judge_grids(values, extrapolate);
+      if (quantity == Quantity::pressure_spike && !(judged.settles && judged.error <= vaguest_spike)) continue;
+      reading.value = judged.value;
+      ErrorBudget budget{.discretisation = judged.error, .iteration = finest.iteration_error, .truncation = 0};
+      if (truncation && truncation->errors.contains(quantity))
+        budget.truncation = truncation->errors.at(quantity).value * std::pow(truncation->inlet / finest.grid.inlet, 2);
+      if (is_absolute(quantity)) {
+        budget.discretisation *= std::abs(judged.value);
+        budget.iteration *= finest.central_film();
+      }
+      if (film && cells < safe_inlet_cells)
+        budget.discretisation = std::max(levels.size() == 1 ? 0 : budget.discretisation, coarse_grid_error(cells));
+      if (flooded() && !truncation) budget.truncation = std::numeric_limits<double>::infinity();
+      if (std::isfinite(budget.total())) reading.error = budget.total();
+      if (quantity == Quantity::film_minimum) solution.record.film_minimum = budget;
+      if (quantity == Quantity::film_central) solution.record.film_central = budget;
+    }
+    if (problem_.wanted.contains(quantity)) solution.observables[quantity] = reading;
+  }
+  // A maximum that is the spike is known no better than the spike.
+  if (finest.seen.contains(Quantity::pressure_spike) && finest.seen.contains(Quantity::pressure_maximum) &&
+      finest.seen.at(Quantity::pressure_spike).place == finest.seen.at(Quantity::pressure_maximum).place &&
+      !solution.observables.contains(Quantity::pressure_spike))
+    solution.observables.erase(Quantity::pressure_maximum);
+  solution.record.status = StopReason::converged;
+  solution.record.cost = cost(finest.grid.intervals());
+  solution.record.grids = grids_;
+  return solution;
+}
+
+Solution Study::without_film(StopReason status, std::string reason) const {
+  Solution solution;
+  solution.record.status = status;
+  solution.record.reason = std::move(reason);
+  solution.record.cost = cost(grids_.empty() ? 0 : grids_.back().nodes);
+  solution.record.grids = grids_;
+  return solution;
+}
+
+std::vector<int> doubled_sizes(int n0, int largest) {
+  std::vector<int> sizes;
+  for (int n = n0; n <= largest; n *= 2) sizes.push_back(n);
+  return sizes;
+}
+
+std::vector<int> halved_sizes(int n, const std::function<bool(int)>& useful) {
+  std::vector<int> sizes{n};
+  while (sizes.back() >= 32 && useful((sizes.back() + 1) / 2)) sizes.push_back((sizes.back() + 1) / 2);
+  std::reverse(sizes.begin(), sizes.end());
+  return sizes;
+}
+
+Solution solve_grids(Study& study, const std::function<Grid(int)>& grid_of, const std::vector<int>& sizes,
+                     const std::optional<double>& tolerance, bool extrapolate, const std::optional<Level>& start) {
+  std::vector<Level> levels;
+  std::optional<Level> last = start;
+  std::optional<Truncation> truncation;
+  Solution solution;
+  bool out_of_time = false;
+  for (const int n : sizes) {
+    out_of_time = last && tolerance && study.no_time_to_double();
+    if (out_of_time) break;
+    const bool insist = tolerance || n == sizes.back();  // a half that fails is only a lost estimate
+    std::optional<Level> level = last ? study.solve(grid_of(n), *last, insist) : study.solve(grid_of(n), insist);
+    out_of_time = study.limit_reached();
+    if (out_of_time) break;
+    if (!level) {
+      levels.clear();
+      last = start;
+      continue;
+    }
+    last = level;
+    if (tolerance && level->cells_in_inlet_zone() < fewest_inlet_cells) continue;
+    levels.push_back(*level);
+    if (study.flooded() && !truncation) truncation = study.truncation(*level);
+    solution = study.report(levels, extrapolate, truncation);
+    const double error = std::max(solution.record.film_minimum.total(), solution.record.film_central.total());
+    if (tolerance && levels.size() >= 3 && error <= *tolerance) return solution;
+  }
+
+  const std::string finest = std::to_string(sizes.back()) + " intervals";
+  if (levels.empty()) {
+    if (out_of_time) return study.without_film(StopReason::limit_reached, "no grid was solved within the limits");
+    if (inlet_cells(grid_of(sizes.back()).nodes(1), study.expected_film()) < fewest_inlet_cells)
+      return study.without_film(
+          StopReason::under_resolved,
+          "the inlet zone is narrower than two cells and no positive film solves the equations of " + finest);
+    return study.without_film(StopReason::diverged, "no positive film was found on up to " + finest);
+  }
+  if (out_of_time) {
+    solution.record.status = StopReason::limit_reached;
+    solution.record.reason = "iterations or time ended before " + finest;
+  } else if (tolerance) {
+    solution.record.status = StopReason::tolerance_not_met;
+    solution.record.reason = "the films are not estimated within the tolerance on " + finest;
+  } else if (levels.back().cells_in_inlet_zone() < fewest_inlet_cells) {
+    solution.record.status = StopReason::under_resolved;
+    solution.record.reason = "the inlet zone is narrower than two cells";
+  }
+  return solution;
+}
+
+}  // namespace ehd::reference

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A sequence of grids solved one after the other, and the Solution with errors that is made of it.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "contact/solver.hpp"
+#include "reference/newton.hpp"
+
+namespace ehd::reference {
+
+/// A grid that was solved.
+struct Level {
+  Grid grid;
+  State state;
+  Evaluation at;
+  double iteration_error = 0;
+  Observables seen;  ///< without errors
+  [[nodiscard]] double central_film() const { return seen.at(Quantity::film_central).value; }
+  [[nodiscard]] double minimum_film() const { return seen.at(Quantity::film_minimum).value; }
+  [[nodiscard]] double cells_in_inlet_zone() const;  ///< by its own film
+};
+
+/// l = max(1, sqrt(2 H)): the length that counts, Hertz' half-width or the film's own at light loads.
+[[nodiscard]] double contact_length(double central_film);
+/// Width of the inlet zone in units of l: min(H, 1)^(2/3).
+[[nodiscard]] double inlet_zone(double central_film);
+/// X_a of a flooded domain in units of l; the truncation that is left is below 1e-6 of the film (README.md, section 5).
+inline constexpr double farthest_inlet = -4000;
+
+/// Cells of a grid in the inlet zone of a film: the zone begins at X = -l and is l min(H_cen, 1)^(2/3) wide.
+[[nodiscard]] double inlet_cells(const Array& nodes, double central_film);
+
+/// The error of each observable (relative; offset and approach absolute) because the domain begins at `inlet`.
+struct Truncation {
+  double inlet = 0;
+  Observables errors;
+};
+
+/// Fewer cells than this in the inlet zone cannot see it.
+inline constexpr double fewest_inlet_cells = 1.5;
+
+class Study {
+ public:
+  Study(const Problem& problem, const Request& request);
+
+  /// Central film that a fit of the literature expects: where searching begins, never what is reported.
+  [[nodiscard]] double expected_film() const { return expected_film_; }
+  /// Solves from scratch: Hertz' or Martin's pressure with the expected film; if `insist`, also with 2, 1/2, 4 times
+  /// it.
+  [[nodiscard]] std::optional<Level> solve(const Grid& grid, bool insist = true);
+  /// Solves from the solution on another grid; from scratch where that fails.
+  [[nodiscard]] std::optional<Level> solve(const Grid& grid, const Level& from, bool insist = true);
+  /// Iterations or time have run out.
+  [[nodiscard]] bool limit_reached() const { return limit_reached_; }
+  /// A grid with twice the intervals of the last one would not end in time (run time ~ n^3).
+  [[nodiscard]] bool no_time_to_double() const;
+
+  [[nodiscard]] bool flooded() const { return std::holds_alternative<Flooded>(problem_.inlet); }
+  /// What the inlet's place does: the level again without its far nodes, and the difference carried on as X_a^-2, twice
+  /// for safety. Empty where the cut grid could not be solved.
+  [[nodiscard]] std::optional<Truncation> truncation(const Level& level);
+
+  /// The last of `levels` (coarse to fine, one family) with an error for each quantity. `extrapolate`: Richardson where
+  /// the observed ratio supports it.
+  [[nodiscard]] Solution report(const std::vector<Level>& levels, bool extrapolate,
+                                const std::optional<Truncation>& truncation) const;
+  /// No film: what could not be solved, and why.
+  [[nodiscard]] Solution without_film(StopReason status, std::string reason) const;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  std::optional<Level> attempt(const Equations& equations, const State& start);
+  [[nodiscard]] Cost cost(int finest) const;
+
+  Problem problem_;
+  Request request_;
+  Clock::time_point begin_ = Clock::now();
+  Budget budget_;
+  double expected_film_;
+  bool limit_reached_ = false;
+  Cost spent_;
+  double point_products_ = 0;  ///< kernel products times their intervals
+  double last_grid_s_ = 0;
+  std::vector<GridRecord> grids_;
+};
+
+/// Solves grid_of(n) for each n of `sizes` (coarse to fine, each about twice the one before), the first from `start`.
+/// - with a tolerance: ends at the first of at least three grids whose films are both estimated within it; grids that
+///   cannot see the inlet zone serve as starts only.
+/// - without: the last size is the answer, the others its start and its error estimate.
+[[nodiscard]] Solution solve_grids(Study& study, const std::function<Grid(int)>& grid_of, const std::vector<int>& sizes,
+                                   const std::optional<double>& tolerance, bool extrapolate,
+                                   const std::optional<Level>& start);
+
+/// sizes 2^k n0 up to `largest`.
+[[nodiscard]] std::vector<int> doubled_sizes(int n0, int largest);
+/// n and its halves, coarse to fine, as long as `useful(half)`, but not below 16.
+[[nodiscard]] std::vector<int> halved_sizes(int n, const std::function<bool(int)>& useful);
+
+}  // namespace ehd::reference

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Rungs 8 to 10 of reference. Truths: this project's high-order collocation (8 to 10 digits) unless said otherwise.
+#include "reference/graded.hpp"
+
+#include "contact/film_formulas.hpp"
+#include "reference/map.hpp"
+#include "tests/check.hpp"
+#include "tests/reference/problems.hpp"
+
+using namespace ehd;
+using namespace ehd::testing;
+using reference::Graded;
+using verification::Tolerance;
+
+static_assert(Solver<Graded>);
+
+namespace {
+
+struct Truth {
+  double M, L, minimum, central;
+};
+const std::vector<Truth> truncated_at_4 = {
+    {5, 5, .242348656788, .300522502074},         {20, 10, .0741426753998, .0856067317967},
+    {100, 10, .0121609125334, .013493910275},     {200, 15, .0072455216009, .0078653033017},
+    {1000, 10, 8.9959560167e-4, 9.6476425613e-4}, {1000, 20, 1.43664694e-3, 1.53747594e-3}};
+const std::vector<Truth> flooded = {{5, 5, .244974049968, .304553206653},
+                                    {20, 10, .074327072817, .085869387723},
+                                    {100, 10, .0121636414018, .013497647172},
+                                    {200, 15, .0072463876853, .0078664543505},
+                                    {1000, 10, 8.996019841e-4, 9.647726835e-4}};
+
+double value(const Solution& solution, Quantity quantity) { return solution.observables.at(quantity).value; }
+double stated_error(const Solution& solution, Quantity quantity) {
+  return solution.observables.at(quantity).error.value();
+}
+
+/// Converged, within the tolerance, and within the stated error.
+void check_films(const Solution& solution, const Truth& truth, double tolerance, double truth_digits = 1e-9) {
+  BOOST_TEST_CONTEXT("M = " << truth.M << ", L = " << truth.L << ", tolerance " << tolerance) {
+    BOOST_REQUIRE(solution.record.status == StopReason::converged);
+    for (const auto& [quantity, film] :
+         {std::pair{Quantity::film_minimum, truth.minimum}, {Quantity::film_central, truth.central}}) {
+      const double missed = error(value(solution, quantity), film);
+      EHD_CHECK(missed, Tolerance::required(tolerance + truth_digits, "--tolerance"));
+      EHD_CHECK(missed, Tolerance::discretisation(stated_error(solution, quantity) + truth_digits, 1));
+      EHD_CHECK(stated_error(solution, quantity), Tolerance::required(tolerance, "--tolerance"));
+    }
+  }
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(graded)
+
+BOOST_AUTO_TEST_CASE(films_of_the_table_within_a_thousandth) {
+  for (const Truth& truth : truncated_at_4)
+    check_films(Graded{}.solve(roelands_problem(truth.M, truth.L, TruncatedAt{-4}), within(1e-3)), truth, 1e-3);
+  for (const Truth& truth : flooded)
+    check_films(Graded{}.solve(roelands_problem(truth.M, truth.L, Flooded{}), within(1e-3)), truth, 1e-3);
+}
+
+BOOST_AUTO_TEST_CASE(films_of_moderate_contacts_within_a_hundred_thousandth) {
+  for (const std::size_t k : {0u, 1u, 2u}) {
+    const Truth& cut = truncated_at_4.at(k);
+    check_films(Graded{}.solve(roelands_problem(cut.M, cut.L, TruncatedAt{-4}), within(1e-5)), cut, 1e-5);
+    const Truth& full = flooded.at(k);
+    check_films(Graded{}.solve(roelands_problem(full.M, full.L, Flooded{}), within(1e-5)), full, 1e-5);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(barus_and_isoviscous_films_within_a_thousandth) {
+  // The last digit of each truth as printed.
+  check_films(Graded{}.solve(barus_problem(5, 5, TruncatedAt{-4}), within(1e-3)), {5, 5, .246708437314, .324050552892},
+              1e-3);
+  check_films(Graded{}.solve(barus_problem(20, 10, TruncatedAt{-4}), within(1e-3)), {20, 10, .07787807, .10331552},
+              1e-3, 1e-7);
+  check_films(Graded{}.solve(barus_problem(20, 10, Flooded{}), within(1e-3)), {20, 10, .0780780, .1036379}, 1e-3, 1e-6);
+  check_films(Graded{}.solve(barus_problem(10, 0, TruncatedAt{-4}), within(1e-3)), {10, 0, .05195300, .06590535}, 1e-3,
+              2e-7);
+}
+
+BOOST_AUTO_TEST_CASE(kostrevas_nine_contacts_within_a_thousandth) {
+  // Films of Kostreva's problems computed on his domain [-3, .], five digits; h_K = 2 H, k = 2 H_0, lambda =
+  // lambda_K/4.
+  struct Row {
+    double alpha, lambda, k, minimum, central;
+  };
+  const std::vector<Row> rows = {{2.832, 6.057, 1.14938, 1.75798, 2.17466}, {2.832, 30.29, 3.94430, 4.27525, 4.60441},
+                                 {2.832, 60.57, 5.80042, 6.04903, 6.33277}, {3.746, 1.978, .16670, .98761, 1.28196},
+                                 {3.746, 9.889, 2.09699, 2.61074, 3.11563}, {3.746, 19.78, 3.41677, 3.80682, 4.22613},
+                                 {4.477, .9692, -.25170, .67441, .87793},   {4.477, 4.846, 1.20463, 1.86005, 2.36390},
+                                 {4.477, 9.692, 2.25722, 2.78057, 3.39394}};
+  for (const Row& row : rows) {
+    const Problem problem =
+        nondimensionalise(HertzGroups{row.lambda / 4, row.alpha}, Lubricant{}, TruncatedAt{-3}).problem;
+    const Solution solution = Graded{}.solve(problem, within(1e-3));
+    check_films(solution, {problem.groups.M, problem.groups.L, row.minimum / 2, row.central / 2}, 1e-3, 5e-5);
+    EHD_CHECK(std::abs(value(solution, Quantity::film_offset) - row.k / 2),
+              Tolerance::discretisation(stated_error(solution, Quantity::film_offset) + 3e-5, 1));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(rigid_isoviscous_limit_is_martins) {
+  // H_min = 2.447484/M (Moes), exit 0.47513 sqrt(2 H_min). The elastic deflection remains: it lowers with M; at M =
+  // 0.05 the pressure p_H P_max with P_max ~ M bends the gap by about P_max/H ~ 1e-3 of itself.
+  const Solution solution = Graded{}.solve(barus_problem(0.05, 0, Flooded{}), within(1e-4));
+  BOOST_REQUIRE(solution.record.status == StopReason::converged);
+  const double film = value(solution, Quantity::film_minimum);
+  const auto elastic = Tolerance::asymptotic(2e-3, "elastic deflection at M = 0.05");
+  EHD_CHECK(error(film * moes_film_per_hertz_film(0.05), 2.447484 / 0.05), elastic);
+  EHD_CHECK(error(value(solution, Quantity::film_couette) * moes_film_per_hertz_film(0.05), 3 / 0.05), elastic);
+  EHD_CHECK(error(value(solution, Quantity::pressure_exit) / std::sqrt(2 * film), 0.4751299200930562), elastic);
+  // And the remainder vanishes with M.
+  const Solution lighter = Graded{}.solve(barus_problem(0.005, 0, Flooded{}), within(1e-4));
+  EHD_CHECK(error(value(lighter, Quantity::film_minimum) * moes_film_per_hertz_film(0.005), 2.447484 / 0.005),
+            Tolerance::asymptotic(1.2e-4, "elastic deflection at M = 0.005 and the discretisation of 1e-4"));
+}
+
+BOOST_AUTO_TEST_CASE(flooded_is_the_limit_of_far_inlets_within_the_stated_truncation) {
+  const Problem endless = barus_problem(1, 5, Flooded{});
+  const Solution flooded_film = Graded{}.solve(endless, within(1e-5));
+  BOOST_REQUIRE(flooded_film.record.status == StopReason::converged);
+  BOOST_TEST(flooded_film.record.film_central.truncation > 0);
+  EHD_CHECK(flooded_film.record.film_central.truncation, Tolerance::required(1e-6, "truncation below 1e-6 of H_cen"));
+  // A domain begun at -20, -40, -80 half-widths misses it by X_a^-2.
+  std::vector<double> missed;
+  for (const double inlet : {-20.0, -40.0, -80.0, -160.0}) {
+    const Solution cut = Graded{}.solve(barus_problem(1, 5, TruncatedAt{inlet}), within(1e-5));
+    BOOST_REQUIRE(cut.record.status == StopReason::converged);
+    BOOST_TEST(cut.fields.X[0] == inlet);
+    missed.push_back(error(value(cut, Quantity::film_central), value(flooded_film, Quantity::film_central)));
+  }
+  EHD_CHECK(std::abs(fitted_order(missed) - 2), Tolerance::asymptotic(0.25, "plain truncation falls as X_a^-2"));
+}
+
+BOOST_AUTO_TEST_CASE(light_loads_with_a_close_inlet_are_solved) {
+  // At M = 0.5, L = 20 the film's own length sqrt(2 H) is beyond the inlet at -4: nothing but a solution is asked.
+  const Solution solution = Graded{}.solve(barus_problem(0.5, 20, TruncatedAt{-4}), within(1e-3));
+  BOOST_TEST((solution.record.status == StopReason::converged));
+}
+
+BOOST_AUTO_TEST_CASE(map_puts_nested_grids_on_the_same_points) {
+  const reference::GradedMap map = reference::first_map(-4000, 0.02);
+  const reference::Grid coarse = map.grid(50), fine = map.grid(200);
+  for (Eigen::Index i = 0; i <= 50; ++i)
+    EHD_CHECK(std::abs(coarse.fractions[i] - fine.fractions[4 * i]), Tolerance::round_off(10));
+  BOOST_TEST(fine.fractions[0] == 1);
+  BOOST_TEST(fine.fractions[200] == 0);
+  BOOST_TEST((fine.fractions.head(200) > fine.fractions.tail(200)).all());
+}
+
+BOOST_AUTO_TEST_CASE(one_grid_is_solved_where_one_is_asked) {
+  const Solution solution = Graded{}.solve(roelands_problem(20, 10, TruncatedAt{-4}), on_nodes(333));
+  BOOST_REQUIRE(solution.record.status == StopReason::converged);
+  BOOST_TEST(solution.fields.X.size() == 334);
+  EHD_CHECK(error(value(solution, Quantity::film_central), .0856067317967),
+            Tolerance::discretisation(stated_error(solution, Quantity::film_central), 1));
+  const Solution memory =
+      Graded{}.solve(roelands_problem(20, 10, TruncatedAt{-4}), on_nodes(Graded::largest_nodes + 1));
+  BOOST_TEST((memory.record.status == StopReason::limit_reached));
+}
+
+BOOST_AUTO_TEST_CASE(a_spike_is_reported_with_its_uncertainty_or_not_at_all) {
+  // (5, 5): resolved, truth 0.949170429. Barus at (20, 10): its height grows with the grid, so it is not reported, nor
+  // is a maximum that is the spike.
+  const Solution tame = Graded{}.solve(roelands_problem(5, 5, TruncatedAt{-4}), within(1e-4));
+  EHD_CHECK(error(value(tame, Quantity::pressure_spike), .949170429),
+            Tolerance::discretisation(stated_error(tame, Quantity::pressure_spike), 1));
+  const Solution wild = Graded{}.solve(barus_problem(20, 10, TruncatedAt{-4}), within(1e-4));
+  BOOST_TEST(!wild.observables.contains(Quantity::pressure_spike));
+  BOOST_TEST(!wild.observables.contains(Quantity::pressure_maximum));
+}
+
+BOOST_AUTO_TEST_SUITE_END()

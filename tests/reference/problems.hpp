@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The problems that the tests of this folder solve.
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "contact/scaling.hpp"
+#include "contact/solver.hpp"
+
+namespace ehd::testing {
+
+/// Roelands z = 0.68, alpha = 2.2e-8 1/Pa, p_0 = 1.96e8 Pa with Dowson-Higginson density: the data of the table of
+/// films computed independently with high-order collocation.
+inline Problem roelands_problem(double M, double L, Inlet inlet) {
+  Lubricant lubricant;
+  lubricant.viscosity = ViscosityLaw::roelands;
+  lubricant.density = DensityLaw::dowson_higginson;
+  lubricant.alpha_per_Pa = 2.2e-8;
+  lubricant.z = 0.68;
+  lubricant.p0_Pa = 1.96e8;
+  return nondimensionalise(MoesGroups{M, L}, lubricant, inlet).problem;
+}
+
+/// Barus and incompressible; isoviscous where L = 0.
+inline Problem barus_problem(double M, double L, Inlet inlet) {
+  return nondimensionalise(MoesGroups{M, L}, Lubricant{}, inlet).problem;
+}
+
+/// Request of one grid.
+inline Request on_nodes(int nodes) {
+  Request request;
+  request.tolerance = std::nullopt;
+  request.nodes = nodes;
+  return request;
+}
+
+inline Request within(double tolerance) {
+  Request request;
+  request.tolerance = tolerance;
+  return request;
+}
+
+/// Slope of ln(error) on ln(1/n) by least squares, n doubling: the observed order.
+inline double fitted_order(const std::vector<double>& errors) {
+  double sx = 0, sy = 0, sxx = 0, sxy = 0;
+  const auto count = static_cast<double>(errors.size());
+  for (std::size_t k = 0; k < errors.size(); ++k) {
+    const double x = static_cast<double>(k) * std::log(2.0), y = -std::log(errors[k]);
+    sx += x, sy += y, sxx += x * x, sxy += x * y;
+  }
+  return (count * sxy - sx * sy) / (count * sxx - sx * sx);
+}
+
+}  // namespace ehd::testing
