@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What an EHD solver says about one raceway's contact, as functions of the contact force: solved points, and the
+// monotone curve through them down to vanishing load.
+//
+// The curve is kept in the OFFSET FILM
+//   F = (b^2/R)(H_0 - H_0,dry) = delta_dry - delta,
+// the distance by which the lubricant holds the bodies apart. It does not depend on the datum x_0 (a shift of x_0
+// changes delta and delta_dry alike), is positive, and is nearly a power of the load at both ends, so ln F over ln f is
+// what is interpolated.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "bearing/geometry.hpp"
+
+namespace ehd::bearing {
+
+/// One solved contact.
+struct SolvedContact {
+  double offset = 0;        ///< H_0, Hertz units, x_0 = b
+  double offset_error = 0;  ///< absolute
+  double film_minimum_m = 0;
+  double film_error = 0;  ///< relative
+  bool converged = true;  ///< false: a best solution that missed its tolerance, with an honest error
+};
+struct SolveFailure {
+  std::string why;
+};
+using ContactResult = std::variant<SolvedContact, SolveFailure>;
+
+/// load [N/m] -> the solved contact. What an EHD law is built from; bearing/ knows no solver.
+using ContactPoint = std::function<ContactResult(double load_N_per_m)>;
+
+/// The solved contacts of one raceway: equal loads are solved once, however many laws and bearings ask.
+class SolvedContacts {
+ public:
+  SolvedContacts(RacewayContact contact, ContactPoint solve) : contact_(contact), solve_(std::move(solve)) {}
+
+  /// Solves, or remembers.
+  [[nodiscard]] const ContactResult& at(double force_N);
+  [[nodiscard]] const RacewayContact& contact() const { return contact_; }
+  [[nodiscard]] long solves() const { return solves_; }    ///< calls of the callable
+  [[nodiscard]] long recalls() const { return recalls_; }  ///< requests answered from memory
+
+ private:
+  RacewayContact contact_;
+  ContactPoint solve_;
+  std::map<double, ContactResult> results_;
+  long solves_ = 0, recalls_ = 0;
+};
+
+/// A value and its derivative to the contact force.
+struct ValueAndSlope {
+  double value = 0;
+  double slope = 0;
+};
+
+/// F of a solved contact [m].
+[[nodiscard]] double offset_film_m(const RacewayContact& contact, double force_N, const SolvedContact& solved);
+
+/// Rigid isoviscous cylinder (Martin 1916): h_min = 2.447484 eta_0 u_s R l/f [m].
+[[nodiscard]] double martin_film_m(const RacewayContact& contact, double force_N);
+/// Offset film of that contact with the deformation by Martin's pressure to first order,
+///   F = h_min + (4w/(pi E')) [ ln(sqrt(2 R h_min)/b) + m - 2 H_0,dry ],
+/// m = -0.3284613 the pressure's mean of ln|tan g|, x = sqrt(2 R h_min) tan g. Beyond its range (deformation not small)
+/// it stays positive, and means nothing.
+[[nodiscard]] double martin_offset_film_m(const RacewayContact& contact, double force_N);
+
+/// Offset film and minimum film over the contact force, 0 < f <= heaviest.
+/// - Between solved points: Steffen's monotone cubic (GSL) of the logarithms over ln f.
+/// - Below the lightest: Martin's films times exp(a t^(3/2) + c t^3), t = f/f_lightest, joined with value and slope;
+/// the
+///   powers are those in which the first piezoviscous corrections grow (alpha p_max ~ f^(3/2)).
+/// - Above the heaviest, where Newton iterates may stray: the end's power law, NOT vouched for.
+class FilmCurve {
+ public:
+  /// Forces [N] increasing, at least three; offset films and minimum films [m], positive. Throws std::invalid_argument.
+  FilmCurve(RacewayContact contact, std::vector<double> forces_N, std::vector<double> offset_films_m,
+            std::vector<double> minimum_films_m);
+
+  [[nodiscard]] ValueAndSlope offset_film(double force_N) const;
+  [[nodiscard]] ValueAndSlope minimum_film(double force_N) const;
+  [[nodiscard]] const RacewayContact& contact() const { return contact_; }
+  [[nodiscard]] const std::vector<double>& forces_N() const { return forces_N_; }
+  [[nodiscard]] double lightest_N() const { return forces_N_.front(); }
+  [[nodiscard]] double heaviest_N() const { return forces_N_.back(); }
+  /// 4/(pi E' l) [m/N].
+  [[nodiscard]] double compliance_scale() const;
+
+  /// |ln(curve/solved)| at the lightest solved load, of the curve as it was before that load was solved (a factor of
+  /// four lighter than its lightest then): what the rigid continuation can be trusted to. The larger of the two films'.
+  double joint_error = 0;
+  double interpolation_error = 0;  ///< the same at the extra solves that the gaps between points were judged by
+  double solver_error = 0;         ///< largest relative error of an offset film that the solver itself reports
+  std::string lightest_because;    ///< why no lighter contact was solved
+
+ private:
+  struct Spline;
+  RacewayContact contact_;
+  std::vector<double> forces_N_;
+  std::shared_ptr<const Spline> offset_, minimum_;  // immutable, so copies may share them
+};
+
+/// How far a curve is refined.
+struct CurveRequest {
+  double heaviest_N = 0;       ///< the curve reaches at least this force
+  double bound = 5e-4;         ///< allowed |ln(interpolated/solved)| of an extra solve in each gap, and at the joint
+  double smallest_gap = 1.05;  ///< ratio of neighbouring forces below which no gap is split
+  int most_points = 120;
+};
+
+/// Solves from the first power of two [N] at or above heaviest_N (the same for all bearings that share a raceway
+/// contact, so that they share solves) down by factors of four until the rigid continuation foretells the next solved
+/// contact within the bound, or no lighter one can be solved; then splits every gap whose middle does not agree.
+/// A failure at the heavy end, or fewer than three points, is a SolveFailure.
+[[nodiscard]] std::variant<FilmCurve, SolveFailure> build_curve(SolvedContacts& contacts, const CurveRequest& request);
+
+}  // namespace ehd::bearing

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bearing/fit.hpp"
+
+#include <gsl/gsl_fit.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+#include "contact/approach.hpp"
+
+namespace ehd::bearing {
+
+LinearLaw LinearFit::law(Unloading unloading) const {
+  return {.K_N_per_m = K_N_per_m,
+          .dF_N = dF_N,
+          .unloading = unloading,
+          .fitted_N = {points.front().force_N, points.back().force_N}};
+}
+
+LinearFit fit_line(const std::vector<FitPoint>& points) {
+  std::vector<double> approaches, forces;
+  for (const FitPoint& point : points) {
+    approaches.push_back(point.approach_m);
+    forces.push_back(point.force_N);
+  }
+  if (points.size() < 2 || *std::min_element(approaches.begin(), approaches.end()) ==
+                               *std::max_element(approaches.begin(), approaches.end()))
+    throw std::invalid_argument("fit_line: " + std::to_string(points.size()) +
+                                " points; a line needs at least two of different approach");
+  LinearFit fit;
+  double variance_dF = 0, covariance = 0, variance_K = 0, squares = 0;
+  gsl_fit_linear(approaches.data(), 1, forces.data(), 1, points.size(), &fit.dF_N, &fit.K_N_per_m, &variance_dF,
+                 &covariance, &variance_K, &squares);
+  if (!(fit.K_N_per_m > 0))
+    throw std::invalid_argument("fit_line: the slope is " + std::to_string(fit.K_N_per_m) +
+                                " N/m; a contact force increases with the approach");
+  for (const FitPoint& point : points)
+    fit.residual_N = std::max(fit.residual_N, std::abs(point.force_N - (fit.K_N_per_m * point.approach_m + fit.dF_N)));
+  if (points.size() > 2) {  // two points leave no residual to estimate a covariance from
+    fit.standard_deviation_N = std::sqrt(squares / static_cast<double>(points.size() - 2));
+    fit.K_deviation_N_per_m = std::sqrt(variance_K);
+    fit.dF_deviation_N = std::sqrt(variance_dF);
+    if (variance_K > 0 && variance_dF > 0) fit.correlation = covariance / std::sqrt(variance_K * variance_dF);
+  }
+  fit.points = points;
+  return fit;
+}
+
+std::variant<LinearFit, SolveFailure> fit_contacts(SolvedContacts& contacts, double datum_m, double lowest_N,
+                                                   double highest_N, int points) {
+  std::vector<FitPoint> solved;
+  for (int k = 0; k < points; ++k) {
+    const double force_N = points == 1 ? lowest_N : lowest_N + (highest_N - lowest_N) * k / (points - 1);
+    const ContactResult& result = contacts.at(force_N);
+    if (const auto* failure = std::get_if<SolveFailure>(&result)) {
+      char text[64];
+      std::snprintf(text, sizeof text, "at a contact force of %.4g N: ", force_N);
+      return SolveFailure{text + failure->why};
+    }
+    solved.push_back(
+        {force_N, approach_m(contacts.contact().at(force_N), std::get<SolvedContact>(result).offset, datum_m)});
+  }
+  return fit_line(solved);
+}
+
+}  // namespace ehd::bearing

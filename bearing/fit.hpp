@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The reduced-order law of the paper: a straight line f = K delta + dF through solved contacts.
+#pragma once
+
+#include <variant>
+#include <vector>
+
+#include "bearing/film_curve.hpp"
+#include "bearing/force_law.hpp"
+
+namespace ehd::bearing {
+
+struct FitPoint {
+  double force_N = 0;
+  double approach_m = 0;
+};
+
+struct LinearFit {
+  double K_N_per_m = 0;
+  double dF_N = 0;
+  double residual_N = 0;            ///< largest |f - (K delta + dF)| of the points
+  double standard_deviation_N = 0;  ///< of f about the line, points - 2 degrees of freedom; 0 for two points
+  double K_deviation_N_per_m = 0;   ///< standard deviations from the covariance of the fit
+  double dF_deviation_N = 0;
+  double correlation = 0;  ///< of K and dF
+  std::vector<FitPoint> points;
+
+  [[nodiscard]] LinearLaw law(Unloading unloading = Unloading::at_zero_force) const;
+};
+
+/// Unweighted least squares of f on delta (GSL). Throws std::invalid_argument for fewer than two points, equal
+/// approaches or a slope that is not positive.
+[[nodiscard]] LinearFit fit_line(const std::vector<FitPoint>& points);
+
+/// `points` equally spaced contact forces from `lowest_N` to `highest_N`; each is solved, or remembered, and a failure
+/// names its force.
+[[nodiscard]] std::variant<LinearFit, SolveFailure> fit_contacts(SolvedContacts& contacts, double datum_m,
+                                                                 double lowest_N, double highest_N, int points);
+
+}  // namespace ehd::bearing

@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bearing/equilibrium.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "contact/approach.hpp"
+#include "tests/bearing/synthetic.hpp"
+#include "tests/check.hpp"
+
+namespace ehd::bearing {
+
+using verification::Tolerance;
+
+namespace {
+
+Equilibrium balanced(const Geometry& geometry, const LawPair& laws, const Loading& loading) {
+  const auto result = balance(geometry, laws, loading);
+  const auto* failure = std::get_if<NoEquilibrium>(&result);
+  BOOST_REQUIRE_MESSAGE(!failure, (failure ? failure->why : ""));
+  return std::get<Equilibrium>(result);
+}
+
+LawPair both(const ForceLaw& law) { return {law, law}; }
+
+Geometry bearing_209(double clearance_m) {
+  return {.rollers = 14,
+          .pitch_diameter_m = 0.065,
+          .roller_diameter_m = 0.010,
+          .length_m = 0.0096,
+          .clearance_m = clearance_m,
+          .density_kg_per_m3 = 7860};
+}
+
+CurveLaw synthetic_curve_law(double datum_m) {
+  SolvedContacts contacts = synthetic::contacts();
+  const auto built = build_curve(contacts, {.heaviest_N = 2e5});
+  BOOST_REQUIRE(std::holds_alternative<FilmCurve>(built));
+  return {std::make_shared<const FilmCurve>(std::get<FilmCurve>(built)), datum_m};
+}
+
+/// All three kinds of law, one after the other.
+std::vector<std::pair<std::string, LawPair>> laws_of_every_kind() {
+  return {{"hertz", both(palmgren_law(0.05))},
+          {"ehd-linear", {LinearLaw{.K_N_per_m = 2.9e9, .dF_N = 900}, LinearLaw{.K_N_per_m = 3.1e9, .dF_N = 1040}}},
+          {"ehd", {synthetic_curve_law(0.02), synthetic_curve_law(0.03)}}};
+}
+
+Geometry needle_bearing(double clearance_m) {
+  return {.rollers = 22,
+          .pitch_diameter_m = 0.053,
+          .roller_diameter_m = 0.005,
+          .length_m = 0.05,
+          .clearance_m = clearance_m,
+          .density_kg_per_m3 = 7850};
+}
+
+/// Int f d(delta) of a law between two approaches, Gauss-Legendre on pieces.
+double work(const ForceLaw& law, double from_m, double to_m) {
+  constexpr double node = 0.7745966692414834;
+  constexpr int pieces = 4000;
+  const double half = (to_m - from_m) / pieces / 2;
+  double sum = 0;
+  for (int k = 0; k < pieces; ++k) {
+    const double middle = from_m + (2 * k + 1) * half;
+    sum += half *
+           (5 * force(law, middle - node * half) + 8 * force(law, middle) + 5 * force(law, middle + node * half)) / 9;
+  }
+  return sum;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(equilibrium)
+
+// Exact evaluation of Harris's 209 bearing at rest (literature.md), to the digits given.
+BOOST_AUTO_TEST_CASE(the_209_bearing_without_clearance) {
+  const Equilibrium at_rest = balanced(bearing_209(0), both(palmgren_law(0.0096)), {.radial_N = 4450});
+  EHD_CHECK(error(1e6 * at_rest.displacement_m, 7.9743), Tolerance::published_digits("7.9743"));
+  EHD_CHECK(error(at_rest.rollers[0].inner.force_N, 1298.8), Tolerance::published_digits("1298.8"));
+  EHD_CHECK(error(at_rest.rollers[1].inner.force_N, 1156.7), Tolerance::published_digits("1156.7"));
+  EHD_CHECK(error(at_rest.rollers[2].inner.force_N, 768.4), Tolerance::published_digits("768.4"));
+  EHD_CHECK(error(at_rest.rollers[3].inner.force_N, 244.6), Tolerance::published_digits("244.6"));
+}
+
+BOOST_AUTO_TEST_CASE(the_209_bearing_with_clearance) {
+  const Equilibrium at_rest = balanced(bearing_209(41e-6), both(palmgren_law(0.0096)), {.radial_N = 4450});
+  EHD_CHECK(error(1e6 * at_rest.displacement_m, 32.087), Tolerance::published_digits("32.087"));
+  EHD_CHECK(error(at_rest.rollers[0].inner.force_N, 1967.3), Tolerance::published_digits("1967.3"));
+  EHD_CHECK(error(at_rest.rollers[1].inner.force_N, 1377.8), Tolerance::published_digits("1377.8"));
+  BOOST_TEST(at_rest.rollers[2].inner.force_N == 0);
+}
+
+// Exact: 1000/(2 cos 30 deg) on the two rollers under the load (literature.md).
+BOOST_AUTO_TEST_CASE(six_rollers_with_the_iso_constant) {
+  const Geometry geometry{.rollers = 6,
+                          .pitch_diameter_m = 0.0435,
+                          .roller_diameter_m = 0.009,
+                          .length_m = 0.0136,
+                          .first_azimuth_deg = 30};
+  const Equilibrium six = balanced(geometry, both(iso_law(0.0136)), {.radial_N = 1000});
+  EHD_CHECK(error(1e6 * six.displacement_m, 3.47397), Tolerance::published_digits("3.47397"));
+  EHD_CHECK(error(six.rollers[0].inner.force_N, 577.350), Tolerance::published_digits("577.350"));
+  EHD_CHECK(error(six.rollers[5].inner.force_N, 577.350), Tolerance::published_digits("577.350"));
+}
+
+// Published by two independent open programs (literature.md).
+BOOST_AUTO_TEST_CASE(twenty_rollers_with_the_iso_constant) {
+  const auto largest_N = [](double clearance_m) {
+    const Geometry geometry{.rollers = 20,
+                            .pitch_diameter_m = 0.08,
+                            .roller_diameter_m = 0.008,
+                            .length_m = 0.008,
+                            .clearance_m = clearance_m};
+    return balanced(geometry, both(iso_law(0.008)), {.radial_N = 8000}).rollers[0].inner.force_N;
+  };
+  EHD_CHECK(error(largest_N(0), 1633.82), Tolerance::published_digits("1633.82"));
+  EHD_CHECK(error(largest_N(10e-6), 1823.95), Tolerance::published_digits("1823.95"));
+  EHD_CHECK(error(largest_N(20e-6), 1969.35), Tolerance::published_digits("1969.35"));
+}
+
+// Invariant, from light load to heavy and from preload to a wide gap.
+BOOST_AUTO_TEST_CASE(forces_balance_at_every_load_and_clearance) {
+  int balances = 0;
+  double worst = 0;
+  for (const auto& [name, laws] : laws_of_every_kind())
+    for (const double load_N : {1e-3, 0.1, 10.0, 1e3, 5e4, 4e5})
+      for (const double clearance_m : {-20e-6, -2e-6, 0.0, 2.5e-6, 10e-6, 60e-6, 200e-6})
+        for (const double centrifugal_N : {0.0, 28.0, 900.0}) {
+          const Equilibrium ring = balanced(needle_bearing(clearance_m), laws, {load_N, centrifugal_N});
+          double sum = 0, total = 0;
+          for (std::size_t j = 0; j < ring.rollers.size(); ++j) {
+            const RollerState& roller = ring.rollers[j];
+            sum += roller.inner.force_N * std::cos(ring.azimuths_deg[j] * std::acos(-1) / 180);
+            total += roller.inner.force_N;
+            BOOST_REQUIRE(roller.inner.force_N >= 0);
+            EHD_CHECK(error(roller.outer.force_N - roller.inner.force_N, centrifugal_N) * centrifugal_N,
+                      Tolerance::round_off(4, roller.outer.force_N));
+          }
+          const double scale = std::max(load_N, total);
+          worst = std::max({worst, ring.balance_error, std::abs(sum - load_N) / scale});
+          ++balances;
+        }
+  BOOST_TEST(balances == 3 * 6 * 7 * 3);
+  BOOST_TEST_MESSAGE("worst balance error of " << balances << " bearings: " << worst);
+  EHD_CHECK(worst, Tolerance::required(1e-10, "issue 2: balance error below 1e-10"));
+}
+
+// Invariant: the approaches of a loaded roller are those that its laws give for its forces.
+BOOST_AUTO_TEST_CASE(approaches_are_compatible_with_the_ring_and_the_laws) {
+  const Geometry geometry = needle_bearing(10e-6);
+  for (const auto& [name, laws] : laws_of_every_kind()) {
+    const Equilibrium ring = balanced(geometry, laws, {.radial_N = 5e4, .centrifugal_N = 28});
+    int loaded = 0;
+    for (std::size_t j = 0; j < ring.rollers.size(); ++j) {
+      const RollerState& roller = ring.rollers[j];
+      const double total =
+          ring.displacement_m * std::cos(ring.azimuths_deg[j] * std::acos(-1) / 180) - geometry.clearance_m / 2;
+      EHD_CHECK(std::abs(roller.inner.approach_m + roller.outer.approach_m - total) / ring.displacement_m,
+                Tolerance::round_off(20));
+      EHD_CHECK(error(force(laws.outer, roller.outer.approach_m), roller.outer.force_N),
+                Tolerance::round_off(1000, 10));
+      if (roller.inner.force_N == 0) continue;
+      ++loaded;
+      EHD_CHECK(error(force(laws.inner, roller.inner.approach_m), roller.inner.force_N),
+                Tolerance::round_off(1000, 10));
+    }
+    BOOST_TEST(loaded >= 5);
+  }
+}
+
+// Invariant.
+BOOST_AUTO_TEST_CASE(mirrored_rollers_are_balanced_once_and_equal) {
+  for (const auto& [name, laws] : laws_of_every_kind()) {
+    const Equilibrium ring = balanced(needle_bearing(2.5e-6), laws, {.radial_N = 5e4, .centrifugal_N = 28});
+    BOOST_TEST(ring.groups == 12);
+    BOOST_TEST(ring.rollers_balanced == 12 * ring.newton_iterations);
+    for (std::size_t j = 1; j < 11; ++j)
+      BOOST_TEST(ring.rollers[j].inner.force_N == ring.rollers[22 - j].inner.force_N);
+    EHD_CHECK(std::abs(ring.lateral_force_N) / 5e4, Tolerance::round_off(22));
+  }
+}
+
+// Invariant: F_r is the gradient of the energy of all contacts, with the rollers where they find their balance.
+BOOST_AUTO_TEST_CASE(the_load_is_the_gradient_of_the_energy) {
+  const Geometry geometry = needle_bearing(2.5e-6);
+  constexpr double load_N = 3e4, centrifugal_N = 40, difference = 1e-3;
+  for (const auto& named : laws_of_every_kind()) {
+    const LawPair& laws = named.second;
+    const auto energy_change = [&](const Equilibrium& from, const Equilibrium& to) {
+      double energy = 0;
+      for (std::size_t j = 0; j < from.rollers.size(); ++j) {
+        const RollerState &a = from.rollers[j], &b = to.rollers[j];
+        energy += work(laws.inner, a.inner.approach_m, b.inner.approach_m) +
+                  work(laws.outer, a.outer.approach_m, b.outer.approach_m) -
+                  centrifugal_N * (b.outer.approach_m - a.outer.approach_m);
+      }
+      return energy;
+    };
+    const Equilibrium less = balanced(geometry, laws, {load_N * (1 - difference), centrifugal_N});
+    const Equilibrium more = balanced(geometry, laws, {load_N * (1 + difference), centrifugal_N});
+    const double gradient = energy_change(less, more) / (more.displacement_m - less.displacement_m);
+    EHD_CHECK(error(gradient, load_N),
+              Tolerance::discretisation(difference * difference, 1.0));  // central difference, curvature of order one
+  }
+}
+
+// Invariant: tangent stiffness of ring and roller by central differences.
+BOOST_AUTO_TEST_CASE(stiffness_of_a_roller_is_the_derivative_of_its_force) {
+  for (const auto& [name, laws] : laws_of_every_kind())
+    for (const double total_m : {1.1e-6, 4.3e-6, 9e-6}) {
+      const double step = 1e-4 * total_m;
+      const double slope = (balance_roller(laws, 33, total_m + step).inner.force_N -
+                            balance_roller(laws, 33, total_m - step).inner.force_N) /
+                           (2 * step);
+      EHD_CHECK(error(balance_roller(laws, 33, total_m).stiffness_N_per_m, slope),
+                Tolerance::discretisation(1e-8, 10));  // (step/total)^2, third derivative of order ten
+    }
+}
+
+BOOST_AUTO_TEST_CASE(an_unloaded_roller_is_carried_by_the_outer_ring_alone) {
+  const LawPair laws = both(palmgren_law(0.05));
+  const RollerState roller = balance_roller(laws, 28, -5e-6);
+  BOOST_TEST(roller.inner.force_N == 0);
+  BOOST_TEST(roller.outer.force_N == 28);
+  BOOST_TEST(roller.inner.approach_m < -5e-6);
+  EHD_CHECK(error(roller.inner.approach_m + roller.outer.approach_m, -5e-6), Tolerance::round_off(2));
+}
+
+// The straight line still carries at delta = 0; its cut variant does not, and shares a jump between its rollers.
+BOOST_AUTO_TEST_CASE(cutting_the_line_at_zero_approach_gives_another_load_zone) {
+  const LinearLaw line{.K_N_per_m = 2.9e9, .dF_N = 900};
+  LinearLaw cut = line;
+  cut.unloading = Unloading::at_zero_approach;
+  const RollerState carried = balance_roller(both(line), 28, -0.1e-6);
+  BOOST_TEST(carried.inner.force_N > 0);
+  BOOST_TEST(balance_roller(both(cut), 28, -0.1e-6).inner.force_N == 0);
+  int differing = 0, jumping = 0;
+  for (double load_N = 1e3; load_N < 5e4; load_N *= 1.1) {
+    const Equilibrium with = balanced(needle_bearing(5e-6), both(line), {load_N, 28});
+    const Equilibrium without = balanced(needle_bearing(5e-6), both(cut), {load_N, 28});
+    for (std::size_t j = 0; j < 22; ++j) {
+      differing += (with.rollers[j].inner.force_N > 0) != (without.rollers[j].inner.force_N > 0);
+      jumping += without.rollers[j].at_jump;
+    }
+  }
+  BOOST_TEST(differing > 0);
+  BOOST_TEST(jumping > 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_film_unloads_no_roller) {
+  const LawPair laws{synthetic_curve_law(0.02), synthetic_curve_law(0.03)};
+  const Equilibrium ring = balanced(needle_bearing(200e-6), laws, {.radial_N = 5e3, .centrifugal_N = 28});
+  for (const RollerState& roller : ring.rollers) BOOST_TEST(roller.inner.force_N > 0);
+}
+
+// An asymmetric cage position: radial form, so the lateral force is reported and not zero.
+BOOST_AUTO_TEST_CASE(an_asymmetric_cage_needs_a_lateral_force) {
+  Geometry geometry = bearing_209(0);
+  geometry.first_azimuth_deg = 7;
+  const Equilibrium ring = balanced(geometry, both(palmgren_law(0.0096)), {.radial_N = 4450});
+  BOOST_TEST(ring.groups == 14);
+  BOOST_TEST(std::abs(ring.lateral_force_N) > 1e-3);
+}
+
+BOOST_AUTO_TEST_CASE(a_load_that_no_roller_can_carry_is_refused) {
+  Geometry geometry = bearing_209(0);
+  geometry.rollers = 2;
+  geometry.first_azimuth_deg = 90;
+  const auto result = balance(geometry, both(palmgren_law(0.0096)), {.radial_N = 4450});
+  BOOST_REQUIRE(std::holds_alternative<NoEquilibrium>(result));
+  BOOST_TEST(std::get<NoEquilibrium>(result).why.find("no roller") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(no_load_leaves_the_ring_in_the_middle) {
+  const Equilibrium ring = balanced(needle_bearing(5e-6), both(palmgren_law(0.05)), {.radial_N = 0});
+  BOOST_TEST(ring.displacement_m == 0);
+  BOOST_TEST(ring.balance_error == 0);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace ehd::bearing

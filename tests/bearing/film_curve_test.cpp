@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bearing/film_curve.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "bearing/fit.hpp"
+#include "contact/approach.hpp"
+#include "tests/bearing/synthetic.hpp"
+#include "tests/check.hpp"
+
+namespace ehd::bearing {
+
+using verification::Tolerance;
+
+namespace {
+
+constexpr double bound = 1e-3;
+
+FilmCurve built(SolvedContacts& contacts) {
+  auto curve = build_curve(contacts, {.heaviest_N = 12e3, .bound = bound});
+  const auto* failure = std::get_if<SolveFailure>(&curve);
+  BOOST_REQUIRE_MESSAGE(!failure, (failure ? failure->why : ""));
+  return std::get<FilmCurve>(curve);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(film_curve)
+
+// Exact: Martin's constants by quadrature of his pressure, p ~ Int (h - h_c)/h^3, x = sqrt(2 R h_0) tan g.
+BOOST_AUTO_TEST_CASE(martin_constants_by_quadrature) {
+  const double exit_tangent = 0.4751299200930562, gc = std::atan(exit_tangent), sharp = 1 / std::pow(std::cos(gc), 2);
+  const auto primitive = [&](double g) {
+    return g / 2 + std::sin(2 * g) / 4 - sharp * (3 * g / 8 + std::sin(2 * g) / 4 + std::sin(4 * g) / 32);
+  };
+  const double from = -std::acos(-1) / 2;
+  constexpr int cells = 200000;
+  const double width = (gc - from) / cells;
+  double weight = 0, logarithm = 0;
+  for (int k = 0; k < cells; ++k) {
+    const double g = from + (k + 0.5) * width;
+    const double p = (primitive(g) - primitive(from)) / std::pow(std::cos(g), 2) * width;
+    weight += p;
+    logarithm += p * std::log(std::abs(std::tan(g)));
+  }
+  const RacewayContact contact = synthetic::contact();
+  const double force_N = 3.0, b = hertz::half_width_m(contact.at(force_N)), R = contact.reduced_radius_m;
+  const double film = martin_film_m(contact, force_N);
+  const double midpoint = 1e-8;  // (width)^2, and |log| at one cell about g = 0
+  EHD_CHECK(
+      error(film * force_N / (contact.viscosity_Pa_s * contact.speed_sum_m_per_s * R * contact.length_m), 12 * weight),
+      Tolerance::discretisation(midpoint, 10));
+  const double deformation = b * b / (2 * R);
+  const double mean = (martin_offset_film_m(contact, force_N) - film) / deformation + 2 * hertz::dry_offset() -
+                      std::log(std::sqrt(2 * R * film) / b);
+  EHD_CHECK(error(mean, logarithm / weight), Tolerance::discretisation(1e-5, 1));  // integrable singularity at g = 0
+}
+
+// Invariant: the offset film is what a film adds to the dry approach, whatever the datum.
+BOOST_AUTO_TEST_CASE(the_offset_film_does_not_depend_on_the_datum) {
+  const RacewayContact contact = synthetic::contact();
+  const double force_N = 4200;
+  const SolvedContact solved = synthetic::solve(force_N);
+  for (const double datum_m : {0.002, 0.05, 3.0}) {
+    const Conditions conditions = contact.at(force_N);
+    EHD_CHECK(error(dry_approach_m(conditions, datum_m) - approach_m(conditions, solved.offset, datum_m),
+                    offset_film_m(contact, force_N, solved)),
+              Tolerance::round_off(100, 20));
+  }
+}
+
+// Agreement: a synthetic relation is recovered within the bound, between points and below the lightest.
+BOOST_AUTO_TEST_CASE(a_known_relation_is_recovered_within_the_bound) {
+  SolvedContacts contacts = synthetic::contacts();
+  const FilmCurve curve = built(contacts);
+  BOOST_TEST_MESSAGE(curve.forces_N().size() << " points from " << curve.lightest_N() << " N, interpolation error "
+                                             << curve.interpolation_error << ", joint error " << curve.joint_error);
+  EHD_CHECK(curve.interpolation_error, Tolerance::required(bound, "asked of the curve"));
+  EHD_CHECK(curve.joint_error, Tolerance::required(bound, "asked of the curve"));
+  double inside = 0, below = 0;
+  for (double f = 1e-2 * curve.lightest_N(); f <= curve.heaviest_N(); f *= 1.07) {
+    const double wrong = std::max(std::abs(std::log(curve.offset_film(f).value / synthetic::offset_film_m(f))),
+                                  std::abs(std::log(curve.minimum_film(f).value / synthetic::minimum_film_m(f))));
+    double& worst = f < curve.lightest_N() ? below : inside;
+    worst = std::max(worst, wrong);
+  }
+  BOOST_TEST_MESSAGE("true error between points " << inside << ", below the lightest " << below);
+  EHD_CHECK(inside, Tolerance::required(bound, "asked of the curve"));
+  EHD_CHECK(below, Tolerance::required(bound, "asked of the curve"));
+}
+
+// Invariant: value and slope are continuous where the rigid limit takes over, and the film falls all the way.
+BOOST_AUTO_TEST_CASE(the_rigid_limit_joins_with_value_and_slope) {
+  SolvedContacts contacts = synthetic::contacts();
+  const FilmCurve curve = built(contacts);
+  const double at = curve.lightest_N(), just_below = at * (1 - 1e-12);
+  EHD_CHECK(error(curve.offset_film(just_below).value, curve.offset_film(at).value), Tolerance::round_off(1e5));
+  EHD_CHECK(error(curve.offset_film(just_below).slope, curve.offset_film(at).slope),
+            Tolerance::discretisation(1e-8, 10));  // the rigid slope is a central difference of step 1e-4
+  EHD_CHECK(error(curve.minimum_film(just_below).slope, curve.minimum_film(at).slope),
+            Tolerance::discretisation(1e-8, 10));
+  double before = std::numeric_limits<double>::infinity();
+  for (double f = 1e-4 * at; f < curve.heaviest_N(); f *= 1.01) {
+    const double film = curve.offset_film(f).value;
+    BOOST_REQUIRE(film < before);
+    before = film;
+  }
+}
+
+// Exact: as the load vanishes the approach is minus Martin's film.
+BOOST_AUTO_TEST_CASE(the_lightest_contact_is_held_apart_by_martins_film) {
+  SolvedContacts contacts = synthetic::contacts();
+  const FilmCurve curve = built(contacts);
+  const double f = 1e-5 * curve.lightest_N();
+  const double approach_m = dry_approach_m(curve.contact().at(f), 0.02) - curve.offset_film(f).value;
+  EHD_CHECK(error(approach_m, -martin_film_m(curve.contact(), f)),
+            Tolerance::asymptotic(1e-5, "remainder of the order of the load ratio to the lightest solved one"));
+}
+
+// Counter: nothing is solved twice, by a second curve or a fit.
+BOOST_AUTO_TEST_CASE(equal_contacts_are_solved_once) {
+  long calls = 0;
+  SolvedContacts contacts(synthetic::contact(), [&calls](double load_N_per_m) -> ContactResult {
+    ++calls;
+    return synthetic::solve(load_N_per_m * synthetic::contact().length_m);
+  });
+  const FilmCurve first = built(contacts);
+  const long solved = calls;
+  BOOST_TEST(solved == contacts.solves());
+  BOOST_TEST(solved == static_cast<long>(first.forces_N().size()));
+  const FilmCurve second = built(contacts);
+  BOOST_TEST(calls == solved);
+  const auto fit = fit_contacts(contacts, 0.02, 2000, 12000, 6);
+  BOOST_REQUIRE(std::holds_alternative<LinearFit>(fit));
+  BOOST_TEST(calls == solved + 6);
+  BOOST_REQUIRE(std::holds_alternative<LinearFit>(fit_contacts(contacts, 0.03, 2000, 12000, 6)));
+  BOOST_TEST(calls == solved + 6);
+  BOOST_TEST(contacts.recalls() > 0);
+}
+
+// More points where the curve bends: the knee is at 180 N, the straight ends are far from it.
+BOOST_AUTO_TEST_CASE(points_gather_where_the_curve_bends) {
+  SolvedContacts contacts = synthetic::contacts();
+  const FilmCurve curve = built(contacts);
+  const auto between = [&](double low, double high) {
+    return std::count_if(curve.forces_N().begin(), curve.forces_N().end(),
+                         [&](double f) { return f >= low && f < high; });
+  };
+  BOOST_TEST(between(60, 540) > between(1800, 16200));
+}
+
+// Failures are values: at the heavy end there is no curve, at the light end the joint is where solving ends.
+BOOST_AUTO_TEST_CASE(a_failure_at_the_heavy_end_is_reported) {
+  SolvedContacts contacts(synthetic::contact(), [](double) -> ContactResult { return SolveFailure{"diverged"}; });
+  const auto curve = build_curve(contacts, {.heaviest_N = 12e3});
+  BOOST_REQUIRE(std::holds_alternative<SolveFailure>(curve));
+  BOOST_TEST(std::get<SolveFailure>(curve).why.find("16384") == std::string::npos);  // printed with four digits
+  BOOST_TEST(std::get<SolveFailure>(curve).why.find("1.638e+04 N: diverged") != std::string::npos);
+  const auto fit = fit_contacts(contacts, 0.02, 2000, 12000, 6);
+  BOOST_REQUIRE(std::holds_alternative<SolveFailure>(fit));
+}
+
+BOOST_AUTO_TEST_CASE(a_failure_at_the_light_end_leaves_a_joint_with_its_error) {
+  SolvedContacts contacts(synthetic::contact(), [](double load_N_per_m) -> ContactResult {
+    const double force_N = load_N_per_m * synthetic::contact().length_m;
+    if (force_N < 200) return SolveFailure{"too light"};
+    return synthetic::solve(force_N);
+  });
+  const FilmCurve curve = built(contacts);
+  BOOST_TEST(curve.lightest_N() >= 200);
+  BOOST_TEST(curve.joint_error > bound);
+  BOOST_TEST(curve.lightest_because.find("too light") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(points_that_make_no_curve_are_refused) {
+  BOOST_CHECK_THROW(FilmCurve(synthetic::contact(), {1, 2}, {1, 1}, {1, 1}), std::invalid_argument);
+  BOOST_CHECK_THROW(FilmCurve(synthetic::contact(), {1, 3, 2}, {1, 1, 1}, {1, 1, 1}), std::invalid_argument);
+  BOOST_CHECK_THROW(FilmCurve(synthetic::contact(), {1, 2, 3}, {1, -1, 1}, {1, 1, 1}), std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace ehd::bearing

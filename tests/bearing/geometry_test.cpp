@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bearing/geometry.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/check.hpp"
+
+namespace ehd::bearing {
+
+using verification::Tolerance;
+
+namespace {
+
+Geometry needle_bearing() {
+  return {.rollers = 22,
+          .pitch_diameter_m = 0.053,
+          .roller_diameter_m = 0.005,
+          .length_m = 0.122,
+          .clearance_m = 2.5e-6,
+          .density_kg_per_m3 = 7850};
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(geometry)
+
+// Published: the first estimate of NA4908 in paper.md.
+BOOST_AUTO_TEST_CASE(reduced_radii_and_sum_speed_of_the_needle_bearing) {
+  const Geometry bearing = needle_bearing();
+  EHD_CHECK(error(1e3 * reduced_radius_m(bearing, Raceway::inner), 2.264), Tolerance::published_digits("2.264"));
+  EHD_CHECK(error(1e3 * reduced_radius_m(bearing, Raceway::outer), 2.736), Tolerance::published_digits("2.736"));
+  EHD_CHECK(error(sum_speed_m_per_s(bearing, speeds_from_rpm(5000, 0)), 13.75), Tolerance::published_digits("13.75"));
+}
+
+// Exact: at rest relative to the cage, the surface of the ring and of the roller move alike, so the sum speed is twice
+// the ring's surface speed seen from the cage.
+BOOST_AUTO_TEST_CASE(pure_rolling_gives_the_same_sum_speed_at_both_raceways) {
+  const Geometry bearing = needle_bearing();
+  for (const Speeds speeds : {Speeds{523.0, 0.0}, Speeds{0.0, -211.0}, Speeds{310.0, 47.0}}) {
+    const double cage = cage_speed_rad_per_s(bearing, speeds);
+    const double inner = 2 * raceway_radius_m(bearing, Raceway::inner) * std::abs(speeds.inner_rad_per_s - cage);
+    const double outer = 2 * raceway_radius_m(bearing, Raceway::outer) * std::abs(speeds.outer_rad_per_s - cage);
+    EHD_CHECK(error(inner, sum_speed_m_per_s(bearing, speeds)), Tolerance::round_off(20));
+    EHD_CHECK(error(outer, sum_speed_m_per_s(bearing, speeds)), Tolerance::round_off(20));
+  }
+}
+
+// Published: 37.8 N for the 209 bearing's rollers at 10000 rpm, steel of 7860 kg/m3.
+BOOST_AUTO_TEST_CASE(centrifugal_force_of_the_209_bearing) {
+  const Geometry bearing{.rollers = 14,
+                         .pitch_diameter_m = 0.065,
+                         .roller_diameter_m = 0.010,
+                         .length_m = 0.0096,
+                         .density_kg_per_m3 = 7860};
+  EHD_CHECK(error(centrifugal_force_N(bearing, speeds_from_rpm(10000, 0)), 37.8), Tolerance::published_digits("37.8"));
+}
+
+// Published: E' of the steel of paper.md.
+BOOST_AUTO_TEST_CASE(reduced_modulus_of_steel_on_steel) {
+  EHD_CHECK(error(reduced_modulus_Pa(2.06e11, 0.3) / 1e11, 2.2637), Tolerance::published_digits("2.2637"));
+}
+
+// Invariant.
+BOOST_AUTO_TEST_CASE(rollers_at_mirrored_azimuths_form_one_group) {
+  Geometry bearing = needle_bearing();
+  const auto groups_of = [&](double first_azimuth_deg) {
+    bearing.first_azimuth_deg = first_azimuth_deg;
+    return mirror_groups(azimuths_deg(bearing));
+  };
+  BOOST_TEST(groups_of(0).size() == 12u);           // 0, 10 pairs, 180
+  BOOST_TEST(groups_of(180.0 / 22).size() == 11u);  // 11 pairs
+  BOOST_TEST(groups_of(360.0 / 22).size() == 12u);  // roller 22 on the load line
+  BOOST_TEST(groups_of(3.0).size() == 22u);         // no symmetry
+  std::size_t members = 0;
+  for (const RollerGroup& group : groups_of(0)) members += group.members.size();
+  BOOST_TEST(members == 22u);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace ehd::bearing

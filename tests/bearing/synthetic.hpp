@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A contact that has Martin's films at vanishing load and nearly load-independent ones at high load, in closed form:
+// what the EHD laws are tested with, without a solver.
+#pragma once
+
+#include <cmath>
+
+#include "bearing/film_curve.hpp"
+#include "contact/hertz.hpp"
+
+namespace ehd::bearing::synthetic {
+
+inline RacewayContact contact() {
+  return {.length_m = 0.05,
+          .reduced_radius_m = 2.3e-3,
+          .reduced_modulus_Pa = 2.2e11,
+          .speed_sum_m_per_s = 11.0,
+          .viscosity_Pa_s = 0.017};
+}
+
+inline constexpr double knee_N = 180;  ///< where piezoviscosity takes over
+
+inline double enhancement(double force_N, double power) { return std::pow(1 + std::pow(force_N / knee_N, 1.5), power); }
+/// Slope of ln F over ln f: -1 at light, -0.13 at heavy load.
+inline double offset_film_m(double force_N) {
+  const double rigid = martin_film_m(contact(), force_N);
+  const double deformation = martin_offset_film_m(contact(), force_N) - rigid;
+  return rigid * enhancement(force_N, 0.58) + deformation / enhancement(force_N, 4);
+}
+inline double minimum_film_m(double force_N) { return martin_film_m(contact(), force_N) * enhancement(force_N, 0.56); }
+
+inline SolvedContact solve(double force_N) {
+  const double b = hertz::half_width_m(contact().at(force_N));
+  return {.offset = offset_film_m(force_N) * contact().reduced_radius_m / (b * b) + hertz::dry_offset(),
+          .offset_error = 1e-9,
+          .film_minimum_m = minimum_film_m(force_N),
+          .film_error = 1e-9};
+}
+
+inline SolvedContacts contacts() {
+  return {contact(), [](double load_N_per_m) -> ContactResult { return solve(load_N_per_m * contact().length_m); }};
+}
+
+}  // namespace ehd::bearing::synthetic

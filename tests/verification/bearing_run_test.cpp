@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verification/bearing_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "contact/approach.hpp"
+#include "contact/hertz.hpp"
+#include "contact/scaling.hpp"
+#include "fast/uniform.hpp"
+#include "tests/check.hpp"
+
+namespace ehd::verification {
+
+namespace {
+
+Case needle_bearing(double clearance_m) {
+  Case one;
+  one.id = "needle";
+  one.version = 3;
+  one.lines = {{"operation.speed_rpm", 7}, {"operation", 5}, {"", 1}};
+  one.file = "needle.toml";
+  BearingCase body;
+  body.geometry = {.rollers = 22,
+                   .pitch_diameter_m = 0.053,
+                   .roller_diameter_m = 0.005,
+                   .length_m = 0.122,
+                   .clearance_m = clearance_m,
+                   .density_kg_per_m3 = 7850};
+  body.operation = {.inner_speed_rpm = 5000, .outer_speed_rpm = 0, .radial_load_N = 50e3};
+  body.modulus_Pa = 2.06e11;
+  body.poisson = 0.3;
+  Lubricant oil;
+  oil.viscosity = ViscosityLaw::roelands;
+  oil.density = DensityLaw::dowson_higginson;
+  oil.alpha_per_Pa = 2e-8;
+  body.lubricant = BearingLubricant{.lubricant = oil, .viscosity_Pa_s = 0.02};
+  body.fit = {.load_N = std::pair{2000.0, 12000.0}, .points = 6};
+  one.body = body;
+  return one;
+}
+
+BearingCase& body_of(Case& one) { return std::get<BearingCase>(one.body); }
+
+/// A contact whose films are powers of M, so that every number of the composition has a closed form: no solver.
+Solution synthetic_contact(const Problem& problem, const Request&) {
+  const double M = problem.groups.M;
+  const double martin = 2.4474842468 / M / moes_film_per_hertz_film(M), stiffening = 1 + std::pow(M / 0.25, 1.5);
+  const double hertz = martin * std::pow(stiffening, 0.58);
+  Solution solution;
+  solution.record.status = StopReason::converged;
+  solution.observables[Quantity::film_minimum] = {.value = martin * std::pow(stiffening, 0.56), .error = 1e-6};
+  solution.observables[Quantity::film_offset] = {.value = hertz::dry_offset() + hertz, .error = 1e-6 * hertz};
+  return solution;
+}
+
+/// Counts the calls, and keeps every M to show that none comes twice at one raceway.
+struct CountedContacts {
+  std::map<double, int> calls;
+  long total = 0;
+  Wanted wanted;
+  ContactSolver solver() {
+    return [this](const Problem& problem, const Request& request) {
+      ++calls[problem.groups.M];
+      ++total;
+      wanted = problem.wanted;
+      return synthetic_contact(problem, request);
+    };
+  }
+};
+
+std::vector<BearingResult> run(const Case& one, const std::vector<BearingLaw>& laws, ContactMemory& memory) {
+  return run_bearing(one, {.laws = laws, .explicitly = true}, memory);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(bearing_run)
+
+// Counter: a dry law solves no contact, though the case has a lubricant.
+BOOST_AUTO_TEST_CASE(the_dry_laws_solve_no_contact) {
+  CountedContacts contacts;
+  ContactMemory memory(contacts.solver());
+  const auto results = run(needle_bearing(0), {BearingLaw::hertz, BearingLaw::iso}, memory);
+  BOOST_REQUIRE(results.size() == 2u);
+  BOOST_TEST(contacts.total == 0);
+  for (const BearingResult& result : results) {
+    BOOST_TEST((result.status == StopReason::converged));
+    BOOST_TEST(!result.plan.runs(bearing_stage::solves));
+    for (const RollerRow& row : result.rollers) BOOST_TEST(!row.inner.film_minimum_m.has_value());
+  }
+}
+
+// Counter: the same load at the same raceway is never solved twice, across laws and clearances.
+BOOST_AUTO_TEST_CASE(equal_contacts_are_solved_once_across_laws_and_clearances) {
+  CountedContacts contacts;
+  ContactMemory memory(contacts.solver());
+  long before = 0;
+  for (const double clearance_m : {0.0, 2.5e-6, 10e-6}) {
+    const auto results = run(needle_bearing(clearance_m), {BearingLaw::ehd_linear, BearingLaw::ehd}, memory);
+    for (const BearingResult& result : results) BOOST_TEST((result.status == StopReason::converged));
+    if (before > 0)
+      BOOST_TEST(contacts.total - before <= 6);  // fit and curve are there; only edges of the zone are new
+    before = contacts.total;
+  }
+  BOOST_TEST(memory.solves() == contacts.total);
+  for (const auto& [M, calls] : contacts.calls) BOOST_TEST(calls == 1);
+  const Wanted needed{Quantity::film_minimum, Quantity::film_central, Quantity::film_offset};
+  BOOST_TEST((contacts.wanted == needed));
+}
+
+// Counter: mirrored rollers are balanced once.
+BOOST_AUTO_TEST_CASE(mirrored_rollers_are_balanced_once) {
+  CountedContacts contacts;
+  ContactMemory memory(contacts.solver());
+  for (const BearingResult& result : run(needle_bearing(0), {BearingLaw::hertz, BearingLaw::ehd}, memory)) {
+    BOOST_TEST(result.roller_groups == 12);
+    BOOST_TEST(result.rollers_balanced == 12 * result.newton_iterations);
+  }
+}
+
+// Exact: the fit's points have the approach of the composition's closed form, with the datum that meets Palmgren's law.
+BOOST_AUTO_TEST_CASE(the_fit_sees_the_approach_of_the_solved_contacts) {
+  CountedContacts contacts;
+  ContactMemory memory(contacts.solver());
+  const Case one = needle_bearing(0);
+  const auto results = run(one, {BearingLaw::hertz, BearingLaw::ehd_linear}, memory);
+  const BearingResult& linear = results.at(1);
+  BOOST_REQUIRE(linear.fit.has_value());
+  const double largest_N = results.at(0).rollers.at(0).inner.force_N;
+  const double R = 1 / (2 / 0.005 + 2 / 0.048), modulus = 2.06e11 / (1 - 0.09), l = 0.122;
+  const bearing::PowerLaw palmgren = bearing::palmgren_law(l);
+  Conditions at_largest{.load_N_per_m = largest_N / l, .reduced_radius_m = R, .reduced_modulus_Pa = modulus};
+  EHD_CHECK(error(dry_approach_m(at_largest, linear.datum_m->inner), palmgren.approach(largest_N)),
+            Tolerance::round_off(1000));
+  BOOST_TEST(linear.fit->inner.points.size() == 6u);
+  for (const bearing::FitPoint& point : linear.fit->inner.points) {
+    Conditions conditions = at_largest;
+    conditions.load_N_per_m = point.force_N / l;
+    const double u_s = 0.0265 * (1 - std::pow(0.005 / 0.053, 2)) * 5000 * std::acos(-1) / 30;
+    const double U = 0.02 * u_s / (modulus * R), M = conditions.load_N_per_m / (modulus * R) / std::sqrt(U);
+    const double film_m = R * std::sqrt(U) * 2.4474842468 / M * std::pow(1 + std::pow(M / 0.25, 1.5), 0.58);
+    EHD_CHECK(error(point.approach_m, dry_approach_m(conditions, linear.datum_m->inner) - film_m),
+              Tolerance::round_off(1000, 10));
+  }
+}
+
+// Invariant: the datum changes the approach, not the film.
+BOOST_AUTO_TEST_CASE(another_datum_needs_no_other_contact) {
+  CountedContacts contacts;
+  ContactMemory memory(contacts.solver());
+  Case one = needle_bearing(0);
+  (void)run(one, {BearingLaw::ehd}, memory);
+  const long solved = contacts.total;
+  body_of(one).datum = LundbergDatum{};
+  const auto results = run(one, {BearingLaw::ehd}, memory);
+  BOOST_TEST(contacts.total == solved);
+  EHD_CHECK(error(results.at(0).datum_m->inner, 0.122), Tolerance::round_off(1));
+}
+
+BOOST_AUTO_TEST_CASE(an_ehd_law_at_rest_is_refused_in_one_line) {
+  CountedContacts contacts;
+  ContactMemory memory(contacts.solver());
+  Case one = needle_bearing(0);
+  body_of(one).operation.inner_speed_rpm = 0;
+  BOOST_CHECK_EXCEPTION((void)run(one, {BearingLaw::ehd}, memory), CaseError, [](const CaseError& error) {
+    const std::string what = error.what();
+    return what.starts_with("needle.toml:7: ") && what.find('\n') == std::string::npos;
+  });
+  BOOST_TEST((run(one, {BearingLaw::hertz}, memory).at(0).status == StopReason::converged));
+  BOOST_TEST(contacts.total == 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_dry_case_skips_ehd_laws_by_default_and_refuses_them_when_named) {
+  CountedContacts contacts;
+  ContactMemory memory(contacts.solver());
+  Case one = needle_bearing(0);
+  body_of(one).lubricant.reset();
+  BOOST_TEST((default_laws(body_of(one)) == std::vector{BearingLaw::hertz}));
+  BOOST_CHECK_THROW((void)run(one, {BearingLaw::ehd_linear}, memory), CaseError);
+  const Plan plan = plan_bearing(body_of(one), {BearingLaw::hertz, BearingLaw::ehd});
+  const auto skipped = std::find_if(plan.skipped.begin(), plan.skipped.end(),
+                                    [](const SkippedStage& stage) { return stage.stage == bearing_stage::solves; });
+  BOOST_REQUIRE(skipped != plan.skipped.end());
+  BOOST_TEST(skipped->why == "the case has no lubricant");
+}
+
+// Every skipped stage has its reason, and no stage is both run and skipped.
+BOOST_AUTO_TEST_CASE(a_plan_gives_a_reason_for_every_skip) {
+  const Case one = needle_bearing(0);
+  for (const auto& laws :
+       {std::vector{BearingLaw::hertz}, {BearingLaw::ehd_linear}, {BearingLaw::iso, BearingLaw::ehd}}) {
+    const Plan plan = plan_bearing(std::get<BearingCase>(one.body), laws);
+    BOOST_TEST(!plan.run.empty());
+    for (const SkippedStage& skipped : plan.skipped) {
+      BOOST_TEST(!skipped.why.empty());
+      BOOST_TEST(!plan.runs(skipped.stage));
+    }
+  }
+}
+
+// A contact that is not solved leaves the law without a balance, and says which contact.
+BOOST_AUTO_TEST_CASE(a_failing_contact_is_no_balance) {
+  ContactMemory memory([](const Problem&, const Request&) {
+    Solution solution;
+    solution.record.status = StopReason::diverged;
+    solution.record.reason = "no start was admissible";
+    return solution;
+  });
+  for (const BearingResult& result : run(needle_bearing(0), {BearingLaw::ehd_linear, BearingLaw::ehd}, memory)) {
+    BOOST_TEST((result.status == StopReason::diverged));
+    BOOST_TEST(result.rollers.empty());
+    BOOST_TEST(result.why.find("no start was admissible") != std::string::npos);
+    BOOST_TEST(!to_json(result).contains("rollers"));
+  }
+}
+
+// The JSON has what interface.md names, numbers only, and nothing null.
+BOOST_AUTO_TEST_CASE(the_json_is_complete_and_finite) {
+  CountedContacts contacts;
+  ContactMemory memory(contacts.solver());
+  const Case one = needle_bearing(10e-6);
+  for (const BearingResult& result : run(one, default_laws(std::get<BearingCase>(one.body)), memory)) {
+    const Json json = to_json(result);
+    for (const char* key :
+         {"case", "version", "law", "displacement_m", "rollers", "balance_error", "cost", "plan", "notes"})
+      BOOST_TEST(json.contains(key), key);
+    BOOST_TEST(json.dump().find("null") == std::string::npos);
+    BOOST_TEST(json.contains("fit") == (result.law == BearingLaw::ehd_linear));
+    BOOST_TEST(json["rollers"].size() == 22u);
+    BOOST_TEST(json["cost"].contains("contact_solves"));
+    EHD_CHECK(json["balance_error"].get<double>(), Tolerance::required(1e-10, "issue 2: balance error below 1e-10"));
+  }
+}
+
+// Notes: the fit outside its range, a lambda ratio below one, pressures that no steel bears.
+BOOST_AUTO_TEST_CASE(notes_say_what_a_reader_should_know) {
+  CountedContacts contacts;
+  ContactMemory memory(contacts.solver());
+  const auto noted = [](const BearingResult& result, const std::string& words) {
+    return std::any_of(result.notes.begin(), result.notes.end(),
+                       [&](const std::string& note) { return note.find(words) != std::string::npos; });
+  };
+  Case one = needle_bearing(10e-6);
+  body_of(one).geometry.roughness_m = 2e-6;
+  const auto rough = run(one, {BearingLaw::ehd_linear}, memory).at(0);
+  BOOST_TEST(noted(rough, "fit used outside its range"));
+  BOOST_TEST(noted(rough, "lambda ratio"));
+  BOOST_TEST(noted(rough, "cut at delta = 0"));
+  body_of(one).geometry.length_m = 0.005;
+  BOOST_TEST(noted(run(one, {BearingLaw::hertz}, memory).at(0), "4 GPa"));
+}
+
+// Published: the first balance of NA4908 in paper.md (Palmgren datum, fit over 2..12 kN), two digits; the films there
+// come from another program.
+BOOST_AUTO_TEST_CASE(the_needle_bearing_of_the_first_balance) {
+  const fast::Uniform solver;
+  ContactMemory memory([&](const Problem& problem, const Request& request) { return solver.solve(problem, request); });
+  struct Printed {
+    double clearance_m, dry_N, linear_N, linear_um;
+  };
+  for (const Printed& printed :
+       {Printed{0, 9285, 8752, 2.44}, {2.5e-6, 9816, 9280, 2.61}, {10e-6, 11199, 10682, 3.06}}) {
+    const auto results = run(needle_bearing(printed.clearance_m), {BearingLaw::hertz, BearingLaw::ehd_linear}, memory);
+    BOOST_REQUIRE((results.at(1).status == StopReason::converged));
+    const Tolerance two_digits = Tolerance::required(5e-3, "paper.md: two digits");
+    EHD_CHECK(error(results[0].rollers[0].inner.force_N, printed.dry_N), two_digits);
+    EHD_CHECK(error(results[1].rollers[0].inner.force_N, printed.linear_N), two_digits);
+    EHD_CHECK(error(1e6 * results[1].rollers[0].inner.displacement_m, printed.linear_um), two_digits);
+    EHD_CHECK(error(results[1].fit->inner.K_N_per_m, 3.10e9), two_digits);
+  }
+}
+
+// Invariant: what is judged of the paper does not depend on the order of the clearances, and needs three of them.
+BOOST_AUTO_TEST_CASE(the_papers_statements_are_judged_from_three_clearances) {
+  CountedContacts contacts;
+  ContactMemory memory(contacts.solver());
+  std::vector<Case> cases;
+  std::vector<ClearanceComparison> clearances;
+  for (const double clearance_m : {10e-6, 0.0, 2.5e-6}) {
+    cases.push_back(needle_bearing(clearance_m));
+    const auto results = run(cases.back(), {BearingLaw::hertz, BearingLaw::ehd_linear}, memory);
+    clearances.push_back({clearance_m, results.at(0), results.at(1)});
+  }
+  BOOST_TEST(differ_only_in_clearance(cases));
+  const auto statements = judge_paper_statements(clearances);
+  BOOST_REQUIRE(statements.size() == 4u);
+  std::reverse(clearances.begin(), clearances.end());
+  const auto reversed = judge_paper_statements(clearances);
+  for (std::size_t k = 0; k < 4; ++k) {
+    BOOST_TEST(statements[k].letter == static_cast<char>('a' + static_cast<int>(k)));
+    BOOST_TEST(statements[k].numbers == reversed[k].numbers);
+    BOOST_TEST(!statements[k].numbers.empty());
+  }
+  clearances.pop_back();
+  BOOST_TEST(judge_paper_statements(clearances).empty());
+  body_of(cases[1]).operation.radial_load_N = 49e3;
+  BOOST_TEST(!differ_only_in_clearance(cases));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace ehd::verification

@@ -1,0 +1,808 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verification/bearing_run.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "contact/approach.hpp"
+#include "contact/hertz.hpp"
+#include "contact/scaling.hpp"
+#include "verification/text.hpp"
+
+namespace ehd::verification {
+
+using bearing::CurveLaw;
+using bearing::Equilibrium;
+using bearing::FilmCurve;
+using bearing::LawPair;
+using bearing::LinearFit;
+using bearing::RacewayContact;
+using bearing::SolvedContact;
+using bearing::SolvedContacts;
+using bearing::SolveFailure;
+using bearing::Unloading;
+
+std::string_view to_string(BearingLaw law) {
+  switch (law) {
+    case BearingLaw::hertz: return "hertz";
+    case BearingLaw::iso: return "iso";
+    case BearingLaw::ehd_linear: return "ehd-linear";
+    case BearingLaw::ehd: return "ehd";
+  }
+  return "";
+}
+
+namespace {
+constexpr BearingLaw all_laws[] = {BearingLaw::hertz, BearingLaw::iso, BearingLaw::ehd_linear, BearingLaw::ehd};
+constexpr double steel_limit_Pa = 4e9;  // above it a result is a numerical test
+}  // namespace
+
+std::optional<BearingLaw> bearing_law_from(std::string_view text) {
+  for (const BearingLaw law : all_laws) {
+    if (text == to_string(law)) return law;
+  }
+  return std::nullopt;
+}
+
+std::string bearing_law_names() {
+  std::string names;
+  for (const BearingLaw law : all_laws) names += (names.empty() ? "" : ", ") + std::string(to_string(law));
+  return names;
+}
+
+bool needs_film(BearingLaw law) { return law == BearingLaw::ehd_linear || law == BearingLaw::ehd; }
+
+std::vector<BearingLaw> default_laws(const BearingCase& bearing) {
+  if (!bearing.lubricant) return {BearingLaw::hertz};
+  return {BearingLaw::hertz, BearingLaw::ehd_linear, BearingLaw::ehd};
+}
+
+// ---- What a case says, in the words of bearing/ -----------------------------------------------------------------
+
+namespace {
+
+bearing::Geometry geometry_of(const BearingCase& body) {
+  return {.rollers = body.geometry.rollers,
+          .pitch_diameter_m = body.geometry.pitch_diameter_m,
+          .roller_diameter_m = body.geometry.roller_diameter_m,
+          .length_m = body.geometry.length_m,
+          .clearance_m = body.geometry.clearance_m,
+          .density_kg_per_m3 = body.geometry.density_kg_per_m3,
+          .first_azimuth_deg = body.geometry.first_azimuth_deg};
+}
+
+bearing::Speeds speeds_of(const BearingCase& body) {
+  return bearing::speeds_from_rpm(body.operation.inner_speed_rpm, body.operation.outer_speed_rpm);
+}
+
+RacewayContact contact_of(const BearingCase& body, bearing::Raceway raceway) {
+  const bearing::Geometry geometry = geometry_of(body);
+  return {.length_m = geometry.length_m,
+          .reduced_radius_m = bearing::reduced_radius_m(geometry, raceway),
+          .reduced_modulus_Pa = bearing::reduced_modulus_Pa(body.modulus_Pa, body.poisson),
+          .speed_sum_m_per_s = bearing::sum_speed_m_per_s(geometry, speeds_of(body)),
+          .viscosity_Pa_s = body.lubricant ? body.lubricant->viscosity_Pa_s : 0};
+}
+
+BothRaceways<RacewayContact> contacts_of(const BearingCase& body) {
+  return {contact_of(body, bearing::Raceway::inner), contact_of(body, bearing::Raceway::outer)};
+}
+
+bool at_rest(const BearingCase& body) { return !(bearing::sum_speed_m_per_s(geometry_of(body), speeds_of(body)) > 0); }
+
+bool contains(const std::vector<BearingLaw>& laws, BearingLaw law) {
+  return std::find(laws.begin(), laws.end(), law) != laws.end();
+}
+
+bool datum_from_dry(const BearingCase& body) {
+  const auto* palmgren = std::get_if<PalmgrenDatum>(&body.datum);
+  return palmgren && !palmgren->load_N;
+}
+
+}  // namespace
+
+// ---- The plan -----------------------------------------------------------------------------------------------------
+
+std::string bearing_stage::balance(BearingLaw law) { return "balance: " + std::string(to_string(law)); }
+std::string bearing_stage::film(BearingLaw law) { return "film at each roller: " + std::string(to_string(law)); }
+
+Plan plan_bearing(const BearingCase& body, const std::vector<BearingLaw>& asked) {
+  Plan plan;
+  const auto decide = [&plan](std::string_view stage, const std::string& why_skipped = "") {
+    if (why_skipped.empty()) {
+      plan.run.emplace_back(stage);
+    } else {
+      plan.skipped.push_back({std::string(stage), why_skipped});
+    }
+  };
+  const std::string no_film = !body.lubricant ? "the case has no lubricant"
+                              : at_rest(body) ? "the rings do not move against each other: no film"
+                                              : "";
+  const bool linear = no_film.empty() && contains(asked, BearingLaw::ehd_linear);
+  const bool full = no_film.empty() && contains(asked, BearingLaw::ehd);
+  const bool film = linear || full;
+  const std::string why_no_film = !no_film.empty() ? no_film : "no law with a film is asked for";
+
+  decide(bearing_stage::geometry);
+  const auto cages = bearing::mirror_groups(bearing::azimuths_deg(geometry_of(body)));
+  const int mirrored = body.geometry.rollers - static_cast<int>(cages.size());
+  if (mirrored > 0)
+    decide("balance of mirrored rollers", std::to_string(mirrored) + " of " + std::to_string(body.geometry.rollers) +
+                                              " rollers mirror another and carry the same");
+  decide(bearing_stage::dry, !film                                              ? why_no_film
+                             : full || datum_from_dry(body) || !body.fit.load_N ? ""
+                                                                                : "datum and fit range are stated");
+  decide(bearing_stage::datum, film ? "" : why_no_film);
+  decide(bearing_stage::solves, film ? "" : why_no_film);
+  if (film) {
+    decide("second solve of an equal contact",
+           "a load already solved at a raceway is taken from memory, by every law, clearance and case");
+    decide("quantities beside film.minimum, film.central and film.offset", "not asked for: the laws need no others");
+  }
+  decide(bearing_stage::fit, linear ? "" : film ? "ehd-linear is not asked for" : why_no_film);
+  decide(bearing_stage::curve, full ? "" : film ? "ehd is not asked for" : why_no_film);
+  for (const BearingLaw law : all_laws) {
+    const bool possible = !needs_film(law) || no_film.empty();
+    decide(bearing_stage::balance(law), !contains(asked, law) ? "not asked for" : possible ? "" : no_film);
+    if (!contains(asked, law)) continue;
+    decide(bearing_stage::film(law), !needs_film(law) ? "a dry law has no film" : possible ? "" : no_film);
+  }
+  decide(bearing_stage::variant, linear ? "" : film ? "ehd-linear is not asked for" : why_no_film);
+  decide(bearing_stage::lambda, !film                        ? why_no_film
+                                : !body.geometry.roughness_m ? "bearing.roughness_m is not stated"
+                                                             : "");
+  return plan;
+}
+
+// ---- Contacts that were solved -------------------------------------------------------------------------------------
+
+ContactMemory::ContactMemory(ContactSolver solver, Request request)
+    : solver_(std::move(solver)), request_(std::move(request)) {}
+
+Request ContactMemory::bearing_request() {
+  Request request;
+  request.tolerance = 1e-4;
+  return request;
+}
+
+namespace {
+
+bearing::ContactResult solve_contact(const RacewayContact& contact, const Lubricant& lubricant,
+                                     const ContactSolver& solver, const Request& request, double load_N_per_m) {
+  const Conditions conditions = contact.at(load_N_per_m * contact.length_m);
+  Nondimensional reading;
+  try {
+    reading = nondimensionalise(conditions, lubricant, Flooded{});
+  } catch (const StatementError& error) {
+    return SolveFailure{error.what()};
+  }
+  reading.problem.wanted = {Quantity::film_minimum, Quantity::film_central, Quantity::film_offset};
+  const Solution solution = solver(reading.problem, request);
+  const StopReason status = solution.record.status;
+  const std::string groups =
+      "M = " + plain(reading.problem.groups.M, 4) + ", L = " + plain(reading.problem.groups.L, 4) + ": ";
+  if (status != StopReason::converged && status != StopReason::tolerance_not_met)
+    return SolveFailure{groups + std::string(to_string(status)) +
+                        (solution.record.reason.empty() ? "" : " (" + solution.record.reason + ")")};
+  const auto film = solution.observables.find(Quantity::film_minimum);
+  const auto offset = solution.observables.find(Quantity::film_offset);
+  if (film == solution.observables.end() || offset == solution.observables.end() || !offset->second.error ||
+      !film->second.error)
+    return SolveFailure{groups + "the solver gives no film.minimum or film.offset with an error"};
+  // The offset film decides the force; an error of more than a per cent is no solution for a bearing.
+  constexpr double largest_offset_error = 1e-2;
+  const double offset_film = offset->second.value - hertz::dry_offset();
+  if (!(*offset->second.error <= largest_offset_error * offset_film))
+    return SolveFailure{groups + "the offset film is known to " + plain(*offset->second.error / offset_film, 2) +
+                        " only, needed is " + plain(largest_offset_error)};
+  return SolvedContact{.offset = offset->second.value,
+                       .offset_error = *offset->second.error,
+                       .film_minimum_m = film->second.value * *reading.scales->film_m_per_hertz_film(),
+                       .film_error = *film->second.error,
+                       .converged = status == StopReason::converged};
+}
+
+}  // namespace
+
+SolvedContacts& ContactMemory::of(const RacewayContact& contact, const Lubricant& lubricant) {
+  const Key key{contact, lubricant.viscosity, lubricant.density, lubricant.alpha_per_Pa, lubricant.z, lubricant.p0_Pa};
+  std::unique_ptr<SolvedContacts>& raceway = raceways_[key];
+  if (!raceway)
+    raceway = std::make_unique<SolvedContacts>(
+        contact, [contact, lubricant, solver = solver_, request = request_](double load_N_per_m) {
+          return solve_contact(contact, lubricant, solver, request, load_N_per_m);
+        });
+  return *raceway;
+}
+
+long ContactMemory::solves() const {
+  long sum = 0;
+  for (const auto& raceway : raceways_) sum += raceway.second->solves();
+  return sum;
+}
+
+long ContactMemory::recalls() const {
+  long sum = 0;
+  for (const auto& raceway : raceways_) sum += raceway.second->recalls();
+  return sum;
+}
+
+// ---- The run --------------------------------------------------------------------------------------------------------
+
+namespace {
+
+std::string micrometre(double metre, int digits = 4) { return plain(1e6 * metre, digits) + " um"; }
+std::string millimetre(double metre, int digits = 4) { return plain(1e3 * metre, digits) + " mm"; }
+
+/// A law could not be carried through; the sentence says where.
+class LawFailure : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+class BearingRun {
+ public:
+  BearingRun(const Case& bearing_case, const BearingRequest& request, ContactMemory& memory)
+      : case_(bearing_case),
+        body_(std::get<BearingCase>(bearing_case.body)),
+        request_(request),
+        memory_(memory),
+        geometry_(geometry_of(body_)),
+        contacts_(contacts_of(body_)),
+        loading_{body_.operation.radial_load_N, bearing::centrifugal_force_N(geometry_, speeds_of(body_))} {}
+
+  [[nodiscard]] std::vector<BearingResult> run() {
+    std::vector<BearingResult> results;
+    for (const BearingLaw law : request_.laws) {
+      const Plan plan = plan_bearing(body_, {law});
+      if (plan.runs(bearing_stage::balance(law))) results.push_back(run_law(law, plan));
+    }
+    return results;
+  }
+
+ private:
+  [[nodiscard]] BearingResult run_law(BearingLaw law, const Plan& plan) {
+    const auto begin = std::chrono::steady_clock::now();
+    const long solves = memory_.solves(), recalls = memory_.recalls();
+    BearingResult result;
+    result.case_id = case_.id;
+    result.version = case_.version;
+    result.law = law;
+    result.plan = plan;
+    try {
+      if (law == BearingLaw::hertz || law == BearingLaw::iso) {
+        const auto power =
+            law == BearingLaw::hertz ? bearing::palmgren_law(geometry_.length_m) : bearing::iso_law(geometry_.length_m);
+        fill(result, balanced({power, power}));
+      } else {
+        if (plan.runs(bearing_stage::dry)) dry_ = balanced(dry_laws());
+        result.datum_m = {datum_m(contacts_.inner), datum_m(contacts_.outer)};
+        note_datum(result);
+        if (law == BearingLaw::ehd_linear) run_linear(result);
+        if (law == BearingLaw::ehd) run_curve(result);
+      }
+      result.status = StopReason::converged;
+      note_what_to_know(result);
+    } catch (const LawFailure& failure) {
+      result.status = StopReason::diverged;
+      result.why = failure.what();
+      result.rollers.clear();
+    }
+    result.contact_solves = memory_.solves() - solves;
+    result.contact_recalls = memory_.recalls() - recalls;
+    result.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return result;
+  }
+
+  [[nodiscard]] LawPair dry_laws() const {
+    const auto power = bearing::palmgren_law(geometry_.length_m);
+    return {power, power};
+  }
+
+  [[nodiscard]] Equilibrium balanced(const LawPair& laws) const {
+    auto result = bearing::balance(geometry_, laws, loading_);
+    if (const auto* failure = std::get_if<bearing::NoEquilibrium>(&result)) throw LawFailure(failure->why);
+    return std::get<Equilibrium>(std::move(result));
+  }
+
+  [[nodiscard]] double largest_dry_N() const {
+    double largest = 0;
+    for (const bearing::RollerState& roller : dry_.rollers) largest = std::max(largest, roller.inner.force_N);
+    return largest;
+  }
+
+  /// x_0 at one raceway.
+  [[nodiscard]] double datum_m(const RacewayContact& contact) const {
+    if (const auto* given = std::get_if<LengthDatum>(&body_.datum)) return given->x0_m;
+    if (std::holds_alternative<LundbergDatum>(body_.datum)) return contact.length_m;
+    const double load_N = palmgren_load_N();
+    return datum_from_dry_approach_m(contact.at(load_N), bearing::palmgren_law(contact.length_m).approach(load_N));
+  }
+  [[nodiscard]] double palmgren_load_N() const {
+    return std::get<PalmgrenDatum>(body_.datum).load_N.value_or(largest_dry_N());
+  }
+
+  void note_datum(BearingResult& result) const {
+    std::string name = "datum: ";
+    if (std::holds_alternative<PalmgrenDatum>(body_.datum))
+      name += "palmgren, the hertz law met at a contact force of " + plain(palmgren_load_N()) + " N";
+    else if (std::holds_alternative<LundbergDatum>(body_.datum))
+      name += "lundberg, x_0 = l";
+    else
+      name += "x_0 given";
+    result.notes.push_back(name + "; x_0 = " + millimetre(result.datum_m->inner) + " (inner), " +
+                           millimetre(result.datum_m->outer) + " (outer)");
+  }
+
+  void note_lubricant(BearingResult& result, const RacewayContact& contact) const {
+    const Conditions conditions = contact.at(loading_.radial_N / geometry_.rollers);
+    try {
+      for (const std::string& note : nondimensionalise(conditions, body_.lubricant->lubricant, Flooded{}).notes)
+        if (note.find("GPa") == std::string::npos) result.notes.push_back(note);  // pressures: of each roller, below
+    } catch (const StatementError&) {  // a mean load out of range says nothing about the rollers' own
+    }
+  }
+
+  [[nodiscard]] SolvedContacts& solved(const RacewayContact& contact) {
+    return memory_.of(contact, body_.lubricant->lubricant);
+  }
+
+  // -- ehd-linear
+
+  [[nodiscard]] LinearFit fitted(const RacewayContact& contact, double datum) {
+    const auto [low, high] = body_.fit.load_N.value_or(std::pair{0.2 * largest_dry_N(), 1.2 * largest_dry_N()});
+    try {
+      auto fit = bearing::fit_contacts(solved(contact), datum, low, high, body_.fit.points);
+      if (const auto* failure = std::get_if<SolveFailure>(&fit)) throw LawFailure(failure->why);
+      return std::get<LinearFit>(std::move(fit));
+    } catch (const std::invalid_argument& error) {
+      throw LawFailure(error.what());
+    }
+  }
+
+  void run_linear(BearingResult& result) {
+    result.fit = {fitted(contacts_.inner, result.datum_m->inner), fitted(contacts_.outer, result.datum_m->outer)};
+    note_lubricant(result, contacts_.inner);
+    const LawPair lines{result.fit->inner.law(), result.fit->outer.law()};
+    fill(result, balanced(lines));
+    if (request_.films && result.plan.runs(bearing_stage::film(BearingLaw::ehd_linear))) {
+      fill_films_of_fit(result, result.fit->inner, contacts_.inner, &RollerRow::inner);
+      fill_films_of_fit(result, result.fit->outer, contacts_.outer, &RollerRow::outer);
+      note_fit_range(result, result.fit->inner, &RollerRow::inner, "inner");
+      note_fit_range(result, result.fit->outer, &RollerRow::outer, "outer");
+      if (result.plan.runs(bearing_stage::variant)) add_cut_variant(result);
+    }
+  }
+
+  /// Films at the rollers' loads: solved where the load lies outside the fit, between the fit's points interpolated.
+  void fill_films_of_fit(BearingResult& result, const LinearFit& fit, const RacewayContact& contact,
+                         ContactRow RollerRow::*raceway) {
+    SolvedContacts& points = solved(contact);
+    const double low = fit.points.front().force_N, high = fit.points.back().force_N;
+    std::map<double, double> films;
+    for (const bearing::FitPoint& point : fit.points)
+      films[point.force_N] = std::get<SolvedContact>(points.at(point.force_N)).film_minimum_m;
+    const auto inside = [&](double f) { return f >= low && f <= high && fit.points.size() >= 3; };
+    int unsolved = 0;
+    std::string why;
+    for (RollerRow& row : result.rollers) {
+      ContactRow& at = row.*raceway;
+      if (!(at.force_N > 0) || inside(at.force_N)) continue;
+      const bearing::ContactResult& one = points.at(at.force_N);
+      if (const auto* contact_solved = std::get_if<SolvedContact>(&one)) {
+        at.film_minimum_m = contact_solved->film_minimum_m;
+        films[at.force_N] = contact_solved->film_minimum_m;
+      } else {
+        ++unsolved;
+        why = std::get<SolveFailure>(one).why;
+      }
+    }
+    if (unsolved > 0)
+      result.notes.push_back(std::to_string(unsolved) +
+                             " contacts outside the fit have no film: they could not be solved (" + why + ")");
+    if (films.size() < 3) return;
+    std::vector<double> forces, minima;
+    for (const auto& [force_N, film_m] : films) {
+      forces.push_back(force_N);
+      minima.push_back(film_m);
+    }
+    const FilmCurve curve(contact, forces, minima, minima);
+    for (RollerRow& row : result.rollers) {
+      ContactRow& at = row.*raceway;
+      if (at.force_N > 0 && inside(at.force_N)) at.film_minimum_m = curve.minimum_film(at.force_N).value;
+    }
+  }
+
+  static void note_fit_range(BearingResult& result, const LinearFit& fit, ContactRow RollerRow::*raceway,
+                             const char* name) {
+    const double low = fit.points.front().force_N, high = fit.points.back().force_N;
+    int outside = 0;
+    double lowest = std::numeric_limits<double>::infinity(), highest = 0;
+    for (const RollerRow& row : result.rollers) {
+      const double f = (row.*raceway).force_N;
+      if (!(f > 0) || (f >= low && f <= high)) continue;
+      ++outside;
+      lowest = std::min(lowest, f);
+      highest = std::max(highest, f);
+    }
+    if (outside > 0)
+      result.notes.push_back("fit used outside its range: " + std::to_string(outside) + " " + name +
+                             " contacts carry " + plain(lowest, 4) + " to " + plain(highest, 4) + " N, fitted from " +
+                             plain(low) + " to " + plain(high) + " N");
+  }
+
+  void add_cut_variant(BearingResult& result) {
+    const LawPair cut{result.fit->inner.law(Unloading::at_zero_approach),
+                      result.fit->outer.law(Unloading::at_zero_approach)};
+    auto found = bearing::balance(geometry_, cut, loading_);
+    if (const auto* failure = std::get_if<bearing::NoEquilibrium>(&found)) {
+      result.notes.push_back("variant " + std::string(bearing_stage::variant) + ": no balance, " + failure->why);
+      return;
+    }
+    const auto& ring = std::get<Equilibrium>(found);
+    VariantResult variant{.name = "cut at delta = 0",
+                          .displacement_m = ring.displacement_m,
+                          .balance_error = ring.balance_error,
+                          .rollers = rows_of(ring)};
+    int loaded = 0, loaded_cut = 0;
+    bool shared = false;
+    for (std::size_t j = 0; j < ring.rollers.size(); ++j) {
+      loaded += result.rollers[j].inner.force_N > 0;
+      loaded_cut += ring.rollers[j].inner.force_N > 0;
+      shared = shared || ring.rollers[j].at_jump;
+    }
+    result.notes.push_back("variant " + variant.name + ": " + std::to_string(loaded_cut) +
+                           " loaded rollers instead of " + std::to_string(loaded) + ", roller 1 carries " +
+                           plain(variant.rollers[0].inner.force_N) + " N instead of " +
+                           plain(result.rollers[0].inner.force_N) + " N" +
+                           (shared ? "; the outermost sit on the jump of the law at delta = 0" : ""));
+    result.variants.push_back(std::move(variant));
+  }
+
+  // -- ehd
+
+  void run_curve(BearingResult& result) {
+    double reach_N = 1.3 * (largest_dry_N() + loading_.centrifugal_N);
+    constexpr int extensions = 8;
+    for (int extension = 0; extension < extensions; ++extension) {
+      const auto inner = curve_of(contacts_.inner, reach_N), outer = curve_of(contacts_.outer, reach_N);
+      const Equilibrium ring = balanced({law_of(inner, result.datum_m->inner), law_of(outer, result.datum_m->outer)});
+      double largest = 0;
+      for (const bearing::RollerState& roller : ring.rollers)
+        largest = std::max({largest, roller.inner.force_N, roller.outer.force_N});
+      if (largest > std::min(inner->heaviest_N(), outer->heaviest_N())) {
+        reach_N = 1.1 * std::max(largest, reach_N);
+        continue;
+      }
+      fill(result, ring);
+      for (RollerRow& row : result.rollers) {
+        row.inner.film_minimum_m = inner->minimum_film(row.inner.force_N).value;
+        row.outer.film_minimum_m = outer->minimum_film(row.outer.force_N).value;
+      }
+      result.curve = BothRaceways<FilmCurve>{*inner, *outer};
+      note_curve(result, *inner, &RollerRow::inner, "inner");
+      note_curve(result, *outer, &RollerRow::outer, "outer");
+      note_lubricant(result, contacts_.inner);
+      return;
+    }
+    throw LawFailure("the roller loads grow beyond every solved contact; the datum or the load is out of reach");
+  }
+
+  [[nodiscard]] std::shared_ptr<const FilmCurve> curve_of(const RacewayContact& contact, double heaviest_N) {
+    auto curve = bearing::build_curve(solved(contact), {.heaviest_N = heaviest_N});
+    if (const auto* failure = std::get_if<SolveFailure>(&curve)) throw LawFailure(failure->why);
+    return std::make_shared<const FilmCurve>(std::get<FilmCurve>(std::move(curve)));
+  }
+
+  [[nodiscard]] static CurveLaw law_of(const std::shared_ptr<const FilmCurve>& curve, double datum) {
+    try {
+      return {curve, datum};
+    } catch (const std::domain_error& error) {
+      throw LawFailure(error.what());
+    }
+  }
+
+  static void note_curve(BearingResult& result, const FilmCurve& curve, ContactRow RollerRow::*raceway,
+                         const char* name) {
+    int below = 0;
+    for (const RollerRow& row : result.rollers) below += (row.*raceway).force_N < curve.lightest_N();
+    result.notes.push_back(std::string(name) + " curve: " + std::to_string(curve.forces_N().size()) +
+                           " solved contacts from " + plain(curve.lightest_N(), 4) + " to " +
+                           plain(curve.heaviest_N(), 4) + " N, relative film errors: interpolation " +
+                           plain(curve.interpolation_error, 2) + ", solver " + plain(curve.solver_error, 2) +
+                           ", joint with the rigid limit " + plain(curve.joint_error, 2) + " (" +
+                           curve.lightest_because + "); " + std::to_string(below) + " contacts lie below it");
+  }
+
+  // -- all laws
+
+  [[nodiscard]] std::vector<RollerRow> rows_of(const Equilibrium& ring) const {
+    std::vector<RollerRow> rows;
+    for (std::size_t j = 0; j < ring.rollers.size(); ++j) {
+      const auto row = [](const bearing::ContactState& state, const RacewayContact& contact) {
+        ContactRow at{.force_N = state.force_N, .displacement_m = state.approach_m};
+        if (state.force_N > 0) at.hertz_pressure_Pa = hertz::pressure_Pa(contact.at(state.force_N));
+        return at;
+      };
+      rows.push_back({ring.azimuths_deg[j], row(ring.rollers[j].inner, contacts_.inner),
+                      row(ring.rollers[j].outer, contacts_.outer)});
+    }
+    return rows;
+  }
+
+  void fill(BearingResult& result, const Equilibrium& ring) const {
+    result.displacement_m = ring.displacement_m;
+    result.balance_error = ring.balance_error;
+    result.rollers = rows_of(ring);
+    result.roller_groups = ring.groups;
+    result.rollers_balanced = ring.rollers_balanced;
+    result.newton_iterations = ring.newton_iterations;
+    const double lateral = std::abs(ring.lateral_force_N);
+    if (lateral > 1e-9 * loading_.radial_N)
+      result.notes.push_back(
+          "the cage position is not symmetric to the load: the ring, which moves along the load "
+          "only, needs a lateral force of " +
+          plain(ring.lateral_force_N, 4) + " N");
+  }
+
+  void note_what_to_know(BearingResult& result) const {
+    double highest_Pa = 0, smallest_ratio = std::numeric_limits<double>::infinity();
+    for (const RollerRow& row : result.rollers)
+      for (const ContactRow* at : {&row.inner, &row.outer}) {
+        highest_Pa = std::max(highest_Pa, at->hertz_pressure_Pa.value_or(0));
+        if (at->film_minimum_m && body_.geometry.roughness_m)
+          smallest_ratio = std::min(smallest_ratio, *at->film_minimum_m / *body_.geometry.roughness_m);
+      }
+    if (highest_Pa > steel_limit_Pa)
+      result.notes.push_back("p_H = " + plain(1e-9 * highest_Pa, 4) +
+                             " GPa is above 4 GPa: a numerical test, physically not steel");
+    if (result.plan.runs(bearing_stage::lambda) && smallest_ratio < 1)
+      result.notes.push_back("lambda ratio " + plain(smallest_ratio, 3) +
+                             " is below 1: the film is thinner than the roughness, which smooth surfaces do not see");
+  }
+
+  const Case& case_;
+  const BearingCase& body_;
+  const BearingRequest& request_;
+  ContactMemory& memory_;
+  bearing::Geometry geometry_;
+  BothRaceways<RacewayContact> contacts_;
+  bearing::Loading loading_;
+  Equilibrium dry_;
+};
+
+}  // namespace
+
+void require_possible(const Case& bearing_case, const BearingRequest& request) {
+  const auto& body = std::get<BearingCase>(bearing_case.body);
+  for (const BearingLaw law : request.laws) {
+    if (!needs_film(law)) continue;
+    if (!body.lubricant && request.explicitly)
+      throw case_error(bearing_case, "lubricant",
+                       "is missing; law " + std::string(to_string(law)) + " needs it (allowed without: hertz, iso)");
+    if (!body.lubricant || !at_rest(body)) continue;
+    const std::string both = "operation.inner_speed_rpm", one = "operation.speed_rpm";
+    throw case_error(bearing_case, bearing_case.lines.contains(both) ? both : one,
+                     "leaves the rings at rest against each other, where law " + std::string(to_string(law)) +
+                         " does not exist; allowed is a relative speed, or --law hertz or iso");
+  }
+}
+
+std::vector<BearingResult> run_bearing(const Case& bearing_case, const BearingRequest& request, ContactMemory& memory) {
+  require_possible(bearing_case, request);
+  return BearingRun(bearing_case, request, memory).run();
+}
+
+std::optional<double> measure(const std::vector<BearingResult>& results, const Expectation& expectation) {
+  for (const BearingResult& result : results) {
+    if (to_string(result.law) != expectation.law || result.rollers.empty()) continue;
+    const std::string& quantity = expectation.quantity;
+    if (quantity == "displacement") return result.displacement_m;
+    const std::string prefix = "roller.";
+    if (!quantity.starts_with(prefix)) return std::nullopt;
+    std::size_t number = 0, digits = 0;
+    try {
+      number = std::stoul(quantity.substr(prefix.size()), &digits);
+    } catch (const std::exception&) {
+      return std::nullopt;
+    }
+    if (number < 1 || number > result.rollers.size()) return std::nullopt;
+    const RollerRow& row = result.rollers[number - 1];
+    const std::string rest = quantity.substr(prefix.size() + digits);
+    if (rest == ".inner.force") return row.inner.force_N;
+    if (rest == ".outer.force") return row.outer.force_N;
+    if (rest == ".inner.displacement") return row.inner.displacement_m;
+    if (rest == ".outer.displacement") return row.outer.displacement_m;
+    if (rest == ".inner.film.minimum") return row.inner.film_minimum_m;
+    if (rest == ".outer.film.minimum") return row.outer.film_minimum_m;
+    return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+// ---- Written
+// ---------------------------------------------------------------------------------------------------------
+
+namespace {
+
+Json to_json(const ContactRow& row) {
+  Json json = Json::object();
+  put(json, "force_N", row.force_N);
+  put(json, "displacement_m", row.displacement_m);
+  put(json, "film_minimum_m", row.film_minimum_m);
+  put(json, "hertz_pressure_Pa", row.hertz_pressure_Pa);
+  return json;
+}
+
+Json to_json(const std::vector<RollerRow>& rows) {
+  Json json = Json::array();
+  for (const RollerRow& row : rows) {
+    Json roller = Json::object();
+    put(roller, "azimuth_deg", row.azimuth_deg);
+    roller["inner"] = to_json(row.inner);
+    roller["outer"] = to_json(row.outer);
+    json.push_back(std::move(roller));
+  }
+  return json;
+}
+
+Json to_json(const LinearFit& fit) {
+  Json json = Json::object();
+  put(json, "K_N_per_m", fit.K_N_per_m);
+  put(json, "dF_N", fit.dF_N);
+  put(json, "residual_N", fit.residual_N);
+  put(json, "standard_deviation_N", fit.standard_deviation_N);
+  put(json, "K_standard_deviation_N_per_m", fit.K_deviation_N_per_m);
+  put(json, "dF_standard_deviation_N", fit.dF_deviation_N);
+  put(json, "correlation", fit.correlation);
+  json["load_N"] = {fit.points.front().force_N, fit.points.back().force_N};
+  json["points"] = fit.points.size();
+  return json;
+}
+
+Json to_json(const FilmCurve& curve) {
+  Json json = Json::object();
+  json["points"] = curve.forces_N().size();
+  json["load_N"] = {curve.lightest_N(), curve.heaviest_N()};
+  put(json, "interpolation_error", curve.interpolation_error);
+  put(json, "joint_error", curve.joint_error);
+  put(json, "solver_error", curve.solver_error);
+  json["lightest_because"] = curve.lightest_because;
+  return json;
+}
+
+}  // namespace
+
+Json to_json(const BearingResult& result) {
+  Json json = Json::object();
+  json["case"] = result.case_id;
+  json["version"] = result.version;
+  json["law"] = to_string(result.law);
+  json["status"] = to_string(result.status);
+  if (!result.rollers.empty()) {
+    put(json, "displacement_m", result.displacement_m);
+    json["rollers"] = to_json(result.rollers);
+    put(json, "balance_error", result.balance_error);
+  } else {
+    json["why"] = result.why;
+  }
+  if (result.fit) json["fit"] = {{"inner", to_json(result.fit->inner)}, {"outer", to_json(result.fit->outer)}};
+  if (result.curve) json["curve"] = {{"inner", to_json(result.curve->inner)}, {"outer", to_json(result.curve->outer)}};
+  if (result.datum_m) json["datum"] = {{"inner_x0_m", result.datum_m->inner}, {"outer_x0_m", result.datum_m->outer}};
+  for (const VariantResult& variant : result.variants) {
+    Json one = Json::object();
+    one["name"] = variant.name;
+    put(one, "displacement_m", variant.displacement_m);
+    one["rollers"] = to_json(variant.rollers);
+    put(one, "balance_error", variant.balance_error);
+    json["variants"].push_back(std::move(one));
+  }
+  json["cost"] = {{"wall_s", result.wall_s},
+                  {"contact_solves", result.contact_solves},
+                  {"contacts_from_memory", result.contact_recalls},
+                  {"newton_iterations", result.newton_iterations},
+                  {"rollers_balanced", result.rollers_balanced}};
+  json["plan"] = to_json(result.plan);
+  json["notes"] = result.notes;
+  return json;
+}
+
+namespace {
+
+/// The rollers that a table shows: one of each mirrored pair, with the text of its azimuth.
+std::vector<std::pair<std::size_t, std::string>> shown_rollers(const std::vector<RollerRow>& rollers) {
+  std::vector<double> azimuths;
+  for (const RollerRow& roller : rollers) azimuths.push_back(roller.azimuth_deg);
+  std::vector<std::pair<std::size_t, std::string>> shown;
+  for (const bearing::RollerGroup& group : bearing::mirror_groups(azimuths)) {
+    const auto first = static_cast<std::size_t>(group.members.front());
+    shown.emplace_back(first, (group.members.size() > 1 ? "+-" : "") +
+                                  plain(group.members.size() > 1 ? std::abs(azimuths[first]) : azimuths[first], 5));
+  }
+  std::sort(shown.begin(), shown.end(), [&](const auto& one, const auto& other) {
+    return std::abs(azimuths[one.first]) < std::abs(azimuths[other.first]);
+  });
+  return shown;
+}
+
+std::string fixed(double value, int decimals) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*f", decimals, value);
+  return text;
+}
+
+}  // namespace
+
+std::string human_table(const Case& bearing_case, const std::vector<BearingResult>& results) {
+  const auto& body = std::get<BearingCase>(bearing_case.body);
+  std::string text = bearing_case.id + ": " + bearing_case.title + "\n";
+  text += "  radial load " + plain(body.operation.radial_load_N) + " N, clearance " +
+          micrometre(body.geometry.clearance_m) + ", sum speed " +
+          plain(bearing::sum_speed_m_per_s(geometry_of(body), speeds_of(body)), 4) + " m/s, centrifugal force " +
+          plain(bearing::centrifugal_force_N(geometry_of(body), speeds_of(body)), 4) + " N a roller\n\n";
+
+  // Rollers: psi, then Q_i, delta_i and film of every law.
+  std::vector<std::string> head{"psi"}, units{"deg"};
+  std::vector<const BearingResult*> with_rows;
+  for (const BearingResult& result : results) {
+    if (result.rollers.empty()) continue;
+    with_rows.push_back(&result);
+    head.insert(head.end(), {std::string(to_string(result.law)) + ": Q_i", "delta_i"});
+    units.insert(units.end(), {"N", "um"});
+    if (needs_film(result.law)) {
+      head.emplace_back("h_i");
+      units.emplace_back("um");
+    }
+  }
+  if (!with_rows.empty()) {
+    std::vector<std::vector<std::string>> rows{head, units};
+    for (const auto& [j, azimuth] : shown_rollers(with_rows.front()->rollers)) {
+      std::vector<std::string> row{azimuth};
+      for (const BearingResult* result : with_rows) {
+        const ContactRow& inner = result->rollers[j].inner;
+        row.push_back(fixed(inner.force_N, 1));
+        row.push_back(fixed(1e6 * inner.displacement_m, 3));
+        if (needs_film(result->law)) row.push_back(inner.film_minimum_m ? fixed(1e6 * *inner.film_minimum_m, 3) : "-");
+      }
+      rows.push_back(row);
+    }
+    text += aligned(rows, 1, "  ") + "\n";
+  }
+
+  std::vector<std::vector<std::string>> summary{
+      {"law", "displacement um", "balance error", "contacts solved", "from memory", "time s"}};
+  for (const BearingResult& result : results) {
+    const bool fine = !result.rollers.empty();
+    summary.push_back({std::string(to_string(result.law)), fine ? fixed(1e6 * result.displacement_m, 4) : "-",
+                       fine ? plain(result.balance_error, 2) : "-", std::to_string(result.contact_solves),
+                       std::to_string(result.contact_recalls), plain(result.wall_s, 2)});
+  }
+  text += aligned(summary, 1, "  ");
+
+  for (const BearingResult& result : results) {
+    if (!result.fit) continue;
+    std::vector<std::vector<std::string>> fits{
+        {"fit", "K N/m", "dF N", "residual N", "standard deviation N", "of K N/m", "of dF N", "N from", "to"}};
+    const auto add = [&fits](const char* name, const LinearFit& fit) {
+      fits.push_back({name, plain(fit.K_N_per_m, 5), fixed(fit.dF_N, 1), fixed(fit.residual_N, 1),
+                      fixed(fit.standard_deviation_N, 1), plain(fit.K_deviation_N_per_m, 2),
+                      fixed(fit.dF_deviation_N, 1), plain(fit.points.front().force_N, 5),
+                      plain(fit.points.back().force_N, 5)});
+    };
+    add("inner", result.fit->inner);
+    add("outer", result.fit->outer);
+    text += "\n" + aligned(fits, 1, "  ");
+  }
+  for (const BearingResult& result : results) {
+    if (!result.why.empty()) text += "\n  " + std::string(to_string(result.law)) + ": no balance: " + result.why + "\n";
+    if (result.notes.empty()) continue;
+    text += "\n  notes on " + std::string(to_string(result.law)) + "\n";
+    for (const std::string& note : result.notes) text += "    - " + note + "\n";
+  }
+  return text;
+}
+
+}  // namespace ehd::verification

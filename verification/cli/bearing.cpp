@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// ehd bearing: the load distribution of one or more bearing cases.
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "verification/bearing_run.hpp"
+#include "verification/case.hpp"
+#include "verification/cli/commands.hpp"
+#include "verification/cli/common.hpp"
+
+namespace ehd::cli {
+
+namespace {
+
+using namespace verification;
+
+struct BearingOptions {
+  std::vector<std::string> cases, laws;
+  std::optional<std::string> json;
+  std::string solver = "fast";
+  RequestOptions limits;
+};
+
+const char* examples = R"(
+Examples:
+  ehd bearing na4908                                   dry and EHD laws side by side
+  ehd bearing na4908 na4908-2.5um na4908-10um          three clearances; the paper's statements judged
+  ehd bearing harris-209 --law hertz --law iso         dry laws only
+  ehd bearing na4908 --law ehd-linear --json -         one result as JSON on standard output
+
+Exit code: 0 all laws balanced; 1 one did not; 2 bad input or usage.)";
+
+/// The laws in the order given, each once. Throws UsageError.
+std::vector<BearingLaw> laws_named(const std::vector<std::string>& names) {
+  std::vector<BearingLaw> laws;
+  for (const std::string& name : names) {
+    const auto law = bearing_law_from(name);
+    if (!law) throw UsageError("--law " + name + ": is unknown; allowed is " + bearing_law_names());
+    if (std::find(laws.begin(), laws.end(), *law) == laws.end()) laws.push_back(*law);
+  }
+  return laws;
+}
+
+/// The cases that were read, and what was computed of each.
+struct Computed {
+  std::vector<Case> cases;
+  std::vector<std::vector<BearingResult>> results;
+};
+
+std::string statements_of(const Computed& computed, ContactMemory& memory) {
+  if (computed.cases.size() < 3 || !differ_only_in_clearance(computed.cases)) return "";
+  std::string text;
+  bool scanned = false;
+  for (const BearingLaw law : {BearingLaw::ehd_linear, BearingLaw::ehd}) {
+    std::vector<ClearanceComparison> clearances;
+    for (std::size_t k = 0; k < computed.cases.size(); ++k) {
+      const BearingResult *dry = nullptr, *film = nullptr;
+      for (const BearingResult& result : computed.results[k]) {
+        if (result.law == BearingLaw::hertz) dry = &result;
+        if (result.law == law) film = &result;
+      }
+      if (!dry || !film) break;
+      clearances.push_back({std::get<BearingCase>(computed.cases[k].body).geometry.clearance_m, *dry, *film});
+    }
+    const auto statements = judge_paper_statements(clearances);
+    if (statements.empty()) continue;
+    text += "\nThe paper's statements, hertz against " + std::string(to_string(law)) +
+            " with the datum of the cases\n" + human_statements(statements);
+    if (scanned) continue;
+    scanned = true;
+    text += "\nThe same for other data (dry/" + std::string(to_string(law)) + " at psi = 0)\n" +
+            human_data(compare_data(computed.cases, law, memory), scan_datum(computed.cases, law, memory));
+  }
+  return text;
+}
+
+int bearing(const BearingOptions& options) {
+  const std::vector<BearingLaw> named = laws_named(options.laws);
+  const RegisteredSolver& solver = solver_named(options.solver);
+  Computed computed;
+  for (const std::string& name : options.cases) {
+    computed.cases.push_back(read_case(find_case(name)));
+    const Case& last = computed.cases.back();
+    if (!std::holds_alternative<BearingCase>(last.body))
+      throw case_error(last, "", "this is a contact; allowed is a bearing case (ehd solve solves this one)");
+  }
+  const auto asked_of = [&](const Case& one) {
+    const auto& body = std::get<BearingCase>(one.body);
+    return BearingRequest{.laws = named.empty() ? default_laws(body) : named, .explicitly = !named.empty()};
+  };
+  for (const Case& one : computed.cases) require_possible(one, asked_of(one));
+  JsonTarget json(options.json);
+
+  const Request limits = options.limits.request();
+  Request request = ContactMemory::bearing_request();
+  request.max_iterations = limits.max_iterations;
+  request.time_limit_s = limits.time_limit_s;
+  Progress progress;
+  long solved = 0;
+  std::string current;
+  ContactMemory memory(
+      [&](const Problem& problem, const Request& with) {
+        progress.show(current + ": contact " + std::to_string(++solved) + " ...");
+        return solver.solve(problem, with);
+      },
+      request);
+
+  Json list = Json::array();
+  std::string text;
+  std::vector<std::string> complaints;
+  int exit_code = success;
+  for (const Case& one : computed.cases) {
+    current = one.id;
+    const auto& body = std::get<BearingCase>(one.body);
+    computed.results.push_back(run_bearing(one, asked_of(one), memory));
+    for (const BearingResult& result : computed.results.back()) {
+      list.push_back(to_json(result));
+      if (result.status == StopReason::converged) continue;
+      exit_code = not_met;
+      complaints.push_back("ehd: " + one.id + ": " + std::string(to_string(result.law)) + ": " +
+                           std::string(to_string(result.status)) + ": " + result.why);
+    }
+    text += (text.empty() ? "" : "\n") + human_table(one, computed.results.back());
+    if (!body.lubricant && named.empty()) text += "\n  ehd-linear and ehd are skipped: the case has no lubricant\n";
+  }
+  if (!json.to_standard_output()) text += statements_of(computed, memory);
+  progress.show("");
+  json.write(list.size() == 1 ? list.front() : list);
+  if (!json.to_standard_output()) print(text);
+  for (const std::string& complaint : complaints) complain(complaint);
+  return exit_code;
+}
+
+}  // namespace
+
+void add_bearing(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<BearingOptions>();
+  CLI::App* command = app.add_subcommand("bearing", "Load distribution of a roller bearing, dry and with films");
+  command->footer(examples);
+  command->add_option("CASE", options->cases, "case files (TOML), or ids of benchmark cases")->required();
+  command
+      ->add_option("--law", options->laws,
+                   "contact law (repeatable): " + bearing_law_names() +
+                       " (hertz, ehd-linear, ehd; hertz alone without a lubricant)")
+      ->allow_extra_args(false);
+  command->add_option("--solver", options->solver, "solver of the EHD contacts, one of " + solver_names())
+      ->capture_default_str();
+  options->limits.add_to(*command, false);
+  command->add_option("--json", options->json, "the results as JSON into a file, or - for standard output");
+  command->callback([options, &exit_code] { run_guarded(exit_code, [&] { return bearing(*options); }); });
+}
+
+}  // namespace ehd::cli

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verification/exact/sjovall.hpp"
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_integration.h>
+
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+namespace ehd::verification::exact {
+
+namespace {
+
+using std::numbers::pi;
+
+struct Integrand {
+  double eps, exponent, limit;
+};
+
+/// On psi = psi_l (1 - s^2): the zero of power n at the edge of the load zone becomes one of power 2n + 1, which the
+/// quadrature does not see as a singularity.
+double integrand(double s, void* parameters) {
+  const auto& of = *static_cast<const Integrand*>(parameters);
+  const double psi = of.limit * (1 - s * s), half = std::sin(psi / 2);
+  const double share = 1 - half * half / of.eps;
+  return share > 0 ? std::pow(share, of.exponent) * std::cos(psi) * 2 * of.limit * s : 0;
+}
+
+}  // namespace
+
+double SjovallIntegral::operator()(double eps) const {
+  if (!(eps > 0)) throw std::domain_error("Sjovall integral: eps = " + std::to_string(eps) + "; it must be positive");
+  Integrand of{eps, exponent, eps < 1 ? std::acos(1 - 2 * eps) : pi};
+  gsl_function function{integrand, &of};
+  constexpr std::size_t intervals = 1000;
+  const std::unique_ptr<gsl_integration_workspace, void (*)(gsl_integration_workspace*)> workspace(
+      gsl_integration_workspace_alloc(intervals), gsl_integration_workspace_free);
+  double value = 0, estimated = 0;
+  gsl_error_handler_t* const before = gsl_set_error_handler_off();
+  const int status =
+      gsl_integration_qag(&function, 0, 1, 0, 1e-13, intervals, GSL_INTEG_GAUSS61, workspace.get(), &value, &estimated);
+  gsl_set_error_handler(before);
+  // At large eps the integral is a small difference; GSL then reports round-off beside a good value.
+  if (status != GSL_SUCCESS && !(estimated <= 1e-12 * std::abs(value)))
+    throw std::runtime_error(std::string("Sjovall integral: ") + gsl_strerror(status));
+  return value / pi;
+}
+
+double load_zone_parameter(double displacement_m, double clearance_m) {
+  return (1 - clearance_m / (2 * displacement_m)) / 2;
+}
+
+}  // namespace ehd::verification::exact
