@@ -179,6 +179,11 @@ Nondimensional nondimensionalise(const Statement& statement, const Lubricant& lu
       need_pressure("lubricant.viscosity", "roelands");
       if (!lubricant.z && !si)
         throw StatementError("lubricant.z", "is missing; roelands needs it where eta_0 is unknown");
+      if (!(z > 0)) throw StatementError("lubricant.z", "z = " + number(z) + "; roelands needs z > 0");
+      if (!(lubricant.p0_Pa > 0))
+        throw StatementError("lubricant.p0_Pa", "p_0 = " + number(lubricant.p0_Pa) + " Pa; roelands needs p_0 > 0");
+      if (!std::isfinite(lubricant.p0_Pa / *hertz_pressure_Pa))
+        throw StatementError("L", "L = " + number(groups.L) + " is too small for roelands; L = 0 is its limit");
       result.problem.viscosity =
           Roelands{.alpha = groups.alpha_p_H, .p0 = lubricant.p0_Pa / *hertz_pressure_Pa, .z = z};
     } else {

@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/scaling.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "tests/check.hpp"
+
+namespace {
+
+using namespace ehd;
+using std::numbers::pi;
+using verification::Tolerance;
+
+const Tolerance few_operations = Tolerance::round_off(64);  // a dozen pow, sqrt and divisions, half an ulp to 4 each
+
+Conditions steel() {
+  return {.load_N_per_m = 1.3e5,
+          .reduced_radius_m = 1.1e-2,
+          .reduced_modulus_Pa = 2.27e11,
+          .speed_sum_m_per_s = 3.7,
+          .viscosity_Pa_s = 0.021};
+}
+
+Lubricant roelands(std::optional<double> alpha, std::optional<double> z) {
+  return {.viscosity = ViscosityLaw::roelands,
+          .density = DensityLaw::dowson_higginson,
+          .alpha_per_Pa = alpha,
+          .z = z,
+          .p0_Pa = 1.96e8};
+}
+
+Lubricant barus(std::optional<double> alpha, DensityLaw density = DensityLaw::incompressible) {
+  return {.viscosity = ViscosityLaw::barus, .density = density, .alpha_per_Pa = alpha, .z = {}, .p0_Pa = 1.9e8};
+}
+
+/// The key that a refused statement blames; "" where it is not refused.
+std::string refused_key(const Statement& statement, const Lubricant& lubricant) {
+  try {
+    (void)nondimensionalise(statement, lubricant, Flooded{});
+  } catch (const StatementError& refusal) {
+    BOOST_TEST(std::string(refusal.what()) != "");
+    return refusal.key();
+  }
+  return "";
+}
+
+double difference(const Groups& a, const Groups& b) {
+  return std::max({error(a.M, b.M), error(a.L, b.L), error(a.lambda, b.lambda), error(a.alpha_p_H, b.alpha_p_H)});
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(scaling)
+
+BOOST_AUTO_TEST_CASE(moes_and_hertz_groups_are_inverse) {
+  int rows = 0;
+  for (const MoesGroups moes : {MoesGroups{0.05, 0.7}, MoesGroups{3.3, 4.1}, MoesGroups{1700, 23}}) {
+    const Groups there = groups_from(moes);
+    EHD_CHECK(error(there.lambda * moes.M * moes.M, 3 * pi * pi / 8), few_operations);
+    EHD_CHECK(error(there.alpha_p_H, moes.L * std::sqrt(moes.M / (2 * pi))), few_operations);
+    const Groups back = groups_from(HertzGroups{.lambda = there.lambda, .alpha_p_H = there.alpha_p_H});
+    EHD_CHECK(difference(back, there), few_operations);
+    ++rows;
+  }
+  BOOST_TEST(rows == 3);
+}
+
+BOOST_AUTO_TEST_CASE(groups_from_si_equal_their_definitions_with_the_sum_speed) {
+  const Conditions c = steel();
+  const double alpha = 1.8e-8;
+  const auto made = nondimensionalise(c, barus(alpha), TruncatedAt{-4.5});
+  const double R = c.reduced_radius_m, E = c.reduced_modulus_Pa, w = c.load_N_per_m;
+  const double b = std::sqrt(8 * w * R / (pi * E)), p_H = 2 * w / (pi * b);
+  // lambda and alpha p_H from their definitions, without Moes' groups in between.
+  const double lambda = 6 * *c.viscosity_Pa_s * *c.speed_sum_m_per_s * R * R / (b * b * b * p_H);
+  EHD_CHECK(error(made.problem.groups.lambda, lambda), few_operations);
+  EHD_CHECK(error(made.problem.groups.alpha_p_H, alpha * p_H), few_operations);
+  EHD_CHECK(error(p_H, E * b / (4 * R)), few_operations);
+  const double U_s = *c.viscosity_Pa_s * *c.speed_sum_m_per_s / (E * R);
+  EHD_CHECK(error(made.problem.groups.M, w / (E * R) / std::sqrt(U_s)), few_operations);
+  EHD_CHECK(error(made.problem.groups.L, alpha * E * std::pow(U_s, 0.25)), few_operations);
+
+  BOOST_REQUIRE(made.scales.has_value());
+  BOOST_REQUIRE(made.scales->dowson.has_value());
+  EHD_CHECK(error(made.scales->hertz_pressure_Pa, p_H), few_operations);
+  EHD_CHECK(error(made.scales->half_width_m.value(), b), few_operations);
+  EHD_CHECK(error(made.scales->film_m_per_hertz_film().value(), b * b / R), few_operations);
+  // Moes film (h/R) U_s^(-1/2) of h = H b^2/R.
+  EHD_CHECK(error(moes_film_per_hertz_film(made.problem.groups.M), b * b / (R * R) / std::sqrt(U_s)), few_operations);
+  BOOST_TEST(std::get<TruncatedAt>(made.problem.inlet).x == -4.5);
+}
+
+BOOST_AUTO_TEST_CASE(dowsons_groups_have_the_mean_speed) {
+  const Conditions c = steel();
+  const auto made = nondimensionalise(c, barus(1.8e-8), Flooded{});
+  const double mean_speed = *c.speed_sum_m_per_s / 2;
+  EHD_CHECK(error(made.scales->dowson->U_mean,
+                  *c.viscosity_Pa_s * mean_speed / (c.reduced_modulus_Pa * c.reduced_radius_m)),
+            few_operations);
+  EHD_CHECK(error(made.scales->dowson->W, c.load_N_per_m / (c.reduced_modulus_Pa * c.reduced_radius_m)),
+            few_operations);
+  EHD_CHECK(error(made.scales->dowson->G, 1.8e-8 * c.reduced_modulus_Pa), few_operations);
+  // Taking one speed for the other is off by sqrt 2 in M and by 2^(1/4) in L.
+  const MoesGroups right = moes_from(*made.scales->dowson);
+  DowsonGroups wrong = *made.scales->dowson;
+  wrong.U_mean *= 2;
+  EHD_CHECK(error(right.M / moes_from(wrong).M, std::sqrt(2.0)), few_operations);
+  EHD_CHECK(error(moes_from(wrong).L / right.L, std::pow(2.0, 0.25)), few_operations);
+}
+
+BOOST_AUTO_TEST_CASE(dowson_and_moes_groups_are_inverse) {
+  int rows = 0;
+  for (const MoesGroups moes : {MoesGroups{0.2, 21}, MoesGroups{20, 10}, MoesGroups{900, 3}}) {
+    for (const double G : {2500.0, 5000.0}) {
+      const DowsonGroups groups = dowson_from(moes, G);
+      const MoesGroups back = moes_from(groups);
+      EHD_CHECK(error(back.M, moes.M), few_operations);
+      EHD_CHECK(error(back.L, moes.L), few_operations);
+      EHD_CHECK(error(groups.G, G), Tolerance::round_off(1));
+      ++rows;
+    }
+  }
+  BOOST_TEST(rows == 6);
+}
+
+BOOST_AUTO_TEST_CASE(the_same_physics_in_other_units_gives_the_same_problem) {
+  // Units of length, force and time changed at will: numbers as a user of inches, pounds and minutes would have them.
+  const double length = 0.0254, force = 4.4482216, time = 60;
+  const double pressure = force / (length * length);
+  const Conditions c = steel();
+  const Conditions other{.load_N_per_m = c.load_N_per_m / (force / length),
+                         .reduced_radius_m = c.reduced_radius_m / length,
+                         .reduced_modulus_Pa = c.reduced_modulus_Pa / pressure,
+                         .speed_sum_m_per_s = *c.speed_sum_m_per_s / (length / time),
+                         .viscosity_Pa_s = *c.viscosity_Pa_s / (pressure * time)};
+  Lubricant law = roelands(2.1e-8, 0.63);
+  law.density = DensityLaw::incompressible;  // its constants are in Pa
+  Lubricant other_law = law;
+  other_law.alpha_per_Pa = *law.alpha_per_Pa * pressure;
+  other_law.p0_Pa = law.p0_Pa / pressure;
+  const Problem in_SI = nondimensionalise(c, law, Flooded{}).problem;
+  const Problem in_other = nondimensionalise(other, other_law, Flooded{}).problem;
+  EHD_CHECK(difference(in_other.groups, in_SI.groups), few_operations);
+  const auto& one = std::get<Roelands>(in_SI.viscosity);
+  const auto& two = std::get<Roelands>(in_other.viscosity);
+  EHD_CHECK(error(two.alpha, one.alpha), few_operations);
+  EHD_CHECK(error(two.p0, one.p0), few_operations);
+  EHD_CHECK(error(two.z, one.z), few_operations);
+}
+
+BOOST_AUTO_TEST_CASE(the_three_statements_of_one_contact_give_the_same_problem) {
+  const auto from_SI = nondimensionalise(steel(), roelands(2.1e-8, 0.63), Flooded{});
+  const Groups groups = from_SI.problem.groups;
+  int rows = 0;
+  for (const Statement& statement : {Statement{MoesGroups{groups.M, groups.L}},
+                                     Statement{HertzGroups{groups.lambda, groups.alpha_p_H}}}) {
+    const auto made = nondimensionalise(statement, roelands(2.1e-8, 0.63), Flooded{});
+    EHD_CHECK(difference(made.problem.groups, groups), few_operations);
+    const auto& law = std::get<Roelands>(made.problem.viscosity);
+    const auto& expected = std::get<Roelands>(from_SI.problem.viscosity);
+    EHD_CHECK(error(law.alpha, expected.alpha), few_operations);
+    EHD_CHECK(error(law.p0, expected.p0), few_operations);
+    EHD_CHECK(error(law.z, expected.z), few_operations);
+    const auto& density = std::get<DowsonHigginson>(made.problem.density);
+    EHD_CHECK(error(density.a, std::get<DowsonHigginson>(from_SI.problem.density).a), few_operations);
+    EHD_CHECK(error(density.c, std::get<DowsonHigginson>(from_SI.problem.density).c), few_operations);
+    EHD_CHECK(error(made.scales.value().hertz_pressure_Pa, from_SI.scales->hertz_pressure_Pa), few_operations);
+    BOOST_TEST(!made.scales->half_width_m.has_value());  // nothing fixes a length
+    BOOST_TEST(!made.scales->film_m_per_hertz_film().has_value());
+    ++rows;
+  }
+  BOOST_TEST(rows == 2);
+}
+
+BOOST_AUTO_TEST_CASE(each_density_name_gives_its_own_law) {
+  const double p_H = nondimensionalise(steel(), barus(1.8e-8), Flooded{}).scales->hertz_pressure_Pa;
+  const auto law = [&](DensityLaw density) {
+    return std::get<DowsonHigginson>(nondimensionalise(steel(), barus(1.8e-8, density), Flooded{}).problem.density);
+  };
+  EHD_CHECK(error(law(DensityLaw::dowson_higginson).c, p_H / 5.9e8), few_operations);
+  EHD_CHECK(error(law(DensityLaw::dowson_higginson_1977).c, 1.7e-9 * p_H), few_operations);
+  BOOST_TEST(std::holds_alternative<Incompressible>(
+      nondimensionalise(steel(), barus(1.8e-8), Flooded{}).problem.density));
+}
+
+BOOST_AUTO_TEST_CASE(roelands_relation_supplies_what_is_left_out) {
+  const double span = std::log(0.021) + 9.67;
+  const auto with_z = nondimensionalise(steel(), roelands({}, 0.63), Flooded{});
+  EHD_CHECK(error(with_z.problem.groups.alpha_p_H, 0.63 * span / 1.96e8 * with_z.scales->hertz_pressure_Pa),
+            few_operations);
+  const auto with_alpha = nondimensionalise(steel(), roelands(2.1e-8, {}), Flooded{});
+  EHD_CHECK(error(std::get<Roelands>(with_alpha.problem.viscosity).z, 2.1e-8 * 1.96e8 / span), few_operations);
+  BOOST_TEST(with_z.notes.empty());
+  BOOST_TEST(with_alpha.notes.empty());
+
+  const auto with_both = nondimensionalise(steel(), roelands(2.1e-8, 0.63), Flooded{});
+  EHD_CHECK(error(std::get<Roelands>(with_both.problem.viscosity).z, 0.63), Tolerance::round_off(1));
+  EHD_CHECK(error(with_both.problem.groups.alpha_p_H, 2.1e-8 * with_both.scales->hertz_pressure_Pa), few_operations);
+  BOOST_REQUIRE(with_both.notes.size() == 1U);  // how far they are from the relation
+  BOOST_TEST(with_both.notes[0].find('%') != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(at_L_zero_groups_are_solved_isoviscous_and_incompressible) {
+  const auto made = nondimensionalise(MoesGroups{7, 0}, roelands(2.1e-8, 0.63), Flooded{});
+  BOOST_TEST(is_trivial(made.problem.viscosity));
+  BOOST_TEST(is_trivial(made.problem.density));
+  BOOST_TEST(made.notes.size() == 1U);
+  BOOST_TEST(!made.scales.has_value());
+
+  const Lubricant plain{.viscosity = ViscosityLaw::isoviscous, .density = {}, .alpha_per_Pa = {}, .z = {}};
+  BOOST_TEST(nondimensionalise(MoesGroups{7, 0}, plain, Flooded{}).notes.empty());
+
+  // In SI the pressure is known, so the density stays what it is.
+  Lubricant dense = plain;
+  dense.density = DensityLaw::dowson_higginson;
+  const auto in_SI = nondimensionalise(steel(), dense, Flooded{});
+  EHD_CHECK(in_SI.problem.groups.L, Tolerance::round_off(0));
+  BOOST_TEST(is_trivial(in_SI.problem.viscosity));
+  BOOST_TEST(!is_trivial(in_SI.problem.density));
+}
+
+BOOST_AUTO_TEST_CASE(barus_needs_no_pressure_in_pascal) {
+  const auto made = nondimensionalise(MoesGroups{20, 10}, barus({}), Flooded{});
+  EHD_CHECK(error(std::get<Barus>(made.problem.viscosity).alpha, 10 * std::sqrt(20 / (2 * pi))), few_operations);
+  BOOST_TEST(!made.scales.has_value());
+}
+
+BOOST_AUTO_TEST_CASE(pressures_above_4_GPa_carry_a_note) {
+  // p_H = L sqrt(M/2pi)/alpha: 38.5 GPa at the corner (5000, 30), 0.81 GPa at (20, 10).
+  BOOST_TEST(nondimensionalise(MoesGroups{5000, 30}, roelands(2.2e-8, 0.68), Flooded{}).notes.size() == 1U);
+  BOOST_TEST(nondimensionalise(MoesGroups{20, 10}, roelands(2.2e-8, 0.68), Flooded{}).notes.empty());
+}
+
+BOOST_AUTO_TEST_CASE(a_statement_that_makes_no_problem_names_the_key_at_fault) {
+  const Lubricant isoviscous{.viscosity = ViscosityLaw::isoviscous, .density = {}, .alpha_per_Pa = {}, .z = {}};
+  Conditions no_speed = steel(), no_viscosity = steel(), thin = steel(), still = steel(), unloaded = steel();
+  no_speed.speed_sum_m_per_s.reset();
+  no_viscosity.viscosity_Pa_s.reset();
+  thin.viscosity_Pa_s = 5e-5;  // below e^-9.67, where Roelands' relation changes sign
+  still.speed_sum_m_per_s = 0;
+  unloaded.load_N_per_m = 0;
+  const double nan = std::nan("");
+  Lubricant bad_p0 = roelands(2.1e-8, 0.63);
+  bad_p0.p0_Pa = 0;
+  struct Row {
+    const char* what;
+    Statement statement;
+    Lubricant lubricant;
+    const char* key;
+  };
+  const std::vector<Row> rows = {
+      {"isoviscous with L > 0", MoesGroups{20, 10}, isoviscous, "lubricant.viscosity"},
+      {"isoviscous with alpha p_H > 0", HertzGroups{0.3, 2.8}, isoviscous, "lubricant.viscosity"},
+      {"roelands without p_H", MoesGroups{20, 10}, roelands({}, 0.68), "lubricant.viscosity"},
+      {"density without p_H", MoesGroups{20, 10}, barus({}, DensityLaw::dowson_higginson), "lubricant.density"},
+      {"roelands without z or eta_0", MoesGroups{20, 10}, roelands(2.1e-8, {}), "lubricant.z"},
+      {"roelands with neither", steel(), roelands({}, {}), "lubricant.alpha_per_Pa"},
+      {"roelands with z = 0", MoesGroups{20, 10}, roelands(2.1e-8, 0.0), "lubricant.z"},
+      {"roelands with p_0 = 0", MoesGroups{20, 10}, bad_p0, "lubricant.p0_Pa"},
+      {"z from a thin oil", thin, roelands(2.1e-8, {}), "lubricant.z"},
+      {"alpha from a thin oil", thin, roelands({}, 0.6), "lubricant.alpha_per_Pa"},
+      {"barus without alpha", steel(), barus({}), "lubricant.alpha_per_Pa"},
+      {"no speed", no_speed, barus(2e-8), "conditions.speed_sum_m_per_s"},
+      {"no viscosity", no_viscosity, barus(2e-8), "conditions.viscosity_Pa_s"},
+      {"at rest", still, barus(2e-8), "M"},
+      {"no load", unloaded, barus(2e-8), "M"},
+      {"M too small", MoesGroups{0.9e-3, 1}, barus({}), "M"},
+      {"M too large", MoesGroups{1.1e6, 1}, barus({}), "M"},
+      {"M negative", MoesGroups{-20, 1}, barus({}), "M"},
+      {"M not a number", MoesGroups{nan, 1}, barus({}), "M"},
+      {"L too large", MoesGroups{20, 100.5}, barus({}), "L"},
+      {"L negative", MoesGroups{20, -1}, barus({}), "L"},
+      {"L not a number", MoesGroups{20, nan}, barus({}), "L"},
+      {"L denormal", MoesGroups{20, 1e-320}, roelands(2.1e-8, 0.63), "L"},
+      {"lambda zero", HertzGroups{0, 1}, barus({}), "M"},
+      {"lambda negative", HertzGroups{-1, 1}, barus({}), "M"},
+  };
+  for (const auto& row : rows) {
+    BOOST_TEST_CONTEXT(row.what) { BOOST_TEST(refused_key(row.statement, row.lubricant) == row.key); }
+  }
+  BOOST_TEST(rows.size() == 25U);
+  BOOST_TEST(refused_key(MoesGroups{20, 10}, barus({})) == "");  // the helper can tell
+}
+
+BOOST_AUTO_TEST_CASE(names_of_laws_and_quantities_read_back) {
+  int rows = 0;
+  for (const auto law : {ViscosityLaw::isoviscous, ViscosityLaw::barus, ViscosityLaw::roelands}) {
+    BOOST_TEST((viscosity_law_from(to_string(law)) == law));
+    ++rows;
+  }
+  for (const auto law :
+       {DensityLaw::incompressible, DensityLaw::dowson_higginson, DensityLaw::dowson_higginson_1977}) {
+    BOOST_TEST((density_law_from(to_string(law)) == law));
+    ++rows;
+  }
+  for (const auto quantity : all_quantities) {
+    BOOST_TEST((quantity_from(to_string(quantity)) == quantity));
+    ++rows;
+  }
+  BOOST_TEST(rows == 17);
+  BOOST_TEST(want_everything().size() == 11U);
+  BOOST_TEST(!viscosity_law_from("Barus").has_value());
+  BOOST_TEST(!density_law_from("").has_value());
+  BOOST_TEST(!quantity_from("film").has_value());
+}
+
+BOOST_AUTO_TEST_SUITE_END()
