@@ -25,13 +25,13 @@ enum class Scaling { hertz, moes, SI, kostreva };
 
 /// One [[expect]]: a number that somebody vouches for, or one that the case waits for.
 struct Expectation {
-  std::string quantity;       ///< "film.minimum", "roller.3.inner.force", …
-  std::string law;            ///< bearing cases only
-  bool waiting = false;       ///< status = "waiting": no value
+  std::string quantity;  ///< "film.minimum", "roller.3.inner.force", …
+  std::string law;       ///< bearing cases only
+  bool waiting = false;  ///< status = "waiting": no value
   double value = 0;
-  std::string digits;         ///< the text of the value
+  std::string digits;  ///< the text of the value
   Scaling scaling = Scaling::hertz;
-  double uncertainty = 0;     ///< relative; default half of the last digit
+  double uncertainty = 0;  ///< relative; default half of the last digit
   ExpectationKind kind = ExpectationKind::computed;
   int line = 0;
 };
@@ -98,8 +98,9 @@ struct Case {
   std::string source;
   std::variant<ContactCase, BearingCase> body;
   std::vector<Expectation> expectations;
-  std::filesystem::path file;        ///< as named by the user
-  std::map<std::string, int> lines;  ///< dotted key ("bearing.length_m") or table ("bearing") -> line
+  std::filesystem::path file;                ///< as named by the user
+  std::map<std::string, int> lines;          ///< dotted key ("bearing.length_m") or table ("bearing") -> line
+  std::map<std::string, std::string> texts;  ///< dotted key -> its value as written, for error messages
 };
 
 /// Reads and checks a case; throws CaseError. Everything that can be refused without solving is refused here, the

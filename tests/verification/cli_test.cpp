@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The program as a process: exit codes and streams.
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tests/check.hpp"
+#include "tests/verification/files.hpp"
+#include "tests/verification/process.hpp"
+
+using namespace ehd;
+using namespace ehd::verification;
+using nlohmann::json;
+
+BOOST_AUTO_TEST_SUITE(cli)
+
+BOOST_AUTO_TEST_CASE(a_solve_prints_a_table_and_exits_with_0) {
+  const test::Folder folder;
+  const auto ended = test::ehd_run(folder, "solve own-moes-5-5 --tolerance 1e-2");
+  BOOST_TEST(ended.exit_code == 0);
+  BOOST_TEST(ended.err == "");
+  for (const char* text : {"film.minimum", "Moes", "converged", "Dowson & Higginson", "cost"})
+    BOOST_CHECK_MESSAGE(ended.out.find(text) != std::string::npos, text << " is not in the table");
+  BOOST_TEST(ended.out.find('\033') == std::string::npos);  // no colour into a file
+}
+
+BOOST_AUTO_TEST_CASE(json_on_standard_output_stands_alone_and_is_read_back) {
+  const test::Folder folder;
+  const auto ended = test::ehd_run(folder, "solve --M 5 --L 5 --inlet -4 --tolerance 1e-2 --json -");
+  BOOST_TEST(ended.exit_code == 0);
+  const json result = json::parse(ended.out);
+  BOOST_TEST(result["status"] == "converged");
+  BOOST_TEST(result["solver"] == "fast");
+  BOOST_TEST(!result.contains("case"));
+  BOOST_TEST(result["film"]["minimum"]["error"].get<double>() <= 1e-2);
+}
+
+BOOST_AUTO_TEST_CASE(a_solve_that_does_not_converge_exits_with_1_and_says_so_beside_the_json) {
+  const test::Folder folder;
+  const auto ended = test::ehd_run(folder, "solve own-moes-20-10 --max-iterations 1 --json -");
+  BOOST_TEST(ended.exit_code == 1);
+  BOOST_TEST(ended.error_lines() == 1);
+  const json result = json::parse(ended.out);
+  BOOST_TEST(result["status"] != "converged");
+}
+
+BOOST_AUTO_TEST_CASE(a_grid_that_cannot_see_the_inlet_zone_is_no_solution) {
+  const test::Folder folder;
+  const auto ended = test::ehd_run(folder, "solve own-moes-1000-10 --nodes 256 --json -");
+  BOOST_TEST(ended.exit_code == 1);
+  BOOST_TEST(json::parse(ended.out)["status"] != "converged");
+}
+
+BOOST_AUTO_TEST_CASE(files_are_written_beside_the_table) {
+  const test::Folder folder;
+  const auto result = folder.path() / "result.json", profile = folder.path() / "profile.csv";
+  const auto ended = test::ehd_run(
+      folder, "solve own-moes-5-5 --tolerance 1e-2 --json " + result.string() + " --profile " + profile.string());
+  BOOST_TEST(ended.exit_code == 0);
+  BOOST_TEST(ended.out.find("film.minimum") != std::string::npos);
+  BOOST_TEST(json::parse(test::read(result))["case"] == "own-moes-5-5");
+  BOOST_TEST(test::read(profile).starts_with("X [x/b],P [p/p_H],H [h R/b^2],rho [rho/rho_0],eta [eta/eta_0]\n"));
+}
+
+BOOST_AUTO_TEST_CASE(a_dry_case_is_exact_and_has_no_groups_and_no_film) {
+  const test::Folder folder;
+  const auto ended = test::ehd_run(folder, "solve dry-steel --json -");
+  BOOST_TEST(ended.exit_code == 0);
+  const json result = json::parse(ended.out);
+  BOOST_TEST(result["status"] == "converged");
+  BOOST_TEST(!result["groups"].contains("M"));
+  BOOST_TEST(!result["film"].contains("minimum"));
+  EHD_CHECK(error(result["film"]["offset"]["hertz"], -0.5965736), Tolerance::published_digits("0.5965736"));
+  BOOST_TEST(result["cost"]["fft_plans"] == 0);
+}
+
+// Every row: arguments, and what the one line on standard error must hold.
+BOOST_AUTO_TEST_CASE(wrong_usage_is_one_line_on_standard_error_and_exit_code_2) {
+  const test::Folder folder;
+  const std::string bad = folder.write("bad.toml", "id = \"bad\"\nversion = 1\nx = 2\n").string();
+  const std::string absent = (folder.path() / "absent" / "file").string();
+  const std::vector<std::pair<std::string, std::string>> rows{
+      {"frobnicate", "frobnicate"},
+      {"--frobnicate", "frobnicate"},
+      {"solve", "is missing"},
+      {"solve no-such-case", "there is no such case"},
+      {"solve " + bad, "bad.toml:3: x = 2: is unknown; allowed is"},
+      {"solve " + folder.path().string(), "is a directory"},
+      {"solve own-moes-5-5 own-moes-20-10", "own-moes-20-10"},
+      {"solve own-moes-5-5 --M 3 --L 4", "exclude each other"},
+      {"solve own-moes-5-5 --frobnicate", "frobnicate"},
+      {"solve own-moes-5-5 --solver magic", "is unknown; allowed is reference"},
+      {"solve own-moes-5-5 --tolerance 0", "is not positive"},
+      {"solve own-moes-5-5 --tolerance -1e-3", "is not positive"},
+      {"solve own-moes-5-5 --tolerance nan", "is not finite"},
+      {"solve own-moes-5-5 --tolerance inf", "is not finite"},
+      {"solve own-moes-5-5 --tolerance 1e999", "is out of range"},
+      {"solve own-moes-5-5 --tolerance", "--tolerance"},
+      {"solve own-moes-5-5 --tolerance 1e-3 --tolerance 1e-4", "--tolerance"},
+      {"solve own-moes-5-5 --tolerance 1e-3 --nodes 64", "exclude each other"},
+      {"solve own-moes-5-5 --nodes 15", "is too few; allowed is an integer from 16"},
+      {"solve own-moes-5-5 --nodes 64.5", "is not an integer"},
+      {"solve own-moes-5-5 --nodes 99999999999", "is not an integer"},
+      {"solve own-moes-5-5 --nodes 2000000000 --solver reference", "would not fit into memory"},
+      {"solve own-moes-5-5 --quantity film.maximum", "is unknown; allowed is film.minimum"},
+      {"solve own-moes-5-5 --max-iterations 0", "is too few"},
+      {"solve own-moes-5-5 --time-limit 0", "is out of range"},
+      {"solve own-moes-5-5 --json " + absent, "cannot be written"},
+      {"solve own-moes-5-5 --profile " + folder.path().string(), "it is a directory"},
+      {"solve own-moes-5-5 --json a --profile a", "the same file"},
+      {"solve own-moes-5-5 --json ''", "cannot be written"},
+      {"solve --M 20", "--L is missing"},
+      {"solve --L 20", "--M is missing"},
+      {"solve --M twenty --L 10", "is not a number"},
+      {"solve --M 1e308 --L 10", "is out of range"},
+      {"solve --M -5 --L 10", "is out of range"},
+      {"solve --M 20 --L 5e-324", "is out of range"},
+      {"solve --M 20 --L 10 --inlet 0.5", "does not lie before the contact"},
+      {"solve --M 20 --L 10 --viscosity magic", "is unknown; allowed is isoviscous"},
+      {"solve --M 20 --L 10 --viscosity isoviscous", "isoviscous contradicts L > 0"},
+      {"solve --M 20 --L 10 --viscosity roelands", "--viscosity"},
+      {"solve --M 20 --L 10 --density dowson-higginson", "needs pressures in Pa"},
+      {"solve na4908", "na4908.toml:"},
+      {"compare", "a CASE is missing"},
+      {"compare own-moes-5-5 no-such-case", "there is no such case"},
+      {"compare dry-steel", "is a dry contact"},
+      {"compare own-moes-5-5 --solver magic", "is unknown"},
+      {"compare own-moes-5-5 --tolerance x", "is not a number"},
+      {"cases extra", "extra"},
+      {"plan", "CASE"},
+      {"plan no-such-case", "there is no such case"},
+      {"plan own-moes-5-5 --law hertz", "--law belongs to a bearing"},
+      {"plan na4908 --solver fast", "belong to a contact"},
+      {"plan na4908 --law magic", "is unknown"},
+  };
+  std::size_t ran = 0;
+  for (const auto& [arguments, phrase] : rows) {
+    const auto ended = test::ehd_run(folder, arguments);
+    BOOST_TEST_CONTEXT("ehd " << arguments) {
+      BOOST_TEST(ended.exit_code == 2);
+      BOOST_TEST(ended.out == "");
+      BOOST_CHECK_MESSAGE(ended.error_lines() == 1, "not one line: " << ended.err);
+      BOOST_CHECK_MESSAGE(ended.err.find(phrase) != std::string::npos, phrase << " is not in: " << ended.err);
+    }
+    ++ran;
+  }
+  BOOST_TEST(ran == rows.size());
+}
+
+BOOST_AUTO_TEST_CASE(help_and_version_are_printed_with_exit_code_0) {
+  const test::Folder folder;
+  for (const char* arguments : {"", "--help", "solve --help", "compare --help", "cases --help", "plan --help"}) {
+    const auto ended = test::ehd_run(folder, arguments);
+    BOOST_TEST(ended.exit_code == 0);
+    BOOST_TEST(ended.err == "");
+    BOOST_CHECK_MESSAGE(ended.out.find("Examples:") != std::string::npos, "no examples: ehd " << arguments);
+  }
+  const auto version = test::ehd_run(folder, "--version");
+  BOOST_TEST(version.exit_code == 0);
+  BOOST_TEST(version.out.starts_with("ehd "));
+}
+
+BOOST_AUTO_TEST_CASE(the_cases_are_listed_with_how_to_cite_them) {
+  const test::Folder folder;
+  const auto list = test::ehd_run(folder, "cases");
+  BOOST_TEST(list.exit_code == 0);
+  BOOST_TEST(list.out.find("own-moes-20-10") != std::string::npos);
+  BOOST_TEST(list.out.find("Int. J. Num. Meth. Fluids 4, 377-397") != std::string::npos);
+  const auto bibtex = test::ehd_run(folder, "cases --bibtex");
+  BOOST_TEST(bibtex.exit_code == 0);
+  BOOST_TEST(bibtex.out.find("@article{kostreva1984,") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(a_plan_says_what_is_skipped_and_why) {
+  const test::Folder folder;
+  const auto ended = test::ehd_run(folder, "plan own-isoviscous-10-0 --json -");
+  BOOST_TEST(ended.exit_code == 0);
+  const json plan = json::parse(ended.out)["plan"];
+  BOOST_TEST(plan["skipped"].dump().find("no exponential is evaluated") != std::string::npos);
+  const auto bearing = test::ehd_run(folder, "plan na4908 --law hertz");
+  BOOST_TEST(bearing.exit_code == 0);
+  BOOST_TEST(bearing.out.find("skipped, and why") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(solvers_are_compared_by_the_error_that_they_achieve) {
+  const test::Folder folder;
+  const auto ended = test::ehd_run(folder, "compare own-moes-5-5 --tolerance 1e-2 --tolerance 1e-3 --json -");
+  BOOST_TEST(ended.exit_code == 0);
+  const json comparison = json::parse(ended.out);
+  BOOST_REQUIRE(comparison.size() == 1u);
+  BOOST_REQUIRE(comparison[0]["runs"].size() == 4u);  // reference and fast, two tolerances each
+  for (const auto& run : comparison[0]["runs"]) {
+    const double tolerance = run["tolerance"];
+    EHD_CHECK(run["achieved_error"]["film.minimum"].get<double>(),
+              Tolerance::required(tolerance, "interface.md: --tolerance T asks for an error <= T"));
+    EHD_CHECK(run["achieved_error"]["film.central"].get<double>(),
+              Tolerance::required(tolerance, "interface.md: --tolerance T asks for an error <= T"));
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()

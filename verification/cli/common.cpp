@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verification/cli/common.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <limits>
+#include <new>
+
+#include "contact/scaling.hpp"
+#include "verification/case.hpp"
+#include "verification/text.hpp"
+
+namespace ehd::cli {
+
+using verification::plain;
+
+namespace {
+
+constexpr int fewest_nodes = 16;
+constexpr double longest_time_s = 1e9;  // what a clock can count
+
+}  // namespace
+
+void complain(const std::string& line) { std::cerr << verification::one_line(line) << std::endl; }
+
+void print(const std::string& text) {
+  std::cout << text << std::flush;
+  if (!std::cout) throw verification::OutputError("standard output: cannot be written (the device is full or closed)");
+}
+
+void run_guarded(int& exit_code, const std::function<int()>& body) {
+  const auto refuse = [&](const std::string& line) {
+    complain(line);
+    exit_code = bad_input;
+  };
+  try {
+    exit_code = body();
+  } catch (const verification::CaseError& error) {
+    refuse(error.what());
+  } catch (const UsageError& error) {
+    refuse("ehd: " + std::string(error.what()));
+  } catch (const verification::OutputError& error) {
+    refuse("ehd: " + std::string(error.what()));
+  } catch (const StatementError& error) {
+    refuse("ehd: " + error.key() + ": " + error.what());
+  } catch (const std::bad_alloc&) {
+    complain("ehd: memory is exhausted; a smaller --nodes or a larger --tolerance needs less");
+    exit_code = not_met;
+  }
+}
+
+double parse_number(const std::string& option, const std::string& text) {
+  double value = 0;
+  const char* begin = text.data() + (text.starts_with('+') ? 1 : 0);
+  const char* end = text.data() + text.size();
+  const auto parsed = std::from_chars(begin, end, value);
+  if (parsed.ec == std::errc::result_out_of_range)
+    throw UsageError(option + " " + text + ": is out of range; allowed is a number");
+  if (parsed.ec != std::errc() || parsed.ptr != end)
+    throw UsageError(option + " " + text + ": is not a number; allowed is a number");
+  if (!std::isfinite(value)) throw UsageError(option + " " + text + ": is not finite; allowed is a finite number");
+  return value;
+}
+
+int parse_integer(const std::string& option, const std::string& text) {
+  int value = 0;
+  const char* end = text.data() + text.size();
+  const auto parsed = std::from_chars(text.data(), end, value);
+  if (parsed.ec != std::errc() || parsed.ptr != end)
+    throw UsageError(option + " " + text + ": is not an integer; allowed is an integer up to " +
+                     std::to_string(std::numeric_limits<int>::max()));
+  return value;
+}
+
+void RequestOptions::add_to(CLI::App& command, bool with_accuracy) {
+  if (with_accuracy) {
+    command.add_option("--tolerance", tolerance, "relative error allowed in the minimum and central film (1e-3)")
+        ->type_name("T");
+    command.add_option("--nodes", nodes, "intervals on the finest grid instead, inlet to exit, at least 16")
+        ->type_name("N");
+  }
+  command.add_option("--max-iterations", max_iterations, "Newton iterations over all grids (2000)")->type_name("I");
+  command.add_option("--time-limit", time_limit, "seconds for each solve (300)")->type_name("S");
+}
+
+Request RequestOptions::request() const {
+  Request request;
+  if (tolerance && nodes) throw UsageError("--tolerance and --nodes exclude each other; allowed is one of them");
+  if (tolerance) {
+    request.tolerance = parse_number("--tolerance", *tolerance);
+    if (!(*request.tolerance > 0))
+      throw UsageError("--tolerance " + *tolerance + ": is not positive; allowed is a number > 0");
+  }
+  if (nodes) {
+    request.nodes = parse_integer("--nodes", *nodes);
+    request.tolerance.reset();
+    if (*request.nodes < fewest_nodes)
+      throw UsageError("--nodes " + *nodes + ": is too few; allowed is an integer from " +
+                       std::to_string(fewest_nodes));
+  }
+  if (max_iterations) {
+    request.max_iterations = parse_integer("--max-iterations", *max_iterations);
+    if (request.max_iterations < 1)
+      throw UsageError("--max-iterations " + *max_iterations + ": is too few; allowed is an integer from 1");
+  }
+  if (time_limit) {
+    request.time_limit_s = parse_number("--time-limit", *time_limit);
+    if (!(request.time_limit_s > 0 && request.time_limit_s <= longest_time_s))
+      throw UsageError("--time-limit " + *time_limit + ": is out of range; allowed is more than 0, up to " +
+                       plain(longest_time_s) + " seconds");
+  }
+  return request;
+}
+
+const verification::RegisteredSolver& solver_named(const std::string& name) {
+  const auto* solver = verification::find_solver(name);
+  if (!solver) throw UsageError("--solver " + name + ": is unknown; allowed is " + verification::solver_names());
+  return *solver;
+}
+
+Wanted quantities_named(const std::vector<std::string>& names) {
+  if (names.empty()) return want_everything();
+  Wanted wanted;
+  for (const auto& name : names) {
+    const auto quantity = quantity_from(name);
+    if (!quantity) {
+      std::string allowed;
+      for (const Quantity known : all_quantities)
+        allowed += (allowed.empty() ? "" : ", ") + std::string(to_string(known));
+      throw UsageError("--quantity " + name + ": is unknown; allowed is " + allowed);
+    }
+    wanted.insert(*quantity);
+  }
+  return wanted;
+}
+
+void require_memory(const verification::RegisteredSolver& solver, const Request& request) {
+  if (!request.nodes) return;
+  constexpr double gigabyte = 1e9;
+  const double needed = solver.memory_bytes(*request.nodes);
+  const double available = verification::available_memory_bytes();
+  if (needed <= available) return;
+  int fitting = *request.nodes;
+  while (fitting > fewest_nodes && solver.memory_bytes(fitting) > available) fitting /= 2;
+  throw UsageError("--nodes " + std::to_string(*request.nodes) + ": would not fit into memory (" + solver.name +
+                   " needs about " + plain(needed / gigabyte, 2) + " GB, available are " +
+                   plain(available / gigabyte, 2) + " GB); allowed is up to about " + std::to_string(fitting));
+}
+
+void Progress::show(const std::string& line) {
+  if (!::isatty(STDERR_FILENO)) return;
+  // Spaces and carriage returns only, so that it needs no terminal codes.
+  constexpr std::size_t widest = 79;
+  const std::string text = verification::shortened(verification::one_line(line), widest - 3);
+  std::cerr << '\r' << text << std::string(shown_ > text.size() ? shown_ - text.size() : 0, ' ') << '\r' << text
+            << std::flush;
+  if (text.empty() && shown_ > 0) std::cerr << '\r' << std::flush;
+  shown_ = text.size();
+}
+
+bool styled_output() {
+  const char* no_color = std::getenv("NO_COLOR");
+  const char* terminal = std::getenv("TERM");
+  const bool dumb = terminal && std::string_view(terminal) == "dumb";
+  return ::isatty(STDOUT_FILENO) && !(no_color && *no_color) && !dumb;
+}
+
+JsonTarget::JsonTarget(const std::optional<std::string>& option) : asked_(option.has_value()) {
+  if (option && *option != "-") file_.emplace(*option);
+}
+
+void JsonTarget::write(const verification::Json& json) {
+  const std::string text = verification::json_text(json);
+  if (file_) {
+    file_->commit(text);
+  } else if (asked_) {
+    print(text);
+  }
+}
+
+}  // namespace ehd::cli

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// ehd solve: one contact, from a case file or from options.
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "contact/scaling.hpp"
+#include "verification/case.hpp"
+#include "verification/cli/commands.hpp"
+#include "verification/cli/common.hpp"
+#include "verification/solve_run.hpp"
+#include "verification/text.hpp"
+
+namespace ehd::cli {
+
+namespace {
+
+using verification::Case;
+using verification::ContactCase;
+
+struct SolveOptions {
+  std::optional<std::string> case_name;
+  std::optional<std::string> M, L, inlet, viscosity, density, alpha, z, p0;
+  std::string solver = "fast";
+  std::vector<std::string> quantities;
+  std::optional<std::string> json, profile;
+  RequestOptions request;
+};
+
+const char* examples = R"(
+Examples:
+  ehd solve own-moes-20-10                              a benchmark case by its id
+  ehd solve my-contact.toml --tolerance 1e-4            a case file
+  ehd solve --M 20 --L 10                               Barus, incompressible, fully flooded
+  ehd solve --M 20 --L 10 --viscosity roelands --density dowson-higginson \
+            --alpha-per-Pa 2.2e-8 --z 0.68 --p0-Pa 1.96e8 --inlet -4
+  ehd solve own-moes-20-10 --solver reference --json -  the result as JSON on standard output
+  ehd solve steel-roller --profile profile.csv          pressure and film over X
+
+Exit code: 0 converged; 1 not converged (the status says how); 2 bad input or usage.)";
+
+/// The contact that the options state. Throws UsageError; `range` is checked by nondimensionalise.
+ContactCase contact_from(const SolveOptions& options) {
+  ContactCase contact;
+  contact.statement = MoesGroups{.M = parse_number("--M", *options.M), .L = parse_number("--L", *options.L)};
+
+  Lubricant lubricant;
+  if (options.viscosity) {
+    const auto law = viscosity_law_from(*options.viscosity);
+    if (!law)
+      throw UsageError("--viscosity " + *options.viscosity + ": is unknown; allowed is isoviscous, barus, roelands");
+    lubricant.viscosity = *law;
+  }
+  if (options.density) {
+    const auto law = density_law_from(*options.density);
+    if (!law)
+      throw UsageError("--density " + *options.density +
+                       ": is unknown; allowed is incompressible, dowson-higginson, dowson-higginson-1977");
+    lubricant.density = *law;
+  }
+  const auto number_within = [](const char* option, const std::string& text, double low, double high) {
+    const double value = parse_number(option, text);
+    if (!(value >= low && value <= high))
+      throw UsageError(std::string(option) + " " + text + ": is out of range; allowed is " + verification::plain(low) +
+                       " to " + verification::plain(high));
+    return value;
+  };
+  if (options.alpha) lubricant.alpha_per_Pa = number_within("--alpha-per-Pa", *options.alpha, 1e-15, 1e-3);
+  if (options.z) lubricant.z = number_within("--z", *options.z, 1e-3, 10);
+  if (options.p0) lubricant.p0_Pa = number_within("--p0-Pa", *options.p0, 1e3, 1e15);
+  contact.lubricant = lubricant;
+
+  contact.inlet = Flooded{};
+  if (options.inlet && *options.inlet != "flooded") {
+    const double x = parse_number("--inlet", *options.inlet);
+    if (!(x < -1 && x >= -1e6))
+      throw UsageError("--inlet " + *options.inlet +
+                       ": does not lie before the contact; allowed is flooded, or X = x/b from -1e6 to less than -1");
+    contact.inlet = TruncatedAt{x};
+  }
+
+  try {
+    (void)nondimensionalise(contact.statement, *contact.lubricant, *contact.inlet);
+  } catch (const StatementError& error) {
+    std::string option = error.key();
+    if (option == "M" || option == "L") option = "--" + option + " " + (option == "M" ? *options.M : *options.L);
+    if (option == "lubricant.viscosity") option = "--viscosity";
+    if (option == "lubricant.density") option = "--density";
+    if (option == "lubricant.alpha_per_Pa") option = "--alpha-per-Pa";
+    if (option == "lubricant.z") option = "--z";
+    throw UsageError(option + ": " + error.what());
+  }
+  constexpr double smallest_L = 1e-12;  // below it p_H in Pa leaves the range of numbers
+  const double L = std::get<MoesGroups>(contact.statement).L;
+  if (L > 0 && L < smallest_L)
+    throw UsageError("--L " + *options.L + ": is out of range; allowed is 0, or 1e-12 to 100");
+  return contact;
+}
+
+void require_one_problem(const SolveOptions& options) {
+  const bool stated = options.M || options.L || options.inlet || options.viscosity || options.density ||
+                      options.alpha || options.z || options.p0;
+  if (options.case_name && stated)
+    throw UsageError(
+        "solve: a CASE and options that state a contact exclude each other; allowed is a CASE, or --M and "
+        "--L");
+  if (!options.case_name && !(options.M && options.L))
+    throw UsageError(std::string("solve: ") +
+                     (options.M   ? "--L is"
+                      : options.L ? "--M is"
+                                  : "the contact is") +
+                     " missing; required is a CASE, or --M and --L (ehd solve --help shows examples)");
+}
+
+int solve(const SolveOptions& options) {
+  require_one_problem(options);
+  const auto& solver = solver_named(options.solver);
+  const Request request = options.request.request();
+  const Wanted wanted = quantities_named(options.quantities);
+  if (options.json && options.profile && *options.json == *options.profile)
+    throw UsageError("--json and --profile name the same file; allowed are two files");
+
+  std::optional<Case> contact_case;
+  ContactCase contact;
+  std::string title;
+  if (options.case_name) {
+    contact_case = verification::read_case(verification::find_case(*options.case_name));
+    if (!std::holds_alternative<ContactCase>(contact_case->body))
+      throw case_error(*contact_case, "bearing",
+                       "is no contact; allowed is a contact case (ehd bearing solves this one)");
+    contact = std::get<ContactCase>(contact_case->body);
+    title = contact_case->id + ": " + contact_case->title;
+  } else {
+    contact = contact_from(options);
+    title = "M = " + *options.M + ", L = " + *options.L;
+  }
+  if (!contact.dry()) require_memory(solver, request);
+  JsonTarget json(options.json);
+  std::optional<verification::OutputFile> profile;
+  if (options.profile) profile.emplace(*options.profile);
+
+  verification::ContactRun run;
+  {
+    Progress progress;
+    progress.show("solving " + title + " with " + solver.name + " ...");
+    run = contact_case ? run_contact(*contact_case, solver, request, wanted)
+                       : run_contact(contact, solver, request, wanted);
+  }
+  json.write(to_json(run));
+  if (profile && run.status() != StopReason::diverged) profile->commit(profile_csv(run));
+  if (!json.to_standard_output()) print(human_table(run, title, styled_output()));
+  if (run.status() == StopReason::converged) return success;
+  const std::string& reason = run.solution.record.reason;
+  complain("ehd: " + title + ": " + std::string(to_string(run.status())) + (reason.empty() ? "" : ": " + reason));
+  return not_met;
+}
+
+}  // namespace
+
+void add_solve(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<SolveOptions>();
+  CLI::App* command = app.add_subcommand("solve", "Solve one contact");
+  command->footer(examples);
+  command->add_option("CASE", options->case_name, "a case file (TOML), or the id of a benchmark case");
+  command->add_option("--M", options->M, "Moes load parameter, 1e-3 to 1e6 (instead of a CASE, with --L)");
+  command->add_option("--L", options->L, "Moes material parameter, 0 to 100");
+  command->add_option("--inlet", options->inlet, "flooded, or X = x/b where the domain begins (flooded)");
+  command->add_option("--viscosity", options->viscosity, "isoviscous, barus or roelands (barus)");
+  command->add_option("--density", options->density,
+                      "incompressible, dowson-higginson or dowson-higginson-1977 (incompressible)");
+  command->add_option("--alpha-per-Pa", options->alpha, "pressure coefficient of viscosity; sets p_H");
+  command->add_option("--z", options->z, "Roelands' exponent");
+  command->add_option("--p0-Pa", options->p0, "Roelands' reference pressure (1.9613e8)");
+  command->add_option("--solver", options->solver, "one of " + verification::solver_names())->capture_default_str();
+  options->request.add_to(*command);
+  command->add_option("--quantity", options->quantities, "compute only this quantity (repeatable), e.g. film.minimum")
+      ->allow_extra_args(false);
+  command->add_option("--json", options->json, "the result as JSON into a file, or - for standard output");
+  command->add_option("--profile", options->profile, "pressure, film, density and viscosity over X as CSV");
+  command->callback([options, &exit_code] { run_guarded(exit_code, [&] { return solve(*options); }); });
+}
+
+}  // namespace ehd::cli

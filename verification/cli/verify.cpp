@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// ehd verify: the verification suite.
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <system_error>
+
+#include "verification/cli/commands.hpp"
+#include "verification/cli/common.hpp"
+#include "verification/output.hpp"
+#include "verification/suite.hpp"
+
+namespace ehd::cli {
+
+namespace {
+
+struct VerifyOptions {
+  std::optional<std::string> rung, case_id, output;
+  bool quick = false, all = false;
+};
+
+const char* examples = R"(
+Examples:
+  ehd verify                            every rung, every case
+  ehd verify --quick                    without the slow cases, in half a minute
+  ehd verify --rung 7 --all             one rung, each claim with its numbers
+  ehd verify --case own-moes-20-10
+  ehd verify --output out/verify        leaves out/verify/results.json
+
+Rungs: 0 inputs, 1 kernel, 2 operator, 3 elasticity, 4 Reynolds, 5 coupled, 6 solvers, 7 twins, 8 grids, 9 regimes,
+10 published, 11 bearing. Exit code: 0 every claim stands; 1 one fails or is inconclusive; 2 wrong usage.)";
+
+int verify(const VerifyOptions& options) {
+  verification::SuiteRequest request;
+  if (options.rung) {
+    request.rung = parse_integer("--rung", *options.rung);
+    if (*request.rung < 0 || *request.rung >= verification::rungs)
+      throw UsageError("--rung " + *options.rung + ": is unknown; allowed is 0 to " +
+                       std::to_string(verification::rungs - 1));
+  }
+  request.case_id = options.case_id;
+  request.quick = options.quick;
+
+  // Opened before the work begins: a folder that cannot be written is bad input, not a lost run.
+  std::optional<verification::OutputFile> file;
+  if (options.output) {
+    std::error_code error;
+    std::filesystem::create_directories(*options.output, error);
+    if (error) throw UsageError("--output " + *options.output + ": " + error.message() + "; allowed is a folder");
+    file.emplace(std::filesystem::path(*options.output) / "results.json");
+  }
+
+  verification::SuiteResult result;
+  try {
+    Progress progress;
+    request.progress = [&](std::size_t done, std::size_t all, const std::string& name) {
+      progress.show("verify " + std::to_string(done) + "/" + std::to_string(all) + ": " + name);
+    };
+    result = verification::run_suite(request);
+  } catch (const verification::NothingSelected& nothing) {
+    throw UsageError(nothing.what());
+  }
+  if (file) file->commit(verification::json_text(verification::to_json(result)));
+  print(human_summary(result, options.all));
+  if (result.success()) return success;
+  std::size_t standing = 0;
+  for (const auto& claim : result.claims) standing += claim.verdict == verification::Verdict::pass ? 1 : 0;
+  complain("ehd: verify: " + std::to_string(result.claims.size() - standing) + " of " +
+           std::to_string(result.claims.size()) + " claims do not stand");
+  return not_met;
+}
+
+}  // namespace
+
+void add_verify(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<VerifyOptions>();
+  CLI::App* command = app.add_subcommand("verify", "Run the verification suite");
+  command->footer(examples);
+  command->add_option("--rung", options->rung, "one rung of the ladder, 0 to 11");
+  command->add_option("--case", options->case_id, "one case: an id, or a path to a TOML file");
+  command->add_flag("--quick", options->quick, "leave out the slow cases");
+  command->add_flag("--all", options->all, "print every claim, not only those that do not stand");
+  command->add_option("--output", options->output, "folder for results.json");
+  command->callback([options, &exit_code] { run_guarded(exit_code, [&] { return verify(*options); }); });
+}
+
+}  // namespace ehd::cli
