@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# A thin front for CMake: what a new user types. Variables: BUILD (folder), JOBS, CMAKE_FLAGS (passed to CMake).
+
+BUILD ?= build
+JOBS ?= $(shell nproc 2>/dev/null || echo 2)
+CMAKE_FLAGS ?=
+# Ninja where it is installed; a build folder keeps the generator that it was made with.
+GENERATOR = $(if $(wildcard $(BUILD)/CMakeCache.txt),,$(if $(shell command -v ninja 2>/dev/null),-G Ninja))
+
+.DEFAULT_GOAL := help
+.PHONY: help setup configure build verify test format clean
+
+help:       ## List the targets
+	@sed -n 's/^\([a-z][a-z-]*\):[^#]*## \(.*\)/  make \1\t\2/p' $(firstword $(MAKEFILE_LIST)) | expand -t 18
+
+setup:      ## Install the apt packages that are missing (as root; otherwise say which)
+	@sh cmake/setup.sh
+
+configure: setup
+	@mkdir -p $(BUILD)
+	@cmake -S . -B $(BUILD) $(GENERATOR) $(CMAKE_FLAGS) > $(BUILD)/configure.log 2>&1 \
+	  || { cat $(BUILD)/configure.log >&2; exit 2; }
+
+build: configure  ## Build the program: build/ehd
+	@cmake --build $(BUILD) --parallel $(JOBS) --target ehd_program
+
+verify: build  ## Run the verification suite; results in out/verify/results.json
+	@$(BUILD)/ehd verify --output out/verify
+
+test: configure  ## Build and run every test
+	@cmake --build $(BUILD) --parallel $(JOBS)
+	@ctest --test-dir $(BUILD) --output-on-failure --parallel $(JOBS)
+
+format:     ## Format every source file with clang-format
+	@command -v clang-format > /dev/null || { echo "clang-format is missing: apt-get install clang-format" >&2; exit 2; }
+	@find contact reference fast bearing verification tests -name '*.[ch]pp' -exec clang-format -i {} +
+
+clean:      ## Remove the build folder
+	@rm -rf $(BUILD)

@@ -1,0 +1,47 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Installs the apt packages that the build needs and that are missing; touches nothing else. Without root it names
+# them and ends with exit code 2. On a system without dpkg it leaves the search to CMake.
+set -eu
+
+required="g++ cmake pkg-config libeigen3-dev libfftw3-dev libgsl-dev libboost-test-dev libtomlplusplus-dev \
+nlohmann-json3-dev libcli11-dev"
+optional="ninja-build"  # the build is faster with it and works without
+
+command -v dpkg-query > /dev/null 2>&1 || exit 0
+
+is_installed() {
+  case "$1" in  # a tool counts wherever it comes from
+    g++ | cmake | pkg-config) command -v "$1" > /dev/null 2>&1 && return 0 ;;
+    ninja-build) command -v ninja > /dev/null 2>&1 && return 0 ;;
+  esac
+  dpkg-query -W -f '${db:Status-Status}\n' "$1" 2> /dev/null | grep -q '^installed$'
+}
+
+missing=""
+for package in $required; do
+  is_installed "$package" || missing="$missing $package"
+done
+is_root=$([ "$(id -u)" -eq 0 ] && echo yes || echo no)
+[ "$is_root" = no ] && [ -z "$missing" ] && exit 0
+for package in $optional; do
+  is_installed "$package" || missing="$missing $package"
+done
+[ -z "$missing" ] && exit 0
+
+if [ "$is_root" = no ]; then
+  echo "These packages are missing; install them as root with:" >&2
+  echo "  apt-get install --no-install-recommends$missing" >&2
+  exit 2
+fi
+
+echo "Installing$missing" >&2
+log=$(mktemp)
+trap 'rm -f "$log"' EXIT
+export DEBIAN_FRONTEND=noninteractive
+# shellcheck disable=SC2086  # a list of words
+if ! { apt-get -qq update && apt-get -qq install -y --no-install-recommends $missing; } > "$log" 2>&1; then
+  cat "$log" >&2
+  echo "apt-get could not install:$missing" >&2
+  exit 2
+fi

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verification/claim.hpp"
+
+#include <stdlib.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "tests/check.hpp"
+#include "verification/case.hpp"
+#include "verification/suite.hpp"
+
+namespace {
+
+using namespace ehd;
+using namespace ehd::verification;
+
+const double unknown_value = std::nan("");
+
+Sentence sentence(const std::string& id) {
+  return {.id = id, .rung = 6, .statement = "something holds", .case_id = "some-case", .solver = "some.solver"};
+}
+
+const Tolerance percent = Tolerance::required(0.01, "here");
+
+/// A folder of cases of its own, named by EHD_CASES while it lives.
+class CaseFolder {
+ public:
+  CaseFolder() : path_(std::filesystem::temp_directory_path() / ("ehd-claims-" + std::to_string(::getpid()))) {
+    std::filesystem::create_directories(path_);
+    if (const char* before = std::getenv("EHD_CASES")) before_ = before;
+    ::setenv("EHD_CASES", path_.c_str(), 1);
+  }
+  ~CaseFolder() {
+    std::filesystem::remove_all(path_);
+    if (before_.empty()) {
+      ::unsetenv("EHD_CASES");
+    } else {
+      ::setenv("EHD_CASES", before_.c_str(), 1);
+    }
+  }
+  CaseFolder(const CaseFolder&) = delete;
+  CaseFolder& operator=(const CaseFolder&) = delete;
+
+  void write(const std::string& id, const std::string& text) const {
+    std::ofstream(path_ / (id + ".toml")) << text;
+  }
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+  std::string before_;
+};
+
+std::string dry_case(const std::string& id, const std::string& offset) {
+  return "id = \"" + id + "\"\nversion = 1\ntitle = \"dry\"\nsource = \"own\"\n[conditions]\nload_N_per_m = 1.2e5\n" +
+         "reduced_radius_m = 1.1e-2\nreduced_modulus_Pa = 2.3e11\n[[expect]]\nquantity = \"film.offset\"\nvalue = \"" +
+         offset + "\"\nscaling = \"hertz\"\nkind = \"exact\"\n";
+}
+
+/// (5,5), Barus, incompressible, inlet -4: H_min = .246708437314 (computed to 10 digits or more).
+std::string contact_case(const std::string& id, const std::string& minimum) {
+  return "id = \"" + id + "\"\nversion = 1\ntitle = \"contact\"\nsource = \"own\"\n[moes]\nM = 5.0\nL = 5.0\n" +
+         "[lubricant]\nviscosity = \"barus\"\ndensity = \"incompressible\"\n[domain]\ninlet = -4.0\n[[expect]]\n" +
+         "quantity = \"film.minimum\"\nvalue = \"" + minimum + "\"\nscaling = \"hertz\"\nkind = \"computed\"\n";
+}
+
+int exit_code(const std::string& arguments) {
+  const int status = std::system(("'" + std::string(EHD_PROGRAM) + "' " + arguments + " > /dev/null 2>&1").c_str());
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+std::size_t count(const SuiteResult& result, Verdict verdict) {
+  std::size_t number = 0;
+  for (const Claim& one : result.claims) number += one.verdict == verdict ? 1 : 0;
+  return number;
+}
+
+const Claim* find(const SuiteResult& result, const std::string& id) {
+  for (const Claim& one : result.claims) {
+    if (one.says.id == id) return &one;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(claim)
+
+BOOST_AUTO_TEST_CASE(a_value_is_judged_relative_to_what_is_expected) {
+  const Claim near = claim_value(sentence("near"), 0.2518, 0.25, 0.001, percent);
+  EHD_CHECK(error(near.error, 0.0072), Tolerance::round_off(8, 1000));
+  BOOST_TEST((near.verdict == Verdict::pass));
+  EHD_CHECK(error(near.margin(), 1 - 0.82), Tolerance::round_off(8, 1000));
+  BOOST_TEST((claim_value(sentence("undecided"), 0.2518, 0.25, 0.005, percent).verdict == Verdict::inconclusive));
+  BOOST_TEST((claim_value(sentence("far"), 0.26, 0.25, 0.001, percent).verdict == Verdict::fail));
+  // Relative turns absolute where 0 is expected.
+  EHD_CHECK(error(claim_value(sentence("zero"), -0.003, 0, 0, percent).error, 0.003), Tolerance::round_off(2));
+}
+
+BOOST_AUTO_TEST_CASE(an_unconverged_solve_never_passes) {
+  int rows = 0;
+  for (const double expected : {0.25, 0.0, unknown_value}) {
+    for (const double uncertainty : {0.0, 0.5, unknown_value}) {
+      BOOST_TEST((claim_value(sentence("nan"), unknown_value, expected, uncertainty, percent).verdict != Verdict::pass));
+      ++rows;
+    }
+  }
+  BOOST_TEST(rows == 9);
+  SuiteResult result;
+  result.claims.push_back(claim_value(sentence("nan"), unknown_value, 1, 0, percent));
+  BOOST_TEST(!result.success());
+}
+
+BOOST_AUTO_TEST_CASE(a_suite_without_claims_is_no_success) { BOOST_TEST(!SuiteResult{}.success()); }
+
+BOOST_AUTO_TEST_CASE(facts_stand_or_fall_and_findings_stand) {
+  BOOST_TEST((claim_fact(sentence("yes"), true, "here").verdict == Verdict::pass));
+  BOOST_TEST((claim_fact(sentence("no"), false, "here").verdict == Verdict::fail));
+  const Claim finding = claim_finding(sentence("finding"), "8752 N beside 9285 N");
+  BOOST_TEST((finding.verdict == Verdict::pass));
+  BOOST_TEST(finding.finding);
+}
+
+BOOST_AUTO_TEST_CASE(json_has_every_field_and_never_null) {
+  const Json full = verification::to_json(claim_value(sentence("full"), 0.2518, 0.25, 0.001, percent, "a note"));
+  for (const char* key : {"id", "rung", "statement", "case", "solver", "measured", "expected", "error", "uncertainty",
+                          "tolerance", "verdict", "margin", "note"}) {
+    BOOST_TEST_CONTEXT(key) { BOOST_TEST(full.contains(key)); }
+  }
+  for (const char* key : {"value", "basis", "reason"}) BOOST_TEST(full["tolerance"].contains(key));
+  BOOST_TEST(full["verdict"] == "pass");
+  BOOST_TEST(full["rung"] == 6);
+  const Json unknown = verification::to_json(claim_value(sentence("nan"), unknown_value, 0.25, 0, percent));
+  BOOST_TEST(!unknown.contains("measured"));
+  BOOST_TEST(!unknown.contains("error"));
+  BOOST_TEST(unknown["verdict"] == "inconclusive");
+  BOOST_TEST(json_text(unknown).find("null") == std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(the_lowest_rungs_stand_in_the_suite_itself) {
+  int rows = 0;
+  for (const int rung : {0, 1, 2, 4}) {
+    const SuiteResult result = run_suite({.rung = rung, .case_id = {}, .quick = true, .threads = 1, .progress = {}});
+    BOOST_TEST_CONTEXT("rung " << rung) {
+      BOOST_TEST(result.success());
+      for (const Claim& one : result.claims) BOOST_TEST(one.says.rung == rung);
+    }
+    ++rows;
+  }
+  BOOST_TEST(rows == 4);
+}
+
+BOOST_AUTO_TEST_CASE(a_case_that_cannot_be_read_is_a_failing_claim_and_the_others_are_judged) {
+  const CaseFolder folder;
+  folder.write("good", dry_case("good", "-0.5965736"));
+  folder.write("bad", "id = \"bad\"\nversion = \n");
+  const SuiteResult result = run_suite({.rung = 0, .case_id = {}, .quick = false, .threads = 2, .progress = {}});
+  const Claim* bad = find(result, "bad/read");
+  BOOST_REQUIRE(bad);
+  BOOST_TEST((bad->verdict == Verdict::fail));
+  BOOST_TEST(bad->note.find("bad.toml:2") != std::string::npos);
+  BOOST_TEST(count(result, Verdict::fail) == 1U);
+  BOOST_TEST(!result.success());
+  const SuiteResult dry = run_suite({.rung = {}, .case_id = "good", .quick = false, .threads = 1, .progress = {}});
+  BOOST_TEST(dry.claims.size() == 1U);
+  BOOST_TEST(dry.success());
+}
+
+BOOST_AUTO_TEST_CASE(a_wrong_expectation_fails) {
+  const CaseFolder folder;
+  folder.write("dry-wrong", dry_case("dry-wrong", "-0.5971701"));
+  const SuiteResult dry = run_suite({.rung = {}, .case_id = "dry-wrong", .quick = false, .threads = 1, .progress = {}});
+  BOOST_TEST(count(dry, Verdict::fail) == 1U);
+  BOOST_TEST(!dry.success());
+
+  // One per cent beside the truth, ten times what was asked of the solvers.
+  folder.write("right", contact_case("right", "0.246708437314"));
+  folder.write("wrong", contact_case("wrong", "0.24917552"));
+  const SuiteResult right = run_suite({.rung = 10, .case_id = "right", .quick = false, .threads = 1, .progress = {}});
+  const SuiteResult wrong = run_suite({.rung = 10, .case_id = "wrong", .quick = false, .threads = 1, .progress = {}});
+  BOOST_TEST(right.claims.size() == 2U);  // both solvers
+  BOOST_TEST(right.success());
+  BOOST_TEST(count(wrong, Verdict::fail) == 2U);
+}
+
+BOOST_AUTO_TEST_CASE(filters_that_leave_nothing_are_refused) {
+  const CaseFolder folder;
+  folder.write("good", dry_case("good", "-0.5965736"));
+  BOOST_CHECK_THROW((void)run_suite({.rung = 7, .case_id = "good", .quick = false, .threads = 1, .progress = {}}),
+                    NothingSelected);
+  BOOST_CHECK_THROW((void)run_suite({.rung = {}, .case_id = "absent", .quick = false, .threads = 1, .progress = {}}),
+                    CaseError);
+}
+
+BOOST_AUTO_TEST_CASE(the_program_ends_with_the_agreed_exit_codes) {
+  const CaseFolder folder;
+  folder.write("good", dry_case("good", "-0.5965736"));
+  folder.write("wrong", dry_case("wrong", "-0.5971701"));
+  const std::string out = (folder.path() / "out").string();
+  BOOST_TEST(exit_code("verify --case good --output '" + out + "'") == 0);
+  BOOST_TEST(std::filesystem::exists(out + "/results.json"));
+  BOOST_TEST(exit_code("verify --case wrong") == 1);
+  BOOST_TEST(exit_code("verify --case absent") == 2);
+  BOOST_TEST(exit_code("verify --rung 12") == 2);
+  BOOST_TEST(exit_code("verify --rung -1") == 2);
+  BOOST_TEST(exit_code("verify --rung seven") == 2);
+  BOOST_TEST(exit_code("verify --rung 7 --case good") == 2);
+  BOOST_TEST(exit_code("verify --case good --output '" + (folder.path() / "good.toml").string() + "'") == 2);
+
+  std::ifstream file(out + "/results.json");
+  const Json results = Json::parse(file);
+  for (const char* key : {"schema", "provenance", "claims"}) BOOST_TEST(results.contains(key));
+  for (const char* key : {"compiler", "flags", "libraries", "date"}) BOOST_TEST(results["provenance"].contains(key));
+  BOOST_TEST(results["claims"].size() == 1U);
+  BOOST_TEST(results["claims"][0]["case"] == "good");
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "contact/hertz.hpp"
+#include "contact/scaling.hpp"
+#include "tests/check.hpp"
+#include "verification/exact/blok.hpp"
+#include "verification/exact/ertel_grubin.hpp"
+#include "verification/exact/hertz_gap.hpp"
+#include "verification/exact/martin.hpp"
+#include "verification/exact/numerics.hpp"
+
+namespace {
+
+using namespace ehd;
+using namespace ehd::verification::exact;
+using std::numbers::pi;
+using verification::Tolerance;
+
+const Tolerance by_quadrature = Tolerance::discretisation(1e-13, 10);  // numerics.hpp grants 1e-13
+
+struct Digits {
+  const char* what;
+  double value;
+  std::string printed;
+};
+
+void check_digits(const std::vector<Digits>& rows, std::size_t count) {
+  for (const auto& row : rows) {
+    BOOST_TEST_CONTEXT(row.what) {
+      EHD_CHECK(error(row.value, std::stod(row.printed)), Tolerance::published_digits(row.printed));
+    }
+  }
+  BOOST_TEST(rows.size() == count);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(exact)
+
+BOOST_AUTO_TEST_CASE(quadrature_and_roots_know_when_they_fail) {
+  EHD_CHECK(error(integral([](double x) { return std::log(x); }, 0, 1), -1), by_quadrature);
+  EHD_CHECK(error(integral_to_infinity([](double x) { return 1 / (x * x); }, 3), 1.0 / 3), by_quadrature);
+  BOOST_TEST(std::isnan(integral([](double x) { return 1 / x; }, 0, 1)));
+  EHD_CHECK(error(root([](double x) { return x * x - 2; }, 1, 2), std::sqrt(2.0)), Tolerance::round_off(8));
+  BOOST_TEST(std::isnan(root([](double x) { return x * x + 2; }, 1, 2)));
+}
+
+BOOST_AUTO_TEST_CASE(martin_has_the_digits_of_the_literature) {
+  const Martin martin;
+  check_digits({{"h_exit/h_0", martin.exit_film, "1.225748441"},
+                {"load, mean speed", martin.load_mean, "4.894968494"},
+                {"load, sum speed", martin.load_sum, "2.447484"},
+                {"p_max", martin.pressure_max, "1.520945584"},
+                {"rolling force", martin.rolling_force, "1.470515"},
+                {"T* M", MartinContact(0.37).rolling_force * 0.37, "1.4475"}},
+               6);
+  // Sixteen digits: the root finder's 4 eps in g_c, magnified by tan.
+  EHD_CHECK(error(martin.exit, 0.4751299200930562), Tolerance::round_off(16));
+  // The printed angle is cut, not rounded: arctan of the X_c above is 25.413791335.
+  EHD_CHECK(error(martin.exit_angle * 180 / pi, std::atan(0.4751299200930562) * 180 / pi), Tolerance::round_off(16));
+  EHD_CHECK(error(martin.exit_angle * 180 / pi, 25.41379133), Tolerance::discretisation(1e-8 / 25.41379133, 1));
+  EHD_CHECK(error(martin.pressure_at_0, martin.pressure_max / 2), Tolerance::round_off(64));
+  EHD_CHECK(error(half_sommerfeld_load(), 4), Tolerance::round_off(4));
+}
+
+BOOST_AUTO_TEST_CASE(martin_satisfies_reynolds_equation_and_its_exit_by_quadrature) {
+  // In X = x/sqrt(2 R h_0): dp/dX = 12 (H - H_e)/H^3 with H = 1 + X^2; nothing of the closed forms is used.
+  const Martin martin;
+  const auto slope = [&](double X) {
+    const double H = 1 + X * X;
+    return 12 * (H - martin.exit_film) / (H * H * H);
+  };
+  const auto pressure = [&](double X) {
+    return X < 0 ? integral_to_infinity([&](double t) { return slope(-t); }, -X)
+                 : integral_to_infinity([&](double t) { return slope(-t); }, 0) + integral(slope, 0, X);
+  };
+  EHD_CHECK(std::abs(pressure(martin.exit)), Tolerance::discretisation(1e-13, 10 * martin.pressure_max));
+  int rows = 0;
+  for (const double X : {-3.7, -martin.exit, 0.0, 0.3}) {
+    BOOST_TEST_CONTEXT("X = " << X) { EHD_CHECK(error(martin.pressure(std::atan(X)), pressure(X)), by_quadrature); }
+    ++rows;
+  }
+  BOOST_TEST(rows == 4);
+  // Load: w h_0/(eta u_m R) = 2 Int p dX = -2 Int X dp; rolling force from Int h dp/2.
+  const double load = -2 * (integral_to_infinity([&](double t) { return -t * slope(-t); }, 0) +
+                            integral([&](double X) { return X * slope(X); }, 0, martin.exit));
+  EHD_CHECK(error(load, martin.load_mean), by_quadrature);
+  const double work = integral_to_infinity([&](double t) { return (1 + t * t) * slope(-t); }, 0) +
+                      integral([&](double X) { return (1 + X * X) * slope(X); }, 0, martin.exit);
+  // F_t = (1/2) eta u_m sqrt(2 R/h_0) work, u_m = u_s/2, h_0 = load_sum eta u_s R/w.
+  EHD_CHECK(error(std::abs(work) / 4 * std::sqrt(2 / martin.load_sum), martin.rolling_force), by_quadrature);
+}
+
+BOOST_AUTO_TEST_CASE(martins_contact_at_M_satisfies_the_hertz_scaled_equations) {
+  const double M = 0.0137;
+  const MartinContact contact(M);
+  const double lambda = 3 * pi * pi / (8 * M * M);
+  const auto film = [&](double X) { return contact.hertz_minimum + X * X / 2; };
+  const auto slope = [&](double X) {
+    return lambda * (film(X) - contact.hertz_couette) / std::pow(film(X), 3);
+  };
+  const double scale = contact.hertz_exit;  // of the integrands' arguments
+  const auto from_far = [&](auto f) {
+    return scale * (integral_to_infinity([&](double t) { return f(-t * scale); }, 0) +
+                    integral([&](double t) { return f(t * scale); }, 0, 1));
+  };
+  EHD_CHECK(std::abs(from_far(slope)) / contact.hertz_pressure_max, Tolerance::discretisation(1e-13, 100));
+  const double load = -from_far([&](double X) { return X * slope(X); });  // Int P dX by parts
+  EHD_CHECK(error(load, pi / 2), by_quadrature);
+  EHD_CHECK(error(std::abs(from_far([&](double X) { return film(X) * slope(X); })) / 2, contact.rolling_force),
+            by_quadrature);
+  EHD_CHECK(error(film(contact.hertz_exit), contact.hertz_couette), Tolerance::round_off(64));
+  EHD_CHECK(error(contact.moes_couette, 3 / M), Tolerance::round_off(64));
+  const double at_maximum =
+      scale * integral_to_infinity([&](double t) { return slope(-t * scale); }, 1);  // up to -X*
+  EHD_CHECK(error(at_maximum, contact.hertz_pressure_max), by_quadrature);
+}
+
+BOOST_AUTO_TEST_CASE(blok_has_the_digits_of_the_literature) {
+  const Blok blok;
+  check_digits({{"Couette", blok.couette, "1.28667"}, {"minimum", blok.minimum, "1.04970"}}, 2);
+}
+
+BOOST_AUTO_TEST_CASE(at_bloks_film_the_reduced_pressure_reaches_one_over_alpha) {
+  // In Hertz units at any M: H = H_m + X^2/2, dq/dX = lambda (H - H_e)/H^3, largest q = 1/(alpha p_H).
+  const double M = 41, L = 3.3;
+  const Groups groups = groups_from(MoesGroups{.M = M, .L = L});
+  const Blok blok;
+  const double per_moes = std::pow(L, 2.0 / 3) / moes_film_per_hertz_film(M);
+  const double minimum = blok.minimum * per_moes, couette = blok.couette * per_moes;
+  const double exit = std::sqrt(2 * (couette - minimum));
+  const double q_max = exit * integral_to_infinity(
+                                  [&](double t) {
+                                    const double H = minimum + t * t * exit * exit / 2;
+                                    return groups.lambda * (H - couette) / (H * H * H);
+                                  },
+                                  1);
+  EHD_CHECK(error(q_max, 1 / groups.alpha_p_H), by_quadrature);
+}
+
+BOOST_AUTO_TEST_CASE(ertel_grubin_has_the_digits_of_the_literature) {
+  check_digits({{"(20,10)", ertel_grubin_film(20, 10), "4.8350"},
+                {"(50,10)", ertel_grubin_film(50, 10), "4.4009"},
+                {"(100,10)", ertel_grubin_film(100, 10), "4.0755"},
+                {"(200,10)", ertel_grubin_film(200, 10), "3.7614"},
+                {"(20,5)", ertel_grubin_film(20, 5), "2.9083"},
+                {"(200,15)", ertel_grubin_film(200, 15), "5.0871"},
+                {"(1000,10)", ertel_grubin_film(1000, 10), "3.0984"},
+                {"(1000,20)", ertel_grubin_film(1000, 20), "5.2039"}},
+               8);
+}
+
+BOOST_AUTO_TEST_CASE(ertel_grubin_satisfies_its_inlet_integral_in_X) {
+  // The same integral over X itself, with the gap of contact/hertz.hpp, whose cancellation at the edge (1e-16 absolute
+  // beside a film of 0.07) is all that separates them.
+  const double M = 27, L = 8.5, moes = ertel_grubin_film(M, L);
+  const Groups groups = groups_from(MoesGroups{.M = M, .L = L});
+  const double film = moes / moes_film_per_hertz_film(M);
+  const auto integrand = [&](double X) {
+    const double gap = hertz::gap(Array::Constant(1, X))[0];
+    return groups.lambda * gap / std::pow(film + gap, 3);
+  };
+  const double reduced = integral(integrand, 1, 1.5) + integral_to_infinity(integrand, 1.5);
+  EHD_CHECK(error(reduced, 1 / groups.alpha_p_H), Tolerance::discretisation(1e-13, 1000));
+  BOOST_TEST(ertel_grubin_defect(M, L, moes * 1.01) < 0);
+  BOOST_TEST(ertel_grubin_defect(M, L, moes * 0.99) > 0);
+}
+
+BOOST_AUTO_TEST_CASE(the_hertz_gap_by_quadrature_equals_its_closed_form) {
+  int rows = 0;
+  for (const double X : {-7.3, -1.4, -1.0, -0.88, 0.0, 0.37, 1.0, 1.05, 3.1}) {
+    BOOST_TEST_CONTEXT("X = " << X) {
+      const double closed = hertz::gap(Array::Constant(1, X))[0] - hertz::dry_offset();
+      EHD_CHECK(error(hertz_film_by_quadrature(X), closed), Tolerance::discretisation(1e-12, 1));
+    }
+    ++rows;
+  }
+  BOOST_TEST(rows == 9);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One judged sentence of the verification suite, and what was not judged with the reason.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "verification/output.hpp"
+#include "verification/tolerance.hpp"
+
+namespace ehd::verification {
+
+/// The ladder: each rung assumes the one below.
+inline constexpr std::string_view rung_names[] = {"inputs",  "kernel", "operator", "elasticity", "Reynolds",  "coupled",
+                                                  "solvers", "twins",  "grids",    "regimes",    "published", "bearing"};
+inline constexpr int rungs = 12;
+
+/// What a claim says and of what.
+struct Sentence {
+  std::string id;         ///< unique: "own-moes-20-10/fast/film.minimum/expected"
+  int rung = 0;
+  std::string statement;  ///< "fast meets the computed film.minimum of own-moes-20-10"
+  std::string case_id = {};
+  std::string solver = {};
+};
+
+struct Claim {
+  Sentence says;
+  std::optional<double> measured = {}, expected = {};  ///< absent where a claim is a yes or a no
+  double error = 0;        ///< what is held against the tolerance; NaN where nothing could be measured
+  double uncertainty = 0;  ///< of that error, where the tolerance does not contain it
+  Tolerance tolerance;
+  Verdict verdict;
+  std::string note = {};   ///< numbers or the reason, for a reader
+  bool finding = false;    ///< reports what was computed, whichever way it turned out; always shown
+
+  /// 1 - (error + uncertainty)/tolerance: 1 nothing used, 0 just met, negative beyond. 0 or -infinity where the
+  /// tolerance is 0.
+  [[nodiscard]] double margin() const;
+};
+
+/// Judged by error and uncertainty against the tolerance.
+[[nodiscard]] Claim claim(Sentence says, double error, double uncertainty, Tolerance tolerance, std::string note = {});
+/// |measured - expected| relative to |expected| (absolute where that is 0); measured = NaN where a solve gave nothing.
+[[nodiscard]] Claim claim_value(Sentence says, double measured, double expected, double uncertainty,
+                                Tolerance tolerance, std::string note = {});
+/// A yes or a no: error 0 or 1 against the tolerance 0.
+[[nodiscard]] Claim claim_fact(Sentence says, bool holds, std::string where, std::string note = {});
+
+/// A statement of somebody else with what was computed: stands once it could be computed.
+[[nodiscard]] Claim claim_finding(Sentence says, std::string note);
+
+/// What would have been judged, had there been something to judge it by.
+struct SkippedClaim {
+  Sentence says;
+  std::string why;
+};
+
+/// What a topic leaves.
+struct Findings {
+  std::vector<Claim> claims;
+  std::vector<SkippedClaim> skipped;
+};
+
+/// As results.json has it; what is not finite is absent.
+[[nodiscard]] Json to_json(const Claim& claim);
+[[nodiscard]] Json to_json(const SkippedClaim& skipped);
+
+}  // namespace ehd::verification

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Rungs 3, 6, 8 and 10 for each contact case: both solvers end converged within the tolerance that was asked for, keep
+// load and flux, agree with each other within what they report, and with every number that somebody vouches for.
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "contact/estimate.hpp"
+#include "verification/claims/topics.hpp"
+#include "verification/registry.hpp"
+#include "verification/solve_run.hpp"
+#include "verification/text.hpp"
+
+namespace ehd::verification {
+
+namespace {
+
+constexpr double asked_tolerance = 1e-3;
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr std::array compared_solvers = {"reference", "fast"};
+constexpr std::array films = {Quantity::film_minimum, Quantity::film_central};
+
+bool converged(const ContactRun& run) { return run.status() == StopReason::converged; }
+
+const Reading* reading(const ContactRun& run, Quantity quantity) {
+  if (!converged(run)) return nullptr;  // what an unconverged run shows is no measurement
+  const auto at = run.solution.observables.find(quantity);
+  return at == run.solution.observables.end() ? nullptr : &at->second;
+}
+
+std::string how_it_ended(const ContactRun& run) {
+  const auto& record = run.solution.record;
+  return std::string(to_string(record.status)) + (record.reason.empty() ? "" : ": " + record.reason);
+}
+
+/// The error that a solver reports; where it reports none, the one that its own grids show, with the truncation that
+/// it reports for the central film. Relative.
+struct SolverError {
+  std::optional<double> value;
+  std::string from;
+};
+
+SolverError error_of(const ContactRun& run, Quantity quantity, const Measured& measured, double formal_order) {
+  if (measured.error) return {measured.error, "reported"};
+  std::vector<double> values;
+  for (const auto& grid : run.solution.record.grids) {
+    const auto at = grid.observed.find(quantity);
+    if (at != grid.observed.end()) values.push_back(at->second.value);
+  }
+  if (values.size() < 2) return {std::nullopt, "neither reported nor seen on two grids"};
+  const double shown = estimate(values, formal_order).error;
+  return {shown + run.solution.record.film_central.truncation, "of the solver's own grids"};
+}
+
+Findings judge_expectations(const Case& contact_case, const ContactRun& run, const RegisteredSolver* solver) {
+  Findings found;
+  const std::string name = solver ? solver->name : "closed form";
+  for (const Expectation& expectation : contact_case.expectations) {
+    Sentence says{.id = contact_case.id + "/" + name + "/" + expectation.quantity + "/" +
+                        (expectation.waiting ? "waiting" : expectation.digits),
+                  .rung = solver ? 10 : 3,
+                  .statement = name + " meets " + expectation.quantity + " = " + expectation.digits + " of " +
+                               contact_case.id,
+                  .case_id = contact_case.id,
+                  .solver = solver ? solver->name : ""};
+    if (expectation.waiting) {
+      says.statement = contact_case.id + " waits for the digits of " + expectation.quantity;
+      found.skipped.push_back({says, "the source's number is not available here"});
+      continue;
+    }
+    const auto measured = converged(run) ? measure(run, expectation) : std::nullopt;
+    if (expectation.kind == ExpectationKind::fit) {
+      says.statement = name + " beside the regression " + expectation.quantity + " = " + expectation.digits;
+      found.skipped.push_back(
+          {says, measured ? "a regression neither passes nor fails; computed " + plain(measured->value) + ", " +
+                                plain(100 * (measured->value / expectation.value - 1), 2) + " % off"
+                          : "a regression neither passes nor fails; not computed: " + how_it_ended(run)});
+      continue;
+    }
+    const auto quantity = quantity_from(expectation.quantity);
+    if (!measured && converged(run) && quantity == Quantity::pressure_spike) {
+      found.skipped.push_back({says, name + " reports no spike: its height is reported with its uncertainty or not at all"});
+      continue;
+    }
+    if (!measured || !quantity) {
+      found.claims.push_back(claim_value(says, nothing, expectation.value, 0,
+                                         Tolerance::required(asked_tolerance, "nothing was measured"),
+                                         how_it_ended(run)));
+      continue;
+    }
+    const SolverError error =
+        solver ? error_of(run, *quantity, *measured, solver->description.formal_order) : SolverError{0.0, "exact"};
+    if (!error.value) {
+      found.claims.push_back(claim_value(says, measured->value, expectation.value, nothing,
+                                         Tolerance::discretisation(0, 1), "error " + error.from));
+      continue;
+    }
+    found.claims.push_back(claim_value(
+        says, measured->value, expectation.value, 0,
+        Tolerance::discretisation(*error.value + expectation.uncertainty, 1),
+        "tolerance = error " + plain(*error.value, 2) + " (" + error.from + ") + uncertainty of the expectation " +
+            plain(expectation.uncertainty, 2)));
+  }
+  return found;
+}
+
+void append(Findings& found, Findings more) {
+  for (auto& one : more.claims) found.claims.push_back(std::move(one));
+  for (auto& one : more.skipped) found.skipped.push_back(std::move(one));
+}
+
+void judge_end(Findings& found, const Case& contact_case, const ContactRun& run) {
+  const std::string prefix = contact_case.id + "/" + run.solver;
+  const auto says = [&](const std::string& what, const std::string& statement) {
+    return Sentence{.id = prefix + "/" + what,
+                    .rung = 6,
+                    .statement = run.solver + " " + statement + " on " + contact_case.id,
+                    .case_id = contact_case.id,
+                    .solver = run.solver};
+  };
+  found.claims.push_back(claim_fact(says("converged", "ends converged at tolerance 1e-3"), converged(run),
+                                    "a solve at --tolerance 1e-3 ends converged", how_it_ended(run)));
+  for (const Quantity film : films) {
+    const Reading* seen = reading(run, film);
+    found.claims.push_back(claim(says(std::string(to_string(film)) + "/error",
+                                      "reports an error of " + std::string(to_string(film)) + " within 1e-3"),
+                                 seen && seen->error ? *seen->error : nothing, 0,
+                                 Tolerance::required(asked_tolerance, "--tolerance 1e-3 asks for it")));
+  }
+  // A load or flux that is off by the tolerance would move the film by less: film ~ load^-0.1, film ~ flux.
+  for (const auto& [quantity, what] :
+       {std::pair{Quantity::load_error, "carries the load"}, std::pair{Quantity::flux_variation, "keeps the flux"}}) {
+    const Reading* seen = reading(run, quantity);
+    found.claims.push_back(claim(says(std::string(to_string(quantity)), std::string(what) + " to 1e-3"),
+                                 seen ? seen->value : nothing, 0,
+                                 Tolerance::required(asked_tolerance, "the accuracy asked of the films")));
+  }
+}
+
+void judge_agreement(Findings& found, const Case& contact_case, const ContactRun& one, const ContactRun& two) {
+  for (const Quantity film : films) {
+    const Reading* a = reading(one, film);
+    const Reading* b = reading(two, film);
+    const bool known = a && b && a->error && b->error;
+    const double expected = a ? a->value : nothing;
+    found.claims.push_back(claim_value(
+        {.id = contact_case.id + "/" + one.solver + "-" + two.solver + "/" + std::string(to_string(film)),
+         .rung = 8,
+         .statement = one.solver + " and " + two.solver + " agree on " + std::string(to_string(film)) + " of " +
+                      contact_case.id + " within the errors that they report",
+         .case_id = contact_case.id,
+         .solver = one.solver + ", " + two.solver},
+        b ? b->value : nothing, expected, 0,
+        Tolerance::discretisation(known ? *a->error + *b->error * std::abs(b->value / a->value) : 0, 1),
+        known ? "" : how_it_ended(one) + "; " + how_it_ended(two)));
+  }
+}
+
+Findings judge_contact(const Case& contact_case) {
+  Findings found;
+  if (std::get<ContactCase>(contact_case.body).dry()) {
+    const ContactRun run = run_contact(contact_case, *find_solver(compared_solvers[0]), Request{});
+    append(found, judge_expectations(contact_case, run, nullptr));
+    return found;
+  }
+  bool all_waiting = !contact_case.expectations.empty();
+  for (const auto& expectation : contact_case.expectations) all_waiting = all_waiting && expectation.waiting;
+  if (all_waiting) {  // its parameters are placeholders: nothing to solve
+    append(found, judge_expectations(contact_case, {}, find_solver(compared_solvers[0])));
+    return found;
+  }
+  Wanted wanted = want_everything();
+  Request request;
+  request.tolerance = asked_tolerance;
+  std::vector<ContactRun> runs;
+  for (const char* name : compared_solvers) {
+    const RegisteredSolver* solver = find_solver(name);
+    runs.push_back(run_contact(contact_case, *solver, request, wanted));
+    judge_end(found, contact_case, runs.back());
+    append(found, judge_expectations(contact_case, runs.back(), solver));
+  }
+  judge_agreement(found, contact_case, runs[0], runs[1]);
+  return found;
+}
+
+/// Cases that take the dense solver longer than a second or so: those at high M, by the groups alone.
+bool is_slow(const Case& contact_case) {
+  constexpr double moderate_M = 60;
+  const auto& contact = std::get<ContactCase>(contact_case.body);
+  if (contact.dry()) return false;
+  return nondimensionalise(contact.statement, *contact.lubricant, *contact.inlet).problem.groups.M > moderate_M;
+}
+
+}  // namespace
+
+std::vector<Topic> contact_topics(const std::vector<LoadedCase>& cases) {
+  std::vector<Topic> topics;
+  for (const LoadedCase& loaded : cases) {
+    if (const auto* error = std::get_if<CaseError>(&loaded.content)) {
+      topics.push_back({.name = loaded.id,
+                        .rungs = {0},
+                        .case_id = loaded.id,
+                        .judge = [id = loaded.id, what = std::string(error->what())] {
+                          return Findings{.claims = {claim_fact({.id = id + "/read",
+                                                                 .rung = 0,
+                                                                 .statement = "the case " + id + " can be read",
+                                                                 .case_id = id},
+                                                                false, "every file in cases/ is a case", what)},
+                                          .skipped = {}};
+                        }});
+      continue;
+    }
+    const auto& contact_case = std::get<Case>(loaded.content);
+    if (!std::holds_alternative<ContactCase>(contact_case.body)) continue;
+    topics.push_back({.name = contact_case.id,
+                      .rungs = {3, 6, 8, 10},
+                      .case_id = contact_case.id,
+                      .slow = is_slow(contact_case),
+                      .judge = [contact_case] { return judge_contact(contact_case); }});
+  }
+  return topics;
+}
+
+}  // namespace ehd::verification

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Rungs 1 to 3: the logarithmic kernel by each solver's own code against quadrature, the FFT against the dense product,
+// and the deflection by Hertz's pressure.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+
+#include "contact/hertz.hpp"
+#include "fast/convolution.hpp"
+#include "reference/kernel.hpp"
+#include "verification/claims/topics.hpp"
+#include "verification/exact/hertz_gap.hpp"
+#include "verification/exact/numerics.hpp"
+
+namespace ehd::verification {
+
+namespace {
+
+using std::numbers::pi;
+
+/// Int_0^1 (1 - s) ln|k + s| ds by quadrature: the half of a hat that lies beyond node k, k of either sign.
+double half_hat_by_quadrature(int k) {
+  return exact::integral([k](double s) { return (1 - s) * std::log(std::abs(k + s)); }, 0, 1);
+}
+
+/// Int_-1^1 (1 or t) ln|v - t| dt by quadrature, the singular point being an end point. Outside the element ln|v| is
+/// split off, whose first moment vanishes, so that the quadrature does not have to find a small number among large.
+double moment_by_quadrature(double v, bool first) {
+  const auto beyond = [=](double t) { return (first ? t : 1.0) * std::log1p(-t / v); };
+  if (v <= -1 || v >= 1) return exact::integral(beyond, -1, 1) + (first ? 0 : 2 * std::log(std::abs(v)));
+  const auto g = [=](double u, double direction) { return (first ? v + direction * u : 1.0) * std::log(u); };
+  return exact::integral([=](double u) { return g(u, -1); }, 0, v + 1) +
+         exact::integral([=](double u) { return g(u, 1); }, 0, 1 - v);
+}
+
+Findings judge_weights() {
+  Findings found;
+  double worst = 0;
+  for (const double v : {0.0, -0.35, 0.8, 1.0, -1.0, 1.6, -4.9, 5.1, 37.0, -2.0e3}) {
+    const auto moments = reference::log_moments(v);
+    const double size = 1 + std::log(1 + std::abs(v));
+    worst = std::max({worst, std::abs(moments.zeroth - moment_by_quadrature(v, false)) / size,
+                      std::abs(moments.first - moment_by_quadrature(v, true)) / size});
+    if (std::isnan(moment_by_quadrature(v, false) + moment_by_quadrature(v, true))) worst = NAN;
+  }
+  // The quadrature is granted 1e-13, the weights declare 1e-14.
+  found.claims.push_back(claim({.id = "kernel/reference-moments",
+                                .rung = 1,
+                                .statement = "the moments of ln|v - t| in reference/ equal adaptive quadrature"},
+                               worst, 0, Tolerance::discretisation(1.1e-13, 2)));
+
+  worst = 0;
+  for (const int k : {0, 1, 2, 7, 23, 24, 25, 120, 3000}) {
+    const double hat = half_hat_by_quadrature(k) + half_hat_by_quadrature(-k);
+    worst = std::max(worst, std::abs(fast::hat_moment(k) - hat) / (1 + std::log(1.0 + k)));
+    if (std::isnan(hat)) worst = NAN;
+  }
+  found.claims.push_back(claim({.id = "kernel/fast-weights",
+                                .rung = 1,
+                                .statement = "the weights of the hat function in fast/ equal adaptive quadrature"},
+                               worst, 0, Tolerance::discretisation(1.1e-13, 2)));
+
+  // Two codes for one integral: K_ij = h (g_|i-j| + ln h) on equal cells. h is a power of two, so that the nodes are
+  // exact.
+  constexpr int intervals = 200;
+  constexpr double h = 1.0 / 32;
+  const Array nodes = Array::LinSpaced(intervals + 1, intervals * h, 0.0);
+  const Eigen::MatrixXd kernel = reference::log_kernel(nodes);
+  double apart = 0, asymmetry = 0;
+  for (int i = 1; i < intervals; ++i) {
+    for (int j = 1; j < intervals; ++j) {
+      apart = std::max(apart, std::abs(kernel(i, j) - h * (fast::hat_moment(std::abs(i - j)) + std::log(h))) / h);
+      asymmetry = std::max(asymmetry, std::abs(kernel(i, j) - kernel(j, i)) / h);
+    }
+  }
+  // reference/ declares 1e-14 (1 + ln|v|) a moment, with four moments a weight and v up to 400 half cells. fast/ takes
+  // second differences of u^2 ln|u|/2 up to u = 24: four terms of that size, rounded.
+  const double by_reference = 4e-14 * (1 + std::log(2.0 * intervals));
+  const double by_fast = 4 * (24.0 * 24 * std::log(24.0) / 2) * std::numeric_limits<double>::epsilon();
+  found.claims.push_back(claim({.id = "kernel/two-codes",
+                                .rung = 1,
+                                .statement = "the kernels of reference/ and fast/ agree on equal cells"},
+                               apart, 0, Tolerance::discretisation(by_reference + by_fast, 1),
+                               "200 cells, relative to a cell"));
+  found.claims.push_back(
+      claim({.id = "kernel/symmetry", .rung = 1, .statement = "the kernel of equal cells is symmetric"}, asymmetry, 0,
+            Tolerance::discretisation(by_reference, 1)));
+  return found;
+}
+
+Findings judge_operator() {
+  Findings found;
+  for (const int intervals : {64, 256, 1024}) {
+    fast::Convolution convolution(intervals);
+    std::mt19937 generator(20240917);  // any seed; fixed, so that two runs say the same
+    std::uniform_real_distribution<double> anything(-1, 1);
+    Array x(intervals + 1), dense = Array::Zero(intervals + 1), y(intervals + 1);
+    for (double& value : x) value = anything(generator);
+    x[intervals] = 0;
+    double weights = 0;
+    for (int i = 0; i <= intervals; ++i) {
+      for (int j = 0; j <= intervals; ++j) dense[i] += convolution.weight(std::abs(i - j)) * x[j];
+      weights += 2 * convolution.weight(i) * convolution.weight(i);
+    }
+    convolution.apply(x, y);
+    // A transform of N = 2n points errs by eps log2 N in the 2-norm; three transforms and a product:
+    // |error|_max <= 4 eps log2(2n) |g|_2 |x|_2, beside the dense sum's own n eps.
+    const double bound = std::sqrt(weights) * std::sqrt(x.square().sum());
+    found.claims.push_back(
+        claim({.id = "operator/fft-" + std::to_string(intervals),
+               .rung = 2,
+               .statement = "the FFT product equals the dense one on " + std::to_string(intervals) + " cells"},
+              (y - dense).abs().maxCoeff() / bound, 0, Tolerance::round_off(4 * std::log2(2.0 * intervals)),
+              "relative to |g|_2 |x|_2"));
+  }
+  return found;
+}
+
+/// max over the nodes in |X| <= inside of |film - flat| for Hertz's pressure on n equal cells of [-1, 1].
+double flatness_error(int intervals, bool centre_only) {
+  const Array nodes = Array::LinSpaced(intervals + 1, 1.0, -1.0);
+  const Array deflection =
+      (reference::log_kernel(nodes) * hertz::pressure(nodes).matrix()).array() / pi;
+  const Array error = (nodes.square() / 2 - deflection + hertz::dry_offset()).abs();
+  return centre_only ? error[intervals / 2] : error.maxCoeff();
+}
+
+Findings judge_elasticity() {
+  Findings found;
+  double worst = 0;
+  for (const double X : {-6.1, -1.0, -0.7, 0.0, 0.43, 1.0, 1.2, 2.9}) {
+    const double closed = hertz::gap(Array::Constant(1, X))[0] - hertz::dry_offset();
+    worst = std::max(worst, std::abs(exact::hertz_film_by_quadrature(X) / closed - 1));
+    if (std::isnan(exact::hertz_film_by_quadrature(X))) worst = NAN;
+  }
+  found.claims.push_back(claim({.id = "elasticity/hertz-gap",
+                                .rung = 3,
+                                .statement = "Hertz's pressure leaves a flat gap inside, and the printed one outside"},
+                               worst, 0, Tolerance::discretisation(1e-12, 1), "closed form against quadrature"));
+
+  // At the centre ln|0 -+ 1| = 0 hides the ends, and the second order of linear interpolation shows. Over the whole
+  // contact the root of the pressure at an end leaves out a load of order h^(3/2), which at that end counts with ln h.
+  constexpr int grids[] = {64, 128, 256, 512};
+  for (const bool centre : {true, false}) {
+    const double declared = centre ? 2.0 : 1.5;
+    double sx = 0, sy = 0, sxx = 0, sxy = 0;
+    for (const int intervals : grids) {
+      const double logarithm = centre ? 1 : std::log(intervals / 2.0);
+      const double x = std::log2(intervals), y = -std::log2(flatness_error(intervals, centre) / logarithm);
+      sx += x, sy += y, sxx += x * x, sxy += x * y;
+    }
+    const double n = std::size(grids), order = (n * sxy - sx * sy) / (n * sxx - sx * sx);
+    Claim judged =
+        claim({.id = centre ? "elasticity/order-centre" : "elasticity/order-contact",
+               .rung = 3,
+               .statement = std::string("on piecewise linear pressure the film of Hertz's contact converges ") +
+                            (centre ? "like h^2 at the centre" : "like h^(3/2) ln h over the whole contact")},
+              std::abs(order - declared), 0,
+              Tolerance::calibrated(0.1, "fitted orders over four grids are read to a tenth"),
+              "64 to 512 cells on [-1, 1]");
+    judged.measured = order;
+    judged.expected = declared;
+    found.claims.push_back(judged);
+  }
+  return found;
+}
+
+}  // namespace
+
+std::vector<Topic> kernel_topics() {
+  return {{.name = "kernel", .rungs = {1}, .judge = judge_weights},
+          {.name = "operator", .rungs = {2}, .judge = judge_operator},
+          {.name = "elasticity", .rungs = {3}, .judge = judge_elasticity}};
+}
+
+}  // namespace ehd::verification

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the suite judges, a file a topic. A new topic is one file here, one line below and one in suite.cpp.
+#pragma once
+
+#include <functional>
+#include <set>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "verification/case.hpp"
+#include "verification/claim.hpp"
+
+namespace ehd::verification {
+
+/// A piece of work that ends in claims. Topics run side by side in threads: each keeps its own state.
+struct Topic {
+  std::string name;
+  std::set<int> rungs;       ///< that its claims stand on
+  std::string case_id = {};  ///< the case that it is about; empty for none
+  bool slow = false;         ///< left out with --quick
+  std::function<Findings()> judge;
+};
+
+/// A case file with what became of reading it.
+struct LoadedCase {
+  std::string id;  ///< the file's name where it could not be read
+  std::variant<Case, CaseError> content;
+};
+
+[[nodiscard]] std::vector<Topic> input_topics();
+[[nodiscard]] std::vector<Topic> kernel_topics();
+[[nodiscard]] std::vector<Topic> exact_topics();
+[[nodiscard]] std::vector<Topic> twin_topics();
+[[nodiscard]] std::vector<Topic> regime_topics();
+/// A topic for each case in the list, bearings left out; a case that could not be read is a failing claim.
+[[nodiscard]] std::vector<Topic> contact_topics(const std::vector<LoadedCase>& cases);
+[[nodiscard]] std::vector<Topic> bearing_topics(const std::vector<LoadedCase>& cases);
+
+}  // namespace ehd::verification

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Rung 7: fast.uniform and reference.uniform solve the same discrete equations, each with its own code.
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "contact/scaling.hpp"
+#include "verification/claims/topics.hpp"
+#include "verification/registry.hpp"
+
+namespace ehd::verification {
+
+namespace {
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+/// Both ended with their discrete equations solved, whatever that grid is worth.
+bool solved(const Solution& solution) {
+  const StopReason status = solution.record.status;
+  return status == StopReason::converged || status == StopReason::tolerance_not_met ||
+         status == StopReason::under_resolved;
+}
+
+double value(const Solution& solution, Quantity quantity) {
+  const auto at = solution.observables.find(quantity);
+  return solved(solution) && at != solution.observables.end() ? at->second.value : nothing;
+}
+
+Findings judge_twins(MoesGroups moes, int intervals) {
+  const Lubricant lubricant{.viscosity = ViscosityLaw::roelands,
+                            .density = DensityLaw::dowson_higginson,
+                            .alpha_per_Pa = 2.2e-8,
+                            .z = 0.68,
+                            .p0_Pa = 1.96e8};
+  const Problem problem = nondimensionalise(moes, lubricant, TruncatedAt{-4}).problem;
+  Request request;
+  request.tolerance.reset();
+  request.nodes = intervals;
+  const Solution one = find_solver("reference.uniform")->solve(problem, request);
+  const Solution two = find_solver("fast.uniform")->solve(problem, request);
+
+  Findings found;
+  const std::string point = "(" + std::to_string(static_cast<int>(moes.M)) + "," +
+                            std::to_string(static_cast<int>(moes.L)) + "), " + std::to_string(intervals) + " cells";
+  const std::string prefix = "twins/" + std::to_string(static_cast<int>(moes.M)) + "-" +
+                             std::to_string(static_cast<int>(moes.L)) + "/" + std::to_string(intervals) + "/";
+  const Tolerance bound = Tolerance::required(1e-8, "what both iterate to, required of the twins");
+  const auto says = [&](const std::string& what) {
+    return Sentence{.id = prefix + what,
+                    .rung = 7,
+                    .statement = "fast.uniform equals reference.uniform in " + what + " at " + point,
+                    .solver = "reference.uniform, fast.uniform"};
+  };
+  const std::string ends = "reference.uniform " + std::string(to_string(one.record.status)) + ", fast.uniform " +
+                           std::string(to_string(two.record.status));
+  for (const Quantity quantity : {Quantity::film_minimum, Quantity::film_central, Quantity::pressure_exit}) {
+    found.claims.push_back(claim_value(says(std::string(to_string(quantity))), value(two, quantity),
+                                       value(one, quantity), 0, bound, ends));
+  }
+  const bool comparable = solved(one) && solved(two) && one.fields.X.size() == two.fields.X.size() &&
+                          one.fields.X.size() == intervals + 1;
+  found.claims.push_back(claim(says("pressure profile"),
+                               comparable ? (one.fields.P - two.fields.P).abs().maxCoeff() : nothing, 0, bound, ends));
+  found.claims.push_back(
+      claim(says("film profile"),
+            comparable ? ((one.fields.H - two.fields.H) / one.fields.H).abs().maxCoeff() : nothing, 0, bound, ends));
+  return found;
+}
+
+}  // namespace
+
+std::vector<Topic> twin_topics() {
+  std::vector<Topic> topics;
+  for (const MoesGroups moes : {MoesGroups{5, 5}, MoesGroups{20, 10}, MoesGroups{200, 10}}) {
+    for (const int intervals : {256, 512}) {
+      topics.push_back({.name = "twins",
+                        .rungs = {7},
+                        .judge = [moes, intervals] { return judge_twins(moes, intervals); }});
+    }
+  }
+  return topics;
+}
+
+}  // namespace ehd::verification

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The verification suite: topics run in threads, their claims are sorted by rung, printed, and written to results.json.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "verification/claim.hpp"
+
+namespace ehd::verification {
+
+struct SuiteRequest {
+  std::optional<int> rung = {};             ///< 0 to 11
+  std::optional<std::string> case_id = {};  ///< a case's id or file
+  bool quick = false;                       ///< slow topics are skipped, each with a line that says so
+  unsigned threads = 0;                     ///< 0: as many as there are cores
+  /// Called after each topic, one thread at a time.
+  std::function<void(std::size_t done, std::size_t all, const std::string& name)> progress = {};
+};
+
+struct SuiteResult {
+  std::vector<Claim> claims;  ///< by rung
+  std::vector<SkippedClaim> skipped;
+  double wall_s = 0;
+  /// There are claims, none fails, and every inconclusive one is listed with a reason.
+  [[nodiscard]] bool success() const;
+};
+
+/// The reason for which a claim may stay inconclusive; absent where it may not.
+[[nodiscard]] std::optional<std::string> accepted_as_inconclusive(const std::string& claim_id);
+
+/// No claim is left by the filters: what() says which.
+class NothingSelected : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Throws NothingSelected, or CaseError for a case that is named and cannot be read. A topic that throws is a failing
+/// claim.
+[[nodiscard]] SuiteResult run_suite(const SuiteRequest& request);
+
+/// Rungs in order with what failed in full, then a line for each rung. `all`: passing claims too.
+[[nodiscard]] std::string human_summary(const SuiteResult& result, bool all);
+
+/// {"schema", "provenance", "claims", "skipped", "summary"}.
+[[nodiscard]] Json to_json(const SuiteResult& result);
+
+}  // namespace ehd::verification
