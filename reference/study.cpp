@@ -23,7 +23,7 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-Fields fields_of(const Level& level) {
+Fields fields_of(const Level& level, const Problem& problem) {
   const Evaluation& at = level.at;
   Fields fields;
   fields.X = at.X;
@@ -33,6 +33,8 @@ Fields fields_of(const Level& level) {
   fields.log_viscosity = at.viscosity.value;
   fields.flux = at.wedge - at.mobility * at.gradient;
   fields.offset = level.state.offset;
+  // The rolling force falls only as 1/|X_a|: what lies further out is lambda Int dX/H with H = X^2/2 there.
+  if (std::holds_alternative<Flooded>(problem.inlet)) fields.work_beyond_inlet = 2 * problem.groups.lambda / -at.X[0];
   return fields;
 }
 
@@ -54,6 +56,9 @@ double coarse_grid_error(double inlet_cells) { return 0.4 / (inlet_cells * std::
 /// A spike height less certain than this is not reported: where it grows with the grid, differences that fall do so by
 /// chance.
 constexpr double vaguest_spike = 0.1;
+/// Estimates of the spike's height are multiplied by this: at (20, 10) three grids agree to 2.0 % on a height that is
+/// 2.6 % low, since none of them sees the width of 1e-4.
+constexpr double spike_safety = 3;
 
 /// A quantity as a sequence of grids gives it.
 struct Judged {
@@ -128,7 +133,7 @@ std::optional<Level> Study::attempt(const Equations& equations, const State& sta
               .at = std::move(run.at),
               .iteration_error = run.iteration_error,
               .seen = {}};
-  level.seen = observe(fields_of(level), with_films(problem_.wanted));
+  level.seen = observe(fields_of(level, problem_), with_films(problem_.wanted));
   if (!level.seen.contains(Quantity::film_central)) return std::nullopt;
   GridRecord record;
   record.nodes = intervals;
@@ -203,7 +208,7 @@ Solution Study::report(const std::vector<Level>& levels, bool extrapolate,
   const Level& finest = levels.back();
   const double cells = finest.cells_in_inlet_zone();
   Solution solution;
-  solution.fields = fields_of(finest);
+  solution.fields = fields_of(finest, problem_);
   for (auto [quantity, reading] : finest.seen) {
     const bool film = is_film(quantity);
     if (!is_diagnostic(quantity)) {
@@ -214,7 +219,8 @@ Solution Study::report(const std::vector<Level>& levels, bool extrapolate,
         else
           values.clear();
       }
-      const Judged judged = judge_grids(values, extrapolate);
+      Judged judged = judge_grids(values, extrapolate);
+      if (quantity == Quantity::pressure_spike) judged.error *= spike_safety;
       if (quantity == Quantity::pressure_spike && !(judged.settles && judged.error <= vaguest_spike)) continue;
       reading.value = judged.value;
       ErrorBudget budget{.discretisation = judged.error, .iteration = finest.iteration_error, .truncation = 0};
