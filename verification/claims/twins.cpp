@@ -71,12 +71,11 @@ Findings judge_twins(MoesGroups moes, int intervals) {
 
 std::vector<Topic> twin_topics() {
   std::vector<Topic> topics;
-  for (const MoesGroups moes : {MoesGroups{5, 5}, MoesGroups{20, 10}, MoesGroups{200, 10}}) {
-    for (const int intervals : {256, 512}) {
-      topics.push_back({.name = "twins",
-                        .rungs = {7},
-                        .judge = [moes, intervals] { return judge_twins(moes, intervals); }});
-    }
+  const std::pair<MoesGroups, int> grids[] = {{{5, 5}, 256},    {{5, 5}, 512},    {{20, 10}, 256},  {{20, 10}, 512},
+                                              {{20, 10}, 1024}, {{200, 10}, 256}, {{200, 10}, 512}, {{200, 15}, 1024}};
+  for (const auto& grid : grids) {
+    topics.push_back(
+        {.name = "twins", .rungs = {7}, .judge = [grid] { return judge_twins(grid.first, grid.second); }});
   }
   return topics;
 }
