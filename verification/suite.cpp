@@ -54,7 +54,7 @@ std::vector<LoadedCase> load_cases(const SuiteRequest& request) {
 std::vector<Topic> topics_of(const SuiteRequest& request) {
   const auto cases = load_cases(request);
   std::vector<Topic> topics;
-  for (auto& list : {input_topics(), kernel_topics(), exact_topics(), contact_topics(cases), twin_topics(),
+  for (auto& list : {input_topics(), kernel_topics(), exact_topics(), contact_topics(cases), twin_topics(), box_topics(),
                      regime_topics(), bearing_topics(cases)}) {
     topics.insert(topics.end(), list.begin(), list.end());
   }

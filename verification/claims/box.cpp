@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Rungs 6, 7 and 8 over the whole box: M 0.05..1000, L 0..25, both law sets, flooded and cut at X = -4. A claim a row of M.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "contact/scaling.hpp"
+#include "verification/claims/topics.hpp"
+#include "verification/registry.hpp"
+#include "verification/text.hpp"
+
+namespace ehd::verification {
+
+namespace {
+
+constexpr double all_L[] = {0, 1, 2.5, 5, 10, 15, 20, 25};
+constexpr double all_M[] = {0.05, 0.1, 0.25, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000};
+constexpr double lightest_cut_M = 0.5;   // below, a cut at -4 lies inside the film's own length
+constexpr double heaviest_twin_M = 200;  // above, 256 uniform cells do not see the inlet zone
+
+struct Row {
+  double M;
+  bool roelands, flooded;
+};
+
+Problem problem_at(const Row& row, double L) {
+  Lubricant oil;  // Barus, incompressible
+  if (row.roelands)
+    oil = {.viscosity = ViscosityLaw::roelands,
+           .density = DensityLaw::dowson_higginson,
+           .alpha_per_Pa = 2.2e-8,
+           .z = 0.68,
+           .p0_Pa = 1.96e8};
+  return nondimensionalise(MoesGroups{row.M, L}, oil, row.flooded ? Inlet{Flooded{}} : Inlet{TruncatedAt{-4}}).problem;
+}
+
+std::string name_of(const Row& row) {
+  return "M = " + plain(row.M) + (row.roelands ? ", Roelands" : ", Barus") + (row.flooded ? ", flooded" : ", cut at -4");
+}
+
+std::string id_of(const Row& row) {
+  return "box/" + plain(row.M) + (row.roelands ? "-roelands" : "-barus") + (row.flooded ? "-flooded" : "-cut");
+}
+
+Findings judge_row(const Row& row) {
+  constexpr double tolerance = 1e-3;
+  int converged = 0, points = 0;
+  double worst = 0;  // disagreement over the sum of the reported errors
+  std::string unsolved, worst_at;
+  for (const double L : all_L) {
+    ++points;
+    const Problem problem = problem_at(row, L);
+    const Solution reference = find_solver("reference")->solve(problem, {.tolerance = tolerance});
+    const Solution fast = find_solver("fast")->solve(problem, {.tolerance = tolerance});
+    if (reference.record.status != StopReason::converged || fast.record.status != StopReason::converged) {
+      unsolved += " L = " + plain(L) + " (reference " + std::string(to_string(reference.record.status)) + ", fast " +
+                  std::string(to_string(fast.record.status)) + ")";
+      worst = std::numeric_limits<double>::quiet_NaN();
+      continue;
+    }
+    ++converged;
+    for (const Quantity film : {Quantity::film_minimum, Quantity::film_central}) {
+      const Reading &a = reference.observables.at(film), &b = fast.observables.at(film);
+      const double ratio = std::abs(b.value / a.value - 1) / (a.error.value() + b.error.value());
+      if (!(ratio <= worst)) {
+        worst = ratio;
+        worst_at = std::string(to_string(film)) + ", L = " + plain(L);
+      }
+    }
+  }
+  Findings found;
+  found.claims.push_back(claim_fact({.id = id_of(row) + "/converged",
+                                     .rung = 6,
+                                     .statement = "both solvers end converged at 1e-3 for L = 0..25 at " + name_of(row),
+                                     .solver = "reference, fast"},
+                                    converged == points && points > 0,
+                                    "the domain that both solvers declare", unsolved.empty() ? "" : "not at" + unsolved));
+  found.claims.push_back(claim({.id = id_of(row) + "/agreement",
+                                .rung = 8,
+                                .statement = "the films of both solvers differ by less than the sum of their reported errors at " +
+                                             name_of(row),
+                                .solver = "reference, fast"},
+                               worst, 0, Tolerance::required(1, "disagreement over the sum of the reported errors"),
+                               worst_at));
+  return found;
+}
+
+Findings judge_twin_row(const Row& row) {
+  constexpr int intervals = 256;
+  double worst = 0;
+  std::string worst_at;
+  for (const double L : all_L) {
+    const Problem problem = problem_at(row, L);
+    const Request request{.tolerance = {}, .nodes = intervals};
+    const Solution one = find_solver("reference.uniform")->solve(problem, request);
+    const Solution two = find_solver("fast.uniform")->solve(problem, request);
+    double differ = std::numeric_limits<double>::quiet_NaN();
+    if (one.fields.X.size() == intervals + 1 && two.fields.X.size() == intervals + 1)
+      differ = std::max((one.fields.P - two.fields.P).abs().maxCoeff(),
+                        ((one.fields.H - two.fields.H) / one.fields.H).abs().maxCoeff());
+    if (!(differ <= worst)) {
+      worst = differ;
+      worst_at = "worst at L = " + plain(L);
+    }
+  }
+  Findings found;
+  found.claims.push_back(claim({.id = id_of(row) + "/twins",
+                                .rung = 7,
+                                .statement = "fast.uniform equals reference.uniform in film and pressure on 256 cells for L = "
+                                             "0..25 at " + name_of(row),
+                                .solver = "reference.uniform, fast.uniform"},
+                               worst, 0, Tolerance::required(1e-8, "what both iterate to, required of the twins"),
+                               worst_at));
+  return found;
+}
+
+}  // namespace
+
+std::vector<Topic> box_topics() {
+  std::vector<Topic> topics;
+  for (const double M : all_M) {
+    for (const bool roelands : {true, false}) {
+      for (const bool flooded : {true, false}) {
+        if (!flooded && M < lightest_cut_M) continue;
+        const Row row{M, roelands, flooded};
+        topics.push_back({.name = "box", .rungs = {6, 8}, .slow = true, .judge = [row] { return judge_row(row); }});
+        if (!flooded && M <= heaviest_twin_M)
+          topics.push_back(
+              {.name = "twins over the box", .rungs = {7}, .slow = true, .judge = [row] { return judge_twin_row(row); }});
+      }
+    }
+  }
+  return topics;
+}
+
+}  // namespace ehd::verification
