@@ -27,6 +27,20 @@ const ContactResult& SolvedContacts::at(double force_N) {
   return results_.emplace(force_N, solve_(force_N / contact_.length_m)).first->second;
 }
 
+long SolvedContacts::unconverged() const {
+  return std::count_if(results_.begin(), results_.end(), [](const auto& entry) {
+    const auto* const solved = std::get_if<SolvedContact>(&entry.second);
+    return solved && !solved->converged;
+  });
+}
+
+bool SolvedContacts::hit_limit() const {
+  return std::any_of(results_.begin(), results_.end(), [](const auto& entry) {
+    const auto* const failure = std::get_if<SolveFailure>(&entry.second);
+    return failure && failure->limit;
+  });
+}
+
 double offset_film_m(const RacewayContact& contact, double force_N, const SolvedContact& solved) {
   const double b = hertz::half_width_m(contact.at(force_N));
   return b * b / contact.reduced_radius_m * (solved.offset - hertz::dry_offset());

@@ -31,6 +31,7 @@ struct SolvedContact {
 };
 struct SolveFailure {
   std::string why;
+  bool limit = false;  ///< iterations or time ended, rather than the mathematics
 };
 using ContactResult = std::variant<SolvedContact, SolveFailure>;
 
@@ -47,6 +48,8 @@ class SolvedContacts {
   [[nodiscard]] const RacewayContact& contact() const { return contact_; }
   [[nodiscard]] long solves() const { return solves_; }    ///< calls of the callable
   [[nodiscard]] long recalls() const { return recalls_; }  ///< requests answered from memory
+  [[nodiscard]] long unconverged() const;                  ///< solved contacts that missed their tolerance
+  [[nodiscard]] bool hit_limit() const;                    ///< a contact failed on iterations or time
 
  private:
   RacewayContact contact_;

@@ -23,25 +23,30 @@ for package in $required; do
   is_installed "$package" || missing="$missing $package"
 done
 is_root=$([ "$(id -u)" -eq 0 ] && echo yes || echo no)
-[ "$is_root" = no ] && [ -z "$missing" ] && exit 0
+missing_optional=""
 for package in $optional; do
-  is_installed "$package" || missing="$missing $package"
+  is_installed "$package" || missing_optional="$missing_optional $package"
 done
-[ -z "$missing" ] && exit 0
+[ -z "$missing$missing_optional" ] && exit 0
+[ -z "$missing" ] && [ "$is_root" = no ] && exit 0
 
 if [ "$is_root" = no ]; then
   echo "These packages are missing; install them as root with:" >&2
-  echo "  apt-get install --no-install-recommends$missing" >&2
+  echo "  apt-get install --no-install-recommends$missing$missing_optional" >&2
   exit 2
 fi
 
-echo "Installing$missing" >&2
+echo "Installing$missing$missing_optional" >&2
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
 export DEBIAN_FRONTEND=noninteractive
-# shellcheck disable=SC2086  # a list of words
-if ! { apt-get -qq update && apt-get -qq install -y --no-install-recommends $missing; } > "$log" 2>&1; then
+install() { apt-get -qq install -y --no-install-recommends "$@" >> "$log" 2>&1; }
+apt-get -qq update > "$log" 2>&1 || true  # an old list may still do
+# shellcheck disable=SC2086  # lists of words
+if [ -n "$missing" ] && ! install $missing; then
   cat "$log" >&2
   echo "apt-get could not install:$missing" >&2
   exit 2
 fi
+# shellcheck disable=SC2086
+[ -z "$missing_optional" ] || install $missing_optional || echo "going on without$missing_optional" >&2

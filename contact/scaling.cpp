@@ -140,6 +140,8 @@ Nondimensional nondimensionalise(const Statement& statement, const Lubricant& lu
                            .half_width_m = hertz::half_width_m(*si),
                            .reduced_radius_m = si->reduced_radius_m,
                            .dowson = dowson};
+    // An isoviscous solve has L = 0, but a stated alpha still gives G.
+    result.scales->dowson->G = lubricant.alpha_per_Pa.value_or(*alpha_per_Pa) * si->reduced_modulus_Pa;
   }
   require_in_range(groups);
   result.problem.inlet = inlet;

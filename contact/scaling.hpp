@@ -36,7 +36,7 @@ struct Scales {
   double hertz_pressure_Pa = 0;
   std::optional<double> half_width_m = {};
   std::optional<double> reduced_radius_m = {};
-  std::optional<DowsonGroups> dowson = {};
+  std::optional<DowsonGroups> dowson = {};  ///< G = 0 where alpha is unknown
   /// h = H b^2/R; absent where only the pressure scale is known.
   [[nodiscard]] std::optional<double> film_m_per_hertz_film() const;
 };

@@ -59,6 +59,8 @@ class Study {
   /// A grid with twice the intervals of the last one would not end in time (run time ~ n^3).
   [[nodiscard]] bool no_time_to_double() const;
 
+  /// Everything spent so far, work units on `finest` intervals.
+  [[nodiscard]] Cost cost(int finest) const;
   [[nodiscard]] bool flooded() const { return std::holds_alternative<Flooded>(problem_.inlet); }
   /// What the inlet's place does: the level again without its far nodes, and the difference carried on as X_a^-2, twice
   /// for safety. Empty where the cut grid could not be solved.
@@ -74,7 +76,6 @@ class Study {
  private:
   using Clock = std::chrono::steady_clock;
   std::optional<Level> attempt(const Equations& equations, const State& start);
-  [[nodiscard]] Cost cost(int finest) const;
 
   Problem problem_;
   Request request_;
