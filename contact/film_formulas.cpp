@@ -21,11 +21,11 @@ double moes_film_formula(const MoesGroups& moes) {
 std::vector<FilmFormula> film_formulas(const MoesGroups& moes, double G) {
   std::vector<FilmFormula> formulas{{"Moes (Venner 1991)", "film.couette", moes_film_formula(moes)}};
   if (!(moes.L > 0) || !(G > 0)) return formulas;
-  const auto [W, U, g] = dowson_from(moes, G);
-  const double moes_per_film_ratio = 1 / std::sqrt(2 * U);  // h/R -> (h/R) U_s^(-1/2)
+  const DowsonGroups groups = dowson_from(moes, G);
+  const double moes_per_film_ratio = 1 / std::sqrt(2 * groups.U_mean);  // h/R -> (h/R) U_s^(-1/2)
   const auto add = [&](const char* name, const char* of, double c, double a, double u, double w) {
     formulas.push_back(
-        {name, of, c * std::pow(g, a) * std::pow(U, u) * std::pow(W, w) * moes_per_film_ratio});
+        {name, of, c * std::pow(groups.G, a) * std::pow(groups.U_mean, u) * std::pow(groups.W, w) * moes_per_film_ratio});
   };
   add("Dowson & Higginson 1966", "film.minimum", 1.6, 0.6, 0.7, -0.13);
   add("Dowson & Higginson 1977", "film.minimum", 2.65, 0.54, 0.70, -0.13);
