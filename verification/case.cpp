@@ -68,6 +68,7 @@ constexpr Interval poisson_ratios{.low = -1, .high = 0.5, .open_low = true};
 constexpr Interval relative_uncertainties{0, 1};
 constexpr int fewest_rollers = 3, most_rollers = 400;
 constexpr int fewest_fit_points = 3, most_fit_points = 200;
+constexpr double narrowest_fit = 1.01;  // high over low
 constexpr int largest_version = 1000000;
 constexpr std::size_t longest_text = 60;  // of a value in a message
 
@@ -331,7 +332,8 @@ class Reader {
   [[nodiscard]] std::string text(const std::string& key, const std::string& allowed) const {
     const toml::node& node = required(key, allowed);
     const auto* value = node.as_string();
-    if (!value) fail(key, "is " + type_of(node) + "; allowed is a text, " + allowed);
+    if (!value)
+      fail(key, "is " + type_of(node) + "; allowed is " + (allowed.starts_with("a text") ? "" : "a text, ") + allowed);
     const std::string& content = value->get();
     if (content.find_first_not_of(" \t") == std::string::npos) fail(key, "is empty; allowed is " + allowed);
     if (one_line(content) != content) fail(key, "is not one line of plain text; allowed is " + allowed);
@@ -571,6 +573,8 @@ class Reader {
     const double low = number_in("fit.load_N", *pair->get(0), forces);
     const double high = number_in("fit.load_N", *pair->get(1), forces);
     if (!(low < high)) fail("fit.load_N", "is not increasing; allowed is " + allowed);
+    if (!(high >= narrowest_fit * low))  // a straight line through one load says nothing
+      fail("fit.load_N", "spans less than 1 %; allowed is " + allowed + ", high at least 1 % above low");
     bearing.fit.load_N = std::pair{low, high};
   }
 
@@ -795,12 +799,10 @@ std::vector<std::filesystem::path> case_files() {
 std::filesystem::path find_case(const std::string& path_or_id) {
   std::error_code error;
   const std::filesystem::path path(path_or_id);
-  const auto status = std::filesystem::status(path, error);
-  const bool looks_like_path = path_or_id.find('/') != std::string::npos || path.extension() == ".toml";
-  if (std::filesystem::is_regular_file(status) || looks_like_path) return path;
+  if (path_or_id.find('/') != std::string::npos || path.extension() == ".toml") return path;
   const auto in_cases = cases_folder() / (path_or_id + ".toml");
   if (std::filesystem::is_regular_file(std::filesystem::status(in_cases, error))) return in_cases;
-  if (std::filesystem::exists(status)) return path;
+  if (std::filesystem::exists(std::filesystem::status(path, error))) return path;
   throw CaseError(one_line(path_or_id + ": there is no such case; allowed is a path to a case file, or an id that "
                                         "`ehd cases` lists"));
 }

@@ -107,7 +107,8 @@ struct Case {
 /// groups' range included (nondimensionalise is tried).
 [[nodiscard]] Case read_case(const std::filesystem::path& file);
 
-/// A CASE argument: a path to a TOML file, or the id of one in cases/. Throws CaseError.
+/// A CASE argument: a path to a TOML file (it holds a '/' or ends in .toml), or the id of one in cases/; a file of
+/// another name only where no case has it for an id. Throws CaseError.
 [[nodiscard]] std::filesystem::path find_case(const std::string& path_or_id);
 
 /// The folder of the benchmark cases: environment EHD_CASES, else the one the program was built from.

@@ -29,9 +29,6 @@ std::string read_bytes(const std::filesystem::path& file) {
   if (std::filesystem::is_directory(status)) refuse(file, 0, "is a directory; allowed is a case file (TOML)");
   if (!std::filesystem::is_regular_file(status))
     refuse(file, 0, "is not a regular file; allowed is a case file (TOML)");
-  const auto size = std::filesystem::file_size(file, error);
-  if (!error && size > largest_file)
-    refuse(file, 0, "is larger than 64 KiB; allowed is a case file (TOML), which is small");
   std::ifstream stream(file, std::ios::binary);
   std::string bytes;
   if (stream) {
@@ -40,6 +37,10 @@ std::string read_bytes(const std::filesystem::path& file) {
     bytes.resize(static_cast<std::size_t>(stream.gcount()));
   }
   if (!stream.is_open() || stream.bad()) refuse(file, 0, "cannot be read; allowed is a readable case file (TOML)");
+  // Before anything else is said of it: what a picture or a program holds otherwise is of no interest.
+  if (bytes.find('\0') != std::string::npos) refuse(file, 0, "is binary; allowed is a case file (TOML)");
+  if (bytes.size() > largest_file)
+    refuse(file, 0, "is larger than 64 KiB; allowed is a case file (TOML), which is small");
   return bytes;
 }
 
@@ -128,11 +129,9 @@ std::string read_case_text(const std::filesystem::path& file) {
     const std::string_view rest = std::string_view(text).substr(i);
     const auto byte = static_cast<unsigned char>(text[i]);
     const bool line_end = text[i] == '\n' || rest.starts_with("\r\n");
-    if ((byte < 0x20 && text[i] != '\t' && !line_end) || byte == 0x7F) {
-      if (byte == 0) refuse(file, 0, "is binary (it holds a zero byte); allowed is a case file (TOML)");
+    if ((byte < 0x20 && text[i] != '\t' && !line_end) || byte == 0x7F)
       refuse(file, line,
              "holds the control character " + one_line(rest.substr(0, 1)) + "; allowed is plain text (TOML)");
-    }
     const std::size_t length = utf8_length(rest);
     if (length == 0)
       refuse(file, line,

@@ -74,7 +74,7 @@ Json groups_json(const ContactRun& run) {
     if (run.scales->dowson) {
       put(groups, "W", run.scales->dowson->W);
       put(groups, "U_mean", run.scales->dowson->U_mean);
-      put(groups, "G", run.scales->dowson->G);
+      put(groups, "G", run.known_G());
     }
   }
   return groups;
@@ -84,12 +84,15 @@ Json cost_json(const Cost& cost) {
   Json json;
   put(json, "wall_s", cost.wall_s);
   put(json, "planning_s", cost.planning_s);
-  put(json, "work_units", cost.work_units);
+  const bool accepted = cost.nodes > 0;  // a work unit is a product on the finest grid accepted
+  if (accepted) put(json, "work_units", cost.work_units);
   json["convolutions"] = cost.convolutions;
   json["newton_iterations"] = cost.newton_iterations;
   json["krylov_iterations"] = cost.krylov_iterations;
-  json["nodes"] = cost.nodes;
-  json["levels"] = cost.levels;
+  if (accepted) {
+    json["nodes"] = cost.nodes;
+    json["levels"] = cost.levels;
+  }
   json["viscosity_points"] = cost.viscosity_points;
   json["density_points"] = cost.density_points;
   json["fft_plans"] = cost.fft_plans;
@@ -265,7 +268,7 @@ std::string human_table(const ContactRun& run, const std::string& title, bool st
     if (run.scales->dowson) {
       group("W", run.scales->dowson->W);
       group("U (mean speed)", run.scales->dowson->U_mean);
-      group("G", run.scales->dowson->G);
+      group("G", run.known_G());
     }
   }
   text += "\n" + aligned(groups, 1, "  ");
@@ -298,18 +301,19 @@ std::string human_table(const ContactRun& run, const std::string& title, bool st
       table.push_back({formula.name, formula.of, plain(formula.moes_film, 4),
                        film > 0 ? plain(100 * (formula.moes_film / film - 1), 2) + " %" : ""});
     }
-    const bool known_G = run.scales && run.scales->dowson;
     text += "\nfilm formulas, Moes units (regressions: plausibility, no verdict" +
-            std::string(known_G ? "" : "; G = 5000 assumed") + ")\n" + aligned(table, 2, "  ");
+            std::string(run.known_G() ? "" : "; G = 5000 assumed") + ")\n" + aligned(table, 2, "  ");
   }
 
   if (run.plan.runs(stage::solve)) {
     const Cost& cost = run.solution.record.cost;
+    const bool accepted = cost.nodes > 0;
     text += "\ncost  " + seconds(cost.wall_s) + " (FFT planning " + seconds(cost.planning_s) + "), " +
-            std::to_string(cost.nodes) + " intervals, " + std::to_string(cost.levels) + " levels, " +
+            (accepted ? std::to_string(cost.nodes) + " intervals, " + std::to_string(cost.levels) + " levels, "
+                      : std::string("no grid accepted, ")) +
             std::to_string(cost.newton_iterations) + " Newton and " + std::to_string(cost.krylov_iterations) +
-            " Krylov iterations, " + std::to_string(cost.convolutions) + " products, " + plain(cost.work_units, 3) +
-            " work units\n";
+            " Krylov iterations, " + std::to_string(cost.convolutions) + " products" +
+            (accepted ? ", " + plain(cost.work_units, 3) + " work units" : "") + "\n";
   }
   for (const auto& note : run.notes) text += "note  " + note + "\n";
   return text;

@@ -10,7 +10,7 @@ namespace ehd::verification {
 
 namespace {
 
-/// G = alpha E' where a case does not fix E': that of a mineral oil between steel surfaces.
+/// G = alpha E' where a case does not fix alpha or E': that of a mineral oil between steel surfaces.
 constexpr double usual_G = 5000;
 
 /// The fields of the dry contact, for a profile: twice the contact's width.
@@ -63,8 +63,7 @@ void run_lubricated(const ContactCase& contact, const RegisteredSolver& solver, 
   const auto& notes = run.solution.record.notes;
   run.notes.insert(run.notes.end(), notes.begin(), notes.end());
   if (run.plan.runs(stage::formulas)) {
-    const double G = run.scales && run.scales->dowson ? run.scales->dowson->G : usual_G;
-    run.formulas = film_formulas({.M = problem.groups.M, .L = problem.groups.L}, G);
+    run.formulas = film_formulas({.M = problem.groups.M, .L = problem.groups.L}, run.known_G().value_or(usual_G));
   }
 }
 
@@ -78,6 +77,11 @@ std::optional<double> ContactRun::moes_per_hertz_film() const {
 std::optional<double> ContactRun::m_per_hertz_film() const {
   if (!scales) return std::nullopt;
   return scales->film_m_per_hertz_film();
+}
+
+std::optional<double> ContactRun::known_G() const {
+  if (!scales || !scales->dowson || !(scales->dowson->G > 0)) return std::nullopt;
+  return scales->dowson->G;
 }
 
 ContactRun run_contact(const ContactCase& contact, const RegisteredSolver& solver, const Request& request,

@@ -32,6 +32,8 @@ struct ContactRun {
   /// What one unit of Hertz film is in Moes units, and in metres where they are known.
   [[nodiscard]] std::optional<double> moes_per_hertz_film() const;
   [[nodiscard]] std::optional<double> m_per_hertz_film() const;
+  /// G = alpha E', absent where either is unknown (Scales has 0 where alpha is).
+  [[nodiscard]] std::optional<double> known_G() const;
 };
 
 /// Plans and runs one contact; quantities outside `wanted` are neither computed nor returned. A solver's every way to

@@ -54,8 +54,8 @@ std::vector<LoadedCase> load_cases(const SuiteRequest& request) {
 std::vector<Topic> topics_of(const SuiteRequest& request) {
   const auto cases = load_cases(request);
   std::vector<Topic> topics;
-  for (auto& list : {input_topics(), kernel_topics(), exact_topics(), contact_topics(cases), twin_topics(), box_topics(),
-                     regime_topics(), bearing_topics(cases)}) {
+  for (auto& list : {input_topics(), kernel_topics(), exact_topics(), coupled_topics(), contact_topics(cases), twin_topics(),
+                     box_topics(), regime_topics(), bearing_topics(cases)}) {
     topics.insert(topics.end(), list.begin(), list.end());
   }
   std::erase_if(topics, [&](const Topic& topic) {
@@ -69,7 +69,10 @@ Findings run_topic(const Topic& topic, const SuiteRequest& request) {
       .id = topic.name, .rung = request.rung.value_or(*topic.rungs.begin()), .statement = topic.name, .case_id = topic.case_id};
   if (request.quick && topic.slow) return {.claims = {}, .skipped = {{whole, "slow, and --quick was asked for"}}};
   try {
-    return topic.judge();
+    Findings found = topic.judge();
+    if (found.claims.empty() && found.skipped.empty())
+      found.skipped.push_back({whole, "there is nothing to judge it by (a case says what it expects in [[expect]])"});
+    return found;
   } catch (const std::exception& thrown) {
     Sentence says = whole;
     says.id += "/ran";
@@ -95,7 +98,7 @@ bool SuiteResult::success() const {
     return claim.verdict == Verdict::pass ||
            (claim.verdict == Verdict::inconclusive && accepted_as_inconclusive(claim.says.id));
   };
-  return !claims.empty() && std::all_of(claims.begin(), claims.end(), stands);
+  return !(claims.empty() && skipped.empty()) && std::all_of(claims.begin(), claims.end(), stands);
 }
 
 SuiteResult run_suite(const SuiteRequest& request) {
@@ -163,6 +166,7 @@ std::string numbers_of(const Claim& claim) {
 }  // namespace
 
 std::string human_summary(const SuiteResult& result, bool all) {
+  const bool nothing_judged = result.claims.empty();
   std::string text;
   std::vector<std::vector<std::string>> table{{"rung", "", "pass", "fail", "inconclusive", "skipped", "tightest margin"}};
   std::size_t total[3] = {0, 0, 0};
@@ -189,7 +193,7 @@ std::string human_summary(const SuiteResult& result, bool all) {
     for (const SkippedClaim& one : result.skipped) {
       if (one.says.rung != rung) continue;
       ++skipped;
-      if (all) lines += "  skipped  " + one.says.statement + ": " + one.why + "\n";
+      if (all || nothing_judged) lines += "  skipped  " + one.says.statement + ": " + one.why + "\n";
     }
     if (count[0] + count[1] + count[2] + skipped == 0) continue;
     for (int i = 0; i < 3; ++i) total[i] += count[i];
@@ -201,7 +205,13 @@ std::string human_summary(const SuiteResult& result, bool all) {
   }
   table.push_back({"all", "", std::to_string(total[0]), std::to_string(total[1]), std::to_string(total[2]),
                    std::to_string(result.skipped.size()), plain(result.wall_s, 3) + " s"});
-  return text + aligned(table, 2);
+  text += aligned(table, 2);
+  if (nothing_judged) {
+    const std::size_t rows = result.skipped.size();
+    text += "nothing could be judged: " + std::to_string(rows) + (rows == 1 ? " row is" : " rows are") +
+            " skipped, for the reasons above\n";
+  }
+  return text;
 }
 
 Json to_json(const SuiteResult& result) {

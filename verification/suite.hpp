@@ -26,7 +26,8 @@ struct SuiteResult {
   std::vector<Claim> claims;  ///< by rung
   std::vector<SkippedClaim> skipped;
   double wall_s = 0;
-  /// There are claims, none fails, and every inconclusive one is listed with a reason.
+  /// No claim fails, every inconclusive one is listed with a reason, and there are claims or skipped rows that say why
+  /// there are none.
   [[nodiscard]] bool success() const;
 };
 

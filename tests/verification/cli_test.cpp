@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The program as a process: exit codes and streams.
+#include <cstdlib>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -78,6 +80,29 @@ BOOST_AUTO_TEST_CASE(a_dry_case_is_exact_and_has_no_groups_and_no_film) {
 BOOST_AUTO_TEST_CASE(wrong_usage_is_one_line_on_standard_error_and_exit_code_2) {
   const test::Folder folder;
   const std::string bad = folder.write("bad.toml", "id = \"bad\"\nversion = 1\nx = 2\n").string();
+  const std::string heading = "\nversion = 1\ntitle = \"t\"\nsource = \"own\"\n";
+  const std::string dry = folder
+                              .write("dry.toml", "id = \"dry\"" + heading +
+                                                     "[conditions]\nload_N_per_m = 1.2e5\nreduced_radius_m = 1.1e-2\n"
+                                                     "reduced_modulus_Pa = 2.3e11\n")
+                              .string();
+  const std::string dry_otherwise = (folder.path() / "." / "dry.toml").string();
+  const std::string fluid =
+      folder
+          .write("fluid.toml", "id = \"fluid\"" + heading +
+                                   "[moes]\nM = 5.5\nL = 4.5\n[lubricant]\nviscosity = \"barus\"\n"
+                                   "density = \"incompressible\"\n[domain]\ninlet = -4.0\n")
+          .string();
+  const std::string resting =
+      folder
+          .write("resting.toml",
+                 "id = \"resting\"" + heading +
+                     "[bearing]\nrollers = 21\npitch_diameter_m = 0.053\nroller_diameter_m = 0.005\nlength_m = 0.121\n"
+                     "clearance_m = 2.5e-6\ndensity_kg_per_m3 = 7850.0\nrotating = \"outer\"\n[operation]\n"
+                     "speed_rpm = 0.0\nradial_load_N = 50.0e3\n[material]\nmodulus_Pa = 2.06e11\npoisson = 0.3\n"
+                     "[lubricant]\nviscosity = \"barus\"\ndensity = \"incompressible\"\nviscosity_Pa_s = 0.02\n"
+                     "alpha_per_Pa = 2.0e-8\n")
+          .string();
   const std::string absent = (folder.path() / "absent" / "file").string();
   const std::vector<std::pair<std::string, std::string>> rows{
       {"frobnicate", "frobnicate"},
@@ -107,19 +132,26 @@ BOOST_AUTO_TEST_CASE(wrong_usage_is_one_line_on_standard_error_and_exit_code_2) 
       {"solve own-moes-5-5 --time-limit 0", "is out of range"},
       {"solve own-moes-5-5 --json " + absent, "cannot be written"},
       {"solve own-moes-5-5 --profile " + folder.path().string(), "it is a directory"},
-      {"solve own-moes-5-5 --json a --profile a", "the same file"},
+      {"solve own-moes-5-5 --json a --profile a", "--profile = a: is the same file as --json"},
+      {"solve own-moes-5-5 --json a.json --profile ./a.json", "--profile = ./a.json: is the same file as --json"},
+      {"solve " + dry + " --json " + dry, "is the same file as the case"},
+      {"solve " + dry + " --profile " + dry_otherwise, "is the same file as the case"},
+      {"compare " + fluid + " --json " + fluid, "is the same file as the case fluid"},
+      {"plan " + dry + " --json " + dry, "is the same file as the case"},
       {"solve own-moes-5-5 --json ''", "cannot be written"},
       {"solve --M 20", "--L is missing"},
       {"solve --L 20", "--M is missing"},
       {"solve --M twenty --L 10", "is not a number"},
       {"solve --M 1e308 --L 10", "is out of range"},
-      {"solve --M -5 --L 10", "is out of range"},
+      {"solve --M -5 --L 10", "ehd: --M = -5: is out of range; allowed is 1e-3 to 1e6"},
       {"solve --M 20 --L 5e-324", "is out of range"},
       {"solve --M 20 --L 10 --inlet 0.5", "does not lie before the contact"},
       {"solve --M 20 --L 10 --viscosity magic", "is unknown; allowed is isoviscous"},
-      {"solve --M 20 --L 10 --viscosity isoviscous", "isoviscous contradicts L > 0"},
-      {"solve --M 20 --L 10 --viscosity roelands", "--viscosity"},
-      {"solve --M 20 --L 10 --density dowson-higginson", "needs pressures in Pa"},
+      {"solve --M 20 --L 10 --viscosity isoviscous", "--viscosity = isoviscous: contradicts --L = 10; allowed"},
+      {"solve --M 20 --L 10 --viscosity roelands", "--viscosity = roelands: needs pressures in Pa"},
+      {"solve --M 20 --L 10 --viscosity roelands", "required is --alpha-per-Pa"},
+      {"solve --M 20 --L 10 --viscosity roelands --alpha-per-Pa 2e-8", "required is --z"},
+      {"solve --M 20 --L 10 --density dowson-higginson", "--density = dowson-higginson: needs pressures in Pa"},
       {"solve na4908", "na4908.toml:"},
       {"compare", "a CASE is missing"},
       {"compare own-moes-5-5 no-such-case", "there is no such case"},
@@ -132,6 +164,10 @@ BOOST_AUTO_TEST_CASE(wrong_usage_is_one_line_on_standard_error_and_exit_code_2) 
       {"plan own-moes-5-5 --law hertz", "--law belongs to a bearing"},
       {"plan na4908 --solver fast", "belong to a contact"},
       {"plan na4908 --law magic", "is unknown"},
+      {"plan harris-209 --law ehd", "is missing; law ehd needs it"},
+      {"plan " + resting, "resting.toml:14: speed_rpm = 0.0: leaves the rings at rest"},
+      {"bearing " + resting, "resting.toml:14: speed_rpm = 0.0: leaves the rings at rest"},
+      {"plan own-moes-5-5 --nodes 2000000000 --solver reference", "would not fit into memory"},
   };
   std::size_t ran = 0;
   for (const auto& [arguments, phrase] : rows) {
@@ -145,6 +181,63 @@ BOOST_AUTO_TEST_CASE(wrong_usage_is_one_line_on_standard_error_and_exit_code_2) 
     ++ran;
   }
   BOOST_TEST(ran == rows.size());
+}
+
+BOOST_AUTO_TEST_CASE(without_a_solution_no_profile_is_written_and_that_is_said) {
+  const test::Folder folder;
+  const auto profile = folder.write("profile.csv", "old");
+  const auto ended =
+      test::ehd_run(folder, "solve own-moes-20-10 --max-iterations 1 --json - --profile " + profile.string());
+  BOOST_TEST(ended.exit_code == 1);
+  const json result = json::parse(ended.out);
+  BOOST_TEST(ended.error_lines() == 1);
+  const bool written = test::read(profile) != "old";
+  const bool said = ended.err.find("no profile is written") != std::string::npos;
+  BOOST_TEST(written != said);
+  if (result["status"] == "diverged") BOOST_TEST(said);
+}
+
+BOOST_AUTO_TEST_CASE(what_cannot_be_judged_is_skipped_with_a_reason_and_exit_code_0) {
+  const test::Folder folder;
+  const std::string dry = folder
+                              .write("silent.toml",
+                                     "id = \"silent\"\nversion = 1\ntitle = \"t\"\nsource = \"own\"\n[conditions]\n"
+                                     "load_N_per_m = 1.2e5\nreduced_radius_m = 1.1e-2\nreduced_modulus_Pa = 2.3e11\n")
+                              .string();
+  for (const std::string& selection :
+       {std::string("--case venner1991-waiting"), "--case " + dry, std::string("--rung 5")}) {
+    const auto ended = test::ehd_run(folder, "verify " + selection);
+    BOOST_TEST_CONTEXT("ehd verify " << selection) {
+      BOOST_TEST(ended.exit_code == 0);
+      BOOST_TEST(ended.err == "");
+      BOOST_TEST(ended.out.find("  skipped  ") != std::string::npos);
+      BOOST_TEST(ended.out.find("nothing could be judged: ") != std::string::npos);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_refused_verify_leaves_no_folder) {
+  const test::Folder folder;
+  const auto above = folder.path() / "out";
+  const std::string output = " --output " + (above / "verify").string();
+  for (const char* selection : {"--case no-such-case", "--rung 7 --case own-moes-5-5", "--rung 12"}) {
+    BOOST_TEST(test::ehd_run(folder, "verify " + (selection + output)).exit_code == 2);
+    BOOST_TEST(!std::filesystem::exists(above));
+  }
+  BOOST_TEST(test::ehd_run(folder, "verify --rung 5" + output + "/").exit_code == 0);
+  BOOST_TEST(std::filesystem::exists(above / "verify" / "results.json"));
+}
+
+BOOST_AUTO_TEST_CASE(an_id_is_preferred_to_a_file_of_that_name_unless_it_is_written_as_a_path) {
+  const test::Folder folder;
+  (void)folder.write("dry-steel", "no case");
+  const std::string here = "'" + folder.path().string() + "'";
+  const std::string program = "'" + std::string(EHD_PROGRAM) + "'";
+  const auto in_folder = [&](const std::string& name) {
+    return std::system(("cd " + here + " && " + program + " plan " + name + " > /dev/null 2>&1").c_str());
+  };
+  BOOST_TEST(in_folder("dry-steel") == 0);
+  BOOST_TEST(in_folder("./dry-steel") != 0);
 }
 
 BOOST_AUTO_TEST_CASE(help_and_version_are_printed_with_exit_code_0) {

@@ -82,6 +82,42 @@ BOOST_AUTO_TEST_CASE(what_is_not_finite_or_not_known_is_absent_and_never_null) {
   BOOST_TEST(!to_json(diverged).contains("film"));
 }
 
+BOOST_AUTO_TEST_CASE(G_is_absent_where_alpha_is_unknown) {
+  ContactRun run = made_run();
+  run.scales->dowson = DowsonGroups{.W = 2e-5, .U_mean = 1e-11, .G = 0};
+  BOOST_TEST(to_json(run)["groups"].contains("W"));
+  BOOST_TEST(!to_json(run)["groups"].contains("G"));
+  BOOST_TEST(human_table(run, "title", false).find("  G ") == std::string::npos);
+  run.scales->dowson->G = 4600;
+  BOOST_TEST(to_json(run)["groups"]["G"] == 4600);
+}
+
+BOOST_AUTO_TEST_CASE(a_cost_tells_of_a_grid_only_where_one_was_accepted) {
+  ContactRun run = made_run();
+  run.solution.record.cost.convolutions = 7;
+  for (const char* key : {"work_units", "nodes", "levels"}) BOOST_TEST(!to_json(run)["cost"].contains(key));
+  BOOST_TEST(to_json(run)["cost"]["convolutions"] == 7);
+  run.solution.record.cost.nodes = 256;
+  for (const char* key : {"work_units", "nodes", "levels"}) BOOST_TEST(to_json(run)["cost"].contains(key));
+}
+
+BOOST_AUTO_TEST_CASE(what_a_solver_notes_stands_in_the_json_and_in_the_table) {
+  RegisteredSolver noting = *find_solver("fast");
+  noting.solve = [](const Problem&, const Request&) {
+    Solution solution;
+    solution.record.status = StopReason::converged;
+    solution.record.notes = {"the spike is left out"};
+    return solution;
+  };
+  ContactCase contact;
+  contact.statement = MoesGroups{.M = 7, .L = 3};
+  contact.lubricant = Lubricant{};
+  contact.inlet = Flooded{};
+  const ContactRun run = run_contact(contact, noting, Request{});
+  BOOST_TEST(to_json(run)["notes"] == Json::array({"the spike is left out"}));
+  BOOST_TEST(human_table(run, "title", false).find("note  the spike is left out\n") != std::string::npos);
+}
+
 BOOST_AUTO_TEST_CASE(a_profile_has_a_column_for_each_field_and_si_where_it_is_known) {
   std::istringstream csv(profile_csv(made_run()));
   std::string header, row, spike;

@@ -31,6 +31,7 @@ struct LoadedCase {
 [[nodiscard]] std::vector<Topic> input_topics();
 [[nodiscard]] std::vector<Topic> kernel_topics();
 [[nodiscard]] std::vector<Topic> exact_topics();
+[[nodiscard]] std::vector<Topic> coupled_topics();
 [[nodiscard]] std::vector<Topic> twin_topics();
 [[nodiscard]] std::vector<Topic> box_topics();
 [[nodiscard]] std::vector<Topic> regime_topics();

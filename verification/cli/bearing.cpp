@@ -38,7 +38,7 @@ std::vector<BearingLaw> laws_named(const std::vector<std::string>& names) {
   std::vector<BearingLaw> laws;
   for (const std::string& name : names) {
     const auto law = bearing_law_from(name);
-    if (!law) throw UsageError("--law " + name + ": is unknown; allowed is " + bearing_law_names());
+    if (!law) throw option_error("--law", name, "is unknown; allowed is " + bearing_law_names());
     if (std::find(laws.begin(), laws.end(), *law) == laws.end()) laws.push_back(*law);
   }
   return laws;
@@ -92,6 +92,11 @@ int bearing(const BearingOptions& options) {
     return BearingRequest{.laws = named.empty() ? default_laws(body) : named, .explicitly = !named.empty()};
   };
   for (const Case& one : computed.cases) require_possible(one, asked_of(one));
+  if (options.json) {
+    std::vector<NamedFile> inputs;
+    for (const Case& one : computed.cases) inputs.push_back({"the case " + one.id, one.file});
+    require_distinct(inputs, {{"--json", *options.json}});
+  }
   JsonTarget json(options.json);
 
   const Request limits = options.limits.request();

@@ -10,6 +10,7 @@
 #include <iostream>
 #include <limits>
 #include <new>
+#include <system_error>
 
 #include "contact/scaling.hpp"
 #include "verification/case.hpp"
@@ -31,6 +32,10 @@ void complain(const std::string& line) { std::cerr << verification::one_line(lin
 void print(const std::string& text) {
   std::cout << text << std::flush;
   if (!std::cout) throw verification::OutputError("standard output: cannot be written (the device is full or closed)");
+}
+
+UsageError option_error(const std::string& option, const std::string& value, const std::string& message) {
+  return UsageError(option + " = " + value + ": " + message);
 }
 
 void run_guarded(int& exit_code, const std::function<int()>& body) {
@@ -60,10 +65,10 @@ double parse_number(const std::string& option, const std::string& text) {
   const char* end = text.data() + text.size();
   const auto parsed = std::from_chars(begin, end, value);
   if (parsed.ec == std::errc::result_out_of_range)
-    throw UsageError(option + " " + text + ": is out of range; allowed is a number");
+    throw option_error(option, text, "is out of range; allowed is a number");
   if (parsed.ec != std::errc() || parsed.ptr != end)
-    throw UsageError(option + " " + text + ": is not a number; allowed is a number");
-  if (!std::isfinite(value)) throw UsageError(option + " " + text + ": is not finite; allowed is a finite number");
+    throw option_error(option, text, "is not a number; allowed is a number");
+  if (!std::isfinite(value)) throw option_error(option, text, "is not finite; allowed is a finite number");
   return value;
 }
 
@@ -72,8 +77,9 @@ int parse_integer(const std::string& option, const std::string& text) {
   const char* end = text.data() + text.size();
   const auto parsed = std::from_chars(text.data(), end, value);
   if (parsed.ec != std::errc() || parsed.ptr != end)
-    throw UsageError(option + " " + text + ": is not an integer; allowed is an integer up to " +
-                     std::to_string(std::numeric_limits<int>::max()));
+    throw option_error(option, text,
+                       "is not an integer; allowed is an integer up to " +
+                           std::to_string(std::numeric_limits<int>::max()));
   return value;
 }
 
@@ -94,32 +100,31 @@ Request RequestOptions::request() const {
   if (tolerance) {
     request.tolerance = parse_number("--tolerance", *tolerance);
     if (!(*request.tolerance > 0))
-      throw UsageError("--tolerance " + *tolerance + ": is not positive; allowed is a number > 0");
+      throw option_error("--tolerance", *tolerance, "is not positive; allowed is a number > 0");
   }
   if (nodes) {
     request.nodes = parse_integer("--nodes", *nodes);
     request.tolerance.reset();
     if (*request.nodes < fewest_nodes)
-      throw UsageError("--nodes " + *nodes + ": is too few; allowed is an integer from " +
-                       std::to_string(fewest_nodes));
+      throw option_error("--nodes", *nodes, "is too few; allowed is an integer from " + std::to_string(fewest_nodes));
   }
   if (max_iterations) {
     request.max_iterations = parse_integer("--max-iterations", *max_iterations);
     if (request.max_iterations < 1)
-      throw UsageError("--max-iterations " + *max_iterations + ": is too few; allowed is an integer from 1");
+      throw option_error("--max-iterations", *max_iterations, "is too few; allowed is an integer from 1");
   }
   if (time_limit) {
     request.time_limit_s = parse_number("--time-limit", *time_limit);
     if (!(request.time_limit_s > 0 && request.time_limit_s <= longest_time_s))
-      throw UsageError("--time-limit " + *time_limit + ": is out of range; allowed is more than 0, up to " +
-                       plain(longest_time_s) + " seconds");
+      throw option_error("--time-limit", *time_limit,
+                         "is out of range; allowed is more than 0, up to " + plain(longest_time_s) + " seconds");
   }
   return request;
 }
 
 const verification::RegisteredSolver& solver_named(const std::string& name) {
   const auto* solver = verification::find_solver(name);
-  if (!solver) throw UsageError("--solver " + name + ": is unknown; allowed is " + verification::solver_names());
+  if (!solver) throw option_error("--solver", name, "is unknown; allowed is " + verification::solver_names());
   return *solver;
 }
 
@@ -132,7 +137,7 @@ Wanted quantities_named(const std::vector<std::string>& names) {
       std::string allowed;
       for (const Quantity known : all_quantities)
         allowed += (allowed.empty() ? "" : ", ") + std::string(to_string(known));
-      throw UsageError("--quantity " + name + ": is unknown; allowed is " + allowed);
+      throw option_error("--quantity", name, "is unknown; allowed is " + allowed);
     }
     wanted.insert(*quantity);
   }
@@ -147,9 +152,31 @@ void require_memory(const verification::RegisteredSolver& solver, const Request&
   if (needed <= available) return;
   int fitting = *request.nodes;
   while (fitting > fewest_nodes && solver.memory_bytes(fitting) > available) fitting /= 2;
-  throw UsageError("--nodes " + std::to_string(*request.nodes) + ": would not fit into memory (" + solver.name +
-                   " needs about " + plain(needed / gigabyte, 2) + " GB, available are " +
-                   plain(available / gigabyte, 2) + " GB); allowed is up to about " + std::to_string(fitting));
+  throw option_error("--nodes", std::to_string(*request.nodes),
+                     "would not fit into memory (" + solver.name + " needs about " + plain(needed / gigabyte, 2) +
+                         " GB, available are " + plain(available / gigabyte, 2) + " GB); allowed is up to about " +
+                         std::to_string(fitting));
+}
+
+void require_distinct(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs) {
+  const auto whole = [](const std::filesystem::path& path) {
+    std::error_code error;
+    const auto absolute = std::filesystem::absolute(path, error);
+    const auto canonical = std::filesystem::weakly_canonical(absolute, error);
+    return error ? absolute.lexically_normal() : canonical;  // a path that cannot be followed cannot be written either
+  };
+  std::vector<NamedFile> taken;
+  for (const NamedFile& input : inputs) taken.push_back({input.name, whole(input.path)});
+  for (const NamedFile& output : outputs) {
+    if (output.path.empty() || output.path == "-") continue;  // nothing, standard output
+    const auto path = whole(output.path);
+    for (const NamedFile& other : taken) {
+      if (other.path == path)
+        throw option_error(output.name, output.path.string(),
+                           "is the same file as " + other.name + "; allowed is a file of its own");
+    }
+    taken.push_back({output.name, path});
+  }
 }
 
 void Progress::show(const std::string& line) {

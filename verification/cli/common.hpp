@@ -3,6 +3,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <stdexcept>
@@ -22,6 +23,9 @@ class UsageError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
+
+/// "OPTION = VALUE: message", the way every refused option is worded.
+[[nodiscard]] UsageError option_error(const std::string& option, const std::string& value, const std::string& message);
 
 /// Runs a subcommand's body when it was chosen. Wrong input (CaseError, UsageError, OutputError, StatementError) ends
 /// in one line on standard error and exit code 2, lack of memory in one and exit code 1.
@@ -45,6 +49,14 @@ struct RequestOptions {
 
 /// Throws UsageError where that many intervals do not fit into memory.
 void require_memory(const verification::RegisteredSolver& solver, const Request& request);
+
+/// One place that a command reads or writes, with how to call it: the option, or "the case".
+struct NamedFile {
+  std::string name;
+  std::filesystem::path path;
+};
+/// Throws UsageError where an output is an input or another output, however the two are spelled. Call before any work.
+void require_distinct(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs);
 
 /// A line on standard error while something runs, on a terminal only; removed at the end.
 class Progress {

@@ -113,6 +113,11 @@ int compare(const CompareOptions& options) {
     if (std::get<verification::ContactCase>(any.body).dry())
       throw case_error(any, "conditions", "is a dry contact, which no solver solves; allowed are lubricated contacts");
   }
+  if (options.json) {
+    std::vector<NamedFile> inputs;
+    for (const Case& one : cases) inputs.push_back({"the case " + one.id, one.file});
+    require_distinct(inputs, {{"--json", *options.json}});
+  }
   JsonTarget json(options.json);
 
   verification::Json list = verification::Json::array();
@@ -154,8 +159,8 @@ int compare(const CompareOptions& options) {
       }
       const Cost& cost = row.run.solution.record.cost;
       cells.push_back(plain(1e3 * cost.wall_s, 3));
-      cells.push_back(plain(cost.work_units, 3));
-      cells.push_back(std::to_string(cost.nodes));
+      cells.push_back(cost.nodes > 0 ? plain(cost.work_units, 3) : "-");
+      cells.push_back(cost.nodes > 0 ? std::to_string(cost.nodes) : "-");
       table.push_back(cells);
 
       verification::Json entry = to_json(row.run);

@@ -2,6 +2,7 @@
 // ehd plan: what would be computed, what is skipped, and why. Nothing is solved.
 #include "verification/plan.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -34,14 +35,12 @@ Examples:
   ehd plan own-moes-20-10 --quantity film.minimum      nothing else is observed
   ehd plan na4908 --law hertz                          a bearing with dry contacts)";
 
-std::vector<verification::BearingLaw> laws_named(const std::vector<std::string>& names,
-                                                 const verification::BearingCase& bearing) {
-  if (names.empty()) return verification::default_laws(bearing);
+std::vector<verification::BearingLaw> laws_named(const std::vector<std::string>& names) {
   std::vector<verification::BearingLaw> laws;
   for (const auto& name : names) {
     const auto law = verification::bearing_law_from(name);
-    if (!law) throw UsageError("--law " + name + ": is unknown; allowed is " + verification::bearing_law_names());
-    laws.push_back(*law);
+    if (!law) throw option_error("--law", name, "is unknown; allowed is " + verification::bearing_law_names());
+    if (std::find(laws.begin(), laws.end(), *law) == laws.end()) laws.push_back(*law);
   }
   return laws;
 }
@@ -51,17 +50,24 @@ int plan(const PlanOptions& options) {
   const Request request = options.request.request();
   const Wanted wanted = quantities_named(options.quantities);
   const Case any = verification::read_case(verification::find_case(options.case_name));
+  if (options.json) require_distinct({{"the case", any.file}}, {{"--json", *options.json}});
+  // What the command itself would refuse has no plan.
   Plan made;
   if (const auto* bearing = std::get_if<verification::BearingCase>(&any.body)) {
     if (options.solver || !options.quantities.empty() || options.request.tolerance || options.request.nodes)
       throw UsageError(
           "plan: --solver, --quantity, --tolerance and --nodes belong to a contact; allowed with a bearing "
           "case is --law");
-    made = plan_bearing(*bearing, laws_named(options.laws, *bearing));
+    const auto named = laws_named(options.laws);
+    const auto laws = named.empty() ? verification::default_laws(*bearing) : named;
+    require_possible(any, {.laws = laws, .explicitly = !named.empty()});
+    made = plan_bearing(*bearing, laws);
   } else {
     if (!options.laws.empty())
       throw UsageError("plan: --law belongs to a bearing; allowed with a contact case is --solver");
-    made = plan_contact(std::get<verification::ContactCase>(any.body), solver, request, wanted);
+    const auto& contact = std::get<verification::ContactCase>(any.body);
+    if (!contact.dry()) require_memory(solver, request);
+    made = plan_contact(contact, solver, request, wanted);
   }
   JsonTarget json(options.json);
   verification::Json object = {{"case", any.id}, {"version", any.version}, {"plan", verification::to_json(made)}};

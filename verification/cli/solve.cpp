@@ -40,30 +40,52 @@ Examples:
 
 Exit code: 0 converged; 1 not converged (the status says how); 2 bad input or usage.)";
 
-/// The contact that the options state. Throws UsageError; `range` is checked by nondimensionalise.
+/// What a law needs beside it, in terms of options; nondimensionalise would speak of a file's keys.
+void require_laws_possible(const SolveOptions& options, const Lubricant& lubricant) {
+  if (lubricant.viscosity == ViscosityLaw::isoviscous)
+    throw option_error("--viscosity", *options.viscosity,
+                       "contradicts --L = " + *options.L + "; allowed is barus or roelands, or --L 0");
+  const bool roelands = lubricant.viscosity == ViscosityLaw::roelands;
+  if (!lubricant.alpha_per_Pa) {
+    constexpr const char* needs =
+        "needs pressures in Pa, which the groups alone leave open; required is --alpha-per-Pa";
+    if (roelands) throw option_error("--viscosity", *options.viscosity, needs);
+    if (lubricant.density != DensityLaw::incompressible) throw option_error("--density", *options.density, needs);
+  }
+  if (roelands && !lubricant.z)
+    throw option_error("--viscosity", *options.viscosity, "needs Roelands' exponent; required is --z");
+}
+
+/// The contact that the options state. Throws UsageError.
 ContactCase contact_from(const SolveOptions& options) {
   ContactCase contact;
-  contact.statement = MoesGroups{.M = parse_number("--M", *options.M), .L = parse_number("--L", *options.L)};
+  const double M = parse_number("--M", *options.M), L = parse_number("--L", *options.L);
+  if (!(M >= smallest_M && M <= largest_M))
+    throw option_error("--M", *options.M, "is out of range; allowed is 1e-3 to 1e6");
+  constexpr double smallest_L = 1e-12;  // below it p_H in Pa leaves the range of numbers
+  if (!(L == 0 || (L >= smallest_L && L <= largest_L)))
+    throw option_error("--L", *options.L, "is out of range; allowed is 0, or 1e-12 to 100");
+  contact.statement = MoesGroups{.M = M, .L = L};
 
   Lubricant lubricant;
   if (options.viscosity) {
     const auto law = viscosity_law_from(*options.viscosity);
     if (!law)
-      throw UsageError("--viscosity " + *options.viscosity + ": is unknown; allowed is isoviscous, barus, roelands");
+      throw option_error("--viscosity", *options.viscosity, "is unknown; allowed is isoviscous, barus, roelands");
     lubricant.viscosity = *law;
   }
   if (options.density) {
     const auto law = density_law_from(*options.density);
     if (!law)
-      throw UsageError("--density " + *options.density +
-                       ": is unknown; allowed is incompressible, dowson-higginson, dowson-higginson-1977");
+      throw option_error("--density", *options.density,
+                         "is unknown; allowed is incompressible, dowson-higginson, dowson-higginson-1977");
     lubricant.density = *law;
   }
   const auto number_within = [](const char* option, const std::string& text, double low, double high) {
     const double value = parse_number(option, text);
     if (!(value >= low && value <= high))
-      throw UsageError(std::string(option) + " " + text + ": is out of range; allowed is " + verification::plain(low) +
-                       " to " + verification::plain(high));
+      throw option_error(
+          option, text, "is out of range; allowed is " + verification::plain(low) + " to " + verification::plain(high));
     return value;
   };
   if (options.alpha) lubricant.alpha_per_Pa = number_within("--alpha-per-Pa", *options.alpha, 1e-15, 1e-3);
@@ -75,26 +97,14 @@ ContactCase contact_from(const SolveOptions& options) {
   if (options.inlet && *options.inlet != "flooded") {
     const double x = parse_number("--inlet", *options.inlet);
     if (!(x < -1 && x >= -1e6))
-      throw UsageError("--inlet " + *options.inlet +
-                       ": does not lie before the contact; allowed is flooded, or X = x/b from -1e6 to less than -1");
+      throw option_error(
+          "--inlet", *options.inlet,
+          "does not lie before the contact; allowed is flooded, or X = x/b from -1e6 to less than -1");
     contact.inlet = TruncatedAt{x};
   }
 
-  try {
-    (void)nondimensionalise(contact.statement, *contact.lubricant, *contact.inlet);
-  } catch (const StatementError& error) {
-    std::string option = error.key();
-    if (option == "M" || option == "L") option = "--" + option + " " + (option == "M" ? *options.M : *options.L);
-    if (option == "lubricant.viscosity") option = "--viscosity";
-    if (option == "lubricant.density") option = "--density";
-    if (option == "lubricant.alpha_per_Pa") option = "--alpha-per-Pa";
-    if (option == "lubricant.z") option = "--z";
-    throw UsageError(option + ": " + error.what());
-  }
-  constexpr double smallest_L = 1e-12;  // below it p_H in Pa leaves the range of numbers
-  const double L = std::get<MoesGroups>(contact.statement).L;
-  if (L > 0 && L < smallest_L)
-    throw UsageError("--L " + *options.L + ": is out of range; allowed is 0, or 1e-12 to 100");
+  if (L > 0) require_laws_possible(options, lubricant);
+  (void)nondimensionalise(contact.statement, *contact.lubricant, *contact.inlet);  // the last word on what is possible
   return contact;
 }
 
@@ -118,8 +128,6 @@ int solve(const SolveOptions& options) {
   const auto& solver = solver_named(options.solver);
   const Request request = options.request.request();
   const Wanted wanted = quantities_named(options.quantities);
-  if (options.json && options.profile && *options.json == *options.profile)
-    throw UsageError("--json and --profile name the same file; allowed are two files");
 
   std::optional<Case> contact_case;
   ContactCase contact;
@@ -136,6 +144,11 @@ int solve(const SolveOptions& options) {
     title = "M = " + *options.M + ", L = " + *options.L;
   }
   if (!contact.dry()) require_memory(solver, request);
+  std::vector<NamedFile> inputs, outputs;
+  if (contact_case) inputs.push_back({"the case", contact_case->file});
+  if (options.json) outputs.push_back({"--json", *options.json});
+  if (options.profile) outputs.push_back({"--profile", *options.profile});
+  require_distinct(inputs, outputs);
   JsonTarget json(options.json);
   std::optional<verification::OutputFile> profile;
   if (options.profile) profile.emplace(*options.profile);
@@ -148,11 +161,13 @@ int solve(const SolveOptions& options) {
                        : run_contact(contact, solver, request, wanted);
   }
   json.write(to_json(run));
-  if (profile && run.status() != StopReason::diverged) profile->commit(profile_csv(run));
+  const bool solution = run.status() != StopReason::diverged && run.solution.fields.X.size() > 0;
+  if (profile && solution) profile->commit(profile_csv(run));
   if (!json.to_standard_output()) print(human_table(run, title, styled_output()));
   if (run.status() == StopReason::converged) return success;
   const std::string& reason = run.solution.record.reason;
-  complain("ehd: " + title + ": " + std::string(to_string(run.status())) + (reason.empty() ? "" : ": " + reason));
+  complain("ehd: " + title + ": " + std::string(to_string(run.status())) + (reason.empty() ? "" : ": " + reason) +
+           (profile && !solution ? "; there is no solution, and no profile is written" : ""));
   return not_met;
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <system_error>
+#include <vector>
 
 #include "verification/cli/commands.hpp"
 #include "verification/cli/common.hpp"
@@ -29,26 +30,57 @@ Examples:
   ehd verify --output out/verify        leaves out/verify/results.json
 
 Rungs: 0 inputs, 1 kernel, 2 operator, 3 elasticity, 4 Reynolds, 5 coupled, 6 solvers, 7 twins, 8 grids, 9 regimes,
-10 published, 11 bearing. Exit code: 0 every claim stands; 1 one fails or is inconclusive; 2 wrong usage.)";
+10 published, 11 bearing. Exit code: 0 every claim stands, or nothing could be
+judged (every row is skipped, with its reason); 1 one fails or is inconclusive; 2 wrong usage.)";
+
+/// A folder with those above it, made where they do not exist. What is still empty at the end goes again, so that a
+/// refused call leaves nothing.
+class OutputFolder {
+ public:
+  explicit OutputFolder(const std::string& name) : path_(name) {
+    std::error_code error;
+    const auto whole = std::filesystem::absolute(path_, error).lexically_normal();
+    for (auto above = whole; !above.empty() && !std::filesystem::exists(above, error); above = above.parent_path())
+      made_.push_back(above);
+    std::filesystem::create_directories(path_, error);
+    if (error) {
+      const std::string why = error.message();
+      remove_empty();
+      throw option_error("--output", name, why + "; allowed is a folder");
+    }
+  }
+  ~OutputFolder() { remove_empty(); }
+  OutputFolder(const OutputFolder&) = delete;
+  OutputFolder& operator=(const OutputFolder&) = delete;
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  void remove_empty() {
+    std::error_code not_empty;
+    for (const auto& folder : made_) std::filesystem::remove(folder, not_empty);  // the deepest first
+    made_.clear();
+  }
+  std::filesystem::path path_;
+  std::vector<std::filesystem::path> made_;
+};
 
 int verify(const VerifyOptions& options) {
   verification::SuiteRequest request;
   if (options.rung) {
     request.rung = parse_integer("--rung", *options.rung);
     if (*request.rung < 0 || *request.rung >= verification::rungs)
-      throw UsageError("--rung " + *options.rung + ": is unknown; allowed is 0 to " +
-                       std::to_string(verification::rungs - 1));
+      throw option_error("--rung", *options.rung,
+                         "is unknown; allowed is 0 to " + std::to_string(verification::rungs - 1));
   }
   request.case_id = options.case_id;
   request.quick = options.quick;
 
   // Opened before the work begins: a folder that cannot be written is bad input, not a lost run.
+  std::optional<OutputFolder> folder;
   std::optional<verification::OutputFile> file;
   if (options.output) {
-    std::error_code error;
-    std::filesystem::create_directories(*options.output, error);
-    if (error) throw UsageError("--output " + *options.output + ": " + error.message() + "; allowed is a folder");
-    file.emplace(std::filesystem::path(*options.output) / "results.json");
+    folder.emplace(*options.output);
+    file.emplace(folder->path() / "results.json");
   }
 
   verification::SuiteResult result;
