@@ -305,11 +305,18 @@ Solution Uniform::solve(const Problem& problem, const Request& request, Workspac
       film->discretisation = std::isfinite(film->discretisation) ? std::max(film->discretisation, least) : least;
     }
     solution.observables = record.grids.back().observed;
+    // H_0 is the film at X = 0 less a deflection of order one.
+    const double film_scale = solution.observables.contains(Quantity::film_central)
+                                  ? solution.observables.at(Quantity::film_central).value
+                                  : lengths.film;
     for (auto& [quantity, reading] : solution.observables) {
       if (quantity == Quantity::load_error || quantity == Quantity::flux_variation) continue;
       double error = budget(quantity).total();
       if (quantity == Quantity::film_minimum) error = record.film_minimum.total();
       if (quantity == Quantity::film_central) error = record.film_central.total();
+      const auto at_least = [&](double floor) { error = std::isfinite(error) ? std::max(error, floor) : floor; };
+      if (least > 0 && quantity == Quantity::film_couette) at_least(least);
+      if (least > 0 && is_absolute(quantity)) at_least(least * (1 + film_scale));
       if (std::isfinite(error)) reading.error = error;
     }
     // A spike is reported with its uncertainty or not at all; nor is a pressure maximum that is the spike.

@@ -49,9 +49,9 @@ bool is_film(Quantity quantity) {
 }
 
 /// Least relative error of a film on a grid with few cells in the inlet zone, whatever differences of grids say; with
-/// more than `safe_inlet_cells` they are enough. Twice what was measured with equal cells: README.md, section 4.
+/// more than `safe_inlet_cells` they are enough. Thrice what was measured with equal cells: README.md, section 4.
 constexpr double safe_inlet_cells = 8;
-double coarse_grid_error(double inlet_cells) { return 0.4 / (inlet_cells * std::max(1.0, inlet_cells)); }
+double coarse_grid_error(double inlet_cells) { return 0.6 / (inlet_cells * std::max(1.0, inlet_cells)); }
 
 /// A spike height less certain than this is not reported: where it grows with the grid, differences that fall do so by
 /// chance.
@@ -236,6 +236,8 @@ Solution Study::report(const std::vector<Level>& levels, bool extrapolate,
       }
       if (film && cells < safe_inlet_cells)
         budget.discretisation = std::max(levels.size() == 1 ? 0 : budget.discretisation, coarse_grid_error(cells));
+      if (is_absolute(quantity) && levels.size() == 1)  // H_0 is the film at X = 0 less a deflection of order one
+        budget.discretisation = coarse_grid_error(cells) * (1 + finest.central_film());
       if (flooded() && !truncation) budget.truncation = std::numeric_limits<double>::infinity();
       if (std::isfinite(budget.total())) reading.error = budget.total();
       if (quantity == Quantity::film_minimum) solution.record.film_minimum = budget;

@@ -162,6 +162,16 @@ BOOST_AUTO_TEST_CASE(a_failure_at_the_heavy_end_is_reported) {
   BOOST_REQUIRE(std::holds_alternative<SolveFailure>(fit));
 }
 
+BOOST_AUTO_TEST_CASE(the_fit_takes_equally_spaced_forces_from_one_end_of_its_range_to_the_other) {
+  SolvedContacts contacts = synthetic::contacts();
+  const auto fit = fit_contacts(contacts, 0.02, 1900, 11400, 6);
+  BOOST_REQUIRE(std::holds_alternative<LinearFit>(fit));
+  const auto& points = std::get<LinearFit>(fit).points;
+  BOOST_REQUIRE_EQUAL(points.size(), 6u);
+  for (std::size_t k = 0; k < points.size(); ++k)
+    EHD_CHECK(error(points[k].force_N, 1900.0 + 1900.0 * static_cast<double>(k)), Tolerance::round_off(8));
+}
+
 BOOST_AUTO_TEST_CASE(a_failure_at_the_light_end_leaves_a_joint_with_its_error) {
   SolvedContacts contacts(synthetic::contact(), [](double load_N_per_m) -> ContactResult {
     const double force_N = load_N_per_m * synthetic::contact().length_m;
