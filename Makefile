@@ -24,7 +24,8 @@ configure: setup
 build: configure  ## Build the program: build/ehd
 	@cmake --build $(BUILD) --parallel $(JOBS) --target ehd_program
 
-verify: build  ## Run the verification suite; results in out/verify/results.json
+verify: build  ## Balance the paper's bearing, run the verification suite; results in out/verify/results.json
+	@$(BUILD)/ehd bearing na4908 na4908-2.5um na4908-10um
 	@$(BUILD)/ehd verify --output out/verify
 
 test: configure  ## Build and run every test
