@@ -21,12 +21,18 @@ Lengths expected_lengths(const Groups& groups) {
   return lengths_from_film(moes_film_formula({.M = groups.M, .L = groups.L}) / moes_film_per_hertz_film(groups.M));
 }
 
+namespace {
+constexpr double martin_exit = 0.4751299200930562;  // X* = tan(g_c) sqrt(2 H_min), the gap being parabolic
+}
+
+double first_exit(Shape shape, double film) {
+  return shape == Shape::hertz ? 1 + 0.45 * std::pow(std::min(1.0, film), 2.0 / 3) : martin_exit * std::sqrt(2 * film);
+}
+
 State first_iterate(const Setting& setting, Shape shape, double film, int n, Convolution& kernel) {
   State state;
-  // Martin's exit: X* = tan(g_c) sqrt(2 H_min), the gap being parabolic.
-  constexpr double martin_exit = 0.4751299200930562;
   const double width = std::sqrt(2 * film);
-  state.exit = shape == Shape::hertz ? 1 + 0.45 * std::pow(std::min(1.0, film), 2.0 / 3) : martin_exit * width;
+  state.exit = first_exit(shape, film);
   const double h = (state.exit - setting.inlet) / n;
   state.P.setZero(n + 1);
   const double flux = 1 + martin_exit * martin_exit;  // gap at the exit over the smallest, where dP/dX = 0

@@ -17,6 +17,10 @@ struct Lengths {
 [[nodiscard]] Lengths expected_lengths(const Groups& groups);
 
 enum class Shape { hertz, martin };
+/// The likelier of the two for a film: Martin's where it is thicker than half b^2/R.
+[[nodiscard]] inline Shape likely_shape(double film) { return film > 0.5 ? Shape::martin : Shape::hertz; }
+/// X* of the first iterate.
+[[nodiscard]] double first_exit(Shape shape, double film);
 
 /// Hertz's pressure, or the pressure of a rigid cylinder (Martin) of film `film`, its size scaled to the load: P on
 /// n + 1 nodes, X*, and H_0 such that the film at X = 0 is `film`.

@@ -128,7 +128,7 @@ bool continuation(Run& run, int n, double tolerance, NewtonResult& result) {
     State trial;
     if (reached < 0) {
       const Lengths mild = expected_lengths(run.setting.groups);
-      trial = first_iterate(run.setting, mild.film > 0.5 ? Shape::martin : Shape::hertz, mild.film, n,
+      trial = first_iterate(run.setting, likely_shape(mild.film), mild.film, n,
                             run.workspace.kernels.of(n));
     } else {
       trial = state;
@@ -152,8 +152,7 @@ bool continuation(Run& run, int n, double tolerance, NewtonResult& result) {
 /// A solution on n intervals from nothing.
 bool start(Run& run, int n, double tolerance, NewtonResult& result) {
   const double film = run.lengths.film;
-  const Shape likely = film > 0.5 ? Shape::martin : Shape::hertz;
-  const Shape other = film > 0.5 ? Shape::hertz : Shape::martin;
+  const Shape likely = likely_shape(film), other = likely == Shape::hertz ? Shape::martin : Shape::hertz;
   const std::pair<Shape, double> attempts[] = {{likely, 1.0}, {likely, 2.0}, {likely, 0.5}, {likely, 4.0},
                                                {other, 1.0},  {other, 2.0}};
   for (const auto& [shape, factor] : attempts) {
@@ -232,8 +231,7 @@ Solution Uniform::solve(const Problem& problem, const Request& request, Workspac
   // The first grid: the coarsest that sees the inlet zone and, for a given number of intervals, halves down from it.
   const double tolerance = request.tolerance.value_or(0);
   int n = request.nodes.value_or(first_nodes);
-  const double exit = first_iterate(run.setting, lengths.film > 0.5 ? Shape::martin : Shape::hertz, lengths.film, 16,
-                                    workspace.kernels.of(16)).exit;
+  const double exit = first_exit(likely_shape(lengths.film), lengths.film);
   if (request.nodes) {
     while (n % 2 == 0 && n / 2 >= 32 && run.cells(n / 2, exit) >= fewest_inlet_cells) n /= 2;
   } else {
