@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/hp/mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace ehd::reference::hp {
+
+int Mesh::intervals() const { return std::accumulate(degrees.begin(), degrees.end(), 0); }
+
+Mesh seeded_mesh(const Seed& seed) {
+  // Sizes wanted at X: geometric about -l and about the exit, never above half a length inside the contact.
+  const auto wanted = [&](double X) {
+    const double finest = seed.inlet_zone / 2;
+    const double grade = (seed.growth - 1) / seed.growth;
+    const double about_inlet = finest + grade * std::abs(X + seed.length);
+    const double about_exit = finest + grade * std::abs(X - seed.length);
+    const double widest = 0.5 * std::max(seed.length, std::abs(X));
+    return std::min({about_inlet, about_exit, std::max(widest, finest)});
+  };
+  Mesh mesh;
+  mesh.inlet = seed.inlet;
+  std::vector<double>& b = mesh.breakpoints;
+  // From the exit to the inlet; each element as wide as wanted at its far end or so.
+  double X = seed.exit;
+  b.push_back(0);
+  double width = wanted(X) * (1 - seed.shift / 2);
+  for (;;) {
+    width = std::min(width, 1.5 * wanted(X - width / 2));
+    const double left = X - seed.inlet;
+    if (width >= 0.75 * left) break;
+    X -= width;
+    b.push_back(X - seed.exit);
+    width = wanted(X);
+  }
+  b.push_back(seed.inlet - seed.exit);
+  std::reverse(b.begin(), b.end());
+  mesh.degrees.assign(b.size() - 1, seed.degree);
+  return mesh;
+}
+
+Mesh adapted(const Mesh& mesh, const std::vector<double>& excess, const std::function<bool(int)>& mergeable,
+             double shortest, double cut) {
+  Mesh out;
+  out.inlet = mesh.inlet;
+  out.breakpoints.push_back(mesh.breakpoints.front());
+  const int elements = mesh.elements();
+  for (int e = 0; e < elements; ++e) {
+    const auto at = static_cast<std::size_t>(e);
+    const double left = mesh.breakpoints[at], right = mesh.breakpoints[at + 1];
+    const int degree = mesh.degrees[at];
+    if (excess[at] > 1 && right - left > 2 * shortest) {
+      out.breakpoints.push_back(left + cut * (right - left));
+      out.degrees.push_back(degree);
+    } else if (e + 1 < elements && excess[at] <= 1 && excess[at + 1] <= 1 && mergeable(e)) {
+      out.breakpoints.push_back(mesh.breakpoints[at + 2]);
+      out.degrees.push_back(degree);
+      ++e;
+      continue;
+    }
+    out.breakpoints.push_back(right);
+    out.degrees.push_back(degree);
+  }
+  return out;
+}
+
+Mesh with_degree(Mesh mesh, int degree) {
+  std::fill(mesh.degrees.begin(), mesh.degrees.end(), degree);
+  return mesh;
+}
+
+}  // namespace ehd::reference::hp

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Elements between inlet and exit. Their breakpoints are fixed in xi = T (X - X*)/(X* - X_a), -T <= xi <= 0, and move
+// with the exit X*; T is the length that the domain had when the mesh was made, so that the stretching
+// s = (X* - X_a)/T is near 1.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+namespace ehd::reference::hp {
+
+struct Mesh {
+  double inlet = 0;                 ///< X_a
+  std::vector<double> breakpoints;  ///< xi, increasing; the last is 0
+  std::vector<int> degrees;         ///< one an element
+  [[nodiscard]] int elements() const { return static_cast<int>(degrees.size()); }
+  [[nodiscard]] double extent() const { return -breakpoints.front(); }  ///< T
+  /// Intervals between nodes, and collocation points: the sum of the degrees.
+  [[nodiscard]] int intervals() const;
+};
+
+/// Elements of ratio 2 about -l and about the exit, where they begin with `inlet_zone` / 2, and further out to the
+/// inlet. `growth` sets the ratio, `shift` in [0, 1) moves all breakpoints by that part of an element: independent
+/// meshes for one problem.
+struct Seed {
+  double inlet = 0;
+  double exit = 1;
+  double length = 1;      ///< l, where the inlet zone stands
+  double inlet_zone = 0;  ///< its width
+  int degree = 8;
+  double growth = 2;
+  double shift = 0;
+};
+[[nodiscard]] Mesh seeded_mesh(const Seed& seed);
+
+/// What is wrong with each element, in units of what is allowed, and how well two neighbours would do as one.
+struct Judgement {
+  std::vector<double> excess;  ///< > 1: to be split
+};
+
+/// Elements with excess > 1 are cut at `cut` of their length (two thirds of it in two steps where the excess is huge);
+/// neighbours for which mergeable(e) holds, e and e + 1, become one, at most one merge an element. Elements shorter
+/// than `shortest` are left alone.
+[[nodiscard]] Mesh adapted(const Mesh& mesh, const std::vector<double>& excess, const std::function<bool(int)>& mergeable,
+                           double shortest, double cut = 0.5);
+
+/// All degrees set to `degree`.
+[[nodiscard]] Mesh with_degree(Mesh mesh, int degree);
+
+}  // namespace ehd::reference::hp

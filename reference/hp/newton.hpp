@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Newton's method on the collocation equations of one mesh, and where it starts.
+#pragma once
+
+#include <chrono>
+
+#include "reference/hp/collocation.hpp"
+
+namespace ehd::reference::hp {
+
+/// What is left of the caller's limits, and what was spent.
+struct Meter {
+  int iterations_left = 0;
+  std::chrono::steady_clock::time_point end;
+  int iterations = 0;
+  long kernel_products = 0;         ///< film evaluations and Jacobians
+  double point_products = 0;        ///< the same, times their intervals
+  long viscosity_points = 0, density_points = 0;
+  [[nodiscard]] bool spent() const { return iterations_left <= 0 || std::chrono::steady_clock::now() >= end; }
+};
+
+struct NewtonLimits {
+  int iterations = 25;
+  double step = 1e-10;  ///< relative change of flux, offset and exit at which it ends
+};
+
+struct NewtonRun {
+  bool solved = false;
+  State<double> state;
+  Evaluation<double> at;
+  int iterations = 0;
+  double residual = 0;         ///< largest, each in units of its scale
+  double iteration_error = 0;  ///< relative, of the flux: what a further step would still move
+};
+
+/// Steps with the exact Jacobian, halved where the film would close or the residual explode.
+[[nodiscard]] NewtonRun newton(const Collocation<double>& equations, const State<double>& start, double floor,
+                               const NewtonLimits& limits, Meter& meter);
+
+/// Hertz' pressure rounded off at the ends over `inlet_zone`, with the offset that makes the film at X = 0 `film`.
+[[nodiscard]] State<double> hertz_start(const Collocation<double>& equations, double exit, double film);
+/// Pressure of the rigid parabolic gap film + X^2/2, scaled to the load: light loads.
+[[nodiscard]] State<double> martin_start(const Collocation<double>& equations, double exit, double film, double lambda);
+/// The state on another mesh of the same domain, by the polynomials of its elements.
+[[nodiscard]] State<double> transferred(const Collocation<double>& from, const State<double>& state,
+                                        const Collocation<double>& to);
+
+}  // namespace ehd::reference::hp
