@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "contact/legendre.hpp"
+
 namespace ehd {
 
 namespace {
@@ -66,8 +68,86 @@ Point minimum_between_nodes(const Array& x, const Array& y, Index i) {
   return quartic;
 }
 
-/// The spike: the last local maximum of P that has a local minimum and another local maximum before it.
-std::optional<Point> spike(const Array& X, const Array& P) {
+/// One polynomial of a field.
+class Element {
+ public:
+  Element(const Fields& fields, std::size_t k)
+      : first_(fields.elements[k]),
+        degree_(static_cast<int>(fields.elements[k + 1] - first_)),
+        left_(fields.X[first_]),
+        half_((fields.X[first_ + degree_] - left_) / 2),
+        nodes_(lobatto_nodes<double>(degree_)),
+        to_legendre_(lobatto_to_legendre(degree_, nodes_)) {}
+
+  [[nodiscard]] VectorOf<double> coefficients(const Array& y) const {
+    return to_legendre_ * y.segment(first_, degree_ + 1).matrix();
+  }
+  [[nodiscard]] double value(const VectorOf<double>& coefficients, double t) const {
+    return coefficients.dot(legendre(degree_, t));
+  }
+  /// t of a place; no better than X's own digits.
+  [[nodiscard]] double local(double X) const { return (X - left_) / half_ - 1; }
+  [[nodiscard]] double place(double t) const { return left_ + half_ * (1 + t); }
+  /// Int f dy, f and y given at the nodes: the Lobatto rule is exact for a polynomial f of the same degree.
+  [[nodiscard]] double integral_over(const Array& f, const Array& y) const {
+    const VectorOf<double> a = coefficients(y), weights = lobatto_weights(degree_, nodes_);
+    double sum = 0;
+    for (int j = 0; j <= degree_; ++j)
+      sum += weights[j] * f[first_ + j] * a.dot(legendre_derivatives(degree_, static_cast<double>(nodes_[j])));
+    return sum;
+  }
+  [[nodiscard]] double integral(const Array& y) const {
+    return half_ * lobatto_weights(degree_, nodes_).dot(y.segment(first_, degree_ + 1).matrix());
+  }
+  /// The smallest value next to node i of the field: golden section between its neighbours in the element.
+  [[nodiscard]] Point minimum(const Array& y, Eigen::Index i) const {
+    const int j = static_cast<int>(i - first_);
+    const VectorOf<double> a = coefficients(y);
+    const double golden = (std::sqrt(5.0) - 1) / 2;
+    double low = nodes_[std::max(j - 1, 0)], high = nodes_[std::min(j + 1, degree_)];
+    for (int step = 0; step < 60; ++step) {
+      const double c = high - golden * (high - low), d = low + golden * (high - low);
+      if (value(a, c) < value(a, d))
+        high = d;
+      else
+        low = c;
+    }
+    const double t = (low + high) / 2;
+    return {place(t), value(a, t)};
+  }
+
+ private:
+  Eigen::Index first_;
+  int degree_;
+  double left_, half_;
+  VectorOf<double> nodes_;
+  MatrixOf<double> to_legendre_;
+};
+
+/// The element that holds node i; where two do, the left one.
+std::size_t element_of(const Fields& fields, Eigen::Index i) {
+  const auto at = std::lower_bound(fields.elements.begin() + 1, fields.elements.end() - 1, i);
+  return static_cast<std::size_t>(at - fields.elements.begin()) - 1;
+}
+
+/// Minimum of the piecewise polynomial y next to its smallest node i.
+Point minimum_of_elements(const Fields& fields, const Array& y, Eigen::Index i) {
+  const std::size_t k = element_of(fields, i);
+  Point lowest = Element(fields, k).minimum(y, i);
+  if (i == fields.elements[k + 1] && k + 2 < fields.elements.size()) {
+    const Point right = Element(fields, k + 1).minimum(y, i);
+    if (right.y < lowest.y) lowest = right;
+  }
+  return lowest;
+}
+
+Point maximum_of_elements(const Fields& fields, const Array& y, Eigen::Index i) {
+  const Point lowest = minimum_of_elements(fields, -y, i);
+  return {lowest.x, -lowest.y};
+}
+
+/// The spike: the last local maximum of P that has a local minimum and another local maximum before it; the node.
+std::optional<Index> spike(const Array& X, const Array& P) {
   std::optional<Index> last, before;
   for (Index i = 1; i + 1 < P.size(); ++i) {
     if (P[i] > P[i - 1] && P[i] >= P[i + 1]) {
@@ -79,7 +159,7 @@ std::optional<Point> spike(const Array& X, const Array& P) {
   const double valley = P.segment(*before, *last - *before).minCoeff();
   constexpr double round_off_ripple = 1e-9;  // relative; a spike of this height is rounding on any grid here
   if (P[*last] - valley <= round_off_ripple * P[*last]) return std::nullopt;
-  return vertex(X, P, *last);
+  return last;
 }
 
 }  // namespace
@@ -96,42 +176,57 @@ double interpolate(const Array& nodes, const Array& values, double x) {
 
 Observables observe(const Fields& fields, const Wanted& wanted) {
   Observables seen;
-  const auto& [X, P, H, density, log_viscosity, flux, offset, load_beyond, work_beyond] = fields;
+  const Array &X = fields.X, &P = fields.P, &H = fields.H, &density = fields.density, &flux = fields.flux;
   const Index last = X.size() - 1;
+  const bool polynomial = !fields.elements.empty();
+  const std::size_t elements = polynomial ? fields.elements.size() - 1 : 0;
   const auto want = [&](Quantity quantity) { return wanted.contains(quantity); };
 
   if (want(Quantity::film_minimum)) {
     Index i = 0;
     H.minCoeff(&i);
-    const Point at = minimum_between_nodes(X, H, i);
+    const Point at = polynomial ? minimum_of_elements(fields, H, i) : minimum_between_nodes(X, H, i);
     seen[Quantity::film_minimum] = {.value = at.y, .place = at.x};
   }
   if (want(Quantity::film_central) && X[0] <= 0 && X[last] >= 0) {
     const Index right = std::lower_bound(X.begin(), X.end(), 0.0) - X.begin();
+    if (polynomial) {
+      const Element element(fields, element_of(fields, right));
+      seen[Quantity::film_central] = {.value = element.value(element.coefficients(H), element.local(0)), .place = 0.0};
+    } else {
     const Window w = window(right - 3, 6, X.size());
     seen[Quantity::film_central] = {
         .value = interpolate(X.segment(w.first, w.count), H.segment(w.first, w.count), 0.0), .place = 0.0};
+    }
   }
   if (want(Quantity::film_couette)) seen[Quantity::film_couette] = {.value = density[last] * H[last]};
-  if (want(Quantity::film_offset)) seen[Quantity::film_offset] = {.value = offset};
-  if (want(Quantity::approach)) seen[Quantity::approach] = {.value = -offset};
+  if (want(Quantity::film_offset)) seen[Quantity::film_offset] = {.value = fields.offset};
+  if (want(Quantity::approach)) seen[Quantity::approach] = {.value = -fields.offset};
   if (want(Quantity::pressure_exit)) seen[Quantity::pressure_exit] = {.value = X[last], .place = X[last]};
   if (want(Quantity::pressure_maximum)) {
     Index i = 0;
     P.maxCoeff(&i);
-    const Point at = i > 0 && i < last ? vertex(X, P, i) : Point{X[i], P[i]};
+    const Point at = polynomial           ? maximum_of_elements(fields, P, i)
+                     : i > 0 && i < last ? vertex(X, P, i)
+                                         : Point{X[i], P[i]};
     seen[Quantity::pressure_maximum] = {.value = at.y, .place = at.x};
   }
   if (want(Quantity::pressure_spike)) {
-    if (const auto at = spike(X, P)) seen[Quantity::pressure_spike] = {.value = at->y, .place = at->x};
+    if (const auto i = spike(X, P)) {
+      const Point at = polynomial ? maximum_of_elements(fields, P, *i) : vertex(X, P, *i);
+      seen[Quantity::pressure_spike] = {.value = at.y, .place = at.x};
+    }
   }
   if (want(Quantity::rolling_force)) {
-    const double twice = work_beyond + ((H.head(last) + H.tail(last)) * (P.tail(last) - P.head(last))).sum() / 2;
+    double twice = fields.work_beyond_inlet;
+    for (std::size_t k = 0; k < elements; ++k) twice += Element(fields, k).integral_over(H, P);
+    if (!polynomial) twice += ((H.head(last) + H.tail(last)) * (P.tail(last) - P.head(last))).sum() / 2;
     seen[Quantity::rolling_force] = {.value = std::abs(twice) / 2};
   }
   if (want(Quantity::load_error)) {
-    const double load =
-        load_beyond + ((P.head(last) + P.tail(last)) * (X.tail(last) - X.head(last))).sum() / 2;
+    double load = fields.load_beyond_inlet;
+    for (std::size_t k = 0; k < elements; ++k) load += Element(fields, k).integral(P);
+    if (!polynomial) load += ((P.head(last) + P.tail(last)) * (X.tail(last) - X.head(last))).sum() / 2;
     seen[Quantity::load_error] = {.value = std::abs(2 * load / std::numbers::pi - 1)};
   }
   if (want(Quantity::flux_variation)) {

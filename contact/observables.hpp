@@ -15,6 +15,7 @@ namespace ehd {
 /// - film.couette: flux at the exit, rho H there
 /// - rolling.force: |Int H dP/dX dX|/2 by the trapezoid rule in P
 /// - load_error: |2/pi Int P dX - 1| by the trapezoid rule, with the tail
+/// Where the fields are made of polynomial elements, extrema, values and integrals are those of the polynomials.
 /// - flux_variation: max |q - q_exit|/|q_exit| over the faces
 [[nodiscard]] Observables observe(const Fields& fields, const Wanted& wanted);
 

@@ -20,6 +20,9 @@ struct Fields {
   Array log_viscosity;  ///< ln(eta/eta_0) at the nodes
   Array flux;           ///< rho H - rho H^3/(eta lambda) dP/dX on the n faces, as the scheme computes it
   double offset = 0;    ///< H_0
+  /// Where polynomial elements begin, and where the last one ends: nodes elements[k] … elements[k+1] are the
+  /// Gauss-Lobatto nodes of one polynomial. Empty for second-order schemes.
+  std::vector<Eigen::Index> elements = {};
   double load_beyond_inlet = 0;  ///< Int P dX from -infinity to X_0 (an asymptotic tail), 0 without
   double work_beyond_inlet = 0;  ///< Int H dP/dX dX from -infinity to X_0, likewise
 };

@@ -63,6 +63,12 @@ struct Evaluation {
   Scalar tail_pressure{0}, tail_load{0};     ///< of what lies before the inlet
 };
 
+/// The deflection at X that the pressure 4 lambda/(3 |X'|^3) before the inlet, X' < -x, causes, and its derivative:
+///   -(1/pi) Int_x^inf 4 lambda/(3 y^3) ln(y + X) dy = -2 lambda/(3 pi x^2) B(X/x),
+///   B(v) = ln x + 1/v + (1 - 1/v^2) ln(1 + v) = ln x + 1/2 + 2v/3 - v^2/4 + …
+template <class Scalar>
+[[nodiscard]] std::pair<Scalar, Scalar> tail_deflection(const Scalar& lambda, const Scalar& x, const Scalar& X);
+
 template <class Scalar>
 class Collocation {
  public:

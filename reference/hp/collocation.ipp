@@ -9,6 +9,32 @@
 namespace ehd::reference::hp {
 
 template <class Scalar>
+std::pair<Scalar, Scalar> tail_deflection(const Scalar& lambda, const Scalar& x, const Scalar& X) {
+  using std::abs;
+  using std::log;
+  using std::log1p;
+  const Scalar v = X / x, one(1), two(2);
+  Scalar B = log(x), slope(0);
+  if (abs(v) < Scalar(0.1)) {
+    B += one / two;
+    Scalar power(1);  // (-v)^(j-1)
+    for (int j = 1; j < 40; ++j, power *= -v) {
+      const Scalar coefficient = one / Scalar(j) - one / Scalar(j + 2);
+      B += coefficient * power * v;
+      slope += Scalar(j) * coefficient * power;
+    }
+  } else {
+    const Scalar room = one + v;
+    const Scalar log_room = room > Scalar(0) ? Scalar(log1p(v)) : Scalar(0);  // its factor vanishes at v = -1
+    B += one / v + (one - one / (v * v)) * log_room;
+    slope = -one / (v * v) + two * log_room / (v * v * v) +
+            (v - one) / (v * v);  // (1 - 1/v^2)/(1 + v) = (v - 1)/v^2
+  }
+  const Scalar factor = -two * lambda / (Scalar(3) * boost::math::constants::pi<Scalar>() * x * x);
+  return {factor * B, factor * slope / x};
+}
+
+template <class Scalar>
 Collocation<Scalar>::Collocation(const Problem& problem, Mesh mesh, Points points, const Sources<Scalar>* sources)
     : problem_(problem),
       mesh_(std::move(mesh)),
@@ -88,6 +114,7 @@ ArrayOf<Scalar> Collocation<Scalar>::film(const State<Scalar>& state, const std:
   for (Eigen::Index i = 0; i < H.size(); ++i) {
     const Scalar X = state.exit + s * xi(places[static_cast<std::size_t>(i)]);
     H[i] = state.offset + X * X / Scalar(2) - s / pi * (log_integral[i] + log_s * load);
+    if (flooded_) H[i] += tail_deflection(lambda_, Scalar(-Scalar(mesh_.inlet)), X).first;
     if (sources_ && sources_->film) H[i] += sources_->film(X).first;
   }
   return H;
@@ -150,6 +177,11 @@ Evaluation<Scalar> Collocation<Scalar>::evaluate(const State<Scalar>& state, con
     at.H[i] = state.offset + X * X / two - s / pi * (log_integral[i] + log_s * at.load_integral);
     at.film_by_exit[i] =
         X * X_by_exit - (log_integral[i] + (log_s + one) * at.load_integral) / (pi * extent_);
+    if (flooded_) {
+      const auto [value, slope] = tail_deflection(lambda_, Scalar(-Scalar(mesh_.inlet)), X);
+      at.H[i] += value;
+      at.film_by_exit[i] += slope * X_by_exit;
+    }
     if (sources_ && sources_->film) {
       const auto [value, slope] = sources_->film(X);
       at.H[i] += value;

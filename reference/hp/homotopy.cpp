@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 
 namespace ehd::reference::hp {
 
@@ -46,19 +47,26 @@ std::vector<double> excess_of(const Collocation<double>& equations, const Newton
   return excess;
 }
 
-std::optional<Resolved> resolved_at(const Problem& problem, const Resolved& from, double floor,
-                                    const Resolution& resolution, const NewtonLimits& newton_limits,
-                                    const HomotopyLimits& limits, Meter& meter) {
+std::optional<Resolved> resolved(const Problem& problem, const Resolved& from, const Resolution& resolution,
+                                 const HomotopyLimits& limits, Meter& meter) {
   static const bool trace = std::getenv("HP_TRACE");
+  const double floor = from.floor;
   constexpr int most_passes = 40;
   auto equations = from.equations;
   State<double> start = from.run.state;
-  double last_excess = 1e300;
+  std::optional<Resolved> unmerged;  // the last state before neighbours were merged
+  bool may_merge = true;
   for (int pass = 0; pass < most_passes; ++pass) {
-    NewtonRun run = newton(*equations, start, floor, newton_limits, meter);
+    NewtonRun run = newton(*equations, start, floor, limits.newton, meter);
     if (!run.solved) {
       if (trace) std::printf("   floor %.2e pass %d n %d newton failed, its %d res %.2e\n", floor, pass, equations->intervals(), run.iterations, run.residual);
-      return std::nullopt;
+      if (!unmerged) return std::nullopt;
+      // The merged mesh is too coarse for Newton's method: back to the one before, where only splits follow.
+      may_merge = false;
+      equations = unmerged->equations;
+      start = unmerged->run.state;
+      unmerged.reset();
+      continue;
     }
     const auto excess = excess_of(*equations, run, problem, resolution);
     const double worst = *std::max_element(excess.begin(), excess.end());
@@ -69,7 +77,7 @@ std::optional<Resolved> resolved_at(const Problem& problem, const Resolved& from
       const auto at = static_cast<std::size_t>(e);
       const double left = mesh.breakpoints[at], middle = mesh.breakpoints[at + 1], right = mesh.breakpoints[at + 2];
       const double ratio = (middle - left) / (right - middle);
-      if (pass > 1 || ratio > 4.5 || ratio < 1 / 4.5) return false;  // later a merge could undo a split, for ever
+      if (!may_merge || pass > 1 || ratio > 4.5 || ratio < 1 / 4.5) return false;  // later a merge could undo a split, for ever
       if (excess[at] > 0.05 || excess[at + 1] > 0.05) return false;
       const auto& shape = equations->reference(e);
       if (shape.degree != mesh.degrees[at + 1]) return false;
@@ -88,14 +96,60 @@ std::optional<Resolved> resolved_at(const Problem& problem, const Resolved& from
     Mesh next = adapted(mesh, excess, mergeable, limits.shortest_element);
     const bool same = next.breakpoints == mesh.breakpoints;
     const bool enough = worst <= 1 || same || next.intervals() > limits.largest_intervals;
-    last_excess = worst;
     if (enough) return Resolved{.equations = equations, .run = std::move(run), .floor = floor, .excess = worst};
     auto fresh = std::make_shared<const Collocation<double>>(problem, std::move(next), equations->points());
+    if (pass <= 1 && may_merge)
+      unmerged = Resolved{.equations = equations, .run = run, .floor = floor, .excess = worst};
+    else
+      unmerged.reset();
     start = transferred(*equations, run.state, *fresh);
     equations = std::move(fresh);
   }
-  (void)last_excess;
   return std::nullopt;
+}
+
+std::vector<Resolved> descent(const Problem& problem, const Resolved& top, const Resolution& resolution,
+                              const HomotopyLimits& limits, Meter& meter) {
+  constexpr double lowest = 1e-18;        // below it a floor is less than the rounding of 1/eta anywhere that matters
+  constexpr double first_factor = 10, largest_factor = 1e6, smallest_factor = 1.2;
+  std::vector<Resolved> floors{top};
+  double factor = first_factor;
+  while (floors.back().floor > 0 && !meter.spent()) {
+    Resolved next = floors.back();
+    next.floor = next.floor / factor < lowest ? 0 : next.floor / factor;
+    if (auto solved = resolved(problem, next, resolution, limits, meter)) {
+      floors.push_back(std::move(*solved));
+      factor = std::min(10 * factor, largest_factor);
+      continue;
+    }
+    factor = std::sqrt(factor);
+    if (factor < smallest_factor || floor_gap(floors) < limits.settled) break;
+  }
+  return floors;
+}
+
+std::optional<std::size_t> floor_before(const std::vector<Resolved>& floors) {
+  constexpr double apart = 3;
+  for (std::size_t i = floors.size(); i-- > 0;)
+    if (floors[i].floor >= apart * floors.back().floor) return i;
+  return std::nullopt;
+}
+
+double floor_gap(const std::vector<Resolved>& floors) {
+  const Resolved& last = floors.back();
+  if (last.floor == 0) return 0;
+  const auto i = floor_before(floors);
+  if (!i) return std::numeric_limits<double>::infinity();
+  const Resolved& before = floors[*i];
+  return std::abs(last.run.state.flux / before.run.state.flux - 1) * last.floor / (before.floor - last.floor);
+}
+
+Resolved moved_to(const Problem& problem, const Resolved& from, Mesh mesh, Points points) {
+  Resolved to{.equations = std::make_shared<const Collocation<double>>(problem, std::move(mesh), points),
+              .run = {},
+              .floor = from.floor};
+  to.run.state = transferred(*from.equations, from.run.state, *to.equations);
+  return to;
 }
 
 }  // namespace ehd::reference::hp

@@ -26,18 +26,34 @@ struct Resolved {
 };
 
 struct HomotopyLimits {
-  int largest_intervals = 3000;
-  double shortest_element = 4e-15;
+  int largest_intervals = 4000;
+  double shortest_element = 4e-15;  ///< in xi: below it, coordinates have no digits left
+  /// Films that would still move by less than this, relative, are settled: the first failure then ends the descent.
+  double settled = 1e-4;
+  NewtonLimits newton = {};
 };
 
 /// How far each element is from what is allowed: > 1 is to be split.
 [[nodiscard]] std::vector<double> excess_of(const Collocation<double>& equations, const NewtonRun& run,
                                             const Problem& problem, const Resolution& resolution);
 
-/// Solves at `floor` from `from` (its mesh, its state), adapting the mesh until it resolves; empty where Newton's method
-/// or the adaption gives up.
-[[nodiscard]] std::optional<Resolved> resolved_at(const Problem& problem, const Resolved& from, double floor,
-                                                  const Resolution& resolution, const NewtonLimits& newton_limits,
-                                                  const HomotopyLimits& limits, Meter& meter);
+/// Solves at from.floor on the mesh of `from`, starting from its state, and adapts the mesh until it resolves; empty
+/// where Newton's method gives up.
+[[nodiscard]] std::optional<Resolved> resolved(const Problem& problem, const Resolved& from,
+                                               const Resolution& resolution, const HomotopyLimits& limits, Meter& meter);
+
+/// Lowers the floor to 0 as far as it goes: every floor at which a solution was resolved, the first being `top`.
+[[nodiscard]] std::vector<Resolved> descent(const Problem& problem, const Resolved& top, const Resolution& resolution,
+                                            const HomotopyLimits& limits, Meter& meter);
+
+/// The floor from which, with the last one, values are carried on to 0, as they are linear in a small floor: the lowest
+/// of those at least thrice the last, so that the noise of a mesh is not amplified. Empty without one.
+[[nodiscard]] std::optional<std::size_t> floor_before(const std::vector<Resolved>& floors);
+/// How much the flux would still move, relative, if the floor went from where the descent ended to 0. 0 where it did;
+/// infinite where floor_before is empty.
+[[nodiscard]] double floor_gap(const std::vector<Resolved>& floors);
+
+/// The state on another mesh (and with other collocation points), not yet solved there.
+[[nodiscard]] Resolved moved_to(const Problem& problem, const Resolved& from, Mesh mesh, Points points);
 
 }  // namespace ehd::reference::hp

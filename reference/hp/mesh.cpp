@@ -25,7 +25,7 @@ Mesh seeded_mesh(const Seed& seed) {
   // From the exit to the inlet; each element as wide as wanted at its far end or so.
   double X = seed.exit;
   b.push_back(0);
-  double width = wanted(X) * (1 - seed.shift / 2);
+  double width = wanted(X);
   for (;;) {
     width = std::min(width, 1.5 * wanted(X - width / 2));
     const double left = X - seed.inlet;
@@ -67,6 +67,25 @@ Mesh adapted(const Mesh& mesh, const std::vector<double>& excess, const std::fun
 
 Mesh with_degree(Mesh mesh, int degree) {
   std::fill(mesh.degrees.begin(), mesh.degrees.end(), degree);
+  return mesh;
+}
+
+Mesh shifted(Mesh mesh, double part) {
+  auto& b = mesh.breakpoints;
+  for (std::size_t e = 1; e + 1 < b.size(); ++e) b[e] += part * (b[e + 1] - b[e]);
+  return mesh;
+}
+
+Mesh cut_at(Mesh mesh, double inlet, double exit) {
+  const double stretching = (exit - mesh.inlet) / mesh.extent();
+  const double first = (inlet - exit) / stretching;
+  auto& b = mesh.breakpoints;
+  std::size_t drop = 0;  // the element that holds the new inlet stays, unless little of it would
+  while (drop + 2 < b.size() && b[drop + 1] - first < 0.1 * (b[drop + 1] - b[drop])) ++drop;
+  b.erase(b.begin(), b.begin() + static_cast<std::ptrdiff_t>(drop));
+  mesh.degrees.erase(mesh.degrees.begin(), mesh.degrees.begin() + static_cast<std::ptrdiff_t>(drop));
+  b.front() = first;
+  mesh.inlet = inlet;
   return mesh;
 }
 

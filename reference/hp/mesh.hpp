@@ -20,8 +20,7 @@ struct Mesh {
 };
 
 /// Elements of ratio 2 about -l and about the exit, where they begin with `inlet_zone` / 2, and further out to the
-/// inlet. `growth` sets the ratio, `shift` in [0, 1) moves all breakpoints by that part of an element: independent
-/// meshes for one problem.
+/// inlet; neighbours differ by the ratio `growth` at most.
 struct Seed {
   double inlet = 0;
   double exit = 1;
@@ -29,16 +28,10 @@ struct Seed {
   double inlet_zone = 0;  ///< its width
   int degree = 8;
   double growth = 2;
-  double shift = 0;
 };
 [[nodiscard]] Mesh seeded_mesh(const Seed& seed);
 
-/// What is wrong with each element, in units of what is allowed, and how well two neighbours would do as one.
-struct Judgement {
-  std::vector<double> excess;  ///< > 1: to be split
-};
-
-/// Elements with excess > 1 are cut at `cut` of their length (two thirds of it in two steps where the excess is huge);
+/// Elements with excess > 1 are cut at `cut` of their length;
 /// neighbours for which mergeable(e) holds, e and e + 1, become one, at most one merge an element. Elements shorter
 /// than `shortest` are left alone.
 [[nodiscard]] Mesh adapted(const Mesh& mesh, const std::vector<double>& excess, const std::function<bool(int)>& mergeable,
@@ -46,5 +39,9 @@ struct Judgement {
 
 /// All degrees set to `degree`.
 [[nodiscard]] Mesh with_degree(Mesh mesh, int degree);
+/// Every inner breakpoint moved by `part` of the element on its right: nearly the same sizes, no common breakpoint.
+[[nodiscard]] Mesh shifted(Mesh mesh, double part);
+/// Without what lies before X = `inlet`; `exit` is X*, so that the stretching stays as it is.
+[[nodiscard]] Mesh cut_at(Mesh mesh, double inlet, double exit);
 
 }  // namespace ehd::reference::hp

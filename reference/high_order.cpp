@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/high_order.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <string>
+
+#include "contact/film_formulas.hpp"
+#include "contact/observables.hpp"
+#include "contact/scaling.hpp"
+#include "reference/hp/homotopy.hpp"
+
+namespace ehd::reference {
+
+namespace {
+
+using namespace hp;
+using Clock = std::chrono::steady_clock;
+
+/// A discretisation: its points, its degree, and where it stands against the first one.
+struct Scheme {
+  Points points = Points::left_radau;
+  int degree = 12;
+  double shift = 0;       ///< of the breakpoints, in elements
+  double inlet_part = 1;  ///< of a flooded domain's X_a
+};
+
+/// Calibrated in README.md, section 7: tolerances from here on need the high degree.
+constexpr double fine_tolerance = 2e-5;
+constexpr Scheme coarse_scheme{.degree = 8};
+constexpr Scheme fine_scheme{.degree = 12};
+/// The second discretisation against the first: higher degree, no common breakpoint, half the inlet. (Gauss points in
+/// place of left Radau were tried: where the fluidity vanishes their odd-even mode makes meshes five times finer.)
+Scheme second_to(const Scheme& scheme) {
+  return {.points = Points::left_radau, .degree = scheme.degree + 3, .shift = 0.37, .inlet_part = 0.5};
+}
+
+/// X_a of a flooded domain in units of l, with the tail before it; README.md, section 6.
+constexpr double flooded_inlet = -800;
+
+/// A discretisation at the end of its descent.
+struct Discretised {
+  std::vector<Resolved> floors;
+  Fields fields;
+  Observables seen;             ///< carried on to floor 0 where the descent ended before
+  std::map<Quantity, double> floor_gaps;  ///< what that moved
+  [[nodiscard]] const Resolved& last() const { return floors.back(); }
+};
+
+class Solve {
+ public:
+  Solve(const Problem& problem, const Request& request)
+      : problem_(problem), request_(request), wanted_(problem.wanted) {
+    wanted_.insert({Quantity::film_minimum, Quantity::film_central});
+    meter_.iterations_left = request.max_iterations * 10;  // of meshes with a hundred nodes, most of them
+    meter_.end = begin_ + std::chrono::duration_cast<Clock::duration>(
+                              std::chrono::duration<double>(std::min(request.time_limit_s, 1e8)));
+    film_ = moes_film_formula({problem.groups.M, problem.groups.L}) / moes_film_per_hertz_film(problem.groups.M);
+    length_ = std::max(1.0, std::sqrt(2 * film_));
+    inlet_zone_ = length_ * std::pow(std::min(film_, 1.0), 2.0 / 3);
+    const auto* truncated = std::get_if<TruncatedAt>(&problem.inlet);
+    flooded_ = !truncated;
+    inlet_ = truncated ? truncated->x : flooded_inlet * length_;
+  }
+
+  /// A coarse solution at a floor where Newton's method finds one.
+  [[nodiscard]] std::optional<Resolved> start() {
+    const double exit = std::max(1 + 0.45 * inlet_zone_ / length_, 0.5 * std::sqrt(2 * film_));
+    const Mesh mesh = seeded_mesh({.inlet = inlet_, .exit = exit, .length = length_, .inlet_zone = inlet_zone_});
+    const auto equations = std::make_shared<const Collocation<double>>(problem_, mesh, Points::left_radau);
+    HomotopyLimits limits{.newton = {.iterations = 40, .step = 1e-4}};
+    for (const double floor : {1e-2, 1e-1, 1.0}) {
+      for (const double factor : {1.0, 2.0, 0.5, 4.0}) {
+        for (const bool rigid : {film_ > 0.5, film_ <= 0.5}) {
+          Resolved guess{.equations = equations, .run = {}, .floor = floor};
+          guess.run.state = rigid ? martin_start(*equations, exit, factor * film_)
+                                  : hertz_start(*equations, exit, factor * film_);
+          if (auto solved = resolved(problem_, guess, Resolution{}, limits, meter_)) return solved;
+        }
+        if (meter_.spent()) return std::nullopt;
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// The descent of the coarse mesh: a state at every floor.
+  [[nodiscard]] std::vector<Resolved> coarse_descent(const Resolved& top, double tolerance) {
+    return descent(problem_, top, Resolution{},
+                   {.settled = 0.2 * tolerance, .newton = {.iterations = 25, .step = 1e-4}}, meter_);
+  }
+
+  /// The scheme at one floor, its first mesh made from the one that was used there.
+  [[nodiscard]] std::optional<Resolved> on_mesh_of(const Resolved& from, const Scheme& scheme,
+                                                   const Resolution& resolution, const HomotopyLimits& limits) {
+    Mesh mesh = with_degree(from.equations->mesh(), scheme.degree);
+    if (scheme.shift > 0) mesh = shifted(std::move(mesh), scheme.shift);
+    if (flooded_ && scheme.inlet_part < 1)
+      mesh = cut_at(std::move(mesh), scheme.inlet_part * inlet_, from.run.state.exit);
+    return resolved(problem_, moved_to(problem_, from, std::move(mesh), scheme.points), resolution, limits, meter_);
+  }
+
+  /// From the lowest of `floors` at which a mesh of the scheme finds a solution that `resolution` asks for, down.
+  [[nodiscard]] std::optional<Discretised> discretised(const std::vector<Resolved>& floors, const Scheme& scheme,
+                                                       const Resolution& resolution, double tolerance) {
+    const HomotopyLimits limits{.settled = 0.2 * tolerance, .newton = {.iterations = 20, .step = 1e-9}};
+    for (auto from = floors.rbegin(); from != floors.rend() && !meter_.spent(); ++from) {
+      const auto top = on_mesh_of(*from, scheme, resolution, limits);
+      if (!top) continue;
+      Discretised done{.floors = descent(problem_, *top, resolution, limits, meter_)};
+      done.fields = fields_of(done.last());
+      done.seen = observe(done.fields, wanted_);
+      if (done.last().floor > 0 && !floor_before(done.floors)) {
+        // Nothing to carry on to floor 0 from: one more floor, further up.
+        for (auto above = from; above != floors.rend() && !floor_before(done.floors); ++above) {
+          if (above->floor < 3 * done.last().floor) continue;
+          if (auto solved = on_mesh_of(*above, scheme, resolution, limits))
+            done.floors.insert(done.floors.begin(), std::move(*solved));
+        }
+      }
+      carry_to_zero(done);
+      return done;
+    }
+    return std::nullopt;
+  }
+
+  [[nodiscard]] Fields fields_of(const Resolved& resolved) const {
+    const auto& equations = *resolved.equations;
+    const auto& state = resolved.run.state;
+    const auto places = equations.node_places();
+    Fields fields;
+    fields.X.resize(static_cast<Eigen::Index>(places.size()));
+    const double stretching = equations.stretching(state.exit);
+    for (Eigen::Index i = 0; i < fields.X.size(); ++i)
+      fields.X[i] = state.exit + stretching * equations.xi(places[static_cast<std::size_t>(i)]);
+    fields.P = state.P.array();
+    fields.H = equations.film(state, places, equations.kernel_rows(places));
+    fields.density = evaluate(problem_.density, fields.P).value;
+    fields.log_viscosity = evaluate(problem_.viscosity, fields.P).value;
+    fields.flux = state.flux - resolved.run.at.balance.head(equations.intervals());
+    fields.offset = state.offset;
+    for (int e = 0; e < equations.mesh().elements(); ++e) fields.elements.push_back(equations.first_node(e));
+    fields.elements.push_back(equations.intervals());
+    if (flooded_) {
+      const double x = -equations.mesh().inlet, A = fields.H[0] - x * x / 2;
+      fields.load_beyond_inlet = resolved.run.at.tail_load;
+      // Int H P' dX with P' = lambda (H - C)/H^3, H = X^2/2 + A.
+      fields.work_beyond_inlet = problem_.groups.lambda * (2 / x - 4 * (A + state.flux) / (3 * x * x * x));
+    }
+    return fields;
+  }
+
+  /// Values are linear in a small floor.
+  void carry_to_zero(Discretised& done) const {
+    const auto i = floor_before(done.floors);
+    if (done.last().floor == 0 || !i) return;
+    const Resolved& before = done.floors[*i];
+    const double factor = done.last().floor / (before.floor - done.last().floor);
+    const Observables there = observe(fields_of(before), wanted_);
+    for (auto& [quantity, reading] : done.seen) {
+      if (is_diagnostic(quantity) || !there.contains(quantity)) continue;
+      const double move = factor * (reading.value - there.at(quantity).value);
+      done.floor_gaps[quantity] = std::abs(move);
+      if (!is_peak(quantity)) reading.value += move;
+    }
+  }
+
+  /// Two discretisations of one problem, the first reported with its difference from the second.
+  [[nodiscard]] Solution report(const Discretised& first, const Discretised& second) const {
+    Solution solution;
+    solution.fields = first.fields;
+    auto& record = solution.record;
+    record.status = StopReason::converged;
+    const double film = first.last().run.state.flux;
+    const double rounding = rounding_of(film);
+    for (auto [quantity, reading] : first.seen) {
+      if (is_diagnostic(quantity)) {
+        if (problem_.wanted.contains(quantity)) solution.observables[quantity] = reading;
+        continue;
+      }
+      if (!second.seen.contains(quantity)) continue;
+      const bool absolute = quantity == Quantity::film_offset || quantity == Quantity::approach;
+      const double size = absolute ? 1 : std::abs(reading.value);
+      ErrorBudget budget;
+      budget.discretisation = discretisation_safety * std::abs(reading.value - second.seen.at(quantity).value) / size;
+      budget.iteration = first.last().run.iteration_error + rounding;
+      if (absolute) budget.iteration *= film;
+      if (first.last().floor > 0)
+        budget.discretisation +=
+            first.floor_gaps.contains(quantity) ? floor_safety * first.floor_gaps.at(quantity) / size : 1;
+      if (is_peak(quantity) && reading.place.value_or(0) > 0 && !(budget.total() <= vaguest_peak && first.last().floor == 0)) {
+        if (quantity == Quantity::pressure_spike || first.seen.contains(Quantity::pressure_spike)) {
+          if (problem_.wanted.contains(quantity))
+            record.notes.push_back(std::string(to_string(quantity)) + " is left out: the spike is not resolved");
+          continue;
+        }
+      }
+      reading.error = budget.total();
+      if (quantity == Quantity::film_minimum) record.film_minimum = budget;
+      if (quantity == Quantity::film_central) record.film_central = budget;
+      if (problem_.wanted.contains(quantity)) solution.observables[quantity] = reading;
+    }
+    if (first.last().floor > 0)
+      record.notes.push_back("the fluidity has a floor of " + text(first.last().floor) +
+                             "; what is left of it is part of the errors");
+    return solution;
+  }
+
+  /// What rounding does to films: H is a difference of terms of size 1 + X^2/2.
+  [[nodiscard]] double rounding_of(double film) const {
+    return 10 * std::numeric_limits<double>::epsilon() * (1 + length_ * length_ / 2) / film;
+  }
+
+  void record_grid(const Discretised& of) {
+    GridRecord grid;
+    grid.nodes = of.last().equations->intervals();
+    grid.newton_iterations = of.last().run.iterations;
+    grid.residual = of.last().run.residual;
+    grid.observed = of.seen;
+    grid.inlet_cells = inlet_cells(of.fields, of.last().run.state.flux);
+    grids_.push_back(std::move(grid));
+  }
+
+  [[nodiscard]] Solution finished(Solution solution, StopReason status, std::string reason) const {
+    solution.record.status = status;
+    solution.record.reason = std::move(reason);
+    solution.record.grids = grids_;
+    Cost& cost = solution.record.cost;
+    cost.wall_s = std::chrono::duration<double>(Clock::now() - begin_).count();
+    cost.nodes = grids_.empty() ? 0 : grids_.front().nodes;
+    cost.newton_iterations = meter_.iterations;
+    cost.convolutions = meter_.kernel_products;
+    cost.work_units = cost.nodes > 0 ? meter_.point_products / cost.nodes : 0;
+    cost.levels = static_cast<int>(grids_.size());
+    cost.viscosity_points = is_trivial(problem_.viscosity) ? 0 : meter_.viscosity_points;
+    cost.density_points = is_trivial(problem_.density) ? 0 : meter_.density_points;
+    return solution;
+  }
+
+  [[nodiscard]] bool out_of_limits() const { return meter_.spent(); }
+  [[nodiscard]] double expected_film() const { return film_; }
+  void forget_grids() { grids_.clear(); }
+
+ private:
+  /// Linear to 0.5 % at (20, 10), Barus, from floors of 4e-8 and 1.6e-8: README.md, section 4.
+  static constexpr double discretisation_safety = 3, floor_safety = 0.2, vaguest_peak = 0.05;
+
+  [[nodiscard]] static bool is_diagnostic(Quantity quantity) {
+    return quantity == Quantity::load_error || quantity == Quantity::flux_variation;
+  }
+  [[nodiscard]] static bool is_peak(Quantity quantity) {
+    return quantity == Quantity::pressure_spike || quantity == Quantity::pressure_maximum;
+  }
+
+  [[nodiscard]] static std::string text(double value) {
+    char buffer[32];
+    std::snprintf(buffer, sizeof buffer, "%.1e", value);
+    return buffer;
+  }
+
+  [[nodiscard]] static double inlet_cells(const Fields& fields, double film) {
+    const double l = std::max(1.0, std::sqrt(2 * film)), zone = l * std::pow(std::min(film, 1.0), 2.0 / 3);
+    const Eigen::Index right = std::lower_bound(fields.X.begin(), fields.X.end(), -l) - fields.X.begin();
+    const Eigen::Index i = std::clamp<Eigen::Index>(right, 1, fields.X.size() - 1);
+    return zone / (fields.X[i] - fields.X[i - 1]);
+  }
+
+  const Problem& problem_;
+  const Request& request_;
+  Wanted wanted_;
+  Clock::time_point begin_ = Clock::now();
+  Meter meter_;
+  double film_, length_, inlet_zone_, inlet_;
+  bool flooded_;
+  std::vector<GridRecord> grids_;
+};
+
+}  // namespace
+
+Solution HighOrder::solve(const Problem& problem, const Request& request) const {
+  Solve solve(problem, request);
+  const double tolerance = request.tolerance.value_or(1e-10);
+
+  const auto top = solve.start();
+  const auto limits = [&] { return solve.finished({}, StopReason::limit_reached, "iterations or time ended first"); };
+  if (!top)
+    return solve.out_of_limits() ? limits()
+                                 : solve.finished({}, StopReason::diverged, "no film was found even at a fluidity floor of 1");
+  const auto coarse = solve.coarse_descent(*top, tolerance);
+
+  const Scheme scheme = tolerance >= fine_tolerance ? coarse_scheme : fine_scheme;
+  Resolution resolution{.film = tolerance, .spike = 1e-3, .defect = 1e-2};
+  Solution solution;
+  double last_error = std::numeric_limits<double>::infinity();
+  for (int refinement = 0; refinement < 3; ++refinement, resolution.film *= 0.02) {
+    const auto first = solve.discretised(coarse, scheme, resolution, tolerance);
+    if (!first) break;
+    const auto second = solve.discretised(first->floors, second_to(scheme), resolution, tolerance);
+    if (!second) break;
+    solve.forget_grids();
+    solve.record_grid(*first);
+    solve.record_grid(*second);
+    solution = solve.report(*first, *second);
+    const double error = std::max(solution.record.film_minimum.total(), solution.record.film_central.total());
+    if (error <= tolerance) return solve.finished(std::move(solution), StopReason::converged, "");
+    if (error > 0.5 * last_error) break;  // finer meshes are no cure
+    last_error = error;
+  }
+  if (solve.out_of_limits()) return limits();
+  if (solution.observables.empty())
+    return solve.finished(std::move(solution), StopReason::diverged, "no mesh resolves the solution");
+  return solve.finished(std::move(solution), StopReason::tolerance_not_met,
+                        "the two discretisations differ by more than the tolerance");
+}
+
+}  // namespace ehd::reference
