@@ -14,7 +14,7 @@ namespace ehd::reference {
 class Graded {
  public:
   static constexpr SolverDescription description{
-      .name = "reference",
+      .name = "reference.linear",
       .method = "Dense full Newton on a graded grid fitted to the solution, Richardson extrapolation",
       .cite = "this project, reference/README.md",
       .formal_order = 2,

@@ -8,6 +8,7 @@
 
 #include "fast/uniform.hpp"
 #include "reference/graded.hpp"
+#include "reference/high_order.hpp"
 #include "reference/uniform.hpp"
 
 namespace ehd::verification {
@@ -16,6 +17,8 @@ namespace {
 
 /// Kernel, Jacobian, its factors and one product: four dense N x N matrices of doubles.
 double dense_memory(double N) { return 4 * 8 * N * N; }
+/// Kernel, Jacobian and its factors of the second discretisation, which has half as many intervals again.
+double certified_memory(double N) { return 4 * 8 * 2.25 * N * N; }
 /// Some hundred vectors of doubles on the finest grid, all levels, stages and Krylov directions together.
 double vector_memory(double N) { return 200 * 8 * N; }
 
@@ -32,6 +35,7 @@ RegisteredSolver entry(bool uses_fft, double (*memory_bytes)(double), std::strin
 
 const std::vector<RegisteredSolver>& solvers() {
   static const std::vector<RegisteredSolver> list{
+      entry<reference::HighOrder>(false, certified_memory),
       entry<reference::Graded>(false, dense_memory),
       entry<reference::Uniform>(false, dense_memory),
       entry<fast::Uniform>(true, vector_memory, "fast"),
