@@ -38,6 +38,11 @@ Scheme second_to(const Scheme& scheme) {
   return {.points = Points::left_radau, .degree = scheme.degree + 3, .shift = 0.37, .inlet_part = 0.5};
 }
 
+/// Fewer intervals than this in the inlet zone cannot see it.
+constexpr double fewest_inlet_cells = 1.5;
+/// Of the solution that lays out a given number of intervals.
+constexpr double layout_tolerance = 1e-6;
+
 /// X_a of a flooded domain in units of l, with the tail before it; README.md, section 6.
 constexpr double flooded_inlet = -800;
 
@@ -102,6 +107,31 @@ class Solve {
     return resolved(problem_, moved_to(problem_, from, std::move(mesh), scheme.points), resolution, limits, meter_);
   }
 
+  /// Newton's method on a mesh that stays as it is.
+  [[nodiscard]] std::optional<Resolved> as_it_is(const Resolved& start, const HomotopyLimits& limits) {
+    Resolved done = start;
+    done.run = newton(*start.equations, start.run.state, start.floor, limits.newton, meter_);
+    if (!done.run.solved) return std::nullopt;
+    return done;
+  }
+
+  /// What can be read off the last floor; a spike that is wanted, and is there, is resolved first.
+  [[nodiscard]] Discretised observed(std::vector<Resolved> floors, Resolution resolution, const HomotopyLimits& limits) {
+    Discretised done{.floors = std::move(floors)};
+    done.fields = fields_of(done.last());
+    done.seen = observe(done.fields, wanted_);
+    constexpr double finest_spike = 1e-8;
+    if (done.last().floor == 0 && done.seen.contains(Quantity::pressure_spike) && resolution.film <= fine_tolerance) {
+      resolution.spike = finest_spike;
+      if (auto solved = resolved(problem_, done.last(), resolution, limits, meter_)) {
+        done.floors.back() = std::move(*solved);
+        done.fields = fields_of(done.last());
+        done.seen = observe(done.fields, wanted_);
+      }
+    }
+    return done;
+  }
+
   /// From the lowest of `floors` at which a mesh of the scheme finds a solution that `resolution` asks for, down.
   [[nodiscard]] std::optional<Discretised> discretised(const std::vector<Resolved>& floors, const Scheme& scheme,
                                                        const Resolution& resolution, double tolerance) {
@@ -109,9 +139,7 @@ class Solve {
     for (auto from = floors.rbegin(); from != floors.rend() && !meter_.spent(); ++from) {
       const auto top = on_mesh_of(*from, scheme, resolution, limits);
       if (!top) continue;
-      Discretised done{.floors = descent(problem_, *top, resolution, limits, meter_)};
-      done.fields = fields_of(done.last());
-      done.seen = observe(done.fields, wanted_);
+      Discretised done = observed(descent(problem_, *top, resolution, limits, meter_), resolution, limits);
       if (done.last().floor > 0 && !floor_before(done.floors)) {
         // Nothing to carry on to floor 0 from: one more floor, further up.
         for (auto above = from; above != floors.rend() && !floor_before(done.floors); ++above) {
@@ -124,6 +152,37 @@ class Solve {
       return done;
     }
     return std::nullopt;
+  }
+
+  /// Just `intervals` intervals, laid out by the solution that the first discretisation left at its floors.
+  /// Where that few find none, by the smoother ones of the coarse descent.
+  [[nodiscard]] std::optional<Discretised> laid_out(const Discretised& guide, const std::vector<Resolved>& coarse,
+                                                    int intervals) {
+    std::vector<Resolved> floors = coarse;
+    floors.insert(floors.end(), guide.floors.begin(), guide.floors.end());
+    // Few intervals do better with low degrees, as many elements can then follow the solution.
+    const int degree = intervals >= 400 ? 12 : intervals >= 160 ? 8 : intervals >= 80 ? 6 : 4;
+    const HomotopyLimits limits{.newton = {.iterations = 30, .step = 1e-9}};
+    for (auto from = floors.rbegin(); from != floors.rend() && !meter_.spent(); ++from) {
+      const auto excess = excess_of(*from->equations, from->run, problem_, Resolution{.film = 1e-8, .spike = 1e-3});
+      Mesh mesh = with_intervals(
+          with_elements(from->equations->mesh(), excess, intervals / degree, limits.shortest_element), intervals);
+      Resolved start = moved_to(problem_, *from, std::move(mesh), Points::left_radau);
+      start.floor = 0;
+      if (auto solved = as_it_is(start, limits)) return observed({std::move(*solved)}, {}, limits);
+    }
+    return std::nullopt;
+  }
+
+  /// The same elements once more for a second opinion: shifted, of higher degree, half the inlet.
+  [[nodiscard]] std::optional<Discretised> second_opinion(const Discretised& first) {
+    const HomotopyLimits limits{.newton = {.iterations = 30, .step = 1e-9}};
+    Mesh mesh = shifted(first.last().equations->mesh(), 0.37);
+    for (int& degree : mesh.degrees) degree = (3 * degree + 1) / 2;
+    if (flooded_) mesh = cut_at(std::move(mesh), 0.5 * inlet_, first.last().run.state.exit);
+    auto solved = as_it_is(moved_to(problem_, first.last(), std::move(mesh), Points::left_radau), limits);
+    if (!solved) return std::nullopt;
+    return observed({std::move(*solved)}, {}, limits);
   }
 
   [[nodiscard]] Fields fields_of(const Resolved& resolved) const {
@@ -167,8 +226,10 @@ class Solve {
     }
   }
 
-  /// Two discretisations of one problem, the first reported with its difference from the second.
-  [[nodiscard]] Solution report(const Discretised& first, const Discretised& second) const {
+  /// Two discretisations of one problem, the first reported with its difference from the second. Where it has fewer
+  /// intervals than a guide, its difference from that counts too.
+  [[nodiscard]] Solution report(const Discretised& first, const Discretised& second, const Discretised* guide) const {
+    const bool guided = guide && guide->last().equations->intervals() > first.last().equations->intervals();
     Solution solution;
     solution.fields = first.fields;
     auto& record = solution.record;
@@ -185,6 +246,9 @@ class Solve {
       const double size = absolute ? 1 : std::abs(reading.value);
       ErrorBudget budget;
       budget.discretisation = discretisation_safety * std::abs(reading.value - second.seen.at(quantity).value) / size;
+      if (guided && guide->seen.contains(quantity))
+        budget.discretisation = std::max(
+            budget.discretisation, guide_safety * std::abs(reading.value - guide->seen.at(quantity).value) / size);
       budget.iteration = first.last().run.iteration_error + rounding;
       if (absolute) budget.iteration *= film;
       if (first.last().floor > 0)
@@ -241,11 +305,12 @@ class Solve {
 
   [[nodiscard]] bool out_of_limits() const { return meter_.spent(); }
   [[nodiscard]] double expected_film() const { return film_; }
+  [[nodiscard]] bool sees_inlet() const { return grids_.front().inlet_cells >= fewest_inlet_cells; }
   void forget_grids() { grids_.clear(); }
 
  private:
   /// Linear to 0.5 % at (20, 10), Barus, from floors of 4e-8 and 1.6e-8: README.md, section 4.
-  static constexpr double discretisation_safety = 3, floor_safety = 0.2, vaguest_peak = 0.05;
+  static constexpr double discretisation_safety = 3, floor_safety = 0.2, guide_safety = 1.5, vaguest_peak = 0.05;
 
   [[nodiscard]] static bool is_diagnostic(Quantity quantity) {
     return quantity == Quantity::load_error || quantity == Quantity::flux_variation;
@@ -281,38 +346,64 @@ class Solve {
 
 Solution HighOrder::solve(const Problem& problem, const Request& request) const {
   Solve solve(problem, request);
-  const double tolerance = request.tolerance.value_or(1e-10);
+  if (request.nodes && *request.nodes > largest_nodes)
+    return solve.finished({}, StopReason::limit_reached,
+                          std::to_string(*request.nodes) + " intervals do not fit into memory; at most " +
+                              std::to_string(largest_nodes));
+  const double tolerance = request.tolerance.value_or(layout_tolerance);
+  const auto ended = [&](Solution solution, StopReason status, const std::string& reason) {
+    if (solve.out_of_limits())
+      return solve.finished(std::move(solution), StopReason::limit_reached, "iterations or time ended first");
+    return solve.finished(std::move(solution), status, reason);
+  };
 
+  // 1. A solution where the fluidity cannot fall below 1e-2 of its ambient value, and from there down to the physics.
   const auto top = solve.start();
-  const auto limits = [&] { return solve.finished({}, StopReason::limit_reached, "iterations or time ended first"); };
-  if (!top)
-    return solve.out_of_limits() ? limits()
-                                 : solve.finished({}, StopReason::diverged, "no film was found even at a fluidity floor of 1");
-  const auto coarse = solve.coarse_descent(*top, tolerance);
+  if (!top) return ended({}, StopReason::diverged, "no film was found even at a fluidity floor of 1");
+  const auto floors = solve.coarse_descent(*top, tolerance);
 
+  // 2. The intervals that were asked for.
+  if (request.nodes) {
+    const auto guide = solve.discretised(floors, coarse_scheme, {.film = tolerance, .spike = 1e-3, .defect = 1e-2}, tolerance);
+    if (!guide) return ended({}, StopReason::diverged, "no mesh resolves the solution");
+    const auto first = solve.laid_out(*guide, floors, *request.nodes);
+    if (!first)
+      return ended({}, StopReason::under_resolved,
+                   "no positive film solves the equations of " + std::to_string(*request.nodes) + " intervals");
+    const auto second = solve.second_opinion(*first);
+    solve.record_grid(*first);
+    if (second) solve.record_grid(*second);
+    Solution solution = solve.report(*first, second ? *second : *guide, &*guide);
+    if (solve.sees_inlet()) return ended(std::move(solution), StopReason::converged, "");
+    return ended(std::move(solution), StopReason::under_resolved, "the inlet zone is narrower than two intervals");
+  }
+
+  // 3. Two discretisations that resolve below the tolerance; finer ones where they differ by more.
   const Scheme scheme = tolerance >= fine_tolerance ? coarse_scheme : fine_scheme;
   Resolution resolution{.film = tolerance, .spike = 1e-3, .defect = 1e-2};
   Solution solution;
   double last_error = std::numeric_limits<double>::infinity();
   for (int refinement = 0; refinement < 3; ++refinement, resolution.film *= 0.02) {
-    const auto first = solve.discretised(coarse, scheme, resolution, tolerance);
+    const auto first = solve.discretised(floors, scheme, resolution, tolerance);
     if (!first) break;
     const auto second = solve.discretised(first->floors, second_to(scheme), resolution, tolerance);
     if (!second) break;
-    solve.forget_grids();
-    solve.record_grid(*first);
-    solve.record_grid(*second);
-    solution = solve.report(*first, *second);
-    const double error = std::max(solution.record.film_minimum.total(), solution.record.film_central.total());
+    Solution refined = solve.report(*first, *second, nullptr);
+    const double error = std::max(refined.record.film_minimum.total(), refined.record.film_central.total());
+    const bool better = error < last_error;
+    if (better) {
+      solution = std::move(refined);
+      solve.forget_grids();
+      solve.record_grid(*first);
+      solve.record_grid(*second);
+    }
     if (error <= tolerance) return solve.finished(std::move(solution), StopReason::converged, "");
     if (error > 0.5 * last_error) break;  // finer meshes are no cure
     last_error = error;
   }
-  if (solve.out_of_limits()) return limits();
-  if (solution.observables.empty())
-    return solve.finished(std::move(solution), StopReason::diverged, "no mesh resolves the solution");
-  return solve.finished(std::move(solution), StopReason::tolerance_not_met,
-                        "the two discretisations differ by more than the tolerance");
+  if (solution.observables.empty()) return ended({}, StopReason::diverged, "no mesh resolves the solution");
+  return ended(std::move(solution), StopReason::tolerance_not_met,
+               "the two discretisations differ by more than the tolerance");
 }
 
 }  // namespace ehd::reference

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace ehd::reference::hp {
@@ -63,6 +64,46 @@ Mesh adapted(const Mesh& mesh, const std::vector<double>& excess, const std::fun
     out.degrees.push_back(degree);
   }
   return out;
+}
+
+Mesh with_elements(const Mesh& mesh, std::vector<double> excess, int elements, double shortest) {
+  Mesh out = mesh;
+  auto& b = out.breakpoints;
+  auto& degrees = out.degrees;
+  while (out.elements() > std::max(elements, 1)) {
+    std::size_t best = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t e = 0; e + 1 < degrees.size(); ++e) {
+      // Joined, two elements of the excess a and b are worse than either, the more so the more unlike their lengths.
+      const double joined = std::max(excess[e] * std::pow((b[e + 2] - b[e]) / (b[e + 1] - b[e]), degrees[e]),
+                                     excess[e + 1] * std::pow((b[e + 2] - b[e]) / (b[e + 2] - b[e + 1]), degrees[e]));
+      if (joined < least) least = joined, best = e;
+    }
+    const auto at = static_cast<std::ptrdiff_t>(best);
+    excess[best] = least;
+    b.erase(b.begin() + at + 1);
+    degrees.erase(degrees.begin() + at + 1);
+    excess.erase(excess.begin() + at + 1);
+  }
+  while (out.elements() < elements) {
+    std::size_t worst = degrees.size();
+    for (std::size_t e = 0; e < degrees.size(); ++e)
+      if (b[e + 1] - b[e] > 2 * shortest && (worst == degrees.size() || excess[e] > excess[worst])) worst = e;
+    if (worst == degrees.size()) break;
+    const auto at = static_cast<std::ptrdiff_t>(worst);
+    excess[worst] = std::ldexp(excess[worst], -degrees[worst]);
+    excess.insert(excess.begin() + at, double(excess[worst]));
+    b.insert(b.begin() + at + 1, (b[worst] + b[worst + 1]) / 2);
+    degrees.insert(degrees.begin() + at, int(degrees[worst]));
+  }
+  return out;
+}
+
+Mesh with_intervals(Mesh mesh, int intervals) {
+  const int elements = mesh.elements();
+  for (int e = 0; e < elements; ++e)
+    mesh.degrees[static_cast<std::size_t>(e)] = intervals / elements + (e < intervals % elements ? 1 : 0);
+  return mesh;
 }
 
 Mesh with_degree(Mesh mesh, int degree) {

@@ -37,6 +37,11 @@ struct Seed {
 [[nodiscard]] Mesh adapted(const Mesh& mesh, const std::vector<double>& excess, const std::function<bool(int)>& mergeable,
                            double shortest, double cut = 0.5);
 
+/// The same mesh with just `elements` elements: those with the largest excess are cut in two, or neighbours with the
+/// smallest are joined. A cut is taken to lower an excess by 2^degree.
+[[nodiscard]] Mesh with_elements(const Mesh& mesh, std::vector<double> excess, int elements, double shortest);
+/// Degrees of the elements, from the inlet on, such that they sum up to `intervals`.
+[[nodiscard]] Mesh with_intervals(Mesh mesh, int intervals);
 /// All degrees set to `degree`.
 [[nodiscard]] Mesh with_degree(Mesh mesh, int degree);
 /// Every inner breakpoint moved by `part` of the element on its right: nearly the same sizes, no common breakpoint.
