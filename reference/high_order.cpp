@@ -117,7 +117,8 @@ class Solve {
 
   /// What can be read off the last floor; a spike that is wanted, and is there, is resolved first.
   [[nodiscard]] Discretised observed(std::vector<Resolved> floors, Resolution resolution, const HomotopyLimits& limits) {
-    Discretised done{.floors = std::move(floors)};
+    Discretised done;
+    done.floors = std::move(floors);
     done.fields = fields_of(done.last());
     done.seen = observe(done.fields, wanted_);
     constexpr double finest_spike = 1e-8;
