@@ -380,14 +380,20 @@ Solution HighOrder::solve(const Problem& problem, const Request& request) const 
   }
 
   // 3. Two discretisations that resolve below the tolerance; finer ones where they differ by more.
-  const Scheme scheme = tolerance >= fine_tolerance ? coarse_scheme : fine_scheme;
-  Resolution resolution{.film = tolerance, .spike = 1e-3, .defect = 1e-2};
   Solution solution;
   double last_error = std::numeric_limits<double>::infinity();
-  for (int refinement = 0; refinement < 3; ++refinement, resolution.film *= 0.02) {
-    const auto first = solve.discretised(floors, scheme, resolution, tolerance);
+  double working = tolerance;  // what floors and meshes are judged by
+  std::vector<Resolved> descended = floors;
+  for (int refinement = 0; refinement < 3; ++refinement) {
+    if (refinement > 0) {
+      working *= 0.01;
+      descended = solve.coarse_descent(*top, working);
+    }
+    const Scheme scheme = working >= fine_tolerance ? coarse_scheme : fine_scheme;
+    const Resolution resolution{.film = working, .spike = 1e-3, .defect = 1e-2};
+    const auto first = solve.discretised(descended, scheme, resolution, working);
     if (!first) break;
-    const auto second = solve.discretised(first->floors, second_to(scheme), resolution, tolerance);
+    const auto second = solve.discretised(first->floors, second_to(scheme), resolution, working);
     if (!second) break;
     Solution refined = solve.report(*first, *second, nullptr);
     const double error = std::max(refined.record.film_minimum.total(), refined.record.film_central.total());
@@ -399,7 +405,7 @@ Solution HighOrder::solve(const Problem& problem, const Request& request) const 
       solve.record_grid(*second);
     }
     if (error <= tolerance) return solve.finished(std::move(solution), StopReason::converged, "");
-    if (error > 0.5 * last_error) break;  // finer meshes are no cure
+    if (error > 0.7 * last_error) break;  // finer meshes are no cure
     last_error = error;
   }
   if (solution.observables.empty()) return ended({}, StopReason::diverged, "no mesh resolves the solution");
