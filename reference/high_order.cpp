@@ -58,7 +58,7 @@ struct Discretised {
 class Solve {
  public:
   Solve(const Problem& problem, const Request& request)
-      : problem_(problem), request_(request), wanted_(problem.wanted) {
+      : problem_(problem), wanted_(problem.wanted) {
     wanted_.insert({Quantity::film_minimum, Quantity::film_central});
     meter_.iterations_left = request.max_iterations * 10;  // of meshes with a hundred nodes, most of them
     meter_.end = begin_ + std::chrono::duration_cast<Clock::duration>(
@@ -334,7 +334,6 @@ class Solve {
   }
 
   const Problem& problem_;
-  const Request& request_;
   Wanted wanted_;
   Clock::time_point begin_ = Clock::now();
   Meter meter_;

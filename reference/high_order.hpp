@@ -10,12 +10,12 @@ namespace ehd::reference {
 /// - Request::tolerance: both discretisations resolve well below it; if their films differ by more, both are refined.
 /// - Request::nodes: elements are laid out for just that many intervals; the second discretisation has half as many
 ///   again.
-/// - Flooded: cut at X_a = -300 l with the asymptotic tail before it, for the second discretisation at half of that.
+/// - Flooded: cut at X_a = -800 l with the asymptotic tail before it, for the second discretisation at half of that.
 class HighOrder {
  public:
   static constexpr SolverDescription description{
       .name = "reference",
-      .method = "Dense full Newton on adapted polynomial elements, left Radau collocation, errors from Gauss points",
+      .method = "Dense full Newton on adapted polynomial elements, left Radau collocation, errors from a second such mesh",
       .cite = "this project, reference/README.md",
       .formal_order = 12,
       .work_exponent = 3};

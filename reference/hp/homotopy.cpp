@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <limits>
 
 namespace ehd::reference::hp {
@@ -49,7 +47,6 @@ std::vector<double> excess_of(const Collocation<double>& equations, const Newton
 
 std::optional<Resolved> resolved(const Problem& problem, const Resolved& from, const Resolution& resolution,
                                  const HomotopyLimits& limits, Meter& meter) {
-  static const bool trace = std::getenv("HP_TRACE");
   const double floor = from.floor;
   constexpr int most_passes = 40;
   auto equations = from.equations;
@@ -59,7 +56,6 @@ std::optional<Resolved> resolved(const Problem& problem, const Resolved& from, c
   for (int pass = 0; pass < most_passes; ++pass) {
     NewtonRun run = newton(*equations, start, floor, limits.newton, meter);
     if (!run.solved) {
-      if (trace) std::printf("   floor %.2e pass %d n %d newton failed, its %d res %.2e\n", floor, pass, equations->intervals(), run.iterations, run.residual);
       if (!unmerged) return std::nullopt;
       // The merged mesh is too coarse for Newton's method: back to the one before, where only splits follow.
       may_merge = false;
@@ -70,7 +66,6 @@ std::optional<Resolved> resolved(const Problem& problem, const Resolved& from, c
     }
     const auto excess = excess_of(*equations, run, problem, resolution);
     const double worst = *std::max_element(excess.begin(), excess.end());
-    if (trace) std::printf("   floor %.2e pass %d n %d its %d res %.1e worst %.2e C %.12g H0 %.12g X* %.12g err %.1e\n", floor, pass, equations->intervals(), run.iterations, run.residual, worst, run.state.flux, run.state.offset, run.state.exit, run.iteration_error);
     const auto& mesh = equations->mesh();
     const double s = equations->stretching(run.state.exit);
     const auto mergeable = [&](int e) {
