@@ -8,7 +8,7 @@ CMAKE_FLAGS ?=
 GENERATOR = $(if $(wildcard $(BUILD)/CMakeCache.txt),,$(if $(shell command -v ninja 2>/dev/null),-G Ninja))
 
 .DEFAULT_GOAL := help
-.PHONY: help setup configure build verify test format clean
+.PHONY: help setup configure build verify test atlas format clean
 
 help:       ## List the targets
 	@sed -n 's/^\([a-z][a-z-]*\):[^#]*## \(.*\)/  make \1\t\2/p' $(firstword $(MAKEFILE_LIST)) | expand -t 18
@@ -31,6 +31,9 @@ verify: build  ## Balance the paper's bearing, run the verification suite; resul
 test: configure  ## Build and run every test
 	@cmake --build $(BUILD) --parallel $(JOBS)
 	@ctest --test-dir $(BUILD) --output-on-failure --parallel $(JOBS)
+
+atlas: build  ## Solve the atlas of line contacts into cases/atlas (goes on where an earlier run ended)
+	@$(BUILD)/ehd atlas
 
 format:     ## Format every source file with clang-format
 	@command -v clang-format > /dev/null || { echo "clang-format is missing: apt-get install clang-format" >&2; exit 2; }

@@ -5,10 +5,13 @@
 // X = x/b, P = p/p_H, H = h R/b^2.
 #pragma once
 
+#include <functional>
+#include <memory>
 #include <set>
 #include <string>
 #include <string_view>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "contact/conditions.hpp"
@@ -50,12 +53,25 @@ inline constexpr Quantity all_quantities[] = {
 using Wanted = std::set<Quantity>;
 [[nodiscard]] Wanted want_everything();
 
+/// Source terms, which make a chosen state the solution (method of manufactured solutions). Functions of X with their
+/// derivatives, since X* is an unknown.
+template <class Scalar>
+struct SourcesOf {
+  using Differentiable = std::function<std::pair<Scalar, Scalar>(const Scalar& X)>;
+  Differentiable film;     ///< added to H(X)
+  Differentiable balance;  ///< eps P' - rho H + C = balance(X), so that C = rho H + balance at X*
+  Scalar load{0};          ///< 2/pi Int P dX = 1 + load
+};
+using Sources = SourcesOf<double>;
+
 struct Problem {
   Groups groups;
   Viscosity viscosity;  ///< for pressures in units of p_H
   Density density;      ///< for pressures in units of p_H
   Inlet inlet;
   Wanted wanted = want_everything();
+  /// Empty in every physical problem; only verification sets it.
+  std::shared_ptr<const Sources> sources = {};
 };
 
 }  // namespace ehd

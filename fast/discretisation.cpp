@@ -70,6 +70,10 @@ bool Discretisation::evaluate(const Setting& setting, State& state, Convolution&
     }
   }
   load_error = h * sum + tail.load - pi / 2;
+  if (setting.sources) {
+    for (int i = 0; i <= n; ++i) H[i] += setting.sources->film(x0 + i * h).first;
+    load_error -= pi / 2 * setting.sources->load;
+  }
   if (!(H.minCoeff() > 0) || !H.allFinite()) return false;
 
   ehd::evaluate(setting.viscosity, P, log_viscosity);
@@ -103,6 +107,11 @@ bool Discretisation::evaluate(const Setting& setting, State& state, Convolution&
     flux[i] = wedge - eps[i] * (p[i + 1] - p[i]) * by_h;
   }
   e = flux - exit_flux();
+  if (setting.sources) {
+    const auto& balance = setting.sources->balance;
+    const double at_exit = balance(state.exit).first;
+    for (int i = 0; i < n; ++i) e[i] += balance(x0 + (i + 0.5) * h).first - at_exit;
+  }
   if (!e.allFinite()) return false;
   floor = std::numeric_limits<double>::epsilon() *
           (eps * P.head(n).max(P.tail(n)) * by_h + (density.value * H).head(n)).maxCoeff() / exit_flux();
@@ -186,6 +195,12 @@ void Discretisation::linearise(const Setting& setting, const Array& P, double ex
   for (int i = 0; i <= n; ++i) {
     const double s = static_cast<double>(i) / n, X = inlet + i * h;
     film_by_exit[i] = X * s - (deflection[i] + h * sum) / (pi * length);
+  }
+  if (setting.sources) {
+    const auto& [film, balance, load] = *setting.sources;
+    for (int i = 0; i <= n; ++i) film_by_exit[i] += film(inlet + i * h).second * i / n;
+    const double at_exit = balance(exit).second;
+    for (int i = 0; i < n; ++i) by_exit[i] += balance(inlet + (i + 0.5) * h).second * (i + 0.5) / n - at_exit;
   }
 }
 

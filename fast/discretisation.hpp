@@ -10,6 +10,8 @@
 // Unknowns P_1..P_(n-1), H_0, X*: as many as equations. Every array is owned by the caller's workspace.
 #pragma once
 
+#include <memory>
+
 #include "contact/array.hpp"
 #include "contact/problem.hpp"
 #include "contact/rheology.hpp"
@@ -34,6 +36,7 @@ struct Setting {
   double inlet = -4;        ///< X_a
   bool with_tail = false;   ///< flooded: the asymptotic inlet beyond X_a
   double fluidity_floor = 0;  ///< added to the mean of 1/eta at each face: a homotopy parameter, 0 in every solution
+  std::shared_ptr<const Sources> sources = {};  ///< of a manufactured solution; empty in the physics
 };
 
 /// A correction; P has n + 1 entries with zero ends.

@@ -219,7 +219,8 @@ Solution Uniform::solve(const Problem& problem, const Request& request, Workspac
                       .viscosity = problem.viscosity,
                       .density = problem.density,
                       .inlet = cut ? cut->x : -far.reach * lengths.scale,
-                      .with_tail = !cut},
+                      .with_tail = !cut,
+                      .sources = problem.sources},
           .workspace = workspace,
           .limits = {.newton_iterations = request.max_iterations,
                      .deadline = begin + std::chrono::duration_cast<Clock::duration>(

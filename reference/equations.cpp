@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <tuple>
 
 namespace ehd::reference {
 
@@ -25,6 +26,21 @@ FaceFluidity face_fluidity(const LawValues<double>& viscosity, bool trivial) {
     faces.by_right[i] = by_b;
   }
   return faces;
+}
+
+Array mid_points(const Array& nodes) {
+  const Index n = nodes.size() - 1;
+  return (nodes.head(n) + nodes.tail(n)) / 2;
+}
+
+/// A source term and its derivative at each X.
+struct Values {
+  Array value, slope;
+};
+Values source(const Sources::Differentiable& term, const Array& X) {
+  Values at{Array(X.size()), Array(X.size())};
+  for (Index i = 0; i < X.size(); ++i) std::tie(at.value[i], at.slope[i]) = term(X[i]);
+  return at;
 }
 
 }  // namespace
@@ -61,6 +77,7 @@ double Evaluation::relative_residual() const {
 Equations::Equations(const Problem& problem, Grid grid)
     : viscosity_(problem.viscosity),
       density_(problem.density),
+      sources_(problem.sources),
       lambda_(problem.groups.lambda),
       grid_(std::move(grid)),
       hats_(hat_integrals(grid_.fractions)),
@@ -79,7 +96,9 @@ Equations::Equations(const Problem& problem, Grid grid)
 Array Equations::film_without_offset(const Array& P, double exit) const {
   const double length = exit - grid_.inlet;
   const Array log_integral = length * ((kernel_ * P.matrix()).array() + std::log(length) * (hats_ * P).sum());
-  return grid_.nodes(exit).square() / 2 - log_integral / pi;
+  Array film = grid_.nodes(exit).square() / 2 - log_integral / pi;
+  if (sources_) film += source(sources_->film, grid_.nodes(exit)).value;
+  return film;
 }
 
 Evaluation Equations::evaluate(const State& state) const {
@@ -94,6 +113,10 @@ Evaluation Equations::evaluate(const State& state) const {
   // At fixed P and s: dX/dX* = 1 - s, d length/dX* = 1.
   const double load = (hats_ * P).sum();
   at.deflection_by_exit = at.X * (1 - grid_.fractions) - (at.X.square() / 2 - film) / length - load / pi;
+  if (sources_) {
+    const Values added = source(sources_->film, at.X);  // in `film` too, and not proportional to the length
+    at.deflection_by_exit += added.slope * (1 - grid_.fractions) - added.value / length;
+  }
 
   ehd::evaluate(viscosity_, P, at.viscosity);
   ehd::evaluate(density_, P, at.density);
@@ -114,6 +137,10 @@ Evaluation Equations::evaluate(const State& state) const {
   at.residual.resize(n + 1);
   at.residual.head(n) = at.mobility * at.gradient - at.wedge + f[n];
   at.residual[n] = 2 / pi * length * load - 1;
+  if (sources_) {
+    at.residual.head(n) += source(sources_->balance, at.X.tail(1)).value[0] - source(sources_->balance, mid_points(at.X)).value;
+    at.residual[n] -= sources_->load;
+  }
 
   // Each term of the flux is known to rounding: P in the gradient; H, a difference of terms of size 1 + X^2/2, in
   // the mobility (as its cube) and in the wedge.
@@ -175,6 +202,9 @@ Eigen::MatrixXd Equations::jacobian(const State& state, const Evaluation& at) co
   J(n, n - 1) = 0;
   J.col(n).head(n) = by_film(at.deflection_by_exit) - flow / length;
   J(n, n) = 2 / pi * (hats_ * state.P).sum();
+  if (sources_)
+    J.col(n).head(n).array() += source(sources_->balance, at.X.tail(1)).slope[0] -
+                                source(sources_->balance, mid_points(at.X)).slope * (1 - mid_points(grid_.fractions));
   return J;
 }
 

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 
 #include "contact/problem.hpp"
 #include "reference/kernel.hpp"
@@ -65,7 +66,7 @@ class Equations {
  public:
   Equations(const Problem& problem, Grid grid);
   [[nodiscard]] const Grid& grid() const { return grid_; }
-  /// H_i - H_0 = X_i^2/2 - (1/pi) Int P ln|X_i - X'| dX' at the nodes.
+  /// H_i - H_0 = X_i^2/2 - (1/pi) Int P ln|X_i - X'| dX' (+ a source) at the nodes.
   [[nodiscard]] Array film_without_offset(const Array& P, double exit) const;
   [[nodiscard]] Evaluation evaluate(const State& state) const;
   /// d residual/d(P_1 … P_(n-1), H_0, X*), (n+1) x (n+1).
@@ -74,6 +75,7 @@ class Equations {
  private:
   Viscosity viscosity_;
   Density density_;
+  std::shared_ptr<const Sources> sources_;
   double lambda_;
   Grid grid_;
   Array weight_before_, weight_here_, weight_after_;  ///< of f_(i-1), f_i, f_(i+1) in the wedge, faces

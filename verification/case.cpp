@@ -794,6 +794,18 @@ std::vector<std::filesystem::path> case_files() {
   return files;
 }
 
+/// The folders in cases/, by name: whole collections, whose ids are as good as those of the folder itself.
+std::vector<std::filesystem::path> case_subfolders() {
+  std::vector<std::filesystem::path> folders;
+  std::error_code error, unknown;
+  std::filesystem::directory_iterator entry(cases_folder(), error);
+  for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
+    if (entry->is_directory(unknown)) folders.push_back(entry->path());
+  }
+  std::sort(folders.begin(), folders.end());
+  return folders;
+}
+
 }  // namespace
 
 std::filesystem::path find_case(const std::string& path_or_id) {
@@ -802,6 +814,10 @@ std::filesystem::path find_case(const std::string& path_or_id) {
   if (path_or_id.find('/') != std::string::npos || path.extension() == ".toml") return path;
   const auto in_cases = cases_folder() / (path_or_id + ".toml");
   if (std::filesystem::is_regular_file(std::filesystem::status(in_cases, error))) return in_cases;
+  for (const auto& folder : case_subfolders()) {
+    const auto below = folder / (path_or_id + ".toml");
+    if (std::filesystem::is_regular_file(std::filesystem::status(below, error))) return below;
+  }
   if (std::filesystem::exists(std::filesystem::status(path, error))) return path;
   throw CaseError(one_line(path_or_id + ": there is no such case; allowed is a path to a case file, or an id that "
                                         "`ehd cases` lists"));

@@ -107,14 +107,14 @@ struct Case {
 /// groups' range included (nondimensionalise is tried).
 [[nodiscard]] Case read_case(const std::filesystem::path& file);
 
-/// A CASE argument: a path to a TOML file (it holds a '/' or ends in .toml), or the id of one in cases/; a file of
-/// another name only where no case has it for an id. Throws CaseError.
+/// A CASE argument: a path to a TOML file (it holds a '/' or ends in .toml), or the id of one in cases/ or a folder in
+/// it (cases/atlas); a file of another name only where no case has it for an id. Throws CaseError.
 [[nodiscard]] std::filesystem::path find_case(const std::string& path_or_id);
 
 /// The folder of the benchmark cases: environment EHD_CASES, else the one the program was built from.
 [[nodiscard]] std::filesystem::path cases_folder();
 
-/// All cases in cases/, by id. Throws CaseError at the first that cannot be read.
+/// All cases in cases/, by id, folders in it left out. Throws CaseError at the first that cannot be read.
 [[nodiscard]] std::vector<Case> all_cases();
 
 /// FILE:LINE: message, with the line of `key` or of its table; the way every CaseError is worded.

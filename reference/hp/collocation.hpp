@@ -7,7 +7,6 @@
 // load, and C = rho H at X*, which is P'(X*) = 0. delta is the floor of the fluidity; 0 is the physics.
 #pragma once
 
-#include <functional>
 #include <map>
 #include <memory>
 #include <utility>
@@ -33,18 +32,6 @@ template <class Scalar>
 struct Place {
   int element = 0;
   Scalar from_left{0}, from_right{0};
-};
-
-/// A function of X with its derivative.
-template <class Scalar>
-using Differentiable = std::function<std::pair<Scalar, Scalar>(const Scalar&)>;
-
-/// Sources of a manufactured solution; none in the physics.
-template <class Scalar>
-struct Sources {
-  Differentiable<Scalar> film;      ///< added to H(X)
-  Differentiable<Scalar> reynolds;  ///< subtracted from the balance at X
-  Scalar load{0};                   ///< subtracted from 2/pi Int P dX - 1
 };
 
 /// What the equations say about a state, at the rows: the collocation points of all elements in order, the right ends of
@@ -75,7 +62,8 @@ class Collocation {
   using Vector = VectorOf<Scalar>;
   using Matrix = MatrixOf<Scalar>;
 
-  Collocation(const Problem& problem, Mesh mesh, Points points, const Sources<Scalar>* sources = nullptr);
+  /// Sources are those of the problem; in another scalar type than double, `sources`.
+  Collocation(const Problem& problem, Mesh mesh, Points points, std::shared_ptr<const SourcesOf<Scalar>> sources = {});
 
   [[nodiscard]] const Mesh& mesh() const { return mesh_; }
   [[nodiscard]] Points points() const { return points_; }
@@ -116,7 +104,7 @@ class Collocation {
   Problem problem_;
   Mesh mesh_;
   Points points_;
-  const Sources<Scalar>* sources_;
+  std::shared_ptr<const SourcesOf<Scalar>> sources_;
   bool flooded_;
   int intervals_;
   Scalar extent_, lambda_;

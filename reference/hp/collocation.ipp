@@ -35,15 +35,19 @@ std::pair<Scalar, Scalar> tail_deflection(const Scalar& lambda, const Scalar& x,
 }
 
 template <class Scalar>
-Collocation<Scalar>::Collocation(const Problem& problem, Mesh mesh, Points points, const Sources<Scalar>* sources)
+Collocation<Scalar>::Collocation(const Problem& problem, Mesh mesh, Points points,
+                                 std::shared_ptr<const SourcesOf<Scalar>> sources)
     : problem_(problem),
       mesh_(std::move(mesh)),
       points_(points),
-      sources_(sources),
+      sources_(std::move(sources)),
       flooded_(std::holds_alternative<Flooded>(problem.inlet)),
       intervals_(mesh_.intervals()),
       extent_(mesh_.extent()),
       lambda_(problem.groups.lambda) {
+  if constexpr (std::is_same_v<Scalar, double>) {
+    if (!sources_) sources_ = problem.sources;
+  }
   const Scalar two(2);
   int node = 0;
   integrals_ = Vector::Zero(intervals_ + 1);
@@ -115,7 +119,7 @@ ArrayOf<Scalar> Collocation<Scalar>::film(const State<Scalar>& state, const std:
     const Scalar X = state.exit + s * xi(places[static_cast<std::size_t>(i)]);
     H[i] = state.offset + X * X / Scalar(2) - s / pi * (log_integral[i] + log_s * load);
     if (flooded_) H[i] += tail_deflection(lambda_, Scalar(-Scalar(mesh_.inlet)), X).first;
-    if (sources_ && sources_->film) H[i] += sources_->film(X).first;
+    if (sources_) H[i] += sources_->film(X).first;
   }
   return H;
 }
@@ -182,12 +186,12 @@ Evaluation<Scalar> Collocation<Scalar>::evaluate(const State<Scalar>& state, con
       at.H[i] += value;
       at.film_by_exit[i] += slope * X_by_exit;
     }
-    if (sources_ && sources_->film) {
+    if (sources_) {
       const auto [value, slope] = sources_->film(X);
       at.H[i] += value;
       at.film_by_exit[i] += slope * X_by_exit;
     }
-    if (sources_ && sources_->reynolds) source[i] = sources_->reynolds(X).first;
+    if (sources_) source[i] = sources_->balance(X).first;
   }
   ehd::evaluate(problem_.viscosity, at.P, at.viscosity);
   ehd::evaluate(problem_.density, at.P, at.density);
@@ -212,7 +216,7 @@ Evaluation<Scalar> Collocation<Scalar>::evaluate(const State<Scalar>& state, con
   if (sources_) at.residual[n + 1] -= sources_->load;
   const int exit = row_of_right_end(mesh_.elements() - 1);
   at.residual[n + 2] = state.flux - at.density.value[exit] * at.H[exit];
-  if (sources_ && sources_->reynolds) at.residual[n + 2] -= source[exit];
+  if (sources_) at.residual[n + 2] -= source[exit];
   at.scale.resize(n + 3);
   at.scale.head(n) = ((at.density.value * at.H).head(n).abs() + std::max(state.flux, Scalar(0))).matrix();
   at.scale[n] = flooded_ ? Scalar(lambda_ / (x * x2)) : Scalar(1);
@@ -238,9 +242,9 @@ auto Collocation<Scalar>::jacobian(const State<Scalar>& state, const Evaluation<
   J.col(n + 1).head(n).setOnes();
   J.col(n + 2).head(n) =
       (by_film * at.film_by_exit - at.mobility * at.slope / (s * extent_)).head(n).matrix();
-  if (sources_ && sources_->reynolds) {
+  if (sources_) {
     for (int i = 0; i < n; ++i)
-      J(i, n + 2) -= sources_->reynolds(at.X[i]).second *
+      J(i, n + 2) -= sources_->balance(at.X[i]).second *
                      (one + xi(places_[static_cast<std::size_t>(i)]) / extent_);
   }
   // Through the pressure at the point itself, and its slope.
@@ -286,7 +290,7 @@ auto Collocation<Scalar>::jacobian(const State<Scalar>& state, const Evaluation<
   J(n + 2, n) = -at.density.value[exit];
   J(n + 2, n + 1) = one;
   J(n + 2, n + 2) = -at.density.value[exit] * at.film_by_exit[exit];
-  if (sources_ && sources_->reynolds) J(n + 2, n + 2) -= sources_->reynolds(at.X[exit]).second;
+  if (sources_) J(n + 2, n + 2) -= sources_->balance(at.X[exit]).second;
   return J;
 }
 

@@ -35,6 +35,7 @@ struct LoadedCase {
 [[nodiscard]] std::vector<Topic> twin_topics();
 [[nodiscard]] std::vector<Topic> box_topics();
 [[nodiscard]] std::vector<Topic> regime_topics();
+[[nodiscard]] std::vector<Topic> atlas_topics();
 /// A topic for each case in the list, bearings left out; a case that could not be read is a failing claim.
 [[nodiscard]] std::vector<Topic> contact_topics(const std::vector<LoadedCase>& cases);
 [[nodiscard]] std::vector<Topic> bearing_topics(const std::vector<LoadedCase>& cases);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "contact/scaling.hpp"
+#include "verification/atlas.hpp"
 #include "verification/bibliography.hpp"
 #include "verification/case.hpp"
 #include "verification/cli/commands.hpp"
@@ -24,6 +25,7 @@ const char* examples = R"(
 Examples:
   ehd cases                          id, problem, title and source of every case
   ehd cases --bibtex > ehd.bib       the sources of all cases, for a bibliography
+  ehd cases --atlas                  the points of the atlas (cases/atlas), a case each
 
 The cases are the files *.toml of one folder; the environment variable EHD_CASES names another one.)";
 
@@ -45,6 +47,25 @@ std::string expected_in(const Case& any) {
   return std::to_string(values);
 }
 
+std::vector<std::vector<std::string>> rows_of(const std::vector<Case>& cases) {
+  std::vector<std::vector<std::string>> rows{{"id", "version", "problem", "expects", "source", "title"}};
+  for (const auto& any : cases)
+    rows.push_back({any.id, std::to_string(any.version), problem_of(any), expected_in(any), any.source, any.title});
+  return rows;
+}
+
+int list_atlas() {
+  std::vector<Case> points;
+  for (const auto& file : verification::atlas_files(verification::atlas_folder()))
+    points.push_back(verification::read_case(file));
+  if (points.empty())
+    throw UsageError("--atlas: there are no points in " + verification::atlas_folder().string() +
+                     "; required is a folder that ehd atlas has filled");
+  const auto rows = rows_of(points);
+  print(verification::aligned(rows, rows.front().size()));
+  return success;
+}
+
 int list(bool bibtex) {
   const auto cases = verification::all_cases();
   const auto bibliography = verification::read_bibliography(verification::cases_folder() / "references.bib");
@@ -61,10 +82,10 @@ int list(bool bibtex) {
     return success;
   }
 
-  std::vector<std::vector<std::string>> rows{{"id", "version", "problem", "expects", "source", "title"}};
-  for (const auto& any : cases)
-    rows.push_back({any.id, std::to_string(any.version), problem_of(any), expected_in(any), any.source, any.title});
+  const auto rows = rows_of(cases);
   std::string text = verification::aligned(rows, rows.front().size());
+  if (const auto points = verification::atlas_files(verification::atlas_folder()).size(); points > 0)
+    text += "\natlas: " + std::to_string(points) + " cases, ehd cases --atlas lists them\n";
   text += "\nsources (cite the source of a case and this program; --bibtex prints the entries)\n";
   std::vector<std::vector<std::string>> sources;
   for (const auto& key : keys) {
@@ -78,11 +99,17 @@ int list(bool bibtex) {
 }  // namespace
 
 void add_cases(CLI::App& app, int& exit_code) {
-  auto bibtex = std::make_shared<bool>(false);
+  struct CasesOptions {
+    bool bibtex = false, atlas = false;
+  };
+  auto options = std::make_shared<CasesOptions>();
   CLI::App* command = app.add_subcommand("cases", "List the benchmark cases and how to cite each");
   command->footer(examples);
-  command->add_flag("--bibtex", *bibtex, "print the BibTeX entries of the cases' sources");
-  command->callback([bibtex, &exit_code] { run_guarded(exit_code, [&] { return list(*bibtex); }); });
+  auto* bibtex = command->add_flag("--bibtex", options->bibtex, "print the BibTeX entries of the cases' sources");
+  command->add_flag("--atlas", options->atlas, "list the points of the atlas")->excludes(bibtex);
+  command->callback([options, &exit_code] {
+    run_guarded(exit_code, [&] { return options->atlas ? list_atlas() : list(options->bibtex); });
+  });
 }
 
 }  // namespace ehd::cli

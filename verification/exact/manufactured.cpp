@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verification/exact/manufactured.hpp"
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_integration.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <numbers>
+
+#include "contact/scaling.hpp"
+#include "verification/exact/numerics.hpp"
+
+namespace ehd::verification::exact {
+
+using std::numbers::pi;
+
+namespace {
+
+using Function = std::function<double(double)>;
+enum class LogAt { left, right };
+
+constexpr double granted = 1e-13;
+constexpr std::size_t intervals = 200;
+
+/// Int_a^b f(t) ln(t - a) dt or Int_a^b f(t) ln(b - t) dt.
+double log_integral(const Function& f, double a, double b, LogAt end) {
+  if (!(b > a)) return 0;
+  [[maybe_unused]] static const auto quiet = gsl_set_error_handler_off();  // GSL's default ends the program
+  const bool left = end == LogAt::left;
+  const std::unique_ptr<gsl_integration_qaws_table, decltype(&gsl_integration_qaws_table_free)> weight(
+      gsl_integration_qaws_table_alloc(0, 0, left ? 1 : 0, left ? 0 : 1), gsl_integration_qaws_table_free);
+  const std::unique_ptr<gsl_integration_workspace, decltype(&gsl_integration_workspace_free)> space(
+      gsl_integration_workspace_alloc(intervals), gsl_integration_workspace_free);
+  gsl_function integrand{
+      .function = [](double t, void* g) { return (*static_cast<const Function*>(g))(t); },
+      .params = const_cast<Function*>(&f)};
+  double value = 0, estimate = 0;
+  const int status =
+      gsl_integration_qaws(&integrand, a, b, weight.get(), granted, 0, intervals, space.get(), &value, &estimate);
+  return status == GSL_SUCCESS && estimate <= granted ? value : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// J[f](X). Beyond the exit f goes on to X, and what lies beyond the exit is taken away again, so that the logarithm is
+/// singular at an end point only.
+double log_potential(const Function& f, double inlet, double exit, double X) {
+  if (X <= exit) return log_integral(f, inlet, X, LogAt::right) + log_integral(f, X, exit, LogAt::left);
+  return log_integral(f, inlet, X, LogAt::right) - log_integral(f, exit, X, LogAt::right);
+}
+
+/// A law at one pressure: its value and its derivative to pressure.
+struct Law {
+  double value = 0, slope = 0;
+};
+
+Law log_viscosity(const Viscosity& law, double P) {
+  if (const auto* barus = std::get_if<Barus>(&law)) return {barus->alpha * P, barus->alpha};
+  if (const auto* roelands = std::get_if<Roelands>(&law)) {
+    const auto [alpha, p0, z] = *roelands;
+    return {alpha * p0 / z * (std::pow(1 + P / p0, z) - 1), alpha * std::pow(1 + P / p0, z - 1)};
+  }
+  return {};
+}
+
+Law relative_density(const Density& law, double P) {
+  if (const auto* dh = std::get_if<DowsonHigginson>(&law)) {
+    const double room = 1 + dh->c * P;
+    return {1 + dh->a * P / room, dh->a / (room * room)};
+  }
+  return {1, 0};
+}
+
+}  // namespace
+
+Manufactured::Manufactured(const Choice& choice) : choice_(choice), lambda_(3 * pi * pi / (8 * choice.M * choice.M)) {
+  const double alpha_p_H = choice.L * std::sqrt(choice.M / (2 * pi));
+  if (auto* barus = std::get_if<Barus>(&choice_.viscosity)) barus->alpha = alpha_p_H;
+  if (auto* roelands = std::get_if<Roelands>(&choice_.viscosity)) roelands->alpha = alpha_p_H;
+  amplitude_ = pi / 2 * (1 + choice.load) /
+               integral([this](double X) { return pressure(X).value; }, choice.inlet, choice.exit);
+}
+
+Manufactured Manufactured::compressible() {
+  return Manufactured({.M = 4.3,
+                       .L = 5.2,
+                       .viscosity = Roelands{.p0 = 0.47, .z = 0.61},
+                       .density = DowsonHigginson{.a = 0.29, .c = 0.83},
+                       .inlet = -3.6,
+                       .exit = 1.17,
+                       .offset = -0.31,
+                       .flux = 0.43,
+                       .load = 0.06,
+                       .centre = -0.13,
+                       .width = 0.57,
+                       .film = 0.29,
+                       .film_centre = 0.11,
+                       .film_roundness = 1.3});
+}
+
+Manufactured Manufactured::barus() {
+  return Manufactured({.M = 6.1,
+                       .L = 3.4,
+                       .viscosity = Barus{},
+                       .density = Incompressible{},
+                       .inlet = -2.9,
+                       .exit = 1.23,
+                       .offset = -0.37,
+                       .flux = 0.38,
+                       .load = -0.04,
+                       .centre = 0.08,
+                       .width = 0.52,
+                       .film = 0.24,
+                       .film_centre = -0.09,
+                       .film_roundness = 1.5});
+}
+
+Problem Manufactured::problem() const {
+  const Groups groups = groups_from(MoesGroups{.M = choice_.M, .L = choice_.L});
+  Viscosity viscosity = choice_.viscosity;
+  if (auto* barus = std::get_if<Barus>(&viscosity)) barus->alpha = groups.alpha_p_H;
+  if (auto* roelands = std::get_if<Roelands>(&viscosity)) roelands->alpha = groups.alpha_p_H;
+  const auto sources = std::make_shared<Sources>();
+  sources->film = [self = *this](double X) { return self.film_source(X); };
+  sources->balance = [self = *this](double X) { return self.balance_source(X); };
+  sources->load = choice_.load;
+  return {.groups = groups,
+          .viscosity = viscosity,
+          .density = choice_.density,
+          .inlet = TruncatedAt{choice_.inlet},
+          .sources = sources};
+}
+
+Manufactured::Jet Manufactured::pressure(double X) const {
+  const double before = X - choice_.inlet, left = choice_.exit - X, w = choice_.width, u = (X - choice_.centre) / w;
+  const double g = before * left * left, g1 = left * left - 2 * before * left, g2 = 2 * before - 4 * left;
+  const double s = 1 / std::cosh(u), s1 = -s * std::tanh(u) / w, s2 = s * (1 - 2 * s * s) / (w * w);
+  return {amplitude_ * g * s, amplitude_ * (g1 * s + g * s1), amplitude_ * (g2 * s + 2 * g1 * s1 + g * s2)};
+}
+
+Manufactured::Jet Manufactured::film(double X) const {
+  const double y = X - choice_.film_centre, y2 = y * y, room = choice_.film_roundness * choice_.film_roundness + y2;
+  return {.value = choice_.film + y2 * y2 / (2 * room), .slope = 2 * y * y2 / room - y * y2 * y2 / (room * room)};
+}
+
+std::pair<double, double> Manufactured::film_source(double X) const {
+  const Jet H = film(X);
+  const double J = log_potential([this](double t) { return pressure(t).value; }, choice_.inlet, choice_.exit, X);
+  const double J1 = log_potential([this](double t) { return pressure(t).slope; }, choice_.inlet, choice_.exit, X);
+  return {H.value - choice_.offset - X * X / 2 + J / pi, H.slope - X + J1 / pi};
+}
+
+std::pair<double, double> Manufactured::balance_source(double X) const {
+  const Jet P = pressure(X), H = film(X);
+  const Law a = log_viscosity(choice_.viscosity, P.value), rho = relative_density(choice_.density, P.value);
+  const double m = rho.value * std::pow(H.value, 3) * std::exp(-a.value) / lambda_;
+  return {m * P.slope - rho.value * H.value + choice_.flux,
+          m * P.curvature + m * P.slope * (3 * H.slope / H.value + (rho.slope / rho.value - a.slope) * P.slope) -
+              rho.slope * P.slope * H.value - rho.value * H.slope};
+}
+
+std::complex<double> Manufactured::pole() const { return {choice_.centre, pi * choice_.width / 2}; }
+
+}  // namespace ehd::verification::exact
