@@ -16,6 +16,7 @@ namespace ehd::verification {
 struct SuiteRequest {
   std::optional<int> rung = {};             ///< 0 to 11
   std::optional<std::string> case_id = {};  ///< a case's id or file
+  int random_runs = 10;                     ///< for each law set, of the claims about random points
   bool quick = false;                       ///< slow topics are skipped, each with a line that says so
   unsigned threads = 0;                     ///< 0: as many as there are cores
   /// Called after each topic, one thread at a time.

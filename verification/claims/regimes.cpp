@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rung 9: the corners of Moes' diagram, approached.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "contact/scaling.hpp"
 #include "verification/claims/topics.hpp"
+#include "verification/exact/blok.hpp"
 #include "verification/exact/ertel_grubin.hpp"
 #include "verification/exact/martin.hpp"
+#include "verification/grid_study.hpp"
 #include "verification/registry.hpp"
 #include "verification/text.hpp"
 
@@ -145,13 +150,179 @@ Findings judge_isoviscous_elastic() {
   return found;
 }
 
+/// A film along a sequence of contacts that goes to a limit: the parameter that grows, the film over what it is expected to
+/// grow like, and its relative error.
+struct Approach {
+  std::vector<GridValue> values;
+  double error = 0;
+  std::string ended;  ///< of the solves that did not converge
+};
+
+/// What is left of the remainder after its leading power is taken away, by the last two values (and the two before). The
+/// remainder's next power is smaller than the first by what the observed order is off, so that half of the last move is
+/// more than the error; solves' own errors are carried along.
+struct Limit {
+  double value = nothing, error = nothing, order = nothing;
+};
+Limit limit_of(const Approach& approach, double order) {
+  const auto& v = approach.values;
+  const std::size_t m = v.size();
+  if (m < 4 || !approach.ended.empty()) return {};
+  const auto by = [&](std::size_t i) {
+    const double factor = std::expm1(order * std::log(v[i].cells / v[i - 1].cells));
+    return v[i].value + (v[i].value - v[i - 1].value) / factor;
+  };
+  const GridStudy study = study_grids(v, order, 0);
+  if (study.trend != Trend::asymptotic) return {};
+  const double noise = approach.error * (1 + 2 / std::expm1(order * std::log(v[m - 1].cells / v[m - 2].cells)));
+  return {by(m - 1), std::abs(by(m - 1) / by(m - 2) - 1) + noise, *study.observed_order};
+}
+
+/// M -> infinity at L = 0, which nobody has published: films x M^(1/5), the remainder falling like the length of the inlet
+/// zone over the contact's, M^(-4/5).
+Findings judge_isoviscous_elastic_limit() {
+  constexpr double remainder = 0.8, tolerance = 1e-9;
+  Approach couette, minimum, central;
+  for (const double M : {250, 500, 1000, 2000, 4000, 8000, 16000}) {
+    const Films films = films_at("reference", {M, 0}, tolerance);
+    const double scale = std::pow(M, 0.2);
+    for (auto [approach, film] : {std::pair{&couette, films.couette}, {&minimum, films.minimum}, {&central, films.central}}) {
+      if (!std::isfinite(film.moes)) approach->ended += "M = " + plain(M) + " " + films.ended + "; ";
+      approach->values.push_back({M, film.moes * scale});
+      approach->error = std::max(approach->error, film.error);
+    }
+  }
+  struct Row {
+    const char* name;
+    const Approach* approach;
+    const char* near;
+  };
+  Findings found;
+  const Limit flux = limit_of(couette, remainder);
+  for (const Row row : {Row{"Couette", &couette, "2.49"}, Row{"minimum", &minimum, "1.98"}}) {
+    const Limit limit = limit_of(*row.approach, remainder);
+    const std::string note = plain(limit.value, 9) + " +- " + plain(limit.value * limit.error, 2) + ", remainder M^-" +
+                             plain(limit.order, 5) + ", M = 250 ... 16000; " + row.approach->ended;
+    const auto says = [&](const std::string& what, const std::string& statement) {
+      return Sentence{.id = "regimes/isoviscous-elastic-limit/" + std::string(row.name) + "/" + what,
+                      .rung = 9,
+                      .statement = statement,
+                      .solver = "reference"};
+    };
+    const std::string film = "isoviscous elastic " + std::string(row.name) + " film times M^(1/5)";
+    found.claims.push_back(claim_value(says("order", "the " + film + " goes to its limit like M^(-4/5)"), limit.order, remainder, 0,
+                                       Tolerance::asymptotic(0.01, "the next power is a further M^(-2/5) or smaller, 2 % at 16000"),
+                                       note));
+    Claim known = claim(says("digits", "the limit of the " + film + ", " + row.near + " ..., is known to five digits or more"),
+                        limit.error, 0, Tolerance::required(5e-6, "half a unit of the fifth digit and better than three digits"), note);
+    known.measured = limit.value;
+    known.finding = true;
+    found.claims.push_back(known);
+  }
+  const Limit middle = limit_of(central, remainder);
+  found.claims.push_back(claim_value({.id = "regimes/isoviscous-elastic-limit/central",
+                                      .rung = 9,
+                                      .statement = "central and Couette film have one limit as M grows",
+                                      .solver = "reference"},
+                                     middle.value, flux.value, middle.error + flux.error,
+                                     Tolerance::required(5e-6, "half a unit of the fifth digit"), ""));
+  return found;
+}
+
+/// At a fixed load M = 1 the film grows with L like Blok's, and with it the gap against the deflection: a remainder that
+/// falls like 1/film, L^(-2/3). (M -> 0 first is Martin's limit.)
+Findings judge_blok() {
+  constexpr double M = 1, tolerance = 1e-5;
+  const exact::Blok blok;
+  Findings found;
+  std::vector<double> L, couette, minimum;
+  double error = 0;
+  std::string ended;
+  for (const double stiff : {25.0, 35.0, 50.0, 70.0}) {
+    const Films films = films_at("reference", {M, stiff}, tolerance);
+    if (!std::isfinite(films.couette.moes)) ended += "L = " + plain(stiff) + " " + films.ended + "; ";
+    const double scale = std::pow(stiff, -2.0 / 3);
+    L.push_back(stiff);
+    couette.push_back(films.couette.moes * scale / blok.couette - 1);
+    minimum.push_back(films.minimum.moes * scale / blok.minimum - 1);
+    error = std::max({error, films.couette.error, films.minimum.error});
+  }
+  for (const bool smallest : {false, true}) {
+    const auto& above = smallest ? minimum : couette;
+    const std::string name = smallest ? "minimum" : "Couette";
+    bool falls = true;
+    std::string note = "above Blok's by";
+    for (std::size_t i = 0; i < above.size(); ++i) {
+      note += " " + plain(100 * above[i], 3) + " % (L = " + plain(L[i]) + ")";
+      falls = falls && above[i] > error && (i == 0 || above[i] < above[i - 1] - 2 * error);
+    }
+    const double order = -std::log(above.back() / above.front()) / std::log(L.back() / L.front());
+    note += "; like L^-" + plain(order, 3) + "; " + ended;
+    found.claims.push_back(claim_fact({.id = "regimes/blok/" + name,
+                                       .rung = 9,
+                                       .statement = "at M = 1 the " + name + " film comes down to Blok's as L grows",
+                                       .solver = "reference"},
+                                      falls && ended.empty(), "the rigid piezoviscous limit", note));
+    if (smallest) continue;
+    const double limit = above[3] + (above[3] - above[1]) / std::expm1(2.0 / 3 * std::log(L[3] / L[1]));
+    found.claims.push_back(claim_value({.id = "regimes/blok/limit",
+                                        .rung = 9,
+                                        .statement = "at M = 1 the Couette film over Blok's goes to 1 as L grows",
+                                        .solver = "reference"},
+                                       1 + limit, 1, 3 * error,
+                                       Tolerance::asymptotic(above[1] * above[1],
+                                                             "extrapolated from L = 35 and 70 by L^(-2/3); the next term is its square"),
+                                       note));
+  }
+  return found;
+}
+
+/// Ertel and Grubin from above, as a trend: the remainder of the central film falls with M and with L.
+Findings judge_ertel_grubin_trend() {
+  constexpr double tolerance = 1e-4;
+  const double all_M[] = {20, 50, 200, 1000}, all_L[] = {5, 10, 20};
+  double above[3][4], error = 0;
+  std::string note = "above by", ended;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 4; ++j) {
+      const Films films = films_at("reference", {all_M[j], all_L[i]}, tolerance);
+      above[i][j] = films.central.moes / exact::ertel_grubin_film(all_M[j], all_L[i]) - 1;
+      if (!std::isfinite(above[i][j])) ended += "M = " + plain(all_M[j]) + ", L = " + plain(all_L[i]) + " " + films.ended + "; ";
+      error = std::max(error, films.central.error);
+      note += " " + plain(100 * above[i][j], 3) + " %";
+    }
+    note += i < 2 ? ";" : "";
+  }
+  bool positive = true, with_M = true, with_L = true;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 4; ++j) {
+      positive = positive && above[i][j] > 2 * error;
+      with_M = with_M && (j == 0 || above[i][j] < above[i][j - 1] - 2 * error);
+      with_L = with_L && (i == 0 || above[i][j] < above[i - 1][j] - 2 * error);
+    }
+  }
+  note += " at M = 20, 50, 200, 1000 for L = 5; 10; 20. " + ended;
+  Findings found;
+  const auto fact = [&](const std::string& what, const std::string& statement, bool holds) {
+    found.claims.push_back(claim_fact({.id = "regimes/ertel-grubin-trend/" + what, .rung = 9, .statement = statement, .solver = "reference"},
+                                      holds && ended.empty(), "the inlet model's limit of heavy loads and steep viscosities", note));
+  };
+  fact("above", "central films lie above Ertel and Grubin's", positive);
+  fact("load", "what a central film lies above Ertel and Grubin's falls as M grows", with_M);
+  fact("viscosity", "what a central film lies above Ertel and Grubin's falls as L grows", with_L);
+  return found;
+}
+
 }  // namespace
 
 std::vector<Topic> regime_topics() {
   return {{.name = "Martin limit", .rungs = {9}, .judge = [] { return judge_martin("reference"); }},
           {.name = "Martin limit", .rungs = {9}, .judge = [] { return judge_martin("fast"); }},
           {.name = "Ertel-Grubin", .rungs = {9}, .judge = judge_ertel_grubin},
-          {.name = "isoviscous elastic", .rungs = {9}, .judge = judge_isoviscous_elastic}};
+          {.name = "Ertel-Grubin", .rungs = {9}, .slow = true, .judge = judge_ertel_grubin_trend},
+          {.name = "Blok limit", .rungs = {9}, .slow = true, .judge = judge_blok},
+          {.name = "isoviscous elastic", .rungs = {9}, .judge = judge_isoviscous_elastic},
+          {.name = "isoviscous elastic limit", .rungs = {9}, .judge = judge_isoviscous_elastic_limit}};
 }
 
 }  // namespace ehd::verification

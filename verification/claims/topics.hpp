@@ -34,6 +34,9 @@ struct LoadedCase {
 [[nodiscard]] std::vector<Topic> coupled_topics();
 [[nodiscard]] std::vector<Topic> twin_topics();
 [[nodiscard]] std::vector<Topic> box_topics();
+/// `runs` random runs for each law set and question.
+[[nodiscard]] std::vector<Topic> random_topics(int runs);
+[[nodiscard]] std::vector<Topic> grid_topics();
 [[nodiscard]] std::vector<Topic> regime_topics();
 [[nodiscard]] std::vector<Topic> atlas_topics();
 /// A topic for each case in the list, bearings left out; a case that could not be read is a failing claim.

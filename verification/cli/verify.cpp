@@ -17,7 +17,7 @@ namespace ehd::cli {
 namespace {
 
 struct VerifyOptions {
-  std::optional<std::string> rung, case_id, output;
+  std::optional<std::string> rung, case_id, output, random_runs;
   bool quick = false, all = false;
 };
 
@@ -27,6 +27,7 @@ Examples:
   ehd verify --quick                    without the slow cases, in half a minute
   ehd verify --rung 7 --all             one rung, each claim with its numbers
   ehd verify --case own-moes-20-10
+  ehd verify --random-runs 50 --rung 8  error bars at 50 random runs of each law set, in six minutes
   ehd verify --output out/verify        leaves out/verify/results.json
 
 Rungs: 0 inputs, 1 kernel, 2 operator, 3 elasticity, 4 Reynolds, 5 coupled, 6 solvers, 7 twins, 8 grids, 9 regimes,
@@ -74,6 +75,12 @@ int verify(const VerifyOptions& options) {
   }
   request.case_id = options.case_id;
   request.quick = options.quick;
+  if (options.random_runs) {
+    constexpr int most_runs = 10000;
+    request.random_runs = parse_integer("--random-runs", *options.random_runs);
+    if (request.random_runs < 1 || request.random_runs > most_runs)
+      throw option_error("--random-runs", *options.random_runs, "is out of range; allowed is 1 to " + std::to_string(most_runs));
+  }
 
   // Opened before the work begins: a folder that cannot be written is bad input, not a lost run.
   std::optional<OutputFolder> folder;
@@ -113,6 +120,7 @@ void add_verify(CLI::App& app, int& exit_code) {
   command->add_option("--case", options->case_id, "one case: an id, or a path to a TOML file");
   command->add_flag("--quick", options->quick, "leave out the slow cases");
   command->add_flag("--all", options->all, "print every claim, not only those that do not stand");
+  command->add_option("--random-runs", options->random_runs, "random runs for each law set (10)");
   command->add_option("--output", options->output, "folder for results.json");
   command->callback([options, &exit_code] { run_guarded(exit_code, [&] { return verify(*options); }); });
 }

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Rung 8: grid studies of the second-order solvers. What the grids show, judged without knowing the answer, is held
+// against the high-order reference.
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "contact/scaling.hpp"
+#include "verification/claims/topics.hpp"
+#include "verification/grid_study.hpp"
+#include "verification/registry.hpp"
+#include "verification/text.hpp"
+
+namespace ehd::verification {
+
+namespace {
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+struct Study {
+  const char* solver;
+  std::vector<int> grids;
+};
+const Study studies[] = {{"reference.uniform", {128, 256, 512, 1024}},
+                         {"reference.linear", {128, 256, 512, 1024}},
+                         {"fast.uniform", {512, 1024, 2048, 4096, 8192}}};
+constexpr MoesGroups points[] = {{2, 0}, {5, 5}, {20, 5}, {20, 10}, {100, 10}};
+
+Findings judge_study(const Study& study, MoesGroups moes) {
+  const Lubricant oil = moes.L > 0 ? Lubricant{.viscosity = ViscosityLaw::roelands,
+                                               .density = DensityLaw::dowson_higginson,
+                                               .alpha_per_Pa = 2.2e-8,
+                                               .z = 0.68,
+                                               .p0_Pa = 1.96e8}
+                                   : Lubricant{.viscosity = ViscosityLaw::isoviscous,
+                                               .density = DensityLaw::incompressible,
+                                               .alpha_per_Pa = {},
+                                               .z = {}};
+  const Problem problem = nondimensionalise(moes, oil, TruncatedAt{-4}).problem;
+  const Solution truth = find_solver("reference")->solve(problem, {.tolerance = 1e-9});
+  std::vector<Solution> solutions;
+  for (const int cells : study.grids) {
+    Request request;
+    request.tolerance.reset();
+    request.nodes = cells;
+    solutions.push_back(find_solver(study.solver)->solve(problem, request));
+  }
+  const double formal_order = find_solver(study.solver)->description.formal_order;
+  const std::string point = plain(moes.M) + "-" + plain(moes.L);
+  Findings found;
+  for (const Quantity film : {Quantity::film_minimum, Quantity::film_central}) {
+    const auto says = [&](const std::string& what, const std::string& statement) {
+      return Sentence{.id = "grids/" + std::string(study.solver) + "/" + point + "/" + std::string(to_string(film)) + "/" + what,
+                      .rung = 8,
+                      .statement = statement,
+                      .solver = study.solver};
+    };
+    const std::string of = " of " + std::string(study.solver) + "'s " + std::string(to_string(film)) + " at M-L = " + point;
+    std::vector<GridValue> values;
+    std::string unsolved;
+    for (std::size_t i = 0; i < solutions.size(); ++i) {
+      const StopReason status = solutions[i].record.status;
+      const auto at = solutions[i].observables.find(film);
+      if (at != solutions[i].observables.end() &&
+          (status == StopReason::converged || status == StopReason::tolerance_not_met)) {
+        values.push_back({static_cast<double>(study.grids[i]), at->second.value});
+      } else if (!values.empty()) {
+        unsolved = plain(study.grids[i]) + " cells: " + std::string(to_string(status));
+      }
+    }
+    const auto exact = truth.observables.find(film);
+    if (values.size() < 3 || !unsolved.empty() || exact == truth.observables.end() ||
+        truth.record.status != StopReason::converged) {
+      found.claims.push_back(claim(says("covered", "the grid study" + of + " covers its error"), nothing, 0,
+                                   Tolerance::required(1, "error over uncertainty"), "not solved; " + unsolved));
+      continue;
+    }
+    constexpr double iterated_to = 1e-9;  // relative, of the films on a given grid
+    const GridStudy seen = study_grids(values, formal_order, iterated_to);
+    const double off = std::abs(values.back().value / exact->second.value - 1);
+    const std::string note = std::string(to_string(seen.trend)) +
+                             (seen.observed_order ? ", order " + plain(*seen.observed_order, 3) : "") + ", uncertainty " +
+                             plain(seen.uncertainty, 2) + ", error " + plain(off, 2) + " on " +
+                             plain(values.back().cells) + " cells" + (values.size() < study.grids.size() ? ", without under-resolved grids" : "");
+    if (!std::isfinite(seen.uncertainty)) {
+      found.skipped.push_back({says("covered", "the grid study" + of + " covers its error"), note});
+      continue;
+    }
+    found.claims.push_back(claim(says("covered", "the uncertainty that the grid study" + of + " states covers its error"),
+                                 off / seen.uncertainty, exact->second.error.value() / seen.uncertainty,
+                                 Tolerance::required(1, "error over uncertainty"), note));
+    if (seen.extrapolated) {
+      const double extrapolated = std::abs(*seen.extrapolated / exact->second.value - 1);
+      found.claims.push_back(claim(says("extrapolated", "where the grid study" + of +
+                                                            " is asymptotic, the extrapolated value is nearer to the truth"),
+                                   extrapolated / off, exact->second.error.value() / off,
+                                   Tolerance::required(1, "its error over that of the finest grid"),
+                                   note + ", extrapolated " + plain(extrapolated, 2)));
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+std::vector<Topic> grid_topics() {
+  std::vector<Topic> topics;
+  for (const Study& study : studies) {
+    for (const MoesGroups& moes : points)
+      topics.push_back(
+          {.name = "grid studies", .rungs = {8}, .slow = true, .judge = [&study, moes] { return judge_study(study, moes); }});
+  }
+  return topics;
+}
+
+}  // namespace ehd::verification

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The reference at random points of the box M 0.05..5000, L 0..30, both law sets. Rung 6: does it converge, and where it does
+// not, does it say so? Rung 8: are its error bars honest? Each run is held against a solution of a tolerance a thousand times
+// tighter, whose meshes are others throughout.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <string>
+
+#include "contact/scaling.hpp"
+#include "verification/claims/topics.hpp"
+#include "verification/registry.hpp"
+#include "verification/text.hpp"
+
+namespace ehd::verification {
+
+namespace {
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr unsigned bar_seed = 20261121, box_seed = 20261122;
+/// Draws for each run that is judged, at most: some tolerances are met so far that no truth is tighter.
+constexpr int most_draws = 3;
+constexpr double highest_pressure_Pa = 4e9, alpha_per_Pa = 2.2e-8;
+/// Truth is good enough to judge a bar by where its own bar is so much smaller.
+constexpr double truth_within = 0.1;
+
+struct Run {
+  MoesGroups moes;
+  bool roelands = false;
+  Inlet inlet = Flooded{};
+  double tolerance = 0;
+};
+
+std::string name_of(const Run& run) {
+  const auto* cut = std::get_if<TruncatedAt>(&run.inlet);
+  return "M = " + plain(run.moes.M) + ", L = " + plain(run.moes.L) + (run.roelands ? ", Roelands, " : ", Barus, ") +
+         (cut ? "inlet " + plain(cut->x) : "flooded") + ", tolerance " + plain(run.tolerance);
+}
+
+class Draw {
+ public:
+  explicit Draw(unsigned seed) : random_(seed) {}
+  /// Not std::uniform_real_distribution, whose numbers depend on the library.
+  double uniform(double from, double to) { return from + (to - from) * (static_cast<double>(random_()) / 4294967296.0); }
+  /// M 0.05..5000 logarithmically, L 0..30, to four digits.
+  MoesGroups point() {
+    const double M = std::pow(10, uniform(std::log10(0.05), std::log10(5000)));
+    return {digits(M, 4), digits(uniform(0, 30), 4)};
+  }
+  static double digits(double value, int count) { return std::stod(plain(value, count)); }
+
+ private:
+  std::mt19937 random_;
+};
+
+/// The tolerance 1e-3..1e-8 (Barus 1e-5: truth ends before) equally likely in its logarithm; half of the runs flooded, the
+/// other half, from M = 2 on, cut at -2.5..-10.
+Run drawn(Draw& draw, bool roelands) {
+  Run run;
+  run.roelands = roelands;
+  run.moes = draw.point();
+  run.tolerance = Draw::digits(std::pow(10, -draw.uniform(3, roelands ? 8 : 5)), 2);
+  const double cut = Draw::digits(draw.uniform(-10, -2.5), 4), choice = draw.uniform(0, 1);
+  if (choice < 0.5 && run.moes.M >= 2) run.inlet = TruncatedAt{cut};
+  return run;
+}
+
+Problem problem_of(const Run& run) {
+  Lubricant oil;  // Barus, incompressible
+  if (run.roelands)
+    oil = {.viscosity = ViscosityLaw::roelands,
+           .density = DensityLaw::dowson_higginson,
+           .alpha_per_Pa = alpha_per_Pa,
+           .z = 0.68,
+           .p0_Pa = 1.96e8};
+  return nondimensionalise(run.moes, oil, run.inlet).problem;
+}
+
+Findings judge_bars(bool roelands, int runs) {
+  const auto& solver = *find_solver("reference");
+  int judged = 0, covered = 0, drawn_runs = 0, without_film = 0;
+  std::vector<double> ratios;  // reported over true, a film each
+  std::string beyond;
+  Draw draw(bar_seed);
+  while (judged < runs && drawn_runs < most_draws * runs) {
+    const Run run = drawn(draw, roelands);
+    ++drawn_runs;
+    const Problem problem = problem_of(run);
+    const Solution asked = solver.solve(problem, {.tolerance = run.tolerance, .time_limit_s = 20});
+    if (!asked.observables.contains(Quantity::film_minimum)) {  // what did not converge reports its errors too
+      ++without_film;
+      continue;
+    }
+    const Solution truth = solver.solve(problem, {.tolerance = std::max(1e-3 * run.tolerance, 1e-11), .time_limit_s = 20});
+    bool known = false, inside = true;
+    double worst = 0;
+    for (const Quantity film : {Quantity::film_minimum, Quantity::film_central}) {
+      const auto a = asked.observables.find(film), b = truth.observables.find(film);
+      if (a == asked.observables.end() || b == truth.observables.end()) continue;
+      const double bar = a->second.error.value(), difference = std::abs(a->second.value / b->second.value - 1);
+      if (!(b->second.error.value() <= truth_within * bar)) continue;
+      known = true;
+      worst = std::max(worst, difference / bar);
+      inside = inside && difference <= bar;
+      ratios.push_back(bar / std::max(difference, 1e-300));
+    }
+    if (!known) continue;
+    ++judged;
+    covered += inside ? 1 : 0;
+    if (!inside) beyond += (beyond.empty() ? "" : "; ") + name_of(run) + ": " + plain(worst, 3) + " bars off";
+  }
+  std::sort(ratios.begin(), ratios.end());
+  const double median = ratios.empty() ? nothing : ratios[ratios.size() / 2];
+  const std::string law = roelands ? "Roelands" : "Barus", id = "bars/" + std::string(roelands ? "roelands" : "barus");
+  const std::string counts = std::to_string(covered) + " of " + std::to_string(judged) + " runs covered, " +
+                             std::to_string(drawn_runs - judged) + " more drawn without a truth ten times tighter (" +
+                             std::to_string(without_film) + " of them without a film); median of bar over error " +
+                             plain(median, 3) + (beyond.empty() ? "" : "; beyond: " + beyond);
+  Findings found;
+  const Tolerance promised = Tolerance::required(0.02, "at least 98 runs in 100");
+  found.claims.push_back(claim({.id = id + "/covered",
+                                .rung = 8,
+                                .statement = "the reference's error bars hold the films of a solution a thousand times tighter at " +
+                                             std::to_string(runs) + " random runs, " + law,
+                                .solver = "reference"},
+                               judged == runs ? 1 - covered / static_cast<double>(judged) : nothing, 0, promised, counts));
+  found.claims.push_back(claim({.id = id + "/tight",
+                                .rung = 8,
+                                .statement = "in the median the reference's error bars are not more than 30 times the error, " + law,
+                                .solver = "reference"},
+                               median, 0, Tolerance::required(30, "an error bar that is far too long says little"), counts));
+  return found;
+}
+
+Findings judge_box(bool roelands, int runs) {
+  constexpr double tolerance = 1e-5;
+  const auto& solver = *find_solver("reference");
+  int converged = 0, physical = 0, physical_converged = 0;
+  double slowest = 0;
+  std::string slowest_at, dishonest, unsolved;
+  Draw draw(box_seed);
+  for (int i = 0; i < runs; ++i) {
+    Run run;
+    run.roelands = roelands;
+    run.moes = draw.point();
+    run.tolerance = tolerance;
+    const Problem problem = problem_of(run);
+    const Solution solution = solver.solve(problem, {.tolerance = tolerance, .time_limit_s = 60});
+    const bool ended = solution.record.status == StopReason::converged;
+    const bool of_oil = problem.groups.alpha_p_H / alpha_per_Pa <= highest_pressure_Pa;
+    converged += ended ? 1 : 0;
+    physical += of_oil ? 1 : 0;
+    physical_converged += of_oil && ended ? 1 : 0;
+    const double worst = std::max(solution.record.film_minimum.total(), solution.record.film_central.total());
+    if (ended && !(worst <= tolerance && solution.fields.H.size() > 0 && solution.fields.H.allFinite()))
+      dishonest += " " + name_of(run) + ": converged with error " + plain(worst, 2) + ";";
+    if (!ended && solution.record.reason.empty())
+      dishonest += " " + name_of(run) + ": " + std::string(to_string(solution.record.status)) + " without a reason;";
+    if (!ended) unsolved += (unsolved.empty() ? "" : "; ") + name_of(run) + ": " + std::string(to_string(solution.record.status));
+    if (solution.record.cost.wall_s > slowest) {
+      slowest = solution.record.cost.wall_s;
+      slowest_at = name_of(run);
+    }
+  }
+  const std::string law = roelands ? "Roelands" : "Barus", id = "random-box/" + std::string(roelands ? "roelands" : "barus");
+  const std::string counts = std::to_string(converged) + " of " + std::to_string(runs) + " converged, " +
+                             std::to_string(physical_converged) + " of " + std::to_string(physical) +
+                             " up to 4 GPa; slowest " + plain(slowest, 2) + " s at " + slowest_at +
+                             (unsolved.empty() ? "" : "; not: " + unsolved);
+  Findings found;
+  found.claims.push_back(claim({.id = id + "/converged",
+                                .rung = 6,
+                                .statement = "the reference converges to 1e-5 at " + std::to_string(runs) +
+                                             " random flooded points where p_H is up to 4 GPa, " + law,
+                                .solver = "reference"},
+                               physical > 0 ? 1 - physical_converged / static_cast<double>(physical) : nothing, 0,
+                               Tolerance::required(0.03, "at least 97 points in 100"), counts));
+  found.claims.push_back(claim_fact({.id = id + "/honest",
+                                     .rung = 6,
+                                     .statement = "every one of these points ends converged within its error, or says why not, " + law,
+                                     .solver = "reference"},
+                                    dishonest.empty(), "of every solve", dishonest.empty() ? counts : dishonest));
+  return found;
+}
+
+}  // namespace
+
+std::vector<Topic> random_topics(int runs) {
+  std::vector<Topic> topics;
+  for (const bool roelands : {false, true}) {
+    topics.push_back(
+        {.name = "honest bars", .rungs = {8}, .slow = true, .judge = [=] { return judge_bars(roelands, runs); }});
+    topics.push_back({.name = "random box", .rungs = {6}, .slow = true, .judge = [=] { return judge_box(roelands, runs); }});
+  }
+  return topics;
+}
+
+}  // namespace ehd::verification
