@@ -112,7 +112,10 @@ ContactCase AtlasPoint::contact() const {
   return {.statement = MoesGroups{.M = M, .L = L}, .lubricant = lubricant, .inlet = inlet};
 }
 
-double AtlasPoint::usual_tolerance() const { return laws == AtlasLaws::barus ? 1e-8 : 1e-10; }
+double AtlasPoint::usual_tolerance() const {
+  // Measured at (20, 10): 1e-8 costs Barus, whose spike has no bound, three times as much; at (1000, 15) it is not met.
+  return laws == AtlasLaws::barus ? 1e-7 : 1e-10;
+}
 
 std::vector<AtlasPoint> atlas_points() {
   constexpr double Ms[] = {0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000};

@@ -43,7 +43,7 @@ struct AtlasPoint {
   [[nodiscard]] double hertz_pressure_Pa() const;  ///< L sqrt(M/2pi)/alpha; 0 at L = 0
   [[nodiscard]] bool numerical_test() const;
   [[nodiscard]] ContactCase contact() const;
-  /// 1e-10; Barus 1e-8.
+  /// 1e-10; Barus 1e-7.
   [[nodiscard]] double usual_tolerance() const;
 };
 

@@ -108,7 +108,7 @@ void add_atlas(CLI::App& app, int& exit_code) {
       ->type_name("DIR");
   command
       ->add_option("--tolerance", options->tolerance,
-                   "relative error allowed in the minimum and central film (1e-10; Barus 1e-8)")
+                   "relative error allowed in the minimum and central film (1e-10; Barus 1e-7)")
       ->type_name("T");
   command->add_option("--time-limit", options->time_limit, "seconds for each solve (30)")->type_name("S");
   command->add_option("--threads", options->threads, "points solved side by side (as many as there are cores)")
