@@ -166,7 +166,7 @@ std::string rounded_up(double size) {
     if (units > 99) continue;
     char buffer[32];
     std::snprintf(buffer, sizeof buffer, "%.0fe%d", units, place);
-    return plain(std::stod(buffer), 2);
+    return plain(std::strtod(buffer, nullptr), 2);
   }
   return plain(size, 2);
 }
@@ -182,7 +182,7 @@ std::optional<KnownDigits> known_digits(double value, double error) {
   place = std::max(place, leading - most_digits + 1);
   if (place > leading) return std::nullopt;
   KnownDigits known{.text = rounded_text(value, leading, place), .relative = {}, .absolute = {}};
-  const double printed = std::stod(known.text);
+  const double printed = std::strtod(known.text.c_str(), nullptr);
   const double uncertainty = error + std::abs(printed - value);
   known.relative = rounded_up(uncertainty / std::abs(printed));
   known.absolute = rounded_up(uncertainty);
