@@ -21,14 +21,6 @@ namespace ehd::verification {
 
 // -- points -----------------------------------------------------------------------------------------------------
 
-/// What the points are made of: change the lists, run `ehd atlas` again.
-struct AtlasPlan {
-  std::vector<double> M{0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000};
-  std::vector<double> L{0, 2.5, 5, 10, 15, 20, 30};
-  double cut = -4;           ///< X of the inlet beside the flooded one …
-  double lightest_cut = 2;   ///< … from this M on; below, it lies inside the film's own length
-};
-
 enum class AtlasLaws {
   isoviscous,  ///< L = 0: isoviscous, incompressible
   barus,       ///< Barus, incompressible
@@ -51,12 +43,12 @@ struct AtlasPoint {
   [[nodiscard]] double hertz_pressure_Pa() const;  ///< L sqrt(M/2pi)/alpha; 0 at L = 0
   [[nodiscard]] bool numerical_test() const;
   [[nodiscard]] ContactCase contact() const;
-  /// 1e-10; Barus 1e-8.
+  /// 1e-10; Barus 1e-7.
   [[nodiscard]] double usual_tolerance() const;
 };
 
-/// By law set, inlet, M and L.
-[[nodiscard]] std::vector<AtlasPoint> atlas_points(const AtlasPlan& plan = {});
+/// All points, by law set, inlet (flooded; cut at X = -4 for M >= 2), M and L. L = 0 is there once: isoviscous.
+[[nodiscard]] std::vector<AtlasPoint> atlas_points();
 
 // -- digits -----------------------------------------------------------------------------------------------------
 
@@ -67,8 +59,8 @@ struct KnownDigits {
   std::string absolute;
 };
 
-/// As many digits as leave `error` (absolute) below half a unit of the last one, at most 15; absent where that is none,
-/// or where value or error is not finite or the error not positive.
+/// As many digits as leave `error` (absolute) below half a unit of the last one, at most 15; absent where not even the
+/// first one is known, the value is 0, either is not finite, or the error is not positive.
 [[nodiscard]] std::optional<KnownDigits> known_digits(double value, double error);
 
 /// Significant digits in a decimal text.
@@ -102,8 +94,9 @@ struct AtlasRecord {
 /// Absent for what is no record (a file of another program, or one that was damaged).
 [[nodiscard]] std::optional<AtlasRecord> record_from(const std::string& json);
 
-/// Solves a point. Where that leaves H_min or H_cen unknown to 1e-4, looser tolerances follow (1000 times each, up to
-/// 1e-4); status and tolerance stay those of the first.
+/// Solves a point. Where that leaves H_min or H_cen unknown to 1e-4, looser tolerances follow: 1000 times each, up to
+/// 1e-4, that one at once where time ran out. Tolerance, status and reason stay those of the first solve, except that
+/// one without a film, where a looser one has found digits, is called tolerance-not-met.
 [[nodiscard]] AtlasRecord solve_point(const AtlasPoint& point, const RegisteredSolver& solver, double tolerance,
                                       double time_limit_s);
 
@@ -145,7 +138,7 @@ struct AtlasRequest {
   std::vector<AtlasPoint> points;
   std::string only;  ///< solve points with this in their id; rows and files of the others stay as they are
   std::optional<double> tolerance = {};  ///< instead of each point's usual one
-  double time_limit_s = 60;
+  double time_limit_s = 30;
   unsigned threads = 0;  ///< 0: as many as there are cores
   bool fresh = false;    ///< do not believe records of an earlier run
   /// After each point, one thread at a time.
@@ -166,8 +159,8 @@ struct AtlasResult {
 [[nodiscard]] std::vector<AtlasPoint> selected_points(const AtlasRequest& request);
 
 /// Solves what no record answers, longest first; a record is written as soon as its point is solved. Then atlas.csv,
-/// digits.txt and the case files are written beside, and renamed once all are whole. A case whose values change gets
-/// the next version. Throws OutputError where the folder cannot be written, CaseError where `only` should keep rows of
+/// digits.txt and the case files are written, each whole or not at all. A case in which a number changes gets the next
+/// version. Throws OutputError where the folder cannot be written, CaseError where `only` should keep rows of
 /// an atlas.csv that is none.
 [[nodiscard]] AtlasResult run_atlas(const AtlasRequest& request, const RegisteredSolver& solver);
 

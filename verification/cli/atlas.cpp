@@ -47,17 +47,6 @@ std::string progress_line(std::size_t done, std::size_t all, const verification:
          verification::plain(record.wall_s, 3) + " s";
 }
 
-/// The folder itself, where it is a file or cannot be followed, is bad input.
-std::filesystem::path output_folder(const std::optional<std::string>& option) {
-  if (!option) return verification::atlas_folder();
-  std::error_code error;
-  if (option->empty()) throw option_error("--output", *option, "is empty; allowed is a folder");
-  const auto status = std::filesystem::status(*option, error);
-  if (std::filesystem::exists(status) && !std::filesystem::is_directory(status))
-    throw option_error("--output", *option, "is no folder; allowed is a folder");
-  return *option;
-}
-
 int atlas(const AtlasOptions& options) {
   RequestOptions limits;
   limits.tolerance = options.tolerance;
@@ -67,7 +56,13 @@ int atlas(const AtlasOptions& options) {
   verification::AtlasRequest request;
   request.points = verification::atlas_points();
   request.only = options.only.value_or("");
-  if (options.tolerance) request.tolerance = checked.tolerance;
+  if (options.tolerance) {
+    request.tolerance = checked.tolerance;
+    if (*request.tolerance > verification::atlas_worst_error)
+      throw option_error("--tolerance", *options.tolerance,
+                         "is too loose for digits; allowed is a number > 0, up to " +
+                             verification::plain(verification::atlas_worst_error));
+  }
   if (options.time_limit) request.time_limit_s = checked.time_limit_s;
   if (options.threads) {
     const int threads = parse_integer("--threads", *options.threads);
@@ -79,7 +74,9 @@ int atlas(const AtlasOptions& options) {
   request.fresh = options.fresh;
   if (verification::selected_points(request).empty())
     throw option_error("--only", request.only, "is in no id; allowed is a part of an id like " + request.points.back().id());
-  request.folder = output_folder(options.output);
+  if (options.output && options.output->empty())
+    throw option_error("--output", "", "is empty; allowed is a folder");
+  request.folder = options.output ? std::filesystem::path(*options.output) : verification::atlas_folder();
 
   std::size_t reused_so_far = 0;
   request.progress = [&](std::size_t done, std::size_t all, const verification::AtlasRecord& record, bool reused) {
@@ -111,9 +108,9 @@ void add_atlas(CLI::App& app, int& exit_code) {
       ->type_name("DIR");
   command
       ->add_option("--tolerance", options->tolerance,
-                   "relative error allowed in the minimum and central film (1e-10; Barus 1e-8)")
+                   "relative error allowed in the minimum and central film (1e-10; Barus 1e-7)")
       ->type_name("T");
-  command->add_option("--time-limit", options->time_limit, "seconds for each solve (60)")->type_name("S");
+  command->add_option("--time-limit", options->time_limit, "seconds for each solve (30)")->type_name("S");
   command->add_option("--threads", options->threads, "points solved side by side (as many as there are cores)")
       ->type_name("N");
   command->add_option("--only", options->only, "only points with this in their id")->type_name("SUBSTRING");
