@@ -708,11 +708,13 @@ AtlasResult run_atlas(const AtlasRequest& request, const RegisteredSolver& solve
     result.entries.push_back(std::move(entry));
   }
 
-  // The heaviest first, so that no thread is left with a long one at the end.
+  // What is known, then the heaviest first, so that no thread is left with a long one at the end.
   std::vector<std::size_t> order(result.entries.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return result.entries[a].point.hertz_pressure_Pa() > result.entries[b].point.hertz_pressure_Pa();
+    const auto &one = result.entries[a], &other = result.entries[b];
+    if (one.reused != other.reused) return one.reused;
+    return one.point.hertz_pressure_Pa() > other.point.hertz_pressure_Pa();
   });
   std::atomic<std::size_t> next = 0;
   std::size_t done = 0;

@@ -141,7 +141,7 @@ struct AtlasRequest {
   double time_limit_s = 30;
   unsigned threads = 0;  ///< 0: as many as there are cores
   bool fresh = false;    ///< do not believe records of an earlier run
-  /// After each point, one thread at a time.
+  /// After each point, one thread at a time; reused ones come first, save for what the threads overlap.
   std::function<void(std::size_t done, std::size_t all, const AtlasRecord& record, bool reused)> progress = {};
 };
 
@@ -158,7 +158,7 @@ struct AtlasResult {
 
 [[nodiscard]] std::vector<AtlasPoint> selected_points(const AtlasRequest& request);
 
-/// Solves what no record answers, longest first; a record is written as soon as its point is solved. Then atlas.csv,
+/// Solves what no record answers, the heaviest first; a record is written as soon as its point is solved. Then atlas.csv,
 /// digits.txt and the case files are written, each whole or not at all. A case in which a number changes gets the next
 /// version. Throws OutputError where the folder cannot be written, CaseError where `only` should keep rows of
 /// an atlas.csv that is none.

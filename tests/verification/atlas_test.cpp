@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -658,6 +659,18 @@ BOOST_AUTO_TEST_CASE(wrong_usage_of_the_command_is_one_line_and_exit_code_2) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(an_interrupted_command_says_what_it_leaves) {
+  const test::Folder folder;
+  const std::string output = (folder.path() / "atlas").string(), err = (folder.path() / "err.txt").string();
+  const std::string command = "timeout -s INT 0.8 '" + std::string(EHD_PROGRAM) +
+                              "' atlas --threads 1 --only roelands-m5000-l30 --output '" + output + "' > '" + output +
+                              ".out' 2> '" + err + "'";
+  BOOST_TEST(std::system(command.c_str()) != 0);
+  BOOST_TEST(test::read(err) == "\nehd: atlas: interrupted; the solved points are kept, and the same command goes on from there\n");
+  BOOST_TEST(!std::filesystem::exists(output + "/atlas.csv"));
+  BOOST_TEST(test::read(output + ".out") == "");
+}
+
 BOOST_AUTO_TEST_CASE(a_point_made_by_the_command_is_a_case_by_its_id) {
   const test::Folder folder;
   const std::string cases = folder.path().string(), id = "atlas-isoviscous-m0.2-l0-flooded";
@@ -667,6 +680,7 @@ BOOST_AUTO_TEST_CASE(a_point_made_by_the_command_is_a_case_by_its_id) {
   BOOST_TEST(made.error_lines() == 1, made.err);
   BOOST_TEST(made.out.find("1 points, 1 solved now") != std::string::npos, made.out);
   const auto again = test::ehd_run(folder, output);
+  BOOST_TEST(again.err == "1 of 1 points are known from an earlier run\n");
   BOOST_TEST(again.out.find("1 points, 0 solved now, 1 from records") != std::string::npos, again.out);
   BOOST_REQUIRE(::setenv("EHD_CASES", cases.c_str(), 1) == 0);
   const auto solved = test::ehd_run(folder, "solve " + id + " --tolerance 1e-2 --json -");

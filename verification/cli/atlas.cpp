@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ehd atlas: the certified solutions over M and L, with the digits that are known.
+#include <unistd.h>
+
 #include <algorithm>
+#include <csignal>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <system_error>
 
 #include "verification/atlas.hpp"
@@ -47,6 +51,15 @@ std::string progress_line(std::size_t done, std::size_t all, const verification:
          verification::plain(record.wall_s, 3) + " s";
 }
 
+/// Says what an interrupted run leaves, then ends as the signal asks. Only what a signal handler may call.
+extern "C" void tell_interrupted(int signal) {
+  constexpr std::string_view message =
+      "\nehd: atlas: interrupted; the solved points are kept, and the same command goes on from there\n";
+  [[maybe_unused]] const auto written = ::write(STDERR_FILENO, message.data(), message.size());
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+}
+
 int atlas(const AtlasOptions& options) {
   RequestOptions limits;
   limits.tolerance = options.tolerance;
@@ -79,15 +92,18 @@ int atlas(const AtlasOptions& options) {
   request.folder = options.output ? std::filesystem::path(*options.output) : verification::atlas_folder();
 
   std::size_t reused_so_far = 0;
+  bool told = false;
   request.progress = [&](std::size_t done, std::size_t all, const verification::AtlasRecord& record, bool reused) {
-    if (reused) {
-      ++reused_so_far;
-    } else {
-      complain(progress_line(done, all, record));
-    }
-    if (done == all && reused_so_far > 0)
+    reused_so_far += reused ? 1 : 0;
+    if (!told && reused_so_far > 0 && (!reused || done == all)) {
       complain(std::to_string(reused_so_far) + " of " + std::to_string(all) + " points are known from an earlier run");
+      told = true;
+    }
+    if (!reused) complain(progress_line(done, all, record));
   };
+  for (const int signal : {SIGINT, SIGTERM}) {
+    if (std::signal(signal, tell_interrupted) == SIG_IGN) std::signal(signal, SIG_IGN);  // as nohup asks
+  }
   const auto& solver = solver_named("reference");
   const auto result = verification::run_atlas(request, solver);
   print(human_summary(result));
