@@ -141,7 +141,8 @@ BOOST_AUTO_TEST_CASE(a_digit_is_printed_where_the_error_is_below_half_of_its_uni
       {std::nan(""), 1e-9, "none"},
   };
   for (const auto& row : rows)
-    BOOST_TEST(text_of(row.value, row.error) == row.text, row.value << " +- " << row.error << ": " << text_of(row.value, row.error));
+    BOOST_TEST(text_of(row.value, row.error) == row.text,
+               row.value << " +- " << row.error << ": " << text_of(row.value, row.error));
 }
 
 BOOST_AUTO_TEST_CASE(the_uncertainty_covers_the_error_and_the_rounding_of_the_text) {
@@ -156,7 +157,8 @@ BOOST_AUTO_TEST_CASE(the_uncertainty_covers_the_error_and_the_rounding_of_the_te
       continue;
     }
     ++printed;
-    const double text = std::stod(known->text), relative = std::stod(known->relative), absolute = std::stod(known->absolute);
+    const double text = std::stod(known->text), relative = std::stod(known->relative),
+                 absolute = std::stod(known->absolute);
     const double truth_may_be_off = error + std::abs(text - value);
     constexpr double slack = 1 - 1e-8;  // what is 1.2 to nine digits is printed as 1.2
     BOOST_REQUIRE_MESSAGE(absolute >= slack * truth_may_be_off, known->text << " from " << value << " +- " << error);
@@ -176,8 +178,8 @@ BOOST_AUTO_TEST_CASE(significant_digits_are_counted) {
   const struct {
     const char* text;
     int digits;
-  } rows[] = {{"", 0},      {"0", 0},          {"0.0741", 3},   {"-0.5035", 4}, {"1.000", 4},
-              {"10.00", 4}, {"1.0000e-3", 5}, {"1e10", 1},     {"-", 0},       {"1.2345E22", 5}};
+  } rows[] = {{"", 0},      {"0", 0},         {"0.0741", 3}, {"-0.5035", 4}, {"1.000", 4},
+              {"10.00", 4}, {"1.0000e-3", 5}, {"1e10", 1},   {"-", 0},       {"1.2345E22", 5}};
   for (const auto& row : rows) BOOST_TEST(count_digits(row.text) == row.digits, row.text);
 }
 
@@ -213,7 +215,8 @@ BOOST_AUTO_TEST_CASE(the_points_are_those_that_were_asked_for) {
     BOOST_TEST(count(true) == 96);
     BOOST_TEST(count(false) == 66);
   }
-  for (const char* id : {"atlas-roelands-m20-l10-flooded", "atlas-barus-m2-l2.5-cut4", "atlas-isoviscous-m0.05-l0-flooded"})
+  for (const char* id :
+       {"atlas-roelands-m20-l10-flooded", "atlas-barus-m2-l2.5-cut4", "atlas-isoviscous-m0.05-l0-flooded"})
     BOOST_TEST(ids.contains(id), id);
 }
 
@@ -255,7 +258,8 @@ BOOST_AUTO_TEST_CASE(a_case_file_is_read_back_with_the_same_problem_and_numbers)
       BOOST_TEST(read.version == 3);
       BOOST_TEST(read.title == point.title());
       const auto& contact = std::get<ContactCase>(read.body);
-      const auto &moes = std::get<MoesGroups>(contact.statement), wanted = std::get<MoesGroups>(point.contact().statement);
+      const auto &moes = std::get<MoesGroups>(contact.statement),
+                 wanted = std::get<MoesGroups>(point.contact().statement);
       BOOST_TEST(moes.M == wanted.M);
       BOOST_TEST(moes.L == wanted.L);
       const auto* cut = std::get_if<TruncatedAt>(&point.inlet);
@@ -268,14 +272,16 @@ BOOST_AUTO_TEST_CASE(a_case_file_is_read_back_with_the_same_problem_and_numbers)
       BOOST_TEST(read.expectations.size() == (point.L == 0 ? 6u : 7u));
       for (const Expectation& one : read.expectations) {
         BOOST_TEST((one.scaling == Scaling::hertz && one.kind == ExpectationKind::computed && !one.waiting));
-        const Reading truth = made_solution(
-            {.groups = {.M = point.M, .L = point.L}, .viscosity = {}, .density = {}, .inlet = point.inlet}, 3e-11)
-                                  .observables.at(*quantity_from(one.quantity));
+        const Reading truth =
+            made_solution(
+                {.groups = {.M = point.M, .L = point.L}, .viscosity = {}, .density = {}, .inlet = point.inlet}, 3e-11)
+                .observables.at(*quantity_from(one.quantity));
         EHD_CHECK(error(one.value, truth.value),
                   Tolerance::calibrated(one.uncertainty, "the uncertainty stated covers error and rounding"));
         if (one.quantity == "film.offset") continue;  // its error is absolute
         BOOST_TEST(one.uncertainty >= 3e-11);
-        BOOST_TEST(one.uncertainty <= 12 * 3e-11);  // rounding is less than ten times the error, and two digits are shown
+        BOOST_TEST(one.uncertainty <=
+                   12 * 3e-11);  // rounding is less than ten times the error, and two digits are shown
         BOOST_TEST(count_digits(one.digits) >= 9);
       }
     }
@@ -296,7 +302,8 @@ BOOST_AUTO_TEST_CASE(a_point_without_digits_waits_for_them) {
   const auto row = atlas_row(point, record);
   for (std::size_t i = 0; i < row.size(); ++i) {
     const std::string& name = atlas_columns()[i];
-    const bool of_a_value = name.starts_with("H_") || name.starts_with("X_") || name.starts_with("P_") || name.starts_with("rolling");
+    const bool of_a_value =
+        name.starts_with("H_") || name.starts_with("X_") || name.starts_with("P_") || name.starts_with("rolling");
     if (of_a_value) BOOST_TEST(row[i] == "", name);
   }
 }
@@ -666,7 +673,8 @@ BOOST_AUTO_TEST_CASE(an_interrupted_command_says_what_it_leaves) {
                               "' atlas --threads 1 --only roelands-m5000-l30 --output '" + output + "' > '" + output +
                               ".out' 2> '" + err + "'";
   BOOST_TEST(std::system(command.c_str()) != 0);
-  BOOST_TEST(test::read(err) == "\nehd: atlas: interrupted; the solved points are kept, and the same command goes on from there\n");
+  BOOST_TEST(test::read(err) ==
+             "\nehd: atlas: interrupted; the solved points are kept, and the same command goes on from there\n");
   BOOST_TEST(!std::filesystem::exists(output + "/atlas.csv"));
   BOOST_TEST(test::read(output + ".out") == "");
 }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ehd atlas: the certified solutions over M and L, with the digits that are known.
+#include "verification/atlas.hpp"
+
 #include <unistd.h>
 
 #include <algorithm>
@@ -11,7 +13,6 @@
 #include <string_view>
 #include <system_error>
 
-#include "verification/atlas.hpp"
 #include "verification/cli/commands.hpp"
 #include "verification/cli/common.hpp"
 #include "verification/text.hpp"
@@ -46,9 +47,9 @@ std::string progress_line(std::size_t done, std::size_t all, const verification:
     return verification::with_absolute_error(at->second.value, at->second.error);
   };
   const std::string counter = std::to_string(done), total = std::to_string(all);
-  return "[" + std::string(total.size() - std::min(total.size(), counter.size()), ' ') + counter + "/" + total + "] " + record.id + ": " +
-         std::string(to_string(record.status)) + ", H_min " + error_of("H_min") + ", H_cen " + error_of("H_cen") + ", " +
-         verification::plain(record.wall_s, 3) + " s";
+  return "[" + std::string(total.size() - std::min(total.size(), counter.size()), ' ') + counter + "/" + total + "] " +
+         record.id + ": " + std::string(to_string(record.status)) + ", H_min " + error_of("H_min") + ", H_cen " +
+         error_of("H_cen") + ", " + verification::plain(record.wall_s, 3) + " s";
 }
 
 /// Says what an interrupted run leaves, then ends as the signal asks. Only what a signal handler may call.
@@ -86,9 +87,9 @@ int atlas(const AtlasOptions& options) {
   }
   request.fresh = options.fresh;
   if (verification::selected_points(request).empty())
-    throw option_error("--only", request.only, "is in no id; allowed is a part of an id like " + request.points.back().id());
-  if (options.output && options.output->empty())
-    throw option_error("--output", "", "is empty; allowed is a folder");
+    throw option_error("--only", request.only,
+                       "is in no id; allowed is a part of an id like " + request.points.back().id());
+  if (options.output && options.output->empty()) throw option_error("--output", "", "is empty; allowed is a folder");
   request.folder = options.output ? std::filesystem::path(*options.output) : verification::atlas_folder();
 
   std::size_t reused_so_far = 0;
