@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <map>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -341,6 +342,22 @@ BOOST_AUTO_TEST_CASE(a_looser_tolerance_follows_only_where_nothing_is_known) {
   BOOST_TEST(good.solves == 1);
 }
 
+BOOST_AUTO_TEST_CASE(the_error_of_the_offset_is_absolute_and_of_the_others_relative) {
+  const AtlasPoint point = few_points()[5];  // H_0 = -32 here: the two differ
+  const AtlasRecord record = record_of(point);
+  const auto &offset = record.readings.at("H_0"), &minimum = record.readings.at("H_min");
+  BOOST_TEST(offset.error == 3e-11 / 7);
+  EHD_CHECK(error(minimum.error, 3e-11 * minimum.value), Tolerance::round_off(2));
+  std::map<std::string, double> row;
+  const auto cells = atlas_row(point, record);
+  for (std::size_t i = 0; i < cells.size(); ++i) row[atlas_columns()[i]] = std::strtod(cells[i].c_str(), nullptr);
+  BOOST_TEST(row["H_0_error"] >= offset.error);
+  BOOST_TEST(row["H_0_error"] <= 12 * offset.error);
+  BOOST_TEST(row["H_min_error"] >= 3e-11);
+  BOOST_TEST(row["H_min_error"] <= 12 * 3e-11);
+  BOOST_TEST(row["X_spike_error"] >= record.readings.at("X_spike").error);
+}
+
 BOOST_AUTO_TEST_CASE(a_quantity_without_an_error_has_no_digits) {
   RegisteredSolver solver = *find_solver("reference");
   solver.solve = [](const Problem& problem, const Request&) {
@@ -457,7 +474,7 @@ BOOST_AUTO_TEST_CASE(a_record_holds_until_the_question_or_the_solver_changes) {
   // One damaged record, one that stands in another's place.
   const auto records = request.folder / ".progress";
   std::ofstream(records / (request.points[0].id() + ".json")) << "{";
-  std::filesystem::copy_file(records / (request.points[1].id() + ".json"), records / (request.points[2].id() + ".json"),
+  std::filesystem::copy_file(records / (request.points[4].id() + ".json"), records / (request.points[5].id() + ".json"),
                              std::filesystem::copy_options::overwrite_existing);
   BOOST_TEST(solves_of(request, fake.solver()) == 2);
   // Another solver: its solves differ in one bit.
