@@ -43,20 +43,18 @@ struct Column {
   bool absolute = false;             ///< its error, in the CSV
 };
 const std::array columns_of_values = {
-    Column{"H_min", Quantity::film_minimum},
-    Column{"H_cen", Quantity::film_central},
-    Column{"H_couette", Quantity::film_couette},
-    Column{"X_exit", Quantity::pressure_exit},
-    Column{"H_0", Quantity::film_offset, true},
-    Column{"rolling_force", Quantity::rolling_force},
-    Column{"P_spike", Quantity::pressure_spike},
-    Column{"X_spike", std::nullopt, true},
+    Column{"H_min", Quantity::film_minimum},     Column{"H_cen", Quantity::film_central},
+    Column{"H_couette", Quantity::film_couette}, Column{"X_exit", Quantity::pressure_exit},
+    Column{"H_0", Quantity::film_offset, true},  Column{"rolling_force", Quantity::rolling_force},
+    Column{"P_spike", Quantity::pressure_spike}, Column{"X_spike", std::nullopt, true},
 };
 std::string error_column(const Column& column) { return std::string(column.name) + "_error"; }
 
 constexpr std::string_view csv_comment =
-    "# Line contacts in Hertz units: X = x/b, P = p/p_H, H = h R/b^2 (H_Moes = 8M/pi H); p_H_GPa with alpha = 2.2e-8 1/Pa; "
-    "NAME_error is the uncertainty of the printed NAME, relative, of H_0 and X_spike absolute; wall_s in seconds; empty: "
+    "# Line contacts in Hertz units: X = x/b, P = p/p_H, H = h R/b^2 (H_Moes = 8M/pi H); p_H_GPa with alpha = 2.2e-8 "
+    "1/Pa; "
+    "NAME_error is the uncertainty of the printed NAME, relative, of H_0 and X_spike absolute; wall_s in seconds; "
+    "empty: "
     "not known. README.md says more.";
 
 std::string of_inlet(const Inlet& inlet, std::string_view flooded, const std::string& before, bool negated) {
@@ -213,15 +211,15 @@ double film_error(const AtlasRecord& record) {
   return std::max(relative_error(record, "H_min"), relative_error(record, "H_cen"));
 }
 
-/// Where the spike stands comes without an error. Three times what the two discretisations differ by, and what the error
-/// of its height may move it by: the relative error times its distance from the exit, times 30.
+/// Where the spike stands comes without an error. Three times what the two discretisations differ by, and what the
+/// error of its height may move it by: the relative error times its distance from the exit, times 30.
 std::optional<AtlasReading> place_of_spike(const Solution& solution) {
   constexpr double safety = 3, steepness = 30;
   const auto at = solution.observables.find(Quantity::pressure_spike);
   const auto exit = solution.observables.find(Quantity::pressure_exit);
   const auto& grids = solution.record.grids;
-  if (at == solution.observables.end() || exit == solution.observables.end() || !at->second.place || !at->second.error ||
-      grids.size() < 2)
+  if (at == solution.observables.end() || exit == solution.observables.end() || !at->second.place ||
+      !at->second.error || grids.size() < 2)
     return std::nullopt;
   const double place = *at->second.place;
   double farthest = 0;
@@ -241,7 +239,8 @@ std::map<std::string, AtlasReading> readings_of(const Solution& solution) {
     if (at == solution.observables.end() || !at->second.error) continue;
     const Reading& reading = at->second;
     const double error = *reading.error * (column.absolute ? 1 : std::abs(reading.value));
-    if (std::isfinite(reading.value) && std::isfinite(error)) readings[std::string(column.name)] = {reading.value, error};
+    if (std::isfinite(reading.value) && std::isfinite(error))
+      readings[std::string(column.name)] = {reading.value, error};
   }
   if (const auto place = place_of_spike(solution)) readings["X_spike"] = *place;
   return readings;
@@ -302,7 +301,12 @@ std::optional<AtlasRecord> record_from(const std::string& text) {
 
 AtlasRecord solve_point(const AtlasPoint& point, const RegisteredSolver& solver, double tolerance,
                         double time_limit_s) {
-  AtlasRecord best{.id = point.id(), .solver = {}, .tolerance = tolerance, .time_limit_s = time_limit_s, .reason = {}, .readings = {}};
+  AtlasRecord best{.id = point.id(),
+                   .solver = {},
+                   .tolerance = tolerance,
+                   .time_limit_s = time_limit_s,
+                   .reason = {},
+                   .readings = {}};
   constexpr double looser = 1000;
   bool first = true;
   for (double asked = tolerance;;) {
@@ -389,8 +393,8 @@ std::string case_text_of(const AtlasPoint& point, const AtlasRecord& record, int
     const auto at = known.find(std::string(column.name));
     const std::string heading = "\n[[expect]]\nquantity = \"" + std::string(to_string(*column.quantity)) + "\"\n";
     if (at != known.end()) {
-      text += heading + "value = \"" + at->second.text + "\"\nscaling = \"hertz\"\nuncertainty = " + at->second.relative +
-              "\nkind = \"computed\"\n";
+      text += heading + "value = \"" + at->second.text +
+              "\"\nscaling = \"hertz\"\nuncertainty = " + at->second.relative + "\nkind = \"computed\"\n";
     } else if (*column.quantity == Quantity::film_minimum || *column.quantity == Quantity::film_central) {
       text += heading + "status = \"waiting\"\n";
     }
@@ -494,8 +498,8 @@ AtlasTable read_atlas_table(const std::filesystem::path& csv) {
     const auto cells = split(line);
     if (!header) {
       if (cells != atlas_columns())
-        throw refuse(number, shortened(line, 60) + ": other columns; allowed is what `ehd atlas` writes: " +
-                                 joined(atlas_columns()));
+        throw refuse(number, shortened(line, 60) +
+                                 ": other columns; allowed is what `ehd atlas` writes: " + joined(atlas_columns()));
       header = true;
       continue;
     }
@@ -523,7 +527,8 @@ std::string digits_text(const AtlasTable& table) {
     if (std::find(blocks.begin(), blocks.end(), block) == blocks.end()) blocks.push_back(block);
   }
   const auto by_value = [](const std::string& a, const std::string& b) { return std::stod(a) < std::stod(b); };
-  std::string text = "Significant digits known of H_min/H_cen; -: not known to 1e-4; *: a numerical test, p_H above 4 GPa\n";
+  std::string text =
+      "Significant digits known of H_min/H_cen; -: not known to 1e-4; *: a numerical test, p_H above 4 GPa\n";
   for (const auto& block : blocks) {
     std::set<std::string, decltype(by_value)> all_M(by_value), all_L(by_value);
     std::map<std::pair<std::string, std::string>, std::string> cells;
@@ -582,7 +587,8 @@ std::string difference(const std::map<std::string, std::string>& row, const Case
   const Lubricant expected = point.contact().lubricant.value(), &stated = *contact->lubricant;
   const auto as_row = atlas_row(point, {});
   for (std::size_t i = 0; i < 7; ++i) {  // what the point alone decides: id … numerical_test
-    if (as_row[i] != row.at(atlas_columns()[i])) return atlas_columns()[i] + " is " + as_row[i] + ", not " + row.at(atlas_columns()[i]);
+    if (as_row[i] != row.at(atlas_columns()[i]))
+      return atlas_columns()[i] + " is " + as_row[i] + ", not " + row.at(atlas_columns()[i]);
   }
   if (!known_laws || stated.viscosity != expected.viscosity || stated.density != expected.density ||
       stated.alpha_per_Pa != expected.alpha_per_Pa || stated.z != expected.z ||
@@ -598,9 +604,11 @@ std::string difference(const std::map<std::string, std::string>& row, const Case
     const bool there = at != read.expectations.end();
     compared += there ? 1 : 0;
     const std::string in_case = there ? at->digits : "";
-    if (in_case != digits) return name + " is " + (in_case.empty() ? "absent" : in_case) + ", not " + (digits.empty() ? "absent" : digits);
+    if (in_case != digits)
+      return name + " is " + (in_case.empty() ? "absent" : in_case) + ", not " + (digits.empty() ? "absent" : digits);
     if (digits.empty()) continue;
-    if (at->scaling != Scaling::hertz || at->kind != ExpectationKind::computed) return name + " is not a computed one in Hertz units";
+    if (at->scaling != Scaling::hertz || at->kind != ExpectationKind::computed)
+      return name + " is not a computed one in Hertz units";
     // Both are rounded up to two digits; of H_0 one is relative, one absolute.
     const double uncertainty = column.absolute ? at->uncertainty * std::abs(at->value) : at->uncertainty;
     constexpr double two_digits = 0.11;
@@ -708,11 +716,13 @@ AtlasResult run_atlas(const AtlasRequest& request, const RegisteredSolver& solve
     result.entries.push_back(std::move(entry));
   }
 
-  // The heaviest first, so that no thread is left with a long one at the end.
+  // What is known, then the heaviest first, so that no thread is left with a long one at the end.
   std::vector<std::size_t> order(result.entries.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return result.entries[a].point.hertz_pressure_Pa() > result.entries[b].point.hertz_pressure_Pa();
+    const auto &one = result.entries[a], &other = result.entries[b];
+    if (one.reused != other.reused) return one.reused;
+    return one.point.hertz_pressure_Pa() > other.point.hertz_pressure_Pa();
   });
   std::atomic<std::size_t> next = 0;
   std::size_t done = 0;
@@ -806,7 +816,8 @@ std::string human_summary(const AtlasResult& result) {
                    [](const auto* a, const auto* b) { return a->record.wall_s > b->record.wall_s; });
   std::string text = digits_text(table) + "\n";
   text += std::to_string(result.entries.size()) + " points, " + std::to_string(result.entries.size() - reused) +
-          " solved now, " + std::to_string(reused) + " from records of an earlier run, " + plain(result.wall_s, 3) + " s\n";
+          " solved now, " + std::to_string(reused) + " from records of an earlier run, " + plain(result.wall_s, 3) +
+          " s\n";
   text += std::to_string(with_many) + " with " + std::to_string(many) + " digits or more of H_min and H_cen, " +
           std::to_string(with_several) + " with " + std::to_string(several) + " or more, " +
           std::to_string(without.size()) + " without; " + std::to_string(tests) + " are numerical tests\n";

@@ -28,9 +28,9 @@ enum class AtlasLaws {
 };
 [[nodiscard]] std::string_view to_string(AtlasLaws laws);
 
-inline constexpr double atlas_alpha_per_Pa = 2.2e-8;          ///< of both sets: it makes p_H of M and L
-inline constexpr double atlas_highest_pressure_Pa = 4e9;      ///< above, a point is a numerical test
-inline constexpr double atlas_worst_error = 1e-4;             ///< relative, of H_min and H_cen: above, no digits
+inline constexpr double atlas_alpha_per_Pa = 2.2e-8;      ///< of both sets: it makes p_H of M and L
+inline constexpr double atlas_highest_pressure_Pa = 4e9;  ///< above, a point is a numerical test
+inline constexpr double atlas_worst_error = 1e-4;         ///< relative, of H_min and H_cen: above, no digits
 
 struct AtlasPoint {
   AtlasLaws laws = AtlasLaws::isoviscous;
@@ -38,7 +38,7 @@ struct AtlasPoint {
   double L = 0;
   Inlet inlet = Flooded{};
 
-  [[nodiscard]] std::string id() const;     ///< "atlas-roelands-m20-l10-flooded", "…-cut4"
+  [[nodiscard]] std::string id() const;  ///< "atlas-roelands-m20-l10-flooded", "…-cut4"
   [[nodiscard]] std::string title() const;
   [[nodiscard]] double hertz_pressure_Pa() const;  ///< L sqrt(M/2pi)/alpha; 0 at L = 0
   [[nodiscard]] bool numerical_test() const;
@@ -141,7 +141,7 @@ struct AtlasRequest {
   double time_limit_s = 30;
   unsigned threads = 0;  ///< 0: as many as there are cores
   bool fresh = false;    ///< do not believe records of an earlier run
-  /// After each point, one thread at a time.
+  /// After each point, one thread at a time; reused ones come first, save for what the threads overlap.
   std::function<void(std::size_t done, std::size_t all, const AtlasRecord& record, bool reused)> progress = {};
 };
 
@@ -151,17 +151,17 @@ struct AtlasResult {
     AtlasRecord record;
     bool reused = false;  ///< from a record of an earlier run
   };
-  std::vector<Entry> entries;           ///< selected points, in the order of the request
-  std::vector<std::string> left_over;   ///< case files in the folder that belong to no row
+  std::vector<Entry> entries;          ///< selected points, in the order of the request
+  std::vector<std::string> left_over;  ///< case files in the folder that belong to no row
   double wall_s = 0;
 };
 
 [[nodiscard]] std::vector<AtlasPoint> selected_points(const AtlasRequest& request);
 
-/// Solves what no record answers, longest first; a record is written as soon as its point is solved. Then atlas.csv,
-/// digits.txt and the case files are written, each whole or not at all. A case in which a number changes gets the next
-/// version. Throws OutputError where the folder cannot be written, CaseError where `only` should keep rows of
-/// an atlas.csv that is none.
+/// Solves what no record answers, the heaviest first; a record is written as soon as its point is solved. Then
+/// atlas.csv, digits.txt and the case files are written, each whole or not at all. A case in which a number changes
+/// gets the next version. Throws OutputError where the folder cannot be written, CaseError where `only` should keep
+/// rows of an atlas.csv that is none.
 [[nodiscard]] AtlasResult run_atlas(const AtlasRequest& request, const RegisteredSolver& solver);
 
 /// Points, digits, the slowest, and what is not known, for a terminal.

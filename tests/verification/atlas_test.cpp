@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <map>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -140,7 +142,8 @@ BOOST_AUTO_TEST_CASE(a_digit_is_printed_where_the_error_is_below_half_of_its_uni
       {std::nan(""), 1e-9, "none"},
   };
   for (const auto& row : rows)
-    BOOST_TEST(text_of(row.value, row.error) == row.text, row.value << " +- " << row.error << ": " << text_of(row.value, row.error));
+    BOOST_TEST(text_of(row.value, row.error) == row.text,
+               row.value << " +- " << row.error << ": " << text_of(row.value, row.error));
 }
 
 BOOST_AUTO_TEST_CASE(the_uncertainty_covers_the_error_and_the_rounding_of_the_text) {
@@ -155,7 +158,8 @@ BOOST_AUTO_TEST_CASE(the_uncertainty_covers_the_error_and_the_rounding_of_the_te
       continue;
     }
     ++printed;
-    const double text = std::stod(known->text), relative = std::stod(known->relative), absolute = std::stod(known->absolute);
+    const double text = std::stod(known->text), relative = std::stod(known->relative),
+                 absolute = std::stod(known->absolute);
     const double truth_may_be_off = error + std::abs(text - value);
     constexpr double slack = 1 - 1e-8;  // what is 1.2 to nine digits is printed as 1.2
     BOOST_REQUIRE_MESSAGE(absolute >= slack * truth_may_be_off, known->text << " from " << value << " +- " << error);
@@ -175,8 +179,8 @@ BOOST_AUTO_TEST_CASE(significant_digits_are_counted) {
   const struct {
     const char* text;
     int digits;
-  } rows[] = {{"", 0},      {"0", 0},          {"0.0741", 3},   {"-0.5035", 4}, {"1.000", 4},
-              {"10.00", 4}, {"1.0000e-3", 5}, {"1e10", 1},     {"-", 0},       {"1.2345E22", 5}};
+  } rows[] = {{"", 0},      {"0", 0},         {"0.0741", 3}, {"-0.5035", 4}, {"1.000", 4},
+              {"10.00", 4}, {"1.0000e-3", 5}, {"1e10", 1},   {"-", 0},       {"1.2345E22", 5}};
   for (const auto& row : rows) BOOST_TEST(count_digits(row.text) == row.digits, row.text);
 }
 
@@ -212,7 +216,8 @@ BOOST_AUTO_TEST_CASE(the_points_are_those_that_were_asked_for) {
     BOOST_TEST(count(true) == 96);
     BOOST_TEST(count(false) == 66);
   }
-  for (const char* id : {"atlas-roelands-m20-l10-flooded", "atlas-barus-m2-l2.5-cut4", "atlas-isoviscous-m0.05-l0-flooded"})
+  for (const char* id :
+       {"atlas-roelands-m20-l10-flooded", "atlas-barus-m2-l2.5-cut4", "atlas-isoviscous-m0.05-l0-flooded"})
     BOOST_TEST(ids.contains(id), id);
 }
 
@@ -254,7 +259,8 @@ BOOST_AUTO_TEST_CASE(a_case_file_is_read_back_with_the_same_problem_and_numbers)
       BOOST_TEST(read.version == 3);
       BOOST_TEST(read.title == point.title());
       const auto& contact = std::get<ContactCase>(read.body);
-      const auto &moes = std::get<MoesGroups>(contact.statement), wanted = std::get<MoesGroups>(point.contact().statement);
+      const auto &moes = std::get<MoesGroups>(contact.statement),
+                 wanted = std::get<MoesGroups>(point.contact().statement);
       BOOST_TEST(moes.M == wanted.M);
       BOOST_TEST(moes.L == wanted.L);
       const auto* cut = std::get_if<TruncatedAt>(&point.inlet);
@@ -267,14 +273,16 @@ BOOST_AUTO_TEST_CASE(a_case_file_is_read_back_with_the_same_problem_and_numbers)
       BOOST_TEST(read.expectations.size() == (point.L == 0 ? 6u : 7u));
       for (const Expectation& one : read.expectations) {
         BOOST_TEST((one.scaling == Scaling::hertz && one.kind == ExpectationKind::computed && !one.waiting));
-        const Reading truth = made_solution(
-            {.groups = {.M = point.M, .L = point.L}, .viscosity = {}, .density = {}, .inlet = point.inlet}, 3e-11)
-                                  .observables.at(*quantity_from(one.quantity));
+        const Reading truth =
+            made_solution(
+                {.groups = {.M = point.M, .L = point.L}, .viscosity = {}, .density = {}, .inlet = point.inlet}, 3e-11)
+                .observables.at(*quantity_from(one.quantity));
         EHD_CHECK(error(one.value, truth.value),
                   Tolerance::calibrated(one.uncertainty, "the uncertainty stated covers error and rounding"));
         if (one.quantity == "film.offset") continue;  // its error is absolute
         BOOST_TEST(one.uncertainty >= 3e-11);
-        BOOST_TEST(one.uncertainty <= 12 * 3e-11);  // rounding is less than ten times the error, and two digits are shown
+        BOOST_TEST(one.uncertainty <=
+                   12 * 3e-11);  // rounding is less than ten times the error, and two digits are shown
         BOOST_TEST(count_digits(one.digits) >= 9);
       }
     }
@@ -295,7 +303,8 @@ BOOST_AUTO_TEST_CASE(a_point_without_digits_waits_for_them) {
   const auto row = atlas_row(point, record);
   for (std::size_t i = 0; i < row.size(); ++i) {
     const std::string& name = atlas_columns()[i];
-    const bool of_a_value = name.starts_with("H_") || name.starts_with("X_") || name.starts_with("P_") || name.starts_with("rolling");
+    const bool of_a_value =
+        name.starts_with("H_") || name.starts_with("X_") || name.starts_with("P_") || name.starts_with("rolling");
     if (of_a_value) BOOST_TEST(row[i] == "", name);
   }
 }
@@ -331,6 +340,22 @@ BOOST_AUTO_TEST_CASE(a_looser_tolerance_follows_only_where_nothing_is_known) {
   Fake good;
   BOOST_TEST(solve_point(point, good.solver(), 1e-10, 30).has_digits());
   BOOST_TEST(good.solves == 1);
+}
+
+BOOST_AUTO_TEST_CASE(the_error_of_the_offset_is_absolute_and_of_the_others_relative) {
+  const AtlasPoint point = few_points()[5];  // H_0 = -32 here: the two differ
+  const AtlasRecord record = record_of(point);
+  const auto &offset = record.readings.at("H_0"), &minimum = record.readings.at("H_min");
+  BOOST_TEST(offset.error == 3e-11 / 7);
+  EHD_CHECK(error(minimum.error, 3e-11 * minimum.value), Tolerance::round_off(2));
+  std::map<std::string, double> row;
+  const auto cells = atlas_row(point, record);
+  for (std::size_t i = 0; i < cells.size(); ++i) row[atlas_columns()[i]] = std::strtod(cells[i].c_str(), nullptr);
+  BOOST_TEST(row["H_0_error"] >= offset.error);
+  BOOST_TEST(row["H_0_error"] <= 12 * offset.error);
+  BOOST_TEST(row["H_min_error"] >= 3e-11);
+  BOOST_TEST(row["H_min_error"] <= 12 * 3e-11);
+  BOOST_TEST(row["X_spike_error"] >= record.readings.at("X_spike").error);
 }
 
 BOOST_AUTO_TEST_CASE(a_quantity_without_an_error_has_no_digits) {
@@ -449,7 +474,7 @@ BOOST_AUTO_TEST_CASE(a_record_holds_until_the_question_or_the_solver_changes) {
   // One damaged record, one that stands in another's place.
   const auto records = request.folder / ".progress";
   std::ofstream(records / (request.points[0].id() + ".json")) << "{";
-  std::filesystem::copy_file(records / (request.points[1].id() + ".json"), records / (request.points[2].id() + ".json"),
+  std::filesystem::copy_file(records / (request.points[4].id() + ".json"), records / (request.points[5].id() + ".json"),
                              std::filesystem::copy_options::overwrite_existing);
   BOOST_TEST(solves_of(request, fake.solver()) == 2);
   // Another solver: its solves differ in one bit.
@@ -658,6 +683,19 @@ BOOST_AUTO_TEST_CASE(wrong_usage_of_the_command_is_one_line_and_exit_code_2) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(an_interrupted_command_says_what_it_leaves) {
+  const test::Folder folder;
+  const std::string output = (folder.path() / "atlas").string(), err = (folder.path() / "err.txt").string();
+  const std::string command = "timeout -s INT 0.8 '" + std::string(EHD_PROGRAM) +
+                              "' atlas --threads 1 --only roelands-m5000-l30 --output '" + output + "' > '" + output +
+                              ".out' 2> '" + err + "'";
+  BOOST_TEST(std::system(command.c_str()) != 0);
+  BOOST_TEST(test::read(err) ==
+             "\nehd: atlas: interrupted; the solved points are kept, and the same command goes on from there\n");
+  BOOST_TEST(!std::filesystem::exists(output + "/atlas.csv"));
+  BOOST_TEST(test::read(output + ".out") == "");
+}
+
 BOOST_AUTO_TEST_CASE(a_point_made_by_the_command_is_a_case_by_its_id) {
   const test::Folder folder;
   const std::string cases = folder.path().string(), id = "atlas-isoviscous-m0.2-l0-flooded";
@@ -667,6 +705,7 @@ BOOST_AUTO_TEST_CASE(a_point_made_by_the_command_is_a_case_by_its_id) {
   BOOST_TEST(made.error_lines() == 1, made.err);
   BOOST_TEST(made.out.find("1 points, 1 solved now") != std::string::npos, made.out);
   const auto again = test::ehd_run(folder, output);
+  BOOST_TEST(again.err == "1 of 1 points are known from an earlier run\n");
   BOOST_TEST(again.out.find("1 points, 0 solved now, 1 from records") != std::string::npos, again.out);
   BOOST_REQUIRE(::setenv("EHD_CASES", cases.c_str(), 1) == 0);
   const auto solved = test::ehd_run(folder, "solve " + id + " --tolerance 1e-2 --json -");

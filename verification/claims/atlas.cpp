@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rung 10: the atlas (cases/atlas). Its table and its case files say the same; a sample of its points is met by both
 // solvers at other tolerances than the one it was made with.
+#include "verification/atlas.hpp"
+
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -8,7 +10,6 @@
 #include <system_error>
 #include <vector>
 
-#include "verification/atlas.hpp"
 #include "verification/claims/topics.hpp"
 #include "verification/registry.hpp"
 #include "verification/solve_run.hpp"
@@ -46,7 +47,8 @@ SkippedClaim skipped(const std::string& id, const std::string& statement, const 
 
 Findings judge_files() {
   const auto folder = atlas_folder();
-  const std::string id = "atlas/files", statement = "atlas.csv and the case files beside it say the same of every point";
+  const std::string id = "atlas/files",
+                    statement = "atlas.csv and the case files beside it say the same of every point";
   std::error_code error;
   if (!std::filesystem::exists(folder / "atlas.csv", error) && atlas_files(folder).empty())
     return {.claims = {}, .skipped = {skipped(id, statement, "there is no atlas in " + cases_folder().string())}};
@@ -76,8 +78,9 @@ Findings judge_point(const std::string& id) {
     const ContactRun run = run_contact(point, *find_solver(solve.solver), {.tolerance = solve.tolerance});
     // Where the tolerance is not met the error reported is judged all the same: it must be honest.
     const bool solved = run.status() == StopReason::converged || run.status() == StopReason::tolerance_not_met;
-    const std::string ended =
-        run.status() == StopReason::converged ? "" : "; " + std::string(to_string(run.status())) + ": " + run.solution.record.reason;
+    const std::string ended = run.status() == StopReason::converged
+                                  ? ""
+                                  : "; " + std::string(to_string(run.status())) + ": " + run.solution.record.reason;
     for (const Expectation& expectation : point.expectations) {
       const std::string name = std::string(solve.solver) + " at " + plain(solve.tolerance);
       Sentence says{.id = "atlas/" + id + "/" + solve.solver + "/" + expectation.quantity,
@@ -97,11 +100,11 @@ Findings judge_point(const std::string& id) {
         continue;
       }
       const double reported = measured && measured->error ? *measured->error : nothing;
-      found.claims.push_back(
-          claim_value(says, measured ? measured->value : nothing, expectation.value, 0,
-                      Tolerance::discretisation(reported + expectation.uncertainty, 1),
-                      "tolerance = reported error " + plain(reported, 2) + " + uncertainty in the atlas " +
-                          plain(expectation.uncertainty, 2) + ended));
+      found.claims.push_back(claim_value(says, measured ? measured->value : nothing, expectation.value, 0,
+                                         Tolerance::discretisation(reported + expectation.uncertainty, 1),
+                                         "tolerance = reported error " + plain(reported, 2) +
+                                             " + uncertainty in the atlas " + plain(expectation.uncertainty, 2) +
+                                             ended));
     }
   }
   return found;

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ehd atlas: the certified solutions over M and L, with the digits that are known.
+#include "verification/atlas.hpp"
+
+#include <unistd.h>
+
 #include <algorithm>
+#include <csignal>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <system_error>
 
-#include "verification/atlas.hpp"
 #include "verification/cli/commands.hpp"
 #include "verification/cli/common.hpp"
 #include "verification/text.hpp"
@@ -42,9 +47,18 @@ std::string progress_line(std::size_t done, std::size_t all, const verification:
     return verification::with_absolute_error(at->second.value, at->second.error);
   };
   const std::string counter = std::to_string(done), total = std::to_string(all);
-  return "[" + std::string(total.size() - std::min(total.size(), counter.size()), ' ') + counter + "/" + total + "] " + record.id + ": " +
-         std::string(to_string(record.status)) + ", H_min " + error_of("H_min") + ", H_cen " + error_of("H_cen") + ", " +
-         verification::plain(record.wall_s, 3) + " s";
+  return "[" + std::string(total.size() - std::min(total.size(), counter.size()), ' ') + counter + "/" + total + "] " +
+         record.id + ": " + std::string(to_string(record.status)) + ", H_min " + error_of("H_min") + ", H_cen " +
+         error_of("H_cen") + ", " + verification::plain(record.wall_s, 3) + " s";
+}
+
+/// Says what an interrupted run leaves, then ends as the signal asks. Only what a signal handler may call.
+extern "C" void tell_interrupted(int signal) {
+  constexpr std::string_view message =
+      "\nehd: atlas: interrupted; the solved points are kept, and the same command goes on from there\n";
+  [[maybe_unused]] const auto written = ::write(STDERR_FILENO, message.data(), message.size());
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
 }
 
 int atlas(const AtlasOptions& options) {
@@ -73,21 +87,24 @@ int atlas(const AtlasOptions& options) {
   }
   request.fresh = options.fresh;
   if (verification::selected_points(request).empty())
-    throw option_error("--only", request.only, "is in no id; allowed is a part of an id like " + request.points.back().id());
-  if (options.output && options.output->empty())
-    throw option_error("--output", "", "is empty; allowed is a folder");
+    throw option_error("--only", request.only,
+                       "is in no id; allowed is a part of an id like " + request.points.back().id());
+  if (options.output && options.output->empty()) throw option_error("--output", "", "is empty; allowed is a folder");
   request.folder = options.output ? std::filesystem::path(*options.output) : verification::atlas_folder();
 
   std::size_t reused_so_far = 0;
+  bool told = false;
   request.progress = [&](std::size_t done, std::size_t all, const verification::AtlasRecord& record, bool reused) {
-    if (reused) {
-      ++reused_so_far;
-    } else {
-      complain(progress_line(done, all, record));
-    }
-    if (done == all && reused_so_far > 0)
+    reused_so_far += reused ? 1 : 0;
+    if (!told && reused_so_far > 0 && (!reused || done == all)) {
       complain(std::to_string(reused_so_far) + " of " + std::to_string(all) + " points are known from an earlier run");
+      told = true;
+    }
+    if (!reused) complain(progress_line(done, all, record));
   };
+  for (const int signal : {SIGINT, SIGTERM}) {
+    if (std::signal(signal, tell_interrupted) == SIG_IGN) std::signal(signal, SIG_IGN);  // as nohup asks
+  }
   const auto& solver = solver_named("reference");
   const auto result = verification::run_atlas(request, solver);
   print(human_summary(result));
