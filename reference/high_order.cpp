@@ -43,6 +43,9 @@ constexpr double fewest_inlet_cells = 1.5;
 /// Of the solution that lays out a given number of intervals.
 constexpr double layout_tolerance = 1e-6;
 
+/// Below it, meshes would resolve rounding.
+constexpr double finest_working = 1e-13;
+
 /// X_a of a flooded domain in units of l, with the tail before it; README.md, section 6.
 constexpr double flooded_inlet = -800;
 
@@ -237,6 +240,13 @@ class Solve {
     record.status = StopReason::converged;
     const double film = first.last().run.state.flux;
     const double rounding = rounding_of(film);
+    // Films move together: a difference of one that is small by chance is no small error.
+    double films_differ = 0;
+    for (const Quantity quantity : {Quantity::film_minimum, Quantity::film_central, Quantity::film_couette}) {
+      if (first.seen.contains(quantity) && second.seen.contains(quantity))
+        films_differ = std::max(films_differ,
+                                std::abs(second.seen.at(quantity).value / first.seen.at(quantity).value - 1));
+    }
     for (auto [quantity, reading] : first.seen) {
       if (is_diagnostic(quantity)) {
         if (problem_.wanted.contains(quantity)) solution.observables[quantity] = reading;
@@ -247,6 +257,7 @@ class Solve {
       const double size = absolute ? 1 : std::abs(reading.value);
       ErrorBudget budget;
       budget.discretisation = discretisation_safety * std::abs(reading.value - second.seen.at(quantity).value) / size;
+      if (is_film(quantity)) budget.discretisation = std::max(budget.discretisation, films_differ);
       if (guided && guide->seen.contains(quantity))
         budget.discretisation = std::max(
             budget.discretisation, guide_safety * std::abs(reading.value - guide->seen.at(quantity).value) / size);
@@ -320,6 +331,10 @@ class Solve {
     return quantity == Quantity::pressure_spike || quantity == Quantity::pressure_maximum;
   }
 
+  [[nodiscard]] static bool is_film(Quantity quantity) {
+    return quantity == Quantity::film_minimum || quantity == Quantity::film_central || quantity == Quantity::film_couette;
+  }
+
   [[nodiscard]] static std::string text(double value) {
     char buffer[32];
     std::snprintf(buffer, sizeof buffer, "%.1e", value);
@@ -386,6 +401,7 @@ Solution HighOrder::solve(const Problem& problem, const Request& request) const 
   for (int refinement = 0; refinement < 3; ++refinement) {
     if (refinement > 0) {
       working *= 0.01;
+      if (working < finest_working) break;
       descended = solve.coarse_descent(*top, working);
     }
     const Scheme scheme = working >= fine_tolerance ? coarse_scheme : fine_scheme;
