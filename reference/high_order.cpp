@@ -317,6 +317,8 @@ class Solve {
 
   [[nodiscard]] bool out_of_limits() const { return meter_.spent(); }
   [[nodiscard]] double expected_film() const { return film_; }
+  /// Meshes that resolve less than this only cost time.
+  [[nodiscard]] double expected_rounding() const { return rounding_of(film_); }
   [[nodiscard]] bool sees_inlet() const { return grids_.front().inlet_cells >= fewest_inlet_cells; }
   void forget_grids() { grids_.clear(); }
 
@@ -405,7 +407,8 @@ Solution HighOrder::solve(const Problem& problem, const Request& request) const 
       descended = solve.coarse_descent(*top, working);
     }
     const Scheme scheme = working >= fine_tolerance ? coarse_scheme : fine_scheme;
-    const Resolution resolution{.film = working, .spike = 1e-3, .defect = 1e-2};
+    const Resolution resolution{
+        .film = std::max(working, solve.expected_rounding()), .spike = 1e-3, .defect = 1e-2};
     const auto first = solve.discretised(descended, scheme, resolution, working);
     if (!first) break;
     const auto second = solve.discretised(first->floors, second_to(scheme), resolution, working);
