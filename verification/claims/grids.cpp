@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rung 8: grid studies of the second-order solvers. What the grids show, judged without knowing the answer, is held
-// against the high-order reference.
+// against the high-order reference; and the reference's flooded inlet against inlets that are cut further and further out.
 #include <cmath>
 #include <limits>
 #include <string>
@@ -27,7 +27,7 @@ const Study studies[] = {{"reference.uniform", {128, 256, 512, 1024}},
                          {"fast.uniform", {512, 1024, 2048, 4096, 8192}}};
 constexpr MoesGroups points[] = {{2, 0}, {5, 5}, {20, 5}, {20, 10}, {100, 10}};
 
-Findings judge_study(const Study& study, MoesGroups moes) {
+Problem problem_at(MoesGroups moes, Inlet inlet) {
   const Lubricant oil = moes.L > 0 ? Lubricant{.viscosity = ViscosityLaw::roelands,
                                                .density = DensityLaw::dowson_higginson,
                                                .alpha_per_Pa = 2.2e-8,
@@ -37,7 +37,11 @@ Findings judge_study(const Study& study, MoesGroups moes) {
                                                .density = DensityLaw::incompressible,
                                                .alpha_per_Pa = {},
                                                .z = {}};
-  const Problem problem = nondimensionalise(moes, oil, TruncatedAt{-4}).problem;
+  return nondimensionalise(moes, oil, inlet).problem;
+}
+
+Findings judge_study(const Study& study, MoesGroups moes) {
+  const Problem problem = problem_at(moes, TruncatedAt{-4});
   const Solution truth = find_solver("reference")->solve(problem, {.tolerance = 1e-9});
   std::vector<Solution> solutions;
   for (const int cells : study.grids) {
@@ -102,6 +106,44 @@ Findings judge_study(const Study& study, MoesGroups moes) {
   return found;
 }
 
+/// The pressure at a cut X_a is 4 lambda/(3 |X_a|^3) too small and the load before it is missing: films come to that of the
+/// flooded contact with |X_a|^-2, and with higher powers that a longer series of the gap brings. Three of them are taken away.
+Findings judge_flooded(MoesGroups moes) {
+  constexpr double tolerance = 1e-10;
+  constexpr double cuts[] = {160, 320, 640, 1280};
+  const auto& solver = *find_solver("reference");
+  const Solution flooded = solver.solve(problem_at(moes, Flooded{}), {.tolerance = tolerance});
+  std::vector<double> central;
+  std::string ended;
+  double error = 0;
+  const auto take = [&](const Solution& solution, double cut) {
+    const auto at = solution.observables.find(Quantity::film_central);
+    if (solution.record.status != StopReason::converged || at == solution.observables.end()) {
+      ended += "cut " + plain(cut) + " " + std::string(to_string(solution.record.status)) + "; ";
+      return nothing;
+    }
+    error = std::max(error, at->second.error.value());
+    return at->second.value;
+  };
+  const double truth = take(flooded, 0);
+  for (const double cut : cuts) central.push_back(take(solver.solve(problem_at(moes, TruncatedAt{-cut}), {.tolerance = tolerance}), cut));
+  std::string note = "below the flooded film by";
+  for (const double film : central) note += " " + plain(1 - film / truth, 3);
+  for (const double factor : {4.0, 8.0, 16.0}) {
+    for (std::size_t i = central.size() - 1; i > 0; --i) central[i] += (central[i] - central[i - 1]) / (factor - 1);
+    central.erase(central.begin());
+  }
+  Findings found;
+  found.claims.push_back(claim_value({.id = "flooded/" + plain(moes.M) + "-" + plain(moes.L),
+                                      .rung = 8,
+                                      .statement = "cut at -160 ... -1280 and carried on to infinity, the reference's central film at M-L = " +
+                                                   plain(moes.M) + "-" + plain(moes.L) + " is its flooded one",
+                                      .solver = "reference"},
+                                     central.back(), truth, 2 * error,
+                                     Tolerance::required(1e-9, "flooded inlets to 1e-9 of the central film"), note + "; " + ended));
+  return found;
+}
+
 }  // namespace
 
 std::vector<Topic> grid_topics() {
@@ -111,6 +153,8 @@ std::vector<Topic> grid_topics() {
       topics.push_back(
           {.name = "grid studies", .rungs = {8}, .slow = true, .judge = [&study, moes] { return judge_study(study, moes); }});
   }
+  for (const MoesGroups& moes : {MoesGroups{2, 2.5}, MoesGroups{20, 10}, MoesGroups{200, 5}})
+    topics.push_back({.name = "flooded inlet", .rungs = {8}, .judge = [moes] { return judge_flooded(moes); }});
   return topics;
 }
 
