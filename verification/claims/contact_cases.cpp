@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rungs 3, 6, 8 and 10 for each contact case: both solvers end converged within the tolerance that was asked for, keep
 // load and flux, agree with each other within what they report, and with every number that somebody vouches for.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -185,6 +186,44 @@ Findings judge_contact(const Case& contact_case) {
   return found;
 }
 
+/// The tightest digits that a case expects, as a relative half unit.
+double finest_digits(const Case& contact_case) {
+  double finest = 1;
+  for (const Expectation& expectation : contact_case.expectations)
+    if (!expectation.waiting) finest = std::min(finest, expectation.uncertainty);
+  return finest;
+}
+
+/// Cases with more digits than 1e-3 can feel are solved once more by the reference, as far as it is asked to go: films to
+/// 1e-9, a spike to 1e-7.
+Findings judge_certified(const Case& contact_case) {
+  const RegisteredSolver* solver = find_solver("reference");
+  const auto& contact = std::get<ContactCase>(contact_case.body);
+  const bool barus = contact.lubricant->viscosity == ViscosityLaw::barus;
+  const double tolerance = barus ? 1e-7 : 1e-9, spike_tolerance = 1e-7;
+  constexpr double spike_digits = 1e-6;  // fewer: a spike narrower than its coordinates can resolve
+  const ContactRun run = run_contact(contact_case, *solver, {.tolerance = 0.1 * tolerance}, want_everything());
+  Findings found = judge_expectations(contact_case, run, solver);
+  for (auto& claim : found.claims) claim.says.id += "/certified";
+  for (auto& row : found.skipped) row.says.id += "/certified";
+  const auto within = [&](Quantity quantity, double bound) {
+    const Reading* seen = reading(run, quantity);
+    found.claims.push_back(claim({.id = contact_case.id + "/certified/" + std::string(to_string(quantity)),
+                                  .rung = 6,
+                                  .statement = "reference knows " + std::string(to_string(quantity)) + " of " + contact_case.id +
+                                               " to " + plain(bound),
+                                  .case_id = contact_case.id,
+                                  .solver = "reference"},
+                                 seen && seen->error ? *seen->error : nothing, 0,
+                                 Tolerance::required(bound, "what certified digits are asked for"), how_it_ended(run)));
+  };
+  for (const Quantity film : films) within(film, tolerance);
+  for (const Expectation& expectation : contact_case.expectations)
+    if (expectation.quantity == to_string(Quantity::pressure_spike) && expectation.uncertainty < spike_digits)
+      within(Quantity::pressure_spike, spike_tolerance);
+  return found;
+}
+
 /// Cases that take the dense solver longer than a second or so: those at high M, by the groups alone.
 bool is_slow(const Case& contact_case) {
   constexpr double moderate_M = 60;
@@ -219,6 +258,13 @@ std::vector<Topic> contact_topics(const std::vector<LoadedCase>& cases) {
                       .case_id = contact_case.id,
                       .slow = is_slow(contact_case),
                       .judge = [contact_case] { return judge_contact(contact_case); }});
+    constexpr double many_digits = 1e-7;
+    if (std::get<ContactCase>(contact_case.body).dry() || finest_digits(contact_case) > many_digits) continue;
+    topics.push_back({.name = contact_case.id + ", certified",
+                      .rungs = {6, 10},
+                      .case_id = contact_case.id,
+                      .slow = true,
+                      .judge = [contact_case] { return judge_certified(contact_case); }});
   }
   return topics;
 }
