@@ -28,7 +28,7 @@ struct Scheme {
   double inlet_part = 1;  ///< of a flooded domain's X_a
 };
 
-/// Calibrated in README.md, section 7: tolerances from here on need the high degree.
+/// Calibrated in hp/README.md, section 7: tolerances from here on need the high degree.
 constexpr double fine_tolerance = 2e-5;
 constexpr Scheme coarse_scheme{.degree = 8};
 constexpr Scheme fine_scheme{.degree = 12};
@@ -46,7 +46,7 @@ constexpr double layout_tolerance = 1e-6;
 /// Below it, meshes would resolve rounding.
 constexpr double finest_working = 1e-13;
 
-/// X_a of a flooded domain in units of l, with the tail before it; README.md, section 6.
+/// X_a of a flooded domain in units of l, with the tail before it; hp/README.md, section 5.
 constexpr double flooded_inlet = -800;
 
 /// A discretisation at the end of its descent.
@@ -323,7 +323,7 @@ class Solve {
   void forget_grids() { grids_.clear(); }
 
  private:
-  /// Linear to 0.5 % at (20, 10), Barus, from floors of 4e-8 and 1.6e-8: README.md, section 4.
+  /// Linear to 0.5 % at (20, 10), Barus, from floors of 4e-8 and 1.6e-8: hp/README.md, section 4.
   static constexpr double discretisation_safety = 3, floor_safety = 0.2, guide_safety = 1.5, vaguest_peak = 0.05;
 
   [[nodiscard]] static bool is_diagnostic(Quantity quantity) {
