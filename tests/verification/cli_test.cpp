@@ -157,6 +157,7 @@ BOOST_AUTO_TEST_CASE(wrong_usage_is_one_line_on_standard_error_and_exit_code_2) 
       {"compare own-moes-5-5 no-such-case", "there is no such case"},
       {"compare dry-steel", "is a dry contact"},
       {"compare own-moes-5-5 --solver magic", "is unknown"},
+      {"verify --random-runs 0", "--random-runs = 0: is out of range; allowed is 1 to 10000"},
       {"compare own-moes-5-5 --tolerance x", "is not a number"},
       {"cases extra", "extra"},
       {"plan", "CASE"},
