@@ -8,6 +8,7 @@
 #include <iomanip>
 #include <limits>
 #include <numbers>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -40,9 +41,11 @@ double stated_error(const Solution& solution, Quantity quantity) {
 }
 
 std::string name(const Problem& problem) {
-  return "M = " + std::to_string(problem.groups.M) + ", L = " + std::to_string(problem.groups.L) +
-         (std::holds_alternative<Flooded>(problem.inlet) ? ", flooded, " : ", cut, ") +
-         (std::holds_alternative<Barus>(problem.viscosity) ? "Barus" : "");
+  std::ostringstream out;
+  out << "M = " << problem.groups.M << ", L = " << problem.groups.L
+      << (std::holds_alternative<Flooded>(problem.inlet) ? ", flooded" : ", cut")
+      << (std::holds_alternative<Barus>(problem.viscosity) ? ", Barus" : "");
+  return out.str();
 }
 
 /// Nothing that is reported is NaN or infinite.
@@ -90,24 +93,36 @@ BOOST_AUTO_TEST_CASE(digits_of_the_table_of_films_lie_within_the_stated_errors) 
   const Inlet cut = TruncatedAt{-4}, far = Flooded{};
   const std::vector<Truth> table = {
       {roelands_problem(5, 5, cut),
-       {{film_minimum, ".242348656788"}, {film_central, ".300522502074"}, {pressure_exit, "1.12530383186"},
+       {{film_minimum, ".242348656788"},
+        {film_central, ".300522502074"},
+        {pressure_exit, "1.12530383186"},
         {pressure_spike, ".949170429"}}},
       {roelands_problem(20, 10, cut),
-       {{film_minimum, ".0741426753998"}, {film_central, ".0856067317967"}, {pressure_exit, "1.07458074952"},
+       {{film_minimum, ".0741426753998"},
+        {film_central, ".0856067317967"},
+        {pressure_exit, "1.07458074952"},
         {pressure_spike, ".969468990"}}},
       {roelands_problem(100, 10, cut),
-       {{film_minimum, ".0121609125334"}, {film_central, ".013493910275"}, {pressure_exit, "1.02433688074"},
+       {{film_minimum, ".0121609125334"},
+        {film_central, ".013493910275"},
+        {pressure_exit, "1.02433688074"},
         {pressure_spike, ".59820778"}}},
       {roelands_problem(1000, 10, cut),
        {{film_minimum, "8.9959560167e-4"}, {film_central, "9.6476425613e-4"}, {pressure_exit, "1.00452178999"}}},
       {roelands_problem(5, 5, far),
-       {{film_minimum, ".244974049968"}, {film_central, ".304553206653"}, {pressure_exit, "1.12298386908"},
+       {{film_minimum, ".244974049968"},
+        {film_central, ".304553206653"},
+        {pressure_exit, "1.12298386908"},
         {pressure_spike, ".950905831"}}},
       {roelands_problem(20, 10, far),
-       {{film_minimum, ".074327072817"}, {film_central, ".085869387723"}, {pressure_exit, "1.07453837976"},
+       {{film_minimum, ".074327072817"},
+        {film_central, ".085869387723"},
+        {pressure_exit, "1.07453837976"},
         {pressure_spike, ".972677293"}}},
       {roelands_problem(100, 10, far),
-       {{film_minimum, ".0121636414018"}, {film_central, ".013497647172"}, {pressure_exit, "1.02433273570"},
+       {{film_minimum, ".0121636414018"},
+        {film_central, ".013497647172"},
+        {pressure_exit, "1.02433273570"},
         {pressure_spike, ".598396891"}}},
       {barus_problem(5, 5, cut), {{film_minimum, ".246708437314"}, {film_central, ".324050552892"}}},
       {barus_problem(20, 5, cut), {{film_minimum, ".051685982729"}, {film_central, ".068730891724"}}},
@@ -173,11 +188,11 @@ BOOST_AUTO_TEST_CASE(far_inlets_tend_to_the_flooded_contact_with_the_square_of_t
       // Without X^-2 between two cuts; of the X^-3 that is left, 8 - 1 parts lie between one such limit and the next.
       const auto limit = [&](std::size_t k) { return films[k] + (films[k] - films[k - 1]) / 3; };
       const double apart = error(limit(4), limit(3));
-      BOOST_TEST_CONTEXT(name(endless) << to_string(film)) {
+      BOOST_TEST_CONTEXT(name(endless) << ' ' << to_string(film)) {
         const double order = fitted_order(missed);
-        BOOST_TEST_MESSAGE(name(endless) << to_string(film) << ": order " << order << ", missed " << missed.front() << " ... "
-                                         << missed.back() << ", extrapolated apart " << apart << ", from flooded "
-                                         << error(limit(4), value(flooded, film)));
+        BOOST_TEST_MESSAGE(name(endless) << ' ' << to_string(film) << ": order " << order << ", missed "
+                                         << missed.front() << " ... " << missed.back() << ", extrapolated apart "
+                                         << apart << ", from flooded " << error(limit(4), value(flooded, film)));
         EHD_CHECK(std::abs(order - 2), Tolerance::asymptotic(0.1, "plain truncation falls as X_a^-2, next X_a^-3"));
         EHD_CHECK(error(limit(4), value(flooded, film)),
                   Tolerance::discretisation(apart / 7 + 2 * stated_error(flooded, film), 1.25));
@@ -207,8 +222,10 @@ BOOST_AUTO_TEST_CASE(just_the_intervals_that_are_asked_for) {
         BOOST_TEST(solution.record.cost.nodes == nodes);
         BOOST_TEST(solution.record.grids.front().nodes == nodes);
         const double missed = error(value(solution, film_central), row.central);
-        BOOST_TEST_MESSAGE(name(row.problem) << nodes << ": missed " << missed << " stated " << stated_error(solution, film_central)
-                                             << " " << to_string(solution.record.status) << " " << solution.record.cost.wall_s);
+        BOOST_TEST_MESSAGE(name(row.problem)
+                           << ' ' << nodes << ": missed " << missed << " stated "
+                           << stated_error(solution, film_central) << " " << to_string(solution.record.status) << " "
+                           << solution.record.cost.wall_s);
         EHD_CHECK(missed, Tolerance::discretisation(stated_error(solution, film_central) + 1e-11, 1));
       }
       ++rows;
@@ -241,7 +258,8 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_done_ends_with_a_reason_and_no_nan) {
       {"12 intervals, flooded", roelands_problem(1000, 10, Flooded{}), twelve, under_resolved, diverged},
       {"one interval", ordinary, one, under_resolved, diverged},
       {"three intervals", ordinary, three, under_resolved, diverged},
-      {"digits that double does not have", roelands_problem(5, 5, TruncatedAt{-4}), too_fine, tolerance_not_met, tolerance_not_met}};
+      {"digits that double does not have", roelands_problem(5, 5, TruncatedAt{-4}), too_fine, tolerance_not_met,
+       tolerance_not_met}};
   int rows = 0;
   for (const Row& row : table) {
     const Solution solution = HighOrder{}.solve(row.problem, row.request);
@@ -256,7 +274,8 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_done_ends_with_a_reason_and_no_nan) {
         // And it says by how much.
         BOOST_TEST(solution.record.film_minimum.total() > *row.request.tolerance);
         EHD_CHECK(error(value(solution, film_minimum), .242348656788),
-                  Tolerance::discretisation(stated_error(solution, film_minimum) + 2 * Tolerance::half_unit(".242348656788"), 1));
+                  Tolerance::discretisation(
+                      stated_error(solution, film_minimum) + 2 * Tolerance::half_unit(".242348656788"), 1));
       }
     }
     ++rows;
@@ -297,8 +316,8 @@ BOOST_AUTO_TEST_CASE(light_isoviscous_contacts_tend_to_martins) {
     const auto without = [&](std::size_t k) { return limit.values[k] + (limit.values[k] - limit.values[k - 1]) / 3; };
     const double apart = error(without(4), without(3)), left = error(without(4), std::stod(limit.truth));
     BOOST_TEST_CONTEXT("limit " << limit.truth) {
-      BOOST_TEST_MESSAGE("order " << fitted_order(limit.missed) << ", at M = 0.0125 " << limit.missed.back() << ", extrapolated "
-                                  << left << ", apart " << apart);
+      BOOST_TEST_MESSAGE("order " << fitted_order(limit.missed) << ", at M = 0.0125 " << limit.missed.back()
+                                  << ", extrapolated " << left << ", apart " << apart);
       EHD_CHECK(std::abs(fitted_order(limit.missed) - 2), Tolerance::asymptotic(0.02, "next M^4, 1e-4 at M = 0.1"));
       EHD_CHECK(left, Tolerance::discretisation(apart / 15 + Tolerance::half_unit(limit.truth) + 4e-10, 1.25));
     }
@@ -354,7 +373,8 @@ BOOST_AUTO_TEST_CASE(what_is_read_off_polynomial_elements_is_that_of_the_polynom
     BOOST_TEST_CONTEXT(row.what) {
       const auto at = [&](Quantity quantity) { return seen.at(quantity).value; };
       // Values of size 10 in up to 17 coefficients; places of extrema are flat to the root of that.
-      const auto rounding = Tolerance::round_off(20, 10), place = Tolerance::round_off(10, 10 / std::sqrt(std::numeric_limits<double>::epsilon()));
+      const auto rounding = Tolerance::round_off(20, 10),
+                 place = Tolerance::round_off(10, 10 / std::sqrt(std::numeric_limits<double>::epsilon()));
       EHD_CHECK(error(at(film_minimum), 0.3), rounding);
       EHD_CHECK(std::abs(*seen.at(film_minimum).place - 0.7), place);
       EHD_CHECK(error(at(film_central), 0.545), rounding);

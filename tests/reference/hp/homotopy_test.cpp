@@ -46,8 +46,10 @@ BOOST_AUTO_TEST_CASE(descent_goes_down_to_the_physics_and_resolves_every_floor) 
     double M, L, film;
     Inlet inlet;
   };
-  const std::vector<Row> table = {
-      {5, 5, 0.3, TruncatedAt{-4}}, {20, 10, 0.0856, TruncatedAt{-4}}, {20, 10, 0.0859, Flooded{}}, {100, 10, 0.0135, Flooded{}}};
+  const std::vector<Row> table = {{5, 5, 0.3, TruncatedAt{-4}},
+                                  {20, 10, 0.0856, TruncatedAt{-4}},
+                                  {20, 10, 0.0859, Flooded{}},
+                                  {100, 10, 0.0135, Flooded{}}};
   const Resolution resolution{.film = 1e-5, .spike = 1e-3, .defect = 1e-2};
   int rows = 0;
   for (const Row& row : table) {
@@ -73,14 +75,16 @@ BOOST_AUTO_TEST_CASE(descent_goes_down_to_the_physics_and_resolves_every_floor) 
       // More fluid lubricant, thinner film.
       BOOST_TEST(flux(floors.front()) < flux(floors.back()));
       // Another start: twice the film, ten times the floor, another first mesh.
-      auto other = resolved(problem, coarse_top(problem, 1.7 * row.film, 1e-1, 2 * row.film), resolution, limits, meter);
+      auto other =
+          resolved(problem, coarse_top(problem, 1.7 * row.film, 1e-1, 2 * row.film), resolution, limits, meter);
       BOOST_REQUIRE(other.has_value());
       const auto also = descent(problem, *other, resolution, limits, meter);
       BOOST_REQUIRE_EQUAL(also.back().floor, 0);
       BOOST_TEST(also.back().equations->mesh().breakpoints != floors.back().equations->mesh().breakpoints);
       const double missed = error(flux(also.back()), flux(floors.back()));
       BOOST_TEST_MESSAGE(floors.size() << " and " << also.size() << " floors, " << floors.back().equations->intervals()
-                                       << " and " << also.back().equations->intervals() << " intervals, apart " << missed);
+                                       << " and " << also.back().equations->intervals() << " intervals, apart "
+                                       << missed);
       EHD_CHECK(missed, Tolerance::discretisation(resolution.film, floors.back().equations->mesh().elements() +
                                                                        also.back().equations->mesh().elements()));
     }
@@ -198,13 +202,15 @@ BOOST_AUTO_TEST_CASE(a_state_moved_to_another_mesh_keeps_its_film_and_is_not_cal
     BOOST_TEST(moved.run.state.flux == flux(end));
     BOOST_TEST(moved.run.state.exit == end.run.state.exit);
     // Films of the polynomial of degree 12 and of its interpolant, at the rows of the finer mesh.
-    const auto before = end.equations->evaluate(end.run.state, 0), after = moved.equations->evaluate(moved.run.state, 0);
+    const auto before = end.equations->evaluate(end.run.state, 0),
+               after = moved.equations->evaluate(moved.run.state, 0);
     EHD_CHECK(error(after.load_integral, before.load_integral), Tolerance::discretisation(1e-9, 2));
     EHD_CHECK(error(after.H.minCoeff(), before.H.minCoeff()), Tolerance::discretisation(1e-4, 1));  // minima at rows
     // And solved there, the physics is the same.
     const NewtonRun run = solved_at(moved, 0);
     BOOST_REQUIRE(run.solved);
-    BOOST_TEST_MESSAGE((points == Points::gauss ? "gauss" : "left Radau") << " apart " << error(run.state.flux, flux(end)));
+    BOOST_TEST_MESSAGE((points == Points::gauss ? "gauss" : "left Radau")
+                       << " apart " << error(run.state.flux, flux(end)));
     EHD_CHECK(error(run.state.flux, flux(end)), Tolerance::discretisation(1e-9, end.equations->mesh().elements()));
     ++rows;
   }
@@ -236,7 +242,8 @@ BOOST_AUTO_TEST_CASE(limits_end_the_adaption_and_the_descent) {
     const auto& first = top.equations->mesh().breakpoints;
     double shortest = 1, shortest_before = 1;
     for (std::size_t e = 0; e + 1 < b.size(); ++e) shortest = std::min(shortest, b[e + 1] - b[e]);
-    for (std::size_t e = 0; e + 1 < first.size(); ++e) shortest_before = std::min(shortest_before, first[e + 1] - first[e]);
+    for (std::size_t e = 0; e + 1 < first.size(); ++e)
+      shortest_before = std::min(shortest_before, first[e + 1] - first[e]);
     BOOST_TEST(shortest >= std::min(0.02, shortest_before));
   }
   {
@@ -254,7 +261,7 @@ BOOST_AUTO_TEST_CASE(what_newtons_method_gives_up_on_is_no_solution) {
   const Problem problem = barus_problem(5000, 30, Flooded{});
   const double film = 1e-3;
   Resolved guess{.equations = std::make_shared<const Collocation<double>>(problem, mesh_about(-800, 1.01, film, 6),
-                                                                           Points::left_radau),
+                                                                          Points::left_radau),
                  .run = {},
                  .floor = 0};
   guess.run.state = hertz_start(*guess.equations, 1.01, film);

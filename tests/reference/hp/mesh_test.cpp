@@ -70,10 +70,12 @@ BOOST_AUTO_TEST_CASE(a_seeded_mesh_is_graded_about_inlet_and_exit) {
             BOOST_TEST(std::all_of(mesh.degrees.begin(), mesh.degrees.end(), [](int degree) { return degree == 7; }));
             const double rounded = 1 + 1e-9;
             EHD_CHECK(largest_ratio(mesh, 1), Tolerance::required(growth * rounded, "mesh.hpp: neighbours"));
-            EHD_CHECK(largest_ratio(mesh, 0), Tolerance::required(std::max(growth, 3.0) * rounded, "mesh.hpp: the first element"));
+            EHD_CHECK(largest_ratio(mesh, 0),
+                      Tolerance::required(std::max(growth, 3.0) * rounded, "mesh.hpp: the first element"));
             const auto length_of = lengths(mesh);
             for (const double place : {-length, exit}) {
-              const auto right = std::lower_bound(mesh.breakpoints.begin() + 1, mesh.breakpoints.end() - 1, place - exit);
+              const auto right =
+                  std::lower_bound(mesh.breakpoints.begin() + 1, mesh.breakpoints.end() - 1, place - exit);
               const auto e = static_cast<std::size_t>(right - mesh.breakpoints.begin()) - 1;
               EHD_CHECK(length_of[e], Tolerance::required(growth * zone / 2, "mesh.hpp: begin with half the zone"));
             }
@@ -82,7 +84,8 @@ BOOST_AUTO_TEST_CASE(a_seeded_mesh_is_graded_about_inlet_and_exit) {
             // Sizes are those at the right end of an element, so that going left they grow by 2 - 1/growth (from the
             // exit to the middle, from -l outwards; far out by 1.5) and shrink by 1/growth (towards -l).
             const double away = std::min(std::log(2 - 1 / growth), std::log(1.5));
-            const double most = 8 + (2 * std::log(2 / zone + 2) + std::log(-inlet)) / away + std::log(1 / zone) / std::log(growth);
+            const double most =
+                8 + (2 * std::log(2 / zone + 2) + std::log(-inlet)) / away + std::log(1 / zone) / std::log(growth);
             EHD_CHECK(mesh.elements(), Tolerance::required(most, "geometric grading"));
           }
           ++rows;
@@ -142,7 +145,8 @@ BOOST_AUTO_TEST_CASE(adaption_joins_pairs_once_and_never_with_a_neighbour_that_e
   BOOST_TEST(mixed.breakpoints[4] == -0.02);
   // Asked of the left element of a pair.
   std::vector<int> asked;
-  const Mesh asked_for = adapted(mesh, {0, 0, 0, 0, 0}, [&](int e) { return asked.push_back(e), e == 1; }, 1e-9);
+  const Mesh asked_for = adapted(
+      mesh, {0, 0, 0, 0, 0}, [&](int e) { return asked.push_back(e), e == 1; }, 1e-9);
   BOOST_TEST(asked == (std::vector<int>{0, 1, 3}));
   BOOST_TEST(asked_for.breakpoints == (std::vector<double>{-5.46, -1.36, -0.08, -0.02, 0}));
 }
@@ -188,7 +192,8 @@ BOOST_AUTO_TEST_CASE(elements_are_cut_where_the_excess_is_largest) {
   BOOST_TEST(with_elements(graded_mesh(), excess, 6, 1e-9).degrees == (std::vector<int>{4, 7, 7, 5, 9, 3}));
   BOOST_TEST(with_elements(graded_mesh(), excess, 7, 1e-9).degrees == (std::vector<int>{4, 7, 7, 5, 9, 9, 3}));
   BOOST_TEST(with_elements(graded_mesh(), excess, 9, 1e-9).degrees == (std::vector<int>{4, 7, 7, 7, 7, 5, 9, 9, 3}));
-  BOOST_TEST(with_elements(graded_mesh(), excess, 10, 1e-9).degrees == (std::vector<int>{4, 7, 7, 7, 7, 5, 5, 9, 9, 3}));
+  BOOST_TEST(with_elements(graded_mesh(), excess, 10, 1e-9).degrees ==
+             (std::vector<int>{4, 7, 7, 7, 7, 5, 5, 9, 9, 3}));
   // Where nothing may be cut any more, fewer.
   check_mesh(with_elements(graded_mesh(), excess, 1000, 0.5));
   BOOST_TEST(with_elements(graded_mesh(), excess, 1000, 0.5).elements() == 8 + 2 + 3);  // 4.1/8, 1.02/2
@@ -244,13 +249,13 @@ BOOST_AUTO_TEST_CASE(a_mesh_cut_at_a_new_inlet_keeps_its_stretching_and_what_lie
   const Mesh mesh = graded_mesh();
   const double s = 1.05, exit = mesh.inlet + s * mesh.extent();
   struct Row {
-    double xi;              ///< where the new inlet is
+    double xi;               ///< where the new inlet is
     std::size_t first_kept;  ///< element of the old mesh that begins with it
   };
   // In the first element, with a half and an eighth of it left; with a twentieth left, which joins the second; just
   // before a breakpoint, at one, and in the last element.
-  const std::vector<Row> table = {{-3.41, 0}, {-1.36 - 4.1 / 8, 0}, {-1.36 - 4.1 / 20, 1},
-                                  {-1.3601, 1}, {-0.34, 2}, {-0.01, 4}, {-0.001, 4}};
+  const std::vector<Row> table = {{-3.41, 0}, {-1.36 - 4.1 / 8, 0}, {-1.36 - 4.1 / 20, 1}, {-1.3601, 1}, {-0.34, 2},
+                                  {-0.01, 4}, {-0.001, 4}};
   int rows = 0;
   for (const Row& row : table) {
     const double inlet = exit + s * row.xi;

@@ -35,20 +35,23 @@ BOOST_AUTO_TEST_CASE(newton_contracts_quadratically_to_round_off) {
     Inlet inlet;
   };
   // At the start's floor, and in the physics where Newton's method finds it unaided.
-  const std::vector<Row> table = {{5, 5, 0.3, 1e-2, TruncatedAt{-4}}, {5, 5, 0.3, 0, TruncatedAt{-4}},
-                                  {5, 5, 0.3, 0, Flooded{}},          {20, 10, 0.0856, 1e-2, TruncatedAt{-4}},
+  const std::vector<Row> table = {{5, 5, 0.3, 1e-2, TruncatedAt{-4}},
+                                  {5, 5, 0.3, 0, TruncatedAt{-4}},
+                                  {5, 5, 0.3, 0, Flooded{}},
+                                  {20, 10, 0.0856, 1e-2, TruncatedAt{-4}},
                                   {2, 1, 1, 0, Flooded{}}};
   int rows = 0;
   for (const Row& row : table) {
     const bool flooded = std::holds_alternative<Flooded>(row.inlet);
     const double inlet = flooded ? -400 : -4, exit = 1 + 0.45 * std::pow(row.film, 2.0 / 3);
-    const Collocation<double> equations(roelands_problem(row.M, row.L, row.inlet), mesh_about(inlet, exit, row.film, 10),
-                                        Points::left_radau);
+    const Collocation<double> equations(roelands_problem(row.M, row.L, row.inlet),
+                                        mesh_about(inlet, exit, row.film, 10), Points::left_radau);
     Meter meter = generous();
     const State<double> start = hertz_start(equations, exit, row.film);
     // At the floor first, as the solver does.
     const NewtonRun easy = ehd::reference::hp::newton(equations, start, 1e-2, {.iterations = 60}, meter);
-    BOOST_TEST_CONTEXT("M = " << row.M << ", L = " << row.L << (flooded ? ", flooded" : "") << ", floor " << row.floor) {
+    BOOST_TEST_CONTEXT("M = " << row.M << ", L = " << row.L << (flooded ? ", flooded" : "") << ", floor "
+                              << row.floor) {
       BOOST_REQUIRE(easy.solved);
       const NewtonRun run =
           ehd::reference::hp::newton(equations, easy.state, row.floor, {.iterations = 60, .step = 1e-12}, meter);
@@ -192,14 +195,19 @@ BOOST_AUTO_TEST_CASE(a_polynomial_is_the_same_on_any_mesh_of_its_domain) {
   const double exit = 1.37;
   const auto pressure = [&](double X) { return 0.03 * (exit - X) * (X + 3.9) * (5.1 - X); };  // least degree: 3
   const Collocation<double> from(problem, mixed_mesh(-3.3), Points::left_radau);
-  const State<double> state{.P = node_coordinates(from, exit).unaryExpr(pressure).matrix(), .offset = 0.77, .flux = 0.4,
-                            .exit = exit};
+  const State<double> state{
+      .P = node_coordinates(from, exit).unaryExpr(pressure).matrix(), .offset = 0.77, .flux = 0.4, .exit = exit};
   Mesh stretched = mixed_mesh(-3.3);  // made when the domain was longer
   for (double& xi : stretched.breakpoints) xi *= 1.13;
   stretched.breakpoints[3] += 0.21;
-  const std::vector<Mesh> table = {mixed_mesh(-3.3), with_degree(mixed_mesh(-3.3), 15), shifted(mixed_mesh(-3.3), 0.37),
-                                   stretched, cut_at(mixed_mesh(-3.3), -2.9, exit), cut_at(mixed_mesh(-3.3), -0.4, exit),
-                                   adapted(mixed_mesh(-3.3), std::vector<double>(7, 2.0), [](int) { return false; }, 0)};
+  const std::vector<Mesh> table = {mixed_mesh(-3.3),
+                                   with_degree(mixed_mesh(-3.3), 15),
+                                   shifted(mixed_mesh(-3.3), 0.37),
+                                   stretched,
+                                   cut_at(mixed_mesh(-3.3), -2.9, exit),
+                                   cut_at(mixed_mesh(-3.3), -0.4, exit),
+                                   adapted(
+                                       mixed_mesh(-3.3), std::vector<double>(7, 2.0), [](int) { return false; }, 0)};
   int rows = 0;
   for (const Mesh& mesh : table) {
     const Collocation<double> to(problem, mesh, Points::left_radau);
@@ -223,7 +231,8 @@ BOOST_AUTO_TEST_CASE(a_rough_state_survives_refinement_exactly) {
   // Cut in halves, with higher degrees: every polynomial is represented, so values anywhere stay.
   const Problem problem = distinct_problem(7, 6, TruncatedAt{-3.3});
   const Collocation<double> from(problem, mixed_mesh(-3.3), Points::left_radau);
-  Mesh finer = adapted(mixed_mesh(-3.3), std::vector<double>(7, 2.0), [](int) { return false; }, 0);
+  Mesh finer = adapted(
+      mixed_mesh(-3.3), std::vector<double>(7, 2.0), [](int) { return false; }, 0);
   for (int& degree : finer.degrees) degree += 2;
   const Collocation<double> to(problem, finer, Points::left_radau);
   State<double> state{.P = VectorOf<double>(from.intervals() + 1), .exit = 1.21};
@@ -249,7 +258,10 @@ BOOST_AUTO_TEST_CASE(an_element_at_the_rounding_of_its_place_keeps_its_shape) {
   const double h = std::ldexp(1, -44);
   const Mesh mesh{.inlet = -3.3, .breakpoints = {-4.43, -0.5, -0.5 + h, 0}, .degrees = {5, 5, 5}};
   const Collocation<double> from(problem, mesh, Points::left_radau);
-  const Collocation<double> to(problem, adapted(mesh, {0, 2, 0}, [](int) { return false; }, 0), Points::left_radau);
+  const Collocation<double> to(problem,
+                               adapted(
+                                   mesh, {0, 2, 0}, [](int) { return false; }, 0),
+                               Points::left_radau);
   State<double> state{.P = VectorOf<double>::Zero(16), .exit = 1.13};
   const auto places = from.node_places();
   for (Eigen::Index i = 0; i < 16; ++i) {

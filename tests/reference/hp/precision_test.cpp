@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rung 2: what rounding does. The collocation equations of one adapted mesh, solved in double, in long double and with 34
-// digits: the differences are double's rounding and nothing else.
+// Rung 2: what rounding does. The collocation equations of one adapted mesh, solved in double, in long double and with
+// 34 digits: the differences are double's rounding and nothing else.
 #include <Eigen/LU>
 
 #include "reference/hp/collocation.ipp"
@@ -76,7 +76,8 @@ Films films(const Collocation<Scalar>& equations, const State<Scalar>& state, do
     const std::vector<Place<Scalar>> places(all.begin() + first, all.begin() + first + count);
     VectorOf<Scalar> H = VectorOf<Scalar>::Zero(equations.intervals() + 1);
     H.segment(first, count) = equations.film(state, places, equations.kernel_rows(places)).matrix();
-    return Quad(equations.interpolate(H, e, (xi - Scalar(b[static_cast<std::size_t>(e)])) / equations.half_length(e) - Scalar(1)));
+    return Quad(equations.interpolate(
+        H, e, (xi - Scalar(b[static_cast<std::size_t>(e)])) / equations.half_length(e) - Scalar(1)));
   };
   return {film(Scalar(X_of_minimum)), film(Scalar(0))};
 }
