@@ -316,7 +316,6 @@ class Solve {
   }
 
   [[nodiscard]] bool out_of_limits() const { return meter_.spent(); }
-  [[nodiscard]] double expected_film() const { return film_; }
   /// Meshes that resolve less than this only cost time.
   [[nodiscard]] double expected_rounding() const { return rounding_of(film_); }
   [[nodiscard]] bool sees_inlet() const { return grids_.front().inlet_cells >= fewest_inlet_cells; }

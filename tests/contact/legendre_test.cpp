@@ -83,9 +83,9 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(lobatto_rule_is_exact_to_degree_2p_minus_1_and_no_
   for (int p = 1; p <= largest_degree; ++p) {
     const VectorOf<Scalar> nodes = lobatto_nodes<Scalar>(p), weights = lobatto_weights(p, nodes);
     BOOST_TEST_CONTEXT("degree " << p) {
-      BOOST_TEST((nodes.array() + nodes.reverse().array()).abs().maxCoeff() <=
-                 Scalar(4) * std::numeric_limits<Scalar>::epsilon());
-      for (int j = 0; j < p; ++j) BOOST_TEST(nodes[j] < nodes[j + 1]);
+      BOOST_TEST(bool((nodes.array() + nodes.reverse().array()).abs().maxCoeff() <=
+                 Scalar(4) * std::numeric_limits<Scalar>::epsilon()));
+      for (int j = 0; j < p; ++j) BOOST_TEST(bool(nodes[j] < nodes[j + 1]));
       for (int k = 0; k <= 2 * p - 1; ++k) {
         Scalar sum(0);
         for (int j = 0; j <= p; ++j) sum += weights[j] * power(Scalar(nodes[j]), k);
