@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <map>
 #include <numbers>
@@ -28,7 +29,7 @@ struct Scheme {
   double inlet_part = 1;  ///< of a flooded domain's X_a
 };
 
-/// Calibrated in hp/README.md, section 7: tolerances from here on need the high degree.
+/// Tolerances from here on need the high degree.
 constexpr double fine_tolerance = 2e-5;
 constexpr Scheme coarse_scheme{.degree = 8};
 constexpr Scheme fine_scheme{.degree = 12};
@@ -49,12 +50,18 @@ constexpr double finest_working = 1e-13;
 /// X_a of a flooded domain in units of l, with the tail before it; hp/README.md, section 5.
 constexpr double flooded_inlet = -800;
 
+std::string text_of(double value) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.1e", value);
+  return buffer;
+}
+
 /// A discretisation at the end of its descent.
 struct Discretised {
   std::vector<Resolved> floors;
   Fields fields;
   Observables seen;             ///< carried on to floor 0 where the descent ended before
-  std::map<Quantity, double> floor_gaps;  ///< what that moved
+  std::map<Quantity, double> floor_errors;  ///< absolute, of that
   [[nodiscard]] const Resolved& last() const { return floors.back(); }
 };
 
@@ -144,13 +151,11 @@ class Solve {
       const auto top = on_mesh_of(*from, scheme, resolution, limits);
       if (!top) continue;
       Discretised done = observed(descent(problem_, *top, resolution, limits, meter_), resolution, limits);
-      if (done.last().floor > 0 && !floor_before(done.floors)) {
-        // Nothing to carry on to floor 0 from: one more floor, further up.
-        for (auto above = from; above != floors.rend() && !floor_before(done.floors); ++above) {
-          if (above->floor < 3 * done.last().floor) continue;
-          if (auto solved = on_mesh_of(*above, scheme, resolution, limits))
-            done.floors.insert(done.floors.begin(), std::move(*solved));
-        }
+      // Two floors to carry on to 0 from, and a third to judge that by: further ones from further up.
+      for (auto above = from; done.last().floor > 0 && floors_apart(done.floors).size() < 3 && above != floors.rend(); ++above) {
+        if (above->floor < 3 * done.floors.front().floor) continue;
+        if (auto solved = on_mesh_of(*above, scheme, resolution, limits))
+          done.floors.insert(done.floors.begin(), std::move(*solved));
       }
       carry_to_zero(done);
       return done;
@@ -215,17 +220,25 @@ class Solve {
     return fields;
   }
 
-  /// Values are linear in a small floor.
+  /// Values are linear in a small floor, and the curvature through a third one says how small it is. hp/README.md, section 4.
   void carry_to_zero(Discretised& done) const {
-    const auto i = floor_before(done.floors);
-    if (done.last().floor == 0 || !i) return;
-    const Resolved& before = done.floors[*i];
-    const double factor = done.last().floor / (before.floor - done.last().floor);
-    const Observables there = observe(fields_of(before), wanted_);
+    const auto apart = floors_apart(done.floors);
+    if (done.last().floor == 0 || apart.size() < 2) return;
+    const double f0 = done.last().floor, f1 = done.floors[apart[1]].floor;
+    const Observables one = observe(fields_of(done.floors[apart[1]]), wanted_);
+    const bool three = apart.size() > 2;
+    const Observables two = three ? observe(fields_of(done.floors[apart[2]]), wanted_) : Observables{};
     for (auto& [quantity, reading] : done.seen) {
-      if (is_diagnostic(quantity) || !there.contains(quantity)) continue;
-      const double move = factor * (reading.value - there.at(quantity).value);
-      done.floor_gaps[quantity] = std::abs(move);
+      if (is_diagnostic(quantity) || !one.contains(quantity)) continue;
+      const double slope = (one.at(quantity).value - reading.value) / (f1 - f0), move = -f0 * slope;
+      double error = three && f0 <= highest_linear_floor ? floor_safety * std::abs(move) : 2 * std::abs(move);
+      if (three && two.contains(quantity)) {
+        const double f2 = done.floors[apart[2]].floor;
+        const double further = (two.at(quantity).value - one.at(quantity).value) / (f2 - f1);
+        error = std::max(error, curvature_safety * std::abs(f0 * f1 * (further - slope) / (f2 - f0)));
+      }
+      if (f0 > highest_floor) error = std::max(error, size_of(quantity, reading.value));
+      done.floor_errors[quantity] = error;
       if (!is_peak(quantity)) reading.value += move;
     }
   }
@@ -240,12 +253,13 @@ class Solve {
     record.status = StopReason::converged;
     const double film = first.last().run.state.flux;
     const double rounding = rounding_of(film);
-    // Films move together: a difference of one that is small by chance is no small error.
-    double films_differ = 0;
-    for (const Quantity quantity : {Quantity::film_minimum, Quantity::film_central, Quantity::film_couette}) {
-      if (first.seen.contains(quantity) && second.seen.contains(quantity))
-        films_differ = std::max(films_differ,
-                                std::abs(second.seen.at(quantity).value / first.seen.at(quantity).value - 1));
+    // Numbers of one solution move together: a difference of one that is small by chance is no small error.
+    double films_differ = 0, all_differ = 0;
+    for (const auto& [quantity, reading] : first.seen) {
+      if (is_diagnostic(quantity) || is_peak(quantity) || !second.seen.contains(quantity)) continue;
+      const double differ = std::abs(reading.value - second.seen.at(quantity).value) / size_of(quantity, reading.value);
+      all_differ = std::max(all_differ, differ);
+      if (is_film(quantity)) films_differ = std::max(films_differ, differ);
     }
     for (auto [quantity, reading] : first.seen) {
       if (is_diagnostic(quantity)) {
@@ -253,11 +267,12 @@ class Solve {
         continue;
       }
       if (!second.seen.contains(quantity)) continue;
-      const bool absolute = quantity == Quantity::film_offset || quantity == Quantity::approach;
-      const double size = absolute ? 1 : std::abs(reading.value);
+      const bool absolute = is_absolute(quantity);
+      const double size = size_of(quantity, reading.value);
       ErrorBudget budget;
-      budget.discretisation = discretisation_safety * std::abs(reading.value - second.seen.at(quantity).value) / size;
-      if (is_film(quantity)) budget.discretisation = std::max(budget.discretisation, films_differ);
+      budget.discretisation = (is_peak(quantity) ? peak_safety : discretisation_safety) *
+                              std::abs(reading.value - second.seen.at(quantity).value) / size;
+      budget.discretisation = std::max(budget.discretisation, is_film(quantity) ? discretisation_safety * films_differ : all_differ);
       if (guided && guide->seen.contains(quantity))
         budget.discretisation = std::max(
             budget.discretisation, guide_safety * std::abs(reading.value - guide->seen.at(quantity).value) / size);
@@ -265,13 +280,13 @@ class Solve {
       if (absolute) budget.iteration *= film;
       if (first.last().floor > 0)
         budget.discretisation +=
-            first.floor_gaps.contains(quantity) ? floor_safety * first.floor_gaps.at(quantity) / size : 1;
-      if (is_peak(quantity) && reading.place.value_or(0) > 0 && !(budget.total() <= vaguest_peak && first.last().floor == 0)) {
-        if (quantity == Quantity::pressure_spike || first.seen.contains(Quantity::pressure_spike)) {
-          if (problem_.wanted.contains(quantity))
-            record.notes.push_back(std::string(to_string(quantity)) + " is left out: the spike is not resolved");
-          continue;
-        }
+            first.floor_errors.contains(quantity) ? first.floor_errors.at(quantity) / size : 1;
+      // A maximum behind the centre is the spike, or on its way to be one.
+      const bool on_a_floor = first.last().floor > 0 && reading.place.value_or(0) > 0;
+      if (is_peak(quantity) && (on_a_floor || !(budget.total() <= vaguest_peak))) {
+        if (problem_.wanted.contains(quantity))
+          record.notes.push_back(std::string(to_string(quantity)) + " is left out: the spike is not resolved");
+        continue;
       }
       reading.error = budget.total();
       if (quantity == Quantity::film_minimum) record.film_minimum = budget;
@@ -279,8 +294,8 @@ class Solve {
       if (problem_.wanted.contains(quantity)) solution.observables[quantity] = reading;
     }
     if (first.last().floor > 0)
-      record.notes.push_back("the fluidity has a floor of " + text(first.last().floor) +
-                             "; what is left of it is part of the errors");
+      record.notes.push_back("the fluidity has a floor of " + text_of(first.last().floor) +
+                             ": films are carried on to 0 and what may be left is part of the errors; profiles are those of the floor");
     return solution;
   }
 
@@ -322,8 +337,25 @@ class Solve {
   void forget_grids() { grids_.clear(); }
 
  private:
-  /// Linear to 0.5 % at (20, 10), Barus, from floors of 4e-8 and 1.6e-8: hp/README.md, section 4.
-  static constexpr double discretisation_safety = 3, floor_safety = 0.2, guide_safety = 1.5, vaguest_peak = 0.05;
+  /// hp/README.md, sections 4 and 6.
+  static constexpr double discretisation_safety = 5, peak_safety = 10, floor_safety = 0.2, curvature_safety = 3,
+                          guide_safety = 1.5, vaguest_peak = 0.05;
+  /// Above, values are not taken to be linear in the floor, whatever three of them show.
+  static constexpr double highest_linear_floor = 1e-6;
+  /// Above, the solution of the floor says nothing of that without it.
+  static constexpr double highest_floor = 1e-4;
+
+  /// The last floor, and up from there those at least thrice the one before: indices.
+  [[nodiscard]] static std::vector<std::size_t> floors_apart(const std::vector<Resolved>& floors) {
+    std::vector<std::size_t> apart{floors.size() - 1};
+    for (std::size_t i = floors.size(); i-- > 0;)
+      if (floors[i].floor >= 3 * floors[apart.back()].floor && floors[i].floor > 0) apart.push_back(i);
+    return apart;
+  }
+  [[nodiscard]] static bool is_absolute(Quantity quantity) {
+    return quantity == Quantity::film_offset || quantity == Quantity::approach;
+  }
+  [[nodiscard]] static double size_of(Quantity quantity, double value) { return is_absolute(quantity) ? 1 : std::abs(value); }
 
   [[nodiscard]] static bool is_diagnostic(Quantity quantity) {
     return quantity == Quantity::load_error || quantity == Quantity::flux_variation;
@@ -334,12 +366,6 @@ class Solve {
 
   [[nodiscard]] static bool is_film(Quantity quantity) {
     return quantity == Quantity::film_minimum || quantity == Quantity::film_central || quantity == Quantity::film_couette;
-  }
-
-  [[nodiscard]] static std::string text(double value) {
-    char buffer[32];
-    std::snprintf(buffer, sizeof buffer, "%.1e", value);
-    return buffer;
   }
 
   [[nodiscard]] static double inlet_cells(const Fields& fields, double film) {
@@ -398,6 +424,7 @@ Solution HighOrder::solve(const Problem& problem, const Request& request) const 
   Solution solution;
   double last_error = std::numeric_limits<double>::infinity();
   double working = tolerance;  // what floors and meshes are judged by
+  std::string why;  // the tolerance is not met
   std::vector<Resolved> descended = floors;
   for (int refinement = 0; refinement < 3; ++refinement) {
     if (refinement > 0) {
@@ -417,6 +444,8 @@ Solution HighOrder::solve(const Problem& problem, const Request& request) const 
     const bool better = error < last_error;
     if (better) {
       solution = std::move(refined);
+      why = first->last().floor > 0 ? "the fluidity's floor could not be lowered further than " + text_of(first->last().floor)
+                                    : "the two discretisations differ by more than the tolerance";
       solve.forget_grids();
       solve.record_grid(*first);
       solve.record_grid(*second);
@@ -426,8 +455,7 @@ Solution HighOrder::solve(const Problem& problem, const Request& request) const 
     last_error = error;
   }
   if (solution.observables.empty()) return ended({}, StopReason::diverged, "no mesh resolves the solution");
-  return ended(std::move(solution), StopReason::tolerance_not_met,
-               "the two discretisations differ by more than the tolerance");
+  return ended(std::move(solution), StopReason::tolerance_not_met, why);
 }
 
 }  // namespace ehd::reference

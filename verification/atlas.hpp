@@ -138,7 +138,7 @@ struct AtlasRequest {
   std::vector<AtlasPoint> points;
   std::string only;  ///< solve points with this in their id; rows and files of the others stay as they are
   std::optional<double> tolerance = {};  ///< instead of each point's usual one
-  double time_limit_s = 60;
+  double time_limit_s = 30;
   unsigned threads = 0;  ///< 0: as many as there are cores
   bool fresh = false;    ///< do not believe records of an earlier run
   /// After each point, one thread at a time; reused ones come first, save for what the threads overlap.

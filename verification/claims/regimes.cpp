@@ -158,9 +158,8 @@ struct Approach {
   std::string ended;  ///< of the solves that did not converge
 };
 
-/// What is left of the remainder after its leading power is taken away, by the last two values (and the two before). The
-/// remainder's next power is smaller than the first by what the observed order is off, so that half of the last move is
-/// more than the error; solves' own errors are carried along.
+/// What is left of the remainder after its leading power is taken away, by the last two values (and the two before). The next
+/// power is not known, and a slow one leaves as much as the last move: twice that, and what the solves' own errors grow to.
 struct Limit {
   double value = nothing, error = nothing, order = nothing;
 };
@@ -175,10 +174,10 @@ Limit limit_of(const Approach& approach, double order) {
   const GridStudy study = study_grids(v, order, 0);
   if (study.trend != Trend::asymptotic) return {};
   const double noise = approach.error * (1 + 2 / std::expm1(order * std::log(v[m - 1].cells / v[m - 2].cells)));
-  return {by(m - 1), std::abs(by(m - 1) / by(m - 2) - 1) + noise, *study.observed_order};
+  return {by(m - 1), 2 * std::abs(by(m - 1) / by(m - 2) - 1) + noise, *study.observed_order};
 }
 
-/// M -> infinity at L = 0, which nobody has published: films x M^(1/5), the remainder falling like the length of the inlet
+/// M -> infinity at L = 0: films x M^(1/5), the remainder falling like the length of the inlet
 /// zone over the contact's, M^(-4/5).
 Findings judge_isoviscous_elastic_limit() {
   constexpr double remainder = 0.8, tolerance = 1e-9;

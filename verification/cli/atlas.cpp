@@ -127,7 +127,7 @@ void add_atlas(CLI::App& app, int& exit_code) {
       ->add_option("--tolerance", options->tolerance,
                    "relative error allowed in the minimum and central film (1e-10; Barus 1e-7)")
       ->type_name("T");
-  command->add_option("--time-limit", options->time_limit, "seconds for each solve (60)")->type_name("S");
+  command->add_option("--time-limit", options->time_limit, "seconds for each solve (30)")->type_name("S");
   command->add_option("--threads", options->threads, "points solved side by side (as many as there are cores)")
       ->type_name("N");
   command->add_option("--only", options->only, "only points with this in their id")->type_name("SUBSTRING");
