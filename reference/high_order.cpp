@@ -237,6 +237,7 @@ class Solve {
         const double further = (two.at(quantity).value - one.at(quantity).value) / (f2 - f1);
         error = std::max(error, curvature_safety * std::abs(f0 * f1 * (further - slope) / (f2 - f0)));
       }
+      if (is_peak(quantity)) error = std::max(error, peak_safety * std::abs(move));  // grows like a logarithm
       if (f0 > highest_floor) error = std::max(error, size_of(quantity, reading.value));
       done.floor_errors[quantity] = error;
       if (!is_peak(quantity)) reading.value += move;
