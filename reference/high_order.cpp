@@ -344,7 +344,7 @@ class Solve {
   /// Above, values are not taken to be linear in the floor, whatever three of them show.
   static constexpr double highest_linear_floor = 1e-6;
   /// Above, the solution of the floor says nothing of that without it.
-  static constexpr double highest_floor = 1e-4;
+  static constexpr double highest_floor = 1e-5;
 
   /// The last floor, and up from there those at least thrice the one before: indices.
   [[nodiscard]] static std::vector<std::size_t> floors_apart(const std::vector<Resolved>& floors) {
@@ -452,7 +452,8 @@ Solution HighOrder::solve(const Problem& problem, const Request& request) const 
       solve.record_grid(*second);
     }
     if (error <= tolerance) return solve.finished(std::move(solution), StopReason::converged, "");
-    if (error > 0.7 * last_error) break;  // finer meshes are no cure
+    constexpr double unknown = 0.5;  // the floor is too high: a lower one may be found by finer meshes, at once or not
+    if (error > 0.7 * last_error && error < unknown) break;  // finer meshes are no cure
     last_error = error;
   }
   if (solution.observables.empty()) return ended({}, StopReason::diverged, "no mesh resolves the solution");
