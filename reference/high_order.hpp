@@ -16,7 +16,7 @@ class HighOrder {
   static constexpr SolverDescription description{
       .name = "reference",
       .method = "Dense full Newton on adapted polynomial elements, left Radau collocation, errors from a second such mesh",
-      .cite = "this project, reference/README.md",
+      .cite = "this project, reference/hp/README.md",
       .formal_order = 12,
       .work_exponent = 3};
   /// More would not fit into memory: four dense matrices of 8 (1.5 n)^2 bytes, 5.9 GB here.

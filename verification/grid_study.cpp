@@ -67,7 +67,7 @@ GridStudy study_grids(const std::vector<GridValue>& values, double formal_order,
     // Against equal differences for equal factors of refinement.
     if (!(std::abs(last) * std::log(n2 / n3) < std::abs(before) * std::log(n1 / n2))) return study;
     study.trend = Trend::oscillatory;
-    study.uncertainty = std::max(half_range / size, noise);
+    study.uncertainty = half_range / size;  // more than the noise, which the difference before exceeds
     return study;
   }
   study.observed_order = order_of(n1, n2, n3, last / before);

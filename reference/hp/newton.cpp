@@ -14,7 +14,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// No step takes away more of the film at any row, moves the exit by more of its distance from X = -l, or changes the
+/// No step takes away more of the film at any row, moves the exit by more of X* + 0.2, or changes the
 /// pressure by more than this part of its maximum.
 constexpr double smallest_film_left = 0.2, largest_exit_move = 0.1, largest_pressure_change = 0.5;
 constexpr int halvings = 10;

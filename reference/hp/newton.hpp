@@ -37,11 +37,11 @@ struct NewtonRun {
 [[nodiscard]] NewtonRun newton(const Collocation<double>& equations, const State<double>& start, double floor,
                                const NewtonLimits& limits, Meter& meter);
 
-/// Hertz' pressure rounded off at the ends over `inlet_zone`, with the offset that makes the film at X = 0 `film`.
+/// Hertz' pressure, scaled to the load, with the offset that makes the smallest film `film`.
 [[nodiscard]] State<double> hertz_start(const Collocation<double>& equations, double exit, double film);
 /// Pressure of the rigid parabolic gap film + X^2/2, scaled to the load: light loads.
 [[nodiscard]] State<double> martin_start(const Collocation<double>& equations, double exit, double film);
-/// The state on another mesh of the same domain, by the polynomials of its elements.
+/// The state on another mesh of the same domain, or of one that is cut from it, by the polynomials of its elements.
 [[nodiscard]] State<double> transferred(const Collocation<double>& from, const State<double>& state,
                                         const Collocation<double>& to);
 

@@ -306,6 +306,35 @@ BOOST_AUTO_TEST_CASE(a_fluidity_that_could_not_be_lowered_is_in_the_bars) {
   BOOST_TEST(rows == 4);
 }
 
+BOOST_AUTO_TEST_CASE(films_that_are_carried_to_floor_0_are_nearer_than_those_of_the_floor) {
+  // Couette film at (20, 10), cut at -4, Barus, from 1e-9, stated error 6e-10.
+  const double truth = 0.1033155300687, truth_error = 1e-9;
+  const Solution solution = HighOrder{}.solve(barus_problem(20, 10, TruncatedAt{-4}), within(1e-6));
+  const Fields& floored = solution.fields;
+  const Eigen::Index exit = floored.H.size() - 1;
+  const double before = error(floored.density[exit] * floored.H[exit], truth),
+               after = error(value(solution, Quantity::film_couette), truth);
+  BOOST_TEST(before > 20 * truth_error);  // else this says nothing
+  EHD_CHECK(after, Tolerance::calibrated(before / 5 + truth_error, "a fifth of the move is what is stated of it"));
+  BOOST_TEST(stated_error(solution, Quantity::film_couette) >= before / 6);
+}
+
+BOOST_AUTO_TEST_CASE(work_before_a_flooded_domain_is_in_the_rolling_force) {
+  // Cut at X, the force lacks lambda/|X| of Int H P' dX/2 and terms of higher order.
+  const Problem endless = barus_problem(5, 5, Flooded{});
+  const Solution flooded = HighOrder{}.solve(endless, within(1e-8));
+  const double truth = value(flooded, Quantity::rolling_force);
+  EHD_CHECK(stated_error(flooded, Quantity::rolling_force), Tolerance::required(1e-6, "a digit less than the films' square"));
+  std::vector<double> left;
+  for (const double cut : {100.0, 200.0, 400.0}) {
+    const Solution at = HighOrder{}.solve(barus_problem(5, 5, TruncatedAt{-cut}), within(1e-8));
+    left.push_back(std::abs(value(at, Quantity::rolling_force) + endless.groups.lambda / cut - truth) / truth);
+  }
+  BOOST_TEST(left[0] < 1e-4);
+  BOOST_TEST(left[1] < 0.3 * left[0]);
+  BOOST_TEST(left[2] < 0.3 * left[1]);
+}
+
 BOOST_AUTO_TEST_CASE(only_what_is_wanted_is_reported) {
   Problem problem = roelands_problem(5, 5, TruncatedAt{-4});
   problem.wanted = {film_central, film_couette};

@@ -309,6 +309,20 @@ BOOST_AUTO_TEST_CASE(a_point_without_digits_waits_for_them) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(both_films_must_be_known) {
+  const AtlasPoint point = few_points()[4];
+  for (const Quantity vague : {Quantity::film_minimum, Quantity::film_central}) {
+    RegisteredSolver solver = *find_solver("reference");
+    solver.solve = [&](const Problem& problem, const Request&) {
+      Solution solution = made_solution(problem, 1e-11);
+      solution.observables.at(vague).error = 1e-2;
+      (vague == Quantity::film_minimum ? solution.record.film_minimum : solution.record.film_central) = {.discretisation = 1e-2};
+      return solution;
+    };
+    BOOST_TEST_CONTEXT(to_string(vague)) { BOOST_TEST(!solve_point(point, solver, 1e-10, 30).has_digits()); }
+  }
+}
+
 // -- one point --------------------------------------------------------------------------------------------------
 
 BOOST_AUTO_TEST_CASE(a_looser_tolerance_follows_only_where_nothing_is_known) {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -10,6 +12,7 @@
 #include "verification/exact/blok.hpp"
 #include "verification/exact/ertel_grubin.hpp"
 #include "verification/exact/hertz_gap.hpp"
+#include "verification/exact/manufactured.hpp"
 #include "verification/exact/martin.hpp"
 #include "verification/exact/numerics.hpp"
 
@@ -180,6 +183,56 @@ BOOST_AUTO_TEST_CASE(the_hertz_gap_by_quadrature_equals_its_closed_form) {
     ++rows;
   }
   BOOST_TEST(rows == 9);
+}
+
+BOOST_AUTO_TEST_CASE(manufactured_jets_and_sources_have_the_derivatives_that_they_state) {
+  // Central differences of the values themselves, beyond the exit too, where a solver's X* may lie on its way.
+  const double step = 1e-4;
+  const auto slope = [&](const std::function<double(double)>& f, double X) {
+    // Fourth order: step^4 times fifth derivatives of a few hundred; rounding 1e-13/step.
+    return (8 * (f(X + step) - f(X - step)) - (f(X + 2 * step) - f(X - 2 * step))) / (12 * step);
+  };
+  const Tolerance bound = Tolerance::discretisation(1e-13 / step, 20);
+  int rows = 0;
+  for (const Manufactured& contact : {Manufactured::compressible(), Manufactured::barus()}) {
+    const double inlet = contact.choice().inlet, exit = contact.choice().exit;
+    for (const double part : {0.05, 0.21, 0.4, 0.55, 0.63, 0.71, 0.8, 0.92, 1.02, 1.09}) {
+      const double X = inlet + part * (exit - inlet);
+      BOOST_TEST_CONTEXT("X = " << X) {
+        const auto P = contact.pressure(X), H = contact.film(X);
+        EHD_CHECK(std::abs(P.slope - slope([&](double x) { return contact.pressure(x).value; }, X)), bound);
+        EHD_CHECK(std::abs(P.curvature - slope([&](double x) { return contact.pressure(x).slope; }, X)), bound);
+        EHD_CHECK(std::abs(H.slope - slope([&](double x) { return contact.film(x).value; }, X)), bound);
+        EHD_CHECK(std::abs(contact.film_source(X).second - slope([&](double x) { return contact.film_source(x).first; }, X)),
+                  bound);
+        EHD_CHECK(std::abs(contact.balance_source(X).second -
+                           slope([&](double x) { return contact.balance_source(x).first; }, X)),
+                  bound);
+      }
+      ++rows;
+    }
+  }
+  BOOST_TEST(rows == 20);
+}
+
+BOOST_AUTO_TEST_CASE(manufactured_film_is_the_elastic_one_plus_its_source) {
+  // The logarithm's integral split at X, or whole beyond the exit, by the plain adaptive rule.
+  for (const Manufactured& contact : {Manufactured::compressible(), Manufactured::barus()}) {
+    const auto& chosen = contact.choice();
+    for (const double X : {chosen.inlet, -1.1, 0.3, chosen.exit, chosen.exit + 0.04, chosen.exit + 0.3}) {
+      const auto kernel = [&](double t) { return contact.pressure(t).value * std::log(std::abs(X - t)); };
+      const double middle = std::min(X, chosen.exit);
+      const double deflection = (middle > chosen.inlet ? integral(kernel, chosen.inlet, middle) : 0) +
+                                (middle < chosen.exit ? integral(kernel, middle, chosen.exit) : 0);
+      BOOST_TEST_CONTEXT("X = " << X) {
+        EHD_CHECK(std::abs(chosen.offset + X * X / 2 - deflection / pi + contact.film_source(X).first - contact.film(X).value),
+                  by_quadrature);
+      }
+    }
+    EHD_CHECK(std::abs(2 / pi * integral([&](double t) { return contact.pressure(t).value; }, chosen.inlet, chosen.exit) - 1 -
+                       chosen.load),
+              by_quadrature);
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

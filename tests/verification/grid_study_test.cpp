@@ -112,4 +112,35 @@ BOOST_AUTO_TEST_CASE(what_is_no_grid_study_is_refused) {
   BOOST_CHECK_THROW((void)study_grids({{64, 1}, {128, std::nan("")}, {256, 3}}, 2, 0), std::invalid_argument);
 }
 
+BOOST_AUTO_TEST_CASE(noise_bounds_what_can_be_said) {
+  const double noise = 1e-6;
+  // Differences of 1.9 noise are heard by nobody; half the range counts where it is more than the noise.
+  const auto stalled = study_grids({{64, 1}, {128, 1 + 1.9e-6}, {256, 1 + 3.8e-6}}, 2, noise);
+  BOOST_TEST(to_string(stalled.trend) == "stalled");
+  EHD_CHECK(error(stalled.uncertainty, 1.9e-6), Tolerance::calibrated(1e-5, "1 + 3.8e-6 as its size"));
+  // Refined so far that the correction is below the noise.
+  const auto fine = study_grids({{10, 1 + 3e-4}, {100, 1 + 3e-6}, {10000, 1}}, 1, noise);
+  BOOST_TEST(to_string(fine.trend) == "monotone");
+  EHD_CHECK(error(fine.uncertainty, noise), Tolerance::round_off(4));
+}
+
+BOOST_AUTO_TEST_CASE(orders_are_bounded_before_they_enter_the_uncertainty) {
+  // Third order seen, second declared: (f1 - f2)/3; order 0.3 seen: as if 0.5.
+  const auto fast = study_grids({{64, 1 + 64e-4}, {128, 1 + 8e-4}, {256, 1 + 1e-4}}, 2, 0);
+  EHD_CHECK(error(fast.uncertainty, 3 * 7e-4 / 3 / (1 + 1e-4)), Tolerance::round_off(10, 1e4));
+  const double r = std::pow(2, -0.3);
+  const auto slow = study_grids({{64, 1 + 1 / r / r}, {128, 1 + 1 / r}, {256, 2.0}}, 2, 0);
+  EHD_CHECK(error(slow.uncertainty, 3 * (1 / r - 1) / (std::sqrt(2.0) - 1) / 2), Tolerance::round_off(10, 100));
+  // Within a tenth of the formal order, not within 0.1.
+  const auto power = [](double order) { return [order](double n) { return std::pow(n / 64, -order); }; };
+  BOOST_TEST(to_string(study_grids(sequence(doubled, power(4.3)), 4, 0).trend) == "asymptotic");
+  BOOST_TEST(to_string(study_grids(sequence(doubled, power(1.15)), 1, 0).trend) == "monotone");
+}
+
+BOOST_AUTO_TEST_CASE(differences_of_unequal_steps_are_compared_by_the_step) {
+  // 0.9 over a factor 2, then -1 over a factor 8: per factor it falls.
+  BOOST_TEST(to_string(study_grids({{64, 0}, {128, 0.9}, {1024, -0.1}}, 2, 0).trend) == "oscillatory");
+  BOOST_TEST(to_string(study_grids({{64, 0}, {512, 0.9}, {1024, 0.1}}, 2, 0).trend) == "divergent");
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -52,7 +52,6 @@ std::string three_digits(double value) {
   return text;
 }
 
-/// A contact with what its errors were when the schemes were right.
 struct Contact {
   std::string name;
   Manufactured (*make)();

@@ -314,4 +314,13 @@ BOOST_AUTO_TEST_CASE(the_film_of_a_flooded_contact_is_that_of_a_truncated_one_an
   }
 }
 
+BOOST_AUTO_TEST_CASE(film_at_any_place_is_that_of_the_equations_with_sources_too) {
+  for (const Inlet& inlet : {Inlet{TruncatedAt{-3.3}}, Inlet{Flooded{}}}) {
+    const Collocation<double> equations(distinct_problem(7, 6, inlet), mixed_mesh(-3.3), Points::left_radau, sources<double>());
+    const State<double> state = smooth_state(equations);
+    const Array H = equations.film(state, equations.row_places(), equations.kernel_rows(equations.row_places()));
+    EHD_CHECK((H - equations.evaluate(state, 0).H).abs().maxCoeff(), Tolerance::round_off(50));
+  }
+}
+
 BOOST_AUTO_TEST_SUITE_END()
