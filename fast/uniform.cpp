@@ -24,25 +24,27 @@ constexpr double fewest_inlet_cells = 1.5;
 /// Covers the calibration above three times over.
 double error_of_inlet_cells(double cells) { return 0.5 / (cells * cells); }
 
-// Iteration stops at this share of the tolerance. Film error over the residual stopped at, measured at 96 problems (M of
-// 0.5..1000, L of 0..20, both law sets, flooded and -4) and three tolerances: at most 0.24, so the residual covers it.
+// Iteration stops at this share of the tolerance. Film error over the residual stopped at, measured at 96 problems (M
+// of 0.5..1000, L of 0..20, both law sets, flooded and -4) and three tolerances: at most 0.24, so the residual covers
+// it.
 constexpr double iteration_share = 1.0 / 30;
 
-// No uniform grid sees the spike's width (1e-4 at (20, 10), 2e-11 at (200, 15)), so grids agree on a height before it is
-// right. Against the ten-digit heights of six points, flooded and -4, at four tolerances: an estimate below 3 % was never
-// too small, one of 9 % up to five times. Estimates are multiplied, and what stays vague is left out.
+// No uniform grid sees the spike's width (1e-4 at (20, 10), 2e-11 at (200, 15)), so grids agree on a height before it
+// is right. Against the ten-digit heights of six points, flooded and -4, at four tolerances: an estimate below 3 % was
+// never too small, one of 9 % up to five times. Estimates are multiplied, and what stays vague is left out.
 constexpr double spike_safety = 3, vaguest_spike = 0.05;
 
 constexpr int first_nodes = 64;
 
-/// Where a flooded grid begins, -reach l, and the relative film error that the tail beyond it leaves. Calibrated against
-/// reach 24 at eleven points from (0.05, 0) to (1000, 10), both law sets: reach 4 at most 1.2e-6, reach 8 at most 5e-8.
+/// Where a flooded grid begins, -reach l, and the relative film error that the tail beyond it leaves. Calibrated
+/// against reach 24 at eleven points from (0.05, 0) to (1000, 10), both law sets: reach 4 at most 1.2e-6, reach 8 at
+/// most 5e-8.
 struct FloodedInlet {
   double reach, truncation;
 };
-/// What truncation does to other numbers than films, in units of that: the work before the domain falls with 1/|X_a| alone, and
-/// H_0 holds ln|X_a| of the tail. Against the reference at ten points of M = 0.05..100, both law sets: rolling force at most
-/// 4.7e-5 (reach 4), 2.8e-6 (reach 8); offset 1.3e-5, 1.2e-6, with the discretisation in it.
+/// What truncation does to other numbers than films, in units of that: the work before the domain falls with 1/|X_a|
+/// alone, and H_0 holds ln|X_a| of the tail. Against the reference at ten points of M = 0.05..100, both law sets:
+/// rolling force at most 4.7e-5 (reach 4), 2.8e-6 (reach 8); offset 1.3e-5, 1.2e-6, with the discretisation in it.
 constexpr double truncation_of_work = 20, truncation_of_offset = 5;
 FloodedInlet flooded_inlet(double tolerance) {
   return tolerance > 0 && tolerance < 2e-5 ? FloodedInlet{8, 1e-7} : FloodedInlet{4, 3e-6};
@@ -117,8 +119,8 @@ bool continuation(Run& run, int n, double tolerance, NewtonResult& result) {
   State state;
   const auto at = [&](double t) {
     Setting setting = target;
-    setting.groups = groups_from(MoesGroups{.M = std::pow(M0, 1 - t) * std::pow(target.groups.M, t),
-                                            .L = (1 - t) * L0 + t * target.groups.L});
+    setting.groups = groups_from(
+        MoesGroups{.M = std::pow(M0, 1 - t) * std::pow(target.groups.M, t), .L = (1 - t) * L0 + t * target.groups.L});
     if (target.groups.alpha_p_H > 0) {
       const double unit = setting.groups.alpha_p_H / target.groups.alpha_p_H;
       setting.viscosity = in_units_of(target.viscosity, unit);
@@ -132,8 +134,7 @@ bool continuation(Run& run, int n, double tolerance, NewtonResult& result) {
     State trial;
     if (reached < 0) {
       const Lengths mild = expected_lengths(run.setting.groups);
-      trial = first_iterate(run.setting, likely_shape(mild.film), mild.film, n,
-                            run.workspace.kernels.of(n));
+      trial = first_iterate(run.setting, likely_shape(mild.film), mild.film, n, run.workspace.kernels.of(n));
     } else {
       trial = state;
     }
@@ -157,8 +158,8 @@ bool continuation(Run& run, int n, double tolerance, NewtonResult& result) {
 bool start(Run& run, int n, double tolerance, NewtonResult& result) {
   const double film = run.lengths.film;
   const Shape likely = likely_shape(film), other = likely == Shape::hertz ? Shape::martin : Shape::hertz;
-  const std::pair<Shape, double> attempts[] = {{likely, 1.0}, {likely, 2.0}, {likely, 0.5}, {likely, 4.0},
-                                               {other, 1.0},  {other, 2.0}};
+  const std::pair<Shape, double> attempts[] = {{likely, 1.0}, {likely, 2.0}, {likely, 0.5},
+                                               {likely, 4.0}, {other, 1.0},  {other, 2.0}};
   for (const auto& [shape, factor] : attempts) {
     State state = first_iterate(run.setting, shape, factor * film, n, run.workspace.kernels.of(n));
     result = newton_on(run, state, tolerance);
@@ -184,9 +185,7 @@ Fields fields_of(const Run& run) {
           .work_beyond_inlet = run.state.tail.work};
 }
 
-bool is_absolute(Quantity quantity) {
-  return quantity == Quantity::film_offset || quantity == Quantity::approach;
-}
+bool is_absolute(Quantity quantity) { return quantity == Quantity::film_offset || quantity == Quantity::approach; }
 
 /// What the grids say of one quantity; infinite where only one grid has it.
 double discretisation_error(const std::vector<GridRecord>& grids, Quantity quantity) {
@@ -249,9 +248,10 @@ Solution Uniform::solve(const Problem& problem, const Request& request, Workspac
   double newton_residual = 0;
   int refused = 0;
   const auto budget = [&](Quantity quantity) {
-    return ErrorBudget{.discretisation = discretisation_error(record.grids, quantity),
-                       .iteration = newton_residual,
-                       .truncation = cut ? 0 : far.truncation * (quantity == Quantity::rolling_force ? truncation_of_work : 1)};
+    return ErrorBudget{
+        .discretisation = discretisation_error(record.grids, quantity),
+        .iteration = newton_residual,
+        .truncation = cut ? 0 : far.truncation * (quantity == Quantity::rolling_force ? truncation_of_work : 1)};
   };
   for (;; n *= 2) {
     const double target = request.nodes ? (n == last ? 1e-11 : 1e-7) : tolerance * iteration_share;

@@ -60,15 +60,14 @@ std::string text_of(double value) {
 struct Discretised {
   std::vector<Resolved> floors;
   Fields fields;
-  Observables seen;             ///< carried on to floor 0 where the descent ended before
+  Observables seen;                         ///< carried on to floor 0 where the descent ended before
   std::map<Quantity, double> floor_errors;  ///< absolute, of that
   [[nodiscard]] const Resolved& last() const { return floors.back(); }
 };
 
 class Solve {
  public:
-  Solve(const Problem& problem, const Request& request)
-      : problem_(problem), wanted_(problem.wanted) {
+  Solve(const Problem& problem, const Request& request) : problem_(problem), wanted_(problem.wanted) {
     wanted_.insert({Quantity::film_minimum, Quantity::film_central});
     meter_.iterations_left = request.max_iterations * 10;  // of meshes with a hundred nodes, most of them
     meter_.end = begin_ + std::chrono::duration_cast<Clock::duration>(
@@ -91,8 +90,8 @@ class Solve {
       for (const double factor : {1.0, 2.0, 0.5, 4.0}) {
         for (const bool rigid : {film_ > 0.5, film_ <= 0.5}) {
           Resolved guess{.equations = equations, .run = {}, .floor = floor};
-          guess.run.state = rigid ? martin_start(*equations, exit, factor * film_)
-                                  : hertz_start(*equations, exit, factor * film_);
+          guess.run.state =
+              rigid ? martin_start(*equations, exit, factor * film_) : hertz_start(*equations, exit, factor * film_);
           if (auto solved = resolved(problem_, guess, Resolution{}, limits, meter_)) return solved;
         }
         if (meter_.spent()) return std::nullopt;
@@ -126,7 +125,8 @@ class Solve {
   }
 
   /// What can be read off the last floor; a spike that is wanted, and is there, is resolved first.
-  [[nodiscard]] Discretised observed(std::vector<Resolved> floors, Resolution resolution, const HomotopyLimits& limits) {
+  [[nodiscard]] Discretised observed(std::vector<Resolved> floors, Resolution resolution,
+                                     const HomotopyLimits& limits) {
     Discretised done;
     done.floors = std::move(floors);
     done.fields = fields_of(done.last());
@@ -152,7 +152,8 @@ class Solve {
       if (!top) continue;
       Discretised done = observed(descent(problem_, *top, resolution, limits, meter_), resolution, limits);
       // Two floors to carry on to 0 from, and a third to judge that by: further ones from further up.
-      for (auto above = from; done.last().floor > 0 && floors_apart(done.floors).size() < 3 && above != floors.rend(); ++above) {
+      for (auto above = from; done.last().floor > 0 && floors_apart(done.floors).size() < 3 && above != floors.rend();
+           ++above) {
         if (above->floor < 3 * done.floors.front().floor) continue;
         if (auto solved = on_mesh_of(*above, scheme, resolution, limits))
           done.floors.insert(done.floors.begin(), std::move(*solved));
@@ -220,7 +221,8 @@ class Solve {
     return fields;
   }
 
-  /// Values are linear in a small floor, and the curvature through a third one says how small it is. hp/README.md, section 4.
+  /// Values are linear in a small floor, and the curvature through a third one says how small it is. hp/README.md,
+  /// section 4.
   void carry_to_zero(Discretised& done) const {
     const auto apart = floors_apart(done.floors);
     if (done.last().floor == 0 || apart.size() < 2) return;
@@ -273,15 +275,15 @@ class Solve {
       ErrorBudget budget;
       budget.discretisation = (is_peak(quantity) ? peak_safety : discretisation_safety) *
                               std::abs(reading.value - second.seen.at(quantity).value) / size;
-      budget.discretisation = std::max(budget.discretisation, is_film(quantity) ? discretisation_safety * films_differ : all_differ);
+      budget.discretisation =
+          std::max(budget.discretisation, is_film(quantity) ? discretisation_safety * films_differ : all_differ);
       if (guided && guide->seen.contains(quantity))
         budget.discretisation = std::max(
             budget.discretisation, guide_safety * std::abs(reading.value - guide->seen.at(quantity).value) / size);
       budget.iteration = first.last().run.iteration_error + rounding;
       if (absolute) budget.iteration *= film;
       if (first.last().floor > 0)
-        budget.discretisation +=
-            first.floor_errors.contains(quantity) ? first.floor_errors.at(quantity) / size : 1;
+        budget.discretisation += first.floor_errors.contains(quantity) ? first.floor_errors.at(quantity) / size : 1;
       // A maximum behind the centre is the spike, or on its way to be one.
       const bool on_a_floor = first.last().floor > 0 && reading.place.value_or(0) > 0;
       if (is_peak(quantity) && (on_a_floor || !(budget.total() <= vaguest_peak))) {
@@ -295,8 +297,9 @@ class Solve {
       if (problem_.wanted.contains(quantity)) solution.observables[quantity] = reading;
     }
     if (first.last().floor > 0)
-      record.notes.push_back("the fluidity has a floor of " + text_of(first.last().floor) +
-                             ": films are carried on to 0 and what may be left is part of the errors; profiles are those of the floor");
+      record.notes.push_back(
+          "the fluidity has a floor of " + text_of(first.last().floor) +
+          ": films are carried on to 0 and what may be left is part of the errors; profiles are those of the floor");
     return solution;
   }
 
@@ -356,7 +359,9 @@ class Solve {
   [[nodiscard]] static bool is_absolute(Quantity quantity) {
     return quantity == Quantity::film_offset || quantity == Quantity::approach;
   }
-  [[nodiscard]] static double size_of(Quantity quantity, double value) { return is_absolute(quantity) ? 1 : std::abs(value); }
+  [[nodiscard]] static double size_of(Quantity quantity, double value) {
+    return is_absolute(quantity) ? 1 : std::abs(value);
+  }
 
   [[nodiscard]] static bool is_diagnostic(Quantity quantity) {
     return quantity == Quantity::load_error || quantity == Quantity::flux_variation;
@@ -366,7 +371,8 @@ class Solve {
   }
 
   [[nodiscard]] static bool is_film(Quantity quantity) {
-    return quantity == Quantity::film_minimum || quantity == Quantity::film_central || quantity == Quantity::film_couette;
+    return quantity == Quantity::film_minimum || quantity == Quantity::film_central ||
+           quantity == Quantity::film_couette;
   }
 
   [[nodiscard]] static double inlet_cells(const Fields& fields, double film) {
@@ -390,9 +396,9 @@ class Solve {
 Solution HighOrder::solve(const Problem& problem, const Request& request) const {
   Solve solve(problem, request);
   if (request.nodes && *request.nodes > largest_nodes)
-    return solve.finished({}, StopReason::limit_reached,
-                          std::to_string(*request.nodes) + " intervals do not fit into memory; at most " +
-                              std::to_string(largest_nodes));
+    return solve.finished(
+        {}, StopReason::limit_reached,
+        std::to_string(*request.nodes) + " intervals do not fit into memory; at most " + std::to_string(largest_nodes));
   const double tolerance = request.tolerance.value_or(layout_tolerance);
   const auto ended = [&](Solution solution, StopReason status, const std::string& reason) {
     if (solve.out_of_limits())
@@ -407,7 +413,8 @@ Solution HighOrder::solve(const Problem& problem, const Request& request) const 
 
   // 2. The intervals that were asked for.
   if (request.nodes) {
-    const auto guide = solve.discretised(floors, coarse_scheme, {.film = tolerance, .spike = 1e-3, .defect = 1e-2}, tolerance);
+    const auto guide =
+        solve.discretised(floors, coarse_scheme, {.film = tolerance, .spike = 1e-3, .defect = 1e-2}, tolerance);
     if (!guide) return ended({}, StopReason::diverged, "no mesh resolves the solution");
     const auto first = solve.laid_out(*guide, floors, *request.nodes);
     if (!first)
@@ -425,7 +432,7 @@ Solution HighOrder::solve(const Problem& problem, const Request& request) const 
   Solution solution;
   double last_error = std::numeric_limits<double>::infinity();
   double working = tolerance;  // what floors and meshes are judged by
-  std::string why;  // the tolerance is not met
+  std::string why;             // the tolerance is not met
   std::vector<Resolved> descended = floors;
   for (int refinement = 0; refinement < 3; ++refinement) {
     if (refinement > 0) {
@@ -434,8 +441,7 @@ Solution HighOrder::solve(const Problem& problem, const Request& request) const 
       descended = solve.coarse_descent(*top, working);
     }
     const Scheme scheme = working >= fine_tolerance ? coarse_scheme : fine_scheme;
-    const Resolution resolution{
-        .film = std::max(working, solve.expected_rounding()), .spike = 1e-3, .defect = 1e-2};
+    const Resolution resolution{.film = std::max(working, solve.expected_rounding()), .spike = 1e-3, .defect = 1e-2};
     const auto first = solve.discretised(descended, scheme, resolution, working);
     if (!first) break;
     const auto second = solve.discretised(first->floors, second_to(scheme), resolution, working);
@@ -445,8 +451,9 @@ Solution HighOrder::solve(const Problem& problem, const Request& request) const 
     const bool better = error < last_error;
     if (better) {
       solution = std::move(refined);
-      why = first->last().floor > 0 ? "the fluidity's floor could not be lowered further than " + text_of(first->last().floor)
-                                    : "the two discretisations differ by more than the tolerance";
+      why = first->last().floor > 0
+                ? "the fluidity's floor could not be lowered further than " + text_of(first->last().floor)
+                : "the two discretisations differ by more than the tolerance";
       solve.forget_grids();
       solve.record_grid(*first);
       solve.record_grid(*second);

@@ -15,7 +15,8 @@ class HighOrder {
  public:
   static constexpr SolverDescription description{
       .name = "reference",
-      .method = "Dense full Newton on adapted polynomial elements, left Radau collocation, errors from a second such mesh",
+      .method =
+          "Dense full Newton on adapted polynomial elements, left Radau collocation, errors from a second such mesh",
       .cite = "this project, reference/hp/README.md",
       .formal_order = 12,
       .work_exponent = 3};

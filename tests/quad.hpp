@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What rounding does is measured by running the same template with 34 digits: float128 of libquadmath where the compiler is
-// gcc, elsewhere the same format in software.
+// What rounding does is measured by running the same template with 34 digits: float128 of libquadmath where the
+// compiler is gcc, elsewhere the same format in software.
 #pragma once
 
 #if defined(__GNUC__) && !defined(__clang__)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a sequence of grids shows of a number: its trend first, and only then an order, an extrapolation and an uncertainty.
+// What a sequence of grids shows of a number: its trend first, and only then an order, an extrapolation and an
+// uncertainty.
 #pragma once
 
 #include <optional>
@@ -26,8 +27,8 @@ struct GridStudy {
   Trend trend = Trend::divergent;
   std::optional<double> observed_order = {};  ///< of the last three grids; none where differences change sign or stall
   std::optional<double> extrapolated = {};    ///< asymptotic alone
-  double uncertainty = 0;  ///< relative, of the finest value: the GCI; infinite where divergent
-  double safety = 0;       ///< F_s in it; 0 where it is none
+  double uncertainty = 0;                     ///< relative, of the finest value: the GCI; infinite where divergent
+  double safety = 0;                          ///< F_s in it; 0 where it is none
 };
 
 /// Three grids or more, from coarse to fine, any ratios above 1; `noise`: relative error of each value that is not the

@@ -34,20 +34,20 @@ struct Place {
   Scalar from_left{0}, from_right{0};
 };
 
-/// What the equations say about a state, at the rows: the collocation points of all elements in order, the right ends of
-/// all elements (row_of_right_end), and the inlet.
+/// What the equations say about a state, at the rows: the collocation points of all elements in order, the right ends
+/// of all elements (row_of_right_end), and the inlet.
 template <class Scalar>
 struct Evaluation {
   ArrayOf<Scalar> X, P, slope, H;  ///< rows; slope = dP/dX from the element that owns the row
   LawValues<Scalar> viscosity, density;
-  ArrayOf<Scalar> fluidity;                  ///< 1/eta + delta
-  ArrayOf<Scalar> mobility;                  ///< rho H^3 fluidity/lambda
-  ArrayOf<Scalar> balance;                   ///< mobility P' - rho H + C
-  VectorOf<Scalar> residual;                 ///< n + 3: balances at the points, inlet, load, exit
-  VectorOf<Scalar> scale;                    ///< what a residual is to be compared with
-  ArrayOf<Scalar> film_by_exit;              ///< dH/dX* at fixed P, rows
-  Scalar load_integral{0};                   ///< S P
-  Scalar tail_pressure{0}, tail_load{0};     ///< of what lies before the inlet
+  ArrayOf<Scalar> fluidity;               ///< 1/eta + delta
+  ArrayOf<Scalar> mobility;               ///< rho H^3 fluidity/lambda
+  ArrayOf<Scalar> balance;                ///< mobility P' - rho H + C
+  VectorOf<Scalar> residual;              ///< n + 3: balances at the points, inlet, load, exit
+  VectorOf<Scalar> scale;                 ///< what a residual is to be compared with
+  ArrayOf<Scalar> film_by_exit;           ///< dH/dX* at fixed P, rows
+  Scalar load_integral{0};                ///< S P
+  Scalar tail_pressure{0}, tail_load{0};  ///< of what lies before the inlet
 };
 
 /// The deflection at X that the pressure 4 lambda/(3 |X'|^3) before the inlet, X' < -x, causes, and its derivative:
@@ -117,4 +117,3 @@ class Collocation {
 };
 
 }  // namespace ehd::reference::hp
-

@@ -2,9 +2,9 @@
 // Implementation of collocation.hpp, to be included where another scalar type than double is wanted.
 #pragma once
 
-#include "reference/hp/collocation.hpp"
-
 #include <boost/math/constants/constants.hpp>
+
+#include "reference/hp/collocation.hpp"
 
 namespace ehd::reference::hp {
 
@@ -27,8 +27,7 @@ std::pair<Scalar, Scalar> tail_deflection(const Scalar& lambda, const Scalar& x,
     const Scalar room = one + v;
     const Scalar log_room = room > Scalar(0) ? Scalar(log1p(v)) : Scalar(0);  // its factor vanishes at v = -1
     B += one / v + (one - one / (v * v)) * log_room;
-    slope = -one / (v * v) + two * log_room / (v * v * v) +
-            (v - one) / (v * v);  // (1 - 1/v^2)/(1 + v) = (v - 1)/v^2
+    slope = -one / (v * v) + two * log_room / (v * v * v) + (v - one) / (v * v);  // (1 - 1/v^2)/(1 + v) = (v - 1)/v^2
   }
   const Scalar factor = -two * lambda / (Scalar(3) * boost::math::constants::pi<Scalar>() * x * x);
   return {factor * B, factor * slope / x};
@@ -89,7 +88,8 @@ auto Collocation<Scalar>::kernel_rows(const std::vector<Place<Scalar>>& places) 
       const auto other = static_cast<std::size_t>(at.element);
       auto m = moments.col(i);
       if (at.element == e) {
-        const Scalar t = at.from_left < at.from_right ? Scalar(at.from_left - Scalar(1)) : Scalar(Scalar(1) - at.from_right);
+        const Scalar t =
+            at.from_left < at.from_right ? Scalar(at.from_left - Scalar(1)) : Scalar(Scalar(1) - at.from_right);
         moments_inside(degree, t, at.from_left, at.from_right, work, m);
       } else if (at.element > e) {
         const Scalar distance = (Scalar(mesh_.breakpoints[other]) - right) + half_length(at.element) * at.from_left;
@@ -179,8 +179,7 @@ Evaluation<Scalar> Collocation<Scalar>::evaluate(const State<Scalar>& state, con
     const Scalar X = state.exit + s * place, X_by_exit = one + place / extent_;
     at.X[i] = X;
     at.H[i] = state.offset + X * X / two - s / pi * (log_integral[i] + log_s * at.load_integral);
-    at.film_by_exit[i] =
-        X * X_by_exit - (log_integral[i] + (log_s + one) * at.load_integral) / (pi * extent_);
+    at.film_by_exit[i] = X * X_by_exit - (log_integral[i] + (log_s + one) * at.load_integral) / (pi * extent_);
     if (flooded_) {
       const auto [value, slope] = tail_deflection(lambda_, Scalar(-Scalar(mesh_.inlet)), X);
       at.H[i] += value;
@@ -204,10 +203,9 @@ Evaluation<Scalar> Collocation<Scalar>::evaluate(const State<Scalar>& state, con
   if (flooded_) {
     // P' = lambda (H - C)/H^3 with H = X^2/2 + A beyond the first node, in powers of 1/x; README.md, section 5.
     const Scalar A = film_inlet - x2 / two;
-    at.tail_pressure = lambda_ * (Scalar(4) / Scalar(3) - (Scalar(16) * A + Scalar(8) * state.flux) / (Scalar(5) * x2)) /
-                       (x * x2);
-    at.tail_load =
-        lambda_ * (two / Scalar(3) - (Scalar(4) * A + two * state.flux) / (Scalar(5) * x2)) / x2;
+    at.tail_pressure =
+        lambda_ * (Scalar(4) / Scalar(3) - (Scalar(16) * A + Scalar(8) * state.flux) / (Scalar(5) * x2)) / (x * x2);
+    at.tail_load = lambda_ * (two / Scalar(3) - (Scalar(4) * A + two * state.flux) / (Scalar(5) * x2)) / x2;
   }
   at.residual.resize(n + 3);
   at.residual.head(n) = at.balance.head(n).matrix();
@@ -237,15 +235,14 @@ auto Collocation<Scalar>::jacobian(const State<Scalar>& state, const Evaluation<
   // Through the film: d balance/dH = 3 mobility P'/H - rho, dH/dP = -(s/pi)(W + ln s S), dH/dH_0 = 1.
   const ArrayOf<Scalar> by_film = three * at.mobility * at.slope / at.H - at.density.value;
   for (int j = 0; j < n; ++j)
-    J.col(j).head(n) = (by_film.head(n) * (kernel_.col(j).head(n).array() + log_s * integrals_[j]) * (-s / pi)).matrix();
+    J.col(j).head(n) =
+        (by_film.head(n) * (kernel_.col(j).head(n).array() + log_s * integrals_[j]) * (-s / pi)).matrix();
   J.col(n).head(n) = by_film.head(n).matrix();
   J.col(n + 1).head(n).setOnes();
-  J.col(n + 2).head(n) =
-      (by_film * at.film_by_exit - at.mobility * at.slope / (s * extent_)).head(n).matrix();
+  J.col(n + 2).head(n) = (by_film * at.film_by_exit - at.mobility * at.slope / (s * extent_)).head(n).matrix();
   if (sources_) {
     for (int i = 0; i < n; ++i)
-      J(i, n + 2) -= sources_->balance(at.X[i]).second *
-                     (one + xi(places_[static_cast<std::size_t>(i)]) / extent_);
+      J(i, n + 2) -= sources_->balance(at.X[i]).second * (one + xi(places_[static_cast<std::size_t>(i)]) / extent_);
   }
   // Through the pressure at the point itself, and its slope.
   const ArrayOf<Scalar> by_pressure =

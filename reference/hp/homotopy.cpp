@@ -23,7 +23,8 @@ double film_error_of_tail(double tail, double half_length, int degree, double fi
 /// What no mesh resolves: H is a difference of terms of size 1 + X^2/2, P' one of pressures over a length.
 double rounding_of_balance(const Evaluation<double>& at, Eigen::Index row, double half) {
   constexpr double units = 10;
-  const double X = at.X[row], through_film = std::abs(3 * at.mobility[row] * at.slope[row] / at.H[row] - at.density.value[row]);
+  const double X = at.X[row],
+               through_film = std::abs(3 * at.mobility[row] * at.slope[row] / at.H[row] - at.density.value[row]);
   return units * std::numeric_limits<double>::epsilon() *
          ((1 + X * X / 2) * through_film + at.mobility[row] * std::abs(at.P[row]) / half);
 }
@@ -80,7 +81,8 @@ std::optional<Resolved> resolved(const Problem& problem, const Resolved& from, c
       const auto at = static_cast<std::size_t>(e);
       const double left = mesh.breakpoints[at], middle = mesh.breakpoints[at + 1], right = mesh.breakpoints[at + 2];
       const double ratio = (middle - left) / (right - middle);
-      if (!may_merge || pass > 1 || ratio > 4.5 || ratio < 1 / 4.5) return false;  // later a merge could undo a split, for ever
+      if (!may_merge || pass > 1 || ratio > 4.5 || ratio < 1 / 4.5)
+        return false;  // later a merge could undo a split, for ever
       if (excess[at] > 0.05 || excess[at + 1] > 0.05) return false;
       const auto& shape = equations->reference(e);
       if (shape.degree != mesh.degrees[at + 1]) return false;
@@ -113,7 +115,7 @@ std::optional<Resolved> resolved(const Problem& problem, const Resolved& from, c
 
 std::vector<Resolved> descent(const Problem& problem, const Resolved& top, const Resolution& resolution,
                               const HomotopyLimits& limits, Meter& meter) {
-  constexpr double lowest = 1e-18;        // below it a floor is less than the rounding of 1/eta anywhere that matters
+  constexpr double lowest = 1e-18;  // below it a floor is less than the rounding of 1/eta anywhere that matters
   constexpr double first_factor = 10, largest_factor = 1e6, smallest_factor = 1.2;
   std::vector<Resolved> floors{top};
   double factor = first_factor;

@@ -12,8 +12,8 @@ namespace ehd::reference::hp {
 
 /// What a mesh must resolve.
 struct Resolution {
-  double film = 1e-3;   ///< relative error that one element may cause in the film
-  double spike = 3e-3;  ///< last Legendre coefficients of the pressure, in p_H, wherever they are
+  double film = 1e-3;    ///< relative error that one element may cause in the film
+  double spike = 3e-3;   ///< last Legendre coefficients of the pressure, in p_H, wherever they are
   double defect = 0.05;  ///< of the flux between collocation points, relative
 };
 
@@ -40,7 +40,8 @@ struct HomotopyLimits {
 /// Solves at from.floor on the mesh of `from`, starting from its state, and adapts the mesh until it resolves; empty
 /// where Newton's method gives up.
 [[nodiscard]] std::optional<Resolved> resolved(const Problem& problem, const Resolved& from,
-                                               const Resolution& resolution, const HomotopyLimits& limits, Meter& meter);
+                                               const Resolution& resolution, const HomotopyLimits& limits,
+                                               Meter& meter);
 
 /// Lowers the floor to 0 as far as it goes: every floor at which a solution was resolved, the first being `top`.
 [[nodiscard]] std::vector<Resolved> descent(const Problem& problem, const Resolved& top, const Resolution& resolution,

@@ -21,8 +21,8 @@ template <class Scalar>
   };
   const auto with_slope = [&](const Scalar& t) {
     const VectorOf<Scalar> slope = legendre_derivatives(degree, t);
-    return std::pair<Scalar, Scalar>(
-        value(t), kind == Points::gauss ? slope[degree] : Scalar(slope[degree] + slope[degree - 1]));
+    return std::pair<Scalar, Scalar>(value(t),
+                                     kind == Points::gauss ? slope[degree] : Scalar(slope[degree] + slope[degree - 1]));
   };
   const int inner = kind == Points::gauss ? degree : degree - 1;
   const auto starts = detail::sign_changes([&](double t) { return value(t); }, inner);
@@ -38,14 +38,14 @@ template <class Scalar>
 template <class Scalar>
 struct ReferenceElement {
   int degree = 0;
-  VectorOf<Scalar> nodes;           ///< Lobatto, degree + 1
-  VectorOf<Scalar> weights;         ///< their quadrature, exact for 2 degree - 1
-  VectorOf<Scalar> points;          ///< collocation, degree
-  MatrixOf<Scalar> to_legendre;     ///< nodal values -> coefficients of P_0 … P_p
-  MatrixOf<Scalar> at_points;       ///< nodal values -> values at the collocation points
+  VectorOf<Scalar> nodes;            ///< Lobatto, degree + 1
+  VectorOf<Scalar> weights;          ///< their quadrature, exact for 2 degree - 1
+  VectorOf<Scalar> points;           ///< collocation, degree
+  MatrixOf<Scalar> to_legendre;      ///< nodal values -> coefficients of P_0 … P_p
+  MatrixOf<Scalar> at_points;        ///< nodal values -> values at the collocation points
   MatrixOf<Scalar> slope_at_points;  ///< nodal values -> d/dt there
-  VectorOf<Scalar> slope_at_right;  ///< nodal values -> d/dt at t = 1
-  VectorOf<Scalar> slope_at_left;   ///< nodal values -> d/dt at t = -1
+  VectorOf<Scalar> slope_at_right;   ///< nodal values -> d/dt at t = 1
+  VectorOf<Scalar> slope_at_left;    ///< nodal values -> d/dt at t = -1
 };
 
 template <class Scalar>

@@ -34,8 +34,8 @@ struct Seed {
 /// Elements with excess > 1 are cut at `cut` of their length;
 /// neighbours for which mergeable(e) holds, e and e + 1, become one, at most one merge an element. Elements shorter
 /// than `shortest` are left alone.
-[[nodiscard]] Mesh adapted(const Mesh& mesh, const std::vector<double>& excess, const std::function<bool(int)>& mergeable,
-                           double shortest, double cut = 0.5);
+[[nodiscard]] Mesh adapted(const Mesh& mesh, const std::vector<double>& excess,
+                           const std::function<bool(int)>& mergeable, double shortest, double cut = 0.5);
 
 /// The same mesh with just `elements` elements: those with the largest excess are cut in two, or neighbours with the
 /// smallest are joined. A cut is taken to lower an excess by 2^degree.

@@ -13,8 +13,8 @@ struct Meter {
   int iterations_left = 0;
   std::chrono::steady_clock::time_point end;
   int iterations = 0;
-  long kernel_products = 0;         ///< film evaluations and Jacobians
-  double point_products = 0;        ///< the same, times their intervals
+  long kernel_products = 0;   ///< film evaluations and Jacobians
+  double point_products = 0;  ///< the same, times their intervals
   long viscosity_points = 0, density_points = 0;
   [[nodiscard]] bool spent() const { return iterations_left <= 0 || std::chrono::steady_clock::now() >= end; }
 };

@@ -84,7 +84,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(lobatto_rule_is_exact_to_degree_2p_minus_1_and_no_
     const VectorOf<Scalar> nodes = lobatto_nodes<Scalar>(p), weights = lobatto_weights(p, nodes);
     BOOST_TEST_CONTEXT("degree " << p) {
       BOOST_TEST(bool((nodes.array() + nodes.reverse().array()).abs().maxCoeff() <=
-                 Scalar(4) * std::numeric_limits<Scalar>::epsilon()));
+                      Scalar(4) * std::numeric_limits<Scalar>::epsilon()));
       for (int j = 0; j < p; ++j) BOOST_TEST(bool(nodes[j] < nodes[j + 1]));
       for (int k = 0; k <= 2 * p - 1; ++k) {
         Scalar sum(0);

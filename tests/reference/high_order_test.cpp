@@ -284,14 +284,15 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_done_ends_with_a_reason_and_no_nan) {
 }
 
 BOOST_AUTO_TEST_CASE(a_fluidity_that_could_not_be_lowered_is_in_the_bars) {
-  // Central and Couette films by fast at 1e-4 and 1e-5, which has no floor in its solutions, with its stated error. Both
-  // discretisations share their floors and agree to a hundredth of what the floor does to them.
+  // Central and Couette films by fast at 1e-4 and 1e-5, which has no floor in its solutions, with its stated error.
+  // Both discretisations share their floors and agree to a hundredth of what the floor does to them.
   struct Row {
     double M, L, tolerance, central, couette, relative;
   };
   int rows = 0;
-  for (const Row& row : {Row{20, 100, 0.1, 0.50344, 0.50344, 1e-4}, Row{50, 100, 0.1, 0.187372, 0.187372, 1e-5},
-                         Row{4.277, 90.03, 1e-3, 2.372010, 2.372010, 4e-6}, Row{3, 20, 1e-3, 1.265344, 1.265344, 5e-6}}) {
+  for (const Row& row :
+       {Row{20, 100, 0.1, 0.50344, 0.50344, 1e-4}, Row{50, 100, 0.1, 0.187372, 0.187372, 1e-5},
+        Row{4.277, 90.03, 1e-3, 2.372010, 2.372010, 4e-6}, Row{3, 20, 1e-3, 1.265344, 1.265344, 5e-6}}) {
     const Solution solution = HighOrder{}.solve(barus_problem(row.M, row.L, Flooded{}), within(row.tolerance));
     BOOST_TEST_CONTEXT("M = " << row.M << ", L = " << row.L) {
       for (const auto& [quantity, truth] :
@@ -299,7 +300,8 @@ BOOST_AUTO_TEST_CASE(a_fluidity_that_could_not_be_lowered_is_in_the_bars) {
         EHD_CHECK(error(value(solution, quantity), truth),
                   Tolerance::discretisation(stated_error(solution, quantity) + row.relative, 1));
       BOOST_TEST((solution.record.status == StopReason::converged) == (row.L == 20));
-      BOOST_TEST(!solution.observables.contains(Quantity::pressure_maximum));  // it is the spike, wherever its floor left it
+      BOOST_TEST(
+          !solution.observables.contains(Quantity::pressure_maximum));  // it is the spike, wherever its floor left it
     }
     ++rows;
   }
@@ -324,7 +326,8 @@ BOOST_AUTO_TEST_CASE(work_before_a_flooded_domain_is_in_the_rolling_force) {
   const Problem endless = barus_problem(5, 5, Flooded{});
   const Solution flooded = HighOrder{}.solve(endless, within(1e-8));
   const double truth = value(flooded, Quantity::rolling_force);
-  EHD_CHECK(stated_error(flooded, Quantity::rolling_force), Tolerance::required(1e-6, "a digit less than the films' square"));
+  EHD_CHECK(stated_error(flooded, Quantity::rolling_force),
+            Tolerance::required(1e-6, "a digit less than the films' square"));
   std::vector<double> left;
   for (const double cut : {100.0, 200.0, 400.0}) {
     const Solution at = HighOrder{}.solve(barus_problem(5, 5, TruncatedAt{-cut}), within(1e-8));

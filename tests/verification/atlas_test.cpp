@@ -316,7 +316,8 @@ BOOST_AUTO_TEST_CASE(both_films_must_be_known) {
     solver.solve = [&](const Problem& problem, const Request&) {
       Solution solution = made_solution(problem, 1e-11);
       solution.observables.at(vague).error = 1e-2;
-      (vague == Quantity::film_minimum ? solution.record.film_minimum : solution.record.film_central) = {.discretisation = 1e-2};
+      (vague == Quantity::film_minimum ? solution.record.film_minimum
+                                       : solution.record.film_central) = {.discretisation = 1e-2};
       return solution;
     };
     BOOST_TEST_CONTEXT(to_string(vague)) { BOOST_TEST(!solve_point(point, solver, 1e-10, 30).has_digits()); }

@@ -103,9 +103,7 @@ BOOST_AUTO_TEST_CASE(martins_contact_at_M_satisfies_the_hertz_scaled_equations) 
   const MartinContact contact(M);
   const double lambda = 3 * pi * pi / (8 * M * M);
   const auto film = [&](double X) { return contact.hertz_minimum + X * X / 2; };
-  const auto slope = [&](double X) {
-    return lambda * (film(X) - contact.hertz_couette) / std::pow(film(X), 3);
-  };
+  const auto slope = [&](double X) { return lambda * (film(X) - contact.hertz_couette) / std::pow(film(X), 3); };
   const double scale = contact.hertz_exit;  // of the integrands' arguments
   const auto from_far = [&](auto f) {
     return scale * (integral_to_infinity([&](double t) { return f(-t * scale); }, 0) +
@@ -118,8 +116,7 @@ BOOST_AUTO_TEST_CASE(martins_contact_at_M_satisfies_the_hertz_scaled_equations) 
             by_quadrature);
   EHD_CHECK(error(film(contact.hertz_exit), contact.hertz_couette), Tolerance::round_off(64));
   EHD_CHECK(error(contact.moes_couette, 3 / M), Tolerance::round_off(64));
-  const double at_maximum =
-      scale * integral_to_infinity([&](double t) { return slope(-t * scale); }, 1);  // up to -X*
+  const double at_maximum = scale * integral_to_infinity([&](double t) { return slope(-t * scale); }, 1);  // up to -X*
   EHD_CHECK(error(at_maximum, contact.hertz_pressure_max), by_quadrature);
 }
 
@@ -203,8 +200,9 @@ BOOST_AUTO_TEST_CASE(manufactured_jets_and_sources_have_the_derivatives_that_the
         EHD_CHECK(std::abs(P.slope - slope([&](double x) { return contact.pressure(x).value; }, X)), bound);
         EHD_CHECK(std::abs(P.curvature - slope([&](double x) { return contact.pressure(x).slope; }, X)), bound);
         EHD_CHECK(std::abs(H.slope - slope([&](double x) { return contact.film(x).value; }, X)), bound);
-        EHD_CHECK(std::abs(contact.film_source(X).second - slope([&](double x) { return contact.film_source(x).first; }, X)),
-                  bound);
+        EHD_CHECK(
+            std::abs(contact.film_source(X).second - slope([&](double x) { return contact.film_source(x).first; }, X)),
+            bound);
         EHD_CHECK(std::abs(contact.balance_source(X).second -
                            slope([&](double x) { return contact.balance_source(x).first; }, X)),
                   bound);
@@ -225,13 +223,15 @@ BOOST_AUTO_TEST_CASE(manufactured_film_is_the_elastic_one_plus_its_source) {
       const double deflection = (middle > chosen.inlet ? integral(kernel, chosen.inlet, middle) : 0) +
                                 (middle < chosen.exit ? integral(kernel, middle, chosen.exit) : 0);
       BOOST_TEST_CONTEXT("X = " << X) {
-        EHD_CHECK(std::abs(chosen.offset + X * X / 2 - deflection / pi + contact.film_source(X).first - contact.film(X).value),
+        EHD_CHECK(std::abs(chosen.offset + X * X / 2 - deflection / pi + contact.film_source(X).first -
+                           contact.film(X).value),
                   by_quadrature);
       }
     }
-    EHD_CHECK(std::abs(2 / pi * integral([&](double t) { return contact.pressure(t).value; }, chosen.inlet, chosen.exit) - 1 -
-                       chosen.load),
-              by_quadrature);
+    EHD_CHECK(
+        std::abs(2 / pi * integral([&](double t) { return contact.pressure(t).value; }, chosen.inlet, chosen.exit) - 1 -
+                 chosen.load),
+        by_quadrature);
   }
 }
 

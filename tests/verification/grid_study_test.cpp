@@ -85,8 +85,9 @@ BOOST_AUTO_TEST_CASE(differences_that_grow_are_divergent) {
   BOOST_TEST(to_string(growing.trend) == "divergent");
   BOOST_TEST(std::isinf(growing.uncertainty));
   double sign = 1;
-  BOOST_TEST(to_string(study_grids(sequence(doubled, [&](double n) { return (sign = -sign) * n; }), 2, round_off).trend) ==
-             "divergent");
+  BOOST_TEST(
+      to_string(study_grids(sequence(doubled, [&](double n) { return (sign = -sign) * n; }), 2, round_off).trend) ==
+      "divergent");
   // Differences that fall more slowly than any power: logarithmic, equal ones.
   BOOST_TEST(to_string(study_grids(sequence(doubled, [](double n) { return std::log(n); }), 2, round_off).trend) ==
              "divergent");
@@ -99,9 +100,10 @@ BOOST_AUTO_TEST_CASE(differences_at_the_noise_are_stalled) {
   EHD_CHECK(error(study.uncertainty, 1e-8), Tolerance::round_off(4));
   BOOST_TEST(!study.extrapolated);
   // The same values with less noise do not stall.
-  BOOST_TEST(to_string(
-                 study_grids({{64, limit + 0.1}, {128, limit * (1 + 3e-9)}, {256, limit}, {512, limit * (1 + 1e-9)}}, 2, 1e-12)
-                     .trend) == "oscillatory");
+  BOOST_TEST(
+      to_string(
+          study_grids({{64, limit + 0.1}, {128, limit * (1 + 3e-9)}, {256, limit}, {512, limit * (1 + 1e-9)}}, 2, 1e-12)
+              .trend) == "oscillatory");
   BOOST_TEST(to_string(study_grids({{1, limit}, {2, limit}, {3, limit}}, 2, 0).trend) == "stalled");
 }
 

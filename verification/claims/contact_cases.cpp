@@ -59,13 +59,13 @@ Findings judge_expectations(const Case& contact_case, const ContactRun& run, con
   Findings found;
   const std::string name = solver ? solver->name : "closed form";
   for (const Expectation& expectation : contact_case.expectations) {
-    Sentence says{.id = contact_case.id + "/" + name + "/" + expectation.quantity + "/" +
-                        (expectation.waiting ? "waiting" : expectation.digits),
-                  .rung = solver ? 10 : 3,
-                  .statement = name + " meets " + expectation.quantity + " = " + expectation.digits + " of " +
-                               contact_case.id,
-                  .case_id = contact_case.id,
-                  .solver = solver ? solver->name : ""};
+    Sentence says{
+        .id = contact_case.id + "/" + name + "/" + expectation.quantity + "/" +
+              (expectation.waiting ? "waiting" : expectation.digits),
+        .rung = solver ? 10 : 3,
+        .statement = name + " meets " + expectation.quantity + " = " + expectation.digits + " of " + contact_case.id,
+        .case_id = contact_case.id,
+        .solver = solver ? solver->name : ""};
     if (expectation.waiting) {
       says.statement = contact_case.id + " waits for the digits of " + expectation.quantity;
       found.skipped.push_back({says, "the source's number is not available here"});
@@ -82,7 +82,8 @@ Findings judge_expectations(const Case& contact_case, const ContactRun& run, con
     }
     const auto quantity = quantity_from(expectation.quantity);
     if (!measured && converged(run) && quantity == Quantity::pressure_spike) {
-      found.skipped.push_back({says, name + " reports no spike: its height is reported with its uncertainty or not at all"});
+      found.skipped.push_back(
+          {says, name + " reports no spike: its height is reported with its uncertainty or not at all"});
       continue;
     }
     if (!measured || !quantity) {
@@ -98,11 +99,10 @@ Findings judge_expectations(const Case& contact_case, const ContactRun& run, con
                                          Tolerance::discretisation(0, 1), "error " + error.from));
       continue;
     }
-    found.claims.push_back(claim_value(
-        says, measured->value, expectation.value, 0,
-        Tolerance::discretisation(*error.value + expectation.uncertainty, 1),
-        "tolerance = error " + plain(*error.value, 2) + " (" + error.from + ") + uncertainty of the expectation " +
-            plain(expectation.uncertainty, 2)));
+    found.claims.push_back(claim_value(says, measured->value, expectation.value, 0,
+                                       Tolerance::discretisation(*error.value + expectation.uncertainty, 1),
+                                       "tolerance = error " + plain(*error.value, 2) + " (" + error.from +
+                                           ") + uncertainty of the expectation " + plain(expectation.uncertainty, 2)));
   }
   return found;
 }
@@ -146,16 +146,16 @@ void judge_agreement(Findings& found, const Case& contact_case, const ContactRun
     const Reading* b = reading(two, film);
     const bool known = a && b && a->error && b->error;
     const double expected = a ? a->value : nothing;
-    found.claims.push_back(claim_value(
-        {.id = contact_case.id + "/" + one.solver + "-" + two.solver + "/" + std::string(to_string(film)),
-         .rung = 8,
-         .statement = one.solver + " and " + two.solver + " agree on " + std::string(to_string(film)) + " of " +
-                      contact_case.id + " within the errors that they report",
-         .case_id = contact_case.id,
-         .solver = one.solver + ", " + two.solver},
-        b ? b->value : nothing, expected, 0,
-        Tolerance::discretisation(known ? *a->error + *b->error * std::abs(b->value / a->value) : 0, 1),
-        known ? "" : how_it_ended(one) + "; " + how_it_ended(two)));
+    found.claims.push_back(
+        claim_value({.id = contact_case.id + "/" + one.solver + "-" + two.solver + "/" + std::string(to_string(film)),
+                     .rung = 8,
+                     .statement = one.solver + " and " + two.solver + " agree on " + std::string(to_string(film)) +
+                                  " of " + contact_case.id + " within the errors that they report",
+                     .case_id = contact_case.id,
+                     .solver = one.solver + ", " + two.solver},
+                    b ? b->value : nothing, expected, 0,
+                    Tolerance::discretisation(known ? *a->error + *b->error * std::abs(b->value / a->value) : 0, 1),
+                    known ? "" : how_it_ended(one) + "; " + how_it_ended(two)));
   }
 }
 
@@ -194,8 +194,8 @@ double finest_digits(const Case& contact_case) {
   return finest;
 }
 
-/// Cases with more digits than 1e-3 can feel are solved once more by the reference, as far as it is asked to go: films to
-/// 1e-9, a spike to 1e-7.
+/// Cases with more digits than 1e-3 can feel are solved once more by the reference, as far as it is asked to go: films
+/// to 1e-9, a spike to 1e-7.
 Findings judge_certified(const Case& contact_case) {
   const RegisteredSolver* solver = find_solver("reference");
   const auto& contact = std::get<ContactCase>(contact_case.body);
@@ -210,8 +210,8 @@ Findings judge_certified(const Case& contact_case) {
     const Reading* seen = reading(run, quantity);
     found.claims.push_back(claim({.id = contact_case.id + "/certified/" + std::string(to_string(quantity)),
                                   .rung = 6,
-                                  .statement = "reference knows " + std::string(to_string(quantity)) + " of " + contact_case.id +
-                                               " to " + plain(bound),
+                                  .statement = "reference knows " + std::string(to_string(quantity)) + " of " +
+                                               contact_case.id + " to " + plain(bound),
                                   .case_id = contact_case.id,
                                   .solver = "reference"},
                                  seen && seen->error ? *seen->error : nothing, 0,
@@ -238,17 +238,17 @@ std::vector<Topic> contact_topics(const std::vector<LoadedCase>& cases) {
   std::vector<Topic> topics;
   for (const LoadedCase& loaded : cases) {
     if (const auto* error = std::get_if<CaseError>(&loaded.content)) {
-      topics.push_back({.name = loaded.id,
-                        .rungs = {0},
-                        .case_id = loaded.id,
-                        .judge = [id = loaded.id, what = std::string(error->what())] {
-                          return Findings{.claims = {claim_fact({.id = id + "/read",
-                                                                 .rung = 0,
-                                                                 .statement = "the case " + id + " can be read",
-                                                                 .case_id = id},
-                                                                false, "every file in cases/ is a case", what)},
-                                          .skipped = {}};
-                        }});
+      topics.push_back(
+          {.name = loaded.id,
+           .rungs = {0},
+           .case_id = loaded.id,
+           .judge = [id = loaded.id, what = std::string(error->what())] {
+             return Findings{
+                 .claims = {claim_fact(
+                     {.id = id + "/read", .rung = 0, .statement = "the case " + id + " can be read", .case_id = id},
+                     false, "every file in cases/ is a case", what)},
+                 .skipped = {}};
+           }});
       continue;
     }
     const auto& contact_case = std::get<Case>(loaded.content);

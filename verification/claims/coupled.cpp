@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rung 5: the coupled equations against a manufactured solution: real deflection, both laws, full film. Second-order
-// schemes are asked through their public solve(), from their own starts; the collocation on polynomial elements through its
-// Newton's method from the exact state interpolated, since its solver adapts meshes, which fits no order.
+// schemes are asked through their public solve(), from their own starts; the collocation on polynomial elements through
+// its Newton's method from the exact state interpolated, since its solver adapts meshes, which fits no order.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -23,8 +23,8 @@ namespace hp = reference::hp;
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
-/// Absolute errors in Hertz units: largest over the nodes (collocation: over 21 points an element), and the three numbers
-/// that belong to no node.
+/// Absolute errors in Hertz units: largest over the nodes (collocation: over 21 points an element), and the three
+/// numbers that belong to no node.
 struct Errors {
   double pressure = nothing, offset = nothing, flux = nothing, exit = nothing;
 };
@@ -70,8 +70,8 @@ Errors errors_of_solver(const RegisteredSolver& solver, const Manufactured& trut
   const Manufactured::Choice& chosen = truth.choice();
   Errors errors{.pressure = 0,
                 .offset = std::abs(at.offset - chosen.offset),
-                .flux = std::abs(at.density[intervals] * at.H[intervals] +
-                                 truth.balance_source(at.X[intervals]).first - chosen.flux),
+                .flux = std::abs(at.density[intervals] * at.H[intervals] + truth.balance_source(at.X[intervals]).first -
+                                 chosen.flux),
                 .exit = std::abs(at.X[intervals] - chosen.exit)};
   for (int i = 0; i <= intervals; ++i) {
     const double P = at.X[i] < chosen.exit ? truth.pressure(at.X[i]).value : 0;
@@ -122,8 +122,10 @@ Collocated collocated(const Manufactured& truth, int elements, int degree) {
   for (int e = elements; e >= 0; --e) mesh.breakpoints.push_back(-length * e / elements);
   const hp::Collocation<double> equations(problem, mesh, hp::Points::left_radau);
 
-  hp::State<double> start{
-      .P = VectorOf<double>::Zero(equations.intervals() + 1), .offset = chosen.offset, .flux = chosen.flux, .exit = chosen.exit};
+  hp::State<double> start{.P = VectorOf<double>::Zero(equations.intervals() + 1),
+                          .offset = chosen.offset,
+                          .flux = chosen.flux,
+                          .exit = chosen.exit};
   const auto places = equations.node_places();
   for (Eigen::Index i = 1; i + 1 < start.P.size(); ++i)
     start.P[i] = truth.pressure(chosen.exit + equations.xi(places[static_cast<std::size_t>(i)])).value;
@@ -142,8 +144,8 @@ Collocated collocated(const Manufactured& truth, int elements, int degree) {
     for (int k = 0; k <= 20; ++k) {
       const double t = k / 10.0 - 1;
       const double X = run.state.exit + equations.stretching(run.state.exit) * equations.xi({e, 1 + t, 1 - t});
-      result.errors.pressure = std::max(
-          result.errors.pressure, std::abs(equations.interpolate(run.state.P, e, t) - truth.pressure(X).value));
+      result.errors.pressure = std::max(result.errors.pressure,
+                                        std::abs(equations.interpolate(run.state.P, e, t) - truth.pressure(X).value));
     }
   }
   return result;
@@ -164,8 +166,8 @@ Findings judge_collocation_in_h(const Contact& contact) {
     found.claims.push_back(order_claim(
         {.id = "manufactured/" + contact.name + "/collocation/degree-" + std::to_string(degree),
          .rung = 5,
-         .statement = "collocation of degree " + std::to_string(degree) + " reaches the manufactured pressure (" + contact.name + ") with order " +
-                      std::to_string(degree + 1),
+         .statement = "collocation of degree " + std::to_string(degree) + " reaches the manufactured pressure (" +
+                      contact.name + ") with order " + std::to_string(degree + 1),
          .solver = "reference"},
         slope(x, y), degree + 1, Tolerance::calibrated(0.1, "fitted orders over four grids are read to a tenth"),
         "error " + three_digits(std::exp(y.back())) + " on 162 elements"));
@@ -191,15 +193,16 @@ Findings judge_collocation_in_p(const Contact& contact) {
     y.push_back(std::log(collocated(truth, elements, degree).errors.pressure));
   }
   Findings found;
-  found.claims.push_back(order_claim(
-      {.id = "manufactured/" + contact.name + "/collocation/spectral",
-       .rung = 5,
-       .statement = "collocation reaches the manufactured pressure (" + contact.name +
-                    ") geometrically in the degree, at the rate of its pole",
-       .solver = "reference"},
-      std::exp(-slope(x, y)), ellipse,
-      Tolerance::calibrated(0.1 * ellipse, "the factor a degree, fitted over seven degrees, is read to a tenth of itself"),
-      "degrees 6 to 18 on 5 elements, error " + three_digits(std::exp(y.back())) + " at 18"));
+  found.claims.push_back(
+      order_claim({.id = "manufactured/" + contact.name + "/collocation/spectral",
+                   .rung = 5,
+                   .statement = "collocation reaches the manufactured pressure (" + contact.name +
+                                ") geometrically in the degree, at the rate of its pole",
+                   .solver = "reference"},
+                  std::exp(-slope(x, y)), ellipse,
+                  Tolerance::calibrated(0.1 * ellipse,
+                                        "the factor a degree, fitted over seven degrees, is read to a tenth of itself"),
+                  "degrees 6 to 18 on 5 elements, error " + three_digits(std::exp(y.back())) + " at 18"));
   return found;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rung 8: grid studies of the second-order solvers. What the grids show, judged without knowing the answer, is held
-// against the high-order reference; and the reference's flooded inlet against inlets that are cut further and further out.
+// against the high-order reference; and the reference's flooded inlet against inlets that are cut further and further
+// out.
 #include <cmath>
 #include <limits>
 #include <string>
@@ -55,12 +56,14 @@ Findings judge_study(const Study& study, MoesGroups moes) {
   Findings found;
   for (const Quantity film : {Quantity::film_minimum, Quantity::film_central}) {
     const auto says = [&](const std::string& what, const std::string& statement) {
-      return Sentence{.id = "grids/" + std::string(study.solver) + "/" + point + "/" + std::string(to_string(film)) + "/" + what,
-                      .rung = 8,
-                      .statement = statement,
-                      .solver = study.solver};
+      return Sentence{
+          .id = "grids/" + std::string(study.solver) + "/" + point + "/" + std::string(to_string(film)) + "/" + what,
+          .rung = 8,
+          .statement = statement,
+          .solver = study.solver};
     };
-    const std::string of = " of " + std::string(study.solver) + "'s " + std::string(to_string(film)) + " at M-L = " + point;
+    const std::string of =
+        " of " + std::string(study.solver) + "'s " + std::string(to_string(film)) + " at M-L = " + point;
     std::vector<GridValue> values;
     std::string unsolved;
     for (std::size_t i = 0; i < solutions.size(); ++i) {
@@ -84,30 +87,34 @@ Findings judge_study(const Study& study, MoesGroups moes) {
     const GridStudy seen = study_grids(values, formal_order, iterated_to);
     const double off = std::abs(values.back().value / exact->second.value - 1);
     const std::string note = std::string(to_string(seen.trend)) +
-                             (seen.observed_order ? ", order " + plain(*seen.observed_order, 3) : "") + ", uncertainty " +
-                             plain(seen.uncertainty, 2) + ", error " + plain(off, 2) + " on " +
-                             plain(values.back().cells) + " cells" + (values.size() < study.grids.size() ? ", without under-resolved grids" : "");
+                             (seen.observed_order ? ", order " + plain(*seen.observed_order, 3) : "") +
+                             ", uncertainty " + plain(seen.uncertainty, 2) + ", error " + plain(off, 2) + " on " +
+                             plain(values.back().cells) + " cells" +
+                             (values.size() < study.grids.size() ? ", without under-resolved grids" : "");
     if (!std::isfinite(seen.uncertainty)) {
       found.skipped.push_back({says("covered", "the grid study" + of + " covers its error"), note});
       continue;
     }
-    found.claims.push_back(claim(says("covered", "the uncertainty that the grid study" + of + " states covers its error"),
-                                 off / seen.uncertainty, exact->second.error.value() / seen.uncertainty,
-                                 Tolerance::required(1, "error over uncertainty"), note));
+    found.claims.push_back(
+        claim(says("covered", "the uncertainty that the grid study" + of + " states covers its error"),
+              off / seen.uncertainty, exact->second.error.value() / seen.uncertainty,
+              Tolerance::required(1, "error over uncertainty"), note));
     if (seen.extrapolated) {
       const double extrapolated = std::abs(*seen.extrapolated / exact->second.value - 1);
-      found.claims.push_back(claim(says("extrapolated", "where the grid study" + of +
-                                                            " is asymptotic, the extrapolated value is nearer to the truth"),
-                                   extrapolated / off, exact->second.error.value() / off,
-                                   Tolerance::required(1, "its error over that of the finest grid"),
-                                   note + ", extrapolated " + plain(extrapolated, 2)));
+      found.claims.push_back(
+          claim(says("extrapolated",
+                     "where the grid study" + of + " is asymptotic, the extrapolated value is nearer to the truth"),
+                extrapolated / off, exact->second.error.value() / off,
+                Tolerance::required(1, "its error over that of the finest grid"),
+                note + ", extrapolated " + plain(extrapolated, 2)));
     }
   }
   return found;
 }
 
-/// The pressure at a cut X_a is 4 lambda/(3 |X_a|^3) too small and the load before it is missing: films come to that of the
-/// flooded contact with |X_a|^-2, and with higher powers that a longer series of the gap brings. Three of them are taken away.
+/// The pressure at a cut X_a is 4 lambda/(3 |X_a|^3) too small and the load before it is missing: films come to that of
+/// the flooded contact with |X_a|^-2, and with higher powers that a longer series of the gap brings. Three of them are
+/// taken away.
 Findings judge_flooded(MoesGroups moes) {
   constexpr double tolerance = 1e-10;
   constexpr double cuts[] = {160, 320, 640, 1280};
@@ -126,7 +133,8 @@ Findings judge_flooded(MoesGroups moes) {
     return at->second.value;
   };
   const double truth = take(flooded, 0);
-  for (const double cut : cuts) central.push_back(take(solver.solve(problem_at(moes, TruncatedAt{-cut}), {.tolerance = tolerance}), cut));
+  for (const double cut : cuts)
+    central.push_back(take(solver.solve(problem_at(moes, TruncatedAt{-cut}), {.tolerance = tolerance}), cut));
   std::string note = "below the flooded film by";
   for (const double film : central) note += " " + plain(1 - film / truth, 3);
   for (const double factor : {4.0, 8.0, 16.0}) {
@@ -134,13 +142,14 @@ Findings judge_flooded(MoesGroups moes) {
     central.erase(central.begin());
   }
   Findings found;
-  found.claims.push_back(claim_value({.id = "flooded/" + plain(moes.M) + "-" + plain(moes.L),
-                                      .rung = 8,
-                                      .statement = "cut at -160 ... -1280 and carried on to infinity, the reference's central film at M-L = " +
-                                                   plain(moes.M) + "-" + plain(moes.L) + " is its flooded one",
-                                      .solver = "reference"},
-                                     central.back(), truth, 2 * error,
-                                     Tolerance::required(1e-9, "flooded inlets to 1e-9 of the central film"), note + "; " + ended));
+  found.claims.push_back(claim_value(
+      {.id = "flooded/" + plain(moes.M) + "-" + plain(moes.L),
+       .rung = 8,
+       .statement = "cut at -160 ... -1280 and carried on to infinity, the reference's central film at M-L = " +
+                    plain(moes.M) + "-" + plain(moes.L) + " is its flooded one",
+       .solver = "reference"},
+      central.back(), truth, 2 * error, Tolerance::required(1e-9, "flooded inlets to 1e-9 of the central film"),
+      note + "; " + ended));
   return found;
 }
 
@@ -150,8 +159,9 @@ std::vector<Topic> grid_topics() {
   std::vector<Topic> topics;
   for (const Study& study : studies) {
     for (const MoesGroups& moes : points)
-      topics.push_back(
-          {.name = "grid studies", .rungs = {8}, .slow = true, .judge = [&study, moes] { return judge_study(study, moes); }});
+      topics.push_back({.name = "grid studies", .rungs = {8}, .slow = true, .judge = [&study, moes] {
+                          return judge_study(study, moes);
+                        }});
   }
   for (const MoesGroups& moes : {MoesGroups{2, 2.5}, MoesGroups{20, 10}, MoesGroups{200, 5}})
     topics.push_back({.name = "flooded inlet", .rungs = {8}, .judge = [moes] { return judge_flooded(moes); }});

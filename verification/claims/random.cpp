@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The reference at random points of the box M 0.05..5000, L 0..30, both law sets. Rung 6: does it converge, and where it does
-// not, does it say so? Rung 8: are its error bars honest? Each run is held against a solution of a tolerance a thousand times
-// tighter, whose meshes are others throughout.
+// The reference at random points of the box M 0.05..5000, L 0..30, both law sets. Rung 6: does it converge, and where
+// it does not, does it say so? Rung 8: are its error bars honest? Each run is held against a solution of a tolerance a
+// thousand times tighter, whose meshes are others throughout.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -42,7 +42,9 @@ class Draw {
  public:
   explicit Draw(unsigned seed) : random_(seed) {}
   /// Not std::uniform_real_distribution, whose numbers depend on the library.
-  double uniform(double from, double to) { return from + (to - from) * (static_cast<double>(random_()) / 4294967296.0); }
+  double uniform(double from, double to) {
+    return from + (to - from) * (static_cast<double>(random_()) / 4294967296.0);
+  }
   /// M 0.05..5000 logarithmically, L 0..30, to four digits.
   MoesGroups point() {
     const double M = std::pow(10, uniform(std::log10(0.05), std::log10(5000)));
@@ -54,8 +56,8 @@ class Draw {
   std::mt19937 random_;
 };
 
-/// The tolerance 1e-3..1e-8 (Barus 1e-5: truth ends before) equally likely in its logarithm; half of the runs flooded, the
-/// other half, from M = 2 on, cut at -2.5..-10.
+/// The tolerance 1e-3..1e-8 (Barus 1e-5: truth ends before) equally likely in its logarithm; half of the runs flooded,
+/// the other half, from M = 2 on, cut at -2.5..-10.
 Run drawn(Draw& draw, bool roelands) {
   Run run;
   run.roelands = roelands;
@@ -92,7 +94,8 @@ Findings judge_bars(bool roelands, int runs) {
       ++without_film;
       continue;
     }
-    const Solution truth = solver.solve(problem, {.tolerance = std::max(1e-3 * run.tolerance, 1e-11), .time_limit_s = 20});
+    const Solution truth =
+        solver.solve(problem, {.tolerance = std::max(1e-3 * run.tolerance, 1e-11), .time_limit_s = 20});
     bool known = false, inside = true;
     double worst = 0;
     for (const Quantity film : {Quantity::film_minimum, Quantity::film_central}) {
@@ -119,17 +122,19 @@ Findings judge_bars(bool roelands, int runs) {
                              plain(median, 3) + (beyond.empty() ? "" : "; beyond: " + beyond);
   Findings found;
   const Tolerance promised = Tolerance::required(0.02, "at least 98 runs in 100");
-  found.claims.push_back(claim({.id = id + "/covered",
-                                .rung = 8,
-                                .statement = "the reference's error bars hold the films of a solution a thousand times tighter at " +
-                                             std::to_string(runs) + " random runs, " + law,
-                                .solver = "reference"},
-                               judged == runs ? 1 - covered / static_cast<double>(judged) : nothing, 0, promised, counts));
-  found.claims.push_back(claim({.id = id + "/tight",
-                                .rung = 8,
-                                .statement = "in the median the reference's error bars are not more than 30 times the error, " + law,
-                                .solver = "reference"},
-                               median, 0, Tolerance::required(30, "an error bar that is far too long says little"), counts));
+  found.claims.push_back(
+      claim({.id = id + "/covered",
+             .rung = 8,
+             .statement = "the reference's error bars hold the films of a solution a thousand times tighter at " +
+                          std::to_string(runs) + " random runs, " + law,
+             .solver = "reference"},
+            judged == runs ? 1 - covered / static_cast<double>(judged) : nothing, 0, promised, counts));
+  found.claims.push_back(
+      claim({.id = id + "/tight",
+             .rung = 8,
+             .statement = "in the median the reference's error bars are not more than 30 times the error, " + law,
+             .solver = "reference"},
+            median, 0, Tolerance::required(30, "an error bar that is far too long says little"), counts));
   return found;
 }
 
@@ -157,13 +162,15 @@ Findings judge_box(bool roelands, int runs) {
       dishonest += " " + name_of(run) + ": converged with error " + plain(worst, 2) + ";";
     if (!ended && solution.record.reason.empty())
       dishonest += " " + name_of(run) + ": " + std::string(to_string(solution.record.status)) + " without a reason;";
-    if (!ended) unsolved += (unsolved.empty() ? "" : "; ") + name_of(run) + ": " + std::string(to_string(solution.record.status));
+    if (!ended)
+      unsolved += (unsolved.empty() ? "" : "; ") + name_of(run) + ": " + std::string(to_string(solution.record.status));
     if (solution.record.cost.wall_s > slowest) {
       slowest = solution.record.cost.wall_s;
       slowest_at = name_of(run);
     }
   }
-  const std::string law = roelands ? "Roelands" : "Barus", id = "random-box/" + std::string(roelands ? "roelands" : "barus");
+  const std::string law = roelands ? "Roelands" : "Barus",
+                    id = "random-box/" + std::string(roelands ? "roelands" : "barus");
   const std::string counts = std::to_string(converged) + " of " + std::to_string(runs) + " converged, " +
                              std::to_string(physical_converged) + " of " + std::to_string(physical) +
                              " up to 4 GPa; slowest " + plain(slowest, 2) + " s at " + slowest_at +
@@ -176,11 +183,12 @@ Findings judge_box(bool roelands, int runs) {
                                 .solver = "reference"},
                                physical > 0 ? 1 - physical_converged / static_cast<double>(physical) : nothing, 0,
                                Tolerance::required(0.03, "at least 97 points in 100"), counts));
-  found.claims.push_back(claim_fact({.id = id + "/honest",
-                                     .rung = 6,
-                                     .statement = "every one of these points ends converged within its error, or says why not, " + law,
-                                     .solver = "reference"},
-                                    dishonest.empty(), "of every solve", dishonest.empty() ? counts : dishonest));
+  found.claims.push_back(
+      claim_fact({.id = id + "/honest",
+                  .rung = 6,
+                  .statement = "every one of these points ends converged within its error, or says why not, " + law,
+                  .solver = "reference"},
+                 dishonest.empty(), "of every solve", dishonest.empty() ? counts : dishonest));
   return found;
 }
 
@@ -191,7 +199,8 @@ std::vector<Topic> random_topics(int runs) {
   for (const bool roelands : {false, true}) {
     topics.push_back(
         {.name = "honest bars", .rungs = {8}, .slow = true, .judge = [=] { return judge_bars(roelands, runs); }});
-    topics.push_back({.name = "random box", .rungs = {6}, .slow = true, .judge = [=] { return judge_box(roelands, runs); }});
+    topics.push_back(
+        {.name = "random box", .rungs = {6}, .slow = true, .judge = [=] { return judge_box(roelands, runs); }});
   }
   return topics;
 }

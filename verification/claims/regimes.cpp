@@ -42,8 +42,7 @@ Films films_at(const char* solver, MoesGroups moes, double tolerance) {
                             .z = {}};
   Request request;
   request.tolerance = tolerance;
-  const Solution solution =
-      find_solver(solver)->solve(nondimensionalise(moes, lubricant, Flooded{}).problem, request);
+  const Solution solution = find_solver(solver)->solve(nondimensionalise(moes, lubricant, Flooded{}).problem, request);
   Films films;
   films.ended = std::string(to_string(solution.record.status)) +
                 (solution.record.reason.empty() ? "" : ": " + solution.record.reason);
@@ -67,7 +66,9 @@ Films films_at(const char* solver, MoesGroups moes, double tolerance) {
 Findings judge_martin(const char* solver) {
   constexpr double heavier = 0.2, lighter = 0.1, tolerance = 1e-5;
   const Films films[] = {films_at(solver, {heavier, 0}, tolerance), films_at(solver, {lighter, 0}, tolerance)};
-  const auto departure = [&](int i, double M) { return films[i].minimum.moes / exact::MartinContact(M).moes_minimum - 1; };
+  const auto departure = [&](int i, double M) {
+    return films[i].minimum.moes / exact::MartinContact(M).moes_minimum - 1;
+  };
   const double far = departure(0, heavier), near = departure(1, lighter);
   const double uncertainty = (films[0].minimum.error + 4 * films[1].minimum.error) / 3;
   const std::string note = "departures " + plain(far, 4) + " at M = 0.2, " + plain(near, 4) + " at 0.1; " +
@@ -79,20 +80,23 @@ Findings judge_martin(const char* solver) {
                     .solver = solver};
   };
   Findings found;
-  found.claims.push_back(claim_value(
-      says("limit", std::string(solver) + "'s minimum film over Martin's goes to 1 as M vanishes"),
-      1 + (4 * near - far) / 3, 1, uncertainty,
-      Tolerance::asymptotic(far * far, "extrapolated from M = 0.2 and 0.1; the next term is M^4, the departure squared"),
-      note));
+  found.claims.push_back(
+      claim_value(says("limit", std::string(solver) + "'s minimum film over Martin's goes to 1 as M vanishes"),
+                  1 + (4 * near - far) / 3, 1, uncertainty,
+                  Tolerance::asymptotic(
+                      far * far, "extrapolated from M = 0.2 and 0.1; the next term is M^4, the departure squared"),
+                  note));
   found.claims.push_back(claim_value(
       says("order", std::string(solver) + "'s minimum film departs from Martin's like M^2"), std::log2(far / near), 2,
       (films[0].minimum.error / std::abs(far) + films[1].minimum.error / std::abs(near)) / std::numbers::ln2 / 2,
-      Tolerance::asymptotic(4 * std::abs(far), "the next term: relative to the first, a few times the departure"), note));
+      Tolerance::asymptotic(4 * std::abs(far), "the next term: relative to the first, a few times the departure"),
+      note));
   // rho H at the exit over the smallest film is 1.2257 for the rigid contact.
-  found.claims.push_back(
-      claim_value(says("couette", std::string(solver) + "'s Couette film at M = 0.1 is Martin's 3/M, within the departure of the minimum"),
-                  films[1].couette.moes, 3 / lighter, films[1].couette.error,
-                  Tolerance::asymptotic(2 * std::abs(near), "twice the departure of the minimum film"), note));
+  found.claims.push_back(claim_value(
+      says("couette",
+           std::string(solver) + "'s Couette film at M = 0.1 is Martin's 3/M, within the departure of the minimum"),
+      films[1].couette.moes, 3 / lighter, films[1].couette.error,
+      Tolerance::asymptotic(2 * std::abs(near), "twice the departure of the minimum film"), note));
   return found;
 }
 
@@ -107,13 +111,13 @@ Findings judge_ertel_grubin() {
     const Films films = films_at("fast", {row.M, row.L}, 1e-3);
     const double above = 100 * (films.central.moes / exact::ertel_grubin_film(row.M, row.L) - 1);
     const std::string point = plain(row.M) + "-" + plain(row.L);
-    Claim judged = claim({.id = "regimes/ertel-grubin/" + point,
-                          .rung = 9,
-                          .statement = "the central film at M-L = " + point + " lies " + row.percent +
-                                       " % above Ertel and Grubin's",
-                          .solver = "fast"},
-                         std::abs(above - std::stod(row.percent)), 100 * films.central.error,
-                         Tolerance::calibrated(0.5, "half a unit of the literature's percentage"), films.ended);
+    Claim judged = claim(
+        {.id = "regimes/ertel-grubin/" + point,
+         .rung = 9,
+         .statement = "the central film at M-L = " + point + " lies " + row.percent + " % above Ertel and Grubin's",
+         .solver = "fast"},
+        std::abs(above - std::stod(row.percent)), 100 * films.central.error,
+        Tolerance::calibrated(0.5, "half a unit of the literature's percentage"), films.ended);
     judged.measured = above;
     judged.expected = std::stod(row.percent);
     found.claims.push_back(judged);
@@ -121,8 +125,8 @@ Findings judge_ertel_grubin() {
   return found;
 }
 
-/// Isoviscous elastic: films times M^(1/5), computed by another program, which is good to 0.1 % up to M = 20 and to 0.3 %
-/// at 200 (more digits are printed).
+/// Isoviscous elastic: films times M^(1/5), computed by another program, which is good to 0.1 % up to M = 20 and to 0.3
+/// % at 200 (more digits are printed).
 Findings judge_isoviscous_elastic() {
   struct Row {
     double M, couette, minimum, uncertainty;
@@ -136,30 +140,31 @@ Findings judge_isoviscous_elastic() {
       const Film& film = minimum ? films.minimum : films.couette;
       const double expected = minimum ? row.minimum : row.couette;
       const std::string name = minimum ? "minimum" : "Couette";
-      found.claims.push_back(claim_value({.id = "regimes/isoviscous-elastic/" + plain(row.M) + "/" + name,
-                                          .rung = 9,
-                                          .statement = "the isoviscous elastic " + name + " film times M^(1/5) at M = " +
-                                                       plain(row.M) + " is " + plain(expected),
-                                          .solver = "fast"},
-                                         film.moes * scale, expected, 0,
-                                         Tolerance::discretisation(film.error + row.uncertainty, 1),
-                                         "tolerance = reported error " + plain(film.error, 2) +
-                                             " + the uncertainty of the computed films; " + films.ended));
+      found.claims.push_back(
+          claim_value({.id = "regimes/isoviscous-elastic/" + plain(row.M) + "/" + name,
+                       .rung = 9,
+                       .statement = "the isoviscous elastic " + name + " film times M^(1/5) at M = " + plain(row.M) +
+                                    " is " + plain(expected),
+                       .solver = "fast"},
+                      film.moes * scale, expected, 0, Tolerance::discretisation(film.error + row.uncertainty, 1),
+                      "tolerance = reported error " + plain(film.error, 2) +
+                          " + the uncertainty of the computed films; " + films.ended));
     }
   }
   return found;
 }
 
-/// A film along a sequence of contacts that goes to a limit: the parameter that grows, the film over what it is expected to
-/// grow like, and its relative error.
+/// A film along a sequence of contacts that goes to a limit: the parameter that grows, the film over what it is
+/// expected to grow like, and its relative error.
 struct Approach {
   std::vector<GridValue> values;
   double error = 0;
   std::string ended;  ///< of the solves that did not converge
 };
 
-/// What is left of the remainder after its leading power is taken away, by the last two values (and the two before). The next
-/// power is not known, and a slow one leaves as much as the last move: twice that, and what the solves' own errors grow to.
+/// What is left of the remainder after its leading power is taken away, by the last two values (and the two before).
+/// The next power is not known, and a slow one leaves as much as the last move: twice that, and what the solves' own
+/// errors grow to.
 struct Limit {
   double value = nothing, error = nothing, order = nothing;
 };
@@ -185,7 +190,8 @@ Findings judge_isoviscous_elastic_limit() {
   for (const double M : {250, 500, 1000, 2000, 4000, 8000, 16000}) {
     const Films films = films_at("reference", {M, 0}, tolerance);
     const double scale = std::pow(M, 0.2);
-    for (auto [approach, film] : {std::pair{&couette, films.couette}, {&minimum, films.minimum}, {&central, films.central}}) {
+    for (auto [approach, film] :
+         {std::pair{&couette, films.couette}, {&minimum, films.minimum}, {&central, films.central}}) {
       if (!std::isfinite(film.moes)) approach->ended += "M = " + plain(M) + " " + films.ended + "; ";
       approach->values.push_back({M, film.moes * scale});
       approach->error = std::max(approach->error, film.error);
@@ -209,11 +215,12 @@ Findings judge_isoviscous_elastic_limit() {
                       .solver = "reference"};
     };
     const std::string film = "isoviscous elastic " + std::string(row.name) + " film times M^(1/5)";
-    found.claims.push_back(claim_value(says("order", "the " + film + " goes to its limit like M^(-4/5)"), limit.order, remainder, 0,
-                                       Tolerance::asymptotic(0.01, "the next power is a further M^(-2/5) or smaller, 2 % at 16000"),
-                                       note));
-    Claim known = claim(says("digits", "the limit of the " + film + ", " + row.near + " ..., is known to five digits or more"),
-                        limit.error, 0, Tolerance::required(5e-6, "half a unit of the fifth digit and better than three digits"), note);
+    found.claims.push_back(claim_value(
+        says("order", "the " + film + " goes to its limit like M^(-4/5)"), limit.order, remainder, 0,
+        Tolerance::asymptotic(0.01, "the next power is a further M^(-2/5) or smaller, 2 % at 16000"), note));
+    Claim known = claim(
+        says("digits", "the limit of the " + film + ", " + row.near + " ..., is known to five digits or more"),
+        limit.error, 0, Tolerance::required(5e-6, "half a unit of the fifth digit and better than three digits"), note);
     known.measured = limit.value;
     known.finding = true;
     found.claims.push_back(known);
@@ -228,8 +235,8 @@ Findings judge_isoviscous_elastic_limit() {
   return found;
 }
 
-/// At a fixed load M = 1 the film grows with L like Blok's, and with it the gap against the deflection: a remainder that
-/// falls like 1/film, L^(-2/3). (M -> 0 first is Martin's limit.)
+/// At a fixed load M = 1 the film grows with L like Blok's, and with it the gap against the deflection: a remainder
+/// that falls like 1/film, L^(-2/3). (M -> 0 first is Martin's limit.)
 Findings judge_blok() {
   constexpr double M = 1, tolerance = 1e-5;
   const exact::Blok blok;
@@ -264,14 +271,15 @@ Findings judge_blok() {
                                       falls && ended.empty(), "the rigid piezoviscous limit", note));
     if (smallest) continue;
     const double limit = above[3] + (above[3] - above[1]) / std::expm1(2.0 / 3 * std::log(L[3] / L[1]));
-    found.claims.push_back(claim_value({.id = "regimes/blok/limit",
-                                        .rung = 9,
-                                        .statement = "at M = 1 the Couette film over Blok's goes to 1 as L grows",
-                                        .solver = "reference"},
-                                       1 + limit, 1, 3 * error,
-                                       Tolerance::asymptotic(above[1] * above[1],
-                                                             "extrapolated from L = 35 and 70 by L^(-2/3); the next term is its square"),
-                                       note));
+    found.claims.push_back(
+        claim_value({.id = "regimes/blok/limit",
+                     .rung = 9,
+                     .statement = "at M = 1 the Couette film over Blok's goes to 1 as L grows",
+                     .solver = "reference"},
+                    1 + limit, 1, 3 * error,
+                    Tolerance::asymptotic(above[1] * above[1],
+                                          "extrapolated from L = 35 and 70 by L^(-2/3); the next term is its square"),
+                    note));
   }
   return found;
 }
@@ -286,7 +294,8 @@ Findings judge_ertel_grubin_trend() {
     for (int j = 0; j < 4; ++j) {
       const Films films = films_at("reference", {all_M[j], all_L[i]}, tolerance);
       above[i][j] = films.central.moes / exact::ertel_grubin_film(all_M[j], all_L[i]) - 1;
-      if (!std::isfinite(above[i][j])) ended += "M = " + plain(all_M[j]) + ", L = " + plain(all_L[i]) + " " + films.ended + "; ";
+      if (!std::isfinite(above[i][j]))
+        ended += "M = " + plain(all_M[j]) + ", L = " + plain(all_L[i]) + " " + films.ended + "; ";
       error = std::max(error, films.central.error);
       note += " " + plain(100 * above[i][j], 3) + " %";
     }
@@ -303,8 +312,9 @@ Findings judge_ertel_grubin_trend() {
   note += " at M = 20, 50, 200, 1000 for L = 5; 10; 20. " + ended;
   Findings found;
   const auto fact = [&](const std::string& what, const std::string& statement, bool holds) {
-    found.claims.push_back(claim_fact({.id = "regimes/ertel-grubin-trend/" + what, .rung = 9, .statement = statement, .solver = "reference"},
-                                      holds && ended.empty(), "the inlet model's limit of heavy loads and steep viscosities", note));
+    found.claims.push_back(claim_fact(
+        {.id = "regimes/ertel-grubin-trend/" + what, .rung = 9, .statement = statement, .solver = "reference"},
+        holds && ended.empty(), "the inlet model's limit of heavy loads and steep viscosities", note));
   };
   fact("above", "central films lie above Ertel and Grubin's", positive);
   fact("load", "what a central film lies above Ertel and Grubin's falls as M grows", with_M);

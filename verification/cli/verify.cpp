@@ -79,7 +79,8 @@ int verify(const VerifyOptions& options) {
     constexpr int most_runs = 10000;
     request.random_runs = parse_integer("--random-runs", *options.random_runs);
     if (request.random_runs < 1 || request.random_runs > most_runs)
-      throw option_error("--random-runs", *options.random_runs, "is out of range; allowed is 1 to " + std::to_string(most_runs));
+      throw option_error("--random-runs", *options.random_runs,
+                         "is out of range; allowed is 1 to " + std::to_string(most_runs));
   }
 
   // Opened before the work begins: a folder that cannot be written is bad input, not a lost run.

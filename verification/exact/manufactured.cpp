@@ -34,9 +34,8 @@ double log_integral(const Function& f, double a, double b, LogAt end) {
       gsl_integration_qaws_table_alloc(0, 0, left ? 1 : 0, left ? 0 : 1), gsl_integration_qaws_table_free);
   const std::unique_ptr<gsl_integration_workspace, decltype(&gsl_integration_workspace_free)> space(
       gsl_integration_workspace_alloc(intervals), gsl_integration_workspace_free);
-  gsl_function integrand{
-      .function = [](double t, void* g) { return (*static_cast<const Function*>(g))(t); },
-      .params = const_cast<Function*>(&f)};
+  gsl_function integrand{.function = [](double t, void* g) { return (*static_cast<const Function*>(g))(t); },
+                         .params = const_cast<Function*>(&f)};
   double value = 0, estimate = 0;
   const int status =
       gsl_integration_qaws(&integrand, a, b, weight.get(), granted, 0, intervals, space.get(), &value, &estimate);
@@ -78,8 +77,8 @@ Manufactured::Manufactured(const Choice& choice) : choice_(choice), lambda_(3 * 
   const double alpha_p_H = choice.L * std::sqrt(choice.M / (2 * pi));
   if (auto* barus = std::get_if<Barus>(&choice_.viscosity)) barus->alpha = alpha_p_H;
   if (auto* roelands = std::get_if<Roelands>(&choice_.viscosity)) roelands->alpha = alpha_p_H;
-  amplitude_ = pi / 2 * (1 + choice.load) /
-               integral([this](double X) { return pressure(X).value; }, choice.inlet, choice.exit);
+  amplitude_ =
+      pi / 2 * (1 + choice.load) / integral([this](double X) { return pressure(X).value; }, choice.inlet, choice.exit);
 }
 
 Manufactured Manufactured::compressible() {

@@ -9,8 +9,8 @@
 //   film'(X)   = H' - X + (1/pi) J[P'](X),                 since P vanishes at both ends,
 //   balance(X) = m P' - rho H + C,                         m = rho H^3/(eta lambda),
 //   balance'(X) = m P'' + m P' (3 H'/H + (rho'/rho - (ln eta)') P') - rho' P' H - rho H',
-// with rho' and (ln eta)' to pressure. C and H_0 are free: no two of the film's, the balance's and the load's source vanish
-// together anywhere. Full film throughout; beyond X* all formulas go on, since the solver's X* is another one.
+// with rho' and (ln eta)' to pressure. C and H_0 are free: no two of the film's, the balance's and the load's source
+// vanish together anywhere. Full film throughout; beyond X* all formulas go on, since the solver's X* is another one.
 //
 // The laws, lambda = 3 pi^2/(8 M^2) and alpha p_H = L sqrt(M/(2 pi)) are written here a second time, on purpose.
 #pragma once
@@ -29,10 +29,10 @@ class Manufactured {
     Viscosity viscosity;  ///< in units of p_H; its alpha is set to alpha p_H
     Density density;      ///< in units of p_H
     double inlet = 0, exit = 0;
-    double offset = 0;  ///< H_0
-    double flux = 0;    ///< C
-    double load = 0;    ///< 2/pi Int P dX - 1
-    double centre = 0, width = 0;                           ///< c, w
+    double offset = 0;                                     ///< H_0
+    double flux = 0;                                       ///< C
+    double load = 0;                                       ///< 2/pi Int P dX - 1
+    double centre = 0, width = 0;                          ///< c, w
     double film = 0, film_centre = 0, film_roundness = 0;  ///< H_c, q, d
   };
   explicit Manufactured(const Choice& choice);

@@ -39,9 +39,12 @@ MatrixOf<Scalar> differences(const Collocation<Scalar>& equations, const State<S
 template <class Scalar>
 std::shared_ptr<const SourcesOf<Scalar>> sources() {
   return std::make_shared<const SourcesOf<Scalar>>(SourcesOf<Scalar>{
-      .film = [](const Scalar& X) { return std::pair<Scalar, Scalar>(Scalar(7) / 100 * X * X * X, Scalar(21) / 100 * X * X); },
-          .balance = [](const Scalar& X) { return std::pair<Scalar, Scalar>(X * X / 20 + Scalar(1) / 50, X / 10); },
-          .load = Scalar(0.013)});
+      .film =
+          [](const Scalar& X) {
+            return std::pair<Scalar, Scalar>(Scalar(7) / 100 * X * X * X, Scalar(21) / 100 * X * X);
+          },
+      .balance = [](const Scalar& X) { return std::pair<Scalar, Scalar>(X * X / 20 + Scalar(1) / 50, X / 10); },
+      .load = Scalar(0.013)});
 }
 
 }  // namespace
@@ -79,9 +82,11 @@ BOOST_AUTO_TEST_CASE(kernel_rows_are_the_integrals_of_piecewise_polynomials) {
 
 BOOST_AUTO_TEST_CASE(film_of_a_cubic_pressure_is_its_integral_on_a_stretched_domain) {
   const double inlet = -3.3, exit = 1.37;
-  const Collocation<double> equations(distinct_problem(7, 6, TruncatedAt{inlet}), mixed_mesh(inlet), Points::left_radau);
+  const Collocation<double> equations(distinct_problem(7, 6, TruncatedAt{inlet}), mixed_mesh(inlet),
+                                      Points::left_radau);
   const Function pressure = [&](double X) { return 0.03 * (exit - X) * (X + 3.9) * (5.1 - X); };
-  State<double> state{.P = node_coordinates(equations, exit).unaryExpr(pressure).matrix(), .offset = 0.77, .exit = exit};
+  State<double> state{
+      .P = node_coordinates(equations, exit).unaryExpr(pressure).matrix(), .offset = 0.77, .exit = exit};
   const auto at = equations.evaluate(state, 0);
   const auto rows = at.H.size();
   BOOST_REQUIRE_EQUAL(rows, 46 + 7 + 1);
@@ -195,12 +200,10 @@ BOOST_AUTO_TEST_CASE(jacobian_is_the_derivative_of_the_residual_to_round_off) {
     Points points;
     bool with_sources;
   };
-  const std::vector<Row> table = {{TruncatedAt{-3.3}, 0, Points::left_radau, false},
-                                  {TruncatedAt{-3.3}, 1e-3, Points::left_radau, false},
-                                  {Flooded{}, 0, Points::left_radau, false},
-                                  {Flooded{}, 1e-3, Points::left_radau, false},
-                                  {TruncatedAt{-3.3}, 1e-3, Points::gauss, true},
-                                  {Flooded{}, 0, Points::gauss, true}};
+  const std::vector<Row> table = {
+      {TruncatedAt{-3.3}, 0, Points::left_radau, false}, {TruncatedAt{-3.3}, 1e-3, Points::left_radau, false},
+      {Flooded{}, 0, Points::left_radau, false},         {Flooded{}, 1e-3, Points::left_radau, false},
+      {TruncatedAt{-3.3}, 1e-3, Points::gauss, true},    {Flooded{}, 0, Points::gauss, true}};
   const auto plain = sources<double>();
   const auto precise = sources<Quad>();
   int rows = 0;
@@ -289,7 +292,8 @@ BOOST_AUTO_TEST_CASE(tail_before_a_flooded_inlet_is_the_integral_of_the_reynolds
     };
     // y = x/t; load = Int P dy = Int (y - x) P' dy.
     const double pressure = smooth_integral([&](double t) { return t > 0 ? slope(x / t) * x / (t * t) : 0; }, 0, 1);
-    const double load = smooth_integral([&](double t) { return t > 0 ? slope(x / t) * (x / t - x) * x / (t * t) : 0; }, 0, 1);
+    const double load =
+        smooth_integral([&](double t) { return t > 0 ? slope(x / t) * (x / t - x) * x / (t * t) : 0; }, 0, 1);
     BOOST_TEST_CONTEXT("x = " << x) {
       const auto remainder = Tolerance::asymptotic(40 / (x * x * x * x), "next term, (48 A^2 + 48 A C)/(7 x^4) * 3/4");
       EHD_CHECK(error(at.tail_pressure, pressure), remainder);
@@ -316,7 +320,8 @@ BOOST_AUTO_TEST_CASE(the_film_of_a_flooded_contact_is_that_of_a_truncated_one_an
 
 BOOST_AUTO_TEST_CASE(film_at_any_place_is_that_of_the_equations_with_sources_too) {
   for (const Inlet& inlet : {Inlet{TruncatedAt{-3.3}}, Inlet{Flooded{}}}) {
-    const Collocation<double> equations(distinct_problem(7, 6, inlet), mixed_mesh(-3.3), Points::left_radau, sources<double>());
+    const Collocation<double> equations(distinct_problem(7, 6, inlet), mixed_mesh(-3.3), Points::left_radau,
+                                        sources<double>());
     const State<double> state = smooth_state(equations);
     const Array H = equations.film(state, equations.row_places(), equations.kernel_rows(equations.row_places()));
     EHD_CHECK((H - equations.evaluate(state, 0).H).abs().maxCoeff(), Tolerance::round_off(50));

@@ -148,8 +148,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(an_element_knows_a_polynomial_of_its_degree_and_it
         if (kind == Points::left_radau) BOOST_TEST(bool(at_points[0] == nodal[0]));
         Scalar integral(0);
         for (int j = 0; j <= p; ++j) integral += element.weights[j] * nodal[j];
-        const Scalar exact = (Scalar(13) / 10) / Scalar(p + 1) *
-                             (Scalar(1) - power(Scalar(Scalar(-7) / 13), p + 1));
+        const Scalar exact = (Scalar(13) / 10) / Scalar(p + 1) * (Scalar(1) - power(Scalar(Scalar(-7) / 13), p + 1));
         EHD_CHECK(as_in_double(Scalar(integral - exact)), Tolerance::round_off(4.0 * p));
       }
       ++rows;

@@ -73,9 +73,9 @@ BOOST_AUTO_TEST_CASE(moments_beside_the_element_are_its_integrals) {
       BOOST_TEST_CONTEXT("u = 1 + " << beyond << ", k = " << k) {
         EHD_CHECK(std::abs(m[k] - by_quadrature(k, 1 + beyond)) / std::max(1.0, std::abs(m[0])), quadrature);
         // At the other side odd moments have the other sign.
-        EHD_CHECK(std::abs(m[k] * (k % 2 == 0 ? 1 : -1) - by_quadrature(k, -1 - beyond)) /
-                      std::max(1.0, std::abs(m[0])),
-                  quadrature);
+        EHD_CHECK(
+            std::abs(m[k] * (k % 2 == 0 ? 1 : -1) - by_quadrature(k, -1 - beyond)) / std::max(1.0, std::abs(m[0])),
+            quadrature);
       }
       ++rows;
     }
@@ -165,8 +165,7 @@ BOOST_AUTO_TEST_CASE(even_moments_are_even_and_odd_ones_odd) {
 BOOST_AUTO_TEST_CASE(the_two_sides_of_an_end_meet) {
   // The logarithm's integral is continuous, with a slope of ln|1 - u|: from 1e-13 inside to 1e-13 outside.
   const double step = 1e-13;
-  const VectorOf<double> in = inside<double>(12, 2 - step, step), out = outside(12, step),
-                         at = outside(12, 0.0);
+  const VectorOf<double> in = inside<double>(12, 2 - step, step), out = outside(12, step), at = outside(12, 0.0);
   for (int k = 0; k <= 12; ++k) {
     const auto far = Tolerance::asymptotic(40 * step, "1e-13 times twice the slope ln(1e-13)");
     EHD_CHECK(std::abs(in[k] - at[k]), far);
