@@ -129,14 +129,14 @@ class Solve {
                                      const HomotopyLimits& limits) {
     Discretised done;
     done.floors = std::move(floors);
-    done.fields = fields_of(done.last());
+    done.fields = fields_of(problem_, done.last());
     done.seen = observe(done.fields, wanted_);
     constexpr double finest_spike = 1e-8;
     if (done.last().floor == 0 && done.seen.contains(Quantity::pressure_spike) && resolution.film <= fine_tolerance) {
       resolution.spike = finest_spike;
       if (auto solved = resolved(problem_, done.last(), resolution, limits, meter_)) {
         done.floors.back() = std::move(*solved);
-        done.fields = fields_of(done.last());
+        done.fields = fields_of(problem_, done.last());
         done.seen = observe(done.fields, wanted_);
       }
     }
@@ -187,38 +187,13 @@ class Solve {
   /// The same elements once more for a second opinion: shifted, of higher degree, half the inlet.
   [[nodiscard]] std::optional<Discretised> second_opinion(const Discretised& first) {
     const HomotopyLimits limits{.newton = {.iterations = 30, .step = 1e-9}};
-    Mesh mesh = shifted(first.last().equations->mesh(), 0.37);
+    const Scheme other = second_to({});
+    Mesh mesh = shifted(first.last().equations->mesh(), other.shift);
     for (int& degree : mesh.degrees) degree = (3 * degree + 1) / 2;
-    if (flooded_) mesh = cut_at(std::move(mesh), 0.5 * inlet_, first.last().run.state.exit);
+    if (flooded_) mesh = cut_at(std::move(mesh), other.inlet_part * inlet_, first.last().run.state.exit);
     auto solved = as_it_is(moved_to(problem_, first.last(), std::move(mesh), Points::left_radau), limits);
     if (!solved) return std::nullopt;
     return observed({std::move(*solved)}, {}, limits);
-  }
-
-  [[nodiscard]] Fields fields_of(const Resolved& resolved) const {
-    const auto& equations = *resolved.equations;
-    const auto& state = resolved.run.state;
-    const auto places = equations.node_places();
-    Fields fields;
-    fields.X.resize(static_cast<Eigen::Index>(places.size()));
-    const double stretching = equations.stretching(state.exit);
-    for (Eigen::Index i = 0; i < fields.X.size(); ++i)
-      fields.X[i] = state.exit + stretching * equations.xi(places[static_cast<std::size_t>(i)]);
-    fields.P = state.P.array();
-    fields.H = equations.film(state, places, equations.kernel_rows(places));
-    fields.density = evaluate(problem_.density, fields.P).value;
-    fields.log_viscosity = evaluate(problem_.viscosity, fields.P).value;
-    fields.flux = state.flux - resolved.run.at.balance.head(equations.intervals());
-    fields.offset = state.offset;
-    for (int e = 0; e < equations.mesh().elements(); ++e) fields.elements.push_back(equations.first_node(e));
-    fields.elements.push_back(equations.intervals());
-    if (flooded_) {
-      const double x = -equations.mesh().inlet, A = fields.H[0] - x * x / 2;
-      fields.load_beyond_inlet = resolved.run.at.tail_load;
-      // Int H P' dX with P' = lambda (H - C)/H^3, H = X^2/2 + A.
-      fields.work_beyond_inlet = problem_.groups.lambda * (2 / x - 4 * (A + state.flux) / (3 * x * x * x));
-    }
-    return fields;
   }
 
   /// Values are linear in a small floor, and the curvature through a third one says how small it is. hp/README.md,
@@ -227,9 +202,9 @@ class Solve {
     const auto apart = floors_apart(done.floors);
     if (done.last().floor == 0 || apart.size() < 2) return;
     const double f0 = done.last().floor, f1 = done.floors[apart[1]].floor;
-    const Observables one = observe(fields_of(done.floors[apart[1]]), wanted_);
+    const Observables one = observe(fields_of(problem_, done.floors[apart[1]]), wanted_);
     const bool three = apart.size() > 2;
-    const Observables two = three ? observe(fields_of(done.floors[apart[2]]), wanted_) : Observables{};
+    const Observables two = three ? observe(fields_of(problem_, done.floors[apart[2]]), wanted_) : Observables{};
     for (auto& [quantity, reading] : done.seen) {
       if (is_diagnostic(quantity) || !one.contains(quantity)) continue;
       const double slope = (one.at(quantity).value - reading.value) / (f1 - f0), move = -f0 * slope;
@@ -349,13 +324,6 @@ class Solve {
   /// Above, the solution of the floor says nothing of that without it.
   static constexpr double highest_floor = 1e-5;
 
-  /// The last floor, and up from there those at least thrice the one before: indices.
-  [[nodiscard]] static std::vector<std::size_t> floors_apart(const std::vector<Resolved>& floors) {
-    std::vector<std::size_t> apart{floors.size() - 1};
-    for (std::size_t i = floors.size(); i-- > 0;)
-      if (floors[i].floor >= 3 * floors[apart.back()].floor && floors[i].floor > 0) apart.push_back(i);
-    return apart;
-  }
   [[nodiscard]] static bool is_absolute(Quantity quantity) {
     return quantity == Quantity::film_offset || quantity == Quantity::approach;
   }

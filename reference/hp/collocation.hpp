@@ -91,6 +91,8 @@ class Collocation {
   [[nodiscard]] ArrayOf<Scalar> film(const State<Scalar>& state, const std::vector<Place<Scalar>>& places,
                                      const Matrix& rows) const;
   [[nodiscard]] std::vector<Place<Scalar>> node_places() const;
+  /// X of the nodes for an exit.
+  [[nodiscard]] ArrayOf<Scalar> node_coordinates(const Scalar& exit) const;
   [[nodiscard]] const std::vector<Place<Scalar>>& row_places() const { return places_; }
 
   [[nodiscard]] Evaluation<Scalar> evaluate(const State<Scalar>& state, const Scalar& floor) const;

@@ -137,6 +137,15 @@ std::vector<Place<Scalar>> Collocation<Scalar>::node_places() const {
 }
 
 template <class Scalar>
+ArrayOf<Scalar> Collocation<Scalar>::node_coordinates(const Scalar& exit) const {
+  const auto places = node_places();
+  const Scalar s = stretching(exit);
+  ArrayOf<Scalar> X(static_cast<Eigen::Index>(places.size()));
+  for (Eigen::Index i = 0; i < X.size(); ++i) X[i] = exit + s * xi(places[static_cast<std::size_t>(i)]);
+  return X;
+}
+
+template <class Scalar>
 Scalar Collocation<Scalar>::interpolate(const Vector& P, int element, const Scalar& t) const {
   const auto& shape = reference(element);
   const Vector coefficients = shape.to_legendre * P.segment(first_node(element), shape.degree + 1);

@@ -133,20 +133,44 @@ std::vector<Resolved> descent(const Problem& problem, const Resolved& top, const
   return floors;
 }
 
-std::optional<std::size_t> floor_before(const std::vector<Resolved>& floors) {
+std::vector<std::size_t> floors_apart(const std::vector<Resolved>& floors) {
   constexpr double apart = 3;
+  std::vector<std::size_t> found{floors.size() - 1};
   for (std::size_t i = floors.size(); i-- > 0;)
-    if (floors[i].floor >= apart * floors.back().floor) return i;
-  return std::nullopt;
+    if (floors[i].floor > 0 && floors[i].floor >= apart * floors[found.back()].floor) found.push_back(i);
+  return found;
 }
 
 double floor_gap(const std::vector<Resolved>& floors) {
   const Resolved& last = floors.back();
   if (last.floor == 0) return 0;
-  const auto i = floor_before(floors);
-  if (!i) return std::numeric_limits<double>::infinity();
-  const Resolved& before = floors[*i];
+  const auto apart = floors_apart(floors);
+  if (apart.size() < 2) return std::numeric_limits<double>::infinity();
+  const Resolved& before = floors[apart[1]];
   return std::abs(last.run.state.flux / before.run.state.flux - 1) * last.floor / (before.floor - last.floor);
+}
+
+Fields fields_of(const Problem& problem, const Resolved& resolved) {
+  const auto& equations = *resolved.equations;
+  const auto& state = resolved.run.state;
+  const auto places = equations.node_places();
+  Fields fields;
+  fields.X = equations.node_coordinates(state.exit);
+  fields.P = state.P.array();
+  fields.H = equations.film(state, places, equations.kernel_rows(places));
+  fields.density = evaluate(problem.density, fields.P).value;
+  fields.log_viscosity = evaluate(problem.viscosity, fields.P).value;
+  fields.flux = state.flux - resolved.run.at.balance.head(equations.intervals());
+  fields.offset = state.offset;
+  for (int e = 0; e < equations.mesh().elements(); ++e) fields.elements.push_back(equations.first_node(e));
+  fields.elements.push_back(equations.intervals());
+  if (std::holds_alternative<Flooded>(problem.inlet)) {
+    const double x = -equations.mesh().inlet, A = fields.H[0] - x * x / 2;
+    fields.load_beyond_inlet = resolved.run.at.tail_load;
+    // Int H P' dX with P' = lambda (H - C)/H^3, H = X^2/2 + A.
+    fields.work_beyond_inlet = problem.groups.lambda * (2 / x - 4 * (A + state.flux) / (3 * x * x * x));
+  }
+  return fields;
 }
 
 Resolved moved_to(const Problem& problem, const Resolved& from, Mesh mesh, Points points) {

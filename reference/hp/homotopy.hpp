@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "contact/solution.hpp"
 #include "reference/hp/newton.hpp"
 
 namespace ehd::reference::hp {
@@ -47,12 +48,15 @@ struct HomotopyLimits {
 [[nodiscard]] std::vector<Resolved> descent(const Problem& problem, const Resolved& top, const Resolution& resolution,
                                             const HomotopyLimits& limits, Meter& meter);
 
-/// The floor from which, with the last one, values are carried on to 0, as they are linear in a small floor: the lowest
-/// of those at least thrice the last, so that the noise of a mesh is not amplified. Empty without one.
-[[nodiscard]] std::optional<std::size_t> floor_before(const std::vector<Resolved>& floors);
-/// How much the flux would still move, relative, if the floor went from where the descent ended to 0. 0 where it did;
-/// infinite where floor_before is empty.
+/// The last floor and, up from there, each that is at least thrice the one before it, so that the noise of a mesh is
+/// not amplified where values are carried on to floor 0: indices.
+[[nodiscard]] std::vector<std::size_t> floors_apart(const std::vector<Resolved>& floors);
+/// How much the flux would still move, relative, if the floor went from where the descent ended to 0, as it is linear
+/// in a small floor. 0 where it did; infinite where no two floors are apart.
 [[nodiscard]] double floor_gap(const std::vector<Resolved>& floors);
+
+/// Nodal values, as observe() reads them, with what a flooded contact has before its inlet.
+[[nodiscard]] Fields fields_of(const Problem& problem, const Resolved& resolved);
 
 /// The state on another mesh (and with other collocation points), not yet solved there.
 [[nodiscard]] Resolved moved_to(const Problem& problem, const Resolved& from, Mesh mesh, Points points);

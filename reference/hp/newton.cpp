@@ -116,21 +116,14 @@ State<double> completed(const Collocation<double>& equations, State<double> star
 
 State<double> hertz_start(const Collocation<double>& equations, double exit, double film) {
   State<double> start{.P = {}, .exit = exit};
-  const auto places = equations.node_places();
-  Array X(static_cast<Eigen::Index>(places.size()));
-  for (Eigen::Index i = 0; i < X.size(); ++i)
-    X[i] = exit + equations.stretching(exit) * equations.xi(places[static_cast<std::size_t>(i)]);
-  start.P = hertz::pressure(X).matrix();
+  start.P = hertz::pressure(equations.node_coordinates(exit)).matrix();
   return completed(equations, std::move(start), film);
 }
 
 State<double> martin_start(const Collocation<double>& equations, double exit, double film) {
   State<double> start{.P = {}, .exit = exit};
-  const auto places = equations.node_places();
-  const auto n = static_cast<Eigen::Index>(places.size()) - 1;
-  Array X(n + 1);
-  for (Eigen::Index i = 0; i <= n; ++i)
-    X[i] = exit + equations.stretching(exit) * equations.xi(places[static_cast<std::size_t>(i)]);
+  const Array X = equations.node_coordinates(exit);
+  const Eigen::Index n = X.size() - 1;
   const Array gap = film + X.square() / 2;
   const Array slope = (gap - gap[n]) / gap.cube();
   start.P = VectorOf<double>::Zero(n + 1);

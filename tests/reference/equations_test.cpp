@@ -27,17 +27,6 @@ State smooth_state(const Grid& grid) {
   return state;
 }
 
-/// Distinguishable data: Roelands z = 0.55 and the second Dowson-Higginson form.
-Problem distinct_problem() {
-  Lubricant lubricant;
-  lubricant.viscosity = ViscosityLaw::roelands;
-  lubricant.density = DensityLaw::dowson_higginson_1977;
-  lubricant.alpha_per_Pa = 1.7e-8;
-  lubricant.z = 0.55;
-  lubricant.p0_Pa = 1.8e8;
-  return nondimensionalise(MoesGroups{7, 6}, lubricant, TruncatedAt{-3.3}).problem;
-}
-
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(equations)
@@ -78,7 +67,7 @@ BOOST_AUTO_TEST_CASE(jacobian_is_the_derivative_of_the_residual) {
                         .load = 0.013};
   for (const bool sourced : {false, true})
     for (const Grid& grid : {uniform_grid(-3.3, 24), first_map(-3.3, 0.1).grid(40)}) {
-      Problem problem = distinct_problem();
+      Problem problem = distinct_problem(7, 6, TruncatedAt{-3.3});
       if (sourced) problem.sources = std::make_shared<const Sources>(sources);
       const Equations equations(problem, grid);
       const State state = smooth_state(grid);

@@ -22,6 +22,17 @@ inline Problem roelands_problem(double M, double L, Inlet inlet) {
   return nondimensionalise(MoesGroups{M, L}, lubricant, inlet).problem;
 }
 
+/// Data that cannot be mistaken for another's: Roelands z = 0.55 and the second Dowson-Higginson form.
+inline Problem distinct_problem(double M, double L, Inlet inlet) {
+  Lubricant lubricant;
+  lubricant.viscosity = ViscosityLaw::roelands;
+  lubricant.density = DensityLaw::dowson_higginson_1977;
+  lubricant.alpha_per_Pa = 1.7e-8;
+  lubricant.z = 0.55;
+  lubricant.p0_Pa = 1.8e8;
+  return nondimensionalise(MoesGroups{M, L}, lubricant, inlet).problem;
+}
+
 /// Barus and incompressible; isoviscous where L = 0.
 inline Problem barus_problem(double M, double L, Inlet inlet) {
   return nondimensionalise(MoesGroups{M, L}, Lubricant{}, inlet).problem;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rungs 6, 7 and 8 over the whole box: M 0.05..1000, L 0..25, both law sets, flooded and cut at X = -4. A claim a row of M.
+// Rungs 6, 7 and 8 over the whole box: M 0.05..1000, L 0..25, both law sets, flooded and cut at X = -4. A claim a row
+// of M.
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
 
-#include "contact/scaling.hpp"
+#include "verification/claims/oils.hpp"
 #include "verification/claims/topics.hpp"
 #include "verification/registry.hpp"
 #include "verification/text.hpp"
@@ -24,19 +25,13 @@ struct Row {
   bool roelands, flooded;
 };
 
-Problem problem_at(const Row& row, double L) {
-  Lubricant oil;  // Barus, incompressible
-  if (row.roelands)
-    oil = {.viscosity = ViscosityLaw::roelands,
-           .density = DensityLaw::dowson_higginson,
-           .alpha_per_Pa = 2.2e-8,
-           .z = 0.68,
-           .p0_Pa = 1.96e8};
-  return nondimensionalise(MoesGroups{row.M, L}, oil, row.flooded ? Inlet{Flooded{}} : Inlet{TruncatedAt{-4}}).problem;
+Problem problem_of(const Row& row, double L) {
+  return problem_at({row.M, L}, row.roelands, row.flooded ? Inlet{Flooded{}} : Inlet{TruncatedAt{-4}});
 }
 
 std::string name_of(const Row& row) {
-  return "M = " + plain(row.M) + (row.roelands ? ", Roelands" : ", Barus") + (row.flooded ? ", flooded" : ", cut at -4");
+  return "M = " + plain(row.M) + (row.roelands ? ", Roelands" : ", Barus") +
+         (row.flooded ? ", flooded" : ", cut at -4");
 }
 
 std::string id_of(const Row& row) {
@@ -50,7 +45,7 @@ Findings judge_row(const Row& row) {
   std::string unsolved, worst_at;
   for (const double L : all_L) {
     ++points;
-    const Problem problem = problem_at(row, L);
+    const Problem problem = problem_of(row, L);
     const Solution reference = find_solver("reference")->solve(problem, {.tolerance = tolerance});
     const Solution fast = find_solver("fast")->solve(problem, {.tolerance = tolerance});
     if (reference.record.status != StopReason::converged || fast.record.status != StopReason::converged) {
@@ -74,15 +69,14 @@ Findings judge_row(const Row& row) {
                                      .rung = 6,
                                      .statement = "both solvers end converged at 1e-3 for L = 0..25 at " + name_of(row),
                                      .solver = "reference, fast"},
-                                    converged == points && points > 0,
-                                    "the domain that both solvers declare", unsolved.empty() ? "" : "not at" + unsolved));
-  found.claims.push_back(claim({.id = id_of(row) + "/agreement",
-                                .rung = 8,
-                                .statement = "the films of both solvers differ by less than the sum of their reported errors at " +
-                                             name_of(row),
-                                .solver = "reference, fast"},
-                               worst, 0, Tolerance::required(1, "disagreement over the sum of the reported errors"),
-                               worst_at));
+                                    converged == points && points > 0, "the domain that both solvers declare",
+                                    unsolved.empty() ? "" : "not at" + unsolved));
+  found.claims.push_back(claim(
+      {.id = id_of(row) + "/agreement",
+       .rung = 8,
+       .statement = "the films of both solvers differ by less than the sum of their reported errors at " + name_of(row),
+       .solver = "reference, fast"},
+      worst, 0, Tolerance::required(1, "disagreement over the sum of the reported errors"), worst_at));
   return found;
 }
 
@@ -91,7 +85,7 @@ Findings judge_twin_row(const Row& row) {
   double worst = 0;
   std::string worst_at;
   for (const double L : all_L) {
-    const Problem problem = problem_at(row, L);
+    const Problem problem = problem_of(row, L);
     const Request request{.tolerance = {}, .nodes = intervals};
     const Solution one = find_solver("reference.uniform")->solve(problem, request);
     const Solution two = find_solver("fast.uniform")->solve(problem, request);
@@ -105,13 +99,14 @@ Findings judge_twin_row(const Row& row) {
     }
   }
   Findings found;
-  found.claims.push_back(claim({.id = id_of(row) + "/twins",
-                                .rung = 7,
-                                .statement = "fast.uniform equals reference.uniform in film and pressure on 256 cells for L = "
-                                             "0..25 at " + name_of(row),
-                                .solver = "reference.uniform, fast.uniform"},
-                               worst, 0, Tolerance::required(1e-8, "what both iterate to, required of the twins"),
-                               worst_at));
+  found.claims.push_back(
+      claim({.id = id_of(row) + "/twins",
+             .rung = 7,
+             .statement = "fast.uniform equals reference.uniform in film and pressure on 256 cells for L = "
+                          "0..25 at " +
+                          name_of(row),
+             .solver = "reference.uniform, fast.uniform"},
+            worst, 0, Tolerance::required(1e-8, "what both iterate to, required of the twins"), worst_at));
   return found;
 }
 
@@ -126,8 +121,9 @@ std::vector<Topic> box_topics() {
         const Row row{M, roelands, flooded};
         topics.push_back({.name = "box", .rungs = {6, 8}, .slow = true, .judge = [row] { return judge_row(row); }});
         if (!flooded && M <= heaviest_twin_M)
-          topics.push_back(
-              {.name = "twins over the box", .rungs = {7}, .slow = true, .judge = [row] { return judge_twin_row(row); }});
+          topics.push_back({.name = "twins over the box", .rungs = {7}, .slow = true, .judge = [row] {
+                              return judge_twin_row(row);
+                            }});
       }
     }
   }

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/scaling.hpp"
+#include "verification/claims/oils.hpp"
 #include "verification/claims/topics.hpp"
 #include "verification/grid_study.hpp"
 #include "verification/registry.hpp"
@@ -28,21 +28,10 @@ const Study studies[] = {{"reference.uniform", {128, 256, 512, 1024}},
                          {"fast.uniform", {512, 1024, 2048, 4096, 8192}}};
 constexpr MoesGroups points[] = {{2, 0}, {5, 5}, {20, 5}, {20, 10}, {100, 10}};
 
-Problem problem_at(MoesGroups moes, Inlet inlet) {
-  const Lubricant oil = moes.L > 0 ? Lubricant{.viscosity = ViscosityLaw::roelands,
-                                               .density = DensityLaw::dowson_higginson,
-                                               .alpha_per_Pa = 2.2e-8,
-                                               .z = 0.68,
-                                               .p0_Pa = 1.96e8}
-                                   : Lubricant{.viscosity = ViscosityLaw::isoviscous,
-                                               .density = DensityLaw::incompressible,
-                                               .alpha_per_Pa = {},
-                                               .z = {}};
-  return nondimensionalise(moes, oil, inlet).problem;
-}
+Problem problem_of(MoesGroups moes, Inlet inlet) { return problem_at(moes, moes.L > 0, inlet); }
 
 Findings judge_study(const Study& study, MoesGroups moes) {
-  const Problem problem = problem_at(moes, TruncatedAt{-4});
+  const Problem problem = problem_of(moes, TruncatedAt{-4});
   const Solution truth = find_solver("reference")->solve(problem, {.tolerance = 1e-9});
   std::vector<Solution> solutions;
   for (const int cells : study.grids) {
@@ -119,7 +108,7 @@ Findings judge_flooded(MoesGroups moes) {
   constexpr double tolerance = 1e-10;
   constexpr double cuts[] = {160, 320, 640, 1280};
   const auto& solver = *find_solver("reference");
-  const Solution flooded = solver.solve(problem_at(moes, Flooded{}), {.tolerance = tolerance});
+  const Solution flooded = solver.solve(problem_of(moes, Flooded{}), {.tolerance = tolerance});
   std::vector<double> central;
   std::string ended;
   double error = 0;
@@ -134,7 +123,7 @@ Findings judge_flooded(MoesGroups moes) {
   };
   const double truth = take(flooded, 0);
   for (const double cut : cuts)
-    central.push_back(take(solver.solve(problem_at(moes, TruncatedAt{-cut}), {.tolerance = tolerance}), cut));
+    central.push_back(take(solver.solve(problem_of(moes, TruncatedAt{-cut}), {.tolerance = tolerance}), cut));
   std::string note = "below the flooded film by";
   for (const double film : central) note += " " + plain(1 - film / truth, 3);
   for (const double factor : {4.0, 8.0, 16.0}) {

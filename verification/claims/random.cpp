@@ -8,7 +8,7 @@
 #include <random>
 #include <string>
 
-#include "contact/scaling.hpp"
+#include "verification/claims/oils.hpp"
 #include "verification/claims/topics.hpp"
 #include "verification/registry.hpp"
 #include "verification/text.hpp"
@@ -68,16 +68,7 @@ Run drawn(Draw& draw, bool roelands) {
   return run;
 }
 
-Problem problem_of(const Run& run) {
-  Lubricant oil;  // Barus, incompressible
-  if (run.roelands)
-    oil = {.viscosity = ViscosityLaw::roelands,
-           .density = DensityLaw::dowson_higginson,
-           .alpha_per_Pa = alpha_per_Pa,
-           .z = 0.68,
-           .p0_Pa = 1.96e8};
-  return nondimensionalise(run.moes, oil, run.inlet).problem;
-}
+Problem problem_of(const Run& run) { return problem_at(run.moes, run.roelands, run.inlet); }
 
 Findings judge_bars(bool roelands, int runs) {
   const auto& solver = *find_solver("reference");

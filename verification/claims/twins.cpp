@@ -4,7 +4,7 @@
 #include <limits>
 #include <string>
 
-#include "contact/scaling.hpp"
+#include "verification/claims/oils.hpp"
 #include "verification/claims/topics.hpp"
 #include "verification/registry.hpp"
 
@@ -27,12 +27,7 @@ double value(const Solution& solution, Quantity quantity) {
 }
 
 Findings judge_twins(MoesGroups moes, int intervals) {
-  const Lubricant lubricant{.viscosity = ViscosityLaw::roelands,
-                            .density = DensityLaw::dowson_higginson,
-                            .alpha_per_Pa = 2.2e-8,
-                            .z = 0.68,
-                            .p0_Pa = 1.96e8};
-  const Problem problem = nondimensionalise(moes, lubricant, TruncatedAt{-4}).problem;
+  const Problem problem = problem_at(moes, true, TruncatedAt{-4});
   Request request;
   request.tolerance.reset();
   request.nodes = intervals;
@@ -57,13 +52,13 @@ Findings judge_twins(MoesGroups moes, int intervals) {
     found.claims.push_back(claim_value(says(std::string(to_string(quantity))), value(two, quantity),
                                        value(one, quantity), 0, bound, ends));
   }
-  const bool comparable = solved(one) && solved(two) && one.fields.X.size() == two.fields.X.size() &&
-                          one.fields.X.size() == intervals + 1;
+  const bool comparable =
+      solved(one) && solved(two) && one.fields.X.size() == two.fields.X.size() && one.fields.X.size() == intervals + 1;
   found.claims.push_back(claim(says("pressure profile"),
                                comparable ? (one.fields.P - two.fields.P).abs().maxCoeff() : nothing, 0, bound, ends));
-  found.claims.push_back(
-      claim(says("film profile"),
-            comparable ? ((one.fields.H - two.fields.H) / one.fields.H).abs().maxCoeff() : nothing, 0, bound, ends));
+  found.claims.push_back(claim(says("film profile"),
+                               comparable ? ((one.fields.H - two.fields.H) / one.fields.H).abs().maxCoeff() : nothing,
+                               0, bound, ends));
   return found;
 }
 
@@ -74,8 +69,7 @@ std::vector<Topic> twin_topics() {
   const std::pair<MoesGroups, int> grids[] = {{{5, 5}, 256},    {{5, 5}, 512},    {{20, 10}, 256},  {{20, 10}, 512},
                                               {{20, 10}, 1024}, {{200, 10}, 256}, {{200, 10}, 512}, {{200, 15}, 1024}};
   for (const auto& grid : grids) {
-    topics.push_back(
-        {.name = "twins", .rungs = {7}, .judge = [grid] { return judge_twins(grid.first, grid.second); }});
+    topics.push_back({.name = "twins", .rungs = {7}, .judge = [grid] { return judge_twins(grid.first, grid.second); }});
   }
   return topics;
 }

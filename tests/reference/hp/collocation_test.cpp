@@ -85,8 +85,7 @@ BOOST_AUTO_TEST_CASE(film_of_a_cubic_pressure_is_its_integral_on_a_stretched_dom
   const Collocation<double> equations(distinct_problem(7, 6, TruncatedAt{inlet}), mixed_mesh(inlet),
                                       Points::left_radau);
   const Function pressure = [&](double X) { return 0.03 * (exit - X) * (X + 3.9) * (5.1 - X); };
-  State<double> state{
-      .P = node_coordinates(equations, exit).unaryExpr(pressure).matrix(), .offset = 0.77, .exit = exit};
+  State<double> state{.P = equations.node_coordinates(exit).unaryExpr(pressure).matrix(), .offset = 0.77, .exit = exit};
   const auto at = equations.evaluate(state, 0);
   const auto rows = at.H.size();
   BOOST_REQUIRE_EQUAL(rows, 46 + 7 + 1);

@@ -2,8 +2,8 @@
 // Meshes, states and data that the tests of this folder share; no two numbers alike.
 #pragma once
 
-#include "contact/scaling.hpp"
 #include "reference/hp/newton.hpp"
+#include "tests/reference/problems.hpp"
 
 namespace ehd::testing {
 
@@ -15,30 +15,10 @@ inline reference::hp::Mesh mixed_mesh(double inlet) {
           .degrees = {5, 8, 3, 12, 4, 8, 6}};
 }
 
-/// Roelands z = 0.55 and the second Dowson-Higginson form.
-inline Problem distinct_problem(double M, double L, Inlet inlet) {
-  Lubricant lubricant;
-  lubricant.viscosity = ViscosityLaw::roelands;
-  lubricant.density = DensityLaw::dowson_higginson_1977;
-  lubricant.alpha_per_Pa = 1.7e-8;
-  lubricant.z = 0.55;
-  lubricant.p0_Pa = 1.8e8;
-  return nondimensionalise(MoesGroups{M, L}, lubricant, inlet).problem;
-}
-
-/// X of the nodes.
-inline Array node_coordinates(const reference::hp::Collocation<double>& equations, double exit) {
-  const auto places = equations.node_places();
-  Array X(static_cast<Eigen::Index>(places.size()));
-  for (Eigen::Index i = 0; i < X.size(); ++i)
-    X[i] = exit + equations.stretching(exit) * equations.xi(places[static_cast<std::size_t>(i)]);
-  return X;
-}
-
 /// A smooth positive pressure, no solution of anything: its exit is not where the mesh was made for.
 inline reference::hp::State<double> smooth_state(const reference::hp::Collocation<double>& equations) {
   reference::hp::State<double> state{.P = {}, .offset = 0.9, .flux = 0.31, .exit = 1.21};
-  const Array X = node_coordinates(equations, state.exit);
+  const Array X = equations.node_coordinates(state.exit);
   state.P = (0.8 * (state.exit - X).square() * (-(X + 0.2).square()).exp()).matrix();
   state.P[state.P.size() - 1] = 0;
   return state;

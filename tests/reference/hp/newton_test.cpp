@@ -89,6 +89,28 @@ BOOST_AUTO_TEST_CASE(newton_contracts_quadratically_to_round_off) {
   BOOST_TEST(rows == 5);
 }
 
+BOOST_AUTO_TEST_CASE(iteration_error_is_not_less_than_what_a_further_step_moves) {
+  const Collocation<double> equations(roelands_problem(20, 10, TruncatedAt{-4}), mesh_about(-4, 1.09, 0.0856, 8),
+                                      Points::left_radau);
+  const State<double> start = hertz_start(equations, 1.09, 0.0856);
+  Meter meter = generous();
+  const NewtonRun end = ehd::reference::hp::newton(equations, start, 1e-2, {.iterations = 40, .step = 1e-13}, meter);
+  BOOST_REQUIRE(end.solved);
+  int rows = 0;
+  for (int left = 1; left <= 3; ++left) {
+    // Stopped before the end, where the convergence is quadratic already.
+    const NewtonRun run =
+        ehd::reference::hp::newton(equations, start, 1e-2, {.iterations = end.iterations - left, .step = 1e-13}, meter);
+    BOOST_TEST_CONTEXT(left << " before the end") {
+      const Tolerance bound =
+          Tolerance::iteration(run.iteration_error + 10 * std::numeric_limits<double>::epsilon() / 0.0856);
+      EHD_CHECK(error(run.state.flux, end.state.flux), bound);
+    }
+    ++rows;
+  }
+  BOOST_TEST(rows == 3);
+}
+
 BOOST_AUTO_TEST_CASE(newton_stops_at_either_limit_and_counts_what_it_spent) {
   const Collocation<double> equations(roelands_problem(20, 10, TruncatedAt{-4}), mesh_about(-4, 1.09, 0.0856, 8),
                                       Points::left_radau);
@@ -196,7 +218,7 @@ BOOST_AUTO_TEST_CASE(a_polynomial_is_the_same_on_any_mesh_of_its_domain) {
   const auto pressure = [&](double X) { return 0.03 * (exit - X) * (X + 3.9) * (5.1 - X); };  // least degree: 3
   const Collocation<double> from(problem, mixed_mesh(-3.3), Points::left_radau);
   const State<double> state{
-      .P = node_coordinates(from, exit).unaryExpr(pressure).matrix(), .offset = 0.77, .flux = 0.4, .exit = exit};
+      .P = from.node_coordinates(exit).unaryExpr(pressure).matrix(), .offset = 0.77, .flux = 0.4, .exit = exit};
   Mesh stretched = mixed_mesh(-3.3);  // made when the domain was longer
   for (double& xi : stretched.breakpoints) xi *= 1.13;
   stretched.breakpoints[3] += 0.21;
@@ -212,7 +234,7 @@ BOOST_AUTO_TEST_CASE(a_polynomial_is_the_same_on_any_mesh_of_its_domain) {
   for (const Mesh& mesh : table) {
     const Collocation<double> to(problem, mesh, Points::left_radau);
     const State<double> there = transferred(from, state, to);
-    const Array X = node_coordinates(to, exit);
+    const Array X = to.node_coordinates(exit);
     BOOST_TEST_CONTEXT("mesh " << rows) {
       BOOST_REQUIRE_EQUAL(there.P.size(), to.intervals() + 1);
       // Degree 12 interpolated in Legendre coefficients; places with eps X in elements of half length 0.035.

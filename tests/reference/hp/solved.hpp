@@ -61,25 +61,4 @@ inline reference::hp::Resolved physics(const Problem& problem, double film, int 
   return coarse.back();
 }
 
-/// What observe needs for films, pressures and the load.
-inline Fields fields_of(const Problem& problem, const reference::hp::Resolved& solved) {
-  const auto& equations = *solved.equations;
-  const auto& state = solved.run.state;
-  const auto places = equations.node_places();
-  Fields fields;
-  fields.X.resize(static_cast<Eigen::Index>(places.size()));
-  for (Eigen::Index i = 0; i < fields.X.size(); ++i)
-    fields.X[i] = state.exit + equations.stretching(state.exit) * equations.xi(places[static_cast<std::size_t>(i)]);
-  fields.P = state.P.array();
-  fields.H = equations.film(state, places, equations.kernel_rows(places));
-  fields.density = evaluate(problem.density, fields.P).value;
-  fields.log_viscosity = evaluate(problem.viscosity, fields.P).value;
-  fields.flux = state.flux - solved.run.at.balance.head(equations.intervals());
-  fields.offset = state.offset;
-  fields.load_beyond_inlet = solved.run.at.tail_load;
-  for (int e = 0; e < equations.mesh().elements(); ++e) fields.elements.push_back(equations.first_node(e));
-  fields.elements.push_back(equations.intervals());
-  return fields;
-}
-
 }  // namespace ehd::testing
