@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <mutex>
+#include <numbers>
 
 namespace ehd::fast {
 
@@ -50,6 +51,12 @@ double half_hat_moment(int k) {
   return std::log(static_cast<double>(k)) / 2 + sum;
 }
 
+double trapezoid_weight(int k) {
+  constexpr double c = 0.030448457058393271;  // zeta(3)/(4 pi^2) = -zeta'(-2)
+  if (k == 0) return -std::log(2 * std::numbers::pi) + 2 * c;
+  return k == 1 ? -c : std::log(static_cast<double>(k));
+}
+
 struct Convolution::Plans {
   int length;
   double* real;
@@ -58,13 +65,14 @@ struct Convolution::Plans {
   fftw_plan backward;
 };
 
-Convolution::Convolution(int intervals) : intervals_(intervals), plans_(std::make_unique<Plans>()) {
+Convolution::Convolution(int intervals, Rule rule) : intervals_(intervals), plans_(std::make_unique<Plans>()) {
   const int length = friendly_length(2 * intervals);
   weights_.resize(length / 2 + 1);
-  for (int k = 0; k <= length / 2; ++k) weights_[k] = hat_moment(k);
+  const bool hats = rule == Rule::piecewise_linear;
+  for (int k = 0; k <= length / 2; ++k) weights_[k] = hats ? hat_moment(k) : trapezoid_weight(k);
 
   inner_half_.resize(intervals + 1);
-  for (int k = 0; k <= intervals; ++k) inner_half_[k] = weights_[k] - half_hat_moment(k);
+  for (int k = 0; k <= intervals; ++k) inner_half_[k] = hats ? weights_[k] - half_hat_moment(k) : weights_[k] / 2;
 
   plans_->length = length;
   plans_->real = fftw_alloc_real(static_cast<std::size_t>(length));

@@ -16,11 +16,21 @@ namespace ehd::fast {
 /// Int_0^1 (1 - s) ln(k + s) ds: the outer half of the hat at node 0, seen from node k >= 0.
 [[nodiscard]] double half_hat_moment(int k);
 
+/// How a sum stands for the integral of a pressure against the logarithm.
+enum class Rule {
+  piecewise_linear,     ///< hat_moment: exact for piecewise linear pressures
+  corrected_trapezoid,  ///< trapezoid_weight: fifth order for smooth ones
+};
+
+/// Weights of the trapezoid rule with zeta corrections at the singular point (Kapur & Rokhlin 1997):
+/// Int g(s) ln|s_i - s| ds ~ h Sum_j g_j (w_|i-j| + ln h) with w_0 = -ln 2 pi + 2c, w_1 = -c, w_k = ln k, c = zeta(3)/(4 pi^2).
+[[nodiscard]] double trapezoid_weight(int k);
+
 /// y_i = Sum_j g_|i-j| x_j for i, j = 0..n, where x_n = 0 (the exit). Holds its FFTW plans; not copyable, one thread
 /// at a time. Plans are made with FFTW_ESTIMATE, so that two runs do the same arithmetic.
 class Convolution {
  public:
-  explicit Convolution(int intervals);
+  explicit Convolution(int intervals, Rule rule = Rule::piecewise_linear);
   ~Convolution();
   Convolution(const Convolution&) = delete;
   Convolution& operator=(const Convolution&) = delete;
@@ -29,7 +39,8 @@ class Convolution {
   void apply(const Array& x, Array& y);
 
   [[nodiscard]] double weight(int k) const { return weights_[k]; }
-  /// Int_0^1 (1 - s) ln|k - s| ds: the inner half of the hat at node 0, seen from node k.
+  /// The weight of the inner half of node 0 (the first node's share), seen from node k: Int_0^1 (1 - s) ln|k - s| ds for
+  /// the hat, half the weight for the trapezoid rule.
   [[nodiscard]] double inner_half_weight(int k) const { return inner_half_[k]; }
   [[nodiscard]] double planning_s() const { return planning_s_; }
 

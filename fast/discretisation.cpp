@@ -24,54 +24,52 @@ inline double log_mean(double u, double v, double d) {
 }
 
 inline LogMean log_mean_with_slopes(double u, double v, double d) {
-  if (std::abs(d) < 0.03) {
-    const double mid = std::sqrt(u * v), even = d * d;
-    const double m = 1 + even * (1.0 / 24 + even / 1920);
-    const double odd = d * (1.0 / 12 + even / 480);
-    return {mid * m, mid * (-0.5 * m - odd), mid * (-0.5 * m + odd)};
-  }
-  const double m = (u - v) / d;
-  return {m, (m - u) / d, (v - m) / d};
+  const double quotient = (u - v) / d, by_d = 1 / d;
+  const double mid = std::sqrt(u * v), even = d * d;
+  const double m = 1 + even * (1.0 / 24 + even / 1920), odd = d * (1.0 / 12 + even / 480);
+  const bool near = std::abs(d) < 0.03;
+  return {near ? mid * m : quotient, near ? mid * (-0.5 * m - odd) : (quotient - u) * by_d,
+          near ? mid * (-0.5 * m + odd) : (v - quotient) * by_d};
 }
 
 }  // namespace
 
-bool Discretisation::evaluate(const Setting& setting, State& state, Convolution& kernel, Counters& counters) {
-  n = static_cast<int>(state.P.size()) - 1;
-  h = (state.exit - setting.inlet) / n;
+bool Discretisation::evaluate(const Setting& setting, State& state, Grid& on, Counters& counters) {
+  n = on.n;
+  grid = &on;
+  length = state.exit - setting.inlet;
   Array& P = state.P;
   P[n] = 0;
 
-  // Film by the pressure on the grid; the first node's own half hat comes with the tail.
+  // Film by the pressure on the grid; the first node's own half comes with the tail.
   const InletTail& tail = state.tail;
-  P[0] = 0;
-  const double log_h = std::log(h);
-  kernel.apply(P, deflection);
+  P[0] = setting.with_tail ? tail.pressure : 0;
+  on.product(P, deflection, integral);
   ++counters.convolutions;
   counters.convolution_points += n;
-  double sum = P.head(n).sum();
-  deflection = h * deflection + h * log_h * sum;
+  if (setting.with_tail) {
+    deflection += P[0] * on.first_column;
+    integral += P[0] * on.first_weight;
+  }
+  deflection = length * (deflection + std::log(length) * integral);
   H.resize(n + 1);
   const double x0 = setting.inlet, by_pi = 1 / pi;
-  if (setting.with_tail) {
-    P[0] = tail.pressure;
-    sum += P[0] / 2;
-    for (int i = 0; i <= n; ++i) deflection[i] += h * P[0] * (kernel.inner_half_weight(i) + log_h / 2);
-  }
-  for (int i = 0; i <= n; ++i) {
-    const double X = x0 + i * h;
-    H[i] = state.offset + X * X / 2 - by_pi * deflection[i];
-  }
+  const double* const place = on.place.data();
   if (setting.with_tail) {
     const double* const t = tail.deflection;
     for (int i = 0; i <= n; ++i) {
-      const double X = x0 + i * h;
-      H[i] += t[0] + X * (t[1] + X * (t[2] + X * (t[3] + X * t[4])));
+      const double X = x0 + length * place[i];
+      H[i] = state.offset + X * X / 2 - by_pi * deflection[i] + (t[0] + X * (t[1] + X * (t[2] + X * (t[3] + X * t[4]))));
+    }
+  } else {
+    for (int i = 0; i <= n; ++i) {
+      const double X = x0 + length * place[i];
+      H[i] = state.offset + X * X / 2 - by_pi * deflection[i];
     }
   }
-  load_error = h * sum + tail.load - pi / 2;
+  load_error = length * integral + tail.load - pi / 2;
   if (setting.sources) {
-    for (int i = 0; i <= n; ++i) H[i] += setting.sources->film(x0 + i * h).first;
+    for (int i = 0; i <= n; ++i) H[i] += setting.sources->film(x0 + length * place[i]).first;
     load_error -= pi / 2 * setting.sources->load;
   }
   if (!(H.minCoeff() > 0) || !H.allFinite()) return false;
@@ -90,46 +88,53 @@ bool Discretisation::evaluate(const Setting& setting, State& state, Convolution&
   eps.resize(n);
   flux.resize(n);
   e.resize(n);
-  const double by_lambda = 1 / setting.groups.lambda, by_h = 1 / h;
+  const double by_lambda = 1 / setting.groups.lambda, by_length = 1 / length;
   const double* const a = log_viscosity.value.data();
   const double* const u = fluidity.data();
   const double* const rho = density.value.data();
   const double* const gap = H.data();
   const double* const p = P.data();
+  const double* const by_spacing = on.by_spacing.data();
+  const double* const k = on.bias.data();
+  double* const mobility = eps.data();
+  double* const through = flux.data();
   for (int i = 0; i < n; ++i) {
     const double m = log_mean(u[i], u[i + 1], a[i + 1] - a[i]) + setting.fluidity_floor;
     const double Hf = (gap[i] + gap[i + 1]) / 2;
-    eps[i] = (rho[i] + rho[i + 1]) / 2 * Hf * Hf * Hf * m * by_lambda;
+    mobility[i] = (rho[i] + rho[i + 1]) / 2 * Hf * Hf * Hf * m * by_lambda;
   }
-  flux[0] = (rho[0] * gap[0] + rho[1] * gap[1]) / 2 - eps[0] * (p[1] - p[0]) * by_h;
+  through[0] = (rho[0] * gap[0] + rho[1] * gap[1]) / 2 - mobility[0] * (p[1] - p[0]) * by_spacing[0] * by_length;
   for (int i = 1; i < n; ++i) {
-    const double wedge = rho[i] * gap[i] + (rho[i + 1] * gap[i + 1] - rho[i - 1] * gap[i - 1]) / 4;
-    flux[i] = wedge - eps[i] * (p[i + 1] - p[i]) * by_h;
+    const double here = rho[i] * gap[i];
+    const double wedge =
+        here + ((1 + k[i]) * (rho[i + 1] * gap[i + 1] - here) + (1 - k[i]) * (here - rho[i - 1] * gap[i - 1])) / 4;
+    through[i] = wedge - mobility[i] * (p[i + 1] - p[i]) * by_spacing[i] * by_length;
   }
   e = flux - exit_flux();
   if (setting.sources) {
     const auto& balance = setting.sources->balance;
     const double at_exit = balance(state.exit).first;
-    for (int i = 0; i < n; ++i) e[i] += balance(x0 + (i + 0.5) * h).first - at_exit;
+    for (int i = 0; i < n; ++i) e[i] += balance(x0 + length * (place[i] + place[i + 1]) / 2).first - at_exit;
   }
   if (!e.allFinite()) return false;
   floor = std::numeric_limits<double>::epsilon() *
-          (eps * P.head(n).max(P.tail(n)) * by_h + (density.value * H).head(n)).maxCoeff() / exit_flux();
+          (eps * P.head(n).max(P.tail(n)) * on.by_spacing * by_length + (density.value * H).head(n)).maxCoeff() / exit_flux();
   return true;
 }
 
 InletTail Discretisation::tail_of(const Setting& setting, const State& state) const {
   if (!setting.with_tail) return {};
   const double far = -setting.inlet;
-  const double moment = h * (state.P * Array::LinSpaced(n + 1, setting.inlet, state.exit)).sum();
+  const double moment = length / n * (state.P * grid->slope * places(setting.inlet)).sum();
   return inlet_tail(far, H[0] - far * far / 2, moment, exit_flux(), setting.groups.lambda,
                     ambient_slope(setting.viscosity));
 }
 
-void Discretisation::inject(const Discretisation& fine, const Array& fine_pressure, Array& pressure,
-                            const Setting& setting, double exit) {
-  n = (fine.n + 1) / 2;
-  h = (exit - setting.inlet) / n;
+void Discretisation::inject(const Discretisation& fine, const Array& fine_pressure, Array& pressure, const Grid& on) {
+  n = on.n;
+  grid = &on;
+  length = fine.length;
+  integral = fine.integral;
   const bool nested = fine.n % 2 == 0;
   const auto take = [&](const Array& from, Array& to) {
     to.resize(n + 1);
@@ -156,7 +161,7 @@ void Discretisation::inject(const Discretisation& fine, const Array& fine_pressu
 
 void Discretisation::linearise(const Setting& setting, const Array& P, double exit) {
   for (Array* array : {&p_left, &p_mid, &p_right, &w_left, &w_mid, &w_right, &by_exit}) array->resize(n);
-  const double by_lambda = 1 / setting.groups.lambda, by_h = 1 / h, length = exit - setting.inlet;
+  const double by_lambda = 1 / setting.groups.lambda, by_length = 1 / length, floor_of_fluidity = setting.fluidity_floor;
   const double* const a = log_viscosity.value.data();
   const double* const slope = log_viscosity.slope.data();
   const double* const u = fluidity.data();
@@ -164,66 +169,78 @@ void Discretisation::linearise(const Setting& setting, const Array& P, double ex
   const double* const drho = density.slope.data();
   const double* const gap = H.data();
   const double* const p = P.data();
-  const double inlet = setting.inlet;
+  const double* const by_spacing = grid->by_spacing.data();
+  const double* const k = grid->bias.data();
+  double *const pl = p_left.data(), *const pm = p_mid.data(), *const pr = p_right.data();
+  double *const wl = w_left.data(), *const wm = w_mid.data(), *const wr = w_right.data(), *const by_x = by_exit.data();
+  // Poiseuille part: -eps (P_(i+1) - P_i)/(X_(i+1) - X_i).
   for (int i = 0; i < n; ++i) {
-    LogMean m = log_mean_with_slopes(u[i], u[i + 1], a[i + 1] - a[i]);
-    m.value += setting.fluidity_floor;
+    const LogMean m = log_mean_with_slopes(u[i], u[i + 1], a[i + 1] - a[i]);
+    const double mean = m.value + floor_of_fluidity;
     const double Hf = (gap[i] + gap[i + 1]) / 2, rho_f = (rho[i] + rho[i + 1]) / 2;
-    const double cube = Hf * Hf * Hf * by_lambda, gradient = (p[i + 1] - p[i]) * by_h;
-    const double mobility = rho_f * cube * m.value;
-    // Poiseuille part: -eps (P_(i+1) - P_i)/h.
-    const double by_density = gradient * cube * m.value / 2, by_mean = gradient * rho_f * cube;
-    const double by_film = 1.5 * gradient * rho_f * Hf * Hf * by_lambda * m.value;
-    p_mid[i] = mobility * by_h - by_density * drho[i] - by_mean * m.by_a * slope[i];
-    p_right[i] = -mobility * by_h - by_density * drho[i + 1] - by_mean * m.by_b * slope[i + 1];
-    w_mid[i] = w_right[i] = -by_film;
-    by_exit[i] = mobility * gradient / length;
-    // Wedge.
-    const int left = i > 0 ? i - 1 : 0;
-    const double c_left = i > 0 ? -0.25 : 0.0, c_mid = i > 0 ? 1.0 : 0.5, c_right = i > 0 ? 0.25 : 0.5;
-    p_left[i] = c_left * gap[left] * drho[left];
-    w_left[i] = c_left * rho[left];
-    p_mid[i] += c_mid * gap[i] * drho[i];
-    w_mid[i] += c_mid * rho[i];
-    p_right[i] += c_right * gap[i + 1] * drho[i + 1];
-    w_right[i] += c_right * rho[i + 1];
+    const double cube = Hf * Hf * Hf * by_lambda, per_length = by_spacing[i] * by_length;
+    const double gradient = (p[i + 1] - p[i]) * per_length;
+    const double mobility = rho_f * cube * mean;
+    const double by_density = gradient * cube * mean / 2, by_mean = gradient * rho_f * cube;
+    const double by_film = 1.5 * gradient * rho_f * Hf * Hf * by_lambda * mean;
+    pl[i] = 0;
+    wl[i] = 0;
+    pm[i] = mobility * per_length - by_density * drho[i] - by_mean * m.by_a * slope[i];
+    pr[i] = -mobility * per_length - by_density * drho[i + 1] - by_mean * m.by_b * slope[i + 1];
+    wm[i] = wr[i] = -by_film;
+    by_x[i] = mobility * gradient * by_length;
   }
-  // dX_i = s_i dX*; dH_i = X_i s_i - (1/pi) d/dX*( h g*P + h ln h Sum P ), h proportional to the length.
-  film_by_exit.resize(n + 1);
-  const double sum = P.head(n).sum() - P[0] / 2;
-  load_by_exit = h * sum / length;
-  for (int i = 0; i <= n; ++i) {
-    const double s = static_cast<double>(i) / n, X = inlet + i * h;
-    film_by_exit[i] = X * s - (deflection[i] + h * sum) / (pi * length);
+  // Wedge.
+  pm[0] += 0.5 * gap[0] * drho[0];
+  wm[0] += 0.5 * rho[0];
+  pr[0] += 0.5 * gap[1] * drho[1];
+  wr[0] += 0.5 * rho[1];
+  for (int i = 1; i < n; ++i) {
+    const double left = -(1 - k[i]) / 4, middle = 1 - k[i] / 2, right = (1 + k[i]) / 4;
+    pl[i] = left * gap[i - 1] * drho[i - 1];
+    wl[i] = left * rho[i - 1];
+    pm[i] += middle * gap[i] * drho[i];
+    wm[i] += middle * rho[i];
+    pr[i] += right * gap[i + 1] * drho[i + 1];
+    wr[i] += right * rho[i + 1];
   }
+  // dX_i = phi_i dX*; dH_i = X_i phi_i - (1/pi) d/dl (l K P + l ln l Int P dphi).
+  load_by_exit = integral;
+  const double inlet = setting.inlet;
+  film_by_exit = (inlet + length * grid->place) * grid->place - (deflection * by_length + integral) / pi;
   if (setting.sources) {
     const auto& [film, balance, load] = *setting.sources;
-    for (int i = 0; i <= n; ++i) film_by_exit[i] += film(inlet + i * h).second * i / n;
+    const Array& place = grid->place;
+    for (int i = 0; i <= n; ++i) film_by_exit[i] += film(inlet + length * place[i]).second * place[i];
     const double at_exit = balance(exit).second;
-    for (int i = 0; i < n; ++i) by_exit[i] += balance(inlet + (i + 0.5) * h).second * (i + 0.5) / n - at_exit;
+    for (int i = 0; i < n; ++i) {
+      const double middle = (place[i] + place[i + 1]) / 2;
+      by_exit[i] += balance(inlet + length * middle).second * middle - at_exit;
+    }
   }
 }
 
-void Discretisation::apply(const Step& step, Convolution& kernel, Counters& counters, Array& change,
-                           double& load_change) const {
-  kernel.apply(step.P, product_);
+void Discretisation::apply(const Step& step, Grid& on, Counters& counters, Array& change, double& load_change) const {
+  double change_of_integral = 0;
+  on.product(step.P, product_, change_of_integral);
   ++counters.convolutions;
   counters.convolution_points += n;
-  const double sum = step.P.head(n).sum();
-  const double constant = step.offset - h * std::log(h) * sum / pi, scale = h / pi;
+  const double constant = step.offset - length * std::log(length) * change_of_integral / pi, scale = length / pi;
   film_change_.resize(n + 1);
+  film_change_ = constant + film_by_exit * step.exit - scale * product_;
   const double* const dP = step.P.data();
-  double* const dH = film_change_.data();
-  for (int i = 0; i <= n; ++i) dH[i] = constant + film_by_exit[i] * step.exit - scale * product_[i];
-  const double exit_change = density.value[n] * dH[n];
+  const double* const dH = film_change_.data();
+  const double exit_change = density.value[n] * dH[n], dX = step.exit;
   change.resize(n);
-  change[0] = p_mid[0] * dP[0] + p_right[0] * dP[1] + w_mid[0] * dH[0] + w_right[0] * dH[1] +
-              by_exit[0] * step.exit - exit_change;
+  double* const out = change.data();
+  const double *const pl = p_left.data(), *const pm = p_mid.data(), *const pr = p_right.data();
+  const double *const wl = w_left.data(), *const wm = w_mid.data(), *const wr = w_right.data(), *const bx = by_exit.data();
+  out[0] = pm[0] * dP[0] + pr[0] * dP[1] + wm[0] * dH[0] + wr[0] * dH[1] + bx[0] * dX - exit_change;
   for (int i = 1; i < n; ++i) {
-    change[i] = p_left[i] * dP[i - 1] + p_mid[i] * dP[i] + p_right[i] * dP[i + 1] + w_left[i] * dH[i - 1] +
-                w_mid[i] * dH[i] + w_right[i] * dH[i + 1] + by_exit[i] * step.exit - exit_change;
+    out[i] = pl[i] * dP[i - 1] + pm[i] * dP[i] + pr[i] * dP[i + 1] + wl[i] * dH[i - 1] + wm[i] * dH[i] +
+             wr[i] * dH[i + 1] + bx[i] * dX - exit_change;
   }
-  load_change = h * sum + load_by_exit * step.exit;
+  load_change = length * change_of_integral + load_by_exit * step.exit;
 }
 
 }  // namespace ehd::fast

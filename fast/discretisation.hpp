@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reynolds' equation, film and load on a uniform grid X_i = X_a + i h, h = (X* - X_a)/n, and their linearisation.
+// Reynolds' equation, film and load on a grid X_i = X_a + l phi_i, l = X* - X_a, phi_i = phi(i/n), and their linearisation.
 //
-//   H_i = H_0 + X_i^2/2 - (1/pi) Sum_j P_j Int hat_j ln|X_i - X'| dX' (+ deflection by the far inlet)
-//   face i between nodes i and i + 1:  F_i = f_(i+1/2) - eps_i (P_(i+1) - P_i)/h,  f = rho H
+//   H_i = H_0 + X_i^2/2 - (l/pi) (Sum_j K_ij P_j + ln l Int P dphi) (+ deflection by the far inlet)
+//   face i between nodes i and i + 1:  F_i = f_(i+1/2) - eps_i (P_(i+1) - P_i)/(X_(i+1) - X_i),  f = rho H
 //     eps_i = rho_f H_f^3 m/lambda, rho_f and H_f the means of the nodes, m the logarithmic mean of 1/eta
-//     f_(i+1/2) = f_i + (f_(i+1) - f_(i-1))/4 (Fromm), on the first face the mean
-//   flux error e_i = F_i - rho_n H_n for i = 0..n-1 (P = P' = 0 at the exit);  load h Sum P - pi/2.
+//     f_(i+1/2) = f_i + [(1 + k_i)(f_(i+1) - f_i) + (1 - k_i)(f_i - f_(i-1))]/4, on the first face the mean
+//   flux error e_i = F_i - rho_n H_n for i = 0..n-1 (P = P' = 0 at the exit);  load l Int P dphi - pi/2.
 //
 // Unknowns P_1..P_(n-1), H_0, X*: as many as equations. Every array is owned by the caller's workspace.
 #pragma once
@@ -15,7 +15,7 @@
 #include "contact/array.hpp"
 #include "contact/problem.hpp"
 #include "contact/rheology.hpp"
-#include "fast/convolution.hpp"
+#include "fast/grid.hpp"
 #include "fast/inlet_tail.hpp"
 
 namespace ehd::fast {
@@ -59,10 +59,12 @@ struct Counters {
 /// Fields, residual and linearisation at one iterate.
 struct Discretisation {
   int n = 0;
-  double h = 0;
+  const Grid* grid = nullptr;
+  double length = 0;  ///< l = X* - X_a
 
   // Nodes, n + 1.
-  Array deflection;  ///< h Sum_j g_|i-j| P_j + h ln h Sum P, the kernel product of the pressure alone
+  Array deflection;  ///< Int P ln|X_i - X'| dX' over the grid
+  double integral = 0;  ///< Int P dphi
   Array H;
   LawValues<double> log_viscosity, density;
   Array fluidity;  ///< 1/eta
@@ -71,7 +73,7 @@ struct Discretisation {
   Array eps;   ///< rho H^3/(eta lambda)
   Array flux;  ///< F_i
   Array e;     ///< F_i - rho_n H_n
-  double load_error = 0;  ///< h Sum P + tail - pi/2
+  double load_error = 0;  ///< Int P dX + tail - pi/2
   double floor = 0;       ///< rounding floor of max|e|/(rho_n H_n)
 
   // Linearisation: dF_i = Sum_{j = i-1..i+1} (p_ij dP_j + w_ij dH_j) + x_i dX*, dH/dX* at fixed P.
@@ -80,16 +82,18 @@ struct Discretisation {
   double load_by_exit = 0;
 
   /// Fields and residual. False where the film is not positive or a number is not finite; then only H is meaningful.
-  [[nodiscard]] bool evaluate(const Setting& setting, State& state, Convolution& kernel, Counters& counters);
+  [[nodiscard]] bool evaluate(const Setting& setting, State& state, Grid& on, Counters& counters);
   /// The tail that belongs to the present fields.
   [[nodiscard]] InletTail tail_of(const Setting& setting, const State& state) const;
   /// The same laws and fields taken from the nodes of a grid with twice the intervals (or, for an odd number, by
   /// linear interpolation): what a coarse level needs to linearise.
-  void inject(const Discretisation& fine, const Array& fine_pressure, Array& pressure, const Setting& setting, double exit);
+  void inject(const Discretisation& fine, const Array& fine_pressure, Array& pressure, const Grid& on);
+  /// X_i.
+  [[nodiscard]] Array places(double inlet) const { return inlet + length * grid->place; }
   /// Coefficients of the linearisation at the present fields.
   void linearise(const Setting& setting, const Array& P, double exit);
   /// e' = J step, n entries, and the change of the load.
-  void apply(const Step& step, Convolution& kernel, Counters& counters, Array& change, double& load_change) const;
+  void apply(const Step& step, Grid& on, Counters& counters, Array& change, double& load_change) const;
 
   [[nodiscard]] double exit_flux() const { return density.value[n] * H[n]; }
   /// max|e|/(rho_n H_n).

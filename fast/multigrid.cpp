@@ -9,31 +9,20 @@ namespace ehd::fast {
 
 using std::numbers::pi;
 
-Convolution& Multigrid::Kernels::of(int intervals) {
-  for (auto& [n, kernel] : kernels_) {
-    if (n == intervals) return *kernel;
-  }
-  kernels_.emplace_back(intervals, std::make_unique<Convolution>(intervals));
-  return *kernels_.back().second;
-}
-
-double Multigrid::Kernels::planning_s() const {
-  double sum = 0;
-  for (const auto& [n, kernel] : kernels_) sum += kernel->planning_s();
-  return sum;
-}
-
 void Multigrid::assemble_band(Level& level) const {
   const Discretisation& s = *level.scheme;
   const int n = s.n;
   Banded& band = level.band;
   band.resize(n - 1);
-  const double g0 = level.kernel->weight(0), g1 = level.kernel->weight(1), g2 = level.kernel->weight(2);
-  const double k0 = -s.h / pi * (2 * g0 - 2 * g1), k1 = -s.h / pi * (2 * g1 - g0 - g2);
-  // dF_i by d_(i-2) .. d_(i+2); dP_j = 2 d_j - d_(j-1) - d_(j+1), dH_j ~ k0 d_j + k1 (d_(j-1) + d_(j+1)).
+  const Grid& grid = *level.grid;
+  const double g0 = grid.weight(0), g1 = grid.weight(1), g2 = grid.weight(2), scale = -s.length / (n * pi);
+  const double k0 = scale * (2 * g0 - 2 * g1), k1 = scale * (2 * g1 - g0 - g2);
+  const double* const per = grid.by_slope.data();
+  // dF_i by d_(i-2) .. d_(i+2); phi'_j dP_j = 2 d_j - d_(j-1) - d_(j+1), dH_j ~ k0 d_j + k1 (d_(j-1) + d_(j+1)).
   const auto face = [&](int i) {
     // P_0 and P_n are given: their columns are dropped.
-    const double pl = i > 1 ? s.p_left[i] : 0, pm = i > 0 ? s.p_mid[i] : 0, pr = i < n - 1 ? s.p_right[i] : 0;
+    const double pl = i > 1 ? s.p_left[i] * per[i - 1] : 0, pm = i > 0 ? s.p_mid[i] * per[i] : 0;
+    const double pr = i < n - 1 ? s.p_right[i] * per[i + 1] : 0;
     const double wl = s.w_left[i], wm = s.w_mid[i], wr = s.w_right[i];
     return std::array<double, 5>{
         -pl + k1 * wl,
@@ -60,10 +49,10 @@ bool Multigrid::assemble_dense(const Level& level) {
   const int n = s.n;
   // Columns 0..n-2: P_1..P_(n-1); n-1: H_0; n: X*.
   Eigen::MatrixXd film(n + 1, n + 1);
-  const double log_h = std::log(s.h);
-  for (int j = 1; j < n; ++j) {
-    for (int i = 0; i <= n; ++i) film(i, j - 1) = -s.h / pi * (level.kernel->weight(std::abs(i - j)) + log_h);
-  }
+  const double scale = -s.length / pi, log_length = std::log(s.length);
+  const Eigen::RowVectorXd integral = (level.grid->slope.segment(1, n - 1) / n).matrix().transpose();
+  film.leftCols(n - 1) = scale * level.grid->dense().middleCols(1, n - 1);
+  film.leftCols(n - 1).rowwise() += scale * log_length * integral;
   film.col(n - 1).setOnes();
   film.col(n) = s.film_by_exit.matrix();
   dense_.resize(n + 1, n + 1);
@@ -76,7 +65,7 @@ bool Multigrid::assemble_dense(const Level& level) {
     if (i + 1 < n) dense_(i, i) += s.p_right[i];
     dense_(i, n) += s.by_exit[i];
   }
-  dense_.row(n).setConstant(s.h);
+  dense_.row(n).head(n - 1) = s.length * integral;
   dense_(n, n - 1) = 0;
   dense_(n, n) = s.load_by_exit;
   factors_.compute(dense_);
@@ -84,19 +73,20 @@ bool Multigrid::assemble_dense(const Level& level) {
   return dense_.allFinite() && factors_.matrixLU().diagonal().cwiseAbs().minCoeff() > 0;
 }
 
-bool Multigrid::prepare(const Setting& setting, const Discretisation& finest, const State& state, Kernels& kernels) {
+bool Multigrid::prepare(const Setting& setting, const Discretisation& finest, const State& state, Grids& grids) {
   used_ = 0;
   const Array* pressure = &state.P;
+  const int coarsest = grids.map() ? coarsest_mapped : coarsest_uniform;
   for (int n = finest.n;; n = (n + 1) / 2) {
     if (levels_.size() == used_) levels_.emplace_back();
     Level& level = levels_[used_];
-    level.kernel = &kernels.of(n);
+    level.grid = &grids.of(n);
     if (used_ == 0) {
       level.scheme = &finest;
     } else {
       if (!level.own) level.own = std::make_unique<Discretisation>();
       const Discretisation& fine = *levels_[used_ - 1].scheme;
-      level.own->inject(fine, *pressure, level.pressure, setting, state.exit);
+      level.own->inject(fine, *pressure, level.pressure, *level.grid);
       level.own->linearise(setting, level.pressure, state.exit);
       level.scheme = level.own.get();
       pressure = &level.pressure;
@@ -133,9 +123,10 @@ void Multigrid::down(std::size_t index, double load_error, Counters& counters) {
     level.band.solve(d);
     Array& P = level.step.P;
     P[0] = P[n] = 0;
-    for (int j = 1; j < n; ++j) P[j] = 2 * d[j - 1] - (j > 1 ? d[j - 2] : 0.0) - (j < n - 1 ? d[j] : 0.0);
+    const Array& per = level.grid->by_slope;
+    for (int j = 1; j < n; ++j) P[j] = per[j] * (2 * d[j - 1] - (j > 1 ? d[j - 2] : 0.0) - (j < n - 1 ? d[j] : 0.0));
     double load_change = 0;
-    level.scheme->apply(level.step, *level.kernel, counters, level.change, load_change);
+    level.scheme->apply(level.step, *level.grid, counters, level.change, load_change);
     level.error -= level.change;
     load_error -= load_change;
   } else {

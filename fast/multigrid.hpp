@@ -19,22 +19,12 @@ namespace ehd::fast {
 
 class Multigrid {
  public:
-  static constexpr int coarsest = 64;  ///< dense from here on; 32 and 128 measured no better
-
-  /// Kernels by number of intervals, made once and kept.
-  class Kernels {
-   public:
-    [[nodiscard]] Convolution& of(int intervals);
-    [[nodiscard]] double planning_s() const;
-    [[nodiscard]] long count() const { return static_cast<long>(kernels_.size()); }
-
-   private:
-    std::vector<std::pair<int, std::unique_ptr<Convolution>>> kernels_;
-  };
+  /// Dense from here on: uniform grids, where 32 and 128 measured no better, and mapped ones.
+  static constexpr int coarsest_uniform = 64, coarsest_mapped = 32;
 
   /// Linearises every level at the iterate of `finest` (which is linearised already). False where the coarsest matrix
   /// is singular.
-  [[nodiscard]] bool prepare(const Setting& setting, const Discretisation& finest, const State& state, Kernels& kernels);
+  [[nodiscard]] bool prepare(const Setting& setting, const Discretisation& finest, const State& state, Grids& grids);
   /// step = approximately J^-1 (flux error, load error).
   void cycle(const Array& flux_error, double load_error, Step& step, Counters& counters);
 
@@ -42,7 +32,7 @@ class Multigrid {
   struct Level {
     const Discretisation* scheme = nullptr;
     std::unique_ptr<Discretisation> own;  ///< on coarse levels
-    Convolution* kernel = nullptr;
+    Grid* grid = nullptr;
     Array pressure;
     Banded band;
     bool smooths = true;

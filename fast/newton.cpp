@@ -50,7 +50,7 @@ void solve_linear(Workspace& w, const Norm& norm, double relative, Counters& cou
     const Array& v = w.basis[static_cast<std::size_t>(k)];
     w.multigrid.cycle(v.head(n) / norm.by_flux, v[n] / norm.by_load, z, counters);
     double load_change = 0;
-    at.apply(z, w.kernels.of(at.n), counters, w.product, load_change);
+    at.apply(z, w.grids.of(at.n), counters, w.product, load_change);
     ++counters.krylov;
     Array& next = w.basis[static_cast<std::size_t>(k + 1)];
     next.resize(n + 1);
@@ -95,8 +95,8 @@ NewtonResult newton(const Setting& setting, State& state, double tolerance, int 
                     Workspace& w, Counters& counters) {
   NewtonResult result;
   const int n = static_cast<int>(state.P.size()) - 1;
-  Convolution& kernel = w.kernels.of(n);
-  if (!w.now.evaluate(setting, state, kernel, counters)) return result;
+  Grid& grid = w.grids.of(n);
+  if (!w.now.evaluate(setting, state, grid, counters)) return result;
   Step step;
   int poor_steps = 0, refreshes = 0;
   for (;; ++result.iterations) {
@@ -107,7 +107,7 @@ NewtonResult newton(const Setting& setting, State& state, double tolerance, int 
       if (std::abs(fresh.pressure - state.tail.pressure) > tolerance * fresh.pressure) {
         ++refreshes;
         state.tail = fresh;
-        if (!w.now.evaluate(setting, state, kernel, counters)) return result;
+        if (!w.now.evaluate(setting, state, grid, counters)) return result;
         result.residual = residual_of(w.now);
       }
     }
@@ -125,7 +125,7 @@ NewtonResult newton(const Setting& setting, State& state, double tolerance, int 
     }
     ++counters.newton;
     w.now.linearise(setting, state.P, state.exit);
-    if (!w.multigrid.prepare(setting, w.now, state, w.kernels)) return result;
+    if (!w.multigrid.prepare(setting, w.now, state, w.grids)) return result;
     const Norm norm(w.now);
     const double before = norm.of(w.now);
     solve_linear(w, norm, 0.1, counters, step);
@@ -145,7 +145,7 @@ NewtonResult newton(const Setting& setting, State& state, double tolerance, int 
       w.candidate.offset = state.offset + length * step.offset;
       w.candidate.exit = state.exit + length * step.exit;
       if (w.candidate.exit <= setting.inlet / 2) continue;
-      if (!w.trial.evaluate(setting, w.candidate, kernel, counters)) continue;
+      if (!w.trial.evaluate(setting, w.candidate, grid, counters)) continue;
       if ((w.trial.H < 0.2 * w.now.H).any()) continue;
       const double after = norm.of(w.trial);
       if (!(after < before)) continue;

@@ -12,7 +12,7 @@ namespace ehd::fast {
 
 /// What a caller may keep between solves: FFT plans, kernel tables and every array of a solve. One thread at a time.
 struct Workspace {
-  Multigrid::Kernels kernels;
+  Grids grids;
   Multigrid multigrid;
   Discretisation now, trial;
   State candidate;

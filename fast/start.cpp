@@ -29,29 +29,42 @@ double first_exit(Shape shape, double film) {
   return shape == Shape::hertz ? 1 + 0.45 * std::pow(std::min(1.0, film), 2.0 / 3) : martin_exit * std::sqrt(2 * film);
 }
 
-State first_iterate(const Setting& setting, Shape shape, double film, int n, Convolution& kernel) {
+double offset_for(double film, const Setting& setting, const State& state, Grid& grid) {
+  const double length = state.exit - setting.inlet;
+  Array product;
+  double integral = 0;
+  grid.product(state.P, product, integral);
+  // The node nearest to X = 0.
+  Eigen::Index centre = 0;
+  (setting.inlet + length * grid.place).abs().minCoeff(&centre);
+  const double X = setting.inlet + length * grid.place[centre];
+  return film - X * X / 2 + length * (product[centre] + std::log(length) * integral) / pi;
+}
+
+State first_iterate(const Setting& setting, Shape shape, double film, Grid& grid) {
   State state;
+  const int n = grid.n;
   const double width = std::sqrt(2 * film);
   state.exit = first_exit(shape, film);
-  const double h = (state.exit - setting.inlet) / n;
+  const double length = state.exit - setting.inlet;
+  const Array X = setting.inlet + length * grid.place;
   state.P.setZero(n + 1);
   const double flux = 1 + martin_exit * martin_exit;  // gap at the exit over the smallest, where dP/dX = 0
   // Martin: dP/dy ~ 1/(1+y^2)^2 - flux/(1+y^2)^3, y = X/width, integrated from the exit inwards.
   for (int i = n - 1; i > 0; --i) {
-    const double X = setting.inlet + i * h;
     if (shape == Shape::hertz) {
-      state.P[i] = std::sqrt(std::max(0.0, 1 - X * X));
+      state.P[i] = std::sqrt(std::max(0.0, 1 - X[i] * X[i]));
     } else {
-      const double y = (X + h / 2) / width, gap = 1 + y * y;
-      state.P[i] = std::max(0.0, state.P[i + 1] - (1 - flux / gap) / (gap * gap));
+      const double y = (X[i] + X[i + 1]) / (2 * width), gap = 1 + y * y;
+      state.P[i] = std::max(0.0, state.P[i + 1] - (X[i + 1] - X[i]) * (1 - flux / gap) / (gap * gap));
     }
   }
-  state.P *= pi / 2 / (h * state.P.sum());
+  state.P *= pi / 2 / (length / n * (grid.slope * state.P).sum());
   // The far inlet's own pressure, lambda 4/(3 x^3), less what a cut takes away: without it the first faces, whose
   // conductance grows as x^6, would dominate every norm.
   const double cut = setting.with_tail ? 0 : 1 / std::pow(-setting.inlet, 3);
   for (int i = 1; i < n; ++i) {
-    const double x = -(setting.inlet + i * h), far = std::max(1.5, 2 * width);
+    const double x = -X[i], far = std::max(1.5, 2 * width);
     if (x < far) break;
     state.P[i] = std::max(state.P[i], setting.groups.lambda * 4 / 3 * (1 / (x * x * x) - cut));
   }
@@ -60,11 +73,7 @@ State first_iterate(const Setting& setting, Shape shape, double film, int n, Con
     state.tail = inlet_tail(far, film - 0.6 - std::log(far) / 2, 0, film, setting.groups.lambda,
                             ambient_slope(setting.viscosity));
   }
-  Array deflection;
-  kernel.apply(state.P, deflection);
-  const int centre = std::clamp(static_cast<int>(std::lround(-setting.inlet / h)), 0, n);
-  const double X = setting.inlet + centre * h;
-  state.offset = film - X * X / 2 + (h * deflection[centre] + h * std::log(h) * state.P.sum()) / pi;
+  state.offset = offset_for(film, setting, state, grid);
   return state;
 }
 

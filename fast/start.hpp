@@ -23,8 +23,11 @@ enum class Shape { hertz, martin };
 [[nodiscard]] double first_exit(Shape shape, double film);
 
 /// Hertz's pressure, or the pressure of a rigid cylinder (Martin) of film `film`, its size scaled to the load: P on
-/// n + 1 nodes, X*, and H_0 such that the film at X = 0 is `film`.
-[[nodiscard]] State first_iterate(const Setting& setting, Shape shape, double film, int n, Convolution& kernel);
+/// the grid's nodes, X*, and H_0 such that the film at X = 0 is `film`.
+[[nodiscard]] State first_iterate(const Setting& setting, Shape shape, double film, Grid& grid);
+
+/// H_0 with which the pressure of `state` (without a tail) leaves the film `film` at X = 0.
+[[nodiscard]] double offset_for(double film, const Setting& setting, const State& state, Grid& grid);
 
 /// The iterate on a grid with `n` intervals by cubic interpolation; pressure kept >= 0.
 [[nodiscard]] State interpolate_to(const State& coarse, int n);

@@ -134,7 +134,7 @@ bool continuation(Run& run, int n, double tolerance, NewtonResult& result) {
     State trial;
     if (reached < 0) {
       const Lengths mild = expected_lengths(run.setting.groups);
-      trial = first_iterate(run.setting, likely_shape(mild.film), mild.film, n, run.workspace.kernels.of(n));
+      trial = first_iterate(run.setting, likely_shape(mild.film), mild.film, run.workspace.grids.of(n));
     } else {
       trial = state;
     }
@@ -161,7 +161,7 @@ bool start(Run& run, int n, double tolerance, NewtonResult& result) {
   const std::pair<Shape, double> attempts[] = {{likely, 1.0}, {likely, 2.0}, {likely, 0.5},
                                                {likely, 4.0}, {other, 1.0},  {other, 2.0}};
   for (const auto& [shape, factor] : attempts) {
-    State state = first_iterate(run.setting, shape, factor * film, n, run.workspace.kernels.of(n));
+    State state = first_iterate(run.setting, shape, factor * film, run.workspace.grids.of(n));
     result = newton_on(run, state, tolerance);
     if (run.limit_reached) return false;
     if (succeeded(result, run, state)) {
@@ -174,7 +174,7 @@ bool start(Run& run, int n, double tolerance, NewtonResult& result) {
 
 Fields fields_of(const Run& run) {
   const Discretisation& at = run.workspace.now;
-  return {.X = Array::LinSpaced(at.n + 1, run.setting.inlet, run.state.exit),
+  return {.X = at.places(run.setting.inlet),
           .P = run.state.P,
           .H = at.H,
           .density = at.density.value,
@@ -212,8 +212,9 @@ Solution Uniform::solve(const Problem& problem, const Request& request) const {
 
 Solution Uniform::solve(const Problem& problem, const Request& request, Workspace& workspace) const {
   const auto begin = Clock::now();
-  const double planning_before = workspace.kernels.planning_s();
-  const long plans_before = workspace.kernels.count();
+  workspace.grids.use(nullptr);
+  const double planning_before = workspace.grids.planning_s();
+  const long plans_before = workspace.grids.plans();
   const Lengths lengths = expected_lengths(problem.groups);
   const auto* const cut = std::get_if<TruncatedAt>(&problem.inlet);
   const FloodedInlet far = flooded_inlet(request.tolerance.value_or(0));
@@ -363,7 +364,7 @@ Solution Uniform::solve(const Problem& problem, const Request& request, Workspac
   }
 
   Cost& cost = record.cost;
-  cost.planning_s = workspace.kernels.planning_s() - planning_before;
+  cost.planning_s = workspace.grids.planning_s() - planning_before;
   cost.nodes = solved ? record.grids.back().nodes : 0;
   cost.levels = static_cast<int>(record.grids.size());
   cost.convolutions = run.counters.convolutions;
@@ -372,7 +373,7 @@ Solution Uniform::solve(const Problem& problem, const Request& request, Workspac
   cost.krylov_iterations = run.counters.krylov;
   cost.viscosity_points = run.counters.viscosity_points;
   cost.density_points = run.counters.density_points;
-  cost.fft_plans = workspace.kernels.count() - plans_before;
+  cost.fft_plans = workspace.grids.plans() - plans_before;
   cost.wall_s = std::chrono::duration<double>(Clock::now() - begin).count() - cost.planning_s;
   return solution;
 }

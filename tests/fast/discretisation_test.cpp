@@ -36,15 +36,16 @@ BOOST_AUTO_TEST_CASE(hertz_pressure_leaves_a_flat_gap_with_the_declared_order) {
   setting.inlet = -2;
   std::vector<double> logs_h, logs_e;
   for (const int n : {128, 256, 512, 1024}) {
-    Convolution kernel(n);
+    Grids grids;
+    Grid& grid = grids.of(n);
     Counters counters;
     Discretisation scheme;
     State state;
     state.P = hertz::pressure(Array::LinSpaced(n + 1, -2.0, 2.0));
     state.offset = hertz::dry_offset() + 0.25;
     state.exit = 2;
-    BOOST_REQUIRE(scheme.evaluate(setting, state, kernel, counters));
-    logs_h.push_back(std::log(scheme.h));
+    BOOST_REQUIRE(scheme.evaluate(setting, state, grid, counters));
+    logs_h.push_back(std::log(scheme.length / n));
     logs_e.push_back(std::log(std::abs(scheme.H[n / 2] - 0.25)));
   }
   BOOST_REQUIRE_EQUAL(logs_h.size(), 4u);
@@ -67,11 +68,12 @@ BOOST_AUTO_TEST_CASE(jacobian_product_is_the_derivative_of_the_residual) {
     Setting setting = setting_of_seven_and_six();
     if (sourced) setting.sources = std::make_shared<const Sources>(sources);
     constexpr int n = 96;
-    Convolution kernel(n);
+    Grids grids;
+    Grid& grid = grids.of(n);
     Counters counters;
-    State state = first_iterate(setting, Shape::hertz, 0.21, n, kernel);
+    State state = first_iterate(setting, Shape::hertz, 0.21, grid);
     Discretisation at;
-    BOOST_REQUIRE(at.evaluate(setting, state, kernel, counters));
+    BOOST_REQUIRE(at.evaluate(setting, state, grid, counters));
     at.linearise(setting, state.P, state.exit);
 
     std::mt19937 random(5);
@@ -85,7 +87,7 @@ BOOST_AUTO_TEST_CASE(jacobian_product_is_the_derivative_of_the_residual) {
       }
       Array change;
       double load_change = 0;
-      at.apply(step, kernel, counters, change, load_change);
+      at.apply(step, grid, counters, change, load_change);
       // Central differences at two widths, extrapolated: error O(width^4) + eps/width.
       const auto difference = [&](double width, double& load) {
         State up = state, down = state;
@@ -93,8 +95,8 @@ BOOST_AUTO_TEST_CASE(jacobian_product_is_the_derivative_of_the_residual) {
         up.offset += width * step.offset, down.offset -= width * step.offset;
         up.exit += width * step.exit, down.exit -= width * step.exit;
         Discretisation a, b;
-        BOOST_REQUIRE(a.evaluate(setting, up, kernel, counters));
-        BOOST_REQUIRE(b.evaluate(setting, down, kernel, counters));
+        BOOST_REQUIRE(a.evaluate(setting, up, grid, counters));
+        BOOST_REQUIRE(b.evaluate(setting, down, grid, counters));
         load = (a.load_error - b.load_error) / (2 * width);
         return Array((a.e - b.e) / (2 * width));
       };
@@ -112,14 +114,15 @@ BOOST_AUTO_TEST_CASE(trivial_laws_are_not_evaluated) {
   Setting setting = setting_of_seven_and_six();
   setting.viscosity = Isoviscous{};
   setting.density = Incompressible{};
-  Convolution kernel(64);
+  Grids grids;
+  Grid& grid = grids.of(64);
   Counters counters;
-  State state = first_iterate(setting, Shape::hertz, 0.2, 64, kernel);
+  State state = first_iterate(setting, Shape::hertz, 0.2, grid);
   Discretisation at;
-  BOOST_REQUIRE(at.evaluate(setting, state, kernel, counters));
+  BOOST_REQUIRE(at.evaluate(setting, state, grid, counters));
   BOOST_CHECK_EQUAL(counters.viscosity_points, 0);
   BOOST_CHECK_EQUAL(counters.density_points, 0);
-  BOOST_REQUIRE(at.evaluate(setting_of_seven_and_six(), state, kernel, counters));
+  BOOST_REQUIRE(at.evaluate(setting_of_seven_and_six(), state, grid, counters));
   BOOST_CHECK_EQUAL(counters.viscosity_points, 65);
   BOOST_CHECK_EQUAL(counters.density_points, 65);
 }

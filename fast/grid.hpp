@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A grid on [X_a, X*], X_i = X_a + (X* - X_a) phi_i with phi_i = phi(i/n), and the kernel product on it. The exit moves
+// while Newton runs; the map phi does not. fast.uniform: phi(s) = s. fast: a Map.
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "contact/array.hpp"
+#include "fast/convolution.hpp"
+#include "fast/map.hpp"
+#include "fast/smooth_remainder.hpp"
+
+namespace ehd::fast {
+
+struct Grid {
+  int n = 0;
+  Array place;     ///< phi_i, n + 1
+  Array slope;     ///< phi'_i, n + 1
+  Array by_slope;  ///< 1/phi'_i
+  Array spacing;   ///< phi_(i+1) - phi_i, n
+  Array by_spacing;
+  /// k of the wedge at each node, f_(i+1/2) = f_i + [(1+k)(f_(i+1) - f_i) + (1-k)(f_i - f_(i-1))]/4; n.
+  Array bias;
+  Array first_column;  ///< what P_0 adds to the product: the first node's own half
+  double first_weight = 0;  ///< and to the integral
+
+  /// y_i = Sum_j K_ij P_j over j = 1..n-1, and the integral S of P over phi, so that
+  /// Int P ln|X_i - X'| dX' = l (y_i + ln l S) on [X_a, X*], l = X* - X_a. P_0 and P_n are ignored.
+  void product(const Array& P, Array& y, double& integral);
+  /// K_ij for 0 < j < n, dense; made once.
+  [[nodiscard]] const Eigen::MatrixXd& dense();
+  /// The Toeplitz part's weight between nodes k apart, for g = phi' P.
+  [[nodiscard]] double weight(int k) const { return toeplitz->weight(k); }
+
+  Convolution* toeplitz = nullptr;
+  std::optional<SmoothRemainder> remainder;
+
+ private:
+  Array density_;  ///< phi' P
+  Eigen::MatrixXd dense_;
+};
+
+/// The grids of a workspace, by number of intervals; FFT plans outlive maps.
+class Grids {
+ public:
+  /// The uniform grid (an empty map), or grids of this map from now on.
+  void use(std::shared_ptr<const Map> map, bool robust_wedge = false);
+  [[nodiscard]] Grid& of(int intervals);
+  [[nodiscard]] const Map* map() const { return map_.get(); }
+  [[nodiscard]] double planning_s() const;
+  [[nodiscard]] long plans() const { return static_cast<long>(kernels_.size()); }
+
+ private:
+  struct Kernel {
+    int intervals;
+    Rule rule;
+    std::unique_ptr<Convolution> convolution;
+  };
+  [[nodiscard]] Convolution& kernel(int intervals, Rule rule);
+  [[nodiscard]] std::shared_ptr<const RemainderTable> table(int cells);
+
+  std::shared_ptr<const Map> map_;
+  bool robust_wedge_ = false;
+  std::vector<Kernel> kernels_;
+  std::vector<std::unique_ptr<Grid>> uniform_, mapped_;
+  std::vector<std::shared_ptr<const RemainderTable>> tables_;
+};
+
+}  // namespace ehd::fast

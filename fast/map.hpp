@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The map of the mapped grid: where its nodes stand.
+//
+//   s(X) ~ asinh(X/(0.7 l)) + asinh((X + l)/(d l)) + 3 atan((X + l(1 + d))/(2 d l)) + asinh((X - X_sp)/w_sp)
+//
+// one term for the whole contact, two for the inlet zone at X = -l of width d l, one for the spike; scaled to s = 0 at
+// the inlet and s = 1 at the exit. Nodes stand at equal steps of s.
+#pragma once
+
+#include "contact/array.hpp"
+
+namespace ehd::fast {
+
+/// What the map is made for, in Hertz half-widths.
+struct MapShape {
+  double inlet = -4;       ///< X_a
+  double exit = 1;         ///< X* that is expected
+  double scale = 1;        ///< l: half the width of the loaded zone
+  double inlet_width = 1;  ///< d: width of the inlet zone over l, min(1, H_cen)^(2/3)
+  double spike = 1;        ///< X_sp
+  double spike_width = 1;  ///< w_sp
+};
+
+class Map {
+ public:
+  explicit Map(const MapShape& shape);
+
+  [[nodiscard]] const MapShape& shape() const { return shape_; }
+  /// s, 0 at the inlet and 1 at the exit; beyond them where X is.
+  [[nodiscard]] double operator()(double X) const;
+  /// ds/dX.
+  [[nodiscard]] double slope(double X) const;
+
+  /// X at s = 0, 1/n, …, 1: Newton from cubic interpolation of twice as coarse nodes, to rounding.
+  [[nodiscard]] Array nodes(int n) const;
+  /// ds/dX at each of X.
+  [[nodiscard]] Array slopes(const Array& X) const;
+
+ private:
+  [[nodiscard]] double raw(double X) const;
+  [[nodiscard]] double inverse(double s, double guess, double low, double high) const;
+
+  MapShape shape_;
+  double first_ = 0, range_ = 1;
+};
+
+}  // namespace ehd::fast

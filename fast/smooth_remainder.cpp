@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fast/smooth_remainder.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ehd::fast {
+
+RemainderTable RemainderTable::of(const Array& place, const Array& slope) {
+  const Eigen::Index cells = place.size() - 1;
+  RemainderTable table{.cells = static_cast<int>(cells), .values = Eigen::MatrixXd(cells + 1, cells + 1)};
+  Array ratios(cells + 1);
+  const Array steps = Array::LinSpaced(cells + 1, 0, static_cast<double>(cells)) / static_cast<double>(cells);
+  for (Eigen::Index j = 0; j <= cells; ++j) {
+    const Eigen::Index below = cells - j;  // the lower triangle, mirrored
+    auto column = ratios.tail(below + 1);
+    column = place.tail(below + 1) - place[j];
+    column.tail(below) /= steps.segment(1, below);
+    column[0] = slope[j];
+    table.values.col(j).tail(below + 1) = column.log();
+    table.values.row(j).tail(below) = table.values.col(j).tail(below).transpose();
+  }
+  return table;
+}
+
+SmoothRemainder::SmoothRemainder(int n, std::shared_ptr<const RemainderTable> table)
+    : n_(n), direct_(table->cells == n), table_(std::move(table)) {
+  if (direct_) return;
+  const int cells = table_->cells, order = std::min(points, cells + 1);
+  base_.resize(static_cast<std::size_t>(n + 1));
+  pattern_.resize(static_cast<std::size_t>(n + 1));
+  const bool periodic = n % cells == 0;
+  const int parts = periodic ? n / cells : 1;
+  std::vector<int> known(static_cast<std::size_t>(points * parts), -1);
+  for (int i = 0; i <= n; ++i) {
+    const double at = static_cast<double>(i) * cells / n;
+    const int cell = std::min(static_cast<int>(static_cast<long>(i) * cells / n), cells - 1);
+    const int base = std::clamp(cell - (order / 2 - 1), 0, cells + 1 - order);
+    int* known_pattern = nullptr;
+    if (periodic && i < n) {
+      known_pattern = &known[static_cast<std::size_t>((cell - base) * parts + i % parts)];
+      base_[static_cast<std::size_t>(i)] = base;
+      if (*known_pattern >= 0) {
+        pattern_[static_cast<std::size_t>(i)] = *known_pattern;
+        continue;
+      }
+    }
+    base_[static_cast<std::size_t>(i)] = base;
+    Weights w = Weights::Zero();
+    for (int a = 0; a < order; ++a) {
+      double product = 1;
+      for (int b = 0; b < order; ++b) {
+        if (b != a) product *= (at - base - b) / (a - b);
+      }
+      w[a] = product;
+    }
+    pattern_[static_cast<std::size_t>(i)] = static_cast<int>(weights_.size());
+    if (known_pattern) *known_pattern = pattern_[static_cast<std::size_t>(i)];
+    weights_.push_back(w);
+  }
+}
+
+void SmoothRemainder::add(const Array& x, Array& y) const {
+  if (direct_) {
+    y.matrix().noalias() += table_->values * x.matrix();
+    return;
+  }
+  const int cells = table_->cells;
+  in_.setZero(cells + 1 + points);  // the last few take what short tables' padding weights (zeros) add
+  for (int i = 0; i <= n_;) {
+    const int base = base_[static_cast<std::size_t>(i)];
+    Weights sum = Weights::Zero();
+    for (; i <= n_ && base_[static_cast<std::size_t>(i)] == base; ++i) sum += weights(i) * x[i];
+    in_.segment<points>(base) += sum.matrix();
+  }
+  out_.setZero(cells + 1 + points);
+  out_.head(cells + 1).noalias() = table_->values * in_.head(cells + 1);
+  for (int i = 0; i <= n_; ++i)
+    y[i] += (weights(i) * out_.segment<points>(base_[static_cast<std::size_t>(i)]).array()).sum();
+}
+
+double SmoothRemainder::entry(int i, int j) const {
+  if (direct_) return table_->values(i, j);
+  const int a = base_[static_cast<std::size_t>(i)], b = base_[static_cast<std::size_t>(j)];
+  double sum = 0;
+  for (int k = 0; k < points && a + k <= table_->cells; ++k) {
+    for (int m = 0; m < points && b + m <= table_->cells; ++m)
+      sum += weights(i)[k] * weights(j)[m] * table_->values(a + k, b + m);
+  }
+  return sum;
+}
+
+}  // namespace ehd::fast
