@@ -37,11 +37,10 @@ double Map::inverse(double s, double guess, double low, double high) const {
   double X = guess > low && guess < high ? guess : (low + high) / 2;
   for (int step = 0; step < 100; ++step) {
     const double error = (*this)(X) - s;
+    const double next = X - error / slope(X);
+    if (std::abs(error) < 1e-9) return next;  // quadratic: this step leaves rounding alone
     (error > 0 ? high : low) = X;
-    double next = X - error / slope(X);
-    if (!(next > low && next < high)) next = (low + high) / 2;
-    X = next;
-    if (std::abs(error) < 1e-9) break;  // quadratic: the step just made leaves rounding alone
+    X = next > low && next < high ? next : (low + high) / 2;
   }
   return X;
 }

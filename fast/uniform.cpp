@@ -9,7 +9,7 @@
 #include "contact/estimate.hpp"
 #include "contact/observables.hpp"
 #include "contact/scaling.hpp"
-#include "fast/start.hpp"
+#include "fast/run.hpp"
 
 namespace ehd::fast {
 
@@ -48,67 +48,6 @@ struct FloodedInlet {
 constexpr double truncation_of_work = 20, truncation_of_offset = 5;
 FloodedInlet flooded_inlet(double tolerance) {
   return tolerance > 0 && tolerance < 2e-5 ? FloodedInlet{8, 1e-7} : FloodedInlet{4, 3e-6};
-}
-
-/// Everything that one solve carries from grid to grid.
-struct Run {
-  const Problem& problem;
-  Setting setting;
-  Workspace& workspace;
-  Limits limits;
-  Counters counters = {};
-  Lengths lengths;
-  State state = {};
-  bool has_state = false;
-  bool limit_reached = false;
-
-  [[nodiscard]] double cells(int n, double exit) const { return lengths.inlet * n / (exit - setting.inlet); }
-};
-
-/// P >= 0 and a film that opens at the exit: the conditions that tracking the exit leaves to be checked.
-bool admissible(const Discretisation& at, const State& state) {
-  const int n = at.n;
-  return state.P.minCoeff() >= -1e-3 && at.density.value[n] * at.H[n] >= at.density.value[n - 1] * at.H[n - 1];
-}
-
-NewtonResult newton_on(Run& run, State& state, double tolerance) {
-  const NewtonResult result = newton(run.setting, state, tolerance, 60, run.limits, run.workspace, run.counters);
-  if (result.end == NewtonEnd::limit) run.limit_reached = true;
-  return result;
-}
-
-bool succeeded(const NewtonResult& result, const Run& run, const State& state) {
-  return (result.end == NewtonEnd::converged || result.end == NewtonEnd::stalled) &&
-         admissible(run.workspace.now, state);
-}
-
-/// Where a sharpening spike stops Newton on a finer grid: with a floor under the fluidity, lowered to nothing.
-bool lower_floor(Run& run, State& state, double tolerance, NewtonResult& result) {
-  const Setting target = run.setting;
-  State reached = state;
-  double floor = 1e-2, factor = 0.1;
-  bool any = false;
-  while (!run.limit_reached) {
-    const bool last = floor < 1e-16;
-    run.setting.fluidity_floor = last ? 0 : floor;
-    State trial = reached;
-    result = newton_on(run, trial, last ? tolerance : 1e-5);
-    if (succeeded(result, run, trial)) {
-      reached = trial;
-      any = true;
-      if (last) break;
-      floor *= factor;
-    } else {
-      if (!any || factor > 0.7) break;
-      floor /= factor;
-      factor = std::sqrt(factor);
-      floor *= factor;
-    }
-  }
-  const bool success = run.setting.fluidity_floor == 0 && any && succeeded(result, run, reached);
-  run.setting = target;
-  if (success) state = reached;
-  return success;
 }
 
 /// The last resort: from a mild contact (M at most 20, L at most 5) to the one asked for, in steps of one parameter.
@@ -172,21 +111,6 @@ bool start(Run& run, int n, double tolerance, NewtonResult& result) {
   return continuation(run, n, tolerance, result);
 }
 
-Fields fields_of(const Run& run) {
-  const Discretisation& at = run.workspace.now;
-  return {.X = at.places(run.setting.inlet),
-          .P = run.state.P,
-          .H = at.H,
-          .density = at.density.value,
-          .log_viscosity = at.log_viscosity.value,
-          .flux = at.flux,
-          .offset = run.state.offset,
-          .load_beyond_inlet = run.state.tail.load,
-          .work_beyond_inlet = run.state.tail.work};
-}
-
-bool is_absolute(Quantity quantity) { return quantity == Quantity::film_offset || quantity == Quantity::approach; }
-
 /// What the grids say of one quantity; infinite where only one grid has it.
 double discretisation_error(const std::vector<GridRecord>& grids, Quantity quantity) {
   std::vector<double> values;
@@ -226,9 +150,7 @@ Solution Uniform::solve(const Problem& problem, const Request& request, Workspac
                       .with_tail = !cut,
                       .sources = problem.sources},
           .workspace = workspace,
-          .limits = {.newton_iterations = request.max_iterations,
-                     .deadline = begin + std::chrono::duration_cast<Clock::duration>(
-                                             std::chrono::duration<double>(std::min(request.time_limit_s, 1e6)))},
+          .limits = limits_of(request, begin),
           .lengths = lengths};
   Wanted wanted = problem.wanted;
   wanted.insert({Quantity::film_minimum, Quantity::film_central});
@@ -363,18 +285,9 @@ Solution Uniform::solve(const Problem& problem, const Request& request, Workspac
     record.status = StopReason::converged;
   }
 
-  Cost& cost = record.cost;
-  cost.planning_s = workspace.grids.planning_s() - planning_before;
-  cost.nodes = solved ? record.grids.back().nodes : 0;
-  cost.levels = static_cast<int>(record.grids.size());
-  cost.convolutions = run.counters.convolutions;
-  cost.work_units = cost.nodes > 0 ? run.counters.convolution_points / cost.nodes : 0;
-  cost.newton_iterations = run.counters.newton;
-  cost.krylov_iterations = run.counters.krylov;
-  cost.viscosity_points = run.counters.viscosity_points;
-  cost.density_points = run.counters.density_points;
-  cost.fft_plans = workspace.grids.plans() - plans_before;
-  cost.wall_s = std::chrono::duration<double>(Clock::now() - begin).count() - cost.planning_s;
+  record.cost.nodes = solved ? record.grids.back().nodes : 0;
+  record.cost.levels = static_cast<int>(record.grids.size());
+  fill(record.cost, run, begin, planning_before, plans_before);
   return solution;
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 
+#include "fast/mapped.hpp"
 #include "fast/uniform.hpp"
 #include "reference/graded.hpp"
 #include "reference/high_order.hpp"
@@ -38,7 +39,7 @@ const std::vector<RegisteredSolver>& solvers() {
       entry<reference::HighOrder>(false, certified_memory),
       entry<reference::Graded>(false, dense_memory),
       entry<reference::Uniform>(false, dense_memory),
-      entry<fast::Uniform>(true, vector_memory, "fast"),
+      entry<fast::Mapped>(true, vector_memory),
       entry<fast::Uniform>(true, vector_memory),
   };
   return list;

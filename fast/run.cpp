@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fast/run.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ehd::fast {
+
+using Clock = std::chrono::steady_clock;
+
+namespace {
+
+/// P >= 0 and a film that opens at the exit: the conditions that tracking the exit leaves to be checked.
+bool admissible(const Discretisation& at, const State& state) {
+  const int n = at.n;
+  return state.P.minCoeff() >= -1e-3 && at.density.value[n] * at.H[n] >= at.density.value[n - 1] * at.H[n - 1];
+}
+
+}  // namespace
+
+Limits limits_of(const Request& request, Clock::time_point begin) {
+  return {.newton_iterations = request.max_iterations,
+          .deadline = begin + std::chrono::duration_cast<Clock::duration>(
+                                  std::chrono::duration<double>(std::min(request.time_limit_s, 1e6)))};
+}
+
+NewtonResult newton_on(Run& run, State& state, double tolerance) {
+  const NewtonResult result = newton(run.setting, state, tolerance, 60, run.limits, run.workspace, run.counters);
+  if (result.end == NewtonEnd::limit) run.limit_reached = true;
+  return result;
+}
+
+bool succeeded(const NewtonResult& result, const Run& run, const State& state) {
+  return (result.end == NewtonEnd::converged || result.end == NewtonEnd::stalled) &&
+         admissible(run.workspace.now, state);
+}
+
+bool lower_floor(Run& run, State& state, double tolerance, NewtonResult& result) {
+  const Setting target = run.setting;
+  State reached = state;
+  double floor = 1e-2, factor = 0.1;
+  bool any = false;
+  while (!run.limit_reached) {
+    const bool last = floor < 1e-16;
+    run.setting.fluidity_floor = last ? 0 : floor;
+    State trial = reached;
+    result = newton_on(run, trial, last ? tolerance : 1e-5);
+    if (succeeded(result, run, trial)) {
+      reached = trial;
+      any = true;
+      if (last) break;
+      floor *= factor;
+    } else {
+      if (!any || factor > 0.7) break;
+      floor /= factor;
+      factor = std::sqrt(factor);
+      floor *= factor;
+    }
+  }
+  const bool success = run.setting.fluidity_floor == 0 && any && succeeded(result, run, reached);
+  run.setting = target;
+  if (success) state = reached;
+  return success;
+}
+
+Fields fields_of(const Run& run) {
+  const Discretisation& at = run.workspace.now;
+  return {.X = at.places(run.setting.inlet),
+          .P = run.state.P,
+          .H = at.H,
+          .density = at.density.value,
+          .log_viscosity = at.log_viscosity.value,
+          .flux = at.flux,
+          .offset = run.state.offset,
+          .load_beyond_inlet = run.state.tail.load,
+          .work_beyond_inlet = run.state.tail.work};
+}
+
+bool is_absolute(Quantity quantity) { return quantity == Quantity::film_offset || quantity == Quantity::approach; }
+
+void fill(Cost& cost, const Run& run, Clock::time_point begin, double planning_before, long plans_before) {
+  const Workspace& workspace = run.workspace;
+  cost.planning_s = workspace.grids.planning_s() - planning_before;
+  cost.convolutions = run.counters.convolutions;
+  cost.work_units = cost.nodes > 0 ? run.counters.convolution_points / cost.nodes : 0;
+  cost.newton_iterations = run.counters.newton;
+  cost.krylov_iterations = run.counters.krylov;
+  cost.viscosity_points = run.counters.viscosity_points;
+  cost.density_points = run.counters.density_points;
+  cost.fft_plans = workspace.grids.plans() - plans_before;
+  cost.wall_s = std::chrono::duration<double>(Clock::now() - begin).count() - cost.planning_s;
+}
+
+}  // namespace ehd::fast
