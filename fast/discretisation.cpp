@@ -48,7 +48,7 @@ bool Discretisation::evaluate(const Setting& setting, State& state, Grid& on, Co
   ++counters.convolutions;
   counters.convolution_points += n;
   if (setting.with_tail) {
-    deflection += P[0] * on.first_column;
+    deflection += P[0] * on.first_column();
     integral += P[0] * on.first_weight;
   }
   deflection = length * (deflection + std::log(length) * integral);

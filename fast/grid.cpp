@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fast/grid.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace ehd::fast {
@@ -9,7 +10,7 @@ namespace {
 
 /// Cells of the remainder's table for n intervals. Against the dense product at M = 5000 (tests): 128 cells err by 3e-7
 /// of H_cen, 256 by less than 1e-9.
-int table_cells(int n) { return n <= 256 ? n : n <= 1024 ? 128 : 256; }
+int table_cells(int n) { return n <= 128 ? n : n <= 1024 ? 128 : 256; }
 
 }  // namespace
 
@@ -23,6 +24,17 @@ void Grid::product(const Array& P, Array& y, double& integral) {
   const double sum = density_.sum();
   integral = h * sum;
   y = h * y + h * std::log(h) * sum;
+}
+
+const Array& Grid::first_column() {
+  if (first_column_.size() > 0) return first_column_;
+  Array unit = Array::Zero(n + 1);
+  unit[0] = 1;
+  first_column_.setConstant(n + 1, -std::log(static_cast<double>(n)));
+  if (remainder) remainder->add(unit, first_column_);
+  for (int i = 0; i <= n; ++i) first_column_[i] = first_column_[i] / 2 + toeplitz->inner_half_weight(i);
+  first_column_ *= slope[0] / n;
+  return first_column_;
 }
 
 const Eigen::MatrixXd& Grid::dense() {
@@ -43,6 +55,25 @@ void Grids::use(std::shared_ptr<const Map> map, bool robust_wedge) {
   robust_wedge_ = robust_wedge;
   mapped_.clear();
   tables_.clear();
+  nodes_.clear();
+}
+
+const Array& Grids::nodes(int n) {
+  const auto known = std::find_if(nodes_.begin(), nodes_.end(), [&](const Array& X) { return X.size() == n + 1; });
+  if (known != nodes_.end()) return *known;
+  const auto find = [&](auto wanted) {
+    return std::find_if(nodes_.begin(), nodes_.end(), [&](const Array& X) { return wanted(static_cast<int>(X.size()) - 1); });
+  };
+  Array made;
+  if (const auto finer = find([&](int m) { return m > n && m % n == 0; }); finer != nodes_.end()) {
+    made = (*finer)(Eigen::seqN(0, n + 1, (finer->size() - 1) / n));
+  } else if (const auto coarser = find([&](int m) { return 2 * m == n; }); coarser != nodes_.end()) {
+    made = map_->refined(*coarser);
+  } else {
+    made = map_->nodes(n);
+  }
+  nodes_.push_back(std::move(made));
+  return nodes_.back();
 }
 
 Convolution& Grids::kernel(int intervals, Rule rule) {
@@ -63,9 +94,16 @@ std::shared_ptr<const RemainderTable> Grids::table(int cells) {
   for (const auto& one : tables_) {
     if (one->cells == cells) return one;
   }
+  const auto finer = std::find_if(tables_.begin(), tables_.end(), [&](const auto& one) { return one->cells % cells == 0; });
+  if (finer != tables_.end()) {
+    const auto every = Eigen::seqN(0, cells + 1, (*finer)->cells / cells);
+    tables_.push_back(std::make_shared<const RemainderTable>(
+        RemainderTable{.cells = cells, .values = (*finer)->values(every, every)}));
+    return tables_.back();
+  }
   const MapShape& shape = map_->shape();
   const double length = shape.exit - shape.inlet;
-  const Array X = map_->nodes(cells);
+  const Array& X = nodes(cells);
   tables_.push_back(std::make_shared<const RemainderTable>(
       RemainderTable::of((X - shape.inlet) / length, (map_->slopes(X) * length).inverse())));
   return tables_.back();
@@ -82,13 +120,13 @@ Grid& Grids::of(int intervals) {
   if (map_) {
     const MapShape& shape = map_->shape();
     const double length = shape.exit - shape.inlet;
-    const Array X = map_->nodes(n);
+    const Array& X = nodes(n);
     grid.place = (X - shape.inlet) / length;
     grid.slope = (map_->slopes(X) * length).inverse();
     grid.spacing = (X.tail(n) - X.head(n)) / length;
     // Third order where the inlet's pressure rises, upwind where the spike may stand.
     const double at_spike = robust_wedge_ ? -1 : -0.5;
-    grid.bias = 0.5 - (0.5 - at_spike) / 2 * (1 + (4 * X.head(n)).tanh());
+    grid.bias = 0.5 - (0.5 - at_spike) / 2 * (2 - 2 / (1 + (8 * X.head(n)).exp()));
     grid.toeplitz = &kernel(n, Rule::corrected_trapezoid);
     grid.remainder.emplace(n, table(table_cells(n)));
   } else {
@@ -100,13 +138,7 @@ Grid& Grids::of(int intervals) {
   }
   grid.by_slope = grid.slope.inverse();
   grid.by_spacing = grid.spacing.inverse();
-  const double h = 1.0 / n, log_h = std::log(h);
-  grid.first_weight = h * grid.slope[0] / 2;
-  grid.first_column.resize(n + 1);
-  for (int i = 0; i <= n; ++i) {
-    const double beside = grid.remainder ? grid.remainder->entry(i, 0) : 0;
-    grid.first_column[i] = h * grid.slope[0] * (grid.toeplitz->inner_half_weight(i) + (beside + log_h) / 2);
-  }
+  grid.first_weight = grid.slope[0] / n / 2;
   return grid;
 }
 

@@ -25,12 +25,13 @@ struct Grid {
   Array by_spacing;
   /// k of the wedge at each node, f_(i+1/2) = f_i + [(1+k)(f_(i+1) - f_i) + (1-k)(f_i - f_(i-1))]/4; n.
   Array bias;
-  Array first_column;  ///< what P_0 adds to the product: the first node's own half
-  double first_weight = 0;  ///< and to the integral
+  double first_weight = 0;  ///< what P_0 adds to the integral: the first node's own half
 
   /// y_i = Sum_j K_ij P_j over j = 1..n-1, and the integral S of P over phi, so that
   /// Int P ln|X_i - X'| dX' = l (y_i + ln l S) on [X_a, X*], l = X* - X_a. P_0 and P_n are ignored.
   void product(const Array& P, Array& y, double& integral);
+  /// What P_0 adds to the product; made once.
+  [[nodiscard]] const Array& first_column();
   /// K_ij for 0 < j < n, dense; made once.
   [[nodiscard]] const Eigen::MatrixXd& dense();
   /// The Toeplitz part's weight between nodes k apart, for g = phi' P.
@@ -41,6 +42,7 @@ struct Grid {
 
  private:
   Array density_;  ///< phi' P
+  Array first_column_;
   Eigen::MatrixXd dense_;
 };
 
@@ -62,12 +64,15 @@ class Grids {
   };
   [[nodiscard]] Convolution& kernel(int intervals, Rule rule);
   [[nodiscard]] std::shared_ptr<const RemainderTable> table(int cells);
+  /// The map's nodes; from the finest made so far where that holds them.
+  [[nodiscard]] const Array& nodes(int n);
 
   std::shared_ptr<const Map> map_;
   bool robust_wedge_ = false;
   std::vector<Kernel> kernels_;
   std::vector<std::unique_ptr<Grid>> uniform_, mapped_;
   std::vector<std::shared_ptr<const RemainderTable>> tables_;
+  std::vector<Array> nodes_;
 };
 
 }  // namespace ehd::fast

@@ -27,10 +27,49 @@ double Map::slope(double X) const {
          range_;
 }
 
+namespace {
+
+/// asinh to rounding of the larger of 1 and the result: what a sum of such terms needs.
+Array asinh_of(const Array& y, const Array& root) { return (y.abs() + root).log() * y.sign(); }
+
+/// atan: three half angles bring |y| below tan(pi/16) = 0.199; there the series' next term is below 1e-18.
+Array atan_of(const Array& y, const Array& root) {
+  Array t = y / (1 + root);
+  t = t / (1 + (1 + t * t).sqrt());
+  t = t / (1 + (1 + t * t).sqrt());
+  const Array q = t * t;
+  Array sum = Array::Constant(y.size(), 1.0 / 25);
+  for (int k = 23; k >= 1; k -= 2) sum = 1.0 / k - q * sum;
+  return 8 * t * sum;
+}
+
+}  // namespace
+
+void Map::evaluate(const Array& X, Array& s, Array& slope) const {
+  const auto& [inlet, exit, l, d, spike, width] = shape_;
+  Array y = X / (0.7 * l), root = (1 + y * y).sqrt();
+  s = asinh_of(y, root) - first_;
+  slope = (root * (0.7 * l)).inverse();
+  y = (X + l) / (d * l);
+  root = (1 + y * y).sqrt();
+  s += asinh_of(y, root);
+  slope += (root * (d * l)).inverse();
+  y = (X + l * (1 + d)) / (2 * d * l);
+  root = (1 + y * y).sqrt();
+  s += 3 * atan_of(y, root);
+  slope += 3 / (2 * d * l) * (1 + y * y).inverse();
+  y = (X - spike) / width;
+  root = (1 + y * y).sqrt();
+  s += asinh_of(y, root);
+  slope += (root * width).inverse();
+  s /= range_;
+  slope /= range_;
+}
+
 Array Map::slopes(const Array& X) const {
-  Array result(X.size());
-  for (Eigen::Index i = 0; i < X.size(); ++i) result[i] = slope(X[i]);
-  return result;
+  Array s, slope;
+  evaluate(X, s, slope);
+  return slope;
 }
 
 double Map::inverse(double s, double guess, double low, double high) const {
@@ -45,24 +84,37 @@ double Map::inverse(double s, double guess, double low, double high) const {
   return X;
 }
 
+Array Map::refined(const Array& coarse) const {
+  const Eigen::Index m = coarse.size() - 1, n = 2 * m;
+  Array s, slope = slopes(coarse).inverse();
+  // The cubic through both neighbours and their slopes, then Newton.
+  const Array low = coarse.head(m), high = coarse.tail(m);
+  Array X = ((low + high) / 2 + (slope.head(m) - slope.tail(m)) / (4.0 * static_cast<double>(n))).max(low).min(high);
+  const Array target = Array::LinSpaced(m, 1, static_cast<double>(n - 1)) / static_cast<double>(n);
+  double largest = 1;
+  for (int step = 0; step < 4 && !(largest < 1e-9); ++step) {
+    evaluate(X, s, slope);
+    s -= target;
+    largest = s.abs().maxCoeff();
+    X = (X - s / slope).max(low).min(high);  // quadratic: from 1e-9 this leaves rounding alone
+  }
+  if (!(largest < 1e-9)) {
+    for (Eigen::Index i = 0; i < m; ++i) X[i] = inverse(target[i], X[i], low[i], high[i]);
+  }
+  Array all(n + 1);
+  all(Eigen::seqN(0, m + 1, 2)) = coarse;
+  all(Eigen::seqN(1, m, 2)) = X;
+  return all;
+}
+
 Array Map::nodes(int n) const {
+  if (n > 32 && n % 2 == 0) return refined(nodes(n / 2));
   Array X(n + 1);
   X[0] = shape_.inlet;
   X[n] = shape_.exit;
-  if (n <= 32 || n % 2 == 1) {
-    for (int i = 1; i < n; ++i) {
-      const double before = X[i - 1];
-      X[i] = inverse(static_cast<double>(i) / n, before + 1 / (n * slope(before)), before, shape_.exit);
-    }
-    return X;
-  }
-  const Array coarse = nodes(n / 2);
-  const Array by_slope = slopes(coarse).inverse();
-  for (int i = 0; i < n / 2; ++i) {
-    X[2 * i] = coarse[i];
-    // The cubic through both neighbours and their slopes.
-    const double guess = (coarse[i] + coarse[i + 1]) / 2 + (by_slope[i] - by_slope[i + 1]) / (4.0 * n);
-    X[2 * i + 1] = inverse((2 * i + 1.0) / n, guess, coarse[i], coarse[i + 1]);
+  for (int i = 1; i < n; ++i) {
+    const double before = X[i - 1];
+    X[i] = inverse(static_cast<double>(i) / n, before + 1 / (n * slope(before)), before, shape_.exit);
   }
   return X;
 }

@@ -31,13 +31,17 @@ class Map {
   /// ds/dX.
   [[nodiscard]] double slope(double X) const;
 
-  /// X at s = 0, 1/n, …, 1: Newton from cubic interpolation of twice as coarse nodes, to rounding.
+  /// X at s = 0, 1/n, …, 1, to rounding.
   [[nodiscard]] Array nodes(int n) const;
+  /// The nodes for twice as many intervals as `coarse` has.
+  [[nodiscard]] Array refined(const Array& coarse) const;
   /// ds/dX at each of X.
   [[nodiscard]] Array slopes(const Array& X) const;
 
  private:
   [[nodiscard]] double raw(double X) const;
+  /// s and ds/dX of many X at once, by vector instructions.
+  void evaluate(const Array& X, Array& s, Array& slope) const;
   [[nodiscard]] double inverse(double s, double guess, double low, double high) const;
 
   MapShape shape_;
