@@ -31,14 +31,15 @@ double first_exit(Shape shape, double film) {
 
 double offset_for(double film, const Setting& setting, const State& state, Grid& grid) {
   const double length = state.exit - setting.inlet;
-  Array product;
+  Array gap;
   double integral = 0;
-  grid.product(state.P, product, integral);
-  // The node nearest to X = 0.
+  grid.product(state.P, gap, integral);
+  const Array X = setting.inlet + length * grid.place;
+  gap = X.square() / 2 - length / pi * (gap + std::log(length) * integral);
+  // The node nearest to X = 0; but a film that an interpolated pressure has spoilt elsewhere must be open.
   Eigen::Index centre = 0;
-  (setting.inlet + length * grid.place).abs().minCoeff(&centre);
-  const double X = setting.inlet + length * grid.place[centre];
-  return film - X * X / 2 + length * (product[centre] + std::log(length) * integral) / pi;
+  X.abs().minCoeff(&centre);
+  return film - std::min(gap[centre], gap.minCoeff() + 0.7 * film);
 }
 
 State first_iterate(const Setting& setting, Shape shape, double film, Grid& grid) {

@@ -26,7 +26,8 @@ enum class Shape { hertz, martin };
 /// the grid's nodes, X*, and H_0 such that the film at X = 0 is `film`.
 [[nodiscard]] State first_iterate(const Setting& setting, Shape shape, double film, Grid& grid);
 
-/// H_0 with which the pressure of `state` (without a tail) leaves the film `film` at X = 0.
+/// H_0 with which the pressure of `state` (without a tail) leaves the film `film` at X = 0, and at
+/// least 0.3 of it everywhere.
 [[nodiscard]] double offset_for(double film, const Setting& setting, const State& state, Grid& grid);
 
 /// The iterate on a grid with `n` intervals by cubic interpolation; pressure kept >= 0.
