@@ -226,7 +226,10 @@ Observables observe(const Fields& fields, const Wanted& wanted) {
   if (want(Quantity::load_error)) {
     double load = fields.load_beyond_inlet;
     for (std::size_t k = 0; k < elements; ++k) load += Element(fields, k).integral(P);
-    if (!polynomial) load += ((P.head(last) + P.tail(last)) * (X.tail(last) - X.head(last))).sum() / 2;
+    if (fields.weights.size() > 0)
+      load += (fields.weights * P).sum();
+    else if (!polynomial)
+      load += ((P.head(last) + P.tail(last)) * (X.tail(last) - X.head(last))).sum() / 2;
     seen[Quantity::load_error] = {.value = std::abs(2 * load / std::numbers::pi - 1)};
   }
   if (want(Quantity::flux_variation)) {

@@ -23,6 +23,7 @@ struct Fields {
   /// Where polynomial elements begin, and where the last one ends: nodes elements[k] … elements[k+1] are the
   /// Gauss-Lobatto nodes of one polynomial. Empty for second-order schemes.
   std::vector<Eigen::Index> elements = {};
+  Array weights = {};  ///< of the scheme's own Int … dX on the nodes; empty: the trapezoid rule in X
   double load_beyond_inlet = 0;  ///< Int P dX from -infinity to X_0 (an asymptotic tail), 0 without
   double work_beyond_inlet = 0;  ///< Int H dP/dX dX from -infinity to X_0, likewise
 };

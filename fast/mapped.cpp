@@ -4,22 +4,28 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
+#include <optional>
 
 #include "contact/observables.hpp"
+#include "fast/extrapolation.hpp"
 #include "fast/run.hpp"
 
 namespace ehd::fast {
 
-using std::numbers::pi;
 using Clock = std::chrono::steady_clock;
 
 namespace {
 
 // Iteration stops at this share of the tolerance (see uniform.cpp).
 constexpr double iteration_share = 1.0 / 30;
-constexpr int first_nodes = 64, map_nodes = 128;
-constexpr double reach = 16;  ///< a flooded grid begins at X_a = -reach l
+constexpr int map_nodes = 128;
+constexpr double map_tolerance = 1e-3;  ///< of the solutions that only serve to make a map
+/// A flooded grid begins at X_a = -reach l; the relative film error that the tail beyond it leaves.
+constexpr double reach = 16, truncation_of_films = 1e-8;
+/// What truncation does to other numbers than films, in units of that.
+constexpr double truncation_of_work = 20, truncation_of_offset = 5;
+/// Estimates of a spike's height are multiplied, and what stays vague is left out (see uniform.cpp).
+constexpr double spike_safety = 3, vaguest_spike = 0.05;
 
 /// A way to begin: the first is right nearly always, the others are retries.
 struct Recipe {
@@ -32,9 +38,11 @@ struct Recipe {
 constexpr Recipe recipes[] = {
     {0.02, 0.5, false, 3, 64}, {0.1, 1, false, 3, 64}, {0.1, 1, true, 3, 64}, {0.5, 1, false, 0, 64}, {0.1, 1, true, 3, 128}};
 
+double relative_inlet_width(double film) { return std::pow(std::min(1.0, film), 2.0 / 3); }
+
 MapShape expected_shape(const Run& run) {
   const Lengths& l = run.lengths;
-  const double d = std::pow(std::min(1.0, l.film), 2.0 / 3);
+  const double d = relative_inlet_width(l.film);
   return {.inlet = run.setting.inlet,
           .exit = l.film > 0.5 ? 0.5 * std::sqrt(2 * l.film) : 1 + 0.45 * d,
           .scale = l.scale,
@@ -43,78 +51,70 @@ MapShape expected_shape(const Run& run) {
           .spike_width = 0.5 * d * l.scale};
 }
 
-double film_at_centre(const Run& run) {
-  const Discretisation& at = run.workspace.now;
-  const Array X = at.places(run.setting.inlet);
+/// What a solution, on whichever nodes, has to say to the next map.
+struct Known {
+  Array X, P;
+  double film = 0;  ///< H at the node nearest to X = 0
+};
+
+Known known_of(Array X, Array P, const Array& H) {
   Eigen::Index centre = 0;
   X.abs().minCoeff(&centre);
-  return at.H[centre];
+  const double film = H[centre];
+  return {.X = std::move(X), .P = std::move(P), .film = film};
 }
 
-/// The map that the present solution asks for.
-MapShape shape_of(const Run& run, const Recipe& recipe) {
-  const Discretisation& at = run.workspace.now;
-  const Array X = at.places(run.setting.inlet);
-  const Array& P = run.state.P;
-  const Lengths l = lengths_from_film(film_at_centre(run));
-  const double d = std::pow(std::min(1.0, l.film), 2.0 / 3);
-  int steepest = -1;
-  double fall = 0;
-  for (int i = 0; i < at.n; ++i) {
-    const double slope = (P[i] - P[i + 1]) / (X[i + 1] - X[i]);
-    if (X[i] > 0 && slope > fall) {
-      fall = slope;
-      steepest = i;
-    }
-  }
-  MapShape shape{.inlet = run.setting.inlet, .exit = run.state.exit, .scale = l.scale, .inlet_width = d};
-  if (steepest < 0) {
-    shape.spike = run.state.exit - 0.9 * d * l.scale;
-    shape.spike_width = 0.5 * d * l.scale;
-  } else {
-    const double cell = X[steepest + 1] - X[steepest];
-    shape.spike = (X[steepest] + X[steepest + 1]) / 2;
-    shape.spike_width = std::max(recipe.narrowest * d * l.scale, recipe.cells * cell);
+/// The map that a solution asks for: the spike is where the pressure falls most steeply.
+MapShape shape_for(const Known& known, double inlet, const Recipe& recipe) {
+  const auto& [X, P, film] = known;
+  const Lengths l = lengths_from_film(film);
+  const double d = relative_inlet_width(film), width = d * l.scale;
+  MapShape shape{.inlet = inlet, .exit = X[X.size() - 1], .scale = l.scale, .inlet_width = d};
+  shape.spike = shape.exit - 0.9 * width;
+  shape.spike_width = 0.5 * width;
+  double steepest = 0;
+  for (Eigen::Index i = X.size() - 2; i >= 0 && X[i] > 0; --i) {
+    const double cell = X[i + 1] - X[i], fall = (P[i] - P[i + 1]) / cell;
+    if (!(fall > steepest)) continue;
+    steepest = fall;
+    shape.spike = (X[i] + X[i + 1]) / 2;
+    shape.spike_width = std::max(recipe.narrowest * width, recipe.cells * cell);
   }
   return shape;
 }
 
-/// The pressure of `from`, known on equal steps of `map`, at X.
-class OnMap {
- public:
-  OnMap(const Map& map, const State& from, double inlet)
-      : map_(map), P_(from.P), inlet_(inlet), stretch_((map.shape().exit - inlet) / (from.exit - inlet)) {}
-  [[nodiscard]] double operator()(double X) const {
-    const auto m = static_cast<int>(P_.size()) - 1;
-    const double at = map_(inlet_ + (X - inlet_) * stretch_) * m;
-    if (at >= m) return 0;
-    const int first = std::clamp(static_cast<int>(at) - 1, 0, m - 3);
-    const double t = at - first;
-    const double* const p = P_.data() + first;
-    const double value = -(t - 1) * (t - 2) * (t - 3) / 6 * p[0] + t * (t - 2) * (t - 3) / 2 * p[1] -
-                         t * (t - 1) * (t - 3) / 2 * p[2] + t * (t - 1) * (t - 2) / 6 * p[3];
-    return std::max(0.0, value);
-  }
-
- private:
-  const Map& map_;
-  const Array& P_;
-  double inlet_, stretch_;
-};
-
-/// A new map under the present solution, on n intervals; the film at X = 0 is kept.
-void remap(Run& run, const Recipe& recipe, int n) {
-  const double film = film_at_centre(run);
-  const Map old = *run.workspace.grids.map();
-  const auto fresh = std::make_shared<const Map>(shape_of(run, recipe));
-  const OnMap pressure(old, run.state, run.setting.inlet);
-  run.workspace.grids.use(fresh, recipe.robust_wedge);
+/// A new map under a known solution, on n intervals; the film at X = 0 is kept.
+State on_new_map(Run& run, const Known& known, const InletTail& tail, const Recipe& recipe, int n) {
+  const auto& [X, P, film] = known;
+  const double inlet = run.setting.inlet, exit = X[X.size() - 1];
+  run.workspace.grids.use(std::make_shared<const Map>(shape_for(known, inlet, recipe)), recipe.robust_wedge);
   Grid& grid = run.workspace.grids.of(n);
-  State state{.P = Array::Zero(n + 1), .offset = 0, .exit = run.state.exit, .tail = run.state.tail};
-  const double length = state.exit - run.setting.inlet;
-  for (int i = 1; i < n; ++i) state.P[i] = pressure(run.setting.inlet + length * grid.place[i]);
+  State state{.P = Array::Zero(n + 1), .offset = 0, .exit = exit, .tail = tail};
+  const Eigen::Index last = X.size() - 1;
+  Eigen::Index cell = 0;
+  for (int i = 1; i < n; ++i) {
+    const double at = inlet + (exit - inlet) * grid.place[i];
+    if (at <= X[0]) continue;  // another solution's inlet may begin later: no pressure yet
+    while (cell + 1 < last && X[cell + 1] < at) ++cell;
+    // Cubic Lagrange through the four nodes about the cell.
+    const Eigen::Index first = std::clamp<Eigen::Index>(cell - 1, 0, last - 3);
+    double value = 0;
+    for (Eigen::Index j = first; j < first + 4; ++j) {
+      double basis = 1;
+      for (Eigen::Index k = first; k < first + 4; ++k) {
+        if (k != j) basis *= (at - X[k]) / (X[j] - X[k]);
+      }
+      value += basis * P[j];
+    }
+    state.P[i] = std::max(0.0, value);
+  }
   state.offset = offset_for(film, run.setting, state, grid);
-  run.state = std::move(state);
+  return state;
+}
+
+Known known_now(const Run& run) {
+  const Discretisation& at = run.workspace.now;
+  return known_of(at.places(run.setting.inlet), run.state.P, at.H);
 }
 
 bool first_solution(Run& run, const Recipe& recipe, double tolerance, NewtonResult& result) {
@@ -137,53 +137,199 @@ bool first_solution(Run& run, const Recipe& recipe, double tolerance, NewtonResu
   return false;
 }
 
-/// From nothing to a solution on `map_nodes` intervals of the final map.
-bool start(Run& run, const Recipe& recipe, double tolerance, NewtonResult& result) {
-  if (!first_solution(run, recipe, 1e-3, result)) return false;
-  for (int k = 0; k < recipe.remaps; ++k) {
-    remap(run, recipe, map_nodes);
-    State state = run.state;
-    result = newton_on(run, state, k + 1 == recipe.remaps ? tolerance : 1e-3);
-    if (!succeeded(result, run, state)) {
-      state = run.state;
-      if (!lower_floor(run, state, tolerance, result)) return false;
-    }
-    run.state = std::move(state);
+/// Newton, and where a sharpening spike stops it, with a floor under the fluidity. run.state: the start, then the result.
+bool solve_on(Run& run, double tolerance, NewtonResult& result) {
+  State state = run.state;
+  result = newton_on(run, state, tolerance);
+  if (!succeeded(result, run, state)) {
+    if (run.limit_reached) return false;
+    state = run.state;
+    if (!lower_floor(run, state, tolerance, result)) return false;
+  }
+  run.state = std::move(state);
+  return true;
+}
+
+/// A solution on `map_nodes` intervals of the final map: from nothing, or from the solution of a neighbour.
+bool start(Run& run, const Recipe& recipe, const Solution* from, double tolerance, NewtonResult& result) {
+  int remaps = recipe.remaps;
+  if (from) {
+    run.state = on_new_map(run, known_of(from->fields.X, from->fields.P, from->fields.H), {}, recipe, map_nodes);
+    if (run.setting.with_tail) run.state.tail = first_tail(run.setting, run.lengths.film);
+    remaps = 1;
+    if (!solve_on(run, map_tolerance, result)) return false;
+  } else if (!first_solution(run, recipe, map_tolerance, result)) {
+    return false;
+  }
+  for (; remaps > 0; --remaps) {
+    run.state = on_new_map(run, known_now(run), run.state.tail, recipe, map_nodes);
+    if (!solve_on(run, remaps == 1 ? tolerance : map_tolerance, result)) return false;
   }
   return true;
 }
 
-struct Extrapolated {
-  double value = 0, error = std::numeric_limits<double>::infinity();
-};
-/// R_n = (4 f_n - f_(n/2))/3 and what it may be off by, absolute.
-Extrapolated extrapolate(const std::vector<GridRecord>& grids, Quantity quantity) {
-  std::vector<double> f;
+/// A quantity over the grids of the final map; a single infinite error where the finest grid alone has it.
+std::optional<Limit> limit_of(const std::vector<GridRecord>& grids, Quantity quantity) {
+  std::vector<double> values;
   for (const GridRecord& grid : grids) {
     const auto found = grid.observed.find(quantity);
     if (found == grid.observed.end()) {
-      f.clear();
+      values.clear();
     } else {
-      f.push_back(found->second.value);
+      values.push_back(found->second.value);
     }
   }
-  const std::size_t m = f.size();
-  if (m == 0) return {};
-  if (m == 1) return {.value = f[0]};
-  const double now = (4 * f[m - 1] - f[m - 2]) / 3;
-  if (m == 2) return {.value = now, .error = std::abs(f[1] - f[0])};
-  const double before = (4 * f[m - 2] - f[m - 3]) / 3;
-  return {.value = now, .error = std::abs(now - before)};
+  if (values.empty()) return std::nullopt;
+  return fast::limit_of(values);
 }
 
-}  // namespace
+/// The numbers of intervals on the final map.
+struct Levels {
+  std::vector<int> given;  ///< with Request::nodes: coarse to fine
+  int last = Mapped::largest_nodes;
+  /// N, N/2, N/4 where they are whole and hold 32 intervals or more: what extrapolation needs.
+  static Levels of(const Request& request) {
+    Levels levels;
+    if (!request.nodes) return levels;
+    levels.last = *request.nodes;
+    levels.given = {levels.last};
+    while (levels.given.size() < 4 && levels.given[0] % 2 == 0 && levels.given[0] >= 2 * fewest)
+      levels.given.insert(levels.given.begin(), levels.given[0] / 2);
+    return levels;
+  }
+  static constexpr int fewest = 32;
+};
 
-Solution Mapped::solve(const Problem& problem, const Request& request) const {
-  Workspace workspace;
-  return solve(problem, request, workspace);
+/// One way through all grids. False where Newton failed before the end.
+struct Climb {
+  std::vector<GridRecord> grids;
+  Fields fields;
+  ErrorBudget film_minimum, film_central;
+  double residual = 0;  ///< the largest of the grids
+  bool complete = false;
+};
+
+class Climber {
+ public:
+  Climber(Run& run, const Request& request, const Wanted& wanted, double truncation)
+      : run_(run), request_(request), wanted_(wanted), truncation_(truncation), levels_(Levels::of(request)) {}
+
+  [[nodiscard]] Climb operator()(const Recipe& recipe, const Solution* from) {
+    Climb climb;
+    NewtonResult result;
+    const double tolerance = request_.tolerance.value_or(0);
+    const double target = request_.nodes ? 1e-11 : std::min(1e-3, tolerance * iteration_share);
+    long newton_before = run_.counters.newton;
+    const bool starts_here = levels_.given.empty() || levels_.given[0] == map_nodes;
+    if (!start(run_, recipe, from, starts_here ? target : map_tolerance, result)) return climb;
+    int n = map_nodes;
+    for (std::size_t k = 0;; ++k) {
+      if (!levels_.given.empty()) {
+        if (k == levels_.given.size()) break;
+        n = levels_.given[k];
+      } else if (k > 0) {
+        if (met(climb) || 2 * n > levels_.last) break;
+        n *= 2;
+      }
+      if (k > 0 || !starts_here) {
+        newton_before = run_.counters.newton;
+        run_.state = interpolate_to(run_.state, n);
+        if (!solve_on(run_, target, result)) return climb;
+      }
+      note(climb, n, result, newton_before, target);
+    }
+    climb.complete = true;
+    return climb;
+  }
+
+  [[nodiscard]] bool met(const Climb& climb) const {
+    const double tolerance = request_.tolerance.value_or(0);
+    return !request_.nodes && climb.film_minimum.total() <= tolerance && climb.film_central.total() <= tolerance;
+  }
+
+  /// Relative, films; the largest of both counts a little for each.
+  [[nodiscard]] static double discretisation(const std::vector<GridRecord>& grids, Quantity film) {
+    const auto relative = [&](Quantity quantity) {
+      const auto limit = limit_of(grids, quantity);
+      return limit ? limit->error / std::abs(limit->value) : std::numeric_limits<double>::infinity();
+    };
+    const double minimum = relative(Quantity::film_minimum), central = relative(Quantity::film_central);
+    const double own = film == Quantity::film_minimum ? minimum : central;
+    // A central film that lies outside the grid says nothing.
+    const double largest = std::isfinite(central) ? std::max(minimum, central) : minimum;
+    return std::max(own, shared(grids.size()) * largest);
+  }
+
+ private:
+  void note(Climb& climb, int n, const NewtonResult& result, long newton_before, double target) {
+    climb.fields = fields_of(run_);
+    GridRecord grid{.nodes = n,
+                    .newton_iterations = static_cast<int>(run_.counters.newton - newton_before),
+                    .residual = result.residual,
+                    .observed = observe(climb.fields, wanted_)};
+    const double film = grid.observed.at(Quantity::film_minimum).value;
+    const Lengths l = lengths_from_film(film);
+    const auto edge = std::lower_bound(climb.fields.X.begin(), climb.fields.X.end(), -l.scale) - climb.fields.X.begin();
+    const auto right = std::clamp<Eigen::Index>(edge, 1, n);
+    grid.inlet_cells = l.inlet / (climb.fields.X[right] - climb.fields.X[right - 1]);
+    climb.grids.push_back(std::move(grid));
+    climb.residual = std::max({climb.residual, result.residual, request_.nodes ? 0 : target});
+    const auto budget = [&](Quantity quantity) {
+      return ErrorBudget{.discretisation = discretisation(climb.grids, quantity),
+                         .iteration = climb.residual,
+                         .truncation = truncation_};
+    };
+    climb.film_minimum = budget(Quantity::film_minimum);
+    climb.film_central = budget(Quantity::film_central);
+  }
+
+  Run& run_;
+  const Request& request_;
+  const Wanted& wanted_;
+  double truncation_;
+  Levels levels_;
+};
+
+/// The limits of the grids with their errors.
+Observables limits_of_grids(const Climb& climb, const Problem& problem, SolveRecord& record) {
+  Observables result = climb.grids.back().observed;
+  for (auto& [quantity, reading] : result) {
+    if (quantity == Quantity::load_error || quantity == Quantity::flux_variation) continue;
+    const auto limit = limit_of(climb.grids, quantity);
+    if (climb.grids.size() > 1 && limit) reading.value = limit->value;
+    const bool absolute = is_absolute(quantity);
+    ErrorBudget budget = climb.film_central;
+    budget.discretisation = limit ? limit->error / (absolute ? 1 : std::abs(limit->value)) : std::numeric_limits<double>::infinity();
+    if (quantity == Quantity::film_minimum) budget = climb.film_minimum;
+    if (quantity == Quantity::film_central) budget = climb.film_central;
+    if (quantity == Quantity::film_couette)
+      budget.discretisation = std::max(budget.discretisation, shared(climb.grids.size()) * climb.film_central.discretisation);
+    if (quantity == Quantity::rolling_force) budget.truncation *= truncation_of_work;
+    if (absolute) budget.truncation *= truncation_of_offset;
+    reading.error = budget.total();
+    if (!std::isfinite(*reading.error)) reading.error.reset();
+  }
+  // A spike is reported with its uncertainty or not at all; nor is a pressure maximum that is the spike.
+  const auto spike = result.find(Quantity::pressure_spike);
+  if (spike != result.end()) {
+    if (spike->second.error) *spike->second.error *= spike_safety;
+    if (!(spike->second.error.value_or(1) < vaguest_spike)) {
+      if (problem.wanted.contains(Quantity::pressure_spike))
+        record.notes.push_back("pressure.spike is left out: its height is not known to 5 %");
+      const auto maximum = result.find(Quantity::pressure_maximum);
+      if (maximum != result.end() && maximum->second.place == spike->second.place) {
+        result.erase(maximum);
+        if (problem.wanted.contains(Quantity::pressure_maximum))
+          record.notes.push_back("pressure.maximum is left out: it is the spike");
+      }
+      result.erase(spike);
+    }
+  }
+  std::erase_if(result, [&](const auto& entry) { return !problem.wanted.contains(entry.first); });
+  return result;
 }
 
-Solution Mapped::solve(const Problem& problem, const Request& request, Workspace& workspace) const {
+Solution solve_mapped(const Problem& problem, const Request& request, Workspace& workspace, const Solution* from) {
   const auto begin = Clock::now();
   const double planning_before = workspace.grids.planning_s();
   const long plans_before = workspace.grids.plans();
@@ -201,64 +347,62 @@ Solution Mapped::solve(const Problem& problem, const Request& request, Workspace
           .lengths = lengths};
   Wanted wanted = problem.wanted;
   wanted.insert({Quantity::film_minimum, Quantity::film_central});
-  const double tolerance = request.tolerance.value_or(0);
-  const double target = request.nodes ? 1e-11 : std::min(1e-3, tolerance * iteration_share);
-  const int last = request.nodes.value_or(largest_nodes);
 
   Solution solution;
   SolveRecord& record = solution.record;
-  NewtonResult result;
-  bool started = false;
+  Climber climber(run, request, wanted, cut ? 0 : truncation_of_films);
+  Climb best;
+  if (from && from->fields.X.size() >= 4) best = climber(recipes[0], from);
   for (const Recipe& recipe : recipes) {
-    started = start(run, recipe, target, result);
-    if (getenv("EHD_TRACE")) fprintf(stderr, "start %d newton %ld\n", started, run.counters.newton);
-    if (started || run.limit_reached) break;
+    if (best.complete || run.limit_reached) break;
+    Climb climb = climber(recipe, nullptr);
+    if (climb.complete || climb.grids.size() > best.grids.size()) best = std::move(climb);
   }
-  const auto record_grid = [&](int n, long newton_before) {
-    solution.fields = fields_of(run);
-    GridRecord grid{.nodes = n,
-                    .newton_iterations = static_cast<int>(run.counters.newton - newton_before),
-                    .residual = result.residual,
-                    .observed = observe(solution.fields, wanted)};
-    record.grids.push_back(std::move(grid));
-    for (auto& [quantity, budget] : {std::pair{Quantity::film_minimum, &record.film_minimum},
-                                    std::pair{Quantity::film_central, &record.film_central}}) {
-      const Extrapolated e = extrapolate(record.grids, quantity);
-      *budget = {.discretisation = e.error / std::abs(e.value), .iteration = std::max(result.residual, target), .truncation = 0};
-    }
-    if (getenv("EHD_TRACE")) fprintf(stderr, "n %d newton %ld krylov %ld res %.2e Hmin %.3e Hcen %.3e\n", n, run.counters.newton-newton_before, run.counters.krylov, result.residual, record.film_minimum.discretisation, record.film_central.discretisation);
-  };
-  if (started) {
-    record_grid(map_nodes, run.counters.newton);
-    for (int n = 2 * map_nodes; n <= last; n *= 2) {
-      if (!request.nodes && record.film_minimum.total() <= tolerance && record.film_central.total() <= tolerance) break;
-      const long newton_before = run.counters.newton;
-      State state = interpolate_to(run.state, n);
-      result = newton_on(run, state, target);
-      bool solved = succeeded(result, run, state);
-      if (!solved && !run.limit_reached) {
-        state = interpolate_to(run.state, n);
-        solved = lower_floor(run, state, target, result);
-        if (getenv("EHD_TRACE")) fprintf(stderr, "floor: %d\n", solved);
-      }
-      if (!solved) break;
-      run.state = std::move(state);
-      record_grid(n, newton_before);
-    }
-    solution.observables = record.grids.back().observed;
-    for (auto& [quantity, reading] : solution.observables) {
-      const Extrapolated e = extrapolate(record.grids, quantity);
-      reading.value = e.value;
-      reading.error = is_absolute(quantity) ? e.error : e.error / std::abs(e.value);
-    }
-    std::erase_if(solution.observables, [&](const auto& entry) { return !problem.wanted.contains(entry.first); });
-    record.status = record.film_minimum.total() <= tolerance && record.film_central.total() <= tolerance ? StopReason::converged : StopReason::tolerance_not_met;
-    if (request.nodes) record.status = StopReason::converged;
+
+  record.grids = std::move(best.grids);
+  best.grids = record.grids;
+  const bool solved = !record.grids.empty();
+  if (solved) {
+    solution.fields = std::move(best.fields);
+    record.film_minimum = best.film_minimum;
+    record.film_central = best.film_central;
+    solution.observables = limits_of_grids(best, problem, record);
   }
-  record.cost.nodes = started ? record.grids.back().nodes : 0;
+  if (run.limit_reached) {
+    record.status = StopReason::limit_reached;
+    record.reason = "the limit on iterations or time was reached";
+  } else if (!solved) {
+    record.status = StopReason::diverged;
+    record.reason = "Newton found no admissible solution from any start";
+  } else if (!best.complete) {
+    record.status = StopReason::tolerance_not_met;
+    record.reason = "Newton does not converge beyond " + std::to_string(record.grids.back().nodes) + " intervals";
+  } else if (!request.nodes && !climber.met(best)) {
+    record.status = StopReason::tolerance_not_met;
+    record.reason = "the finest grid's estimated error is above the tolerance";
+  } else {
+    record.status = StopReason::converged;
+  }
+  record.cost.nodes = solved ? record.grids.back().nodes : 0;
   record.cost.levels = static_cast<int>(record.grids.size());
   fill(record.cost, run, begin, planning_before, plans_before);
   return solution;
+}
+
+}  // namespace
+
+Solution Mapped::solve(const Problem& problem, const Request& request) const {
+  Workspace workspace;
+  return solve_mapped(problem, request, workspace, nullptr);
+}
+
+Solution Mapped::solve(const Problem& problem, const Request& request, Workspace& workspace) const {
+  return solve_mapped(problem, request, workspace, nullptr);
+}
+
+Solution Mapped::solve(const Problem& problem, const Request& request, Workspace& workspace,
+                       const Solution& start) const {
+  return solve_mapped(problem, request, workspace, &start);
 }
 
 }  // namespace ehd::fast

@@ -63,6 +63,18 @@ bool lower_floor(Run& run, State& state, double tolerance, NewtonResult& result)
   return success;
 }
 
+namespace {
+
+/// Of the load's own sum, l Int P dphi.
+Array weights_of(const Discretisation& at) {
+  Array weights = at.length / at.n * at.grid->slope;
+  weights[0] /= 2;
+  weights[at.n] /= 2;
+  return weights;
+}
+
+}  // namespace
+
 Fields fields_of(const Run& run) {
   const Discretisation& at = run.workspace.now;
   return {.X = at.places(run.setting.inlet),
@@ -72,6 +84,7 @@ Fields fields_of(const Run& run) {
           .log_viscosity = at.log_viscosity.value,
           .flux = at.flux,
           .offset = run.state.offset,
+          .weights = run.workspace.grids.map() ? weights_of(at) : Array(),
           .load_beyond_inlet = run.state.tail.load,
           .work_beyond_inlet = run.state.tail.work};
 }

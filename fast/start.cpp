@@ -42,6 +42,12 @@ double offset_for(double film, const Setting& setting, const State& state, Grid&
   return film - std::min(gap[centre], gap.minCoeff() + 0.7 * film);
 }
 
+InletTail first_tail(const Setting& setting, double film) {
+  const double far = -setting.inlet;
+  return inlet_tail(far, film - 0.6 - std::log(far) / 2, 0, film, setting.groups.lambda,
+                    ambient_slope(setting.viscosity));
+}
+
 State first_iterate(const Setting& setting, Shape shape, double film, Grid& grid) {
   State state;
   const int n = grid.n;
@@ -69,11 +75,7 @@ State first_iterate(const Setting& setting, Shape shape, double film, Grid& grid
     if (x < far) break;
     state.P[i] = std::max(state.P[i], setting.groups.lambda * 4 / 3 * (1 / (x * x * x) - cut));
   }
-  if (setting.with_tail) {
-    const double far = -setting.inlet;
-    state.tail = inlet_tail(far, film - 0.6 - std::log(far) / 2, 0, film, setting.groups.lambda,
-                            ambient_slope(setting.viscosity));
-  }
+  if (setting.with_tail) state.tail = first_tail(setting, film);
   state.offset = offset_for(film, setting, state, grid);
   return state;
 }

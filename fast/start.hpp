@@ -26,6 +26,9 @@ enum class Shape { hertz, martin };
 /// the grid's nodes, X*, and H_0 such that the film at X = 0 is `film`.
 [[nodiscard]] State first_iterate(const Setting& setting, Shape shape, double film, Grid& grid);
 
+/// The tail that goes with a film at X = 0.
+[[nodiscard]] InletTail first_tail(const Setting& setting, double film);
+
 /// H_0 with which the pressure of `state` (without a tail) leaves the film `film` at X = 0, and at
 /// least 0.3 of it everywhere.
 [[nodiscard]] double offset_for(double film, const Setting& setting, const State& state, Grid& grid);

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fast/extrapolation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ehd::fast {
+
+Limit limit_of(const std::vector<double>& f) {
+  const std::size_t m = f.size();
+  if (m == 1) return {.value = f[0], .error = std::numeric_limits<double>::infinity()};
+  // From the finest grid backwards: R(0), R(1), …
+  const auto R = [&](std::size_t back) { return (4 * f[m - 1 - back] - f[m - 2 - back]) / 3; };
+  if (m == 2) return {.value = R(0), .error = std::abs(f[1] - f[0])};
+  const auto r = [&](std::size_t back) { return R(back) - R(back + 1); };
+  const auto S = [&](std::size_t back) { return (8 * R(back) - R(back + 1)) / 7; };
+  if (m == 3) return {.value = S(0), .error = std::max(std::abs(r(0)), std::abs(f[2] - f[1]) / 20)};
+
+  const double move = std::abs(S(0) - S(1));
+  const auto regular = [&](std::size_t back) {
+    const double ratio = r(back + 1) / r(back);
+    return ratio >= 6 && ratio <= 11;
+  };
+  if (regular(0) && (m == 4 || regular(1))) return {.value = S(0), .error = std::max(2 * move, std::abs(r(0)) / 4)};
+  double error = move, share = 1.5;
+  for (std::size_t back = 0; back + 3 <= m && back < 4; ++back, share /= 4)
+    error = std::max(error, share * std::abs(r(back)));
+  return {.value = S(0), .error = error};
+}
+
+}  // namespace ehd::fast

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The limit of a sequence of grids of one map, each with twice the intervals of the one before.
+#pragma once
+
+#include <vector>
+
+namespace ehd::fast {
+
+struct Limit {
+  double value = 0;
+  double error = 0;  ///< absolute; infinite for a single grid
+};
+
+/// `values`: coarse to fine, f_1 .. f_m, m >= 1. Errors of the mapped scheme fall as h^2 and then h^3:
+///   R_k = (4 f_k - f_(k-1))/3,  S_k = (8 R_k - R_(k-1))/7,  r_k = R_k - R_(k-1).
+/// The value is f_1, R_2, then S_m. Its error:
+///   m = 2: |f_2 - f_1|;  m = 3: max(|r_3|, |f_3 - f_2|/20)
+///   m >= 4, the last ratio (from m = 5 the last two) r_(k-1)/r_k between 6 and 11 (8 for smooth solutions):
+///     max(2 |S_m - S_(m-1)|, |r_m|/4)
+///   else max(1.5 |r_m|, 1.5 |r_(m-1)|/4, .. over four moves, |S_m - S_(m-1)|): a spike passes through the grids.
+/// Calibrated on 464 problems (16 M of 0.05..5000, 8 L of 0..30, Roelands compressible and Barus, cut and flooded) on
+/// grids of 256 to 8192: with what `shared` adds it covers 97.6 % .. 99.6 % of the errors of the smallest film on every
+/// grid and 99.3 % of the central film's, at a median of 5 to 100 times the true one.
+[[nodiscard]] Limit limit_of(const std::vector<double>& values);
+
+/// A small move by chance proves nothing: each error is at least this share of the largest relative error of the films.
+[[nodiscard]] constexpr double shared(std::size_t grids) { return grids > 2 ? 0.1 : 0.3; }
+
+}  // namespace ehd::fast
