@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "contact/array.hpp"
@@ -78,6 +79,7 @@ struct Cost {
   long viscosity_points = 0;  ///< nodes at which a viscosity law needed an exponential or power
   long density_points = 0;    ///< nodes at which a density law was evaluated
   long fft_plans = 0;
+  std::vector<std::pair<std::string, double>> stage_s = {};  ///< name, seconds: where wall_s went, where it is known
 };
 
 struct SolveRecord {

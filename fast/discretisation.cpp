@@ -35,6 +35,7 @@ inline LogMean log_mean_with_slopes(double u, double v, double d) {
 }  // namespace
 
 bool Discretisation::evaluate(const Setting& setting, State& state, Grid& on, Counters& counters) {
+  const InStage residual_stage(counters, Stage::residual);
   n = on.n;
   grid = &on;
   length = state.exit - setting.inlet;
@@ -44,7 +45,9 @@ bool Discretisation::evaluate(const Setting& setting, State& state, Grid& on, Co
   // Film by the pressure on the grid; the first node's own half comes with the tail.
   const InletTail& tail = state.tail;
   P[0] = setting.with_tail ? tail.pressure : 0;
+  counters.clock.change_to(Stage::product);
   on.product(P, deflection, integral);
+  counters.clock.change_to(Stage::residual);
   ++counters.convolutions;
   counters.convolution_points += n;
   if (setting.with_tail) {
@@ -74,6 +77,7 @@ bool Discretisation::evaluate(const Setting& setting, State& state, Grid& on, Co
   }
   if (!(H.minCoeff() > 0) || !H.allFinite()) return false;
 
+  counters.clock.change_to(Stage::laws);
   ehd::evaluate(setting.viscosity, P, log_viscosity);
   ehd::evaluate(setting.density, P, density);
   if (is_trivial(setting.viscosity)) {
@@ -83,6 +87,8 @@ bool Discretisation::evaluate(const Setting& setting, State& state, Grid& on, Co
     counters.viscosity_points += n + 1;
   }
   if (!is_trivial(setting.density)) counters.density_points += n + 1;
+
+  counters.clock.change_to(Stage::residual);
 
   // Faces.
   eps.resize(n);
@@ -222,7 +228,9 @@ void Discretisation::linearise(const Setting& setting, const Array& P, double ex
 
 void Discretisation::apply(const Step& step, Grid& on, Counters& counters, Array& change, double& load_change) const {
   double change_of_integral = 0;
+  const Stage before = counters.clock.change_to(Stage::product);
   on.product(step.P, product_, change_of_integral);
+  counters.clock.change_to(before);
   ++counters.convolutions;
   counters.convolution_points += n;
   const double constant = step.offset - length * std::log(length) * change_of_integral / pi, scale = length / pi;

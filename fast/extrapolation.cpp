@@ -22,7 +22,9 @@ Limit limit_of(const std::vector<double>& f) {
     const double ratio = r(back + 1) / r(back);
     return ratio >= 6 && ratio <= 11;
   };
-  if (regular(0) && (m == 4 || regular(1))) return {.value = S(0), .error = std::max(2 * move, std::abs(r(0)) / 4)};
+  // One ratio may be near 8 by chance.
+  if (regular(0) && m == 4) return {.value = S(0), .error = std::max(2 * move, std::abs(r(0)))};
+  if (regular(0) && regular(1)) return {.value = S(0), .error = std::max(2 * move, std::abs(r(0)) / 4)};
   double error = move, share = 1.5;
   for (std::size_t back = 0; back + 3 <= m && back < 4; ++back, share /= 4)
     error = std::max(error, share * std::abs(r(back)));

@@ -87,8 +87,10 @@ MapShape shape_for(const Known& known, double inlet, const Recipe& recipe) {
 State on_new_map(Run& run, const Known& known, const InletTail& tail, const Recipe& recipe, int n) {
   const auto& [X, P, film] = known;
   const double inlet = run.setting.inlet, exit = X[X.size() - 1];
+  const Stage before = run.counters.clock.change_to(Stage::grids);
   run.workspace.grids.use(std::make_shared<const Map>(shape_for(known, inlet, recipe)), recipe.robust_wedge);
   Grid& grid = run.workspace.grids.of(n);
+  run.counters.clock.change_to(before);
   State state{.P = Array::Zero(n + 1), .offset = 0, .exit = exit, .tail = tail};
   const Eigen::Index last = X.size() - 1;
   Eigen::Index cell = 0;
@@ -118,9 +120,10 @@ Known known_now(const Run& run) {
 }
 
 bool first_solution(Run& run, const Recipe& recipe, double tolerance, NewtonResult& result) {
-  auto map = std::make_shared<const Map>(expected_shape(run));
-  run.workspace.grids.use(map, recipe.robust_wedge);
+  const Stage before = run.counters.clock.change_to(Stage::grids);
+  run.workspace.grids.use(std::make_shared<const Map>(expected_shape(run)), recipe.robust_wedge);
   Grid& grid = run.workspace.grids.of(recipe.first);
+  run.counters.clock.change_to(before);
   const double film = run.lengths.film;
   const Shape likely = likely_shape(film), other = likely == Shape::hertz ? Shape::martin : Shape::hertz;
   const std::pair<Shape, double> attempts[] = {{likely, 1.0}, {likely, 2.0}, {likely, 0.5},

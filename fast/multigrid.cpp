@@ -73,7 +73,9 @@ bool Multigrid::assemble_dense(const Level& level) {
   return dense_.allFinite() && factors_.matrixLU().diagonal().cwiseAbs().minCoeff() > 0;
 }
 
-bool Multigrid::prepare(const Setting& setting, const Discretisation& finest, const State& state, Grids& grids) {
+bool Multigrid::prepare(const Setting& setting, const Discretisation& finest, const State& state, Grids& grids,
+                        Counters& counters) {
+  const InStage stage(counters, Stage::factorise);
   used_ = 0;
   const Array* pressure = &state.P;
   const int coarsest = grids.map() ? coarsest_mapped : coarsest_uniform;
@@ -86,15 +88,20 @@ bool Multigrid::prepare(const Setting& setting, const Discretisation& finest, co
     } else {
       if (!level.own) level.own = std::make_unique<Discretisation>();
       const Discretisation& fine = *levels_[used_ - 1].scheme;
+      counters.clock.change_to(Stage::linearise);
       level.own->inject(fine, *pressure, level.pressure, *level.grid);
       level.own->linearise(setting, level.pressure, state.exit);
+      counters.clock.change_to(Stage::factorise);
       level.scheme = level.own.get();
       pressure = &level.pressure;
     }
     level.error.resize(n);
     level.step.P.setZero(n + 1);
     ++used_;
-    if (n <= coarsest + coarsest / 2) return assemble_dense(level);
+    if (n <= coarsest + coarsest / 2) {
+      counters.clock.change_to(Stage::coarsest);
+      return assemble_dense(level);
+    }
     assemble_band(level);
   }
 }
@@ -112,7 +119,10 @@ void Multigrid::solve_dense(Level& level, double load_error) {
 
 void Multigrid::down(std::size_t index, double load_error, Counters& counters) {
   Level& level = levels_[index];
-  if (index + 1 == used_) return solve_dense(level, load_error);
+  if (index + 1 == used_) {
+    const InStage stage(counters, Stage::coarsest);
+    return solve_dense(level, load_error);
+  }
   const int n = level.scheme->n;
 
   // Smooth.
@@ -167,6 +177,7 @@ void Multigrid::down(std::size_t index, double load_error, Counters& counters) {
 }
 
 void Multigrid::cycle(const Array& flux_error, double load_error, Step& step, Counters& counters) {
+  const InStage stage(counters, Stage::smooth);
   levels_[0].error = flux_error;
   down(0, load_error, counters);
   step = levels_[0].step;

@@ -24,7 +24,8 @@ class Multigrid {
 
   /// Linearises every level at the iterate of `finest` (which is linearised already). False where the coarsest matrix
   /// is singular.
-  [[nodiscard]] bool prepare(const Setting& setting, const Discretisation& finest, const State& state, Grids& grids);
+  [[nodiscard]] bool prepare(const Setting& setting, const Discretisation& finest, const State& state, Grids& grids,
+                             Counters& counters);
   /// step = approximately J^-1 (flux error, load error).
   void cycle(const Array& flux_error, double load_error, Step& step, Counters& counters);
 

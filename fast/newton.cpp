@@ -30,6 +30,7 @@ constexpr int most_krylov = 40;
 /// Flexible GMRES for J step = -(e, load) to a relative residual of 0.1 (tighter was measured to cost more products in
 /// all than it saves in Newton steps).
 void solve_linear(Workspace& w, const Norm& norm, double relative, Counters& counters, Step& step) {
+  const InStage stage(counters, Stage::krylov);
   const Discretisation& at = w.now;
   const Eigen::Index n = at.n;
   w.basis.resize(most_krylov + 1);
@@ -95,7 +96,9 @@ NewtonResult newton(const Setting& setting, State& state, double tolerance, int 
                     Workspace& w, Counters& counters) {
   NewtonResult result;
   const int n = static_cast<int>(state.P.size()) - 1;
+  const Stage stage_before = counters.clock.change_to(Stage::grids);
   Grid& grid = w.grids.of(n);
+  counters.clock.change_to(stage_before);
   if (!w.now.evaluate(setting, state, grid, counters)) return result;
   Step step;
   int poor_steps = 0, refreshes = 0;
@@ -124,8 +127,11 @@ NewtonResult newton(const Setting& setting, State& state, double tolerance, int 
       return result;
     }
     ++counters.newton;
-    w.now.linearise(setting, state.P, state.exit);
-    if (!w.multigrid.prepare(setting, w.now, state, w.grids)) return result;
+    {
+      const InStage stage(counters, Stage::linearise);
+      w.now.linearise(setting, state.P, state.exit);
+    }
+    if (!w.multigrid.prepare(setting, w.now, state, w.grids, counters)) return result;
     const Norm norm(w.now);
     static const bool trace = getenv("EHD_TRACE") != nullptr;
     const double before = norm.of(w.now);

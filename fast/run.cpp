@@ -91,8 +91,9 @@ Fields fields_of(const Run& run) {
 
 bool is_absolute(Quantity quantity) { return quantity == Quantity::film_offset || quantity == Quantity::approach; }
 
-void fill(Cost& cost, const Run& run, Clock::time_point begin, double planning_before, long plans_before) {
+void fill(Cost& cost, Run& run, Clock::time_point begin, double planning_before, long plans_before) {
   const Workspace& workspace = run.workspace;
+  run.counters.clock.change_to(Stage::other);
   cost.planning_s = workspace.grids.planning_s() - planning_before;
   cost.convolutions = run.counters.convolutions;
   cost.work_units = cost.nodes > 0 ? run.counters.convolution_points / cost.nodes : 0;
@@ -101,6 +102,8 @@ void fill(Cost& cost, const Run& run, Clock::time_point begin, double planning_b
   cost.viscosity_points = run.counters.viscosity_points;
   cost.density_points = run.counters.density_points;
   cost.fft_plans = workspace.grids.plans() - plans_before;
+  for (std::size_t k = 0; k < std::size(stage_names); ++k)
+    cost.stage_s.emplace_back(stage_names[k], run.counters.clock.seconds(static_cast<Stage>(k)));
   cost.wall_s = std::chrono::duration<double>(Clock::now() - begin).count() - cost.planning_s;
 }
 

@@ -39,7 +39,7 @@ NewtonResult newton_on(Run& run, State& state, double tolerance);
 [[nodiscard]] bool is_absolute(Quantity quantity);
 
 /// Counts and times of the run; `planning_before`, `plans_before`: of the workspace when the solve began.
-void fill(Cost& cost, const Run& run, std::chrono::steady_clock::time_point begin, double planning_before,
+void fill(Cost& cost, Run& run, std::chrono::steady_clock::time_point begin, double planning_before,
           long plans_before);
 
 }  // namespace ehd::fast
