@@ -26,7 +26,7 @@ Limit limit_of(const std::vector<double>& f) {
   if (regular(0) && m == 4) return {.value = S(0), .error = std::max(2 * move, std::abs(r(0)))};
   if (regular(0) && regular(1)) return {.value = S(0), .error = std::max(2 * move, std::abs(r(0)) / 4)};
   double error = move, share = 1.5;
-  for (std::size_t back = 0; back + 3 <= m && back < 4; ++back, share /= 4)
+  for (std::size_t back = 0; back + 3 <= m && back < 4; ++back, share /= 6)
     error = std::max(error, share * std::abs(r(back)));
   return {.value = S(0), .error = error};
 }

@@ -16,7 +16,7 @@ class Mapped {
       .cite = "this project",
       .formal_order = 2,
       .work_exponent = 1};
-  static constexpr int largest_nodes = 16384;
+  static constexpr int largest_nodes = 65536;
 
   [[nodiscard]] Solution solve(const Problem& problem, const Request& request) const;
   /// The same with plans, tables and arrays that the caller keeps. One thread at a time.

@@ -133,7 +133,6 @@ NewtonResult newton(const Setting& setting, State& state, double tolerance, int 
     }
     if (!w.multigrid.prepare(setting, w.now, state, w.grids, counters)) return result;
     const Norm norm(w.now);
-    static const bool trace = getenv("EHD_TRACE") != nullptr;
     const double before = norm.of(w.now);
     solve_linear(w, norm, 0.1, counters, step);
     if (!step.P.allFinite() || !std::isfinite(step.offset) || !std::isfinite(step.exit)) return result;
@@ -157,7 +156,6 @@ NewtonResult newton(const Setting& setting, State& state, double tolerance, int 
       const double after = norm.of(w.trial);
       if (!(after < before)) continue;
       accepted = true;
-      if (trace) fprintf(stderr, "    n %d it %d res %.2e norm %.2e -> %.2e length %.3f krylov %ld exit %.4f H0 %.4f minH %.2e\n", n, result.iterations, result.residual, before, after, length, counters.krylov, state.exit, state.offset, w.trial.H.minCoeff());
       poor_steps = after > 0.9 * before ? poor_steps + 1 : 0;
     }
     if (!accepted) {
