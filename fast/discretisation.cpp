@@ -35,7 +35,17 @@ inline LogMean log_mean_with_slopes(double u, double v, double d) {
 }  // namespace
 
 bool Discretisation::evaluate(const Setting& setting, State& state, Grid& on, Counters& counters) {
-  const InStage residual_stage(counters, Stage::residual);
+  {
+    const InStage stage(counters, Stage::product);
+    on.product(state.P, product, product_integral);
+  }
+  ++counters.convolutions;
+  counters.convolution_points += on.n;
+  return evaluate_with_product(setting, state, on, counters);
+}
+
+bool Discretisation::evaluate_with_product(const Setting& setting, State& state, Grid& on, Counters& counters) {
+  const InStage stage(counters, Stage::residual);
   n = on.n;
   grid = &on;
   length = state.exit - setting.inlet;
@@ -45,11 +55,8 @@ bool Discretisation::evaluate(const Setting& setting, State& state, Grid& on, Co
   // Film by the pressure on the grid; the first node's own half comes with the tail.
   const InletTail& tail = state.tail;
   P[0] = setting.with_tail ? tail.pressure : 0;
-  counters.clock.change_to(Stage::product);
-  on.product(P, deflection, integral);
-  counters.clock.change_to(Stage::residual);
-  ++counters.convolutions;
-  counters.convolution_points += n;
+  deflection = product;
+  integral = product_integral;
   if (setting.with_tail) {
     deflection += P[0] * on.first_column();
     integral += P[0] * on.first_weight;
@@ -226,16 +233,15 @@ void Discretisation::linearise(const Setting& setting, const Array& P, double ex
   }
 }
 
-void Discretisation::apply(const Step& step, Grid& on, Counters& counters, Array& change, double& load_change) const {
-  double change_of_integral = 0;
+void Discretisation::apply(Step& step, Grid& on, Counters& counters, Array& change, double& load_change) const {
   const Stage before = counters.clock.change_to(Stage::product);
-  on.product(step.P, product_, change_of_integral);
+  on.product(step.P, step.product, step.integral);
   counters.clock.change_to(before);
   ++counters.convolutions;
   counters.convolution_points += n;
-  const double constant = step.offset - length * std::log(length) * change_of_integral / pi, scale = length / pi;
+  const double constant = step.offset - length * std::log(length) * step.integral / pi, scale = length / pi;
   film_change_.resize(n + 1);
-  film_change_ = constant + film_by_exit * step.exit - scale * product_;
+  film_change_ = constant + film_by_exit * step.exit - scale * step.product;
   const double* const dP = step.P.data();
   const double* const dH = film_change_.data();
   const double exit_change = density.value[n] * dH[n], dX = step.exit;
@@ -248,7 +254,7 @@ void Discretisation::apply(const Step& step, Grid& on, Counters& counters, Array
     out[i] = pl[i] * dP[i - 1] + pm[i] * dP[i] + pr[i] * dP[i + 1] + wl[i] * dH[i - 1] + wm[i] * dH[i] +
              wr[i] * dH[i + 1] + bx[i] * dX - exit_change;
   }
-  load_change = length * change_of_integral + load_by_exit * step.exit;
+  load_change = length * step.integral + load_by_exit * step.exit;
 }
 
 }  // namespace ehd::fast

@@ -10,6 +10,7 @@
 // Unknowns P_1..P_(n-1), H_0, X*: as many as equations. Every array is owned by the caller's workspace.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <memory>
@@ -48,6 +49,8 @@ struct Step {
   Array P;
   double offset = 0;
   double exit = 0;
+  Array product = {};   ///< K P and Int P dphi, made by Discretisation::apply
+  double integral = 0;
 };
 
 /// Where the time goes. `other`: starts, interpolation, line search, observation.
@@ -106,6 +109,8 @@ struct Discretisation {
   double length = 0;  ///< l = X* - X_a
 
   // Nodes, n + 1.
+  Array product;     ///< K P over the inner nodes
+  double product_integral = 0;  ///< Int P dphi over the inner nodes
   Array deflection;  ///< Int P ln|X_i - X'| dX' over the grid
   double integral = 0;  ///< Int P dphi
   Array H;
@@ -126,6 +131,8 @@ struct Discretisation {
 
   /// Fields and residual. False where the film is not positive or a number is not finite; then only H is meaningful.
   [[nodiscard]] bool evaluate(const Setting& setting, State& state, Grid& on, Counters& counters);
+  /// The same where `product` and `product_integral` are those of the state's pressure already.
+  [[nodiscard]] bool evaluate_with_product(const Setting& setting, State& state, Grid& on, Counters& counters);
   /// The tail that belongs to the present fields.
   [[nodiscard]] InletTail tail_of(const Setting& setting, const State& state) const;
   /// The same laws and fields taken from the nodes of a grid with twice the intervals (or, for an odd number, by
@@ -133,17 +140,22 @@ struct Discretisation {
   void inject(const Discretisation& fine, const Array& fine_pressure, Array& pressure, const Grid& on);
   /// X_i.
   [[nodiscard]] Array places(double inlet) const { return inlet + length * grid->place; }
+  /// A node next to X = 0.
+  [[nodiscard]] Eigen::Index centre(double inlet) const {
+    return std::min<Eigen::Index>(std::lower_bound(grid->place.begin(), grid->place.end(), -inlet / length) -
+                                      grid->place.begin(), n);
+  }
   /// Coefficients of the linearisation at the present fields.
   void linearise(const Setting& setting, const Array& P, double exit);
-  /// e' = J step, n entries, and the change of the load.
-  void apply(const Step& step, Grid& on, Counters& counters, Array& change, double& load_change) const;
+  /// e' = J step, n entries, and the change of the load; makes step.product and step.integral.
+  void apply(Step& step, Grid& on, Counters& counters, Array& change, double& load_change) const;
 
   [[nodiscard]] double exit_flux() const { return density.value[n] * H[n]; }
   /// max|e|/(rho_n H_n).
   [[nodiscard]] double residual() const { return e.abs().maxCoeff() / std::abs(exit_flux()); }
 
  private:
-  mutable Array film_change_, product_;
+  mutable Array film_change_;
 };
 
 }  // namespace ehd::fast

@@ -19,8 +19,10 @@ namespace {
 
 // Iteration stops at this share of the tolerance (see uniform.cpp).
 constexpr double iteration_share = 1.0 / 30;
+/// Or at this share in the films of each grid: extrapolation multiplies their errors by 45/21 at most.
+constexpr double film_share = 1.0 / 60, extrapolation_gain = 45.0 / 21;
 constexpr int first_nodes = 64;  ///< of every sequence of grids, and of the solutions that make maps
-constexpr double map_tolerance = 1e-3;  ///< of the solutions that only serve to make a map
+constexpr Target for_maps{.residual = 1e-3, .film_error = 1e-2};  ///< of the solutions that only serve to make a map
 /// A flooded grid begins at X_a = -reach l; the relative film error that the tail beyond it leaves.
 constexpr double reach = 16, truncation_of_films = 1e-8;
 /// What truncation does to other numbers than films, in units of that.
@@ -130,7 +132,7 @@ Known known_now(const Run& run) {
   return known_of(at.places(run.setting.inlet), run.state.P, at.H);
 }
 
-bool first_solution(Run& run, const Recipe& recipe, double tolerance, NewtonResult& result) {
+bool first_solution(Run& run, const Recipe& recipe, NewtonResult& result) {
   const Stage before = run.counters.clock.change_to(Stage::grids);
   run.workspace.grids.use(std::make_shared<const Map>(expected_shape(run)), recipe.robust_wedge);
   Grid& grid = run.workspace.grids.of(recipe.first);
@@ -141,7 +143,7 @@ bool first_solution(Run& run, const Recipe& recipe, double tolerance, NewtonResu
                                                {likely, 4.0}, {other, 1.0},  {other, 2.0}};
   for (const auto& [shape, factor] : attempts) {
     State state = first_iterate(run.setting, shape, factor * film, grid);
-    result = newton_on(run, state, tolerance);
+    result = newton_on(run, state, for_maps);
     if (run.limit_reached) return false;
     if (succeeded(result, run, state)) {
       run.state = std::move(state);
@@ -153,18 +155,18 @@ bool first_solution(Run& run, const Recipe& recipe, double tolerance, NewtonResu
 
 /// Newton; where an interpolated pressure has closed the film, once more with the film at X = 0, `film`, restored; where a
 /// sharpening spike stops it, with a floor under the fluidity. run.state: the start, then the result.
-bool solve_on(Run& run, double film, double tolerance, NewtonResult& result) {
+bool solve_on(Run& run, double film, const Target& target, NewtonResult& result) {
   const State begin = run.state;
-  result = newton_on(run, run.state, tolerance);
+  result = newton_on(run, run.state, target);
   if (succeeded(result, run, run.state)) return true;
   if (run.limit_reached) return false;
   run.state = begin;
   run.state.offset = offset_for(film, run.setting, run.state, run.workspace.grids.of(static_cast<int>(begin.P.size()) - 1));
-  result = newton_on(run, run.state, tolerance);
+  result = newton_on(run, run.state, target);
   if (succeeded(result, run, run.state)) return true;
   if (run.limit_reached) return false;
   run.state = begin;
-  return lower_floor(run, run.state, tolerance, result);
+  return lower_floor(run, run.state, target, result);
 }
 
 /// The final map and a start on it, on `first_nodes` intervals: from nothing, or from the solution of a neighbour. The
@@ -174,15 +176,15 @@ std::optional<double> start(Run& run, const Recipe& recipe, const Solution* from
   if (from) {
     run.state = on_new_map(run, known_of(from->fields.X, from->fields.P, from->fields.H), {}, recipe, 2 * first_nodes);
     if (run.setting.with_tail) run.state.tail = first_tail(run.setting, run.lengths.film);
-    if (!solve_on(run, run.lengths.film, map_tolerance, result)) return std::nullopt;
+    if (!solve_on(run, run.lengths.film, for_maps, result)) return std::nullopt;
     grids = {};
-  } else if (!first_solution(run, recipe, map_tolerance, result)) {
+  } else if (!first_solution(run, recipe, result)) {
     return std::nullopt;
   }
   for (const int n : grids) {
     const Known known = known_now(run);
     run.state = on_new_map(run, known, run.state.tail, recipe, n);
-    if (!solve_on(run, known.film, map_tolerance, result)) return std::nullopt;
+    if (!solve_on(run, known.film, for_maps, result)) return std::nullopt;
   }
   const Known known = known_now(run);
   if (recipe.remaps) run.state = on_new_map(run, known, run.state.tail, recipe, first_nodes);
@@ -226,7 +228,7 @@ struct Climb {
   std::vector<GridRecord> grids;
   Fields fields;
   ErrorBudget film_minimum, film_central;
-  double residual = 0;  ///< the largest of the grids
+  double iteration = 0;  ///< relative error that iteration leaves in the films; the largest of the grids
   bool complete = false;
 };
 
@@ -239,7 +241,9 @@ class Climber {
     Climb climb;
     NewtonResult result;
     const double tolerance = request_.tolerance.value_or(0);
-    const double target = request_.nodes ? 1e-11 : std::min(1e-3, tolerance * iteration_share);
+    const Target target = request_.nodes
+                              ? Target{.residual = 1e-11}
+                              : Target{.residual = tolerance * iteration_share, .film_error = tolerance * film_share};
     const bool loose = !request_.nodes && tolerance >= loose_tolerance;
     std::optional<double> film = start(run_, recipe, from, loose, result);
     if (!film) return climb;
@@ -281,7 +285,7 @@ class Climber {
   }
 
  private:
-  void note(Climb& climb, int n, const NewtonResult& result, long newton_before, double target) {
+  void note(Climb& climb, int n, const NewtonResult& result, long newton_before, const Target& target) {
     climb.fields = fields_of(run_);
     GridRecord grid{.nodes = n,
                     .newton_iterations = static_cast<int>(run_.counters.newton - newton_before),
@@ -293,10 +297,10 @@ class Climber {
     const auto right = std::clamp<Eigen::Index>(edge, 1, n);
     grid.inlet_cells = l.inlet / (climb.fields.X[right] - climb.fields.X[right - 1]);
     climb.grids.push_back(std::move(grid));
-    climb.residual = std::max({climb.residual, result.residual, request_.nodes ? 0 : target});
+    climb.iteration = std::max(climb.iteration, request_.nodes ? result.residual : std::min(std::max(result.residual, target.residual), std::max(result.film_error, target.film_error) * extrapolation_gain));
     const auto budget = [&](Quantity quantity) {
       return ErrorBudget{.discretisation = discretisation(climb.grids, quantity),
-                         .iteration = climb.residual,
+                         .iteration = climb.iteration,
                          .truncation = truncation_};
     };
     climb.film_minimum = budget(Quantity::film_minimum);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <chrono>
+#include <limits>
 #include <vector>
 
 #include "fast/discretisation.hpp"
@@ -30,15 +31,23 @@ struct Limits {
 
 enum class NewtonEnd { converged, stalled, failed, limit };
 
+/// When Newton is done: residual <= max(residual, 8 x rounding floor), or film_error < film_error.
+struct Target {
+  double residual = 0;
+  double film_error = 0;
+};
+
 struct NewtonResult {
   NewtonEnd end = NewtonEnd::failed;
   int iterations = 0;
   double residual = 0;  ///< max|e|/(rho_n H_n) or the relative load error, whichever is larger
+  /// What iteration left in H_min and H_cen, relative, estimated; infinite where nothing is known.
+  double film_error = std::numeric_limits<double>::infinity();
 };
 
-/// Until residual <= max(tolerance, 8 x rounding floor). `stalled`: no further decrease, residual small (< 1e-3) but
-/// above the tolerance. On return workspace.now holds the fields of `state`.
-[[nodiscard]] NewtonResult newton(const Setting& setting, State& state, double tolerance, int most_iterations,
+/// Until the target is met. `stalled`: no further decrease, residual small (< 1e-3) but above the target. On return
+/// workspace.now holds the fields of `state`.
+[[nodiscard]] NewtonResult newton(const Setting& setting, State& state, const Target& target, int most_iterations,
                                   const Limits& limits, Workspace& workspace, Counters& counters);
 
 }  // namespace ehd::fast

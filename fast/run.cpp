@@ -24,8 +24,8 @@ Limits limits_of(const Request& request, Clock::time_point begin) {
                                   std::chrono::duration<double>(std::min(request.time_limit_s, 1e6)))};
 }
 
-NewtonResult newton_on(Run& run, State& state, double tolerance) {
-  const NewtonResult result = newton(run.setting, state, tolerance, 60, run.limits, run.workspace, run.counters);
+NewtonResult newton_on(Run& run, State& state, const Target& target) {
+  const NewtonResult result = newton(run.setting, state, target, 60, run.limits, run.workspace, run.counters);
   if (result.end == NewtonEnd::limit) run.limit_reached = true;
   return result;
 }
@@ -35,8 +35,8 @@ bool succeeded(const NewtonResult& result, const Run& run, const State& state) {
          admissible(run.workspace.now, state);
 }
 
-bool lower_floor(Run& run, State& state, double tolerance, NewtonResult& result) {
-  const Setting target = run.setting;
+bool lower_floor(Run& run, State& state, const Target& target, NewtonResult& result) {
+  const Setting setting = run.setting;
   State reached = state;
   double floor = 1e-2, factor = 0.1;
   bool any = false;
@@ -44,7 +44,7 @@ bool lower_floor(Run& run, State& state, double tolerance, NewtonResult& result)
     const bool last = floor < 1e-16;
     run.setting.fluidity_floor = last ? 0 : floor;
     State trial = reached;
-    result = newton_on(run, trial, last ? tolerance : 1e-5);
+    result = newton_on(run, trial, last ? target : Target{.residual = 1e-5});
     if (succeeded(result, run, trial)) {
       reached = trial;
       any = true;
@@ -58,7 +58,7 @@ bool lower_floor(Run& run, State& state, double tolerance, NewtonResult& result)
     }
   }
   const bool success = run.setting.fluidity_floor == 0 && any && succeeded(result, run, reached);
-  run.setting = target;
+  run.setting = setting;
   if (success) state = reached;
   return success;
 }

@@ -27,11 +27,11 @@ struct Run {
 [[nodiscard]] Limits limits_of(const Request& request, std::chrono::steady_clock::time_point begin);
 
 /// At most 60 Newton steps on the grid of `state`; notes a limit that was reached.
-NewtonResult newton_on(Run& run, State& state, double tolerance);
+NewtonResult newton_on(Run& run, State& state, const Target& target);
 /// Converged or nearly, P >= 0 and a film that opens at the exit: the conditions that tracking the exit leaves to check.
 [[nodiscard]] bool succeeded(const NewtonResult& result, const Run& run, const State& state);
 /// Where a sharpening spike stops Newton on a finer grid: with a floor under the fluidity, lowered to nothing.
-[[nodiscard]] bool lower_floor(Run& run, State& state, double tolerance, NewtonResult& result);
+[[nodiscard]] bool lower_floor(Run& run, State& state, const Target& target, NewtonResult& result);
 
 /// Of the grid that the workspace holds now.
 [[nodiscard]] Fields fields_of(const Run& run);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "contact/estimate.hpp"
@@ -28,6 +29,10 @@ double error_of_inlet_cells(double cells) { return 0.5 / (cells * cells); }
 // of 0.5..1000, L of 0..20, both law sets, flooded and -4) and three tolerances: at most 0.24, so the residual covers
 // it.
 constexpr double iteration_share = 1.0 / 30;
+// Or, where that is more, at this share of the discretisation error expected of the grid.
+constexpr double discretisation_share = 0.5;
+// On the way to a given grid, more: all that is wanted is a start for the next one.
+constexpr double share_on_the_way = 2.5;
 
 // No uniform grid sees the spike's width (1e-4 at (20, 10), 2e-11 at (200, 15)), so grids agree on a height before it
 // is right. Against the ten-digit heights of six points, flooded and -4, at four tolerances: an estimate below 3 % was
@@ -51,7 +56,7 @@ FloodedInlet flooded_inlet(double tolerance) {
 }
 
 /// The last resort: from a mild contact (M at most 20, L at most 5) to the one asked for, in steps of one parameter.
-bool continuation(Run& run, int n, double tolerance, NewtonResult& result) {
+bool continuation(Run& run, int n, const Target& wanted, NewtonResult& result) {
   const Setting target = run.setting;
   const double M0 = std::clamp(target.groups.M, 2.0, 20.0), L0 = std::min(target.groups.L, 5.0);
   double reached = -1, step = 1;
@@ -77,7 +82,7 @@ bool continuation(Run& run, int n, double tolerance, NewtonResult& result) {
     } else {
       trial = state;
     }
-    result = newton_on(run, trial, t < 1 ? 1e-4 : tolerance);
+    result = newton_on(run, trial, t < 1 ? Target{.residual = 1e-4} : wanted);
     if (succeeded(result, run, trial)) {
       state = trial;
       reached = t;
@@ -94,21 +99,34 @@ bool continuation(Run& run, int n, double tolerance, NewtonResult& result) {
 }
 
 /// A solution on n intervals from nothing.
-bool start(Run& run, int n, double tolerance, NewtonResult& result) {
+bool start(Run& run, int n, const Target& target, NewtonResult& result) {
   const double film = run.lengths.film;
   const Shape likely = likely_shape(film), other = likely == Shape::hertz ? Shape::martin : Shape::hertz;
   const std::pair<Shape, double> attempts[] = {{likely, 1.0}, {likely, 2.0}, {likely, 0.5},
                                                {likely, 4.0}, {other, 1.0},  {other, 2.0}};
   for (const auto& [shape, factor] : attempts) {
     State state = first_iterate(run.setting, shape, factor * film, run.workspace.grids.of(n));
-    result = newton_on(run, state, tolerance);
+    result = newton_on(run, state, target);
     if (run.limit_reached) return false;
     if (succeeded(result, run, state)) {
       run.state = state;
       return true;
     }
   }
-  return continuation(run, n, tolerance, result);
+  return continuation(run, n, target, result);
+}
+
+/// Discretisation error of H_min and H_cen, the smaller, to expect of the next grid: of second order, after what the last
+/// two differ by; with less than two grids, from the cells in its inlet zone.
+double expected_error(const std::vector<GridRecord>& grids, double cells) {
+  if (grids.size() < 2) return error_of_inlet_cells(cells) / 10;  // a third of the calibration
+  double least = std::numeric_limits<double>::infinity();
+  const Observables &before = grids[grids.size() - 2].observed, &last = grids.back().observed;
+  for (const Quantity film : {Quantity::film_minimum, Quantity::film_central}) {
+    if (!before.contains(film) || !last.contains(film)) continue;
+    least = std::min(least, std::abs(1 - before.at(film).value / last.at(film).value) / 12);
+  }
+  return std::isfinite(least) ? least : 0;
 }
 
 /// What the grids say of one quantity; infinite where only one grid has it.
@@ -168,16 +186,21 @@ Solution Uniform::solve(const Problem& problem, const Request& request, Workspac
 
   Solution solution;
   SolveRecord& record = solution.record;
-  double newton_residual = 0;
+  double iteration = 0;
   int refused = 0;
   const auto budget = [&](Quantity quantity) {
     return ErrorBudget{
         .discretisation = discretisation_error(record.grids, quantity),
-        .iteration = newton_residual,
+        .iteration = iteration,
         .truncation = cut ? 0 : far.truncation * (quantity == Quantity::rolling_force ? truncation_of_work : 1)};
   };
   for (;; n *= 2) {
-    const double target = request.nodes ? (n == last ? 1e-11 : 1e-7) : tolerance * iteration_share;
+    // With a tolerance every grid may be the last.
+    const double share = !request.nodes ? discretisation_share
+                         : n < last     ? share_on_the_way
+                                        : request.iteration_share.value_or(0);
+    const double expected = expected_error(record.grids, run.cells(n, run.has_state ? run.state.exit : exit));
+    const Target target{.residual = request.nodes ? 1e-11 : tolerance * iteration_share, .film_error = share * expected};
     NewtonResult result;
     bool solved = false;
     const long newton_before = run.counters.newton;
@@ -195,7 +218,8 @@ Solution Uniform::solve(const Problem& problem, const Request& request, Workspac
     }
     if (solved) {
       run.has_state = true;
-      newton_residual = std::max(result.residual, request.nodes ? 0 : target);
+      iteration = std::max(result.residual, request.nodes ? 0 : target.residual);
+      if (target.film_error > 0 && result.end == NewtonEnd::converged) iteration = std::min(iteration, result.film_error);
       solution.fields = fields_of(run);
       GridRecord grid{.nodes = n,
                       .newton_iterations = static_cast<int>(run.counters.newton - newton_before),
