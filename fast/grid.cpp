@@ -37,12 +37,12 @@ const Array& Grid::first_column() {
   return first_column_;
 }
 
-const Eigen::MatrixXd& Grid::dense() {
+const RowMajor& Grid::dense() {
   if (dense_.size() > 0) return dense_;
   const double h = 1.0 / n, log_h = std::log(h);
   dense_.resize(n + 1, n + 1);
-  for (int j = 0; j <= n; ++j) {
-    for (int i = 0; i <= n; ++i) {
+  for (int i = 0; i <= n; ++i) {
+    for (int j = 0; j <= n; ++j) {
       const double beside = remainder ? remainder->entry(i, j) : 0;
       dense_(i, j) = h * slope[j] * (toeplitz->weight(std::abs(i - j)) + beside + log_h);
     }

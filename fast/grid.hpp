@@ -16,6 +16,8 @@
 
 namespace ehd::fast {
 
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
 struct Grid {
   int n = 0;
   Array place;     ///< phi_i, n + 1
@@ -33,7 +35,7 @@ struct Grid {
   /// What P_0 adds to the product; made once.
   [[nodiscard]] const Array& first_column();
   /// K_ij for 0 < j < n, dense; made once.
-  [[nodiscard]] const Eigen::MatrixXd& dense();
+  [[nodiscard]] const RowMajor& dense();
   /// The Toeplitz part's weight between nodes k apart, for g = phi' P.
   [[nodiscard]] double weight(int k) const { return toeplitz->weight(k); }
 
@@ -43,7 +45,7 @@ struct Grid {
  private:
   Array density_;  ///< phi' P
   Array first_column_;
-  Eigen::MatrixXd dense_;
+  RowMajor dense_;
 };
 
 /// The grids of a workspace, by number of intervals; FFT plans outlive maps.

@@ -48,7 +48,8 @@ bool Multigrid::assemble_dense(const Level& level) {
   const Discretisation& s = *level.scheme;
   const int n = s.n;
   // Columns 0..n-2: P_1..P_(n-1); n-1: H_0; n: X*.
-  Eigen::MatrixXd film(n + 1, n + 1);
+  RowMajor& film = film_;  // row by row, as Reynolds' equation combines them
+  film.resize(n + 1, n + 1);
   const double scale = -s.length / pi, log_length = std::log(s.length);
   const Eigen::RowVectorXd integral = (level.grid->slope.segment(1, n - 1) / n).matrix().transpose();
   film.leftCols(n - 1) = scale * level.grid->dense().middleCols(1, n - 1);
@@ -56,10 +57,12 @@ bool Multigrid::assemble_dense(const Level& level) {
   film.col(n - 1).setOnes();
   film.col(n) = s.film_by_exit.matrix();
   dense_.resize(n + 1, n + 1);
-  const Eigen::RowVectorXd exit = s.density.value[n] * film.row(n);
+  const double at_exit = s.density.value[n];
+  dense_.row(0) = s.w_mid[0] * film.row(0) + s.w_right[0] * film.row(1) - at_exit * film.row(n);
   for (int i = 0; i < n; ++i) {
-    dense_.row(i) = s.w_mid[i] * film.row(i) + s.w_right[i] * film.row(i + 1) - exit;
-    if (i > 0) dense_.row(i) += s.w_left[i] * film.row(i - 1);
+    if (i > 0)
+      dense_.row(i) = s.w_left[i] * film.row(i - 1) + s.w_mid[i] * film.row(i) + s.w_right[i] * film.row(i + 1) -
+                      at_exit * film.row(n);
     if (i > 1) dense_(i, i - 2) += s.p_left[i];
     if (i > 0) dense_(i, i - 1) += s.p_mid[i];
     if (i + 1 < n) dense_(i, i) += s.p_right[i];

@@ -48,8 +48,8 @@ class Multigrid {
 
   std::deque<Level> levels_;  ///< a level keeps its address
   std::size_t used_ = 0;
-  Eigen::MatrixXd dense_;
-  Eigen::PartialPivLU<Eigen::MatrixXd> factors_;
+  RowMajor film_, dense_;
+  Eigen::PartialPivLU<RowMajor> factors_;
   Eigen::VectorXd right_side_;
 };
 
