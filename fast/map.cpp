@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fast/map.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ehd::fast {
 
@@ -84,23 +86,29 @@ double Map::inverse(double s, double guess, double low, double high) const {
   return X;
 }
 
-Array Map::refined(const Array& coarse) const {
-  const Eigen::Index m = coarse.size() - 1, n = 2 * m;
-  Array s, slope = slopes(coarse).inverse();
-  // The cubic through both neighbours and their slopes, then Newton.
-  const Array low = coarse.head(m), high = coarse.tail(m);
-  Array X = ((low + high) / 2 + (slope.head(m) - slope.tail(m)) / (4.0 * static_cast<double>(n))).max(low).min(high);
-  const Array target = Array::LinSpaced(m, 1, static_cast<double>(n - 1)) / static_cast<double>(n);
+Array Map::sharpened(Array X, const Array& target, const Array& low, const Array& high) const {
+  Array s, slope;
   double largest = 1;
-  for (int step = 0; step < 4 && !(largest < 1e-9); ++step) {
+  for (int step = 0; step < 7 && !(largest < 1e-9); ++step) {
     evaluate(X, s, slope);
     s -= target;
     largest = s.abs().maxCoeff();
     X = (X - s / slope).max(low).min(high);  // quadratic: from 1e-9 this leaves rounding alone
   }
   if (!(largest < 1e-9)) {
-    for (Eigen::Index i = 0; i < m; ++i) X[i] = inverse(target[i], X[i], low[i], high[i]);
+    for (Eigen::Index i = 0; i < X.size(); ++i) X[i] = inverse(target[i], X[i], low[i], high[i]);
   }
+  return X;
+}
+
+Array Map::refined(const Array& coarse) const {
+  const Eigen::Index m = coarse.size() - 1, n = 2 * m;
+  const Array slope = slopes(coarse).inverse();
+  // The cubic through both neighbours and their slopes, then Newton.
+  const Array low = coarse.head(m), high = coarse.tail(m);
+  Array X = ((low + high) / 2 + (slope.head(m) - slope.tail(m)) / (4.0 * static_cast<double>(n))).max(low).min(high);
+  const Array target = Array::LinSpaced(m, 1, static_cast<double>(n - 1)) / static_cast<double>(n);
+  X = sharpened(std::move(X), target, low, high);
   Array all(n + 1);
   all(Eigen::seqN(0, m + 1, 2)) = coarse;
   all(Eigen::seqN(1, m, 2)) = X;
@@ -109,14 +117,37 @@ Array Map::refined(const Array& coarse) const {
 
 Array Map::nodes(int n) const {
   if (n > 32 && n % 2 == 0) return refined(nodes(n / 2));
-  Array X(n + 1);
-  X[0] = shape_.inlet;
-  X[n] = shape_.exit;
-  for (int i = 1; i < n; ++i) {
-    const double before = X[i - 1];
-    X[i] = inverse(static_cast<double>(i) / n, before + 1 / (n * slope(before)), before, shape_.exit);
+  // First values from straight lines through s at places that gather as the nodes do.
+  const auto& [inlet, exit, l, d, spike, width] = shape_;
+  constexpr int reach = 12;
+  Array places(4 * (2 * reach + 1) + 2);
+  Eigen::Index count = 0;
+  places[count++] = inlet;
+  places[count++] = exit;
+  for (const auto& [centre, unit] : {std::pair{0.0, 0.7 * l}, {-l, d * l}, {-l * (1 + d), 2 * d * l}, {spike, width}}) {
+    for (int k = -reach; k <= reach; ++k) {
+      const double X = centre + unit * std::sinh(0.8 * k);
+      if (X > inlet && X < exit) places[count++] = X;
+    }
   }
-  return X;
+  std::sort(places.begin(), places.begin() + count);
+  Array s, slope;
+  evaluate(places.head(count), s, slope);
+  Array low(n - 1), high(n - 1), target(n - 1), X(n - 1);
+  Eigen::Index right = 1;
+  for (int i = 1; i < n; ++i) {
+    target[i - 1] = static_cast<double>(i) / n;
+    while (right + 1 < count && s[right] < target[i - 1]) ++right;
+    low[i - 1] = places[right - 1];
+    high[i - 1] = places[right];
+    const double rise = s[right] - s[right - 1];
+    X[i - 1] = rise > 0 ? low[i - 1] + (high[i - 1] - low[i - 1]) * (target[i - 1] - s[right - 1]) / rise : low[i - 1];
+  }
+  Array all(n + 1);
+  all[0] = inlet;
+  all[n] = exit;
+  all.segment(1, n - 1) = sharpened(std::move(X), target, low, high);
+  return all;
 }
 
 }  // namespace ehd::fast

@@ -42,6 +42,8 @@ class Map {
   [[nodiscard]] double raw(double X) const;
   /// s and ds/dX of many X at once, by vector instructions.
   void evaluate(const Array& X, Array& s, Array& slope) const;
+  /// Where s is `target`, by Newton from X within [low, high], for many at once.
+  [[nodiscard]] Array sharpened(Array X, const Array& target, const Array& low, const Array& high) const;
   [[nodiscard]] double inverse(double s, double guess, double low, double high) const;
 
   MapShape shape_;
