@@ -75,6 +75,7 @@ std::optional<double> ScalingRow::ns_per_n_log_n() const {
 ScalingRequest usual_scaling(const std::vector<const RegisteredSolver*>& solvers, bool quick) {
   constexpr int far = 1 << 20, middle = 1 << 14, near = 1 << 12;
   ScalingRequest request;
+  if (!quick) request.repetition.enough_s = 5;  // the large sizes are few, and what a trend is read from
   request.contacts = quick ? std::vector<MoesGroups>{{5, 5}} : std::vector<MoesGroups>{{20, 10}, {5, 5}};
   for (const RegisteredSolver* solver : solvers) {
     if (!solver->uses_fft) continue;  // dense solvers: n^3, and memory n^2
