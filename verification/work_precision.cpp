@@ -85,8 +85,8 @@ Coverage coverage(const std::vector<WorkRow>& rows, const std::string& solver, J
   Coverage found{.solver = solver};
   std::vector<double> excess;
   for (const WorkRow& row : rows) {
-    if (row.setting.solver != solver || !row.converged()) continue;
     const AchievedError& error = row.error(judged);
+    if (row.setting.solver != solver || !error.reported) continue;
     const Covered verdict = covered(error);
     if (verdict == Covered::undecided) {
       ++found.undecided;
@@ -201,7 +201,8 @@ SolvedTruth solve_truth(const Case& contact_case, bool quick) {
     stated.value[which] = film(truth.solution, which)->value;
     stated.error[which] = *film(truth.solution, which)->error;
     for (const Expectation& expectation : contact_case.expectations) {
-      if (expectation.waiting || expectation.quantity != to_string(quantity_of[which]) || expectation.value == 0) continue;
+      if (expectation.waiting || expectation.kind == ExpectationKind::fit || expectation.value == 0) continue;
+      if (expectation.quantity != to_string(quantity_of[which])) continue;
       const auto measured = measure(runs[best], expectation);
       if (!measured) continue;
       stated.from_digits[which] = std::abs(measured->value / expectation.value - 1);
@@ -620,7 +621,7 @@ std::string coverage_table(const WorkPrecisionResult& result) {
                        std::to_string(found.undecided), dash(found.median_excess, 3), dash(found.worst_excess, 3)});
     }
   }
-  return "Errors reported against achieved, of converged runs\n" + aligned(table, 2, "  ");
+  return "Errors reported against achieved, of every run that reports one\n" + aligned(table, 2, "  ");
 }
 
 std::string failures_list(const WorkPrecisionResult& result) {

@@ -32,7 +32,7 @@ struct AchievedError {
   [[nodiscard]] bool within(double level) const { return achieved && *achieved + truth <= level; }
 };
 
-enum class Covered { yes, no, undecided };  ///< undecided: the truth is not known well enough, or nothing is reported
+enum class Covered { yes, no, undecided };  ///< undecided: nothing is reported or judged, or the truth is not known well enough
 [[nodiscard]] Covered covered(const AchievedError& error);
 
 /// A solver, with what is asked of it.
@@ -93,7 +93,7 @@ struct Crossover {
 };
 [[nodiscard]] std::optional<Crossover> crossover(const std::vector<Ratio>& by_level);
 
-/// Errors reported against achieved: of the converged rows of one solver.
+/// Errors reported against achieved: of every row of one solver that reports one, whether it met its tolerance or not.
 struct Coverage {
   std::string solver;
   int yes = 0, no = 0, undecided = 0;

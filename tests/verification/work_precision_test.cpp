@@ -100,9 +100,11 @@ BOOST_AUTO_TEST_CASE(a_reported_error_covers_only_what_the_truth_can_decide) {
   BOOST_CHECK((covered({.reported = 1e-3, .achieved = 2e-3, .truth = 1e-4}) == Covered::no));
   BOOST_CHECK((covered({.reported = {}, .achieved = 2e-3}) == Covered::undecided));
   BOOST_CHECK((covered({.reported = 1e-3, .achieved = std::nan("")}) == Covered::undecided));
-  const std::vector<WorkRow> rows{row_of("fast", 1, 1e-3, 4e-3), row_of("fast", 1, 1e-3, 5e-4),
-                                  row_of("fast", 1, 1e-3, 2e-3), row_of("fast", 1, 1e-3, 1e-3, 1e-4),
-                                  row_of("other", 1, 1, 1e-3)};
+  std::vector<WorkRow> rows{row_of("fast", 1, 1e-3, 4e-3), row_of("fast", 1, 1e-3, 5e-4),
+                            row_of("fast", 1, 1e-3, 2e-3), row_of("fast", 1, 1e-3, 1e-3, 1e-4),
+                            row_of("other", 1, 1, 1e-3),   row_of("fast", 1, 1)};
+  rows[1].status = StopReason::tolerance_not_met;  // its error is a promise all the same
+  rows[5].error(Judged::film_central).reported.reset();
   const Coverage found = coverage(rows, "fast", Judged::film_central);
   BOOST_TEST(found.yes == 2);
   BOOST_TEST(found.no == 1);

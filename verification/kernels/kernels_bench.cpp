@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the kernels of fast/ cost, by Google Benchmark. The counter `convolutions` is the time of one call in multiples of
+// one bare FFT convolution on as many intervals, timed right after.
+#include <benchmark/benchmark.h>
+
+#include <chrono>
+#include <memory>
+
+#include "fast/convolution.hpp"
+#include "fast/multigrid.hpp"
+#include "fast/start.hpp"
+#include "verification/claims/oils.hpp"
+#include "verification/scaling.hpp"
+
+namespace {
+
+using namespace ehd;
+using namespace ehd::fast;
+
+/// A moderate contact, (20, 10), at the first iterate: every field has its usual size.
+struct Iterate {
+  explicit Iterate(int intervals) : n(intervals), kernel(kernels.of(n)) {
+    const Problem problem = verification::problem_at({20, 10}, true, TruncatedAt{-4});
+    setting = {.groups = problem.groups, .viscosity = problem.viscosity, .density = problem.density, .inlet = -4};
+    const Lengths lengths = expected_lengths(problem.groups);
+    state = first_iterate(setting, likely_shape(lengths.film), lengths.film, n, kernel);
+    if (!scheme.evaluate(setting, state, kernel, counters)) throw std::logic_error("the first iterate has no film");
+    scheme.linearise(setting, state.P, state.exit);
+  }
+  int n;
+  Multigrid::Kernels kernels;
+  Convolution& kernel;
+  Setting setting;
+  State state;
+  Counters counters;
+  Discretisation scheme;
+};
+
+template <class Work>
+void timed(benchmark::State& run, const Work& work) {
+  const auto begin = std::chrono::steady_clock::now();
+  for ([[maybe_unused]] auto again : run) work();
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  const auto n = static_cast<int>(run.range(0));
+  run.counters["convolutions"] =
+      seconds / static_cast<double>(run.iterations()) / verification::convolution_s(n, verification::Repetition{});
+}
+
+void convolution(benchmark::State& run) {
+  const auto n = static_cast<int>(run.range(0));
+  Convolution kernel(n);
+  const Array x = Array::LinSpaced(n + 1, -1, 1).square();
+  Array y;
+  timed(run, [&] { kernel.apply(x, y); });
+}
+
+void residual(benchmark::State& run) {
+  Iterate at(static_cast<int>(run.range(0)));
+  timed(run, [&] { benchmark::DoNotOptimize(at.scheme.evaluate(at.setting, at.state, at.kernel, at.counters)); });
+}
+
+void linearise(benchmark::State& run) {
+  Iterate at(static_cast<int>(run.range(0)));
+  timed(run, [&] { at.scheme.linearise(at.setting, at.state.P, at.state.exit); });
+}
+
+void jacobian_product(benchmark::State& run) {
+  Iterate at(static_cast<int>(run.range(0)));
+  const Step step{.P = at.state.P, .offset = 0.1, .exit = 0.1};
+  Array change;
+  double load = 0;
+  timed(run, [&] { at.scheme.apply(step, at.kernel, at.counters, change, load); });
+}
+
+/// Both from a fresh copy of the rows, whose copying counts.
+Banded diagonal_band(int n) {
+  Banded band;
+  band.resize(n);
+  for (int i = 0; i < n; ++i) band.row(i) = {0.1, -0.4, 0.2, 3, -0.5, 0.3};
+  return band;
+}
+
+void band_factorise(benchmark::State& run) {
+  const Banded band = diagonal_band(static_cast<int>(run.range(0)));
+  Banded copy = band;
+  timed(run, [&] {
+    copy = band;
+    benchmark::DoNotOptimize(copy.factorise());
+  });
+}
+
+void band_solve(benchmark::State& run) {
+  const auto n = static_cast<int>(run.range(0));
+  Banded band = diagonal_band(n);
+  if (!band.factorise()) throw std::logic_error("a diagonally dominant band has no factors");
+  Array x = Array::LinSpaced(n, 1, 2);
+  timed(run, [&] { band.solve(x); });
+}
+
+void multigrid_prepare(benchmark::State& run) {
+  Iterate at(static_cast<int>(run.range(0)));
+  Multigrid multigrid;
+  timed(run, [&] { benchmark::DoNotOptimize(multigrid.prepare(at.setting, at.scheme, at.state, at.kernels)); });
+}
+
+void multigrid_cycle(benchmark::State& run) {
+  Iterate at(static_cast<int>(run.range(0)));
+  Multigrid multigrid;
+  if (!multigrid.prepare(at.setting, at.scheme, at.state, at.kernels)) throw std::logic_error("the coarsest matrix is singular");
+  Step step;
+  timed(run, [&] { multigrid.cycle(at.scheme.e, at.scheme.load_error, step, at.counters); });
+}
+
+void sizes(benchmark::internal::Benchmark* kernel) {
+  kernel->RangeMultiplier(4)->Range(1 << 8, 1 << 16)->Unit(benchmark::kMicrosecond);
+}
+
+BENCHMARK(convolution)->Apply(sizes);
+BENCHMARK(residual)->Apply(sizes);
+BENCHMARK(linearise)->Apply(sizes);
+BENCHMARK(jacobian_product)->Apply(sizes);
+BENCHMARK(band_factorise)->Apply(sizes);
+BENCHMARK(band_solve)->Apply(sizes);
+BENCHMARK(multigrid_prepare)->Apply(sizes);
+BENCHMARK(multigrid_cycle)->Apply(sizes);
+
+}  // namespace
+
+BENCHMARK_MAIN();
