@@ -104,14 +104,16 @@ awk -F '\t' '
     for (i = 1; i <= count; ++i) {
       key = order[i]; split(key, part, FS)
       b = before[key] + 0; a = after[key] + 0
-      if (part[2] == "total") { printf "%-14s total %15.0f -> %15.0f  x %.4f\n", part[1], b, a, b > 0 ? a / b : 0 }
+      ratio = 0
+      if (b) ratio = a / b
+      if (part[2] == "total") printf "%-14s total %15.0f -> %15.0f  x %.4f\n", part[1], b, a, ratio
       # A function that falls just below the list has not vanished: what counts is the change against the whole.
       change = a > b ? a - b : b - a
       if (change <= 0.02 * b || change < whole[part[1]] / 1000) continue
       moved = 1
       if (b == 0) line = sprintf("%15s -> %15.0f", "-", a)
       else if (a == 0) line = sprintf("%15.0f -> %15s", b, "-")
-      else line = sprintf("%15.0f -> %15.0f  x %.4f", b, a, a / b)
+      else line = sprintf("%15.0f -> %15.0f  x %.4f", b, a, ratio)
       lines = lines sprintf("%-14s %s  %s\n", part[1], line, part[2])
     }
     if (moved) { print "moved by more than 2 %:"; printf "%s", lines }
