@@ -86,7 +86,7 @@ struct Ratio {
                                         const std::string& solver, const std::string& over, Judged judged,
                                         const std::vector<double>& levels);
 
-/// The first two neighbouring levels between which the ratio goes through 1.
+/// The first two levels between which the ratio goes through 1; ratios between 0.8 and 1.25 are ties and do not count.
 struct Crossover {
   double looser = 0, tighter = 0;
   bool rises = false;  ///< the solver below the line (`over`) is ahead at the tighter level

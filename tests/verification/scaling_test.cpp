@@ -12,7 +12,7 @@ using namespace ehd::verification;
 
 namespace {
 
-constexpr double bytes_per_interval = 20000;  // so much that a run-time library's own pages do not count
+constexpr double bytes_per_interval = 60000;  // so much that a run-time library's own pages do not count
 
 /// Takes n^1.5 of a time unit, and holds memory in proportion.
 RegisteredSolver proportional() {
@@ -47,12 +47,12 @@ BOOST_AUTO_TEST_SUITE(scaling)
 
 BOOST_AUTO_TEST_CASE(memory_time_and_exponent_are_those_of_the_solver) {
   const RegisteredSolver solver = proportional();
-  const auto rows = run_scaling(request_for(solver, 4096));
-  BOOST_REQUIRE(rows.size() == 5u);
+  const auto rows = run_scaling(request_for(solver, 2048));
+  BOOST_REQUIRE(rows.size() == 4u);
   for (const ScalingRow& row : rows) {
     BOOST_CHECK((row.status == StopReason::converged));
     EHD_CHECK(error(row.peak_bytes, bytes_per_interval * row.nodes),
-              Tolerance::calibrated(0.1, "pages of the run-time library beside blocks of 5 to 80 MB"));
+              Tolerance::calibrated(0.15, "up to 1 MB of the run-time library beside blocks of 15 to 120 MB"));
     constexpr double operations = 10;
     EHD_CHECK(error(row.median_s().value(), 1e-6 * std::pow(row.nodes, 1.5)), Tolerance::round_off(operations));
     EHD_CHECK(error(row.per_unit().value(), *row.median_s() / (12 * row.convolution_s)), Tolerance::round_off(operations));
@@ -63,7 +63,7 @@ BOOST_AUTO_TEST_CASE(memory_time_and_exponent_are_those_of_the_solver) {
   }
   constexpr double sums = 1e3;
   EHD_CHECK(error(fitted_exponent(rows, "proportional", {5, 5}, 256).value(), 1.5), Tolerance::round_off(sums));
-  BOOST_TEST(!fitted_exponent(rows, "proportional", {5, 5}, 2048));  // two points are no fit
+  BOOST_TEST(!fitted_exponent(rows, "proportional", {5, 5}, 1024));  // two points are no fit
   BOOST_TEST(!fitted_exponent(rows, "proportional", {20, 10}, 256));
 }
 

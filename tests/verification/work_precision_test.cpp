@@ -122,10 +122,11 @@ BOOST_AUTO_TEST_CASE(ratios_are_taken_at_equal_error_and_cross_where_they_pass_o
   BOOST_TEST(found[1].value == 3);
   BOOST_TEST(found[2].level == 1e-4);
   BOOST_TEST(!crossover(found));
-  const auto at = crossover({{1e-2, 0.4}, {1e-3, 0.9}, {1e-5, 1.7}, {1e-6, 5}});
+  const auto at = crossover({{1e-2, 0.4}, {1e-3, 0.7}, {1e-4, 1.1}, {1e-5, 1.7}, {1e-6, 5}});
   BOOST_REQUIRE(at);
   BOOST_TEST(at->looser == 1e-3);
   BOOST_TEST(at->tighter == 1e-5);
+  BOOST_TEST(!crossover({{1e-2, 0.95}, {1e-3, 1.05}, {1e-4, 2}, {1e-5, 0.9}}));  // ties
   BOOST_TEST(at->rises);
   BOOST_TEST(!crossover({{1e-2, 2}, {1e-3, 0.5}})->rises);
   BOOST_TEST(!crossover({{1e-2, 0.5}}));
@@ -152,6 +153,9 @@ BOOST_AUTO_TEST_CASE(a_known_error_is_found_in_films_and_pressure) {
   BOOST_TEST(coverage(result.rows, "glass", Judged::film_minimum).yes == 0);
   BOOST_TEST(coverage(result.rows, "glass", Judged::film_central).no == 0);
   BOOST_TEST(result.anything_judged());
+  const std::string table = human_table(result);
+  BOOST_TEST(table.find("\n  missed\n") != std::string::npos);
+  BOOST_TEST(table.find("film.minimum  reported 0.002  achieved 0.003") != std::string::npos, table);
 }
 
 BOOST_AUTO_TEST_CASE(no_run_is_the_truth_of_itself) {
@@ -195,6 +199,7 @@ BOOST_AUTO_TEST_CASE(a_failure_is_a_row_with_its_reason_and_ends_the_series) {
   const std::string csv = work_precision_csv(result);
   BOOST_TEST(csv.find("limit-reached,it is late,") != std::string::npos);
   BOOST_TEST(csv.find("not-run,not run: 0.01 already reached the time limit,") != std::string::npos);
+  BOOST_TEST(human_table(result).find("own-moes-5-5, tired, 0.001, 0.0001: not run: 0.01") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(a_row_that_would_take_too_long_by_the_declared_order_is_not_run) {
