@@ -32,7 +32,7 @@ test: configure  ## Build and run every test
 	@cmake --build $(BUILD) --parallel $(JOBS)
 	@ctest --test-dir $(BUILD) --output-on-failure --parallel $(JOBS)
 
-bench: build  ## Run time and work against achieved error, scaling, batches; results in out/bench (TIME)
+bench: build  ## Run time and work against achieved error, scaling, batches; results in out/bench (10 minutes)
 	@$(BUILD)/ehd bench --output out/bench
 
 # Without this machine's vector instructions, which valgrind may not know; in a folder of its own for that.

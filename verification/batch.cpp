@@ -19,7 +19,8 @@ bool same(const std::optional<double>& a, const std::optional<double>& b) {
 }
 
 bool same(const Array& a, const Array& b) {
-  return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), [](double x, double y) { return same(x, y); });
+  return a.size() == b.size() &&
+         std::equal(a.begin(), a.end(), b.begin(), [](double x, double y) { return same(x, y); });
 }
 
 bool same(const Observables& a, const Observables& b) {

@@ -12,7 +12,8 @@
 namespace ehd::verification {
 
 std::vector<Problem> batch_problems(bool quick) {
-  const std::vector<double> loads = quick ? std::vector<double>{5, 20} : std::vector<double>{2, 5, 10, 20, 50, 100, 200, 500};
+  const std::vector<double> loads =
+      quick ? std::vector<double>{5, 20} : std::vector<double>{2, 5, 10, 20, 50, 100, 200, 500};
   const std::vector<double> moduli = quick ? std::vector<double>{5, 10} : std::vector<double>{2.5, 5, 10, 15};
   std::vector<Problem> problems;
   for (const double M : loads) {
@@ -50,7 +51,8 @@ std::vector<BatchRow> run_batch(const BatchRequest& request) {
         row.converged = static_cast<std::size_t>(std::count_if(solutions.begin(), solutions.end(), [](const auto& one) {
           return one.record.status == StopReason::converged;
         }));
-        if (expected.empty()) expected = std::move(solutions);
+        if (expected.empty())
+          expected = std::move(solutions);
         else
           row.same_results = row.same_results && std::equal(expected.begin(), expected.end(), solutions.begin(),
                                                             solutions.end(), identical);

@@ -7,9 +7,9 @@
 
 namespace ehd::verification {
 
-/// Calls work(0) … work(count - 1), each once, from up to `threads` threads (0: as many as there are cores), the calling
-/// one among them; pieces are taken in order. The first exception ends the taking and is thrown again when every thread
-/// has come back.
+/// Calls work(0) … work(count - 1), each once, from up to `threads` threads (0: as many as there are cores), the
+/// calling one among them; pieces are taken in order. The first exception ends the taking and is thrown again when
+/// every thread has come back.
 void in_threads(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& work);
 
 }  // namespace ehd::verification

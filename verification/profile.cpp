@@ -51,8 +51,8 @@ double Profile::value(std::size_t k, double x) const {
   double next = 0, after = 0;
   for (std::size_t m = begins_[k + 1] - begins_[k]; m-- > 0;) {
     const auto order = static_cast<double>(m);
-    const double now = coefficients_[begins_[k] + m] + (2 * order + 1) / (order + 1) * t * next -
-                       (order + 1) / (order + 2) * after;
+    const double now =
+        coefficients_[begins_[k] + m] + (2 * order + 1) / (order + 1) * t * next - (order + 1) / (order + 2) * after;
     after = next;
     next = now;
   }

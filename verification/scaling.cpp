@@ -88,7 +88,8 @@ ScalingRequest usual_scaling(const std::vector<const RegisteredSolver*>& solvers
 namespace {
 
 /// One size: what the child measures, as the text that comes back from it.
-Json measured(const RegisteredSolver& solver, const Problem& problem, const Request& asked, const Repetition& repetition) {
+Json measured(const RegisteredSolver& solver, const Problem& problem, const Request& asked,
+              const Repetition& repetition) {
   // A small solve first: the pages of the program and its libraries that any solve touches are not the solve's own.
   constexpr int warm_up_nodes = 64;
   (void)solver.solve(problem, {.tolerance = {}, .nodes = warm_up_nodes, .time_limit_s = asked.time_limit_s});
@@ -195,7 +196,10 @@ std::string dash(const std::optional<double>& value, int digits) { return value 
 Json to_json(const std::vector<ScalingRow>& rows) {
   Json list = Json::array();
   for (const ScalingRow& row : rows) {
-    Json json{{"solver", row.solver}, {"M", row.contact.M}, {"L", row.contact.L}, {"nodes_asked", row.nodes},
+    Json json{{"solver", row.solver},
+              {"M", row.contact.M},
+              {"L", row.contact.L},
+              {"nodes_asked", row.nodes},
               {"status", row.status ? std::string(to_string(*row.status)) : "not-run"}};
     if (!row.reason.empty()) json["reason"] = row.reason;
     if (row.status) {
@@ -222,8 +226,9 @@ std::string scaling_csv(const std::vector<ScalingRow>& rows) {
       if (std::find(stages.begin(), stages.end(), stage) == stages.end()) stages.push_back(stage);
     }
   }
-  std::string csv = "solver,M,L,nodes_asked,status,nodes,wall_s,solves,work_units,newton_iterations,convolution_s,"
-                    "time_per_unit,ns_per_n_log2_n,peak_bytes";
+  std::string csv =
+      "solver,M,L,nodes_asked,status,nodes,wall_s,solves,work_units,newton_iterations,convolution_s,"
+      "time_per_unit,ns_per_n_log2_n,peak_bytes";
   for (const auto& stage : stages) csv += "," + stage + "_s";
   csv += "\n";
   constexpr int digits = 10;
@@ -241,7 +246,8 @@ std::string scaling_csv(const std::vector<ScalingRow>& rows) {
       cells.resize(cells.size() + 9);
     }
     for (const auto& stage : stages) {
-      const auto at = std::find_if(row.stage_s.begin(), row.stage_s.end(), [&](const auto& one) { return one.first == stage; });
+      const auto at =
+          std::find_if(row.stage_s.begin(), row.stage_s.end(), [&](const auto& one) { return one.first == stage; });
       cells.push_back(at == row.stage_s.end() ? "" : number(at->second));
     }
     for (std::size_t c = 0; c < cells.size(); ++c) csv += (c > 0 ? "," : "") + cells[c];
@@ -262,8 +268,9 @@ std::string human_table(const std::vector<ScalingRow>& rows) {
     table.push_back({name_of(row.contact), row.solver, std::to_string(row.nodes),
                      ran ? std::string(to_string(*row.status)) : "not run", time ? plain(1e3 * *time, 3) : "-",
                      std::to_string(row.wall_s.size()), ran ? plain(row.work_units, 3) : "-",
-                     ran ? plain(1e3 * row.convolution_s, 3) : "-", dash(row.per_unit(), 3), dash(row.ns_per_n_log_n(), 3),
-                     ran ? plain(row.peak_bytes / megabyte, 3) : "-", ran ? plain(row.peak_bytes / row.nodes, 3) : "-"});
+                     ran ? plain(1e3 * row.convolution_s, 3) : "-", dash(row.per_unit(), 3),
+                     dash(row.ns_per_n_log_n(), 3), ran ? plain(row.peak_bytes / megabyte, 3) : "-",
+                     ran ? plain(row.peak_bytes / row.nodes, 3) : "-"});
     if (!row.reason.empty())
       failures += "  " + name_of(row.contact) + ", " + row.solver + ", n = " + std::to_string(row.nodes) + ": " +
                   row.reason + "\n";
@@ -281,7 +288,8 @@ std::string human_table(const std::vector<ScalingRow>& rows) {
         exponents.push_back({name_of(row.contact), row.solver, plain(*exponent, 3)});
     }
   }
-  std::string text = "Cost against the number of intervals, each size in a process of its own\n" + aligned(table, 2, "  ");
+  std::string text =
+      "Cost against the number of intervals, each size in a process of its own\n" + aligned(table, 2, "  ");
   if (!failures.empty()) text += "\n" + failures;
   if (exponents.size() > 1)
     text += "\nfitted from n = " + std::to_string(far_enough) + "\n" + aligned(exponents, 2, "  ");

@@ -25,16 +25,16 @@ struct ScalingRow {
   int nodes = 0;                          ///< asked
   std::optional<StopReason> status = {};  ///< none: not run
   std::string reason = {};
-  std::vector<double> wall_s = {};        ///< of each cold solve
+  std::vector<double> wall_s = {};  ///< of each cold solve
   double convolution_s = 0;
-  double peak_bytes = 0;                  ///< held at most by the first solve, above what was held after one on 64 intervals
+  double peak_bytes = 0;  ///< held at most by the first solve, above what was held after one on 64 intervals
   int nodes_used = 0;
   double work_units = 0;
   long newton_iterations = 0;
   std::vector<std::pair<std::string, double>> stage_s = {};
 
   [[nodiscard]] std::optional<double> median_s() const;
-  [[nodiscard]] std::optional<double> per_unit() const;  ///< time over (work units x one convolution)
+  [[nodiscard]] std::optional<double> per_unit() const;        ///< time over (work units x one convolution)
   [[nodiscard]] std::optional<double> ns_per_n_log_n() const;  ///< time over n log2 n, in nanoseconds
 };
 

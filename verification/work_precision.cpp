@@ -17,8 +17,8 @@ namespace ehd::verification {
 namespace {
 
 constexpr const char* truth_solver = "reference";
-// The tightest that `reference` reaches on these cases; its second run is what its pressure is compared with. Films that
-// are printed as truths state errors of 1e-12 ... 1e-9.
+// The tightest that `reference` reaches on these cases; its second run is what its pressure is compared with. Films
+// that are printed as truths state errors of 1e-12 ... 1e-9.
 constexpr double truth_tolerance = 1e-10, second_truth_tolerance = 1e-9;
 constexpr double truth_time_limit_s = 300;
 /// An achieved error is a number where it is this many times the error of the truth, a bound where not.
@@ -27,8 +27,8 @@ constexpr double truth_margin = 10;
 /// Whose times are divided at equal error.
 constexpr std::pair<const char*, const char*> compared[] = {{"reference", "fast"}, {"fast.uniform", "fast"}};
 
-// Closer times are a tie. Calibrated on the same solver under two names, on two cores that were busy four times over: of
-// 201 pairs of medians 168 lay within this.
+// Closer times are a tie. Calibrated on the same solver under two names, on two cores that were busy four times over:
+// of 201 pairs of medians 168 lay within this.
 constexpr double tie = 1.25;
 
 constexpr Quantity quantity_of[] = {Quantity::film_minimum, Quantity::film_central};
@@ -113,10 +113,21 @@ Coverage coverage(const std::vector<WorkRow>& rows, const std::string& solver, J
 
 std::vector<std::string> work_precision_cases(bool quick) {
   if (quick) return {"own-moes-20-10", "own-barus-5-5"};
-  return {"own-moes-5-5",         "own-moes-20-10",          "own-moes-100-10",   "own-moes-200-15",
-          "own-moes-1000-10",     "own-moes-1000-20",        "own-barus-5-5",     "own-barus-20-5",
-          "own-barus-20-10",      "own-moes-5-5-flooded",    "own-moes-20-10-flooded", "own-moes-200-15-flooded",
-          "own-moes-1000-10-flooded", "own-barus-3-4-flooded", "own-barus-20-10-flooded"};
+  return {"own-moes-5-5",
+          "own-moes-20-10",
+          "own-moes-100-10",
+          "own-moes-200-15",
+          "own-moes-1000-10",
+          "own-moes-1000-20",
+          "own-barus-5-5",
+          "own-barus-20-5",
+          "own-barus-20-10",
+          "own-moes-5-5-flooded",
+          "own-moes-20-10-flooded",
+          "own-moes-200-15-flooded",
+          "own-moes-1000-10-flooded",
+          "own-barus-3-4-flooded",
+          "own-barus-20-10-flooded"};
 }
 
 std::vector<Setting> settings_of(const RegisteredSolver& solver, bool quick) {
@@ -168,8 +179,8 @@ const Reading* film(const Solution& solution, std::size_t which) {
 /// asked is one too: its error is as honest.
 double stated_error(const Solution& solution) {
   double worst = 0;
-  const bool ended = solution.record.status == StopReason::converged ||
-                     solution.record.status == StopReason::tolerance_not_met;
+  const bool ended =
+      solution.record.status == StopReason::converged || solution.record.status == StopReason::tolerance_not_met;
   for (std::size_t which = 0; which < 2; ++which) {
     const Reading* reading = film(solution, which);
     if (!ended || !reading || !reading->error) return std::numeric_limits<double>::infinity();
@@ -221,7 +232,8 @@ SolvedTruth solve_truth(const Case& contact_case, bool quick) {
     const double apart = relative_l2_error(pressure_profile(runs[1 - best].solution.fields), *truth.pressure);
     stated.error[static_cast<std::size_t>(Judged::pressure)] = std::max(apart, errors[best]);
   } else {
-    stated.reason += (stated.reason.empty() ? "" : "; ") + std::string("no second run tells how well the pressure is known");
+    stated.reason +=
+        (stated.reason.empty() ? "" : "; ") + std::string("no second run tells how well the pressure is known");
   }
   return truth;
 }
@@ -278,7 +290,8 @@ std::vector<WorkRow> rows_of(const Case& contact_case, const SolvedTruth& truth,
   const auto visit = [&](std::size_t i, int round) {
     WorkRow& row = rows[i];
     if (!wanted[i]) return;
-    const Request asked{.tolerance = row.setting.tolerance, .nodes = row.setting.nodes, .time_limit_s = request.time_limit_s};
+    const Request asked{
+        .tolerance = row.setting.tolerance, .nodes = row.setting.nodes, .time_limit_s = request.time_limit_s};
     const std::string family = row.setting.solver + (row.setting.nodes ? " on grids" : " within tolerances");
     if (round == 0) {
       std::string why;
@@ -305,8 +318,9 @@ std::vector<WorkRow> rows_of(const Case& contact_case, const SolvedTruth& truth,
       if (run.status() == StopReason::limit_reached)
         given_up.emplace(family, row.setting.text() + " already reached the time limit");
       else if (next_s > request.time_limit_s)
-        given_up.emplace(family, row.setting.text() + " took " + plain(row.wall_s.front(), 2) + " s, and the next is to be expected at " +
-                                     plain(next_s, 2) + " s by the declared order and work");
+        given_up.emplace(family, row.setting.text() + " took " + plain(row.wall_s.front(), 2) +
+                                     " s, and the next is to be expected at " + plain(next_s, 2) +
+                                     " s by the declared order and work");
     }
     wanted[i] = row.converged() && !request.repetition.satisfied_by(row.wall_s);
   };
@@ -383,8 +397,8 @@ Json row_json(const WorkRow& row) {
   if (!row.reason.empty()) json["reason"] = row.reason;
   if (!row.status) return json;
   const auto [fastest, slowest] = std::minmax_element(row.wall_s.begin(), row.wall_s.end());
-  Json cost{{"wall_s", median(row.wall_s)}, {"fastest_s", *fastest}, {"slowest_s", *slowest},
-            {"solves", row.wall_s.size()}};
+  Json cost{
+      {"wall_s", median(row.wall_s)}, {"fastest_s", *fastest}, {"slowest_s", *slowest}, {"solves", row.wall_s.size()}};
   put(cost, "planning_s", row.cost.planning_s);
   if (row.cost.nodes > 0) {
     put(cost, "work_units", row.cost.work_units);
@@ -483,7 +497,10 @@ Json to_json(const WorkPrecisionResult& result) {
     if (judged == Judged::pressure) continue;  // no solver reports its error
     for (const auto& solver : result.solvers) {
       const Coverage found = coverage(result.rows, solver, judged);
-      Json entry{{"quantity", to_string(judged)}, {"solver", solver}, {"covered", found.yes}, {"missed", found.no},
+      Json entry{{"quantity", to_string(judged)},
+                 {"solver", solver},
+                 {"covered", found.yes},
+                 {"missed", found.no},
                  {"undecided", found.undecided}};
       put(entry, "median_excess", found.median_excess);
       put(entry, "smallest_excess", found.worst_excess);
@@ -497,8 +514,9 @@ Json to_json(const WorkPrecisionResult& result) {
 }
 
 std::string work_precision_csv(const WorkPrecisionResult& result) {
-  std::string csv = "case,solver,tolerance,nodes_asked,status,reason,wall_s,fastest_s,slowest_s,solves,planning_s,"
-                    "work_units,convolutions,newton_iterations,krylov_iterations,nodes,levels";
+  std::string csv =
+      "case,solver,tolerance,nodes_asked,status,reason,wall_s,fastest_s,slowest_s,solves,planning_s,"
+      "work_units,convolutions,newton_iterations,krylov_iterations,nodes,levels";
   for (const Judged judged : all_judged) {
     const std::string name(to_string(judged));
     if (judged != Judged::pressure) csv += "," + name + "_reported";
@@ -506,9 +524,12 @@ std::string work_precision_csv(const WorkPrecisionResult& result) {
   }
   csv += "\n";
   for (const WorkRow& row : result.rows) {
-    std::vector<std::string> cells{row.case_id, row.setting.solver, number(row.setting.tolerance),
+    std::vector<std::string> cells{row.case_id,
+                                   row.setting.solver,
+                                   number(row.setting.tolerance),
                                    row.setting.nodes ? std::to_string(*row.setting.nodes) : "",
-                                   row.status ? std::string(to_string(*row.status)) : "not-run", quoted(row.reason)};
+                                   row.status ? std::string(to_string(*row.status)) : "not-run",
+                                   quoted(row.reason)};
     if (row.status) {
       const auto [fastest, slowest] = std::minmax_element(row.wall_s.begin(), row.wall_s.end());
       const bool grid = row.cost.nodes > 0;
@@ -537,18 +558,19 @@ std::string work_precision_csv(const WorkPrecisionResult& result) {
 namespace {
 
 std::string truths_table(const WorkPrecisionResult& result) {
-  std::vector<std::vector<std::string>> table{
-      {"case", "status", "asked", "H_min", "H_cen", "pressure L2 to", "H_min from digits", "H_cen from digits", "time [s]"}};
+  std::vector<std::vector<std::string>> table{{"case", "status", "asked", "H_min", "H_cen", "pressure L2 to",
+                                               "H_min from digits", "H_cen from digits", "time [s]"}};
   for (const Truth& truth : result.truths) {
     if (!truth.status) {
-      table.push_back({truth.case_id, "no truth", plain(truth.tolerance), "-", "-", "-", "-", "-", plain(truth.wall_s, 3)});
+      table.push_back(
+          {truth.case_id, "no truth", plain(truth.tolerance), "-", "-", "-", "-", "-", plain(truth.wall_s, 3)});
       continue;
     }
     const double pressure = truth.error[static_cast<std::size_t>(Judged::pressure)];
     table.push_back({truth.case_id, std::string(to_string(*truth.status)), plain(truth.tolerance),
                      with_error(truth.value[0], truth.error[0]), with_error(truth.value[1], truth.error[1]),
-                     pressure > 0 ? plain(pressure, 2) : "-",
-                     dash(truth.from_digits[0], 2), dash(truth.from_digits[1], 2), plain(truth.wall_s, 3)});
+                     pressure > 0 ? plain(pressure, 2) : "-", dash(truth.from_digits[0], 2),
+                     dash(truth.from_digits[1], 2), plain(truth.wall_s, 3)});
   }
   return "The truths: " + std::string(truth_solver) + ", with the errors that it states\n" + aligned(table, 2, "  ");
 }
@@ -568,9 +590,9 @@ std::string rows_table(const WorkPrecisionResult& result) {
       const AchievedError& error = row.error(judged);
       if (judged != Judged::pressure) cells.push_back(dash(error.reported, 2));
       // Below ten times the truth's error only a bound is known.
-      cells.push_back(!error.achieved                                       ? "-"
+      cells.push_back(!error.achieved                                ? "-"
                       : *error.achieved < truth_margin * error.truth ? "<" + plain(*error.achieved + error.truth, 2)
-                                                                            : plain(*error.achieved, 2));
+                                                                     : plain(*error.achieved, 2));
     }
     table.push_back(cells);
   }

@@ -32,7 +32,11 @@ struct AchievedError {
   [[nodiscard]] bool within(double level) const { return achieved && *achieved + truth <= level; }
 };
 
-enum class Covered { yes, no, undecided };  ///< undecided: nothing is reported or judged, or the truth is not known well enough
+enum class Covered {
+  yes,
+  no,
+  undecided
+};  ///< undecided: nothing is reported or judged, or the truth is not known well enough
 [[nodiscard]] Covered covered(const AchievedError& error);
 
 /// A solver, with what is asked of it.
@@ -46,10 +50,10 @@ struct Setting {
 struct WorkRow {
   std::string case_id;
   Setting setting;
-  std::optional<StopReason> status = {};  ///< none: not run
-  std::string reason = {};                ///< where it did not run, or did not end as converged
-  std::vector<double> wall_s = {};        ///< of each cold solve
-  Cost cost = {};                         ///< of the first
+  std::optional<StopReason> status = {};     ///< none: not run
+  std::string reason = {};                   ///< where it did not run, or did not end as converged
+  std::vector<double> wall_s = {};           ///< of each cold solve
+  Cost cost = {};                            ///< of the first
   std::array<AchievedError, 3> errors = {};  ///< by Judged
   [[nodiscard]] bool converged() const { return status == StopReason::converged; }
   [[nodiscard]] const AchievedError& error(Judged judged) const { return errors[static_cast<std::size_t>(judged)]; }
@@ -66,7 +70,8 @@ struct Truth {
   std::array<double, 2> value = {};  ///< films, Hertz units
   std::array<double, 3> error = {};  ///< by Judged, relative: films as stated; pressure from two runs (see solve_truth)
   double wall_s = 0;
-  std::array<std::optional<double>, 2> from_digits = {};  ///< |value - the case's own digits|, relative, where it has some
+  std::array<std::optional<double>, 2> from_digits =
+      {};  ///< |value - the case's own digits|, relative, where it has some
   std::array<double, 2> digits_uncertainty = {};
 };
 
@@ -105,10 +110,10 @@ struct Coverage {
 // -- the run ----------------------------------------------------------------------------------------------------
 
 struct WorkPrecisionRequest {
-  std::vector<Case> cases;                           ///< lubricated contacts, see contacts_named
+  std::vector<Case> cases;  ///< lubricated contacts, see contacts_named
   std::vector<const RegisteredSolver*> solvers;
-  bool quick = false;                                ///< fewer tolerances and grids
-  double time_limit_s = 30;                          ///< for each solve
+  bool quick = false;        ///< fewer tolerances and grids
+  double time_limit_s = 30;  ///< for each solve
   Repetition repetition = {};
   std::function<void(const std::string&)> progress = {};
 };

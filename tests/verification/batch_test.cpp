@@ -50,7 +50,8 @@ BOOST_AUTO_TEST_CASE(results_are_the_same_bit_for_bit_with_any_number_of_threads
       const auto together = solve_all(solver, problems, {.tolerance = 1e-2}, threads);
       BOOST_REQUIRE(together.size() == problems.size());
       for (std::size_t i = 0; i < problems.size(); ++i)
-        BOOST_CHECK_MESSAGE(identical(alone[i], together[i]), name << ", problem " << i << ", " << threads << " threads");
+        BOOST_CHECK_MESSAGE(identical(alone[i], together[i]),
+                            name << ", problem " << i << ", " << threads << " threads");
     }
     std::size_t converged = 0;
     for (const auto& one : alone) converged += one.record.status == StopReason::converged ? 1 : 0;
@@ -88,7 +89,15 @@ BOOST_AUTO_TEST_CASE(a_single_bit_makes_two_solutions_differ_and_a_time_does_not
       [](Solution& s) { s.fields.P[0] = -0.0; },
       [](Solution& s) { s.fields.X.conservativeResize(3); },
       [](Solution& s) { s.fields.offset = std::nextafter(s.fields.offset, infinity); },
-      [](Solution& s) { s.fields.elements = {0, 3}; },
+      [](Solution& s) {
+        s.fields.elements = {0, 3};
+      },
+      [](Solution& s) { s.fields.H = Array::Ones(1); },
+      [](Solution& s) { s.fields.density = Array::Ones(1); },
+      [](Solution& s) { s.fields.log_viscosity = Array::Ones(1); },
+      [](Solution& s) { s.fields.flux = Array::Ones(1); },
+      [](Solution& s) { s.fields.load_beyond_inlet = 1e-9; },
+      [](Solution& s) { s.fields.work_beyond_inlet = 1e-9; },
       [](Solution& s) { s.observables[Quantity::film_minimum].error.reset(); },
       [](Solution& s) { *s.observables[Quantity::film_minimum].place *= 2; },
       [](Solution& s) { s.observables[Quantity::approach] = {}; },

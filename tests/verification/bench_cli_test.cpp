@@ -18,11 +18,14 @@ BOOST_AUTO_TEST_SUITE(bench_cli)
 BOOST_AUTO_TEST_CASE(a_quick_bench_prints_its_tables_and_leaves_its_files) {
   const test::Folder folder;
   const auto out = folder.path() / "new" / "bench";
-  const auto ended = test::ehd_run(folder, "bench --quick --case own-moes-5-5 --solver fast --solver fast.uniform "
-                                           "--solver reference --output '" + out.string() + "'");
+  const auto ended = test::ehd_run(folder,
+                                   "bench --quick --case own-moes-5-5 --solver fast --solver fast.uniform "
+                                   "--solver reference --output '" +
+                                       out.string() + "'");
   BOOST_TEST(ended.exit_code == 0);
   BOOST_TEST(ended.err == "");  // progress is for terminals
-  for (const char* text : {"one convolution", "speed-up", "The truths", "reference/fast", "fast.uniform/fast", "covered"})
+  for (const char* text :
+       {"one convolution", "speed-up", "The truths", "reference/fast", "fast.uniform/fast", "covered"})
     BOOST_CHECK_MESSAGE(ended.out.find(text) != std::string::npos, text << " is not in the tables");
   const json bench = json::parse(test::read(out / "bench.json"));
   BOOST_TEST(bench["schema"] == 1);

@@ -4,7 +4,8 @@
 #include <signal.h>
 #include <unistd.h>
 
-#include <cstdlib>
+#include <cmath>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -74,6 +75,27 @@ BOOST_AUTO_TEST_CASE(a_child_does_not_inherit_the_peak_of_its_parent) {
   { const std::vector<char> freed(256 * 1024 * 1024, 'z'); }
   BOOST_TEST(peak_memory_bytes() > 256 * megabyte);
   EHD_CHECK(rise_with(1024 * 1024) / megabyte, Tolerance::calibrated(5, "megabytes of a block of 1"));
+}
+
+BOOST_AUTO_TEST_CASE(what_a_child_holds_counts_though_its_parent_had_freed_as_much) {
+  constexpr double megabyte = 1024 * 1024;
+  constexpr std::size_t size = 1000, held = 32 * 1024;  // small blocks, which the library keeps when they are freed
+  const auto blocks = [](std::size_t count) {
+    std::vector<std::unique_ptr<char[]>> all;
+    for (std::size_t i = 0; i < count; ++i) all.emplace_back(std::make_unique<char[]>(size));
+    return all;
+  };
+  auto ours = blocks(2 * held);
+  const auto last = std::make_unique<char[]>(size);  // above them, so that they are not given back by themselves
+  ours.clear();
+  const ChildEnd end = in_child([&] {
+    const double before = resident_memory_bytes();
+    const auto theirs = blocks(held);
+    return std::to_string(theirs.back()[0] + peak_memory_bytes() - before);
+  });
+  EHD_CHECK(std::abs(std::stod(end.text.value()) - size * held) / megabyte,
+            Tolerance::calibrated(4, "megabytes; blocks have headers, and their pointers an array"));
+  BOOST_TEST(last[0] == 0);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -55,7 +55,8 @@ BOOST_AUTO_TEST_CASE(memory_time_and_exponent_are_those_of_the_solver) {
               Tolerance::calibrated(0.15, "up to 1 MB of the run-time library beside blocks of 15 to 120 MB"));
     constexpr double operations = 10;
     EHD_CHECK(error(row.median_s().value(), 1e-6 * std::pow(row.nodes, 1.5)), Tolerance::round_off(operations));
-    EHD_CHECK(error(row.per_unit().value(), *row.median_s() / (12 * row.convolution_s)), Tolerance::round_off(operations));
+    EHD_CHECK(error(row.per_unit().value(), *row.median_s() / (12 * row.convolution_s)),
+              Tolerance::round_off(operations));
     EHD_CHECK(error(row.ns_per_n_log_n().value(), 1e3 * std::sqrt(row.nodes) / std::log2(row.nodes)),
               Tolerance::round_off(operations));
     BOOST_TEST(row.wall_s.size() == 2u);

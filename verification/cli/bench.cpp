@@ -80,7 +80,8 @@ int bench(const BenchOptions& options) {
   if (!options.cases.empty() && !asked(work_precision))
     throw option_error("--case", options.cases.front(), "belongs to the part work-precision, which is not run");
   if (!asked(work_precision) && fft_solvers.empty())
-    throw option_error("--solver", solvers.front()->name, "uses no FFT; allowed in scaling and batch are those that do");
+    throw option_error("--solver", solvers.front()->name,
+                       "uses no FFT; allowed in scaling and batch are those that do");
   Request limits = options.limits.request();
   if (!options.limits.time_limit) limits.time_limit_s = usual_time_limit_s;
 

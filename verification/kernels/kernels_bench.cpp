@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the kernels of fast/ cost, by Google Benchmark. The counter `convolutions` is the time of one call in multiples of
-// one bare FFT convolution on as many intervals, timed right after.
+// What the kernels of fast/ cost, by Google Benchmark. The counter `convolutions` is the time of one call in multiples
+// of one bare FFT convolution on as many intervals, timed right after.
 #include <benchmark/benchmark.h>
 
 #include <ctime>
@@ -118,7 +118,8 @@ void multigrid_prepare(benchmark::State& run) {
 void multigrid_cycle(benchmark::State& run) {
   Iterate at(static_cast<int>(run.range(0)));
   Multigrid multigrid;
-  if (!multigrid.prepare(at.setting, at.scheme, at.state, at.kernels)) throw std::logic_error("the coarsest matrix is singular");
+  if (!multigrid.prepare(at.setting, at.scheme, at.state, at.kernels))
+    throw std::logic_error("the coarsest matrix is singular");
   Step step;
   timed(run, [&] { multigrid.cycle(at.scheme.e, at.scheme.load_error, step, at.counters); });
 }
