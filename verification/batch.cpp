@@ -33,7 +33,7 @@ bool same(const Observables& a, const Observables& b) {
 bool same(const Fields& a, const Fields& b) {
   return same(a.X, b.X) && same(a.P, b.P) && same(a.H, b.H) && same(a.density, b.density) &&
          same(a.log_viscosity, b.log_viscosity) && same(a.flux, b.flux) && same(a.offset, b.offset) &&
-         a.elements == b.elements && same(a.load_beyond_inlet, b.load_beyond_inlet) &&
+         a.elements == b.elements && same(a.weights, b.weights) && same(a.load_beyond_inlet, b.load_beyond_inlet) &&
          same(a.work_beyond_inlet, b.work_beyond_inlet);
 }
 

@@ -137,7 +137,7 @@ std::vector<Setting> settings_of(const RegisteredSolver& solver, bool quick) {
   std::vector<double> tolerances{1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6};
   if (certified) tolerances.insert(tolerances.end(), {1e-7, 1e-8, 1e-9});
   std::vector<int> nodes;
-  for (int n = dense ? 128 : 256; n <= (dense ? 1024 : 65536); n *= 2) nodes.push_back(n);
+  for (int n = dense ? 128 : 64; n <= (dense ? 1024 : 65536); n *= 2) nodes.push_back(n);
   if (quick) {
     tolerances = {1e-2, 1e-3, 1e-4};
     nodes = dense ? std::vector<int>{128, 256} : std::vector<int>{256, 1024, 4096};

@@ -92,6 +92,7 @@ BOOST_AUTO_TEST_CASE(a_single_bit_makes_two_solutions_differ_and_a_time_does_not
       [](Solution& s) {
         s.fields.elements = {0, 3};
       },
+      [](Solution& s) { s.fields.weights = Array::Ones(1); },
       [](Solution& s) { s.fields.H = Array::Ones(1); },
       [](Solution& s) { s.fields.density = Array::Ones(1); },
       [](Solution& s) { s.fields.log_viscosity = Array::Ones(1); },

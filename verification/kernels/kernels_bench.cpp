@@ -4,9 +4,11 @@
 #include <benchmark/benchmark.h>
 
 #include <ctime>
+#include <memory>
 #include <stdexcept>
 
 #include "fast/convolution.hpp"
+#include "fast/map.hpp"
 #include "fast/multigrid.hpp"
 #include "fast/start.hpp"
 #include "verification/claims/oils.hpp"
@@ -19,17 +21,16 @@ using namespace ehd::fast;
 
 /// A moderate contact, (20, 10), at the first iterate: every field has its usual size.
 struct Iterate {
-  explicit Iterate(int intervals) : n(intervals), kernel(kernels.of(n)) {
+  explicit Iterate(int intervals) : grid(grids.of(intervals)) {
     const Problem problem = verification::problem_at({20, 10}, true, TruncatedAt{-4});
     setting = {.groups = problem.groups, .viscosity = problem.viscosity, .density = problem.density, .inlet = -4};
     const Lengths lengths = expected_lengths(problem.groups);
-    state = first_iterate(setting, likely_shape(lengths.film), lengths.film, n, kernel);
-    if (!scheme.evaluate(setting, state, kernel, counters)) throw std::logic_error("the first iterate has no film");
+    state = first_iterate(setting, likely_shape(lengths.film), lengths.film, grid);
+    if (!scheme.evaluate(setting, state, grid, counters)) throw std::logic_error("the first iterate has no film");
     scheme.linearise(setting, state.P, state.exit);
   }
-  int n;
-  Multigrid::Kernels kernels;
-  Convolution& kernel;
+  Grids grids;
+  Grid& grid;
   Setting setting;
   State state;
   Counters counters;
@@ -62,9 +63,29 @@ void convolution(benchmark::State& run) {
   timed(run, [&] { kernel.apply(x, y); });
 }
 
+/// A map for the same contact.
+MapShape usual_shape() {
+  return {.inlet = -4, .exit = 1.07, .scale = 1, .inlet_width = 0.19, .spike = 0.9, .spike_width = 0.1};
+}
+
+void mapped_product(benchmark::State& run) {
+  Grids grids;
+  grids.use(std::make_shared<const Map>(usual_shape()));
+  Grid& grid = grids.of(static_cast<int>(run.range(0)));
+  const Array P = Array::LinSpaced(grid.n + 1, -1, 1).square();
+  Array y;
+  double integral = 0;
+  timed(run, [&] { grid.product(P, y, integral); });
+}
+
+void mapped_nodes(benchmark::State& run) {
+  const Map map(usual_shape());
+  timed(run, [&] { benchmark::DoNotOptimize(map.nodes(static_cast<int>(run.range(0)))); });
+}
+
 void residual(benchmark::State& run) {
   Iterate at(static_cast<int>(run.range(0)));
-  timed(run, [&] { benchmark::DoNotOptimize(at.scheme.evaluate(at.setting, at.state, at.kernel, at.counters)); });
+  timed(run, [&] { benchmark::DoNotOptimize(at.scheme.evaluate(at.setting, at.state, at.grid, at.counters)); });
 }
 
 void linearise(benchmark::State& run) {
@@ -77,7 +98,7 @@ void jacobian_product(benchmark::State& run) {
   const Step step{.P = at.state.P, .offset = 0.1, .exit = 0.1};
   Array change;
   double load = 0;
-  timed(run, [&] { at.scheme.apply(step, at.kernel, at.counters, change, load); });
+  timed(run, [&] { at.scheme.apply(step, at.grid, at.counters, change, load); });
 }
 
 /// Both kernels work on a fresh copy, whose copying counts: what is solved again and again would end in denormals.
@@ -112,13 +133,14 @@ void band_solve(benchmark::State& run) {
 void multigrid_prepare(benchmark::State& run) {
   Iterate at(static_cast<int>(run.range(0)));
   Multigrid multigrid;
-  timed(run, [&] { benchmark::DoNotOptimize(multigrid.prepare(at.setting, at.scheme, at.state, at.kernels)); });
+  timed(run,
+        [&] { benchmark::DoNotOptimize(multigrid.prepare(at.setting, at.scheme, at.state, at.grids, at.counters)); });
 }
 
 void multigrid_cycle(benchmark::State& run) {
   Iterate at(static_cast<int>(run.range(0)));
   Multigrid multigrid;
-  if (!multigrid.prepare(at.setting, at.scheme, at.state, at.kernels))
+  if (!multigrid.prepare(at.setting, at.scheme, at.state, at.grids, at.counters))
     throw std::logic_error("the coarsest matrix is singular");
   Step step;
   timed(run, [&] { multigrid.cycle(at.scheme.e, at.scheme.load_error, step, at.counters); });
@@ -129,6 +151,8 @@ void sizes(benchmark::internal::Benchmark* kernel) {
 }
 
 BENCHMARK(convolution)->Apply(sizes);
+BENCHMARK(mapped_product)->Apply(sizes);
+BENCHMARK(mapped_nodes)->Apply(sizes);
 BENCHMARK(residual)->Apply(sizes);
 BENCHMARK(linearise)->Apply(sizes);
 BENCHMARK(jacobian_product)->Apply(sizes);
