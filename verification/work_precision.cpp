@@ -2,7 +2,9 @@
 #include "verification/work_precision.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <limits>
 #include <map>
 #include <utility>
@@ -346,6 +348,8 @@ std::vector<Case> contacts_named(const std::vector<std::string>& names) {
 }
 
 WorkPrecisionResult run_work_precision(const WorkPrecisionRequest& request) {
+  const auto begin = std::chrono::steady_clock::now();
+  const std::clock_t cpu_begin = std::clock();
   WorkPrecisionResult result;
   for (const RegisteredSolver* solver : request.solvers) result.solvers.push_back(solver->name);
   for (const Case& one : request.cases) {
@@ -355,6 +359,8 @@ WorkPrecisionResult run_work_precision(const WorkPrecisionRequest& request) {
     result.truths.push_back(truth.stated);
     result.rows.insert(result.rows.end(), rows.begin(), rows.end());
   }
+  const double wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  if (wall_s > 0) result.cpu_share = static_cast<double>(std::clock() - cpu_begin) / CLOCKS_PER_SEC / wall_s;
   return result;
 }
 
@@ -459,6 +465,7 @@ double geometric_mean(const std::vector<double>& values) {
 Json to_json(const WorkPrecisionResult& result) {
   Json json;
   json["solvers"] = result.solvers;
+  put(json, "cpu_share", result.cpu_share);
   json["truths"] = Json::array();
   for (const Truth& truth : result.truths) json["truths"].push_back(truth_json(truth));
   json["rows"] = Json::array();
@@ -596,7 +603,10 @@ std::string rows_table(const WorkPrecisionResult& result) {
     }
     table.push_back(cells);
   }
-  return "Every run: time is the median of cold solves\n" + aligned(table, 4, "  ");
+  constexpr double undisturbed = 0.9, percent = 100;
+  return "Every run: time is the median of cold solves; this process had " + plain(percent * result.cpu_share, 3) +
+         " % of a core" + (result.cpu_share < undisturbed ? ", so that times are too long: measure again" : "") + "\n" +
+         aligned(table, 4, "  ");
 }
 
 std::string equal_error_table(const WorkPrecisionResult& result, Judged judged) {

@@ -129,6 +129,9 @@ struct WorkPrecisionResult {
   std::vector<Truth> truths;
   std::vector<WorkRow> rows;
   std::vector<std::string> solvers;
+  /// CPU time over wall time of the whole run, which is one thread: well below 1, others were at work and the times are
+  /// too long by an unknown factor.
+  double cpu_share = 1;
   [[nodiscard]] bool anything_judged() const;
 };
 

@@ -2,10 +2,12 @@
 #include "verification/work_precision.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <set>
 #include <sstream>
 #include <stdexcept>
+#include <thread>
 
 #include "tests/check.hpp"
 #include "verification/solve_run.hpp"
@@ -169,6 +171,19 @@ BOOST_AUTO_TEST_CASE(a_known_error_is_found_in_films_and_pressure) {
   const std::string table = human_table(result);
   BOOST_TEST(table.find("\n  missed\n") != std::string::npos);
   BOOST_TEST(table.find("film.minimum  reported 0.002  achieved 0.003") != std::string::npos, table);
+}
+
+BOOST_AUTO_TEST_CASE(a_disturbed_measurement_says_so) {
+  RegisteredSolver solver = *find_solver("fast");
+  solver.solve = [](const Problem&, const Request&) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));  // as if others had the core
+    return Solution{};
+  };
+  const auto result = run_work_precision(quick_request(solver));
+  BOOST_TEST(result.cpu_share > 0);  // the truth was computed
+  BOOST_TEST(result.cpu_share < 0.8);
+  BOOST_TEST(human_table(result).find("measure again") != std::string::npos);
+  BOOST_TEST(to_json(result)["cpu_share"] == result.cpu_share);
 }
 
 BOOST_AUTO_TEST_CASE(no_run_is_the_truth_of_itself) {
