@@ -8,7 +8,7 @@ CMAKE_FLAGS ?=
 GENERATOR = $(if $(wildcard $(BUILD)/CMakeCache.txt),,$(if $(shell command -v ninja 2>/dev/null),-G Ninja))
 
 .DEFAULT_GOAL := help
-.PHONY: help setup configure build verify test atlas format clean
+.PHONY: help setup configure build verify test bench callgrind kernels atlas format clean
 
 help:       ## List the targets
 	@sed -n 's/^\([a-z][a-z-]*\):[^#]*## \(.*\)/  make \1\t\2/p' $(firstword $(MAKEFILE_LIST)) | expand -t 18
@@ -31,6 +31,19 @@ verify: build  ## Balance the paper's bearing, run the verification suite; resul
 test: configure  ## Build and run every test
 	@cmake --build $(BUILD) --parallel $(JOBS)
 	@ctest --test-dir $(BUILD) --output-on-failure --parallel $(JOBS)
+
+bench: build  ## Run time and work against achieved error, scaling, batches; results in out/bench (10 minutes)
+	@$(BUILD)/ehd bench --output out/bench
+
+# Without this machine's vector instructions, which valgrind may not know; in a folder of its own for that.
+callgrind:  ## Count instructions of three solves, name the functions that moved (KEEP=1 keeps the counts; 5 minutes)
+	@sh cmake/setup.sh valgrind
+	@$(MAKE) --no-print-directory build BUILD=$(BUILD)-callgrind CMAKE_FLAGS="-DEHD_NATIVE=OFF -DBUILD_TESTING=OFF"
+	@verification/callgrind/count.sh $(if $(KEEP),--keep) $(BUILD)-callgrind/ehd
+
+kernels: configure  ## Time the kernels of fast/ in multiples of one FFT convolution (needs libbenchmark-dev; 1 minute)
+	@cmake --build $(BUILD) --parallel $(JOBS) --target ehd_kernels
+	@$(BUILD)/ehd_kernels
 
 atlas: build  ## Solve the atlas of line contacts into cases/atlas (goes on where an earlier run ended)
 	@$(BUILD)/ehd atlas

@@ -6,20 +6,22 @@ set -eu
 
 required="g++ cmake pkg-config libeigen3-dev libfftw3-dev libgsl-dev libboost-test-dev libtomlplusplus-dev \
 nlohmann-json3-dev libcli11-dev"
-optional="ninja-build"  # the build is faster with it and works without
+# The build is faster with ninja, and make kernels needs the benchmark library; everything else works without.
+optional="ninja-build libbenchmark-dev"
 
 command -v dpkg-query > /dev/null 2>&1 || exit 0
 
 is_installed() {
   case "$1" in  # a tool counts wherever it comes from
-    g++ | cmake | pkg-config) command -v "$1" > /dev/null 2>&1 && return 0 ;;
+    g++ | cmake | pkg-config | valgrind) command -v "$1" > /dev/null 2>&1 && return 0 ;;
     ninja-build) command -v ninja > /dev/null 2>&1 && return 0 ;;
   esac
   dpkg-query -W -f '${db:Status-Status}\n' "$1" 2> /dev/null | grep -q '^installed$'
 }
 
 missing=""
-for package in $required; do
+# What a target needs beside the build: sh cmake/setup.sh valgrind
+for package in $required "$@"; do
   is_installed "$package" || missing="$missing $package"
 done
 is_root=$([ "$(id -u)" -eq 0 ] && echo yes || echo no)

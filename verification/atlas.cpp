@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <bit>
 #include <charconv>
 #include <chrono>
@@ -11,7 +10,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <exception>
 #include <fstream>
 #include <limits>
 #include <mutex>
@@ -19,11 +17,11 @@
 #include <set>
 #include <sstream>
 #include <system_error>
-#include <thread>
 #include <tuple>
 
 #include "contact/scaling.hpp"
 #include "verification/output.hpp"
+#include "verification/parallel.hpp"
 #include "verification/solve_run.hpp"
 #include "verification/text.hpp"
 #include "verification/tolerance.hpp"
@@ -724,38 +722,20 @@ AtlasResult run_atlas(const AtlasRequest& request, const RegisteredSolver& solve
     if (one.reused != other.reused) return one.reused;
     return one.point.hertz_pressure_Pa() > other.point.hertz_pressure_Pa();
   });
-  std::atomic<std::size_t> next = 0;
   std::size_t done = 0;
   std::mutex reporting;
-  std::exception_ptr failure;
-  const auto work = [&] {
-    for (std::size_t k = next++; k < order.size(); k = next++) {
-      AtlasResult::Entry& entry = result.entries[order[k]];
-      try {
-        if (!entry.reused) {
-          AtlasRecord solved = solve_point(entry.point, solver, entry.record.tolerance, request.time_limit_s);
-          solved.solver = version;
-          OutputFile(records / (solved.id + ".json")).commit(json_of(solved));
-          entry.record = std::move(solved);
-        }
-        const std::lock_guard lock(reporting);
-        ++done;
-        if (request.progress) request.progress(done, order.size(), entry.record, entry.reused);
-      } catch (...) {
-        const std::lock_guard lock(reporting);
-        if (!failure) failure = std::current_exception();
-        next = order.size();
-      }
+  in_threads(order.size(), request.threads, [&](std::size_t k) {
+    AtlasResult::Entry& entry = result.entries[order[k]];
+    if (!entry.reused) {
+      AtlasRecord solved = solve_point(entry.point, solver, entry.record.tolerance, request.time_limit_s);
+      solved.solver = version;
+      OutputFile(records / (solved.id + ".json")).commit(json_of(solved));
+      entry.record = std::move(solved);
     }
-  };
-  const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
-  const std::size_t threads = std::min<std::size_t>(request.threads > 0 ? request.threads : cores, order.size());
-  {
-    std::vector<std::jthread> workers;
-    for (std::size_t i = 1; i < threads; ++i) workers.emplace_back(work);
-    work();
-  }
-  if (failure) std::rethrow_exception(failure);
+    const std::lock_guard lock(reporting);
+    ++done;
+    if (request.progress) request.progress(done, order.size(), entry.record, entry.reused);
+  });
 
   // Rows in the order of the request; others that are to stay, behind. Each file is replaced whole; a run that ends
   // between two of them is made good by the next one.

@@ -96,6 +96,7 @@ Json cost_json(const Cost& cost) {
   json["viscosity_points"] = cost.viscosity_points;
   json["density_points"] = cost.density_points;
   json["fft_plans"] = cost.fft_plans;
+  for (const auto& [stage, seconds] : cost.stage_s) put(json["stage_s"], stage, seconds);
   return json;
 }
 

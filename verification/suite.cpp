@@ -2,17 +2,16 @@
 #include "verification/suite.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <iterator>
 #include <map>
 #include <mutex>
 #include <set>
-#include <thread>
 #include <utility>
 
 #include "verification/claims/topics.hpp"
+#include "verification/parallel.hpp"
 #include "verification/provenance.hpp"
 #include "verification/text.hpp"
 
@@ -107,24 +106,14 @@ SuiteResult run_suite(const SuiteRequest& request) {
   if (topics.empty()) throw NothingSelected("there is nothing to verify for " + selection(request));
 
   std::vector<Findings> findings(topics.size());
-  std::atomic<std::size_t> next = 0;
   std::size_t done = 0;
   std::mutex reporting;
-  const auto work = [&] {
-    for (std::size_t i = next++; i < topics.size(); i = next++) {
-      findings[i] = run_topic(topics[i], request);
-      const std::lock_guard lock(reporting);
-      ++done;
-      if (request.progress) request.progress(done, topics.size(), topics[i].name);
-    }
-  };
-  const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
-  const std::size_t threads = std::min<std::size_t>(request.threads > 0 ? request.threads : cores, topics.size());
-  {
-    std::vector<std::jthread> workers;
-    for (std::size_t i = 1; i < threads; ++i) workers.emplace_back(work);
-    work();
-  }
+  in_threads(topics.size(), request.threads, [&](std::size_t i) {
+    findings[i] = run_topic(topics[i], request);
+    const std::lock_guard lock(reporting);
+    ++done;
+    if (request.progress) request.progress(done, topics.size(), topics[i].name);
+  });
 
   SuiteResult result;
   for (auto& found : findings) {

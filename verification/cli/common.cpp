@@ -197,6 +197,25 @@ bool styled_output() {
   return ::isatty(STDOUT_FILENO) && !(no_color && *no_color) && !dumb;
 }
 
+OutputFolder::OutputFolder(const std::string& name) : path_(name) {
+  std::error_code error;
+  const auto whole = std::filesystem::absolute(path_, error).lexically_normal();
+  for (auto above = whole; !above.empty() && !std::filesystem::exists(above, error); above = above.parent_path())
+    made_.push_back(above);
+  std::filesystem::create_directories(path_, error);
+  if (error) {
+    const std::string why = error.message();
+    remove_empty();
+    throw option_error("--output", name, why + "; allowed is a folder");
+  }
+}
+
+void OutputFolder::remove_empty() {
+  std::error_code not_empty;
+  for (const auto& folder : made_) std::filesystem::remove(folder, not_empty);  // the deepest first
+  made_.clear();
+}
+
 JsonTarget::JsonTarget(const std::optional<std::string>& option) : asked_(option.has_value()) {
   if (option && *option != "-") file_.emplace(*option);
 }

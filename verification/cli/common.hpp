@@ -79,6 +79,22 @@ void print(const std::string& text);
 /// One line on standard error.
 void complain(const std::string& line);
 
+/// --output DIR: a folder with those above it, made where they do not exist. What is still empty at the end goes again,
+/// so that a refused call leaves nothing.
+class OutputFolder {
+ public:
+  explicit OutputFolder(const std::string& name);  ///< throws UsageError
+  ~OutputFolder() { remove_empty(); }
+  OutputFolder(const OutputFolder&) = delete;
+  OutputFolder& operator=(const OutputFolder&) = delete;
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  void remove_empty();
+  std::filesystem::path path_;
+  std::vector<std::filesystem::path> made_;
+};
+
 /// --json FILE|-: opens the file before the work begins.
 class JsonTarget {
  public:

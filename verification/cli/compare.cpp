@@ -12,6 +12,7 @@
 #include "verification/cli/common.hpp"
 #include "verification/solve_run.hpp"
 #include "verification/text.hpp"
+#include "verification/work_precision.hpp"
 
 namespace ehd::cli {
 
@@ -104,15 +105,7 @@ int compare(const CompareOptions& options) {
     requests.push_back(one.request());
   }
   // Everything that can be refused is refused before the first solve.
-  std::vector<Case> cases;
-  for (const auto& name : options.cases) {
-    cases.push_back(verification::read_case(verification::find_case(name)));
-    const Case& any = cases.back();
-    if (!std::holds_alternative<verification::ContactCase>(any.body))
-      throw case_error(any, "bearing", "is no contact; allowed are contact cases");
-    if (std::get<verification::ContactCase>(any.body).dry())
-      throw case_error(any, "conditions", "is a dry contact, which no solver solves; allowed are lubricated contacts");
-  }
+  const std::vector<Case> cases = verification::contacts_named(options.cases);
   if (options.json) {
     std::vector<NamedFile> inputs;
     for (const Case& one : cases) inputs.push_back({"the case " + one.id, one.file});

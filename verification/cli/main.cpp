@@ -20,6 +20,7 @@ Examples:
   ehd plan own-moes-20-10             what would be computed, what is skipped, and why
   ehd cases                           the benchmark cases and how to cite them
   ehd verify                          the verification suite
+  ehd bench                           run time against achieved error
   ehd atlas --only m20-l10-           certified solutions over M and L, with the digits that are known
 
 Exit code: 0 success; 1 a check failed or a solve did not converge; 2 bad input or usage.)";
@@ -40,6 +41,7 @@ int run(int argc, char** argv) {
   add_cases(app, exit_code);
   add_plan(app, exit_code);
   add_verify(app, exit_code);
+  add_bench(app, exit_code);
   add_atlas(app, exit_code);
   try {
     app.parse(argc, argv);

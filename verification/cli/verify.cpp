@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ehd verify: the verification suite.
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include "verification/cli/commands.hpp"
@@ -33,37 +31,6 @@ Examples:
 Rungs: 0 inputs, 1 kernel, 2 operator, 3 elasticity, 4 Reynolds, 5 coupled, 6 solvers, 7 twins, 8 grids, 9 regimes,
 10 published, 11 bearing. Exit code: 0 every claim stands, or nothing could be
 judged (every row is skipped, with its reason); 1 one fails or is inconclusive; 2 wrong usage.)";
-
-/// A folder with those above it, made where they do not exist. What is still empty at the end goes again, so that a
-/// refused call leaves nothing.
-class OutputFolder {
- public:
-  explicit OutputFolder(const std::string& name) : path_(name) {
-    std::error_code error;
-    const auto whole = std::filesystem::absolute(path_, error).lexically_normal();
-    for (auto above = whole; !above.empty() && !std::filesystem::exists(above, error); above = above.parent_path())
-      made_.push_back(above);
-    std::filesystem::create_directories(path_, error);
-    if (error) {
-      const std::string why = error.message();
-      remove_empty();
-      throw option_error("--output", name, why + "; allowed is a folder");
-    }
-  }
-  ~OutputFolder() { remove_empty(); }
-  OutputFolder(const OutputFolder&) = delete;
-  OutputFolder& operator=(const OutputFolder&) = delete;
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
- private:
-  void remove_empty() {
-    std::error_code not_empty;
-    for (const auto& folder : made_) std::filesystem::remove(folder, not_empty);  // the deepest first
-    made_.clear();
-  }
-  std::filesystem::path path_;
-  std::vector<std::filesystem::path> made_;
-};
 
 int verify(const VerifyOptions& options) {
   verification::SuiteRequest request;
