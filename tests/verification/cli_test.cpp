@@ -48,7 +48,7 @@ BOOST_AUTO_TEST_CASE(a_solve_that_does_not_converge_exits_with_1_and_says_so_bes
 
 BOOST_AUTO_TEST_CASE(a_grid_that_cannot_see_the_inlet_zone_is_no_solution) {
   const test::Folder folder;
-  const auto ended = test::ehd_run(folder, "solve own-moes-1000-10 --nodes 256 --json -");
+  const auto ended = test::ehd_run(folder, "solve own-moes-1000-10 --solver fast.uniform --nodes 256 --json -");
   BOOST_TEST(ended.exit_code == 1);
   BOOST_TEST(json::parse(ended.out)["status"] != "converged");
 }
