@@ -2,6 +2,7 @@
 #include "fast/discretisation.hpp"
 
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include "contact/hertz.hpp"
@@ -144,6 +145,46 @@ BOOST_AUTO_TEST_CASE(jacobian_product_is_the_derivative_of_the_residual) {
     }
   }
   BOOST_REQUIRE_EQUAL(rows, 8);
+}
+
+BOOST_AUTO_TEST_CASE(the_first_pressure_deflects_with_its_half_of_a_cell_and_the_tail_with_its_polynomial) {
+  int rows = 0;
+  for (const bool mapped : {false, true}) {
+    BOOST_TEST_CONTEXT("mapped " << mapped) {
+      Setting setting = setting_of_seven_and_six();
+      constexpr int n = 96;
+      Grids grids;
+      if (mapped)
+        grids.use(std::make_shared<const Map>(MapShape{.inlet = setting.inlet,
+                                                       .exit = 1.17,
+                                                       .scale = 1,
+                                                       .inlet_width = 0.37,
+                                                       .spike = 0.84,
+                                                       .spike_width = 0.19}));
+      Grid& grid = grids.of(n);
+      Counters counters;
+      State state = first_iterate(setting, Shape::hertz, 0.21, grid);
+      Discretisation without, with;
+      BOOST_REQUIRE(without.evaluate(setting, state, grid, counters));
+      setting.with_tail = true;
+      state.tail.pressure = 0.031;
+      state.tail.load = 0.047;
+      state.tail.deflection[0] = 0.013, state.tail.deflection[1] = -0.007, state.tail.deflection[2] = 0.003;
+      state.tail.deflection[3] = 0.0011, state.tail.deflection[4] = -0.0005;
+      BOOST_REQUIRE(with.evaluate(setting, state, grid, counters));
+      const double length = with.length, P0 = state.tail.pressure, half = grid.first_weight;
+      for (int i = 0; i <= n; ++i) {
+        const double X = setting.inlet + length * grid.place[i], X2 = X * X;
+        const double expected = without.H[i] -
+                                length / std::numbers::pi * P0 * (grid.first_column()[i] + std::log(length) * half) +
+                                0.013 - 0.007 * X + 0.003 * X2 + 0.0011 * X2 * X - 0.0005 * X2 * X2;
+        EHD_CHECK(error(with.H[i], expected), Tolerance::round_off(64, 2));
+        ++rows;
+      }
+      EHD_CHECK(error(with.load_error - without.load_error, 0.047 + length * P0 * half), Tolerance::round_off(32, 30));
+    }
+  }
+  BOOST_REQUIRE_EQUAL(rows, 194);
 }
 
 BOOST_AUTO_TEST_CASE(trivial_laws_are_not_evaluated) {
