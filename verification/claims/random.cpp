@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The reference at random points of the box M 0.05..5000, L 0..30, both law sets. Rung 6: does it converge, and where
+// The reference, and fast, at random points of the box M 0.05..5000, L 0..30, both law sets. Rung 6: does it converge, and where
 // it does not, does it say so? Rung 8: are its error bars honest? Each run is held against a solution of a tolerance a
 // thousand times tighter, whose meshes are others throughout.
 #include <algorithm>
@@ -18,7 +18,9 @@ namespace ehd::verification {
 namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-constexpr unsigned bar_seed = 20261121, box_seed = 20261122;
+constexpr unsigned bar_seed = 20261121, box_seed = 20261122, fast_seed = 20261123;
+/// fast takes milliseconds: so many points of each law set for each random run; every tenth is held against the reference.
+constexpr int fast_points_a_run = 5, points_a_truth = 10;
 /// Draws for each run that is judged, at most: some tolerances are met so far that no truth is tighter.
 constexpr int most_draws = 3;
 constexpr double highest_pressure_Pa = 4e9, alpha_per_Pa = 2.2e-8;
@@ -183,6 +185,90 @@ Findings judge_box(int runs) {
   return found;
 }
 
+Findings judge_fast(double tolerance, int runs) {
+  const auto &fast = *find_solver("fast"), &reference = *find_solver("reference");
+  const int points = 2 * fast_points_a_run * runs;
+  int converged = 0, physical = 0, physical_converged = 0, judged = 0, covered = 0, without_truth = 0;
+  double slowest = 0, worst = 0;
+  std::string slowest_at, dishonest, unsolved, beyond;
+  Draw draw(fast_seed);
+  MoesGroups point;
+  for (int i = 0; i < points; ++i) {
+    if (i % 2 == 0) point = draw.point();
+    Run run;
+    run.roelands = i % 2 == 1;
+    run.moes = point;
+    run.tolerance = tolerance;
+    const Problem problem = problem_of(run);
+    const Solution solution = fast.solve(problem, {.tolerance = tolerance, .time_limit_s = 60});
+    const bool ended = solution.record.status == StopReason::converged;
+    const bool of_oil = problem.groups.alpha_p_H / alpha_per_Pa <= highest_pressure_Pa;
+    converged += ended ? 1 : 0;
+    physical += of_oil ? 1 : 0;
+    physical_converged += of_oil && ended ? 1 : 0;
+    const double bar = std::max(solution.record.film_minimum.total(), solution.record.film_central.total());
+    if (ended && !(bar <= tolerance && solution.fields.H.size() > 0 && solution.fields.H.allFinite()))
+      dishonest += " " + name_of(run) + ": converged with error " + plain(bar, 2) + ";";
+    if (!ended && solution.record.reason.empty())
+      dishonest += " " + name_of(run) + ": " + std::string(to_string(solution.record.status)) + " without a reason;";
+    if (!ended)
+      unsolved += (unsolved.empty() ? "" : "; ") + name_of(run) + ": " + std::string(to_string(solution.record.status)) +
+                  (of_oil ? "" : " (above 4 GPa)");
+    if (solution.record.cost.wall_s > slowest) {
+      slowest = solution.record.cost.wall_s;
+      slowest_at = name_of(run);
+    }
+    // Both laws in turn: 0, 11, 20, 31, …
+    if (i % points_a_truth != (i / points_a_truth) % 2) continue;
+    const Solution truth =
+        reference.solve(problem, {.tolerance = std::max(1e-2 * tolerance, 1e-9), .time_limit_s = 20});
+    bool known = false, inside = true;
+    for (const Quantity film : {Quantity::film_minimum, Quantity::film_central}) {
+      const auto a = solution.observables.find(film), b = truth.observables.find(film);
+      if (a == solution.observables.end() || b == truth.observables.end() || !a->second.error) continue;
+      if (!(b->second.error.value() <= truth_within * *a->second.error)) continue;
+      known = true;
+      const double ratio = std::abs(a->second.value / b->second.value - 1) / *a->second.error;
+      if (ratio > 1) beyond += " " + name_of(run) + ", " + std::string(to_string(film)) + ": " + plain(ratio, 3) + " bars off;";
+      inside = inside && ratio <= 1;
+      worst = std::max(worst, ratio);
+    }
+    judged += known ? 1 : 0;
+    covered += known && inside ? 1 : 0;
+    without_truth += known ? 0 : 1;
+  }
+  const std::string counts = std::to_string(converged) + " of " + std::to_string(points) + " converged, " +
+                             std::to_string(physical_converged) + " of " + std::to_string(physical) +
+                             " up to 4 GPa; slowest " + plain(slowest, 2) + " s at " + slowest_at +
+                             (unsolved.empty() ? "" : "; not: " + unsolved);
+  const std::string at = plain(tolerance), id = "random-fast/" + at;
+  Findings found;
+  found.claims.push_back(claim({.id = id + "/converged",
+                                .rung = 6,
+                                .statement = "fast converges to " + at + " at " + std::to_string(points) +
+                                             " random flooded points of both law sets where p_H is up to 4 GPa",
+                                .solver = "fast"},
+                               physical > 0 ? 1 - physical_converged / static_cast<double>(physical) : nothing, 0,
+                               Tolerance::required(0.01, "at least 99 points in 100"), counts));
+  found.claims.push_back(
+      claim_fact({.id = id + "/honest",
+                  .rung = 6,
+                  .statement = "fast ends every one of these points converged within its error, or says why not (" + at + ")",
+                  .solver = "fast"},
+                 dishonest.empty(), "of every solve", dishonest.empty() ? counts : dishonest));
+  found.claims.push_back(
+      claim({.id = id + "/covered",
+             .rung = 8,
+             .statement = "fast's error bars at " + at + " hold the reference's films at every tenth of these points",
+             .solver = "fast, reference"},
+            judged > 0 ? 1 - covered / static_cast<double>(judged) : nothing, 0,
+            Tolerance::required(0.03, "at least 97 points in 100"),
+            std::to_string(covered) + " of " + std::to_string(judged) + " points, " + std::to_string(without_truth) +
+                " more without a truth ten times tighter; at most " + plain(worst, 2) + " bars off" +
+                (beyond.empty() ? "" : "; beyond:" + beyond)));
+  return found;
+}
+
 }  // namespace
 
 std::vector<Topic> random_topics(int runs) {
@@ -191,6 +277,8 @@ std::vector<Topic> random_topics(int runs) {
     topics.push_back(
         {.name = "honest bars", .rungs = {8}, .slow = true, .judge = [=] { return judge_bars(roelands, runs); }});
   topics.push_back({.name = "random box", .rungs = {6}, .slow = true, .judge = [=] { return judge_box(runs); }});
+  for (const double tolerance : {1e-3, 1e-5})
+    topics.push_back({.name = "random box", .rungs = {6, 8}, .slow = true, .judge = [=] { return judge_fast(tolerance, runs); }});
   return topics;
 }
 

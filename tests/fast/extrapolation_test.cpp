@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fast/extrapolation.hpp"
+
+#include <cmath>
+#include <random>
+
+#include "tests/check.hpp"
+
+using namespace ehd;
+using fast::limit_of;
+using verification::Tolerance;
+
+namespace {
+
+/// L + a h^2 + b h^3 + c h^4 at h = 1/4, 1/8, …
+std::vector<double> sequence(std::size_t grids, double L, double a, double b, double c) {
+  std::vector<double> values;
+  double h = 0.5;
+  for (std::size_t k = 0; k < grids; ++k) {
+    h /= 2;
+    values.push_back(L + h * h * (a + h * (b + h * c)));
+  }
+  return values;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(extrapolation)
+
+BOOST_AUTO_TEST_CASE(a_single_grid_says_nothing_about_its_error) {
+  const auto limit = limit_of({0.37});
+  BOOST_CHECK_EQUAL(limit.value, 0.37);
+  BOOST_CHECK(std::isinf(limit.error) && limit.error > 0);
+}
+
+BOOST_AUTO_TEST_CASE(two_grids_give_the_limit_of_second_order_errors_and_their_whole_difference_as_bar) {
+  const double L = 0.83;
+  const auto f = sequence(2, L, -0.7, 0, 0);
+  const auto limit = limit_of(f);
+  EHD_CHECK(error(limit.value, L), Tolerance::round_off(4));
+  EHD_CHECK(error(limit.error, std::abs(f[1] - f[0])), Tolerance::round_off(1));
+}
+
+BOOST_AUTO_TEST_CASE(from_three_grids_on_second_and_third_order_errors_are_gone) {
+  int rows = 0;
+  for (std::size_t grids = 3; grids <= 8; ++grids) {
+    for (const auto& [a, b] : {std::pair{0.9, 0.4}, {0.9, -0.4}, {-0.3, 1.1}, {0.7, 0.0}}) {
+      BOOST_TEST_CONTEXT(grids << " grids, a = " << a << ", b = " << b) {
+        constexpr double L = 0.83;
+        const auto limit = limit_of(sequence(grids, L, a, b, 0));
+        EHD_CHECK(std::abs(limit.value - L), Tolerance::round_off(8));
+        // The bar covers, and is not that of the finest grid itself.
+        const double finest = std::abs(sequence(grids, L, a, b, 0).back() - L);
+        EHD_CHECK(std::abs(limit.value - L), Tolerance::discretisation(limit.error + 1e-15, 1));
+        if (b != 0) BOOST_CHECK_GT(limit.error, 0);
+        if (grids >= 5) EHD_CHECK(limit.error, Tolerance::required(finest, "a bar shorter than the finest grid's error"));
+        ++rows;
+      }
+    }
+  }
+  BOOST_REQUIRE_EQUAL(rows, 24);
+}
+
+BOOST_AUTO_TEST_CASE(fourth_order_errors_are_covered_from_three_grids_on) {
+  // With two grids a h^2 and b h^3 of opposite signs may cancel in the only difference there is (.3 in 100 of these
+  // draws); for that, `shared` holds one film against the other.
+  std::mt19937 random(23);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  int rows = 0;
+  double worst = 0;
+  for (int trial = 0; trial < 2000; ++trial) {
+    const double second = uniform(random), a = 0.7 * second + std::copysign(0.3, second), b = uniform(random), c = uniform(random);
+    for (std::size_t grids = 3; grids <= 8; ++grids) {
+      constexpr double L = 1.7;
+      const auto limit = limit_of(sequence(grids, L, a, b, c));
+      worst = std::max(worst, std::abs(limit.value - L) / limit.error);
+      ++rows;
+    }
+  }
+  EHD_CHECK(worst, Tolerance::required(1, "error over bar"));
+  BOOST_REQUIRE_EQUAL(rows, 12000);
+}
+
+BOOST_AUTO_TEST_CASE(values_that_jump_about_keep_a_bar_as_long_as_their_jumps) {
+  int rows = 0;
+  for (std::size_t grids = 2; grids <= 8; ++grids) {
+    BOOST_TEST_CONTEXT(grids << " grids") {
+      constexpr double L = 0.61, jump = 2e-4;
+      std::vector<double> f;
+      for (std::size_t k = 0; k < grids; ++k) f.push_back(L + (k % 2 ? jump : -jump));
+      const auto limit = limit_of(f);
+      BOOST_CHECK_GE(limit.error, 2 * jump * (1 - 1e-9));
+      EHD_CHECK(std::abs(limit.value - L), Tolerance::discretisation(limit.error, 1));
+      ++rows;
+    }
+  }
+  BOOST_REQUIRE_EQUAL(rows, 7);
+}
+
+BOOST_AUTO_TEST_CASE(a_small_last_move_by_chance_is_not_believed) {
+  // f_m is such that R_m = R_(m-1): the last move of the extrapolated values vanishes, those before it do not.
+  int rows = 0;
+  for (std::size_t grids = 3; grids <= 7; ++grids) {
+    BOOST_TEST_CONTEXT(grids << " grids") {
+      constexpr double L = 0.83;
+      auto f = sequence(grids, L, 0.9, 0.8, 0);
+      const std::size_t m = grids - 1;
+      const double before = (4 * f[m - 1] - f[m - 2]) / 3;
+      f[m] = (3 * before + f[m - 1]) / 4;
+      const auto limit = limit_of(f);
+      if (grids == 3) {  // no move before that: a share of the plain values' move is all there is to hold on to
+        EHD_CHECK(std::abs(f[m] - f[m - 1]) / 20, Tolerance::discretisation(limit.error, 1 + 1e-12));
+      } else {
+        EHD_CHECK(std::abs(limit.value - L), Tolerance::discretisation(limit.error, 1));
+        // A sixth, with its half more, of the move before.
+        const double earlier = std::abs(before - (4 * f[m - 2] - f[m - 3]) / 3);
+        EHD_CHECK(earlier / 4, Tolerance::discretisation(limit.error, 1 + 1e-12));
+      }
+      ++rows;
+    }
+  }
+  BOOST_REQUIRE_EQUAL(rows, 5);
+}
+
+BOOST_AUTO_TEST_CASE(one_ratio_near_eight_by_chance_is_not_enough) {
+  // r_3/r_4 = 8 with four grids, and r_4/r_5 = 8 after an irregular r_3/r_4 with five: the bar stays at |r_m| and above
+  // a sixth of the moves before.
+  const auto from_moves = [](const std::vector<double>& moves) {
+    std::vector<double> f{1.0, 1.02};
+    double R = (4 * f[1] - f[0]) / 3;
+    for (const double move : moves) {
+      R += move;
+      f.push_back((3 * R + f.back()) / 4);
+    }
+    return limit_of(f);
+  };
+  BOOST_CHECK_GE(from_moves({8e-4, 1e-4}).error, 1e-4 * (1 - 1e-9));
+  BOOST_CHECK_GE(from_moves({9e-3, 8e-4, 1e-4}).error, 1.5e-4 * (1 - 1e-9));
+  EHD_CHECK(from_moves({6.4e-3, 8e-4, 1e-4}).error, Tolerance::required(0.25e-4 * (1 + 1e-9), "|r_m|/4 where regular"));
+}
+
+BOOST_AUTO_TEST_SUITE_END()

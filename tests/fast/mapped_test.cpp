@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fast/mapped.hpp"
+
+#include <cmath>
+
+#include "tests/check.hpp"
+#include "tests/fast/problems.hpp"
+
+using namespace ehd;
+using verification::Tolerance;
+
+namespace {
+
+double film(const Solution& solution, Quantity quantity) { return solution.observables.at(quantity).value; }
+double reported(const Solution& solution, Quantity quantity) { return solution.observables.at(quantity).error.value(); }
+
+/// Films computed by high-order collocation with ten digits and more (Hertz units).
+struct Truth {
+  double M, L;
+  bool flooded;
+  double minimum, central;
+};
+constexpr Truth truths[] = {
+    {5, 5, false, .242348656788, .300522502074},
+    {20, 10, false, .0741426753998, .0856067317967},
+    {100, 10, false, .0121609125334, .013493910275},
+    {200, 15, false, .0072455216009, .0078653033017},
+    {1000, 10, false, 8.9959560167e-4, 9.6476425613e-4},
+    {1000, 20, false, 1.436646952e-3, 1.537475954e-3},
+    {5, 5, true, .244974049968, .304553206653},
+    {20, 10, true, .074327072817, .085869387723},
+    {100, 10, true, .0121636414018, .013497647172},
+    {200, 15, true, .0072463876853, .0078664543505},
+    {1000, 10, true, 8.996019841e-4, 9.647726835e-4},
+};
+constexpr int known = static_cast<int>(std::size(truths));
+
+Problem problem_of(const Truth& truth) {
+  return roelands_problem(truth.M, truth.L, truth.flooded ? Inlet{Flooded{}} : Inlet{TruncatedAt{-4}});
+}
+
+std::string name_of(const Truth& truth) {
+  return "M " + std::to_string(truth.M) + " L " + std::to_string(truth.L) + (truth.flooded ? " flooded" : " cut at -4");
+}
+
+std::pair<Quantity, double> films_of(const Truth& truth, int which) {
+  return which == 0 ? std::pair{Quantity::film_minimum, truth.minimum} : std::pair{Quantity::film_central, truth.central};
+}
+
+/// Half a unit of the last of ten digits, relative: as well as all these films are known.
+constexpr double truths_known_to = 5e-10;
+
+/// Each film within its reported error of the truth.
+void check_bars(const Solution& solution, const Truth& truth) {
+  for (const int which : {0, 1}) {
+    const auto [quantity, value] = films_of(truth, which);
+    BOOST_TEST_CONTEXT(to_string(quantity)) {
+      BOOST_REQUIRE(solution.observables.contains(quantity));
+      BOOST_REQUIRE(solution.observables.at(quantity).error.has_value());
+      EHD_CHECK(error(film(solution, quantity), value),
+                Tolerance::discretisation(reported(solution, quantity) + truths_known_to, 1));
+    }
+  }
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(mapped)
+
+BOOST_AUTO_TEST_CASE(reported_errors_cover_the_true_ones_and_meet_the_tolerance) {
+  // Bars are calibrated to hold 98 of 100 films (fast/extrapolation.hpp): at (1000, 20) and 1e-6 a spike that jitters on
+  // the last grids leaves 2 bars.
+  int films = 0, missed = 0;
+  double worst = 0;
+  for (const Truth& truth : truths) {
+    for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6}) {
+      BOOST_TEST_CONTEXT(name_of(truth) << " T " << tolerance) {
+        const Solution solution = fast::Mapped{}.solve(problem_of(truth), {.tolerance = tolerance});
+        BOOST_CHECK(solution.record.status == StopReason::converged);
+        for (const int which : {0, 1}) {
+          const auto [quantity, value] = films_of(truth, which);
+          const double bar = reported(solution, quantity), bars = error(film(solution, quantity), value) / (bar + truths_known_to);
+          EHD_CHECK(bar, Tolerance::required(tolerance, "the tolerance asked for"));
+          if (!(bars <= 1)) BOOST_TEST_MESSAGE(to_string(quantity) << " is " << bars << " bars off");
+          ++films;
+          missed += bars <= 1 ? 0 : 1;
+          worst = std::max(worst, bars);
+        }
+      }
+    }
+  }
+  BOOST_REQUIRE_EQUAL(films, 10 * known);
+  EHD_CHECK(missed / static_cast<double>(films), Tolerance::required(0.02, "98 of 100 films within their bars"));
+  EHD_CHECK(worst, Tolerance::required(3, "none beyond three bars"));
+}
+
+BOOST_AUTO_TEST_CASE(five_hundred_and_a_thousand_intervals_give_the_digits_required) {
+  int rows = 0;
+  for (const Truth& truth : truths) {
+    for (const int n : {512, 1024}) {
+      BOOST_TEST_CONTEXT(name_of(truth) << " n " << n) {
+        const Solution solution = fast::Mapped{}.solve(problem_of(truth), {.tolerance = {}, .nodes = n});
+        BOOST_REQUIRE(solution.record.status == StopReason::converged);
+        BOOST_CHECK_EQUAL(solution.record.cost.nodes, n);
+        const double central = n == 512 ? 1e-5 : 1e-6, minimum = n == 512 ? 2e-4 : truth.L < 15 ? 1e-5 : 5e-5;
+        EHD_CHECK(error(film(solution, Quantity::film_central), truth.central),
+                  Tolerance::required(central, "films to 1e-5 and 1e-6 with 512 and 1024 intervals"));
+        EHD_CHECK(error(film(solution, Quantity::film_minimum), truth.minimum),
+                  Tolerance::required(minimum, "2e-4 with 512 intervals, 5e-5 with 1024, below L = 15 1e-5"));
+        check_bars(solution, truth);
+        ++rows;
+      }
+    }
+  }
+  BOOST_REQUIRE_EQUAL(rows, 2 * known);
+}
+
+BOOST_AUTO_TEST_CASE(any_number_of_intervals_from_sixteen_on_works) {
+  int rows = 0, with_bars = 0;
+  for (const Truth& truth : truths) {
+    for (const int n : {16, 31, 64, 97, 333, 1000, 1001, 2048}) {
+      BOOST_TEST_CONTEXT(name_of(truth) << " n " << n) {
+        const Solution solution = fast::Mapped{}.solve(problem_of(truth), {.tolerance = {}, .nodes = n});
+        BOOST_CHECK(solution.record.status == StopReason::converged);
+        BOOST_CHECK_EQUAL(solution.fields.X.size(), n + 1);
+        // Plain second-order films, whatever their bars: 16 cells see an inlet zone of d <= 1.
+        EHD_CHECK(error(film(solution, Quantity::film_central), truth.central) * n * n,
+                  Tolerance::calibrated(130, "largest of n^2 times the error, (1000, 10) flooded at n = 31 and 16"));
+        const bool alone = solution.record.grids.size() == 1;
+        BOOST_CHECK_EQUAL(alone, n % 2 == 1 || n < 128);
+        if (!alone || solution.observables.at(Quantity::film_central).error) {  // one grid alone may say nothing
+          check_bars(solution, truth);
+          ++with_bars;
+        }
+        ++rows;
+      }
+    }
+  }
+  BOOST_REQUIRE_EQUAL(rows, 8 * known);
+  BOOST_REQUIRE_GE(with_bars, 2 * known);
+}
+
+BOOST_AUTO_TEST_CASE(corners_of_the_box_converge) {
+  int rows = 0;
+  for (const auto& [M, L] : {std::pair{0.02, 0.0}, {0.05, 0.0}, {0.05, 20.0}, {0.5, 30.0}, {5000.0, 0.0}, {5000.0, 30.0}}) {
+    for (const bool roelands : {false, true}) {
+      for (const bool flooded : {false, true}) {
+        if (!flooded && M < 0.5) continue;
+        BOOST_TEST_CONTEXT("M " << M << " L " << L << " roelands " << roelands << " flooded " << flooded) {
+          const Inlet inlet = flooded ? Inlet{Flooded{}} : Inlet{TruncatedAt{-4}};
+          const Problem problem = roelands ? roelands_problem(M, L, inlet) : barus_problem(M, L, inlet);
+          const Solution solution = fast::Mapped{}.solve(problem, {.tolerance = 1e-3});
+          BOOST_CHECK(solution.record.status == StopReason::converged);
+          BOOST_REQUIRE(solution.observables.contains(Quantity::film_minimum));
+          BOOST_CHECK_GT(film(solution, Quantity::film_minimum), 0);
+          ++rows;
+        }
+      }
+    }
+  }
+  BOOST_REQUIRE_EQUAL(rows, 18);
+}
+
+BOOST_AUTO_TEST_CASE(martins_limit_is_approached_at_light_load) {
+  // H_min = 2.447484/M, Couette film 3/M for a rigid cylinder; elasticity enters as M^2 (here 0.0025).
+  const Solution solution = fast::Mapped{}.solve(barus_problem(0.05, 0, Flooded{}), {.tolerance = 1e-4});
+  BOOST_REQUIRE(solution.record.status == StopReason::converged);
+  const double moes = moes_film_per_hertz_film(0.05);
+  const Tolerance rigid = Tolerance::asymptotic(0.05 * 0.05, "deformation over film ~ M^2");
+  EHD_CHECK(error(film(solution, Quantity::film_minimum) * moes, 2.447484 / 0.05), rigid);
+  EHD_CHECK(error(film(solution, Quantity::film_couette) * moes, 3 / 0.05), rigid);
+}
+
+BOOST_AUTO_TEST_CASE(a_neighbours_solution_as_start_gives_the_same_films_for_fewer_steps) {
+  int rows = 0;
+  long warm_steps = 0, cold_steps = 0;
+  for (const Truth& truth : truths) {
+    BOOST_TEST_CONTEXT(name_of(truth)) {
+      const Request request{.tolerance = 1e-4};
+      const Inlet inlet = truth.flooded ? Inlet{Flooded{}} : Inlet{TruncatedAt{-4}};
+      fast::Workspace workspace;
+      const Solution neighbour = fast::Mapped{}.solve(roelands_problem(1.05 * truth.M, 0.97 * truth.L, inlet), request, workspace);
+      const Solution cold = fast::Mapped{}.solve(problem_of(truth), request);
+      const Solution warm = fast::Mapped{}.solve(problem_of(truth), request, workspace, neighbour);
+      BOOST_REQUIRE(warm.record.status == StopReason::converged);
+      check_bars(warm, truth);
+      for (const Quantity quantity : {Quantity::film_minimum, Quantity::film_central})
+        EHD_CHECK(error(film(warm, quantity), film(cold, quantity)),
+                  Tolerance::discretisation(reported(warm, quantity) + reported(cold, quantity), 1));
+      warm_steps += warm.record.cost.newton_iterations;
+      cold_steps += cold.record.cost.newton_iterations;
+      ++rows;
+    }
+  }
+  BOOST_REQUIRE_EQUAL(rows, known);
+  BOOST_TEST_MESSAGE(warm_steps << " Newton steps instead of " << cold_steps);
+  EHD_CHECK(static_cast<double>(warm_steps) / static_cast<double>(cold_steps),
+            Tolerance::required(0.9, "a start that is worth having, over all problems"));
+}
+
+BOOST_AUTO_TEST_CASE(a_useless_start_is_replaced_by_a_cold_one) {
+  const Request request{.tolerance = 1e-3};
+  fast::Workspace workspace;
+  const Solution far = fast::Mapped{}.solve(barus_problem(0.1, 0, Flooded{}), request, workspace);
+  const Truth& truth = truths[4];
+  const Solution solution = fast::Mapped{}.solve(problem_of(truth), request, workspace, far);
+  BOOST_REQUIRE(solution.record.status == StopReason::converged);
+  check_bars(solution, truth);
+  const Solution from_nothing = fast::Mapped{}.solve(problem_of(truth), request, workspace, Solution{});
+  BOOST_REQUIRE(from_nothing.record.status == StopReason::converged);
+  check_bars(from_nothing, truth);
+}
+
+BOOST_AUTO_TEST_CASE(a_kept_workspace_saves_plans_and_changes_no_digit) {
+  int rows = 0;
+  fast::Workspace kept;
+  const Request request{.tolerance = 1e-4};
+  (void)fast::Mapped{}.solve(barus_problem(3, 4, Flooded{}), {.tolerance = 1e-6}, kept);
+  for (const Truth& truth : truths) {
+    BOOST_TEST_CONTEXT(name_of(truth)) {
+      const Solution fresh = fast::Mapped{}.solve(problem_of(truth), request);
+      const Solution first = fast::Mapped{}.solve(problem_of(truth), request, kept);
+      const Solution again = fast::Mapped{}.solve(problem_of(truth), request, kept);
+      BOOST_CHECK_GT(fresh.record.cost.fft_plans, 0);
+      BOOST_CHECK_EQUAL(again.record.cost.fft_plans, 0);
+      for (const Solution* other : {&first, &again}) {
+        BOOST_REQUIRE_EQUAL(fresh.fields.P.size(), other->fields.P.size());
+        BOOST_CHECK((fresh.fields.X == other->fields.X).all());
+        BOOST_CHECK((fresh.fields.P == other->fields.P).all());
+        BOOST_CHECK((fresh.fields.H == other->fields.H).all());
+        BOOST_CHECK_EQUAL(film(fresh, Quantity::film_minimum), film(*other, Quantity::film_minimum));
+        BOOST_CHECK_EQUAL(reported(fresh, Quantity::film_minimum), reported(*other, Quantity::film_minimum));
+      }
+      ++rows;
+    }
+  }
+  BOOST_REQUIRE_EQUAL(rows, known);
+}
+
+BOOST_AUTO_TEST_CASE(limits_end_a_solve_as_such) {
+  const Problem problem = roelands_problem(20, 10, TruncatedAt{-4});
+  for (const Request& request : {Request{.tolerance = 1e-6, .max_iterations = 3}, Request{.tolerance = 1e-6, .time_limit_s = 0},
+                                 Request{.tolerance = {}, .nodes = 512, .max_iterations = 3},
+                                 Request{.tolerance = 1e-6, .max_iterations = 20}}) {
+    const Solution stopped = fast::Mapped{}.solve(problem, request);
+    BOOST_CHECK(stopped.record.status == StopReason::limit_reached);
+    BOOST_CHECK(!stopped.record.reason.empty());
+    if (stopped.observables.contains(Quantity::film_minimum) && stopped.observables.at(Quantity::film_minimum).error)
+      EHD_CHECK(error(film(stopped, Quantity::film_minimum), .0741426753998),
+                Tolerance::discretisation(reported(stopped, Quantity::film_minimum), 1));
+  }
+  const Solution strict = fast::Mapped{}.solve(problem, {.tolerance = 1e-14});
+  BOOST_CHECK(strict.record.status == StopReason::tolerance_not_met);
+  BOOST_CHECK(!strict.record.reason.empty());
+  check_bars(strict, truths[1]);
+}
+
+BOOST_AUTO_TEST_CASE(flux_is_constant_and_the_load_is_carried) {
+  int rows = 0;
+  for (const Truth& truth : truths) {
+    BOOST_TEST_CONTEXT(name_of(truth)) {
+      const Solution solution = fast::Mapped{}.solve(problem_of(truth), {.tolerance = {}, .nodes = 1024});
+      EHD_CHECK(film(solution, Quantity::flux_variation), Tolerance::iteration(1e-9, 1));
+      EHD_CHECK(film(solution, Quantity::load_error), Tolerance::iteration(1e-9, 1));
+      ++rows;
+    }
+  }
+  BOOST_REQUIRE_EQUAL(rows, known);
+}
+
+BOOST_AUTO_TEST_CASE(plain_films_converge_with_the_declared_order_and_extrapolation_is_worth_it) {
+  int rows = 0;
+  for (const Truth& truth : {truths[0], truths[1], truths[2], truths[6]}) {
+    BOOST_TEST_CONTEXT(name_of(truth)) {
+      const Solution solution = fast::Mapped{}.solve(problem_of(truth), {.tolerance = {}, .nodes = 2048});
+      const auto& grids = solution.record.grids;
+      BOOST_REQUIRE_GE(grids.size(), 4u);
+      std::vector<double> logs;  // 256, 512, 1024, 2048
+      for (std::size_t k = grids.size() - 4; k < grids.size(); ++k) {
+        BOOST_CHECK_EQUAL(grids[k].nodes, 256 << (k + 4 - grids.size()));
+        logs.push_back(std::log2(error(grids[k].observed.at(Quantity::film_central).value, truth.central)));
+      }
+      const double order = (3 * (logs[0] - logs[3]) + (logs[1] - logs[2])) / 10;  // least squares over four grids
+      EHD_CHECK(std::abs(order - fast::Mapped::description.formal_order),
+                Tolerance::asymptotic(0.15, "h^3 beside h^2 at n = 256"));
+      EHD_CHECK(error(film(solution, Quantity::film_central), truth.central),
+                Tolerance::discretisation(std::exp2(logs[3]), 0.1));
+      ++rows;
+    }
+  }
+  BOOST_REQUIRE_EQUAL(rows, 4);
+}
+
+BOOST_AUTO_TEST_CASE(what_a_case_does_not_need_is_not_computed) {
+  const Solution trivial = fast::Mapped{}.solve(barus_problem(10, 0, TruncatedAt{-4}), {.tolerance = 1e-2});
+  BOOST_CHECK_EQUAL(trivial.record.cost.viscosity_points, 0);
+  BOOST_CHECK_EQUAL(trivial.record.cost.density_points, 0);
+  const Solution barus = fast::Mapped{}.solve(barus_problem(10, 5, TruncatedAt{-4}), {.tolerance = 1e-2});
+  BOOST_CHECK_GT(barus.record.cost.viscosity_points, 0);
+  BOOST_CHECK_EQUAL(barus.record.cost.density_points, 0);
+
+  Problem problem = roelands_problem(20, 10, TruncatedAt{-4});
+  problem.wanted = {Quantity::film_central};
+  const Solution one = fast::Mapped{}.solve(problem, {.tolerance = 1e-2});
+  BOOST_CHECK_EQUAL(one.observables.size(), 1u);
+  BOOST_CHECK(one.observables.contains(Quantity::film_central));
+}
+
+BOOST_AUTO_TEST_CASE(multigrid_needs_one_or_two_krylov_steps_whatever_the_grid) {
+  int rows = 0;
+  for (const Truth& truth : {truths[0], truths[1], truths[3], truths[4]}) {
+    for (const int n : {512, 2048, 8192}) {
+      const Cost cost = fast::Mapped{}.solve(problem_of(truth), {.tolerance = {}, .nodes = n}).record.cost;
+      BOOST_TEST_CONTEXT(name_of(truth) << " n " << n) {
+        EHD_CHECK(static_cast<double>(cost.krylov_iterations) / static_cast<double>(cost.newton_iterations),
+                  Tolerance::required(2.5, "the method: 1..2 GMRES steps a Newton step"));
+      }
+      ++rows;
+    }
+  }
+  BOOST_REQUIRE_EQUAL(rows, 12);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
