@@ -67,6 +67,7 @@ bool Discretisation::evaluate_with_product(const Setting& setting, State& state,
   const double* const place = on.place.data();
   if (setting.with_tail) {
     const double* const t = tail.deflection;
+    std::copy_n(t, 5, tail_);
     for (int i = 0; i <= n; ++i) {
       const double X = x0 + length * place[i];
       H[i] = state.offset + X * X / 2 - by_pi * deflection[i] + (t[0] + X * (t[1] + X * (t[2] + X * (t[3] + X * t[4]))));
@@ -148,6 +149,7 @@ void Discretisation::inject(const Discretisation& fine, const Array& fine_pressu
   grid = &on;
   length = fine.length;
   integral = fine.integral;
+  std::copy_n(fine.tail_, 5, tail_);
   const bool nested = fine.n % 2 == 0;
   const auto take = [&](const Array& from, Array& to) {
     to.resize(n + 1);
@@ -221,6 +223,10 @@ void Discretisation::linearise(const Setting& setting, const Array& P, double ex
   load_by_exit = integral;
   const double inlet = setting.inlet;
   film_by_exit = (inlet + length * grid->place) * grid->place - (deflection * by_length + integral) / pi;
+  if (setting.with_tail) {  // the tail's own deflection is a function of X
+    const Array X = inlet + length * grid->place;
+    film_by_exit += grid->place * (tail_[1] + X * (2 * tail_[2] + X * (3 * tail_[3] + X * 4 * tail_[4])));
+  }
   if (setting.sources) {
     const auto& [film, balance, load] = *setting.sources;
     const Array& place = grid->place;

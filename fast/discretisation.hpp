@@ -156,6 +156,7 @@ struct Discretisation {
 
  private:
   mutable Array film_change_;
+  double tail_[5] = {};  ///< deflection by the far inlet, of the state evaluated last
 };
 
 }  // namespace ehd::fast

@@ -101,7 +101,7 @@ constexpr double unknown = std::numeric_limits<double>::infinity();
 double film_error_left(const Discretisation& before, const Discretisation& after, double inlet, double residual_before,
                        double residual_after) {
   const double contraction = residual_after / residual_before;
-  if (!(contraction < 0.5) || residual_after > 1e-2) return unknown;
+  if (!(contraction < 0.5)) return unknown;
   const Eigen::Index centre = after.centre(inlet);
   const double minimum = after.H.minCoeff() / before.H.minCoeff(), central = after.H[centre] / before.H[centre];
   return 5 * contraction * std::max(std::abs(minimum - 1), std::abs(central - 1));
@@ -124,7 +124,8 @@ NewtonResult newton(const Setting& setting, State& state, const Target& target, 
   for (;; ++result.iterations) {
     result.residual = residual_of(w.now);
     const auto done = [&] {
-      return result.residual <= std::max(target.residual, 8 * w.now.floor) || result.film_error < target.film_error;
+      return result.residual <= std::max(target.residual, 8 * w.now.floor) ||
+             (result.film_error < target.film_error && result.residual <= target.film_residual);
     };
     if (setting.with_tail && (result.residual <= 1e-3 || done()) && refreshes < 20) {
       // What the tail does to the film is a few per cent at the most, so this leaves less than the residual does.
@@ -165,7 +166,8 @@ NewtonResult newton(const Setting& setting, State& state, const Target& target, 
     if (!w.multigrid.prepare(setting, w.now, state, w.grids, counters)) return result;
     const Norm norm(w.now);
     const double before = norm.of(w.now);
-    const double asked = std::max(target.residual / result.residual, target.film_error / result.film_error);
+    const double asked = std::max(target.residual / result.residual,
+                                  std::min(target.film_error / result.film_error, target.film_residual / result.residual));
     solve_linear(w, norm, std::clamp(asked / 2, 0.1, 0.5), counters, step);
     if (!step.P.allFinite() || !std::isfinite(step.offset) || !std::isfinite(step.exit)) return result;
 

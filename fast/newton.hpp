@@ -31,10 +31,12 @@ struct Limits {
 
 enum class NewtonEnd { converged, stalled, failed, limit };
 
-/// When Newton is done: residual <= max(residual, 8 x rounding floor), or film_error < film_error.
+/// When Newton is done: residual <= max(residual, 8 x rounding floor), or film_error < film_error at a residual that is
+/// small already, at most film_residual.
 struct Target {
   double residual = 0;
   double film_error = 0;
+  double film_residual = 1e-2;
 };
 
 struct NewtonResult {
