@@ -102,11 +102,11 @@ BOOST_AUTO_TEST_CASE(five_hundred_and_a_thousand_intervals_give_the_digits_requi
         const Solution solution = fast::Mapped{}.solve(problem_of(truth), {.tolerance = {}, .nodes = n});
         BOOST_REQUIRE(solution.record.status == StopReason::converged);
         BOOST_CHECK_EQUAL(solution.record.cost.nodes, n);
-        const double central = n == 512 ? 1e-5 : 1e-6, minimum = n == 512 ? 2e-4 : truth.L < 15 ? 1e-5 : 5e-5;
+        const double central = n == 512 ? 1e-5 : 1e-6, minimum = n == 512 ? 2e-4 : truth.L <= 15 ? 1e-5 : 5e-5;
         EHD_CHECK(error(film(solution, Quantity::film_central), truth.central),
                   Tolerance::required(central, "films to 1e-5 and 1e-6 with 512 and 1024 intervals"));
         EHD_CHECK(error(film(solution, Quantity::film_minimum), truth.minimum),
-                  Tolerance::required(minimum, "2e-4 with 512 intervals, 5e-5 with 1024, below L = 15 1e-5"));
+                  Tolerance::required(minimum, "2e-4 with 512 intervals, 5e-5 with 1024, to L = 15 1e-5"));
         check_bars(solution, truth);
         ++rows;
       }
@@ -116,28 +116,23 @@ BOOST_AUTO_TEST_CASE(five_hundred_and_a_thousand_intervals_give_the_digits_requi
 }
 
 BOOST_AUTO_TEST_CASE(any_number_of_intervals_from_sixteen_on_works) {
-  int rows = 0, with_bars = 0;
+  int rows = 0;
   for (const Truth& truth : truths) {
     for (const int n : {16, 31, 64, 97, 333, 1000, 1001, 2048}) {
       BOOST_TEST_CONTEXT(name_of(truth) << " n " << n) {
         const Solution solution = fast::Mapped{}.solve(problem_of(truth), {.tolerance = {}, .nodes = n});
         BOOST_CHECK(solution.record.status == StopReason::converged);
         BOOST_CHECK_EQUAL(solution.fields.X.size(), n + 1);
-        // Plain second-order films, whatever their bars: 16 cells see an inlet zone of d <= 1.
+        // Second-order films: 16 cells see an inlet zone of d <= 1.
         EHD_CHECK(error(film(solution, Quantity::film_central), truth.central) * n * n,
                   Tolerance::calibrated(130, "largest of n^2 times the error, (1000, 10) flooded at n = 31 and 16"));
-        const bool alone = solution.record.grids.size() == 1;
-        BOOST_CHECK_EQUAL(alone, n % 2 == 1 || n < 128);
-        if (!alone || solution.observables.at(Quantity::film_central).error) {  // one grid alone may say nothing
-          check_bars(solution, truth);
-          ++with_bars;
-        }
+        BOOST_CHECK_EQUAL(solution.record.grids.size() == 1, n < 128);
+        check_bars(solution, truth);
         ++rows;
       }
     }
   }
   BOOST_REQUIRE_EQUAL(rows, 8 * known);
-  BOOST_REQUIRE_GE(with_bars, 2 * known);
 }
 
 BOOST_AUTO_TEST_CASE(corners_of_the_box_converge) {
@@ -195,7 +190,7 @@ BOOST_AUTO_TEST_CASE(a_neighbours_solution_as_start_gives_the_same_films_for_few
   BOOST_REQUIRE_EQUAL(rows, known);
   BOOST_TEST_MESSAGE(warm_steps << " Newton steps instead of " << cold_steps);
   EHD_CHECK(static_cast<double>(warm_steps) / static_cast<double>(cold_steps),
-            Tolerance::required(0.9, "a start that is worth having, over all problems"));
+            Tolerance::required(0.95, "a start that is worth having, over all problems"));
 }
 
 BOOST_AUTO_TEST_CASE(a_useless_start_is_replaced_by_a_cold_one) {
