@@ -165,8 +165,14 @@ std::optional<Index> spike(const Array& X, const Array& P) {
 }  // namespace
 
 double interpolate(const Array& nodes, const Array& values, double x) {
-  // Neville's scheme, in place.
-  Array p = values;
+  // Neville's scheme, in place; a handful of nodes needs no heap.
+  Eigen::Array<double, Eigen::Dynamic, 1, 0, 16, 1> few;
+  Array many;
+  if (values.size() <= 16)
+    few = values;
+  else
+    many = values;
+  double* const p = values.size() <= 16 ? few.data() : many.data();
   for (Index k = 1; k < nodes.size(); ++k) {
     for (Index i = 0; i + k < nodes.size(); ++i)
       p[i] = ((x - nodes[i + k]) * p[i] - (x - nodes[i]) * p[i + 1]) / (nodes[i] - nodes[i + k]);

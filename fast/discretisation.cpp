@@ -224,7 +224,7 @@ void Discretisation::linearise(const Setting& setting, const Array& P, double ex
   const double inlet = setting.inlet;
   film_by_exit = (inlet + length * grid->place) * grid->place - (deflection * by_length + integral) / pi;
   if (setting.with_tail) {  // the tail's own deflection is a function of X
-    const Array X = inlet + length * grid->place;
+    const auto X = inlet + length * grid->place;
     film_by_exit += grid->place * (tail_[1] + X * (2 * tail_[2] + X * (3 * tail_[3] + X * 4 * tail_[4])));
   }
   if (setting.sources) {

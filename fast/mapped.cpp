@@ -130,7 +130,7 @@ State on_new_map(Run& run, const Known& known, const InletTail& tail, const Reci
 }
 
 Known known_now(const Run& run) {
-  const Discretisation& at = run.workspace.now;
+  const Discretisation& at = run.workspace.now();
   return known_of(at.places(run.setting.inlet), run.state.P, at.H);
 }
 

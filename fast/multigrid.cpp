@@ -9,6 +9,15 @@ namespace ehd::fast {
 
 using std::numbers::pi;
 
+Multigrid::Level& Multigrid::level_of(int intervals) {
+  for (const auto& one : known_) {
+    if (one->n == intervals) return *one;
+  }
+  known_.push_back(std::make_unique<Level>());
+  known_.back()->n = intervals;
+  return *known_.back();
+}
+
 void Multigrid::assemble_band(Level& level) const {
   const Discretisation& s = *level.scheme;
   const int n = s.n;
@@ -51,7 +60,8 @@ bool Multigrid::assemble_dense(const Level& level) {
   RowMajor& film = film_;  // row by row, as Reynolds' equation combines them
   film.resize(n + 1, n + 1);
   const double scale = -s.length / pi, log_length = std::log(s.length);
-  const Eigen::RowVectorXd integral = (level.grid->slope.segment(1, n - 1) / n).matrix().transpose();
+  Eigen::RowVectorXd& integral = integral_;
+  integral = (level.grid->slope.segment(1, n - 1) / n).matrix().transpose();
   film.leftCols(n - 1) = scale * level.grid->dense().middleCols(1, n - 1);
   film.leftCols(n - 1).rowwise() += scale * log_length * integral;
   film.col(n - 1).setOnes();
@@ -79,18 +89,17 @@ bool Multigrid::assemble_dense(const Level& level) {
 bool Multigrid::prepare(const Setting& setting, const Discretisation& finest, const State& state, Grids& grids,
                         Counters& counters) {
   const InStage stage(counters, Stage::factorise);
-  used_ = 0;
+  levels_.clear();
   const Array* pressure = &state.P;
   const int coarsest = grids.map() ? coarsest_mapped : coarsest_uniform;
   for (int n = finest.n;; n = (n + 1) / 2) {
-    if (levels_.size() == used_) levels_.emplace_back();
-    Level& level = levels_[used_];
+    Level& level = level_of(n);
     level.grid = &grids.of(n);
-    if (used_ == 0) {
+    if (levels_.empty()) {
       level.scheme = &finest;
     } else {
       if (!level.own) level.own = std::make_unique<Discretisation>();
-      const Discretisation& fine = *levels_[used_ - 1].scheme;
+      const Discretisation& fine = *levels_.back()->scheme;
       counters.clock.change_to(Stage::linearise);
       level.own->inject(fine, *pressure, level.pressure, *level.grid);
       level.own->linearise(setting, level.pressure, state.exit);
@@ -100,7 +109,7 @@ bool Multigrid::prepare(const Setting& setting, const Discretisation& finest, co
     }
     level.error.resize(n);
     level.step.P.setZero(n + 1);
-    ++used_;
+    levels_.push_back(&level);
     if (n <= coarsest + coarsest / 2) {
       counters.clock.change_to(Stage::coarsest);
       return assemble_dense(level);
@@ -113,7 +122,8 @@ void Multigrid::solve_dense(Level& level, double load_error) {
   const int n = level.scheme->n;
   right_side_.head(n) = level.error.matrix();
   right_side_[n] = load_error;
-  const Eigen::VectorXd x = factors_.solve(right_side_);
+  Eigen::VectorXd& x = solution_;
+  x = factors_.solve(right_side_);
   level.step.P[0] = level.step.P[n] = 0;
   level.step.P.segment(1, n - 1) = x.head(n - 1).array();
   level.step.offset = x[n - 1];
@@ -121,8 +131,8 @@ void Multigrid::solve_dense(Level& level, double load_error) {
 }
 
 void Multigrid::down(std::size_t index, double load_error, Counters& counters) {
-  Level& level = levels_[index];
-  if (index + 1 == used_) {
+  Level& level = *levels_[index];
+  if (index + 1 == levels_.size()) {
     const InStage stage(counters, Stage::coarsest);
     return solve_dense(level, load_error);
   }
@@ -147,7 +157,7 @@ void Multigrid::down(std::size_t index, double load_error, Counters& counters) {
   }
 
   // Coarse correction.
-  Level& coarse = levels_[index + 1];
+  Level& coarse = *levels_[index + 1];
   const int m = coarse.scheme->n;
   if (n % 2 == 0) {
     for (int i = 0; i < m; ++i) coarse.error[i] = (level.error[2 * i] + level.error[2 * i + 1]) / 2;
@@ -181,9 +191,9 @@ void Multigrid::down(std::size_t index, double load_error, Counters& counters) {
 
 void Multigrid::cycle(const Array& flux_error, double load_error, Step& step, Counters& counters) {
   const InStage stage(counters, Stage::smooth);
-  levels_[0].error = flux_error;
+  levels_[0]->error = flux_error;
   down(0, load_error, counters);
-  step = levels_[0].step;
+  step = levels_[0]->step;
 }
 
 }  // namespace ehd::fast

@@ -8,7 +8,6 @@
 #pragma once
 
 #include <Eigen/Dense>
-#include <deque>
 #include <memory>
 #include <vector>
 
@@ -31,6 +30,7 @@ class Multigrid {
 
  private:
   struct Level {
+    int n = 0;
     const Discretisation* scheme = nullptr;
     std::unique_ptr<Discretisation> own;  ///< on coarse levels
     Grid* grid = nullptr;
@@ -46,11 +46,14 @@ class Multigrid {
   void solve_dense(Level& level, double load_error);
   void down(std::size_t index, double load_error, Counters& counters);
 
-  std::deque<Level> levels_;  ///< a level keeps its address
-  std::size_t used_ = 0;
+  [[nodiscard]] Level& level_of(int intervals);
+
+  std::vector<std::unique_ptr<Level>> known_;  ///< by number of intervals, kept for the next grid and the next solve
+  std::vector<Level*> levels_;                 ///< in use, fine to coarse
   RowMajor film_, dense_;
   Eigen::PartialPivLU<RowMajor> factors_;
-  Eigen::VectorXd right_side_;
+  Eigen::VectorXd right_side_, solution_;
+  Eigen::RowVectorXd integral_;
 };
 
 }  // namespace ehd::fast

@@ -2,6 +2,7 @@
 #include "fast/newton.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -28,14 +29,16 @@ double residual_of(const Discretisation& at) {
 constexpr int most_krylov = 40;
 
 /// Flexible GMRES for J step = -(e, load) to the relative residual `relative`.
-void solve_linear(Workspace& w, const Norm& norm, double relative, Counters& counters, Step& step) {
+void solve_linear(Workspace& workspace, Workspace::OnGrid& w, Grid& grid, const Norm& norm, double relative,
+                  Counters& counters) {
   const InStage stage(counters, Stage::krylov);
   const Discretisation& at = w.now;
   const Eigen::Index n = at.n;
   w.basis.resize(most_krylov + 1);
   w.preconditioned.resize(most_krylov);
-  Eigen::MatrixXd hessenberg = Eigen::MatrixXd::Zero(most_krylov + 1, most_krylov);
-  Eigen::VectorXd right = Eigen::VectorXd::Zero(most_krylov + 1), cosines(most_krylov), sines(most_krylov);
+  Eigen::Matrix<double, most_krylov + 1, most_krylov> hessenberg;  // filled up to the column in work
+  std::array<double, most_krylov + 1> right{};
+  std::array<double, most_krylov> cosines, sines, y;
 
   Array& first = w.basis[0];
   first.resize(n + 1);
@@ -44,46 +47,55 @@ void solve_linear(Workspace& w, const Norm& norm, double relative, Counters& cou
   const double size = first.matrix().norm();
   right[0] = size;
   first /= size;
-  int k = 0;
+  std::size_t k = 0;
   while (k < most_krylov) {
-    Step& z = w.preconditioned[static_cast<std::size_t>(k)];
-    const Array& v = w.basis[static_cast<std::size_t>(k)];
-    w.multigrid.cycle(v.head(n) / norm.by_flux, v[n] / norm.by_load, z, counters);
+    Step& z = w.preconditioned[k];
+    const Array& v = w.basis[k];
+    w.flux_error = v.head(n) / norm.by_flux;
+    workspace.multigrid.cycle(w.flux_error, v[n] / norm.by_load, z, counters);
     double load_change = 0;
-    at.apply(z, w.grids.of(at.n), counters, w.product, load_change);
+    at.apply(z, grid, counters, w.product, load_change);
     ++counters.krylov;
-    Array& next = w.basis[static_cast<std::size_t>(k + 1)];
+    Array& next = w.basis[k + 1];
     next.resize(n + 1);
     next.head(n) = w.product * norm.by_flux;
     next[n] = load_change * norm.by_load;
-    for (int i = 0; i <= k; ++i) {
-      const Array& b = w.basis[static_cast<std::size_t>(i)];
-      hessenberg(i, k) = b.matrix().dot(next.matrix());
-      next -= hessenberg(i, k) * b;
+    const auto column = static_cast<Eigen::Index>(k);
+    for (std::size_t i = 0; i <= k; ++i) {
+      const Array& b = w.basis[i];
+      const double share = b.matrix().dot(next.matrix());
+      hessenberg(static_cast<Eigen::Index>(i), column) = share;
+      next -= share * b;
     }
-    hessenberg(k + 1, k) = next.matrix().norm();
-    if (hessenberg(k + 1, k) > 0) next /= hessenberg(k + 1, k);
-    for (int i = 0; i < k; ++i) {
-      const double a = hessenberg(i, k), b = hessenberg(i + 1, k);
-      hessenberg(i, k) = cosines[i] * a + sines[i] * b;
-      hessenberg(i + 1, k) = -sines[i] * a + cosines[i] * b;
+    const double beside = next.matrix().norm();
+    if (beside > 0) next /= beside;
+    for (std::size_t i = 0; i < k; ++i) {
+      const auto row = static_cast<Eigen::Index>(i);
+      const double a = hessenberg(row, column), b = hessenberg(row + 1, column);
+      hessenberg(row, column) = cosines[i] * a + sines[i] * b;
+      hessenberg(row + 1, column) = -sines[i] * a + cosines[i] * b;
     }
-    const double length = std::hypot(hessenberg(k, k), hessenberg(k + 1, k));
-    cosines[k] = hessenberg(k, k) / length;
-    sines[k] = hessenberg(k + 1, k) / length;
-    hessenberg(k, k) = length;
+    const double length = std::hypot(hessenberg(column, column), beside);
+    cosines[k] = hessenberg(column, column) / length;
+    sines[k] = beside / length;
+    hessenberg(column, column) = length;
     right[k + 1] = -sines[k] * right[k];
     right[k] *= cosines[k];
     ++k;
     if (!(std::abs(right[k]) > relative * size)) break;
   }
-  const Eigen::VectorXd y =
-      hessenberg.topLeftCorner(k, k).triangularView<Eigen::Upper>().solve(right.head(k));
+  for (std::size_t i = k; i-- > 0;) {
+    double rest = right[i];
+    for (std::size_t j = i + 1; j < k; ++j)
+      rest -= hessenberg(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) * y[j];
+    y[i] = rest / hessenberg(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i));
+  }
+  Step& step = w.step;
   step.P.setZero(n + 1);
   step.product.setZero(n + 1);
   step.offset = step.exit = step.integral = 0;
-  for (int i = 0; i < k; ++i) {
-    const Step& z = w.preconditioned[static_cast<std::size_t>(i)];
+  for (std::size_t i = 0; i < k; ++i) {
+    const Step& z = w.preconditioned[i];
     step.P += y[i] * z.P;
     step.product += y[i] * z.product;
     step.integral += y[i] * z.integral;
@@ -109,15 +121,26 @@ double film_error_left(const Discretisation& before, const Discretisation& after
 
 }  // namespace
 
+Workspace::OnGrid& Workspace::on(int intervals) {
+  for (const auto& one : grids_seen_) {
+    if (one->n == intervals) return *one;
+  }
+  grids_seen_.push_back(std::make_unique<OnGrid>());
+  grids_seen_.back()->n = intervals;
+  return *grids_seen_.back();
+}
+
 NewtonResult newton(const Setting& setting, State& state, const Target& target, int most_iterations, const Limits& limits,
-                    Workspace& w, Counters& counters) {
+                    Workspace& workspace, Counters& counters) {
   NewtonResult result;
   const int n = static_cast<int>(state.P.size()) - 1;
   const Stage stage_before = counters.clock.change_to(Stage::grids);
-  Grid& grid = w.grids.of(n);
+  Grid& grid = workspace.grids.of(n);
   counters.clock.change_to(stage_before);
+  Workspace::OnGrid& w = workspace.on(n);
+  workspace.current = &w;
   if (!w.now.evaluate(setting, state, grid, counters)) return result;
-  Step step;
+  Step& step = w.step;
   int poor_steps = 0, refreshes = 0;
   bool carried = false;
   double before_refresh = unknown;  // of the norm: a fresh tail raises it on the far faces alone
@@ -163,12 +186,12 @@ NewtonResult newton(const Setting& setting, State& state, const Target& target, 
       const InStage stage(counters, Stage::linearise);
       w.now.linearise(setting, state.P, state.exit);
     }
-    if (!w.multigrid.prepare(setting, w.now, state, w.grids, counters)) return result;
+    if (!workspace.multigrid.prepare(setting, w.now, state, workspace.grids, counters)) return result;
     const Norm norm(w.now);
     const double before = norm.of(w.now);
     const double asked = std::max(target.residual / result.residual,
                                   std::min(target.film_error / result.film_error, target.film_residual / result.residual));
-    solve_linear(w, norm, std::clamp(asked / 2, 0.1, 0.5), counters, step);
+    solve_linear(workspace, w, grid, norm, std::clamp(asked / 2, 0.1, 0.5), counters);
     if (!step.P.allFinite() || !std::isfinite(step.offset) || !std::isfinite(step.exit)) return result;
 
     // The whole step is scaled, never clipped node by node.

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <limits>
+#include <memory>
 #include <vector>
 
 #include "fast/discretisation.hpp"
@@ -11,15 +12,30 @@
 
 namespace ehd::fast {
 
-/// What a caller may keep between solves: FFT plans, kernel tables and every array of a solve. One thread at a time.
+/// What a caller may keep between solves: FFT plans, kernel tables and every array of a solve, grid by grid, so that a
+/// second solve allocates next to nothing. One thread at a time.
 struct Workspace {
+  /// The arrays of Newton on one number of intervals.
+  struct OnGrid {
+    int n = 0;
+    Discretisation now, trial;
+    State candidate;
+    Step step;
+    std::vector<Step> preconditioned;
+    std::vector<Array> basis;
+    Array product, flux_error;
+  };
+
   Grids grids;
   Multigrid multigrid;
-  Discretisation now, trial;
-  State candidate;
-  std::vector<Step> directions, preconditioned;
-  std::vector<Array> basis;
-  Array product;
+  OnGrid* current = nullptr;  ///< of the grid that Newton ended on last
+
+  [[nodiscard]] OnGrid& on(int intervals);
+  /// Fields of the state that Newton ended on last.
+  [[nodiscard]] const Discretisation& now() const { return current->now; }
+
+ private:
+  std::vector<std::unique_ptr<OnGrid>> grids_seen_;
 };
 
 /// What bounds a solve.
@@ -48,7 +64,7 @@ struct NewtonResult {
 };
 
 /// Until the target is met. `stalled`: no further decrease, residual small (< 1e-3) but above the target. On return
-/// workspace.now holds the fields of `state`.
+/// workspace.now() holds the fields of `state`.
 [[nodiscard]] NewtonResult newton(const Setting& setting, State& state, const Target& target, int most_iterations,
                                   const Limits& limits, Workspace& workspace, Counters& counters);
 

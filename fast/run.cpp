@@ -32,7 +32,7 @@ NewtonResult newton_on(Run& run, State& state, const Target& target) {
 
 bool succeeded(const NewtonResult& result, const Run& run, const State& state) {
   return (result.end == NewtonEnd::converged || result.end == NewtonEnd::stalled) &&
-         admissible(run.workspace.now, state);
+         admissible(run.workspace.now(), state);
 }
 
 bool lower_floor(Run& run, State& state, const Target& target, NewtonResult& result) {
@@ -76,7 +76,7 @@ Array weights_of(const Discretisation& at) {
 }  // namespace
 
 Fields fields_of(const Run& run) {
-  const Discretisation& at = run.workspace.now;
+  const Discretisation& at = run.workspace.now();
   return {.X = at.places(run.setting.inlet),
           .P = run.state.P,
           .H = at.H,
