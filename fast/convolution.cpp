@@ -13,6 +13,7 @@ namespace ehd::fast {
 namespace {
 
 std::mutex planner;  // FFTW's planner is not thread-safe; its execution is
+unsigned plan_flags = FFTW_ESTIMATE;  // guarded by the planner's mutex
 
 double antiderivative(double u) { return u == 0 ? 0 : u * u * (std::log(std::abs(u)) / 2 - 0.75); }
 
@@ -57,6 +58,22 @@ double trapezoid_weight(int k) {
   return k == 1 ? -c : std::log(static_cast<double>(k));
 }
 
+bool measure_plans(const std::string& wisdom) {
+  const std::lock_guard lock(planner);
+  if (!wisdom.empty() && fftw_import_wisdom_from_string(wisdom.c_str()) == 0) return false;
+  plan_flags = FFTW_MEASURE;
+  return true;
+}
+
+std::string measured_plans() {
+  const std::lock_guard lock(planner);
+  char* const text = fftw_export_wisdom_to_string();
+  if (!text) return {};
+  std::string wisdom = text;
+  fftw_free(text);
+  return wisdom;
+}
+
 struct Convolution::Plans {
   int length;
   double* real;
@@ -80,8 +97,8 @@ Convolution::Convolution(int intervals, Rule rule) : intervals_(intervals), plan
   {
     const auto begin = std::chrono::steady_clock::now();
     const std::lock_guard lock(planner);
-    plans_->forward = fftw_plan_dft_r2c_1d(length, plans_->real, plans_->modes, FFTW_ESTIMATE);
-    plans_->backward = fftw_plan_dft_c2r_1d(length, plans_->modes, plans_->real, FFTW_ESTIMATE);
+    plans_->forward = fftw_plan_dft_r2c_1d(length, plans_->real, plans_->modes, plan_flags);
+    plans_->backward = fftw_plan_dft_c2r_1d(length, plans_->modes, plans_->real, plan_flags);
     planning_s_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   }
   for (int k = 0; k < length; ++k) plans_->real[k] = weights_[std::min(k, length - k)];

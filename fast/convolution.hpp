@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "contact/array.hpp"
 
@@ -26,8 +27,15 @@ enum class Rule {
 /// Int g(s) ln|s_i - s| ds ~ h Sum_j g_j (w_|i-j| + ln h) with w_0 = -ln 2 pi + 2c, w_1 = -c, w_k = ln k, c = zeta(3)/(4 pi^2).
 [[nodiscard]] double trapezoid_weight(int k);
 
+/// From now on FFTW measures the plans of this process, beginning with what `wisdom` (its own text; empty: nothing) holds
+/// of earlier measurements. Two runs may then differ by rounding, so verification plans by estimate. False: no wisdom of
+/// this FFTW.
+[[nodiscard]] bool measure_plans(const std::string& wisdom);
+/// What FFTW has measured in this process and was given.
+[[nodiscard]] std::string measured_plans();
+
 /// y_i = Sum_j g_|i-j| x_j for i, j = 0..n, where x_n = 0 (the exit). Holds its FFTW plans; not copyable, one thread
-/// at a time. Plans are made with FFTW_ESTIMATE, so that two runs do the same arithmetic.
+/// at a time. Plans are made with FFTW_ESTIMATE, so that two runs do the same arithmetic, unless measure_plans was called.
 class Convolution {
  public:
   explicit Convolution(int intervals, Rule rule = Rule::piecewise_linear);

@@ -102,8 +102,12 @@ void fill(Cost& cost, Run& run, Clock::time_point begin, double planning_before,
   cost.viscosity_points = run.counters.viscosity_points;
   cost.density_points = run.counters.density_points;
   cost.fft_plans = workspace.grids.plans() - plans_before;
-  for (std::size_t k = 0; k < std::size(stage_names); ++k)
-    cost.stage_s.emplace_back(stage_names[k], run.counters.clock.seconds(static_cast<Stage>(k)));
+  for (std::size_t k = 0; k < std::size(stage_names); ++k) {
+    const auto stage = static_cast<Stage>(k);
+    // FFTW plans when a grid is first used, and wall_s is without planning.
+    const double planning = stage == Stage::grids ? cost.planning_s : 0;
+    cost.stage_s.emplace_back(stage_names[k], std::max(0.0, run.counters.clock.seconds(stage) - planning));
+  }
   cost.wall_s = std::chrono::duration<double>(Clock::now() - begin).count() - cost.planning_s;
 }
 

@@ -46,6 +46,16 @@ void put_film(Json& film, const std::string& key, const ContactRun& run, Quantit
   if (quantity != Quantity::film_offset) put(entry, "m", times(reading->value, run.m_per_hertz_film()));
   put(entry, "x", reading->place);
   put(entry, "error", reading->error);
+  // Where the relative error of the films that a tolerance speaks of comes from.
+  const SolveRecord& record = run.solution.record;
+  const ErrorBudget* const budget = quantity == Quantity::film_minimum   ? &record.film_minimum
+                                    : quantity == Quantity::film_central ? &record.film_central
+                                                                         : nullptr;
+  if (budget && reading->error) {
+    put(entry["errors"], "discretisation", budget->discretisation);
+    put(entry["errors"], "iteration", budget->iteration);
+    put(entry["errors"], "truncation", budget->truncation);
+  }
   film[key] = entry;
 }
 

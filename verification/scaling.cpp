@@ -149,7 +149,7 @@ std::vector<ScalingRow> run_scaling(const ScalingRequest& request) {
           row.reason = "not run: it would not fit into memory";
         } else {
           if (request.progress) request.progress(name_of(contact) + ": " + solver->name + ", n = " + std::to_string(n));
-          const Request asked{.tolerance = {}, .nodes = n, .time_limit_s = request.time_limit_s};
+          const Request asked{.tolerance = {}, .nodes = n, .iteration_share = 0.5, .time_limit_s = request.time_limit_s};
           const ChildEnd end =
               in_child([&, one = solver] { return measured(*one, problem, asked, request.repetition).dump(); });
           if (end.text) {

@@ -293,7 +293,10 @@ std::vector<WorkRow> rows_of(const Case& contact_case, const SolvedTruth& truth,
     WorkRow& row = rows[i];
     if (!wanted[i]) return;
     const Request asked{
-        .tolerance = row.setting.tolerance, .nodes = row.setting.nodes, .time_limit_s = request.time_limit_s};
+        .tolerance = row.setting.tolerance,
+        .nodes = row.setting.nodes,
+        .iteration_share = row.setting.nodes ? std::optional(0.5) : std::nullopt,  // no further than a grid is worth
+        .time_limit_s = request.time_limit_s};
     const std::string family = row.setting.solver + (row.setting.nodes ? " on grids" : " within tolerances");
     if (round == 0) {
       std::string why;

@@ -2,6 +2,7 @@
 // The program as a process: exit codes and streams.
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -51,6 +52,42 @@ BOOST_AUTO_TEST_CASE(a_grid_that_cannot_see_the_inlet_zone_is_no_solution) {
   const auto ended = test::ehd_run(folder, "solve own-moes-1000-10 --solver fast.uniform --nodes 256 --json -");
   BOOST_TEST(ended.exit_code == 1);
   BOOST_TEST(json::parse(ended.out)["status"] != "converged");
+}
+
+BOOST_AUTO_TEST_CASE(wisdom_is_written_read_again_and_refused_where_it_is_none) {
+  const test::Folder folder;
+  const auto wisdom = folder.path() / "wisdom.txt", text = folder.path() / "text.txt";
+  const auto solve = [&](const std::string& rest) {
+    return test::ehd_run(folder, "solve own-moes-5-5 --tolerance 1e-2 --json - " + rest);
+  };
+  const auto plain = solve(""), first = solve("--wisdom " + wisdom.string()), second = solve("--wisdom " + wisdom.string());
+  for (const auto* ended : {&plain, &first, &second}) BOOST_REQUIRE(ended->exit_code == 0);
+  BOOST_TEST(std::filesystem::file_size(wisdom) > 0u);
+  const double film = json::parse(plain.out)["film"]["central"]["hertz"];
+  const double again = json::parse(second.out)["film"]["central"]["hertz"];
+  // Other plans round otherwise; Newton stops at the same step and passes a small part of it on.
+  EHD_CHECK(error(again, film), verification::Tolerance::round_off(1e4, 1e2));
+  std::ofstream(text) << "no wisdom\n";
+  for (const auto& name : {text, folder.path()}) {
+    const auto refused = solve("--wisdom " + name.string());
+    BOOST_TEST(refused.exit_code == 2);
+    BOOST_TEST(refused.error_lines() == 1);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_error_of_a_film_is_the_sum_of_its_parts) {
+  const test::Folder folder;
+  const auto ended = test::ehd_run(folder, "solve own-moes-5-5-flooded --tolerance 1e-3 --json -");
+  BOOST_REQUIRE(ended.exit_code == 0);
+  const json film = json::parse(ended.out)["film"];
+  for (const char* which : {"minimum", "central"}) {
+    const json& parts = film[which]["errors"];
+    const double sum = parts["discretisation"].get<double>() + parts["iteration"].get<double>() +
+                       parts["truncation"].get<double>();
+    BOOST_TEST(parts["truncation"].get<double>() > 0);
+    BOOST_TEST(parts["iteration"].get<double>() > 0);
+    EHD_CHECK(error(sum, film[which]["error"].get<double>()), verification::Tolerance::round_off(4));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(files_are_written_beside_the_table) {

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ehd solve: one contact, from a case file or from options.
+#include <filesystem>
+#include <fstream>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include "contact/scaling.hpp"
+#include "fast/convolution.hpp"
 #include "verification/case.hpp"
 #include "verification/cli/commands.hpp"
 #include "verification/cli/common.hpp"
@@ -24,7 +28,7 @@ struct SolveOptions {
   std::optional<std::string> M, L, inlet, viscosity, density, alpha, z, p0;
   std::string solver = "fast";
   std::vector<std::string> quantities;
-  std::optional<std::string> json, profile;
+  std::optional<std::string> json, profile, wisdom;
   RequestOptions request;
 };
 
@@ -123,6 +127,20 @@ void require_one_problem(const SolveOptions& options) {
                      " missing; required is a CASE, or --M and --L (ehd solve --help shows examples)");
 }
 
+/// --wisdom FILE: FFTW's measurements of earlier runs, if there were any; new ones are added to it.
+void read_wisdom(const std::string& name) {
+  std::string text;
+  if (std::filesystem::exists(name)) {
+    std::ifstream file(name);
+    std::ostringstream content;
+    if (!(content << file.rdbuf()))
+      throw option_error("--wisdom", name, "cannot be read; allowed is a file that an earlier run wrote, or a new one");
+    text = content.str();
+  }
+  if (!fast::measure_plans(text))
+    throw option_error("--wisdom", name, "is no FFTW wisdom; allowed is a file that an earlier run wrote, or a new one");
+}
+
 int solve(const SolveOptions& options) {
   require_one_problem(options);
   const auto& solver = solver_named(options.solver);
@@ -148,8 +166,12 @@ int solve(const SolveOptions& options) {
   if (contact_case) inputs.push_back({"the case", contact_case->file});
   if (options.json) outputs.push_back({"--json", *options.json});
   if (options.profile) outputs.push_back({"--profile", *options.profile});
+  if (options.wisdom) outputs.push_back({"--wisdom", *options.wisdom});
   require_distinct(inputs, outputs);
+  if (options.wisdom) read_wisdom(*options.wisdom);
   JsonTarget json(options.json);
+  std::optional<verification::OutputFile> wisdom;
+  if (options.wisdom) wisdom.emplace(*options.wisdom);
   std::optional<verification::OutputFile> profile;
   if (options.profile) profile.emplace(*options.profile);
 
@@ -161,6 +183,7 @@ int solve(const SolveOptions& options) {
                        : run_contact(contact, solver, request, wanted);
   }
   json.write(to_json(run));
+  if (wisdom) wisdom->commit(fast::measured_plans());
   const bool solution = run.status() != StopReason::diverged && run.solution.fields.X.size() > 0;
   if (profile && solution) profile->commit(profile_csv(run));
   if (!json.to_standard_output()) print(human_table(run, title, styled_output()));
@@ -193,6 +216,7 @@ void add_solve(CLI::App& app, int& exit_code) {
       ->allow_extra_args(false);
   command->add_option("--json", options->json, "the result as JSON into a file, or - for standard output");
   command->add_option("--profile", options->profile, "pressure, film, density and viscosity over X as CSV");
+  command->add_option("--wisdom", options->wisdom, "let FFTW measure its plans, once: kept in FILE for later runs");
   command->callback([options, &exit_code] { run_guarded(exit_code, [&] { return solve(*options); }); });
 }
 
