@@ -189,8 +189,7 @@ NewtonResult newton(const Setting& setting, State& state, const Target& target, 
     if (!workspace.multigrid.prepare(setting, w.now, state, workspace.grids, counters)) return result;
     const Norm norm(w.now);
     const double before = norm.of(w.now);
-    const double asked = std::max(target.residual / result.residual,
-                                  std::min(target.film_error / result.film_error, target.film_residual / result.residual));
+    const double asked = std::max(target.residual / result.residual, target.film_error / result.film_error);
     solve_linear(workspace, w, grid, norm, std::clamp(asked / 2, 0.1, 0.5), counters);
     if (!step.P.allFinite() || !std::isfinite(step.offset) || !std::isfinite(step.exit)) return result;
 

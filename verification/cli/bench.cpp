@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "verification/batch_bench.hpp"
+#include "verification/box_bench.hpp"
 #include "verification/cli/commands.hpp"
 #include "verification/cli/common.hpp"
 #include "verification/provenance.hpp"
@@ -38,16 +39,20 @@ Examples:
   ehd bench --part work-precision --case own-moes-20-10 --solver fast --solver reference
   ehd bench --part scaling
   ehd bench --part batch
+  ehd bench --part box --solver fast            232 contacts, with truths: five minutes on two cores
 
 Parts: work-precision (run time and work against achieved error), scaling (cost and memory against the number of
-intervals), batch (many contacts over threads). DIR/bench.json holds the parts of this run; work-precision leaves
-DIR/work_precision.csv too, scaling DIR/scaling.csv. A solve that fails is a row with its reason. Exit code: 0 the tables
+intervals), batch (many contacts over threads), and, where it is asked for, box (times and errors over all loads and
+materials). DIR/bench.json holds the parts of this run; work-precision leaves DIR/work_precision.csv too, scaling
+DIR/scaling.csv, box DIR/box.csv. A solve that fails is a row with its reason. Exit code: 0 the tables
 are there; 1 not one run could be judged, or results depend on the number of threads; 2 wrong usage.)";
 
 constexpr const char* work_precision = "work-precision";
 constexpr const char* scaling = "scaling";
 constexpr const char* batch = "batch";
-constexpr const char* all_parts[] = {work_precision, scaling, batch};
+constexpr const char* box = "box";
+constexpr const char* all_parts[] = {work_precision, scaling, batch, box};
+constexpr const char* usual_parts[] = {work_precision, scaling, batch};
 
 std::vector<const RegisteredSolver*> chosen_solvers(const std::vector<std::string>& names) {
   std::vector<const RegisteredSolver*> chosen;
@@ -71,9 +76,9 @@ int bench(const BenchOptions& options) {
   std::vector<std::string> parts = options.parts;
   for (const auto& part : parts) {
     if (std::find(std::begin(all_parts), std::end(all_parts), part) == std::end(all_parts))
-      throw option_error("--part", part, "is unknown; allowed is work-precision, scaling, batch");
+      throw option_error("--part", part, "is unknown; allowed is work-precision, scaling, batch, box");
   }
-  if (parts.empty()) parts.assign(std::begin(all_parts), std::end(all_parts));
+  if (parts.empty()) parts.assign(std::begin(usual_parts), std::end(usual_parts));
   const auto asked = [&](const char* part) { return std::find(parts.begin(), parts.end(), part) != parts.end(); };
   const auto solvers = chosen_solvers(options.solvers);
   const auto fft_solvers = with_fft(solvers);
@@ -81,7 +86,7 @@ int bench(const BenchOptions& options) {
     throw option_error("--case", options.cases.front(), "belongs to the part work-precision, which is not run");
   if (!asked(work_precision) && fft_solvers.empty())
     throw option_error("--solver", solvers.front()->name,
-                       "uses no FFT; allowed in scaling and batch are those that do");
+                       "uses no FFT; allowed in scaling, batch and box are those that do");
   Request limits = options.limits.request();
   if (!options.limits.time_limit) limits.time_limit_s = usual_time_limit_s;
 
@@ -92,11 +97,12 @@ int bench(const BenchOptions& options) {
 
   // Opened before the work begins: a folder that cannot be written is bad input, not a lost run.
   std::optional<OutputFolder> folder;
-  std::optional<verification::OutputFile> json_file, work_csv, scaling_csv;
+  std::optional<verification::OutputFile> json_file, work_csv, scaling_csv, box_csv;
   if (options.output) {
     folder.emplace(*options.output);
     json_file.emplace(folder->path() / "bench.json");
     if (asked(work_precision)) work_csv.emplace(folder->path() / "work_precision.csv");
+    if (asked(box)) box_csv.emplace(folder->path() / "box.csv");
     if (asked(scaling)) scaling_csv.emplace(folder->path() / "scaling.csv");
   }
 
@@ -133,6 +139,18 @@ int bench(const BenchOptions& options) {
       sound = false;
     }
   }
+  if (asked(box) && !fft_solvers.empty()) {
+    verification::BoxRequest request{.solvers = fft_solvers, .contacts = verification::box_contacts(options.quick)};
+    request.truth = verification::find_solver("reference");
+    request.time_limit_s = limits.time_limit_s;
+    request.threads = std::max(1u, std::thread::hardware_concurrency());
+    request.progress = show;
+    const auto rows = run_box(request);
+    json["box"] = verification::to_json(rows);
+    if (box_csv) box_csv->commit(verification::box_csv(rows));
+    progress.show("");
+    print(human_table(rows));
+  }
   if (asked(work_precision)) {
     precision.quick = options.quick;
     precision.time_limit_s = limits.time_limit_s;
@@ -159,7 +177,7 @@ void add_bench(CLI::App& app, int& exit_code) {
   command->footer(examples);
   command->add_option("--output", options->output, "folder for bench.json, work_precision.csv and scaling.csv")
       ->type_name("DIR");
-  command->add_option("--part", options->parts, "work-precision, scaling or batch (repeatable; all)")
+  command->add_option("--part", options->parts, "work-precision, scaling, batch or box (repeatable; all but box)")
       ->type_name("PART")
       ->allow_extra_args(false);
   command->add_option("--case", options->cases, "a contact case for work-precision (repeatable; the benchmark's own)")
