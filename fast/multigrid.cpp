@@ -62,8 +62,9 @@ bool Multigrid::assemble_dense(const Level& level) {
   const double scale = -s.length / pi, log_length = std::log(s.length);
   Eigen::RowVectorXd& integral = integral_;
   integral = (level.grid->slope.segment(1, n - 1) / n).matrix().transpose();
-  film.leftCols(n - 1) = scale * level.grid->dense().middleCols(1, n - 1);
-  film.leftCols(n - 1).rowwise() += scale * log_length * integral;
+  const RowMajor& kernel = level.grid->dense();
+  for (int i = 0; i <= n; ++i)
+    film.row(i).head(n - 1) = scale * (kernel.row(i).segment(1, n - 1) + log_length * integral);
   film.col(n - 1).setOnes();
   film.col(n) = s.film_by_exit.matrix();
   dense_.resize(n + 1, n + 1);
@@ -81,7 +82,7 @@ bool Multigrid::assemble_dense(const Level& level) {
   dense_.row(n).head(n - 1) = s.length * integral;
   dense_(n, n - 1) = 0;
   dense_(n, n) = s.load_by_exit;
-  factors_.compute(dense_);
+  factors_.compute(Eigen::Map<const Eigen::MatrixXd>(dense_.data(), n + 1, n + 1));
   right_side_.resize(n + 1);
   return dense_.allFinite() && factors_.matrixLU().diagonal().cwiseAbs().minCoeff() > 0;
 }
@@ -123,7 +124,7 @@ void Multigrid::solve_dense(Level& level, double load_error) {
   right_side_.head(n) = level.error.matrix();
   right_side_[n] = load_error;
   Eigen::VectorXd& x = solution_;
-  x = factors_.solve(right_side_);
+  x = factors_.transpose().solve(right_side_);
   level.step.P[0] = level.step.P[n] = 0;
   level.step.P.segment(1, n - 1) = x.head(n - 1).array();
   level.step.offset = x[n - 1];

@@ -51,7 +51,7 @@ class Multigrid {
   std::vector<std::unique_ptr<Level>> known_;  ///< by number of intervals, kept for the next grid and the next solve
   std::vector<Level*> levels_;                 ///< in use, fine to coarse
   RowMajor film_, dense_;
-  Eigen::PartialPivLU<RowMajor> factors_;
+  Eigen::PartialPivLU<Eigen::MatrixXd> factors_;  ///< of the transpose: Eigen is quicker by columns
   Eigen::VectorXd right_side_, solution_;
   Eigen::RowVectorXd integral_;
 };
