@@ -130,7 +130,10 @@ void require_one_problem(const SolveOptions& options) {
 /// --wisdom FILE: FFTW's measurements of earlier runs, if there were any; new ones are added to it.
 void read_wisdom(const std::string& name) {
   std::string text;
+  if (name.empty()) throw UsageError("--wisdom names no file; allowed is a file that an earlier run wrote, or a new one");
   if (std::filesystem::exists(name)) {
+    if (!std::filesystem::is_regular_file(name))
+      throw option_error("--wisdom", name, "is no file; allowed is a file that an earlier run wrote, or a new one");
     std::ifstream file(name);
     std::ostringstream content;
     if (!(content << file.rdbuf()))
