@@ -14,7 +14,7 @@ struct Limit {
 /// `values`: coarse to fine, f_1 .. f_m, m >= 1. Errors of the mapped scheme fall as h^2 and then h^3:
 ///   R_k = (4 f_k - f_(k-1))/3,  S_k = (8 R_k - R_(k-1))/7,  r_k = R_k - R_(k-1).
 /// The value is f_1, R_2, then S_m. Its error:
-///   m = 2: |f_2 - f_1|;  m = 3: max(1.6 |r_3|, |f_3 - f_2|/4)
+///   m = 2: |f_2 - f_1|;  m = 3: max(1.6 |r_3|, |f_3 - f_2|/3)
 ///   m >= 4, the last ratio (from m = 5 the last two) r_(k-1)/r_k between 6 and 11 (8 for smooth solutions):
 ///     max(2 |S_m - S_(m-1)|, |r_m|/4), m = 4: |r_m|
 ///   else max(1.5 |r_m|, 1.5 |r_(m-1)|/6, .. over four moves, |S_m - S_(m-1)|): a spike passes through the grids.
