@@ -24,6 +24,6 @@ struct Limit {
 [[nodiscard]] Limit limit_of(const std::vector<double>& values);
 
 /// A small move by chance proves nothing: each error is at least this share of the largest relative error of the films.
-[[nodiscard]] constexpr double shared(std::size_t grids) { return grids > 3 ? 0.1 : grids == 3 ? 0.5 : 0.8; }
+[[nodiscard]] constexpr double shared(std::size_t grids) { return grids > 3 ? 0.1 : 0.8; }
 
 }  // namespace ehd::fast
