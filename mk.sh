@@ -1,1 +1,0 @@
-g++ -std=c++20 -O3 -march=native -I/work/main -isystem /usr/include/eigen3 $1.cpp -o $1 /work/main/build/verification/libehd_verification.a /work/main/build/bearing/libehd_bearing.a /work/main/build/reference/libehd_reference.a /work/main/build/fast/libehd_fast.a /work/main/build/contact/libehd_contact.a -lgsl -lgslcblas -lfftw3 -ltomlplusplus -lpthread
