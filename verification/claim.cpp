@@ -48,6 +48,7 @@ namespace {
 Json heading(const Sentence& says) {
   Json json = {{"id", says.id}, {"rung", says.rung}, {"statement", says.statement}};
   if (!says.case_id.empty()) json["case"] = says.case_id;
+  if (says.version > 0) json["version"] = says.version;
   if (!says.solver.empty()) json["solver"] = says.solver;
   return json;
 }

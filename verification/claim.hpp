@@ -24,6 +24,7 @@ struct Sentence {
   std::string statement;  ///< "fast meets the computed film.minimum of own-moes-20-10"
   std::string case_id = {};
   std::string solver = {};
+  int version = 0;  ///< of the case; 0 where there is none. The suite fills it in.
 };
 
 struct Claim {

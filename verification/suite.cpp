@@ -7,19 +7,22 @@
 #include <iterator>
 #include <map>
 #include <mutex>
+#include <numeric>
 #include <set>
+#include <thread>
 #include <utility>
 
 #include "verification/claims/topics.hpp"
 #include "verification/parallel.hpp"
 #include "verification/provenance.hpp"
 #include "verification/text.hpp"
+#include "verification/traceability.hpp"
 
 namespace ehd::verification {
 
 namespace {
 
-constexpr int schema = 1;
+constexpr int schema = 2;
 
 /// Claims that may stay inconclusive, with the reason: empty is the aim.
 const std::map<std::string, std::string> accepted = {};
@@ -50,8 +53,7 @@ std::vector<LoadedCase> load_cases(const SuiteRequest& request) {
   return cases;
 }
 
-std::vector<Topic> topics_of(const SuiteRequest& request) {
-  const auto cases = load_cases(request);
+std::vector<Topic> topics_of(const SuiteRequest& request, const std::vector<LoadedCase>& cases) {
   std::vector<Topic> topics;
   for (auto& list : {input_topics(), kernel_topics(), exact_topics(), coupled_topics(), contact_topics(cases), twin_topics(),
                      box_topics(), random_topics(request.random_runs), grid_topics(), regime_topics(), atlas_topics(), bearing_topics(cases)}) {
@@ -85,6 +87,25 @@ std::string selection(const SuiteRequest& request) {
          (request.rung && request.case_id ? " " : "") + (request.case_id ? "--case " + *request.case_id : "");
 }
 
+/// A short one counts too: the claims of a quick suite are many.
+double expected_s(const Topic& topic, bool quick) {
+  constexpr double short_s = 0.1, slow_s = 2;
+  if (quick && topic.slow) return 0;
+  return topic.expected_s > 0 ? topic.expected_s : topic.slow ? slow_s : short_s;
+}
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Case versions where the cases can be read.
+std::map<std::string, int> versions_of(const std::vector<LoadedCase>& cases) {
+  std::map<std::string, int> versions;
+  for (const LoadedCase& loaded : cases)
+    if (const auto* one = std::get_if<Case>(&loaded.content)) versions[one->id] = one->version;
+  return versions;
+}
+
 }  // namespace
 
 std::optional<std::string> accepted_as_inconclusive(const std::string& claim_id) {
@@ -102,23 +123,58 @@ bool SuiteResult::success() const {
 
 SuiteResult run_suite(const SuiteRequest& request) {
   const auto start = std::chrono::steady_clock::now();
-  const std::vector<Topic> topics = topics_of(request);
+  const std::vector<LoadedCase> cases = load_cases(request);
+  const std::vector<Topic> topics = topics_of(request, cases);
   if (topics.empty()) throw NothingSelected("there is nothing to verify for " + selection(request));
 
+  // The longest first, so that no thread begins one when the others are at their end.
+  std::vector<std::size_t> order(topics.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return expected_s(topics[a], request.quick) > expected_s(topics[b], request.quick);
+  });
+  double all_expected = 0, expected_done = 0;
+  for (const Topic& topic : topics) all_expected += expected_s(topic, request.quick);
+
   std::vector<Findings> findings(topics.size());
+  std::vector<double> took(topics.size());
   std::size_t done = 0;
   std::mutex reporting;
-  in_threads(topics.size(), request.threads, [&](std::size_t i) {
+  in_threads(topics.size(), request.threads, [&](std::size_t k) {
+    const std::size_t i = order[k];
+    const auto began = std::chrono::steady_clock::now();
     findings[i] = run_topic(topics[i], request);
     const std::lock_guard lock(reporting);
+    took[i] = seconds_since(began);
     ++done;
-    if (request.progress) request.progress(done, topics.size(), topics[i].name);
+    expected_done += expected_s(topics[i], request.quick);
+    if (!request.progress) return;
+    const double elapsed = seconds_since(start);
+    request.progress({.done = done,
+                      .all = topics.size(),
+                      .name = topics[i].name,
+                      .elapsed_s = elapsed,
+                      .left_s = expected_done > 0 ? elapsed * (all_expected - expected_done) / expected_done : 0});
   });
 
   SuiteResult result;
+  result.threads = request.threads > 0 ? request.threads : std::max(1U, std::thread::hardware_concurrency());
+  result.quick = request.quick;
+  result.selection = selection(request);
+  for (std::size_t i = 0; i < topics.size(); ++i) result.topics.push_back({topics[i].name, took[i]});
   for (auto& found : findings) {
     std::move(found.claims.begin(), found.claims.end(), std::back_inserter(result.claims));
     std::move(found.skipped.begin(), found.skipped.end(), std::back_inserter(result.skipped));
+  }
+  const auto versions = versions_of(cases);
+  const auto fill_in_version = [&](Sentence& says) {
+    if (const auto at = versions.find(says.case_id); at != versions.end()) says.version = at->second;
+  };
+  for (Claim& one : result.claims) fill_in_version(one.says);
+  for (SkippedClaim& one : result.skipped) fill_in_version(one.says);
+  if (result.selection.empty() && !request.quick) {  // with fewer claims a part may well have none
+    for (Claim& one : judge_traceability(trace(traceable_parts(), {result.claims, result.skipped})))
+      result.claims.push_back(std::move(one));
   }
   if (request.rung) {
     const auto elsewhere = [&](const auto& one) { return one.says.rung != *request.rung; };
@@ -135,8 +191,27 @@ SuiteResult run_suite(const SuiteRequest& request) {
   for (const Claim& one : result.claims) {
     if (!ids.insert(one.says.id).second) throw std::logic_error("two claims are called " + one.says.id);
   }
-  result.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  result.wall_s = seconds_since(start);
   return result;
+}
+
+std::vector<RungSummary> summarise(const SuiteResult& result) {
+  std::vector<RungSummary> summaries;
+  for (int rung = 0; rung < rungs; ++rung) {
+    RungSummary summary{.rung = rung};
+    for (const Claim& one : result.claims) {
+      if (one.says.rung != rung) continue;
+      ++(one.verdict == Verdict::pass ? summary.pass : one.verdict == Verdict::fail ? summary.fail : summary.inconclusive);
+      const double margin = one.margin();
+      if (one.finding || !(one.tolerance.value() > 0) || !std::isfinite(margin)) continue;
+      if (summary.worst_margin && *summary.worst_margin <= margin) continue;
+      summary.worst_margin = margin;
+      summary.worst_claim = one.says.id;
+    }
+    for (const SkippedClaim& one : result.skipped) summary.skipped += one.says.rung == rung ? 1 : 0;
+    summaries.push_back(std::move(summary));
+  }
+  return summaries;
 }
 
 namespace {
@@ -157,16 +232,15 @@ std::string numbers_of(const Claim& claim) {
 std::string human_summary(const SuiteResult& result, bool all) {
   const bool nothing_judged = result.claims.empty();
   std::string text;
-  std::vector<std::vector<std::string>> table{{"rung", "", "pass", "fail", "inconclusive", "skipped", "tightest margin"}};
+  std::vector<std::vector<std::string>> table{
+      {"rung", "", "worst claim", "pass", "fail", "inconclusive", "skipped", "margin"}};
   std::size_t total[3] = {0, 0, 0};
+  const std::vector<RungSummary> summaries = summarise(result);
   for (int rung = 0; rung < rungs; ++rung) {
-    std::size_t count[3] = {0, 0, 0}, skipped = 0;
-    double margin = 1;
+    const RungSummary& summary = summaries[static_cast<std::size_t>(rung)];
     std::string lines;
     for (const Claim& claim : result.claims) {
       if (claim.says.rung != rung) continue;
-      ++count[static_cast<int>(claim.verdict)];
-      if (claim.verdict == Verdict::pass && claim.tolerance.value() > 0) margin = std::min(margin, claim.margin());
       if (claim.finding) {
         lines += "  finding  " + claim.says.statement + "\n        " + claim.note + "\n";
         continue;
@@ -181,20 +255,22 @@ std::string human_summary(const SuiteResult& result, bool all) {
     }
     for (const SkippedClaim& one : result.skipped) {
       if (one.says.rung != rung) continue;
-      ++skipped;
       if (all || nothing_judged) lines += "  skipped  " + one.says.statement + ": " + one.why + "\n";
     }
-    if (count[0] + count[1] + count[2] + skipped == 0) continue;
-    for (int i = 0; i < 3; ++i) total[i] += count[i];
+    if (summary.pass + summary.fail + summary.inconclusive + summary.skipped == 0) continue;
+    total[0] += summary.pass;
+    total[1] += summary.fail;
+    total[2] += summary.inconclusive;
     const std::string name(rung_names[rung]);
     if (!lines.empty()) text += "rung " + std::to_string(rung) + ", " + name + "\n" + lines + "\n";
-    table.push_back({std::to_string(rung), name, std::to_string(count[0]), std::to_string(count[1]),
-                     std::to_string(count[2]), std::to_string(skipped),
-                     count[0] > 0 ? plain(100 * margin, 3) + " %" : "-"});
+    table.push_back({std::to_string(rung), name, summary.worst_margin ? summary.worst_claim : "-",
+                     std::to_string(summary.pass), std::to_string(summary.fail), std::to_string(summary.inconclusive),
+                     std::to_string(summary.skipped),
+                     summary.worst_margin ? plain(100 * *summary.worst_margin, 3) + " %" : "-"});
   }
-  table.push_back({"all", "", std::to_string(total[0]), std::to_string(total[1]), std::to_string(total[2]),
+  table.push_back({"all", "", "", std::to_string(total[0]), std::to_string(total[1]), std::to_string(total[2]),
                    std::to_string(result.skipped.size()), plain(result.wall_s, 3) + " s"});
-  text += aligned(table, 2);
+  text += aligned(table, 3);
   if (nothing_judged) {
     const std::size_t rows = result.skipped.size();
     text += "nothing could be judged: " + std::to_string(rows) + (rows == 1 ? " row is" : " rows are") +
@@ -221,9 +297,26 @@ Json to_json(const SuiteResult& result) {
                      {"inconclusive", count[2]},
                      {"skipped", result.skipped.size()},
                      {"success", result.success()},
+                     {"quick", result.quick},
+                     {"selection", result.selection},
+                     {"threads", result.threads},
                      {"wall_s", result.wall_s}};
+  Json rung_rows = Json::array(), traced = Json::array(), topics = Json::array();
+  for (const RungSummary& summary : summarise(result)) {
+    Json row = {{"rung", summary.rung},           {"name", rung_names[summary.rung]},
+                {"pass", summary.pass},           {"fail", summary.fail},
+                {"inconclusive", summary.inconclusive}, {"skipped", summary.skipped}};
+    put(row, "worst_margin", summary.worst_margin);
+    if (summary.worst_margin) row["worst_claim"] = summary.worst_claim;
+    rung_rows.push_back(std::move(row));
+  }
+  for (const TraceRow& row : trace(traceable_parts(), {result.claims, result.skipped})) traced.push_back(to_json(row));
+  for (const TopicTime& topic : result.topics) topics.push_back({{"name", topic.name}, {"wall_s", topic.wall_s}});
+  json["rungs"] = std::move(rung_rows);
+  json["traceability"] = std::move(traced);
   json["claims"] = std::move(claims);
   json["skipped"] = std::move(skipped);
+  json["topics"] = std::move(topics);
   return json;
 }
 

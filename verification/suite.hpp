@@ -13,6 +13,14 @@
 
 namespace ehd::verification {
 
+/// How far a run has come.
+struct SuiteProgress {
+  std::size_t done = 0, all = 0;  ///< topics
+  std::string name;               ///< of the topic that ended last
+  double elapsed_s = 0;
+  double left_s = 0;  ///< by the topics' expected times, scaled by what those that ended took
+};
+
 struct SuiteRequest {
   std::optional<int> rung = {};             ///< 0 to 11
   std::optional<std::string> case_id = {};  ///< a case's id or file
@@ -20,13 +28,23 @@ struct SuiteRequest {
   bool quick = false;                       ///< slow topics are skipped, each with a line that says so
   unsigned threads = 0;                     ///< 0: as many as there are cores
   /// Called after each topic, one thread at a time.
-  std::function<void(std::size_t done, std::size_t all, const std::string& name)> progress = {};
+  std::function<void(const SuiteProgress&)> progress = {};
+};
+
+/// What one topic took.
+struct TopicTime {
+  std::string name;
+  double wall_s = 0;
 };
 
 struct SuiteResult {
   std::vector<Claim> claims;  ///< by rung
   std::vector<SkippedClaim> skipped;
+  std::vector<TopicTime> topics;  ///< in the order of the list
   double wall_s = 0;
+  unsigned threads = 0;
+  bool quick = false;
+  std::string selection;  ///< "--rung 7", or empty for everything
   /// No claim fails, every inconclusive one is listed with a reason, and there are claims or skipped rows that say why
   /// there are none.
   [[nodiscard]] bool success() const;
@@ -45,10 +63,21 @@ class NothingSelected : public std::runtime_error {
 /// claim.
 [[nodiscard]] SuiteResult run_suite(const SuiteRequest& request);
 
+/// One rung in figures.
+struct RungSummary {
+  int rung = 0;
+  std::size_t pass = 0, fail = 0, inconclusive = 0, skipped = 0;
+  /// The smallest margin of a claim with a positive tolerance that is no finding, and its id; absent where there is none.
+  std::optional<double> worst_margin = {};
+  std::string worst_claim = {};
+};
+/// All rungs in order.
+[[nodiscard]] std::vector<RungSummary> summarise(const SuiteResult& result);
+
 /// Rungs in order with what failed in full, then a line for each rung. `all`: passing claims too.
 [[nodiscard]] std::string human_summary(const SuiteResult& result, bool all);
 
-/// {"schema", "provenance", "claims", "skipped", "summary"}.
+/// {"schema", "provenance", "summary", "rungs", "traceability", "claims", "skipped", "topics"}; README.md.
 [[nodiscard]] Json to_json(const SuiteResult& result);
 
 }  // namespace ehd::verification

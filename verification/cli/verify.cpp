@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ehd verify: the verification suite.
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -9,6 +10,7 @@
 #include "verification/cli/common.hpp"
 #include "verification/output.hpp"
 #include "verification/suite.hpp"
+#include "verification/traceability.hpp"
 
 namespace ehd::cli {
 
@@ -16,7 +18,7 @@ namespace {
 
 struct VerifyOptions {
   std::optional<std::string> rung, case_id, output, random_runs;
-  bool quick = false, all = false;
+  bool quick = false, all = false, trace = false;
 };
 
 const char* examples = R"(
@@ -31,6 +33,13 @@ Examples:
 Rungs: 0 inputs, 1 kernel, 2 operator, 3 elasticity, 4 Reynolds, 5 coupled, 6 solvers, 7 twins, 8 grids, 9 regimes,
 10 published, 11 bearing. Exit code: 0 every claim stands, or nothing could be
 judged (every row is skipped, with its reason); 1 one fails or is inconclusive; 2 wrong usage.)";
+
+/// "45 s", "3 min"
+std::string time_text(double seconds) {
+  constexpr double minute = 60, minutes_from = 100;
+  const bool in_minutes = seconds >= minutes_from;
+  return std::to_string(std::lround(in_minutes ? seconds / minute : seconds)) + (in_minutes ? " min" : " s");
+}
 
 int verify(const VerifyOptions& options) {
   verification::SuiteRequest request;
@@ -61,8 +70,9 @@ int verify(const VerifyOptions& options) {
   verification::SuiteResult result;
   try {
     Progress progress;
-    request.progress = [&](std::size_t done, std::size_t all, const std::string& name) {
-      progress.show("verify " + std::to_string(done) + "/" + std::to_string(all) + ": " + name);
+    request.progress = [&](const verification::SuiteProgress& now) {
+      progress.show("verify " + std::to_string(now.done) + "/" + std::to_string(now.all) + ", " +
+                    time_text(now.elapsed_s) + ", about " + time_text(now.left_s) + " left: " + now.name);
     };
     result = verification::run_suite(request);
   } catch (const verification::NothingSelected& nothing) {
@@ -70,6 +80,7 @@ int verify(const VerifyOptions& options) {
   }
   if (file) file->commit(verification::json_text(verification::to_json(result)));
   print(human_summary(result, options.all));
+  if (options.trace) print("\n" + human_trace(trace(verification::traceable_parts(), {result.claims, result.skipped})));
   if (result.success()) return success;
   std::size_t standing = 0;
   for (const auto& claim : result.claims) standing += claim.verdict == verification::Verdict::pass ? 1 : 0;
@@ -88,6 +99,7 @@ void add_verify(CLI::App& app, int& exit_code) {
   command->add_option("--case", options->case_id, "one case: an id, or a path to a TOML file");
   command->add_flag("--quick", options->quick, "leave out the slow cases");
   command->add_flag("--all", options->all, "print every claim, not only those that do not stand");
+  command->add_flag("--trace", options->trace, "print which claims support which part of the work");
   command->add_option("--random-runs", options->random_runs, "random runs for each law set (10)");
   command->add_option("--output", options->output, "folder for results.json");
   command->callback([options, &exit_code] { run_guarded(exit_code, [&] { return verify(*options); }); });
