@@ -11,6 +11,7 @@
 #include <string>
 
 #include "reference/hp/newton.hpp"
+#include "verification/claims/fits.hpp"
 #include "verification/claims/topics.hpp"
 #include "verification/exact/manufactured.hpp"
 #include "verification/registry.hpp"
@@ -31,27 +32,6 @@ struct Errors {
 };
 constexpr std::pair<const char*, double Errors::*> quantities[] = {
     {"pressure", &Errors::pressure}, {"offset", &Errors::offset}, {"flux", &Errors::flux}, {"exit", &Errors::exit}};
-
-/// The slope of y over x by least squares; NaN where a y is not finite.
-double slope(const std::vector<double>& x, const std::vector<double>& y) {
-  double sx = 0, sy = 0, sxx = 0, sxy = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) sx += x[i], sy += y[i], sxx += x[i] * x[i], sxy += x[i] * y[i];
-  const double n = static_cast<double>(x.size()), fitted = (n * sxy - sx * sy) / (n * sxx - sx * sx);
-  return std::isfinite(fitted) ? fitted : nothing;
-}
-
-Claim order_claim(Sentence says, double fitted, double declared, Tolerance tolerance, std::string note) {
-  Claim judged = claim(std::move(says), std::abs(fitted - declared), 0, std::move(tolerance), std::move(note));
-  judged.measured = fitted;
-  judged.expected = declared;
-  return judged;
-}
-
-std::string three_digits(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2e", value);
-  return text;
-}
 
 struct Contact {
   std::string name;

@@ -32,6 +32,7 @@ struct LoadedCase {
 [[nodiscard]] std::vector<Topic> input_topics();
 [[nodiscard]] std::vector<Topic> kernel_topics();
 [[nodiscard]] std::vector<Topic> exact_topics();
+[[nodiscard]] std::vector<Topic> reynolds_topics();
 [[nodiscard]] std::vector<Topic> coupled_topics();
 [[nodiscard]] std::vector<Topic> twin_topics();
 [[nodiscard]] std::vector<Topic> box_topics();

@@ -1,0 +1,396 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Rung 4: every scheme's own Reynolds equation on gaps that do not deform. The scheme is evaluated at P = 0, where its
+// deflection is nothing and sources make the film any gap; isoviscous, its flux is then linear in P, and the pressure
+// follows face by face from its own wedge and mobility. Truths by quadrature.
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "fast/discretisation.hpp"
+#include "reference/equations.hpp"
+#include "reference/hp/collocation.hpp"
+#include "verification/claims/fits.hpp"
+#include "verification/claims/oils.hpp"
+#include "verification/claims/topics.hpp"
+#include "verification/exact/martin.hpp"
+#include "verification/exact/numerics.hpp"
+#include "verification/registry.hpp"
+
+namespace ehd::verification {
+
+namespace {
+
+namespace hp = reference::hp;
+using std::numbers::pi;
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double M = 3.7;  // any: lambda is a factor of the pressure
+constexpr double inlet = -1.9;
+
+/// A gap over [inlet, exit], and whether the exit is free (P = P' = 0) or a given end where P = 0.
+struct Gap {
+  std::string name, sentence;
+  std::function<double(double)> film;
+  double exit = 0;
+  bool free_exit = false;
+  double jump = nothing;  ///< where the film jumps
+};
+
+/// Pressure, flux and exit by quadrature of dP/dX = lambda (H - q)/H^3.
+struct Truth {
+  double flux = 0, exit = 0;
+  std::function<double(double)> slope;  ///< dP/dX
+  double jump = nothing;
+
+  [[nodiscard]] double between(double from, double to) const {
+    if (from < jump && jump < to) return exact::integral(slope, from, jump) + exact::integral(slope, jump, to);
+    return exact::integral(slope, from, to);
+  }
+};
+
+Truth truth_of(const Gap& gap, double lambda) {
+  const auto film = gap.film;
+  const auto slope_with = [=](double q) {
+    return [=](double X) {
+      const double H = film(X);
+      return lambda * (H - q) / (H * H * H);
+    };
+  };
+  Truth truth{.flux = 0, .exit = gap.exit, .slope = {}, .jump = gap.jump};
+  // Int H^-2 and Int H^-3 from the inlet: both positive, so that their quadrature knows its digits.
+  const auto moment = [&](int power, double to) {
+    const Truth part{.flux = 0, .exit = to, .slope = [=](double X) { return std::pow(film(X), -power); }, .jump = gap.jump};
+    return part.between(inlet, to);
+  };
+  if (gap.free_exit) {
+    truth.exit = exact::root([&](double X) { return moment(2, X) - film(X) * moment(3, X); }, 0.01, gap.exit);
+    truth.flux = film(truth.exit);
+  } else {
+    truth.flux = moment(2, gap.exit) / moment(3, gap.exit);
+  }
+  truth.slope = slope_with(truth.flux);
+  return truth;
+}
+
+/// What a scheme says of a state: nodes, faces. Empty where its film is not positive.
+struct Scheme {
+  Array X, H, wedge, mobility;
+  Array residual;  ///< flux less that of the exit
+};
+
+std::shared_ptr<const Sources> sources_for(std::function<double(double)> film) {
+  const auto none = [](double) { return std::pair(0.0, 0.0); };
+  return std::make_shared<Sources>(
+      Sources{.film = [film = std::move(film)](double X) { return std::pair(film(X) - X * X / 2, 0.0); }, .balance = none});
+}
+
+Problem rigid_problem(std::function<double(double)> film) {
+  Problem problem = problem_at({M, 0}, false, TruncatedAt{inlet});
+  problem.sources = sources_for(std::move(film));
+  return problem;
+}
+
+enum class Kind { reference_uniform, reference_graded, fast_uniform, fast_mapped };
+struct Named {
+  Kind kind;
+  const char *id, *solver;
+};
+constexpr Named schemes[] = {{Kind::reference_uniform, "reference.uniform", "reference.uniform"},
+                             {Kind::reference_graded, "reference.linear", "reference.linear"},
+                             {Kind::fast_uniform, "fast.uniform", "fast.uniform"},
+                             {Kind::fast_mapped, "fast", "fast"}};
+
+/// Graded towards the right end with the wedge of equal cells; what is judged is the scheme, not who places the nodes.
+reference::Grid graded_grid(int intervals) {
+  reference::Grid grid = reference::uniform_grid(inlet, intervals);
+  const Array s = grid.fractions;
+  grid.fractions = s * (0.6 + 0.4 * s);
+  return grid;
+}
+
+std::shared_ptr<const fast::Map> a_map() {
+  return std::make_shared<const fast::Map>(fast::MapShape{
+      .inlet = inlet, .exit = 0.9, .scale = 1, .inlet_width = 0.3, .spike = 0.4, .spike_width = 0.1});
+}
+
+Scheme evaluated(Kind kind, const Problem& problem, double exit, const Array& P, double offset = 0) {
+  const Eigen::Index n = P.size() - 1;
+  const int intervals = static_cast<int>(n);
+  if (kind == Kind::reference_uniform || kind == Kind::reference_graded) {
+    const reference::Equations equations(
+        problem, kind == Kind::reference_graded ? graded_grid(intervals) : reference::uniform_grid(inlet, intervals));
+    const auto at = equations.evaluate({.P = P, .offset = offset, .exit = exit});
+    return {at.X, at.H, at.wedge, at.mobility, at.residual.head(n)};
+  }
+  fast::Grids grids;
+  if (kind == Kind::fast_mapped) grids.use(a_map());
+  fast::Setting setting;
+  setting.groups = problem.groups;
+  setting.viscosity = problem.viscosity;
+  setting.density = problem.density;
+  setting.inlet = inlet;
+  setting.sources = problem.sources;
+  fast::State state;
+  state.P = P;
+  state.offset = offset;
+  state.exit = exit;
+  fast::Discretisation scheme;
+  fast::Counters counters;
+  if (!scheme.evaluate(setting, state, grids.of(intervals), counters)) return {};
+  return {scheme.places(inlet), scheme.H, scheme.flux, scheme.eps, scheme.e};
+}
+
+Scheme at_rest(Kind kind, const Problem& problem, int intervals, double exit) {
+  return evaluated(kind, problem, exit, Array::Zero(intervals + 1));
+}
+
+/// P at the nodes for the flux q, from P = 0 at the inlet.
+Array marched(const Scheme& scheme, double q) {
+  const Eigen::Index n = scheme.wedge.size();
+  Array P = Array::Zero(n + 1);
+  for (Eigen::Index i = 0; i < n; ++i)
+    P[i + 1] = P[i] + (scheme.X[i + 1] - scheme.X[i]) * (scheme.wedge[i] - q) / scheme.mobility[i];
+  return P;
+}
+
+struct Solved {
+  Scheme scheme;
+  Array P;
+  double flux = nothing, exit = nothing;
+};
+
+Solved solved(Kind kind, const Gap& gap, int intervals) {
+  const Problem problem = rigid_problem(gap.film);
+  Solved result;
+  result.exit = gap.exit;
+  if (gap.free_exit) {
+    const auto end = [&](double exit) {
+      const Scheme at = at_rest(kind, problem, intervals, exit);
+      return at.X.size() == 0 ? nothing : marched(at, at.H[intervals])[intervals];
+    };
+    result.exit = exact::root(end, 0.01, gap.exit);
+    if (!std::isfinite(result.exit)) return result;
+  }
+  result.scheme = at_rest(kind, problem, intervals, result.exit);
+  if (result.scheme.X.size() == 0) return result;
+  if (gap.free_exit) {
+    result.flux = result.scheme.H[intervals];
+  } else {  // P_n(q) is linear in q
+    const double at_0 = marched(result.scheme, 0)[intervals], at_1 = marched(result.scheme, 1)[intervals];
+    result.flux = at_0 / (at_0 - at_1);
+  }
+  result.P = marched(result.scheme, result.flux);
+  return result;
+}
+
+/// Largest error of the nodal pressure over the largest pressure.
+double pressure_error(const Solved& at, const Truth& truth) {
+  if (at.P.size() == 0) return nothing;
+  double worst = 0, largest = 0, P = 0;
+  for (Eigen::Index i = 1; i < at.P.size(); ++i) {
+    P += truth.between(at.scheme.X[i - 1], at.scheme.X[i]);
+    if (std::isnan(P)) return nothing;
+    const double expected = at.scheme.X[i] > truth.exit && at.exit != truth.exit ? 0 : P;
+    worst = std::max(worst, std::abs(at.P[i] - expected));
+    largest = std::max(largest, std::abs(P));
+  }
+  return worst / largest;
+}
+
+std::vector<Gap> gaps_for(double jump) {
+  constexpr double lowest = 0.32, step = 0.21;
+  const auto parabola = [](double X) { return lowest + X * X / 2; };
+  return {{"martin", "Martin's contact, with a free exit", parabola, 1.5, true},
+          {"sommerfeld", "a parabolic gap with P = 0 at both ends", parabola, 1.9, false},
+          {"slider", "an inclined slider", [](double X) { return lowest + 0.17 * (1 - X); }, 0.9, false},
+          {"rayleigh-step", "Rayleigh's step", [=](double X) { return X <= jump ? lowest + step : lowest; }, 0.9, false, jump}};
+}
+
+Findings judge_scheme(const Named& scheme) {
+  Findings found;
+  const double lambda = rigid_problem({}).groups.lambda;
+  // The step lies on the node in the middle of every grid. Where the film jumps within a cell its mean is off by a part
+  // of the jump, over one cell: first order.
+  const double middle = at_rest(scheme.kind, rigid_problem([](double) { return 1.0; }), 64, 0.9).X[32];
+  for (const Gap& gap : gaps_for(middle)) {
+    const Truth truth = truth_of(gap, lambda);
+    const double declared = std::isnan(gap.jump) ? find_solver(scheme.solver)->description.formal_order : 1;
+    std::vector<double> x, pressure, flux, exit;
+    for (const int intervals : {64, 96, 144, 216}) {
+      const Solved at = solved(scheme.kind, gap, intervals);
+      x.push_back(-std::log(intervals));
+      pressure.push_back(std::log(pressure_error(at, truth)));
+      flux.push_back(std::log(std::abs(at.flux / truth.flux - 1)));
+      exit.push_back(std::log(std::abs(at.exit / truth.exit - 1)));
+    }
+    const auto add = [&](const std::string& what, const std::vector<double>& y) {
+      found.claims.push_back(order_claim(
+          {.id = "reynolds/" + std::string(scheme.id) + "/" + gap.name + "/" + what,
+           .rung = 4,
+           .statement = std::string(scheme.id) + " reaches the " + what + " of " + gap.sentence + " with its order",
+           .solver = scheme.solver},
+          slope(x, y), declared,
+          Tolerance::calibrated(0.2, "fitted orders of one face after another, over four grids, are read to a fifth"),
+          "64 to 216 cells, error " + three_digits(std::exp(y.back())) + " on the last"));
+    };
+    add("pressure", pressure);
+    if (gap.free_exit) add("exit", exit);
+    if (std::isnan(gap.jump)) add("flux", flux);
+  }
+  return found;
+}
+
+/// On a gap that does not deform, Barus' pressure is the isoviscous one in the reduced pressure q = (1 - e^(-a P))/a;
+/// with the logarithmic mean of the fluidity the discrete equation keeps that to rounding.
+Findings judge_reduced_pressure(const Named& scheme) {
+  constexpr int intervals = 96;
+  constexpr double largest = 0.9;  // of a q
+  constexpr double lifted = 1e3;   // so that the film is positive whatever the pressure does
+  const Gap gap = gaps_for(0).front();
+  const Solved rigid = solved(scheme.kind, gap, intervals);
+  double worst = nothing;
+  if (rigid.P.size() == intervals + 1) {
+    const double a = largest / rigid.P.maxCoeff();
+    Array P = -(1 - a * rigid.P).log() / a;
+    P[intervals] = 0;
+    Problem problem = problem_at({M, 1}, false, TruncatedAt{inlet});
+    problem.viscosity = Barus{.alpha = a};
+    const Array& X = rigid.scheme.X;
+    // Films that are wanted at the nodes, and only asked for there.
+    const auto evaluate = [&](const Array& film, double offset) {
+      problem.sources = sources_for([&X, film](double place) {
+        Eigen::Index nearest = 0;
+        (X - place).abs().minCoeff(&nearest);
+        return film[nearest];
+      });
+      return evaluated(scheme.kind, problem, rigid.exit, P, offset);
+    };
+    const Array film = X.unaryExpr(gap.film);
+    const Scheme bent = evaluate(film, lifted);
+    if (bent.X.size() == intervals + 1) {
+      const Array deflection = lifted + film - bent.H;
+      const Scheme straight = evaluate(film + deflection, 0);
+      if (straight.X.size() == intervals + 1) worst = straight.residual.abs().maxCoeff() / rigid.flux;
+    }
+  }
+  Findings found;
+  // Lifting the film costs 1e3 eps, a q = 0.9 makes the last digits of P ten times coarser, and P/dX is n times P.
+  found.claims.push_back(
+      claim({.id = "reynolds/" + std::string(scheme.id) + "/barus",
+             .rung = 4,
+             .statement = std::string(scheme.id) + " keeps the reduced pressure of Barus' law on a gap that does not deform",
+             .solver = scheme.solver},
+            worst, 0, Tolerance::round_off(10 * (lifted + 10 * intervals)), "flux error over the flux, 96 cells"));
+  return found;
+}
+
+/// Collocation on polynomial elements: P' from its own film and mobility at the collocation points.
+double collocated_error(const Gap& gap, const Truth& truth, int elements, int degree) {
+  const double exit = truth.exit, length = exit - inlet;
+  hp::Mesh mesh{.inlet = inlet, .breakpoints = {}, .degrees = std::vector<int>(static_cast<std::size_t>(elements), degree)};
+  for (int e = elements; e >= 0; --e) mesh.breakpoints.push_back(-length * e / elements);
+  const hp::Collocation<double> equations(rigid_problem(gap.film), mesh, hp::Points::left_radau);
+  const Eigen::Index n = equations.intervals();
+  const hp::State<double> rest{.P = VectorOf<double>::Zero(n + 1), .offset = 0, .flux = 0, .exit = exit};
+  const auto at = equations.evaluate(rest, 0);
+  // dP/dX at the points is linear in P. Unknowns P_0 … P_(n-1) and the flux; the exit is that of the truth.
+  Eigen::MatrixXd system = Eigen::MatrixXd::Zero(n + 1, n + 1);
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(n + 1);
+  for (Eigen::Index j = 0; j < n; ++j) {
+    hp::State<double> unit = rest;
+    unit.P[j] = 1;
+    system.col(j).head(n) = equations.evaluate(unit, 0).slope.head(n).matrix();
+  }
+  for (Eigen::Index i = 0; i < n; ++i) {
+    system.row(i).head(n) *= at.mobility[i];
+    system(i, n) = 1;
+    right[i] = at.H[i];
+  }
+  system(n, 0) = 1;
+  const Eigen::VectorXd x = system.partialPivLu().solve(right);
+  VectorOf<double> P = VectorOf<double>::Zero(n + 1);
+  P.head(n) = x.head(n);
+  double worst = std::abs(x[n] / truth.flux - 1), largest = 0, expected = 0, before = inlet;
+  for (int e = 0; e < elements; ++e) {
+    for (int k = 1; k <= 8; ++k) {
+      const double t = k / 4.0 - 1, X = exit + equations.stretching(exit) * equations.xi({e, 1 + t, 1 - t});
+      expected += truth.between(before, X);
+      before = X;
+      const double found = equations.interpolate(P, e, t);
+      if (std::isnan(found + expected)) return nothing;
+      worst = std::max(worst, std::abs(found - expected));
+      largest = std::max(largest, std::abs(expected));
+    }
+  }
+  return worst / largest;
+}
+
+Findings judge_collocation() {
+  Findings found;
+  const double lambda = rigid_problem({}).groups.lambda;
+  for (const Gap& gap : gaps_for(inlet + (0.9 - inlet) / 2)) {
+    if (!std::isnan(gap.jump)) continue;  // elements end where a film jumps: a matter of the mesh, not of the scheme
+    const Truth truth = truth_of(gap, lambda);
+    for (const int degree : {2, 3}) {
+      std::vector<double> x, y;
+      for (const int elements : {48, 72, 108, 162}) {
+        x.push_back(-std::log(elements));
+        y.push_back(std::log(collocated_error(gap, truth, elements, degree)));
+      }
+      found.claims.push_back(order_claim(
+          {.id = "reynolds/collocation/" + gap.name + "/degree-" + std::to_string(degree),
+           .rung = 4,
+           .statement = "collocation of degree " + std::to_string(degree) + " reaches the pressure of " + gap.sentence +
+                        " with order " + std::to_string(degree + 1),
+           .solver = "reference"},
+          slope(x, y), degree + 1,
+          Tolerance::calibrated(0.1, "fitted orders over four grids are read to a tenth"),
+          "error " + three_digits(std::exp(y.back())) + " on 162 elements"));
+    }
+  }
+  return found;
+}
+
+/// The positive half of the antisymmetric pressure on the whole parabola carries 4 eta u_m R/h_0.
+Findings judge_half_sommerfeld() {
+  // Lengths in sqrt(2 R h_0), P' = 12 (H - q)/H^3 with H = 1 + X^2: q = Int H^-2/Int H^-3 = 4/3, and the load of the half
+  // is -Int X P' dX over X < 0, sqrt(2)^2 times that in Martin's units.
+  const double load = exact::integral_to_infinity(
+      [](double X) {
+        const double H = 1 + X * X;
+        return X * 12 * (H - 4.0 / 3) / (H * H * H);
+      },
+      0);
+  Findings found;
+  found.claims.push_back(claim({.id = "exact/half-sommerfeld",
+                                .rung = 4,
+                                .statement = "the half-Sommerfeld load h_0 w/(eta u_m R) is the quadrature of its pressure"},
+                               std::abs(2 * load / exact::half_sommerfeld_load() - 1), 0,
+                               Tolerance::discretisation(1e-13, 10)));
+  return found;
+}
+
+}  // namespace
+
+std::vector<Topic> reynolds_topics() {
+  std::vector<Topic> topics;
+  const auto add = [&](std::function<Findings()> judge) {
+    topics.push_back({.name = "fixed gaps", .rungs = {4}, .judge = std::move(judge)});
+  };
+  for (const Named& scheme : schemes) {
+    add([&scheme] { return judge_scheme(scheme); });
+    add([&scheme] { return judge_reduced_pressure(scheme); });
+  }
+  add(judge_collocation);
+  add(judge_half_sommerfeld);
+  return topics;
+}
+
+}  // namespace ehd::verification
