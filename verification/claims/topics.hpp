@@ -34,6 +34,7 @@ struct LoadedCase {
 [[nodiscard]] std::vector<Topic> exact_topics();
 [[nodiscard]] std::vector<Topic> reynolds_topics();
 [[nodiscard]] std::vector<Topic> coupled_topics();
+[[nodiscard]] std::vector<Topic> iteration_topics();
 [[nodiscard]] std::vector<Topic> twin_topics();
 [[nodiscard]] std::vector<Topic> box_topics();
 /// `runs` random runs for each law set and question; of fast five times as many points.

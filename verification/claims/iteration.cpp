@@ -1,0 +1,346 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Rung 6: how the solvers iterate. Jacobians are derivatives, Newton's method contracts quadratically, multigrid's cycle
+// does not care about the number of intervals, and iteration counts stay where they were.
+#include <Eigen/Dense>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "fast/multigrid.hpp"
+#include "fast/newton.hpp"
+#include "reference/hp/newton.hpp"
+#include "reference/newton.hpp"
+#include "verification/claims/fits.hpp"
+#include "verification/claims/oils.hpp"
+#include "verification/claims/topics.hpp"
+#include "verification/registry.hpp"
+#include "verification/text.hpp"
+
+namespace ehd::verification {
+
+namespace {
+
+namespace hp = reference::hp;
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double inlet = -3;
+constexpr double shares[] = {8e-3, 4e-3, 2e-3, 1e-3};  ///< of the perturbation
+
+/// Smooth, positive inside, zero at the ends (nearly): no solution of anything.
+double some_pressure(double X, double exit) {
+  return 0.7 * std::exp(-2 * (X + 0.1) * (X + 0.1)) * (1 - std::exp(-4 * (exit - X)));
+}
+/// A direction in which everything moves.
+double some_change(double X, double exit) {
+  return 0.4 * std::sin(1.3 + 2 * X) * std::exp(-X * X) * (1 - std::exp(-4 * (exit - X)));
+}
+constexpr double some_offset = 0.6, some_exit = 1.07, offset_change = 0.11, exit_change = 0.07;
+
+Problem some_problem() { return problem_at({4.3, 5.2}, true, TruncatedAt{inlet}); }
+
+Claim quadratic(const std::string& id, const std::string& statement, const std::string& solver,
+                const std::vector<double>& left) {
+  std::vector<double> x, y;
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    x.push_back(std::log(shares[i]));
+    y.push_back(std::log(left[i]));
+  }
+  return order_claim({.id = "iteration/" + id, .rung = 6, .statement = statement, .solver = solver}, slope(x, y), 2,
+                     Tolerance::calibrated(0.1, "fitted orders over four perturbations are read to a tenth"),
+                     "perturbations of 8e-3 to 1e-3; " + three_digits(left.back()) + " left of the last");
+}
+
+// ---- Jacobians ---------------------------------------------------------------------------------------------------
+
+reference::Grid dense_grid(bool graded, int intervals) {
+  reference::Grid grid = reference::uniform_grid(inlet, intervals);
+  if (!graded) return grid;
+  const Array s = grid.fractions;
+  grid.fractions = s * (0.5 + 0.5 * s);
+  for (int i = 0; i < intervals; ++i) grid.kappa[i] = 0.3 * std::sin(i);
+  return grid;
+}
+
+Claim judge_dense_jacobian(bool graded) {
+  constexpr int n = 120;
+  const reference::Equations equations(some_problem(), dense_grid(graded, n));
+  const Array X = equations.grid().nodes(some_exit);
+  reference::State at{.P = X.unaryExpr([](double x) { return some_pressure(x, some_exit); }), .offset = some_offset, .exit = some_exit};
+  Array change = X.unaryExpr([](double x) { return some_change(x, some_exit); });
+  at.P[0] = at.P[n] = change[0] = change[n] = 0;
+  const auto base = equations.evaluate(at);
+  Eigen::VectorXd step(n + 1);
+  step << change.segment(1, n - 1).matrix(), offset_change, exit_change;
+  const Eigen::VectorXd linear = equations.jacobian(at, base) * step;
+  std::vector<double> left;
+  for (const double share : shares) {
+    const auto moved = equations.evaluate(
+        {.P = at.P + share * change, .offset = at.offset + share * offset_change, .exit = at.exit + share * exit_change});
+    left.push_back((moved.residual - base.residual - share * linear.array()).abs().maxCoeff());
+  }
+  const std::string solver = graded ? "reference.linear" : "reference.uniform";
+  return quadratic(solver + "/jacobian", "the Jacobian of " + solver + " is the derivative of its residual", solver, left);
+}
+
+Claim judge_matrix_free_jacobian(bool mapped) {
+  constexpr int n = 128;
+  fast::Grids grids;
+  if (mapped)
+    grids.use(std::make_shared<const fast::Map>(fast::MapShape{
+        .inlet = inlet, .exit = some_exit, .scale = 1, .inlet_width = 0.3, .spike = 0.8, .spike_width = 0.1}));
+  const Problem problem = some_problem();
+  fast::Setting setting;
+  setting.groups = problem.groups;
+  setting.viscosity = problem.viscosity;
+  setting.density = problem.density;
+  setting.inlet = inlet;
+  fast::Grid& grid = grids.of(n);
+  fast::Counters counters;
+  const Array X = inlet + (some_exit - inlet) * grid.place;
+  fast::State at;
+  at.P = X.unaryExpr([](double x) { return some_pressure(x, some_exit); });
+  at.offset = some_offset;
+  at.exit = some_exit;
+  fast::Step step{.P = X.unaryExpr([](double x) { return some_change(x, some_exit); }), .offset = offset_change, .exit = exit_change};
+  at.P[0] = at.P[n] = step.P[0] = step.P[n] = 0;
+  fast::Discretisation base, moved;
+  std::vector<double> left;
+  if (base.evaluate(setting, at, grid, counters)) {
+    base.linearise(setting, at.P, at.exit);
+    Array linear;
+    double load = 0;
+    base.apply(step, grid, counters, linear, load);
+    for (const double share : shares) {
+      fast::State there = at;
+      there.P += share * step.P;
+      there.offset += share * step.offset;
+      there.exit += share * step.exit;
+      if (!moved.evaluate(setting, there, grid, counters)) break;
+      left.push_back(std::max((moved.e - base.e - share * linear).abs().maxCoeff(),
+                              std::abs(moved.load_error - base.load_error - share * load)));
+    }
+  }
+  if (left.size() != std::size(shares)) left.assign(std::size(shares), nothing);
+  const std::string solver = mapped ? "fast" : "fast.uniform";
+  return quadratic(solver + "/jacobian", "the matrix-free Jacobian of " + solver + " is the derivative of its residual", solver, left);
+}
+
+hp::Mesh some_mesh() {
+  hp::Mesh mesh{.inlet = inlet, .breakpoints = {inlet - some_exit, -2.5, -1.7, -1.1, -0.6, -0.2, 0}, .degrees = {5, 6, 7, 8, 7, 6}};
+  return mesh;
+}
+
+Claim judge_collocation_jacobian() {
+  const hp::Collocation<double> equations(some_problem(), some_mesh(), hp::Points::left_radau);
+  const Eigen::Index n = equations.intervals();
+  const Array X = equations.node_coordinates(some_exit);
+  hp::State<double> at{.P = VectorOf<double>(n + 1), .offset = some_offset, .flux = 0.4, .exit = some_exit};
+  VectorOf<double> change(n + 1);
+  for (Eigen::Index i = 0; i <= n; ++i) {
+    at.P[i] = i == n ? 0 : some_pressure(X[i], some_exit);
+    change[i] = i == n ? 0 : some_change(X[i], some_exit);
+  }
+  constexpr double flux_change = 0.05;
+  const auto base = equations.evaluate(at, 0);
+  Eigen::VectorXd step(n + 3);
+  step << change.head(n), offset_change, flux_change, exit_change;
+  const Eigen::VectorXd linear = equations.jacobian(at, base) * step;
+  std::vector<double> left;
+  for (const double share : shares) {
+    hp::State<double> there = at;
+    there.P += share * change;
+    there.offset += share * offset_change;
+    there.flux += share * flux_change;
+    there.exit += share * exit_change;
+    left.push_back((equations.evaluate(there, 0).residual - base.residual - share * linear).cwiseAbs().maxCoeff());
+  }
+  return quadratic("reference/jacobian", "the Jacobian of reference is the derivative of its residual", "reference", left);
+}
+
+Findings judge_jacobians() {
+  Findings found;
+  found.claims = {judge_dense_jacobian(false), judge_dense_jacobian(true), judge_matrix_free_jacobian(false),
+                  judge_matrix_free_jacobian(true), judge_collocation_jacobian()};
+  return found;
+}
+
+// ---- Newton's method ---------------------------------------------------------------------------------------------
+
+/// One step from beside a solution: what is left is quadratic in how far beside.
+Findings judge_newton() {
+  Findings found;
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  {
+    constexpr int n = 200;
+    const reference::Equations equations(some_problem(), dense_grid(false, n));
+    const auto solved = reference::newton(equations, reference::hertz_start(equations, 0.5, some_exit), {.newton_iterations = 60, .end = end});
+    std::vector<double> left(std::size(shares), nothing);
+    if (solved.end == reference::NewtonEnd::solved) {
+      const Array change = solved.state.P * solved.at.X.unaryExpr([](double x) { return std::sin(1.3 + 2 * x); });
+      left.clear();
+      for (const double share : shares) {
+        const reference::State beside{.P = solved.state.P + share * change,
+                                      .offset = solved.state.offset + 0.1 * share,
+                                      .exit = solved.state.exit - 0.1 * share};
+        const auto next = reference::newton(equations, beside, {.newton_iterations = 1, .end = end});
+        left.push_back(next.iterations == 1 ? std::max((next.state.P - solved.state.P).abs().maxCoeff(),
+                                                       std::abs(next.state.exit - solved.state.exit))
+                                            : nothing);
+      }
+    }
+    found.claims.push_back(quadratic("reference.uniform/newton", "Newton's method of reference.uniform contracts quadratically",
+                                     "reference.uniform", left));
+  }
+  const hp::Collocation<double> equations(some_problem(), some_mesh(), hp::Points::left_radau);
+  hp::Meter meter{.iterations_left = 100, .end = end};
+  const auto solved = hp::newton(equations, hp::hertz_start(equations, some_exit, 0.5), 0, {.iterations = 60}, meter);
+  std::vector<double> left(std::size(shares), nothing);
+  if (solved.solved) {
+    const Array X = equations.node_coordinates(solved.state.exit);
+    left.clear();
+    for (const double share : shares) {
+      hp::State<double> beside = solved.state;
+      beside.P.array() *= 1 + share * (1.3 + 2 * X).sin();
+      beside.offset += 0.1 * share;
+      beside.flux += 0.1 * share;
+      beside.exit -= 0.1 * share;
+      hp::Meter one{.iterations_left = 10, .end = end};
+      const auto next = hp::newton(equations, beside, 0, {.iterations = 1, .step = 0}, one);
+      left.push_back(std::max((next.state.P - solved.state.P).cwiseAbs().maxCoeff(), std::abs(next.state.exit - solved.state.exit)));
+    }
+  }
+  found.claims.push_back(
+      quadratic("reference/newton", "Newton's method of reference contracts quadratically", "reference", left));
+  return found;
+}
+
+// ---- Multigrid ---------------------------------------------------------------------------------------------------
+
+/// What a cycle leaves of the linear residual, in the geometric mean of the cycles 5 to 12, at the solution of a grid.
+double contraction(MoesGroups moes, int n) {
+  const Problem problem = problem_at(moes, true, TruncatedAt{-4});
+  const Solution solution = find_solver("fast.uniform")->solve(problem, {.tolerance = {}, .nodes = n});
+  if (solution.fields.X.size() != n + 1) return nothing;
+  fast::Setting setting;
+  setting.groups = problem.groups;
+  setting.viscosity = problem.viscosity;
+  setting.density = problem.density;
+  fast::State state;
+  state.P = solution.fields.P;
+  state.offset = solution.fields.offset;
+  state.exit = solution.fields.X[n];
+  fast::Grids grids;
+  fast::Counters counters;
+  fast::Discretisation scheme;
+  fast::Multigrid multigrid;
+  if (!scheme.evaluate(setting, state, grids.of(n), counters)) return nothing;
+  scheme.linearise(setting, state.P, state.exit);
+  if (!multigrid.prepare(setting, scheme, state, grids, counters)) return nothing;
+  Array left(n);
+  for (int i = 0; i < n; ++i) left[i] = std::sin(3.0 * i) + std::cos(0.01 * i);  // rough and smooth
+  double load = 0.3, early = 0;
+  constexpr int first = 4, last = 12;
+  for (int cycle = 1; cycle <= last; ++cycle) {
+    fast::Step step;
+    step.P = Array::Zero(n + 1);
+    multigrid.cycle(left, load, step, counters);
+    Array change;
+    double load_change = 0;
+    scheme.apply(step, grids.of(n), counters, change, load_change);
+    left -= change;
+    load -= load_change;
+    if (cycle == first) early = left.matrix().norm();
+  }
+  return std::pow(left.matrix().norm() / early, 1.0 / (last - first));
+}
+
+Findings judge_multigrid(MoesGroups moes) {
+  Findings found;
+  std::vector<double> x, rates;
+  std::string text;
+  for (const int n : {256, 512, 1024, 2048, 4096}) {
+    x.push_back(std::log2(n));
+    rates.push_back(contraction(moes, n));
+    text += (text.empty() ? "" : ", ") + plain(rates.back(), 2);
+  }
+  const double worst = *std::max_element(rates.begin(), rates.end(), [](double a, double b) { return !(a >= b); });
+  const std::string point = plain(moes.M) + "-" + plain(moes.L);
+  found.claims.push_back(claim({.id = "iteration/fast.uniform/multigrid-rate/" + point, .rung = 6,
+                                .statement = "a cycle leaves a bounded share of the linear residual at (" + plain(moes.M) + "," + plain(moes.L) + ")",
+                                .solver = "fast.uniform"},
+                               worst, 0, Tolerance::required(1, "below 1 a cycle alone converges"),
+                               "256 to 4096 cells: " + text));
+  found.claims.push_back(claim({.id = "iteration/fast.uniform/multigrid-independent/" + point, .rung = 6,
+                                .statement = "that share does not grow with the number of cells at (" + plain(moes.M) + "," + plain(moes.L) + ")",
+                                .solver = "fast.uniform"},
+                               slope(x, rates), 0, Tolerance::calibrated(0.05, "growth a doubling: a rate that grows by .05 each time would be lost after ten"),
+                               text));
+  return found;
+}
+
+// ---- Counts ------------------------------------------------------------------------------------------------------
+
+/// Counted on 2026-11-21, Roelands compressible, cut at -4, cold starts.
+struct Count {
+  MoesGroups moes;
+  const char* solver;
+  std::optional<double> tolerance;
+  std::optional<int> nodes;
+  double newton, krylov, work_units;
+};
+const Count counts[] = {
+    {{5, 5}, "fast.uniform", {}, 1024, 12, 12, 19.75},    {{20, 10}, "fast.uniform", {}, 1024, 15, 16, 27.75},
+    {{200, 15}, "fast.uniform", {}, 1024, 16, 27, 57.1},  {{5, 5}, "fast", 1e-4, {}, 18, 19, 20.5},
+    {{20, 10}, "fast", 1e-4, {}, 41, 41, 30.9},           {{200, 15}, "fast", 1e-4, {}, 82, 118, 89.6},
+    {{5, 5}, "reference", 1e-6, {}, 23, 0, 32.0},         {{20, 10}, "reference", 1e-6, {}, 61, 0, 55.1},
+    {{5, 5}, "reference.uniform", {}, 512, 21, 0, 12.3},  {{200, 15}, "reference.uniform", {}, 512, 20, 0, 25.75},
+};
+
+Findings judge_counts(const Count& recorded) {
+  const Solution solution = find_solver(recorded.solver)
+                                ->solve(problem_at(recorded.moes, true, TruncatedAt{-4}),
+                                        {.tolerance = recorded.tolerance, .nodes = recorded.nodes});
+  const Cost& cost = solution.record.cost;
+  Findings found;
+  const auto add = [&](const std::string& what, double now, double then) {
+    const bool ended = solution.record.status == StopReason::converged;
+    Claim judged = claim(
+        {.id = "iteration/" + std::string(recorded.solver) + "/" + what + "/" + plain(recorded.moes.M) + "-" + plain(recorded.moes.L),
+         .rung = 6,
+         .statement = std::string(recorded.solver) + " needs as many " + what + " at (" + plain(recorded.moes.M) + "," +
+                      plain(recorded.moes.L) + ") as it did",
+         .solver = recorded.solver},
+        ended ? std::abs(std::log(now / then)) : nothing, 0,
+        Tolerance::calibrated(std::log(1.5), "a factor 1.5 either way of the count recorded"));
+    judged.measured = now;
+    judged.expected = then;
+    found.claims.push_back(std::move(judged));
+  };
+  add("Newton steps", static_cast<double>(cost.newton_iterations), recorded.newton);
+  if (recorded.krylov > 0) add("Krylov steps", static_cast<double>(cost.krylov_iterations), recorded.krylov);
+  add("work units", cost.work_units, recorded.work_units);
+  return found;
+}
+
+}  // namespace
+
+std::vector<Topic> iteration_topics() {
+  std::vector<Topic> topics;
+  const auto add = [&](std::function<Findings()> judge) {
+    topics.push_back({.name = "iteration", .rungs = {6}, .judge = std::move(judge)});
+  };
+  add(judge_jacobians);
+  add(judge_newton);
+  for (const MoesGroups moes : {MoesGroups{5, 5}, MoesGroups{20, 10}, MoesGroups{200, 15}})
+    add([moes] { return judge_multigrid(moes); });
+  for (const Count& recorded : counts) add([&recorded] { return judge_counts(recorded); });
+  return topics;
+}
+
+}  // namespace ehd::verification
