@@ -2,6 +2,7 @@
 // One judged sentence of the verification suite, and what was not judged with the reason.
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -52,6 +53,16 @@ struct Claim {
 
 /// A statement of somebody else with what was computed: stands once it could be computed.
 [[nodiscard]] Claim claim_finding(Sentence says, std::string note);
+
+/// The larger of two errors, and NaN once one is NaN (std::max drops it).
+[[nodiscard]] inline double worse(double one, double other) {
+  if (std::isnan(one) || one >= other) return one;
+  return other;
+}
+template <class... More>
+[[nodiscard]] double worse(double one, double other, double third, More... more) {
+  return worse(worse(one, other), third, more...);
+}
 
 /// What would have been judged, had there been something to judge it by.
 struct SkippedClaim {

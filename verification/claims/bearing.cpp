@@ -64,16 +64,14 @@ Residuals residuals_of(const BearingCase& body, const BearingResult& result) {
   const double constant = result.law == BearingLaw::iso ? 35948 * std::pow(2.0, 10.0 / 9) : 8.06e4;
   const bool dry = !needs_film(result.law);
   for (const auto& roller : result.rollers) {
-    worst.rollers =
-        std::max(worst.rollers, std::abs(roller.outer.force_N - roller.inner.force_N - centrifugal) / force_scale);
+    worst.rollers = worse(worst.rollers, std::abs(roller.outer.force_N - roller.inner.force_N - centrifugal) / force_scale);
     const double room =
         result.displacement_m * std::cos(roller.azimuth_deg * pi / 180) - body.geometry.clearance_m / 2;
-    worst.geometry = std::max(
-        worst.geometry, std::abs(roller.inner.displacement_m + roller.outer.displacement_m - room) / length_scale);
+    worst.geometry = worse(worst.geometry, std::abs(roller.inner.displacement_m + roller.outer.displacement_m - room) / length_scale);
     for (const auto& other : result.rollers) {
       constexpr double same_angle = 1e-9;  // degrees
       if (std::abs(other.azimuth_deg + roller.azimuth_deg) > same_angle) continue;
-      worst.symmetry = std::max(worst.symmetry, std::abs(other.inner.force_N - roller.inner.force_N) / force_scale);
+      worst.symmetry = worse(worst.symmetry, std::abs(other.inner.force_N - roller.inner.force_N) / force_scale);
     }
     if (!dry) continue;
     for (const ContactRow& contact : {roller.inner, roller.outer}) {
@@ -81,7 +79,7 @@ Residuals residuals_of(const BearingCase& body, const BearingResult& result) {
                                 ? 0.0
                                 : constant * std::pow(1e3 * body.geometry.length_m, 8.0 / 9) *
                                       std::pow(1e3 * contact.displacement_m, 10.0 / 9);
-      worst.law = std::max(worst.law, std::abs(contact.force_N - closed) / force_scale);
+      worst.law = worse(worst.law, std::abs(contact.force_N - closed) / force_scale);
     }
   }
   return worst;

@@ -91,7 +91,7 @@ Findings judge_twin_row(const Row& row) {
     const Solution two = find_solver("fast.uniform")->solve(problem, request);
     double differ = std::numeric_limits<double>::quiet_NaN();
     if (one.fields.X.size() == intervals + 1 && two.fields.X.size() == intervals + 1)
-      differ = std::max((one.fields.P - two.fields.P).abs().maxCoeff(),
+      differ = worse((one.fields.P - two.fields.P).abs().maxCoeff(),
                         ((one.fields.H - two.fields.H) / one.fields.H).abs().maxCoeff());
     if (!(differ <= worst)) {
       worst = differ;

@@ -118,7 +118,7 @@ Findings judge_flooded(MoesGroups moes) {
       ended += "cut " + plain(cut) + " " + std::string(to_string(solution.record.status)) + "; ";
       return nothing;
     }
-    error = std::max(error, at->second.error.value());
+    error = worse(error, at->second.error.value());
     return at->second.value;
   };
   const double truth = take(flooded, 0);

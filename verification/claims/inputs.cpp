@@ -31,9 +31,9 @@ double apart(double a, double b) { return std::abs(a - b) / std::abs(b); }
 double apart(const Problem& a, const Problem& b) {
   const auto& one = std::get<Roelands>(a.viscosity);
   const auto& two = std::get<Roelands>(b.viscosity);
-  return std::max({apart(a.groups.M, b.groups.M), apart(a.groups.L, b.groups.L),
+  return worse(apart(a.groups.M, b.groups.M), apart(a.groups.L, b.groups.L),
                    apart(a.groups.lambda, b.groups.lambda), apart(a.groups.alpha_p_H, b.groups.alpha_p_H),
-                   apart(one.alpha, two.alpha), apart(one.p0, two.p0), apart(one.z, two.z)});
+                   apart(one.alpha, two.alpha), apart(one.p0, two.p0), apart(one.z, two.z));
 }
 
 // A dozen products, roots and powers of inputs known to half an ulp.
@@ -79,7 +79,7 @@ Findings judge_inputs() {
   found.claims.push_back(claim({.id = "inputs/mean-speed",
                                 .rung = 0,
                                 .statement = "Dowson's groups with the mean speed and Moes' with the sum are one contact"},
-                               std::max(apart(from_mean.M, moes.M), apart(from_mean.L, moes.L)), 0, rounding()));
+                               worse(apart(from_mean.M, moes.M), apart(from_mean.L, moes.L)), 0, rounding()));
   return found;
 }
 

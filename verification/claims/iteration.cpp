@@ -122,7 +122,7 @@ Claim judge_matrix_free_jacobian(bool mapped) {
       there.offset += share * step.offset;
       there.exit += share * step.exit;
       if (!moved.evaluate(setting, there, grid, counters)) break;
-      left.push_back(std::max((moved.e - base.e - share * linear).abs().maxCoeff(),
+      left.push_back(worse((moved.e - base.e - share * linear).abs().maxCoeff(),
                               std::abs(moved.load_error - base.load_error - share * load)));
     }
   }
@@ -189,8 +189,8 @@ Findings judge_newton() {
                                       .offset = solved.state.offset + 0.1 * share,
                                       .exit = solved.state.exit - 0.1 * share};
         const auto next = reference::newton(equations, beside, {.newton_iterations = 1, .end = end});
-        left.push_back(next.iterations == 1 ? std::max((next.state.P - solved.state.P).abs().maxCoeff(),
-                                                       std::abs(next.state.exit - solved.state.exit))
+        left.push_back(next.iterations == 1 ? worse((next.state.P - solved.state.P).abs().maxCoeff(),
+                                                    std::abs(next.state.exit - solved.state.exit))
                                             : nothing);
       }
     }
@@ -212,7 +212,7 @@ Findings judge_newton() {
       beside.exit -= 0.1 * share;
       hp::Meter one{.iterations_left = 10, .end = end};
       const auto next = hp::newton(equations, beside, 0, {.iterations = 1, .step = 0}, one);
-      left.push_back(std::max((next.state.P - solved.state.P).cwiseAbs().maxCoeff(), std::abs(next.state.exit - solved.state.exit)));
+      left.push_back(worse((next.state.P - solved.state.P).cwiseAbs().maxCoeff(), std::abs(next.state.exit - solved.state.exit)));
     }
   }
   found.claims.push_back(
@@ -269,7 +269,8 @@ Findings judge_multigrid(MoesGroups moes) {
     rates.push_back(contraction(moes, n));
     text += (text.empty() ? "" : ", ") + plain(rates.back(), 2);
   }
-  const double worst = *std::max_element(rates.begin(), rates.end(), [](double a, double b) { return !(a >= b); });
+  double worst = 0;
+  for (const double rate : rates) worst = worse(worst, rate);
   const std::string point = plain(moes.M) + "-" + plain(moes.L);
   found.claims.push_back(claim({.id = "iteration/fast.uniform/multigrid-rate/" + point, .rung = 6,
                                 .statement = "a cycle leaves a bounded share of the linear residual at (" + plain(moes.M) + "," + plain(moes.L) + ")",

@@ -44,8 +44,8 @@ Findings judge_weights() {
   for (const double v : {0.0, -0.35, 0.8, 1.0, -1.0, 1.6, -4.9, 5.1, 37.0, -2.0e3}) {
     const auto moments = reference::log_moments(v);
     const double size = 1 + std::log(1 + std::abs(v));
-    worst = std::max({worst, std::abs(moments.zeroth - moment_by_quadrature(v, false)) / size,
-                      std::abs(moments.first - moment_by_quadrature(v, true)) / size});
+    worst = worse(worst, std::abs(moments.zeroth - moment_by_quadrature(v, false)) / size,
+                      std::abs(moments.first - moment_by_quadrature(v, true)) / size);
     if (std::isnan(moment_by_quadrature(v, false) + moment_by_quadrature(v, true))) worst = NAN;
   }
   // The quadrature is granted 1e-13, the weights declare 1e-14.
@@ -57,7 +57,7 @@ Findings judge_weights() {
   worst = 0;
   for (const int k : {0, 1, 2, 7, 23, 24, 25, 120, 3000}) {
     const double hat = half_hat_by_quadrature(k) + half_hat_by_quadrature(-k);
-    worst = std::max(worst, std::abs(fast::hat_moment(k) - hat) / (1 + std::log(1.0 + k)));
+    worst = worse(worst, std::abs(fast::hat_moment(k) - hat) / (1 + std::log(1.0 + k)));
     if (std::isnan(hat)) worst = NAN;
   }
   found.claims.push_back(claim({.id = "kernel/fast-weights",
@@ -74,8 +74,8 @@ Findings judge_weights() {
   double apart = 0, asymmetry = 0;
   for (int i = 1; i < intervals; ++i) {
     for (int j = 1; j < intervals; ++j) {
-      apart = std::max(apart, std::abs(kernel(i, j) - h * (fast::hat_moment(std::abs(i - j)) + std::log(h))) / h);
-      asymmetry = std::max(asymmetry, std::abs(kernel(i, j) - kernel(j, i)) / h);
+      apart = worse(apart, std::abs(kernel(i, j) - h * (fast::hat_moment(std::abs(i - j)) + std::log(h))) / h);
+      asymmetry = worse(asymmetry, std::abs(kernel(i, j) - kernel(j, i)) / h);
     }
   }
   // reference/ declares 1e-14 (1 + ln|v|) a moment, with four moments a weight and v up to 400 half cells. fast/ takes
@@ -194,7 +194,7 @@ Findings judge_elasticity() {
   double worst = 0;
   for (const double X : {-6.1, -1.0, -0.7, 0.0, 0.43, 1.0, 1.2, 2.9}) {
     const double closed = hertz::gap(Array::Constant(1, X))[0] - hertz::dry_offset();
-    worst = std::max(worst, std::abs(exact::hertz_film_by_quadrature(X) / closed - 1));
+    worst = worse(worst, std::abs(exact::hertz_film_by_quadrature(X) / closed - 1));
     if (std::isnan(exact::hertz_film_by_quadrature(X))) worst = NAN;
   }
   found.claims.push_back(claim({.id = "elasticity/hertz-gap",
@@ -247,7 +247,7 @@ Findings judge_mapped_elasticity() {
     for (Eigen::Index i = 0; i <= intervals; ++i) {
       if (std::abs(X[i]) > 0.9) continue;
       const double deflection = length / pi * (y[i] + std::log(length) * load);
-      last = std::max(last, std::abs(X[i] * X[i] / 2 - deflection + hertz::dry_offset()));
+      last = worse(last, std::abs(X[i] * X[i] / 2 - deflection + hertz::dry_offset()));
     }
     const double x = std::log2(intervals), minus = -std::log2(last);
     sx += x, sy += minus, sxx += x * x, sxy += x * minus;

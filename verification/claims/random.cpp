@@ -97,7 +97,7 @@ Findings judge_bars(bool roelands, int runs) {
       const double bar = a->second.error.value(), difference = std::abs(a->second.value / b->second.value - 1);
       if (!(b->second.error.value() <= truth_within * bar)) continue;
       known = true;
-      worst = std::max(worst, difference / bar);
+      worst = worse(worst, difference / bar);
       inside = inside && difference <= bar;
       ratios.push_back(bar / std::max(difference, 1e-300));
     }
@@ -152,7 +152,7 @@ Findings judge_box(int runs) {
     converged += ended ? 1 : 0;
     physical += of_oil ? 1 : 0;
     physical_converged += of_oil && ended ? 1 : 0;
-    const double worst = std::max(solution.record.film_minimum.total(), solution.record.film_central.total());
+    const double worst = worse(solution.record.film_minimum.total(), solution.record.film_central.total());
     if (ended && !(worst <= tolerance && solution.fields.H.size() > 0 && solution.fields.H.allFinite()))
       dishonest += " " + name_of(run) + ": converged with error " + plain(worst, 2) + ";";
     if (!ended && solution.record.reason.empty())
@@ -206,7 +206,7 @@ Findings judge_fast(double tolerance, int runs) {
     converged += ended ? 1 : 0;
     physical += of_oil ? 1 : 0;
     physical_converged += of_oil && ended ? 1 : 0;
-    const double bar = std::max(solution.record.film_minimum.total(), solution.record.film_central.total());
+    const double bar = worse(solution.record.film_minimum.total(), solution.record.film_central.total());
     if (ended && !(bar <= tolerance && solution.fields.H.size() > 0 && solution.fields.H.allFinite()))
       dishonest += " " + name_of(run) + ": converged with error " + plain(bar, 2) + ";";
     if (!ended && solution.record.reason.empty())
@@ -231,7 +231,7 @@ Findings judge_fast(double tolerance, int runs) {
       const double ratio = std::abs(a->second.value / b->second.value - 1) / *a->second.error;
       if (ratio > 1) beyond += " " + name_of(run) + ", " + std::string(to_string(film)) + ": " + plain(ratio, 3) + " bars off;";
       inside = inside && ratio <= 1;
-      worst = std::max(worst, ratio);
+      worst = worse(worst, ratio);
     }
     judged += known ? 1 : 0;
     covered += known && inside ? 1 : 0;

@@ -194,7 +194,7 @@ Findings judge_isoviscous_elastic_limit() {
          {std::pair{&couette, films.couette}, {&minimum, films.minimum}, {&central, films.central}}) {
       if (!std::isfinite(film.moes)) approach->ended += "M = " + plain(M) + " " + films.ended + "; ";
       approach->values.push_back({M, film.moes * scale});
-      approach->error = std::max(approach->error, film.error);
+      approach->error = worse(approach->error, film.error);
     }
   }
   struct Row {
@@ -251,7 +251,7 @@ Findings judge_blok() {
     L.push_back(stiff);
     couette.push_back(films.couette.moes * scale / blok.couette - 1);
     minimum.push_back(films.minimum.moes * scale / blok.minimum - 1);
-    error = std::max({error, films.couette.error, films.minimum.error});
+    error = worse(error, films.couette.error, films.minimum.error);
   }
   for (const bool smallest : {false, true}) {
     const auto& above = smallest ? minimum : couette;
@@ -296,7 +296,7 @@ Findings judge_ertel_grubin_trend() {
       above[i][j] = films.central.moes / exact::ertel_grubin_film(all_M[j], all_L[i]) - 1;
       if (!std::isfinite(above[i][j]))
         ended += "M = " + plain(all_M[j]) + ", L = " + plain(all_L[i]) + " " + films.ended + "; ";
-      error = std::max(error, films.central.error);
+      error = worse(error, films.central.error);
       note += " " + plain(100 * above[i][j], 3) + " %";
     }
     note += i < 2 ? ";" : "";

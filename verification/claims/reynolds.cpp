@@ -198,7 +198,7 @@ double pressure_error(const Solved& at, const Truth& truth) {
     P += truth.between(at.scheme.X[i - 1], at.scheme.X[i]);
     if (std::isnan(P)) return nothing;
     const double expected = at.scheme.X[i] > truth.exit && at.exit != truth.exit ? 0 : P;
-    worst = std::max(worst, std::abs(at.P[i] - expected));
+    worst = worse(worst, std::abs(at.P[i] - expected));
     largest = std::max(largest, std::abs(P));
   }
   return worst / largest;
@@ -325,7 +325,7 @@ double collocated_error(const Gap& gap, const Truth& truth, int elements, int de
       before = X;
       const double found = equations.interpolate(P, e, t);
       if (std::isnan(found + expected)) return nothing;
-      worst = std::max(worst, std::abs(found - expected));
+      worst = worse(worst, std::abs(found - expected));
       largest = std::max(largest, std::abs(expected));
     }
   }

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Rung 0: what becomes of SI. Groups, scales and laws of a steel contact, from the printed formulas written out here once
+// more, along other ways than those of contact/; and what a result says in metres and Moes' units.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "contact/film_formulas.hpp"
+#include "contact/hertz.hpp"
+#include "contact/scaling.hpp"
+#include "verification/claims/topics.hpp"
+#include "verification/output.hpp"
+#include "verification/registry.hpp"
+#include "verification/solve_run.hpp"
+
+namespace ehd::verification {
+
+namespace {
+
+using std::numbers::pi;
+
+constexpr double load = 1.3e5, radius = 1.1e-2, modulus = 2.21e11, sum_speed = 2.7, viscosity = 0.028;
+constexpr double z = 0.64, p0 = 1.9613e8;
+
+Conditions contact() {
+  return {.load_N_per_m = load,
+          .reduced_radius_m = radius,
+          .reduced_modulus_Pa = modulus,
+          .speed_sum_m_per_s = sum_speed,
+          .viscosity_Pa_s = viscosity};
+}
+
+/// alpha is left out: it follows from z and eta_0.
+Lubricant oil_of(ViscosityLaw law, DensityLaw density) {
+  Lubricant oil;
+  oil.viscosity = law;
+  oil.density = density;
+  oil.z = z;
+  oil.p0_Pa = p0;
+  if (law == ViscosityLaw::barus) oil.alpha_per_Pa = 1.9e-8;
+  return oil;
+}
+
+// A dozen products, roots and powers of inputs known to half an ulp.
+Tolerance rounding() { return Tolerance::round_off(64); }
+
+void add(Findings& found, const std::string& id, const std::string& statement, double value, double expected) {
+  found.claims.push_back(
+      claim_value({.id = "inputs/" + id, .rung = 0, .statement = statement}, value, expected, 0, rounding()));
+}
+
+Findings judge_groups() {
+  Findings found;
+  const Nondimensional made = nondimensionalise(contact(), oil_of(ViscosityLaw::barus, DensityLaw::incompressible), Flooded{});
+  const double pressure = std::sqrt(load * modulus / (2 * pi * radius));  // p_H = sqrt(w E'/(2 pi R))
+  const double half_width = 4 * radius * pressure / modulus;
+  add(found, "scales/hertz-pressure", "p_H = sqrt(w E'/(2 pi R))", made.scales->hertz_pressure_Pa, pressure);
+  add(found, "scales/half-width", "b = 4 R p_H/E'", made.scales->half_width_m.value(), half_width);
+  add(found, "scales/film", "one unit of H is b^2/R", made.scales->film_m_per_hertz_film().value(),
+      half_width * half_width / radius);
+  add(found, "groups/lambda", "lambda = 12 eta_0 u_m R^2/(b^3 p_H) with the mean speed", made.problem.groups.lambda,
+      12 * viscosity * (sum_speed / 2) * radius * radius / (half_width * half_width * half_width * pressure));
+  add(found, "groups/alpha-p_H", "the exponent is alpha p_H", made.problem.groups.alpha_p_H, 1.9e-8 * pressure);
+  const double U = viscosity * sum_speed / (modulus * radius);
+  add(found, "groups/M", "M = w/sqrt(eta_0 u_s E' R)", made.problem.groups.M,
+      load / std::sqrt(viscosity * sum_speed * modulus * radius));
+  add(found, "groups/L", "L = alpha E' (eta_0 u_s/(E' R))^(1/4)", made.problem.groups.L, 1.9e-8 * modulus * std::sqrt(std::sqrt(U)));
+  return found;
+}
+
+/// ln(eta/eta_0) and rho/rho_0 of the problem at a pressure in Pa.
+Findings judge_laws() {
+  Findings found;
+  double worst_roelands = 0, worst_slope = 0, worst_density[2] = {0, 0};
+  const auto problem_of = [](ViscosityLaw law, DensityLaw density) {
+    return nondimensionalise(contact(), oil_of(law, density), Flooded{});
+  };
+  const Nondimensional first = problem_of(ViscosityLaw::roelands, DensityLaw::dowson_higginson);
+  const Nondimensional second = problem_of(ViscosityLaw::roelands, DensityLaw::dowson_higginson_1977);
+  const double unit = first.scales->hertz_pressure_Pa;
+  int judged = 0;
+  for (const double p : {2e7, 1.9e8, 6.1e8, 1.7e9}) {
+    const auto at = [&](const auto& law, double pressure) { return evaluate(law, Array(Array::Constant(1, pressure / unit))); };
+    const double exponent = (std::log(viscosity) + 9.67) * (-1 + std::pow(1 + p / p0, z));
+    const auto eta = at(first.problem.viscosity, p);
+    worst_roelands = worse(worst_roelands, std::abs(eta.value[0] / exponent - 1));
+    // The slope by central differences: 1e-5 p either way leaves 1e-10 of the third derivative, 1e-11 of rounding.
+    const double step = 1e-5 * p;
+    const double slope = (at(first.problem.viscosity, p + step).value[0] - at(first.problem.viscosity, p - step).value[0]) / (2 * step / unit);
+    const double of_density = (at(first.problem.density, p + step).value[0] - at(first.problem.density, p - step).value[0]) / (2 * step / unit);
+    worst_slope = worse(worst_slope, worse(std::abs(eta.slope[0] / slope - 1),
+                                           std::abs(at(first.problem.density, p).slope[0] - of_density)));
+    worst_density[0] = worse(worst_density[0], std::abs(at(first.problem.density, p).value[0] / ((5.9e8 + 1.34 * p) / (5.9e8 + p)) - 1));
+    worst_density[1] = worse(worst_density[1], std::abs(at(second.problem.density, p).value[0] / (1 + 0.6e-9 * p / (1 + 1.7e-9 * p)) - 1));
+    ++judged;
+  }
+  const auto claim_of = [&](const std::string& id, const std::string& statement, double error, Tolerance tolerance) {
+    found.claims.push_back(claim({.id = "inputs/laws/" + id, .rung = 0, .statement = statement}, error, 0, std::move(tolerance),
+                                 std::to_string(judged) + " pressures, 20 MPa to 1.7 GPa"));
+  };
+  claim_of("roelands", "eta is Roelands' eta_0 exp((ln eta_0 + 9.67)((1 + p/p_0)^z - 1))", worst_roelands, rounding());
+  claim_of("dowson-higginson", "rho is rho_0 (5.9e8 + 1.34 p)/(5.9e8 + p)", worst_density[0], rounding());
+  claim_of("dowson-higginson-1977", "rho is rho_0 (1 + 0.6e-9 p/(1 + 1.7e-9 p))", worst_density[1], rounding());
+  claim_of("slopes", "the laws' slopes are their derivatives", worst_slope, Tolerance::discretisation(1e-10, 10));
+  const Nondimensional barus = problem_of(ViscosityLaw::barus, DensityLaw::incompressible);
+  const double p = 8.3e8;
+  add(found, "laws/barus", "eta is Barus' eta_0 exp(alpha p)",
+      evaluate(barus.problem.viscosity, Array(Array::Constant(1, p / unit))).value[0], 1.9e-8 * p);
+  return found;
+}
+
+/// A result in Hertz, Moes' and SI units is one film.
+Findings judge_units_of_a_result() {
+  ContactCase stated;
+  stated.statement = contact();
+  stated.lubricant = oil_of(ViscosityLaw::roelands, DensityLaw::dowson_higginson);
+  stated.inlet = Flooded{};
+  const Json json = to_json(run_contact(stated, *find_solver("fast"), {.tolerance = 1e-3}));
+  const double pressure = std::sqrt(load * modulus / (2 * pi * radius)), half_width = 4 * radius * pressure / modulus;
+  const double metres = half_width * half_width / radius;
+  const double moes = metres / radius / std::sqrt(viscosity * sum_speed / (modulus * radius));
+  Findings found;
+  for (const char* film : {"minimum", "central", "couette"}) {
+    const Json& said = json.at("film").at(film);
+    const double H = said.at("hertz");
+    add(found, std::string("result/") + film + "/m", std::string("the ") + film + " film in metres is H b^2/R", said.at("m"), H * metres);
+    add(found, std::string("result/") + film + "/moes", std::string("the ") + film + " film in Moes' units is (h/R) U_s^(-1/2)", said.at("moes"), H * moes);
+  }
+  const double offset = json.at("film").at("offset").at("hertz");
+  add(found, "result/approach/m", "the approach with x_0 = b is -H_0 b^2/R", json.at("approach").at("m"), -offset * metres);
+  add(found, "result/groups/p_H", "the result's p_H is sqrt(w E'/(2 pi R))", json.at("groups").at("hertz_pressure_Pa"), pressure);
+  return found;
+}
+
+/// Formulas are regressions, and no film is judged by them; that they are written as printed is judged, by what they
+/// are known to be off at (20,10), G = 5000, where the film (Roelands, compressible, cut at -4) is 3.784.
+Findings judge_formulas() {
+  Findings found;
+  const struct {
+    const char *name, *of, *off;
+  } known[] = {{"Dowson & Higginson 1977", "film.minimum", "1.3"},
+               {"Dowson & Higginson 1966", "film.minimum", "1.9"},
+               {"Hamrock & Jacobson 1984", "film.minimum", "-2.9"},
+               {"Pan & Hamrock 1989", "film.minimum", "-4.9"}};
+  const auto formulas = film_formulas({20, 10}, 5000);
+  for (const auto& one : known) {
+    const auto at = std::find_if(formulas.begin(), formulas.end(),
+                                 [&](const FilmFormula& formula) { return formula.name == one.name && formula.of == one.of; });
+    const double off = at == formulas.end() ? std::nan("") : 100 * (at->moes_film / 3.784 - 1);
+    found.claims.push_back(claim({.id = std::string("formulas/") + one.name, .rung = 0,
+                                  .statement = std::string(one.name) + " is " + one.off + " % off the computed film at (20,10), as is known"},
+                                 std::abs(off - std::stod(one.off)), 0,
+                                 Tolerance::calibrated(0.05 + 0.013, "half a digit of the deviation in %, and of 3.784")));
+  }
+  return found;
+}
+
+}  // namespace
+
+std::vector<Topic> law_topics() {
+  return {{.name = "groups and scales", .rungs = {0}, .judge = judge_groups},
+          {.name = "laws", .rungs = {0}, .judge = judge_laws},
+          {.name = "units of a result", .rungs = {0}, .judge = judge_units_of_a_result},
+          {.name = "formulas as printed", .rungs = {0}, .judge = judge_formulas}};
+}
+
+}  // namespace ehd::verification
