@@ -1,0 +1,404 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Rung 11, the parts of a bearing: kinematics, datum, fit, film curve, energy, and infinitely many rollers. Expected
+// values come from the printed formulas, written out here once more, and from contacts solved by `reference` in SI, never
+// from bearing/'s own functions.
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <mutex>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bearing/equilibrium.hpp"
+#include "contact/scaling.hpp"
+#include "verification/bearing_run.hpp"
+#include "verification/claims/fits.hpp"
+#include "verification/claims/topics.hpp"
+#include "verification/exact/martin.hpp"
+#include "verification/exact/sjovall.hpp"
+#include "verification/registry.hpp"
+#include "verification/text.hpp"
+
+namespace ehd::verification {
+
+namespace {
+
+using std::numbers::pi;
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+/// A raceway of the case from its own numbers: no slip at either, so that the contact point's surfaces both run at
+/// |w_ring - w_cage| r_ring past it.
+struct ByHand {
+  double radius_m, modulus_Pa, sum_speed_m_per_s, length_m;
+};
+ByHand by_hand(const BearingCase& body, bool inner) {
+  const auto& g = body.geometry;
+  const double raceway = inner ? (g.pitch_diameter_m - g.roller_diameter_m) / 2 : (g.pitch_diameter_m + g.roller_diameter_m) / 2;
+  const double w_inner = body.operation.inner_speed_rpm * pi / 30, w_outer = body.operation.outer_speed_rpm * pi / 30;
+  // The cage goes as the roller's centre, which is half way between two points that move with the rings.
+  const double inner_surface = w_inner * (g.pitch_diameter_m - g.roller_diameter_m) / 2;
+  const double outer_surface = w_outer * (g.pitch_diameter_m + g.roller_diameter_m) / 2;
+  const double cage = (inner_surface + outer_surface) / g.pitch_diameter_m;
+  const double ring = inner ? w_inner : w_outer, roller = g.roller_diameter_m / 2;
+  return {.radius_m = inner ? roller * raceway / (raceway + roller) : roller * raceway / (raceway - roller),
+          .modulus_Pa = body.modulus_Pa / (1 - body.poisson * body.poisson),
+          .sum_speed_m_per_s = 2 * std::abs(ring - cage) * raceway,
+          .length_m = g.length_m};
+}
+
+/// 4w/(pi E'), and b.
+double scale_m(const ByHand& contact, double force_N) { return 4 * force_N / contact.length_m / (pi * contact.modulus_Pa); }
+double half_width_m(const ByHand& contact, double force_N) {
+  return std::sqrt(8 * force_N / contact.length_m * contact.radius_m / (pi * contact.modulus_Pa));
+}
+
+Sentence sentence(const std::string& id, const std::string& statement) {
+  return {.id = "bearing/" + id, .rung = 11, .statement = statement};
+}
+
+// A dozen products, roots and powers of inputs known to half an ulp.
+Tolerance rounding() { return Tolerance::round_off(64); }
+
+// ---- Kinematics --------------------------------------------------------------------------------------------------
+
+/// What the solver is asked, by contact: groups and lubricant, seen through a solver that writes them down.
+Findings judge_contacts_asked(const Case& bearing_case) {
+  const auto& body = std::get<BearingCase>(bearing_case.body);
+  std::vector<MoesGroups> asked;
+  ContactMemory memory([&](const Problem& problem, const Request& request) {
+    asked.push_back({problem.groups.M, problem.groups.L});
+    return find_solver("fast")->solve(problem, request);
+  });
+  const auto results = run_bearing(bearing_case, {.laws = {BearingLaw::ehd_linear}, .films = false}, memory);
+  std::vector<MoesGroups> expected;
+  const auto [lowest, highest] = body.fit.load_N.value_or(std::pair(nothing, nothing));
+  for (const bool inner : {true, false}) {
+    const ByHand contact = by_hand(body, inner);
+    const double U = body.lubricant->viscosity_Pa_s * contact.sum_speed_m_per_s / (contact.modulus_Pa * contact.radius_m);
+    for (int i = 0; i < body.fit.points; ++i) {
+      const double force = lowest + (highest - lowest) * i / (body.fit.points - 1);
+      expected.push_back({force / contact.length_m / (contact.modulus_Pa * contact.radius_m) / std::sqrt(U),
+                          body.lubricant->lubricant.alpha_per_Pa.value_or(nothing) * contact.modulus_Pa * std::sqrt(std::sqrt(U))});
+    }
+  }
+  // Each expected contact once among those asked, whatever the order.
+  double worst = asked.size() == expected.size() ? 0 : nothing;
+  for (const MoesGroups& wanted : expected) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const MoesGroups& one : asked)
+      nearest = std::min(nearest, worse(std::abs(one.M / wanted.M - 1), std::abs(one.L / wanted.L - 1)));
+    worst = worse(worst, nearest);
+  }
+  Findings found;
+  found.claims.push_back(claim(sentence("kinematics/" + bearing_case.id + "/contacts",
+                                        bearing_case.id + ": the contacts solved for the fit have the M and L of both raceways, "
+                                                          "equally spaced in force"),
+                               worst, 0, rounding(), std::to_string(asked.size()) + " contacts"));
+  return found;
+}
+
+Findings judge_kinematics(const Case& na4908) {
+  const auto& body = std::get<BearingCase>(na4908.body);
+  Findings found;
+  const auto add = [&](const std::string& id, const std::string& statement, double value, double expected) {
+    found.claims.push_back(claim_value(sentence("kinematics/" + id, statement), value, expected, 0, rounding()));
+  };
+  const auto printed = [&](const std::string& id, const std::string& statement, double value, const std::string& digits) {
+    found.claims.push_back(claim_value(sentence("kinematics/" + id, statement + " " + digits), value, std::stod(digits), 0,
+                                       Tolerance::published_digits(digits)));
+  };
+  bearing::Geometry geometry;
+  geometry.rollers = body.geometry.rollers;
+  geometry.pitch_diameter_m = body.geometry.pitch_diameter_m;
+  geometry.roller_diameter_m = body.geometry.roller_diameter_m;
+  geometry.length_m = body.geometry.length_m;
+  geometry.density_kg_per_m3 = body.geometry.density_kg_per_m3;
+  printed("na4908/inner-radius", "the inner contacts of NA4908 have R [mm] =",
+          1e3 * bearing::reduced_radius_m(geometry, bearing::Raceway::inner), "2.264");
+  printed("na4908/outer-radius", "the outer contacts of NA4908 have R [mm] =",
+          1e3 * bearing::reduced_radius_m(geometry, bearing::Raceway::outer), "2.736");
+  printed("na4908/speed", "the surfaces in NA4908's contacts have the sum speed [m/s]",
+          bearing::sum_speed_m_per_s(geometry, bearing::speeds_from_rpm(5000, 0)), "13.75");
+  const struct {
+    const char* name;
+    double inner_rpm, outer_rpm;
+  } turns[] = {{"inner", 5000, 0}, {"outer", 0, 3100}, {"both", 4200, 1300}, {"against", 2100, -900}};
+  for (const auto& turn : turns) {
+    BearingCase turned = body;
+    turned.operation.inner_speed_rpm = turn.inner_rpm;
+    turned.operation.outer_speed_rpm = turn.outer_rpm;
+    const auto speeds = bearing::speeds_from_rpm(turn.inner_rpm, turn.outer_rpm);
+    const std::string ring = turn.name, who = ring == "both" ? "both rings turning" : ring == "against" ? "rings turning against each other" : "the " + ring + " ring turning";
+    for (const bool inner : {true, false})
+      add(ring + (inner ? "/inner" : "/outer") + "/speed",
+          std::string("rolling without slip gives the sum speed at the ") + (inner ? "inner" : "outer") + " raceway, " + who,
+          bearing::sum_speed_m_per_s(geometry, speeds), by_hand(turned, inner).sum_speed_m_per_s);
+    const double cage = (turn.inner_rpm * 48 + turn.outer_rpm * 58) / 106 * pi / 30;  // r_i : r_o = 48 : 58, d_m = 53 mm
+    add(ring + "/cage", "the cage goes as the rollers' centres, " + who, bearing::cage_speed_rad_per_s(geometry, speeds), cage);
+    const double mass = 7850 * pi / 4 * 0.005 * 0.005 * 0.122;
+    add(ring + "/centrifugal", "a roller's mass and the cage's speed make the centrifugal force, " + who,
+        bearing::centrifugal_force_N(geometry, speeds), mass * 0.053 / 2 * cage * cage);
+  }
+  return found;
+}
+
+// ---- Datum, fit, curve -------------------------------------------------------------------------------------------
+
+/// f in N and delta in m by Palmgren, as rounded in print.
+double palmgren_m(double force_N, double length_m) {
+  return 1e-3 * std::pow(force_N / (8.06e4 * std::pow(1e3 * length_m, 8.0 / 9)), 0.9);
+}
+double dry_m(const ByHand& contact, double force_N, double datum_m) {
+  return scale_m(contact, force_N) * (std::log(2 * datum_m / half_width_m(contact, force_N)) + 0.5);
+}
+
+/// Film and approach of one roller contact by `reference`, from SI.
+struct SolvedByHand {
+  double offset_film_m = nothing;  ///< delta_dry - delta, whatever the datum
+  double film_minimum_m = nothing;
+};
+SolvedByHand solved_by_hand(const BearingCase& body, bool inner, double force_N) {
+  const ByHand contact = by_hand(body, inner);
+  const Conditions conditions{.load_N_per_m = force_N / contact.length_m,
+                              .reduced_radius_m = contact.radius_m,
+                              .reduced_modulus_Pa = contact.modulus_Pa,
+                              .speed_sum_m_per_s = contact.sum_speed_m_per_s,
+                              .viscosity_Pa_s = body.lubricant->viscosity_Pa_s};
+  const Solution solution = find_solver("reference")->solve(nondimensionalise(conditions, body.lubricant->lubricant, Flooded{}).problem,
+                                                            {.tolerance = 1e-6});
+  if (solution.record.status != StopReason::converged) return {};
+  const double b = half_width_m(contact, force_N), unit = b * b / contact.radius_m;
+  constexpr double dry_offset = -0.25 - std::numbers::ln2 / 2;
+  return {.offset_film_m = unit * (solution.observables.at(Quantity::film_offset).value - dry_offset),
+          .film_minimum_m = unit * solution.observables.at(Quantity::film_minimum).value};
+}
+
+Findings judge_datum(const Case& bearing_case, ContactMemory& memory) {
+  Findings found;
+  const auto run = [&](const Datum& datum) {
+    Case one = bearing_case;
+    std::get<BearingCase>(one.body).datum = datum;
+    return run_bearing(one, {.laws = {BearingLaw::hertz, BearingLaw::ehd_linear}, .films = false}, memory);
+  };
+  const auto& body = std::get<BearingCase>(bearing_case.body);
+  const auto datum_of = [](const std::vector<BearingResult>& results, bool inner) {
+    if (results.size() != 2 || !results[1].datum_m) return nothing;
+    return inner ? results[1].datum_m->inner : results[1].datum_m->outer;
+  };
+  constexpr double named_N = 7300, length_m = 0.0173;
+  const auto by_default = run(PalmgrenDatum{}), named = run(PalmgrenDatum{named_N}), lundberg = run(LundbergDatum{}),
+             stated = run(LengthDatum{length_m});
+  for (const bool inner : {true, false}) {
+    const ByHand contact = by_hand(body, inner);
+    const std::string raceway = inner ? "inner" : "outer";
+    double largest = nothing;
+    if (!by_default.empty() && !by_default[0].rollers.empty()) {
+      largest = 0;
+      for (const RollerRow& roller : by_default[0].rollers) largest = std::max(largest, roller.inner.force_N);
+    }
+    for (const auto& [name, results, force] : {std::tuple{"palmgren", &by_default, largest}, std::tuple{"palmgren-load", &named, named_N}}) {
+      found.claims.push_back(claim_value(
+          sentence(std::string("datum/") + name + "/" + raceway,
+                   "with Palmgren's datum the dry log kernel has Palmgren's approach at the " +
+                       std::string(name == std::string("palmgren") ? "largest dry roller load" : "load that is named") + ", " + raceway + " raceway"),
+          dry_m(contact, force, datum_of(*results, inner)), palmgren_m(force, contact.length_m), 0,
+          Tolerance::round_off(64, 20), "the datum is the exponential of twenty"));
+    }
+    found.claims.push_back(claim_value(sentence("datum/lundberg/" + raceway, "Lundberg's datum is the length of the roller, " + raceway + " raceway"),
+                                       datum_of(lundberg, inner), contact.length_m, 0, rounding()));
+    found.claims.push_back(claim_value(sentence("datum/x0/" + raceway, "a datum that is stated is used, " + raceway + " raceway"),
+                                       datum_of(stated, inner), length_m, 0, rounding()));
+  }
+  return found;
+}
+
+// What `fast` is asked for in a bearing (1e-4 of the films), ten times: an offset film is a film and a bit more.
+Tolerance film_tolerance() { return Tolerance::required(1e-3, "ten times the 1e-4 that a bearing asks of its contacts"); }
+
+Findings judge_fit(const Case& bearing_case, ContactMemory& memory) {
+  const auto& body = std::get<BearingCase>(bearing_case.body);
+  const auto results = run_bearing(bearing_case, {.laws = {BearingLaw::ehd_linear}, .films = false}, memory);
+  Findings found;
+  for (const bool inner : {true, false}) {
+    const std::string raceway = inner ? "inner" : "outer";
+    const ByHand contact = by_hand(body, inner);
+    const bool fitted = results.size() == 1 && results[0].fit && results[0].datum_m;
+    double points_error = fitted ? 0 : nothing, line_error = nothing, K = nothing, dF = nothing;
+    int solved = 0;
+    if (fitted) {
+      const auto& fit = inner ? results[0].fit->inner : results[0].fit->outer;
+      const double datum = inner ? results[0].datum_m->inner : results[0].datum_m->outer;
+      K = fit.K_N_per_m;
+      dF = fit.dF_N;
+      double sx = 0, sy = 0, sxx = 0, sxy = 0;
+      for (const auto& point : fit.points) {
+        sx += point.approach_m, sy += point.force_N, sxx += point.approach_m * point.approach_m, sxy += point.approach_m * point.force_N;
+        const double film = solved_by_hand(body, inner, point.force_N).offset_film_m;
+        points_error = worse(points_error, std::abs((dry_m(contact, point.force_N, datum) - point.approach_m) / film - 1));
+        ++solved;
+      }
+      const double n = static_cast<double>(fit.points.size()), slope = (n * sxy - sx * sy) / (n * sxx - sx * sx);
+      line_error = worse(std::abs(K / slope - 1), std::abs(dF / ((sy - slope * sx) / n) - 1));
+    }
+    found.claims.push_back(claim(sentence("fit/" + bearing_case.id + "/" + raceway + "/points",
+                                          "the points of the fit are delta_dry less the film that `reference` finds at their loads, " + raceway + " raceway"),
+                                 points_error, 0, film_tolerance(), std::to_string(solved) + " contacts, relative to the offset film"));
+    found.claims.push_back(claim(sentence("fit/" + bearing_case.id + "/" + raceway + "/line",
+                                          "K and dF are the least squares of f on delta through them, " + raceway + " raceway"),
+                                 line_error, 0, Tolerance::round_off(64, 1e4), "sums of six products; n Sxx - Sx^2 cancels two digits"));
+  }
+  return found;
+}
+
+/// Rollers of a balance by the full relation, at heavy, medium and light loads.
+Findings judge_curve(const Case& bearing_case, ContactMemory& memory) {
+  const auto& body = std::get<BearingCase>(bearing_case.body);
+  const auto results = run_bearing(bearing_case, {.laws = {BearingLaw::ehd}, .films = true}, memory);
+  Findings found;
+  const bool balanced = results.size() == 1 && !results[0].rollers.empty() && results[0].datum_m;
+  for (const bool inner : {true, false}) {
+    const ByHand contact = by_hand(body, inner);
+    const std::string raceway = inner ? "inner" : "outer";
+    double approach_error = balanced ? 0 : nothing, film_error = balanced ? 0 : nothing, martin_error = nothing;
+    int judged = 0;
+    if (balanced) {
+      const double datum = inner ? results[0].datum_m->inner : results[0].datum_m->outer;
+      double lightest = std::numeric_limits<double>::infinity();
+      for (const RollerRow& roller : results[0].rollers) {
+        const ContactRow& row = inner ? roller.inner : roller.outer;
+        if (row.force_N >= lightest) continue;  // one of each pair, and the lightest last
+        lightest = row.force_N;
+        const SolvedByHand truth = solved_by_hand(body, inner, row.force_N);
+        approach_error = worse(approach_error, std::abs((dry_m(contact, row.force_N, datum) - row.displacement_m) / truth.offset_film_m - 1));
+        film_error = worse(film_error, std::abs(row.film_minimum_m.value_or(nothing) / truth.film_minimum_m - 1));
+        const double martin = exact::Martin{}.load_sum * body.lubricant->viscosity_Pa_s * contact.sum_speed_m_per_s *
+                              contact.radius_m * contact.length_m / row.force_N;
+        martin_error = std::abs(row.film_minimum_m.value_or(nothing) / martin - 1);
+        ++judged;
+      }
+    }
+    const std::string about = std::to_string(judged) + " loads, of the heaviest to the lightest roller";
+    found.claims.push_back(claim(sentence("curve/" + bearing_case.id + "/" + raceway + "/approach",
+                                          "a balance by `ehd` has the approaches that `reference` finds at its rollers' loads, " + raceway + " raceway"),
+                                 approach_error, 0, film_tolerance(), about));
+    found.claims.push_back(claim(sentence("curve/" + bearing_case.id + "/" + raceway + "/film",
+                                          "and the smallest films, " + raceway + " raceway"),
+                                 film_error, 0, film_tolerance(), about));
+    found.claims.push_back(claim(sentence("curve/" + bearing_case.id + "/" + raceway + "/martin",
+                                          "the lightest roller's film is nearly that of a rigid cylinder, " + raceway + " raceway"),
+                                 martin_error, 0, Tolerance::asymptotic(0.05, "M < 0.1: elasticity and pressure add a few per cent at most")));
+  }
+  return found;
+}
+
+// ---- Energy ------------------------------------------------------------------------------------------------------
+
+/// What a displaced ring has stored in its contacts, rollers balanced, less the work of the centrifugal force.
+double energy_J(const bearing::Geometry& geometry, const bearing::LawPair& laws, double centrifugal_N, double displacement_m) {
+  const auto stored = [](const bearing::ForceLaw& law, const bearing::ContactState& at) {
+    if (at.force_N <= 0) return 0.0;
+    if (std::holds_alternative<bearing::PowerLaw>(law)) return 9.0 / 19 * at.force_N * at.approach_m;
+    const auto& line = std::get<bearing::LinearLaw>(law);
+    return at.force_N * at.force_N / (2 * line.K_N_per_m);
+  };
+  double energy = 0;
+  for (int j = 0; j < geometry.rollers; ++j) {
+    const double psi = (geometry.first_azimuth_deg + 360.0 * j / geometry.rollers) * pi / 180;
+    const auto roller = bearing::balance_roller(laws, centrifugal_N, displacement_m * std::cos(psi) - geometry.clearance_m / 2);
+    energy += stored(laws.inner, roller.inner) + stored(laws.outer, roller.outer) - centrifugal_N * roller.outer.approach_m;
+  }
+  return energy;
+}
+
+Findings judge_energy() {
+  const bearing::Geometry geometry{.rollers = 17, .pitch_diameter_m = 0.061, .roller_diameter_m = 0.0083, .length_m = 0.011,
+                                   .clearance_m = 7e-6, .density_kg_per_m3 = 7810, .first_azimuth_deg = 4.3};
+  constexpr double centrifugal_N = 31, radial_N = 8.7e3;
+  const bearing::PowerLaw power = bearing::palmgren_law(geometry.length_m);
+  const bearing::LinearLaw inner{.K_N_per_m = 3.3e8, .dF_N = 410}, outer{.K_N_per_m = 2.7e8, .dF_N = 530};
+  Findings found;
+  for (const auto& [name, laws] : {std::pair<std::string, bearing::LawPair>{"hertz", {power, power}},
+                                   std::pair<std::string, bearing::LawPair>{"ehd-linear", {inner, outer}}}) {
+    const auto balanced = bearing::balance(geometry, laws, {.radial_N = radial_N, .centrifugal_N = centrifugal_N});
+    double force = nothing;
+    if (const auto* ring = std::get_if<bearing::Equilibrium>(&balanced)) {
+      const double at = ring->displacement_m, h = 1e-3 * at;
+      const auto E = [&](double displacement) { return energy_J(geometry, laws, centrifugal_N, displacement); };
+      force = (8 * (E(at + h) - E(at - h)) - (E(at + 2 * h) - E(at - 2 * h))) / (12 * h);
+    }
+    // Fourth differences at 1e-3: 1e-12 of the fifth derivative's part, eps/1e-3 of rounding; near the edge of the load
+    // zone a roller's energy has a second derivative that jumps, by 1e-3 of a small force.
+    found.claims.push_back(claim_value(sentence("energy/" + name, "the radial load is the gradient of the energy stored in the contacts, law " + name),
+                                       force, radial_N, 0, Tolerance::discretisation(1e-7, 10)));
+  }
+  return found;
+}
+
+// ---- Many rollers ------------------------------------------------------------------------------------------------
+
+/// F_r/(Z Q_max) goes to Sjovall's integral. The rollers sum a periodic function whose corner, at the edge of the load
+/// zone, is of power n = 10/9: the largest error over the cage's positions falls like Z^-(n + 1).
+Findings judge_many_rollers() {
+  constexpr double length_m = 0.012, clearance_m = 5e-6;
+  const bearing::PowerLaw law = bearing::palmgren_law(length_m);
+  Findings found;
+  std::vector<double> x, y;
+  double worst_on_last = 0;
+  for (const int rollers : {24, 48, 96, 192, 384}) {
+    double worst = 0;
+    for (int position = 0; position < 12; ++position) {
+      const bearing::Geometry geometry{.rollers = rollers, .pitch_diameter_m = 0.07, .roller_diameter_m = 0.009, .length_m = length_m,
+                                       .clearance_m = clearance_m, .density_kg_per_m3 = 7850,
+                                       .first_azimuth_deg = 360.0 / rollers * (position / 12.0 - 0.5)};
+      const double load_N = 180.0 * rollers;
+      const auto balanced = bearing::balance(geometry, {law, law}, {.radial_N = load_N});
+      const auto* ring = std::get_if<bearing::Equilibrium>(&balanced);
+      double error = nothing;
+      if (ring) {
+        const double eps = (1 - clearance_m / (2 * ring->displacement_m)) / 2;
+        const double at_top_mm = 1e3 * (ring->displacement_m - clearance_m / 2) / 2;  // each contact, f = 8.06e4 l^(8/9) delta^(10/9)
+        const double largest = 8.06e4 * std::pow(1e3 * length_m, 8.0 / 9) * std::pow(at_top_mm, 10.0 / 9);
+        error = std::abs(load_N / (rollers * largest) / exact::SjovallIntegral{}(eps) - 1);
+      }
+      worst = worse(worst, error);
+    }
+    x.push_back(-std::log(rollers));
+    y.push_back(std::log(worst));
+    worst_on_last = worst;
+  }
+  found.claims.push_back(order_claim(sentence("sjovall/order", "the load shares of Z rollers go to Sjovall's integral with order n + 1 = 19/9"),
+                                     slope(x, y), 19.0 / 9, Tolerance::calibrated(0.2, "an envelope over twelve cage positions, read to a fifth"),
+                                     "24 to 384 rollers, error " + three_digits(worst_on_last) + " on the last"));
+  return found;
+}
+
+}  // namespace
+
+std::vector<Topic> bearing_part_topics(const std::vector<LoadedCase>& cases) {
+  std::vector<Topic> topics;
+  const auto add = [&](const std::string& name, std::function<Findings()> judge) {
+    topics.push_back({.name = name, .rungs = {11}, .judge = std::move(judge)});
+  };
+  add("energy", judge_energy);
+  add("many rollers", judge_many_rollers);
+  const auto na4908 = std::find_if(cases.begin(), cases.end(), [](const LoadedCase& loaded) { return loaded.id == "na4908"; });
+  if (na4908 == cases.end() || !std::holds_alternative<Case>(na4908->content)) return topics;
+  const Case one = std::get<Case>(na4908->content);
+  add("kinematics", [one] { return judge_kinematics(one); });
+  add("contacts of a bearing", [one] { return judge_contacts_asked(one); });
+  const auto with_memory = [one](auto judge) {
+    return [one, judge] {
+      ContactMemory memory([](const Problem& problem, const Request& request) { return find_solver("fast")->solve(problem, request); });
+      return judge(one, memory);
+    };
+  };
+  add("datum", with_memory([](const Case& c, ContactMemory& m) { return judge_datum(c, m); }));
+  add("fit", with_memory([](const Case& c, ContactMemory& m) { return judge_fit(c, m); }));
+  add("curve", with_memory([](const Case& c, ContactMemory& m) { return judge_curve(c, m); }));
+  return topics;
+}
+
+}  // namespace ehd::verification
