@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rung 4: every scheme's own Reynolds equation on gaps that do not deform. The scheme is evaluated at P = 0, where its
+// Rung 3: every scheme's own film under a pressure that is given. Rung 4: its Reynolds equation on gaps that do not deform. The scheme is evaluated at P = 0, where its
 // deflection is nothing and sources make the film any gap; isoviscous, its flux is then linear in P, and the pressure
 // follows face by face from its own wedge and mobility. Truths by quadrature.
 #include <Eigen/Dense>
@@ -377,6 +377,66 @@ Findings judge_half_sommerfeld() {
   return found;
 }
 
+// ---- Films of a given pressure -----------------------------------------------------------------------------------
+
+constexpr double film_exit = 0.9, film_offset = 2.3;
+
+/// A parabola, which lines follow to second order and polynomials to rounding.
+double given_pressure(double X) { return 0.31 * (X - inlet) * (film_exit - X); }
+
+/// H_0 + X^2/2 - (1/pi) Int P ln|X - X'| dX' by quadrature.
+double film_by_quadrature(double X) {
+  const auto part = [X](double from, double to) {
+    constexpr double nothing_there = 1e-13;  // an end node that is not its end to the last digit: P is 0 there
+    return to - from > nothing_there
+               ? exact::integral([X](double s) { return given_pressure(s) * std::log(std::abs(X - s)); }, from, to)
+               : 0.0;
+  };
+  return film_offset + X * X / 2 - (part(inlet, X) + part(X, film_exit)) / pi;
+}
+
+Findings judge_film(const Named& scheme) {
+  std::vector<double> x, y;
+  for (const int intervals : {96, 144, 216, 324}) {
+    const Problem problem = problem_at({M, 0}, false, TruncatedAt{inlet});
+    const Scheme at = evaluated(scheme.kind, problem, film_exit,
+                                at_rest(scheme.kind, rigid_problem([](double) { return 1.0; }), intervals, film_exit)
+                                    .X.unaryExpr([](double X) { return given_pressure(X); }),
+                                film_offset);
+    double worst = at.X.size() == intervals + 1 ? 0 : nothing;
+    for (Eigen::Index i = 0; i < at.X.size(); ++i) worst = worse(worst, std::abs(at.H[i] - film_by_quadrature(at.X[i])));
+    x.push_back(-std::log(intervals));
+    y.push_back(std::log(worst));
+  }
+  Findings found;
+  found.claims.push_back(order_claim(
+      {.id = "elasticity/" + std::string(scheme.id) + "/film",
+       .rung = 3,
+       .statement = std::string(scheme.id) + " finds the film of a given pressure at every node, with order 2",
+       .solver = scheme.solver},
+      slope(x, y), 2, Tolerance::calibrated(0.2, "orders of a largest error, over four grids, are read to a fifth"),
+      "96 to 324 cells, error " + three_digits(std::exp(y.back())) + " on the last"));
+  return found;
+}
+
+Findings judge_collocation_film() {
+  hp::Mesh mesh{.inlet = inlet, .breakpoints = {inlet - film_exit, -2.1, -1.4, -0.9, -0.3, 0}, .degrees = {3, 4, 6, 5, 2}};
+  const hp::Collocation<double> equations(problem_at({M, 0}, false, TruncatedAt{inlet}), mesh, hp::Points::left_radau);
+  const Array X = equations.node_coordinates(film_exit);
+  const hp::State<double> state{
+      .P = X.unaryExpr([](double place) { return given_pressure(place); }).matrix(), .offset = film_offset, .flux = 1, .exit = film_exit};
+  const auto at = equations.evaluate(state, 0);
+  double worst = 0;
+  for (Eigen::Index i = 0; i < at.X.size(); ++i) worst = worse(worst, std::abs(at.H[i] - film_by_quadrature(at.X[i])));
+  Findings found;
+  found.claims.push_back(claim({.id = "elasticity/collocation/film",
+                                .rung = 3,
+                                .statement = "polynomial elements find the film of a parabolic pressure to rounding",
+                                .solver = "reference"},
+                               worst, 0, Tolerance::discretisation(1e-13, 10), "quadrature is granted 1e-13"));
+  return found;
+}
+
 }  // namespace
 
 std::vector<Topic> reynolds_topics() {
@@ -387,8 +447,10 @@ std::vector<Topic> reynolds_topics() {
   for (const Named& scheme : schemes) {
     add([&scheme] { return judge_scheme(scheme); });
     add([&scheme] { return judge_reduced_pressure(scheme); });
+    topics.push_back({.name = "films of a given pressure", .rungs = {3}, .judge = [&scheme] { return judge_film(scheme); }});
   }
   add(judge_collocation);
+  topics.push_back({.name = "films of a given pressure", .rungs = {3}, .judge = judge_collocation_film});
   add(judge_half_sommerfeld);
   return topics;
 }
