@@ -1,0 +1,140 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Builds every wrong program of mutants.toml and runs `ehd verify --quick` with it.
+
+A mutant is caught where a claim on its own rung does not stand. Works on a copy of the tracked files in OUT/source, so
+that an interrupted run leaves nothing wrong behind. Exit code 0: every mutant is caught on its rung; 1: one is not;
+2: wrong usage, a text that is not found exactly once, or a suite that fails without any mutant.
+"""
+
+import argparse
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import time
+import tomllib
+
+TOP = pathlib.Path(__file__).resolve().parents[2]
+
+
+def fail(message):
+    print(f"run.py: {message}", file=sys.stderr)
+    sys.exit(2)
+
+
+def copy_tree(source):
+    listed = subprocess.run(["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"], cwd=TOP, check=True,
+                            capture_output=True, text=True).stdout
+    wanted = {name for name in listed.split("\0") if name and (TOP / name).is_file()}
+    for name in sorted(wanted):
+        to = source / name
+        if to.exists() and to.read_bytes() == (TOP / name).read_bytes():
+            continue  # keeps its time, so that a second run builds little
+        to.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(TOP / name, to)
+    for old in [p for p in source.rglob("*") if p.is_file()]:
+        if str(old.relative_to(source)) not in wanted:
+            old.unlink()
+
+
+def build(source, folder, jobs):
+    return subprocess.run(["cmake", "--build", folder, "--parallel", str(jobs), "--target", "ehd_program"], cwd=source,
+                          capture_output=True, text=True)
+
+
+def judge(folder, output, limit):
+    """(how it ended, {rung: claims that do not stand}, first such claim of each rung)"""
+    results = output / "results.json"
+    results.unlink(missing_ok=True)
+    try:
+        run = subprocess.run([folder / "ehd", "verify", "--quick", "--output", output], capture_output=True, text=True,
+                             timeout=limit)
+    except subprocess.TimeoutExpired:
+        return f"not at its end after {limit} s", {}, {}
+    if not results.exists():
+        lines = run.stderr.strip().splitlines()
+        return f"exit code {run.returncode}, no results: {lines[-1] if lines else 'no message'}", {}, {}
+    broken, first = {}, {}
+    for claim in json.loads(results.read_text())["claims"]:
+        if claim["verdict"] == "pass" or "accepted" in claim:
+            continue
+        broken[claim["rung"]] = broken.get(claim["rung"], 0) + 1
+        first.setdefault(claim["rung"], claim["id"])
+    return f"exit code {run.returncode}", broken, first
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--output", type=pathlib.Path, default=TOP / "out" / "mutants", help="folder (out/mutants)")
+    parser.add_argument("--only", action="append", default=[], metavar="PART", help="mutants with PART in their id")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    parser.add_argument("--time-limit", type=float, default=300, metavar="S", help="of one run of the suite (300)")
+    arguments = parser.parse_args()
+
+    with open(pathlib.Path(__file__).with_name("mutants.toml"), "rb") as file:
+        mutants = tomllib.load(file)["mutant"]
+    ids = [mutant["id"] for mutant in mutants]
+    if len(set(ids)) != len(ids):
+        fail("two mutants have one id")
+    if arguments.only:
+        mutants = [m for m in mutants if any(part in m["id"] for part in arguments.only)]
+        if not mutants:
+            fail(f"no mutant has {' or '.join(arguments.only)} in its id; there are {', '.join(ids)}")
+    for mutant in mutants:
+        text = (TOP / mutant["file"]).read_text()
+        if text.count(mutant["find"]) != 1:
+            fail(f"{mutant['id']}: its text is {text.count(mutant['find'])} times in {mutant['file']}, not once")
+        if mutant["find"] == mutant["replace"]:
+            fail(f"{mutant['id']} changes nothing")
+
+    source, folder, output = (arguments.output / name for name in ("source", "build", "results"))
+    for path in (source, output):
+        path.mkdir(parents=True, exist_ok=True)
+    copy_tree(source)
+    generator = ["-G", "Ninja"] if shutil.which("ninja") and not (folder / "CMakeCache.txt").exists() else []
+    configured = subprocess.run(["cmake", "-S", source, "-B", folder, "-DBUILD_TESTING=OFF", *generator],
+                                capture_output=True, text=True)
+    if configured.returncode != 0:
+        fail("cmake failed:\n" + configured.stderr)
+    built = build(source, folder, arguments.jobs)
+    if built.returncode != 0:
+        fail("the project does not build:\n" + built.stdout[-2000:])
+    ended, broken, first = judge(folder, output, arguments.time_limit)
+    if ended != "exit code 0" or broken:
+        fail(f"the suite does not stand without a mutant: {ended}, {first}")
+
+    rows, wrong = [], 0
+    width = max(len(mutant["id"]) for mutant in mutants)
+    print(f"{'mutant':{width}}  rung  caught  claims that do not stand, by rung")
+    for mutant in mutants:
+        file = source / mutant["file"]
+        right = file.read_text()
+        begin = time.monotonic()
+        try:
+            file.write_text(right.replace(mutant["find"], mutant["replace"]))
+            built = build(source, folder, arguments.jobs)
+            if built.returncode != 0:
+                ended, broken, first = "does not compile", {}, {}
+            else:
+                ended, broken, first = judge(folder, output, arguments.time_limit)
+        finally:
+            file.write_text(right)  # with a new time, so that it is built again
+        caught = mutant["rung"] in broken
+        wrong += not caught
+        counts = ", ".join(f"{rung}: {count}" for rung, count in sorted(broken.items())) or ended
+        print(f"{mutant['id']:{width}}  {mutant['rung']:4}  {'yes' if caught else 'NO':6}  {counts}", flush=True)
+        rows.append({"id": mutant["id"], "what": mutant["what"], "file": mutant["file"], "rung": mutant["rung"],
+                     "caught": caught, "ended": ended, "broken": {str(k): v for k, v in sorted(broken.items())},
+                     "claim": first.get(mutant["rung"], ""), "wall_s": round(time.monotonic() - begin, 1)})
+        (arguments.output / "mutants.json").write_text(json.dumps({"schema": 1, "mutants": rows}, indent=2) + "\n")
+    print(f"{len(mutants) - wrong} of {len(mutants)} mutants are caught on their rung")
+    if wrong:
+        print(f"run.py: {wrong} of {len(mutants)} mutants are not caught on their rung", file=sys.stderr)
+    sys.exit(1 if wrong else 0)
+
+
+if __name__ == "__main__":
+    main()
