@@ -8,7 +8,7 @@ CMAKE_FLAGS ?=
 GENERATOR = $(if $(wildcard $(BUILD)/CMakeCache.txt),,$(if $(shell command -v ninja 2>/dev/null),-G Ninja))
 
 .DEFAULT_GOAL := help
-.PHONY: help setup configure build verify test bench callgrind kernels atlas format clean
+.PHONY: help setup configure build verify test bench callgrind kernels mutants atlas format clean
 
 help:       ## List the targets
 	@sed -n 's/^\([a-z][a-z-]*\):[^#]*## \(.*\)/  make \1\t\2/p' $(firstword $(MAKEFILE_LIST)) | expand -t 18
@@ -44,6 +44,11 @@ callgrind:  ## Count instructions of three solves, name the functions that moved
 kernels: configure  ## Time the kernels of fast/ in multiples of one FFT convolution (needs libbenchmark-dev; 1 minute)
 	@cmake --build $(BUILD) --parallel $(JOBS) --target ehd_kernels
 	@$(BUILD)/ehd_kernels
+
+# Built in out/mutants, from a copy of the tree: nothing wrong is left behind.
+mutants:    ## Build each wrong program of verification/mutants, run the quick suite with it (40 minutes; ONLY=part of an id)
+	@sh cmake/setup.sh python3
+	@python3 verification/mutants/run.py $(if $(ONLY),--only $(ONLY)) --jobs $(JOBS)
 
 atlas: build  ## Solve the atlas of line contacts into cases/atlas (goes on where an earlier run ended)
 	@$(BUILD)/ehd atlas

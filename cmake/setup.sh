@@ -13,7 +13,7 @@ command -v dpkg-query > /dev/null 2>&1 || exit 0
 
 is_installed() {
   case "$1" in  # a tool counts wherever it comes from
-    g++ | cmake | pkg-config | valgrind) command -v "$1" > /dev/null 2>&1 && return 0 ;;
+    g++ | cmake | pkg-config | valgrind | python3) command -v "$1" > /dev/null 2>&1 && return 0 ;;
     ninja-build) command -v ninja > /dev/null 2>&1 && return 0 ;;
   esac
   dpkg-query -W -f '${db:Status-Status}\n' "$1" 2> /dev/null | grep -q '^installed$'
