@@ -91,8 +91,11 @@ Fields fields_of(const Run& run) {
 
 bool is_absolute(Quantity quantity) { return quantity == Quantity::film_offset || quantity == Quantity::approach; }
 
-void fill(Cost& cost, Run& run, Clock::time_point begin, double planning_before, long plans_before) {
+void fill_cost(SolveRecord& record, Run& run, Clock::time_point begin, double planning_before, long plans_before) {
   const Workspace& workspace = run.workspace;
+  Cost& cost = record.cost;
+  cost.nodes = record.grids.empty() ? 0 : record.grids.back().nodes;
+  cost.levels = static_cast<int>(record.grids.size());
   run.counters.clock.change_to(Stage::other);
   cost.planning_s = workspace.grids.planning_s() - planning_before;
   cost.convolutions = run.counters.convolutions;

@@ -38,8 +38,8 @@ NewtonResult newton_on(Run& run, State& state, const Target& target);
 /// film.offset and approach have absolute errors.
 [[nodiscard]] bool is_absolute(Quantity quantity);
 
-/// Counts and times of the run; `planning_before`, `plans_before`: of the workspace when the solve began.
-void fill(Cost& cost, Run& run, std::chrono::steady_clock::time_point begin, double planning_before,
-          long plans_before);
+/// Grids, counts and times of the run; `planning_before`, `plans_before`: of the workspace when the solve began.
+void fill_cost(SolveRecord& record, Run& run, std::chrono::steady_clock::time_point begin, double planning_before,
+               long plans_before);
 
 }  // namespace ehd::fast

@@ -309,9 +309,7 @@ Solution Uniform::solve(const Problem& problem, const Request& request, Workspac
     record.status = StopReason::converged;
   }
 
-  record.cost.nodes = solved ? record.grids.back().nodes : 0;
-  record.cost.levels = static_cast<int>(record.grids.size());
-  fill(record.cost, run, begin, planning_before, plans_before);
+  fill_cost(record, run, begin, planning_before, plans_before);
   return solution;
 }
 

@@ -39,7 +39,7 @@ const std::vector<TraceablePart>& traceable_parts() {
        {"kernel/two-codes", "twins/*", "box/*/agreement"}},
       {"readme/reference-digits", "reference: films to ten digits and more", {"*/certified/film.*"}},
       {"readme/fast-error-bars", "fast states what its grids prove: its errors hold the truth",
-       {"*/reference-fast/*", "random/fast*", "box/*/agreement"}},
+       {"*/reference-fast/*", "random-fast/*", "box/*/agreement"}},
       {"readme/atlas", "cases/atlas: 351 contacts with the digits that are known", {"atlas/files", "atlas/atlas-*"}},
       {"readme/isoviscous-limit", "the isoviscous elastic limit, film x M^(1/5) = 2.489479 and 1.982128",
        {"regimes/isoviscous-elastic-limit/*"}},

@@ -76,6 +76,11 @@ constexpr JacobianCase jacobian_cases[] = {{"uniform", false, false, false, fals
                                            {"mapped, tail", false, true, false, true},
                                            {"mapped, all", true, true, true, true}};
 
+std::shared_ptr<const Map> map_from(double inlet) {
+  return std::make_shared<const Map>(
+      MapShape{.inlet = inlet, .exit = 1.17, .scale = 1, .inlet_width = 0.37, .spike = 0.84, .spike_width = 0.19});
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(jacobian_product_is_the_derivative_of_the_residual) {
@@ -91,13 +96,7 @@ BOOST_AUTO_TEST_CASE(jacobian_product_is_the_derivative_of_the_residual) {
       constexpr int n = 96;
       Grids grids;
       if (mapped)
-        grids.use(std::make_shared<const Map>(MapShape{.inlet = setting.inlet,
-                                                       .exit = 1.17,
-                                                       .scale = 1,
-                                                       .inlet_width = 0.37,
-                                                       .spike = 0.84,
-                                                       .spike_width = 0.19}),
-                  robust_wedge);
+        grids.use(map_from(setting.inlet), robust_wedge);
       Grid& grid = grids.of(n);
       BOOST_CHECK_EQUAL(grid.bias.abs().maxCoeff() > 0.1, mapped);
       Counters counters;
@@ -152,12 +151,7 @@ BOOST_AUTO_TEST_CASE(the_first_pressure_deflects_with_its_half_of_a_cell_and_the
       constexpr int n = 96;
       Grids grids;
       if (mapped)
-        grids.use(std::make_shared<const Map>(MapShape{.inlet = setting.inlet,
-                                                       .exit = 1.17,
-                                                       .scale = 1,
-                                                       .inlet_width = 0.37,
-                                                       .spike = 0.84,
-                                                       .spike_width = 0.19}));
+        grids.use(map_from(setting.inlet));
       Grid& grid = grids.of(n);
       Counters counters;
       State state = first_iterate(setting, Shape::hertz, 0.21, grid);

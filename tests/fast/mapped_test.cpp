@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tests/check.hpp"
+#include "tests/fast/conformance.hpp"
 #include "tests/fast/problems.hpp"
 
 using namespace ehd;
@@ -286,34 +287,12 @@ BOOST_AUTO_TEST_CASE(plain_films_converge_with_the_declared_order_and_extrapolat
   BOOST_REQUIRE_EQUAL(rows, 4);
 }
 
-BOOST_AUTO_TEST_CASE(what_a_case_does_not_need_is_not_computed) {
-  const Solution trivial = fast::Mapped{}.solve(barus_problem(10, 0, TruncatedAt{-4}), {.tolerance = 1e-2});
-  BOOST_CHECK_EQUAL(trivial.record.cost.viscosity_points, 0);
-  BOOST_CHECK_EQUAL(trivial.record.cost.density_points, 0);
-  const Solution barus = fast::Mapped{}.solve(barus_problem(10, 5, TruncatedAt{-4}), {.tolerance = 1e-2});
-  BOOST_CHECK_GT(barus.record.cost.viscosity_points, 0);
-  BOOST_CHECK_EQUAL(barus.record.cost.density_points, 0);
-
-  Problem problem = roelands_problem(20, 10, TruncatedAt{-4});
-  problem.wanted = {Quantity::film_central};
-  const Solution one = fast::Mapped{}.solve(problem, {.tolerance = 1e-2});
-  BOOST_CHECK_EQUAL(one.observables.size(), 1u);
-  BOOST_CHECK(one.observables.contains(Quantity::film_central));
-}
+BOOST_AUTO_TEST_CASE(what_a_case_does_not_need_is_not_computed) { check_that_nothing_needless_is_computed(fast::Mapped{}); }
 
 BOOST_AUTO_TEST_CASE(multigrid_needs_one_or_two_krylov_steps_whatever_the_grid) {
-  int rows = 0;
-  for (const Truth& truth : {truths[0], truths[1], truths[3], truths[4]}) {
-    for (const int n : {512, 2048, 8192}) {
-      const Cost cost = fast::Mapped{}.solve(problem_of(truth), {.tolerance = {}, .nodes = n}).record.cost;
-      BOOST_TEST_CONTEXT(name_of(truth) << " n " << n) {
-        EHD_CHECK(static_cast<double>(cost.krylov_iterations) / static_cast<double>(cost.newton_iterations),
-                  Tolerance::required(2.5, "the method: 1..2 GMRES steps a Newton step"));
-      }
-      ++rows;
-    }
-  }
-  BOOST_REQUIRE_EQUAL(rows, 12);
+  std::vector<Problem> problems;
+  for (const Truth& truth : {truths[0], truths[1], truths[3], truths[4]}) problems.push_back(problem_of(truth));
+  check_krylov_steps(fast::Mapped{}, problems, {512, 2048, 8192});
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "tests/check.hpp"
+#include "tests/fast/conformance.hpp"
 #include "tests/fast/problems.hpp"
 
 using namespace ehd;
@@ -201,35 +202,13 @@ BOOST_AUTO_TEST_CASE(products_to_discretisation_error_do_not_depend_on_the_grid)
 }
 
 BOOST_AUTO_TEST_CASE(multigrid_needs_one_or_two_krylov_steps_whatever_the_grid) {
-  int rows = 0;
-  for (const auto& [M, L] : {std::pair{5.0, 5.0}, std::pair{20.0, 10.0}, std::pair{200.0, 15.0}}) {
-    for (const int n : {1024, 4096, 16384}) {
-      const Cost cost =
-          fast::Uniform{}.solve(roelands_problem(M, L, TruncatedAt{-4}), {.tolerance = {}, .nodes = n}).record.cost;
-      BOOST_TEST_CONTEXT("M " << M << " n " << n) {
-        EHD_CHECK(static_cast<double>(cost.krylov_iterations) / static_cast<double>(cost.newton_iterations),
-                  Tolerance::required(2.5, "the method: 1..2 GMRES steps a Newton step to M = 200, a few more from the start"));
-      }
-      ++rows;
-    }
-  }
-  BOOST_REQUIRE_EQUAL(rows, 9);
+  std::vector<Problem> problems;
+  for (const auto& [M, L] : {std::pair{5.0, 5.0}, std::pair{20.0, 10.0}, std::pair{200.0, 15.0}})
+    problems.push_back(roelands_problem(M, L, TruncatedAt{-4}));
+  check_krylov_steps(fast::Uniform{}, problems, {1024, 4096, 16384});
 }
 
-BOOST_AUTO_TEST_CASE(what_a_case_does_not_need_is_not_computed) {
-  const Solution trivial = fast::Uniform{}.solve(barus_problem(10, 0, TruncatedAt{-4}), {.tolerance = 1e-2});
-  BOOST_CHECK_EQUAL(trivial.record.cost.viscosity_points, 0);
-  BOOST_CHECK_EQUAL(trivial.record.cost.density_points, 0);
-  const Solution barus = fast::Uniform{}.solve(barus_problem(10, 5, TruncatedAt{-4}), {.tolerance = 1e-2});
-  BOOST_CHECK_GT(barus.record.cost.viscosity_points, 0);
-  BOOST_CHECK_EQUAL(barus.record.cost.density_points, 0);
-
-  Problem problem = roelands_problem(20, 10, TruncatedAt{-4});
-  problem.wanted = {Quantity::film_central};
-  const Solution one = fast::Uniform{}.solve(problem, {.tolerance = 1e-2});
-  BOOST_CHECK_EQUAL(one.observables.size(), 1u);
-  BOOST_CHECK(one.observables.contains(Quantity::film_central));
-}
+BOOST_AUTO_TEST_CASE(what_a_case_does_not_need_is_not_computed) { check_that_nothing_needless_is_computed(fast::Uniform{}); }
 
 BOOST_AUTO_TEST_CASE(grids_stop_at_the_coarsest_that_meets_the_tolerance) {
   const Problem problem = roelands_problem(20, 10, TruncatedAt{-4});

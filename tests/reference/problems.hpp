@@ -10,27 +10,21 @@
 
 namespace ehd::testing {
 
+inline Problem roelands_problem(MoesGroups moes, const Inlet& inlet, DensityLaw density, double alpha_per_Pa, double z,
+                                double p0_Pa) {
+  const Lubricant oil{.viscosity = ViscosityLaw::roelands, .density = density, .alpha_per_Pa = alpha_per_Pa, .z = z, .p0_Pa = p0_Pa};
+  return nondimensionalise(moes, oil, inlet).problem;
+}
+
 /// Roelands z = 0.68, alpha = 2.2e-8 1/Pa, p_0 = 1.96e8 Pa with Dowson-Higginson density: the data of the table of
 /// films computed independently with high-order collocation.
 inline Problem roelands_problem(double M, double L, Inlet inlet) {
-  Lubricant lubricant;
-  lubricant.viscosity = ViscosityLaw::roelands;
-  lubricant.density = DensityLaw::dowson_higginson;
-  lubricant.alpha_per_Pa = 2.2e-8;
-  lubricant.z = 0.68;
-  lubricant.p0_Pa = 1.96e8;
-  return nondimensionalise(MoesGroups{M, L}, lubricant, inlet).problem;
+  return roelands_problem({M, L}, inlet, DensityLaw::dowson_higginson, 2.2e-8, 0.68, 1.96e8);
 }
 
 /// Data that cannot be mistaken for another's: Roelands z = 0.55 and the second Dowson-Higginson form.
 inline Problem distinct_problem(double M, double L, Inlet inlet) {
-  Lubricant lubricant;
-  lubricant.viscosity = ViscosityLaw::roelands;
-  lubricant.density = DensityLaw::dowson_higginson_1977;
-  lubricant.alpha_per_Pa = 1.7e-8;
-  lubricant.z = 0.55;
-  lubricant.p0_Pa = 1.8e8;
-  return nondimensionalise(MoesGroups{M, L}, lubricant, inlet).problem;
+  return roelands_problem({M, L}, inlet, DensityLaw::dowson_higginson_1977, 1.7e-8, 0.55, 1.8e8);
 }
 
 /// Barus and incompressible; isoviscous where L = 0.

@@ -131,93 +131,95 @@ Findings judge_bars(bool roelands, int runs) {
   return found;
 }
 
-Findings judge_box(int runs) {
-  constexpr double tolerance = 1e-5;
-  const auto& solver = *find_solver("reference");
-  int converged = 0, physical = 0, physical_converged = 0;
-  double slowest = 0;
+/// Solves at random points of the box, one after another: how they ended, and what no solve may do.
+struct Ends {
+  int solves = 0, converged = 0, physical = 0, physical_converged = 0;
+  double slowest_s = 0;
   std::string slowest_at, dishonest, unsolved;
-  Draw draw(box_seed);
-  MoesGroups point;
-  for (int i = 0; i < 2 * runs; ++i) {
-    if (i % 2 == 0) point = draw.point();
-    Run run;
-    run.roelands = i % 2 == 1;
-    run.moes = point;
-    run.tolerance = tolerance;
-    const Problem problem = problem_of(run);
-    const Solution solution = solver.solve(problem, {.tolerance = tolerance, .time_limit_s = 60});
-    const bool ended = solution.record.status == StopReason::converged;
-    const bool of_oil = problem.groups.alpha_p_H / alpha_per_Pa <= highest_pressure_Pa;
-    converged += ended ? 1 : 0;
-    physical += of_oil ? 1 : 0;
-    physical_converged += of_oil && ended ? 1 : 0;
-    const double worst = worse(solution.record.film_minimum.total(), solution.record.film_central.total());
-    if (ended && !(worst <= tolerance && solution.fields.H.size() > 0 && solution.fields.H.allFinite()))
-      dishonest += " " + name_of(run) + ": converged with error " + plain(worst, 2) + ";";
-    if (!ended && solution.record.reason.empty())
-      dishonest += " " + name_of(run) + ": " + std::string(to_string(solution.record.status)) + " without a reason;";
-    if (!ended)
-      unsolved += (unsolved.empty() ? "" : "; ") + name_of(run) + ": " + std::string(to_string(solution.record.status));
-    if (solution.record.cost.wall_s > slowest) {
-      slowest = solution.record.cost.wall_s;
-      slowest_at = name_of(run);
-    }
-  }
-  const std::string counts = std::to_string(converged) + " of " + std::to_string(2 * runs) + " converged, " +
-                             std::to_string(physical_converged) + " of " + std::to_string(physical) +
-                             " up to 4 GPa; slowest " + plain(slowest, 2) + " s at " + slowest_at +
-                             (unsolved.empty() ? "" : "; not: " + unsolved);
-  Findings found;
-  found.claims.push_back(claim({.id = "random-box/converged",
-                                .rung = 6,
-                                .statement = "the reference converges to 1e-5 at " + std::to_string(2 * runs) +
-                                             " random flooded points of both law sets where p_H is up to 4 GPa",
-                                .solver = "reference"},
-                               physical > 0 ? 1 - physical_converged / static_cast<double>(physical) : nothing, 0,
-                               Tolerance::required(0.03, "at least 97 points in 100"), counts));
-  found.claims.push_back(
-      claim_fact({.id = "random-box/honest",
-                  .rung = 6,
-                  .statement = "every one of these points ends converged within its error, or says why not",
-                  .solver = "reference"},
-                 dishonest.empty(), "of every solve", dishonest.empty() ? counts : dishonest));
-  return found;
-}
 
-Findings judge_fast(double tolerance, int runs) {
-  const auto &fast = *find_solver("fast"), &reference = *find_solver("reference");
-  const int points = 2 * fast_points_a_run * runs;
-  int converged = 0, physical = 0, physical_converged = 0, judged = 0, covered = 0, without_truth = 0;
-  double slowest = 0, worst = 0;
-  std::string slowest_at, dishonest, unsolved, beyond;
-  Draw draw(fast_seed);
-  MoesGroups point;
-  for (int i = 0; i < points; ++i) {
-    if (i % 2 == 0) point = draw.point();
-    Run run;
-    run.roelands = i % 2 == 1;
-    run.moes = point;
-    run.tolerance = tolerance;
-    const Problem problem = problem_of(run);
-    const Solution solution = fast.solve(problem, {.tolerance = tolerance, .time_limit_s = 60});
+  void add(const Run& run, const Problem& problem, const Solution& solution) {
     const bool ended = solution.record.status == StopReason::converged;
     const bool of_oil = problem.groups.alpha_p_H / alpha_per_Pa <= highest_pressure_Pa;
+    ++solves;
     converged += ended ? 1 : 0;
     physical += of_oil ? 1 : 0;
     physical_converged += of_oil && ended ? 1 : 0;
     const double bar = worse(solution.record.film_minimum.total(), solution.record.film_central.total());
-    if (ended && !(bar <= tolerance && solution.fields.H.size() > 0 && solution.fields.H.allFinite()))
+    if (ended && !(bar <= run.tolerance && solution.fields.H.size() > 0 && solution.fields.H.allFinite()))
       dishonest += " " + name_of(run) + ": converged with error " + plain(bar, 2) + ";";
     if (!ended && solution.record.reason.empty())
       dishonest += " " + name_of(run) + ": " + std::string(to_string(solution.record.status)) + " without a reason;";
     if (!ended)
       unsolved += (unsolved.empty() ? "" : "; ") + name_of(run) + ": " + std::string(to_string(solution.record.status)) +
                   (of_oil ? "" : " (above 4 GPa)");
-    if (solution.record.cost.wall_s > slowest) {
-      slowest = solution.record.cost.wall_s;
+    if (solution.record.cost.wall_s > slowest_s) {
+      slowest_s = solution.record.cost.wall_s;
       slowest_at = name_of(run);
     }
+  }
+  /// Share of the points up to 4 GPa that did not converge; NaN where there were none.
+  [[nodiscard]] double physical_missed() const {
+    return physical > 0 ? 1 - physical_converged / static_cast<double>(physical) : nothing;
+  }
+  [[nodiscard]] std::string text() const {
+    return std::to_string(converged) + " of " + std::to_string(solves) + " converged, " + std::to_string(physical_converged) +
+           " of " + std::to_string(physical) + " up to 4 GPa; slowest " + plain(slowest_s, 2) + " s at " + slowest_at +
+           (unsolved.empty() ? "" : "; not: " + unsolved);
+  }
+};
+
+/// Both laws at every point drawn.
+Run next_run(Draw& draw, MoesGroups& point, int i, double tolerance) {
+  if (i % 2 == 0) point = draw.point();
+  Run run;
+  run.roelands = i % 2 == 1;
+  run.moes = point;
+  run.tolerance = tolerance;
+  return run;
+}
+
+Findings judge_box(int runs) {
+  constexpr double tolerance = 1e-5;
+  const auto& solver = *find_solver("reference");
+  Ends ends;
+  Draw draw(box_seed);
+  MoesGroups point;
+  for (int i = 0; i < 2 * runs; ++i) {
+    const Run run = next_run(draw, point, i, tolerance);
+    const Problem problem = problem_of(run);
+    ends.add(run, problem, solver.solve(problem, {.tolerance = tolerance, .time_limit_s = 60}));
+  }
+  Findings found;
+  found.claims.push_back(claim({.id = "random-box/converged",
+                                .rung = 6,
+                                .statement = "the reference converges to 1e-5 at " + std::to_string(2 * runs) +
+                                             " random flooded points of both law sets where p_H is up to 4 GPa",
+                                .solver = "reference"},
+                               ends.physical_missed(), 0,
+                               Tolerance::required(0.03, "at least 97 points in 100"), ends.text()));
+  found.claims.push_back(
+      claim_fact({.id = "random-box/honest",
+                  .rung = 6,
+                  .statement = "every one of these points ends converged within its error, or says why not",
+                  .solver = "reference"},
+                 ends.dishonest.empty(), "of every solve", ends.dishonest.empty() ? ends.text() : ends.dishonest));
+  return found;
+}
+
+Findings judge_fast(double tolerance, int runs) {
+  const auto &fast = *find_solver("fast"), &reference = *find_solver("reference");
+  const int points = 2 * fast_points_a_run * runs;
+  Ends ends;
+  int judged = 0, covered = 0, without_truth = 0;
+  double worst = 0;
+  std::string beyond;
+  Draw draw(fast_seed);
+  MoesGroups point;
+  for (int i = 0; i < points; ++i) {
+    const Run run = next_run(draw, point, i, tolerance);
+    const Problem problem = problem_of(run);
+    const Solution solution = fast.solve(problem, {.tolerance = tolerance, .time_limit_s = 60});
+    ends.add(run, problem, solution);
     // Both laws in turn: 0, 11, 20, 31, …
     if (i % points_a_truth != (i / points_a_truth) % 2) continue;
     const Solution truth =
@@ -237,10 +239,6 @@ Findings judge_fast(double tolerance, int runs) {
     covered += known && inside ? 1 : 0;
     without_truth += known ? 0 : 1;
   }
-  const std::string counts = std::to_string(converged) + " of " + std::to_string(points) + " converged, " +
-                             std::to_string(physical_converged) + " of " + std::to_string(physical) +
-                             " up to 4 GPa; slowest " + plain(slowest, 2) + " s at " + slowest_at +
-                             (unsolved.empty() ? "" : "; not: " + unsolved);
   const std::string at = plain(tolerance), id = "random-fast/" + at;
   Findings found;
   found.claims.push_back(claim({.id = id + "/converged",
@@ -248,14 +246,14 @@ Findings judge_fast(double tolerance, int runs) {
                                 .statement = "fast converges to " + at + " at " + std::to_string(points) +
                                              " random flooded points of both law sets where p_H is up to 4 GPa",
                                 .solver = "fast"},
-                               physical > 0 ? 1 - physical_converged / static_cast<double>(physical) : nothing, 0,
-                               Tolerance::required(0.01, "at least 99 points in 100"), counts));
+                               ends.physical_missed(), 0,
+                               Tolerance::required(0.01, "at least 99 points in 100"), ends.text()));
   found.claims.push_back(
       claim_fact({.id = id + "/honest",
                   .rung = 6,
                   .statement = "fast ends every one of these points converged within its error, or says why not (" + at + ")",
                   .solver = "fast"},
-                 dishonest.empty(), "of every solve", dishonest.empty() ? counts : dishonest));
+                 ends.dishonest.empty(), "of every solve", ends.dishonest.empty() ? ends.text() : ends.dishonest));
   found.claims.push_back(
       claim({.id = id + "/covered",
              .rung = 8,
