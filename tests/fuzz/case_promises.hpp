@@ -96,6 +96,8 @@ inline std::string broken_by_problem(const Problem& problem) {
   if (!(positive(groups.M) && not_negative(groups.L) && positive(groups.lambda) && not_negative(groups.alpha_p_H)))
     return "M, L, lambda, alpha p_H = " + plain(groups.M) + ", " + plain(groups.L) + ", " + plain(groups.lambda) + ", " +
            plain(groups.alpha_p_H);
+  if (!(groups.M >= smallest_M && groups.M <= largest_M && groups.L <= largest_L))
+    return "M = " + plain(groups.M) + " or L = " + plain(groups.L) + " is out of range";
   Array pressure(3);
   pressure << 0, 1, 4;
   const auto log_viscosity = evaluate(problem.viscosity, pressure);
