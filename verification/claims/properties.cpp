@@ -171,8 +171,8 @@ Findings judge_similarity() {
     }
     for (int j = 0; j < 2; ++j) {
       const double apart = std::abs(film[1][j] / film[0][j] - 1), ratio = apart / (error[0][j] + error[1][j]);
-      if (!(ratio <= worst)) worst = ratio;
-      difference = std::max(difference, apart);
+      worst = worse(worst, ratio);
+      difference = worse(difference, apart);
     }
   }
   Findings found;
@@ -267,7 +267,7 @@ Findings judge_lines(bool roelands) {
               b.value * moes_film_per_hertz_film(at.M) * root_U / (a.value * moes_film_per_hertz_film(at_before.M));
           const double change = speed ? std::log(grows) : -std::log(grows), errors = a.error + b.error;
           ++(change > errors ? count.right : change < -errors ? count.wrong : count.undecided);
-          count.smallest = std::min(count.smallest, change / errors);
+          count.smallest = std::min(count.smallest, change / errors);  // shown beside the verdict, no part of it
           if (change < -errors)
             against[speed] += " " + std::string(to_string(film)) + " at M = " + plain(at.M, 4) + ", L = " + plain(at.L, 4) + ";";
         }
@@ -315,7 +315,7 @@ Findings judge_flux() {
       const double value = solution.record.status == StopReason::converged && seen != solution.observables.end()
                                ? seen->second.value
                                : nothing;
-      if (!(value <= worst)) {
+      if (!(value <= worst) && !std::isnan(worst)) {
         worst = value;
         worst_at = "worst at M = " + plain(at.M, 4) + ", L = " + plain(at.L, 4) + (roelands ? ", Roelands" : ", Barus") +
                    (flooded ? ", flooded" : ", cut at -4");
@@ -374,8 +374,8 @@ double forces_apart(const DrawnBearing& one, const bearing::Geometry& turned, Pa
     const auto& roller = x->rollers[static_cast<std::size_t>(i)];
     const auto& other = y->rollers[static_cast<std::size_t>(other_of(i, count))];
     sum += roller.inner.force_N;
-    apart = std::max({apart, std::abs(roller.inner.force_N - other.inner.force_N),
-                      std::abs(roller.outer.force_N - other.outer.force_N)});
+    apart = worse(apart, std::abs(roller.inner.force_N - other.inner.force_N),
+                  std::abs(roller.outer.force_N - other.outer.force_N));
   }
   return apart / std::max(one.loading.radial_N, sum);
 }
@@ -384,9 +384,7 @@ Findings judge_bearing_symmetry() {
   constexpr int bearings = 60;
   Draw draw(bearing_seed);
   double mirrored = 0, turned_by_a_pitch = 0, displaced = 0, other_ring = 0, both_rings = 0;
-  const auto keep = [](double& worst, double value) {
-    if (!(value <= worst)) worst = value;
-  };
+  const auto keep = [](double& worst, double value) { worst = worse(worst, value); };
   for (int i = 0; i < bearings; ++i) {
     const DrawnBearing one = drawn_bearing(draw, i);
     bearing::Geometry turned = one.geometry;
