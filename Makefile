@@ -21,7 +21,7 @@ space := $() $()
 .PHONY: help setup configure build verify test fuzz sanitize sanitize-threads bench callgrind kernels mutants atlas format clean
 
 help:       ## List the targets
-	@sed -n 's/^\([a-z][a-z-]*\):[^#]*## \(.*\)/  make \1\t\2/p' $(firstword $(MAKEFILE_LIST)) | expand -t 18
+	@sed -n 's/^\([a-z][a-z-]*\):[^#]*## \(.*\)/  make \1\t\2/p' $(firstword $(MAKEFILE_LIST)) | expand -t 25
 
 setup:      ## Install the apt packages that are missing (as root; otherwise say which)
 	@sh cmake/setup.sh
