@@ -1,17 +1,27 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# A thin front for CMake: what a new user types. Variables: BUILD (folder), JOBS, CMAKE_FLAGS (passed to CMake).
+# A thin front for CMake: what a new user types. Variables: BUILD (folder), JOBS, CMAKE_FLAGS (passed to CMake),
+# CTEST_FLAGS (passed to ctest), FUZZ_SECONDS.
 
 BUILD ?= build
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 CMAKE_FLAGS ?=
+CTEST_FLAGS ?=
+FUZZ_SECONDS ?= 60
 # Ninja where it is installed; a build folder keeps the generator that it was made with.
 GENERATOR = $(if $(wildcard $(BUILD)/CMakeCache.txt),,$(if $(shell command -v ninja 2>/dev/null),-G Ninja))
 
+# -O1: with the checks in, higher levels cost more to build than they save. Lines are enough to read a finding.
+SANITIZER_FLAGS = -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=RelWithDebInfo \
+  -DCMAKE_CXX_FLAGS_RELWITHDEBINFO='-O1 -gline-tables-only'
+
+SANITIZED ?= contact reference fast bearing verification
+space := $() $()
+
 .DEFAULT_GOAL := help
-.PHONY: help setup configure build verify test bench callgrind kernels mutants atlas format clean
+.PHONY: help setup configure build verify test fuzz sanitize sanitize-threads bench callgrind kernels mutants atlas format clean
 
 help:       ## List the targets
-	@sed -n 's/^\([a-z][a-z-]*\):[^#]*## \(.*\)/  make \1\t\2/p' $(firstword $(MAKEFILE_LIST)) | expand -t 18
+	@sed -n 's/^\([a-z][a-z-]*\):[^#]*## \(.*\)/  make \1\t\2/p' $(firstword $(MAKEFILE_LIST)) | expand -t 25
 
 setup:      ## Install the apt packages that are missing (as root; otherwise say which)
 	@sh cmake/setup.sh
@@ -30,7 +40,32 @@ verify: build  ## Balance the paper's bearing, run the verification suite; resul
 
 test: configure  ## Build and run every test
 	@cmake --build $(BUILD) --parallel $(JOBS)
-	@ctest --test-dir $(BUILD) --output-on-failure --parallel $(JOBS)
+	@ctest --test-dir $(BUILD) --output-on-failure --parallel $(JOBS) $(CTEST_FLAGS)
+
+fuzz:       ## Make up case files for the reader until one breaks a promise, by libFuzzer (needs clang; 3 minutes, 1 of it fuzzing)
+	@sh cmake/setup.sh clang libclang-rt-dev
+	@$(MAKE) --no-print-directory configure BUILD=$(BUILD)-fuzz \
+	  CMAKE_FLAGS="-DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Debug -DEHD_NATIVE=OFF $(CMAKE_FLAGS)"
+	@cmake --build $(BUILD)-fuzz --parallel $(JOBS) --target ehd_case_fuzz
+	@tests/fuzz/run.sh $(BUILD)-fuzz/ehd_case_fuzz $(FUZZ_SECONDS)
+
+# SANITIZED: folders of tests/. A test that takes minutes here has the label slow-sanitized, with its reason in
+# tests/CMakeLists.txt.
+sanitize:   ## Tests with AddressSanitizer and UndefinedBehaviorSanitizer by clang (SANITIZED="contact fast": some; 15 minutes)
+	@sh cmake/setup.sh clang libclang-rt-dev
+	@$(MAKE) --no-print-directory configure BUILD=$(BUILD)-sanitize \
+	  CMAKE_FLAGS="$(SANITIZER_FLAGS) -DEHD_SANITIZE=address,undefined $(CMAKE_FLAGS)"
+	@cmake --build $(BUILD)-sanitize --parallel $(JOBS) --target $(SANITIZED:%=test_%)
+	@ctest --test-dir $(BUILD)-sanitize --output-on-failure --parallel $(JOBS) --label-exclude '^slow-sanitized$$' --no-tests=error \
+	  --tests-regex '^($(subst $(space),|,$(strip $(SANITIZED))))\.' $(CTEST_FLAGS)
+
+sanitize-threads:  ## The tests that use threads, and part of the suite, with ThreadSanitizer by clang (8 minutes)
+	@sh cmake/setup.sh clang libclang-rt-dev
+	@$(MAKE) --no-print-directory configure BUILD=$(BUILD)-threads \
+	  CMAKE_FLAGS="$(SANITIZER_FLAGS) -DEHD_SANITIZE=thread $(CMAKE_FLAGS)"
+	@cmake --build $(BUILD)-threads --parallel $(JOBS) --target test_verification ehd_program
+	@ctest --test-dir $(BUILD)-threads --output-on-failure --label-regex '^threads$$' --no-tests=error $(CTEST_FLAGS)
+	@$(BUILD)-threads/ehd verify --quick --rung 7
 
 bench: build  ## Run time and work against achieved error, scaling, batches; results in out/bench (10 minutes)
 	@$(BUILD)/ehd bench --output out/bench

@@ -14,6 +14,8 @@ command -v dpkg-query > /dev/null 2>&1 || exit 0
 is_installed() {
   case "$1" in  # a tool counts wherever it comes from
     g++ | cmake | pkg-config | valgrind | python3) command -v "$1" > /dev/null 2>&1 && return 0 ;;
+    clang) command -v clang++ > /dev/null 2>&1 && return 0 ;;
+    libclang-rt-dev) ls "$(clang++ -print-runtime-dir 2> /dev/null)"/libclang_rt.fuzzer-*.a > /dev/null 2>&1 && return 0 ;;
     ninja-build) command -v ninja > /dev/null 2>&1 && return 0 ;;
   esac
   dpkg-query -W -f '${db:Status-Status}\n' "$1" 2> /dev/null | grep -q '^installed$'

@@ -86,7 +86,8 @@ RoelandsInSI roelands_in_SI(const Lubricant& lubricant, std::optional<double> vi
     need_span("z");
     const double z = *lubricant.alpha_per_Pa * lubricant.p0_Pa / span;
     if (!(z > 0))
-      throw StatementError("lubricant.alpha_per_Pa", "roelands needs z > 0, which needs alpha_per_Pa > 0");
+      throw StatementError("lubricant.alpha_per_Pa", "makes z = " + number(z) + " by alpha = z (ln eta_0 + 9.67)/p_0; " +
+                                                         "roelands needs alpha_per_Pa > 0");
     return {*lubricant.alpha_per_Pa, z};
   }
   throw StatementError("lubricant.alpha_per_Pa", "is missing; roelands needs alpha_per_Pa, z or both");

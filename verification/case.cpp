@@ -134,10 +134,10 @@ std::string dotted(const std::string& table, std::string_view key) {
 /// [[expect]] are "expect.0", "expect.1", ….
 class Reader {
  public:
-  explicit Reader(const std::filesystem::path& file) {
+  /// `text` as checked_case_text leaves it.
+  Reader(const std::string& text, const std::filesystem::path& file) {
     case_.file = file;
     case_.lines[""] = 1;
-    const std::string text = read_case_text(file);
     lines_ = lines_of(text);
     parse(text);
     index_top();
@@ -771,7 +771,11 @@ CaseError case_error(const Case& where, const std::string& key, const std::strin
   return CaseError(one_line(text + message));
 }
 
-Case read_case(const std::filesystem::path& file) { return Reader(file).read(); }
+Case read_case(const std::filesystem::path& file) { return Reader(read_case_text(file), file).read(); }
+
+Case read_case(std::string text, const std::filesystem::path& file) {
+  return Reader(checked_case_text(std::move(text), file), file).read();
+}
 
 std::filesystem::path cases_folder() {
   const char* folder = std::getenv("EHD_CASES");

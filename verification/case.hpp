@@ -107,6 +107,9 @@ struct Case {
 /// groups' range included (nondimensionalise is tried).
 [[nodiscard]] Case read_case(const std::filesystem::path& file);
 
+/// The same of a text that is at hand, as if it stood in `file`: its name is the id, and stands in messages.
+[[nodiscard]] Case read_case(std::string text, const std::filesystem::path& file);
+
 /// A CASE argument: a path to a TOML file (it holds a '/' or ends in .toml), or the id of one in cases/ or a folder in
 /// it (cases/atlas); a file of another name only where no case has it for an id. Throws CaseError.
 [[nodiscard]] std::filesystem::path find_case(const std::string& path_or_id);

@@ -37,10 +37,6 @@ std::string read_bytes(const std::filesystem::path& file) {
     bytes.resize(static_cast<std::size_t>(stream.gcount()));
   }
   if (!stream.is_open() || stream.bad()) refuse(file, 0, "cannot be read; allowed is a readable case file (TOML)");
-  // Before anything else is said of it: what a picture or a program holds otherwise is of no interest.
-  if (bytes.find('\0') != std::string::npos) refuse(file, 0, "is binary; allowed is a case file (TOML)");
-  if (bytes.size() > largest_file)
-    refuse(file, 0, "is larger than 64 KiB; allowed is a case file (TOML), which is small");
   return bytes;
 }
 
@@ -115,8 +111,13 @@ std::vector<std::string> lines_of(std::string_view text) {
   return lines;
 }
 
-std::string read_case_text(const std::filesystem::path& file) {
-  std::string text = read_bytes(file);
+std::string read_case_text(const std::filesystem::path& file) { return checked_case_text(read_bytes(file), file); }
+
+std::string checked_case_text(std::string text, const std::filesystem::path& file) {
+  // Before anything else is said of it: what a picture or a program holds otherwise is of no interest.
+  if (text.find('\0') != std::string::npos) refuse(file, 0, "is binary; allowed is a case file (TOML)");
+  if (text.size() > largest_file)
+    refuse(file, 0, "is larger than 64 KiB; allowed is a case file (TOML), which is small");
   if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
   if (text.find_first_not_of(" \t\r\n") == std::string::npos)
     refuse(file, 0, "is empty; allowed is a case file (TOML)");

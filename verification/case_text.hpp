@@ -15,6 +15,9 @@ namespace ehd::verification {
 /// on both), lines longer than 2000 bytes (keys nested by the thousand would exhaust the parser's stack).
 [[nodiscard]] std::string read_case_text(const std::filesystem::path& file);
 
+/// The same of bytes that are at hand; `file` names them in messages.
+[[nodiscard]] std::string checked_case_text(std::string bytes, const std::filesystem::path& file);
+
 /// Its lines, without line ends (LF or CRLF).
 [[nodiscard]] std::vector<std::string> lines_of(std::string_view text);
 

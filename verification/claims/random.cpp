@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <random>
 #include <string>
 
+#include "verification/claims/draw.hpp"
 #include "verification/claims/oils.hpp"
 #include "verification/claims/topics.hpp"
 #include "verification/registry.hpp"
@@ -39,24 +39,6 @@ std::string name_of(const Run& run) {
   return "M = " + plain(run.moes.M) + ", L = " + plain(run.moes.L) + (run.roelands ? ", Roelands, " : ", Barus, ") +
          (cut ? "inlet " + plain(cut->x) : "flooded") + ", tolerance " + plain(run.tolerance);
 }
-
-class Draw {
- public:
-  explicit Draw(unsigned seed) : random_(seed) {}
-  /// Not std::uniform_real_distribution, whose numbers depend on the library.
-  double uniform(double from, double to) {
-    return from + (to - from) * (static_cast<double>(random_()) / 4294967296.0);
-  }
-  /// M 0.05..5000 logarithmically, L 0..30, to four digits.
-  MoesGroups point() {
-    const double M = std::pow(10, uniform(std::log10(0.05), std::log10(5000)));
-    return {digits(M, 4), digits(uniform(0, 30), 4)};
-  }
-  static double digits(double value, int count) { return std::stod(plain(value, count)); }
-
- private:
-  std::mt19937 random_;
-};
 
 /// The tolerance 1e-3..1e-8 (Barus 1e-5: truth ends before) equally likely in its logarithm; half of the runs flooded,
 /// the other half, from M = 2 on, cut at -2.5..-10.

@@ -31,6 +31,7 @@ struct LoadedCase {
 
 [[nodiscard]] std::vector<Topic> input_topics();
 [[nodiscard]] std::vector<Topic> law_topics();
+[[nodiscard]] std::vector<Topic> property_topics();
 [[nodiscard]] std::vector<Topic> kernel_topics();
 [[nodiscard]] std::vector<Topic> exact_topics();
 [[nodiscard]] std::vector<Topic> reynolds_topics();

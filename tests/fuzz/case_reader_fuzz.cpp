@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// libFuzzer on the case reader, and on everything that a case goes through before a contact is solved. `make fuzz`;
+// tests/README.md tells what becomes of a finding.
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <random>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tests/fuzz/case_promises.hpp"
+#include "verification/case_text.hpp"
+
+extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t largest);
+
+namespace {
+
+/// A number as a hostile user writes it: the edges of what is allowed and of a double, or any size and sign.
+std::string any_number(std::mt19937& random) {
+  static const std::vector<std::string> edges{
+      "0",    "-0.0", "1",     "-1",    "0.5",  "0.49999999999999994", "3",      "400",     "100",     "100.00000000000001",
+      "1e-3", "1e6",  "1e-9",  "1e-6",  "1e-12", "1e12",               "1e15",   "1e-15",   "1e3",     "1e7",
+      "1e9",  "-1e6", "1e-300", "5e-324", "1e308", "nan",              "inf",    "-inf",    "9223372036854775807",
+      "1.0000000000000002", "-1.0000000000000002"};
+  if (random() % 2 == 0) return edges[random() % edges.size()];
+  const int digits = static_cast<int>(random() % 99999) + 1, exponent = static_cast<int>(random() % 41) - 24;
+  return (random() % 8 == 0 ? "-" : "") + std::to_string(digits) + "e" + std::to_string(exponent);
+}
+
+/// One line of the text drawn twice over, left out, or given another number: what byte mutations rarely hit upon.
+std::string with_another_line(std::string_view text, std::mt19937& random) {
+  std::vector<std::string> lines = ehd::verification::lines_of(text);
+  const std::size_t at = random() % lines.size();
+  switch (random() % 8) {
+    case 0: lines.insert(lines.begin() + static_cast<std::ptrdiff_t>(random() % lines.size()), lines[at]); break;
+    case 1: lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(at)); break;
+    default:
+      if (const auto sign = lines[at].find('='); sign != std::string::npos)
+        lines[at] = lines[at].substr(0, sign + 1) + " " + any_number(random);
+  }
+  std::string mutated;
+  for (const auto& line : lines) mutated += line + "\n";
+  return mutated;
+}
+
+}  // namespace
+
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t largest, unsigned seed) {
+  std::mt19937 random(seed);
+  if (size == 0 || random() % 2 == 0) return LLVMFuzzerMutate(data, size, largest);
+  std::string text(reinterpret_cast<const char*>(data), size);
+  for (unsigned i = 0; i <= random() % 3; ++i) text = with_another_line(text, random);
+  const std::size_t length = std::min(text.size(), largest);
+  std::memcpy(data, text.data(), length);
+  return length;
+}
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view bytes(reinterpret_cast<const char*>(data), size);
+  const std::string broken = ehd::verification::promises::broken(bytes);
+  if (!broken.empty()) {
+    std::fprintf(stderr, "broken promise: %s\n", broken.c_str());
+    std::abort();  // libFuzzer keeps the input
+  }
+  return 0;
+}

@@ -1,0 +1,451 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What must hold whatever the numbers are: units, similarity, monotony, scaling laws, symmetry, conservation. Inputs are
+// drawn from fixed seeds over what bearings and gears run at; no truth is needed, so no solver vouches for another.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "bearing/equilibrium.hpp"
+#include "verification/claims/draw.hpp"
+#include "verification/claims/oils.hpp"
+#include "verification/claims/topics.hpp"
+#include "verification/registry.hpp"
+#include "verification/text.hpp"
+
+namespace ehd::verification {
+
+namespace {
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr unsigned unit_seed = 20261124, similar_seed = 20261125, line_seed = 20261126, flux_seed = 20261127,
+                   bearing_seed = 20261128;
+
+struct StatedContact {
+  Conditions conditions;
+  Lubricant lubricant;
+};
+
+/// A contact of steel, or of something a quarter as stiff, whose groups lie well inside the box.
+StatedContact drawn_contact(Draw& draw, ViscosityLaw viscosity) {
+  for (;;) {
+    StatedContact drawn;
+    drawn.conditions = {.load_N_per_m = draw.logarithmic(1e3, 1e6),
+                        .reduced_radius_m = draw.logarithmic(1e-3, 1e-1),
+                        .reduced_modulus_Pa = draw.uniform(0.6e11, 2.4e11),
+                        .speed_sum_m_per_s = draw.logarithmic(1e-2, 30),
+                        .viscosity_Pa_s = draw.logarithmic(2e-3, 0.5)};
+    drawn.lubricant = {.viscosity = viscosity,
+                       .density = DensityLaw::incompressible,  // the constants of the others are in Pa, whatever the units
+                       .alpha_per_Pa = draw.uniform(0.8e-8, 2.5e-8),
+                       .z = viscosity == ViscosityLaw::roelands ? std::optional(draw.uniform(0.4, 0.8)) : std::nullopt,
+                       .p0_Pa = draw.uniform(1.9e8, 2e8)};
+    const double ER = drawn.conditions.reduced_modulus_Pa * drawn.conditions.reduced_radius_m;
+    const double U = *drawn.conditions.viscosity_Pa_s * *drawn.conditions.speed_sum_m_per_s / ER;
+    const double M = drawn.conditions.load_N_per_m / ER / std::sqrt(U);
+    const double L = *drawn.lubricant.alpha_per_Pa * drawn.conditions.reduced_modulus_Pa * std::pow(U, 0.25);
+    if (M >= 0.5 && M <= 500 && L >= 1 && L <= 20) return drawn;
+  }
+}
+
+const Reading* film_of(const Solution& solution, Quantity film) {
+  const auto at = solution.observables.find(film);
+  const bool known = solution.record.status == StopReason::converged && at != solution.observables.end() &&
+                     at->second.error && std::isfinite(at->second.value);
+  return known ? &at->second : nullptr;
+}
+
+constexpr Quantity films[] = {Quantity::film_minimum, Quantity::film_central};
+
+// ---- Rung 0: units ------------------------------------------------------------------------------------------------
+
+/// The same contact where the metre, the newton and the second are called 1/length, 1/force and 1/time.
+StatedContact in_units(StatedContact contact, double length, double force, double time) {
+  const double pressure = force / (length * length);
+  contact.conditions.load_N_per_m *= force / length;
+  contact.conditions.reduced_radius_m *= length;
+  contact.conditions.reduced_modulus_Pa *= pressure;
+  *contact.conditions.speed_sum_m_per_s *= length / time;
+  *contact.conditions.viscosity_Pa_s *= pressure * time;
+  *contact.lubricant.alpha_per_Pa /= pressure;
+  contact.lubricant.p0_Pa *= pressure;
+  return contact;
+}
+
+/// Every number that a solver sees.
+std::vector<double> numbers_of(const Problem& problem) {
+  std::vector<double> numbers{problem.groups.M, problem.groups.L, problem.groups.lambda, problem.groups.alpha_p_H};
+  if (const auto* barus = std::get_if<Barus>(&problem.viscosity)) numbers.push_back(barus->alpha);
+  if (const auto* roelands = std::get_if<Roelands>(&problem.viscosity))
+    numbers.insert(numbers.end(), {roelands->alpha, roelands->p0, roelands->z});
+  return numbers;
+}
+
+/// Powers of two change no digit. Lengths go by powers of four: b holds the square root of one.
+Findings judge_units() {
+  constexpr int contacts = 200, solved = 4;
+  Draw draw(unit_seed);
+  int same = 0, films_same = 0, films_seen = 0;
+  for (int i = 0; i < contacts; ++i) {
+    const auto law = i % 2 == 0 ? ViscosityLaw::roelands : ViscosityLaw::barus;
+    const StatedContact one = drawn_contact(draw, law);
+    const StatedContact other = in_units(one, std::pow(4.0, draw.integer(-8, 8)), std::pow(2.0, draw.integer(-20, 20)),
+                                         std::pow(2.0, draw.integer(-12, 12)));
+    const Problem in_SI = nondimensionalise(one.conditions, one.lubricant, Flooded{}).problem;
+    const Problem in_others = nondimensionalise(other.conditions, other.lubricant, Flooded{}).problem;
+    same += numbers_of(in_SI) == numbers_of(in_others) ? 1 : 0;
+    if (i >= solved) continue;
+    const Solution a = find_solver("fast")->solve(in_SI, {}), b = find_solver("fast")->solve(in_others, {});
+    for (const Quantity film : films) {
+      const Reading *x = film_of(a, film), *y = film_of(b, film);
+      ++films_seen;
+      films_same += x && y && x->value == y->value && *x->error == *y->error ? 1 : 0;
+    }
+  }
+  Findings found;
+  found.claims.push_back(claim_fact(
+      {.id = "properties/units/problem",
+       .rung = 0,
+       .statement = std::to_string(contacts) +
+                    " random contacts in units that differ by powers of two are bit for bit the same dimensionless problem"},
+      same == contacts, "only similarity groups enter", std::to_string(same) + " of " + std::to_string(contacts)));
+  found.claims.push_back(claim_fact({.id = "properties/units/films",
+                                     .rung = 0,
+                                     .statement = "and " + std::to_string(solved) + " of them have films and errors that are the same bit for bit",
+                                     .solver = "fast"},
+                                    films_same == films_seen && films_seen > 0, "a solver sees groups alone",
+                                    std::to_string(films_same) + " of " + std::to_string(films_seen) + " films"));
+  return found;
+}
+
+// ---- Rung 9: similarity, scaling laws, monotony -----------------------------------------------------------------
+
+/// h/R U_s^(-1/2) by its definition, from the film in metres.
+double moes_film(const Conditions& conditions, double film_m) {
+  const double U = *conditions.viscosity_Pa_s * *conditions.speed_sum_m_per_s /
+                   (conditions.reduced_modulus_Pa * conditions.reduced_radius_m);
+  return film_m / conditions.reduced_radius_m / std::sqrt(U);
+}
+
+/// Another contact with the same M and L: E', R and eta_0 are drawn, w, u_s and alpha follow.
+StatedContact similar_to(const StatedContact& one, Draw& draw) {
+  const Conditions& from = one.conditions;
+  StatedContact other = one;
+  Conditions& to = other.conditions;
+  to.reduced_modulus_Pa *= draw.uniform(0.2, 0.9);
+  to.reduced_radius_m *= draw.uniform(1.1, 7);
+  *to.viscosity_Pa_s *= draw.uniform(0.1, 0.9);
+  const double U_ratio = draw.uniform(0.2, 5);  // W ~ U^(1/2), G ~ U^(-1/4)
+  const double ER_ratio = to.reduced_modulus_Pa * to.reduced_radius_m / (from.reduced_modulus_Pa * from.reduced_radius_m);
+  *to.speed_sum_m_per_s *= U_ratio * ER_ratio * *from.viscosity_Pa_s / *to.viscosity_Pa_s;
+  to.load_N_per_m *= std::sqrt(U_ratio) * ER_ratio;
+  *other.lubricant.alpha_per_Pa *= std::pow(U_ratio, -0.25) * from.reduced_modulus_Pa / to.reduced_modulus_Pa;
+  return other;
+}
+
+Findings judge_similarity() {
+  constexpr int pairs = 6;
+  constexpr double tolerance = 1e-5;
+  Draw draw(similar_seed);
+  double worst = 0;  // difference over the sum of the stated errors
+  double difference = 0;
+  for (int i = 0; i < pairs; ++i) {
+    const StatedContact one = drawn_contact(draw, ViscosityLaw::barus);
+    const StatedContact other = similar_to(one, draw);
+    double film[2][2], error[2][2];
+    int k = 0;
+    for (const StatedContact& contact : {one, other}) {
+      const Nondimensional reading = nondimensionalise(contact.conditions, contact.lubricant, Flooded{});
+      const Solution solution = find_solver("fast")->solve(reading.problem, {.tolerance = tolerance});
+      for (int j = 0; j < 2; ++j) {
+        const Reading* seen = film_of(solution, films[j]);
+        const double unit_m = reading.scales->film_m_per_hertz_film().value_or(nothing);
+        film[k][j] = seen ? moes_film(contact.conditions, seen->value * unit_m) : nothing;
+        error[k][j] = seen ? *seen->error : nothing;
+      }
+      ++k;
+    }
+    for (int j = 0; j < 2; ++j) {
+      const double apart = std::abs(film[1][j] / film[0][j] - 1), ratio = apart / (error[0][j] + error[1][j]);
+      worst = worse(worst, ratio);
+      difference = worse(difference, apart);
+    }
+  }
+  Findings found;
+  found.claims.push_back(claim({.id = "properties/similarity/moes",
+                                .rung = 9,
+                                .statement = "Moes films of Barus contacts depend on M and L alone: " + std::to_string(pairs) +
+                                             " random pairs that differ in E', R, eta_0, u, w and alpha",
+                                .solver = "fast"},
+                               worst, 0, Tolerance::required(1, "difference over the sum of the stated errors"),
+                               "largest relative difference " + plain(difference, 2)));
+  return found;
+}
+
+/// h ~ u and h ~ 1/w where surfaces stay rigid: the Moes film times M is Martin's constant, up to a remainder in M^2.
+Findings judge_rigid() {
+  constexpr double M = 0.05, tolerance = 1e-5;
+  // Doubled speed: M over sqrt 2, h/R = Moes film times U^(1/2). Doubled load: M doubled.
+  struct Change {
+    const char *id, *says;
+    double M_after, expected;
+  };
+  const Solution before = find_solver("fast")->solve(problem_at({M, 0}, false, Flooded{}), {.tolerance = tolerance});
+  Findings found;
+  for (const Change& change :
+       {Change{"speed", "doubling the speed doubles", M / std::numbers::sqrt2, std::numbers::sqrt2},
+        Change{"load", "doubling the load halves", 2 * M, 0.5}}) {
+    const Solution after =
+        find_solver("fast")->solve(problem_at({change.M_after, 0}, false, Flooded{}), {.tolerance = tolerance});
+    const Reading *a = film_of(before, Quantity::film_minimum), *b = film_of(after, Quantity::film_minimum);
+    const double measured =
+        a && b ? b->value * moes_film_per_hertz_film(change.M_after) / (a->value * moes_film_per_hertz_film(M)) : nothing;
+    const double heavier = std::max(M, change.M_after);
+    found.claims.push_back(claim_value(
+        {.id = std::string("properties/scaling/rigid-") + change.id,
+         .rung = 9,
+         .statement = std::string(change.says) + " an isoviscous film between surfaces that stay rigid",
+         .solver = "fast"},
+        measured, change.expected, a && b ? *a->error + *b->error : nothing,
+        Tolerance::asymptotic(heavier * heavier, "elastic remainder of order M^2, at M = " + plain(heavier))));
+  }
+  return found;
+}
+
+/// A film with its error; the Couette film, for which a solver need not state one, is as good as the central film, being
+/// the same flux.
+struct FilmAndError {
+  double value = nothing, error = nothing;
+};
+FilmAndError film_or_flux(const Solution& solution, Quantity film) {
+  const Reading* seen = film_of(solution, film == Quantity::film_couette ? Quantity::film_central : film);
+  const auto at = solution.observables.find(film);
+  if (!seen || at == solution.observables.end()) return {};
+  return {at->second.value, *seen->error};
+}
+
+/// Along lines through the box in steps of a factor of two, one contact: speed alone, or load alone. Minimum film and
+/// flux: the film at X = 0 is no such quantity, it grows with the load where the contact's plateau forms (reference, Barus,
+/// L = 9: 5.3596, 5.5751, 6.2535 Moes units at M = 1, 1.4, 1.9, and falls from there).
+Findings judge_lines(bool roelands) {
+  constexpr int lines = 8, steps = 4;
+  constexpr double tolerance = 1e-3, lightest = 0.05, heaviest = 2000, largest_step_L = 25;
+  struct Count {
+    int right = 0, wrong = 0, undecided = 0, unsolved = 0;
+    double smallest = std::numeric_limits<double>::infinity();  // change of the film over the errors
+  };
+  std::map<bool, Count> counts;  // speed, load
+  std::map<bool, std::string> against;
+  Draw draw(line_seed);
+  for (int line = 0; line < lines; ++line) {
+    const MoesGroups from{draw.logarithmic(2, 100), draw.uniform(2, 15)};
+    for (const bool speed : {true, false}) {
+      Count& count = counts[speed];
+      std::optional<Solution> before;
+      MoesGroups at_before;
+      for (int step = 0; step <= steps; ++step) {
+        const double factor = std::pow(2.0, step - steps / 2);
+        // U -> factor U: M ~ U^(-1/2), L ~ U^(1/4); W -> factor W: M ~ W.
+        const MoesGroups at = speed ? MoesGroups{from.M / std::sqrt(factor), from.L * std::pow(factor, 0.25)}
+                                    : MoesGroups{from.M * factor, from.L};
+        if (at.M < lightest || at.M > heaviest || at.L > largest_step_L) continue;
+        Solution now = find_solver("fast")->solve(problem_at(at, roelands, Flooded{}), {.tolerance = tolerance});
+        for (const Quantity film : {Quantity::film_minimum, Quantity::film_couette}) {
+          if (!before) break;
+          const FilmAndError a = film_or_flux(*before, film), b = film_or_flux(now, film);
+          if (std::isnan(a.value) || std::isnan(b.value)) {
+            ++count.unsolved;
+            continue;
+          }
+          // h/R = H (8M/pi) U^(1/2), and U^(1/2) doubles every second step of the speed.
+          const double root_U = speed ? std::numbers::sqrt2 : 1;
+          const double grows =
+              b.value * moes_film_per_hertz_film(at.M) * root_U / (a.value * moes_film_per_hertz_film(at_before.M));
+          const double change = speed ? std::log(grows) : -std::log(grows), errors = a.error + b.error;
+          ++(change > errors ? count.right : change < -errors ? count.wrong : count.undecided);
+          count.smallest = std::min(count.smallest, change / errors);  // shown beside the verdict, no part of it
+          if (change < -errors)
+            against[speed] += " " + std::string(to_string(film)) + " at M = " + plain(at.M, 4) + ", L = " + plain(at.L, 4) + ";";
+        }
+        before = std::move(now);
+        at_before = at;
+      }
+    }
+  }
+  Findings found;
+  for (const auto& [speed, count] : counts) {
+    const int all = count.right + count.wrong + count.undecided + count.unsolved;
+    found.claims.push_back(
+        claim_fact({.id = std::string("properties/monotone/") + (speed ? "speed-" : "load-") + (roelands ? "roelands" : "barus"),
+                    .rung = 9,
+                    .statement = std::string("minimum film and flux ") + (speed ? "grow with the speed" : "shrink with the load") +
+                                 " beyond the stated errors, at " + std::to_string(lines) +
+                                 " random contacts in steps of two, " + (roelands ? "Roelands" : "Barus"),
+                    .solver = "fast"},
+                   all > 0 && count.right == all, "every step of two is decided and has that direction",
+                   std::to_string(count.right) + " of " + std::to_string(all) + " steps, " + std::to_string(count.undecided) +
+                       " within the errors, " + std::to_string(count.unsolved) + " without films; smallest change " +
+                       plain(count.smallest, 3) + " times the errors" +
+                       (against[speed].empty() ? "" : "; against it:" + against[speed])));
+  }
+  return found;
+}
+
+// ---- Rung 6: constant flux ---------------------------------------------------------------------------------------
+
+Findings judge_flux() {
+  constexpr int contacts = 40;
+  constexpr double tolerance = 1e-3;
+  Findings found;
+  for (const Quantity quantity : {Quantity::flux_variation, Quantity::load_error}) {
+    Draw draw(flux_seed);
+    double worst = 0;
+    std::string worst_at;
+    for (int i = 0; i < contacts; ++i) {
+      const MoesGroups at{draw.logarithmic(0.2, 1000), draw.uniform(0, 20)};
+      const bool roelands = i % 2 == 0, flooded = at.M < 2 || i % 4 < 2;
+      const Solution solution =
+          find_solver("fast")->solve(problem_at(at, roelands, flooded ? Inlet{Flooded{}} : Inlet{TruncatedAt{-4}}),
+                                     {.tolerance = tolerance});
+      const auto seen = solution.observables.find(quantity);
+      const double value = solution.record.status == StopReason::converged && seen != solution.observables.end()
+                               ? seen->second.value
+                               : nothing;
+      if (!(value <= worst) && !std::isnan(worst)) {
+        worst = value;
+        worst_at = "worst at M = " + plain(at.M, 4) + ", L = " + plain(at.L, 4) + (roelands ? ", Roelands" : ", Barus") +
+                   (flooded ? ", flooded" : ", cut at -4");
+      }
+    }
+    const bool flux = quantity == Quantity::flux_variation;
+    found.claims.push_back(claim(
+        {.id = std::string("properties/conserved/") + (flux ? "flux" : "load"),
+         .rung = 6,
+         .statement = std::string(flux ? "the flux is the same at every face" : "the pressure carries the load") + " of " +
+                      std::to_string(contacts) + " random contacts, within the accuracy asked of the films",
+         .solver = "fast"},
+        worst, 0, Tolerance::required(tolerance, "the accuracy asked of the films"), worst_at));
+  }
+  return found;
+}
+
+// ---- Rung 11: bearings -------------------------------------------------------------------------------------------
+
+struct DrawnBearing {
+  bearing::Geometry geometry;
+  bearing::LawPair laws;
+  bearing::Loading loading;
+};
+
+/// Dry and straight-line laws in turn, clearance or preload, any position of the cage.
+DrawnBearing drawn_bearing(Draw& draw, int i) {
+  DrawnBearing drawn;
+  const double pitch = draw.logarithmic(0.02, 0.3), length = draw.uniform(0.01, 0.1);
+  drawn.geometry = {.rollers = draw.integer(5, 40),
+                    .pitch_diameter_m = pitch,
+                    .roller_diameter_m = pitch * draw.uniform(0.05, 0.2),
+                    .length_m = length,
+                    .clearance_m = draw.uniform(-2e-5, 4e-5),
+                    .density_kg_per_m3 = draw.uniform(3000, 8000),
+                    .first_azimuth_deg = draw.uniform(-20, 20)};
+  const bearing::LinearLaw line{.K_N_per_m = draw.logarithmic(5e8, 5e9), .dF_N = draw.uniform(0, 2000)};
+  const bearing::ForceLaw law = i % 3 == 0   ? bearing::ForceLaw{bearing::palmgren_law(length)}
+                                : i % 3 == 1 ? bearing::ForceLaw{bearing::iso_law(length)}
+                                             : bearing::ForceLaw{line};
+  drawn.laws = {law, law};
+  const auto speeds = bearing::speeds_from_rpm(draw.uniform(0, 10000), 0);
+  drawn.loading = {.radial_N = draw.logarithmic(1e3, 1e5), .centrifugal_N = bearing::centrifugal_force_N(drawn.geometry, speeds)};
+  return drawn;
+}
+
+/// Largest |f_a - f_b| over the rollers that `other_of` pairs, relative to the larger of F_r and the sum of forces.
+template <class Pairing>
+double forces_apart(const DrawnBearing& one, const bearing::Geometry& turned, Pairing other_of) {
+  const auto a = bearing::balance(one.geometry, one.laws, one.loading), b = bearing::balance(turned, one.laws, one.loading);
+  const auto *x = std::get_if<bearing::Equilibrium>(&a), *y = std::get_if<bearing::Equilibrium>(&b);
+  if (!x || !y) return nothing;
+  double sum = 0, apart = 0;
+  const auto count = static_cast<int>(x->rollers.size());
+  for (int i = 0; i < count; ++i) {
+    const auto& roller = x->rollers[static_cast<std::size_t>(i)];
+    const auto& other = y->rollers[static_cast<std::size_t>(other_of(i, count))];
+    sum += roller.inner.force_N;
+    apart = worse(apart, std::abs(roller.inner.force_N - other.inner.force_N),
+                  std::abs(roller.outer.force_N - other.outer.force_N));
+  }
+  return apart / std::max(one.loading.radial_N, sum);
+}
+
+Findings judge_bearing_symmetry() {
+  constexpr int bearings = 60;
+  Draw draw(bearing_seed);
+  double mirrored = 0, turned_by_a_pitch = 0, displaced = 0, other_ring = 0, both_rings = 0;
+  const auto keep = [](double& worst, double value) { worst = worse(worst, value); };
+  for (int i = 0; i < bearings; ++i) {
+    const DrawnBearing one = drawn_bearing(draw, i);
+    bearing::Geometry turned = one.geometry;
+    turned.first_azimuth_deg = -one.geometry.first_azimuth_deg;  // psi_j = a + j pitch becomes -a + j pitch
+    keep(mirrored, forces_apart(one, turned, [](int j, int count) { return (count - j) % count; }));
+    turned.first_azimuth_deg = one.geometry.first_azimuth_deg + 360.0 / one.geometry.rollers;
+    keep(turned_by_a_pitch, forces_apart(one, turned, [](int j, int count) { return (j + count - 1) % count; }));
+
+    // f ~ delta^(10/9) at both contacts, no clearance, nothing thrown out: delta_r ~ F_r^(9/10).
+    DrawnBearing plain_one = one;
+    plain_one.geometry.clearance_m = 0;
+    plain_one.loading.centrifugal_N = 0;
+    plain_one.laws = {bearing::iso_law(one.geometry.length_m), bearing::palmgren_law(one.geometry.length_m)};
+    DrawnBearing heavier = plain_one;
+    heavier.loading.radial_N *= 8;
+    const auto a = bearing::balance(plain_one.geometry, plain_one.laws, plain_one.loading),
+               b = bearing::balance(heavier.geometry, heavier.laws, heavier.loading);
+    const auto *x = std::get_if<bearing::Equilibrium>(&a), *y = std::get_if<bearing::Equilibrium>(&b);
+    keep(displaced, x && y ? std::abs(y->displacement_m / (x->displacement_m * std::pow(8.0, 0.9)) - 1) : nothing);
+
+    const double rpm = draw.uniform(100, 10000), cage = draw.uniform(-3000, 3000);
+    const auto sum_speed = [&](double inner, double outer) {
+      return bearing::sum_speed_m_per_s(one.geometry, bearing::speeds_from_rpm(inner, outer));
+    };
+    keep(other_ring, std::abs(sum_speed(0, rpm) / sum_speed(rpm, 0) - 1));
+    keep(both_rings, std::abs(sum_speed(rpm + cage, cage) / sum_speed(rpm, 0) - 1));
+  }
+  const std::string of = " of " + std::to_string(bearings) + " random bearings";
+  // A ring that is out of balance by 1e-10 of the load moves no roller's force by more.
+  const Tolerance balanced = Tolerance::required(2 * bearing::largest_balance_error, "two balances, each to 1e-10 of the load");
+  // Some ten operations; what both rings share cancels with a condition of (rpm + 2 |cage|)/rpm, at most 61.
+  const Tolerance rounding = Tolerance::round_off(16), cancelling = Tolerance::round_off(16, 61);
+  const auto says = [](const char* id, std::string statement) {
+    return Sentence{.id = std::string("properties/bearing/") + id, .rung = 11, .statement = std::move(statement)};
+  };
+  Findings found;
+  found.claims.push_back(
+      claim(says("mirrored", "a cage mirrored in the load line carries the mirrored forces" + of), mirrored, 0, balanced));
+  found.claims.push_back(claim(says("one-pitch", "a cage turned by one pitch carries the same forces, one roller on" + of),
+                               turned_by_a_pitch, 0, balanced));
+  found.claims.push_back(claim(says("load-power", "displacement ~ load^(9/10) by a dry law without clearance" + of), displaced,
+                               0, balanced));
+  found.claims.push_back(
+      claim(says("other-ring", "the sum speed is the same whichever ring turns" + of), other_ring, 0, rounding));
+  found.claims.push_back(claim(says("both-rings", "the sum speed does not change when both rings turn faster alike" + of),
+                               both_rings, 0, cancelling));
+  return found;
+}
+
+}  // namespace
+
+std::vector<Topic> property_topics() {
+  std::vector<Topic> topics{{.name = "properties: units", .rungs = {0}, .judge = judge_units},
+                            {.name = "properties: similarity", .rungs = {9}, .judge = judge_similarity},
+                            {.name = "properties: rigid surfaces", .rungs = {9}, .judge = judge_rigid},
+                            {.name = "properties: flux and load", .rungs = {6}, .judge = judge_flux},
+                            {.name = "properties: bearings", .rungs = {11}, .judge = judge_bearing_symmetry}};
+  for (const bool roelands : {true, false})
+    topics.push_back(
+        {.name = "properties: speed and load", .rungs = {9}, .judge = [roelands] { return judge_lines(roelands); }});
+  return topics;
+}
+
+}  // namespace ehd::verification
