@@ -9,6 +9,9 @@
 
 namespace ehd {
 
+/// G = alpha E' where a case does not fix alpha or E': that of a mineral oil between steel surfaces.
+inline constexpr double usual_G = 5000;
+
 /// One formula evaluated at one point; film in Moes units (h/R) U_s^(-1/2).
 struct FilmFormula {
   std::string name;      ///< "Dowson & Higginson 1977"
