@@ -120,18 +120,46 @@ std::vector<Series> film_series(const Case& one, const std::string& solver, cons
   return list;
 }
 
+/// The film of the finest grid itself, where a solver reports an extrapolated one; Hertz units.
+std::optional<double> own_film(const ContactRun& run, const std::string& quantity) {
+  const auto& grids = run.solution.record.grids;
+  const auto name = quantity_from(quantity);
+  if (grids.empty() || !name) return std::nullopt;
+  const auto at = grids.back().observed.find(*name);
+  return at == grids.back().observed.end() ? std::nullopt : std::optional(at->second.value);
+}
+
+/// Films as reported, and, where they are extrapolated, those of the grids beside them: the declared order is that of a
+/// grid.
 std::vector<Series> grid_series(const Case& one, const RegisteredSolver& solver, const std::vector<int>& grids) {
-  auto list = film_series(one, solver.name, solver.name + ": ");
-  for (Series& series : list) series.declared_order = solver.description.formal_order;
+  auto reported = film_series(one, solver.name, solver.name + ": ");
+  auto own = film_series(one, solver.name, solver.name + ", each grid's own: ");
+  bool extrapolated = false;
   for (const int intervals : grids) {
     Request request;
     request.tolerance.reset();
     request.nodes = intervals;
     const ContactRun run = run_contact(one, solver, request);
-    for (Series& series : list)
-      if (const Expectation* truth = certified(one, series.quantity)) add_point(series, run, *truth, intervals);
+    for (std::size_t i = 0; i < reported.size(); ++i) {
+      const Expectation* truth = certified(one, reported[i].quantity);
+      if (!truth) continue;
+      add_point(reported[i], run, *truth, intervals);
+      const auto film = own_film(run, own[i].quantity);
+      if (!film || truth->scaling != Scaling::hertz || reported[i].points.empty()) continue;
+      SeriesPoint point = reported[i].points.back();
+      point.error = std::abs(*film / truth->value - 1);
+      extrapolated = extrapolated || point.error != reported[i].points.back().error;
+      own[i].points.push_back(point);
+    }
   }
-  return list;
+  for (Series& series : extrapolated ? own : reported) series.declared_order = solver.description.formal_order;
+  if (!extrapolated) return reported;
+  for (Series& series : reported) series.title = solver.name + ", extrapolated: " + series.quantity + " of " + one.id;
+  for (Series& series : own) {
+    series.id += "/own";
+    reported.push_back(std::move(series));
+  }
+  return reported;
 }
 
 /// The certified solver asked for more and more digits: meshes and degrees adapt, so that no order is declared.

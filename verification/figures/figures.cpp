@@ -54,6 +54,10 @@ std::vector<FigurePart> parts_of(const FiguresRequest& request) {
     for (const Case& one : cases)
       if (std::holds_alternative<BearingCase>(one.body) && one.source.starts_with("tsuhanonatocavalca"))
         printed.push_back(one);
+    std::sort(printed.begin(), printed.end(), [](const Case& one, const Case& other) {
+      return std::get<BearingCase>(one.body).geometry.clearance_m <
+             std::get<BearingCase>(other.body).geometry.clearance_m;
+    });
     parts.push_back(bearing_part(printed));
   }
   if (asked(published)) parts.push_back(profile_part(cases, request.quick));
