@@ -26,7 +26,7 @@ ManufacturedErrors errors_of_solver(const RegisteredSolver& solver, const Manufa
   const Manufactured::Choice& chosen = truth.choice();
   ManufacturedErrors errors{.pressure = 0,
                             .offset = std::abs(at.offset - chosen.offset),
-                            .flux = std::abs(at.density[intervals] * at.H[intervals] + 
+                            .flux = std::abs(at.density[intervals] * at.H[intervals] +
                                              truth.balance_source(at.X[intervals]).first - chosen.flux),
                             .exit = std::abs(at.X[intervals] - chosen.exit)};
   for (int i = 0; i <= intervals; ++i) {
