@@ -62,8 +62,12 @@ Findings judge_approach_formulas() {
   found.claims.push_back(digits_claim(11, "approach/palmgren-inverse",
                                       "the constant of Palmgren's law turned to Q(delta), 3.84e-5^(-10/9),",
                                       std::pow(3.84e-5, -10.0 / 9), "8.06e4"));
-  found.claims.push_back(digits_claim(11, "approach/lundberg-constant", "Lundberg's constant 2 ln 2 + 1/2",
-                                      2 * std::numbers::ln2 + 0.5, "1.8864"));
+  // Not the printed 1.8864: the formula here has the exact constant, which the log kernel gives with x_0 = l.
+  found.claims.push_back(claim_finding({.id = "approach/lundberg-constant",
+                                        .rung = 11,
+                                        .statement = "Lundberg's printed constant 1.8864 against 2 ln 2 + 1/2"},
+                                       "2 ln 2 + 1/2 = " + plain(2 * std::numbers::ln2 + 0.5, 8) +
+                                           ": one in the printed last digit"));
   return found;
 }
 
