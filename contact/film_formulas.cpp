@@ -2,6 +2,7 @@
 #include "contact/film_formulas.hpp"
 
 #include <cmath>
+#include <numbers>
 
 namespace ehd {
 
@@ -34,6 +35,18 @@ std::vector<FilmFormula> film_formulas(const MoesGroups& moes, double G) {
   add("Dowson & Toyoda 1978", "film.central", 3.06, 0.56, 0.69, -0.10);
   add("Pan & Hamrock 1989", "film.central", 2.922, 0.470, 0.692, -0.166);
   return formulas;
+}
+
+SpikeFormula pan_hamrock_spike(const MoesGroups& moes, double G) {
+  const DowsonGroups groups = dowson_from(moes, G);
+  const auto power = [&](double c, double w, double u, double g) {
+    return c * std::pow(groups.W, w) * std::pow(groups.U_mean, u) * std::pow(groups.G, g);
+  };
+  const double pressure = std::sqrt(groups.W / (2 * std::numbers::pi)),
+               half_width = std::sqrt(8 * groups.W / std::numbers::pi);
+  return {.height = power(0.648, 0.185, 0.275, 0.391) / pressure,
+          .place = power(1.111, 0.606, -0.021, 0.077) / half_width,
+          .minimum_place = power(1.439, 0.548, -0.011, 0.026) / half_width};
 }
 
 }  // namespace ehd

@@ -9,6 +9,9 @@
 
 namespace ehd {
 
+/// G = alpha E' where a case does not fix alpha or E': that of a mineral oil between steel surfaces.
+inline constexpr double usual_G = 5000;
+
 /// One formula evaluated at one point; film in Moes units (h/R) U_s^(-1/2).
 struct FilmFormula {
   std::string name;      ///< "Dowson & Higginson 1977"
@@ -22,5 +25,15 @@ struct FilmFormula {
 /// Every formula that the groups allow. The power laws of U, W, G need G where it is not known from the case;
 /// `G` is then the one assumed.
 [[nodiscard]] std::vector<FilmFormula> film_formulas(const MoesGroups& moes, double G);
+
+/// Pan & Hamrock 1989: p_spike/E' = 0.648 W^0.185 U^0.275 G^0.391, x_spike/R = 1.111 W^0.606 U^-0.021 G^0.077,
+/// x_min/R = 1.439 W^0.548 U^-0.011 G^0.026 (mean speed), in Hertz units: p_H = E' sqrt(W/2pi), b = R sqrt(8W/pi).
+/// L and G > 0.
+struct SpikeFormula {
+  double height = 0;         ///< P = p/p_H
+  double place = 0;          ///< X = x/b
+  double minimum_place = 0;  ///< X of the smallest film
+};
+[[nodiscard]] SpikeFormula pan_hamrock_spike(const MoesGroups& moes, double G);
 
 }  // namespace ehd

@@ -24,6 +24,16 @@
 
 namespace ehd::verification {
 
+std::string_view to_string(ExpectationKind kind) {
+  switch (kind) {
+    case ExpectationKind::exact: return "exact";
+    case ExpectationKind::published: return "published";
+    case ExpectationKind::computed: return "computed";
+    case ExpectationKind::fit: return "fit";
+  }
+  return "";
+}
+
 namespace {
 
 /// What a number may be. The bounds of physical quantities are wide on purpose: they keep every product of them away

@@ -7,6 +7,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -21,6 +22,7 @@ class CaseError : public std::runtime_error {
 };
 
 enum class ExpectationKind { exact, published, computed, fit };
+[[nodiscard]] std::string_view to_string(ExpectationKind kind);  ///< "exact", …
 enum class Scaling { hertz, moes, SI, kostreva };
 
 /// One [[expect]]: a number that somebody vouches for, or one that the case waits for.

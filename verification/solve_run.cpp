@@ -10,9 +10,6 @@ namespace ehd::verification {
 
 namespace {
 
-/// G = alpha E' where a case does not fix alpha or E': that of a mineral oil between steel surfaces.
-constexpr double usual_G = 5000;
-
 /// The fields of the dry contact, for a profile: twice the contact's width.
 Fields dry_fields() {
   constexpr int intervals = 400;

@@ -97,4 +97,21 @@ BOOST_AUTO_TEST_CASE(without_G_or_piezoviscosity_only_moes_formula_is_left) {
   BOOST_TEST(ehd::film_formulas({.M = 20, .L = 10}, 5000).size() == 7U);
 }
 
+// In SI, from the printed form: W = w/(E'R), U = eta_0 u_m/(E'R), G = alpha E'.
+BOOST_AUTO_TEST_CASE(the_spike_formula_equals_its_printed_form) {
+  const double G = 4700, M = 23, L = 8, modulus = 2.1e11, radius = 0.013;
+  const double U = std::pow(L / G, 4) / 2, W = M * std::pow(L / G, 2);
+  const double load = W * modulus * radius, pi = 3.14159265358979323846;
+  const double half_width = std::sqrt(8 * load * radius / (pi * modulus)), hertz_pressure = 2 * load / (pi * half_width);
+  const SpikeFormula spike = pan_hamrock_spike({.M = M, .L = L}, G);
+  EHD_CHECK(error(spike.height * hertz_pressure,
+                  modulus * 0.648 * std::pow(W, 0.185) * std::pow(U, 0.275) * std::pow(G, 0.391)),
+            Tolerance::round_off(128));
+  EHD_CHECK(error(spike.place * half_width, radius * 1.111 * std::pow(W, 0.606) * std::pow(U, -0.021) * std::pow(G, 0.077)),
+            Tolerance::round_off(128));
+  EHD_CHECK(error(spike.minimum_place * half_width,
+                  radius * 1.439 * std::pow(W, 0.548) * std::pow(U, -0.011) * std::pow(G, 0.026)),
+            Tolerance::round_off(128));
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -299,6 +299,10 @@ BOOST_AUTO_TEST_CASE(the_cases_are_listed_with_how_to_cite_them) {
   const auto bibtex = test::ehd_run(folder, "cases --bibtex");
   BOOST_TEST(bibtex.exit_code == 0);
   BOOST_TEST(bibtex.out.find("@article{kostreva1984,") != std::string::npos);
+  BOOST_TEST(bibtex.out.find("@misc{ertelgrubin,") != std::string::npos);  // a source of claims alone
+  BOOST_TEST(list.out.find("biboulet-houpert-rigid") != std::string::npos);
+  for (const char* kind : {"  exact  ", "  fit  ", "  computed  ", "  waiting  "})
+    BOOST_CHECK_MESSAGE(list.out.find(kind) != std::string::npos, kind << "is no kind in the list");
 }
 
 BOOST_AUTO_TEST_CASE(a_plan_says_what_is_skipped_and_why) {

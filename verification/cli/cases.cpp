@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ehd cases: the benchmark cases, with how to cite each.
+#include <algorithm>
 #include <memory>
 #include <set>
 #include <string>
@@ -24,7 +25,7 @@ using verification::plain;
 const char* examples = R"(
 Examples:
   ehd cases                          id, problem, title and source of every case
-  ehd cases --bibtex > ehd.bib       the sources of all cases, for a bibliography
+  ehd cases --bibtex > ehd.bib       the sources of all cases and claims, for a bibliography
   ehd cases --atlas                  the points of the atlas (cases/atlas), a case each
 
 The cases are the files *.toml of one folder; the environment variable EHD_CASES names another one.)";
@@ -39,6 +40,18 @@ std::string problem_of(const Case& any) {
   return "M = " + plain(groups.M, digits) + ", L = " + plain(groups.L, digits);
 }
 
+/// What the numbers of a case are worth: "exact", "computed", …, each kind once; those that wait apart.
+std::string kinds_in(const Case& any) {
+  std::vector<std::string> kinds;
+  for (const auto& expectation : any.expectations) {
+    const std::string kind = expectation.waiting ? "waiting" : std::string(to_string(expectation.kind));
+    if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) kinds.push_back(kind);
+  }
+  std::string text;
+  for (const auto& kind : kinds) text += (text.empty() ? "" : ", ") + kind;
+  return text.empty() ? "-" : text;
+}
+
 std::string expected_in(const Case& any) {
   std::size_t waiting = 0;
   for (const auto& expectation : any.expectations) waiting += expectation.waiting ? 1 : 0;
@@ -48,9 +61,9 @@ std::string expected_in(const Case& any) {
 }
 
 std::vector<std::vector<std::string>> rows_of(const std::vector<Case>& cases) {
-  std::vector<std::vector<std::string>> rows{{"id", "version", "problem", "expects", "source", "title"}};
+  std::vector<std::vector<std::string>> rows{{"id", "version", "problem", "expects", "kind", "source", "title"}};
   for (const auto& any : cases)
-    rows.push_back({any.id, std::to_string(any.version), problem_of(any), expected_in(any), any.source, any.title});
+    rows.push_back({any.id, std::to_string(any.version), problem_of(any), expected_in(any), kinds_in(any), any.source, any.title});
   return rows;
 }
 
@@ -72,12 +85,9 @@ int list(bool bibtex) {
   std::set<std::string> keys;
   for (const auto& any : cases) keys.insert(verification::bibliography_key(any.source));
 
-  if (bibtex) {
+  if (bibtex) {  // all of references.bib: claims cite sources that are no case
     std::string text;
-    for (const auto& key : keys) {
-      if (const auto entry = bibliography.find(key); entry != bibliography.end())
-        text += (text.empty() ? "" : "\n") + entry->second.text;
-    }
+    for (const auto& [key, entry] : bibliography) text += (text.empty() ? "" : "\n") + entry.text;
     print(text);
     return success;
   }
@@ -92,7 +102,14 @@ int list(bool bibtex) {
     const auto entry = bibliography.find(key);
     sources.push_back({key, entry == bibliography.end() ? "not in references.bib" : entry->second.citation()});
   }
-  print(text + verification::aligned(sources, 2, "  "));
+  text += verification::aligned(sources, 2, "  ");
+  sources.clear();
+  for (const auto& [key, entry] : bibliography)
+    if (!keys.contains(key)) sources.push_back({key, entry.citation()});
+  if (!sources.empty())
+    text += "\nsources of exact solutions, formulas and tables that are no case (cases/README.md)\n" +
+            verification::aligned(sources, 2, "  ");
+  print(text);
   return success;
 }
 
@@ -105,7 +122,7 @@ void add_cases(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<CasesOptions>();
   CLI::App* command = app.add_subcommand("cases", "List the benchmark cases and how to cite each");
   command->footer(examples);
-  auto* bibtex = command->add_flag("--bibtex", options->bibtex, "print the BibTeX entries of the cases' sources");
+  auto* bibtex = command->add_flag("--bibtex", options->bibtex, "print the BibTeX entries of all sources");
   command->add_flag("--atlas", options->atlas, "list the points of the atlas")->excludes(bibtex);
   command->callback([options, &exit_code] {
     run_guarded(exit_code, [&] { return options->atlas ? list_atlas() : list(options->bibtex); });

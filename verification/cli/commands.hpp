@@ -15,5 +15,6 @@ void add_plan(CLI::App& app, int& exit_code);
 void add_verify(CLI::App& app, int& exit_code);
 void add_bench(CLI::App& app, int& exit_code);
 void add_atlas(CLI::App& app, int& exit_code);
+void add_maps(CLI::App& app, int& exit_code);
 
 }  // namespace ehd::cli

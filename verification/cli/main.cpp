@@ -22,6 +22,7 @@ Examples:
   ehd verify                          the verification suite
   ehd bench                           run time against achieved error
   ehd atlas --only m20-l10-           certified solutions over M and L, with the digits that are known
+  ehd maps                            how far the film formulas are off, over M and L
 
 Exit code: 0 success; 1 a check failed or a solve did not converge; 2 bad input or usage.)";
 
@@ -43,6 +44,7 @@ int run(int argc, char** argv) {
   add_verify(app, exit_code);
   add_bench(app, exit_code);
   add_atlas(app, exit_code);
+  add_maps(app, exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForVersion& version) {

@@ -8,6 +8,7 @@
 
 #include "verification/cli/commands.hpp"
 #include "verification/cli/common.hpp"
+#include "verification/figures/figures.hpp"
 #include "verification/output.hpp"
 #include "verification/suite.hpp"
 #include "verification/traceability.hpp"
@@ -68,6 +69,7 @@ int verify(const VerifyOptions& options) {
   }
 
   verification::SuiteResult result;
+  verification::Json figures;
   try {
     Progress progress;
     request.progress = [&](const verification::SuiteProgress& now) {
@@ -75,10 +77,24 @@ int verify(const VerifyOptions& options) {
                     time_text(now.elapsed_s) + ", about " + time_text(now.left_s) + " left: " + now.name);
     };
     result = verification::run_suite(request);
+    if (file) {
+      verification::FiguresRequest pictures{.rung = request.rung,
+                                            .case_id = request.case_id,
+                                            .quick = request.quick,
+                                            .threads = request.threads};
+      pictures.progress = [&](std::size_t done, std::size_t all, const std::string& name) {
+        progress.show("figures " + std::to_string(done) + "/" + std::to_string(all) + ": " + name);
+      };
+      figures = verification::figures(pictures);
+    }
   } catch (const verification::NothingSelected& nothing) {
     throw UsageError(nothing.what());
   }
-  if (file) file->commit(verification::json_text(verification::to_json(result)));
+  if (file) {
+    verification::Json json = verification::to_json(result);
+    json["figures"] = std::move(figures);
+    file->commit(verification::json_text(json));
+  }
   print(human_summary(result, options.all));
   if (options.trace) print("\n" + human_trace(trace(verification::traceable_parts(), {result.claims, result.skipped})));
   if (result.success()) return success;
