@@ -73,6 +73,12 @@ std::vector<std::string> Tally::failures() const {
 const std::vector<PartEntry>& parts() {
   static const std::vector<PartEntry> list{
       {"a", "box", [](const Scope& scope) { return judge_box(run_box(scope)); }},
+      {"b", "starts", [](const Scope& scope) { return judge_starts(run_starts(scope)); }},
+      {"c", "precision", [](const Scope& scope) { return judge_precision(run_precision(scope)); }},
+      {"d", "rounding", [](const Scope& scope) { return judge_rounding(run_rounding(scope)); }},
+      {"e", "condition", [](const Scope& scope) { return judge_condition(run_condition(scope)); }},
+      {"f", "grids", [](const Scope& scope) { return judge_grids(run_grids(scope)); }},
+      {"g", "extremes", [](const Scope& scope) { return judge_extremes(run_extremes(scope)); }},
       {"h", "repeatability", [](const Scope& scope) { return judge_repeats(run_repeats(scope)); }},
   };
   return list;
