@@ -172,6 +172,13 @@ BOOST_AUTO_TEST_CASE(grids_fail_where_a_blind_grid_converges_an_error_is_hidden_
   BOOST_TEST(judge_grids(drifting).verdict == Verdict::pass);  // a factor 4 is within the line's allowance
   drifting[4].error[1] = drifting[2].error[1];
   BOOST_TEST(judge_grids(drifting).verdict == Verdict::fail);
+  auto spiky = grid_rows();  // with a spike no order is declared of H_min, but it has to fall
+  for (auto& row : spiky) row.spike = true;
+  spiky[4].error[0] = 0.9 * *spiky[3].error[0];
+  spiky[4].stated[0] = 1;
+  BOOST_TEST(judge_grids(spiky).verdict == Verdict::pass);
+  spiky[4].error[0] = 1.1 * *spiky[3].error[0];
+  BOOST_TEST(judge_grids(spiky).verdict == Verdict::fail);
   auto unknown = grid_rows();
   unknown[3].error[0] = nothing;
   BOOST_TEST(judge_grids(unknown).verdict == Verdict::inconclusive);

@@ -249,13 +249,14 @@ Part judge_extremes(const std::vector<ExtremeRow>& rows) {
     sums.push_back({{kind, where}, {}});
     return sums.back().second;
   };
-  long right = 0, refused = 0;
+  long right = 0, refused = 0, not_finite = 0, late = 0, broke = 0;
   for (const ExtremeRow& row : rows) {
     Row& sum = sum_of(row.kind, row.kind == "limits" ? "" : row.inside ? "inside, p_H <= 4 GPa" : "outside");
     ++sum.tried;
     const std::string where = row.kind + ", " + row.what;
     if (!row.broke.empty()) {
       ++sum.broke;
+      ++broke;
       tally.require(false, where + ": " + row.broke);
       continue;
     }
@@ -274,6 +275,8 @@ Part judge_extremes(const std::vector<ExtremeRow>& rows) {
     (converged ? sum.converged : sum.ended) += 1;
     sum.over = std::max(sum.over, row.wall_s - row.time_limit_s);
     tally.add(row.wall_s, 0, Tolerance::required(row.time_limit_s + slack_s, "the time limit and one step that cannot be interrupted"), where + ", seconds");
+    not_finite += end.finite ? 0 : 1;
+    late += row.wall_s <= row.time_limit_s + slack_s ? 0 : 1;
     tally.require(end.finite, where + ": a number is not finite (" + std::string(to_string(end.status)) + ")");
     if (converged) {
       tally.require(end.has_films() && *end.film[0] > 0 && *end.film[1] > 0, where + ": converged without a positive film");
@@ -299,7 +302,8 @@ Part judge_extremes(const std::vector<ExtremeRow>& rows) {
   double held = 0;
   for (const auto& [key, row] : sums) held += row.held;
   part.summary = std::to_string(rows.size()) + " inputs: " + std::to_string(refused) + " refused, " + std::to_string(right) + " of " + plain(held) +
-                 " that were held against another solver agree within what both state; no NaN, no hang where nothing is listed";
+                 " that were held against another solver agree within what both state; " + std::to_string(not_finite) + " with a number that is not finite, " +
+                 std::to_string(late) + " beyond their time, " + std::to_string(broke) + " crashed";
   return part;
 }
 

@@ -18,6 +18,7 @@
 #include <set>
 #include <tuple>
 
+#include "contact/observables.hpp"
 #include "verification/claims/oils.hpp"
 #include "verification/parallel.hpp"
 #include "verification/stress/parts.hpp"
@@ -32,8 +33,11 @@ constexpr double iterated_to = 1e-11;
 /// Solvers say "under-resolved" below 1.5 cells in the inlet zone of their own film, which is off by up to 40 % there; of the
 /// true film's zone that may be half as many or twice.
 constexpr double surely_blind = 0.75, surely_seeing = 3;
-/// Errors may lie so far above the order's line through the first grid that sees the zone; H_min wavers as the spike passes.
+/// Errors may lie so far above the line of the declared order through the first grid that sees the zone. The order is declared for
+/// smooth solutions: where there is a spike, which no equal cells resolve, H_min only has to fall from grid to grid twice as fine.
 constexpr double above_the_line = 4;
+/// Bars are judged where the truth is known so much better than they say.
+constexpr double truth_within = 0.1;
 
 struct Contact {
   MoesGroups moes;
@@ -44,11 +48,13 @@ struct Truth {
   Ended films;
   double exit = 0;
   double by_cell = 0;  ///< c above
+  bool spike = false;
 };
 
 Truth truth_of(const Problem& problem) {
   const Solution solution = find_solver("reference")->solve(problem, {.tolerance = truth_tolerance, .time_limit_s = 120});
   Truth truth{.films = ended(solution)};
+  truth.spike = observe(solution.fields, {Quantity::pressure_spike}).contains(Quantity::pressure_spike);
   const Fields& f = solution.fields;
   const auto last = f.X.size() - 1;
   if (last < 1) return truth;
@@ -103,6 +109,7 @@ std::vector<GridRow> run_grids(const Scope& scope) {
     row.solver = solver->name;
     row.contact = contact_name(contacts[c].moes, contacts[c].roelands);
     row.nodes = n;
+    row.spike = truth.spike;
     if (solver->memory_bytes(n) > available_memory_bytes() / 2) {
       row.why = "not run: it would not fit into memory";
       return;
@@ -138,7 +145,7 @@ Part judge_grids(const std::vector<GridRow>& rows) {
   part.table.columns = {{"contact", ""}, {"solver", ""}, {"intervals", ""}, {"status", ""}, {"cells", "inlet zone"}, {"H_min off", ""}, {"stated", ""},
                         {"H_cen off", ""}, {"stated", ""}, {"truth known to", ""}, {"floor", "predicted"}, {"time", "s"}};
   Tally tally;
-  long blind = 0, called = 0, covered = 0, stated = 0;
+  long blind = 0, called = 0, covered = 0, stated = 0, undecided = 0;
   double lowest = std::numeric_limits<double>::infinity();
   int finest = 0;
   for (const GridRow& row : rows) {
@@ -162,30 +169,42 @@ Part judge_grids(const std::vector<GridRow>& rows) {
         continue;
       }
       const std::string film = where + ", " + std::string(to_string(films[k]));
-      if (row.stated[k]) {
-        ++stated;
-        const Verdict verdict = tally.add(*row.error[k], row.truth_error[k] < 0.1 * *row.stated[k] ? 0 : row.truth_error[k],
-                                          Tolerance::discretisation(*row.stated[k], 1) + Tolerance::iteration(row.floor), film + " against what it states");
-        covered += verdict == Verdict::pass ? 1 : 0;
-      } else {
+      if (!row.stated[k]) {
         tally.require(!converged, film + ": no stated error");
+      } else if (!(row.truth_error[k] <= truth_within * *row.stated[k]) && !std::isnan(*row.error[k])) {
+        ++undecided;
+      } else {
+        ++stated;
+        const Verdict verdict = tally.add(*row.error[k], row.truth_error[k], Tolerance::discretisation(*row.stated[k], 1) + Tolerance::iteration(row.truth_error[k] + row.floor),
+                                          film + " against what it states");
+        covered += verdict == Verdict::pass ? 1 : 0;
       }
       if (converged) lowest = std::min(lowest, *row.error[k]);
-      // No drift: against the first grid of its kind that sees the zone.
+      // No drift: against the first grid of its kind that sees the zone, and against one half as fine.
       if (row.cells <= surely_seeing) continue;
-      const auto first = std::find_if(rows.begin(), rows.end(), [&](const GridRow& one) {
-        return one.contact == row.contact && one.solver == row.solver && one.cells > surely_seeing && one.error[k];
-      });
+      const auto of_its_kind = [&](const GridRow& one) {
+        return one.contact == row.contact && one.solver == row.solver && one.cells > surely_seeing && one.error[k].has_value();
+      };
+      const Tolerance floor = Tolerance::iteration(row.floor + row.truth_error[k]);
+      if (row.spike && k == 0) {
+        double coarser = std::numeric_limits<double>::infinity();
+        for (const GridRow& one : rows) {
+          if (of_its_kind(one) && 2 * one.nodes <= row.nodes) coarser = std::min(coarser, *one.error[k]);
+        }
+        if (std::isfinite(coarser))
+          tally.add(*row.error[k], 0, Tolerance::discretisation(coarser, 1) + floor, film + " against grids at most half as fine");
+        continue;
+      }
+      const auto first = std::find_if(rows.begin(), rows.end(), of_its_kind);
       if (first == rows.end() || first->nodes >= row.nodes) continue;
       const double line = *first->error[k] * std::pow(static_cast<double>(first->nodes) / row.nodes, 2);
-      tally.add(*row.error[k], row.truth_error[k] < 0.1 * (line + row.floor) ? 0 : row.truth_error[k],
-                Tolerance::discretisation(line, above_the_line) + Tolerance::iteration(row.floor + 2 * row.truth_error[k]), film + " against order 2 and the floor");
+      tally.add(*row.error[k], 0, Tolerance::discretisation(line, above_the_line) + floor, film + " against order 2 and the floor");
     }
   }
   part.verdict = tally.verdict();
   part.failures = tally.failures();
   part.summary = std::to_string(called) + " of " + std::to_string(blind) + " blind grids called under-resolved; " + std::to_string(covered) + " of " +
-                 std::to_string(stated) + " stated errors hold; errors fall to " + plain(lowest, 2) + ", up to " + std::to_string(finest) + " intervals";
+                 std::to_string(stated) + " stated errors hold (" + std::to_string(undecided) + " more where the truth is not known ten times better); errors fall to " + plain(lowest, 2) + ", up to " + std::to_string(finest) + " intervals";
   return part;
 }
 

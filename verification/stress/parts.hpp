@@ -115,6 +115,7 @@ struct GridRow {
   std::string solver = {}, contact = {};
   int nodes = 0;
   StopReason status = StopReason::diverged;
+  bool spike = false;                            ///< the truth has one: no order is declared of H_min
   double cells = 0;                              ///< equal cells in the inlet zone of the true film; 0 on other grids
   std::optional<double> error[2] = {}, stated[2] = {};  ///< relative, H_min and H_cen; achieved against the truth
   double truth_error[2] = {};
