@@ -63,7 +63,9 @@ std::vector<RepeatRow> run_repeats(const Scope& scope) {
     };
     const Asked all[] = {{"tolerance 1e-3", {.tolerance = 1e-3, .time_limit_s = time_limit_s}},
                          {"256 intervals", {.tolerance = {}, .nodes = 256, .time_limit_s = time_limit_s}}};
-    for (const auto& [text, request] : all) {
+    for (const Asked& asked : all) {
+      const std::string& text = asked.text;
+      const Request& request = asked.request;
       scope.show(solver.name + ", " + text);
       // The other process first, while this one has no thread but its own.
       const ChildEnd child = in_child([&] {
