@@ -79,6 +79,11 @@ std::vector<BoxPoint> run_box(const Scope& scope) {
     point.p_H_Pa = hertz_pressure_Pa(problem.groups);
     const Request request{.tolerance = asked, .time_limit_s = time_limit_s};
     point.reference = ended(find_solver(point.dense)->solve(problem, request));
+    // reference.linear is known to M = 1000 and L = 25; beyond, where it gives up, reference takes its place.
+    if (point.dense == "reference.linear" && point.reference.status != StopReason::converged) {
+      point.dense = "reference";
+      point.reference = ended(find_solver(point.dense)->solve(problem, request));
+    }
     point.fast = ended(find_solver("fast")->solve(problem, request));
   });
   return points;
