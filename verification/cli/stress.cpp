@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ehd stress: numerical stability.
+#include "verification/stress/stress.hpp"
+
 #include <algorithm>
 #include <chrono>
 #include <memory>
@@ -9,7 +11,6 @@
 
 #include "verification/cli/commands.hpp"
 #include "verification/cli/common.hpp"
-#include "verification/stress/stress.hpp"
 
 namespace ehd::cli {
 
@@ -68,7 +69,9 @@ int stress(const StressOptions& options) {
   std::vector<Part> results;
   Progress progress;
   for (const PartEntry* entry : chosen) {
-    scope.progress = [&](const std::string& what) { progress.show("stress (" + entry->id + ") " + entry->name + ": " + what); };
+    scope.progress = [&](const std::string& what) {
+      progress.show("stress (" + entry->id + ") " + entry->name + ": " + what);
+    };
     scope.show("...");
     const auto started = Clock::now();
     Part part = entry->run(scope);
@@ -93,10 +96,13 @@ int stress(const StressOptions& options) {
 
 void add_stress(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<StressOptions>();
-  CLI::App* command = app.add_subcommand("stress", "Numerical stability: starts, precision, rounding, condition, extremes");
+  CLI::App* command =
+      app.add_subcommand("stress", "Numerical stability: starts, precision, rounding, condition, extremes");
   command->footer(examples);
   command->add_option("--output", options->output, "folder for stress.json")->type_name("DIR");
-  command->add_option("--part", options->parts, "a to h (repeatable; all)")->type_name("LETTER")->allow_extra_args(false);
+  command->add_option("--part", options->parts, "a to h (repeatable; all)")
+      ->type_name("LETTER")
+      ->allow_extra_args(false);
   command->add_option("--threads", options->threads, "threads (as many as there are cores)")->type_name("N");
   command->add_flag("--quick", options->quick, "a small form of every part");
   command->callback([options, &exit_code] { run_guarded(exit_code, [&] { return stress(*options); }); });

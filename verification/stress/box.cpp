@@ -20,8 +20,9 @@ Tolerance within_bars() {
 }
 constexpr double smallest_load = 0.05, largest_load = 5000, largest_modulus = 30;
 
-/// Below 4 GPa both converge and differ by no more than the errors they state. Above, whoever does not converge says so, and
-/// films that are stated are right to what was asked of both: bars are promised to hold in 97 cases of 100, not in all.
+/// Below 4 GPa both converge and differ by no more than the errors they state. Above, whoever does not converge says
+/// so, and films that are stated are right to what was asked of both: bars are promised to hold in 97 cases of 100, not
+/// in all.
 Verdict judge_point(const BoxPoint& point, Tally& tally) {
   const std::string where = contact_name({point.M, point.L}, point.roelands);
   const Ended &one = point.reference, &two = point.fast;
@@ -48,14 +49,17 @@ Verdict judge_point(const BoxPoint& point, Tally& tally) {
     for (const Ended* end : {&one, &two})
       if (end->status != StopReason::converged) stated = std::max(stated, *end->error[k]);
   }
-  return tally.add(differ, 0, Tolerance::required(2 * asked + stated, "what was asked of both, and what one that did not converge states"),
-                   where + " (" + said + "), difference of the films");
+  return tally.add(
+      differ, 0,
+      Tolerance::required(2 * asked + stated, "what was asked of both, and what one that did not converge states"),
+      where + " (" + said + "), difference of the films");
 }
 
 }  // namespace
 
 std::vector<BoxPoint> run_box(const Scope& scope) {
-  // reference takes seconds where pressures are high: it solves every second load and modulus, reference.linear the others.
+  // reference takes seconds where pressures are high: it solves every second load and modulus, reference.linear the
+  // others.
   const int loads = scope.quick ? 4 : 21, moduli = scope.quick ? 3 : 13;
   const double heaviest = scope.quick ? 20 : largest_load, stiffest = scope.quick ? 15 : largest_modulus;
   std::vector<BoxPoint> points;
@@ -94,15 +98,35 @@ Part judge_box(const std::vector<BoxPoint>& points) {
             .name = "box",
             .question = "Do both solvers converge over the whole box, and do they agree within what they state?"};
   part.tolerance = within_bars();
-  part.settings = {{"tolerance", asked}, {"time_limit_s", time_limit_s}, {"inlet", "flooded"},
+  part.settings = {{"tolerance", asked},
+                   {"time_limit_s", time_limit_s},
+                   {"inlet", "flooded"},
                    {"solvers", {"reference", "reference.linear", "fast"}}};
-  part.table.columns = {{"laws", ""},           {"M", ""},           {"contacts", ""},      {"p_H <= 4 GPa", ""},
-                        {"dense conv.", ""}, {"fast conv.", ""},  {"Newton dense", "most"}, {"fast", "most"},
-                        {"time dense", "ms, median"}, {"most", "ms"}, {"time fast", "ms, median"}, {"most", "ms"},
+  part.table.columns = {{"laws", ""},
+                        {"M", ""},
+                        {"contacts", ""},
+                        {"p_H <= 4 GPa", ""},
+                        {"dense conv.", ""},
+                        {"fast conv.", ""},
+                        {"Newton dense", "most"},
+                        {"fast", "most"},
+                        {"time dense", "ms, median"},
+                        {"most", "ms"},
+                        {"time fast", "ms, median"},
+                        {"most", "ms"},
                         {"difference/stated", "most"}};
-  part.points = Table{.columns = {{"laws", ""}, {"M", ""}, {"L", ""}, {"p_H", "Pa"}, {"dense", ""}, {"dense status", ""}, {"fast status", ""},
-                                  {"dense Newton", ""}, {"fast Newton", ""}, {"dense time", "s"},
-                                  {"fast time", "s"}, {"difference/stated", ""}},
+  part.points = Table{.columns = {{"laws", ""},
+                                  {"M", ""},
+                                  {"L", ""},
+                                  {"p_H", "Pa"},
+                                  {"dense", ""},
+                                  {"dense status", ""},
+                                  {"fast status", ""},
+                                  {"dense Newton", ""},
+                                  {"fast Newton", ""},
+                                  {"dense time", "s"},
+                                  {"fast time", "s"},
+                                  {"difference/stated", ""}},
                       .rows = {}};
   Tally tally;
   struct Row {
@@ -136,23 +160,25 @@ Part judge_box(const std::vector<BoxPoint>& points) {
     both_below += is_below && both ? 1 : 0;
     above += is_below ? 0 : 1;
     refused += !is_below && !both ? 1 : 0;
-    part.points->rows.push_back({law_name(point.roelands), point.M, point.L, point.p_H_Pa, point.dense,
-                                 std::string(to_string(point.reference.status)), std::string(to_string(point.fast.status)),
-                                 static_cast<double>(point.reference.iterations), static_cast<double>(point.fast.iterations),
-                                 point.reference.wall_s, point.fast.wall_s, ratio});
+    part.points->rows.push_back(
+        {law_name(point.roelands), point.M, point.L, point.p_H_Pa, point.dense,
+         std::string(to_string(point.reference.status)), std::string(to_string(point.fast.status)),
+         static_cast<double>(point.reference.iterations), static_cast<double>(point.fast.iterations),
+         point.reference.wall_s, point.fast.wall_s, ratio});
   }
   for (const auto& [key, row] : rows) {
     const auto most = [](const std::vector<double>& ms) { return *std::max_element(ms.begin(), ms.end()); };
-    part.table.rows.push_back({law_name(!key.first), key.second, row.contacts, row.below, row.converged[0], row.converged[1],
-                               row.iterations[0], row.iterations[1], median(row.ms[0]), most(row.ms[0]), median(row.ms[1]),
-                               most(row.ms[1]), row.worst});
+    part.table.rows.push_back({law_name(!key.first), key.second, row.contacts, row.below, row.converged[0],
+                               row.converged[1], row.iterations[0], row.iterations[1], median(row.ms[0]),
+                               most(row.ms[0]), median(row.ms[1]), most(row.ms[1]), row.worst});
   }
   part.verdict = tally.verdict();
   part.failures = tally.failures();
-  part.summary = std::to_string(both_below) + " of " + std::to_string(below) + " contacts below 4 GPa converged by both, " +
-                 std::to_string(above - refused) + " of " + std::to_string(above) + " above (dense " +
-                 std::to_string(converged[0]) + ", fast " + std::to_string(converged[1]) + " of " +
-                 std::to_string(points.size()) + "); films differ by at most " + plain(worst_below, 2) + " of the stated errors below, " + plain(worst, 2) + " above";
+  part.summary = std::to_string(both_below) + " of " + std::to_string(below) +
+                 " contacts below 4 GPa converged by both, " + std::to_string(above - refused) + " of " +
+                 std::to_string(above) + " above (dense " + std::to_string(converged[0]) + ", fast " +
+                 std::to_string(converged[1]) + " of " + std::to_string(points.size()) + "); films differ by at most " +
+                 plain(worst_below, 2) + " of the stated errors below, " + plain(worst, 2) + " above";
   return part;
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// (e) Inputs moved by one ulp and by 1e-8: the amplification dln H/dln q is the condition number. It must be that of a step of
-// 1e-3, and where films follow from M and L alone, that of the chain rule; one ulp moves a film by no more than condition x ulp
-// and two roundings of a film.
+// (e) Inputs moved by one ulp and by 1e-8: the amplification dln H/dln q is the condition number. It must be that of a
+// step of 1e-3, and where films follow from M and L alone, that of the chain rule; one ulp moves a film by no more than
+// condition x ulp and two roundings of a film.
 //
-// Rounding of a film on n equal cells from X_a: terms of size 1 + X_a^2/2 in a sum of n products, relative to the film, and what
-// iteration leaves. Divided by the step, it is what a difference of 1e-8 can be wrong by.
+// Rounding of a film on n equal cells from X_a: terms of size 1 + X_a^2/2 in a sum of n products, relative to the film,
+// and what iteration leaves. Divided by the step, it is what a difference of 1e-8 can be wrong by.
 #include <array>
 #include <cmath>
 #include <functional>
@@ -49,7 +49,8 @@ std::vector<Input> quantities(const Stated& stated) {
     all = {{"M", [](Stated& s) -> double& { return s.moes.M; }}, {"L", [](Stated& s) -> double& { return s.moes.L; }}};
   }
   all.push_back({"inlet", [](Stated& s) -> double& { return s.inlet; }});
-  if (stated.lubricant.alpha_per_Pa) all.push_back({"alpha", [](Stated& s) -> double& { return *s.lubricant.alpha_per_Pa; }});
+  if (stated.lubricant.alpha_per_Pa)
+    all.push_back({"alpha", [](Stated& s) -> double& { return *s.lubricant.alpha_per_Pa; }});
   if (stated.lubricant.viscosity == ViscosityLaw::roelands) {
     all.push_back({"z", [](Stated& s) -> double& { return *s.lubricant.z; }});
     all.push_back({"p0", [](Stated& s) -> double& { return s.lubricant.p0_Pa; }});
@@ -69,7 +70,8 @@ Films films_of(const Stated& stated, const RegisteredSolver& solver, int interva
   const Ended end = ended(solver.solve(made.problem, {.tolerance = {}, .nodes = intervals, .time_limit_s = 60}));
   Films result;
   result.converged = end.status == StopReason::converged && end.film[0] && end.film[1] && end.finite;
-  const double unit = stated.in_SI ? *made.scales->film_m_per_hertz_film() : moes_film_per_hertz_film(made.problem.groups.M);
+  const double unit =
+      stated.in_SI ? *made.scales->film_m_per_hertz_film() : moes_film_per_hertz_film(made.problem.groups.M);
   for (std::size_t k = 0; k < 2; ++k) result.film[k] = result.converged ? *end.film[k] * unit : std::nan("");
   return result;
 }
@@ -81,11 +83,16 @@ struct Contact {
 
 std::vector<Contact> contacts(bool quick) {
   std::vector<Contact> list;
-  for (const auto& [M, L, roelands] : {std::tuple{20.0, 10.0, true}, {5.0, 5.0, false}, {2.0, 5.0, true}, {100.0, 5.0, true}}) {
+  for (const auto& [M, L, roelands] :
+       {std::tuple{20.0, 10.0, true}, {5.0, 5.0, false}, {2.0, 5.0, true}, {100.0, 5.0, true}}) {
     list.push_back({contact_name({M, L}, roelands), {.moes = {M, L}, .lubricant = oil(roelands)}});
     if (quick) break;
   }
-  const Conditions SI{.load_N_per_m = 1.1e5, .reduced_radius_m = 0.0113, .reduced_modulus_Pa = 2.26e11, .speed_sum_m_per_s = 2.9, .viscosity_Pa_s = 0.021};
+  const Conditions SI{.load_N_per_m = 1.1e5,
+                      .reduced_radius_m = 0.0113,
+                      .reduced_modulus_Pa = 2.26e11,
+                      .speed_sum_m_per_s = 2.9,
+                      .viscosity_Pa_s = 0.021};
   list.push_back({"SI, Barus", {.in_SI = true, .SI = SI, .lubricant = {.alpha_per_Pa = 1.7e-8}}});
   Lubricant real = oil(true);
   real.alpha_per_Pa = 1.9e-8;
@@ -106,7 +113,8 @@ std::vector<ConditionRow> run_condition(const Scope& scope) {
   std::vector<Task> tasks;
   for (const Contact& contact : all) {
     for (const char* solver : {"reference.uniform", "fast.uniform"}) {
-      for (const auto& quantity : quantities(contact.stated)) tasks.push_back({&contact, find_solver(solver), quantity});
+      for (const auto& quantity : quantities(contact.stated))
+        tasks.push_back({&contact, find_solver(solver), quantity});
     }
   }
   std::vector<ConditionRow> rows(tasks.size());
@@ -146,7 +154,8 @@ std::vector<ConditionRow> run_condition(const Scope& scope) {
     }
     const auto made = stated.in_SI ? nondimensionalise(stated.SI, stated.lubricant, TruncatedAt{stated.inlet})
                                    : nondimensionalise(stated.moes, stated.lubricant, TruncatedAt{stated.inlet});
-    const double unit = stated.in_SI ? *made.scales->film_m_per_hertz_film() : moes_film_per_hertz_film(made.problem.groups.M);
+    const double unit =
+        stated.in_SI ? *made.scales->film_m_per_hertz_film() : moes_film_per_hertz_film(made.problem.groups.M);
     const double condition = (1 + stated.inlet * stated.inlet / 2) / (here.film[0] / unit);
     const double stages = task.solver->uses_fft ? 4 * std::log2(2.0 * intervals) + 10 : intervals;
     row.floor = Tolerance::round_off(stages, condition).value() + iterated_to;
@@ -164,7 +173,8 @@ std::vector<ConditionRow> run_condition(const Scope& scope) {
       const Films low = films_of(by_groups, *task.solver, intervals);
       *one = centre;
       auto& f = one == &by_groups.moes.M ? f_M : f_L;
-      for (std::size_t k = 0; k < 2; ++k) f[k] = std::log(high.film[k] / low.film[k]) / std::log((1 + large_step) / (1 - large_step));
+      for (std::size_t k = 0; k < 2; ++k)
+        f[k] = std::log(high.film[k] / low.film[k]) / std::log((1 + large_step) / (1 - large_step));
     }
     struct Powers {
       double R = 0, U = 0, W = 0, G = 0;
@@ -183,30 +193,47 @@ std::vector<ConditionRow> run_condition(const Scope& scope) {
 }
 
 Part judge_condition(const std::vector<ConditionRow>& rows) {
-  Part part{.id = "e", .name = "condition", .question = "By how much do the films move where an input moves by one ulp or by 1e-8?"};
+  Part part{.id = "e",
+            .name = "condition",
+            .question = "By how much do the films move where an input moves by one ulp or by 1e-8?"};
   part.settings = {{"small_step", small_step}, {"large_step", large_step}};
-  part.table.columns = {{"contact", ""}, {"solver", ""}, {"input", ""}, {"dlnH_min/dln", "1e-8"}, {"dlnH_min/dln", "1e-3"}, {"dlnH_cen/dln", "1e-8"},
-                        {"dlnH_cen/dln", "1e-3"}, {"by groups", "H_cen"}, {"ulp moves H_min", ""}, {"H_cen", ""}, {"rounding of a film", ""}};
+  part.table.columns = {{"contact", ""},
+                        {"solver", ""},
+                        {"input", ""},
+                        {"dlnH_min/dln", "1e-8"},
+                        {"dlnH_min/dln", "1e-3"},
+                        {"dlnH_cen/dln", "1e-8"},
+                        {"dlnH_cen/dln", "1e-3"},
+                        {"by groups", "H_cen"},
+                        {"ulp moves H_min", ""},
+                        {"H_cen", ""},
+                        {"rounding of a film", ""}};
   Tally tally;
   double largest = 0, worst_slope = 0, worst_ulp = 0;
   for (const ConditionRow& row : rows) {
     const std::string where = row.contact + ", " + row.solver + ", " + row.quantity;
-    part.table.rows.push_back({row.contact, row.solver, row.quantity, row.amplification[0], row.large_step[0], row.amplification[1],
-                               row.large_step[1], row.by_groups[1].value_or(std::nan("")), row.ulp_move[0], row.ulp_move[1], row.floor});
+    part.table.rows.push_back({row.contact, row.solver, row.quantity, row.amplification[0], row.large_step[0],
+                               row.amplification[1], row.large_step[1], row.by_groups[1].value_or(std::nan("")),
+                               row.ulp_move[0], row.ulp_move[1], row.floor});
     tally.require(row.converged, where + ": a solve did not converge");
     for (std::size_t k = 0; k < 2; ++k) {
       const std::string film = where + ", " + std::string(to_string(films[k]));
       const double condition = std::abs(row.large_step[k]);
       // Two films, each known to the floor, over twice the step.
-      const Tolerance of_slope = Tolerance::iteration(row.floor, 1 / small_step) + Tolerance::asymptotic(row.large_step_error[k], "what extrapolating the large step moved");
-      tally.add(std::abs(row.amplification[k] - row.large_step[k]), 0, of_slope, film + ", amplification against that of 1e-3");
+      const Tolerance of_slope =
+          Tolerance::iteration(row.floor, 1 / small_step) +
+          Tolerance::asymptotic(row.large_step_error[k], "what extrapolating the large step moved");
+      tally.add(std::abs(row.amplification[k] - row.large_step[k]), 0, of_slope,
+                film + ", amplification against that of 1e-3");
       worst_slope = std::max(worst_slope, std::abs(row.amplification[k] - row.large_step[k]) / of_slope.value());
-      const Tolerance of_ulp = Tolerance::required(condition * row.ulp, "condition x ulp") + Tolerance::iteration(row.floor, 2);
+      const Tolerance of_ulp =
+          Tolerance::required(condition * row.ulp, "condition x ulp") + Tolerance::iteration(row.floor, 2);
       tally.add(row.ulp_move[k], 0, of_ulp, film + ", moved by one ulp");
       worst_ulp = std::max(worst_ulp, row.ulp_move[k] / of_ulp.value());
       if (row.by_groups[k])
         tally.add(std::abs(row.large_step[k] - *row.by_groups[k]), 0,
-                  Tolerance::asymptotic(10 * large_step * large_step, "s^2 of the central differences in M and L, third derivatives below 60") +
+                  Tolerance::asymptotic(10 * large_step * large_step,
+                                        "s^2 of the central differences in M and L, third derivatives below 60") +
                       Tolerance::iteration(row.floor, 4 / large_step),
                   film + ", against the chain rule over M and L");
       largest = std::max(largest, std::abs(row.amplification[k]));
@@ -215,8 +242,9 @@ Part judge_condition(const std::vector<ConditionRow>& rows) {
   }
   part.verdict = tally.verdict();
   part.failures = tally.failures();
-  part.summary = "largest amplification " + plain(largest, 3) + "; 1e-8 and 1e-3 agree within " + plain(worst_slope, 2) +
-                 " of what rounding allows, one ulp moves films by at most " + plain(worst_ulp, 2) + " of condition x ulp + rounding";
+  part.summary = "largest amplification " + plain(largest, 3) + "; 1e-8 and 1e-3 agree within " +
+                 plain(worst_slope, 2) + " of what rounding allows, one ulp moves films by at most " +
+                 plain(worst_ulp, 2) + " of condition x ulp + rounding";
   return part;
 }
 

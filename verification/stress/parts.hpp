@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The parts of ehd stress: what each measures (run_…) and how that is judged (judge_…). Measuring and judging are apart so
-// that a verdict can be shown to fail on rows that are wrong.
+// The parts of ehd stress: what each measures (run_…) and how that is judged (judge_…). Measuring and judging are apart
+// so that a verdict can be shown to fail on rows that are wrong.
 #pragma once
 
 #include <memory>
@@ -87,10 +87,10 @@ struct PrecisionRow {
 struct RoundingRow {
   std::string solver = {}, contact = {}, mode = {};
   StopReason status = StopReason::diverged;
-  double minimum = 0, central = 0;          ///< relative moves against rounding to nearest
-  bool to_rounding = false;                 ///< else the solver adapts grids, and its stated errors bound the move
+  double minimum = 0, central = 0;  ///< relative moves against rounding to nearest
+  bool to_rounding = false;         ///< else the solver adapts grids, and its stated errors bound the move
   std::optional<Tolerance> tolerance = {};
-  std::string why = {};                     ///< where there is no result
+  std::string why = {};  ///< where there is no result
 };
 [[nodiscard]] std::vector<RoundingRow> run_rounding(const Scope& scope);
 [[nodiscard]] Part judge_rounding(const std::vector<RoundingRow>& rows);
@@ -98,12 +98,12 @@ struct RoundingRow {
 // (e) -- inputs moved by one ulp and by 1e-8 -----------------------------------------------------------------------
 struct ConditionRow {
   std::string contact = {}, solver = {}, quantity = {};
-  double amplification[2] = {};       ///< dln H/dln q of H_min and H_cen by a central difference of 1e-8
-  double large_step[2] = {};          ///< by 1e-3, extrapolated
-  double large_step_error[2] = {};    ///< what extrapolation moved it by
-  double ulp_move[2] = {};            ///< relative move of the films for one ulp of the input, the larger of both sides
-  double ulp = 0;                     ///< relative
-  double floor = 0;                   ///< rounding of one film, relative, predicted
+  double amplification[2] = {};     ///< dln H/dln q of H_min and H_cen by a central difference of 1e-8
+  double large_step[2] = {};        ///< by 1e-3, extrapolated
+  double large_step_error[2] = {};  ///< what extrapolation moved it by
+  double ulp_move[2] = {};          ///< relative move of the films for one ulp of the input, the larger of both sides
+  double ulp = 0;                   ///< relative
+  double floor = 0;                 ///< rounding of one film, relative, predicted
   std::optional<double> by_groups[2] = {};  ///< from the sensitivities to M and L, where the films follow from them
   bool converged = true;
 };
@@ -115,11 +115,11 @@ struct GridRow {
   std::string solver = {}, contact = {};
   int nodes = 0;
   StopReason status = StopReason::diverged;
-  bool spike = false;                            ///< the truth has one: no order is declared of H_min
-  double cells = 0;                              ///< equal cells in the inlet zone of the true film; 0 on other grids
+  bool spike = false;  ///< the truth has one: no order is declared of H_min
+  double cells = 0;    ///< equal cells in the inlet zone of the true film; 0 on other grids
   std::optional<double> error[2] = {}, stated[2] = {};  ///< relative, H_min and H_cen; achieved against the truth
   double truth_error[2] = {};
-  double floor = 0;                              ///< predicted for this n
+  double floor = 0;  ///< predicted for this n
   double wall_s = 0;
   std::string why = {};
 };
@@ -128,13 +128,13 @@ struct GridRow {
 
 // (g) -- extreme, impossible and hurried --------------------------------------------------------------------------
 struct ExtremeRow {
-  std::string kind = {};  ///< what was tried: "random SI", "impossible inputs", "limits"
-  std::string what = {};  ///< the inputs, to be repeated
-  bool inside = false;            ///< M .05 .. 5000, L 0 .. 30 and p_H <= 4 GPa
-  std::string refused = {};       ///< the message of a refusal before any solve
+  std::string kind = {};                       ///< what was tried: "random SI", "impossible inputs", "limits"
+  std::string what = {};                       ///< the inputs, to be repeated
+  bool inside = false;                         ///< M .05 .. 5000, L 0 .. 30 and p_H <= 4 GPa
+  std::string refused = {};                    ///< the message of a refusal before any solve
   std::optional<Ended> fast = {}, other = {};  ///< other: an independent solver, on some
   double wall_s = 0, time_limit_s = 0;
-  std::string broke = {};         ///< how it broke: another exception, a signal
+  std::string broke = {};  ///< how it broke: another exception, a signal
 };
 [[nodiscard]] std::vector<ExtremeRow> run_extremes(const Scope& scope);
 [[nodiscard]] Part judge_extremes(const std::vector<ExtremeRow>& rows);
@@ -143,9 +143,9 @@ struct ExtremeRow {
 struct RepeatRow {
   std::string solver = {}, request = {};
   long contacts = 0, converged = 0;
-  long same_again = 0;        ///< a second run in one thread
-  long same_in_two = 0;       ///< two threads
-  long same_in_process = 0;   ///< another process
+  long same_again = 0;       ///< a second run in one thread
+  long same_in_two = 0;      ///< two threads
+  long same_in_process = 0;  ///< another process
 };
 [[nodiscard]] std::vector<RepeatRow> run_repeats(const Scope& scope);
 [[nodiscard]] Part judge_repeats(const std::vector<RepeatRow>& rows);

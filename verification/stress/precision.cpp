@@ -2,7 +2,8 @@
 // (c) The same discrete equations solved in double, in long double and with 34 digits: the differences are rounding and
 // nothing else.
 // - reference: the collocation on the mesh that the solver ended on, a template over the scalar (reference/hp).
-// - reference.uniform and fast.uniform: equal cells. Their code is written in double; so their equations, as README.md of
+// - reference.uniform and fast.uniform: equal cells. Their code is written in double; so their equations, as README.md
+// of
 //   reference/ states them, are written once more here, for any scalar, sharing only the laws. Two solvers, one truth.
 // In the longer scalars chord steps with an LU in double are enough: the residual decides what is solved.
 #include <Eigen/LU>
@@ -25,9 +26,11 @@ namespace {
 using namespace reference::hp;
 using Eigen::Index;
 
-/// rounding_of in reference/high_order.cpp, of which the solver makes its errors: ten operations on terms of size 1 + X^2/2.
+/// rounding_of in reference/high_order.cpp, of which the solver makes its errors: ten operations on terms of size 1 +
+/// X^2/2.
 constexpr double operations = 10;
-/// What the uniform solvers iterate to, relative to the film at the exit; a film errs by at most 0.24 of that (fast/uniform.cpp).
+/// What the uniform solvers iterate to, relative to the film at the exit; a film errs by at most 0.24 of that
+/// (fast/uniform.cpp).
 constexpr double iterated_to[] = {1e-12, 1e-11};
 constexpr double inlet = -4;
 
@@ -52,7 +55,8 @@ class UniformEquations {
   UniformEquations(const Problem& problem, int intervals) : problem_(problem), n_(intervals), weights_(intervals + 1) {
     using std::abs;
     using std::log;
-    // Int hat(t) ln|k - t| dt = G(k+1) - 2 G(k) + G(k-1), G = u^2 ln|u|/2 - 3u^2/4: with 34 digits n^2 ln n of them may cancel.
+    // Int hat(t) ln|k - t| dt = G(k+1) - 2 G(k) + G(k-1), G = u^2 ln|u|/2 - 3u^2/4: with 34 digits n^2 ln n of them may
+    // cancel.
     const auto G = [](int k) {
       const Quad u(k);
       return k == 0 ? Quad(0) : Quad(u * u * (log(abs(u)) / 2 - Quad(3) / 4));
@@ -89,7 +93,8 @@ class UniformEquations {
     VectorOf<Scalar> r(n_ + 1);
     for (int i = 0; i < n_; ++i) {
       const Scalar H_face = (H[i] + H[i + 1]) / two, rho = (density.value[i] + density.value[i + 1]) / two;
-      const Scalar mobility = rho * H_face * H_face * H_face * fluidity(viscosity.value[i], viscosity.value[i + 1]) / lambda;
+      const Scalar mobility =
+          rho * H_face * H_face * H_face * fluidity(viscosity.value[i], viscosity.value[i + 1]) / lambda;
       const Scalar wedge = i == 0 ? (f[0] + f[1]) / two : f[i] + (f[i + 1] - f[i - 1]) / Scalar(4);
       r[i] = mobility * (state.P[i + 1] - state.P[i]) / h - wedge + f[n_];
     }
@@ -133,8 +138,9 @@ UniformSolved<Scalar> uniform_in(const Problem& problem, const Fields& fields) {
   const reference::State start{.P = fields.P, .offset = fields.offset, .exit = fields.X[n]};
   const Eigen::PartialPivLU<Eigen::MatrixXd> lu(in_double.jacobian(start, in_double.evaluate(start)));
   const UniformEquations<Scalar> equations(problem, n);
-  typename UniformEquations<Scalar>::State state{
-      .P = converted<Scalar, double>(fields.P.matrix()).array(), .offset = Scalar(start.offset), .exit = Scalar(start.exit)};
+  typename UniformEquations<Scalar>::State state{.P = converted<Scalar, double>(fields.P.matrix()).array(),
+                                                 .offset = Scalar(start.offset),
+                                                 .exit = Scalar(start.exit)};
   UniformSolved<Scalar> run;
   const double rounding = operations * eps_of<Scalar>() * (1 + inlet * inlet / 2);
   double before = 0;
@@ -158,7 +164,8 @@ UniformSolved<Scalar> uniform_in(const Problem& problem, const Fields& fields) {
 
 /// Largest relative difference of the films at the nodes where the truth is smallest, and next to X = 0.
 template <class One>
-void compare(const One& H, const ArrayOf<Quad>& P_truth, const ArrayOf<Quad>& truth, const Array& X, const One& P, PrecisionRow& row) {
+void compare(const One& H, const ArrayOf<Quad>& P_truth, const ArrayOf<Quad>& truth, const Array& X, const One& P,
+             PrecisionRow& row) {
   using std::abs;
   Index smallest = 0, centre = 0;
   for (Index i = 0; i < truth.size(); ++i) {
@@ -180,7 +187,8 @@ std::vector<PrecisionRow> on_equal_cells(const Problem& problem, const std::stri
   std::vector<PrecisionRow> rows;
   const char* const solvers[] = {"reference.uniform", "fast.uniform"};
   for (std::size_t k = 0; k < 2; ++k) {
-    const Solution solution = find_solver(solvers[k])->solve(problem, {.tolerance = {}, .nodes = intervals, .time_limit_s = 60});
+    const Solution solution =
+        find_solver(solvers[k])->solve(problem, {.tolerance = {}, .nodes = intervals, .time_limit_s = 60});
     PrecisionRow row{.contact = contact, .arithmetic = "double", .equations = solvers[k], .unknowns = intervals + 1};
     row.minimum = row.central = std::nan("");
     if (solution.record.status == StopReason::converged) {
@@ -195,7 +203,8 @@ std::vector<PrecisionRow> on_equal_cells(const Problem& problem, const std::stri
         longer.arithmetic = "long double";
         longer.equations = "the same equations";
         const auto middle = uniform_in<long double>(problem, fields);
-        longer.tolerance = Tolerance::calibrated(operations * row.condition * eps_of<long double>(), "10 operations x condition x eps of long double");
+        longer.tolerance = Tolerance::calibrated(operations * row.condition * eps_of<long double>(),
+                                                 "10 operations x condition x eps of long double");
         longer.minimum = longer.central = std::nan("");
         if (middle.solved) compare(middle.H, truth.P, truth.H, fields.X, middle.P, longer);
         rows.push_back(longer);
@@ -236,7 +245,10 @@ Solved<Scalar> collocation_in(const Problem& problem, const Mesh& mesh, const re
   const auto at = in_double.evaluate(start, 0);
   const VectorOf<double> rows = at.scale.cwiseInverse();
   const Eigen::PartialPivLU<MatrixOf<double>> lu(rows.asDiagonal() * in_double.jacobian(start, at));
-  Solved<Scalar> run{.state = {.P = converted<Scalar, double>(start.P), .offset = Scalar(start.offset), .flux = Scalar(start.flux), .exit = Scalar(start.exit)}};
+  Solved<Scalar> run{.state = {.P = converted<Scalar, double>(start.P),
+                               .offset = Scalar(start.offset),
+                               .flux = Scalar(start.flux),
+                               .exit = Scalar(start.exit)}};
   const double rounding = operations * 1.5 / start.flux * eps_of<Scalar>();
   double before = 0;
   for (int step = 0; step < 40 && !run.solved; ++step) {
@@ -244,7 +256,8 @@ Solved<Scalar> collocation_in(const Problem& problem, const Mesh& mesh, const re
     // A residual of 1e-30 has to reach the solver with digits: divided by its largest entry.
     const Scalar size = here.residual.cwiseAbs().maxCoeff();
     if (size == Scalar(0)) break;
-    const VectorOf<double> right = -rows.cwiseProduct(converted<double, Scalar>(VectorOf<Scalar>(here.residual / size)));
+    const VectorOf<double> right =
+        -rows.cwiseProduct(converted<double, Scalar>(VectorOf<Scalar>(here.residual / size)));
     const VectorOf<double> change = lu.solve(right);
     for (int i = 0; i < n; ++i) run.state.P[i] += size * Scalar(change[i]);
     run.state.offset += size * Scalar(change[n]);
@@ -275,7 +288,10 @@ std::vector<PrecisionRow> on_elements(const Problem& problem, const std::string&
   const Mesh mesh = mesh_of(fields);
   row.unknowns = last + 3;
   // Its own equations on the mesh rebuilt: breakpoints moved in their last digit, so Newton's last step is taken again.
-  const reference::hp::State<double> given{.P = fields.P.matrix(), .offset = fields.offset, .flux = fields.density[last] * fields.H[last], .exit = fields.X[last]};
+  const reference::hp::State<double> given{.P = fields.P.matrix(),
+                                           .offset = fields.offset,
+                                           .flux = fields.density[last] * fields.H[last],
+                                           .exit = fields.X[last]};
   const auto here = collocation_in<double>(problem, mesh, given);
   const auto middle = collocation_in<long double>(problem, mesh, given);
   const auto truth = collocation_in<Quad>(problem, mesh, given);
@@ -284,11 +300,13 @@ std::vector<PrecisionRow> on_elements(const Problem& problem, const std::string&
   row.tolerance = Tolerance::round_off(operations, row.condition);
   PrecisionRow longer = row;
   longer.arithmetic = "long double";
-  longer.tolerance = Tolerance::calibrated(operations * row.condition * eps_of<long double>(), "10 operations x condition x eps of long double");
+  longer.tolerance = Tolerance::calibrated(operations * row.condition * eps_of<long double>(),
+                                           "10 operations x condition x eps of long double");
   if (here.solved && middle.solved && truth.solved) {
     const ArrayOf<Quad> H = films_at_nodes(problem, mesh, truth.state), P = truth.state.P.array();
     compare(films_at_nodes(problem, mesh, here.state), P, H, fields.X, Array(here.state.P.array()), row);
-    compare(films_at_nodes(problem, mesh, middle.state), P, H, fields.X, ArrayOf<long double>(middle.state.P.array()), longer);
+    compare(films_at_nodes(problem, mesh, middle.state), P, H, fields.X, ArrayOf<long double>(middle.state.P.array()),
+            longer);
   }
   return {longer, row};
 }
@@ -309,7 +327,8 @@ std::vector<PrecisionRow> run_precision(const Scope& scope) {
     const auto& [moes, roelands] = contacts[i / 2];
     const Problem problem = problem_at(moes, roelands, TruncatedAt{inlet});
     const std::string contact = contact_name(moes, roelands);
-    found[i] = i % 2 == 0 ? on_equal_cells(problem, contact, intervals) : on_elements(problem, contact, scope.quick ? 1e-4 : 1e-8);
+    found[i] = i % 2 == 0 ? on_equal_cells(problem, contact, intervals)
+                          : on_elements(problem, contact, scope.quick ? 1e-4 : 1e-8);
   });
   std::vector<PrecisionRow> rows;
   for (const auto& some : found) rows.insert(rows.end(), some.begin(), some.end());
@@ -317,16 +336,20 @@ std::vector<PrecisionRow> run_precision(const Scope& scope) {
 }
 
 Part judge_precision(const std::vector<PrecisionRow>& rows) {
-  Part part{.id = "c", .name = "precision", .question = "What does double precision do to the solution of the same discrete equations?"};
+  Part part{.id = "c",
+            .name = "precision",
+            .question = "What does double precision do to the solution of the same discrete equations?"};
   part.settings = {{"operations", operations}, {"inlet", inlet}, {"digits", 34}};
-  part.table.columns = {{"contact", ""}, {"equations", ""}, {"arithmetic", ""}, {"unknowns", ""}, {"condition", ""}, {"H_min off", ""},
-                        {"H_cen off", ""}, {"P off", ""}, {"bound", ""}, {"contraction", ""}};
+  part.table.columns = {{"contact", ""},   {"equations", ""},  {"arithmetic", ""}, {"unknowns", ""},
+                        {"condition", ""}, {"H_min off", ""},  {"H_cen off", ""},  {"P off", ""},
+                        {"bound", ""},     {"contraction", ""}};
   Tally tally;
   double worst = 0, largest = 0;
   for (const PrecisionRow& row : rows) {
     const std::string where = row.contact + ", " + row.equations + ", " + row.arithmetic;
-    part.table.rows.push_back({row.contact, row.equations, row.arithmetic, static_cast<double>(row.unknowns), row.condition, row.minimum,
-                               row.central, row.pressure, row.tolerance ? row.tolerance->value() : std::nan(""), row.contraction});
+    part.table.rows.push_back({row.contact, row.equations, row.arithmetic, static_cast<double>(row.unknowns),
+                               row.condition, row.minimum, row.central, row.pressure,
+                               row.tolerance ? row.tolerance->value() : std::nan(""), row.contraction});
     if (!row.tolerance) {
       tally.add(Verdict::inconclusive, where + ": not solved");
       continue;
@@ -336,11 +359,13 @@ Part judge_precision(const std::vector<PrecisionRow>& rows) {
       worst = std::max(worst, error / row.tolerance->value());
       if (row.arithmetic == "double") largest = std::max(largest, error);
     }
-    if (row.arithmetic == "double" && (!part.tolerance || row.tolerance->value() > part.tolerance->value())) part.tolerance = row.tolerance;
+    if (row.arithmetic == "double" && (!part.tolerance || row.tolerance->value() > part.tolerance->value()))
+      part.tolerance = row.tolerance;
   }
   part.verdict = tally.verdict();
   part.failures = tally.failures();
-  part.summary = "films in double are at most " + plain(largest, 2) + " from those of 34 digits, every row within " + plain(worst, 2) + " of its bound";
+  part.summary = "films in double are at most " + plain(largest, 2) + " from those of 34 digits, every row within " +
+                 plain(worst, 2) + " of its bound";
   return part;
 }
 

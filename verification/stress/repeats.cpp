@@ -96,16 +96,18 @@ Part judge_repeats(const std::vector<RepeatRow>& rows) {
   Part part{.id = "h",
             .name = "repeatability",
             .question = "Does a solve give the same bits again, in one thread, two threads, another process?"};
-  part.tolerance = Tolerance::required(0, "solutions that differ in any bit; plans are estimated, no solve knows of another");
+  part.tolerance =
+      Tolerance::required(0, "solutions that differ in any bit; plans are estimated, no solve knows of another");
   part.settings = {{"threads", {1, 2}}, {"time_limit_s", time_limit_s}};
-  part.table.columns = {{"solver", ""}, {"asked", ""}, {"contacts", ""}, {"converged", ""}, {"same again", ""},
-                        {"same in 2 threads", ""}, {"same in a child", ""}};
+  part.table.columns = {{"solver", ""},         {"asked", ""},      {"contacts", ""},
+                        {"converged", ""},      {"same again", ""}, {"same in 2 threads", ""},
+                        {"same in a child", ""}};
   Tally tally;
   long solves = 0, same = 0;
   for (const RepeatRow& row : rows) {
-    part.table.rows.push_back({row.solver, row.request, static_cast<double>(row.contacts), static_cast<double>(row.converged),
-                               static_cast<double>(row.same_again), static_cast<double>(row.same_in_two),
-                               static_cast<double>(row.same_in_process)});
+    part.table.rows.push_back({row.solver, row.request, static_cast<double>(row.contacts),
+                               static_cast<double>(row.converged), static_cast<double>(row.same_again),
+                               static_cast<double>(row.same_in_two), static_cast<double>(row.same_in_process)});
     const std::string where = row.solver + ", " + row.request + ": ";
     if (row.contacts == 0 || row.converged == 0) {
       tally.add(Verdict::inconclusive, where + "no contact was solved");
@@ -121,7 +123,8 @@ Part judge_repeats(const std::vector<RepeatRow>& rows) {
   }
   part.verdict = tally.verdict();
   part.failures = tally.failures();
-  part.summary = std::to_string(same) + " of " + std::to_string(solves) + " repeated solves are the same bit for bit, every solver";
+  part.summary = std::to_string(same) + " of " + std::to_string(solves) +
+                 " repeated solves are the same bit for bit, every solver";
   return part;
 }
 

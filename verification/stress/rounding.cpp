@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // (d) The solvers, with FFTW, Eigen and libm under them, in the four rounding modes, each in a process of its own.
 //
-// A film is X^2/2 + H_0 less a sum of kernel products: terms of size 1 + X_a^2/2, in which a directed mode errs by up to one eps
-// an operation, always to the same side, so that errors of n terms add up to n eps at the worst; an FFT adds them in log2 2n
-// stages, 4 eps each (rung 2). Twice that, since the mode and rounding to nearest both err. What iteration leaves comes on top.
-// Solvers that lay out their grids by the solution may lay out another one: their films move within what both runs state.
+// A film is X^2/2 + H_0 less a sum of kernel products: terms of size 1 + X_a^2/2, in which a directed mode errs by up
+// to one eps an operation, always to the same side, so that errors of n terms add up to n eps at the worst; an FFT adds
+// them in log2 2n stages, 4 eps each (rung 2). Twice that, since the mode and rounding to nearest both err. What
+// iteration leaves comes on top. Solvers that lay out their grids by the solution may lay out another one: their films
+// move within what both runs state.
 #include <cfenv>
 #include <cmath>
 
@@ -26,7 +27,8 @@ struct Mode {
   const char* name;
   int mode;
 };
-constexpr Mode modes[] = {{"nearest", FE_TONEAREST}, {"up", FE_UPWARD}, {"down", FE_DOWNWARD}, {"to zero", FE_TOWARDZERO}};
+constexpr Mode modes[] = {
+    {"nearest", FE_TONEAREST}, {"up", FE_UPWARD}, {"down", FE_DOWNWARD}, {"to zero", FE_TOWARDZERO}};
 
 struct Contact {
   MoesGroups moes;
@@ -55,7 +57,8 @@ Json in_mode(int mode, const std::vector<Asked>& all, const std::vector<Problem>
   std::vector<Ended> ends;
   if (std::fesetround(mode) != 0) throw std::runtime_error("this rounding mode cannot be set");
   for (const Asked& asked : all) {
-    for (const Problem& problem : problems) ends.push_back(ended(find_solver(asked.solver)->solve(problem, asked.request)));
+    for (const Problem& problem : problems)
+      ends.push_back(ended(find_solver(asked.solver)->solve(problem, asked.request)));
   }
   const bool stayed = std::fegetround() == mode;
   std::fesetround(FE_TONEAREST);  // numbers are written as they are read
@@ -100,7 +103,10 @@ std::vector<RoundingRow> run_rounding(const Scope& scope) {
     std::size_t index = 0;
     for (const Asked& asked : all) {
       for (const auto& [moes, roelands] : contacts) {
-        RoundingRow row{.solver = asked.solver, .contact = contact_name(moes, roelands), .mode = name, .to_rounding = asked.to_rounding};
+        RoundingRow row{.solver = asked.solver,
+                        .contact = contact_name(moes, roelands),
+                        .mode = name,
+                        .to_rounding = asked.to_rounding};
         row.minimum = row.central = std::nan("");
         if (index < json.size() && index < nearest.size()) {
           const Ended end = end_of(json[index]), base = end_of(nearest[index]);
@@ -109,9 +115,11 @@ std::vector<RoundingRow> run_rounding(const Scope& scope) {
             row.minimum = std::abs(*end.film[0] / *base.film[0] - 1);
             row.central = std::abs(*end.film[1] / *base.film[1] - 1);
             const double condition = (1 + inlet * inlet / 2) / *base.film[0];
-            row.tolerance = asked.to_rounding
-                                ? Tolerance::round_off(2 * asked.operations, condition) + Tolerance::iteration(2 * iterated_to)
-                                : Tolerance::discretisation(std::max(*end.error[0] + *base.error[0], *end.error[1] + *base.error[1]), 1);
+            row.tolerance =
+                asked.to_rounding
+                    ? Tolerance::round_off(2 * asked.operations, condition) + Tolerance::iteration(2 * iterated_to)
+                    : Tolerance::discretisation(
+                          std::max(*end.error[0] + *base.error[0], *end.error[1] + *base.error[1]), 1);
           }
         } else {
           row.why = child.why;
@@ -125,19 +133,22 @@ std::vector<RoundingRow> run_rounding(const Scope& scope) {
 }
 
 Part judge_rounding(const std::vector<RoundingRow>& rows) {
-  Part part{.id = "d", .name = "rounding", .question = "Do the films stay where they are when the processor rounds up, down or to zero?"};
+  Part part{.id = "d",
+            .name = "rounding",
+            .question = "Do the films stay where they are when the processor rounds up, down or to zero?"};
   part.settings = {{"intervals", intervals}, {"tolerance", 1e-5}, {"inlet", inlet}};
-  part.table.columns = {{"solver", ""}, {"contact", ""}, {"mode", ""}, {"status", ""}, {"H_min moves", ""}, {"H_cen moves", ""},
-                        {"bound", ""}, {"by", ""}};
+  part.table.columns = {{"solver", ""},      {"contact", ""},     {"mode", ""},  {"status", ""},
+                        {"H_min moves", ""}, {"H_cen moves", ""}, {"bound", ""}, {"by", ""}};
   Tally tally;
   double worst = 0, farthest = 0;
   long converged = 0;
   for (const RoundingRow& row : rows) {
     const std::string where = row.solver + ", " + row.contact + ", " + row.mode;
-    part.table.rows.push_back({row.solver, row.contact, row.mode, std::string(to_string(row.status)), row.minimum, row.central,
-                               row.tolerance ? row.tolerance->value() : std::nan(""),
+    part.table.rows.push_back({row.solver, row.contact, row.mode, std::string(to_string(row.status)), row.minimum,
+                               row.central, row.tolerance ? row.tolerance->value() : std::nan(""),
                                std::string(row.to_rounding ? "operations x condition" : "stated errors")});
-    tally.require(row.status == StopReason::converged, where + ": " + (row.why.empty() ? std::string(to_string(row.status)) : row.why));
+    tally.require(row.status == StopReason::converged,
+                  where + ": " + (row.why.empty() ? std::string(to_string(row.status)) : row.why));
     converged += row.status == StopReason::converged ? 1 : 0;
     if (!row.tolerance) {
       tally.add(Verdict::inconclusive, where + ": no films to compare");
@@ -148,12 +159,14 @@ Part judge_rounding(const std::vector<RoundingRow>& rows) {
       worst = std::max(worst, move / row.tolerance->value());
       if (row.to_rounding) farthest = std::max(farthest, move);
     }
-    if (row.to_rounding && (!part.tolerance || row.tolerance->value() > part.tolerance->value())) part.tolerance = row.tolerance;
+    if (row.to_rounding && (!part.tolerance || row.tolerance->value() > part.tolerance->value()))
+      part.tolerance = row.tolerance;
   }
   part.verdict = tally.verdict();
   part.failures = tally.failures();
-  part.summary = std::to_string(converged) + " of " + std::to_string(rows.size()) + " solves converge; films on fixed grids move by at most " +
-                 plain(farthest, 2) + ", every film by at most " + plain(worst, 2) + " of its bound";
+  part.summary = std::to_string(converged) + " of " + std::to_string(rows.size()) +
+                 " solves converge; films on fixed grids move by at most " + plain(farthest, 2) +
+                 ", every film by at most " + plain(worst, 2) + " of its bound";
   return part;
 }
 

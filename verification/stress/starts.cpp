@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// (b) Random admissible pressures and offsets end in the same solution, or in an honest failure. The contract of a solver
-// takes no start, but for fast's neighbour; so Newton's method of each is started directly:
+// (b) Random admissible pressures and offsets end in the same solution, or in an honest failure. The contract of a
+// solver takes no start, but for fast's neighbour; so Newton's method of each is started directly:
 // - reference.uniform and fast.uniform: Newton on 128 equal cells, inlet cut at -4;
 // - reference: Newton of its collocation on one mesh at the fluidity's floor 1e-2, where the solver itself begins;
-// - fast: the neighbour of a warm start is made up, the answer must still be that of a cold start within the stated errors.
+// - fast: the neighbour of a warm start is made up, the answer must still be that of a cold start within the stated
+// errors.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -30,8 +31,8 @@ using Clock = std::chrono::steady_clock;
 constexpr unsigned seed = 20261124;
 constexpr int intervals = 128;
 constexpr double inlet = -4;
-/// What both uniform Newtons iterate to, relative to the exit's film; what a residual does to a film is at most 0.24 of it
-/// at 96 problems (fast/uniform.cpp), so that 1 covers it.
+/// What both uniform Newtons iterate to, relative to the exit's film; what a residual does to a film is at most 0.24 of
+/// it at 96 problems (fast/uniform.cpp), so that 1 covers it.
 constexpr double iterated_to = 1e-11, amplification = 1;
 
 struct Contact {
@@ -47,8 +48,9 @@ struct Start {
 
 constexpr const char* families[] = {"stretched", "bumps", "rough"};
 
-/// stretched: a half ellipse of half to one and a half times the width, moved; bumps: one to four; rough: each value drawn for
-/// itself under an ellipse. Films of a quarter to four times the expected one. Scaled to the load by the caller.
+/// stretched: a half ellipse of half to one and a half times the width, moved; bumps: one to four; rough: each value
+/// drawn for itself under an ellipse. Films of a quarter to four times the expected one. Scaled to the load by the
+/// caller.
 Start drawn(Draw& draw, const std::string& family, double film) {
   const double l = std::max(1.0, std::sqrt(2 * film));
   Start start{.P = {}, .exit = l * draw.uniform(0.7, 1.4), .film = film * draw.logarithmic(0.25, 4)};
@@ -104,13 +106,17 @@ struct Level {
 };
 
 Level of_reference_uniform(const Problem& problem) {
-  const auto equations = std::make_shared<const reference::Equations>(problem, reference::uniform_grid(inlet, intervals));
+  const auto equations =
+      std::make_shared<const reference::Equations>(problem, reference::uniform_grid(inlet, intervals));
   const auto budget = [] {
     return reference::Budget{.newton_iterations = 1000, .end = Clock::now() + std::chrono::seconds(20)};
   };
   const double film = expected_film(problem);
-  auto own = reference::newton(*equations, reference::hertz_start(*equations, film, 1 + 0.45 * std::pow(std::min(film, 1.0), 2.0 / 3)), budget());
-  if (own.end != reference::NewtonEnd::solved) own = reference::newton(*equations, reference::martin_start(*equations, film), budget());
+  auto own = reference::newton(
+      *equations, reference::hertz_start(*equations, film, 1 + 0.45 * std::pow(std::min(film, 1.0), 2.0 / 3)),
+      budget());
+  if (own.end != reference::NewtonEnd::solved)
+    own = reference::newton(*equations, reference::martin_start(*equations, film), budget());
   const bool known = own.end == reference::NewtonEnd::solved;
   const double smallest = known ? own.at.H.minCoeff() : 0;
   const Array truth = own.at.H;
@@ -135,7 +141,8 @@ Level of_fast_uniform(const Problem& problem) {
   };
   const auto kept = std::make_shared<Kept>();
   kept->workspace.grids.use(nullptr);
-  const fast::Setting setting{.groups = problem.groups, .viscosity = problem.viscosity, .density = problem.density, .inlet = inlet};
+  const fast::Setting setting{
+      .groups = problem.groups, .viscosity = problem.viscosity, .density = problem.density, .inlet = inlet};
   const auto solve = [=](fast::State& state) {
     fast::Grid& grid = kept->workspace.grids.of(intervals);
     static_cast<void>(grid);
@@ -176,7 +183,8 @@ Level of_fast_uniform(const Problem& problem) {
 Level of_reference(const Problem& problem) {
   using namespace reference::hp;
   constexpr double floor = 1e-2, step = 1e-10;
-  const double film = expected_film(problem), l = std::max(1.0, std::sqrt(2 * film)), zone = l * std::pow(std::min(film, 1.0), 2.0 / 3);
+  const double film = expected_film(problem), l = std::max(1.0, std::sqrt(2 * film)),
+               zone = l * std::pow(std::min(film, 1.0), 2.0 / 3);
   const double exit = std::max(1 + 0.45 * zone / l, 0.5 * std::sqrt(2 * film));
   const auto equations = std::make_shared<const Collocation<double>>(
       problem, seeded_mesh({.inlet = inlet, .exit = exit, .length = l, .inlet_zone = zone}), Points::left_radau);
@@ -191,8 +199,10 @@ Level of_reference(const Problem& problem) {
     if (own.solved) break;
   }
   const double flux = own.solved ? own.state.flux : 0;
-  return {"reference's Newton, floor 1e-2", Tolerance::iteration(2 * step, amplification) + rounding(flux), [=](const Start& start) {
-            State<double> state{.P = equations->node_coordinates(start.exit).unaryExpr(start.P).matrix(), .exit = start.exit};
+  return {"reference's Newton, floor 1e-2", Tolerance::iteration(2 * step, amplification) + rounding(flux),
+          [=](const Start& start) {
+            State<double> state{.P = equations->node_coordinates(start.exit).unaryExpr(start.P).matrix(),
+                                .exit = start.exit};
             const auto last = state.P.size() - 1;
             state.P[last] = 0;
             auto at = equations->evaluate(state, floor);
@@ -202,8 +212,9 @@ Level of_reference(const Problem& problem) {
             state.flux = start.film;
             const auto run = solve(state);
             if (!(flux > 0) || !run.solved) return Outcome{};
-            return Outcome{true, run.state.P.allFinite() && std::isfinite(run.state.flux),
-                           std::max(std::abs(run.state.flux / flux - 1), ((run.at.H - own.at.H) / own.at.H).abs().maxCoeff())};
+            return Outcome{
+                true, run.state.P.allFinite() && std::isfinite(run.state.flux),
+                std::max(std::abs(run.state.flux / flux - 1), ((run.at.H - own.at.H) / own.at.H).abs().maxCoeff())};
           }};
 }
 
@@ -212,10 +223,12 @@ Level of_fast(const Problem& problem) {
   const Solution cold = fast::Mapped().solve(problem, request);
   const Ended truth = ended(cold);
   // Relative to the sum of the stated errors.
-  return {"fast, warm start", Tolerance::required(1, "difference over the sum of the stated errors"), [=](const Start& start) {
+  return {"fast, warm start", Tolerance::required(1, "difference over the sum of the stated errors"),
+          [=](const Start& start) {
             Solution neighbour = cold;
             Fields& fields = neighbour.fields;
-            fields.X = inlet + (start.exit - inlet) * (cold.fields.X - cold.fields.X[0]) / (cold.fields.X[cold.fields.X.size() - 1] - cold.fields.X[0]);
+            fields.X = inlet + (start.exit - inlet) * (cold.fields.X - cold.fields.X[0]) /
+                                   (cold.fields.X[cold.fields.X.size() - 1] - cold.fields.X[0]);
             fields.P = fields.X.unaryExpr(start.P);
             fields.H = start.film + fields.X.square() / 2;
             fields.offset = start.film;
@@ -243,7 +256,9 @@ std::vector<StartRow> run_starts(const Scope& scope) {
     const Problem problem = problem_at(contact.moes, contact.roelands, TruncatedAt{inlet});
     const Level level = makers[maker_at](problem);
     StartRow& row = rows[index];
-    row = {.level = level.name, .contact = contact_name(contact.moes, contact.roelands), .family = families[family_at],
+    row = {.level = level.name,
+           .contact = contact_name(contact.moes, contact.roelands),
+           .family = families[family_at],
            .tolerance = level.tolerance};
     Draw draw(seed + static_cast<unsigned>(family_at));  // the same starts for every level
     for (int i = 0; i < starts; ++i) {
@@ -259,17 +274,19 @@ std::vector<StartRow> run_starts(const Scope& scope) {
 }
 
 Part judge_starts(const std::vector<StartRow>& rows) {
-  Part part{.id = "b", .name = "starts", .question = "Do random admissible pressures and offsets end in the same solution?"};
+  Part part{
+      .id = "b", .name = "starts", .question = "Do random admissible pressures and offsets end in the same solution?"};
   part.settings = {{"seed", seed}, {"intervals", intervals}, {"inlet", inlet}};
-  part.table.columns = {{"level", ""}, {"contact", ""}, {"family", ""}, {"starts", ""}, {"converged", ""},
-                        {"largest difference", ""}, {"tolerance", ""}};
+  part.table.columns = {{"level", ""},    {"contact", ""},   {"family", ""},
+                        {"starts", ""},   {"converged", ""}, {"largest difference", ""},
+                        {"tolerance", ""}};
   Tally tally;
   long starts = 0, converged = 0;
   double worst = 0;
   for (const StartRow& row : rows) {
     const double tolerance = row.tolerance ? row.tolerance->value() : 0;
-    part.table.rows.push_back({row.level, row.contact, row.family, static_cast<double>(row.starts), static_cast<double>(row.converged),
-                               row.worst, tolerance});
+    part.table.rows.push_back({row.level, row.contact, row.family, static_cast<double>(row.starts),
+                               static_cast<double>(row.converged), row.worst, tolerance});
     const std::string where = row.level + ", " + row.contact + ", " + row.family;
     starts += row.starts;
     converged += row.converged;
@@ -284,14 +301,16 @@ Part judge_starts(const std::vector<StartRow>& rows) {
   }
   // The largest of the rows' tolerances stands for them; each row is held to its own.
   for (const StartRow& row : rows) {
-    if (row.tolerance && row.level.ends_with("Newton") && (!part.tolerance || row.tolerance->value() > part.tolerance->value()))
+    if (row.tolerance && row.level.ends_with("Newton") &&
+        (!part.tolerance || row.tolerance->value() > part.tolerance->value()))
       part.tolerance = row.tolerance;
   }
   if (converged == 0) tally.add(Verdict::inconclusive, "not one start converged");
   part.verdict = tally.verdict();
   part.failures = tally.failures();
   part.summary = std::to_string(converged) + " of " + std::to_string(starts) +
-                 " random starts converge, to the same solution (at most " + plain(worst, 2) + " of the tolerance); the others fail honestly";
+                 " random starts converge, to the same solution (at most " + plain(worst, 2) +
+                 " of the tolerance); the others fail honestly";
   return part;
 }
 

@@ -64,9 +64,10 @@ Verdict Tally::verdict() const {
 }
 
 std::vector<std::string> Tally::failures() const {
-  std::vector<std::string> some(not_passed_.begin(),
-                                not_passed_.begin() + static_cast<std::ptrdiff_t>(std::min(not_passed_.size(), most_failures)));
-  if (not_passed_.size() > most_failures) some.push_back("and " + std::to_string(not_passed_.size() - most_failures) + " more");
+  std::vector<std::string> some(not_passed_.begin(), not_passed_.begin() + static_cast<std::ptrdiff_t>(std::min(
+                                                                               not_passed_.size(), most_failures)));
+  if (not_passed_.size() > most_failures)
+    some.push_back("and " + std::to_string(not_passed_.size() - most_failures) + " more");
   return some;
 }
 
@@ -86,12 +87,14 @@ const std::vector<PartEntry>& parts() {
 
 const PartEntry* find_part(const std::string& text) {
   const auto& list = parts();
-  const auto at = std::find_if(list.begin(), list.end(), [&](const auto& part) { return part.id == text || part.name == text; });
+  const auto at =
+      std::find_if(list.begin(), list.end(), [&](const auto& part) { return part.id == text || part.name == text; });
   return at == list.end() ? nullptr : &*at;
 }
 
 bool all_passed(const std::vector<Part>& parts) {
-  return !parts.empty() && std::all_of(parts.begin(), parts.end(), [](const Part& part) { return part.verdict == Verdict::pass; });
+  return !parts.empty() &&
+         std::all_of(parts.begin(), parts.end(), [](const Part& part) { return part.verdict == Verdict::pass; });
 }
 
 Json to_json(const std::vector<Part>& parts, double wall_s) {
@@ -125,12 +128,14 @@ std::string human_text(const Part& part) {
   for (const auto& row : part.table.rows) {
     rows.emplace_back();
     for (const Cell& cell : row) rows.back().push_back(shown(cell));
-    const auto number = std::find_if(row.begin(), row.end(), [](const Cell& cell) { return std::holds_alternative<double>(cell); });
+    const auto number =
+        std::find_if(row.begin(), row.end(), [](const Cell& cell) { return std::holds_alternative<double>(cell); });
     left = std::min(left, static_cast<std::size_t>(number - row.begin()));
   }
   std::string text = "(" + part.id + ") " + part.name + ": " + part.question + "\n" + aligned(rows, left, "  ");
   for (const auto& failure : part.failures) text += "  " + one_line(failure) + "\n";
-  return text + "  " + std::string(to_string(part.verdict)) + " in " + plain(part.wall_s, 2) + " s: " + part.summary + "\n\n";
+  return text + "  " + std::string(to_string(part.verdict)) + " in " + plain(part.wall_s, 2) + " s: " + part.summary +
+         "\n\n";
 }
 
 std::string human_summary(const std::vector<Part>& parts) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// ehd stress: what arithmetic, starts, threads and extreme inputs do to the solvers. Each part is a table and a verdict.
+// ehd stress: what arithmetic, starts, threads and extreme inputs do to the solvers. Each part is a table and a
+// verdict.
 #pragma once
 
 #include <functional>
@@ -29,7 +30,7 @@ struct Part {
   std::string name = {};      ///< "box"
   std::string question = {};  ///< one sentence
   Verdict verdict = Verdict::inconclusive;
-  std::string summary = {};   ///< one sentence, with the numbers
+  std::string summary = {};  ///< one sentence, with the numbers
   std::optional<Tolerance> tolerance = {};
   Table table = {};
   std::optional<Table> points = {};  ///< every single run, where the table sums them up; not printed
@@ -38,11 +39,12 @@ struct Part {
   Json settings = Json::object();
 };
 
-/// Verdicts of single rows, added up: one failure fails the whole, else one inconclusive row leaves it open. Nothing judged:
-/// inconclusive.
+/// Verdicts of single rows, added up: one failure fails the whole, else one inconclusive row leaves it open. Nothing
+/// judged: inconclusive.
 class Tally {
  public:
-  /// error + uncertainty against the tolerance; NaN is inconclusive and never passes. `what` names a row that does not pass.
+  /// error + uncertainty against the tolerance; NaN is inconclusive and never passes. `what` names a row that does not
+  /// pass.
   Verdict add(double error, double uncertainty, const Tolerance& tolerance, const std::string& what);
   Verdict add(Verdict verdict, const std::string& what);
   /// A yes or a no.
