@@ -70,6 +70,9 @@ sanitize-threads:  ## The tests that use threads, and part of the suite, with Th
 bench: build  ## Run time and work against achieved error, scaling, batches; results in out/bench (10 minutes)
 	@$(BUILD)/ehd bench --output out/bench
 
+stress: build  ## Numerical stability: starts, precision, rounding, extremes; results in out/stress (15 minutes)
+	@$(BUILD)/ehd stress --output out/stress
+
 # Without this machine's vector instructions, which valgrind may not know; in a folder of its own for that.
 callgrind:  ## Count instructions of three solves, name the functions that moved (KEEP=1 keeps the counts; 5 minutes)
 	@sh cmake/setup.sh valgrind

@@ -3,21 +3,13 @@
 // compiler is gcc, elsewhere the same format in software.
 #pragma once
 
-#if defined(__GNUC__) && !defined(__clang__)
-#include <boost/multiprecision/float128.hpp>
-#else
-#include <boost/multiprecision/cpp_bin_float.hpp>
-#endif
-#include <boost/multiprecision/eigen.hpp>
 #include <limits>
+
+#include "verification/quad.hpp"
 
 namespace ehd::testing {
 
-#if defined(__GNUC__) && !defined(__clang__)
-using Quad = boost::multiprecision::float128;
-#else
-using Quad = boost::multiprecision::cpp_bin_float_quad;
-#endif
+using verification::Quad;
 
 /// An error in any type, as large as it would be in double: one eps of Scalar becomes one of double, so that
 /// Tolerance::round_off holds for both.

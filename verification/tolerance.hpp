@@ -44,6 +44,12 @@ class Tolerance {
     return {value, "required", std::move(where)};
   }
 
+  /// Two reasons that act together.
+  [[nodiscard]] friend Tolerance operator+(const Tolerance& one, const Tolerance& other) {
+    return {one.value_ + other.value_, one.basis_ == other.basis_ ? one.basis_ : one.basis_ + " + " + other.basis_,
+            one.reason_ + "; " + other.reason_};
+  }
+
   [[nodiscard]] double value() const { return value_; }
   [[nodiscard]] const std::string& basis() const { return basis_; }
   [[nodiscard]] const std::string& reason() const { return reason_; }

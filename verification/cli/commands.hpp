@@ -14,6 +14,7 @@ void add_cases(CLI::App& app, int& exit_code);
 void add_plan(CLI::App& app, int& exit_code);
 void add_verify(CLI::App& app, int& exit_code);
 void add_bench(CLI::App& app, int& exit_code);
+void add_stress(CLI::App& app, int& exit_code);
 void add_atlas(CLI::App& app, int& exit_code);
 void add_maps(CLI::App& app, int& exit_code);
 

@@ -21,6 +21,7 @@ Examples:
   ehd cases                           the benchmark cases and how to cite them
   ehd verify                          the verification suite
   ehd bench                           run time against achieved error
+  ehd stress                          numerical stability
   ehd atlas --only m20-l10-           certified solutions over M and L, with the digits that are known
   ehd maps                            how far the film formulas are off, over M and L
 
@@ -43,6 +44,7 @@ int run(int argc, char** argv) {
   add_plan(app, exit_code);
   add_verify(app, exit_code);
   add_bench(app, exit_code);
+  add_stress(app, exit_code);
   add_atlas(app, exit_code);
   add_maps(app, exit_code);
   try {

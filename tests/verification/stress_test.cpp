@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// ehd stress: every verdict fails on rows that are wrong and stays open on rows that say nothing; the program's files
+// and exit codes; the small parts themselves.
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "tests/check.hpp"
+#include "tests/verification/files.hpp"
+#include "tests/verification/process.hpp"
+#include "verification/stress/parts.hpp"
+
+using namespace ehd;
+using namespace ehd::verification;
+using namespace ehd::verification::stress;
+
+namespace {
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+Ended sound(double minimum, double central, double error) {
+  return {.status = StopReason::converged,
+          .reason = {},
+          .iterations = 5,
+          .wall_s = 0.01,
+          .film = {minimum, central},
+          .error = {error, error}};
+}
+
+Ended refused() { return {.status = StopReason::tolerance_not_met, .reason = "the grid ends"}; }
+
+BoxPoint box_point() {
+  return {.roelands = true,
+          .M = 20,
+          .L = 10,
+          .p_H_Pa = 8e8,
+          .dense = "reference",
+          .reference = sound(0.074, 0.085, 1e-4),
+          .fast = sound(0.07401, 0.08501, 2e-4)};
+}
+
+StartRow start_row() {
+  return {.level = "fast.uniform's Newton",
+          .contact = "M = 5",
+          .family = "rough",
+          .starts = 10,
+          .converged = 4,
+          .dishonest = 0,
+          .worst = 1e-12,
+          .tolerance = Tolerance::iteration(1e-11)};
+}
+
+PrecisionRow precision_row() {
+  return {.contact = "M = 5",
+          .arithmetic = "double",
+          .equations = "reference, its mesh",
+          .unknowns = 100,
+          .minimum = 1e-15,
+          .central = 2e-15,
+          .condition = 5,
+          .contraction = 1e-6,
+          .tolerance = Tolerance::round_off(10, 5)};
+}
+
+RoundingRow rounding_row() {
+  return {.solver = "fast.uniform",
+          .contact = "M = 5",
+          .mode = "up",
+          .status = StopReason::converged,
+          .minimum = 1e-14,
+          .central = 1e-14,
+          .to_rounding = true,
+          .tolerance = Tolerance::round_off(100, 5)};
+}
+
+ConditionRow condition_row() {
+  return {.contact = "M = 5",
+          .solver = "fast.uniform",
+          .quantity = "M",
+          .amplification = {-0.1, -0.09},
+          .large_step = {-0.1001, -0.0901},
+          .large_step_error = {1e-5, 1e-5},
+          .ulp_move = {1e-15, 1e-15},
+          .ulp = 1e-16,
+          .floor = 1e-11};
+}
+
+/// Second order from 3.2 cells on, under-resolved before.
+std::vector<GridRow> grid_rows() {
+  std::vector<GridRow> rows;
+  for (const int n : {64, 256, 512, 1024, 2048}) {
+    const double cells = n / 128.0, error = 0.1 / (cells * cells);
+    const bool sees = cells >= 1.5;
+    rows.push_back({.solver = "fast.uniform",
+                    .contact = "M = 100",
+                    .nodes = n,
+                    .status = sees ? StopReason::converged : StopReason::under_resolved,
+                    .cells = cells,
+                    .error = {error, error},
+                    .stated = {2 * error, 2 * error},
+                    .truth_error = {1e-9, 1e-9},
+                    .floor = 1e-11});
+  }
+  return rows;
+}
+
+ExtremeRow extreme_row() {
+  return {.kind = "random SI",
+          .what = "load 1",
+          .inside = true,
+          .fast = sound(0.1, 0.2, 1e-3),
+          .other = sound(0.10001, 0.2, 1e-3),
+          .wall_s = 0.01,
+          .time_limit_s = 5};
+}
+
+RepeatRow repeat_row() {
+  return {.solver = "fast",
+          .request = "tolerance 1e-3",
+          .contacts = 3,
+          .converged = 3,
+          .same_again = 3,
+          .same_in_two = 3,
+          .same_in_process = 3};
+}
+
+/// The verdict of one row after it was spoilt.
+template <class Row, class Judge>
+Verdict spoilt(Row row, Judge judge, const std::function<void(Row&)>& spoil) {
+  spoil(row);
+  return judge(std::vector<Row>{row}).verdict;
+}
+
+}  // namespace
+
+BOOST_TEST_DONT_PRINT_LOG_VALUE(Verdict)
+
+BOOST_AUTO_TEST_SUITE(stress)
+
+BOOST_AUTO_TEST_CASE(a_tally_with_nothing_in_it_is_open_and_nan_never_passes) {
+  Tally tally;
+  BOOST_TEST(tally.verdict() == Verdict::inconclusive);
+  const auto tolerance = Tolerance::required(1, "a test");
+  tally.add(0.5, 0, tolerance, "half");
+  BOOST_TEST(tally.verdict() == Verdict::pass);
+  tally.add(nothing, 0, tolerance, "unknown");
+  BOOST_TEST(tally.verdict() == Verdict::inconclusive);
+  tally.add(2, 0, tolerance, "too much");
+  BOOST_TEST(tally.verdict() == Verdict::fail);
+  BOOST_TEST(tally.failures().size() == 2u);
+  BOOST_TEST(!all_passed({}));
+}
+
+BOOST_AUTO_TEST_CASE(every_part_is_listed_once_by_letter_and_name) {
+  std::set<std::string> ids, names;
+  for (const auto& part : parts()) {
+    ids.insert(part.id);
+    names.insert(part.name);
+    BOOST_TEST(find_part(part.id) == &part);
+    BOOST_TEST(find_part(part.name) == &part);
+  }
+  BOOST_TEST(ids == (std::set<std::string>{"a", "b", "c", "d", "e", "f", "g", "h"}), boost::test_tools::per_element());
+  BOOST_TEST(names.size() == 8u);
+  BOOST_TEST(!find_part("i"));
+}
+
+BOOST_AUTO_TEST_CASE(the_box_fails_where_solvers_differ_or_refuse_below_4_GPa) {
+  using Spoil = std::function<void(BoxPoint&)>;
+  BOOST_TEST(spoilt(box_point(), judge_box, Spoil([](BoxPoint&) {})) == Verdict::pass);
+  BOOST_TEST(spoilt(box_point(), judge_box, Spoil([](BoxPoint& p) { p.fast.film[1] = 0.0851; })) == Verdict::fail);
+  BOOST_TEST(spoilt(box_point(), judge_box, Spoil([](BoxPoint& p) { p.fast.film[0] = nothing; })) ==
+             Verdict::inconclusive);
+  BOOST_TEST(spoilt(box_point(), judge_box, Spoil([](BoxPoint& p) { p.fast.finite = false; })) == Verdict::fail);
+  BOOST_TEST(spoilt(box_point(), judge_box, Spoil([](BoxPoint& p) { p.reference = refused(); })) == Verdict::fail);
+  // Above, a refusal by both is honest, a film that nobody can check is not known, and a wrong one fails.
+  const auto above = [](BoxPoint& p) { p.p_H_Pa = 5e9; };
+  BOOST_TEST(spoilt(box_point(), judge_box, Spoil([&](BoxPoint& p) { above(p), p.reference = p.fast = refused(); })) ==
+             Verdict::pass);
+  BOOST_TEST(spoilt(box_point(), judge_box, Spoil([&](BoxPoint& p) { above(p), p.reference = refused(); })) ==
+             Verdict::inconclusive);
+  BOOST_TEST(spoilt(box_point(), judge_box, Spoil([&](BoxPoint& p) { above(p), p.fast.film[0] = 0.08; })) ==
+             Verdict::fail);
+  BOOST_TEST(judge_box({}).verdict == Verdict::inconclusive);
+}
+
+BOOST_AUTO_TEST_CASE(starts_fail_where_another_solution_is_found) {
+  using Spoil = std::function<void(StartRow&)>;
+  BOOST_TEST(spoilt(start_row(), judge_starts, Spoil([](StartRow&) {})) == Verdict::pass);
+  BOOST_TEST(spoilt(start_row(), judge_starts, Spoil([](StartRow& r) { r.worst = 1e-10; })) == Verdict::fail);
+  BOOST_TEST(spoilt(start_row(), judge_starts, Spoil([](StartRow& r) { r.worst = nothing; })) == Verdict::inconclusive);
+  BOOST_TEST(spoilt(start_row(), judge_starts, Spoil([](StartRow& r) { r.dishonest = 1; })) == Verdict::fail);
+  BOOST_TEST(spoilt(start_row(), judge_starts, Spoil([](StartRow& r) { r.converged = 0; })) == Verdict::inconclusive);
+}
+
+BOOST_AUTO_TEST_CASE(precision_fails_beyond_condition_times_eps) {
+  using Spoil = std::function<void(PrecisionRow&)>;
+  BOOST_TEST(spoilt(precision_row(), judge_precision, Spoil([](PrecisionRow&) {})) == Verdict::pass);
+  BOOST_TEST(spoilt(precision_row(), judge_precision, Spoil([](PrecisionRow& r) { r.central = 2e-14; })) ==
+             Verdict::fail);
+  BOOST_TEST(spoilt(precision_row(), judge_precision, Spoil([](PrecisionRow& r) { r.minimum = nothing; })) ==
+             Verdict::inconclusive);
+  BOOST_TEST(spoilt(precision_row(), judge_precision, Spoil([](PrecisionRow& r) { r.tolerance.reset(); })) ==
+             Verdict::inconclusive);
+}
+
+BOOST_AUTO_TEST_CASE(rounding_fails_where_films_move_or_a_mode_stops_a_solver) {
+  using Spoil = std::function<void(RoundingRow&)>;
+  BOOST_TEST(spoilt(rounding_row(), judge_rounding, Spoil([](RoundingRow&) {})) == Verdict::pass);
+  BOOST_TEST(spoilt(rounding_row(), judge_rounding, Spoil([](RoundingRow& r) { r.central = 1e-12; })) == Verdict::fail);
+  BOOST_TEST(spoilt(rounding_row(), judge_rounding, Spoil([](RoundingRow& r) { r.status = StopReason::diverged; })) ==
+             Verdict::fail);
+  BOOST_TEST(spoilt(rounding_row(), judge_rounding, Spoil([](RoundingRow& r) { r.minimum = nothing; })) ==
+             Verdict::inconclusive);
+}
+
+BOOST_AUTO_TEST_CASE(condition_fails_where_small_and_large_steps_disagree_or_an_ulp_moves_too_much) {
+  using Spoil = std::function<void(ConditionRow&)>;
+  BOOST_TEST(spoilt(condition_row(), judge_condition, Spoil([](ConditionRow&) {})) == Verdict::pass);
+  BOOST_TEST(spoilt(condition_row(), judge_condition, Spoil([](ConditionRow& r) { r.amplification[0] = -0.12; })) ==
+             Verdict::fail);
+  BOOST_TEST(spoilt(condition_row(), judge_condition, Spoil([](ConditionRow& r) { r.ulp_move[1] = 1e-10; })) ==
+             Verdict::fail);
+  BOOST_TEST(spoilt(condition_row(), judge_condition, Spoil([](ConditionRow& r) { r.by_groups[1] = -0.2; })) ==
+             Verdict::fail);
+  BOOST_TEST(spoilt(condition_row(), judge_condition, Spoil([](ConditionRow& r) { r.amplification[1] = nothing; })) ==
+             Verdict::inconclusive);
+}
+
+BOOST_AUTO_TEST_CASE(grids_fail_where_a_blind_grid_converges_an_error_is_hidden_or_errors_drift) {
+  BOOST_TEST(judge_grids(grid_rows()).verdict == Verdict::pass);
+  auto blind = grid_rows();
+  blind[0].status = StopReason::converged;
+  BOOST_TEST(judge_grids(blind).verdict == Verdict::fail);
+  auto hidden = grid_rows();
+  hidden[0].stated[0] = 0.5 * *hidden[0].error[0];
+  BOOST_TEST(judge_grids(hidden).verdict == Verdict::fail);
+  auto drifting = grid_rows();  // no smaller than on the grid before, and honest about it
+  drifting[4].error[1] = drifting[3].error[1];
+  drifting[4].stated[1] = 1;
+  BOOST_TEST(judge_grids(drifting).verdict == Verdict::pass);  // a factor 4 is within the line's allowance
+  drifting[4].error[1] = drifting[2].error[1];
+  BOOST_TEST(judge_grids(drifting).verdict == Verdict::fail);
+  auto spiky = grid_rows();  // with a spike no order is declared of H_min, but it has to fall
+  for (auto& row : spiky) row.spike = true;
+  spiky[4].error[0] = 0.9 * *spiky[3].error[0];
+  spiky[4].stated[0] = 1;
+  BOOST_TEST(judge_grids(spiky).verdict == Verdict::pass);
+  spiky[4].error[0] = 1.1 * *spiky[3].error[0];
+  BOOST_TEST(judge_grids(spiky).verdict == Verdict::fail);
+  auto unknown = grid_rows();
+  unknown[3].error[0] = nothing;
+  BOOST_TEST(judge_grids(unknown).verdict == Verdict::inconclusive);
+}
+
+BOOST_AUTO_TEST_CASE(extremes_fail_on_nan_hangs_crashes_and_wrong_answers) {
+  using Spoil = std::function<void(ExtremeRow&)>;
+  BOOST_TEST(spoilt(extreme_row(), judge_extremes, Spoil([](ExtremeRow&) {})) == Verdict::pass);
+  BOOST_TEST(spoilt(extreme_row(), judge_extremes, Spoil([](ExtremeRow& r) { r.fast->finite = false; })) ==
+             Verdict::fail);
+  BOOST_TEST(spoilt(extreme_row(), judge_extremes, Spoil([](ExtremeRow& r) { r.wall_s = 60; })) == Verdict::fail);
+  BOOST_TEST(spoilt(extreme_row(), judge_extremes,
+                    Spoil([](ExtremeRow& r) { r.broke = "ended by Segmentation fault"; })) == Verdict::fail);
+  BOOST_TEST(spoilt(extreme_row(), judge_extremes, Spoil([](ExtremeRow& r) { r.fast->film[0] = 0.11; })) ==
+             Verdict::fail);
+  BOOST_TEST(spoilt(extreme_row(), judge_extremes, Spoil([](ExtremeRow& r) { r.fast->film[0] = -0.1; })) ==
+             Verdict::fail);
+  BOOST_TEST(spoilt(extreme_row(), judge_extremes, Spoil([](ExtremeRow& r) { r.fast = refused(); })) == Verdict::fail);
+  BOOST_TEST(spoilt(extreme_row(), judge_extremes, Spoil([](ExtremeRow& r) {
+                      r.fast = refused(), r.inside = false, r.other.reset();
+                    })) == Verdict::pass);
+  BOOST_TEST(spoilt(extreme_row(), judge_extremes, Spoil([](ExtremeRow& r) { r.fast.reset(), r.other.reset(); })) ==
+             Verdict::inconclusive);
+  BOOST_TEST(spoilt(extreme_row(), judge_extremes,
+                    Spoil([](ExtremeRow& r) { r.refused = "M: is out of range\nsecond line"; })) == Verdict::fail);
+}
+
+BOOST_AUTO_TEST_CASE(repeats_fail_on_one_solution_that_differs) {
+  using Spoil = std::function<void(RepeatRow&)>;
+  BOOST_TEST(spoilt(repeat_row(), judge_repeats, Spoil([](RepeatRow&) {})) == Verdict::pass);
+  BOOST_TEST(spoilt(repeat_row(), judge_repeats, Spoil([](RepeatRow& r) { r.same_in_two = 2; })) == Verdict::fail);
+  BOOST_TEST(spoilt(repeat_row(), judge_repeats, Spoil([](RepeatRow& r) { r.converged = 0; })) ==
+             Verdict::inconclusive);
+}
+
+BOOST_AUTO_TEST_CASE(wrong_usage_is_one_line_and_leaves_nothing) {
+  const test::Folder folder;
+  const std::string out = (folder.path() / "out").string();
+  for (const auto& [arguments, says] : std::initializer_list<std::pair<std::string, std::string>>{
+           {"--part z", "--part = z: is unknown; allowed is a to h"},
+           {"--threads 0", "--threads = 0: is out of range"},
+           {"extra", "ehd --help"}}) {
+    const auto ended_as = test::ehd_run(folder, "stress --quick --output '" + out + "' " + arguments);
+    BOOST_TEST(ended_as.exit_code == 2, arguments);
+    BOOST_TEST(ended_as.error_lines() == 1, ended_as.err);
+    BOOST_TEST(ended_as.err.find(says) != std::string::npos, ended_as.err);
+    BOOST_TEST(!std::filesystem::exists(out), arguments);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(small_parts_pass_and_leave_their_file) {
+  const test::Folder folder;
+  const auto out = folder.path() / "new" / "stress";
+  const auto run =
+      test::ehd_run(folder, "stress --quick --part c --part d --part e --part h --output '" + out.string() + "'");
+  BOOST_TEST(run.exit_code == 0, run.out);
+  BOOST_TEST(run.err == "");
+  const auto json = nlohmann::json::parse(test::read(out / "stress.json"));
+  BOOST_TEST(json["schema"] == 1);
+  BOOST_TEST(json["success"] == true);
+  BOOST_TEST(json["provenance"].contains("compiler"));
+  BOOST_REQUIRE(json["parts"].size() == 4u);
+  for (const auto& part : json["parts"]) {
+    BOOST_TEST(part["verdict"] == "pass");
+    BOOST_TEST(!part["rows"].empty());
+    BOOST_TEST(part["tolerance"].contains("reason"));
+    for (const auto& row : part["rows"]) BOOST_TEST(row.size() == part["columns"].size());
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// (f) From 2^6 to 2^20 intervals, odd and prime numbers among them: under-resolved where it must be, errors that fall
+// with the order, then a floor of rounding as predicted, and no drift above it.
+//
+// The floor on n equal cells. A film is H_0 + X^2/2 - (l/pi) (K P + ln l S): terms of size 1 + X_a^2/2, which an FFT of
+// 2n points sums with 4 eps log2 2n: relative to the smallest film
+//   r_1 = 4 eps log2(2n) (1 + X_a^2/2)/H_min.
+// The weights are second differences of u^2 ln u, but only up to u = 24, so that they lose no more than 24^2 eps, on 24
+// cells of size 1/n: nothing grows. In Reynolds' equation P is known to eps P, so that the gradient on a cell of h =
+// l/n has eps P n/l and the residual, relative to the exit's flux,
+//   r_2 = eps (1 + c n), c = max (rho H^3/(eta lambda)) P/(l rho_n H_n),
+// is noise from node to node. Newton stops at max(1e-11, 8 r_2) (fast/newton.cpp; reference: 1e-12 + 4 r_2), and a
+// residual moves a film by no more than itself (0.24 at most: fast/uniform.cpp). The floor is r_1 + max(1e-11, 8 r_2):
+// flat to some 1e5 cells, then ~ n. On other grids the solver states what rounding does, and what it states is held
+// against the truth.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <tuple>
+
+#include "contact/observables.hpp"
+#include "verification/claims/oils.hpp"
+#include "verification/parallel.hpp"
+#include "verification/stress/parts.hpp"
+#include "verification/text.hpp"
+
+namespace ehd::verification::stress {
+
+namespace {
+
+constexpr double inlet = -4, truth_tolerance = 1e-10, time_limit_s = 60;
+constexpr double iterated_to = 1e-11;
+/// Solvers say "under-resolved" below 1.5 cells in the inlet zone of their own film, which is off by up to 40 % there;
+/// of the true film's zone that may be half as many or twice.
+constexpr double surely_blind = 0.75, surely_seeing = 3;
+/// Errors may lie so far above the line of the declared order through the first grid that sees the zone. The order is
+/// declared for smooth solutions: where there is a spike, which no equal cells resolve, H_min only has to fall from
+/// grid to grid twice as fine.
+constexpr double above_the_line = 4;
+/// Bars are judged where the truth is known so much better than they say.
+constexpr double truth_within = 0.1;
+
+struct Contact {
+  MoesGroups moes;
+  bool roelands;
+};
+
+struct Truth {
+  Ended films;
+  double exit = 0;
+  double by_cell = 0;  ///< c above
+  bool spike = false;
+};
+
+Truth truth_of(const Problem& problem) {
+  const Solution solution =
+      find_solver("reference")->solve(problem, {.tolerance = truth_tolerance, .time_limit_s = 120});
+  Truth truth{.films = ended(solution)};
+  truth.spike = observe(solution.fields, {Quantity::pressure_spike}).contains(Quantity::pressure_spike);
+  const Fields& f = solution.fields;
+  const auto last = f.X.size() - 1;
+  if (last < 1) return truth;
+  truth.exit = f.X[last];
+  const Array mobility = f.density * f.H.cube() * (-f.log_viscosity).exp() / problem.groups.lambda;
+  truth.by_cell = (mobility * f.P).maxCoeff() / ((truth.exit - inlet) * f.density[last] * f.H[last]);
+  return truth;
+}
+
+}  // namespace
+
+std::vector<GridRow> run_grids(const Scope& scope) {
+  std::vector<Contact> contacts{{{5, 5}, true}, {{1, 0}, false}, {{20, 10}, true}, {{1000, 10}, true}};
+  if (scope.quick) contacts = {contacts[0], contacts[3]};
+  constexpr double eps = std::numeric_limits<double>::epsilon();
+  std::vector<Truth> truths(contacts.size());
+  scope.show(std::to_string(contacts.size()) + " truths by reference");
+  in_threads(contacts.size(), scope.threads, [&](std::size_t i) {
+    truths[i] = truth_of(problem_at(contacts[i].moes, contacts[i].roelands, TruncatedAt{inlet}));
+  });
+  struct Task {
+    std::size_t contact;
+    const RegisteredSolver* solver;
+    int nodes;
+  };
+  std::vector<Task> tasks;
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    for (const RegisteredSolver& solver : solvers()) {
+      const bool fft = solver.uses_fft, uniform = solver.name == "fast.uniform", high = solver.name == "reference";
+      // Collocation refines to hundreds of nodes by itself: a thousand and more have nothing to resolve.
+      const int far = scope.quick ? (fft ? 1 << 12 : 1 << 8)
+                      : uniform   ? 1 << 20
+                      : fft       ? 1 << 16
+                      : high      ? 1 << 9
+                                  : 1 << 11;
+      std::set<int> sizes;
+      for (int n = 1 << 6; n <= far; n *= (fft && n >= 1 << 12 ? 4 : 2)) sizes.insert(n);
+      for (const int odd : {97, 255, 1009, 10007, 100003}) {
+        if (odd <= far) sizes.insert(odd);
+      }
+      for (const int n : sizes) tasks.push_back({c, &solver, n});
+    }
+  }
+  // Large ones first: the others fill the gaps.
+  std::stable_sort(tasks.begin(), tasks.end(), [](const Task& a, const Task& b) {
+    const auto cost = [](const Task& task) { return task.solver->uses_fft ? task.nodes / 100.0 : 1.0 * task.nodes; };
+    return cost(a) > cost(b);
+  });
+  std::vector<GridRow> rows(tasks.size());
+  scope.show(std::to_string(tasks.size()) + " grids");
+  in_threads(tasks.size(), scope.threads, [&](std::size_t i) {
+    const auto& [c, solver, n] = tasks[i];
+    const Problem problem = problem_at(contacts[c].moes, contacts[c].roelands, TruncatedAt{inlet});
+    const Truth& truth = truths[c];
+    GridRow& row = rows[i];
+    row.solver = solver->name;
+    row.contact = contact_name(contacts[c].moes, contacts[c].roelands);
+    row.nodes = n;
+    row.spike = truth.spike;
+    if (solver->memory_bytes(n) > available_memory_bytes() / 2) {
+      row.why = "not run: it would not fit into memory";
+      return;
+    }
+    const Ended end = ended(solver->solve(problem, {.tolerance = {}, .nodes = n, .time_limit_s = time_limit_s}));
+    row.status = end.status;
+    row.why = end.finite ? end.reason : "a number is not finite";
+    row.wall_s = end.wall_s;
+    const bool known = truth.films.has_films();
+    if (known && solver->name.ends_with(".uniform")) {
+      const double H = *truth.films.film[1],
+                   zone = std::pow(std::min(H, 1.0), 2.0 / 3) * std::max(1.0, std::sqrt(2 * H));
+      row.cells = zone * n / (truth.exit - inlet);
+      const double film = 4 * eps * std::log2(2.0 * n) * (1 + inlet * inlet / 2) / *truth.films.film[0];
+      row.floor = film + std::max(iterated_to, 8 * eps * (1 + truth.by_cell * n));
+    }
+    for (std::size_t k = 0; k < 2; ++k) {
+      row.truth_error[k] = known ? *truth.films.error[k] : std::numeric_limits<double>::infinity();
+      if (!known || !end.film[k]) continue;
+      row.error[k] = end.finite ? std::abs(*end.film[k] / *truth.films.film[k] - 1) : std::nan("");
+      row.stated[k] = end.error[k];
+    }
+  });
+  std::stable_sort(rows.begin(), rows.end(), [](const GridRow& a, const GridRow& b) {
+    return std::tie(a.contact, a.solver, a.nodes) < std::tie(b.contact, b.solver, b.nodes);
+  });
+  return rows;
+}
+
+Part judge_grids(const std::vector<GridRow>& rows) {
+  Part part{
+      .id = "f",
+      .name = "grids",
+      .question =
+          "Do errors fall with the grid, down to the rounding that is predicted, and is a blind grid called blind?"};
+  part.settings = {{"inlet", inlet}, {"truth_tolerance", truth_tolerance}, {"above_the_line", above_the_line}};
+  part.tolerance = Tolerance::required(
+      above_the_line,
+      "times the line of second order through the first grid that sees the inlet zone, plus the predicted rounding");
+  part.table.columns = {{"contact", ""},         {"solver", ""},         {"intervals", ""},      {"status", ""},
+                        {"cells", "inlet zone"}, {"H_min off", ""},      {"stated", ""},         {"H_cen off", ""},
+                        {"stated", ""},          {"truth known to", ""}, {"floor", "predicted"}, {"time", "s"}};
+  Tally tally;
+  long blind = 0, called = 0, covered = 0, stated = 0, undecided = 0;
+  double lowest = std::numeric_limits<double>::infinity();
+  int finest = 0;
+  for (const GridRow& row : rows) {
+    const auto number = [](const std::optional<double>& value) { return value.value_or(std::nan("")); };
+    part.table.rows.push_back({row.contact, row.solver, static_cast<double>(row.nodes),
+                               std::string(to_string(row.status)), row.cells > 0 ? row.cells : std::nan(""),
+                               number(row.error[0]), number(row.stated[0]), number(row.error[1]), number(row.stated[1]),
+                               std::max(row.truth_error[0], row.truth_error[1]),
+                               row.floor > 0 ? row.floor : std::nan(""), row.wall_s});
+    const std::string where = row.contact + ", " + row.solver + ", n = " + std::to_string(row.nodes);
+    const bool converged = row.status == StopReason::converged;
+    finest = std::max(finest, converged ? row.nodes : 0);
+    if (row.cells > 0 && row.cells < surely_blind) {
+      ++blind;
+      called += row.status == StopReason::under_resolved ? 1 : 0;
+      tally.require(
+          row.status == StopReason::under_resolved,
+          where + ": " + plain(row.cells, 2) + " cells in the inlet zone, but " + std::string(to_string(row.status)));
+    }
+    if (row.cells > surely_seeing)
+      tally.require(converged, where + ": " + std::string(to_string(row.status)) + " (" + row.why + ")");
+    for (std::size_t k = 0; k < 2; ++k) {
+      if (!row.error[k]) {
+        if (converged) tally.add(Verdict::inconclusive, where + ": no film, or no truth");
+        continue;
+      }
+      const std::string film = where + ", " + std::string(to_string(films[k]));
+      if (!row.stated[k]) {
+        tally.require(!converged, film + ": no stated error");
+      } else if (!(row.truth_error[k] <= truth_within * *row.stated[k]) && !std::isnan(*row.error[k])) {
+        ++undecided;
+      } else {
+        ++stated;
+        const Verdict verdict = tally.add(
+            *row.error[k], row.truth_error[k],
+            Tolerance::discretisation(*row.stated[k], 1) + Tolerance::iteration(row.truth_error[k] + row.floor),
+            film + " against what it states");
+        covered += verdict == Verdict::pass ? 1 : 0;
+      }
+      if (converged) lowest = std::min(lowest, *row.error[k]);
+      // No drift: against the first grid of its kind that sees the zone, and against one half as fine.
+      if (row.cells <= surely_seeing) continue;
+      const auto of_its_kind = [&](const GridRow& one) {
+        return one.contact == row.contact && one.solver == row.solver && one.cells > surely_seeing &&
+               one.error[k].has_value();
+      };
+      const Tolerance floor = Tolerance::iteration(row.floor + row.truth_error[k]);
+      if (row.spike && k == 0) {
+        double coarser = std::numeric_limits<double>::infinity();
+        for (const GridRow& one : rows) {
+          if (of_its_kind(one) && 2 * one.nodes <= row.nodes) coarser = std::min(coarser, *one.error[k]);
+        }
+        if (std::isfinite(coarser))
+          tally.add(*row.error[k], 0, Tolerance::discretisation(coarser, 1) + floor,
+                    film + " against grids at most half as fine");
+        continue;
+      }
+      const auto first = std::find_if(rows.begin(), rows.end(), of_its_kind);
+      if (first == rows.end() || first->nodes >= row.nodes) continue;
+      const double line = *first->error[k] * std::pow(static_cast<double>(first->nodes) / row.nodes, 2);
+      tally.add(*row.error[k], 0, Tolerance::discretisation(line, above_the_line) + floor,
+                film + " against order 2 and the floor");
+    }
+  }
+  part.verdict = tally.verdict();
+  part.failures = tally.failures();
+  part.summary = std::to_string(called) + " of " + std::to_string(blind) + " blind grids called under-resolved; " +
+                 std::to_string(covered) + " of " + std::to_string(stated) + " stated errors hold (" +
+                 std::to_string(undecided) + " more where the truth is not known ten times better); errors fall to " +
+                 plain(lowest, 2) + ", up to " + std::to_string(finest) + " intervals";
+  return part;
+}
+
+}  // namespace ehd::verification::stress

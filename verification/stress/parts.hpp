@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The parts of ehd stress: what each measures (run_…) and how that is judged (judge_…). Measuring and judging are apart
+// so that a verdict can be shown to fail on rows that are wrong.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "contact/solver.hpp"
+#include "verification/registry.hpp"
+#include "verification/stress/stress.hpp"
+
+namespace ehd::verification::stress {
+
+/// What is kept of a solve: the two films (Hertz units) that a tolerance is about, with their stated relative errors.
+struct Ended {
+  StopReason status = StopReason::diverged;
+  std::string reason = {};
+  long iterations = 0;
+  double wall_s = 0;
+  bool finite = true;  ///< every reading, place, error and node value
+  std::optional<double> film[2] = {}, error[2] = {};
+  [[nodiscard]] bool has_films() const { return film[0] && film[1] && error[0] && error[1]; }
+};
+inline constexpr Quantity films[] = {Quantity::film_minimum, Quantity::film_central};
+[[nodiscard]] Ended ended(const Solution& solution);
+/// Largest difference of the two films over the sum of their stated errors; NaN where a film or an error is missing.
+[[nodiscard]] double over_stated_errors(const Ended& one, const Ended& other);
+/// p_H of a contact stated by groups, with the alpha of oil(); 0 at L = 0.
+[[nodiscard]] double hertz_pressure_Pa(const Groups& groups);
+inline constexpr double highest_pressure_Pa = 4e9;  ///< above, a contact is a numerical test
+[[nodiscard]] std::string law_name(bool roelands);
+/// "M = 20, L = 10, Roelands"
+[[nodiscard]] std::string contact_name(const MoesGroups& moes, bool roelands);
+/// Numbers that do not depend on the library, unlike std::uniform_real_distribution.
+class Draw {
+ public:
+  explicit Draw(unsigned seed);
+  ~Draw();
+  Draw(const Draw&) = delete;
+  Draw& operator=(const Draw&) = delete;
+  [[nodiscard]] double uniform(double from, double to);
+  [[nodiscard]] double logarithmic(double from, double to);
+  /// 0 … count - 1
+  [[nodiscard]] int index(int count);
+
+ private:
+  struct Engine;
+  std::unique_ptr<Engine> engine_;
+};
+
+// (a) -- the box of loads and materials, by both solvers -----------------------------------------------------------
+struct BoxPoint {
+  bool roelands = false;
+  double M = 0, L = 0, p_H_Pa = 0;
+  std::string dense = {};  ///< the solver that fast is held against
+  Ended reference = {}, fast = {};
+};
+[[nodiscard]] std::vector<BoxPoint> run_box(const Scope& scope);
+[[nodiscard]] Part judge_box(const std::vector<BoxPoint>& points);
+
+// (b) -- random first states ---------------------------------------------------------------------------------------
+struct StartRow {
+  std::string level = {}, contact = {}, family = {};
+  long starts = 0, converged = 0, dishonest = 0;  ///< dishonest: a number that is not finite in what is called solved
+  double worst = 0;                               ///< largest relative difference of a film from that of the own start
+  std::optional<Tolerance> tolerance = {};        ///< of that
+};
+[[nodiscard]] std::vector<StartRow> run_starts(const Scope& scope);
+[[nodiscard]] Part judge_starts(const std::vector<StartRow>& rows);
+
+// (c) -- double against longer arithmetic on the same grid ---------------------------------------------------------
+struct PrecisionRow {
+  std::string contact = {}, arithmetic = {}, equations = {};
+  long unknowns = 0;
+  double minimum = 0, central = 0, pressure = 0;  ///< from 34 digits; films relative, pressure over its maximum
+  double condition = 0;                           ///< (1 + X_a^2/2)/H_min: size of the terms of a film over the film
+  double contraction = 0;                         ///< of the iteration in 34 digits
+  std::optional<Tolerance> tolerance = {};        ///< of the films
+};
+[[nodiscard]] std::vector<PrecisionRow> run_precision(const Scope& scope);
+[[nodiscard]] Part judge_precision(const std::vector<PrecisionRow>& rows);
+
+// (d) -- the four rounding modes -----------------------------------------------------------------------------------
+struct RoundingRow {
+  std::string solver = {}, contact = {}, mode = {};
+  StopReason status = StopReason::diverged;
+  double minimum = 0, central = 0;  ///< relative moves against rounding to nearest
+  bool to_rounding = false;         ///< else the solver adapts grids, and its stated errors bound the move
+  std::optional<Tolerance> tolerance = {};
+  std::string why = {};  ///< where there is no result
+};
+[[nodiscard]] std::vector<RoundingRow> run_rounding(const Scope& scope);
+[[nodiscard]] Part judge_rounding(const std::vector<RoundingRow>& rows);
+
+// (e) -- inputs moved by one ulp and by 1e-8 -----------------------------------------------------------------------
+struct ConditionRow {
+  std::string contact = {}, solver = {}, quantity = {};
+  double amplification[2] = {};     ///< dln H/dln q of H_min and H_cen by a central difference of 1e-8
+  double large_step[2] = {};        ///< by 1e-3, extrapolated
+  double large_step_error[2] = {};  ///< what extrapolation moved it by
+  double ulp_move[2] = {};          ///< relative move of the films for one ulp of the input, the larger of both sides
+  double ulp = 0;                   ///< relative
+  double floor = 0;                 ///< rounding of one film, relative, predicted
+  std::optional<double> by_groups[2] = {};  ///< from the sensitivities to M and L, where the films follow from them
+  bool converged = true;
+};
+[[nodiscard]] std::vector<ConditionRow> run_condition(const Scope& scope);
+[[nodiscard]] Part judge_condition(const std::vector<ConditionRow>& rows);
+
+// (f) -- from 2^6 to 2^20 intervals --------------------------------------------------------------------------------
+struct GridRow {
+  std::string solver = {}, contact = {};
+  int nodes = 0;
+  StopReason status = StopReason::diverged;
+  bool spike = false;  ///< the truth has one: no order is declared of H_min
+  double cells = 0;    ///< equal cells in the inlet zone of the true film; 0 on other grids
+  std::optional<double> error[2] = {}, stated[2] = {};  ///< relative, H_min and H_cen; achieved against the truth
+  double truth_error[2] = {};
+  double floor = 0;  ///< predicted for this n
+  double wall_s = 0;
+  std::string why = {};
+};
+[[nodiscard]] std::vector<GridRow> run_grids(const Scope& scope);
+[[nodiscard]] Part judge_grids(const std::vector<GridRow>& rows);
+
+// (g) -- extreme, impossible and hurried --------------------------------------------------------------------------
+struct ExtremeRow {
+  std::string kind = {};                       ///< what was tried: "random SI", "impossible inputs", "limits"
+  std::string what = {};                       ///< the inputs, to be repeated
+  bool inside = false;                         ///< M .05 .. 5000, L 0 .. 30 and p_H <= 4 GPa
+  std::string refused = {};                    ///< the message of a refusal before any solve
+  std::optional<Ended> fast = {}, other = {};  ///< other: an independent solver, on some
+  double wall_s = 0, time_limit_s = 0;
+  std::string broke = {};  ///< how it broke: another exception, a signal
+};
+[[nodiscard]] std::vector<ExtremeRow> run_extremes(const Scope& scope);
+[[nodiscard]] Part judge_extremes(const std::vector<ExtremeRow>& rows);
+
+// (h) -- the same bits again --------------------------------------------------------------------------------------
+struct RepeatRow {
+  std::string solver = {}, request = {};
+  long contacts = 0, converged = 0;
+  long same_again = 0;       ///< a second run in one thread
+  long same_in_two = 0;      ///< two threads
+  long same_in_process = 0;  ///< another process
+};
+[[nodiscard]] std::vector<RepeatRow> run_repeats(const Scope& scope);
+[[nodiscard]] Part judge_repeats(const std::vector<RepeatRow>& rows);
+
+}  // namespace ehd::verification::stress

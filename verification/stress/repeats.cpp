@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// (h) The same problem again: in this thread, in two threads, in another process. Every bit but the times is compared.
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+
+#include "verification/batch.hpp"
+#include "verification/child.hpp"
+#include "verification/claims/oils.hpp"
+#include "verification/stress/parts.hpp"
+#include "verification/text.hpp"
+
+namespace ehd::verification::stress {
+
+namespace {
+
+constexpr double time_limit_s = 60;
+
+std::vector<Problem> contacts(bool quick) {
+  std::vector<Problem> list;
+  for (const auto& [M, L] : {std::pair{0.3, 4.0}, {5.0, 5.0}, {20.0, 10.0}, {200.0, 7.5}}) {
+    for (const bool roelands : {true, false}) {
+      for (const bool flooded : {true, false}) {
+        if (!flooded && M < 2) continue;
+        if (quick && (M > 10 || flooded == roelands)) continue;
+        list.push_back(problem_at({M, L}, roelands, flooded ? Inlet{Flooded{}} : Inlet{TruncatedAt{-4}}));
+      }
+    }
+  }
+  return list;
+}
+
+/// The bits of a solution: numbers that differ anywhere give another text, but for collisions of 64 bits.
+std::string fingerprint(const Solution& solution) {
+  std::uint64_t hash = 14695981039346656037u;  // FNV-1a
+  const auto add = [&](double value) {
+    auto bits = std::bit_cast<std::uint64_t>(value);
+    for (int byte = 0; byte < 8; ++byte, bits >>= 8) hash = (hash ^ (bits & 0xFF)) * 1099511628211u;
+  };
+  for (const auto& [quantity, reading] : solution.observables) {
+    add(static_cast<double>(quantity));
+    add(reading.value);
+    add(reading.place.value_or(0));
+    add(reading.error.value_or(0));
+  }
+  const Fields& fields = solution.fields;
+  for (const Array* field : {&fields.X, &fields.P, &fields.H, &fields.density, &fields.log_viscosity, &fields.flux})
+    for (const double value : *field) add(value);
+  add(fields.offset);
+  add(static_cast<double>(solution.record.cost.newton_iterations));
+  return std::to_string(hash);
+}
+
+}  // namespace
+
+std::vector<RepeatRow> run_repeats(const Scope& scope) {
+  std::vector<RepeatRow> rows;
+  const auto problems = contacts(scope.quick);
+  for (const RegisteredSolver& solver : solvers()) {
+    struct Asked {
+      std::string text;
+      Request request;
+    };
+    const Asked all[] = {{"tolerance 1e-3", {.tolerance = 1e-3, .time_limit_s = time_limit_s}},
+                         {"256 intervals", {.tolerance = {}, .nodes = 256, .time_limit_s = time_limit_s}}};
+    for (const Asked& asked : all) {
+      const std::string& text = asked.text;
+      const Request& request = asked.request;
+      scope.show(solver.name + ", " + text);
+      // The other process first, while this one has no thread but its own.
+      const ChildEnd child = in_child([&] {
+        std::string prints;
+        for (const Solution& solution : solve_all(solver, problems, request, 1)) prints += fingerprint(solution) + "\n";
+        return prints;
+      });
+      const auto first = solve_all(solver, problems, request, 1), again = solve_all(solver, problems, request, 1);
+      const auto in_two = solve_all(solver, problems, request, 2);
+      RepeatRow row{.solver = solver.name, .request = text, .contacts = static_cast<long>(problems.size())};
+      std::string rest = child.text.value_or("");
+      for (std::size_t i = 0; i < problems.size(); ++i) {
+        row.converged += first[i].record.status == StopReason::converged ? 1 : 0;
+        row.same_again += identical(first[i], again[i]) ? 1 : 0;
+        row.same_in_two += identical(first[i], in_two[i]) ? 1 : 0;
+        const auto line = rest.find('\n');
+        if (line == std::string::npos) continue;
+        row.same_in_process += rest.substr(0, line) == fingerprint(first[i]) ? 1 : 0;
+        rest.erase(0, line + 1);
+      }
+      rows.push_back(row);
+    }
+  }
+  return rows;
+}
+
+Part judge_repeats(const std::vector<RepeatRow>& rows) {
+  Part part{.id = "h",
+            .name = "repeatability",
+            .question = "Does a solve give the same bits again, in one thread, two threads, another process?"};
+  part.tolerance =
+      Tolerance::required(0, "solutions that differ in any bit; plans are estimated, no solve knows of another");
+  part.settings = {{"threads", {1, 2}}, {"time_limit_s", time_limit_s}};
+  part.table.columns = {{"solver", ""},         {"asked", ""},      {"contacts", ""},
+                        {"converged", ""},      {"same again", ""}, {"same in 2 threads", ""},
+                        {"same in a child", ""}};
+  Tally tally;
+  long solves = 0, same = 0;
+  for (const RepeatRow& row : rows) {
+    part.table.rows.push_back({row.solver, row.request, static_cast<double>(row.contacts),
+                               static_cast<double>(row.converged), static_cast<double>(row.same_again),
+                               static_cast<double>(row.same_in_two), static_cast<double>(row.same_in_process)});
+    const std::string where = row.solver + ", " + row.request + ": ";
+    if (row.contacts == 0 || row.converged == 0) {
+      tally.add(Verdict::inconclusive, where + "no contact was solved");
+      continue;
+    }
+    const std::pair<const char*, long> counts[] = {
+        {"again", row.same_again}, {"in two threads", row.same_in_two}, {"in another process", row.same_in_process}};
+    for (const auto& [how, count] : counts) {
+      tally.add(static_cast<double>(row.contacts - count), 0, *part.tolerance, where + "solutions that differ " + how);
+      solves += row.contacts;
+      same += count;
+    }
+  }
+  part.verdict = tally.verdict();
+  part.failures = tally.failures();
+  part.summary = std::to_string(same) + " of " + std::to_string(solves) +
+                 " repeated solves are the same bit for bit, every solver";
+  return part;
+}
+
+}  // namespace ehd::verification::stress

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// (d) The solvers, with FFTW, Eigen and libm under them, in the four rounding modes, each in a process of its own.
+//
+// A film is X^2/2 + H_0 less a sum of kernel products: terms of size 1 + X_a^2/2, in which a directed mode errs by up
+// to one eps an operation, always to the same side, so that errors of n terms add up to n eps at the worst; an FFT adds
+// them in log2 2n stages, 4 eps each (rung 2). Twice that, since the mode and rounding to nearest both err. What
+// iteration leaves comes on top. Solvers that lay out their grids by the solution may lay out another one: their films
+// move within what both runs state.
+#include <cfenv>
+#include <cmath>
+
+#include "verification/child.hpp"
+#include "verification/claims/oils.hpp"
+#include "verification/stress/parts.hpp"
+#include "verification/text.hpp"
+
+namespace ehd::verification::stress {
+
+namespace {
+
+constexpr double inlet = -4;
+constexpr int intervals = 256;
+constexpr double iterated_to = 1e-11;
+constexpr double time_limit_s = 60;
+
+struct Mode {
+  const char* name;
+  int mode;
+};
+constexpr Mode modes[] = {
+    {"nearest", FE_TONEAREST}, {"up", FE_UPWARD}, {"down", FE_DOWNWARD}, {"to zero", FE_TOWARDZERO}};
+
+struct Contact {
+  MoesGroups moes;
+  bool roelands;
+};
+
+struct Asked {
+  std::string solver;
+  Request request;
+  bool to_rounding;
+  double operations;
+};
+
+std::vector<Asked> asked_of_all() {
+  const double fft_stages = std::log2(2.0 * intervals);
+  const Request on_a_grid{.tolerance = {}, .nodes = intervals, .time_limit_s = time_limit_s};
+  const Request to_tolerance{.tolerance = 1e-5, .time_limit_s = time_limit_s};
+  return {{"reference.uniform", on_a_grid, true, 2.0 * intervals},
+          {"fast.uniform", on_a_grid, true, 8 * fft_stages + 20},
+          {"reference.linear", to_tolerance, false, 0},
+          {"fast", to_tolerance, false, 0},
+          {"reference", to_tolerance, false, 0}};
+}
+
+Json in_mode(int mode, const std::vector<Asked>& all, const std::vector<Problem>& problems) {
+  std::vector<Ended> ends;
+  if (std::fesetround(mode) != 0) throw std::runtime_error("this rounding mode cannot be set");
+  for (const Asked& asked : all) {
+    for (const Problem& problem : problems)
+      ends.push_back(ended(find_solver(asked.solver)->solve(problem, asked.request)));
+  }
+  const bool stayed = std::fegetround() == mode;
+  std::fesetround(FE_TONEAREST);  // numbers are written as they are read
+  if (!stayed) throw std::runtime_error("a solver changed the rounding mode");
+  Json json = Json::array();
+  for (const Ended& end : ends) {
+    Json one{{"status", static_cast<int>(end.status)}, {"finite", end.finite}};
+    for (std::size_t k = 0; k < 2; ++k) {
+      put(one, "film" + std::to_string(k), end.film[k]);
+      put(one, "error" + std::to_string(k), end.error[k]);
+    }
+    json.push_back(one);
+  }
+  return json;
+}
+
+Ended end_of(const Json& json) {
+  Ended end{.status = static_cast<StopReason>(json.at("status").get<int>()), .finite = json.at("finite").get<bool>()};
+  for (std::size_t k = 0; k < 2; ++k) {
+    const std::string at = std::to_string(k);
+    if (json.contains("film" + at)) end.film[k] = json.at("film" + at).get<double>();
+    if (json.contains("error" + at)) end.error[k] = json.at("error" + at).get<double>();
+  }
+  return end;
+}
+
+}  // namespace
+
+std::vector<RoundingRow> run_rounding(const Scope& scope) {
+  std::vector<Contact> contacts{{{5, 5}, true}, {{20, 10}, true}, {{1, 0}, false}, {{10, 5}, false}};
+  if (scope.quick) contacts = {contacts[0]};
+  std::vector<Problem> problems;
+  for (const auto& [moes, roelands] : contacts) problems.push_back(problem_at(moes, roelands, TruncatedAt{inlet}));
+  const auto all = asked_of_all();
+  std::vector<RoundingRow> rows;
+  Json nearest;
+  for (const auto& [name, mode] : modes) {
+    scope.show(name);
+    const ChildEnd child = in_child([&, one = mode] { return in_mode(one, all, problems).dump(); });
+    const Json json = child.text ? Json::parse(*child.text) : Json::array();
+    if (mode == FE_TONEAREST) nearest = json;
+    std::size_t index = 0;
+    for (const Asked& asked : all) {
+      for (const auto& [moes, roelands] : contacts) {
+        RoundingRow row{.solver = asked.solver,
+                        .contact = contact_name(moes, roelands),
+                        .mode = name,
+                        .to_rounding = asked.to_rounding};
+        row.minimum = row.central = std::nan("");
+        if (index < json.size() && index < nearest.size()) {
+          const Ended end = end_of(json[index]), base = end_of(nearest[index]);
+          row.status = end.status;
+          if (end.has_films() && base.has_films() && end.finite) {
+            row.minimum = std::abs(*end.film[0] / *base.film[0] - 1);
+            row.central = std::abs(*end.film[1] / *base.film[1] - 1);
+            const double condition = (1 + inlet * inlet / 2) / *base.film[0];
+            row.tolerance =
+                asked.to_rounding
+                    ? Tolerance::round_off(2 * asked.operations, condition) + Tolerance::iteration(2 * iterated_to)
+                    : Tolerance::discretisation(
+                          std::max(*end.error[0] + *base.error[0], *end.error[1] + *base.error[1]), 1);
+          }
+        } else {
+          row.why = child.why;
+        }
+        ++index;
+        rows.push_back(std::move(row));
+      }
+    }
+  }
+  return rows;
+}
+
+Part judge_rounding(const std::vector<RoundingRow>& rows) {
+  Part part{.id = "d",
+            .name = "rounding",
+            .question = "Do the films stay where they are when the processor rounds up, down or to zero?"};
+  part.settings = {{"intervals", intervals}, {"tolerance", 1e-5}, {"inlet", inlet}};
+  part.table.columns = {{"solver", ""},      {"contact", ""},     {"mode", ""},  {"status", ""},
+                        {"H_min moves", ""}, {"H_cen moves", ""}, {"bound", ""}, {"by", ""}};
+  Tally tally;
+  double worst = 0, farthest = 0;
+  long converged = 0;
+  for (const RoundingRow& row : rows) {
+    const std::string where = row.solver + ", " + row.contact + ", " + row.mode;
+    part.table.rows.push_back({row.solver, row.contact, row.mode, std::string(to_string(row.status)), row.minimum,
+                               row.central, row.tolerance ? row.tolerance->value() : std::nan(""),
+                               std::string(row.to_rounding ? "operations x condition" : "stated errors")});
+    tally.require(row.status == StopReason::converged,
+                  where + ": " + (row.why.empty() ? std::string(to_string(row.status)) : row.why));
+    converged += row.status == StopReason::converged ? 1 : 0;
+    if (!row.tolerance) {
+      tally.add(Verdict::inconclusive, where + ": no films to compare");
+      continue;
+    }
+    for (const double move : {row.minimum, row.central}) {
+      tally.add(move, 0, *row.tolerance, where + ", a film moves");
+      worst = std::max(worst, move / row.tolerance->value());
+      if (row.to_rounding) farthest = std::max(farthest, move);
+    }
+    if (row.to_rounding && (!part.tolerance || row.tolerance->value() > part.tolerance->value()))
+      part.tolerance = row.tolerance;
+  }
+  part.verdict = tally.verdict();
+  part.failures = tally.failures();
+  part.summary = std::to_string(converged) + " of " + std::to_string(rows.size()) +
+                 " solves converge; films on fixed grids move by at most " + plain(farthest, 2) +
+                 ", every film by at most " + plain(worst, 2) + " of its bound";
+  return part;
+}
+
+}  // namespace ehd::verification::stress

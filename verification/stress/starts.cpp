@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// (b) Random admissible pressures and offsets end in the same solution, or in an honest failure. The contract of a
+// solver takes no start, but for fast's neighbour; so Newton's method of each is started directly:
+// - reference.uniform and fast.uniform: Newton on 128 equal cells, inlet cut at -4;
+// - reference: Newton of its collocation on one mesh at the fluidity's floor 1e-2, where the solver itself begins;
+// - fast: the neighbour of a warm start is made up, the answer must still be that of a cold start within the stated
+// errors.
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "contact/film_formulas.hpp"
+#include "contact/hertz.hpp"
+#include "fast/mapped.hpp"
+#include "fast/run.hpp"
+#include "reference/hp/newton.hpp"
+#include "reference/newton.hpp"
+#include "verification/claims/oils.hpp"
+#include "verification/parallel.hpp"
+#include "verification/stress/parts.hpp"
+#include "verification/text.hpp"
+
+namespace ehd::verification::stress {
+
+namespace {
+
+using std::numbers::pi;
+using Clock = std::chrono::steady_clock;
+
+constexpr unsigned seed = 20261124;
+constexpr int intervals = 128;
+constexpr double inlet = -4;
+/// What both uniform Newtons iterate to, relative to the exit's film; what a residual does to a film is at most 0.24 of
+/// it at 96 problems (fast/uniform.cpp), so that 1 covers it.
+constexpr double iterated_to = 1e-11, amplification = 1;
+
+struct Contact {
+  MoesGroups moes;
+  bool roelands;
+};
+
+/// A pressure P(X) >= 0, an exit and a smallest film, all drawn.
+struct Start {
+  std::function<double(double)> P;
+  double exit = 1, film = 0;
+};
+
+constexpr const char* families[] = {"stretched", "bumps", "rough"};
+
+/// stretched: a half ellipse of half to one and a half times the width, moved; bumps: one to four; rough: each value
+/// drawn for itself under an ellipse. Films of a quarter to four times the expected one. Scaled to the load by the
+/// caller.
+Start drawn(Draw& draw, const std::string& family, double film) {
+  const double l = std::max(1.0, std::sqrt(2 * film));
+  Start start{.P = {}, .exit = l * draw.uniform(0.7, 1.4), .film = film * draw.logarithmic(0.25, 4)};
+  const double exit = start.exit;
+  if (family == "bumps") {
+    std::vector<std::array<double, 3>> bumps(static_cast<std::size_t>(1 + draw.index(4)));
+    for (auto& [centre, width, height] : bumps) {
+      centre = draw.uniform(-1.2 * l, 0.8 * exit);
+      width = draw.uniform(0.3, 1.2) * l;
+      height = draw.uniform(0.2, 1);
+    }
+    start.P = [bumps, exit](double X) {
+      double sum = 0;
+      for (const auto& [centre, width, height] : bumps) {
+        const double t = (X - centre) / width;
+        if (std::abs(t) < 1) sum += height * std::pow(std::cos(pi / 2 * t), 2);
+      }
+      return X < exit ? sum * std::min(1.0, (exit - X) / (0.1 * exit)) : 0.0;
+    };
+    return start;
+  }
+  const double width = draw.uniform(0.5, 1.5) * l, centre = draw.uniform(-0.3, 0.1) * l;
+  const bool rough = family == "rough";
+  std::vector<double> noise(1024);
+  for (double& one : noise) one = rough ? draw.uniform(0, 2) : 1;
+  start.P = [=](double X) {
+    const double t = (X - centre) / width;
+    const auto at = static_cast<std::size_t>(std::clamp((X / l + 4) * 128, 0.0, 1023.0));
+    return std::abs(t) < 1 && X < exit ? std::sqrt(1 - t * t) * noise[at] : 0.0;
+  };
+  return start;
+}
+
+double expected_film(const Problem& problem) {
+  return moes_film_formula({.M = problem.groups.M, .L = problem.groups.L}) / moes_film_per_hertz_film(problem.groups.M);
+}
+
+double largest_difference(const Array& film, const Array& truth) { return (film / truth - 1).abs().maxCoeff(); }
+
+/// What rounding does to a film on n cells from X_a on: terms of size 1 + X_a^2/2, relative to the film.
+Tolerance rounding(double film) { return Tolerance::round_off(10, (1 + inlet * inlet / 2) / film); }
+
+struct Outcome {
+  bool solved = false, finite = true;
+  double difference = 0;
+};
+using Attempt = std::function<Outcome(const Start&)>;
+
+struct Level {
+  std::string name;
+  Tolerance tolerance;
+  Attempt attempt;
+};
+
+Level of_reference_uniform(const Problem& problem) {
+  const auto equations =
+      std::make_shared<const reference::Equations>(problem, reference::uniform_grid(inlet, intervals));
+  const auto budget = [] {
+    return reference::Budget{.newton_iterations = 1000, .end = Clock::now() + std::chrono::seconds(20)};
+  };
+  const double film = expected_film(problem);
+  auto own = reference::newton(
+      *equations, reference::hertz_start(*equations, film, 1 + 0.45 * std::pow(std::min(film, 1.0), 2.0 / 3)),
+      budget());
+  if (own.end != reference::NewtonEnd::solved)
+    own = reference::newton(*equations, reference::martin_start(*equations, film), budget());
+  const bool known = own.end == reference::NewtonEnd::solved;
+  const double smallest = known ? own.at.H.minCoeff() : 0;
+  const Array truth = own.at.H;
+  return {"reference.uniform's Newton", Tolerance::iteration(2 * iterated_to, amplification) + rounding(smallest),
+          [=](const Start& start) {
+            const Array X = equations->grid().nodes(start.exit);
+            reference::State state{.P = X.unaryExpr(start.P), .exit = start.exit};
+            state.P[0] = state.P[intervals] = 0;
+            const double spacing = (start.exit - inlet) / intervals;
+            state.P *= pi / 2 / (spacing * state.P.sum());
+            state.offset = start.film - equations->film_without_offset(state.P, state.exit).minCoeff();
+            const auto run = reference::newton(*equations, state, budget());
+            if (!known || run.end != reference::NewtonEnd::solved) return Outcome{};
+            return Outcome{true, run.at.H.allFinite() && run.state.P.allFinite(), largest_difference(run.at.H, truth)};
+          }};
+}
+
+Level of_fast_uniform(const Problem& problem) {
+  struct Kept {
+    fast::Workspace workspace;
+    fast::Counters counters;
+  };
+  const auto kept = std::make_shared<Kept>();
+  kept->workspace.grids.use(nullptr);
+  const fast::Setting setting{
+      .groups = problem.groups, .viscosity = problem.viscosity, .density = problem.density, .inlet = inlet};
+  const auto solve = [=](fast::State& state) {
+    fast::Grid& grid = kept->workspace.grids.of(intervals);
+    static_cast<void>(grid);
+    return fast::newton(setting, state, {.residual = iterated_to}, 60,
+                        {.newton_iterations = 100000000, .deadline = Clock::now() + std::chrono::seconds(20)},
+                        kept->workspace, kept->counters);
+  };
+  // As fast::succeeded: P >= 0 and a film that opens at the exit.
+  const auto admissible = [=](const fast::NewtonResult& result, const fast::State& state) {
+    const auto& at = kept->workspace.now();
+    return result.end == fast::NewtonEnd::converged && state.P.minCoeff() >= -1e-3 &&
+           at.density.value[at.n] * at.H[at.n] >= at.density.value[at.n - 1] * at.H[at.n - 1];
+  };
+  const double film = expected_film(problem);
+  Array truth;
+  for (const auto shape : {fast::likely_shape(film), fast::Shape::hertz, fast::Shape::martin}) {
+    fast::State state = fast::first_iterate(setting, shape, film, kept->workspace.grids.of(intervals));
+    const auto result = solve(state);
+    if (!admissible(result, state)) continue;
+    truth = kept->workspace.now().H;
+    break;
+  }
+  return {"fast.uniform's Newton",
+          Tolerance::iteration(2 * iterated_to, amplification) + rounding(truth.size() > 0 ? truth.minCoeff() : 0),
+          [=](const Start& start) {
+            const Array X = Array::LinSpaced(intervals + 1, inlet, start.exit);
+            fast::State state{.P = X.unaryExpr(start.P), .exit = start.exit, .tail = {}};
+            state.P[0] = state.P[intervals] = 0;
+            state.P *= pi / 2 / ((start.exit - inlet) / intervals * state.P.sum());
+            state.offset = fast::offset_for(start.film, setting, state, kept->workspace.grids.of(intervals));
+            const auto result = solve(state);
+            if (truth.size() == 0 || !admissible(result, state)) return Outcome{};
+            const Array& H = kept->workspace.now().H;
+            return Outcome{true, H.allFinite() && state.P.allFinite(), largest_difference(H, truth)};
+          }};
+}
+
+Level of_reference(const Problem& problem) {
+  using namespace reference::hp;
+  constexpr double floor = 1e-2, step = 1e-10;
+  const double film = expected_film(problem), l = std::max(1.0, std::sqrt(2 * film)),
+               zone = l * std::pow(std::min(film, 1.0), 2.0 / 3);
+  const double exit = std::max(1 + 0.45 * zone / l, 0.5 * std::sqrt(2 * film));
+  const auto equations = std::make_shared<const Collocation<double>>(
+      problem, seeded_mesh({.inlet = inlet, .exit = exit, .length = l, .inlet_zone = zone}), Points::left_radau);
+  const auto solve = [=](const State<double>& state) {
+    Meter meter{.iterations_left = 1000, .end = Clock::now() + std::chrono::seconds(20)};
+    return newton(*equations, state, floor, {.iterations = 60, .step = step}, meter);
+  };
+  NewtonRun own;
+  for (const double factor : {1.0, 2.0, 0.5, 4.0}) {
+    own = solve(hertz_start(*equations, exit, factor * film));
+    if (!own.solved) own = solve(martin_start(*equations, exit, factor * film));
+    if (own.solved) break;
+  }
+  const double flux = own.solved ? own.state.flux : 0;
+  return {"reference's Newton, floor 1e-2", Tolerance::iteration(2 * step, amplification) + rounding(flux),
+          [=](const Start& start) {
+            State<double> state{.P = equations->node_coordinates(start.exit).unaryExpr(start.P).matrix(),
+                                .exit = start.exit};
+            const auto last = state.P.size() - 1;
+            state.P[last] = 0;
+            auto at = equations->evaluate(state, floor);
+            state.P *= pi / 2 / at.load_integral / equations->stretching(start.exit);
+            at = equations->evaluate(state, floor);
+            state.offset = start.film - at.H.minCoeff();
+            state.flux = start.film;
+            const auto run = solve(state);
+            if (!(flux > 0) || !run.solved) return Outcome{};
+            return Outcome{
+                true, run.state.P.allFinite() && std::isfinite(run.state.flux),
+                std::max(std::abs(run.state.flux / flux - 1), ((run.at.H - own.at.H) / own.at.H).abs().maxCoeff())};
+          }};
+}
+
+Level of_fast(const Problem& problem) {
+  const Request request{.tolerance = 1e-4, .time_limit_s = 20};
+  const Solution cold = fast::Mapped().solve(problem, request);
+  const Ended truth = ended(cold);
+  // Relative to the sum of the stated errors.
+  return {"fast, warm start", Tolerance::required(1, "difference over the sum of the stated errors"),
+          [=](const Start& start) {
+            Solution neighbour = cold;
+            Fields& fields = neighbour.fields;
+            fields.X = inlet + (start.exit - inlet) * (cold.fields.X - cold.fields.X[0]) /
+                                   (cold.fields.X[cold.fields.X.size() - 1] - cold.fields.X[0]);
+            fields.P = fields.X.unaryExpr(start.P);
+            fields.H = start.film + fields.X.square() / 2;
+            fields.offset = start.film;
+            fast::Workspace workspace;
+            const Ended end = ended(fast::Mapped().solve(problem, request, workspace, neighbour));
+            if (end.status != StopReason::converged) return Outcome{};
+            return Outcome{true, end.finite, over_stated_errors(end, truth)};
+          }};
+}
+
+}  // namespace
+
+std::vector<StartRow> run_starts(const Scope& scope) {
+  std::vector<Contact> contacts{{{1, 0}, false}, {{5, 5}, true}, {{20, 10}, true}, {{10, 5}, false}};
+  if (!scope.quick) contacts.push_back({{50, 10}, true});
+  if (scope.quick) contacts = {contacts[0], contacts[1]};
+  const int starts = scope.quick ? 8 : 100;
+  using Maker = Level (*)(const Problem&);
+  const Maker makers[] = {of_reference_uniform, of_fast_uniform, of_reference, of_fast};
+  std::vector<StartRow> rows(contacts.size() * std::size(makers) * std::size(families));
+  scope.show(std::to_string(rows.size()) + " x " + std::to_string(starts) + " starts");
+  in_threads(rows.size(), scope.threads, [&](std::size_t index) {
+    const auto family_at = index % std::size(families), maker_at = index / std::size(families) % std::size(makers);
+    const Contact& contact = contacts[index / std::size(families) / std::size(makers)];
+    const Problem problem = problem_at(contact.moes, contact.roelands, TruncatedAt{inlet});
+    const Level level = makers[maker_at](problem);
+    StartRow& row = rows[index];
+    row = {.level = level.name,
+           .contact = contact_name(contact.moes, contact.roelands),
+           .family = families[family_at],
+           .tolerance = level.tolerance};
+    Draw draw(seed + static_cast<unsigned>(family_at));  // the same starts for every level
+    for (int i = 0; i < starts; ++i) {
+      const Outcome outcome = level.attempt(drawn(draw, row.family, expected_film(problem)));
+      ++row.starts;
+      if (!outcome.solved) continue;
+      ++row.converged;
+      row.dishonest += outcome.finite ? 0 : 1;
+      if (!(outcome.difference <= row.worst)) row.worst = outcome.difference;
+    }
+  });
+  return rows;
+}
+
+Part judge_starts(const std::vector<StartRow>& rows) {
+  Part part{
+      .id = "b", .name = "starts", .question = "Do random admissible pressures and offsets end in the same solution?"};
+  part.settings = {{"seed", seed}, {"intervals", intervals}, {"inlet", inlet}};
+  part.table.columns = {{"level", ""},    {"contact", ""},   {"family", ""},
+                        {"starts", ""},   {"converged", ""}, {"largest difference", ""},
+                        {"tolerance", ""}};
+  Tally tally;
+  long starts = 0, converged = 0;
+  double worst = 0;
+  for (const StartRow& row : rows) {
+    const double tolerance = row.tolerance ? row.tolerance->value() : 0;
+    part.table.rows.push_back({row.level, row.contact, row.family, static_cast<double>(row.starts),
+                               static_cast<double>(row.converged), row.worst, tolerance});
+    const std::string where = row.level + ", " + row.contact + ", " + row.family;
+    starts += row.starts;
+    converged += row.converged;
+    tally.require(row.dishonest == 0, where + ": numbers that are not finite in what is called solved");
+    // A row whose every start failed honestly claims nothing, and says so in its share.
+    if (row.starts == 0 || !row.tolerance) {
+      tally.add(Verdict::inconclusive, where + ": nothing ran");
+    } else if (row.converged > 0) {
+      tally.add(row.worst, 0, *row.tolerance, where + ", difference from the own start's film");
+      worst = std::max(worst, row.worst / tolerance);
+    }
+  }
+  // The largest of the rows' tolerances stands for them; each row is held to its own.
+  for (const StartRow& row : rows) {
+    if (row.tolerance && row.level.ends_with("Newton") &&
+        (!part.tolerance || row.tolerance->value() > part.tolerance->value()))
+      part.tolerance = row.tolerance;
+  }
+  if (converged == 0) tally.add(Verdict::inconclusive, "not one start converged");
+  part.verdict = tally.verdict();
+  part.failures = tally.failures();
+  part.summary = std::to_string(converged) + " of " + std::to_string(starts) +
+                 " random starts converge, to the same solution (at most " + plain(worst, 2) +
+                 " of the tolerance); the others fail honestly";
+  return part;
+}
+
+}  // namespace ehd::verification::stress

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verification/stress/stress.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "verification/provenance.hpp"
+#include "verification/stress/parts.hpp"
+#include "verification/text.hpp"
+
+namespace ehd::verification::stress {
+
+namespace {
+
+constexpr int schema = 1;
+constexpr std::size_t most_failures = 20;
+
+std::string shown(const Cell& cell) {
+  if (const auto* text = std::get_if<std::string>(&cell)) return *text;
+  const double number = std::get<double>(cell);
+  return std::isfinite(number) ? plain(number, 3) : "";
+}
+
+Json to_json(const Table& table) {
+  Json json = {{"columns", Json::array()}, {"rows", Json::array()}};
+  for (const auto& [name, unit] : table.columns) json["columns"].push_back({{"name", name}, {"unit", unit}});
+  for (const auto& row : table.rows) {
+    Json cells = Json::array();
+    for (const Cell& cell : row) {
+      const auto* number = std::get_if<double>(&cell);
+      if (number && std::isfinite(*number))
+        cells.push_back(*number);
+      else
+        cells.push_back(number ? "" : std::get<std::string>(cell));
+    }
+    json["rows"].push_back(cells);
+  }
+  return json;
+}
+
+}  // namespace
+
+Verdict Tally::add(Verdict verdict, const std::string& what) {
+  if (verdict == Verdict::pass) {
+    ++passed_;
+  } else {
+    (verdict == Verdict::fail ? failed_ : open_) += 1;
+    not_passed_.push_back(std::string(to_string(verdict)) + ": " + what);
+  }
+  return verdict;
+}
+
+Verdict Tally::add(double error, double uncertainty, const Tolerance& tolerance, const std::string& what) {
+  return add(judge(error, uncertainty, tolerance),
+             what + ": " + plain(error, 3) + (uncertainty > 0 ? " +- " + plain(uncertainty, 3) : "") + " against " +
+                 plain(tolerance.value(), 3) + " (" + tolerance.basis() + ": " + tolerance.reason() + ")");
+}
+
+Verdict Tally::require(bool holds, const std::string& what) { return add(holds ? Verdict::pass : Verdict::fail, what); }
+
+Verdict Tally::verdict() const {
+  if (failed_ > 0) return Verdict::fail;
+  return open_ > 0 || passed_ == 0 ? Verdict::inconclusive : Verdict::pass;
+}
+
+std::vector<std::string> Tally::failures() const {
+  std::vector<std::string> some(not_passed_.begin(), not_passed_.begin() + static_cast<std::ptrdiff_t>(std::min(
+                                                                               not_passed_.size(), most_failures)));
+  if (not_passed_.size() > most_failures)
+    some.push_back("and " + std::to_string(not_passed_.size() - most_failures) + " more");
+  return some;
+}
+
+const std::vector<PartEntry>& parts() {
+  static const std::vector<PartEntry> list{
+      {"a", "box", [](const Scope& scope) { return judge_box(run_box(scope)); }},
+      {"b", "starts", [](const Scope& scope) { return judge_starts(run_starts(scope)); }},
+      {"c", "precision", [](const Scope& scope) { return judge_precision(run_precision(scope)); }},
+      {"d", "rounding", [](const Scope& scope) { return judge_rounding(run_rounding(scope)); }},
+      {"e", "condition", [](const Scope& scope) { return judge_condition(run_condition(scope)); }},
+      {"f", "grids", [](const Scope& scope) { return judge_grids(run_grids(scope)); }},
+      {"g", "extremes", [](const Scope& scope) { return judge_extremes(run_extremes(scope)); }},
+      {"h", "repeatability", [](const Scope& scope) { return judge_repeats(run_repeats(scope)); }},
+  };
+  return list;
+}
+
+const PartEntry* find_part(const std::string& text) {
+  const auto& list = parts();
+  const auto at =
+      std::find_if(list.begin(), list.end(), [&](const auto& part) { return part.id == text || part.name == text; });
+  return at == list.end() ? nullptr : &*at;
+}
+
+bool all_passed(const std::vector<Part>& parts) {
+  return !parts.empty() &&
+         std::all_of(parts.begin(), parts.end(), [](const Part& part) { return part.verdict == Verdict::pass; });
+}
+
+Json to_json(const std::vector<Part>& parts, double wall_s) {
+  Json json = {{"schema", schema}, {"provenance", provenance()}, {"parts", Json::array()}};
+  for (const Part& part : parts) {
+    Json one = {{"id", part.id}, {"name", part.name}, {"question", part.question}};
+    one["verdict"] = to_string(part.verdict);
+    one["summary"] = part.summary;
+    if (part.tolerance) {
+      one["tolerance"] = Json::object();
+      put(one["tolerance"], "value", part.tolerance->value());
+      one["tolerance"]["basis"] = part.tolerance->basis();
+      one["tolerance"]["reason"] = part.tolerance->reason();
+    }
+    one.update(to_json(part.table));
+    if (part.points) one["points"] = to_json(*part.points);
+    one["failures"] = part.failures;
+    put(one, "wall_s", part.wall_s);
+    one["settings"] = part.settings;
+    json["parts"].push_back(one);
+  }
+  put(json, "wall_s", wall_s);
+  json["success"] = all_passed(parts);
+  return json;
+}
+
+std::string human_text(const Part& part) {
+  std::vector<std::vector<std::string>> rows(1);
+  for (const auto& [name, unit] : part.table.columns) rows[0].push_back(unit.empty() ? name : name + " [" + unit + "]");
+  std::size_t left = part.table.columns.size();  // columns of text
+  for (const auto& row : part.table.rows) {
+    rows.emplace_back();
+    for (const Cell& cell : row) rows.back().push_back(shown(cell));
+    const auto number =
+        std::find_if(row.begin(), row.end(), [](const Cell& cell) { return std::holds_alternative<double>(cell); });
+    left = std::min(left, static_cast<std::size_t>(number - row.begin()));
+  }
+  std::string text = "(" + part.id + ") " + part.name + ": " + part.question + "\n" + aligned(rows, left, "  ");
+  for (const auto& failure : part.failures) text += "  " + one_line(failure) + "\n";
+  return text + "  " + std::string(to_string(part.verdict)) + " in " + plain(part.wall_s, 2) + " s: " + part.summary +
+         "\n\n";
+}
+
+std::string human_summary(const std::vector<Part>& parts) {
+  std::vector<std::vector<std::string>> rows{{"part", "", "verdict", "time [s]", ""}};
+  for (const Part& part : parts)
+    rows.push_back({part.id, part.name, std::string(to_string(part.verdict)), plain(part.wall_s, 2), part.summary});
+  return aligned(rows, 5);
+}
+
+}  // namespace ehd::verification::stress
