@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 #include "contact/estimate.hpp"
 #include "contact/observables.hpp"
@@ -173,12 +174,17 @@ Solution Uniform::solve(const Problem& problem, const Request& request, Workspac
   Wanted wanted = problem.wanted;
   wanted.insert({Quantity::film_minimum, Quantity::film_central});
 
-  // The first grid: the coarsest that sees the inlet zone and, for a given number of intervals, halves down from it.
+  // The first grid: the coarsest that sees the inlet zone and, for a given number of intervals, halves down from it, the
+  // half of an odd number rounded up. A lone grid would have no error but the calibrated one.
   const double tolerance = request.tolerance.value_or(0);
   int n = request.nodes.value_or(first_nodes);
+  std::vector<int> finer;  // those to come after n, the next one last
   const double exit = first_exit(likely_shape(lengths.film), lengths.film);
   if (request.nodes) {
-    while (n % 2 == 0 && n / 2 >= 32 && run.cells(n / 2, exit) >= fewest_inlet_cells) n /= 2;
+    while ((n + 1) / 2 >= 32 && run.cells((n + 1) / 2, exit) >= fewest_inlet_cells) {
+      finer.push_back(n);
+      n = (n + 1) / 2;
+    }
   } else {
     while (n < largest_nodes && run.cells(n, exit) < fewest_inlet_cells) n *= 2;
   }
@@ -194,7 +200,7 @@ Solution Uniform::solve(const Problem& problem, const Request& request, Workspac
         .iteration = iteration,
         .truncation = cut ? 0 : far.truncation * (quantity == Quantity::rolling_force ? truncation_of_work : 1)};
   };
-  for (;; n *= 2) {
+  for (;;) {
     // With a tolerance every grid may be the last.
     const double share = !request.nodes ? discretisation_share
                          : n < last     ? share_on_the_way
@@ -243,6 +249,8 @@ Solution Uniform::solve(const Problem& problem, const Request& request, Workspac
       break;
     }
     if (n >= last) break;
+    n = request.nodes ? finer.back() : 2 * n;
+    if (request.nodes) finer.pop_back();
   }
 
   // How it ended.
