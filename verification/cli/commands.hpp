@@ -15,6 +15,7 @@ void add_plan(CLI::App& app, int& exit_code);
 void add_verify(CLI::App& app, int& exit_code);
 void add_bench(CLI::App& app, int& exit_code);
 void add_stress(CLI::App& app, int& exit_code);
+void add_report(CLI::App& app, int& exit_code);
 void add_atlas(CLI::App& app, int& exit_code);
 void add_maps(CLI::App& app, int& exit_code);
 

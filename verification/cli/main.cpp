@@ -22,6 +22,7 @@ Examples:
   ehd verify                          the verification suite
   ehd bench                           run time against achieved error
   ehd stress                          numerical stability
+  ehd report out/verify               what they left there, as one HTML page
   ehd atlas --only m20-l10-           certified solutions over M and L, with the digits that are known
   ehd maps                            how far the film formulas are off, over M and L
 
@@ -45,6 +46,7 @@ int run(int argc, char** argv) {
   add_verify(app, exit_code);
   add_bench(app, exit_code);
   add_stress(app, exit_code);
+  add_report(app, exit_code);
   add_atlas(app, exit_code);
   add_maps(app, exit_code);
   try {

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verification/report/document.hpp"
+
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <sstream>
+#include <system_error>
+
+#include "verification/text.hpp"
+
+namespace ehd::report {
+
+using verification::Json;
+
+void View::refuse(const char* required) const {
+  throw ReportError(path_ + ": is " + (json_->is_array() ? "a list" : json_->is_object() ? "an object" : "a " + std::string(json_->type_name())) +
+                    "; required is " + required);
+}
+
+View View::operator[](const std::string& key) const {
+  if (!json_) return {};
+  if (!json_->is_object()) refuse("an object");
+  const auto at = json_->find(key);
+  return at == json_->end() ? View{} : View(*at, path_ + ": " + key);
+}
+
+std::vector<View> View::list() const {
+  std::vector<View> views;
+  if (!json_) return views;
+  if (!json_->is_array()) refuse("a list");
+  for (std::size_t i = 0; i < json_->size(); ++i) views.emplace_back((*json_)[i], path_ + "[" + std::to_string(i) + "]");
+  return views;
+}
+
+std::vector<std::pair<std::string, View>> View::members() const {
+  std::vector<std::pair<std::string, View>> views;
+  if (!json_) return views;
+  if (!json_->is_object()) refuse("an object");
+  for (const auto& [key, value] : json_->items()) views.emplace_back(key, View(value, path_ + ": " + key));
+  return views;
+}
+
+std::optional<double> View::number() const {
+  if (!json_) return std::nullopt;
+  if (!json_->is_number()) refuse("a number");
+  return json_->get<double>();
+}
+
+std::optional<bool> View::flag() const {
+  if (!json_) return std::nullopt;
+  if (!json_->is_boolean()) refuse("true or false");
+  return json_->get<bool>();
+}
+
+std::string View::text() const {
+  if (!json_) return "";
+  if (!json_->is_string()) refuse("a text");
+  return json_->get<std::string>();
+}
+
+std::vector<double> View::numbers() const {
+  std::vector<double> values;
+  for (const View& one : list()) values.push_back(one.number().value_or(std::numeric_limits<double>::quiet_NaN()));
+  return values;
+}
+
+std::string View::cell(int digits) const {
+  if (!json_) return "";
+  if (json_->is_string()) return text();
+  if (json_->is_boolean()) return *flag() ? "yes" : "no";
+  if (json_->is_number()) return verification::plain(*number(), digits);
+  return json_->dump();
+}
+
+namespace {
+
+Json read_object(const std::filesystem::path& file, int schema, const char* made_by) {
+  std::error_code error;
+  if (std::filesystem::is_directory(file, error)) throw ReportError(file.string() + ": is a folder; required is a file that " + made_by + " wrote");
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  if (!stream || !(text << stream.rdbuf())) throw ReportError(file.string() + ": cannot be read; required is a file that " + made_by + " wrote");
+  Json json;
+  try {
+    json = Json::parse(text.str());
+  } catch (const Json::parse_error& broken) {
+    throw ReportError(file.string() + ": is no JSON (it breaks at byte " + std::to_string(broken.byte) + "); required is a file that " + made_by + " wrote");
+  }
+  if (!json.is_object()) throw ReportError(file.string() + ": is no JSON object; required is a file that " + made_by + " wrote");
+  const auto found = json.find("schema");
+  if (found == json.end() || !found->is_number_integer())
+    throw ReportError(file.string() + ": has no schema; required is schema " + std::to_string(schema) + ", as " + made_by + " writes it");
+  if (*found != schema)
+    throw ReportError(file.string() + ": has schema " + found->dump() + "; required is " + std::to_string(schema) + ", as " + made_by + " writes it");
+  return json;
+}
+
+}  // namespace
+
+Documents read_documents(const std::filesystem::path& folder) {
+  std::error_code error;
+  if (!std::filesystem::is_directory(folder, error))
+    throw ReportError(folder.string() + ": is no folder; required is one that ehd verify --output has filled");
+  const auto there = [&](const char* name) { return std::filesystem::exists(folder / name, error); };
+  if (!there("results.json"))
+    throw ReportError(folder.string() + ": has no results.json; ehd verify --output " + folder.string() + " makes it");
+  Documents documents;
+  documents.results = read_object(folder / "results.json", results_schema, "ehd verify --output");
+  if (there("bench.json")) documents.bench = read_object(folder / "bench.json", bench_schema, "ehd bench --output");
+  if (there("stress.json")) documents.stress = read_object(folder / "stress.json", stress_schema, "ehd stress --output");
+  return documents;
+}
+
+}  // namespace ehd::report

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The JSON files of a folder as the report reads them: strict about types, easy about what is absent.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "verification/output.hpp"
+
+namespace ehd::report {
+
+/// What cannot be read: what() is one line, "FILE: what is wrong; what is required".
+class ReportError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A value with the way to it, for messages. What is absent (or null) is a View of nothing, whose members are absent
+/// too; a value of another type than the one asked for throws ReportError.
+class View {
+ public:
+  View() = default;
+  View(const verification::Json& json, std::string path) : json_(json.is_null() ? nullptr : &json), path_(std::move(path)) {}
+
+  [[nodiscard]] bool exists() const { return json_ != nullptr; }
+  [[nodiscard]] bool has(const std::string& key) const { return (*this)[key].exists(); }
+  [[nodiscard]] View operator[](const std::string& key) const;  ///< of an object
+  [[nodiscard]] std::vector<View> list() const;
+  [[nodiscard]] std::vector<std::pair<std::string, View>> members() const;
+  [[nodiscard]] std::optional<double> number() const;
+  [[nodiscard]] std::optional<bool> flag() const;
+  [[nodiscard]] std::string text() const;
+  /// Numbers of a list; NaN for null.
+  [[nodiscard]] std::vector<double> numbers() const;
+  /// A string as it is, a number to `digits` digits, yes or no: what a table's cell says (plain text).
+  [[nodiscard]] std::string cell(int digits = 6) const;
+
+  // Of a member: the shorter way to write it.
+  [[nodiscard]] std::vector<View> list(const std::string& key) const { return (*this)[key].list(); }
+  [[nodiscard]] std::optional<double> number(const std::string& key) const { return (*this)[key].number(); }
+  [[nodiscard]] std::optional<bool> flag(const std::string& key) const { return (*this)[key].flag(); }
+  [[nodiscard]] std::string text(const std::string& key) const { return (*this)[key].text(); }
+  [[nodiscard]] std::vector<double> numbers(const std::string& key) const { return (*this)[key].numbers(); }
+  [[nodiscard]] std::string cell(const std::string& key, int digits = 6) const { return (*this)[key].cell(digits); }
+
+ private:
+  [[noreturn]] void refuse(const char* required) const;
+  const verification::Json* json_ = nullptr;
+  std::string path_;
+};
+
+/// results.json is required, bench.json and stress.json are read where they are.
+struct Documents {
+  verification::Json results;
+  verification::Json bench, stress;  ///< null where absent
+};
+inline constexpr int results_schema = 2, bench_schema = 1, stress_schema = 1;
+
+/// Throws ReportError: no folder, no results.json, a file that is no JSON object, another schema.
+[[nodiscard]] Documents read_documents(const std::filesystem::path& folder);
+
+}  // namespace ehd::report

@@ -1,0 +1,351 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verification/report/heat_map.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <numbers>
+
+namespace ehd::report {
+
+namespace {
+
+using Rgb = std::array<double, 3>;
+
+Rgb between(const Rgb& a, const Rgb& b, double share) {
+  Rgb mixed{};
+  for (std::size_t i = 0; i < 3; ++i) mixed[i] = a[i] + share * (b[i] - a[i]);
+  return mixed;
+}
+
+/// Lightness falls evenly, so that the map stays readable in grey.
+Rgb sequential(double share) {
+  constexpr Rgb light{247, 250, 252}, middle{122, 174, 208}, dark{14, 58, 110};
+  return share < 0.5 ? between(light, middle, 2 * share) : between(middle, dark, 2 * share - 1);
+}
+
+/// Blue below, orange above; in grey the two sides look alike, and the sign stands in the cell.
+Rgb diverging(double share) {
+  constexpr Rgb below{34, 92, 160}, middle{250, 250, 250}, above{176, 78, 10};
+  return share < 0 ? between(middle, below, -share) : between(middle, above, share);
+}
+
+double luminance(const Rgb& colour) { return (0.2126 * colour[0] + 0.7152 * colour[1] + 0.0722 * colour[2]) / 255; }
+
+std::string hex(const Rgb& colour) {
+  char text[8];
+  std::snprintf(text, sizeof text, "#%02x%02x%02x", static_cast<unsigned>(std::lround(colour[0])) & 0xffU,
+                static_cast<unsigned>(std::lround(colour[1])) & 0xffU, static_cast<unsigned>(std::lround(colour[2])) & 0xffU);
+  return text;
+}
+
+/// The colour of each value, from the range of all.
+class Palette {
+ public:
+  explicit Palette(const HeatMap& map) : map_(map) {
+    for (const Cell& cell : map.cells) {
+      const double value = shown(cell.value);
+      if (!std::isfinite(value)) continue;
+      low_ = std::min(low_, value);
+      high_ = std::max(high_, value);
+    }
+  }
+  [[nodiscard]] std::optional<Rgb> operator()(const std::optional<double>& value) const {
+    const double at = shown(value);
+    if (!std::isfinite(at)) return std::nullopt;
+    if (map_.colours == Colours::diverging)
+      return diverging(std::clamp(map_.limit > 0 ? at / map_.limit : 0.0, -1.0, 1.0));
+    return sequential(high_ > low_ ? (at - low_) / (high_ - low_) : 0.3);
+  }
+
+ private:
+  [[nodiscard]] double shown(const std::optional<double>& value) const {
+    constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+    if (!value || !std::isfinite(*value)) return nothing;
+    if (!map_.logarithmic) return *value;
+    return *value > 0 ? std::log(*value) : nothing;
+  }
+  const HeatMap& map_;
+  double low_ = std::numeric_limits<double>::infinity(), high_ = -low_;
+};
+
+/// From index coordinates (fractional, as contour_lines has them) to pixels: cell centres are evenly spaced.
+struct CellGrid {
+  Box box;
+  std::size_t columns = 0, rows = 0;
+  [[nodiscard]] double cell_width() const { return (box.right - box.left) / static_cast<double>(columns); }
+  [[nodiscard]] double cell_height() const { return (box.bottom - box.top) / static_cast<double>(rows); }
+  [[nodiscard]] Point at(Point index) const {
+    return {box.left + (index.x + 0.5) * cell_width(), box.bottom - (index.y + 0.5) * cell_height()};
+  }
+};
+
+std::string contours_svg(const HeatMap& map, const CellGrid& grid) {
+  std::vector<double> values;
+  for (const Cell& cell : map.cells) {
+    const double value = cell.value.value_or(std::numeric_limits<double>::quiet_NaN());
+    values.push_back(map.logarithmic ? (value > 0 ? std::log(value) : std::numeric_limits<double>::quiet_NaN()) : value);
+  }
+  std::string svg;
+  std::vector<Point> labels;
+  for (const ContourLevel& level : map.contours) {
+    std::string d;
+    std::vector<Point> ends;
+    const double at = map.logarithmic ? std::log(level.value) : level.value;
+    for (const auto& line : contour_lines(values, map.x.size(), map.y.size(), at)) {
+      std::vector<Point> points;
+      for (const Point& index : line) points.push_back(grid.at(index));
+      d += path_data(points);
+      ends.push_back(points.front());
+      ends.push_back(points.back());
+    }
+    if (d.empty()) continue;
+    svg += "<path class=\"contour-halo\" stroke-width=\"4\" d=\"" + d + "\"/><path class=\"contour\" stroke-width=\"1.6\" d=\"" +
+           d + "\"" + dash_attribute(level.line) + "/>";
+    if (level.label.empty()) continue;
+    // At the end furthest to the right, outside the cells: a label on the map would hide a number.
+    const Point end = *std::max_element(ends.begin(), ends.end(), [](Point a, Point b) { return a.x < b.x; });
+    if (grid.box.right - end.x > grid.cell_width()) continue;
+    const Point place{grid.box.right + 5, end.y + 4};
+    const bool free = std::none_of(labels.begin(), labels.end(), [&](Point other) { return std::abs(other.y - place.y) < 12; });
+    if (!free) continue;
+    svg += text_svg(place, level.label, "start", "small") ;
+    labels.push_back(place);
+  }
+  return svg;
+}
+
+}  // namespace
+
+std::vector<std::vector<Point>> contour_lines(const std::vector<double>& values, std::size_t columns, std::size_t rows,
+                                              double level) {
+  if (columns < 2 || rows < 2 || values.size() != columns * rows) return {};
+  // Crossings live on grid edges; an edge is named by its lower node and direction, so that squares share them exactly.
+  struct Segment {
+    std::size_t from, to;  // edges
+    bool used = false;
+  };
+  const auto value = [&](std::size_t i, std::size_t j) { return values[j * columns + i]; };
+  const auto edge = [&](std::size_t i, std::size_t j, bool up) { return 2 * (j * columns + i) + (up ? 1U : 0U); };
+  std::vector<Segment> segments;
+  for (std::size_t j = 0; j + 1 < rows; ++j) {
+    for (std::size_t i = 0; i + 1 < columns; ++i) {
+      const double a = value(i, j), b = value(i + 1, j), c = value(i + 1, j + 1), d = value(i, j + 1);
+      if (!std::isfinite(a + b + c + d)) continue;
+      const bool above_a = a > level, above_b = b > level, above_c = c > level, above_d = d > level;
+      const std::size_t low = edge(i, j, false), right = edge(i + 1, j, true), high = edge(i, j + 1, false), left = edge(i, j, true);
+      std::vector<std::size_t> crossed;
+      if (above_a != above_b) crossed.push_back(low);
+      if (above_b != above_c) crossed.push_back(right);
+      if (above_c != above_d) crossed.push_back(high);
+      if (above_d != above_a) crossed.push_back(left);
+      if (crossed.size() == 2) segments.push_back({crossed[0], crossed[1]});
+      if (crossed.size() == 4) {  // a saddle: the middle decides which corners are joined
+        const bool middle = (a + b + c + d) / 4 > level;
+        if (middle == above_a) {
+          segments.push_back({low, right});
+          segments.push_back({high, left});
+        } else {
+          segments.push_back({low, left});
+          segments.push_back({right, high});
+        }
+      }
+    }
+  }
+  const auto point = [&](std::size_t name) {
+    const bool up = name % 2 == 1;
+    const std::size_t i = (name / 2) % columns, j = (name / 2) / columns;
+    const double from = value(i, j), to = up ? value(i, j + 1) : value(i + 1, j);
+    const double share = (level - from) / (to - from);
+    return Point{static_cast<double>(i) + (up ? 0 : share), static_cast<double>(j) + (up ? share : 0)};
+  };
+  std::vector<std::vector<Point>> lines;
+  for (Segment& start : segments) {
+    if (start.used) continue;
+    start.used = true;
+    std::vector<std::size_t> chain{start.from, start.to};
+    for (int side = 0; side < 2; ++side) {
+      for (bool grown = true; grown;) {
+        grown = false;
+        for (Segment& next : segments) {
+          if (next.used || (next.from != chain.back() && next.to != chain.back())) continue;
+          next.used = true;
+          chain.push_back(next.from == chain.back() ? next.to : next.from);
+          grown = true;
+          break;
+        }
+      }
+      std::reverse(chain.begin(), chain.end());
+    }
+    std::vector<Point> line;
+    for (const std::size_t name : chain) line.push_back(point(name));
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+std::string draw(const HeatMap& map, Place place) {
+  const double left = 58, right = map.width - (map.contours.empty() || map.contours.front().label.empty() ? 10 : 52);
+  double top = 8;
+  std::string svg;
+  if (!map.heading.empty()) {
+    svg += text_svg({8, 17}, map.heading, "start", "head");
+    top = 26;
+  }
+  constexpr double row_height = 27;
+  CellGrid grid{{left, top, right, top + row_height * static_cast<double>(map.y.size())}, map.x.size(), map.y.size()};
+  const Palette palette(map);
+  const std::string hatch = map.id + "-hatch";
+  bool hatched = false;
+  std::string cells;
+  for (std::size_t j = 0; j < map.y.size(); ++j) {
+    for (std::size_t i = 0; i < map.x.size(); ++i) {
+      const std::size_t at = j * map.x.size() + i;
+      if (at >= map.cells.size()) continue;
+      const Cell& cell = map.cells[at];
+      const Point centre = grid.at({static_cast<double>(i), static_cast<double>(j)});
+      const double w = grid.cell_width(), h = grid.cell_height();
+      const std::string rectangle = "x=\"" + pixels(centre.x - w / 2) + "\" y=\"" + pixels(centre.y - h / 2) + "\" width=\"" +
+                                    pixels(w) + "\" height=\"" + pixels(h) + "\"";
+      const auto colour = palette(cell.value);
+      cells += "<g class=\"datum\"" + (place == Place::page ? " data-hint=\"" + escaped(cell.hint) + "\"" : std::string()) +
+               "><rect " + rectangle + (colour ? " class=\"cell\" fill=\"" + hex(*colour) + "\"" : " class=\"blank\"") + "/>";
+      if (cell.hatched && colour) {
+        cells += "<rect " + rectangle + " class=\"cell\" fill=\"url(#" + escaped(hatch) + ")\"/>";
+        hatched = true;
+      }
+      if (!cell.text.empty()) {
+        constexpr double dark = 0.45;
+        const bool white = colour && luminance(*colour) < dark;
+        const std::string ink = !colour ? std::string() : white ? " style=\"fill:#fff\"" : " style=\"fill:#111\"";
+        const double size = std::min(10.5, 10.5 * (w - 3) / std::max(1.0, text_width(literal(cell.text), 10.5)));
+        cells += text_svg({centre.x, centre.y + 3.6}, literal(cell.text), "middle", "", ink + " font-size=\"" + pixels(size) + "\"");
+      }
+      cells += "</g>\n";
+    }
+  }
+  if (hatched)
+    svg += "<defs><pattern id=\"" + escaped(hatch) +
+           "\" width=\"6\" height=\"6\" patternUnits=\"userSpaceOnUse\" patternTransform=\"rotate(45)\"><path d=\"M0 0L0 6\" "
+           "stroke=\"#000\" stroke-width=\"1.1\" stroke-opacity=\".38\"/></pattern></defs>";
+  svg += cells + contours_svg(map, grid);
+  for (std::size_t i = 0; i < map.x.size(); ++i)
+    svg += text_svg({grid.at({static_cast<double>(i), 0}).x, grid.box.bottom + 14}, number_markup(map.x[i]), "middle", "small");
+  for (std::size_t j = 0; j < map.y.size(); ++j)
+    svg += text_svg({left - 6, grid.at({0, static_cast<double>(j)}).y + 4}, number_markup(map.y[j]), "end", "small");
+  svg += text_svg({(left + right) / 2, grid.box.bottom + 31}, map.x_label);
+  const double middle = (grid.box.top + grid.box.bottom) / 2;
+  svg += text_svg({16, middle}, map.y_label, "middle", "", " transform=\"rotate(-90 16 " + pixels(middle) + ")\"");
+  double bottom = grid.box.bottom + 38;
+  double x = left;
+  const auto next = [&](double width) {
+    if (x > left && x + width > map.width) {
+      x = left;
+      bottom += 17;
+    }
+    const double at = x;
+    x += width;
+    return at;
+  };
+  for (const auto& [line, label] : map.keys) {
+    const double at = next(44 + text_width(label, 12));
+    svg += "<path class=\"axis\" stroke-width=\"1.6\" d=\"" + path_data({{at, bottom + 8}, {at + 26, bottom + 8}}) + "\"" +
+           dash_attribute(line) + "/>" + text_svg({at + 31, bottom + 12}, label, "start");
+  }
+  if (hatched) {
+    const std::string label = "hatched: *p*_{H} > 4 GPa, a numerical test";
+    const double at = next(40 + text_width(label, 12));
+    svg += "<rect class=\"blank\" x=\"" + pixels(at) + "\" y=\"" + pixels(bottom + 1) +
+           "\" width=\"22\" height=\"13\" style=\"fill:#f4f4f4\"/><rect x=\"" + pixels(at) + "\" y=\"" + pixels(bottom + 1) +
+           "\" width=\"22\" height=\"13\" fill=\"url(#" + escaped(hatch) + ")\"/>" + text_svg({at + 27, bottom + 12}, label, "start");
+  }
+  if (hatched || !map.keys.empty()) bottom += 20;
+  return picture({map.id, map.title, map.description, map.width, bottom}, svg, place);
+}
+
+std::string draw(const PolarPlot& plot, Place place) {
+  std::string svg;
+  double y = 4;
+  if (!plot.heading.empty()) {
+    svg += text_svg({8, y + 13}, plot.heading, "start", "head");
+    y += 20;
+  }
+  double x = 10;
+  for (std::size_t k = 0; k < plot.series.size(); ++k) {
+    const PolarSeries& series = plot.series[k];
+    const double width = 28 + 6 + text_width(series.name, 12) + 14;
+    if (x > 10 && x + width > plot.width) {
+      x = 10;
+      y += 17;
+    }
+    svg += "<g class=\"key s" + std::to_string(series.colour) + "\" data-key=\"" + std::to_string(k) + "\"><path class=\"line\" d=\"" +
+           path_data({{x, y + 7}, {x + 28, y + 7}}) + "\"" + dash_attribute(series.line) + "/>" +
+           marker_svg(series.marker, {x + 14, y + 7}, true) + text_svg({x + 33, y + 11}, series.name, "start") + "</g>\n";
+    x += width;
+  }
+  y += 22 + 14;
+  const double radius = (plot.width - 84) / 2;
+  const Point centre{plot.width / 2, y + radius};
+  std::vector<double> values{0};
+  for (const PolarSeries& series : plot.series) values.insert(values.end(), series.radius.begin(), series.radius.end());
+  Range range = range_of(values, Scale::linear);
+  range.low = 0;
+  const double step = tick_step(range, 4);
+  const auto ticks = linear_ticks(range, step);
+  const auto at = [&](double angle_deg, double value) {
+    const double angle = angle_deg * std::numbers::pi / 180, r = radius * value / range.high;
+    return Point{centre.x + r * std::sin(angle), centre.y + r * std::cos(angle)};
+  };
+  for (const Tick& tick : ticks) {
+    if (!(tick.value > 0)) continue;
+    svg += "<circle class=\"grid\" cx=\"" + pixels(centre.x) + "\" cy=\"" + pixels(centre.y) + "\" r=\"" +
+           pixels(radius * tick.value / range.high) + "\"/>";
+  }
+  constexpr int spoke_deg = 30;
+  for (int angle = 0; angle < 360; angle += spoke_deg) {
+    svg += "<path class=\"grid\" d=\"" + path_data({centre, at(angle, range.high)}) + "\"/>";
+    const Point label = at(angle, range.high * (1 + 17 / radius));
+    const int shown = angle > 180 ? angle - 360 : angle;
+    svg += text_svg({label.x, label.y + 4}, (shown < 0 ? "\u2212" : "") + std::to_string(std::abs(shown)) + "\u00b0", "middle", "small soft");
+  }
+  for (std::size_t k = 0; k < plot.series.size(); ++k) {
+    const PolarSeries& series = plot.series[k];
+    struct Spot {
+      double angle;
+      Point at;
+      double value;
+    };
+    std::vector<Spot> spots;
+    for (std::size_t i = 0; i < std::min(series.angle_deg.size(), series.radius.size()); ++i) {
+      const double turned = std::fmod(std::fmod(series.angle_deg[i], 360) + 360, 360);
+      const Point p = at(turned, std::max(0.0, series.radius[i]));
+      if (std::isfinite(p.x + p.y)) spots.push_back({turned, p, series.radius[i]});
+    }
+    std::sort(spots.begin(), spots.end(), [](const Spot& a, const Spot& b) { return a.angle < b.angle; });
+    std::vector<Point> outline;
+    std::string marks;
+    for (const Spot& spot : spots) {
+      outline.push_back(spot.at);
+      char hint[160];
+      std::snprintf(hint, sizeof hint, "%.4g\u00b0: %.5g", spot.angle > 180 ? spot.angle - 360 : spot.angle, spot.value);
+      marks += "<g class=\"datum\"" + (place == Place::page ? " data-hint=\"" + escaped(markup_to_text(series.name)) + ", " + hint + "\"" : std::string()) +
+               ">" + marker_svg(series.marker, spot.at, true) + "</g>";
+    }
+    if (!outline.empty()) outline.push_back(outline.front());
+    svg += "<g class=\"series s" + std::to_string(series.colour) + "\" data-key=\"" + std::to_string(k) + "\"><path class=\"line\" d=\"" +
+           path_data(outline) + "\"" + dash_attribute(series.line) + "/>" + marks + "</g>\n";
+  }
+  // The scale last, along a direction between spokes, so that curves do not hide it.
+  for (const Tick& tick : ticks) {
+    if (!(tick.value > 0) || tick.value > range.high * (1 + 1e-9)) continue;
+    const Point label = at(-105, tick.value);
+    svg += text_svg({label.x, label.y + 4}, tick.label, "middle", "small halo");
+  }
+  const double bottom = centre.y + radius + 30;
+  svg += text_svg({plot.width / 2, bottom + 10}, plot.radius_label);
+  return picture({plot.id, plot.title, plot.description, plot.width, bottom + 18}, svg, place);
+}
+
+}  // namespace ehd::report

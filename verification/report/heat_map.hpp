@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A quantity over two groups as coloured cells with their numbers, contour lines and hatched cells; and loads round a
+// bearing in polar coordinates.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "verification/report/plot.hpp"
+
+namespace ehd::report {
+
+enum class Colours {
+  sequential,  ///< light to dark
+  diverging    ///< around zero, which is white
+};
+
+struct Cell {
+  std::optional<double> value = {};  ///< what the colour shows; absent: blank
+  std::string text = {};             ///< plain, inside the cell
+  std::string hint = {};             ///< plain, for the read-out
+  bool hatched = false;
+};
+
+struct ContourLevel {
+  double value = 0;
+  Line line = Line::solid;
+  std::string label = {};  ///< markup; where the line leaves the map
+};
+
+struct HeatMap {
+  std::string id;
+  std::string title, description;  ///< plain text
+  std::string heading = {};        ///< markup, above the map
+  std::string x_label, y_label;    ///< markup
+  std::vector<double> x, y;        ///< ascending; x on a logarithmic axis
+  std::vector<Cell> cells;         ///< x fastest, from the lowest y
+  Colours colours = Colours::sequential;
+  bool logarithmic = false;  ///< of the values
+  double limit = 0;          ///< diverging: the value of full colour
+  std::vector<ContourLevel> contours = {};
+  std::vector<std::pair<Line, std::string>> keys = {};  ///< line samples below, markup
+  double width = 640;
+};
+[[nodiscard]] std::string draw(const HeatMap& map, Place place);
+
+/// Where the bilinear surface through values at (x_i, y_j) has the value `level`: polylines in the indices' own
+/// coordinates (i, j), by marching squares; squares with a value that is not finite have none. `values`: x fastest.
+[[nodiscard]] std::vector<std::vector<Point>> contour_lines(const std::vector<double>& values, std::size_t columns,
+                                                            std::size_t rows, double level);
+
+struct PolarSeries {
+  std::string name;  ///< markup
+  std::vector<double> angle_deg, radius;
+  Line line = Line::solid;
+  Marker marker = Marker::circle;
+  int colour = 1;
+};
+/// Angle 0 points down (the load), angles grow counterclockwise; the radius is linear from 0.
+struct PolarPlot {
+  std::string id;
+  std::string title, description;  ///< plain text
+  std::string heading = {};        ///< markup
+  std::string radius_label;        ///< markup, with the unit
+  std::vector<PolarSeries> series;
+  double width = 380;
+};
+[[nodiscard]] std::string draw(const PolarPlot& plot, Place place);
+
+}  // namespace ehd::report

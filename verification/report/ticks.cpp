@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verification/report/ticks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "verification/report/svg.hpp"
+
+namespace ehd::report {
+
+namespace {
+
+constexpr int linear_steps = 5;
+constexpr double slack = 1e-9;  // of a step: ticks at the ends of a range are kept in spite of rounding
+
+std::string fixed(double value, int decimals) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*f", decimals, value);
+  std::string result = text;
+  if (result.find_first_not_of("-0.") == std::string::npos && result.front() == '-') result.erase(0, 1);
+  if (result.front() == '-') result.replace(0, 1, "\u2212");
+  return result;
+}
+
+std::string power_label(int exponent, bool plainly) {
+  if (plainly) return exponent >= 0 ? fixed(std::pow(10, exponent), 0) : fixed(std::pow(10, exponent), -exponent);
+  return "10^{" + std::string(exponent < 0 ? "\u2212" : "") + std::to_string(std::abs(exponent)) + "}";
+}
+
+}  // namespace
+
+Range range_of(const std::vector<double>& values, Scale scale) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const double value : values) {
+    if (!std::isfinite(value) || (scale == Scale::logarithmic && !(value > 0))) continue;
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  if (!(low <= high)) return scale == Scale::linear ? Range{0, 1} : Range{1, 10};
+  if (scale == Scale::logarithmic) {
+    // Outwards by a twentieth of the range, at least to a third of a decade in all.
+    const double from = std::log10(low), to = std::log10(high);
+    const double margin = std::max(0.04 * (to - from), to - from < 0.3 ? 0.2 : 0.0);
+    return {std::pow(10, from - margin), std::pow(10, to + margin)};
+  }
+  if (low == high) {
+    const double half = low == 0 ? 0.5 : 0.5 * std::abs(low);
+    low -= half;
+    high += half;
+  }
+  const double step = tick_step({low, high}, linear_steps);
+  return {step * std::floor(low / step + slack), step * std::ceil(high / step - slack)};
+}
+
+double tick_step(const Range& range, int wanted) {
+  const double rough = (range.high - range.low) / wanted;
+  if (!(rough > 0) || !std::isfinite(rough)) return 1;
+  const double power = std::pow(10, std::floor(std::log10(rough)));
+  for (const double factor : {1.0, 2.0, 5.0}) {
+    if (factor * power >= rough * (1 - slack)) return factor * power;
+  }
+  return 10 * power;
+}
+
+std::vector<Tick> linear_ticks(const Range& range, double step) {
+  std::vector<Tick> ticks;
+  constexpr double most_ticks = 200;  // a wrong step is no reason to fill the memory
+  if (!(step > 0) || !((range.high - range.low) / step <= most_ticks)) return ticks;
+  const double first = std::ceil(range.low / step - slack), last = std::floor(range.high / step + slack);
+  const double largest = std::max(std::abs(range.low), std::abs(range.high));
+  int decimals = 0;
+  for (double scaled = step; decimals < 12 && std::abs(scaled - std::round(scaled)) > slack * scaled; scaled *= 10) ++decimals;
+  constexpr double plain_up_to = 1e5;
+  constexpr int most_decimals = 4;
+  const bool powers = largest >= plain_up_to || decimals > most_decimals;
+  for (double k = first; k <= last; k += 1)
+    ticks.push_back({k * step, powers ? number_markup(k == 0 ? 0.0 : k * step, 6) : fixed(k * step, decimals)});
+  return ticks;
+}
+
+std::vector<Tick> log_ticks(const Range& range, int most_labels) {
+  std::vector<Tick> ticks;
+  if (!(range.low > 0 && range.high > range.low)) return ticks;
+  const double from = std::log10(range.low), to = std::log10(range.high), decades = to - from;
+  const int first = static_cast<int>(std::ceil(from - slack)), last = static_cast<int>(std::floor(to + slack));
+  const bool plainly = from >= -3 - slack && to <= 5;
+  if (decades < 0.5) {
+    for (Tick& tick : linear_ticks(range, tick_step(range, 4))) ticks.push_back(std::move(tick));
+    return ticks;
+  }
+  const int labelled = std::max(1, last - first + 1);
+  const int every = (labelled + most_labels - 1) / most_labels;
+  constexpr double with_minor = 7, with_two_and_five = 2;
+  for (int k = static_cast<int>(std::floor(from - slack)); k <= last; ++k) {
+    const double decade = std::pow(10, k);
+    const auto inside = [&](double value) {
+      return value >= range.low * (1 - slack) && value <= range.high * (1 + slack);
+    };
+    if (inside(decade)) ticks.push_back({decade, (k % every) == 0 ? power_label(k, plainly) : ""});
+    if (decades > with_minor) continue;
+    for (int digit = 2; digit <= 9; ++digit) {
+      const double value = digit * decade;
+      if (!inside(value)) continue;
+      const bool label = decades < with_two_and_five && (digit == 2 || digit == 5);
+      ticks.push_back({value, label ? number_markup(value, 3) : ""});
+    }
+  }
+  return ticks;
+}
+
+Mapping::Mapping(Scale scale, Range range, double from_pixel, double to_pixel)
+    : scale_(scale), range_(range), from_(from_pixel), to_(to_pixel) {}
+
+double Mapping::operator()(double value) const {
+  if (!std::isfinite(value) || (scale_ == Scale::logarithmic && !(value > 0)))
+    return std::numeric_limits<double>::quiet_NaN();
+  const double share = scale_ == Scale::linear ? (value - range_.low) / (range_.high - range_.low)
+                                               : std::log(value / range_.low) / std::log(range_.high / range_.low);
+  return from_ + share * (to_ - from_);
+}
+
+}  // namespace ehd::report
