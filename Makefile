@@ -18,7 +18,7 @@ SANITIZED ?= contact reference fast bearing verification
 space := $() $()
 
 .DEFAULT_GOAL := help
-.PHONY: help setup configure build verify test fuzz sanitize sanitize-threads bench callgrind kernels mutants atlas format clean
+.PHONY: help setup configure build verify test fuzz sanitize sanitize-threads bench callgrind kernels mutants report browser-test atlas format clean
 
 help:       ## List the targets
 	@sed -n 's/^\([a-z][a-z-]*\):[^#]*## \(.*\)/  make \1\t\2/p' $(firstword $(MAKEFILE_LIST)) | expand -t 25
@@ -72,6 +72,14 @@ bench: build  ## Run time and work against achieved error, scaling, batches; res
 
 stress: build  ## Numerical stability: starts, precision, rounding, extremes; results in out/stress (15 minutes)
 	@$(BUILD)/ehd stress --output out/stress
+report: build  ## Make out/verify/report.html from what verify, bench and stress left in out/
+	@mkdir -p out/verify
+	@for part in bench stress; do if [ -f out/$$part/$$part.json ]; then cp out/$$part/$$part.json out/verify/; fi; done
+	@$(BUILD)/ehd report out/verify
+
+browser-test: configure  ## Look at the report in headless Chromium, where it is installed (15 s)
+	@cmake --build $(BUILD) --parallel $(JOBS) --target ehd_program --target made_report
+	@ctest --test-dir $(BUILD) --output-on-failure -R report_browser
 
 # Without this machine's vector instructions, which valgrind may not know; in a folder of its own for that.
 callgrind:  ## Count instructions of three solves, name the functions that moved (KEEP=1 keeps the counts; 5 minutes)

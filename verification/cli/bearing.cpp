@@ -10,6 +10,8 @@
 #include "verification/case.hpp"
 #include "verification/cli/commands.hpp"
 #include "verification/cli/common.hpp"
+#include "verification/report/report.hpp"
+#include "verification/text.hpp"
 
 namespace ehd::cli {
 
@@ -19,7 +21,7 @@ using namespace verification;
 
 struct BearingOptions {
   std::vector<std::string> cases, laws;
-  std::optional<std::string> json;
+  std::optional<std::string> json, plot;
   std::string solver = "fast";
   RequestOptions limits;
 };
@@ -30,6 +32,7 @@ Examples:
   ehd bearing na4908 na4908-2.5um na4908-10um          three clearances; the paper's statements judged
   ehd bearing harris-209 --law hertz --law iso         dry laws only
   ehd bearing na4908 --law ehd-linear --json -         one result as JSON on standard output
+  ehd bearing na4908 na4908-10um --plot loads.svg      contact forces over the azimuth, a panel a case
 
 Exit code: 0 all laws balanced; 1 one did not; 2 bad input or usage.)";
 
@@ -77,6 +80,36 @@ std::string statements_of(const Computed& computed, ContactMemory& memory) {
   return text;
 }
 
+/// Contact forces over the azimuth, a panel a case; absent where nothing balanced.
+std::optional<std::string> plot_of(const Computed& computed) {
+  report::Figure figure{
+      .id = "bearing",
+      .title = "Contact forces over the azimuth",
+      .description =
+          "Contact force of each roller at the inner raceway over its azimuth, a curve a law, a panel a case.",
+      .width = 560};
+  bool any = false;
+  for (std::size_t k = 0; k < computed.cases.size(); ++k) {
+    const Case& one = computed.cases[k];
+    std::vector<report::BearingCurves> laws;
+    for (const BearingResult& result : computed.results[k]) {
+      report::BearingCurves curves{
+          .law = std::string(to_string(result.law)), .azimuth_deg = {}, .force_N = {}, .displacement_m = {}};
+      for (const RollerRow& roller : result.rollers) {
+        curves.azimuth_deg.push_back(roller.azimuth_deg);
+        curves.force_N.push_back(roller.inner.force_N);
+        curves.displacement_m.push_back(roller.inner.displacement_m);
+      }
+      any = any || !result.rollers.empty();
+      if (!result.rollers.empty()) laws.push_back(std::move(curves));
+    }
+    constexpr std::size_t fits = 80;
+    figure.panels.push_back(report::azimuth_panel(
+        report::OverAzimuth::force, report::literal(shortened(one_line(one.id + ": " + one.title), fits)), laws));
+  }
+  return any ? std::optional(report::draw(figure, report::Place::file)) : std::nullopt;
+}
+
 int bearing(const BearingOptions& options) {
   const std::vector<BearingLaw> named = laws_named(options.laws);
   const RegisteredSolver& solver = solver_named(options.solver);
@@ -92,12 +125,14 @@ int bearing(const BearingOptions& options) {
     return BearingRequest{.laws = named.empty() ? default_laws(body) : named, .explicitly = !named.empty()};
   };
   for (const Case& one : computed.cases) require_possible(one, asked_of(one));
-  if (options.json) {
-    std::vector<NamedFile> inputs;
-    for (const Case& one : computed.cases) inputs.push_back({"the case " + one.id, one.file});
-    require_distinct(inputs, {{"--json", *options.json}});
-  }
+  std::vector<NamedFile> inputs, outputs;
+  for (const Case& one : computed.cases) inputs.push_back({"the case " + one.id, one.file});
+  if (options.json) outputs.push_back({"--json", *options.json});
+  if (options.plot) outputs.push_back({"--plot", *options.plot});
+  require_distinct(inputs, outputs);
   JsonTarget json(options.json);
+  std::optional<OutputFile> plot;
+  if (options.plot) plot.emplace(*options.plot);
 
   const Request limits = options.limits.request();
   Request request = ContactMemory::bearing_request();
@@ -134,6 +169,12 @@ int bearing(const BearingOptions& options) {
   if (!json.to_standard_output()) text += statements_of(computed, memory);
   progress.show("");
   json.write(list.size() == 1 ? list.front() : list);
+  if (plot) {
+    if (const auto svg = plot_of(computed))
+      plot->commit(*svg);
+    else
+      complaints.push_back("ehd: bearing: nothing balanced, and no plot is written");
+  }
   if (!json.to_standard_output()) print(text);
   for (const std::string& complaint : complaints) complain(complaint);
   return exit_code;
@@ -155,6 +196,7 @@ void add_bearing(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   options->limits.add_to(*command, false);
   command->add_option("--json", options->json, "the results as JSON into a file, or - for standard output");
+  command->add_option("--plot", options->plot, "contact forces over the azimuth as a figure, SVG");
   command->callback([options, &exit_code] { run_guarded(exit_code, [&] { return bearing(*options); }); });
 }
 

@@ -13,6 +13,7 @@
 #include "verification/case.hpp"
 #include "verification/cli/commands.hpp"
 #include "verification/cli/common.hpp"
+#include "verification/report/report.hpp"
 #include "verification/solve_run.hpp"
 #include "verification/text.hpp"
 
@@ -28,7 +29,7 @@ struct SolveOptions {
   std::optional<std::string> M, L, inlet, viscosity, density, alpha, z, p0;
   std::string solver = "fast";
   std::vector<std::string> quantities;
-  std::optional<std::string> json, profile, wisdom;
+  std::optional<std::string> json, profile, plot, wisdom;
   RequestOptions request;
 };
 
@@ -41,6 +42,7 @@ Examples:
             --alpha-per-Pa 2.2e-8 --z 0.68 --p0-Pa 1.96e8 --inlet -4
   ehd solve own-moes-20-10 --solver reference --json -  the result as JSON on standard output
   ehd solve steel-roller --profile profile.csv          pressure and film over X
+  ehd solve steel-roller --plot profile.svg             the same as a figure
 
 Exit code: 0 converged; 1 not converged (the status says how); 2 bad input or usage.)";
 
@@ -101,9 +103,8 @@ ContactCase contact_from(const SolveOptions& options) {
   if (options.inlet && *options.inlet != "flooded") {
     const double x = parse_number("--inlet", *options.inlet);
     if (!(x < -1 && x >= -1e6))
-      throw option_error(
-          "--inlet", *options.inlet,
-          "does not lie before the contact; allowed is flooded, or X = x/b from -1e6 to less than -1");
+      throw option_error("--inlet", *options.inlet,
+                         "does not lie before the contact; allowed is flooded, or X = x/b from -1e6 to less than -1");
     contact.inlet = TruncatedAt{x};
   }
 
@@ -130,7 +131,8 @@ void require_one_problem(const SolveOptions& options) {
 /// --wisdom FILE: FFTW's measurements of earlier runs, if there were any; new ones are added to it.
 void read_wisdom(const std::string& name) {
   std::string text;
-  if (name.empty()) throw UsageError("--wisdom names no file; allowed is a file that an earlier run wrote, or a new one");
+  if (name.empty())
+    throw UsageError("--wisdom names no file; allowed is a file that an earlier run wrote, or a new one");
   if (std::filesystem::exists(name)) {
     if (!std::filesystem::is_regular_file(name))
       throw option_error("--wisdom", name, "is no file; allowed is a file that an earlier run wrote, or a new one");
@@ -141,7 +143,24 @@ void read_wisdom(const std::string& name) {
     text = content.str();
   }
   if (!fast::measure_plans(text))
-    throw option_error("--wisdom", name, "is no FFTW wisdom; allowed is a file that an earlier run wrote, or a new one");
+    throw option_error("--wisdom", name,
+                       "is no FFTW wisdom; allowed is a file that an earlier run wrote, or a new one");
+}
+
+/// Pressure and film over X, as a picture of its own.
+std::string plot_of(const verification::ContactRun& run, const std::string& title) {
+  const Fields& fields = run.solution.fields;
+  const auto values = [](const auto& field) { return std::vector<double>(field.begin(), field.end()); };
+  const report::ContactCurves curves{.name = run.solver.empty() ? "Hertz" : run.solver,
+                                     .X = values(fields.X),
+                                     .P = values(fields.P),
+                                     .H = values(fields.H)};
+  report::Figure figure = report::contact_figure("contact", title, {curves});
+  constexpr std::size_t fits = 80;
+  figure.width = 560;
+  figure.panels.front().height = 300;
+  figure.panels.front().title = report::literal(verification::shortened(verification::one_line(title), fits));
+  return report::draw(figure, report::Place::file);
 }
 
 int solve(const SolveOptions& options) {
@@ -169,6 +188,7 @@ int solve(const SolveOptions& options) {
   if (contact_case) inputs.push_back({"the case", contact_case->file});
   if (options.json) outputs.push_back({"--json", *options.json});
   if (options.profile) outputs.push_back({"--profile", *options.profile});
+  if (options.plot) outputs.push_back({"--plot", *options.plot});
   if (options.wisdom) outputs.push_back({"--wisdom", *options.wisdom});
   require_distinct(inputs, outputs);
   if (options.wisdom) read_wisdom(*options.wisdom);
@@ -177,6 +197,8 @@ int solve(const SolveOptions& options) {
   if (options.wisdom) wisdom.emplace(*options.wisdom);
   std::optional<verification::OutputFile> profile;
   if (options.profile) profile.emplace(*options.profile);
+  std::optional<verification::OutputFile> plot;
+  if (options.plot) plot.emplace(*options.plot);
 
   verification::ContactRun run;
   {
@@ -189,11 +211,19 @@ int solve(const SolveOptions& options) {
   if (wisdom) wisdom->commit(fast::measured_plans());
   const bool solution = run.status() != StopReason::diverged && run.solution.fields.X.size() > 0;
   if (profile && solution) profile->commit(profile_csv(run));
+  if (plot && solution) plot->commit(plot_of(run, title));
   if (!json.to_standard_output()) print(human_table(run, title, styled_output()));
   if (run.status() == StopReason::converged) return success;
   const std::string& reason = run.solution.record.reason;
+  std::string missing;
+  if (!solution && (profile || plot))
+    missing = std::string("; there is no solution, and no ") +
+              (profile && plot ? "profile and no plot is"
+               : profile       ? "profile is"
+                               : "plot is") +
+              " written";
   complain("ehd: " + title + ": " + std::string(to_string(run.status())) + (reason.empty() ? "" : ": " + reason) +
-           (profile && !solution ? "; there is no solution, and no profile is written" : ""));
+           missing);
   return not_met;
 }
 
@@ -219,6 +249,7 @@ void add_solve(CLI::App& app, int& exit_code) {
       ->allow_extra_args(false);
   command->add_option("--json", options->json, "the result as JSON into a file, or - for standard output");
   command->add_option("--profile", options->profile, "pressure, film, density and viscosity over X as CSV");
+  command->add_option("--plot", options->plot, "pressure and film over X as a figure, SVG");
   command->add_option("--wisdom", options->wisdom, "let FFTW measure its plans, once: kept in FILE for later runs");
   command->callback([options, &exit_code] { run_guarded(exit_code, [&] { return solve(*options); }); });
 }

@@ -33,12 +33,18 @@ struct Bearing {
 std::vector<Bearing> bearings_of(const View& figures) {
   std::vector<Bearing> bearings;
   for (const View& one : figures.list("bearing")) {
-    Bearing bearing{.id = one.text("id"), .title = one.text("title"), .clearance_text = {}, .clearance_m = one.number("clearance_m").value_or(0), .view = one, .laws = {}};
+    Bearing bearing{.id = one.text("id"),
+                    .title = one.text("title"),
+                    .clearance_text = {},
+                    .clearance_m = one.number("clearance_m").value_or(0),
+                    .view = one,
+                    .laws = {}};
     bearing.clearance_text = plain(bearing.clearance_m * micro, 4);
     for (const View& law : one.list("laws")) {
       BearingCurves curves{.law = law.text("law"), .azimuth_deg = {}, .force_N = {}, .displacement_m = {}};
       for (const View& roller : law.list("rollers")) {
-        const auto azimuth = roller.number("azimuth_deg"), force = roller["inner"].number("force_N"), displacement = roller["inner"].number("displacement_m");
+        const auto azimuth = roller.number("azimuth_deg"), force = roller["inner"].number("force_N"),
+                   displacement = roller["inner"].number("displacement_m");
         if (!azimuth || !force || !displacement) continue;
         curves.azimuth_deg.push_back(*azimuth);
         curves.force_N.push_back(*force);
@@ -58,25 +64,30 @@ std::vector<std::vector<Bearing>> families(const std::vector<Bearing>& bearings)
   std::vector<std::vector<Bearing>> groups;
   for (const Bearing& one : bearings) {
     const auto same = [&](const Bearing& other) {
-      return one.view.number("radial_load_N") == other.view.number("radial_load_N") && one.view.number("speed_rpm") == other.view.number("speed_rpm") &&
-             !one.laws.empty() && !other.laws.empty() && one.laws.front().azimuth_deg.size() == other.laws.front().azimuth_deg.size() &&
+      return one.view.number("radial_load_N") == other.view.number("radial_load_N") &&
+             one.view.number("speed_rpm") == other.view.number("speed_rpm") && !one.laws.empty() &&
+             !other.laws.empty() && one.laws.front().azimuth_deg.size() == other.laws.front().azimuth_deg.size() &&
              one.laws.size() == other.laws.size();
     };
-    const auto group = std::find_if(groups.begin(), groups.end(), [&](const auto& members) { return same(members.front()); });
+    const auto group =
+        std::find_if(groups.begin(), groups.end(), [&](const auto& members) { return same(members.front()); });
     if (group == groups.end())
       groups.push_back({one});
     else
       group->push_back(one);
   }
   for (auto& group : groups)
-    std::stable_sort(group.begin(), group.end(), [](const Bearing& a, const Bearing& b) { return a.clearance_m < b.clearance_m; });
+    std::stable_sort(group.begin(), group.end(),
+                     [](const Bearing& a, const Bearing& b) { return a.clearance_m < b.clearance_m; });
   return groups;
 }
 
 std::string operation(const View& bearing) {
   std::string text;
-  if (const auto load = bearing.number("radial_load_N")) text += "<i>F</i><sub>r</sub> = " + escaped(plain(*load * kilo, 4)) + " kN";
-  if (const auto speed = bearing.number("speed_rpm")) text += (text.empty() ? "" : ", ") + escaped(plain(*speed, 6)) + " rpm";
+  if (const auto load = bearing.number("radial_load_N"))
+    text += "<i>F</i><sub>r</sub> = " + escaped(plain(*load * kilo, 4)) + " kN";
+  if (const auto speed = bearing.number("speed_rpm"))
+    text += (text.empty() ? "" : ", ") + escaped(plain(*speed, 6)) + " rpm";
   return text;
 }
 
@@ -111,43 +122,72 @@ void add_family(Page& page, const std::vector<Bearing>& group) {
   if (!first.title.empty()) page.paragraph(escaped(first.title) + ".");
   page.begin_figures();
   for (const Bearing& bearing : group) {
-    Figure figure{.id = "fig-force-" + bearing.id, .title = "Contact forces of " + bearing.id,
+    Figure figure{.id = "fig-force-" + bearing.id,
+                  .title = "Contact forces of " + bearing.id,
                   .description = "Contact force of each roller at the inner raceway over its azimuth, a curve a law."};
     figure.panels.push_back(azimuth_panel(OverAzimuth::force, clearance_label(bearing.clearance_text), bearing.laws));
-    page.figure(std::move(figure), "<b>" + escaped(bearing.id) + "</b>: contact force over azimuth (the paper's figure 2), inner raceway, " +
+    page.figure(std::move(figure), "<b>" + escaped(bearing.id) +
+                                       "</b>: contact force over azimuth (the paper's figure 2), inner raceway, " +
                                        markup_to_html(clearance_label(bearing.clearance_text)) + ".");
   }
-  Figure displacement{.id = "fig-displacement-" + first.id, .title = "Displacements of " + first.id,
-                      .description = "Displacement of each roller at the inner raceway over its azimuth, a curve a law; negative is a gap."};
-  displacement.panels.push_back(azimuth_panel(OverAzimuth::displacement, clearance_label(first.clearance_text), first.laws));
-  page.figure(std::move(displacement), "<b>" + escaped(first.id) + "</b>: displacement over azimuth (the paper's figure 3), " +
-                                           markup_to_html(clearance_label(first.clearance_text)) + "; negative where there is a gap.");
+  Figure displacement{
+      .id = "fig-displacement-" + first.id,
+      .title = "Displacements of " + first.id,
+      .description =
+          "Displacement of each roller at the inner raceway over its azimuth, a curve a law; negative is a gap."};
+  displacement.panels.push_back(
+      azimuth_panel(OverAzimuth::displacement, clearance_label(first.clearance_text), first.laws));
+  page.figure(std::move(displacement),
+              "<b>" + escaped(first.id) + "</b>: displacement over azimuth (the paper's figure 3), " +
+                  markup_to_html(clearance_label(first.clearance_text)) + "; negative where there is a gap.");
   if (group.size() > 1) {
     for (const BearingCurves& law : first.laws) {
-      Figure figure{.id = "fig-clearance-" + first.id + "-" + law.law, .title = "Displacements at all clearances, " + law.law,
-                    .description = "Displacement of each roller over its azimuth under the law " + law.law + ", a curve a clearance."};
+      Figure figure{.id = "fig-clearance-" + first.id + "-" + law.law,
+                    .title = "Displacements at all clearances, " + law.law,
+                    .description = "Displacement of each roller over its azimuth under the law " + law.law +
+                                   ", a curve a clearance."};
       figure.panels.push_back(clearances_panel(group, law.law));
-      page.figure(std::move(figure), "Displacement over azimuth at all clearances (the paper's figure 4), law <b>" + escaped(law.law) + "</b>.");
+      page.figure(std::move(figure), "Displacement over azimuth at all clearances (the paper's figure 4), law <b>" +
+                                         escaped(law.law) + "</b>.");
     }
   }
   page.end_figures();
   page.begin_figures("polars");
   for (const Bearing& bearing : group) {
-    PolarPlot plot{.id = "fig-polar-" + bearing.id, .title = "Load distribution of " + bearing.id + " round the bearing",
-                   .description = "Contact force of each roller at the inner raceway as radius, azimuth as angle, the load pointing down.",
-                   .heading = clearance_label(bearing.clearance_text), .radius_label = axis_force, .series = {}};
+    PolarPlot plot{
+        .id = "fig-polar-" + bearing.id,
+        .title = "Load distribution of " + bearing.id + " round the bearing",
+        .description =
+            "Contact force of each roller at the inner raceway as radius, azimuth as angle, the load pointing down.",
+        .heading = clearance_label(bearing.clearance_text),
+        .radius_label = axis_force,
+        .series = {}};
     for (const BearingCurves& law : bearing.laws) {
       const Look look = look_of_law(law.law);
-      plot.series.push_back({.name = literal(law.law), .angle_deg = law.azimuth_deg, .radius = scaled(law.force_N, kilo), .line = look.line,
-                             .marker = look.marker, .colour = look.colour});
+      plot.series.push_back({.name = literal(law.law),
+                             .angle_deg = law.azimuth_deg,
+                             .radius = scaled(law.force_N, kilo),
+                             .line = look.line,
+                             .marker = look.marker,
+                             .colour = look.colour});
     }
-    page.figure(std::move(plot), "<b>" + escaped(bearing.id) + "</b>: load distribution; the load points down, towards 0\u00b0.");
+    page.figure(std::move(plot),
+                "<b>" + escaped(bearing.id) + "</b>: load distribution; the load points down, towards 0\u00b0.");
   }
   page.end_figures();
 
   Table table;
   table.caption = "Balance and fit, inner raceway: <i>f</i> = <i>K</i> <i>\u03b4</i> + \u0394<i>F</i>";
-  table.columns = {"case", "law", "status", "ring displacement [\u00b5m]", "largest force [kN]", "loaded rollers", "thinnest film [\u00b5m]", "<i>K</i> [N/\u00b5m]", "\u0394<i>F</i> [N]", "residual [N]"};
+  table.columns = {"case",
+                   "law",
+                   "status",
+                   "ring displacement [\u00b5m]",
+                   "largest force [kN]",
+                   "loaded rollers",
+                   "thinnest film [\u00b5m]",
+                   "<i>K</i> [N/\u00b5m]",
+                   "\u0394<i>F</i> [N]",
+                   "residual [N]"};
   for (const Bearing& bearing : group) {
     for (const View& law : bearing.view.list("laws")) {
       double force = 0, film = std::numeric_limits<double>::infinity();
@@ -159,10 +199,15 @@ void add_family(Page& page, const std::vector<Bearing>& group) {
         if (const auto h = roller["inner"].number("film_minimum_m")) film = std::min(film, *h);
       }
       const View fit = law["fit"]["inner"];
-      const auto times = [](const std::optional<double>& value, double factor) { return value ? std::optional(*value * factor) : std::nullopt; };
-      table.rows.push_back({words(bearing.id), words(law.text("law")), verdict_cell(law.text("status")), number_cell(times(law.number("displacement_m"), micro), 4),
-                            number_cell(force * kilo, 4), integer_cell(loaded), number_cell(std::isfinite(film) ? std::optional(film * micro) : std::nullopt, 3),
-                            number_cell(times(fit.number("K_N_per_m"), 1 / micro), 5), number_cell(fit.number("dF_N"), 4), number_cell(fit.number("residual_N"), 3)});
+      const auto times = [](const std::optional<double>& value, double factor) {
+        return value ? std::optional(*value * factor) : std::nullopt;
+      };
+      table.rows.push_back({words(bearing.id), words(law.text("law")), verdict_cell(law.text("status")),
+                            number_cell(times(law.number("displacement_m"), micro), 4), number_cell(force * kilo, 4),
+                            integer_cell(loaded),
+                            number_cell(std::isfinite(film) ? std::optional(film * micro) : std::nullopt, 3),
+                            number_cell(times(fit.number("K_N_per_m"), 1 / micro), 5),
+                            number_cell(fit.number("dF_N"), 4), number_cell(fit.number("residual_N"), 3)});
     }
   }
   page.add(table);
@@ -179,8 +224,11 @@ void add_statements(Page& page, const std::vector<View>& statements) {
   for (const View& one : statements) {
     const auto holds = one.flag("holds");
     // Not a failure of the program: what was computed, whichever way it turned out.
-    table.rows.push_back({{"(" + escaped(one.text("letter")) + ")", ""}, words(one.text("law")), {escaped(one.text("statement")), "wide"},
-                          {holds ? (*holds ? "holds" : "<b>does not hold</b>") : "", ""}, {escaped(one.text("numbers")), "wide"}});
+    table.rows.push_back({{"(" + escaped(one.text("letter")) + ")", ""},
+                          words(one.text("law")),
+                          {escaped(one.text("statement")), "wide"},
+                          {holds ? (*holds ? "holds" : "<b>does not hold</b>") : "", ""},
+                          {escaped(one.text("numbers")), "wide"}});
   }
   page.add(table);
 }
@@ -198,31 +246,40 @@ void add_force_laws(Page& page, const std::vector<View>& laws) {
   }
   page.begin_figures();
   for (const auto& [id, raceway] : contacts) {
-    Figure figure{.id = "fig-law-" + id + "-" + raceway, .title = "Contact force laws of " + id + ", " + raceway + " raceway",
+    Figure figure{.id = "fig-law-" + id + "-" + raceway,
+                  .title = "Contact force laws of " + id + ", " + raceway + " raceway",
                   .description = "Contact force over displacement, a curve a law; below, the minimum film."};
     Panel force, film;
     force.height = 200;
     film.height = 110;
-    force.x = {};
     force.y = {.label = "*f* [kN]", .low = 0};
     film.y = {.label = "*h*_{min} [\u00b5m]", .scale = Scale::logarithmic};
     for (const View& one : laws) {
       if (one.text("id") != id || one.text("raceway") != raceway) continue;
       const Look look = look_of_law(one.text("law"));
       const auto displacement = scaled(one.numbers("displacement_m"), micro);
-      force.series.push_back({.name = literal(one.text("law")), .x = displacement, .y = scaled(one.numbers("force_N"), kilo), .line = look.line, .colour = look.colour});
+      force.series.push_back({.name = literal(one.text("law")),
+                              .x = displacement,
+                              .y = scaled(one.numbers("force_N"), kilo),
+                              .line = look.line,
+                              .colour = look.colour});
       if (one.has("film_minimum_m"))
-        film.series.push_back({.x = displacement, .y = scaled(one.numbers("film_minimum_m"), micro), .line = look.line, .colour = look.colour});
+        film.series.push_back({.x = displacement,
+                               .y = scaled(one.numbers("film_minimum_m"), micro),
+                               .line = look.line,
+                               .colour = look.colour});
     }
     std::vector<double> all;
     for (const Series& series : force.series) all.insert(all.end(), series.x.begin(), series.x.end());
     const Range range = range_of(all, Scale::linear);
     force.x.low = film.x.low = range.low;
     force.x.high = film.x.high = range.high;
-    (film.series.empty() ? force : film).x.label = "displacement *\u03b4* [\u00b5m]";
+    force.x.label = film.x.label = "displacement *\u03b4* [\u00b5m]";
+    force.x.silent = !film.series.empty();
     figure.panels.push_back(std::move(force));
     if (!film.series.empty()) figure.panels.push_back(std::move(film));
-    page.figure(std::move(figure), "<b>" + escaped(id) + "</b>, " + escaped(raceway) + " raceway: contact force over displacement" +
+    page.figure(std::move(figure), "<b>" + escaped(id) + "</b>, " + escaped(raceway) +
+                                       " raceway: contact force over displacement" +
                                        (figure.panels.size() > 1 ? ", and the minimum film below." : "."));
   }
   page.end_figures();
@@ -248,7 +305,8 @@ Panel azimuth_panel(OverAzimuth quantity, const std::string& title_markup, const
       constexpr double same = 1e4;  // azimuths that differ by rounding are one roller's
       half.emplace(std::round(azimuth * same) / same, values[i]);
     }
-    Series series{.name = literal(law.law), .line = look.line, .marker = look.marker, .colour = look.colour, .hollow = true};
+    Series series{
+        .name = literal(law.law), .line = look.line, .marker = look.marker, .colour = look.colour, .hollow = true};
     for (const auto& [azimuth, value] : half) {
       series.x.push_back(azimuth);
       series.y.push_back(value * (force ? kilo : micro));
@@ -266,8 +324,10 @@ void add_bearing(Page& page, const View& results) {
   if (bearings.empty()) {
     page.absent("Load distributions are", "ehd verify --output DIR");
   } else {
-    page.paragraph("Laws: <b>hertz</b>, dry; <b>ehd-linear</b>, the straight line fitted to the solver's relation; <b>ehd</b>, the solver's own relation. "
-                   "Azimuth 0\u00b0 is the roller under the load; the other half of the bearing is the mirror image.");
+    page.paragraph(
+        "Laws: <b>hertz</b>, dry; <b>ehd-linear</b>, the straight line fitted to the solver's relation; <b>ehd</b>, "
+        "the solver's own relation. "
+        "Azimuth 0\u00b0 is the roller under the load; the other half of the bearing is the mirror image.");
     for (const auto& group : families(bearings)) add_family(page, group);
   }
   add_statements(page, figures.list("statements"));

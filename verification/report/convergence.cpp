@@ -20,11 +20,17 @@ struct Study {
 std::vector<Study> studies_of(const std::vector<View>& entries) {
   std::vector<Study> studies;
   for (const View& entry : entries) {
-    Study study{.title = entry.text("title"), .solver = entry.text("solver"), .where = entry.text("case"), .abscissa = entry.text("abscissa"),
-                .geometric = entry.text("kind") == "geometric", .entries = {entry}};
+    Study study{.title = entry.text("title"),
+                .solver = entry.text("solver"),
+                .where = entry.text("case"),
+                .abscissa = entry.text("abscissa"),
+                .geometric = entry.text("kind") == "geometric",
+                .entries = {entry}};
     bool known = false;
     for (Study& other : studies) {
-      if (other.solver != study.solver || other.where != study.where || other.abscissa != study.abscissa || other.geometric != study.geometric)
+      if (other.solver != study.solver || other.where != study.where || other.abscissa != study.abscissa ||
+          other.geometric != study.geometric ||
+          other.entries.front().number("declared_order") != entry.number("declared_order"))
         continue;
       constexpr std::size_t most = 4;  // curves in a panel
       if (other.entries.size() >= most) continue;
@@ -35,6 +41,25 @@ std::vector<Study> studies_of(const std::vector<View>& entries) {
     if (!known) studies.push_back(std::move(study));
   }
   return studies;
+}
+
+/// At the middle of the first curve, below all of them.
+std::optional<SlopeTriangle> triangle_below(const std::vector<Series>& curves, double order) {
+  const auto& x = curves.front().x;
+  if (x.size() < 2) return std::nullopt;
+  const std::size_t k = (x.size() - 1) / 2;
+  const double factor = x[k + 1] / x[k];
+  if (!(factor > 1)) return std::nullopt;
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const Series& curve : curves) {
+    for (std::size_t i = 0; i < curve.x.size(); ++i) {
+      // The side falls with the order from (x_k, y): every point near it says how high it may stand there.
+      if (curve.x[i] < x[k] / factor || curve.x[i] > x[k + 1] * factor || !(curve.y[i] > 0)) continue;
+      lowest = std::min(lowest, curve.y[i] * std::pow(std::clamp(curve.x[i] / x[k], 1.0, factor), order));
+    }
+  }
+  constexpr double clear_of = 0.35;
+  return std::isfinite(lowest) ? std::optional(SlopeTriangle{x[k], clear_of * lowest, factor, order}) : std::nullopt;
 }
 
 std::string abscissa_label(const std::string& abscissa) {
@@ -53,8 +78,10 @@ void add_convergence(Page& page, const View& results) {
     page.absent("Convergence studies are", "ehd verify --output DIR");
     return;
   }
-  page.paragraph("Errors against a truth that is known better, over the size of the grid. A triangle shows the order that the scheme declares; the legend the "
-                 "order fitted to the points. Filled marks stand clear of the uncertainty of the truth, hollow ones do not.");
+  page.paragraph(
+      "Errors against a truth that is known better, over the size of the grid. A triangle shows the order that the "
+      "scheme declares; the legend the "
+      "order fitted to the points. Filled marks stand clear of the uncertainty of the truth, hollow ones do not.");
   Table table;
   table.caption = "Orders, declared and fitted";
   table.columns = {"study", "solver", "case", "quantity", "kind", "declared", "fitted", "points", "smallest error"};
@@ -92,16 +119,6 @@ void add_convergence(Page& page, const View& results) {
       series.name = literal(entry.text("quantity").empty() ? entry.text("title") : entry.text("quantity"));
       if (study.geometric) series.name += ": geometric";
       if (!study.geometric && fitted) series.name += ": fitted " + number_markup(*fitted, 3);
-      if (!study.geometric && declared && *declared > 0 && series.x.size() >= 2 && panel.triangles.empty()) {
-        const std::size_t k = (series.x.size() - 1) / 2;
-        const double factor = series.x[k + 1] / series.x[k];
-        // Below the curve, clear of it.
-        if (factor > 1 && series.y[k + 1] > 0) {
-          const double rise = std::pow(factor, *declared);
-          constexpr double clear_of = 0.3;
-          panel.triangles.push_back({series.x[k], clear_of * std::min(series.y[k], series.y[k + 1] * rise), factor, *declared});
-        }
-      }
       panel.series.push_back(series);
       table.rows.push_back({{escaped(entry.text("title").empty() ? entry.text("id") : entry.text("title")), ""},
                             words(study.solver),
@@ -112,7 +129,11 @@ void add_convergence(Page& page, const View& results) {
                             study.geometric ? words("") : number_cell(fitted, 4),
                             integer_cell(static_cast<double>(points.size())),
                             number_cell(std::isfinite(smallest) ? std::optional(smallest) : std::nullopt, 2)});
-      if (const auto title = entry.text("title"); !title.empty()) caption += (caption.empty() ? "" : "; ") + escaped(title);
+      if (const auto title = entry.text("title"); !title.empty())
+        caption += (caption.empty() ? "" : "; ") + escaped(title);
+    }
+    if (const auto order = study.entries.front().number("declared_order"); !study.geometric && order && *order > 0) {
+      if (const auto triangle = triangle_below(panel.series, *order)) panel.triangles.push_back(*triangle);
     }
     figure.panels.push_back(std::move(panel));
     page.figure(std::move(figure), caption + ".");

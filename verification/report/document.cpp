@@ -14,7 +14,10 @@ namespace ehd::report {
 using verification::Json;
 
 void View::refuse(const char* required) const {
-  throw ReportError(path_ + ": is " + (json_->is_array() ? "a list" : json_->is_object() ? "an object" : "a " + std::string(json_->type_name())) +
+  throw ReportError(path_ + ": is " +
+                    (json_->is_array()    ? "a list"
+                     : json_->is_object() ? "an object"
+                                          : "a " + std::string(json_->type_name())) +
                     "; required is " + required);
 }
 
@@ -29,7 +32,8 @@ std::vector<View> View::list() const {
   std::vector<View> views;
   if (!json_) return views;
   if (!json_->is_array()) refuse("a list");
-  for (std::size_t i = 0; i < json_->size(); ++i) views.emplace_back((*json_)[i], path_ + "[" + std::to_string(i) + "]");
+  for (std::size_t i = 0; i < json_->size(); ++i)
+    views.emplace_back((*json_)[i], path_ + "[" + std::to_string(i) + "]");
   return views;
 }
 
@@ -77,22 +81,28 @@ namespace {
 
 Json read_object(const std::filesystem::path& file, int schema, const char* made_by) {
   std::error_code error;
-  if (std::filesystem::is_directory(file, error)) throw ReportError(file.string() + ": is a folder; required is a file that " + made_by + " wrote");
+  if (std::filesystem::is_directory(file, error))
+    throw ReportError(file.string() + ": is a folder; required is a file that " + made_by + " wrote");
   std::ifstream stream(file, std::ios::binary);
   std::ostringstream text;
-  if (!stream || !(text << stream.rdbuf())) throw ReportError(file.string() + ": cannot be read; required is a file that " + made_by + " wrote");
+  if (!stream || !(text << stream.rdbuf()))
+    throw ReportError(file.string() + ": cannot be read; required is a file that " + made_by + " wrote");
   Json json;
   try {
     json = Json::parse(text.str());
   } catch (const Json::parse_error& broken) {
-    throw ReportError(file.string() + ": is no JSON (it breaks at byte " + std::to_string(broken.byte) + "); required is a file that " + made_by + " wrote");
+    throw ReportError(file.string() + ": is no JSON (it breaks at byte " + std::to_string(broken.byte) +
+                      "); required is a file that " + made_by + " wrote");
   }
-  if (!json.is_object()) throw ReportError(file.string() + ": is no JSON object; required is a file that " + made_by + " wrote");
+  if (!json.is_object())
+    throw ReportError(file.string() + ": is no JSON object; required is a file that " + made_by + " wrote");
   const auto found = json.find("schema");
   if (found == json.end() || !found->is_number_integer())
-    throw ReportError(file.string() + ": has no schema; required is schema " + std::to_string(schema) + ", as " + made_by + " writes it");
+    throw ReportError(file.string() + ": has no schema; required is schema " + std::to_string(schema) + ", as " +
+                      made_by + " writes it");
   if (*found != schema)
-    throw ReportError(file.string() + ": has schema " + found->dump() + "; required is " + std::to_string(schema) + ", as " + made_by + " writes it");
+    throw ReportError(file.string() + ": has schema " + found->dump() + "; required is " + std::to_string(schema) +
+                      ", as " + made_by + " writes it");
   return json;
 }
 
@@ -108,7 +118,8 @@ Documents read_documents(const std::filesystem::path& folder) {
   Documents documents;
   documents.results = read_object(folder / "results.json", results_schema, "ehd verify --output");
   if (there("bench.json")) documents.bench = read_object(folder / "bench.json", bench_schema, "ehd bench --output");
-  if (there("stress.json")) documents.stress = read_object(folder / "stress.json", stress_schema, "ehd stress --output");
+  if (there("stress.json"))
+    documents.stress = read_object(folder / "stress.json", stress_schema, "ehd stress --output");
   return documents;
 }
 

@@ -23,7 +23,8 @@ class ReportError : public std::runtime_error {
 class View {
  public:
   View() = default;
-  View(const verification::Json& json, std::string path) : json_(json.is_null() ? nullptr : &json), path_(std::move(path)) {}
+  View(const verification::Json& json, std::string path)
+      : json_(json.is_null() ? nullptr : &json), path_(std::move(path)) {}
 
   [[nodiscard]] bool exists() const { return json_ != nullptr; }
   [[nodiscard]] bool has(const std::string& key) const { return (*this)[key].exists(); }

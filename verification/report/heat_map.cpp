@@ -37,7 +37,8 @@ double luminance(const Rgb& colour) { return (0.2126 * colour[0] + 0.7152 * colo
 std::string hex(const Rgb& colour) {
   char text[8];
   std::snprintf(text, sizeof text, "#%02x%02x%02x", static_cast<unsigned>(std::lround(colour[0])) & 0xffU,
-                static_cast<unsigned>(std::lround(colour[1])) & 0xffU, static_cast<unsigned>(std::lround(colour[2])) & 0xffU);
+                static_cast<unsigned>(std::lround(colour[1])) & 0xffU,
+                static_cast<unsigned>(std::lround(colour[2])) & 0xffU);
   return text;
 }
 
@@ -86,7 +87,8 @@ std::string contours_svg(const HeatMap& map, const CellGrid& grid) {
   std::vector<double> values;
   for (const Cell& cell : map.cells) {
     const double value = cell.value.value_or(std::numeric_limits<double>::quiet_NaN());
-    values.push_back(map.logarithmic ? (value > 0 ? std::log(value) : std::numeric_limits<double>::quiet_NaN()) : value);
+    values.push_back(map.logarithmic ? (value > 0 ? std::log(value) : std::numeric_limits<double>::quiet_NaN())
+                                     : value);
   }
   std::string svg;
   std::vector<Point> labels;
@@ -102,16 +104,17 @@ std::string contours_svg(const HeatMap& map, const CellGrid& grid) {
       ends.push_back(points.back());
     }
     if (d.empty()) continue;
-    svg += "<path class=\"contour-halo\" stroke-width=\"4\" d=\"" + d + "\"/><path class=\"contour\" stroke-width=\"1.6\" d=\"" +
-           d + "\"" + dash_attribute(level.line) + "/>";
+    svg += "<path class=\"contour-halo\" stroke-width=\"4\" d=\"" + d +
+           "\"/><path class=\"contour\" stroke-width=\"1.6\" d=\"" + d + "\"" + dash_attribute(level.line) + "/>";
     if (level.label.empty()) continue;
     // At the end furthest to the right, outside the cells: a label on the map would hide a number.
     const Point end = *std::max_element(ends.begin(), ends.end(), [](Point a, Point b) { return a.x < b.x; });
     if (grid.box.right - end.x > grid.cell_width()) continue;
     const Point place{grid.box.right + 5, end.y + 4};
-    const bool free = std::none_of(labels.begin(), labels.end(), [&](Point other) { return std::abs(other.y - place.y) < 12; });
+    const bool free =
+        std::none_of(labels.begin(), labels.end(), [&](Point other) { return std::abs(other.y - place.y) < 12; });
     if (!free) continue;
-    svg += text_svg(place, level.label, "start", "small") ;
+    svg += text_svg(place, level.label, "start", "small");
     labels.push_back(place);
   }
   return svg;
@@ -135,7 +138,8 @@ std::vector<std::vector<Point>> contour_lines(const std::vector<double>& values,
       const double a = value(i, j), b = value(i + 1, j), c = value(i + 1, j + 1), d = value(i, j + 1);
       if (!std::isfinite(a + b + c + d)) continue;
       const bool above_a = a > level, above_b = b > level, above_c = c > level, above_d = d > level;
-      const std::size_t low = edge(i, j, false), right = edge(i + 1, j, true), high = edge(i, j + 1, false), left = edge(i, j, true);
+      const std::size_t low = edge(i, j, false), right = edge(i + 1, j, true), high = edge(i, j + 1, false),
+                        left = edge(i, j, true);
       std::vector<std::size_t> crossed;
       if (above_a != above_b) crossed.push_back(low);
       if (above_b != above_c) crossed.push_back(right);
@@ -199,7 +203,7 @@ std::string draw(const HeatMap& map, Place place) {
   const Palette palette(map);
   const std::string hatch = map.id + "-hatch";
   bool hatched = false;
-  std::string cells;
+  std::string cells, texts;
   for (std::size_t j = 0; j < map.y.size(); ++j) {
     for (std::size_t i = 0; i < map.x.size(); ++i) {
       const std::size_t at = j * map.x.size() + i;
@@ -207,11 +211,12 @@ std::string draw(const HeatMap& map, Place place) {
       const Cell& cell = map.cells[at];
       const Point centre = grid.at({static_cast<double>(i), static_cast<double>(j)});
       const double w = grid.cell_width(), h = grid.cell_height();
-      const std::string rectangle = "x=\"" + pixels(centre.x - w / 2) + "\" y=\"" + pixels(centre.y - h / 2) + "\" width=\"" +
-                                    pixels(w) + "\" height=\"" + pixels(h) + "\"";
+      const std::string rectangle = "x=\"" + pixels(centre.x - w / 2) + "\" y=\"" + pixels(centre.y - h / 2) +
+                                    "\" width=\"" + pixels(w) + "\" height=\"" + pixels(h) + "\"";
       const auto colour = palette(cell.value);
-      cells += "<g class=\"datum\"" + (place == Place::page ? " data-hint=\"" + escaped(cell.hint) + "\"" : std::string()) +
-               "><rect " + rectangle + (colour ? " class=\"cell\" fill=\"" + hex(*colour) + "\"" : " class=\"blank\"") + "/>";
+      cells += "<g class=\"datum\"" +
+               (place == Place::page ? " data-hint=\"" + escaped(cell.hint) + "\"" : std::string()) + "><rect " +
+               rectangle + (colour ? " class=\"cell\" fill=\"" + hex(*colour) + "\"" : " class=\"blank\"") + "/>";
       if (cell.hatched && colour) {
         cells += "<rect " + rectangle + " class=\"cell\" fill=\"url(#" + escaped(hatch) + ")\"/>";
         hatched = true;
@@ -219,20 +224,26 @@ std::string draw(const HeatMap& map, Place place) {
       if (!cell.text.empty()) {
         constexpr double dark = 0.45;
         const bool white = colour && luminance(*colour) < dark;
-        const std::string ink = !colour ? std::string() : white ? " style=\"fill:#fff\"" : " style=\"fill:#111\"";
+        // With a rim of the cell's colour: contour lines pass below the numbers.
+        const std::string ink =
+            colour ? std::string(" style=\"fill:") + (white ? "#fff" : "#111") + ";stroke:" + hex(*colour) + "\""
+                   : std::string();
         const double size = std::min(10.5, 10.5 * (w - 3) / std::max(1.0, text_width(literal(cell.text), 10.5)));
-        cells += text_svg({centre.x, centre.y + 3.6}, literal(cell.text), "middle", "", ink + " font-size=\"" + pixels(size) + "\"");
+        texts += text_svg({centre.x, centre.y + 3.6}, literal(cell.text), "middle", "cell-text",
+                          ink + " font-size=\"" + pixels(size) + "\"");
       }
       cells += "</g>\n";
     }
   }
   if (hatched)
     svg += "<defs><pattern id=\"" + escaped(hatch) +
-           "\" width=\"6\" height=\"6\" patternUnits=\"userSpaceOnUse\" patternTransform=\"rotate(45)\"><path d=\"M0 0L0 6\" "
+           "\" width=\"6\" height=\"6\" patternUnits=\"userSpaceOnUse\" patternTransform=\"rotate(45)\"><path d=\"M0 "
+           "0L0 6\" "
            "stroke=\"#000\" stroke-width=\"1.1\" stroke-opacity=\".38\"/></pattern></defs>";
-  svg += cells + contours_svg(map, grid);
+  svg += cells + contours_svg(map, grid) + texts;
   for (std::size_t i = 0; i < map.x.size(); ++i)
-    svg += text_svg({grid.at({static_cast<double>(i), 0}).x, grid.box.bottom + 14}, number_markup(map.x[i]), "middle", "small");
+    svg += text_svg({grid.at({static_cast<double>(i), 0}).x, grid.box.bottom + 14}, number_markup(map.x[i]), "middle",
+                    "small");
   for (std::size_t j = 0; j < map.y.size(); ++j)
     svg += text_svg({left - 6, grid.at({0, static_cast<double>(j)}).y + 4}, number_markup(map.y[j]), "end", "small");
   svg += text_svg({(left + right) / 2, grid.box.bottom + 31}, map.x_label);
@@ -251,15 +262,16 @@ std::string draw(const HeatMap& map, Place place) {
   };
   for (const auto& [line, label] : map.keys) {
     const double at = next(44 + text_width(label, 12));
-    svg += "<path class=\"axis\" stroke-width=\"1.6\" d=\"" + path_data({{at, bottom + 8}, {at + 26, bottom + 8}}) + "\"" +
-           dash_attribute(line) + "/>" + text_svg({at + 31, bottom + 12}, label, "start");
+    svg += "<path class=\"axis\" stroke-width=\"1.6\" d=\"" + path_data({{at, bottom + 8}, {at + 26, bottom + 8}}) +
+           "\"" + dash_attribute(line) + "/>" + text_svg({at + 31, bottom + 12}, label, "start");
   }
   if (hatched) {
     const std::string label = "hatched: *p*_{H} > 4 GPa, a numerical test";
     const double at = next(40 + text_width(label, 12));
     svg += "<rect class=\"blank\" x=\"" + pixels(at) + "\" y=\"" + pixels(bottom + 1) +
-           "\" width=\"22\" height=\"13\" style=\"fill:#f4f4f4\"/><rect x=\"" + pixels(at) + "\" y=\"" + pixels(bottom + 1) +
-           "\" width=\"22\" height=\"13\" fill=\"url(#" + escaped(hatch) + ")\"/>" + text_svg({at + 27, bottom + 12}, label, "start");
+           "\" width=\"22\" height=\"13\" style=\"fill:#f4f4f4\"/><rect x=\"" + pixels(at) + "\" y=\"" +
+           pixels(bottom + 1) + "\" width=\"22\" height=\"13\" fill=\"url(#" + escaped(hatch) + ")\"/>" +
+           text_svg({at + 27, bottom + 12}, label, "start");
   }
   if (hatched || !map.keys.empty()) bottom += 20;
   return picture({map.id, map.title, map.description, map.width, bottom}, svg, place);
@@ -280,9 +292,10 @@ std::string draw(const PolarPlot& plot, Place place) {
       x = 10;
       y += 17;
     }
-    svg += "<g class=\"key s" + std::to_string(series.colour) + "\" data-key=\"" + std::to_string(k) + "\"><path class=\"line\" d=\"" +
-           path_data({{x, y + 7}, {x + 28, y + 7}}) + "\"" + dash_attribute(series.line) + "/>" +
-           marker_svg(series.marker, {x + 14, y + 7}, true) + text_svg({x + 33, y + 11}, series.name, "start") + "</g>\n";
+    svg += "<g class=\"key s" + std::to_string(series.colour) + "\" data-key=\"" + std::to_string(k) +
+           "\"><path class=\"line\" d=\"" + path_data({{x, y + 7}, {x + 28, y + 7}}) + "\"" +
+           dash_attribute(series.line) + "/>" + marker_svg(series.marker, {x + 14, y + 7}, true) +
+           text_svg({x + 33, y + 11}, series.name, "start") + "</g>\n";
     x += width;
   }
   y += 22 + 14;
@@ -292,6 +305,7 @@ std::string draw(const PolarPlot& plot, Place place) {
   for (const PolarSeries& series : plot.series) values.insert(values.end(), series.radius.begin(), series.radius.end());
   Range range = range_of(values, Scale::linear);
   range.low = 0;
+  if (!(range.high > 0)) range.high = 1;  // no load at all
   const double step = tick_step(range, 4);
   const auto ticks = linear_ticks(range, step);
   const auto at = [&](double angle_deg, double value) {
@@ -308,7 +322,8 @@ std::string draw(const PolarPlot& plot, Place place) {
     svg += "<path class=\"grid\" d=\"" + path_data({centre, at(angle, range.high)}) + "\"/>";
     const Point label = at(angle, range.high * (1 + 17 / radius));
     const int shown = angle > 180 ? angle - 360 : angle;
-    svg += text_svg({label.x, label.y + 4}, (shown < 0 ? "\u2212" : "") + std::to_string(std::abs(shown)) + "\u00b0", "middle", "small soft");
+    svg += text_svg({label.x, label.y + 4}, (shown < 0 ? "\u2212" : "") + std::to_string(std::abs(shown)) + "\u00b0",
+                    "middle", "small soft");
   }
   for (std::size_t k = 0; k < plot.series.size(); ++k) {
     const PolarSeries& series = plot.series[k];
@@ -329,13 +344,17 @@ std::string draw(const PolarPlot& plot, Place place) {
     for (const Spot& spot : spots) {
       outline.push_back(spot.at);
       char hint[160];
-      std::snprintf(hint, sizeof hint, "%.4g\u00b0: %.5g", spot.angle > 180 ? spot.angle - 360 : spot.angle, spot.value);
-      marks += "<g class=\"datum\"" + (place == Place::page ? " data-hint=\"" + escaped(markup_to_text(series.name)) + ", " + hint + "\"" : std::string()) +
+      std::snprintf(hint, sizeof hint, "%.4g\u00b0: %.5g", spot.angle > 180 ? spot.angle - 360 : spot.angle,
+                    spot.value);
+      marks += "<g class=\"datum\"" +
+               (place == Place::page ? " data-hint=\"" + escaped(markup_to_text(series.name)) + ", " + hint + "\""
+                                     : std::string()) +
                ">" + marker_svg(series.marker, spot.at, true) + "</g>";
     }
     if (!outline.empty()) outline.push_back(outline.front());
-    svg += "<g class=\"series s" + std::to_string(series.colour) + "\" data-key=\"" + std::to_string(k) + "\"><path class=\"line\" d=\"" +
-           path_data(outline) + "\"" + dash_attribute(series.line) + "/>" + marks + "</g>\n";
+    svg += "<g class=\"series s" + std::to_string(series.colour) + "\" data-key=\"" + std::to_string(k) +
+           "\"><path class=\"line\" d=\"" + path_data(outline) + "\"" + dash_attribute(series.line) + "/>" + marks +
+           "</g>\n";
   }
   // The scale last, along a direction between spokes, so that curves do not hide it.
   for (const Tick& tick : ticks) {

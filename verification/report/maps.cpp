@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Maps over the Moes groups M and L: certified films, what formulas make of them, what a cut inlet costs, what `fast` needs.
+// Maps over the Moes groups M and L: certified films, what formulas make of them, what a cut inlet costs, what `fast`
+// needs.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -25,29 +26,32 @@ const View* point_at(const Atlas& atlas, const std::string& laws, double M, doub
   const auto same = [](double a, double b) { return std::abs(a - b) <= 1e-9 * std::max(std::abs(a), std::abs(b)); };
   for (const View& point : atlas.points) {
     const std::string of = point.text("laws");
-    if ((of == laws || (of == "isoviscous" && L == 0)) && same(point.number("M").value_or(-1), M) && same(point.number("L").value_or(-1), L)) return &point;
+    if ((of == laws || (of == "isoviscous" && L == 0)) && same(point.number("M").value_or(-1), M) &&
+        same(point.number("L").value_or(-1), L))
+      return &point;
   }
   return nullptr;
 }
 
+/// In per cent with a sign, as many decimals as a cell has room for.
 std::string percent(double share) {
   const double value = 100 * share, size = std::abs(value);
+  if (!(size >= 0.005)) return "0.00";
   char text[32];
-  std::snprintf(text, sizeof text, size < 0.095 && size > 0 ? "%.0e" : size < 9.95 ? "%+.1f" : "%+.0f", value);
+  std::snprintf(text, sizeof text, size < 0.0995 ? "%+.2f" : size < 9.95 ? "%+.1f" : "%+.0f", value);
   std::string result = text;
-  if (size < 0.095 && size > 0) {  // -5e-05 -> -5e-5
-    const auto e = result.find('e');
-    result = (value > 0 ? "+" : "") + result.substr(0, e + 1) + std::to_string(std::atoi(result.c_str() + e + 1));
-  }
   if (result.front() == '-') result.replace(0, 1, "\u2212");
   return result;
 }
+
+std::string percent_hint(double share) { return plain(100 * share, 3) + " %"; }
 
 using Value = std::function<std::optional<double>(const View&)>;
 using Text = std::function<std::string(double)>;
 
 /// A map of one quantity; nothing is drawn where no point has it.
-std::optional<HeatMap> map_of(const Atlas& atlas, const std::string& laws, const Value& value, const Text& text, const Text& hint) {
+std::optional<HeatMap> map_of(const Atlas& atlas, const std::string& laws, const Value& value, const Text& text,
+                              const Text& hint) {
   HeatMap map;
   map.x = atlas.M;
   map.y = atlas.L;
@@ -96,7 +100,8 @@ std::vector<ContourLevel> decade_levels(const HeatMap& map) {
   for (int decade = static_cast<int>(std::floor(std::log10(low))); decade <= std::log10(high); ++decade) {
     for (const double digit : {1.0, 2.0, 5.0}) {
       const double level = digit * std::pow(10, decade);
-      if (level > low && level < high) levels.push_back({level, digit == 1 ? Line::solid : Line::dashed, number_markup(level, 3)});
+      if (level > low && level < high)
+        levels.push_back({level, digit == 1 ? Line::solid : Line::dashed, number_markup(level, 3)});
     }
   }
   return levels;
@@ -114,10 +119,13 @@ void add_films(Page& page, const Atlas& atlas, const std::vector<std::string>& s
       map->id = std::string("fig-film-") + which + "-" + laws;
       map->title = std::string("Certified ") + which + " film over M and L, " + lawful(laws);
       map->description = "Film in Moes units, flooded, a number a cell, with contour lines.";
-      map->heading = std::string(which == std::string("minimum") ? "Minimum" : "Central") + " film *H*_{Moes}, " + lawful(laws);
+      map->heading =
+          std::string(which == std::string("minimum") ? "Minimum" : "Central") + " film *H*_{Moes}, " + lawful(laws);
       map->logarithmic = true;
       map->contours = decade_levels(*map);
-      page.figure(std::move(*map), "<i>H</i><sub>Moes</sub> = (<i>h</i>/<i>R</i>) <i>U</i><sub>s</sub><sup>\u22121/2</sup>, flooded, by <code>reference</code>; contour lines at 1, 2, 5 \u2026.");
+      page.figure(std::move(*map),
+                  "<i>H</i><sub>Moes</sub> = (<i>h</i>/<i>R</i>) <i>U</i><sub>s</sub><sup>\u22121/2</sup>, flooded, by "
+                  "<code>reference</code>; contour lines at 1, 2, 5 \u2026.");
     }
   }
   page.end_figures();
@@ -145,8 +153,10 @@ void add_formulas(Page& page, const Atlas& atlas, const std::vector<std::string>
   }
   if (formulas.empty()) return;
   page.heading("Film formulas: deviation from the certified film, in %");
-  page.paragraph("Formula over certified film, less 1. Between the solid lines a formula is within 5\u2009%, beyond the dashed ones it is more than 30\u2009% off. "
-                 "Formulas are regressions, never a verdict here.");
+  page.paragraph(
+      "Formula over certified film, less 1. Between the solid lines a formula is within 5\u2009%, beyond the dashed "
+      "ones it is more than 30\u2009% off. "
+      "Formulas are regressions, never a verdict here.");
   Table table;
   table.caption = "Where the formulas hold, of all points below 4 GPa";
   table.columns = {"formula", "film", "laws", "points", "within 5 %", "within 30 %", "largest below", "largest above"};
@@ -159,7 +169,7 @@ void add_formulas(Page& page, const Atlas& atlas, const std::vector<std::string>
         }
         return std::nullopt;
       };
-      auto map = map_of(atlas, laws, deviation, percent, [](double value) { return percent(value) + " %"; });
+      auto map = map_of(atlas, laws, deviation, percent, percent_hint);
       if (!map) continue;
       double lowest = 0, highest = 0;
       int points = 0, near = 0, fair = 0;
@@ -171,8 +181,14 @@ void add_formulas(Page& page, const Atlas& atlas, const std::vector<std::string>
         lowest = std::min(lowest, *cell.value);
         highest = std::max(highest, *cell.value);
       }
-      table.rows.push_back({words(name), words(quantity), words(lawful(laws)), integer_cell(points), integer_cell(near), integer_cell(fair),
-                            {percent(lowest) + " %", "number"}, {percent(highest) + " %", "number"}});
+      table.rows.push_back({words(name),
+                            words(quantity),
+                            words(lawful(laws)),
+                            integer_cell(points),
+                            integer_cell(near),
+                            integer_cell(fair),
+                            {percent(lowest) + " %", "number"},
+                            {percent(highest) + " %", "number"}});
       map->id = "fig-formula-" + name + "-" + quantity + "-" + laws;
       map->title = name + " against the certified " + quantity + ", " + lawful(laws);
       map->description = "Deviation in per cent, a number a cell; contour lines at 5 and 30 per cent.";
@@ -187,7 +203,8 @@ void add_formulas(Page& page, const Atlas& atlas, const std::vector<std::string>
 
 void add_inlet(Page& page, const Atlas& atlas, const std::vector<std::string>& sets) {
   bool any = false;
-  for (const View& point : atlas.points) any = any || point.has("inlet_cost_minimum") || point.has("inlet_cost_central");
+  for (const View& point : atlas.points)
+    any = any || point.has("inlet_cost_minimum") || point.has("inlet_cost_central");
   if (!any) return;
   page.heading("What an inlet cut at <i>X</i> = \u22124 costs, in %");
   page.begin_figures("maps");
@@ -195,12 +212,15 @@ void add_inlet(Page& page, const Atlas& atlas, const std::vector<std::string>& s
     for (const std::string& laws : sets) {
       auto map = map_of(
           atlas, laws, [&](const View& point) { return point.number(std::string("inlet_cost_") + which); }, percent,
-          [](double value) { return percent(value) + " %"; });
+          percent_hint);
       if (!map) continue;
       map->id = std::string("fig-inlet-") + which + "-" + laws;
       map->title = std::string("Cost of an inlet cut at X = -4: ") + which + " film, " + lawful(laws);
-      map->description = "Film of the cut contact over that of the flooded one, less 1, in per cent; contour lines at 1, 5 and 30 per cent.";
-      map->heading = std::string(which == std::string("minimum") ? "Minimum" : "Central") + " film, cut over flooded, " + lawful(laws);
+      map->description =
+          "Film of the cut contact over that of the flooded one, less 1, in per cent; contour lines at 1, 5 and 30 per "
+          "cent.";
+      map->heading = std::string(which == std::string("minimum") ? "Minimum" : "Central") +
+                     " film, cut over flooded, " + lawful(laws);
       map->colours = Colours::diverging;
       map->limit = 0.5;
       map->contours = {{-0.01, Line::dotted, ""}, {-0.05, Line::solid, ""}, {-0.30, Line::dashed, ""}};
@@ -222,8 +242,10 @@ void add_fast(Page& page, const Atlas& atlas, const std::vector<std::string>& se
     double factor;
     int digits;
   };
-  constexpr Shown shown[] = {{"newton_iterations", "Newton iterations", "", 1, 6}, {"krylov_iterations", "Krylov iterations", "", 1, 6},
-                             {"work_units", "Work units", "", 1, 3},          {"wall_s", "Time [ms]", " ms", 1e3, 2},
+  constexpr Shown shown[] = {{"newton_iterations", "Newton iterations", "", 1, 6},
+                             {"krylov_iterations", "Krylov iterations", "", 1, 6},
+                             {"work_units", "Work units", "", 1, 3},
+                             {"wall_s", "Time [ms]", " ms", 1e3, 2},
                              {"nodes", "Intervals on the finest grid", "", 1, 6}};
   std::string tolerance;
   std::map<std::string, int> endings;
@@ -234,8 +256,10 @@ void add_fast(Page& page, const Atlas& atlas, const std::vector<std::string>& se
     ++endings[fast.text("status")];
   }
   std::string summary;
-  for (const auto& [status, count] : endings) summary += (summary.empty() ? "" : ", ") + std::to_string(count) + " " + escaped(status);
-  page.heading("Iterations and cost of <code>fast</code>" + (tolerance.empty() ? std::string() : " at tolerance " + escaped(tolerance)));
+  for (const auto& [status, count] : endings)
+    summary += (summary.empty() ? "" : ", ") + std::to_string(count) + " " + escaped(status);
+  page.heading("Iterations and cost of <code>fast</code>" +
+               (tolerance.empty() ? std::string() : " at tolerance " + escaped(tolerance)));
   page.paragraph("Of all points: " + summary + ".");
   page.begin_figures("maps");
   for (const Shown& one : shown) {
@@ -255,7 +279,8 @@ void add_fast(Page& page, const Atlas& atlas, const std::vector<std::string>& se
       map->heading = std::string(one.heading) + ", " + lawful(laws);
       map->logarithmic = true;
       map->contours = decade_levels(*map);
-      page.figure(std::move(*map), std::string(one.heading) + " of <code>fast</code>; contour lines at 1, 2, 5 \u2026.");
+      page.figure(std::move(*map),
+                  std::string(one.heading) + " of <code>fast</code>; contour lines at 1, 2, 5 \u2026.");
     }
   }
   for (const char* which : {"minimum", "central"}) {
@@ -266,14 +291,16 @@ void add_fast(Page& page, const Atlas& atlas, const std::vector<std::string>& se
             const auto value = point["fast"].number(std::string("deviation_") + which);
             return value ? std::optional(std::max(std::abs(*value), 1e-16)) : std::nullopt;
           },
-          [](double value) { return plain(value, 1); }, [](double value) { return "|fast/certified - 1| = " + plain(value, 3); });
+          [](double value) { return plain(value, 1); },
+          [](double value) { return "|fast/certified - 1| = " + plain(value, 3); });
       if (!map) continue;
       map->id = std::string("fig-fast-deviation-") + which + "-" + laws;
       map->title = std::string("Achieved error of fast, ") + which + " film, " + lawful(laws);
       map->description = "Magnitude of the relative difference from the certified film, a number a cell.";
       map->heading = std::string("Achieved error, ") + which + " film, " + lawful(laws);
       map->logarithmic = true;
-      page.figure(std::move(*map), std::string("|<code>fast</code>/certified \u2212 1| of the ") + which + " film, flooded.");
+      page.figure(std::move(*map),
+                  std::string("|<code>fast</code>/certified \u2212 1| of the ") + which + " film, flooded.");
     }
   }
   page.end_figures();

@@ -8,7 +8,11 @@
 
 namespace ehd::report {
 
-TableCell words(std::string_view text) { return {escaped(text)}; }
+TableCell words(std::string_view text) {
+  constexpr std::size_t short_name = 28;  // not broken at its hyphens
+  const bool name = text.size() <= short_name && text.find(' ') == std::string_view::npos;
+  return {escaped(text), name ? "name" : ""};
+}
 
 TableCell number_cell(const std::optional<double>& value, int digits) {
   if (!value || !std::isfinite(*value)) return {"", "number"};
@@ -28,7 +32,11 @@ std::string html(const Table& table) {
                      (table.css.empty() ? "" : " class=\"" + table.css + "\"") + ">";
   if (!table.caption.empty()) text += "<caption>" + table.caption + "</caption>";
   text += "<thead><tr>";
-  for (const auto& column : table.columns) text += "<th scope=\"col\">" + column + "</th>";
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    const bool number =
+        !table.rows.empty() && i < table.rows.front().size() && table.rows.front()[i].css.starts_with("number");
+    text += std::string("<th scope=\"col\"") + (number ? " class=\"number\"" : "") + ">" + table.columns[i] + "</th>";
+  }
   text += "</tr></thead><tbody>\n";
   for (const auto& row : table.rows) {
     text += "<tr>";
@@ -85,7 +93,8 @@ void Page::begin_figures(const std::string& css) { body_ += "<div class=\"figure
 void Page::end_figures() { body_ += "</div>\n"; }
 
 void Page::put_figure(const std::string& svg, const std::string& caption_html, const std::string& css) {
-  body_ += "<figure class=\"" + css + "\"><div class=\"picture\">" + svg + "</div><figcaption>" + caption_html + "</figcaption></figure>\n";
+  body_ += "<figure class=\"" + css + "\"><div class=\"picture\">" + svg + "</div><figcaption>" + caption_html +
+           "</figcaption></figure>\n";
 }
 
 void Page::figure(Figure figure, const std::string& caption_html) {
@@ -112,9 +121,9 @@ std::string Page::document(const std::string& title) const {
          escaped(title) + "</title>\n<style>\n:root{" + light_colours() +
          "}\n@media screen and (prefers-color-scheme:dark){:root:not([data-theme=light]){" + dark_colours() +
          "}}\n@media screen{:root[data-theme=dark]{" + dark_colours() + "}}\n" + picture_style() + page_style() +
-         "</style></head>\n<body>\n<header><h1>" + escaped(title) + "</h1><nav aria-label=\"Sections\">\n" + navigation_ +
-         "</nav></header>\n<main>\n" + body_ + (open_ ? "</section>\n" : "") + "</main>\n<script>\n" + page_script() +
-         "</script>\n</body></html>\n";
+         "</style></head>\n<body>\n<header><h1>" + escaped(title) + "</h1><nav aria-label=\"Sections\">\n" +
+         navigation_ + "</nav></header>\n<main>\n" + body_ + (open_ ? "</section>\n" : "") + "</main>\n<script>\n" +
+         page_script() + "</script>\n</body></html>\n";
 }
 
 const char* page_style() {
@@ -134,7 +143,7 @@ h3{font-size:1.08rem;margin:26px 0 8px}
 p{max-width:80ch;margin:8px 0}
 a{color:var(--s1)}
 nav{display:flex;flex-wrap:wrap;gap:4px 16px;align-items:center}
-code{font:0.9em ui-monospace,Menlo,Consolas,monospace;overflow-wrap:anywhere}
+code{font:0.9em ui-monospace,Menlo,Consolas,monospace;overflow-wrap:break-word}
 pre{white-space:pre-wrap;overflow-wrap:anywhere;background:var(--panel);padding:10px 12px;font:0.85rem ui-monospace,Menlo,Consolas,monospace}
 button,input,select{font:inherit;color:var(--ink);background:var(--panel);border:1px solid var(--soft);border-radius:4px;padding:3px 10px}
 input{min-width:0;max-width:100%}
@@ -144,12 +153,15 @@ input{min-width:0;max-width:100%}
 .scroll{overflow-x:auto;max-width:100%;margin:10px 0}
 table{border-collapse:collapse;font-size:0.88rem;line-height:1.35}
 caption{text-align:left;font-weight:600;padding:4px 0;caption-side:top}
-th,td{padding:3px 12px 3px 0;text-align:left;vertical-align:top;border-bottom:1px solid var(--grid);overflow-wrap:anywhere;min-width:3.2em}
+th,td{padding:3px 12px 3px 0;text-align:left;vertical-align:top;border-bottom:1px solid var(--grid)}
 th[scope=row]{font-weight:500}
-thead th{border-bottom:2px solid var(--soft);overflow-wrap:normal}
+thead th{border-bottom:2px solid var(--soft);}
 .number{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}
-.wide{min-width:18em}
-.claims th[scope=row]{min-width:14em;max-width:22em}
+.name{white-space:nowrap}
+thead .number{white-space:normal}
+.wide{min-width:16em}
+td.wide code,th code{display:inline-block}
+.claims th[scope=row]{min-width:14em;max-width:22em;overflow-wrap:anywhere}
 td.pass,td.converged{color:var(--pass)}
 td.fail,td.diverged{color:var(--fail);font-weight:700}
 td.inconclusive,td.tolerance-not-met,td.limit-reached,td.under-resolved{color:var(--warn);font-weight:700}
@@ -157,6 +169,7 @@ td.inconclusive,td.tolerance-not-met,td.limit-reached,td.under-resolved{color:va
 .claim.inconclusive{border-color:var(--warn)}
 .claim p{margin:4px 0;overflow-wrap:anywhere}
 .figures{display:grid;grid-template-columns:repeat(auto-fill,minmax(min(100%,440px),1fr));gap:22px 26px;align-items:start}
+.figures.wide-figure{grid-template-columns:1fr}
 .figures.maps{grid-template-columns:repeat(auto-fill,minmax(min(100%,540px),1fr))}
 .figures.polars{grid-template-columns:repeat(auto-fill,minmax(min(100%,340px),1fr))}
 figure{margin:0;min-width:0}
@@ -182,6 +195,7 @@ header,main{padding-left:12px;padding-right:12px}
 dl{grid-template-columns:1fr}
 dt{margin-top:6px}
 figure.map .picture svg.plot{min-width:560px}
+.wide-figure .picture svg.plot{min-width:700px}
 }
 @media print{
 body{font-size:10pt}
@@ -191,6 +205,7 @@ figure,.claim{break-inside:avoid}
 h2,h3{break-after:avoid}
 .scroll,.picture{overflow:visible}
 .figures{grid-template-columns:1fr 1fr}
+.figures.wide-figure{grid-template-columns:1fr}
 .figures.maps{grid-template-columns:1fr}
 .figures.maps svg.plot{margin:0 auto}
 details::details-content{content-visibility:visible;block-size:auto}

@@ -18,13 +18,13 @@ struct TableCell {
   std::string html;
   std::string css = {};  ///< class: "number", "pass", "fail", ...
 };
-[[nodiscard]] TableCell words(std::string_view text);                                ///< escaped
+[[nodiscard]] TableCell words(std::string_view text);  ///< escaped
 [[nodiscard]] TableCell number_cell(const std::optional<double>& value, int digits = 4);
 [[nodiscard]] TableCell integer_cell(const std::optional<double>& value);
 [[nodiscard]] TableCell verdict_cell(const std::string& verdict);
 
 struct Table {
-  std::string caption = {};  ///< HTML
+  std::string caption = {};               ///< HTML
   std::vector<std::string> columns = {};  ///< HTML
   std::vector<std::vector<TableCell>> rows = {};
   std::string css = {};
@@ -63,7 +63,7 @@ class Page {
 /// Letters, digits and hyphens of a name, for an id.
 [[nodiscard]] std::string slug(std::string_view name);
 
-[[nodiscard]] const char* page_style();   ///< without the pictures' rules
+[[nodiscard]] const char* page_style();  ///< without the pictures' rules
 [[nodiscard]] const char* page_script();
 
 }  // namespace ehd::report

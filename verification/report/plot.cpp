@@ -108,10 +108,12 @@ Ready ready(const Panel& panel) {
   axes.x = range_for(panel.x, xs);
   axes.y = range_for(panel.y, values_on(panel, false));
   axes.x_ticks = ticks_for(panel.x, axes.x, 6);
-  axes.y_ticks = ticks_for(panel.y, axes.y, panel.height < 150 ? 3 : 5);
+  // Six: what range_of widens to whole steps is then whole steps of the ticks.
+  const int wanted = panel.height < 150 ? 3 : 6;
+  axes.y_ticks = ticks_for(panel.y, axes.y, wanted);
   if (panel.right) {
     axes.right = range_for(*panel.right, values_on(panel, true));
-    axes.right_ticks = ticks_for(*panel.right, axes.right, panel.height < 150 ? 3 : 5);
+    axes.right_ticks = ticks_for(*panel.right, axes.right, wanted);
   }
   return axes;
 }
@@ -124,14 +126,16 @@ std::string series_svg(const Series& series, std::size_t key, const Mapping& to_
 
   const auto shown = [&](Point p) {
     constexpr double edge = 0.5;
-    return p.x >= box.left - edge && p.x <= box.right + edge && p.y >= box.top - edge && p.y <= box.bottom + edge;  // not NaN
+    return p.x >= box.left - edge && p.x <= box.right + edge && p.y >= box.top - edge &&
+           p.y <= box.bottom + edge;  // not NaN
   };
 
   std::string d;
   if (series.line != Line::none) {
     for (const auto& piece : pieces(points, box)) d += path_data(simplified(piece, drawn_to));
   }
-  std::string svg = "<g class=\"series s" + std::to_string(series.colour) + "\" data-key=\"" + std::to_string(key) + "\"";
+  std::string svg =
+      "<g class=\"series s" + std::to_string(series.colour) + "\" data-key=\"" + std::to_string(key) + "\"";
   if (place == Place::page) {
     // What the read-out shows: points of the curve with the places where they are drawn.
     std::string values;
@@ -143,8 +147,8 @@ std::string series_svg(const Series& series, std::size_t key, const Mapping& to_
     const std::size_t every = index.size() / most + 1;
     for (std::size_t k = 0; k < index.size(); k += every) {
       const std::size_t i = index[k];
-      values += (values.empty() ? "" : " ") + pixels(points[i].x) + "," + pixels(points[i].y) + "," + digits(series.x[i]) +
-                "," + digits(series.y[i]);
+      values += (values.empty() ? "" : " ") + pixels(points[i].x) + "," + pixels(points[i].y) + "," +
+                digits(series.x[i]) + "," + digits(series.y[i]);
     }
     svg += " data-name=\"" + escaped(markup_to_text(series.name)) + "\" data-values=\"" + values + "\"" +
            (series.right ? " data-right=\"1\"" : "");
@@ -192,9 +196,10 @@ Drawn draw_panel(const Panel& panel, const Ready& axes, const Margins& margins, 
     const double at = y + legend_row * entry.row + 11;
     const Series& series = *entry.series;
     svg += "<g class=\"key s" + std::to_string(series.colour) + "\" data-key=\"" + std::to_string(entry.key) + "\">";
-    if (series.line != Line::none)
+    const Line line = series.key_line.value_or(series.line);
+    if (line != Line::none)
       svg += "<path class=\"line\" d=\"" + path_data({{entry.x, at - 4}, {entry.x + sample, at - 4}}) + "\"" +
-             dash_attribute(series.line) + "/>";
+             dash_attribute(line) + "/>";
     svg += marker_svg(series.marker, {entry.x + sample / 2, at - 4}, series.hollow) +
            text_svg({entry.x + sample + 5, at}, series.name, "start") + "</g>\n";
   }
@@ -202,7 +207,7 @@ Drawn draw_panel(const Panel& panel, const Ready& axes, const Margins& margins, 
   y += 8;
   const Box box{left, y, right, y + panel.height};
 
-  const Mapping to_x(panel.x.scale, axes.x, box.left, box.right), 
+  const Mapping to_x(panel.x.scale, axes.x, box.left, box.right),
       to_y(panel.y.scale, axes.y, panel.y.downward ? box.top : box.bottom, panel.y.downward ? box.bottom : box.top);
   std::string grid, marks, labels;
   for (const Tick& tick : axes.x_ticks) {
@@ -221,7 +226,8 @@ Drawn draw_panel(const Panel& panel, const Ready& axes, const Margins& margins, 
     marks += path_data({{box.left, at}, {box.left + (major ? 5.0 : 3.0), at}});
     if (major) labels += text_svg({box.left - 6, at + 4}, tick.label, "end", "small");
   }
-  const Mapping to_right(panel.right ? panel.right->scale : Scale::linear, panel.right ? axes.right : Range{}, box.bottom, box.top);
+  const Mapping to_right(panel.right ? panel.right->scale : Scale::linear, panel.right ? axes.right : Range{},
+                         box.bottom, box.top);
   for (const Tick& tick : axes.right_ticks) {
     const double at = to_right(tick.value);
     if (!(at >= box.top - 0.5 && at <= box.bottom + 0.5)) continue;
@@ -231,12 +237,18 @@ Drawn draw_panel(const Panel& panel, const Ready& axes, const Margins& margins, 
   }
   svg += "<g class=\"frame\"";
   if (place == Place::page) {
-    svg += " data-box=\"" + pixels(box.left) + "," + pixels(box.top) + "," + pixels(box.right) + "," + pixels(box.bottom) +
-           "\" data-x=\"" + escaped(markup_to_text(panel.x.label)) + "\" data-y=\"" + escaped(markup_to_text(panel.y.label)) + "\"" +
+    svg += " data-box=\"" + pixels(box.left) + "," + pixels(box.top) + "," + pixels(box.right) + "," +
+           pixels(box.bottom) + "\" data-x=\"" + escaped(markup_to_text(panel.x.label)) + "\" data-y=\"" +
+           escaped(markup_to_text(panel.y.label)) + "\"" +
            (panel.right ? " data-right=\"" + escaped(markup_to_text(panel.right->label)) + "\"" : "");
   }
-  svg += "><path class=\"grid\" d=\"" + grid + "\"/><path class=\"axis\" d=\"" + marks + "\"/><path class=\"axis\" d=\"" +
-         path_data({{box.left, box.top}, {box.right, box.top}, {box.right, box.bottom}, {box.left, box.bottom}, {box.left, box.top}}) +
+  svg += "><path class=\"grid\" d=\"" + grid + "\"/><path class=\"axis\" d=\"" + marks +
+         "\"/><path class=\"axis\" d=\"" +
+         path_data({{box.left, box.top},
+                    {box.right, box.top},
+                    {box.right, box.bottom},
+                    {box.left, box.bottom},
+                    {box.left, box.top}}) +
          "\"/>" + labels + "</g>\n";
   const double middle = (box.top + box.bottom) / 2;
   const auto upright = [&](double at, const std::string& label) {
@@ -246,26 +258,28 @@ Drawn draw_panel(const Panel& panel, const Ready& axes, const Margins& margins, 
   svg += upright(14, panel.y.label);
   if (panel.right) svg += upright(width - 6, panel.right->label);
   double end = box.bottom + 18;
-  if (!panel.x.label.empty()) {
+  if (!panel.x.label.empty() && !panel.x.silent) {
     svg += text_svg({(box.left + box.right) / 2, box.bottom + 33}, panel.x.label);
     end = box.bottom + 38;
   }
 
+  std::string over;  // labels, not to be hidden by curves
   for (const Rule& rule : panel.rules) {
     const double at = to_y(rule.y);
     if (!(at >= box.top && at <= box.bottom)) continue;
     svg += line_svg({box.left, at}, {box.right, at}, "rule");
     if (!rule.label.empty())
-      svg += text_svg({box.right - 5, at + (at - box.top > 16 ? -4 : 13)}, rule.label, "end", "small soft halo");
+      over += text_svg({box.right - 5, at + (at - box.top > 16 ? -4 : 13)}, rule.label, "end", "small halo");
   }
   for (const SlopeTriangle& one : panel.triangles) svg += triangle_svg(one, to_x, to_y);
   bool drawn = false;
   for (const Series& series : panel.series) {
-    const auto known = std::find(names.begin(), names.end(), series.name);
+    const auto known = std::find(names.begin(), names.end(), series.name.empty() ? series.of : series.name);
     const auto key = static_cast<std::size_t>(known - names.begin());
     svg += series_svg(series, key, to_x, series.right ? to_right : to_y, box, place);
     drawn = drawn || !series.x.empty();
   }
+  svg += over;
   if (!drawn) svg += text_svg({(box.left + box.right) / 2, middle}, "no data", "middle", "soft");
   return {svg, end - top};
 }
@@ -382,8 +396,8 @@ std::string dash_attribute(Line line) {
 std::string text_svg(Point at, const std::string& markup, const std::string& anchor, const std::string& css,
                      const std::string& more) {
   return "<text x=\"" + pixels(at.x) + "\" y=\"" + pixels(at.y) + "\"" +
-         (anchor == "start" ? "" : " text-anchor=\"" + anchor + "\"") + (css.empty() ? "" : " class=\"" + css + "\"") + more + ">" +
-         markup_to_svg(markup) + "</text>";
+         (anchor == "start" ? "" : " text-anchor=\"" + anchor + "\"") + (css.empty() ? "" : " class=\"" + css + "\"") +
+         more + ">" + markup_to_svg(markup) + "</text>";
 }
 
 std::string draw(const Figure& figure, Place place) {
@@ -392,7 +406,7 @@ std::string draw(const Figure& figure, Place place) {
   for (const Panel& panel : figure.panels) {
     axes.push_back(ready(panel));
     margins.left = std::max(margins.left, 14 + 12 + tick_label_width(axes.back().y_ticks));
-    if (panel.right) margins.right = std::max(margins.right, 14 + 12 + tick_label_width(axes.back().right_ticks));
+    if (panel.right) margins.right = std::max(margins.right, 20 + 12 + tick_label_width(axes.back().right_ticks));
   }
   margins.left = std::max(margins.left, 46.0);
   std::vector<std::string> names;

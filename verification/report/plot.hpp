@@ -21,11 +21,13 @@ struct Series {
   std::vector<double> x = {}, y = {};
   Line line = Line::solid;
   Marker marker = Marker::none;
-  int colour = 1;        ///< 1 to 6
-  bool right = false;    ///< belongs to the axis on the right
-  bool hollow = false;   ///< markers
+  int colour = 1;                    ///< 1 to 6
+  bool right = false;                ///< belongs to the axis on the right
+  bool hollow = false;               ///< markers
   std::vector<bool> hollow_at = {};  ///< of single points, where given
-  std::string end = {};  ///< markup; a label at the last point
+  std::string end = {};              ///< markup; a label at the last point
+  std::string of = {};  ///< without a name: the name of the series whose entry in the legend stands for both
+  std::optional<Line> key_line = {};  ///< in the legend, where the line belongs to another series
 };
 
 /// A dashed line across the panel at a value of y.

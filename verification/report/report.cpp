@@ -4,7 +4,8 @@
 namespace ehd::report {
 
 std::string report_html(const Documents& documents) {
-  const View results(documents.results, "results.json"), bench(documents.bench, "bench.json"), stress(documents.stress, "stress.json");
+  const View results(documents.results, "results.json"), bench(documents.bench, "bench.json"),
+      stress(documents.stress, "stress.json");
   Page page;
   add_summary(page, results);
   add_contacts(page, results);

@@ -27,12 +27,12 @@ void add_origin(Page& page, const View& results, const View& bench, const View& 
 
 /// A contact's pressure and film over X, one or more solvers.
 struct ContactCurves {
-  std::string name;            ///< plain: the solver
+  std::string name;  ///< plain: the solver
   std::vector<double> X, P, H;
-  std::optional<double> film_central, film_minimum;  ///< Hertz units
 };
 /// Curves over the region where something happens; `difference` panels are the caller's.
-[[nodiscard]] Figure contact_figure(const std::string& id, const std::string& title, const std::vector<ContactCurves>& curves);
+[[nodiscard]] Figure contact_figure(const std::string& id, const std::string& title,
+                                    const std::vector<ContactCurves>& curves);
 
 /// A bearing's rollers under one law.
 struct BearingCurves {
@@ -42,7 +42,8 @@ struct BearingCurves {
 };
 enum class OverAzimuth { force, displacement };
 /// One panel: f_i or delta_i of each law over psi, from 0 to 180 degrees.
-[[nodiscard]] Panel azimuth_panel(OverAzimuth quantity, const std::string& title_markup, const std::vector<BearingCurves>& laws);
+[[nodiscard]] Panel azimuth_panel(OverAzimuth quantity, const std::string& title_markup,
+                                  const std::vector<BearingCurves>& laws);
 
 /// A law's line, marker and colour: the same in every figure.
 struct Look {

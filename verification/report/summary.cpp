@@ -11,6 +11,13 @@ namespace ehd::report {
 
 namespace {
 
+/// A claim's id, which may be broken behind its slashes.
+std::string identifier(const std::string& id) {
+  std::string result = "<code>";
+  for (const char c : escaped(id)) result += c == '/' ? std::string("/<wbr>") : std::string(1, c);
+  return result + "</code>";
+}
+
 std::string count_of(const View& object, const std::string& key) { return object.cell(key, 15); }
 
 std::string percent(const std::optional<double>& share) {
@@ -45,12 +52,14 @@ std::string numbers_of(const View& claim) {
 
 void add_claim_in_full(Page& page, const View& claim) {
   const std::string verdict = claim.text("verdict");
-  std::string block = "<div class=\"claim " + slug(verdict) + "\"><p><b>" + escaped(verdict) + "</b>: " + escaped(claim.text("statement")) + "</p>";
-  block += "<p><code>" + escaped(claim.text("id")) + "</code>, rung " + escaped(claim.cell("rung"));
+  std::string block = "<div class=\"claim " + slug(verdict) + "\"><p><b>" + escaped(verdict) +
+                      "</b>: " + escaped(claim.text("statement")) + "</p>";
+  block += "<p>" + identifier(claim.text("id")) + ", rung " + escaped(claim.cell("rung"));
   if (const auto of = where(claim); !of.empty()) block += ", " + escaped(of);
   block += "</p><p>" + escaped(numbers_of(claim)) + "</p>";
   if (const auto note = claim.text("note"); !note.empty()) block += "<p>" + escaped(note) + "</p>";
-  if (const auto reason = claim.text("accepted"); !reason.empty()) block += "<p>accepted as inconclusive: " + escaped(reason) + "</p>";
+  if (const auto reason = claim.text("accepted"); !reason.empty())
+    block += "<p>accepted as inconclusive: " + escaped(reason) + "</p>";
   page.add(block + "</div>\n");
 }
 
@@ -65,18 +74,23 @@ void add_margins(Page& page, const std::vector<View>& claims) {
   };
   Figure figure{.id = "fig-margins",
                 .title = "How much of each tolerance is used",
-                .description = "One mark a claim: error plus uncertainty over tolerance, logarithmic, by rung 0 to 11. Right of 1 a claim does not stand.",
+                .description =
+                    "One mark a claim: error plus uncertainty over tolerance, logarithmic, by rung 0 to 11. Right of 1 "
+                    "a claim does not stand.",
                 .width = 900};
   Panel panel;
   panel.x = {.label = "(error + uncertainty) / tolerance", .scale = Scale::logarithmic, .low = least, .high = 4};
   panel.y = {.label = "rung", .low = -0.7, .high = 11.7, .step = 1, .downward = true};
   std::map<int, int> at_rung;
-  for (const Kind& kind : {Kind{"pass", "pass", Marker::circle, 3}, Kind{"inconclusive", "inconclusive", Marker::triangle, 5},
-                           Kind{"fail", "fail", Marker::cross, 2}}) {
+  for (const Kind& kind :
+       {Kind{"pass", "pass", Marker::circle, 3}, Kind{"inconclusive", "inconclusive", Marker::triangle, 5},
+        Kind{"fail", "fail", Marker::cross, 2}}) {
     Series series{.name = kind.name, .line = Line::none, .marker = kind.marker, .colour = kind.colour, .hollow = true};
     for (const View& claim : claims) {
       const auto margin = claim.number("margin"), rung = claim.number("rung");
-      if (claim.text("verdict") != kind.verdict || !margin || !rung || !(claim["tolerance"].number("value").value_or(0) > 0)) continue;
+      if (claim.text("verdict") != kind.verdict || !margin || !rung ||
+          !(claim["tolerance"].number("value").value_or(0) > 0))
+        continue;
       // Side by side where they would cover each other: seven lanes a rung, in turn.
       constexpr int lanes = 7;
       const int lane = at_rung[static_cast<int>(*rung)]++ % lanes - lanes / 2;
@@ -90,8 +104,10 @@ void add_margins(Page& page, const std::vector<View>& claims) {
   figure.panels.push_back(std::move(panel));
   page.begin_figures("wide-figure");
   page.figure(std::move(figure),
-              "Every claim whose tolerance is a number, one mark each (in seven lanes a rung, so that marks do not hide each other); "
-              "values below 10<sup>\u22124</sup> stand at the left edge, above 4 at the right one. At 1 the tolerance is just met.");
+              "Every claim whose tolerance is a number, one mark each (in seven lanes a rung, so that marks do not "
+              "hide each other); "
+              "values below 10<sup>\u22124</sup> stand at the left edge, above 4 at the right one. At 1 the tolerance "
+              "is just met.");
   page.end_figures();
 }
 
@@ -106,10 +122,15 @@ void add_ladder(Page& page, const View& results, const std::map<std::string, Vie
     };
     const std::string worst = rung.text("worst_claim");
     const auto claim = by_id.find(worst);
-    std::string text = worst.empty() ? "" : "<code>" + escaped(worst) + "</code>";
+    std::string text = worst.empty() ? "" : identifier(worst);
     if (claim != by_id.end()) text = escaped(claim->second.text("statement")) + "<br>" + text;
-    table.rows.push_back({{escaped(rung.cell("rung")), ""}, words(rung.text("name")), count("pass", ""), count("fail", "fail"),
-                          count("inconclusive", "inconclusive"), count("skipped", ""), {percent(rung.number("worst_margin")), "number"},
+    table.rows.push_back({{escaped(rung.cell("rung")), ""},
+                          words(rung.text("name")),
+                          count("pass", ""),
+                          count("fail", "fail"),
+                          count("inconclusive", "inconclusive"),
+                          count("skipped", ""),
+                          {percent(rung.number("worst_margin")), "number"},
                           {text, "wide"}});
   }
   if (table.rows.empty())
@@ -121,14 +142,16 @@ void add_ladder(Page& page, const View& results, const std::map<std::string, Vie
 void add_all_claims(Page& page, const View& results, const std::vector<View>& claims) {
   if (!claims.empty()) {
     std::string options;
-    for (const char* verdict : {"pass", "fail", "inconclusive"}) options += "<option>" + std::string(verdict) + "</option>";
+    for (const char* verdict : {"pass", "fail", "inconclusive"})
+      options += "<option>" + std::string(verdict) + "</option>";
     std::string rungs;
     for (const View& rung : results.list("rungs")) rungs += "<option>" + escaped(rung.cell("rung")) + "</option>";
     page.add("<details><summary>All " + std::to_string(claims.size()) +
-             " claims</summary>\n<div class=\"controls\" data-for=\"all-claims\"><label>words <input type=\"search\"></label>"
+             " claims</summary>\n<div class=\"controls\" data-for=\"all-claims\"><label>words <input "
+             "type=\"search\"></label>"
              "<label>rung <select data-column=\"1\"><option value=\"\">all</option>" +
-             rungs + "</select></label><label>verdict <select data-column=\"2\"><option value=\"\">all</option>" + options +
-             "</select></label><output></output></div>\n<div id=\"all-claims\">");
+             rungs + "</select></label><label>verdict <select data-column=\"2\"><option value=\"\">all</option>" +
+             options + "</select></label><output></output></div>\n<div id=\"all-claims\">");
     Table table;
     table.css = "claims";
     table.columns = {"claim", "rung", "verdict", "margin", "statement and numbers"};
@@ -138,7 +161,7 @@ void add_all_claims(Page& page, const View& results, const std::vector<View>& cl
       text += "<br>" + escaped(numbers_of(claim));
       if (const auto note = claim.text("note"); !note.empty()) text += "<br>" + escaped(note);
       const std::string verdict = claim.text("verdict");
-      table.rows.push_back({{"<code>" + escaped(claim.text("id")) + "</code>", ""},
+      table.rows.push_back({{identifier(claim.text("id")), ""},
                             {escaped(claim.cell("rung")), ""},
                             verdict_cell(verdict),
                             {percent(claim.number("margin")), "number"},
@@ -154,7 +177,28 @@ void add_all_claims(Page& page, const View& results, const std::vector<View>& cl
   table.css = "claims";
   table.columns = {"row", "rung", "statement", "why"};
   for (const View& one : skipped)
-    table.rows.push_back({{"<code>" + escaped(one.text("id")) + "</code>", ""}, {escaped(one.cell("rung")), ""}, words(one.text("statement")), words(one.text("why"))});
+    table.rows.push_back({{identifier(one.text("id")), ""},
+                          {escaped(one.cell("rung")), ""},
+                          words(one.text("statement")),
+                          words(one.text("why"))});
+  page.add(table);
+  page.add("</details>\n");
+}
+
+/// What the suite's time went into.
+void add_topics(Page& page, std::vector<View> topics) {
+  if (topics.empty()) return;
+  std::stable_sort(topics.begin(), topics.end(), [](const View& a, const View& b) {
+    return a.number("wall_s").value_or(0) > b.number("wall_s").value_or(0);
+  });
+  constexpr std::size_t most = 20;
+  const std::size_t all = topics.size();
+  topics.resize(std::min(all, most));
+  page.add("<details><summary>The slowest of " + std::to_string(all) + " topics</summary>\n");
+  Table table;
+  table.columns = {"topic", "time [s]"};
+  for (const View& topic : topics)
+    table.rows.push_back({words(topic.text("name")), number_cell(topic.number("wall_s"), 3)});
   page.add(table);
   page.add("</details>\n");
 }
@@ -170,15 +214,17 @@ void add_traceability(Page& page, const View& results) {
   table.columns = {"statement", "part", "claims", "pass", "fail", "inconclusive", "skipped", "for example"};
   for (const View& row : rows) {
     std::string ids;
-    for (const View& id : row.list("ids")) ids += (ids.empty() ? "" : "<br>") + ("<code>" + escaped(id.text()) + "</code>");
-    table.rows.push_back({{escaped(row.text("text")), "wide"},
-                          words(row.text("part")),
-                          {escaped(count_of(row, "claims")), row.number("claims").value_or(0) > 0 ? "number" : "number fail"},
-                          {escaped(count_of(row, "pass")), "number"},
-                          {escaped(count_of(row, "fail")), row.number("fail").value_or(0) > 0 ? "number fail" : "number"},
-                          {escaped(count_of(row, "inconclusive")), row.number("inconclusive").value_or(0) > 0 ? "number inconclusive" : "number"},
-                          {escaped(count_of(row, "skipped")), "number"},
-                          {ids, "wide"}});
+    for (const View& id : row.list("ids")) ids += (ids.empty() ? "" : "<br>") + identifier(id.text());
+    table.rows.push_back(
+        {{escaped(row.text("text")), "wide"},
+         words(row.text("part")),
+         {escaped(count_of(row, "claims")), row.number("claims").value_or(0) > 0 ? "number" : "number fail"},
+         {escaped(count_of(row, "pass")), "number"},
+         {escaped(count_of(row, "fail")), row.number("fail").value_or(0) > 0 ? "number fail" : "number"},
+         {escaped(count_of(row, "inconclusive")),
+          row.number("inconclusive").value_or(0) > 0 ? "number inconclusive" : "number"},
+         {escaped(count_of(row, "skipped")), "number"},
+         {ids, "wide"}});
   }
   page.add(table);
 }
@@ -191,12 +237,14 @@ void add_provenance(Page& page, const std::string& title, const View& provenance
   };
   row("version", provenance.cell("version"));
   std::string commit = provenance.text("commit");
-  if (const auto dirty = provenance.flag("dirty"); !commit.empty() && dirty) commit += *dirty ? ", with changes that are not committed" : ", clean";
+  if (const auto dirty = provenance.flag("dirty"); !commit.empty() && dirty)
+    commit += *dirty ? ", with changes that are not committed" : ", clean";
   row("commit", commit);
   row("compiler", provenance.text("compiler"));
   row("flags", provenance.text("flags"));
   std::string libraries;
-  for (const auto& [name, version] : provenance["libraries"].members()) libraries += (libraries.empty() ? "" : ", ") + name + " " + version.cell();
+  for (const auto& [name, version] : provenance["libraries"].members())
+    libraries += (libraries.empty() ? "" : ", ") + name + " " + version.cell();
   row("libraries", libraries);
   std::string cpu = provenance.text("cpu");
   if (provenance.has("cores")) cpu += (cpu.empty() ? "" : ", ") + provenance.cell("cores") + " cores";
@@ -218,15 +266,19 @@ void add_summary(Page& page, const View& results) {
   const bool success = summary.flag("success").value_or(false);
   std::string verdict = success ? "<b>Every claim stands.</b> " : "<b>Not every claim stands.</b> ";
   verdict += escaped(count_of(summary, "pass")) + " pass, " + escaped(count_of(summary, "fail")) + " fail, " +
-             escaped(count_of(summary, "inconclusive")) + " inconclusive, " + escaped(count_of(summary, "skipped")) + " skipped";
+             escaped(count_of(summary, "inconclusive")) + " inconclusive, " + escaped(count_of(summary, "skipped")) +
+             " skipped";
   if (summary.has("wall_s")) verdict += "; " + escaped(seconds(summary.number("wall_s")));
   if (summary.has("threads")) verdict += " on " + escaped(summary.cell("threads")) + " threads";
   if (summary.flag("quick").value_or(false)) verdict += "; the quick suite: slow topics are skipped";
-  if (const auto selection = summary.text("selection"); !selection.empty()) verdict += "; only <code>" + escaped(selection) + "</code>";
+  if (const auto selection = summary.text("selection"); !selection.empty())
+    verdict += "; only <code>" + escaped(selection) + "</code>";
   page.paragraph(verdict + ".", success ? "verdict pass" : "verdict fail");
   page.paragraph(
-      "A claim is a sentence with a number and a tolerance that carries its reason. It passes where error + uncertainty is within the "
-      "tolerance, fails where error \u2212 uncertainty is beyond it, and is inconclusive between. The margin is what is left of the "
+      "A claim is a sentence with a number and a tolerance that carries its reason. It passes where error + "
+      "uncertainty is within the "
+      "tolerance, fails where error \u2212 uncertainty is beyond it, and is inconclusive between. The margin is what "
+      "is left of the "
       "tolerance: 100\u2009% unused, 0 just met.");
   add_ladder(page, results, by_id);
 
@@ -248,11 +300,13 @@ void add_summary(Page& page, const View& results) {
     page.heading("Findings: statements of others, with what was computed");
     Table table;
     table.columns = {"statement", "computed"};
-    for (const View& one : findings) table.rows.push_back({{escaped(one.text("statement")), "wide"}, {escaped(one.text("note")), "wide"}});
+    for (const View& one : findings)
+      table.rows.push_back({{escaped(one.text("statement")), "wide"}, {escaped(one.text("note")), "wide"}});
     page.add(table);
   }
   add_margins(page, claims);
   add_all_claims(page, results, claims);
+  add_topics(page, results.list("topics"));
   add_traceability(page, results);
 }
 
@@ -263,13 +317,17 @@ void add_origin(Page& page, const View& results, const View& bench, const View& 
   add_provenance(page, "Times (bench.json)", bench["provenance"]);
   add_provenance(page, "Stress (stress.json)", stress["provenance"]);
   page.heading("How to cite");
-  const std::string version = provenance.cell("version"), commit = provenance.text("commit"), date = provenance.text("date");
+  const std::string version = provenance.cell("version"), commit = provenance.text("commit"),
+                    date = provenance.text("date");
   std::string text = EHD_CITATION_AUTHORS ": " EHD_CITATION_TITLE;
   if (!version.empty()) text += ", version " + version;
-  if (!commit.empty()) text += ", commit " + commit.substr(0, 12) + (provenance.flag("dirty").value_or(false) ? " (with changes)" : "");
+  if (!commit.empty())
+    text += ", commit " + commit.substr(0, 12) + (provenance.flag("dirty").value_or(false) ? " (with changes)" : "");
   if (date.size() >= 4) text += " (" + date.substr(0, 4) + ")";
   page.add("<pre>" + escaped(text + ".") + "</pre>\n");
-  page.paragraph("CITATION.cff has the same for programs; <code>ehd cases --bibtex</code> the source of every benchmark case, to be cited beside it.");
+  page.paragraph(
+      "CITATION.cff has the same for programs; <code>ehd cases --bibtex</code> the source of every benchmark case, to "
+      "be cited beside it.");
 }
 
 }  // namespace ehd::report

@@ -144,7 +144,12 @@ std::string markup_to_svg(std::string_view markup) {
     std::string attributes;
     // dy, not baseline-shift: the second is not drawn everywhere. It moves what follows, too.
     if (run.level != level) {
-      const double from = level < 0 ? 0.22 : level > 0 ? -0.36 : 0, to = run.level < 0 ? 0.22 : run.level > 0 ? -0.36 : 0;
+      const double from = level < 0   ? 0.22
+                          : level > 0 ? -0.36
+                                      : 0,
+                   to = run.level < 0   ? 0.22
+                        : run.level > 0 ? -0.36
+                                        : 0;
       constexpr double small = 0.75;  // dy counts in the run's own size
       attributes += " dy=\"" + pixels((to - from) / (run.level == 0 ? 1 : small)) + "em\"";
     }
@@ -224,6 +229,7 @@ std::string picture_style() {
       "svg.plot .contour{fill:none;stroke:#000;stroke-linejoin:round}"
       "svg.plot .contour-halo{fill:none;stroke:#fff;stroke-linejoin:round;stroke-opacity:.75}"
       "svg.plot .cell{stroke:none}"
+      "svg.plot .cell-text{paint-order:stroke;stroke-width:3.5px;stroke-linejoin:round;pointer-events:none}"
       "svg.plot .blank{fill:none;stroke:var(--grid);stroke-width:.75}"
       "svg.plot .hollow{fill:var(--paper)}";
   for (int i = 1; i <= 6; ++i) {
@@ -240,17 +246,18 @@ std::string picture(const Picture& frame, const std::string& content, Place plac
   std::string result = "<svg class=\"plot\" id=\"" + id + "\" role=\"img\" viewBox=\"0 0 " + width + " " + height +
                        "\" aria-labelledby=\"" + id + "-title " + id + "-desc\"";
   if (place == Place::file) {
-    result = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + result + " xmlns=\"http://www.w3.org/2000/svg\" width=\"" +
-             width + "\" height=\"" + height + "\"";
+    result = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + result +
+             " xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width + "\" height=\"" + height + "\"";
   } else {
-    result += " style=\"max-width:" + width + "px\"" + attributes;
+    result += " style=\"max-width:" + pixels(1.2 * frame.width) + "px\"" + attributes;
   }
   result += ">\n<title id=\"" + id + "-title\">" + escaped(frame.title) + "</title><desc id=\"" + id + "-desc\">" +
             escaped(frame.description) + "</desc>\n";
   if (place == Place::file) {
     std::string style = picture_style();
     for (const auto& [name, value] : variables(light_colours())) style = replaced(style, "var(" + name + ")", value);
-    result += "<style>" + style + "</style>\n<rect width=\"" + width + "\" height=\"" + height + "\" fill=\"#ffffff\"/>\n";
+    result +=
+        "<style>" + style + "</style>\n<rect width=\"" + width + "\" height=\"" + height + "\" fill=\"#ffffff\"/>\n";
   }
   return result + content + "</svg>\n";
 }

@@ -32,9 +32,10 @@ std::string power_label(int exponent, bool plainly) {
 }  // namespace
 
 Range range_of(const std::vector<double>& values, Scale scale) {
+  constexpr double largest = 1e300;  // differences stay finite; not infinite, not NaN
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const double value : values) {
-    if (!std::isfinite(value) || (scale == Scale::logarithmic && !(value > 0))) continue;
+    if (!(std::abs(value) <= largest) || (scale == Scale::logarithmic && !(value > 0))) continue;
     low = std::min(low, value);
     high = std::max(high, value);
   }
@@ -71,7 +72,8 @@ std::vector<Tick> linear_ticks(const Range& range, double step) {
   const double first = std::ceil(range.low / step - slack), last = std::floor(range.high / step + slack);
   const double largest = std::max(std::abs(range.low), std::abs(range.high));
   int decimals = 0;
-  for (double scaled = step; decimals < 12 && std::abs(scaled - std::round(scaled)) > slack * scaled; scaled *= 10) ++decimals;
+  for (double scaled = step; decimals < 12 && std::abs(scaled - std::round(scaled)) > slack * scaled; scaled *= 10)
+    ++decimals;
   constexpr double plain_up_to = 1e5;
   constexpr int most_decimals = 4;
   const bool powers = largest >= plain_up_to || decimals > most_decimals;
@@ -104,7 +106,7 @@ std::vector<Tick> log_ticks(const Range& range, int most_labels) {
       const double value = digit * decade;
       if (!inside(value)) continue;
       const bool label = decades < with_two_and_five && (digit == 2 || digit == 5);
-      ticks.push_back({value, label ? number_markup(value, 3) : ""});
+      ticks.push_back({value, !label ? "" : plainly ? fixed(value, std::max(0, -k)) : number_markup(value, 3)});
     }
   }
   return ticks;

@@ -19,8 +19,8 @@ struct Range {
   double low = 0, high = 1;
 };
 
-/// The range that shows all finite values (logarithmic: all positive ones), widened to whole ticks (linear) or to a part
-/// of a decade (logarithmic); a range of its own around one value, and 0..1 (1..10) where there is none.
+/// The range that shows all finite values (logarithmic: all positive ones), widened to whole ticks (linear) or to a
+/// part of a decade (logarithmic); a range of its own around one value, and 0..1 (1..10) where there is none.
 [[nodiscard]] Range range_of(const std::vector<double>& values, Scale scale);
 
 /// 1, 2 or 5 times a power of ten, so that about `wanted` steps make up the range.
@@ -29,8 +29,8 @@ struct Range {
 /// Multiples of `step` within the range, labelled with as many decimals as the step needs.
 [[nodiscard]] std::vector<Tick> linear_ticks(const Range& range, double step);
 
-/// Decades, labelled 10^{k} or, from 0.001 to 10000, plainly; at most `most_labels` of them. Below two decades the 2 and the
-/// 5 are labelled too, below half a decade round numbers in between. Minor ticks up to seven decades.
+/// Decades, labelled 10^{k} or, from 0.001 to 10000, plainly; at most `most_labels` of them. Below two decades the 2
+/// and the 5 are labelled too, below half a decade round numbers in between. Minor ticks up to seven decades.
 [[nodiscard]] std::vector<Tick> log_ticks(const Range& range, int most_labels = 7);
 
 /// An axis of a plot.
@@ -40,6 +40,7 @@ struct Axis {
   std::optional<double> low = {}, high = {};  ///< absent: from the data
   std::optional<double> step = {};            ///< of linear ticks
   bool downward = false;                      ///< of y: grows from top to bottom
+  bool silent = false;                        ///< of x: the panel below says what the axis is
 };
 
 /// From data to pixels along one axis.

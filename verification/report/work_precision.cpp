@@ -16,17 +16,18 @@ struct Quantity {
   const char* key;
   const char* label;
 };
-constexpr Quantity quantities[] = {{"film.minimum", "error of *H*_{min}"}, {"film.central", "error of *H*_{cen}"}, {"pressure", "error of *P* (L2)"}};
+constexpr Quantity quantities[] = {
+    {"film.minimum", "error of *H*_{min}"}, {"film.central", "error of *H*_{cen}"}, {"pressure", "error of *P* (L2)"}};
 
 std::string title_of(const View& truth) {
   const auto id = truth.text("case");
   return id;
 }
 
-/// Time over achieved error of one case and quantity, a curve a solver: by tolerance and by grid together, along the lower left
-/// edge that no other run of the solver undercuts.
-Panel precision_panel(const std::vector<View>& rows, const std::vector<std::string>& solvers, const std::string& id, const Quantity& quantity,
-                      std::size_t& failed) {
+/// Time over achieved error of one case and quantity, a curve a solver: by tolerance and by grid together, along the
+/// lower left edge that no other run of the solver undercuts.
+Panel precision_panel(const std::vector<View>& rows, const std::vector<std::string>& solvers, const std::string& id,
+                      const Quantity& quantity, std::size_t& failed) {
   Panel panel;
   panel.x = {.label = quantity.label + std::string(", relative"), .scale = Scale::logarithmic};
   panel.y = {.label = "time [s]", .scale = Scale::logarithmic};
@@ -52,13 +53,18 @@ Panel precision_panel(const std::vector<View>& rows, const std::vector<std::stri
     std::sort(runs.begin(), runs.end(), [](const Run& a, const Run& b) { return a.error > b.error; });
     // The line joins what is worth running: less error costs more.
     const Look look = look_of_solver(solver);
-    Series line{.x = {}, .y = {}, .line = look.line, .marker = Marker::none, .colour = look.colour};
-    Series marks{.name = literal(solver), .line = Line::none, .marker = look.marker, .colour = look.colour};
+    Series line{.line = look.line, .marker = Marker::none, .colour = look.colour, .of = literal(solver)};
+    Series marks{.name = literal(solver),
+                 .line = Line::none,
+                 .marker = look.marker,
+                 .colour = look.colour,
+                 .key_line = look.line};
     for (std::size_t i = 0; i < runs.size(); ++i) {
       marks.x.push_back(runs[i].error);
       marks.y.push_back(runs[i].time);
       marks.hollow_at.push_back(runs[i].bound);
-      const bool undercut = std::any_of(runs.begin() + static_cast<std::ptrdiff_t>(i) + 1, runs.end(), [&](const Run& other) { return other.time <= runs[i].time; });
+      const bool undercut = std::any_of(runs.begin() + static_cast<std::ptrdiff_t>(i) + 1, runs.end(),
+                                        [&](const Run& other) { return other.time <= runs[i].time; });
       if (undercut) continue;
       line.x.push_back(runs[i].error);
       line.y.push_back(runs[i].time);
@@ -68,6 +74,24 @@ Panel precision_panel(const std::vector<View>& rows, const std::vector<std::stri
     panel.series.push_back(std::move(marks));
   }
   return panel;
+}
+
+void add_failed(Page& page, const std::vector<View>& rows) {
+  Table table;
+  table.columns = {"case", "solver", "asked", "status", "reason"};
+  for (const View& row : rows) {
+    if (row.text("status") == "converged") continue;
+    const std::string asked = row.has("nodes") ? "n = " + row.cell("nodes") : row.cell("tolerance", 3);
+    table.rows.push_back({words(row.text("case")),
+                          words(row.text("solver")),
+                          words(asked),
+                          verdict_cell(row.text("status")),
+                          {escaped(row.text("reason")), "wide"}});
+  }
+  if (table.rows.empty()) return;
+  page.add("<details><summary>" + std::to_string(table.rows.size()) + " not converged, or not run</summary>\n");
+  page.add(table);
+  page.add("</details>\n");
 }
 
 void add_ratios(Page& page, const View& result) {
@@ -83,18 +107,25 @@ void add_ratios(Page& page, const View& result) {
   page.heading("Times at equal achieved error");
   page.begin_figures();
   static constexpr Line lines[] = {Line::solid, Line::dashed, Line::dash_dot, Line::dotted};
-  static constexpr Marker markers[] = {Marker::circle, Marker::square, Marker::triangle, Marker::diamond, Marker::plus, Marker::cross};
+  static constexpr Marker markers[] = {Marker::circle,  Marker::square, Marker::triangle,
+                                       Marker::diamond, Marker::plus,   Marker::cross};
   for (const std::string& name : names) {
     for (const Quantity& quantity : quantities) {
-      Figure figure{.id = "fig-ratio-" + name + "-" + quantity.key, .title = "Ratio of times " + name + " at equal error of " + quantity.key,
-                    .description = "Time of the first solver over that of the second, over the error that both achieve; a curve a case."};
+      Figure figure{
+          .id = "fig-ratio-" + name + "-" + quantity.key,
+          .title = "Ratio of times " + name + " at equal error of " + quantity.key,
+          .description =
+              "Time of the first solver over that of the second, over the error that both achieve; a curve a case."};
       Panel panel;
       panel.title = literal(name);
       panel.x = {.label = quantity.label + std::string(" achieved by both"), .scale = Scale::logarithmic};
       panel.y = {.label = "ratio of times", .scale = Scale::logarithmic};
       std::size_t style = 0;
       for (const std::string& id : cases) {
-        Series series{.name = literal(id), .line = lines[style % 4], .marker = markers[style % 6], .colour = 1 + static_cast<int>(style % 6)};
+        Series series{.name = literal(id),
+                      .line = lines[style % 4],
+                      .marker = markers[style % 6],
+                      .colour = 1 + static_cast<int>(style % 6)};
         for (const View& entry : equal) {
           if (entry.text("case") != id || entry.text("quantity") != quantity.key) continue;
           const auto ratio = entry["ratios"].number(name), level = entry.number("level");
@@ -108,7 +139,8 @@ void add_ratios(Page& page, const View& result) {
       if (panel.series.empty()) continue;
       panel.rules.push_back({1, "equal"});
       figure.panels.push_back(std::move(panel));
-      page.figure(std::move(figure), "Time of the quickest run that achieves the error: <b>" + escaped(name) + "</b>; above 1 the second solver is ahead.");
+      page.figure(std::move(figure), "Time of the quickest run that achieves the error: <b>" + escaped(name) +
+                                         "</b>; above 1 the second solver is ahead.");
     }
   }
   page.end_figures();
@@ -119,7 +151,8 @@ void add_ratios(Page& page, const View& result) {
   for (const auto& name : names) table.columns.push_back(escaped(name));
   for (const View& entry : equal) {
     if (!entry.has("ratios")) continue;
-    std::vector<TableCell> row{words(entry.text("case")), words(entry.text("quantity")), number_cell(entry.number("level"), 3)};
+    std::vector<TableCell> row{words(entry.text("case")), words(entry.text("quantity")),
+                               number_cell(entry.number("level"), 3)};
     for (const auto& name : names) row.push_back(number_cell(entry["ratios"].number(name), 3));
     table.rows.push_back(std::move(row));
   }
@@ -136,9 +169,13 @@ void add_coverage(Page& page, const View& result) {
   table.columns = {"solver", "quantity", "covered", "missed", "undecided", "reported/achieved, median", "smallest"};
   for (const View& one : coverage) {
     const auto missed = one.number("missed");
-    table.rows.push_back({words(one.text("solver")), words(one.text("quantity")), integer_cell(one.number("covered")),
-                          {integer_cell(missed).html, missed.value_or(0) > 0 ? "number fail" : "number"}, integer_cell(one.number("undecided")),
-                          number_cell(one.number("median_excess"), 3), number_cell(one.number("smallest_excess"), 3)});
+    table.rows.push_back({words(one.text("solver")),
+                          words(one.text("quantity")),
+                          integer_cell(one.number("covered")),
+                          {integer_cell(missed).html, missed.value_or(0) > 0 ? "number fail" : "number"},
+                          integer_cell(one.number("undecided")),
+                          number_cell(one.number("median_excess"), 3),
+                          number_cell(one.number("smallest_excess"), 3)});
   }
   page.add(table);
 }
@@ -153,12 +190,16 @@ void add_scaling(Page& page, const std::vector<View>& rows) {
     double factor;
   };
   constexpr Shown shown[] = {{"wall_s", "time [s]", "Time of a cold solve", 1},
-                             {"ns_per_n_log2_n", "time / (*n* log_{2}*n*) [ns]", "Time over n log2 n: level where the cost is that of a transform", 1},
-                             {"time_per_unit", "time per work unit / one convolution", "Time of a work unit in padded convolutions of that size", 1},
+                             {"ns_per_n_log2_n", "time / (*n* log_{2}*n*) [ns]",
+                              "Time over n log2 n: level where the cost is that of a transform", 1},
+                             {"time_per_unit", "time per work unit / one convolution",
+                              "Time of a work unit in padded convolutions of that size", 1},
                              {"peak_bytes", "peak memory [MB]", "Peak memory", 1e-6}};
   page.begin_figures();
   for (const Shown& one : shown) {
-    Figure figure{.id = std::string("fig-scaling-") + one.key, .title = std::string(one.what) + " over the number of intervals", .description = one.what};
+    Figure figure{.id = std::string("fig-scaling-") + one.key,
+                  .title = std::string(one.what) + " over the number of intervals",
+                  .description = one.what};
     Panel panel;
     panel.x = {.label = "intervals *n*", .scale = Scale::logarithmic};
     panel.y = {.label = one.label, .scale = Scale::logarithmic};
@@ -172,7 +213,11 @@ void add_scaling(Page& page, const std::vector<View>& rows) {
         Look look = look_of_solver(row.text("solver"));
         if (of_solver[row.text("solver")]++ > 0) look.line = Line::solid;
         at[name] = panel.series.size();
-        panel.series.push_back({.name = literal(name), .line = look.line, .marker = look.marker, .colour = look.colour, .hollow = look.line == Line::solid});
+        panel.series.push_back({.name = literal(name),
+                                .line = look.line,
+                                .marker = look.marker,
+                                .colour = look.colour,
+                                .hollow = look.line == Line::solid});
       }
       panel.series[at[name]].x.push_back(*n);
       panel.series[at[name]].y.push_back(*value * one.factor);
@@ -190,9 +235,15 @@ void add_batch(Page& page, const std::vector<View>& rows) {
   table.caption = "Many contacts, one solve a thread";
   table.columns = {"solver", "tolerance", "contacts", "converged", "threads", "time [s]", "speed-up", "same results"};
   for (const View& row : rows)
-    table.rows.push_back({words(row.text("solver")), number_cell(row.number("tolerance"), 3), integer_cell(row.number("problems")), integer_cell(row.number("converged")),
-                          integer_cell(row.number("threads")), number_cell(row.number("wall_s"), 3), number_cell(row.number("speed_up"), 3),
-                          {row.flag("same_results").value_or(false) ? "bit for bit" : "<b>differ</b>", row.flag("same_results").value_or(false) ? "" : "fail"}});
+    table.rows.push_back({words(row.text("solver")),
+                          number_cell(row.number("tolerance"), 3),
+                          integer_cell(row.number("problems")),
+                          integer_cell(row.number("converged")),
+                          integer_cell(row.number("threads")),
+                          number_cell(row.number("wall_s"), 3),
+                          number_cell(row.number("speed_up"), 3),
+                          {row.flag("same_results").value_or(false) ? "bit for bit" : "<b>differ</b>",
+                           row.flag("same_results").value_or(false) ? "" : "fail"}});
   page.add(table);
 }
 
@@ -206,8 +257,11 @@ void add_work_precision(Page& page, const View& bench) {
   }
   const View result = bench["work_precision"];
   if (result.exists()) {
-    std::string note = "Time of a cold solve over the error that it achieves against a truth at least ten times better; lower left is better. Every mark is a run, by "
-                       "tolerance or by grid; the line joins the runs that no other run of the same solver beats in both. Hollow: the error is a bound, the truth is known no better.";
+    std::string note =
+        "Time of a cold solve over the error that it achieves against a truth at least ten times better; lower left is "
+        "better. Every mark is a run, by "
+        "tolerance or by grid; the line joins the runs that no other run of the same solver beats in both. Hollow: the "
+        "error is a bound, the truth is known no better.";
     if (const auto share = result.number("cpu_share"))
       note += " The process had " + markup_to_html(number_markup(100 * *share, 3)) + "\u2009% of a core.";
     page.paragraph(note);
@@ -220,17 +274,28 @@ void add_work_precision(Page& page, const View& bench) {
         std::size_t failed = 0;
         Figure figure{.id = "fig-work-" + truth.text("case") + "-" + quantity.key,
                       .title = "Work and precision: " + title_of(truth) + ", " + quantity.key,
-                      .description = "Time of a solve over its achieved relative error, a curve a solver, both axes logarithmic."};
+                      .description =
+                          "Time of a solve over its achieved relative error, a curve a solver, both axes logarithmic."};
         Panel panel = precision_panel(rows, solvers, truth.text("case"), quantity, failed);
         if (panel.series.empty()) continue;
         panel.title = literal(title_of(truth));
         figure.panels.push_back(std::move(panel));
-        page.figure(std::move(figure), "<b>" + escaped(truth.text("case")) + "</b>, " + escaped(quantity.key) + "; truth: " + escaped(truth.text("solver")) +
-                                           (truth[quantity.key].has("error") ? ", to " + markup_to_html(number_markup(*truth[quantity.key].number("error"), 2)) : "") +
-                                           (failed > 0 ? "; " + std::to_string(failed) + " runs did not converge and are not drawn" : "") + ".");
+        page.figure(
+            std::move(figure),
+            "<b>" + escaped(truth.text("case")) + "</b>, " + escaped(quantity.key) +
+                "; truth: " + escaped(truth.text("solver")) +
+                (truth[quantity.key].has("error")
+                     ? ", to " + markup_to_html(number_markup(*truth[quantity.key].number("error"), 2))
+                     : "") +
+                (failed > 0 ? "; " + std::to_string(failed) +
+                                  (failed == 1 ? " run did not converge and is" : " runs did not converge and are") +
+                                  " not drawn"
+                            : "") +
+                ".");
       }
     }
     page.end_figures();
+    add_failed(page, rows);
     add_ratios(page, result);
     add_coverage(page, result);
   } else {

@@ -1,0 +1,100 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# browser_test.sh EHD MADE_REPORT: the report of made results in headless Chromium: no console message, every figure with
+# its data, light and dark, a phone's width without sideways scrolling, the script's switches. Exit code: 0 all is well, 1 something
+# is not (a line each), 77 no browser is installed.
+set -eu
+ehd=$1
+made_report=$2
+here=$(cd "$(dirname "$0")" && pwd)
+
+browser=
+for name in chromium chromium-browser google-chrome google-chrome-stable; do
+  if command -v "$name" > /dev/null 2>&1; then browser=$name; break; fi
+done
+if [ -z "$browser" ]; then
+  echo "skipped: no Chromium is installed (apt-get install chromium)"
+  exit 77
+fi
+
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"$made_report" "$folder"
+"$ehd" report "$folder" > /dev/null
+
+# A page with the probe: a script in front that catches errors, one behind that looks and writes down what it saw.
+with_probe() {
+  sed '/<meta charset/q' "$1"
+  echo '<script>window.seen = []; window.addEventListener("error", function (e) { window.seen.push("error: " + e.message); });</script>'
+  sed '1,/<meta charset/d; /<\/body>/d' "$1"
+  echo '<script>'
+  cat "$here/browser_probe.js"
+  echo '</script></body></html>'
+}
+sed '/^<script>$/,/^<\/script>$/d' "$folder/report.html" > "$folder/plain.html"
+grep -q '<script' "$folder/plain.html" && { echo "the page's script was not taken out"; exit 1; }
+with_probe "$folder/report.html" > "$folder/probe.html"
+with_probe "$folder/plain.html" > "$folder/plain-probe.html"
+# A window is never narrower than 500 pixels, a frame in it may be.
+cat > "$folder/phone.html" << END
+<!DOCTYPE html><html><head><title>phone</title></head><body>
+<iframe src="probe.html" width="390" height="844" style="border:0"></iframe>
+<script>window.addEventListener("message", function (e) {
+  var result = document.createElement("pre");
+  result.id = "probe";
+  result.textContent = "\\n" + e.data + "\\n";
+  document.body.appendChild(result);
+});</script></body></html>
+END
+
+failed=0
+complain() {
+  echo "$1"
+  failed=1
+}
+
+# look NAME PAGE SCHEME: the page as the browser has it in the end, and what it said. SCHEME: 0 dark, 1 light.
+look() {
+  name=$1
+  timeout 120 "$browser" --headless --no-sandbox --disable-gpu --hide-scrollbars --user-data-dir="$folder/profile" \
+    --enable-logging=stderr --v=0 --virtual-time-budget=10000 --window-size=1200,900 --blink-settings=preferredColorScheme="$3" --dump-dom "file://$folder/$2" \
+    > "$folder/$name.dom.html" 2> "$folder/$name.log" || complain "$name: the browser ended with exit code $?"
+  if grep "CONSOLE" "$folder/$name.log"; then complain "$name: the page wrote to the console"; fi
+  sed -n '/<pre id="probe">$/,/^<\/pre>/p' "$folder/$name.dom.html" | sed '/pre/d' > "$folder/$name.txt"
+  grep -q '^done$' "$folder/$name.txt" || complain "$name: the probe did not come to its end"
+  while IFS= read -r line; do
+    case $line in
+      error:*) complain "$name: $line" ;;
+    esac
+  done < "$folder/$name.txt"
+}
+
+# says NAME LINE: the probe of that run has seen it.
+says() {
+  grep -qx -- "$2" "$folder/$1.txt" || complain "$1: expected \"$2\", seen: $(tr '\n' ';' < "$folder/$1.txt")"
+}
+
+look light probe.html 1
+look dark probe.html 0
+look phone phone.html 1
+look plain plain-probe.html 1
+
+figures=$(grep -c '<svg class="plot"' "$folder/report.html")
+[ "$figures" -gt 40 ] || complain "the page has only $figures figures"
+for run in light dark phone plain; do
+  says "$run" "figures: $figures"
+  says "$run" "overflow: 0"
+done
+says light "paper: rgb(255, 255, 255)"
+says dark "paper: rgb(21, 24, 28)"
+says phone "width: 390"
+for seen in "toggle: works" "read-out: works" "cell: works" "filter: works" "theme: works"; do
+  for run in light dark phone; do says "$run" "$seen"; done
+done
+
+timeout 120 "$browser" --headless --no-sandbox --disable-gpu --user-data-dir="$folder/profile" --print-to-pdf="$folder/report.pdf" \
+  "file://$folder/report.html" > /dev/null 2>&1 || complain "print: exit code $?"
+[ -s "$folder/report.pdf" ] || complain "print: nothing came out"
+
+[ "$failed" -eq 0 ] && echo "$figures figures: light, dark, on a phone, without the script, in print"
+exit "$failed"

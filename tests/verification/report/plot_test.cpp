@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verification/report/plot.hpp"
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "tests/check.hpp"
+#include "tests/verification/report/markup.hpp"
+
+using namespace ehd::report;
+using ehd::verification::test::count_of;
+using ehd::verification::test::unbalanced;
+
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN(),
+                 infinity = std::numeric_limits<double>::infinity();
+const ehd::verification::Tolerance rounding = ehd::verification::Tolerance::round_off(8, 10);
+
+Figure figure_of(const std::vector<double>& x, const std::vector<double>& y, Scale scale = Scale::linear) {
+  Figure figure{.id = "made", .title = "Made", .description = "Made"};
+  Panel panel;
+  panel.x = {.label = "*x* [m]", .scale = scale};
+  panel.y = {.label = "*y* [N]", .scale = scale};
+  panel.series.push_back({.name = "one", .x = x, .y = y, .marker = Marker::circle});
+  figure.panels.push_back(panel);
+  return figure;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(report_plot)
+
+BOOST_AUTO_TEST_CASE(segments_are_cut_at_the_box) {
+  const Box box{0, 0, 10, 5};
+  const auto crossing = clipped({-5, 2}, {15, 4}, box);
+  BOOST_REQUIRE(crossing.has_value());
+  EHD_CHECK(ehd::error(crossing->first.x, 0), rounding);
+  EHD_CHECK(ehd::error(crossing->first.y, 2.5), rounding);
+  EHD_CHECK(ehd::error(crossing->second.x, 10), rounding);
+  EHD_CHECK(ehd::error(crossing->second.y, 3.5), rounding);
+  BOOST_TEST(!clipped({-5, -1}, {15, -2}, box).has_value());
+  BOOST_TEST(!clipped({-1, 4}, {1, 8}, box).has_value());  // past the corner
+  BOOST_TEST(!clipped({not_a_number, 1}, {1, 1}, box).has_value());
+  BOOST_TEST(!clipped({0, 1}, {infinity, 1}, box).has_value());
+  const auto inside = clipped({1, 1}, {2, 2}, box);
+  BOOST_REQUIRE(inside.has_value());
+  BOOST_TEST((inside->first.x == 1 && inside->second.y == 2));  // not moved at all
+}
+
+BOOST_AUTO_TEST_CASE(a_curve_that_leaves_and_returns_is_two_pieces) {
+  const Box box{0, 0, 10, 10};
+  BOOST_TEST(pieces({{1, 5}, {2, 5}, {3, 20}, {4, 5}, {5, 5}}, box).size() == 2u);
+  BOOST_TEST(pieces({{1, 5}, {2, 5}, {3, not_a_number}, {4, 5}, {5, 5}}, box).size() == 2u);
+  BOOST_TEST(pieces({{1, 5}, {2, 6}, {3, 7}}, box).size() == 1u);
+  BOOST_TEST(pieces({{1, 5}}, box).empty());
+  BOOST_TEST(pieces({}, box).empty());
+}
+
+BOOST_AUTO_TEST_CASE(a_simplified_curve_stays_within_the_distance) {
+  std::vector<Point> curve;
+  for (int i = 0; i <= 400; ++i) curve.push_back({1.0 * i, 100 * std::sin(0.02 * i)});
+  constexpr double distance = 0.1;
+  const auto fewer = simplified(curve, distance);
+  BOOST_TEST(fewer.size() < curve.size() / 4);
+  double furthest = 0;
+  std::size_t at = 0;
+  for (const Point& point : curve) {
+    while (at + 2 < fewer.size() && fewer[at + 1].x < point.x) ++at;
+    const Point a = fewer[at], b = fewer[at + 1];
+    furthest = std::max(furthest, std::abs((b.x - a.x) * (point.y - a.y) - (b.y - a.y) * (point.x - a.x)) /
+                                      std::hypot(b.x - a.x, b.y - a.y));
+  }
+  EHD_CHECK(furthest, ehd::verification::Tolerance::required(distance, "the distance asked for"));
+  BOOST_TEST(simplified({{0, 0}, {1, 0}, {2, 0}}, distance).size() == 2u);
+}
+
+BOOST_AUTO_TEST_CASE(odd_data_make_a_picture_without_nan) {
+  for (const Scale scale : {Scale::linear, Scale::logarithmic}) {
+    for (const auto& [x, y] : std::vector<std::pair<std::vector<double>, std::vector<double>>>{
+             {{}, {}},
+             {{1}, {2}},
+             {{not_a_number, not_a_number}, {1, 2}},
+             {{1, 2, 3}, {not_a_number, infinity, -infinity}},
+             {{1, 2, 3}, {1, not_a_number, 3}},
+             {{0, -1, 2}, {0, -1, 5}},
+             {{1, 2}, {7, 7}},
+             {{1e-300, 1e300}, {1e-300, 1e300}},
+             {{-1.7e308, 1.7e308}, {1, 2}},
+             {{1, 2, 3}, {1}}}) {
+      for (const Place place : {Place::page, Place::file}) {
+        const std::string svg = draw(figure_of(x, y, scale), place);
+        BOOST_TEST(unbalanced(svg) == "");
+        for (const char* word : {"\"nan", " nan", "nan,", ">nan", "inf,", "inf ", "\"inf"})
+          BOOST_TEST(count_of(svg, word) == 0u, word << " in a picture");
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(one_point_is_a_mark_and_no_data_a_word) {
+  BOOST_TEST(count_of(draw(figure_of({1}, {2}), Place::file), "<circle") == 2u);  // in the legend, in the plot
+  BOOST_TEST(count_of(draw(figure_of({}, {}), Place::file), "no data") == 1u);
+  BOOST_TEST(count_of(draw(figure_of({1, 2}, {2, 3}), Place::file), "no data") == 0u);
+}
+
+BOOST_AUTO_TEST_CASE(values_for_the_read_out_are_in_the_page_only) {
+  const Figure figure = figure_of({1, 2.5}, {2, 1e-5});
+  BOOST_TEST(count_of(draw(figure, Place::page), ",2.5,1e-05\"") == 1u);
+  BOOST_TEST(count_of(draw(figure, Place::file), "data-values") == 0u);
+}
+
+BOOST_AUTO_TEST_CASE(legend_entries_do_not_overlap) {
+  Figure figure = figure_of({1, 2}, {3, 4});
+  for (int i = 0; i < 8; ++i)
+    figure.panels.front().series.push_back(
+        {.name = "a solver with a long name " + std::to_string(i), .x = {1, 2}, .y = {1, 2}});
+  const std::string svg = draw(figure, Place::file);
+  double row = -1, end = 0;
+  std::size_t entries = 0;
+  for (std::size_t at = 0; (at = svg.find("class=\"key", at)) != std::string::npos; ++at) {
+    const std::size_t text = svg.find("<text x=\"", at);
+    const double x = std::stod(svg.substr(text + 9)), y = std::stod(svg.substr(svg.find("y=\"", text) + 3));
+    const std::size_t from = svg.find('>', text) + 1;
+    if (y == row) BOOST_TEST(x > end);
+    row = y;
+    end = x + text_width(literal(svg.substr(from, svg.find('<', from) - from)), 12);
+    BOOST_TEST(end <= figure.width);
+    ++entries;
+  }
+  BOOST_TEST(entries == 9u);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The page from made results, and the command around it.
+#include "verification/report/report.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+
+#include "tests/check.hpp"
+#include "tests/verification/process.hpp"
+#include "tests/verification/report/made_results.hpp"
+#include "tests/verification/report/markup.hpp"
+
+using namespace ehd;
+using namespace ehd::verification;
+using test::count_of;
+using test::unbalanced;
+
+namespace {
+
+std::string made_page(const std::function<void(report::Documents&)>& change = {}) {
+  report::Documents documents{
+      .results = test::made_results(), .bench = test::made_bench(), .stress = test::made_stress()};
+  if (change) change(documents);
+  return report::report_html(documents);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(report_report)
+
+BOOST_AUTO_TEST_CASE(every_part_of_the_results_has_its_figures) {
+  const std::string page = made_page();
+  BOOST_TEST(unbalanced(page) == "");
+  for (const char* id : {"fig-margins",
+                         "fig-case-made-20-10",
+                         "fig-case-made-light",
+                         "fig-convergence-fast-uniform-made-20-10-intervals",
+                         "fig-work-made-20-10-film-minimum",
+                         "fig-work-made-20-10-pressure",
+                         "fig-ratio-reference-fast-film-central",
+                         "fig-scaling-wall-s",
+                         "fig-film-minimum-roelands",
+                         "fig-film-central-barus",
+                         "fig-formula-made-formula-film-minimum-barus",
+                         "fig-inlet-minimum-roelands",
+                         "fig-fast-newton-iterations-barus",
+                         "fig-fast-deviation-central-roelands",
+                         "fig-force-made-tight",
+                         "fig-force-made-wide",
+                         "fig-displacement-made-tight",
+                         "fig-clearance-made-tight-ehd",
+                         "fig-polar-made-loose",
+                         "fig-law-made-tight-inner"})
+    BOOST_TEST(count_of(page, "id=\"" + std::string(id) + "\"") == 1u, id << " is not there once");
+  BOOST_TEST(count_of(page, "no data") == 0u);
+  BOOST_TEST(count_of(page, "class=\"absent\">") == 4u);  // the case of each of the four claims, none of a missing part
+}
+
+BOOST_AUTO_TEST_CASE(the_page_needs_no_network) {
+  const std::string page = made_page();
+  BOOST_TEST(count_of(page, "http") == 0u);
+  BOOST_TEST(count_of(page, " src=") == 0u);
+  BOOST_TEST(count_of(page, "@import") == 0u);
+}
+
+BOOST_AUTO_TEST_CASE(text_of_the_results_is_text_on_the_page) {
+  const std::string page = made_page();
+  BOOST_TEST(count_of(page, "<script>alert") == 0u);
+  BOOST_TEST(count_of(page, report::escaped(test::hostile_text)) >= 3u);  // a note in full, in the table, a title
+  for (const char* where :
+       {"/claims/0/id", "/claims/2/verdict", "/claims/0/case", "/rungs/3/name", "/figures/cases/0/id",
+        "/figures/cases/0/solvers/0/solver", "/figures/convergence/0/solver", "/figures/convergence/0/quantity",
+        "/figures/bearing/0/id", "/figures/bearing/0/laws/0/law", "/figures/statements/0/numbers",
+        "/figures/force_law/0/raceway", "/provenance/commit", "/provenance/libraries/Eigen", "/traceability/0/text",
+        "/figures/maps/source", "/figures/maps/points/0/formulas/0/name", "/summary/selection", "/topics/0/name"}) {
+    const std::string hostile = made_page(
+        [&](report::Documents& documents) { documents.results[Json::json_pointer(where)] = test::hostile_text; });
+    BOOST_TEST(count_of(hostile, "<script>alert") == 0u, where);
+    BOOST_TEST(unbalanced(hostile) == "", where);
+  }
+  for (const char* where :
+       {"/parts/0/name", "/parts/0/rows/0/2", "/parts/0/columns/0/unit", "/parts/0/tolerance/reason"}) {
+    const std::string hostile = made_page(
+        [&](report::Documents& documents) { documents.stress[Json::json_pointer(where)] = test::hostile_text; });
+    BOOST_TEST(count_of(hostile, "<script>alert") == 0u, where);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(what_is_absent_is_a_line_with_the_command_that_makes_it) {
+  const std::string bare = made_page([](report::Documents& documents) {
+    documents.results = {{"schema", 2}};
+    documents.bench = documents.stress = nullptr;
+  });
+  BOOST_TEST(unbalanced(bare) == "");
+  for (const char* command : {"ehd verify --output DIR", "ehd bench --output DIR", "ehd stress --output DIR"})
+    BOOST_TEST(count_of(bare, command) >= 1u, command);
+  BOOST_TEST(count_of(bare, "<svg") == 0u);
+  for (const char* key : {"cases", "convergence", "maps", "bearing", "statements", "force_law"}) {
+    const std::string page = made_page([&](report::Documents& documents) { documents.results["figures"].erase(key); });
+    BOOST_TEST(count_of(page, "ehd verify --output DIR") == 1u, key);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_verdict_is_the_one_of_the_results) {
+  BOOST_TEST(count_of(made_page(), "Not every claim stands.") == 1u);
+  const std::string good =
+      made_page([](report::Documents& documents) { documents.results["summary"]["success"] = true; });
+  BOOST_TEST(count_of(good, "Every claim stands.") == 1u);
+  // Without a word about success there is none.
+  const std::string unknown =
+      made_page([](report::Documents& documents) { documents.results["summary"].erase("success"); });
+  BOOST_TEST(count_of(unknown, "Not every claim stands.") == 1u);
+  BOOST_TEST(count_of(made_page(), "class=\"claim fail\"") == 1u);
+  BOOST_TEST(count_of(made_page(), "class=\"claim inconclusive\"") == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(numbers_that_are_missing_or_strange_leave_a_gap) {
+  for (const char* where :
+       {"/figures/cases/0/solvers/0/P/3", "/figures/cases/0/M", "/figures/convergence/0/points/1/error",
+        "/figures/maps/points/3/film_minimum_moes", "/figures/bearing/0/laws/0/rollers/2/inner/force_N",
+        "/figures/force_law/0/force_N/1", "/rungs/7/worst_margin"}) {
+    for (const Json& value : {Json(nullptr), Json(0), Json(-1e300), Json(1e300), Json(-1.7e308)}) {
+      const std::string page =
+          made_page([&](report::Documents& documents) { documents.results[Json::json_pointer(where)] = value; });
+      BOOST_TEST(unbalanced(page) == "", where);
+      BOOST_TEST(count_of(page, ",nan") + count_of(page, "\"nan") + count_of(page, " nan") == 0u, where);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_value_of_the_wrong_type_is_named) {
+  try {
+    (void)made_page(
+        [](report::Documents& documents) { documents.results["figures"]["cases"][1]["solvers"][0]["X"] = "many"; });
+    BOOST_ERROR("nothing was thrown");
+  } catch (const report::ReportError& error) {
+    BOOST_TEST(std::string(error.what()) ==
+               "results.json: figures: cases[1]: solvers[0]: X: is a string; required is a list");
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_command_writes_the_page_and_refuses_in_one_line) {
+  const test::Folder folder;
+  const auto page = folder.path() / "report.html";
+  const auto run = [&] { return test::ehd_run(folder, "report " + folder.path().string()); };
+  const auto refused = [&](const char* what) {
+    const auto ended = run();
+    BOOST_TEST(ended.exit_code == 2, what);
+    BOOST_TEST(ended.error_lines() == 1, what);
+    BOOST_TEST(ended.out == "", what);
+    BOOST_TEST(!std::filesystem::exists(page), what);
+    return ended.err;
+  };
+  BOOST_TEST(refused("no results.json").find("ehd verify --output") != std::string::npos);
+  for (const char* text :
+       {"", "{", "[]", "{}", "{\"schema\": 1}", "{\"schema\": \"2\"}", "{\"schema\": 2, \"claims\": 5}"}) {
+    (void)folder.write("results.json", text);
+    BOOST_TEST(refused(text).find("results.json") != std::string::npos);
+  }
+  (void)folder.write("results.json", json_text(test::made_results()));
+  (void)folder.write("bench.json", "{\"schema\": 99}");
+  BOOST_TEST(refused("bench.json of another schema").find("bench.json") != std::string::npos);
+  (void)folder.write("bench.json", json_text(test::made_bench()));
+  std::filesystem::create_directory(page);  // cannot be written, whoever runs the test
+  const auto blocked = run();
+  BOOST_TEST(blocked.exit_code == 2);
+  BOOST_TEST(blocked.error_lines() == 1);
+  std::filesystem::remove(page);
+  const auto written = run();
+  BOOST_TEST(written.exit_code == 0);
+  BOOST_TEST(written.err == "");
+  BOOST_TEST(test::read(page).starts_with("<!DOCTYPE html>"));
+  BOOST_TEST(test::ehd_run(folder, "report " + (folder.path() / "none").string()).exit_code == 2);
+  BOOST_TEST(test::ehd_run(folder, "report").exit_code == 2);
+}
+
+BOOST_AUTO_TEST_CASE(solve_and_bearing_draw_a_picture_whole_or_not_at_all) {
+  const test::Folder folder;
+  const auto plot = folder.path() / "plot.svg";
+  for (const std::string arguments :
+       {"solve own-moes-5-5 --tolerance 1e-2", "solve dry-steel", "bearing na4908 na4908-10um --law hertz"}) {
+    const auto ended = test::ehd_run(folder, arguments + " --plot " + plot.string());
+    BOOST_TEST(ended.exit_code == 0, arguments);
+    const std::string svg = test::read(plot);
+    BOOST_TEST(svg.starts_with("<?xml"), arguments);
+    BOOST_TEST(unbalanced(svg) == "", arguments);
+    BOOST_TEST(count_of(svg, "no data") == 0u, arguments);
+    BOOST_TEST(count_of(svg, "class=\"line\"") >= 2u, arguments);
+    std::filesystem::remove(plot);
+    // Refused before anything is computed: an impossible path, the same file twice.
+    for (const std::string& more : {" --plot " + (folder.path() / "none" / "plot.svg").string() + " --json -",
+                                    " --plot " + plot.string() + " --json " + plot.string()}) {
+      const auto refused = test::ehd_run(folder, arguments + more);
+      BOOST_TEST(refused.exit_code == 2, arguments + more);
+      BOOST_TEST(refused.error_lines() == 1, arguments + more);
+      BOOST_TEST(refused.out == "", arguments + more);
+    }
+    BOOST_TEST(!std::filesystem::exists(plot), arguments);
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()

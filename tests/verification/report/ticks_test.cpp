@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verification/report/ticks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "tests/check.hpp"
+
+using namespace ehd::report;
+
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN(),
+                 infinity = std::numeric_limits<double>::infinity();
+
+std::vector<std::string> labels(const std::vector<Tick>& ticks) {
+  std::vector<std::string> result;
+  for (const Tick& tick : ticks) {
+    if (!tick.label.empty()) result.push_back(tick.label);
+  }
+  return result;
+}
+
+/// Tick positions are multiples of a step: a few roundings.
+const ehd::verification::Tolerance rounding = ehd::verification::Tolerance::round_off(4, 1);
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(report_ticks)
+
+BOOST_AUTO_TEST_CASE(steps_are_1_2_or_5_times_a_power_of_ten) {
+  for (const double size : {1e-7, 0.03, 1.0, 4.4, 12345.0}) {
+    for (const int wanted : {3, 5, 6}) {
+      const double step = tick_step({0, size}, wanted),
+                   mantissa = step / std::pow(10, std::floor(std::log10(step * (1 + 1e-12))));
+      const double nearest = mantissa < 1.5 ? 1 : mantissa < 3.5 ? 2 : 5;
+      EHD_CHECK(ehd::error(mantissa, nearest), rounding);
+      BOOST_TEST(size / step <= wanted * (1 + 1e-9));
+      BOOST_TEST(size / step >= wanted / 2.5 * (1 - 1e-9));  // the next smaller step is at most 2.5 times finer
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(linear_labels_have_the_decimals_that_the_step_needs) {
+  const std::vector<std::string> expected{"\u22120.50", "\u22120.25", "0.00", "0.25", "0.50"};
+  BOOST_TEST(labels(linear_ticks({-0.5, 0.5}, 0.25)) == expected, boost::test_tools::per_element());
+  const std::vector<std::string> whole{"0", "30", "60", "90"};
+  BOOST_TEST(labels(linear_ticks({0, 100}, 30)) == whole, boost::test_tools::per_element());
+  const auto ends = linear_ticks({0, 0.3}, 0.1);  // 3 * 0.1 > 0.3 by rounding
+  BOOST_TEST(ends.size() == 4u);
+  BOOST_TEST(linear_ticks({0, 1e9}, 1).empty());  // a billion ticks are a mistake
+  BOOST_TEST(linear_ticks({0, 1}, 0).empty());
+  BOOST_TEST(linear_ticks({0, 1}, not_a_number).empty());
+}
+
+BOOST_AUTO_TEST_CASE(log_axes_label_decades_and_below_two_of_them_2_and_5) {
+  const std::vector<std::string> many{"10^{\u22128}", "10^{\u22126}", "10^{\u22124}", "10^{\u22122}"};
+  BOOST_TEST(labels(log_ticks({1e-9, 1e-2}, 4)) == many, boost::test_tools::per_element());
+  const std::vector<std::string> plainly{"0.1", "1", "10", "100", "1000"};
+  BOOST_TEST(labels(log_ticks({0.05, 5000})) == plainly, boost::test_tools::per_element());
+  const std::vector<std::string> few{"50", "100", "200", "500", "1000", "2000"};
+  BOOST_TEST(labels(log_ticks({45, 2500})) == few, boost::test_tools::per_element());
+  for (const Tick& tick : log_ticks({3e-5, 2e3}))
+    BOOST_TEST((tick.value >= 3e-5 * (1 - 1e-9) && tick.value <= 2e3 * (1 + 1e-9)));
+  BOOST_TEST(labels(log_ticks({1.0, 1.5})).size() >= 3u);  // not a decade in it: linear steps
+  BOOST_TEST(log_ticks({0, 1}).empty());
+  BOOST_TEST(log_ticks({1, 1}).empty());
+}
+
+BOOST_AUTO_TEST_CASE(a_range_holds_every_value_that_has_a_place) {
+  const Range linear = range_of({0.3, not_a_number, -1.7, infinity}, Scale::linear);
+  BOOST_TEST((linear.low <= -1.7 && linear.high >= 0.3 && std::isfinite(linear.high)));
+  const Range logarithmic = range_of({1e-6, 0, -5, not_a_number, 1e-2}, Scale::logarithmic);
+  BOOST_TEST((logarithmic.low > 0 && logarithmic.low <= 1e-6 && logarithmic.high >= 1e-2 && logarithmic.high < 1));
+  for (const Scale scale : {Scale::linear, Scale::logarithmic}) {
+    for (const std::vector<double>& values :
+         {std::vector<double>{}, {not_a_number}, {7.0}, {7.0, 7.0}, {0.0}, {-3.0}}) {
+      const Range range = range_of(values, scale);
+      BOOST_TEST((std::isfinite(range.low) && std::isfinite(range.high) && range.low < range.high));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(mappings_meet_the_ends_and_have_no_place_for_zero_on_a_log_axis) {
+  const Mapping linear(Scale::linear, {-1, 3}, 100, 20), logarithmic(Scale::logarithmic, {1e-4, 1e4}, 0, 80);
+  EHD_CHECK(ehd::error(linear(-1), 100), rounding);
+  EHD_CHECK(ehd::error(linear(1), 60), rounding);
+  EHD_CHECK(ehd::error(logarithmic(1), 40), rounding);
+  EHD_CHECK(ehd::error(logarithmic(10), 50), rounding);
+  for (const double value : {0.0, -1.0, not_a_number, infinity}) BOOST_TEST(std::isnan(logarithmic(value)));
+  for (const double value : {not_a_number, infinity}) BOOST_TEST(std::isnan(linear(value)));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
