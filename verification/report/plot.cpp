@@ -252,14 +252,14 @@ Drawn draw_panel(const Panel& panel, const Ready& axes, const Margins& margins, 
          "\"/>" + labels + "</g>\n";
   const double middle = (box.top + box.bottom) / 2;
   const auto upright = [&](double at, const std::string& label) {
-    return text_svg({at, middle}, label, "middle", "",
+    return text_svg({at, middle}, label, "middle", "axis-label",
                     " transform=\"rotate(-90 " + pixels(at) + " " + pixels(middle) + ")\"");
   };
   svg += upright(14, panel.y.label);
   if (panel.right) svg += upright(width - 6, panel.right->label);
   double end = box.bottom + 18;
   if (!panel.x.label.empty() && !panel.x.silent) {
-    svg += text_svg({(box.left + box.right) / 2, box.bottom + 33}, panel.x.label);
+    svg += text_svg({(box.left + box.right) / 2, box.bottom + 33}, panel.x.label, "middle", "axis-label");
     end = box.bottom + 38;
   }
 

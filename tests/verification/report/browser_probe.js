@@ -38,8 +38,8 @@
       if (data === 0) { seen.push("error: " + svg.id + " has no data"); }
       if (!svg.querySelector("title").textContent || !svg.querySelector("desc").textContent) { seen.push("error: " + svg.id + " has no title"); }
       if (/NaN|undefined|Infinity/.test(svg.innerHTML)) { seen.push("error: " + svg.id + " has numbers that are none"); }
-      // Numbers of one axis must not touch: their boxes, in the page.
-      var texts = Array.prototype.slice.call(svg.querySelectorAll(".frame text")).map(function (text) { return text.getBoundingClientRect(); });
+      // Numbers, names of axes and the legend must not touch: their boxes, in the page.
+      var texts = Array.prototype.slice.call(svg.querySelectorAll(".frame text, .axis-label, .key text")).map(function (text) { return text.getBoundingClientRect(); });
       texts.forEach(function (a, i) {
         texts.slice(i + 1).forEach(function (b) {
           var across = Math.min(a.right, b.right) - Math.max(a.left, b.left), down = Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top);

@@ -122,6 +122,14 @@ BOOST_AUTO_TEST_CASE(polar_plots_point_the_load_down_and_close) {
   const std::size_t series = svg.find("class=\"series"), from = svg.find("d=\"M", series) + 4;
   const std::string outline = svg.substr(from, svg.find('"', from) - from);
   EHD_CHECK(ehd::error(std::stod(outline), plot.width / 2), Tolerance::round_off(8, 10));
+  double lowest = 0;
+  std::size_t corners = 0;
+  for (std::size_t at = outline.find('L'); at != std::string::npos; at = outline.find('L', at + 1), ++corners)
+    lowest = std::max(lowest, std::stod(outline.substr(outline.find(' ', at))));
+  BOOST_TEST(corners == 3u);
+  BOOST_TEST(std::stod(outline.substr(outline.find(' '))) == lowest);
+  const double side = std::stod(outline.substr(outline.find(' ', outline.find('L'))));
+  BOOST_TEST(lowest > side);
   BOOST_TEST(outline.substr(outline.rfind('L') + 1) == outline.substr(0, outline.find('L')));
   plot.series.front() = {.name = "nothing", .angle_deg = {}, .radius = {}};
   BOOST_TEST(unbalanced(draw(plot, Place::file)) == "");
