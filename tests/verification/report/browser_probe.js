@@ -39,11 +39,14 @@
       if (!svg.querySelector("title").textContent || !svg.querySelector("desc").textContent) { seen.push("error: " + svg.id + " has no title"); }
       if (/NaN|undefined|Infinity/.test(svg.innerHTML)) { seen.push("error: " + svg.id + " has numbers that are none"); }
       // Numbers, names of axes and the legend must not touch: their boxes, in the page.
-      var texts = Array.prototype.slice.call(svg.querySelectorAll(".frame text, .axis-label, .key text")).map(function (text) { return text.getBoundingClientRect(); });
+      var texts = Array.prototype.slice.call(svg.querySelectorAll(".frame text, .axis-label, .key text")).map(function (text) {
+        return { box: text.getBoundingClientRect(), says: text.textContent };
+      });
       texts.forEach(function (a, i) {
         texts.slice(i + 1).forEach(function (b) {
-          var across = Math.min(a.right, b.right) - Math.max(a.left, b.left), down = Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top);
-          if (across > 1 && down > 3) { seen.push("error: " + svg.id + ": labels of its axes overlap"); }
+          var across = Math.min(a.box.right, b.box.right) - Math.max(a.box.left, b.box.left);
+          var down = Math.min(a.box.bottom, b.box.bottom) - Math.max(a.box.top, b.box.top);
+          if (across > 1 && down > 3) { seen.push("error: " + svg.id + ": \"" + a.says + "\" and \"" + b.says + "\" overlap"); }
         });
       });
       svg.querySelectorAll("text").forEach(function (text) {
