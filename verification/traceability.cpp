@@ -16,7 +16,8 @@ bool matches(const std::string& pattern, const std::string& id) { return ::fnmat
 const std::vector<TraceablePart>& traceable_parts() {
   static const std::vector<TraceablePart> parts{
       {"work/contact", "the full EHD line contact: Reynolds' equation, the film with elastic deformation, the load balance",
-       {"manufactured/*", "own-moes-*/film.*", "kostreva-*/film.*", "regimes/*"}},
+       {"manufactured/*", "own-moes-*/film.*", "kostreva-*/film.*", "regimes/*", "reynolds/*", "elasticity/*", "properties/monotone/*",
+        "properties/similarity/*", "properties/conserved/*"}},
       {"work/rheology", "viscosity by Roelands (and Barus), density by Dowson and Higginson",
        {"inputs/laws/*", "manufactured/compressible/*", "manufactured/barus/*", "reynolds/*/barus"}},
       {"work/multilevel", "multilevel solution of Reynolds' equation with a fast evaluation of the deformation integral",
@@ -24,11 +25,11 @@ const std::vector<TraceablePart>& traceable_parts() {
       {"work/direct", "a direct dense solver beside it",
        {"kernel/*", "*/certified/*", "*/reference-fast/*", "iteration/*/newton*"}},
       {"work/force-law", "a contact law for each raceway by least squares, f = K_EHD delta + Delta F",
-       {"bearing/fit/*", "na4908*/ehd-linear/*"}},
+       {"bearing/fit/*", "bearing/curve/*", "na4908*/ehd-linear/*"}},
       {"work/dry-law", "the dry law beside it, f = K_Hertz delta^(10/9)",
-       {"*/hertz/law", "*/iso/law", "bearing/approach/*"}},
+       {"*/hertz/law", "*/iso/law", "approach/*"}},
       {"work/equilibrium", "equilibrium of the bearing: f_o - f_i = F_c, Sum f_i cos psi = F_r, delta_r cos psi - P_d/2 = delta_i + delta_o",
-       {"*/ring", "*/rollers", "*/geometry", "bearing/sjovall/*", "bearing/energy/*"}},
+       {"*/ring", "*/rollers", "*/geometry", "bearing/sjovall/*", "sjovall/*", "bearing/energy/*", "properties/bearing/*"}},
       {"work/kinematics", "speed, radii, centrifugal force and datum of each raceway from the bearing's geometry",
        {"bearing/kinematics/*", "bearing/centrifugal-209", "bearing/datum/*"}},
       {"work/example", "NA4908 at 5000 rpm and 50 kN with clearances 0, 2.5 and 10 um, dry and EHD",
@@ -44,7 +45,7 @@ const std::vector<TraceablePart>& traceable_parts() {
       {"readme/isoviscous-limit", "the isoviscous elastic limit, film x M^(1/5) = 2.489479 and 1.982128",
        {"regimes/isoviscous-elastic-limit/*"}},
       {"readme/literature", "published digits are reproduced; what waits for its source is a row that says so",
-       {"kostreva-*/film.*", "harris-209*/hertz/*", "iso-*/iso/*", "*/waiting"}},
+       {"kostreva-*/film.*", "harris-209*/hertz/*", "iso-*/iso/*", "computed/*", "exact/*", "*/waiting"}},
       {"readme/formulas", "film formulas stand beside a result and are never a verdict", {"formulas/*"}},
   };
   return parts;

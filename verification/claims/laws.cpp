@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rung 0: what becomes of SI. Groups, scales and laws of a steel contact, from the printed formulas written out here once
 // more, along other ways than those of contact/; and what a result says in metres and Moes' units.
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
 
-#include "contact/film_formulas.hpp"
-#include "contact/hertz.hpp"
 #include "contact/scaling.hpp"
 #include "verification/claims/topics.hpp"
 #include "verification/output.hpp"
@@ -89,8 +86,7 @@ Findings judge_laws() {
     const double step = 1e-5 * p;
     const double slope = (at(first.problem.viscosity, p + step).value[0] - at(first.problem.viscosity, p - step).value[0]) / (2 * step / unit);
     const double of_density = (at(first.problem.density, p + step).value[0] - at(first.problem.density, p - step).value[0]) / (2 * step / unit);
-    worst_slope = worse(worst_slope, worse(std::abs(eta.slope[0] / slope - 1),
-                                           std::abs(at(first.problem.density, p).slope[0] - of_density)));
+    worst_slope = worse(worst_slope, std::abs(eta.slope[0] / slope - 1), std::abs(at(first.problem.density, p).slope[0] - of_density));
     worst_density[0] = worse(worst_density[0], std::abs(at(first.problem.density, p).value[0] / ((5.9e8 + 1.34 * p) / (5.9e8 + p)) - 1));
     worst_density[1] = worse(worst_density[1], std::abs(at(second.problem.density, p).value[0] / (1 + 0.6e-9 * p / (1 + 1.7e-9 * p)) - 1));
     ++judged;
@@ -133,36 +129,12 @@ Findings judge_units_of_a_result() {
   return found;
 }
 
-/// Formulas are regressions, and no film is judged by them; that they are written as printed is judged, by what they
-/// are known to be off at (20,10), G = 5000, where the film (Roelands, compressible, cut at -4) is 3.784.
-Findings judge_formulas() {
-  Findings found;
-  const struct {
-    const char *name, *of, *off;
-  } known[] = {{"Dowson & Higginson 1977", "film.minimum", "1.3"},
-               {"Dowson & Higginson 1966", "film.minimum", "1.9"},
-               {"Hamrock & Jacobson 1984", "film.minimum", "-2.9"},
-               {"Pan & Hamrock 1989", "film.minimum", "-4.9"}};
-  const auto formulas = film_formulas({20, 10}, 5000);
-  for (const auto& one : known) {
-    const auto at = std::find_if(formulas.begin(), formulas.end(),
-                                 [&](const FilmFormula& formula) { return formula.name == one.name && formula.of == one.of; });
-    const double off = at == formulas.end() ? std::nan("") : 100 * (at->moes_film / 3.784 - 1);
-    found.claims.push_back(claim({.id = std::string("formulas/") + one.name, .rung = 0,
-                                  .statement = std::string(one.name) + " is " + one.off + " % off the computed film at (20,10), as is known"},
-                                 std::abs(off - std::stod(one.off)), 0,
-                                 Tolerance::calibrated(0.05 + 0.013, "half a digit of the deviation in %, and of 3.784")));
-  }
-  return found;
-}
-
 }  // namespace
 
 std::vector<Topic> law_topics() {
   return {{.name = "groups and scales", .rungs = {0}, .judge = judge_groups},
           {.name = "laws", .rungs = {0}, .judge = judge_laws},
-          {.name = "units of a result", .rungs = {0}, .judge = judge_units_of_a_result},
-          {.name = "formulas as printed", .rungs = {0}, .judge = judge_formulas}};
+          {.name = "units of a result", .rungs = {0}, .judge = judge_units_of_a_result}};
 }
 
 }  // namespace ehd::verification

@@ -83,6 +83,8 @@ def main():
         mutants = [m for m in mutants if any(part in m["id"] for part in arguments.only)]
         if not mutants:
             fail(f"no mutant has {' or '.join(arguments.only)} in its id; there are {', '.join(ids)}")
+    # Mutants of one file after each other, headers last: what is put right again is built again only once.
+    mutants.sort(key=lambda mutant: (mutant["file"].endswith(".hpp"), mutant["file"]))
     for mutant in mutants:
         text = (TOP / mutant["file"]).read_text()
         if text.count(mutant["find"]) != 1:
