@@ -280,6 +280,18 @@ Findings judge_curve(const Case& bearing_case, ContactMemory& memory) {
         ++judged;
       }
     }
+    // A hundredth of the lightest solved load: what is left of its few per cent there is a thousandth of them.
+    double rigid_error = nothing;
+    if (balanced && results[0].curve) {
+      const bearing::FilmCurve& curve = inner ? results[0].curve->inner : results[0].curve->outer;
+      const double force = curve.lightest_N() / 100;
+      const double martin = exact::Martin{}.load_sum * body.lubricant->viscosity_Pa_s * contact.sum_speed_m_per_s *
+                            contact.radius_m * contact.length_m / force;
+      rigid_error = worse(std::abs(curve.minimum_film(force).value / martin - 1), std::abs(curve.offset_film(force).value / martin - 1));
+    }
+    found.claims.push_back(claim(sentence("curve/" + bearing_case.id + "/" + raceway + "/rigid",
+                                          "far below its lightest contact the curve has the film of a rigid cylinder, " + raceway + " raceway"),
+                                 rigid_error, 0, Tolerance::asymptotic(1e-3, "5 % x 100^(-3/2), and twenty times that")));
     const std::string about = std::to_string(judged) + " loads, of the heaviest to the lightest roller";
     found.claims.push_back(claim(sentence("curve/" + bearing_case.id + "/" + raceway + "/approach",
                                           "a balance by `ehd` has the approaches that `reference` finds at its rollers' loads, " + raceway + " raceway"),
