@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/provenance.hpp"
 
+#include "ehd_commit.hpp"  // made by cmake/commit.cmake
+
 #include <fftw3.h>
 #include <gsl/gsl_version.h>
-#include <stdlib.h>
 
 #include <Eigen/Core>
 #include <chrono>
-#include <cstdio>
 #include <ctime>
 #include <fstream>
-#include <memory>
 #include <optional>
 #include <string>
 #include <thread>
@@ -18,24 +17,6 @@
 namespace ehd::verification {
 
 namespace {
-
-/// What a command prints, without the last line feed; absent where it fails.
-std::optional<std::string> output_of(const std::string& command) {
-  std::FILE* pipe = ::popen((command + " 2>/dev/null").c_str(), "r");
-  if (!pipe) return std::nullopt;
-  std::string text;
-  char buffer[256];
-  while (std::fgets(buffer, sizeof buffer, pipe)) text += buffer;
-  if (::pclose(pipe) != 0) return std::nullopt;
-  while (!text.empty() && text.back() == '\n') text.pop_back();
-  return text;
-}
-
-std::string quoted(const std::string& path) {
-  std::string text = "'";
-  for (const char c : path) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return text + "'";
-}
 
 std::optional<std::string> cpu() {
   std::ifstream info("/proc/cpuinfo");
@@ -69,11 +50,10 @@ std::string compiler() {
 Json provenance() {
   Json json;
   json["version"] = EHD_PROJECT_VERSION;
-  // The tree that the program was built from, if it is still there and under git.
-  const std::string git = "git -C " + quoted(EHD_SOURCE_FOLDER) + " ";
-  if (const auto commit = output_of(git + "rev-parse HEAD")) {
-    json["commit"] = *commit;
-    if (const auto changes = output_of(git + "status --porcelain")) json["dirty"] = !changes->empty();
+  // Of the tree when the program was built, not of what has become of it since.
+  if (const std::string commit = EHD_COMMIT; !commit.empty()) {
+    json["commit"] = commit;
+    json["dirty"] = EHD_COMMIT_DIRTY;
   }
   json["compiler"] = compiler();
   json["flags"] = EHD_COMPILE_FLAGS;

@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# cmake -DSOURCE=folder -DHEADER=file -P commit.cmake: the commit of the tree that is being built, and whether it was
+# changed since; empty outside git. Written only where it differs, so that nothing is built again for nothing.
+function(ask result)
+  execute_process(COMMAND git -C ${SOURCE} ${ARGN} OUTPUT_VARIABLE answer ERROR_QUIET RESULT_VARIABLE failed
+                  OUTPUT_STRIP_TRAILING_WHITESPACE)
+  if(failed)
+    set(answer "")
+  endif()
+  set(${result} "${answer}" PARENT_SCOPE)
+endfunction()
+
+ask(top rev-parse --show-toplevel)
+file(REAL_PATH ${SOURCE} source)
+set(commit "")
+set(dirty false)
+if(top STREQUAL source)  # a copy within another project's tree has no commit of its own
+  ask(commit rev-parse HEAD)
+  ask(changes status --porcelain)
+  if(NOT changes STREQUAL "")
+    set(dirty true)
+  endif()
+endif()
+file(CONFIGURE OUTPUT ${HEADER} CONTENT
+     "#pragma once\n\n#define EHD_COMMIT \"@commit@\"\n#define EHD_COMMIT_DIRTY @dirty@\n" @ONLY)
