@@ -224,6 +224,36 @@ Findings judge_certified(const Case& contact_case) {
   return found;
 }
 
+/// Solvers that the suite does not ask for every case: that the errors which they state of one grid hold the case's films.
+struct BarRun {
+  const char* solver;
+  int nodes;
+};
+constexpr BarRun bar_runs[] = {{"fast.uniform", 1024}, {"reference.linear", 256}, {"reference.uniform", 256}};
+
+Findings judge_stated_errors(const Case& contact_case) {
+  Findings found;
+  for (const BarRun& asked : bar_runs) {
+    const ContactRun run = run_contact(contact_case, *find_solver(asked.solver), {.tolerance = {}, .nodes = asked.nodes}, want_everything());
+    for (const Expectation& expectation : contact_case.expectations) {
+      const bool film = expectation.quantity == "film.minimum" || expectation.quantity == "film.central";
+      if (!film || expectation.waiting || expectation.kind == ExpectationKind::fit) continue;
+      const auto measured = measure(run, expectation);  // however it ended: what is stated has to hold
+      const double stated = measured && measured->error ? *measured->error : nothing;
+      found.claims.push_back(claim_value({.id = contact_case.id + "/" + asked.solver + "/stated/" + expectation.quantity + "/" + expectation.digits,
+                                          .rung = 8,
+                                          .statement = std::string(asked.solver) + " on " + std::to_string(asked.nodes) +
+                                                       " intervals states an error that holds " + expectation.quantity + " of " + contact_case.id,
+                                          .case_id = contact_case.id,
+                                          .solver = asked.solver},
+                                         measured ? measured->value : nothing, expectation.value, 0,
+                                         Tolerance::discretisation(stated + expectation.uncertainty, 1),
+                                         "stated " + plain(stated, 2) + "; " + std::string(to_string(run.status()))));
+    }
+  }
+  return found;
+}
+
 /// Cases that take the dense solver longer than a second or so: those at high M, by the groups alone.
 bool is_slow(const Case& contact_case) {
   constexpr double moderate_M = 60;
@@ -260,6 +290,11 @@ std::vector<Topic> contact_topics(const std::vector<LoadedCase>& cases) {
                       .judge = [contact_case] { return judge_contact(contact_case); }});
     constexpr double many_digits = 1e-7;
     if (std::get<ContactCase>(contact_case.body).dry() || finest_digits(contact_case) > many_digits) continue;
+    topics.push_back({.name = contact_case.id + ", stated errors",
+                      .rungs = {8},
+                      .case_id = contact_case.id,
+                      .slow = is_slow(contact_case),
+                      .judge = [contact_case] { return judge_stated_errors(contact_case); }});
     topics.push_back({.name = contact_case.id + ", certified",
                       .rungs = {6, 10},
                       .case_id = contact_case.id,
