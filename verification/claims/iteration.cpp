@@ -275,12 +275,13 @@ Findings judge_multigrid(MoesGroups moes) {
   found.claims.push_back(claim({.id = "iteration/fast.uniform/multigrid-rate/" + point, .rung = 6,
                                 .statement = "a cycle leaves a bounded share of the linear residual at (" + plain(moes.M) + "," + plain(moes.L) + ")",
                                 .solver = "fast.uniform"},
-                               worst, 0, Tolerance::required(1, "below 1 a cycle alone converges"),
+                               worst, 0,
+                               Tolerance::calibrated(moes.M < 100 ? 0.25 : 0.8, "twice the largest seen up to (20,10), .12; .62 was seen at (200,15)"),
                                "256 to 4096 cells: " + text));
   found.claims.push_back(claim({.id = "iteration/fast.uniform/multigrid-independent/" + point, .rung = 6,
                                 .statement = "that share does not grow with the number of cells at (" + plain(moes.M) + "," + plain(moes.L) + ")",
                                 .solver = "fast.uniform"},
-                               slope(x, rates), 0, Tolerance::calibrated(0.05, "growth a doubling: a rate that grows by .05 each time would be lost after ten"),
+                               worse(0, slope(x, rates)), 0, Tolerance::calibrated(0.05, "growth a doubling: a rate that grows by .05 each time would be lost after ten"),
                                text));
   return found;
 }
@@ -329,6 +330,21 @@ Findings judge_counts(const Count& recorded) {
   return found;
 }
 
+/// A uniform grid whose cells are wider than the inlet zone says so: (1000,10), 128 intervals, 40 % off or worse.
+Findings judge_blind_grids() {
+  Findings found;
+  for (const char* solver : {"reference.uniform", "fast.uniform"}) {
+    const Solution solution = find_solver(solver)->solve(problem_at({1000, 10}, true, TruncatedAt{-4}), {.tolerance = {}, .nodes = 128});
+    found.claims.push_back(claim_fact({.id = "iteration/" + std::string(solver) + "/under-resolved",
+                                       .rung = 6,
+                                       .statement = std::string(solver) + " calls 128 intervals at (1000,10) under-resolved",
+                                       .solver = solver},
+                                      solution.record.status == StopReason::under_resolved, "a grid that cannot see the inlet zone is never converged",
+                                      std::string(to_string(solution.record.status))));
+  }
+  return found;
+}
+
 }  // namespace
 
 std::vector<Topic> iteration_topics() {
@@ -338,6 +354,7 @@ std::vector<Topic> iteration_topics() {
   };
   add(judge_jacobians);
   add(judge_newton);
+  add(judge_blind_grids);
   for (const MoesGroups moes : {MoesGroups{5, 5}, MoesGroups{20, 10}, MoesGroups{200, 15}})
     add([moes] { return judge_multigrid(moes); });
   for (const Count& recorded : counts) add([&recorded] { return judge_counts(recorded); });

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <string>
 
+#include "contact/observables.hpp"
 #include "contact/scaling.hpp"
 #include "verification/claims/topics.hpp"
 #include "verification/output.hpp"
@@ -99,6 +100,15 @@ Findings judge_laws() {
   claim_of("dowson-higginson", "rho is rho_0 (5.9e8 + 1.34 p)/(5.9e8 + p)", worst_density[0], rounding());
   claim_of("dowson-higginson-1977", "rho is rho_0 (1 + 0.6e-9 p/(1 + 1.7e-9 p))", worst_density[1], rounding());
   claim_of("slopes", "the laws' slopes are their derivatives", worst_slope, Tolerance::discretisation(1e-10, 10));
+  {  // alpha and eta_0 given: z follows
+    Lubricant oil = oil_of(ViscosityLaw::roelands, DensityLaw::incompressible);
+    oil.z.reset();
+    oil.alpha_per_Pa = 2.05e-8;
+    const double follows = 2.05e-8 * p0 / (std::log(viscosity) + 9.67), p = 7.3e8;
+    add(found, "laws/roelands-from-alpha", "z follows from alpha and eta_0 where it is not stated",
+        evaluate(nondimensionalise(contact(), oil, Flooded{}).problem.viscosity, Array(Array::Constant(1, p / unit))).value[0],
+        (std::log(viscosity) + 9.67) * (-1 + std::pow(1 + p / p0, follows)));
+  }
   const Nondimensional barus = problem_of(ViscosityLaw::barus, DensityLaw::incompressible);
   const double p = 8.3e8;
   add(found, "laws/barus", "eta is Barus' eta_0 exp(alpha p)",
@@ -112,7 +122,8 @@ Findings judge_units_of_a_result() {
   stated.statement = contact();
   stated.lubricant = oil_of(ViscosityLaw::roelands, DensityLaw::dowson_higginson);
   stated.inlet = Flooded{};
-  const Json json = to_json(run_contact(stated, *find_solver("fast"), {.tolerance = 1e-3}));
+  const ContactRun run = run_contact(stated, *find_solver("fast"), {.tolerance = 1e-3});
+  const Json json = to_json(run);
   const double pressure = std::sqrt(load * modulus / (2 * pi * radius)), half_width = 4 * radius * pressure / modulus;
   const double metres = half_width * half_width / radius;
   const double moes = metres / radius / std::sqrt(viscosity * sum_speed / (modulus * radius));
@@ -125,7 +136,65 @@ Findings judge_units_of_a_result() {
   }
   const double offset = json.at("film").at("offset").at("hertz");
   add(found, "result/approach/m", "the approach with x_0 = b is -H_0 b^2/R", json.at("approach").at("m"), -offset * metres);
-  add(found, "result/groups/p_H", "the result's p_H is sqrt(w E'/(2 pi R))", json.at("groups").at("hertz_pressure_Pa"), pressure);
+  const Json& groups = json.at("groups");
+  const double U = viscosity * sum_speed / (modulus * radius), alpha = z * (std::log(viscosity) + 9.67) / p0;
+  add(found, "result/groups/p_H", "the result's p_H is sqrt(w E'/(2 pi R))", groups.at("hertz_pressure_Pa"), pressure);
+  add(found, "result/groups/half-width", "the result's b is 4 R p_H/E'", groups.at("half_width_m"), half_width);
+  add(found, "result/groups/W", "the result's W is w/(E' R)", groups.at("W"), load / (modulus * radius));
+  add(found, "result/groups/U", "the result's U has the mean speed", groups.at("U_mean"), U / 2);
+  add(found, "result/groups/G", "the result's G is alpha E', alpha from z and eta_0", groups.at("G"), alpha * modulus);
+  add(found, "result/exit", "the result's exit is where its pressure ends, nearly", std::round(50 * json.at("pressure").at("exit_x").get<double>()) / 50,
+      std::round(50 * run.solution.fields.X[run.solution.fields.X.size() - 1]) / 50);
+  return found;
+}
+
+/// What is read off fields that are made up: every number is known beforehand.
+Findings judge_observed() {
+  constexpr int n = 400;
+  Fields fields;
+  fields.X = Array::LinSpaced(n + 1, -3.0, 1.5);
+  const Array& X = fields.X;
+  fields.P = (1 - X / 1.5).max(0) * (X + 3) / 4;  // a parabola: 0 at both ends
+  fields.P[n] = 0;
+  fields.H = 0.2 + 0.3 * (X - 0.4).square();
+  fields.density = Array::Ones(n + 1);
+  fields.log_viscosity = Array::Zero(n + 1);
+  fields.flux = Array::Constant(n, fields.H[n]);
+  fields.flux[17] *= 1.07;
+  fields.offset = -0.31;
+  const Observables seen = observe(fields, want_everything());
+  Findings found;
+  const auto read = [&](Quantity quantity, bool place = false) {
+    const auto at = seen.find(quantity);
+    if (at == seen.end()) return std::nan("");
+    return place ? at->second.place.value_or(std::nan("")) : at->second.value;
+  };
+  const auto add_with = [&](const std::string& id, const std::string& statement, double value, double expected, Tolerance tolerance) {
+    found.claims.push_back(claim_value({.id = "inputs/observed/" + id, .rung = 0, .statement = statement}, value, expected, 0, std::move(tolerance)));
+  };
+  // Parabolas are met by parabolas through nodes; the search for a minimum ends within the root of rounding.
+  const Tolerance sharp = Tolerance::round_off(1e3), place = Tolerance::discretisation(1e-7, 10);
+  // P = (3 - 2X)(X + 3)/12: largest at -3/4, 27/32. Int P dX = 81/32; P' = (-4X - 3)/12.
+  constexpr double h = 4.5 / n, integral = 81.0 / 32;
+  add_with("minimum", "the smallest film of a parabola is its vertex", read(Quantity::film_minimum), 0.2, sharp);
+  add_with("minimum-place", "and stands where it is", read(Quantity::film_minimum, true), 0.4, place);
+  add_with("central", "the central film is the one at X = 0", read(Quantity::film_central), 0.2 + 0.3 * 0.16, sharp);
+  add_with("couette", "the Couette film is the flux at the exit", read(Quantity::film_couette), 0.2 + 0.3 * 1.21, sharp);
+  add_with("exit", "the exit is where the pressure ends", read(Quantity::pressure_exit), 1.5, sharp);
+  add_with("approach", "the approach is minus the offset", read(Quantity::approach), 0.31, sharp);
+  add_with("pressure", "the largest pressure of a parabola is its vertex", read(Quantity::pressure_maximum), 27.0 / 32, sharp);
+  add_with("pressure-place", "and stands where it is", read(Quantity::pressure_maximum, true), -0.75, place);
+  // The trapezoid rule is off by h^2/12 times the change of the slope, -4.5/3.
+  add_with("load-error", "the load's error is 2/pi Int P dX less 1", read(Quantity::load_error),
+           2 / pi * (integral - h * h / 12 * 1.5) - 1, Tolerance::round_off(1e4));
+  add_with("flux-variation", "the flux's variation is its largest distance from the exit's", read(Quantity::flux_variation), 0.07, Tolerance::round_off(1e3));
+  // Int H P' dX by hand: Int (.2 + .3 (X - .4)^2)(-4X - 3)/12 dX over [-3, 1.5].
+  const auto antiderivative = [](double x) {
+    // .248 - .24 x + .3 x^2 times (-4x - 3)/12
+    return (-0.744 * x + (-0.992 + 0.72) / 2 * x * x + (0.96 - 0.9) / 3 * x * x * x - 1.2 / 4 * x * x * x * x) / 12;
+  };
+  add_with("rolling-force", "the rolling force is half of Int H dP", read(Quantity::rolling_force),
+           std::abs(antiderivative(1.5) - antiderivative(-3)) / 2, Tolerance::discretisation(h * h, 1));
   return found;
 }
 
@@ -134,7 +203,8 @@ Findings judge_units_of_a_result() {
 std::vector<Topic> law_topics() {
   return {{.name = "groups and scales", .rungs = {0}, .judge = judge_groups},
           {.name = "laws", .rungs = {0}, .judge = judge_laws},
-          {.name = "units of a result", .rungs = {0}, .judge = judge_units_of_a_result}};
+          {.name = "units of a result", .rungs = {0}, .judge = judge_units_of_a_result},
+          {.name = "observed quantities", .rungs = {0}, .judge = judge_observed}};
 }
 
 }  // namespace ehd::verification
