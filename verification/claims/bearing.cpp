@@ -45,7 +45,6 @@ struct Residuals {
   double ring = 0;      ///< Sum f_i cos psi - F_r
   double rollers = 0;   ///< f_o - f_i - F_c, the worst
   double geometry = 0;  ///< delta_i + delta_o - (delta_r cos psi - P_d/2), the worst
-  double symmetry = 0;  ///< f_i(psi) - f_i(-psi), the worst
   double law = 0;       ///< f - k l^(8/9) delta^(10/9) at loaded contacts of a dry law, the worst
 };
 
@@ -68,11 +67,6 @@ Residuals residuals_of(const BearingCase& body, const BearingResult& result) {
     const double room =
         result.displacement_m * std::cos(roller.azimuth_deg * pi / 180) - body.geometry.clearance_m / 2;
     worst.geometry = worse(worst.geometry, std::abs(roller.inner.displacement_m + roller.outer.displacement_m - room) / length_scale);
-    for (const auto& other : result.rollers) {
-      constexpr double same_angle = 1e-9;  // degrees
-      if (std::abs(other.azimuth_deg + roller.azimuth_deg) > same_angle) continue;
-      worst.symmetry = worse(worst.symmetry, std::abs(other.inner.force_N - roller.inner.force_N) / force_scale);
-    }
     if (!dry) continue;
     for (const ContactRow& contact : {roller.inner, roller.outer}) {
       const double closed = contact.displacement_m <= 0
@@ -113,7 +107,7 @@ Findings judge_bearing(const Case& bearing_case, SharedMemory& shared) {
     found.claims.push_back(claim_fact(says("balanced", "the bearing is balanced"), balanced, "every law finds a balance",
                                       std::string(to_string(result.status)) + (result.why.empty() ? "" : ": " + result.why)));
     const Residuals worst = balanced ? residuals_of(body, result)
-                                     : Residuals{nothing, nothing, nothing, nothing, nothing};
+                                     : Residuals{nothing, nothing, nothing, nothing};
     const Tolerance bound = Tolerance::required(1e-10, "balance error below 1e-10");
     found.claims.push_back(claim(says("balance_error", "the reported balance error is below 1e-10"),
                                  balanced ? result.balance_error : nothing, 0, bound));
@@ -121,7 +115,6 @@ Findings judge_bearing(const Case& bearing_case, SharedMemory& shared) {
     found.claims.push_back(claim(says("rollers", "f_o = f_i + F_c on every roller"), worst.rollers, 0, bound));
     found.claims.push_back(
         claim(says("geometry", "delta_i + delta_o = delta_r cos psi - P_d/2 at every roller"), worst.geometry, 0, bound));
-    found.claims.push_back(claim(says("symmetry", "rollers at psi and -psi carry the same"), worst.symmetry, 0, bound));
     if (!needs_film(result.law))
       found.claims.push_back(claim(says("law", "every contact obeys the printed power law"), worst.law, 0, bound));
   }
