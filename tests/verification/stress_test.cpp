@@ -99,7 +99,7 @@ std::vector<GridRow> grid_rows() {
                     .cells = cells,
                     .error = {error, error},
                     .stated = {2 * error, 2 * error},
-                    .truth_error = {1e-9, 1e-9},
+                    .truth_error = {1e-11, 1e-11},
                     .floor = 1e-11});
   }
   return rows;
@@ -235,6 +235,16 @@ BOOST_AUTO_TEST_CASE(grids_fail_where_a_blind_grid_converges_an_error_is_hidden_
   auto hidden = grid_rows();
   hidden[0].stated[0] = 0.5 * *hidden[0].error[0];
   BOOST_TEST(judge_grids(hidden).verdict == Verdict::fail);
+  // A bar that the truth's own uncertainty cannot save fails, however small it is.
+  auto far_too_small = grid_rows();
+  far_too_small[0].stated[0] = 1e-14;
+  BOOST_TEST(judge_grids(far_too_small).verdict == Verdict::fail);
+  auto zero = grid_rows();
+  zero[4].stated[1] = 0;
+  BOOST_TEST(judge_grids(zero).verdict == Verdict::fail);
+  auto unsure = grid_rows();  // of a coarse truth, nothing can be said
+  for (auto& row : unsure) row.truth_error[0] = 1e-3;
+  BOOST_TEST(judge_grids(unsure).verdict == Verdict::inconclusive);
   auto drifting = grid_rows();  // no smaller than on the grid before, and honest about it
   drifting[4].error[1] = drifting[3].error[1];
   drifting[4].stated[1] = 1;
@@ -251,6 +261,37 @@ BOOST_AUTO_TEST_CASE(grids_fail_where_a_blind_grid_converges_an_error_is_hidden_
   auto unknown = grid_rows();
   unknown[3].error[0] = nothing;
   BOOST_TEST(judge_grids(unknown).verdict == Verdict::inconclusive);
+}
+
+BOOST_AUTO_TEST_CASE(a_grid_that_ends_without_a_result_fails) {
+  const GridRow mapped{.solver = "fast",
+                       .contact = "M = 100",
+                       .nodes = 128,
+                       .status = StopReason::converged,
+                       .error = {1e-4, 1e-4},
+                       .stated = {2e-4, 2e-4},
+                       .truth_error = {1e-11, 1e-11}};
+  const auto without_films = [](GridRow& row) { row.error[0] = row.error[1] = row.stated[0] = row.stated[1] = {}; };
+  using Spoil = std::function<void(GridRow&)>;
+  BOOST_TEST(spoilt(mapped, judge_grids, Spoil([](GridRow&) {})) == Verdict::pass);
+  for (const char* solver : {"fast", "reference", "reference.linear"}) {
+    BOOST_TEST(spoilt(mapped, judge_grids, Spoil([&](GridRow& r) {
+                        r.solver = solver, r.status = StopReason::limit_reached, without_films(r);
+                      })) == Verdict::fail);
+    BOOST_TEST(spoilt(mapped, judge_grids, Spoil([&](GridRow& r) {
+                        r.solver = solver, r.status = StopReason::under_resolved, without_films(r);
+                      })) == Verdict::fail);
+    BOOST_TEST(spoilt(mapped, judge_grids, Spoil([&](GridRow& r) {
+                        r.solver = solver, r.status = StopReason::tolerance_not_met;
+                      })) == Verdict::pass);
+  }
+  auto between = grid_rows();  // 2 cells: may be called blind, may not run out of time
+  between[1].status = StopReason::limit_reached;
+  without_films(between[1]);
+  BOOST_TEST(judge_grids(between).verdict == Verdict::fail);
+  BOOST_TEST(spoilt(mapped, judge_grids, Spoil([&](GridRow& r) {
+                      r.ran = false, r.why = "not run: too large", without_films(r);
+                    })) == Verdict::inconclusive);
 }
 
 BOOST_AUTO_TEST_CASE(extremes_fail_on_nan_hangs_crashes_and_wrong_answers) {

@@ -114,6 +114,7 @@ struct ConditionRow {
 struct GridRow {
   std::string solver = {}, contact = {};
   int nodes = 0;
+  bool ran = true;  ///< false: not tried, `why` says why
   StopReason status = StopReason::diverged;
   bool spike = false;  ///< the truth has one: no order is declared of H_min
   double cells = 0;    ///< equal cells in the inlet zone of the true film; 0 on other grids
