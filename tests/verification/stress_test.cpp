@@ -313,7 +313,53 @@ BOOST_AUTO_TEST_CASE(extremes_fail_on_nan_hangs_crashes_and_wrong_answers) {
   BOOST_TEST(spoilt(extreme_row(), judge_extremes, Spoil([](ExtremeRow& r) { r.fast.reset(), r.other.reset(); })) ==
              Verdict::inconclusive);
   BOOST_TEST(spoilt(extreme_row(), judge_extremes,
-                    Spoil([](ExtremeRow& r) { r.refused = "M: is out of range\nsecond line"; })) == Verdict::fail);
+                    Spoil([](ExtremeRow& r) { r.inside = false, r.refused = "M: is out of range\nsecond line"; })) ==
+             Verdict::fail);
+  const auto refuse = [](ExtremeRow& r) { r.refused = "M: is out of range", r.fast.reset(), r.other.reset(); };
+  BOOST_TEST(spoilt(extreme_row(), judge_extremes, Spoil([&](ExtremeRow& r) { refuse(r); })) == Verdict::fail);
+  BOOST_TEST(spoilt(extreme_row(), judge_extremes, Spoil([&](ExtremeRow& r) { refuse(r), r.inside = false; })) ==
+             Verdict::pass);
+}
+
+BOOST_AUTO_TEST_CASE(the_box_is_read_from_what_is_stated) {
+  const Conditions steel{.load_N_per_m = 1.1e5,
+                         .reduced_radius_m = 0.0113,
+                         .reduced_modulus_Pa = 2.26e11,
+                         .speed_sum_m_per_s = 2.9,
+                         .viscosity_Pa_s = 0.021};
+  const Lubricant oil{.viscosity = ViscosityLaw::roelands, .alpha_per_Pa = 1.9e-8, .z = 0.68};
+  BOOST_TEST(in_the_box(steel, oil, Flooded{}));
+  BOOST_TEST(in_the_box(steel, oil, TruncatedAt{-4}));
+  BOOST_TEST(!in_the_box(steel, oil, TruncatedAt{-2}));
+  // The same edges by groups and by SI: M, L and p_H each alone.
+  const auto moved = [&](double load, double radius, double alpha) {
+    Conditions conditions = steel;
+    conditions.load_N_per_m *= load;
+    conditions.reduced_radius_m *= radius;
+    Lubricant lubricant = oil;
+    *lubricant.alpha_per_Pa *= alpha;
+    const auto made = nondimensionalise(conditions, lubricant, Flooded{});
+    const Groups& groups = made.problem.groups;
+    return std::pair(in_the_box(conditions, lubricant, Flooded{}),
+                     groups.M >= 0.05 && groups.M <= 5000 && groups.L <= 30 && made.scales->hertz_pressure_Pa <= 4e9);
+  };
+  int inside = 0, outside = 0;
+  for (const double load : {1e-3, 5e-3, 7e-3, 1.0, 11.0, 12.0, 20.0, 1e3}) {
+    for (const double radius : {1e-2, 1.0, 50.0}) {
+      for (const double alpha : {0.0, 1.0, 2.0, 2.5}) {
+        const auto [by_SI, by_groups] = moved(load, radius, alpha);
+        BOOST_TEST(by_SI == by_groups, load << " " << radius << " " << alpha);
+        (by_SI ? inside : outside) += 1;
+      }
+    }
+  }
+  BOOST_TEST(inside > 0);
+  BOOST_TEST(outside > 0);
+  BOOST_TEST(in_the_box(MoesGroups{7, 6}, oil, Flooded{}));
+  BOOST_TEST(in_the_box(HertzGroups{0.07, 6}, oil, Flooded{}));
+  BOOST_TEST(!in_the_box(MoesGroups{5001, 1}, oil, Flooded{}));
+  BOOST_TEST(!in_the_box(MoesGroups{7, nothing}, oil, Flooded{}));
+  BOOST_TEST(!in_the_box(HertzGroups{-0.07, 6}, oil, Flooded{}));
 }
 
 BOOST_AUTO_TEST_CASE(repeats_fail_on_one_solution_that_differs) {

@@ -131,12 +131,16 @@ struct GridRow {
 struct ExtremeRow {
   std::string kind = {};                       ///< what was tried: "random SI", "impossible inputs", "limits"
   std::string what = {};                       ///< the inputs, to be repeated
-  bool inside = false;                         ///< M .05 .. 5000, L 0 .. 30 and p_H <= 4 GPa
+  bool inside = false;                         ///< in_the_box()
   std::string refused = {};                    ///< the message of a refusal before any solve
   std::optional<Ended> fast = {}, other = {};  ///< other: an independent solver, on some
   double wall_s = 0, time_limit_s = 0;
   std::string broke = {};  ///< how it broke: another exception, a signal
 };
+/// The box that must be solved: M .05 … 5000, L 0 … 30, p_H <= 4 GPa, z .1 … 1.2, p_0 1e7 … 1e10 Pa, flooded or (M >= 2)
+/// cut at -100 … -2.5. From the stated numbers alone, with u the sum of speeds: M = w/sqrt(eta u E' R), L = alpha E'
+/// (eta u/(E' R))^(1/4), p_H = sqrt(w E'/(2 pi R)); nothing of what makes the problem, so that a refusal does not hide it.
+[[nodiscard]] bool in_the_box(const Statement& statement, const Lubricant& lubricant, const Inlet& inlet);
 [[nodiscard]] std::vector<ExtremeRow> run_extremes(const Scope& scope);
 [[nodiscard]] Part judge_extremes(const std::vector<ExtremeRow>& rows);
 
