@@ -47,6 +47,7 @@ StartRow start_row() {
           .starts = 10,
           .converged = 4,
           .dishonest = 0,
+          .own_solved = true,
           .worst = 1e-12,
           .tolerance = Tolerance::iteration(1e-11)};
 }
@@ -67,6 +68,7 @@ RoundingRow rounding_row() {
   return {.solver = "fast.uniform",
           .contact = "M = 5",
           .mode = "up",
+          .in_force = true,
           .status = StopReason::converged,
           .minimum = 1e-14,
           .central = 1e-14,
@@ -165,6 +167,22 @@ BOOST_AUTO_TEST_CASE(every_part_is_listed_once_by_letter_and_name) {
   BOOST_TEST(!find_part("i"));
 }
 
+BOOST_AUTO_TEST_CASE(a_part_that_throws_is_a_part_that_fails) {
+  const PartEntry broken{"z", "broken", [](const Scope&) -> Part { throw std::runtime_error("out of\nmemory"); }};
+  const Part part = run_part(broken, {.quick = true});
+  BOOST_TEST(part.id == "z");
+  BOOST_TEST(part.verdict == Verdict::fail);
+  BOOST_TEST(part.summary.find("out of") != std::string::npos);
+  BOOST_REQUIRE(part.failures.size() == 1u);
+  BOOST_TEST(human_text(part).find("memory") != std::string::npos);
+  const Json json = to_json({part}, 1);
+  BOOST_TEST(json.at("success") == false);
+  BOOST_TEST(json.at("parts")[0].at("verdict") == "fail");
+  BOOST_TEST(json.at("parts")[0].at("rows").empty());
+  const PartEntry odd{"y", "odd", [](const Scope&) -> Part { throw 1; }};
+  BOOST_TEST(run_part(odd, {}).verdict == Verdict::fail);
+}
+
 BOOST_AUTO_TEST_CASE(the_box_fails_where_solvers_differ_or_refuse_below_4_GPa) {
   using Spoil = std::function<void(BoxPoint&)>;
   BOOST_TEST(spoilt(box_point(), judge_box, Spoil([](BoxPoint&) {})) == Verdict::pass);
@@ -181,6 +199,18 @@ BOOST_AUTO_TEST_CASE(the_box_fails_where_solvers_differ_or_refuse_below_4_GPa) {
              Verdict::inconclusive);
   BOOST_TEST(spoilt(box_point(), judge_box, Spoil([&](BoxPoint& p) { above(p), p.fast.film[0] = 0.08; })) ==
              Verdict::fail);
+  // A solver that does not converge cannot excuse a film by an error as large as it likes, nor NaN by the next film.
+  const auto vague = [&](BoxPoint& p, double film, double error) {
+    above(p), p.reference.status = StopReason::tolerance_not_met;
+    p.reference.error[0] = p.reference.error[1] = error, p.fast.film[0] = film;
+  };
+  BOOST_TEST(spoilt(box_point(), judge_box, Spoil([&](BoxPoint& p) { vague(p, 0.0744, 0.01); })) == Verdict::pass);
+  BOOST_TEST(spoilt(box_point(), judge_box, Spoil([&](BoxPoint& p) { vague(p, 0.08, 0.01); })) == Verdict::fail);
+  BOOST_TEST(spoilt(box_point(), judge_box, Spoil([&](BoxPoint& p) { vague(p, 0.08, 1); })) == Verdict::inconclusive);
+  BOOST_TEST(spoilt(box_point(), judge_box, Spoil([&](BoxPoint& p) { vague(p, 0.08, nothing); })) ==
+             Verdict::inconclusive);
+  BOOST_TEST(spoilt(box_point(), judge_box, Spoil([&](BoxPoint& p) { above(p), p.fast.film[0] = nothing; })) ==
+             Verdict::inconclusive);
   BOOST_TEST(judge_box({}).verdict == Verdict::inconclusive);
 }
 
@@ -191,6 +221,14 @@ BOOST_AUTO_TEST_CASE(starts_fail_where_another_solution_is_found) {
   BOOST_TEST(spoilt(start_row(), judge_starts, Spoil([](StartRow& r) { r.worst = nothing; })) == Verdict::inconclusive);
   BOOST_TEST(spoilt(start_row(), judge_starts, Spoil([](StartRow& r) { r.dishonest = 1; })) == Verdict::fail);
   BOOST_TEST(spoilt(start_row(), judge_starts, Spoil([](StartRow& r) { r.converged = 0; })) == Verdict::inconclusive);
+  BOOST_TEST(spoilt(start_row(), judge_starts, Spoil([](StartRow& r) { r.own_solved = false; })) == Verdict::fail);
+  BOOST_TEST(spoilt(start_row(), judge_starts, Spoil([](StartRow& r) {
+                      r.tolerance = Tolerance::iteration(std::numeric_limits<double>::infinity());
+                    })) == Verdict::inconclusive);
+  // A sound row beside it does not speak for a row without one converged start.
+  StartRow silent = start_row();
+  silent.converged = 0;
+  BOOST_TEST(judge_starts({start_row(), silent}).verdict == Verdict::inconclusive);
 }
 
 BOOST_AUTO_TEST_CASE(precision_fails_beyond_condition_times_eps) {
@@ -211,6 +249,11 @@ BOOST_AUTO_TEST_CASE(rounding_fails_where_films_move_or_a_mode_stops_a_solver) {
   BOOST_TEST(spoilt(rounding_row(), judge_rounding, Spoil([](RoundingRow& r) { r.status = StopReason::diverged; })) ==
              Verdict::fail);
   BOOST_TEST(spoilt(rounding_row(), judge_rounding, Spoil([](RoundingRow& r) { r.minimum = nothing; })) ==
+             Verdict::inconclusive);
+  // A mode that was never set moves nothing.
+  BOOST_TEST(spoilt(rounding_row(), judge_rounding, Spoil([](RoundingRow& r) { r.in_force = false; })) ==
+             Verdict::inconclusive);
+  BOOST_TEST(spoilt(rounding_row(), judge_rounding, Spoil([](RoundingRow& r) { r.minimum = r.central = 0; })) ==
              Verdict::inconclusive);
 }
 

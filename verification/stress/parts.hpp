@@ -65,8 +65,9 @@ struct BoxPoint {
 struct StartRow {
   std::string level = {}, contact = {}, family = {};
   long starts = 0, converged = 0, dishonest = 0;  ///< dishonest: a number that is not finite in what is called solved
-  double worst = 0;                               ///< largest relative difference of a film from that of the own start
-  std::optional<Tolerance> tolerance = {};        ///< of that
+  bool own_solved = false;                        ///< from the start that the solver makes itself
+  double worst = 0;                               ///< largest relative difference of a film from that start's; NaN stays
+  std::optional<Tolerance> tolerance = {};        ///< of that; absent where the own start was not solved
 };
 [[nodiscard]] std::vector<StartRow> run_starts(const Scope& scope);
 [[nodiscard]] Part judge_starts(const std::vector<StartRow>& rows);
@@ -86,6 +87,7 @@ struct PrecisionRow {
 // (d) -- the four rounding modes -----------------------------------------------------------------------------------
 struct RoundingRow {
   std::string solver = {}, contact = {}, mode = {};
+  bool in_force = false;  ///< the process that solved had this mode, and modes change what a division gives there
   StopReason status = StopReason::diverged;
   double minimum = 0, central = 0;  ///< relative moves against rounding to nearest
   bool to_rounding = false;         ///< else the solver adapts grids, and its stated errors bound the move
