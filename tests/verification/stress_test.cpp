@@ -47,6 +47,7 @@ StartRow start_row() {
           .starts = 10,
           .converged = 4,
           .dishonest = 0,
+          .own_solved = true,
           .worst = 1e-12,
           .tolerance = Tolerance::iteration(1e-11)};
 }
@@ -67,6 +68,7 @@ RoundingRow rounding_row() {
   return {.solver = "fast.uniform",
           .contact = "M = 5",
           .mode = "up",
+          .in_force = true,
           .status = StopReason::converged,
           .minimum = 1e-14,
           .central = 1e-14,
@@ -99,7 +101,7 @@ std::vector<GridRow> grid_rows() {
                     .cells = cells,
                     .error = {error, error},
                     .stated = {2 * error, 2 * error},
-                    .truth_error = {1e-9, 1e-9},
+                    .truth_error = {1e-11, 1e-11},
                     .floor = 1e-11});
   }
   return rows;
@@ -165,6 +167,22 @@ BOOST_AUTO_TEST_CASE(every_part_is_listed_once_by_letter_and_name) {
   BOOST_TEST(!find_part("i"));
 }
 
+BOOST_AUTO_TEST_CASE(a_part_that_throws_is_a_part_that_fails) {
+  const PartEntry broken{"z", "broken", [](const Scope&) -> Part { throw std::runtime_error("out of\nmemory"); }};
+  const Part part = run_part(broken, {.quick = true});
+  BOOST_TEST(part.id == "z");
+  BOOST_TEST(part.verdict == Verdict::fail);
+  BOOST_TEST(part.summary.find("out of") != std::string::npos);
+  BOOST_REQUIRE(part.failures.size() == 1u);
+  BOOST_TEST(human_text(part).find("memory") != std::string::npos);
+  const Json json = to_json({part}, 1);
+  BOOST_TEST(json.at("success") == false);
+  BOOST_TEST(json.at("parts")[0].at("verdict") == "fail");
+  BOOST_TEST(json.at("parts")[0].at("rows").empty());
+  const PartEntry odd{"y", "odd", [](const Scope&) -> Part { throw 1; }};
+  BOOST_TEST(run_part(odd, {}).verdict == Verdict::fail);
+}
+
 BOOST_AUTO_TEST_CASE(the_box_fails_where_solvers_differ_or_refuse_below_4_GPa) {
   using Spoil = std::function<void(BoxPoint&)>;
   BOOST_TEST(spoilt(box_point(), judge_box, Spoil([](BoxPoint&) {})) == Verdict::pass);
@@ -181,6 +199,18 @@ BOOST_AUTO_TEST_CASE(the_box_fails_where_solvers_differ_or_refuse_below_4_GPa) {
              Verdict::inconclusive);
   BOOST_TEST(spoilt(box_point(), judge_box, Spoil([&](BoxPoint& p) { above(p), p.fast.film[0] = 0.08; })) ==
              Verdict::fail);
+  // A solver that does not converge cannot excuse a film by an error as large as it likes, nor NaN by the next film.
+  const auto vague = [&](BoxPoint& p, double film, double error) {
+    above(p), p.reference.status = StopReason::tolerance_not_met;
+    p.reference.error[0] = p.reference.error[1] = error, p.fast.film[0] = film;
+  };
+  BOOST_TEST(spoilt(box_point(), judge_box, Spoil([&](BoxPoint& p) { vague(p, 0.0744, 0.01); })) == Verdict::pass);
+  BOOST_TEST(spoilt(box_point(), judge_box, Spoil([&](BoxPoint& p) { vague(p, 0.08, 0.01); })) == Verdict::fail);
+  BOOST_TEST(spoilt(box_point(), judge_box, Spoil([&](BoxPoint& p) { vague(p, 0.08, 1); })) == Verdict::inconclusive);
+  BOOST_TEST(spoilt(box_point(), judge_box, Spoil([&](BoxPoint& p) { vague(p, 0.08, nothing); })) ==
+             Verdict::inconclusive);
+  BOOST_TEST(spoilt(box_point(), judge_box, Spoil([&](BoxPoint& p) { above(p), p.fast.film[0] = nothing; })) ==
+             Verdict::inconclusive);
   BOOST_TEST(judge_box({}).verdict == Verdict::inconclusive);
 }
 
@@ -191,6 +221,14 @@ BOOST_AUTO_TEST_CASE(starts_fail_where_another_solution_is_found) {
   BOOST_TEST(spoilt(start_row(), judge_starts, Spoil([](StartRow& r) { r.worst = nothing; })) == Verdict::inconclusive);
   BOOST_TEST(spoilt(start_row(), judge_starts, Spoil([](StartRow& r) { r.dishonest = 1; })) == Verdict::fail);
   BOOST_TEST(spoilt(start_row(), judge_starts, Spoil([](StartRow& r) { r.converged = 0; })) == Verdict::inconclusive);
+  BOOST_TEST(spoilt(start_row(), judge_starts, Spoil([](StartRow& r) { r.own_solved = false; })) == Verdict::fail);
+  BOOST_TEST(spoilt(start_row(), judge_starts, Spoil([](StartRow& r) {
+                      r.tolerance = Tolerance::iteration(std::numeric_limits<double>::infinity());
+                    })) == Verdict::inconclusive);
+  // A sound row beside it does not speak for a row without one converged start.
+  StartRow silent = start_row();
+  silent.converged = 0;
+  BOOST_TEST(judge_starts({start_row(), silent}).verdict == Verdict::inconclusive);
 }
 
 BOOST_AUTO_TEST_CASE(precision_fails_beyond_condition_times_eps) {
@@ -211,6 +249,11 @@ BOOST_AUTO_TEST_CASE(rounding_fails_where_films_move_or_a_mode_stops_a_solver) {
   BOOST_TEST(spoilt(rounding_row(), judge_rounding, Spoil([](RoundingRow& r) { r.status = StopReason::diverged; })) ==
              Verdict::fail);
   BOOST_TEST(spoilt(rounding_row(), judge_rounding, Spoil([](RoundingRow& r) { r.minimum = nothing; })) ==
+             Verdict::inconclusive);
+  // A mode that was never set moves nothing.
+  BOOST_TEST(spoilt(rounding_row(), judge_rounding, Spoil([](RoundingRow& r) { r.in_force = false; })) ==
+             Verdict::inconclusive);
+  BOOST_TEST(spoilt(rounding_row(), judge_rounding, Spoil([](RoundingRow& r) { r.minimum = r.central = 0; })) ==
              Verdict::inconclusive);
 }
 
@@ -235,6 +278,16 @@ BOOST_AUTO_TEST_CASE(grids_fail_where_a_blind_grid_converges_an_error_is_hidden_
   auto hidden = grid_rows();
   hidden[0].stated[0] = 0.5 * *hidden[0].error[0];
   BOOST_TEST(judge_grids(hidden).verdict == Verdict::fail);
+  // A bar that the truth's own uncertainty cannot save fails, however small it is.
+  auto far_too_small = grid_rows();
+  far_too_small[0].stated[0] = 1e-14;
+  BOOST_TEST(judge_grids(far_too_small).verdict == Verdict::fail);
+  auto zero = grid_rows();
+  zero[4].stated[1] = 0;
+  BOOST_TEST(judge_grids(zero).verdict == Verdict::fail);
+  auto unsure = grid_rows();  // of a coarse truth, nothing can be said
+  for (auto& row : unsure) row.truth_error[0] = 1e-3;
+  BOOST_TEST(judge_grids(unsure).verdict == Verdict::inconclusive);
   auto drifting = grid_rows();  // no smaller than on the grid before, and honest about it
   drifting[4].error[1] = drifting[3].error[1];
   drifting[4].stated[1] = 1;
@@ -251,6 +304,37 @@ BOOST_AUTO_TEST_CASE(grids_fail_where_a_blind_grid_converges_an_error_is_hidden_
   auto unknown = grid_rows();
   unknown[3].error[0] = nothing;
   BOOST_TEST(judge_grids(unknown).verdict == Verdict::inconclusive);
+}
+
+BOOST_AUTO_TEST_CASE(a_grid_that_ends_without_a_result_fails) {
+  const GridRow mapped{.solver = "fast",
+                       .contact = "M = 100",
+                       .nodes = 128,
+                       .status = StopReason::converged,
+                       .error = {1e-4, 1e-4},
+                       .stated = {2e-4, 2e-4},
+                       .truth_error = {1e-11, 1e-11}};
+  const auto without_films = [](GridRow& row) { row.error[0] = row.error[1] = row.stated[0] = row.stated[1] = {}; };
+  using Spoil = std::function<void(GridRow&)>;
+  BOOST_TEST(spoilt(mapped, judge_grids, Spoil([](GridRow&) {})) == Verdict::pass);
+  for (const char* solver : {"fast", "reference", "reference.linear"}) {
+    BOOST_TEST(spoilt(mapped, judge_grids, Spoil([&](GridRow& r) {
+                        r.solver = solver, r.status = StopReason::limit_reached, without_films(r);
+                      })) == Verdict::fail);
+    BOOST_TEST(spoilt(mapped, judge_grids, Spoil([&](GridRow& r) {
+                        r.solver = solver, r.status = StopReason::under_resolved, without_films(r);
+                      })) == Verdict::fail);
+    BOOST_TEST(spoilt(mapped, judge_grids, Spoil([&](GridRow& r) {
+                        r.solver = solver, r.status = StopReason::tolerance_not_met;
+                      })) == Verdict::pass);
+  }
+  auto between = grid_rows();  // 2 cells: may be called blind, may not run out of time
+  between[1].status = StopReason::limit_reached;
+  without_films(between[1]);
+  BOOST_TEST(judge_grids(between).verdict == Verdict::fail);
+  BOOST_TEST(spoilt(mapped, judge_grids, Spoil([&](GridRow& r) {
+                      r.ran = false, r.why = "not run: too large", without_films(r);
+                    })) == Verdict::inconclusive);
 }
 
 BOOST_AUTO_TEST_CASE(extremes_fail_on_nan_hangs_crashes_and_wrong_answers) {
@@ -272,7 +356,53 @@ BOOST_AUTO_TEST_CASE(extremes_fail_on_nan_hangs_crashes_and_wrong_answers) {
   BOOST_TEST(spoilt(extreme_row(), judge_extremes, Spoil([](ExtremeRow& r) { r.fast.reset(), r.other.reset(); })) ==
              Verdict::inconclusive);
   BOOST_TEST(spoilt(extreme_row(), judge_extremes,
-                    Spoil([](ExtremeRow& r) { r.refused = "M: is out of range\nsecond line"; })) == Verdict::fail);
+                    Spoil([](ExtremeRow& r) { r.inside = false, r.refused = "M: is out of range\nsecond line"; })) ==
+             Verdict::fail);
+  const auto refuse = [](ExtremeRow& r) { r.refused = "M: is out of range", r.fast.reset(), r.other.reset(); };
+  BOOST_TEST(spoilt(extreme_row(), judge_extremes, Spoil([&](ExtremeRow& r) { refuse(r); })) == Verdict::fail);
+  BOOST_TEST(spoilt(extreme_row(), judge_extremes, Spoil([&](ExtremeRow& r) { refuse(r), r.inside = false; })) ==
+             Verdict::pass);
+}
+
+BOOST_AUTO_TEST_CASE(the_box_is_read_from_what_is_stated) {
+  const Conditions steel{.load_N_per_m = 1.1e5,
+                         .reduced_radius_m = 0.0113,
+                         .reduced_modulus_Pa = 2.26e11,
+                         .speed_sum_m_per_s = 2.9,
+                         .viscosity_Pa_s = 0.021};
+  const Lubricant oil{.viscosity = ViscosityLaw::roelands, .alpha_per_Pa = 1.9e-8, .z = 0.68};
+  BOOST_TEST(in_the_box(steel, oil, Flooded{}));
+  BOOST_TEST(in_the_box(steel, oil, TruncatedAt{-4}));
+  BOOST_TEST(!in_the_box(steel, oil, TruncatedAt{-2}));
+  // The same edges by groups and by SI: M, L and p_H each alone.
+  const auto moved = [&](double load, double radius, double alpha) {
+    Conditions conditions = steel;
+    conditions.load_N_per_m *= load;
+    conditions.reduced_radius_m *= radius;
+    Lubricant lubricant = oil;
+    *lubricant.alpha_per_Pa *= alpha;
+    const auto made = nondimensionalise(conditions, lubricant, Flooded{});
+    const Groups& groups = made.problem.groups;
+    return std::pair(in_the_box(conditions, lubricant, Flooded{}),
+                     groups.M >= 0.05 && groups.M <= 5000 && groups.L <= 30 && made.scales->hertz_pressure_Pa <= 4e9);
+  };
+  int inside = 0, outside = 0;
+  for (const double load : {1e-3, 5e-3, 7e-3, 1.0, 11.0, 12.0, 20.0, 1e3}) {
+    for (const double radius : {1e-2, 1.0, 50.0}) {
+      for (const double alpha : {0.0, 1.0, 2.0, 2.5}) {
+        const auto [by_SI, by_groups] = moved(load, radius, alpha);
+        BOOST_TEST(by_SI == by_groups, load << " " << radius << " " << alpha);
+        (by_SI ? inside : outside) += 1;
+      }
+    }
+  }
+  BOOST_TEST(inside > 0);
+  BOOST_TEST(outside > 0);
+  BOOST_TEST(in_the_box(MoesGroups{7, 6}, oil, Flooded{}));
+  BOOST_TEST(in_the_box(HertzGroups{0.07, 6}, oil, Flooded{}));
+  BOOST_TEST(!in_the_box(MoesGroups{5001, 1}, oil, Flooded{}));
+  BOOST_TEST(!in_the_box(MoesGroups{7, nothing}, oil, Flooded{}));
+  BOOST_TEST(!in_the_box(HertzGroups{-0.07, 6}, oil, Flooded{}));
 }
 
 BOOST_AUTO_TEST_CASE(repeats_fail_on_one_solution_that_differs) {

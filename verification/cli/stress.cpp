@@ -73,10 +73,7 @@ int stress(const StressOptions& options) {
       progress.show("stress (" + entry->id + ") " + entry->name + ": " + what);
     };
     scope.show("...");
-    const auto started = Clock::now();
-    Part part = entry->run(scope);
-    part.wall_s = seconds_since(started);
-    part.settings["quick"] = options.quick;
+    Part part = run_part(*entry, scope);
     progress.show("");
     print(human_text(part));
     results.push_back(std::move(part));

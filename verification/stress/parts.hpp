@@ -65,8 +65,9 @@ struct BoxPoint {
 struct StartRow {
   std::string level = {}, contact = {}, family = {};
   long starts = 0, converged = 0, dishonest = 0;  ///< dishonest: a number that is not finite in what is called solved
-  double worst = 0;                               ///< largest relative difference of a film from that of the own start
-  std::optional<Tolerance> tolerance = {};        ///< of that
+  bool own_solved = false;                        ///< from the start that the solver makes itself
+  double worst = 0;                               ///< largest relative difference of a film from that start's; NaN stays
+  std::optional<Tolerance> tolerance = {};        ///< of that; absent where the own start was not solved
 };
 [[nodiscard]] std::vector<StartRow> run_starts(const Scope& scope);
 [[nodiscard]] Part judge_starts(const std::vector<StartRow>& rows);
@@ -86,6 +87,7 @@ struct PrecisionRow {
 // (d) -- the four rounding modes -----------------------------------------------------------------------------------
 struct RoundingRow {
   std::string solver = {}, contact = {}, mode = {};
+  bool in_force = false;  ///< the process that solved had this mode, and modes change what a division gives there
   StopReason status = StopReason::diverged;
   double minimum = 0, central = 0;  ///< relative moves against rounding to nearest
   bool to_rounding = false;         ///< else the solver adapts grids, and its stated errors bound the move
@@ -114,6 +116,7 @@ struct ConditionRow {
 struct GridRow {
   std::string solver = {}, contact = {};
   int nodes = 0;
+  bool ran = true;  ///< false: not tried, `why` says why
   StopReason status = StopReason::diverged;
   bool spike = false;  ///< the truth has one: no order is declared of H_min
   double cells = 0;    ///< equal cells in the inlet zone of the true film; 0 on other grids
@@ -130,12 +133,16 @@ struct GridRow {
 struct ExtremeRow {
   std::string kind = {};                       ///< what was tried: "random SI", "impossible inputs", "limits"
   std::string what = {};                       ///< the inputs, to be repeated
-  bool inside = false;                         ///< M .05 .. 5000, L 0 .. 30 and p_H <= 4 GPa
+  bool inside = false;                         ///< in_the_box()
   std::string refused = {};                    ///< the message of a refusal before any solve
   std::optional<Ended> fast = {}, other = {};  ///< other: an independent solver, on some
   double wall_s = 0, time_limit_s = 0;
   std::string broke = {};  ///< how it broke: another exception, a signal
 };
+/// The box that must be solved: M .05 … 5000, L 0 … 30, p_H <= 4 GPa, z .1 … 1.2, p_0 1e7 … 1e10 Pa, flooded or (M >= 2)
+/// cut at -100 … -2.5. From the stated numbers alone, with u the sum of speeds: M = w/sqrt(eta u E' R), L = alpha E'
+/// (eta u/(E' R))^(1/4), p_H = sqrt(w E'/(2 pi R)); nothing of what makes the problem, so that a refusal does not hide it.
+[[nodiscard]] bool in_the_box(const Statement& statement, const Lubricant& lubricant, const Inlet& inlet);
 [[nodiscard]] std::vector<ExtremeRow> run_extremes(const Scope& scope);
 [[nodiscard]] Part judge_extremes(const std::vector<ExtremeRow>& rows);
 

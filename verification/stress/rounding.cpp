@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "verification/child.hpp"
+#include "verification/claim.hpp"
 #include "verification/claims/oils.hpp"
 #include "verification/stress/parts.hpp"
 #include "verification/text.hpp"
@@ -53,9 +54,22 @@ std::vector<Asked> asked_of_all() {
           {"reference", to_tolerance, false, 0}};
 }
 
+/// The processor obeys: a third is not the same rounded up and rounded down. Without it films that stay say nothing.
+bool modes_act() {
+  volatile double one = 1, three = 3;  // else the compiler divides
+  const int before = std::fegetround();
+  if (std::fesetround(FE_UPWARD) != 0) return false;
+  volatile double up = one / three;
+  if (std::fesetround(FE_DOWNWARD) != 0) return false;
+  volatile double down = one / three;
+  return std::fesetround(before) == 0 && up > down;
+}
+
 Json in_mode(int mode, const std::vector<Asked>& all, const std::vector<Problem>& problems) {
   std::vector<Ended> ends;
+  const bool act = modes_act();
   if (std::fesetround(mode) != 0) throw std::runtime_error("this rounding mode cannot be set");
+  const bool in_force = act && std::fegetround() == mode;
   for (const Asked& asked : all) {
     for (const Problem& problem : problems)
       ends.push_back(ended(find_solver(asked.solver)->solve(problem, asked.request)));
@@ -65,7 +79,7 @@ Json in_mode(int mode, const std::vector<Asked>& all, const std::vector<Problem>
   if (!stayed) throw std::runtime_error("a solver changed the rounding mode");
   Json json = Json::array();
   for (const Ended& end : ends) {
-    Json one{{"status", static_cast<int>(end.status)}, {"finite", end.finite}};
+    Json one{{"status", static_cast<int>(end.status)}, {"finite", end.finite}, {"in_force", in_force}};
     for (std::size_t k = 0; k < 2; ++k) {
       put(one, "film" + std::to_string(k), end.film[k]);
       put(one, "error" + std::to_string(k), end.error[k]);
@@ -111,6 +125,7 @@ std::vector<RoundingRow> run_rounding(const Scope& scope) {
         if (index < json.size() && index < nearest.size()) {
           const Ended end = end_of(json[index]), base = end_of(nearest[index]);
           row.status = end.status;
+          row.in_force = json[index].at("in_force").get<bool>();
           if (end.has_films() && base.has_films() && end.finite) {
             row.minimum = std::abs(*end.film[0] / *base.film[0] - 1);
             row.central = std::abs(*end.film[1] / *base.film[1] - 1);
@@ -141,8 +156,11 @@ Part judge_rounding(const std::vector<RoundingRow>& rows) {
                         {"H_min moves", ""}, {"H_cen moves", ""}, {"bound", ""}, {"by", ""}};
   Tally tally;
   double worst = 0, farthest = 0;
-  long converged = 0;
+  long converged = 0, directed = 0, moved = 0;
   for (const RoundingRow& row : rows) {
+    const bool is_directed = row.mode != modes[0].name;
+    directed += is_directed ? 1 : 0;
+    moved += is_directed && (row.minimum != 0 || row.central != 0) ? 1 : 0;
     const std::string where = row.solver + ", " + row.contact + ", " + row.mode;
     part.table.rows.push_back({row.solver, row.contact, row.mode, std::string(to_string(row.status)), row.minimum,
                                row.central, row.tolerance ? row.tolerance->value() : std::nan(""),
@@ -150,18 +168,22 @@ Part judge_rounding(const std::vector<RoundingRow>& rows) {
     tally.require(row.status == StopReason::converged,
                   where + ": " + (row.why.empty() ? std::string(to_string(row.status)) : row.why));
     converged += row.status == StopReason::converged ? 1 : 0;
+    if (row.why.empty() && !row.in_force)
+      tally.add(Verdict::inconclusive, where + ": the rounding mode was not in force");
     if (!row.tolerance) {
       tally.add(Verdict::inconclusive, where + ": no films to compare");
       continue;
     }
     for (const double move : {row.minimum, row.central}) {
       tally.add(move, 0, *row.tolerance, where + ", a film moves");
-      worst = std::max(worst, move / row.tolerance->value());
-      if (row.to_rounding) farthest = std::max(farthest, move);
+      worst = worse(worst, move / row.tolerance->value());
+      if (row.to_rounding) farthest = worse(farthest, move);
     }
     if (row.to_rounding && (!part.tolerance || row.tolerance->value() > part.tolerance->value()))
       part.tolerance = row.tolerance;
   }
+  if (directed == 0 || moved == 0)
+    tally.add(Verdict::inconclusive, "not one bit of one film moves in a directed mode: it cannot have been in force");
   part.verdict = tally.verdict();
   part.failures = tally.failures();
   part.summary = std::to_string(converged) + " of " + std::to_string(rows.size()) +

@@ -16,6 +16,7 @@
 #include "fast/run.hpp"
 #include "reference/hp/newton.hpp"
 #include "reference/newton.hpp"
+#include "verification/claim.hpp"
 #include "verification/claims/oils.hpp"
 #include "verification/parallel.hpp"
 #include "verification/stress/parts.hpp"
@@ -88,7 +89,9 @@ double expected_film(const Problem& problem) {
   return moes_film_formula({.M = problem.groups.M, .L = problem.groups.L}) / moes_film_per_hertz_film(problem.groups.M);
 }
 
-double largest_difference(const Array& film, const Array& truth) { return (film / truth - 1).abs().maxCoeff(); }
+double largest_difference(const Array& film, const Array& truth) {
+  return (film / truth - 1).abs().maxCoeff<Eigen::PropagateNaN>();
+}
 
 /// What rounding does to a film on n cells from X_a on: terms of size 1 + X_a^2/2, relative to the film.
 Tolerance rounding(double film) { return Tolerance::round_off(10, (1 + inlet * inlet / 2) / film); }
@@ -101,6 +104,7 @@ using Attempt = std::function<Outcome(const Start&)>;
 
 struct Level {
   std::string name;
+  bool own_solved;  ///< from the start that the solver makes itself; without it there is nothing to hold a film against
   Tolerance tolerance;
   Attempt attempt;
 };
@@ -120,7 +124,7 @@ Level of_reference_uniform(const Problem& problem) {
   const bool known = own.end == reference::NewtonEnd::solved;
   const double smallest = known ? own.at.H.minCoeff() : 0;
   const Array truth = own.at.H;
-  return {"reference.uniform's Newton", Tolerance::iteration(2 * iterated_to, amplification) + rounding(smallest),
+  return {"reference.uniform's Newton", known, Tolerance::iteration(2 * iterated_to, amplification) + rounding(smallest),
           [=](const Start& start) {
             const Array X = equations->grid().nodes(start.exit);
             reference::State state{.P = X.unaryExpr(start.P), .exit = start.exit};
@@ -165,7 +169,7 @@ Level of_fast_uniform(const Problem& problem) {
     truth = kept->workspace.now().H;
     break;
   }
-  return {"fast.uniform's Newton",
+  return {"fast.uniform's Newton", truth.size() > 0,
           Tolerance::iteration(2 * iterated_to, amplification) + rounding(truth.size() > 0 ? truth.minCoeff() : 0),
           [=](const Start& start) {
             const Array X = Array::LinSpaced(intervals + 1, inlet, start.exit);
@@ -199,7 +203,7 @@ Level of_reference(const Problem& problem) {
     if (own.solved) break;
   }
   const double flux = own.solved ? own.state.flux : 0;
-  return {"reference's Newton, floor 1e-2", Tolerance::iteration(2 * step, amplification) + rounding(flux),
+  return {"reference's Newton, floor 1e-2", flux > 0, Tolerance::iteration(2 * step, amplification) + rounding(flux),
           [=](const Start& start) {
             State<double> state{.P = equations->node_coordinates(start.exit).unaryExpr(start.P).matrix(),
                                 .exit = start.exit};
@@ -214,7 +218,7 @@ Level of_reference(const Problem& problem) {
             if (!(flux > 0) || !run.solved) return Outcome{};
             return Outcome{
                 true, run.state.P.allFinite() && std::isfinite(run.state.flux),
-                std::max(std::abs(run.state.flux / flux - 1), ((run.at.H - own.at.H) / own.at.H).abs().maxCoeff())};
+                worse(std::abs(run.state.flux / flux - 1), largest_difference(run.at.H, own.at.H))};
           }};
 }
 
@@ -223,7 +227,7 @@ Level of_fast(const Problem& problem) {
   const Solution cold = fast::Mapped().solve(problem, request);
   const Ended truth = ended(cold);
   // Relative to the sum of the stated errors.
-  return {"fast, warm start", Tolerance::required(1, "difference over the sum of the stated errors"),
+  return {"fast, warm start", truth.status == StopReason::converged && truth.has_films(), Tolerance::required(1, "difference over the sum of the stated errors"),
           [=](const Start& start) {
             Solution neighbour = cold;
             Fields& fields = neighbour.fields;
@@ -259,7 +263,8 @@ std::vector<StartRow> run_starts(const Scope& scope) {
     row = {.level = level.name,
            .contact = contact_name(contact.moes, contact.roelands),
            .family = families[family_at],
-           .tolerance = level.tolerance};
+           .own_solved = level.own_solved};
+    if (level.own_solved) row.tolerance = level.tolerance;
     Draw draw(seed + static_cast<unsigned>(family_at));  // the same starts for every level
     for (int i = 0; i < starts; ++i) {
       const Outcome outcome = level.attempt(drawn(draw, row.family, expected_film(problem)));
@@ -267,7 +272,7 @@ std::vector<StartRow> run_starts(const Scope& scope) {
       if (!outcome.solved) continue;
       ++row.converged;
       row.dishonest += outcome.finite ? 0 : 1;
-      if (!(outcome.difference <= row.worst)) row.worst = outcome.difference;
+      row.worst = worse(row.worst, outcome.difference);
     }
   });
   return rows;
@@ -284,19 +289,22 @@ Part judge_starts(const std::vector<StartRow>& rows) {
   long starts = 0, converged = 0;
   double worst = 0;
   for (const StartRow& row : rows) {
-    const double tolerance = row.tolerance ? row.tolerance->value() : 0;
+    const double tolerance = row.tolerance ? row.tolerance->value() : std::nan("");
     part.table.rows.push_back({row.level, row.contact, row.family, static_cast<double>(row.starts),
                                static_cast<double>(row.converged), row.worst, tolerance});
     const std::string where = row.level + ", " + row.contact + ", " + row.family;
     starts += row.starts;
     converged += row.converged;
     tally.require(row.dishonest == 0, where + ": numbers that are not finite in what is called solved");
-    // A row whose every start failed honestly claims nothing, and says so in its share.
-    if (row.starts == 0 || !row.tolerance) {
-      tally.add(Verdict::inconclusive, where + ": nothing ran");
-    } else if (row.converged > 0) {
+    // Every contact here lies in the box and is resolved: from its own start a solver has to converge.
+    tally.require(row.own_solved, where + ": not solved from the solver's own start");
+    if (row.starts == 0 || row.converged == 0 || !std::isfinite(tolerance)) {
+      tally.add(Verdict::inconclusive, where + (row.starts == 0      ? ": nothing ran"
+                                                : row.converged == 0 ? ": not one start converged"
+                                                                     : ": no finite tolerance"));
+    } else {
       tally.add(row.worst, 0, *row.tolerance, where + ", difference from the own start's film");
-      worst = std::max(worst, row.worst / tolerance);
+      worst = worse(worst, row.worst / tolerance);
     }
   }
   // The largest of the rows' tolerances stands for them; each row is held to its own.
@@ -305,7 +313,6 @@ Part judge_starts(const std::vector<StartRow>& rows) {
         (!part.tolerance || row.tolerance->value() > part.tolerance->value()))
       part.tolerance = row.tolerance;
   }
-  if (converged == 0) tally.add(Verdict::inconclusive, "not one start converged");
   part.verdict = tally.verdict();
   part.failures = tally.failures();
   part.summary = std::to_string(converged) + " of " + std::to_string(starts) +

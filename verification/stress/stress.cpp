@@ -2,7 +2,9 @@
 #include "verification/stress/stress.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <exception>
 
 #include "verification/provenance.hpp"
 #include "verification/stress/parts.hpp"
@@ -83,6 +85,30 @@ const std::vector<PartEntry>& parts() {
       {"h", "repeatability", [](const Scope& scope) { return judge_repeats(run_repeats(scope)); }},
   };
   return list;
+}
+
+Part run_part(const PartEntry& entry, const Scope& scope) {
+  using Clock = std::chrono::steady_clock;
+  const auto begin = Clock::now();
+  const auto failed = [&](const std::string& message) {
+    Part part{.id = entry.id, .name = entry.name, .question = "Does this part run to its end?"};
+    part.verdict = Verdict::fail;
+    part.summary = "ended by an exception: " + one_line(message);
+    part.failures = {"fail: " + part.summary};
+    return part;
+  };
+  Part part = [&] {
+    try {
+      return entry.run(scope);
+    } catch (const std::exception& thrown) {
+      return failed(thrown.what());
+    } catch (...) {
+      return failed("of unknown kind");
+    }
+  }();
+  part.wall_s = std::chrono::duration<double>(Clock::now() - begin).count();
+  part.settings["quick"] = scope.quick;
+  return part;
 }
 
 const PartEntry* find_part(const std::string& text) {

@@ -76,6 +76,8 @@ struct PartEntry {
   std::function<Part(const Scope&)> run;
 };
 [[nodiscard]] const std::vector<PartEntry>& parts();
+/// The part, timed. One that throws is a part that fails with the message: the others still run, and the file is written.
+[[nodiscard]] Part run_part(const PartEntry& entry, const Scope& scope);
 /// By id or name; nullptr where there is none.
 [[nodiscard]] const PartEntry* find_part(const std::string& text);
 
