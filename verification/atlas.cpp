@@ -538,7 +538,8 @@ std::optional<WrongCell> wrong_cell(const std::map<std::string, std::string>& ro
   if (is_law(AtlasLaws::isoviscous) != (std::stod(row.at("L")) == 0))
     return WrongCell{"laws", "does not go with L = " + row.at("L"), "isoviscous at L = 0, barus or roelands above"};
   const Allowed cut{.high = -1, .what = "flooded, or a number up to -1"};
-  if (const std::string& inlet = row.at("inlet"); inlet != "flooded" && (inlet.empty() || !wrong_with(inlet, cut).empty()))
+  const std::string& inlet = row.at("inlet");
+  if (inlet != "flooded" && !wrong_with(inlet, cut).empty())
     return WrongCell{"inlet", "is unknown", std::string(cut.what)};
   if (const std::string& test = row.at("numerical_test"); test != "yes" && test != "no")
     return WrongCell{"numerical_test", "is unknown", "yes, no"};
