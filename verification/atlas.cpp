@@ -478,6 +478,74 @@ std::map<std::string, std::string> row_of(const std::vector<std::string>& cells)
   return row;
 }
 
+/// What a cell may hold.
+struct Allowed {
+  bool empty = false;
+  double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
+  bool low_itself = true;
+  std::string_view what = "a number";
+};
+
+Allowed allowed_in(std::string_view column) {
+  if (column == "M") return {.low = smallest_M, .high = largest_M, .what = "a number from 1e-3 to 1e6"};
+  if (column == "L") return {.low = 0, .high = largest_L, .what = "a number from 0 to 100"};
+  const Allowed positive{.empty = true, .low = 0, .low_itself = false, .what = "a positive number, or nothing"};
+  if (column == "X_exit" || column == "H_0" || column == "X_spike")
+    return {.empty = true, .what = "a number, or nothing"};
+  if (column == "tolerance") return {.low = 0, .low_itself = false, .what = "a positive number"};
+  if (column == "nodes" || column == "wall_s") return {.low = 0, .what = "a number that is not negative"};
+  return positive;  // films, forces, pressures, and every uncertainty
+}
+
+/// What is wrong with a number's cell; empty where nothing is.
+std::string wrong_with(const std::string& cell, const Allowed& allowed) {
+  if (cell.empty()) return allowed.empty ? "" : "is missing";
+  double value = 0;
+  const auto read = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  if (read.ptr != cell.data() + cell.size() || read.ec == std::errc::invalid_argument) return "is not a number";
+  if (read.ec != std::errc()) return "is out of range";
+  if (!std::isfinite(value)) return "is not finite";
+  const bool low_enough = allowed.low_itself ? value >= allowed.low : value > allowed.low;
+  return low_enough && value <= allowed.high ? "" : "is out of range";
+}
+
+bool is_text(std::string_view column) {
+  return column == "id" || column == "laws" || column == "inlet" || column == "numerical_test" || column == "status";
+}
+
+struct WrongCell {
+  std::string column, what, allowed;
+};
+
+/// The first cell of a row that `ehd atlas` would not write.
+std::optional<WrongCell> wrong_cell(const std::map<std::string, std::string>& row) {
+  for (const std::string& column : atlas_columns()) {
+    if (is_text(column)) continue;
+    const Allowed allowed = allowed_in(column);
+    if (const std::string what = wrong_with(row.at(column), allowed); !what.empty())
+      return WrongCell{column, what, std::string(allowed.what)};
+  }
+  for (const Column& column : columns_of_values) {
+    const std::string value(column.name), error = error_column(column);
+    if (row.at(value).empty() != row.at(error).empty())
+      return WrongCell{error, row.at(error).empty() ? "is missing" : "has no value before it",
+                       "a number and its uncertainty, or neither"};
+  }
+  const std::string& laws = row.at("laws");
+  const auto is_law = [&](AtlasLaws one) { return laws == to_string(one); };
+  if (!is_law(AtlasLaws::isoviscous) && !is_law(AtlasLaws::barus) && !is_law(AtlasLaws::roelands))
+    return WrongCell{"laws", "is unknown", "isoviscous, barus, roelands"};
+  if (is_law(AtlasLaws::isoviscous) != (std::stod(row.at("L")) == 0))
+    return WrongCell{"laws", "does not go with L = " + row.at("L"), "isoviscous at L = 0, barus or roelands above"};
+  const Allowed cut{.high = -1, .what = "flooded, or a number up to -1"};
+  const std::string& inlet = row.at("inlet");
+  if (inlet != "flooded" && !wrong_with(inlet, cut).empty())
+    return WrongCell{"inlet", "is unknown", std::string(cut.what)};
+  if (const std::string& test = row.at("numerical_test"); test != "yes" && test != "no")
+    return WrongCell{"numerical_test", "is unknown", "yes, no"};
+  return std::nullopt;
+}
+
 }  // namespace
 
 AtlasTable read_atlas_table(const std::filesystem::path& csv) {
@@ -505,13 +573,9 @@ AtlasTable read_atlas_table(const std::filesystem::path& csv) {
       throw refuse(number, shortened(line, 60) + ": has " + std::to_string(cells.size()) + " cells; allowed is " +
                                std::to_string(atlas_columns().size()));
     auto row = row_of(cells);
-    for (const char* key : {"M", "L"}) {
-      double value = 0;
-      const std::string& cell = row.at(key);
-      const auto read = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-      if (read.ec != std::errc() || read.ptr != cell.data() + cell.size())
-        throw refuse(number, std::string(key) + " = " + shortened(cell, 60) + ": is not a number; allowed is a number");
-    }
+    if (const auto wrong = wrong_cell(row))
+      throw refuse(number, wrong->column + " = " + shortened(row.at(wrong->column), 60) + ": " + wrong->what +
+                               "; allowed is " + wrong->allowed);
     table.rows.push_back(std::move(row));
   }
   if (!header) throw refuse(std::max(number, 1), "has no header; required is the table that `ehd atlas` writes");

@@ -116,7 +116,8 @@ struct AtlasRecord {
 struct AtlasTable {
   std::vector<std::map<std::string, std::string>> rows;
 };
-/// Throws CaseError with FILE:LINE where the file is none that `ehd atlas` wrote.
+/// Throws CaseError, "FILE:LINE: column = value: what is wrong; what is allowed", where the file is none that `ehd
+/// atlas` wrote: every number is finite and in its range, every law known.
 [[nodiscard]] AtlasTable read_atlas_table(const std::filesystem::path& csv);
 
 /// Digits of H_min and H_cen over M and L, a table for each law set and inlet.

@@ -62,7 +62,7 @@ FilmMaps film_maps(const AtlasTable& table) {
   std::map<std::string, const Row*> cut;  // by "laws M L"
   const auto key = [](const Row& row) { return row.at("laws") + " " + row.at("M") + " " + row.at("L"); };
   for (const Row& row : table.rows)
-    if (row.at("inlet") != "flooded") cut[key(row)] = &row;
+    if (row.at("inlet") == "-4") cut[key(row)] = &row;
   for (const Row& row : table.rows) {
     if (row.at("inlet") != "flooded") continue;
     MapPoint point;
@@ -101,16 +101,13 @@ namespace {
 
 constexpr int most_digits = 15;
 
-/// One number a point; absent where nothing is known.
-using Field = std::function<std::optional<double>(const MapPoint&)>;
+/// One number a point, its error absolute; absent where nothing is known.
+using Field = std::function<std::optional<MapValue>(const MapPoint&)>;
 
-std::string percent(double fraction) {
-  const double value = 100 * fraction, size = std::abs(value);
-  constexpr double last_shown = 0.005;
-  if (size < last_shown) return "0";
-  char text[32];
-  std::snprintf(text, sizeof text, size < 0.995 ? "%+.2f" : size < 9.95 ? "%+.1f" : "%+.0f", value);
-  return text;
+/// The middle of sorted values: of an even number the mean of both middle ones, with the larger of their errors.
+MapValue median(const std::vector<MapValue>& sorted) {
+  const MapValue &low = sorted[(sorted.size() - 1) / 2], &high = sorted[sorted.size() / 2];
+  return {(low.value + high.value) / 2, std::max(low.error, high.error)};
 }
 
 /// The points of one set of laws, isoviscous ones (L = 0) among them.
@@ -143,7 +140,7 @@ std::string percent_table(const FilmMaps& maps, const std::vector<const MapPoint
       const MapPoint* point = at(points, M, L);
       const auto value = point ? field(*point) : std::nullopt;
       any = any || value;
-      row.push_back(value ? percent(*value) + (point->at.numerical_test() ? "*" : " ") : "- ");
+      row.push_back(value ? known_percent(*value) + (point->at.numerical_test() ? "*" : " ") : "- ");
     }
     if (any) rows.push_back(std::move(row));
   }
@@ -163,7 +160,7 @@ std::string runs_of_M(const FilmMaps& maps, const std::vector<const MapPoint*>& 
   for (const double M : maps.M) {
     const MapPoint* point = at(points, M, L);
     const auto value = point ? field(*point) : std::nullopt;
-    if (!value || !holds(*value)) {
+    if (!value || !holds(value->value)) {
       close();
       continue;
     }
@@ -196,9 +193,10 @@ std::vector<NamedFormula> formulas_of(const FilmMaps& maps, std::string_view qua
 }
 
 Field deviation_of(const NamedFormula& formula) {
-  return [formula](const MapPoint& point) -> std::optional<double> {
+  return [formula](const MapPoint& point) -> std::optional<MapValue> {
     for (const MapFormula& one : point.formulas)
-      if (one.name == formula.name && one.of == formula.of) return one.deviation;
+      if (one.name == formula.name && one.of == formula.of)
+        return MapValue{one.deviation, (1 + one.deviation) * point.film(formula.of)->error};
     return std::nullopt;
   };
 }
@@ -215,7 +213,7 @@ std::string overview(const std::vector<NamedFormula>& formulas, const std::vecto
        "lowest", "highest"}};
   for (const NamedFormula& formula : formulas) {
     const Field deviation = deviation_of(formula);
-    std::vector<double> all, bearings;
+    std::vector<MapValue> all, bearings;
     for (const MapPoint* point : points) {
       const auto value = deviation(*point);
       if (!value) continue;
@@ -223,19 +221,21 @@ std::string overview(const std::vector<NamedFormula>& formulas, const std::vecto
       if (point->at.M >= bearings_M && !point->at.numerical_test()) bearings.push_back(*value);
     }
     if (all.empty()) continue;
-    const auto count = [](const std::vector<double>& values, bool (*holds)(double)) {
-      return std::to_string(std::count_if(values.begin(), values.end(), holds));
+    const auto count = [](const std::vector<MapValue>& values, bool (*holds)(double)) {
+      return std::to_string(
+          std::count_if(values.begin(), values.end(), [&](const MapValue& one) { return holds(one.value); }));
     };
     std::vector<std::string> row{formula.name,         formula.of, std::to_string(all.size()), count(all, is_close),
                                  count(all, is_poor)};
     row.push_back(std::to_string(bearings.size()));
     row.push_back(count(bearings, is_close));
     row.push_back(count(bearings, is_poor));
-    std::sort(bearings.begin(), bearings.end());
+    std::sort(bearings.begin(), bearings.end(),
+              [](const MapValue& one, const MapValue& other) { return one.value < other.value; });
     if (!bearings.empty()) {
-      row.push_back(percent(bearings[bearings.size() / 2]));
-      row.push_back(percent(bearings.front()));
-      row.push_back(percent(bearings.back()));
+      row.push_back(known_percent(median(bearings)));
+      row.push_back(known_percent(bearings.front()));
+      row.push_back(known_percent(bearings.back()));
     }
     rows.push_back(std::move(row));
   }
@@ -243,6 +243,18 @@ std::string overview(const std::vector<NamedFormula>& formulas, const std::vecto
 }
 
 }  // namespace
+
+std::string known_percent(const MapValue& fraction) {
+  const double value = 100 * fraction.value, size = std::abs(value), error = 100 * fraction.error;
+  if (size <= error) return "0";
+  int decimals = size < 0.995 ? 2 : size < 9.95 ? 1 : 0;
+  // A digit is known where the error is below half of its unit.
+  while (decimals > 0 && !(error < 0.5 * std::pow(10.0, -decimals))) --decimals;
+  if (size < 0.5 * std::pow(10.0, -decimals)) return "0";
+  char text[32];
+  std::snprintf(text, sizeof text, "%+.*f", decimals, value);
+  return text;
+}
 
 std::string human_maps(const FilmMaps& maps, std::string_view quantity, AtlasLaws laws) {
   const auto points = points_of(maps, laws);
@@ -252,7 +264,8 @@ std::string human_maps(const FilmMaps& maps, std::string_view quantity, AtlasLaw
                      (laws == AtlasLaws::roelands ? " (z = 0.68, Dowson-Higginson density)" : ", incompressible") +
                      ", flooded\nRegressions: plausibility, never pass or fail. Power laws with G = " +
                      plain(usual_G) +
-                     ", mean speed in U.\nPercent = 100 (formula/film - 1); * p_H above 4 GPa; - not known; L = 0 is "
+                     ", mean speed in U.\nPercent = 100 (formula/film - 1), as many digits as are known, 0 where "
+                     "it is within its own error; * p_H above 4 GPa; - not known; L = 0 is "
                      "isoviscous and incompressible.\n\n" +
                      overview(formulas, points);
   for (const NamedFormula& formula : formulas) {
@@ -275,10 +288,7 @@ std::string human_maps(const FilmMaps& maps, std::string_view quantity, AtlasLaw
     if (!quantity.empty() && quantity != name) continue;
     const auto cost = member;
     text += "\nInlet cut at X = -4, " + std::string(name) + " against flooded, in percent\n" +
-            percent_table(maps, points, [cost](const MapPoint& point) -> std::optional<double> {
-              if (!(point.*cost)) return std::nullopt;
-              return (point.*cost)->value;
-            });
+            percent_table(maps, points, [cost](const MapPoint& point) { return point.*cost; });
   }
   return text;
 }

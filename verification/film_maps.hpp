@@ -51,6 +51,10 @@ struct FilmMaps {
 inline constexpr double close_formula = 0.05;  ///< "within 5 %"
 inline constexpr double poor_formula = 0.30;   ///< "30 % or more off"
 
+/// In percent, two digits (none below 0.01) and no more than are known: "+1.3"; "0" where the value is within its own
+/// (absolute) error.
+[[nodiscard]] std::string known_percent(const MapValue& fraction);
+
 /// Deviations in percent over M and L of every formula of `quantity` ("film.minimum"; "film.central", which has the
 /// Couette film with it), for each L the M where it is close and where it is poor, then what an inlet at -4 costs.
 /// Empty quantity: both. `laws`: barus or roelands; L = 0 is isoviscous in both.

@@ -61,11 +61,21 @@ std::vector<Topic> topics_of(const SuiteRequest& request, const std::vector<Load
         grid_topics(), regime_topics(), atlas_topics(), literature_topics(), bearing_topics(cases), bearing_part_topics(cases)}) {
     topics.insert(topics.end(), list.begin(), list.end());
   }
-  std::erase_if(topics, [&](const Topic& topic) {
-    return (request.rung && !topic.rungs.contains(*request.rung)) || (request.case_id && topic.case_id.empty());
-  });
   return topics;
 }
+
+/// Texts that repeat get a number: "box", "box 2", ...
+class Numbered {
+ public:
+  [[nodiscard]] std::string operator()(const std::string& text) {
+    std::string name = text;
+    for (int k = 2; !taken_.insert(name).second; ++k) name = text + " " + std::to_string(k);
+    return name;
+  }
+
+ private:
+  std::set<std::string> taken_;
+};
 
 Findings run_topic(const Topic& topic, const SuiteRequest& request) {
   const Sentence whole{
@@ -124,9 +134,18 @@ bool SuiteResult::success() const {
 }
 
 SuiteResult run_suite(const SuiteRequest& request) {
-  const auto start = std::chrono::steady_clock::now();
   const std::vector<LoadedCase> cases = load_cases(request);
-  const std::vector<Topic> topics = topics_of(request, cases);
+  return run_topics(request, topics_of(request, cases), versions_of(cases));
+}
+
+SuiteResult run_topics(const SuiteRequest& request, std::vector<Topic> topics,
+                       const std::map<std::string, int>& versions) {
+  const auto start = std::chrono::steady_clock::now();
+  Numbered topic_names;  // before any is left out: a topic has one name whatever was asked for
+  for (Topic& topic : topics) topic.name = topic_names(topic.name);
+  std::erase_if(topics, [&](const Topic& topic) {
+    return (request.rung && !topic.rungs.contains(*request.rung)) || (request.case_id && topic.case_id.empty());
+  });
   if (topics.empty()) throw NothingSelected("there is nothing to verify for " + selection(request));
 
   // The longest first, so that no thread begins one when the others are at their end.
@@ -168,7 +187,6 @@ SuiteResult run_suite(const SuiteRequest& request) {
     std::move(found.claims.begin(), found.claims.end(), std::back_inserter(result.claims));
     std::move(found.skipped.begin(), found.skipped.end(), std::back_inserter(result.skipped));
   }
-  const auto versions = versions_of(cases);
   const auto fill_in_version = [&](Sentence& says) {
     if (const auto at = versions.find(says.case_id); at != versions.end()) says.version = at->second;
   };
@@ -188,11 +206,18 @@ SuiteResult run_suite(const SuiteRequest& request) {
   const auto by_rung = [](const auto& a, const auto& b) { return a.says.rung < b.says.rung; };
   std::stable_sort(result.claims.begin(), result.claims.end(), by_rung);
   std::stable_sort(result.skipped.begin(), result.skipped.end(), by_rung);
-  // Two claims with one name would hide each other from whoever reads results.json by id.
-  std::set<std::string> ids;
-  for (const Claim& one : result.claims) {
-    if (!ids.insert(one.says.id).second) throw std::logic_error("two claims are called " + one.says.id);
+  // Two claims with one name would hide each other from whoever reads results.json by id: the second one gets a number,
+  // and a claim that fails says so, beside all the others.
+  Numbered ids, skipped_ids;
+  for (std::size_t i = 0; i < result.claims.size(); ++i) {
+    const Sentence says = result.claims[i].says;
+    result.claims[i].says.id = ids(says.id);
+    if (result.claims[i].says.id == says.id) continue;
+    Sentence unique{.id = ids(says.id + "/unique"), .rung = says.rung, .statement = "one claim is called " + says.id};
+    Claim repeated = claim_fact(std::move(unique), false, "an id names one claim", "another is now called " + result.claims[i].says.id);
+    result.claims.insert(result.claims.begin() + static_cast<std::ptrdiff_t>(++i), std::move(repeated));
   }
+  for (SkippedClaim& one : result.skipped) one.says.id = skipped_ids(one.says.id);
   result.wall_s = seconds_since(start);
   return result;
 }

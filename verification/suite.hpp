@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -62,6 +63,12 @@ class NothingSelected : public std::runtime_error {
 /// Throws NothingSelected, or CaseError for a case that is named and cannot be read. A topic that throws is a failing
 /// claim.
 [[nodiscard]] SuiteResult run_suite(const SuiteRequest& request);
+
+struct Topic;  // claims/topics.hpp
+/// The same of a list of topics; `versions` of the cases by id. Topics, skipped rows and claims that share a name are
+/// numbered ("box", "box 2"); of claims that is one more claim, which fails.
+[[nodiscard]] SuiteResult run_topics(const SuiteRequest& request, std::vector<Topic> topics,
+                                     const std::map<std::string, int>& versions);
 
 /// One rung in figures.
 struct RungSummary {

@@ -636,6 +636,58 @@ BOOST_AUTO_TEST_CASE(a_table_that_is_none_is_refused_with_its_line) {
   BOOST_CHECK_THROW((void)read_atlas_table(folder.path() / "absent.csv"), CaseError);
 }
 
+BOOST_AUTO_TEST_CASE(a_damaged_cell_is_refused_with_its_line_and_column) {
+  const test::Folder folder;
+  Fake fake;
+  const AtlasRequest request = request_in(folder);
+  (void)run_atlas(request, fake.solver());
+  const auto csv = request.folder / "atlas.csv";
+  const AtlasTable table = read_atlas_table(csv);
+  BOOST_REQUIRE(!table.rows.empty());
+  const struct {
+    const char *column, *value, *said;
+  } edits[] = {
+      {"H_min", "abc", "is not a number; allowed is a positive number"},
+      {"H_min", "1e400", "is out of range; allowed is a positive number"},
+      {"H_cen", "nan", "is not finite; allowed is a positive number"},
+      {"H_cen", "inf", "is not finite; allowed is a positive number"},
+      {"H_couette", "0", "is out of range; allowed is a positive number"},
+      {"H_min", "-0.1", "is out of range; allowed is a positive number"},
+      {"H_min_error", "1e-9x", "is not a number; allowed is a positive number"},
+      {"H_min_error", "0", "is out of range; allowed is a positive number"},
+      {"H_min_error", "", "is missing; allowed is a number and its uncertainty"},
+      {"H_0", "nan", "is not finite; allowed is a number"},
+      {"laws", "rolands", "is unknown; allowed is isoviscous, barus, roelands"},
+      {"laws", "", "is unknown; allowed is isoviscous, barus, roelands"},
+      {"M", "0", "is out of range; allowed is a number from 1e-3"},
+      {"M", "nan", "is not finite; allowed is a number from 1e-3"},
+      {"M", "", "is missing; allowed is a number from 1e-3"},
+      {"L", "-3", "is out of range; allowed is a number from 0 to 100"},
+      {"inlet", "4", "is unknown; allowed is flooded"},
+      {"inlet", "", "is unknown; allowed is flooded"},
+      {"numerical_test", "maybe", "is unknown; allowed is yes, no"},
+  };
+  for (const auto& edit : edits) {
+    BOOST_TEST_CONTEXT(edit.column << " = " << edit.value) {
+      std::string text;
+      for (const auto& name : atlas_columns()) text += (text.empty() ? "" : ",") + name;
+      auto row = table.rows.back();
+      BOOST_REQUIRE(!row.at(edit.column).empty());
+      row[edit.column] = edit.value;
+      text += "\n";
+      for (const auto& name : atlas_columns()) text += (name == "id" ? "" : ",") + row.at(name);
+      const auto file = folder.write("damaged.csv", text + "\n");
+      try {
+        (void)read_atlas_table(file);
+        BOOST_ERROR("not refused");
+      } catch (const CaseError& refused) {
+        const std::string says = "damaged.csv:2: " + std::string(edit.column) + " = " + edit.value + ": " + edit.said;
+        BOOST_TEST(std::string(refused.what()).find(says) != std::string::npos, refused.what());
+      }
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(results_do_not_depend_on_the_number_of_threads) {
   std::vector<std::string> csv;
   for (const unsigned threads : {1u, 2u, 7u}) {

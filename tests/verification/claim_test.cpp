@@ -9,10 +9,13 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "tests/check.hpp"
 #include "verification/case.hpp"
+#include "verification/claims/topics.hpp"
 #include "verification/suite.hpp"
 
 namespace {
@@ -187,6 +190,43 @@ BOOST_AUTO_TEST_CASE(a_wrong_expectation_fails) {
   BOOST_TEST(right.claims.size() == 3U);  // both solvers, and the reference once more for so many digits
   BOOST_TEST(right.success());
   BOOST_TEST(count(wrong, Verdict::fail) == 3U);
+}
+
+BOOST_AUTO_TEST_CASE(names_that_repeat_are_numbered_and_no_claim_is_lost) {
+  const auto claims_called = [](const std::string& id) {
+    return [id] { return Findings{.claims = {claim_fact(sentence(id), true, "here")}, .skipped = {}}; };
+  };
+  const auto throws = []() -> Findings { throw std::runtime_error("nothing works"); };
+  const auto topics = [&] {
+    return std::vector<Topic>{{.name = "box", .rungs = {6}, .slow = true, .judge = claims_called("box/a")},
+                              {.name = "box", .rungs = {6}, .slow = true, .judge = throws},
+                              {.name = "box", .rungs = {6}, .slow = false, .judge = throws},
+                              {.name = "other", .rungs = {6}, .slow = false, .judge = claims_called("same")},
+                              {.name = "another", .rungs = {6}, .slow = false, .judge = claims_called("same")}};
+  };
+  const SuiteRequest whole{.rung = 6, .case_id = {}, .quick = false, .threads = 1, .progress = {}};
+  const SuiteResult result = run_topics(whole, topics(), {});
+  for (const char* id : {"box/a", "same"}) {
+    const Claim* one = find(result, id);
+    BOOST_REQUIRE(one);
+    BOOST_TEST((one->verdict == Verdict::pass));
+  }
+  for (const char* id : {"box 2/ran", "box 3/ran", "same/unique"}) {
+    const Claim* one = find(result, id);
+    BOOST_REQUIRE_MESSAGE(one, id);
+    BOOST_TEST((one->verdict == Verdict::fail));
+  }
+  BOOST_TEST(find(result, "same 2"));
+  BOOST_TEST(result.claims.size() == 6U);
+  BOOST_TEST(!result.success());
+
+  SuiteRequest quick = whole;
+  quick.quick = true;
+  const SuiteResult short_one = run_topics(quick, topics(), {});
+  BOOST_REQUIRE(short_one.skipped.size() == 2U);
+  BOOST_TEST(short_one.skipped[0].says.id == "box");
+  BOOST_TEST(short_one.skipped[1].says.id == "box 2");
+  BOOST_TEST(short_one.topics.at(2).name == "box 3");
 }
 
 BOOST_AUTO_TEST_CASE(filters_that_leave_nothing_are_refused) {

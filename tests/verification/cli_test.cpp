@@ -169,6 +169,8 @@ BOOST_AUTO_TEST_CASE(wrong_usage_is_one_line_on_standard_error_and_exit_code_2) 
       {"solve own-moes-5-5 --time-limit 0", "is out of range"},
       {"solve own-moes-5-5 --json " + absent, "cannot be written"},
       {"solve own-moes-5-5 --profile " + folder.path().string(), "it is a directory"},
+      {"solve own-moes-5-5 --profile -", "--profile = -: is no file; allowed is a file's name"},
+      {"solve own-moes-5-5 --wisdom -", "--wisdom = -: is no file; allowed is a file's name"},
       {"solve own-moes-5-5 --json a --profile a", "--profile = a: is the same file as --json"},
       {"solve own-moes-5-5 --json a.json --profile ./a.json", "--profile = ./a.json: is the same file as --json"},
       {"solve " + dry + " --json " + dry, "is the same file as the case"},

@@ -1,9 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/film_maps.hpp"
 
+#include <stdlib.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 #include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 #include "contact/scaling.hpp"
 #include "tests/check.hpp"
@@ -75,6 +82,56 @@ BOOST_AUTO_TEST_CASE(the_cost_of_a_cut_is_relative_to_flooded_and_carries_both_e
   BOOST_TEST(!ehd::verification::film_maps(two_rows("")).points.at(0).minimum_cost.has_value());
 }
 
+BOOST_AUTO_TEST_CASE(percents_have_the_digits_that_are_known) {
+  BOOST_TEST(known_percent({0.013, 1e-9}) == "+1.3");
+  BOOST_TEST(known_percent({-0.0047, 1e-9}) == "-0.47");
+  BOOST_TEST(known_percent({-0.25, 1e-9}) == "-25");
+  BOOST_TEST(known_percent({4e-5, 1e-9}) == "0");
+  BOOST_TEST(known_percent({-1.6e-4, 2.2e-4}) == "0");  // within its own error
+  BOOST_TEST(known_percent({6.9e-5, 1.2e-4}) == "0");
+  BOOST_TEST(known_percent({1e-4, 1e-4}) == "0");
+  BOOST_TEST(known_percent({0.0047, 2e-4}) == "+0.5");  // 0.47(2): the second digit is not known
+  BOOST_TEST(known_percent({0.013, 2e-3}) == "+1");
+}
+
+BOOST_AUTO_TEST_CASE(a_cost_within_its_own_error_is_printed_as_none) {
+  AtlasTable table = two_rows("2e-4");
+  table.rows[1]["H_min"] = "0.079988";  // 1.5e-4 thinner, known to 2.1e-4
+  const auto maps = ehd::verification::film_maps(table);
+  BOOST_TEST(std::abs(maps.points.at(0).minimum_cost->value) > 1e-4);
+  const std::string text = human_maps(maps, "film.minimum", AtlasLaws::roelands);
+  const auto costs = text.substr(text.find("Inlet cut at"));
+  BOOST_TEST(costs.find("0.0") == std::string::npos, costs);
+  table.rows[1]["H_min_error"] = "1e-7";
+  table.rows[0]["H_min_error"] = "1e-7";
+  const std::string known = human_maps(ehd::verification::film_maps(table), "film.minimum", AtlasLaws::roelands);
+  BOOST_TEST(known.find("-0.01", known.find("Inlet cut at")) != std::string::npos, known);
+}
+
+/// The median of the overview, of points whose film is a formula's over 1 + the deviations given.
+BOOST_AUTO_TEST_CASE(the_median_of_an_even_number_is_the_mean_of_the_middle_two) {
+  for (const auto& [deviations, median] : {std::pair{std::vector<double>{-0.10, 0.02, 0.04, 0.20}, "+3.0"},
+                                           {std::vector<double>{-0.10, 0.02, 0.20}, "+2.0"}}) {
+    FilmMaps maps;
+    maps.source = "made up";
+    maps.L = {10};
+    for (const double deviation : deviations) {
+      MapPoint point;
+      point.at.laws = AtlasLaws::roelands;
+      point.at.M = 10.0 + static_cast<double>(maps.points.size());
+      point.at.L = 10;
+      point.minimum = MapValue{1, 1e-9};
+      point.formulas.push_back({.name = "made", .of = "film.minimum", .moes = 1 + deviation, .deviation = deviation});
+      maps.M.push_back(point.at.M);
+      maps.points.push_back(point);
+    }
+    const std::string text = human_maps(maps, "film.minimum", AtlasLaws::roelands);
+    const auto row = text.substr(text.find("\n  made "), 200);
+    const auto line = row.substr(1, row.find('\n', 1) - 1);
+    BOOST_TEST(line.find(std::string(" ") + median) != std::string::npos, line);
+  }
+}
+
 // The agreement that the literature's computed film shows at M = 20, L = 10: D-H 1977 +1.3 %, D-H 1966 +1.9 %,
 // Hamrock-Jacobson -2.9 %, Pan-Hamrock -4.9 %, of a film cut at a wide inlet (0.2 % lower than flooded).
 BOOST_AUTO_TEST_CASE(the_known_agreement_at_20_10_is_in_the_atlas) {
@@ -111,6 +168,31 @@ BOOST_AUTO_TEST_CASE(the_command_prints_tables_and_leaves_two_files) {
   BOOST_TEST(std::count(formulas.begin(), formulas.end(), '\n') > 1200);
   BOOST_TEST(std::count(inlets.begin(), inlets.end(), '\n') > 250);
   BOOST_TEST(formulas.find("roelands,20,10,0.810966,no,film.minimum,") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(a_damaged_atlas_is_one_line_and_exit_code_2) {
+  const test::Folder folder;
+  std::filesystem::create_directories(folder.path() / "cases" / "atlas");
+  const std::string whole = test::read(atlas_folder() / "atlas.csv");
+  for (const auto& [before, now, says] :
+       {std::tuple{",384.736414486,", ",abc,", "atlas.csv:3: H_min = abc: is not a number; allowed is"},
+        {",384.736414486,", ",1e400,", "atlas.csv:3: H_min = 1e400: is out of range; allowed is"},
+        {"isoviscous,0.05,0,", "rolands,0.05,0,", "atlas.csv:3: laws = rolands: is unknown; allowed is"}}) {
+    std::string text = whole;
+    const auto at = text.find(before);
+    BOOST_REQUIRE(at != std::string::npos);
+    text.replace(at, std::string(before).size(), now);
+    (void)folder.write("cases/atlas/atlas.csv", text);
+    const char* before_it = std::getenv("EHD_CASES");
+    const std::string kept = before_it ? before_it : "";
+    ::setenv("EHD_CASES", (folder.path() / "cases").c_str(), 1);
+    const auto ended = test::ehd_run(folder, "maps");
+    kept.empty() ? ::unsetenv("EHD_CASES") : ::setenv("EHD_CASES", kept.c_str(), 1);
+    BOOST_TEST(ended.exit_code == 2, says);
+    BOOST_TEST(ended.error_lines() == 1, says);
+    BOOST_TEST(ended.out == "", says);
+    BOOST_TEST(ended.err.find(says) != std::string::npos, ended.err);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(wrong_usage_of_maps_is_one_line) {

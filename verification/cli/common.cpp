@@ -168,6 +168,8 @@ void require_distinct(const std::vector<NamedFile>& inputs, const std::vector<Na
   std::vector<NamedFile> taken;
   for (const NamedFile& input : inputs) taken.push_back({input.name, whole(input.path)});
   for (const NamedFile& output : outputs) {
+    if (output.path == "-" && output.name != "--json")
+      throw option_error(output.name, "-", "is no file; allowed is a file's name (only --json knows standard output)");
     if (output.path.empty() || output.path == "-") continue;  // nothing, standard output
     const auto path = whole(output.path);
     for (const NamedFile& other : taken) {

@@ -55,7 +55,8 @@ struct NamedFile {
   std::string name;
   std::filesystem::path path;
 };
-/// Throws UsageError where an output is an input or another output, however the two are spelled. Call before any work.
+/// Throws UsageError where an output is an input or another output, however the two are spelled, or is "-", which means
+/// standard output for --json alone. Call before any work.
 void require_distinct(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs);
 
 /// A line on standard error while something runs, on a terminal only; removed at the end.

@@ -27,6 +27,8 @@ class View {
       : json_(json.is_null() ? nullptr : &json), path_(std::move(path)) {}
 
   [[nodiscard]] bool exists() const { return json_ != nullptr; }
+  /// "results.json: claims[3]: verdict"; empty for nothing.
+  [[nodiscard]] const std::string& path() const { return path_; }
   [[nodiscard]] bool has(const std::string& key) const { return (*this)[key].exists(); }
   [[nodiscard]] View operator[](const std::string& key) const;  ///< of an object
   [[nodiscard]] std::vector<View> list() const;

@@ -1,11 +1,67 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/report/report.hpp"
 
+#include "verification/claim.hpp"
+#include "verification/text.hpp"
+
 namespace ehd::report {
+
+namespace {
+
+[[noreturn]] void refuse(const std::string& where, const std::string& what) {
+  throw ReportError(verification::one_line(where + ": " + what));
+}
+
+View required(const View& object, const std::string& key, const std::string& allowed) {
+  const View value = object[key];
+  if (!value.exists()) refuse(object.path() + ": " + key, "is missing; required is " + allowed);
+  return value;
+}
+
+void require_verdict(const View& judged) {
+  const std::string allowed = "pass, fail or inconclusive";
+  const View value = required(judged, "verdict", allowed);
+  const std::string verdict = value.text();
+  constexpr std::size_t shown = 60;
+  if (verdict != "pass" && verdict != "fail" && verdict != "inconclusive")
+    refuse(value.path(), "\"" + verification::shortened(verdict, shown) + "\" is no verdict; required is " + allowed);
+}
+
+void require_rung(const View& row) {
+  const std::string allowed = "an integer from 0 to " + std::to_string(verification::rungs - 1);
+  const View value = required(row, "rung", allowed);
+  const double rung = value.number().value_or(-1);
+  for (int one = 0; one < verification::rungs; ++one)
+    if (rung == one) return;
+  refuse(value.path(), value.cell() + " is no rung; required is " + allowed);
+}
+
+/// A page about claims that are not there, or that nobody can place, would look like one about none that fail.
+void require_whole(const View& results) {
+  const std::string written = "what ehd verify --output wrote";
+  const View claims = required(results, "claims", written);
+  (void)required(results, "summary", written).members();
+  (void)required(results, "provenance", written).members();
+  for (const View& claim : claims.list()) {
+    require_verdict(claim);
+    require_rung(claim);
+  }
+  for (const View& row : results.list("skipped")) require_rung(row);
+  for (const View& row : results.list("rungs")) require_rung(row);
+}
+
+}  // namespace
+
+bool stands(const View& claim) {
+  const std::string verdict = claim.text("verdict");
+  return verdict == "pass" || (verdict == "inconclusive" && !claim.text("accepted").empty());
+}
 
 std::string report_html(const Documents& documents) {
   const View results(documents.results, "results.json"), bench(documents.bench, "bench.json"),
       stress(documents.stress, "stress.json");
+  require_whole(results);
+  for (const View& part : stress.list("parts")) require_verdict(part);
   Page page;
   add_summary(page, results);
   add_contacts(page, results);

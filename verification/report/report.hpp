@@ -10,8 +10,12 @@
 
 namespace ehd::report {
 
-/// Throws ReportError where a value has the wrong type.
+/// Throws ReportError where a value has the wrong type, where results.json lacks claims, summary or provenance, and
+/// where a verdict or a rung is none.
 [[nodiscard]] std::string report_html(const Documents& documents);
+
+/// A claim passes, or is inconclusive and listed with a reason: what lets the suite succeed.
+[[nodiscard]] bool stands(const View& claim);
 
 // The sections, in this order.
 void add_summary(Page& page, const View& results);

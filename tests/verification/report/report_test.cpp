@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <string>
+#include <tuple>
 
 #include "tests/check.hpp"
 #include "tests/verification/process.hpp"
@@ -69,7 +70,7 @@ BOOST_AUTO_TEST_CASE(text_of_the_results_is_text_on_the_page) {
   BOOST_TEST(count_of(page, "<script>alert") == 0u);
   BOOST_TEST(count_of(page, report::escaped(test::hostile_text)) >= 3u);  // a note in full, in the table, a title
   for (const char* where :
-       {"/claims/0/id", "/claims/2/verdict", "/claims/0/case", "/rungs/3/name", "/figures/cases/0/id",
+       {"/claims/0/id", "/claims/2/note", "/claims/0/case", "/rungs/3/name", "/figures/cases/0/id",
         "/figures/cases/0/solvers/0/solver", "/figures/convergence/0/solver", "/figures/convergence/0/quantity",
         "/figures/bearing/0/id", "/figures/bearing/0/laws/0/law", "/figures/statements/0/numbers",
         "/figures/force_law/0/raceway", "/provenance/commit", "/provenance/libraries/Eigen", "/traceability/0/text",
@@ -89,7 +90,8 @@ BOOST_AUTO_TEST_CASE(text_of_the_results_is_text_on_the_page) {
 
 BOOST_AUTO_TEST_CASE(what_is_absent_is_a_line_with_the_command_that_makes_it) {
   const std::string bare = made_page([](report::Documents& documents) {
-    documents.results = {{"schema", 2}};
+    documents.results = {
+        {"schema", 2}, {"claims", Json::array()}, {"summary", Json::object()}, {"provenance", Json::object()}};
     documents.bench = documents.stress = nullptr;
   });
   BOOST_TEST(unbalanced(bare) == "");
@@ -102,17 +104,76 @@ BOOST_AUTO_TEST_CASE(what_is_absent_is_a_line_with_the_command_that_makes_it) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(the_verdict_is_the_one_of_the_results) {
+BOOST_AUTO_TEST_CASE(the_verdict_is_that_of_the_claims_whatever_the_summary_says) {
   BOOST_TEST(count_of(made_page(), "Not every claim stands.") == 1u);
-  const std::string good =
-      made_page([](report::Documents& documents) { documents.results["summary"]["success"] = true; });
-  BOOST_TEST(count_of(good, "Every claim stands.") == 1u);
-  // Without a word about success there is none.
-  const std::string unknown =
-      made_page([](report::Documents& documents) { documents.results["summary"].erase("success"); });
-  BOOST_TEST(count_of(unknown, "Not every claim stands.") == 1u);
   BOOST_TEST(count_of(made_page(), "class=\"claim fail\"") == 1u);
   BOOST_TEST(count_of(made_page(), "class=\"claim inconclusive\"") == 1u);
+  const auto page_of = [](const char* third, const char* fourth, bool accepted, const Json& success) {
+    return made_page([&](report::Documents& documents) {
+      documents.results["claims"][2]["verdict"] = third;
+      documents.results["claims"][3]["verdict"] = fourth;
+      if (accepted) documents.results["claims"][3]["accepted"] = "nobody knows";
+      documents.results["summary"]["success"] = success;
+      documents.results["summary"]["fail"] = 77;
+    });
+  };
+  int rows = 0;
+  for (const Json& success : {Json(true), Json(false), Json(nullptr)}) {
+    for (const auto& [third, fourth, accepted, good] :
+         {std::tuple{"pass", "pass", false, true}, {"pass", "inconclusive", true, true},
+          {"pass", "inconclusive", false, false}, {"fail", "pass", false, false}, {"pass", "fail", true, false}}) {
+      const std::string page = page_of(third, fourth, accepted, success);
+      BOOST_TEST(count_of(page, "<b>Every claim stands.") == (good ? 1u : 0u));
+      BOOST_TEST(count_of(page, "<b>Not every claim stands.") == (good ? 0u : 1u));
+      BOOST_TEST(count_of(page, "77 fail") == 0u);
+      ++rows;
+    }
+  }
+  BOOST_TEST(rows == 15);
+  const std::string empty =
+      made_page([](report::Documents& documents) { documents.results["claims"] = Json::array(); });
+  BOOST_TEST(count_of(empty, "No claim was judged.") == 1u);
+  BOOST_TEST(count_of(empty, "Every claim stands.") == 0u);
+}
+
+BOOST_AUTO_TEST_CASE(results_that_nobody_can_place_are_refused_with_their_path) {
+  const struct {
+    const char* where;
+    Json value;
+    std::string said;
+  } edits[] = {
+      {"/claims/1/verdict", "passed", "results.json: claims[1]: verdict: \"passed\" is no verdict; required is pass,"},
+      {"/claims/1/verdict", "", "results.json: claims[1]: verdict: \"\" is no verdict"},
+      {"/claims/1/verdict", "pa\nss", "claims[1]: verdict: \"pa\\nss\" is no verdict"},
+      {"/claims/1/verdict", nullptr, "results.json: claims[1]: verdict: is missing"},
+      {"/claims/1/verdict", true, "results.json: claims[1]: verdict: is a boolean"},
+      {"/claims/0/rung", 12, "results.json: claims[0]: rung: 12 is no rung; required is an integer from 0 to 11"},
+      {"/claims/0/rung", -1, "results.json: claims[0]: rung: -1 is no rung"},
+      {"/claims/0/rung", 3.5, "results.json: claims[0]: rung: 3.5 is no rung"},
+      {"/claims/0/rung", nullptr, "results.json: claims[0]: rung: is missing"},
+      {"/skipped/0/rung", 99, "results.json: skipped[0]: rung: 99 is no rung"},
+      {"/rungs/2/rung", 1e300, "results.json: rungs[2]: rung: 1e300 is no rung"},
+      {"/claims", nullptr, "results.json: claims: is missing"},
+      {"/summary", nullptr, "results.json: summary: is missing"},
+      {"/summary", 1, "results.json: summary: is a number; required is an object"},
+      {"/provenance", nullptr, "results.json: provenance: is missing"},
+      {"/provenance", Json::array(), "results.json: provenance: is a list; required is an object"},
+  };
+  for (const auto& edit : edits) {
+    BOOST_TEST_CONTEXT(edit.said) {
+      try {
+        (void)made_page(
+            [&](report::Documents& documents) { documents.results[Json::json_pointer(edit.where)] = edit.value; });
+        BOOST_ERROR("nothing was thrown");
+      } catch (const report::ReportError& error) {
+        BOOST_TEST(std::string(error.what()).find(edit.said) != std::string::npos, error.what());
+      }
+    }
+  }
+  BOOST_CHECK_THROW((void)made_page([](report::Documents& documents) {
+                      documents.stress["parts"][0]["verdict"] = "maybe";
+                    }),
+                    report::ReportError);
 }
 
 BOOST_AUTO_TEST_CASE(numbers_that_are_missing_or_strange_leave_a_gap) {
@@ -154,7 +215,9 @@ BOOST_AUTO_TEST_CASE(the_command_writes_the_page_and_refuses_in_one_line) {
   };
   BOOST_TEST(refused("no results.json").find("ehd verify --output") != std::string::npos);
   for (const char* text :
-       {"", "{", "[]", "{}", "{\"schema\": 1}", "{\"schema\": \"2\"}", "{\"schema\": 2, \"claims\": 5}"}) {
+       {"", "{", "[]", "{}", "{\"schema\": 1}", "{\"schema\": \"2\"}", "{\"schema\": 2, \"claims\": 5}", "{\"schema\": 2}",
+        R"({"schema": 2, "claims": [{"verdict": "maybe", "rung": 1}], "summary": {}, "provenance": {}})",
+        R"({"schema": 2, "claims": [{"verdict": "pass", "rung": 12}], "summary": {}, "provenance": {}})"}) {
     (void)folder.write("results.json", text);
     BOOST_TEST(refused(text).find("results.json") != std::string::npos);
   }
@@ -197,6 +260,12 @@ BOOST_AUTO_TEST_CASE(solve_and_bearing_draw_a_picture_whole_or_not_at_all) {
       BOOST_TEST(refused.out == "", arguments + more);
     }
     BOOST_TEST(!std::filesystem::exists(plot), arguments);
+    const auto streamed = test::ehd_run(folder, arguments + " --plot -");
+    BOOST_TEST(streamed.exit_code == 2, arguments);
+    BOOST_TEST(streamed.error_lines() == 1, arguments);
+    BOOST_TEST(streamed.out == "", arguments);
+    BOOST_TEST(streamed.err.find("--plot = -: is no file; allowed is a file's name") != std::string::npos, streamed.err);
+    BOOST_TEST(!std::filesystem::exists("-"), arguments);
   }
 }
 
