@@ -35,6 +35,16 @@ std::string_view to_string(BearingLaw law) {
   return "";
 }
 
+bearing::Geometry geometry_of(const BearingCase& body) {
+  return {.rollers = body.geometry.rollers,
+          .pitch_diameter_m = body.geometry.pitch_diameter_m,
+          .roller_diameter_m = body.geometry.roller_diameter_m,
+          .length_m = body.geometry.length_m,
+          .clearance_m = body.geometry.clearance_m,
+          .density_kg_per_m3 = body.geometry.density_kg_per_m3,
+          .first_azimuth_deg = body.geometry.first_azimuth_deg};
+}
+
 namespace {
 constexpr BearingLaw all_laws[] = {BearingLaw::hertz, BearingLaw::iso, BearingLaw::ehd_linear, BearingLaw::ehd};
 constexpr double steel_limit_Pa = 4e9;  // above it a result is a numerical test
@@ -63,16 +73,6 @@ std::vector<BearingLaw> default_laws(const BearingCase& bearing) {
 // ---- What a case says, in the words of bearing/ -----------------------------------------------------------------
 
 namespace {
-
-bearing::Geometry geometry_of(const BearingCase& body) {
-  return {.rollers = body.geometry.rollers,
-          .pitch_diameter_m = body.geometry.pitch_diameter_m,
-          .roller_diameter_m = body.geometry.roller_diameter_m,
-          .length_m = body.geometry.length_m,
-          .clearance_m = body.geometry.clearance_m,
-          .density_kg_per_m3 = body.geometry.density_kg_per_m3,
-          .first_azimuth_deg = body.geometry.first_azimuth_deg};
-}
 
 bearing::Speeds speeds_of(const BearingCase& body) {
   return bearing::speeds_from_rpm(body.operation.inner_speed_rpm, body.operation.outer_speed_rpm);

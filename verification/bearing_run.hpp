@@ -29,6 +29,9 @@ enum class BearingLaw { hertz, iso, ehd_linear, ehd };
 [[nodiscard]] std::string bearing_law_names();  ///< for messages
 [[nodiscard]] bool needs_film(BearingLaw law);
 
+/// What the case says of the bearing, as bearing/ takes it.
+[[nodiscard]] bearing::Geometry geometry_of(const BearingCase& body);
+
 /// hertz, ehd-linear, ehd; hertz alone where the case has no lubricant.
 [[nodiscard]] std::vector<BearingLaw> default_laws(const BearingCase& bearing);
 

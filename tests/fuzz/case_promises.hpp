@@ -158,13 +158,7 @@ inline std::string broken_by_contact(const Case& read, const ContactCase& contac
 
 /// Geometry, kinematics, and the balance by the dry law: the part that needs no contact solve.
 inline std::string broken_by_bearing(const Case& read, const BearingCase& body) {
-  const bearing::Geometry geometry{.rollers = body.geometry.rollers,
-                                   .pitch_diameter_m = body.geometry.pitch_diameter_m,
-                                   .roller_diameter_m = body.geometry.roller_diameter_m,
-                                   .length_m = body.geometry.length_m,
-                                   .clearance_m = body.geometry.clearance_m,
-                                   .density_kg_per_m3 = body.geometry.density_kg_per_m3,
-                                   .first_azimuth_deg = body.geometry.first_azimuth_deg};
+  const bearing::Geometry geometry = geometry_of(body);
   for (const auto raceway : {bearing::Raceway::inner, bearing::Raceway::outer}) {
     if (!positive(bearing::reduced_radius_m(geometry, raceway)))
       return "a reduced radius is " + plain(bearing::reduced_radius_m(geometry, raceway)) + " m";
