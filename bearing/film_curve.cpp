@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bearing/film_curve.hpp"
 
-#include <gsl/gsl_spline.h>
-
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -11,6 +10,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "contact/approach.hpp"
 #include "contact/hertz.hpp"
 
 namespace ehd::bearing {
@@ -82,16 +82,63 @@ double martin_offset_film_m(const RacewayContact& contact, double force_N) {
   return rigid_offset(contact, force_N).film;
 }
 
+/// GSL's cubic spline has natural ends, which are of second order, and its monotone ones are of second order everywhere.
 struct FilmCurve::Spline {
-  explicit Spline(const std::vector<double>& log_force, const std::vector<double>& log_film)
-      : spline(gsl_spline_alloc(gsl_interp_steffen, log_force.size()), gsl_spline_free) {
-    gsl_spline_init(spline.get(), log_force.data(), log_film.data(), log_force.size());
-  }
+  Spline(std::vector<double> log_force, std::vector<double> log_film)
+      : x(std::move(log_force)), y(std::move(log_film)), slope(slopes(x, y)) {}
+
   /// ln film and its derivative to ln f, inside the points.
   [[nodiscard]] ValueAndSlope at(double log_force) const {
-    return {gsl_spline_eval(spline.get(), log_force, nullptr), gsl_spline_eval_deriv(spline.get(), log_force, nullptr)};
+    const auto above = std::upper_bound(x.begin() + 1, x.end() - 1, log_force);
+    const auto k = static_cast<std::size_t>(above - x.begin()) - 1;
+    const double h = x[k + 1] - x[k], t = (log_force - x[k]) / h, secant = (y[k + 1] - y[k]) / h;
+    const double c2 = 3 * secant - 2 * slope[k] - slope[k + 1], c3 = slope[k] + slope[k + 1] - 2 * secant;
+    return {y[k] + h * t * (slope[k] + t * (c2 + t * c3)), slope[k] + t * (2 * c2 + t * 3 * c3)};
   }
-  std::unique_ptr<gsl_spline, void (*)(gsl_spline*)> spline;
+
+  /// Slopes of the cubic spline with not-a-knot ends (a parabola through three points), limited where the neighbouring
+  /// secants agree in sign.
+  [[nodiscard]] static std::vector<double> slopes(const std::vector<double>& x, const std::vector<double>& y) {
+    const auto n = static_cast<Eigen::Index>(x.size());
+    Eigen::VectorXd h(n - 1), secant(n - 1), right(n);
+    for (Eigen::Index k = 0; k + 1 < n; ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      h[k] = x[i + 1] - x[i];
+      secant[k] = (y[i + 1] - y[i]) / h[k];
+    }
+    Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(n, n);
+    for (Eigen::Index k = 1; k + 1 < n; ++k) {
+      rows(k, k - 1) = h[k];
+      rows(k, k) = 2 * (h[k - 1] + h[k]);
+      rows(k, k + 1) = h[k - 1];
+      right[k] = 3 * (h[k] * secant[k - 1] + h[k - 1] * secant[k]);
+    }
+    const auto end = [&](Eigen::Index row, Eigen::Index inwards, double h0, double h1, double s0, double s1) {
+      if (n == 3) {  // one parabola: d_0 + d_1 = 2 s_0
+        rows(row, row) = rows(row, row + inwards) = 1;
+        right[row] = 2 * s0;
+        return;
+      }
+      rows(row, row) = h1;
+      rows(row, row + inwards) = h0 + h1;
+      right[row] = ((h0 + 2 * (h0 + h1)) * h1 * s0 + h0 * h0 * s1) / (h0 + h1);
+    };
+    end(0, 1, h[0], h[1], secant[0], secant[1]);
+    end(n - 1, -1, h[n - 2], h[n - 3], secant[n - 2], secant[n - 3]);
+    const Eigen::VectorXd solved = rows.partialPivLu().solve(right);
+    std::vector<double> result(x.size());
+    for (Eigen::Index k = 0; k < n; ++k) {
+      const double before = secant[std::max<Eigen::Index>(k - 1, 0)], after = secant[std::min(k, n - 2)];
+      const double largest = 3 * std::min(std::abs(before), std::abs(after));
+      double d = solved[k];
+      if (before * after > 0)  // monotone here; an extremum of the points keeps its slope
+        d = before > 0 ? std::clamp(d, 0.0, largest) : std::clamp(d, -largest, 0.0);
+      result[static_cast<std::size_t>(k)] = d;
+    }
+    return result;
+  }
+
+  std::vector<double> x, y, slope;
 };
 
 namespace {
@@ -164,7 +211,20 @@ ValueAndSlope FilmCurve::minimum_film(double force_N) const {
 
 namespace {
 
-/// The points a curve is made of.
+/// How far a curve is from a solved contact, relative.
+struct Disagreement {
+  double force = 0;            ///< of the contact force at the solved approach
+  double offset = 0, minimum = 0;  ///< |ln(curve/solved)| of the films
+
+  [[nodiscard]] double film() const { return std::max(offset, minimum); }
+  /// Above 1: not within the bounds. A NaN is not.
+  [[nodiscard]] double against(const CurveRequest& request) const {
+    const double ratio = std::max(force / request.force_bound, minimum / request.film_bound);
+    return std::isfinite(force) && std::isfinite(minimum) ? ratio : std::numeric_limits<double>::infinity();
+  }
+};
+
+/// The solved contacts that a curve may be made of.
 class Points {
  public:
   explicit Points(SolvedContacts& contacts) : contacts_(contacts) {}
@@ -182,25 +242,26 @@ class Points {
   }
   [[nodiscard]] std::size_t size() const { return points_.size(); }
   [[nodiscard]] double solver_error() const { return solver_error_; }
-  [[nodiscard]] std::vector<double> forces() const {
-    std::vector<double> forces;
-    for (const auto& point : points_) forces.push_back(point.first);
-    return forces;
-  }
-  [[nodiscard]] FilmCurve curve() const {
+  [[nodiscard]] bool has(double force_N) const { return points_.contains(force_N); }
+  [[nodiscard]] FilmCurve curve(const std::set<double>& forces_N) const {
     std::vector<double> forces, offsets, minima;
-    for (const auto& [force_N, films] : points_) {
+    for (const double force_N : forces_N) {
       forces.push_back(force_N);
-      offsets.push_back(films.offset);
-      minima.push_back(films.minimum);
+      offsets.push_back(points_.at(force_N).offset);
+      minima.push_back(points_.at(force_N).minimum);
     }
     return {contacts_.contact(), forces, offsets, minima};
   }
-  /// Largest |ln(curve/solved)| of both films at one solved point that the curve may or may not contain.
-  [[nodiscard]] double disagreement(const FilmCurve& curve, double force_N) const {
+  /// Of a curve at a solved point that it need not contain.
+  [[nodiscard]] Disagreement disagreement(const FilmCurve& curve, double force_N) const {
     const Films& solved = points_.at(force_N);
-    return std::max(std::abs(std::log(curve.offset_film(force_N).value / solved.offset)),
-                    std::abs(std::log(curve.minimum_film(force_N).value / solved.minimum)));
+    const ValueAndSlope offset = curve.offset_film(force_N);
+    // f d(delta)/df with the datum x_0 = l
+    const double dry_m = dry_approach_m(curve.contact().at(force_N), curve.contact().length_m);
+    const double rise_m = dry_m - curve.compliance_scale() * force_N / 2 - force_N * offset.slope;
+    return {.force = std::abs(offset.value - solved.offset) / rise_m,
+            .offset = std::abs(std::log(offset.value / solved.offset)),
+            .minimum = std::abs(std::log(curve.minimum_film(force_N).value / solved.minimum))};
   }
 
  private:
@@ -218,67 +279,168 @@ std::string newtons(double force_N) {
   return text;
 }
 
-}  // namespace
+constexpr double descent = 4;
 
-std::variant<FilmCurve, SolveFailure> build_curve(SolvedContacts& contacts, const CurveRequest& request) {
-  Points points(contacts);
-  const double top = std::exp2(std::ceil(std::log2(request.heaviest_N)));
-  constexpr double descent = 4;
-  if (const auto why = points.add(top)) return SolveFailure{"at a contact force of " + newtons(top) + ": " + *why};
+/// Value and slope are joined at t = 1, so the continuation's error grows as t^p (1 - t^(3/2))^2, p = 3 or 9/2 (the next
+/// powers of the piezoviscous series): at t = 1/2 it is at least .52 of its largest.
+Disagreement largest_below(Disagreement at_half) {
+  constexpr double factor = 2;
+  return {.force = factor * at_half.force, .offset = factor * at_half.offset, .minimum = factor * at_half.minimum};
+}
 
-  double interpolation_error = 0, joint_error = std::numeric_limits<double>::infinity();
-  std::string stopped;
-  std::set<std::pair<double, double>> accepted;  // gaps whose middle agreed
-  const auto refine = [&]() {
-    for (bool split = true; split;) {
-      split = false;
-      const std::vector<double> forces = points.forces();
-      const FilmCurve curve = points.curve();
-      for (std::size_t k = 0; k + 1 < forces.size(); ++k) {
-        const std::pair gap{forces[k], forces[k + 1]};
-        if (accepted.contains(gap)) continue;
-        const double middle = std::sqrt(gap.first * gap.second);
-        const bool full = points.size() >= static_cast<std::size_t>(request.most_points);
-        if (full || points.add(middle)) {
-          accepted.insert(gap);
-          interpolation_error = std::numeric_limits<double>::infinity();  // a gap that nothing was checked in
+/// The points of a curve and the extra solves that its gaps are judged by.
+class Refinement {
+ public:
+  Refinement(SolvedContacts& contacts, const CurveRequest& request) : points_(contacts), request_(request) {}
+
+  /// Solves a point and keeps it; returns why not otherwise.
+  [[nodiscard]] std::optional<std::string> add_point(double force_N) {
+    if (const auto why = points_.add(force_N)) return why;
+    nodes_.insert(force_N);
+    return std::nullopt;
+  }
+  [[nodiscard]] std::size_t size() const { return nodes_.size(); }
+  [[nodiscard]] double lightest_N() const { return *nodes_.begin(); }
+
+  /// Splits the gap whose extra solve disagrees most, until all agree.
+  void refine() {
+    while (true) {
+      const FilmCurve curve = points_.curve(nodes_);
+      std::optional<double> worst;
+      double ratio = 1;
+      worst_film_ = worst_force_ = 0;
+      extras_.clear();
+      for (auto low = nodes_.begin(), high = std::next(low); high != nodes_.end(); ++low, ++high) {
+        const double between = extra_between(*low, *high);
+        if (!solved(between)) {
+          worst_film_ = worst_force_ = std::numeric_limits<double>::infinity();  // a gap that nothing was checked in
           continue;
         }
-        const double error = points.disagreement(curve, middle);
-        const bool agrees = error <= request.bound;
-        const bool smallest = std::sqrt(gap.second / gap.first) < request.smallest_gap;
-        if (agrees || smallest) {
-          accepted.insert({gap.first, middle});
-          accepted.insert({middle, gap.second});
-          interpolation_error = std::max(interpolation_error, error);
-        } else {
-          split = true;
+        extras_.insert(between);
+        const Disagreement here = points_.disagreement(curve, between);
+        worst_film_ = std::max(worst_film_, here.film());
+        worst_force_ = std::max(worst_force_, here.force);
+        const bool smallest = std::sqrt(*high / *low) < request_.smallest_gap;
+        if (here.against(request_) > ratio && !smallest) {
+          ratio = here.against(request_);
+          worst = between;
         }
       }
-    }
-  };
-  // Down to where the rigid limit takes over: the curve so far, refined, must foretell the next lighter contact.
-  for (double lighter = top / descent; stopped.empty(); lighter /= descent) {
-    std::optional<FilmCurve> foreteller;
-    if (points.size() >= 3) {
-      refine();
-      foreteller = points.curve();
-    }
-    if (const auto why = points.add(lighter)) {
-      stopped = newtons(lighter) + " could not be solved: " + *why;
-    } else if (foreteller) {
-      joint_error = points.disagreement(*foreteller, lighter);
-      if (joint_error <= request.bound) stopped = "the rigid limit foretells it within the bound";
+      if (!worst) return;
+      nodes_.insert(*worst);
     }
   }
-  if (points.size() < 3)
-    return SolveFailure{"only " + std::to_string(points.size()) + " contact forces up to " + newtons(top) +
+  /// Points and extra solves: the curve that is returned.
+  [[nodiscard]] FilmCurve curve(double down_to_N = 0) const {
+    std::set<double> all = nodes_;
+    all.insert(extras_.begin(), extras_.end());
+    all.erase(all.begin(), all.lower_bound(down_to_N));
+    FilmCurve curve = points_.curve(all);
+    curve.interpolation_error = worst_film_;
+    curve.interpolation_force_error = worst_force_;
+    curve.solver_error = points_.solver_error();
+    return curve;
+  }
+  /// The curve's rigid continuation against a solved contact below its points.
+  [[nodiscard]] Disagreement joint(const FilmCurve& curve, double force_N) const {
+    return points_.disagreement(curve, force_N);
+  }
+  /// Solves, or remembers; false where it cannot, or has too many.
+  [[nodiscard]] bool solved(double force_N, std::string* why = nullptr) {
+    if (points_.has(force_N)) return true;
+    if (failed_.contains(force_N) || points_.size() >= static_cast<std::size_t>(request_.most_points)) return false;
+    if (const auto not_solved = points_.add(force_N)) {
+      if (why) *why = *not_solved;
+      failed_.insert(force_N);
+      return false;
+    }
+    return true;
+  }
+
+ private:
+  /// The given force nearest to the middle of a gap, or the middle.
+  [[nodiscard]] double extra_between(double low, double high) const {
+    const double middle = std::sqrt(low * high);
+    const auto off = [&](double f) { return std::abs(std::log(f / middle)); };
+    double nearest = middle;
+    for (const double f : request_.given_N) {
+      if (f <= low || f >= high || failed_.contains(f)) continue;
+      if (nearest == middle || off(f) < off(nearest)) nearest = f;
+    }
+    return nearest;
+  }
+
+  Points points_;
+  CurveRequest request_;
+  std::set<double> nodes_, extras_, failed_;
+  double worst_film_ = 0, worst_force_ = 0;
+};
+
+}  // namespace
+
+CurveRequest as_met(CurveRequest request) {
+  std::vector<double>& given = request.given_N;
+  std::erase_if(given, [&](double f) { return !(f > 0) || f > descent * request.heaviest_N; });
+  if (given.size() < 2) given.clear();
+  request.heaviest_N = !given.empty() && given.back() >= request.heaviest_N
+                           ? given.back()
+                           : std::exp2(std::ceil(std::log2(request.heaviest_N)));
+  return request;
+}
+
+std::variant<FilmCurve, SolveFailure> build_curve(SolvedContacts& contacts, const CurveRequest& asked) {
+  const CurveRequest request = as_met(asked);
+  Refinement refinement(contacts, request);
+  const double top = request.heaviest_N;
+  if (const auto why = refinement.add_point(top)) return SolveFailure{"at a contact force of " + newtons(top) + ": " + *why};
+
+  // 1. The points to begin with: what a fit solves in any case, and two powers of two below.
+  std::string stopped;
+  double lighter = top / descent;
+  for (const double given : request.given_N)
+    if ((given == request.given_N.front() || given == request.given_N.back()) && !refinement.add_point(given))
+      lighter = std::min(lighter, std::exp2(std::floor(std::log2(given) - 0.5)));
+  for (int k = 0; k < 2 && stopped.empty(); ++k, lighter /= descent)
+    if (const auto why = refinement.add_point(lighter)) stopped = newtons(lighter) + " could not be solved: " + *why;
+  if (refinement.size() < 3)
+    return SolveFailure{"only " + std::to_string(refinement.size()) + " contact forces up to " + newtons(top) +
                         " could be solved, three are needed; " + stopped};
-  refine();
-  FilmCurve curve = points.curve();
-  curve.interpolation_error = interpolation_error;
-  curve.joint_error = joint_error;
-  curve.solver_error = points.solver_error();
+
+  // 2. Down to where the rigid limit takes over: the curve so far must foretell a contact half as heavy as its lightest.
+  refinement.refine();
+  std::optional<Disagreement> joint;
+  while (stopped.empty()) {
+    const FilmCurve foreteller = refinement.curve();
+    const double half = refinement.lightest_N() / 2;
+    std::string why = "too many points";
+    if (!refinement.solved(half, &why)) {
+      stopped = newtons(half) + " could not be solved: " + why;
+      break;
+    }
+    joint = largest_below(refinement.joint(foreteller, half));
+    if (joint->against(request) <= 1) {
+      stopped = "the rigid limit foretells " + newtons(half) + " within the bounds";
+      break;
+    }
+    joint.reset();
+    lighter = refinement.lightest_N() / descent;  // the half is then the middle of a gap
+    if (const auto not_added = refinement.add_point(lighter)) {
+      if (const auto again = refinement.add_point(half)) throw std::logic_error("film curve: a solved contact is lost");
+      stopped = newtons(lighter) + " could not be solved: " + *not_added;
+    }
+    refinement.refine();
+  }
+  FilmCurve curve = refinement.curve();
+  if (!joint) {
+    // No lighter contact to compare with: of the curve without its lightest octaves, at its lightest point.
+    const double from_N = descent * curve.lightest_N() * (1 - 1e-12);
+    const bool enough = std::count_if(curve.forces_N().begin(), curve.forces_N().end(),
+                                      [&](double f) { return f >= from_N; }) >= 3;
+    if (enough) joint = largest_below(refinement.joint(refinement.curve(from_N), curve.lightest_N()));
+  }
+  constexpr double unknown = std::numeric_limits<double>::infinity();
+  curve.joint_error = joint ? joint->film() : unknown;
+  curve.joint_force_error = joint ? joint->force : unknown;
   curve.lightest_because = stopped;
   return curve;
 }

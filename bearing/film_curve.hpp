@@ -9,6 +9,7 @@
 // what is interpolated.
 #pragma once
 
+#include <compare>
 #include <functional>
 #include <map>
 #include <memory>
@@ -76,9 +77,10 @@ struct ValueAndSlope {
 [[nodiscard]] double martin_offset_film_m(const RacewayContact& contact, double force_N);
 
 /// Offset film and minimum film over the contact force, 0 < f <= heaviest.
-/// - Between solved points: Steffen's monotone cubic (GSL) of the logarithms over ln f.
-/// - Below the lightest: Martin's films times exp(a t^(3/2) + c t^3), t = f/f_lightest, joined with value and slope;
-/// the
+/// - Between solved points: the cubic spline of the logarithms over ln f with not-a-knot ends (fourth order), its slopes
+///   limited where the points are monotone (Hyman 1983, SIAM J. Sci. Stat. Comput. 4, 645-654), so that nothing
+///   overshoots.
+/// - Below the lightest: Martin's films times exp(a t^(3/2) + c t^3), t = f/f_lightest, joined with value and slope; the
 ///   powers are those in which the first piezoviscous corrections grow (alpha p_max ~ f^(3/2)).
 /// - Above the heaviest, where Newton iterates may stray: the end's power law, NOT vouched for.
 class FilmCurve {
@@ -96,10 +98,13 @@ class FilmCurve {
   /// 4/(pi E' l) [m/N].
   [[nodiscard]] double compliance_scale() const;
 
-  /// |ln(curve/solved)| at the lightest solved load, of the curve as it was before that load was solved (a factor of
-  /// four lighter than its lightest then): what the rigid continuation can be trusted to. The larger of the two films'.
+  /// Twice |ln(curve/solved)| at a contact half as heavy as the lightest point, which the curve does not contain: what the
+  /// rigid continuation can be trusted to at any lighter load. The larger of the two films'. Where no lighter contact can
+  /// be solved: of the curve without its lightest octaves, at its lightest point.
   double joint_error = 0;
   double interpolation_error = 0;  ///< the same at the extra solves that the gaps between points were judged by
+  /// Relative error of the contact force at a given approach by the offset film's errors above, datum x_0 = l.
+  double joint_force_error = 0, interpolation_force_error = 0;
   double solver_error = 0;         ///< largest relative error of an offset film that the solver itself reports
   std::string lightest_because;    ///< why no lighter contact was solved
 
@@ -112,16 +117,26 @@ class FilmCurve {
 
 /// How far a curve is refined.
 struct CurveRequest {
-  double heaviest_N = 0;       ///< the curve reaches at least this force
-  double bound = 5e-4;         ///< allowed |ln(interpolated/solved)| of an extra solve in each gap, and at the joint
+  double heaviest_N = 0;  ///< the curve reaches at least this force
+  /// Contact forces [N], increasing, that a fit solves in any case: points and checks of the curve where they serve.
+  std::vector<double> given_N = {};
+  /// Allowed relative error of the contact force at a given approach (datum x_0 = l; up to twice that with one of the
+  /// order of the radii), and of the minimum film, at an extra solve in each gap and at the joint.
+  double force_bound = 1e-3, film_bound = 2e-3;
   double smallest_gap = 1.05;  ///< ratio of neighbouring forces below which no gap is split
   int most_points = 120;
+
+  friend auto operator<=>(const CurveRequest&, const CurveRequest&) = default;
 };
 
-/// Solves from the first power of two [N] at or above heaviest_N (the same for all bearings that share a raceway
-/// contact, so that they share solves) down by factors of four until the rigid continuation foretells the next solved
-/// contact within the bound, or no lighter one can be solved; then splits every gap whose middle does not agree.
-/// A failure at the heavy end, or fewer than three points, is a SolveFailure.
+/// The same request as it is met: the heaviest force is the heaviest given one where that reaches it, else the next power
+/// of two [N], so that bearings that share a raceway contact share solves; of the given forces, those within reach.
+[[nodiscard]] CurveRequest as_met(CurveRequest request);
+
+/// From the heaviest force down by factors of four until the rigid continuation foretells a contact half as heavy within
+/// the bounds, or no lighter one can be solved; then the gap whose extra solve disagrees most is split there, until all
+/// agree. Extra solves become points of the curve. A failure at the heavy end, or fewer than three points, is a
+/// SolveFailure.
 [[nodiscard]] std::variant<FilmCurve, SolveFailure> build_curve(SolvedContacts& contacts, const CurveRequest& request);
 
 }  // namespace ehd::bearing

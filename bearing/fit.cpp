@@ -48,11 +48,17 @@ LinearFit fit_line(const std::vector<FitPoint>& points) {
   return fit;
 }
 
+std::vector<double> fit_forces_N(double lowest_N, double highest_N, int points) {
+  std::vector<double> forces;
+  for (int k = 0; k < points; ++k)
+    forces.push_back(points == 1 ? lowest_N : lowest_N + (highest_N - lowest_N) * k / (points - 1));
+  return forces;
+}
+
 std::variant<LinearFit, SolveFailure> fit_contacts(SolvedContacts& contacts, double datum_m, double lowest_N,
                                                    double highest_N, int points) {
   std::vector<FitPoint> solved;
-  for (int k = 0; k < points; ++k) {
-    const double force_N = points == 1 ? lowest_N : lowest_N + (highest_N - lowest_N) * k / (points - 1);
+  for (const double force_N : fit_forces_N(lowest_N, highest_N, points)) {
     const ContactResult& result = contacts.at(force_N);
     if (const auto* failure = std::get_if<SolveFailure>(&result)) {
       char text[64];

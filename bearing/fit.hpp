@@ -32,8 +32,10 @@ struct LinearFit {
 /// approaches or a slope that is not positive.
 [[nodiscard]] LinearFit fit_line(const std::vector<FitPoint>& points);
 
-/// `points` equally spaced contact forces from `lowest_N` to `highest_N`; each is solved, or remembered, and a failure
-/// names its force.
+/// The contact forces of a fit [N]: `points` equally spaced ones from `lowest_N` to `highest_N`.
+[[nodiscard]] std::vector<double> fit_forces_N(double lowest_N, double highest_N, int points);
+
+/// A line through these contacts; each is solved, or remembered, and a failure names its force.
 [[nodiscard]] std::variant<LinearFit, SolveFailure> fit_contacts(SolvedContacts& contacts, double datum_m,
                                                                  double lowest_N, double highest_N, int points);
 

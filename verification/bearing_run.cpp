@@ -143,7 +143,7 @@ Plan plan_bearing(const BearingCase& body, const std::vector<BearingLaw>& asked)
     decide("quantities beside film.minimum, film.central and film.offset", "not asked for: the laws need no others");
   }
   decide(bearing_stage::fit, linear ? "" : film ? "ehd-linear is not asked for" : why_no_film);
-  decide(bearing_stage::curve, full ? "" : film ? "ehd is not asked for" : why_no_film);
+  decide(bearing_stage::curve, film ? "" : why_no_film);
   for (const BearingLaw law : all_laws) {
     const bool possible = !needs_film(law) || no_film.empty();
     decide(bearing_stage::balance(law), !contains(asked, law) ? "not asked for" : possible ? "" : no_film);
@@ -211,26 +211,42 @@ bearing::ContactResult solve_contact(const RacewayContact& contact, const Lubric
 
 }  // namespace
 
-SolvedContacts& ContactMemory::of(const RacewayContact& contact, const Lubricant& lubricant) {
+ContactMemory::Raceway& ContactMemory::raceway(const RacewayContact& contact, const Lubricant& lubricant) {
   const Key key{contact, lubricant.viscosity, lubricant.density, lubricant.alpha_per_Pa, lubricant.z, lubricant.p0_Pa};
-  std::unique_ptr<SolvedContacts>& raceway = raceways_[key];
-  if (!raceway)
-    raceway = std::make_unique<SolvedContacts>(
+  Raceway& raceway = raceways_[key];
+  if (!raceway.contacts)
+    raceway.contacts = std::make_unique<SolvedContacts>(
         contact, [contact, lubricant, solver = solver_, request = request_](double load_N_per_m) {
           return solve_contact(contact, lubricant, solver, request, load_N_per_m);
         });
-  return *raceway;
+  return raceway;
+}
+
+SolvedContacts& ContactMemory::of(const RacewayContact& contact, const Lubricant& lubricant) {
+  return *raceway(contact, lubricant).contacts;
+}
+
+const std::variant<FilmCurve, SolveFailure>& ContactMemory::curve(const RacewayContact& contact,
+                                                                  const Lubricant& lubricant,
+                                                                  const bearing::CurveRequest& request) {
+  Raceway& of = raceway(contact, lubricant);
+  const bearing::CurveRequest key = bearing::as_met(request);
+  const auto known = of.curves.find(key);
+  if (known == of.curves.end()) return of.curves.emplace(key, bearing::build_curve(*of.contacts, key)).first->second;
+  if (const auto* curve = std::get_if<FilmCurve>(&known->second))
+    curve_recalls_ += static_cast<long>(curve->forces_N().size());
+  return known->second;
 }
 
 long ContactMemory::solves() const {
   long sum = 0;
-  for (const auto& raceway : raceways_) sum += raceway.second->solves();
+  for (const auto& raceway : raceways_) sum += raceway.second.contacts->solves();
   return sum;
 }
 
 long ContactMemory::recalls() const {
-  long sum = 0;
-  for (const auto& raceway : raceways_) sum += raceway.second->recalls();
+  long sum = curve_recalls_;
+  for (const auto& raceway : raceways_) sum += raceway.second.contacts->recalls();
   return sum;
 }
 
@@ -385,50 +401,30 @@ class BearingRun {
     const LawPair lines{result.fit->inner.law(), result.fit->outer.law()};
     fill(result, balanced(lines));
     if (request_.films && result.plan.runs(bearing_stage::film(BearingLaw::ehd_linear))) {
-      fill_films_of_fit(result, result.fit->inner, contacts_.inner, &RollerRow::inner);
-      fill_films_of_fit(result, result.fit->outer, contacts_.outer, &RollerRow::outer);
+      fill_films_of_fit(result);
       note_fit_range(result, result.fit->inner, &RollerRow::inner, "inner");
       note_fit_range(result, result.fit->outer, &RollerRow::outer, "outer");
       if (result.plan.runs(bearing_stage::variant)) add_cut_variant(result);
     }
   }
 
-  /// Films at the rollers' loads: solved where the load lies outside the fit, between the fit's points interpolated.
-  void fill_films_of_fit(BearingResult& result, const LinearFit& fit, const RacewayContact& contact,
-                         ContactRow RollerRow::*raceway) {
-    SolvedContacts& points = solved(contact);
-    const double low = fit.points.front().force_N, high = fit.points.back().force_N;
-    std::map<double, double> films;
-    for (const bearing::FitPoint& point : fit.points)
-      films[point.force_N] = std::get<SolvedContact>(points.at(point.force_N)).film_minimum_m;
-    const auto inside = [&](double f) { return f >= low && f <= high && fit.points.size() >= 3; };
-    int unsolved = 0;
-    std::string why;
-    for (RollerRow& row : result.rollers) {
-      ContactRow& at = row.*raceway;
-      if (!(at.force_N > 0) || inside(at.force_N)) continue;
-      const bearing::ContactResult& one = points.at(at.force_N);
-      if (const auto* contact_solved = std::get_if<SolvedContact>(&one)) {
-        at.film_minimum_m = contact_solved->film_minimum_m;
-        films[at.force_N] = contact_solved->film_minimum_m;
-      } else {
-        ++unsolved;
-        why = std::get<SolveFailure>(one).why;
-      }
+  /// Films at the rollers' loads, from the raceway's curve: a line through a fit's few points is no film.
+  void fill_films_of_fit(BearingResult& result) {
+    double reach_N = result.plan.runs(bearing_stage::dry) ? first_reach_N() : 0;
+    for (const RollerRow& row : result.rollers) reach_N = std::max({reach_N, row.inner.force_N, row.outer.force_N});
+    try {
+      const auto inner = curve_of(contacts_.inner, reach_N), outer = curve_of(contacts_.outer, reach_N);
+      fill_films(result, *inner, *outer);
+      result.curve = BothRaceways<FilmCurve>{*inner, *outer};
+    } catch (const LawFailure& failure) {
+      result.notes.push_back("no films: " + std::string(failure.what()));
     }
-    if (unsolved > 0)
-      result.notes.push_back(std::to_string(unsolved) +
-                             " contacts outside the fit have no film: they could not be solved (" + why + ")");
-    if (films.size() < 3) return;
-    std::vector<double> forces, minima;
-    for (const auto& [force_N, film_m] : films) {
-      forces.push_back(force_N);
-      minima.push_back(film_m);
-    }
-    const FilmCurve curve(contact, forces, minima, minima);
+  }
+
+  static void fill_films(BearingResult& result, const FilmCurve& inner, const FilmCurve& outer) {
     for (RollerRow& row : result.rollers) {
-      ContactRow& at = row.*raceway;
-      if (at.force_N > 0 && inside(at.force_N)) at.film_minimum_m = curve.minimum_film(at.force_N).value;
+      if (row.inner.force_N > 0) row.inner.film_minimum_m = inner.minimum_film(row.inner.force_N).value;
+      if (row.outer.force_N > 0) row.outer.film_minimum_m = outer.minimum_film(row.outer.force_N).value;
     }
   }
 
@@ -481,7 +477,7 @@ class BearingRun {
   // -- ehd
 
   void run_curve(BearingResult& result) {
-    double reach_N = 1.3 * (largest_dry_N() + loading_.centrifugal_N);
+    double reach_N = first_reach_N();
     constexpr int extensions = 8;
     for (int extension = 0; extension < extensions; ++extension) {
       const auto inner = curve_of(contacts_.inner, reach_N), outer = curve_of(contacts_.outer, reach_N);
@@ -494,10 +490,7 @@ class BearingRun {
         continue;
       }
       fill(result, ring);
-      for (RollerRow& row : result.rollers) {
-        row.inner.film_minimum_m = inner->minimum_film(row.inner.force_N).value;
-        row.outer.film_minimum_m = outer->minimum_film(row.outer.force_N).value;
-      }
+      fill_films(result, *inner, *outer);
       result.curve = BothRaceways<FilmCurve>{*inner, *outer};
       note_curve(result, *inner, &RollerRow::inner, "inner");
       note_curve(result, *outer, &RollerRow::outer, "outer");
@@ -507,10 +500,21 @@ class BearingRun {
     throw LawFailure("the roller loads grow beyond every solved contact; the datum or the load is out of reach");
   }
 
+  /// Where a first curve ends; a balance that goes beyond extends it.
+  [[nodiscard]] double first_reach_N() const { return 1.05 * (largest_dry_N() + loading_.centrifugal_N); }
+
+  /// The contacts of the fit, where the case itself states them: the curve then shares them. With a range that follows
+  /// the dry balance every load and clearance would have a curve of its own.
+  [[nodiscard]] std::vector<double> stated_fit_N() const {
+    if (!body_.fit.load_N) return {};
+    return bearing::fit_forces_N(body_.fit.load_N->first, body_.fit.load_N->second, body_.fit.points);
+  }
+
   [[nodiscard]] std::shared_ptr<const FilmCurve> curve_of(const RacewayContact& contact, double heaviest_N) {
-    auto curve = bearing::build_curve(solved(contact), {.heaviest_N = heaviest_N});
+    const auto& curve =
+        memory_.curve(contact, body_.lubricant->lubricant, {.heaviest_N = heaviest_N, .given_N = stated_fit_N()});
     if (const auto* failure = std::get_if<SolveFailure>(&curve)) throw LawFailure(failure->why);
-    return std::make_shared<const FilmCurve>(std::get<FilmCurve>(std::move(curve)));
+    return std::make_shared<const FilmCurve>(std::get<FilmCurve>(curve));
   }
 
   [[nodiscard]] static CurveLaw law_of(const std::shared_ptr<const FilmCurve>& curve, double datum) {
@@ -527,9 +531,10 @@ class BearingRun {
     for (const RollerRow& row : result.rollers) below += (row.*raceway).force_N < curve.lightest_N();
     result.notes.push_back(std::string(name) + " curve: " + std::to_string(curve.forces_N().size()) +
                            " solved contacts from " + plain(curve.lightest_N(), 4) + " to " +
-                           plain(curve.heaviest_N(), 4) + " N, relative film errors: interpolation " +
-                           plain(curve.interpolation_error, 2) + ", solver " + plain(curve.solver_error, 2) +
-                           ", joint with the rigid limit " + plain(curve.joint_error, 2) + " (" +
+                           plain(curve.heaviest_N(), 4) + " N, relative errors of film and force: interpolation " +
+                           plain(curve.interpolation_error, 2) + ", " + plain(curve.interpolation_force_error, 2) +
+                           "; rigid limit below " + plain(curve.joint_error, 2) + ", " +
+                           plain(curve.joint_force_error, 2) + "; solver's own " + plain(curve.solver_error, 2) + " (" +
                            curve.lightest_because + "); " + std::to_string(below) + " contacts lie below it");
   }
 
@@ -685,6 +690,7 @@ Json to_json(const FilmCurve& curve) {
   json["load_N"] = {curve.lightest_N(), curve.heaviest_N()};
   put(json, "interpolation_error", curve.interpolation_error);
   put(json, "joint_error", curve.joint_error);
+  put(json, "force_error", std::max(curve.interpolation_force_error, curve.joint_force_error));
   put(json, "solver_error", curve.solver_error);
   json["lightest_because"] = curve.lightest_because;
   return json;

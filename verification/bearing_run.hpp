@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <variant>
 #include <vector>
 
 #include "bearing/equilibrium.hpp"
@@ -62,6 +63,9 @@ class ContactMemory {
   explicit ContactMemory(ContactSolver solver, Request request = bearing_request());
 
   [[nodiscard]] bearing::SolvedContacts& of(const bearing::RacewayContact& contact, const Lubricant& lubricant);
+  /// The raceway's curve, built once for all laws, clearances and cases that need the same.
+  [[nodiscard]] const std::variant<bearing::FilmCurve, bearing::SolveFailure>& curve(
+      const bearing::RacewayContact& contact, const Lubricant& lubricant, const bearing::CurveRequest& request);
   [[nodiscard]] long solves() const;   ///< calls of the solver
   [[nodiscard]] long recalls() const;  ///< contacts taken from memory
 
@@ -73,7 +77,13 @@ class ContactMemory {
                          std::optional<double>, double>;
   ContactSolver solver_;
   Request request_;
-  std::map<Key, std::unique_ptr<bearing::SolvedContacts>> raceways_;
+  struct Raceway {
+    std::unique_ptr<bearing::SolvedContacts> contacts;
+    std::map<bearing::CurveRequest, std::variant<bearing::FilmCurve, bearing::SolveFailure>> curves;
+  };
+  [[nodiscard]] Raceway& raceway(const bearing::RacewayContact& contact, const Lubricant& lubricant);
+  std::map<Key, Raceway> raceways_;
+  long curve_recalls_ = 0;
 };
 
 struct ContactRow {
@@ -110,7 +120,7 @@ struct BearingResult {
   std::vector<RollerRow> rollers;                              ///< empty where there is no balance
   std::optional<BothRaceways<double>> datum_m = {};            ///< x_0
   std::optional<BothRaceways<bearing::LinearFit>> fit = {};    ///< ehd-linear
-  std::optional<BothRaceways<bearing::FilmCurve>> curve = {};  ///< ehd
+  std::optional<BothRaceways<bearing::FilmCurve>> curve = {};  ///< ehd; of ehd-linear, where its films are from
   std::vector<VariantResult> variants;
   double balance_error = 0;
   double wall_s = 0;

@@ -270,7 +270,7 @@ Findings judge_fit(const Case& bearing_case, ContactMemory& memory) {
     found.claims.push_back(claim(sentence("fit/" + bearing_case.id + "/" + raceway + "/film",
                                           "the rollers' films by `ehd-linear` are those that `reference` finds at their loads, " + raceway + " raceway"),
                                  loaded > 0 ? film_error : nothing, 0,
-                                 Tolerance::calibrated(0.02, "a cubic between the fit's six points is off by .8 % between the lightest two"),
+                                 film_tolerance(),
                                  std::to_string(loaded) + " rollers"));
   }
   return found;
