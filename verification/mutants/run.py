@@ -45,13 +45,14 @@ def build(source, folder, jobs):
                           capture_output=True, text=True)
 
 
-def judge(folder, output, limit):
-    """(how it ended, {rung: claims that do not stand}, first such claim of each rung)"""
+def judge(folder, output, limit, rung=None):
+    """(how it ended, {rung: claims that do not stand}, first such claim of each rung); of one rung, or of the suite"""
     results = output / "results.json"
     results.unlink(missing_ok=True)
     try:
-        run = subprocess.run([folder / "ehd", "verify", "--quick", "--output", output], capture_output=True, text=True,
-                             timeout=limit)
+        only = [] if rung is None else ["--rung", str(rung)]
+        run = subprocess.run([folder / "ehd", "verify", "--quick", *only, "--output", output], capture_output=True,
+                             text=True, timeout=limit)
     except subprocess.TimeoutExpired:
         return f"not at its end after {limit} s", {}, {}
     if not results.exists():
@@ -122,11 +123,15 @@ def main():
                 ended, broken, first = "does not compile", {}, {}
             else:
                 ended, broken, first = judge(folder, output, arguments.time_limit)
+                if ended.startswith("not at its end"):  # a wrong solver may never arrive: its own rung alone then
+                    _, broken, first = judge(folder, output, arguments.time_limit, mutant["rung"])
         finally:
             file.write_text(right)  # with a new time, so that it is built again
         caught = mutant["rung"] in broken
         wrong += not caught
         counts = ", ".join(f"{rung}: {count}" for rung, count in sorted(broken.items())) or ended
+        if broken and ended.startswith("not at its end"):
+            counts += f" (the suite {ended})"
         print(f"{mutant['id']:{width}}  {mutant['rung']:4}  {'yes' if caught else 'NO':6}  {counts}", flush=True)
         rows.append({"id": mutant["id"], "what": mutant["what"], "file": mutant["file"], "rung": mutant["rung"],
                      "caught": caught, "ended": ended, "broken": {str(k): v for k, v in sorted(broken.items())},
