@@ -205,6 +205,11 @@ ValueAndSlope evaluate(const FilmCurve& curve, double force_N, const Rigid& rigi
 ValueAndSlope FilmCurve::offset_film(double force_N) const {
   return evaluate(*this, force_N, rigid_offset, [&](double log_force) { return offset_->at(log_force); });
 }
+double FilmCurve::rise_m(double force_N) const {
+  // delta_dry = (4 f/(pi E' l)) [ln(2 x_0/b) + 1/2], b ~ sqrt(f)
+  const double dry_m = dry_approach_m(contact_.at(force_N), contact_.length_m);
+  return dry_m - compliance_scale() * force_N / 2 - force_N * offset_film(force_N).slope;
+}
 ValueAndSlope FilmCurve::minimum_film(double force_N) const {
   return evaluate(*this, force_N, rigid_minimum, [&](double log_force) { return minimum_->at(log_force); });
 }
@@ -256,10 +261,7 @@ class Points {
   [[nodiscard]] Disagreement disagreement(const FilmCurve& curve, double force_N) const {
     const Films& solved = points_.at(force_N);
     const ValueAndSlope offset = curve.offset_film(force_N);
-    // f d(delta)/df with the datum x_0 = l
-    const double dry_m = dry_approach_m(curve.contact().at(force_N), curve.contact().length_m);
-    const double rise_m = dry_m - curve.compliance_scale() * force_N / 2 - force_N * offset.slope;
-    return {.force = std::abs(offset.value - solved.offset) / rise_m,
+    return {.force = std::abs(offset.value - solved.offset) / curve.rise_m(force_N),
             .offset = std::abs(std::log(offset.value / solved.offset)),
             .minimum = std::abs(std::log(curve.minimum_film(force_N).value / solved.minimum))};
   }

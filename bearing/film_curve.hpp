@@ -108,6 +108,9 @@ class FilmCurve {
   double solver_error = 0;         ///< largest relative error of an offset film that the solver itself reports
   std::string lightest_because;    ///< why no lighter contact was solved
 
+  /// f d(delta)/df [m] with the datum x_0 = l: what the relative errors of a contact force are relative to.
+  [[nodiscard]] double rise_m(double force_N) const;
+
  private:
   struct Spline;
   RacewayContact contact_;

@@ -168,6 +168,9 @@ struct PaperStatement {
   bool holds = false;
   std::string numbers;
   std::vector<std::pair<std::string, bool>> parts = {};  ///< where a statement says two things
+  /// Relative changes (EHD against dry) at psi = 0: "change" of (a), "least" and "most" of (b), "middle" and "largest"
+  /// clearance of (c).
+  std::vector<std::pair<std::string, double>> values = {};
 };
 
 /// Readings of words: "EHD is close to Hertz" (c) is within this fraction of the roller load at psi = 0, and

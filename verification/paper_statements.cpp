@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <map>
 #include <numeric>
 
@@ -75,18 +76,23 @@ PaperStatement judge_a(const ClearanceComparison& smallest) {
           format("Q(0) dry %.0f N, EHD %.0f N: %+.1f %%; the others together %+.0f N, most at %.4g deg: %+.0f N",
                  top_force_N(smallest.dry), top_force_N(smallest.film), 100 * top, further.change_N,
                  further.largest_deg, further.largest_N),
-          {}};
+          {},
+          {{"change", top}}};
 }
 
 PaperStatement judge_b(const std::vector<ClearanceComparison>& all) {
-  PaperStatement statement{'b', "delta_i is considerably smaller with EHD than dry, at every clearance", true, "", {}};
+  PaperStatement statement{'b', "delta_i is considerably smaller with EHD than dry, at every clearance", true, "", {}, {}};
+  double least = -std::numeric_limits<double>::infinity(), most = std::numeric_limits<double>::infinity();
   for (const ClearanceComparison& at : all) {
     const double change = top_approach_m(at.film) / top_approach_m(at.dry) - 1;
     statement.holds = statement.holds && change <= -considerably;
+    least = std::max(least, change);
+    most = std::min(most, change);
     statement.numbers += (statement.numbers.empty() ? "" : "; ") +
                          format("P_d %g um: delta_i(0) %.3f -> %.3f um (%+.0f %%)", 1e6 * at.clearance_m,
                                 1e6 * top_approach_m(at.dry), 1e6 * top_approach_m(at.film), 100 * change);
   }
+  statement.values = {{"least", least}, {"most", most}};
   return statement;
 }
 
@@ -107,7 +113,8 @@ PaperStatement judge_c(const ClearanceComparison& smallest, const ClearanceCompa
                  1e6 * middle.clearance_m, top_force_N(middle.dry), top_force_N(middle.film), 100 * near,
                  close ? "close" : "not close", 1e6 * largest.clearance_m, top_force_N(largest.dry),
                  top_force_N(largest.film), 100 * far, further.change_N, opposite ? "as said" : "not as said"),
-          {{"close", close}, {"closest", closest}, {"opposite", opposite}}};
+          {{"close", close}, {"closest", closest}, {"opposite", opposite}},
+          {{"middle", near}, {"largest", far}}};
 }
 
 /// With growing clearance delta_i grows at psi = 0 and falls at 90 degrees: the displacements concentrate.
@@ -117,6 +124,7 @@ PaperStatement judge_d(const std::vector<ClearanceComparison>& all) {
                            "(the printed \"near 0 deg decrease, near 90 deg increase\" is the opposite)",
                            true,
                            "",
+                           {},
                            {}};
   for (const bool film : {false, true}) {
     std::string top, side, count;

@@ -10,6 +10,7 @@
 #include "verification/case.hpp"
 #include "verification/cli/commands.hpp"
 #include "verification/cli/common.hpp"
+#include "verification/error_budget.hpp"
 #include "verification/report/report.hpp"
 #include "verification/text.hpp"
 
@@ -156,14 +157,20 @@ int bearing(const BearingOptions& options) {
     current = one.id;
     const auto& body = std::get<BearingCase>(one.body);
     computed.results.push_back(run_bearing(one, asked_of(one), memory));
+    std::string budgets;
     for (const BearingResult& result : computed.results.back()) {
       list.push_back(to_json(result));
+      const auto budget = error_budget(one, computed.results.back(), result.law, memory);
+      if (!budget.empty()) {
+        list.back()["error_budget"] = to_json(budget);
+        budgets += "\n  error budget of " + std::string(to_string(result.law)) + ": what may move its balance\n" + human_budget(budget);
+      }
       if (result.status == StopReason::converged) continue;
       exit_code = not_met;
       complaints.push_back("ehd: " + one.id + ": " + std::string(to_string(result.law)) + ": " +
                            std::string(to_string(result.status)) + ": " + result.why);
     }
-    text += (text.empty() ? "" : "\n") + human_table(one, computed.results.back());
+    text += (text.empty() ? "" : "\n") + human_table(one, computed.results.back()) + budgets;
     if (!body.lubricant && named.empty()) text += "\n  ehd-linear and ehd are skipped: the case has no lubricant\n";
   }
   if (!json.to_standard_output()) text += statements_of(computed, memory);

@@ -18,5 +18,6 @@ void add_stress(CLI::App& app, int& exit_code);
 void add_report(CLI::App& app, int& exit_code);
 void add_atlas(CLI::App& app, int& exit_code);
 void add_maps(CLI::App& app, int& exit_code);
+void add_statements(CLI::App& app, int& exit_code);
 
 }  // namespace ehd::cli

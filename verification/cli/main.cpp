@@ -49,6 +49,7 @@ int run(int argc, char** argv) {
   add_report(app, exit_code);
   add_atlas(app, exit_code);
   add_maps(app, exit_code);
+  add_statements(app, exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForVersion& version) {

@@ -7,8 +7,10 @@
 
 #include "bearing/force_law.hpp"
 #include "verification/bearing_run.hpp"
+#include "verification/error_budget.hpp"
 #include "verification/figures/parts.hpp"
 #include "verification/registry.hpp"
+#include "verification/statement_study.hpp"
 
 namespace ehd::verification {
 
@@ -19,7 +21,7 @@ constexpr double beyond_heaviest = 1.1;  ///< of the largest roller load of any 
 constexpr double lightest_share = 1e-3;  ///< of it: where the curves begin
 
 struct Made {
-  Json bearings = Json::array(), laws = Json::array(), statements = Json::array();
+  Json bearings = Json::array(), laws = Json::array(), statements = Json::array(), study = Json::object();
 };
 
 Json law_json(const BearingResult& result) {
@@ -93,6 +95,8 @@ void make(const std::vector<Case>& cases, Made& made) {
     const double heaviest = beyond_heaviest * largest_load_N(all.back());
     for (const BearingResult& result : all.back()) {
       bearing["laws"].push_back(law_json(result));
+      if (const auto budget = error_budget(one, all.back(), result.law, memory); !budget.empty())
+        bearing["laws"].back()["error_budget"] = to_json(budget);
       for (const bool inner : {true, false}) {
         const auto law = law_of(body, result, inner);
         if (!law || !(heaviest > 0)) continue;
@@ -104,6 +108,7 @@ void make(const std::vector<Case>& cases, Made& made) {
     made.bearings.push_back(std::move(bearing));
   }
   if (cases.size() < 3 || !differ_only_in_clearance(cases)) return;
+  if (const auto study = study_statements(cases, memory); !study.empty()) made.study = to_json(study);
   for (const BearingLaw law : {BearingLaw::ehd_linear, BearingLaw::ehd}) {
     std::vector<ClearanceComparison> rows;
     for (std::size_t k = 0; k < cases.size(); ++k) {
@@ -132,6 +137,7 @@ FigurePart bearing_part(const std::vector<Case>& cases) {
   part.finish = [made](Json& figures) {
     if (!made->bearings.empty()) figures["bearing"] = std::move(made->bearings);
     if (!made->statements.empty()) figures["statements"] = std::move(made->statements);
+    if (!made->study.empty()) figures["statement_study"] = std::move(made->study);
     if (!made->laws.empty()) figures["force_law"] = std::move(made->laws);
   };
   return part;

@@ -13,7 +13,7 @@ namespace {
 
 using verification::plain;
 
-constexpr double micro = 1e6, kilo = 1e-3;
+constexpr double micro = 1e6, milli = 1e3, kilo = 1e-3;
 constexpr const char* axis_psi = "azimuth *\u03c8* [deg]";
 constexpr const char* axis_force = "contact force *f*_{i} [kN]";
 constexpr const char* axis_displacement = "displacement *\u03b4*_{i} [\u00b5m]";
@@ -233,6 +233,94 @@ void add_statements(Page& page, const std::vector<View>& statements) {
   page.add(table);
 }
 
+/// What each simplification may move; one table for all bearings that state one.
+void add_budgets(Page& page, const std::vector<View>& bearings) {
+  Table table;
+  table.caption = "Error budget: what may move a balance (bounds of first order, or differences of two balances)";
+  table.columns = {"case",
+                   "law",
+                   "source",
+                   "of",
+                   "kind",
+                   "ring displacement [\u00b5m]",
+                   "largest force [N]",
+                   "any force [N]",
+                   "thinnest film [%]"};
+  const auto times = [](const std::optional<double>& value, double factor) {
+    return value ? std::optional(*value * factor) : std::nullopt;
+  };
+  for (const View& bearing : bearings)
+    for (const View& law : bearing.list("laws"))
+      for (const View& row : law.list("error_budget"))
+        table.rows.push_back({words(bearing.text("id")), words(law.text("law")), words(row.text("source")),
+                              words(row.text("of")), words(row.text("kind")),
+                              number_cell(times(row.number("displacement_m"), micro), 2),
+                              number_cell(row.number("largest_force_N"), 3), number_cell(row.number("any_force_N"), 3),
+                              number_cell(times(row.number("smallest_film_relative"), 100), 2)});
+  page.heading("Error budget");
+  if (table.rows.empty()) {
+    page.absent("Error budgets are", "ehd verify --output DIR");
+    return;
+  }
+  page.add(table);
+}
+
+/// One choice changed at a time, and what the statements become.
+void add_study(Page& page, const View& study) {
+  page.heading("On what the statements depend");
+  const std::vector<View> rows = study.list("rows");
+  if (rows.empty()) {
+    page.absent("The study of the statements is", "ehd verify --output DIR");
+    return;
+  }
+  Table summary;
+  summary.caption = "Statements over the choices that the paper leaves open";
+  summary.columns = {"", "law", "holds in", "where not, or where alone"};
+  for (const View& one : study.list("summary"))
+    summary.rows.push_back({{"(" + escaped(one.text("letter")) + ")", ""},
+                            words(one.text("law")),
+                            words(plain(one.number("holds").value_or(0)) + " of " + plain(one.number("of").value_or(0))),
+                            {escaped(one.text("exceptions")), "wide"}});
+  page.add(summary);
+  Table table;
+  table.caption = "One choice changed at a time; changes are EHD against dry at <i>\u03c8</i> = 0";
+  table.columns = {"changed",
+                   "to",
+                   "law",
+                   "(a)",
+                   "force [%]",
+                   "(b)",
+                   "displacement [%]",
+                   "(c)",
+                   "middle, largest clearance [%]",
+                   "(d)",
+                   "<i>x</i><sub>0</sub> [mm] for (a) to (c)"};
+  for (const View& row : rows) {
+    std::map<std::string, View> by_letter;
+    for (const View& one : row.list("statements")) by_letter[one.text("letter")] = one;
+    const auto holds = [&](const char* letter) {
+      const auto flag = by_letter[letter].flag("holds");
+      return TableCell{flag ? (*flag ? "holds" : "<b>no</b>") : "", ""};
+    };
+    const auto percent = [&](const char* letter, const char* name) {
+      const auto value = by_letter[letter]["values"].number(name);
+      return value ? plain(100 * *value, 2) : std::string("-");
+    };
+    std::string ranges;
+    for (const View& range : row.list("x0_all_hold_m")) {
+      const std::vector<double> ends = range.numbers();
+      if (ends.size() != 2) continue;
+      ranges += (ranges.empty() ? "" : ", ") + plain(milli * ends[0], 2) + " to " + plain(milli * ends[1], 2);
+    }
+    if (ranges.empty() && row.has("x0_all_hold_m")) ranges = "nowhere";
+    table.rows.push_back({words(row.text("factor")), words(row.text("value")), words(row.text("law")), holds("a"),
+                          words(percent("a", "change")), holds("b"),
+                          words(percent("b", "least") + " to " + percent("b", "most")), holds("c"),
+                          words(percent("c", "middle") + ", " + percent("c", "largest")), holds("d"), words(ranges)});
+  }
+  page.add(table);
+}
+
 void add_force_laws(Page& page, const std::vector<View>& laws) {
   page.heading("Contact force laws <i>f</i>(<i>\u03b4</i>)");
   if (laws.empty()) {
@@ -330,7 +418,9 @@ void add_bearing(Page& page, const View& results) {
         "Azimuth 0\u00b0 is the roller under the load; the other half of the bearing is the mirror image.");
     for (const auto& group : families(bearings)) add_family(page, group);
   }
+  add_budgets(page, figures.list("bearing"));
   add_statements(page, figures.list("statements"));
+  add_study(page, figures["statement_study"]);
   add_force_laws(page, figures.list("force_law"));
 }
 
