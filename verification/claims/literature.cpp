@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -94,6 +95,54 @@ Findings judge_sjovall() {
 
 // -- film formulas ------------------------------------------------------------------------------------------------
 
+/// The power laws as they are printed, digit by digit: c G^a U^u W^w, U of the mean speed; h/R, p/E' or x/R.
+struct PrintedPower {
+  const char *name, *of, *c, *G, *U, *W;
+};
+constexpr PrintedPower printed_powers[] = {
+    {"Dowson & Higginson 1966", "film.minimum", "1.6", "0.6", "0.7", "-0.13"},
+    {"Dowson & Higginson 1977", "film.minimum", "2.65", "0.54", "0.7", "-0.13"},
+    {"Hamrock & Jacobson 1984", "film.minimum", "3.07", "0.57", "0.71", "-0.11"},
+    {"Pan & Hamrock 1989", "film.minimum", "1.714", "0.568", "0.694", "-0.128"},
+    {"Dowson & Toyoda 1978", "film.central", "3.06", "0.56", "0.69", "-0.10"},
+    {"Pan & Hamrock 1989", "film.central", "2.922", "0.470", "0.692", "-0.166"},
+    {"Pan & Hamrock 1989", "spike height", "0.648", "0.391", "0.275", "0.185"},
+    {"Pan & Hamrock 1989", "spike place", "1.111", "0.077", "-0.021", "0.606"},
+    {"Pan & Hamrock 1989", "place of the smallest film", "1.439", "0.026", "-0.011", "0.548"}};
+
+/// Every power law against its printed digits, at two points so that an exponent cannot hide in a constant.
+Findings judge_printed_powers() {
+  Findings found;
+  for (const PrintedPower& printed : printed_powers) {
+    double error = 0;
+    for (const auto& [M, L, G] : {std::tuple(20.0, 10.0, 5000.0), std::tuple(3.0, 4.0, 3200.0), std::tuple(900.0, 17.0, 4100.0)}) {
+      const double U_s = std::pow(L / G, 4), W = M * std::sqrt(U_s);
+      const double power = std::stod(printed.c) * std::pow(G, std::stod(printed.G)) * std::pow(U_s / 2, std::stod(printed.U)) *
+                           std::pow(W, std::stod(printed.W));
+      const SpikeFormula spike = pan_hamrock_spike({.M = M, .L = L}, G);
+      const double half_width = std::sqrt(8 * W / std::numbers::pi);  // b/R
+      double computed = nothing;
+      if (printed.of == std::string("spike height")) {
+        computed = spike.height * std::sqrt(W / (2 * std::numbers::pi));  // p_H/E'
+      } else if (printed.of == std::string("spike place")) {
+        computed = spike.place * half_width;
+      } else if (printed.of == std::string("place of the smallest film")) {
+        computed = spike.minimum_place * half_width;
+      } else {
+        for (const FilmFormula& formula : film_formulas({.M = M, .L = L}, G))
+          if (formula.name == printed.name && formula.of == printed.of) computed = formula.moes_film * std::sqrt(U_s);
+      }
+      error = worse(error, std::abs(computed / power - 1));
+    }
+    const std::string law = std::string(printed.c) + " G^" + printed.G + " U^" + printed.U + " W^" + printed.W;
+    found.claims.push_back(claim({.id = std::string("formulas/printed/") + printed.name + "/" + printed.of,
+                                  .rung = 10,
+                                  .statement = std::string(printed.name) + ", " + printed.of + ": evaluated as printed, " + law},
+                                 error, 0, Tolerance::round_off(64, 10), "three points (M, L, G)"));
+  }
+  return found;
+}
+
 /// A formula is a regression and its film is never judged; that it is evaluated as printed is.
 Findings judge_formulas() {
   Findings found;
@@ -155,11 +204,15 @@ Findings judge_moes_statement() {
   std::error_code missing;
   if (!std::filesystem::exists(folder / "atlas.csv", missing))
     return {.claims = {}, .skipped = {{says, "there is no atlas in " + cases_folder().string()}}};
-  double worst = 0;
+  double worst = 0, arithmetic = 0;
   std::string where;
   int points = 0;
   constexpr double lightest = 2;
   for (const MapPoint& point : film_maps(folder).points) {
+    for (const MapFormula& formula : point.formulas) {
+      const auto& film = point.film(formula.of);
+      arithmetic = worse(arithmetic, film ? std::abs(film->value * (1 + formula.deviation) / formula.moes - 1) : nothing);
+    }
     if (point.at.laws == AtlasLaws::roelands || point.at.M < lightest) continue;
     for (const MapFormula& formula : point.formulas) {
       if (formula.of != "film.couette") continue;
@@ -173,7 +226,11 @@ Findings judge_moes_statement() {
   Sentence computed = says;
   computed.statement += std::string(": computed: ") + (std::abs(worst) <= close_formula ? "holds" : "does not hold");
   return {.claims = {claim_finding(computed, "largest deviation " + plain(100 * worst, 3) + " % at " + where + ", of " +
-                                                 std::to_string(points) + " points of the atlas")},
+                                                 std::to_string(points) + " points of the atlas"),
+                     claim({.id = "formulas/deviation-of-the-film",
+                            .rung = 10,
+                            .statement = "a map's deviation, applied to the certified film, gives the formula's film"},
+                           arithmetic, 0, Tolerance::round_off(8, 4), "every formula at every point of the atlas")},
           .skipped = {}};
 }
 
@@ -334,6 +391,7 @@ Findings judge_three_fluids() {
 std::vector<Topic> literature_topics() {
   return {{.name = "approach formulas", .rungs = {11}, .judge = judge_approach_formulas},
           {.name = "Sjovall's integral", .rungs = {11}, .judge = judge_sjovall},
+          {.name = "printed power laws", .rungs = {10}, .judge = judge_printed_powers},
           {.name = "film formulas", .rungs = {10}, .judge = judge_formulas},
           {.name = "Moes' formula over the atlas", .rungs = {10}, .judge = judge_moes_statement},
           {.name = "computed films, inlet at -8 or wider", .rungs = {10}, .judge = judge_barus_films},
