@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Approach of a roller of finite length and its raceway as the literature prints it (Teutsch & Sauer 2004, J. Tribol.
-// 126, 436-442, table 1). A table to compare a datum with; of these, only Lundberg's is used as a law (datum x_0 = l),
-// and Palmgren's in its rounded inverse (force_law.hpp).
+// 126, 436-442, table 1). Each stands once, as the coefficients of its form in the contact force: lundberg, tripp and
+// houpert are force laws made of them (force_law.hpp), where Palmgren's law stands in its rounded inverse.
 #pragma once
 
 #include "bearing/geometry.hpp"
@@ -10,7 +10,7 @@ namespace ehd::bearing {
 
 /// One roller contact; SI.
 struct RollerContact {
-  double force_N = 0;
+  double force_N = 0;  ///< not used by the ..._terms functions, which hold for every force
   double length_m = 0;
   double roller_diameter_m = 0;
   double pitch_diameter_m = 0;
@@ -18,6 +18,20 @@ struct RollerContact {
   double poisson = 0;
   double ring_thickness_m = 0;  ///< used by tripp and houpert at the outer raceway
 };
+
+/// delta = scale Q^exponent [m, N].
+struct PowerApproach {
+  double scale = 0, exponent = 0;
+};
+/// delta = scale Q ln(limit/Q) [m, N]. The logarithm is that of (length/b)^2, the length one of the bodies', b ~ sqrt(Q)
+/// the contact's half width: printed for b far below that length. Beyond Q = limit/e the formula falls with the force.
+struct LogarithmicApproach {
+  double scale_m_per_N = 0, limit_N = 0;
+};
+
+[[nodiscard]] LogarithmicApproach lundberg_terms(const RollerContact& contact, Raceway raceway);
+[[nodiscard]] LogarithmicApproach tripp_terms(const RollerContact& contact, Raceway raceway);
+[[nodiscard]] PowerApproach houpert_terms(const RollerContact& contact, Raceway raceway);
 
 // All return the approach in m.
 /// 3.84e-5 Q^0.9/l^0.8 (N, mm), the same at both raceways.

@@ -15,17 +15,27 @@ namespace ehd::bearing {
 
 namespace {
 
-constexpr double exponent = 10.0 / 9.0;
+constexpr double roller_exponent = 10.0 / 9.0;
 
 /// From N and mm: f = c l^(8/9) delta^(10/9).
 PowerLaw power_law_from_mm(double c, double length_m) {
-  return {c * std::pow(1e3 * length_m, 8.0 / 9.0) * std::pow(1e3, exponent)};
+  return {c * std::pow(1e3 * length_m, 8.0 / 9.0) * std::pow(1e3, roller_exponent), roller_exponent};
 }
 
 }  // namespace
 
 PowerLaw palmgren_law(double length_m) { return power_law_from_mm(8.06e4, length_m); }
-PowerLaw iso_law(double length_m) { return power_law_from_mm(35948 * std::pow(2.0, exponent), length_m); }
+PowerLaw iso_law(double length_m) { return power_law_from_mm(35948 * std::pow(2.0, roller_exponent), length_m); }
+PowerLaw houpert_law(const RollerContact& contact, Raceway raceway) {
+  const PowerApproach terms = houpert_terms(contact, raceway);
+  return {std::pow(terms.scale, -1 / terms.exponent), 1 / terms.exponent};
+}
+LogarithmicLaw lundberg_law(const RollerContact& contact, Raceway raceway) {
+  return LogarithmicLaw(lundberg_terms(contact, raceway));
+}
+LogarithmicLaw tripp_law(const RollerContact& contact, Raceway raceway) {
+  return LogarithmicLaw(tripp_terms(contact, raceway));
+}
 
 double PowerLaw::force(double approach_m) const {
   return approach_m > 0 ? coefficient * std::pow(approach_m, exponent) : 0;
@@ -38,6 +48,53 @@ double PowerLaw::compliance(double force_N) const {
   return std::pow(force_N / coefficient, 1 / exponent - 1) / (exponent * coefficient);
 }
 
+double PowerLaw::rise(double from_N, double by_N) const {
+  if (by_N >= from_N) return approach(from_N + by_N) - approach(from_N);
+  return approach(from_N) * std::expm1(std::log1p(by_N / from_N) / exponent);
+}
+
+double LogarithmicLaw::logarithm(double force_N) const {
+  const double ratio = terms_.limit_N / force_N;
+  return std::isfinite(ratio) ? std::log(ratio) : std::log(terms_.limit_N) - std::log(force_N);
+}
+double LogarithmicLaw::approach(double force_N) const {
+  const double heaviest = heaviest_N();
+  if (force_N > heaviest) return approach(heaviest) + compliance(heaviest) * (force_N - heaviest);
+  return force_N > 0 ? terms_.scale_m_per_N * force_N * logarithm(force_N) : 0;
+}
+double LogarithmicLaw::compliance(double force_N) const {
+  if (!(force_N > 0)) return std::numeric_limits<double>::infinity();
+  return terms_.scale_m_per_N * (logarithm(std::min(force_N, heaviest_N())) - 1);
+}
+double LogarithmicLaw::stiffness(double approach_m) const {
+  return approach_m > 0 ? 1 / compliance(force(approach_m)) : 0;
+}
+double LogarithmicLaw::force(double approach_m) const {
+  if (!(approach_m > 0)) return 0;
+  const double heaviest = heaviest_N(), farthest = approach(heaviest);
+  if (approach_m > farthest) return heaviest + (approach_m - farthest) / compliance(heaviest);
+  // With f = limit exp(-L) the law is L - ln L = A: convex and increasing for L > 1, and L >= ln 64 here, so that
+  // Newton from A + ln A, which lies below the root and above 1, steps over it once and then falls to it.
+  const double A = std::log(terms_.scale_m_per_N * terms_.limit_N) - std::log(approach_m);
+  double L = A + std::log(A);
+  for (int iteration = 0; iteration < 50; ++iteration) {
+    const double step = (L - std::log(L) - A) / (1 - 1 / L);
+    L -= step;
+    if (std::abs(step) <= 4 * std::numeric_limits<double>::epsilon() * L) break;
+  }
+  // exp(-L) keeps an L-th of the digits of L; two more steps in f itself, where the law is good to an ulp or two.
+  double f = terms_.limit_N * std::exp(-L);
+  for (int polish = 0; polish < 2; ++polish) f -= (approach(f) - approach_m) / compliance(f);
+  return f;
+}
+double LogarithmicLaw::rise(double from_N, double by_N) const {
+  const double heaviest = heaviest_N(), to_N = from_N + by_N;
+  if (from_N >= heaviest) return compliance(heaviest) * by_N;
+  if (to_N > heaviest) return rise(from_N, heaviest - from_N) + compliance(heaviest) * (to_N - heaviest);
+  if (!(from_N > 0)) return approach(by_N);
+  return terms_.scale_m_per_N * (by_N * logarithm(to_N) - from_N * std::log1p(by_N / from_N));
+}
+
 double LinearLaw::begins_at() const {
   return unloading == Unloading::at_zero_approach ? std::max(0.0, -dF_N / K_N_per_m) : -dF_N / K_N_per_m;
 }
@@ -48,6 +105,12 @@ double LinearLaw::stiffness(double approach_m) const { return approach_m > begin
 double LinearLaw::approach(double force_N) const { return std::max(begins_at(), (force_N - dF_N) / K_N_per_m); }
 double LinearLaw::compliance(double force_N) const {
   return (force_N - dF_N) / K_N_per_m >= begins_at() ? 1 / K_N_per_m : 0;
+}
+double LinearLaw::rise(double from_N, double by_N) const {
+  // Cut above its zero, the line carries the force where the cut begins without any approach.
+  const double carried_N = unloading == Unloading::at_zero_approach ? std::max(0.0, dF_N) : 0;
+  const double still_N = std::max(0.0, carried_N - from_N);
+  return std::max(0.0, by_N - still_N) / K_N_per_m;
 }
 
 CurveLaw::CurveLaw(std::shared_ptr<const FilmCurve> curve, double datum_m)
@@ -114,6 +177,9 @@ double approach(const ForceLaw& law, double force_N) {
 double compliance(const ForceLaw& law, double force_N) {
   return std::visit([&](const auto& one) { return one.compliance(force_N); }, law);
 }
+double rise(const ForceLaw& law, double from_N, double by_N) {
+  return std::visit([&](const auto& one) { return one.rise(from_N, by_N); }, law);
+}
 double begins_at(const ForceLaw& law) {
   return std::visit([](const auto& one) { return one.begins_at(); }, law);
 }
@@ -121,6 +187,7 @@ double begins_at(const ForceLaw& law) {
 std::optional<std::pair<double, double>> domain(const ForceLaw& law) {
   if (const auto* line = std::get_if<LinearLaw>(&law)) return line->fitted_N;
   if (const auto* curve = std::get_if<CurveLaw>(&law)) return std::pair{0.0, curve->curve().heaviest_N()};
+  if (const auto* logarithm = std::get_if<LogarithmicLaw>(&law)) return std::pair{0.0, logarithm->heaviest_N()};
   return std::nullopt;
 }
 

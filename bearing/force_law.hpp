@@ -8,19 +8,22 @@
 #include <utility>
 #include <variant>
 
+#include "bearing/approach_formulas.hpp"
 #include "bearing/film_curve.hpp"
 #include "bearing/geometry.hpp"
 
 namespace ehd::bearing {
 
-/// f = coefficient delta^(10/9), 0 for delta <= 0. coefficient in N/m^(10/9).
+/// f = coefficient delta^exponent, 0 for delta <= 0; exponent > 1. coefficient in N/m^exponent.
 struct PowerLaw {
   double coefficient = 0;
+  double exponent = 10.0 / 9.0;
 
   [[nodiscard]] double force(double approach_m) const;
   [[nodiscard]] double stiffness(double approach_m) const;
   [[nodiscard]] double approach(double force_N) const;
   [[nodiscard]] double compliance(double force_N) const;  ///< infinite at f = 0
+  [[nodiscard]] double rise(double from_N, double by_N) const;
   [[nodiscard]] double begins_at() const { return 0; }
 };
 
@@ -28,6 +31,34 @@ struct PowerLaw {
 [[nodiscard]] PowerLaw palmgren_law(double length_m);
 /// `iso`: f = 35948 * 2^(10/9) l^(8/9) delta^(10/9) in N and mm: two such contacts in series are c_L of ISO/TS 16281.
 [[nodiscard]] PowerLaw iso_law(double length_m);
+/// `houpert`: its printed approach, a power of the force at each raceway.
+[[nodiscard]] PowerLaw houpert_law(const RollerContact& contact, Raceway raceway);
+
+/// delta = scale f ln(limit/f), with limit/f = (length/b)^2; f = 0 for delta <= 0. `lundberg` and `tripp`.
+/// Such a formula is the first term in b/length and leaves out terms of the order (b/length)^2. It is taken at its word
+/// while these are below 1/64 beside a logarithm of ln 64 = 4.2, b below length/8: domain() ends at limit/64. Beyond, the
+/// law goes on along its tangent, for Newton's iterates alone: a balance that needs it is refused (equilibrium.hpp).
+class LogarithmicLaw {
+ public:
+  explicit LogarithmicLaw(const LogarithmicApproach& terms) : terms_(terms) {}
+
+  [[nodiscard]] double force(double approach_m) const;
+  [[nodiscard]] double stiffness(double approach_m) const;
+  [[nodiscard]] double approach(double force_N) const;
+  [[nodiscard]] double compliance(double force_N) const;  ///< infinite at f = 0
+  [[nodiscard]] double rise(double from_N, double by_N) const;
+  [[nodiscard]] double begins_at() const { return 0; }
+  [[nodiscard]] double heaviest_N() const { return terms_.limit_N / 64; }
+
+ private:
+  [[nodiscard]] double logarithm(double force_N) const;
+  LogarithmicApproach terms_;
+};
+
+/// `lundberg`: the log kernel between planes a length l apart, the same form at both raceways.
+[[nodiscard]] LogarithmicLaw lundberg_law(const RollerContact& contact, Raceway raceway);
+/// `tripp`: the bodies' own lengths, at the outer raceway the ring's thickness.
+[[nodiscard]] LogarithmicLaw tripp_law(const RollerContact& contact, Raceway raceway);
 
 /// What the straight line says below its range.
 enum class Unloading {
@@ -46,6 +77,7 @@ struct LinearLaw {
   [[nodiscard]] double stiffness(double approach_m) const;
   [[nodiscard]] double approach(double force_N) const;
   [[nodiscard]] double compliance(double force_N) const;
+  [[nodiscard]] double rise(double from_N, double by_N) const;
   /// Below this approach the force is zero.
   [[nodiscard]] double begins_at() const;
 };
@@ -62,6 +94,7 @@ class CurveLaw {
   [[nodiscard]] double stiffness(double approach_m) const { return 1 / compliance(force(approach_m)); }
   [[nodiscard]] double approach(double force_N) const;
   [[nodiscard]] double compliance(double force_N) const;
+  [[nodiscard]] double rise(double from_N, double by_N) const { return approach(from_N + by_N) - approach(from_N); }
   [[nodiscard]] double begins_at() const;  ///< -infinity
   [[nodiscard]] const FilmCurve& curve() const { return *curve_; }
   [[nodiscard]] double datum_m() const { return datum_m_; }
@@ -71,7 +104,7 @@ class CurveLaw {
   double datum_m_;
 };
 
-using ForceLaw = std::variant<PowerLaw, LinearLaw, CurveLaw>;
+using ForceLaw = std::variant<PowerLaw, LogarithmicLaw, LinearLaw, CurveLaw>;
 
 /// Force [N] at an approach [m]; 0 where the contact is unloaded.
 [[nodiscard]] double force(const ForceLaw& law, double approach_m);
@@ -81,10 +114,13 @@ using ForceLaw = std::variant<PowerLaw, LinearLaw, CurveLaw>;
 [[nodiscard]] double approach(const ForceLaw& law, double force_N);
 /// d(delta)/df [m/N] at a force > 0.
 [[nodiscard]] double compliance(const ForceLaw& law, double force_N);
+/// approach(from + by) - approach(from) [m], from >= 0, by > 0, without the digits that the difference of the two would
+/// lose where by is far below from. Of `ehd` the plain difference, from > 0.
+[[nodiscard]] double rise(const ForceLaw& law, double from_N, double by_N);
 /// The approach [m] below which the force is zero; -infinity for `ehd`.
 [[nodiscard]] double begins_at(const ForceLaw& law);
-/// The contact forces [N] for which the law is vouched for: the range of the fit, up to the heaviest solved load;
-/// absent where there is no limit.
+/// The contact forces [N] for which the law is vouched for: the range of the fit, up to the heaviest solved load, where
+/// the logarithm means anything; absent where there is no limit.
 [[nodiscard]] std::optional<std::pair<double, double>> domain(const ForceLaw& law);
 
 }  // namespace ehd::bearing

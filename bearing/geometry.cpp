@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bearing/geometry.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -12,14 +13,8 @@ namespace {
 
 double gamma_of(const Geometry& geometry) { return geometry.roller_diameter_m / geometry.pitch_diameter_m; }
 
-/// Exact at multiples of 60 and 90 degrees, so that a roller at 90 degrees carries nothing of the load.
-double cosine_of_degrees(double degrees) {
-  const double magnitude = std::abs(degrees);
-  if (magnitude > 90) return -cosine_of_degrees(180 - magnitude);
-  if (magnitude == 90) return 0;
-  if (magnitude == 60) return 0.5;
-  return std::cos(magnitude * pi / 180);
-}
+// Ten times the rounding of an azimuth; a load at 1e-12 degrees has 2e-14 of itself across.
+constexpr double same_deg = 1e-12;
 
 }  // namespace
 
@@ -56,31 +51,54 @@ double reduced_modulus_Pa(double modulus_Pa, double poisson) { return modulus_Pa
 
 std::vector<double> azimuths_deg(const Geometry& geometry) {
   std::vector<double> azimuths;
+  const double half_pitch_deg = 180.0 / geometry.rollers, steps = std::round(geometry.first_azimuth_deg / half_pitch_deg);
+  const bool symmetric = std::abs(geometry.first_azimuth_deg - steps * half_pitch_deg) <= same_deg;
   for (int j = 0; j < geometry.rollers; ++j) {
-    double psi = std::remainder(geometry.first_azimuth_deg + 360.0 * j / geometry.rollers, 360.0);
+    // In half pitches a symmetric cage is counted in integers, so that mirrored rollers are so to the bit.
+    double psi = symmetric ? 180.0 * std::remainder(steps + 2.0 * j, 2.0 * geometry.rollers) / geometry.rollers
+                           : std::remainder(geometry.first_azimuth_deg + 360.0 * j / geometry.rollers, 360.0);
     if (psi <= -180) psi += 360;
-    azimuths.push_back(psi);
+    azimuths.push_back(psi + 0.0);  // no negative zero
   }
   return azimuths;
 }
 
+double cosine_of_degrees(double degrees) {
+  const double magnitude = std::abs(degrees);
+  if (magnitude > 90) return -cosine_of_degrees(180 - magnitude);
+  if (magnitude == 90) return 0;
+  if (magnitude == 60) return 0.5;
+  return std::cos(magnitude * pi / 180);
+}
+
+double sine_of_degrees(double degrees) {
+  const double magnitude = std::abs(degrees), sign = degrees < 0 ? -1 : 1;
+  if (magnitude > 90) return sign * sine_of_degrees(180 - magnitude);
+  if (magnitude == 30) return sign * 0.5;
+  return sign * (magnitude == 90 ? 1 : std::sin(magnitude * pi / 180));
+}
+
 std::vector<RollerGroup> mirror_groups(const std::vector<double>& azimuths_deg) {
-  constexpr double same_deg = 1e-9;  // far above the rounding of an azimuth, far below any spacing
   std::vector<RollerGroup> groups;
-  std::vector<double> magnitudes;
   for (int j = 0; j < static_cast<int>(azimuths_deg.size()); ++j) {
     const double magnitude = std::abs(azimuths_deg[static_cast<std::size_t>(j)]);
     bool found = false;
     for (std::size_t g = 0; g < groups.size() && !found; ++g) {
-      if (std::abs(magnitudes[g] - magnitude) > same_deg) continue;
+      if (std::abs(groups[g].azimuth_deg - magnitude) > same_deg) continue;
       groups[g].members.push_back(j);
       found = true;
     }
     if (found) continue;
-    groups.push_back({cosine_of_degrees(magnitude), {j}});
-    magnitudes.push_back(magnitude);
+    groups.push_back({magnitude, cosine_of_degrees(magnitude), {j}});
   }
   return groups;
+}
+
+bool symmetric_to_load(const std::vector<double>& azimuths_deg) {
+  const auto groups = mirror_groups(azimuths_deg);
+  return std::all_of(groups.begin(), groups.end(), [&](const RollerGroup& group) {
+    return group.members.size() == 2 || group.azimuth_deg <= same_deg || group.azimuth_deg >= 180 - same_deg;
+  });
 }
 
 Conditions RacewayContact::at(double force_N) const {

@@ -41,15 +41,24 @@ enum class Raceway { inner, outer };
 /// E' = E/(1 - nu^2) of two equal bodies [Pa].
 [[nodiscard]] double reduced_modulus_Pa(double modulus_Pa, double poisson);
 
-/// Azimuths of rollers 1..Z from the load line, psi_j = first_azimuth + 360 (j-1)/Z, in (-180, 180].
+/// Azimuths of rollers 1..Z from the load line, psi_j = first_azimuth + 360 (j-1)/Z, in (-180, 180]. Rollers that
+/// mirror one another in the load line but for rounding do so to the bit.
 [[nodiscard]] std::vector<double> azimuths_deg(const Geometry& geometry);
 
-/// Rollers that the radial equilibrium cannot tell apart: psi and -psi.
+/// Exact at multiples of 30 degrees (where they are 0, 1/2 or 1), so that a roller at 90 degrees carries nothing of the
+/// load; of opposite angles equal and opposite to the bit. For |degrees| <= 180.
+[[nodiscard]] double cosine_of_degrees(double degrees);
+[[nodiscard]] double sine_of_degrees(double degrees);
+
+/// Rollers that a ring moving along the load cannot tell apart: psi and -psi.
 struct RollerGroup {
-  double cosine = 0;         ///< of the common azimuth; exactly +-1 and 0 where the azimuth says so
+  double azimuth_deg = 0;    ///< the common magnitude
+  double cosine = 0;         ///< of it; exactly +-1 and 0 where the azimuth says so
   std::vector<int> members;  ///< indices of rollers, from 0
 };
 [[nodiscard]] std::vector<RollerGroup> mirror_groups(const std::vector<double>& azimuths_deg);
+/// True where every roller has its mirror image in the load line, or stands on it.
+[[nodiscard]] bool symmetric_to_load(const std::vector<double>& azimuths_deg);
 
 /// Everything about the contact of a roller with one raceway that does not change with the load.
 struct RacewayContact {

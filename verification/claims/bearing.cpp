@@ -108,8 +108,8 @@ Findings judge_bearing(const Case& bearing_case, SharedMemory& shared) {
                                       std::string(to_string(result.status)) + (result.why.empty() ? "" : ": " + result.why)));
     const Residuals worst = balanced ? residuals_of(body, result)
                                      : Residuals{nothing, nothing, nothing, nothing};
-    const Tolerance bound = Tolerance::required(1e-10, "balance error below 1e-10");
-    found.claims.push_back(claim(says("balance_error", "the reported balance error is below 1e-10"),
+    const Tolerance bound = Tolerance::required(1e-12, "balance error below 1e-12");
+    found.claims.push_back(claim(says("balance_error", "the reported balance error is below 1e-12"),
                                  balanced ? result.balance_error : nothing, 0, bound));
     found.claims.push_back(claim(says("ring", "the rollers carry the radial load"), worst.ring, 0, bound));
     found.claims.push_back(claim(says("rollers", "f_o = f_i + F_c on every roller"), worst.rollers, 0, bound));
@@ -138,7 +138,7 @@ Findings judge_bearing(const Case& bearing_case, SharedMemory& shared) {
     }
     found.claims.push_back(claim_value(says, measured.value_or(nothing), expectation.value, 0,
                                        Tolerance::discretisation(expectation.uncertainty, 1),
-                                       "tolerance = the expectation's uncertainty; balances are exact to 1e-10"));
+                                       "tolerance = the expectation's uncertainty; balances are exact to 1e-12"));
   }
   return found;
 }

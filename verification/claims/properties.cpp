@@ -413,8 +413,8 @@ Findings judge_bearing_symmetry() {
     keep(both_rings, std::abs(sum_speed(rpm + cage, cage) / sum_speed(rpm, 0) - 1));
   }
   const std::string of = " of " + std::to_string(bearings) + " random bearings";
-  // A ring that is out of balance by 1e-10 of the load moves no roller's force by more.
-  const Tolerance balanced = Tolerance::required(2 * bearing::largest_balance_error, "two balances, each to 1e-10 of the load");
+  // A ring that is out of balance by 1e-12 of the load moves no roller's force by more.
+  const Tolerance balanced = Tolerance::required(2 * bearing::largest_balance_error, "two balances, each to 1e-12 of the load");
   // Some ten operations; what both rings share cancels with a condition of (rpm + 2 |cage|)/rpm, at most 61.
   const Tolerance rounding = Tolerance::round_off(16), cancelling = Tolerance::round_off(16, 61);
   const auto says = [](const char* id, std::string statement) {
