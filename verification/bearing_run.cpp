@@ -29,6 +29,9 @@ std::string_view to_string(BearingLaw law) {
   switch (law) {
     case BearingLaw::hertz: return "hertz";
     case BearingLaw::iso: return "iso";
+    case BearingLaw::lundberg: return "lundberg";
+    case BearingLaw::tripp: return "tripp";
+    case BearingLaw::houpert: return "houpert";
     case BearingLaw::ehd_linear: return "ehd-linear";
     case BearingLaw::ehd: return "ehd";
   }
@@ -45,8 +48,19 @@ bearing::Geometry geometry_of(const BearingCase& body) {
           .first_azimuth_deg = body.geometry.first_azimuth_deg};
 }
 
+bearing::RollerContact roller_contact_of(const BearingCase& body) {
+  return {.force_N = 0,
+          .length_m = body.geometry.length_m,
+          .roller_diameter_m = body.geometry.roller_diameter_m,
+          .pitch_diameter_m = body.geometry.pitch_diameter_m,
+          .modulus_Pa = body.modulus_Pa,
+          .poisson = body.poisson,
+          .ring_thickness_m = body.geometry.ring_thickness_m.value_or(std::numeric_limits<double>::quiet_NaN())};
+}
+
 namespace {
-constexpr BearingLaw all_laws[] = {BearingLaw::hertz, BearingLaw::iso, BearingLaw::ehd_linear, BearingLaw::ehd};
+constexpr BearingLaw all_laws[] = {BearingLaw::hertz, BearingLaw::iso,        BearingLaw::lundberg, BearingLaw::tripp,
+                                   BearingLaw::houpert, BearingLaw::ehd_linear, BearingLaw::ehd};
 constexpr double steel_limit_Pa = 4e9;  // above it a result is a numerical test
 }  // namespace
 
@@ -64,6 +78,23 @@ std::string bearing_law_names() {
 }
 
 bool needs_film(BearingLaw law) { return law == BearingLaw::ehd_linear || law == BearingLaw::ehd; }
+
+bool needs_ring_thickness(BearingLaw law) { return law == BearingLaw::tripp || law == BearingLaw::houpert; }
+
+LawPair dry_laws(BearingLaw law, const bearing::RollerContact& contact) {
+  using bearing::Raceway;
+  const auto each = [&contact](auto law_of) { return LawPair{law_of(contact, Raceway::inner), law_of(contact, Raceway::outer)}; };
+  switch (law) {
+    case BearingLaw::hertz: return {bearing::palmgren_law(contact.length_m), bearing::palmgren_law(contact.length_m)};
+    case BearingLaw::iso: return {bearing::iso_law(contact.length_m), bearing::iso_law(contact.length_m)};
+    case BearingLaw::lundberg: return each(bearing::lundberg_law);
+    case BearingLaw::tripp: return each(bearing::tripp_law);
+    case BearingLaw::houpert: return each(bearing::houpert_law);
+    case BearingLaw::ehd_linear:
+    case BearingLaw::ehd: break;
+  }
+  throw std::invalid_argument("law " + std::string(to_string(law)) + " is not dry: it needs solved contacts");
+}
 
 std::vector<BearingLaw> default_laws(const BearingCase& bearing) {
   if (!bearing.lubricant) return {BearingLaw::hertz};
@@ -109,7 +140,8 @@ bool datum_from_dry(const BearingCase& body) {
 std::string bearing_stage::balance(BearingLaw law) { return "balance: " + std::string(to_string(law)); }
 std::string bearing_stage::film(BearingLaw law) { return "film at each roller: " + std::string(to_string(law)); }
 
-Plan plan_bearing(const BearingCase& body, const std::vector<BearingLaw>& asked) {
+Plan plan_bearing(const BearingCase& body, const std::vector<BearingLaw>& asked, bearing::Form form,
+                  int cage_positions) {
   Plan plan;
   const auto decide = [&plan](std::string_view stage, const std::string& why_skipped = "") {
     if (why_skipped.empty()) {
@@ -127,11 +159,16 @@ Plan plan_bearing(const BearingCase& body, const std::vector<BearingLaw>& asked)
   const std::string why_no_film = !no_film.empty() ? no_film : "no law with a film is asked for";
 
   decide(bearing_stage::geometry);
-  const auto cages = bearing::mirror_groups(bearing::azimuths_deg(geometry_of(body)));
+  const auto azimuths = bearing::azimuths_deg(geometry_of(body));
+  const auto cages = bearing::mirror_groups(azimuths);
   const int mirrored = body.geometry.rollers - static_cast<int>(cages.size());
   if (mirrored > 0)
     decide("balance of mirrored rollers", std::to_string(mirrored) + " of " + std::to_string(body.geometry.rollers) +
                                               " rollers mirror another and carry the same");
+  decide(bearing_stage::across, form == bearing::Form::radial        ? "the radial form is asked for"
+                                : bearing::symmetric_to_load(azimuths) ? "the cage stands symmetric to the load, and so does the ring"
+                                                                       : "");
+  decide(bearing_stage::cage, cage_positions > 0 ? "" : "not asked for (--cage-positions N)");
   decide(bearing_stage::dry, !film                                              ? why_no_film
                              : full || datum_from_dry(body) || !body.fit.load_N ? ""
                                                                                 : "datum and fit range are stated");
@@ -146,7 +183,11 @@ Plan plan_bearing(const BearingCase& body, const std::vector<BearingLaw>& asked)
   decide(bearing_stage::curve, film ? "" : why_no_film);
   for (const BearingLaw law : all_laws) {
     const bool possible = !needs_film(law) || no_film.empty();
-    decide(bearing_stage::balance(law), !contains(asked, law) ? "not asked for" : possible ? "" : no_film);
+    const bool no_ring = needs_ring_thickness(law) && !body.geometry.ring_thickness_m;
+    decide(bearing_stage::balance(law), !contains(asked, law) ? "not asked for"
+                                        : !possible           ? no_film
+                                        : no_ring             ? "bearing.ring_thickness_m is not stated"
+                                                              : "");
     if (!contains(asked, law)) continue;
     decide(bearing_stage::film(law), !needs_film(law) ? "a dry law has no film" : possible ? "" : no_film);
   }
@@ -277,7 +318,7 @@ class BearingRun {
   [[nodiscard]] std::vector<BearingResult> run() {
     std::vector<BearingResult> results;
     for (const BearingLaw law : request_.laws) {
-      const Plan plan = plan_bearing(body_, {law});
+      const Plan plan = plan_bearing(body_, {law}, request_.form, request_.cage_positions);
       if (plan.runs(bearing_stage::balance(law))) results.push_back(run_law(law, plan));
     }
     return results;
@@ -293,22 +334,21 @@ class BearingRun {
     result.law = law;
     result.plan = plan;
     try {
-      if (law == BearingLaw::hertz || law == BearingLaw::iso) {
-        const auto power =
-            law == BearingLaw::hertz ? bearing::palmgren_law(geometry_.length_m) : bearing::iso_law(geometry_.length_m);
-        fill(result, balanced({power, power}));
+      if (!needs_film(law)) {
+        fill(result, all_positions(dry_laws(law, roller_contact_of(body_))));
       } else {
-        if (plan.runs(bearing_stage::dry)) dry_ = balanced(dry_laws());
+        if (plan.runs(bearing_stage::dry)) dry_ = balanced(dry_laws(BearingLaw::hertz, roller_contact_of(body_)));
         result.datum_m = {datum_m(contacts_.inner), datum_m(contacts_.outer)};
         note_datum(result);
         if (law == BearingLaw::ehd_linear) run_linear(result);
         if (law == BearingLaw::ehd) run_curve(result);
       }
       result.status = StopReason::converged;
+      fill_lambda_ratios(result);
       note_what_to_know(result);
-      if (law == BearingLaw::ehd_linear || law == BearingLaw::ehd) judge_contacts(result);
+      if (needs_film(law)) judge_contacts(result);
     } catch (const LawFailure& failure) {
-      const bool limit = law != BearingLaw::hertz && law != BearingLaw::iso &&
+      const bool limit = needs_film(law) &&
                          (solved(contacts_.inner).hit_limit() || solved(contacts_.outer).hit_limit());
       result.status = limit ? StopReason::limit_reached : StopReason::diverged;
       result.why = failure.what();
@@ -329,15 +369,23 @@ class BearingRun {
     result.notes.push_back(result.why);
   }
 
-  [[nodiscard]] LawPair dry_laws() const {
-    const auto power = bearing::palmgren_law(geometry_.length_m);
-    return {power, power};
-  }
-
-  [[nodiscard]] Equilibrium balanced(const LawPair& laws) const {
-    auto result = bearing::balance(geometry_, laws, loading_);
+  [[nodiscard]] Equilibrium balanced(const LawPair& laws) const { return balanced(laws, geometry_); }
+  [[nodiscard]] Equilibrium balanced(const LawPair& laws, const bearing::Geometry& geometry) const {
+    auto result = bearing::balance(geometry, laws, loading_, request_.form);
     if (const auto* failure = std::get_if<bearing::NoEquilibrium>(&result)) throw LawFailure(failure->why);
     return std::get<Equilibrium>(std::move(result));
+  }
+
+  /// The balance of the case, and after it those of the cage's further positions.
+  [[nodiscard]] std::vector<Equilibrium> all_positions(const LawPair& laws) const {
+    std::vector<Equilibrium> positions;
+    const int count = std::max(1, request_.cage_positions);
+    for (int k = 0; k < count; ++k) {
+      bearing::Geometry turned = geometry_;
+      turned.first_azimuth_deg += 360.0 / geometry_.rollers * k / count;
+      positions.push_back(balanced(laws, turned));
+    }
+    return positions;
   }
 
   [[nodiscard]] double largest_dry_N() const {
@@ -399,7 +447,7 @@ class BearingRun {
     result.fit = {fitted(contacts_.inner, result.datum_m->inner), fitted(contacts_.outer, result.datum_m->outer)};
     note_lubricant(result, contacts_.inner);
     const LawPair lines{result.fit->inner.law(), result.fit->outer.law()};
-    fill(result, balanced(lines));
+    fill(result, all_positions(lines));
     if (request_.films && result.plan.runs(bearing_stage::film(BearingLaw::ehd_linear))) {
       fill_films_of_fit(result);
       note_fit_range(result, result.fit->inner, &RollerRow::inner, "inner");
@@ -449,7 +497,12 @@ class BearingRun {
   void add_cut_variant(BearingResult& result) {
     const LawPair cut{result.fit->inner.law(Unloading::at_zero_approach),
                       result.fit->outer.law(Unloading::at_zero_approach)};
-    auto found = bearing::balance(geometry_, cut, loading_);
+    auto found = bearing::balance(geometry_, cut, loading_, request_.form);
+    bool radial = false;
+    if (std::holds_alternative<bearing::NoEquilibrium>(found) && request_.form == bearing::Form::plane) {
+      found = bearing::balance(geometry_, cut, loading_, bearing::Form::radial);
+      radial = true;
+    }
     if (const auto* failure = std::get_if<bearing::NoEquilibrium>(&found)) {
       result.notes.push_back("variant " + std::string(bearing_stage::variant) + ": no balance, " + failure->why);
       return;
@@ -457,6 +510,7 @@ class BearingRun {
     const auto& ring = std::get<Equilibrium>(found);
     VariantResult variant{.name = "cut at delta = 0",
                           .displacement_m = ring.displacement_m,
+                          .displacement_lateral_m = ring.lateral_displacement_m,
                           .balance_error = ring.balance_error,
                           .rollers = rows_of(ring)};
     int loaded = 0, loaded_cut = 0;
@@ -470,7 +524,8 @@ class BearingRun {
                            " loaded rollers instead of " + std::to_string(loaded) + ", roller 1 carries " +
                            plain(variant.rollers[0].inner.force_N) + " N instead of " +
                            plain(result.rollers[0].inner.force_N) + " N" +
-                           (shared ? "; the outermost sit on the jump of the law at delta = 0" : ""));
+                           (shared ? "; the outermost sit on the jump of the law at delta = 0" : "") +
+                           (radial ? "; balanced in the radial form, since in the plane rollers stand on that jump" : ""));
     result.variants.push_back(std::move(variant));
   }
 
@@ -481,15 +536,17 @@ class BearingRun {
     constexpr int extensions = 8;
     for (int extension = 0; extension < extensions; ++extension) {
       const auto inner = curve_of(contacts_.inner, reach_N), outer = curve_of(contacts_.outer, reach_N);
-      const Equilibrium ring = balanced({law_of(inner, result.datum_m->inner), law_of(outer, result.datum_m->outer)});
+      const auto positions =
+          all_positions({law_of(inner, result.datum_m->inner), law_of(outer, result.datum_m->outer)});
       double largest = 0;
-      for (const bearing::RollerState& roller : ring.rollers)
-        largest = std::max({largest, roller.inner.force_N, roller.outer.force_N});
+      for (const Equilibrium& ring : positions)
+        for (const bearing::RollerState& roller : ring.rollers)
+          largest = std::max({largest, roller.inner.force_N, roller.outer.force_N});
       if (largest > std::min(inner->heaviest_N(), outer->heaviest_N())) {
         reach_N = 1.1 * std::max(largest, reach_N);
         continue;
       }
-      fill(result, ring);
+      fill(result, positions);
       fill_films(result, *inner, *outer);
       result.curve = BothRaceways<FilmCurve>{*inner, *outer};
       note_curve(result, *inner, &RollerRow::inner, "inner");
@@ -554,19 +611,50 @@ class BearingRun {
     return rows;
   }
 
-  void fill(BearingResult& result, const Equilibrium& ring) const {
+  void fill(BearingResult& result, const std::vector<Equilibrium>& positions) const {
+    const Equilibrium& ring = positions.front();
     result.displacement_m = ring.displacement_m;
+    result.displacement_lateral_m = ring.lateral_displacement_m;
+    result.load_zone_deg = bearing::load_zone_deg(ring, result.law == BearingLaw::ehd ? bearing::load_zone_share : 0);
+    result.stiffness_N_per_m = ring.stiffness_N_per_m;
     result.balance_error = ring.balance_error;
     result.rollers = rows_of(ring);
     result.roller_groups = ring.groups;
     result.rollers_balanced = ring.rollers_balanced;
     result.newton_iterations = ring.newton_iterations;
+    if (request_.cage_positions > 0) result.cage = turn_of(positions);
     const double lateral = std::abs(ring.lateral_force_N);
-    if (lateral > 1e-9 * loading_.radial_N)
+    if (request_.form == bearing::Form::radial && lateral > 1e-9 * loading_.radial_N)
       result.notes.push_back(
-          "the cage position is not symmetric to the load: the ring, which moves along the load "
-          "only, needs a lateral force of " +
+          "radial form: the cage position is not symmetric to the load, and the ring, which moves along the load only, "
+          "needs a lateral force of " +
           plain(ring.lateral_force_N, 4) + " N");
+  }
+
+  [[nodiscard]] static CageTurn turn_of(const std::vector<Equilibrium>& positions) {
+    CageTurn turn{.positions = static_cast<int>(positions.size()), .displacement_m = {}, .displacement_lateral_m = {}};
+    const auto range_of = [&positions](double Equilibrium::*displacement) {
+      double lowest = positions.front().*displacement, highest = lowest, sum = 0;
+      for (const Equilibrium& ring : positions) {
+        lowest = std::min(lowest, ring.*displacement);
+        highest = std::max(highest, ring.*displacement);
+        sum += ring.*displacement;
+      }
+      return CageTurn::Range{sum / static_cast<double>(positions.size()), highest - lowest};
+    };
+    turn.displacement_m = range_of(&Equilibrium::displacement_m);
+    turn.displacement_lateral_m = range_of(&Equilibrium::lateral_displacement_m);
+    for (const Equilibrium& ring : positions)
+      for (const bearing::RollerState& roller : ring.rollers)
+        turn.largest_force_N = std::max(turn.largest_force_N, roller.inner.force_N);
+    return turn;
+  }
+
+  void fill_lambda_ratios(BearingResult& result) const {
+    if (!result.plan.runs(bearing_stage::lambda)) return;
+    for (RollerRow& row : result.rollers)
+      for (ContactRow* at : {&row.inner, &row.outer})
+        if (at->film_minimum_m) at->lambda_ratio = *at->film_minimum_m / *body_.geometry.roughness_m;
   }
 
   void note_what_to_know(BearingResult& result) const {
@@ -574,13 +662,12 @@ class BearingRun {
     for (const RollerRow& row : result.rollers)
       for (const ContactRow* at : {&row.inner, &row.outer}) {
         highest_Pa = std::max(highest_Pa, at->hertz_pressure_Pa.value_or(0));
-        if (at->film_minimum_m && body_.geometry.roughness_m)
-          smallest_ratio = std::min(smallest_ratio, *at->film_minimum_m / *body_.geometry.roughness_m);
+        smallest_ratio = std::min(smallest_ratio, at->lambda_ratio.value_or(smallest_ratio));
       }
     if (highest_Pa > steel_limit_Pa)
       result.notes.push_back("p_H = " + plain(1e-9 * highest_Pa, 4) +
                              " GPa is above 4 GPa: a numerical test, physically not steel");
-    if (result.plan.runs(bearing_stage::lambda) && smallest_ratio < 1)
+    if (smallest_ratio < 1)
       result.notes.push_back("lambda ratio " + plain(smallest_ratio, 3) +
                              " is below 1: the film is thinner than the roughness, which smooth surfaces do not see");
   }
@@ -600,15 +687,19 @@ class BearingRun {
 void require_possible(const Case& bearing_case, const BearingRequest& request) {
   const auto& body = std::get<BearingCase>(bearing_case.body);
   for (const BearingLaw law : request.laws) {
+    if (needs_ring_thickness(law) && !body.geometry.ring_thickness_m)
+      throw case_error(bearing_case, "bearing.ring_thickness_m",
+                       "is missing; law " + std::string(to_string(law)) +
+                           " needs it at the outer raceway (allowed without: hertz, iso, lundberg)");
     if (!needs_film(law)) continue;
     if (!body.lubricant && request.explicitly)
       throw case_error(bearing_case, "lubricant",
-                       "is missing; law " + std::string(to_string(law)) + " needs it (allowed without: hertz, iso)");
+                       "is missing; law " + std::string(to_string(law)) + " needs it (allowed without: the dry laws, hertz, iso, lundberg, tripp, houpert)");
     if (!body.lubricant || !at_rest(body)) continue;
     const std::string both = "operation.inner_speed_rpm", one = "operation.speed_rpm";
     throw case_error(bearing_case, bearing_case.lines.contains(both) ? both : one,
                      "leaves the rings at rest against each other, where law " + std::string(to_string(law)) +
-                         " does not exist; allowed is a relative speed, or --law hertz or iso");
+                         " does not exist; allowed is a relative speed, or a dry law (--law hertz, iso, lundberg, tripp, houpert)");
   }
 }
 
@@ -655,6 +746,7 @@ Json to_json(const ContactRow& row) {
   put(json, "displacement_m", row.displacement_m);
   put(json, "film_minimum_m", row.film_minimum_m);
   put(json, "hertz_pressure_Pa", row.hertz_pressure_Pa);
+  put(json, "lambda_ratio", row.lambda_ratio);
   return json;
 }
 
@@ -667,6 +759,21 @@ Json to_json(const std::vector<RollerRow>& rows) {
     roller["outer"] = to_json(row.outer);
     json.push_back(std::move(roller));
   }
+  return json;
+}
+
+Json to_json(const CageTurn& turn) {
+  const auto range = [](const CageTurn::Range& one) {
+    Json json = Json::object();
+    put(json, "mean", one.mean);
+    put(json, "peak_to_peak", one.peak_to_peak);
+    return json;
+  };
+  Json json = Json::object();
+  json["positions"] = turn.positions;
+  json["displacement_m"] = range(turn.displacement_m);
+  json["displacement_lateral_m"] = range(turn.displacement_lateral_m);
+  put(json, "largest_force_N", turn.largest_force_N);
   return json;
 }
 
@@ -706,6 +813,10 @@ Json to_json(const BearingResult& result) {
   json["status"] = to_string(result.status);
   if (!result.rollers.empty()) {
     put(json, "displacement_m", result.displacement_m);
+    put(json, "displacement_lateral_m", result.displacement_lateral_m);
+    if (result.load_zone_deg) json["load_zone_deg"] = {result.load_zone_deg->first, result.load_zone_deg->second};
+    json["stiffness_N_per_m"] = result.stiffness_N_per_m;
+    if (result.cage) json["cage"] = to_json(*result.cage);
     json["rollers"] = to_json(result.rollers);
     put(json, "balance_error", result.balance_error);
   } else {
@@ -718,6 +829,7 @@ Json to_json(const BearingResult& result) {
     Json one = Json::object();
     one["name"] = variant.name;
     put(one, "displacement_m", variant.displacement_m);
+    put(one, "displacement_lateral_m", variant.displacement_lateral_m);
     one["rollers"] = to_json(variant.rollers);
     put(one, "balance_error", variant.balance_error);
     json["variants"].push_back(std::move(one));
@@ -753,6 +865,32 @@ std::vector<std::pair<std::size_t, std::string>> shown_rollers(const std::vector
 std::string fixed(double value, int decimals) {
   char text[64];
   std::snprintf(text, sizeof text, "%.*f", decimals, value);
+  return text;
+}
+
+/// What the ring does, a line a law; and over the cage's positions, where they were asked for.
+std::string human_ring(const std::vector<BearingResult>& results) {
+  std::vector<std::vector<std::string>> ring{
+      {"ring", "lateral um", "load zone deg", "to", "stiffness N/um: xx", "yy", "xy"}};
+  std::vector<std::vector<std::string>> turn{
+      {"cage turning", "positions", "displacement um: mean", "peak to peak", "lateral um: mean", "peak to peak", "largest Q_i N"}};
+  for (const BearingResult& result : results) {
+    if (result.rollers.empty()) continue;
+    const std::string law(to_string(result.law));
+    const auto& K = result.stiffness_N_per_m;
+    const auto& zone = result.load_zone_deg;
+    ring.push_back({law, fixed(1e6 * result.displacement_lateral_m, 4), zone ? plain(zone->first, 5) : "-",
+                    zone ? plain(zone->second, 5) : "-", plain(1e-6 * K[0][0], 5), plain(1e-6 * K[1][1], 5),
+                    std::abs(K[0][1]) <= 1e-12 * K[0][0] ? "0" : plain(1e-6 * K[0][1], 5)});
+    if (!result.cage) continue;
+    const auto& along = result.cage->displacement_m;
+    const auto& across = result.cage->displacement_lateral_m;
+    turn.push_back({law, std::to_string(result.cage->positions), fixed(1e6 * along.mean, 4), plain(1e6 * along.peak_to_peak, 3),
+                    fixed(1e6 * across.mean, 4), plain(1e6 * across.peak_to_peak, 3), fixed(result.cage->largest_force_N, 1)});
+  }
+  std::string text;
+  if (ring.size() > 1) text += "\n" + aligned(ring, 1, "  ");
+  if (turn.size() > 1) text += "\n" + aligned(turn, 1, "  ");
   return text;
 }
 
@@ -803,6 +941,8 @@ std::string human_table(const Case& bearing_case, const std::vector<BearingResul
                        std::to_string(result.contact_recalls), plain(result.wall_s, 2)});
   }
   text += aligned(summary, 1, "  ");
+
+  text += human_ring(results);
 
   for (const BearingResult& result : results) {
     if (!result.fit) continue;

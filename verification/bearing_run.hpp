@@ -3,6 +3,7 @@
 // one place where bearing/ and a contact solver meet; bearing/ itself calls laws only.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <map>
 #include <memory>
@@ -13,6 +14,7 @@
 #include <variant>
 #include <vector>
 
+#include "bearing/approach_formulas.hpp"
 #include "bearing/equilibrium.hpp"
 #include "bearing/film_curve.hpp"
 #include "bearing/fit.hpp"
@@ -24,14 +26,18 @@
 
 namespace ehd::verification {
 
-enum class BearingLaw { hertz, iso, ehd_linear, ehd };
-[[nodiscard]] std::string_view to_string(BearingLaw law);  ///< "hertz", "iso", "ehd-linear", "ehd"
+enum class BearingLaw { hertz, iso, lundberg, tripp, houpert, ehd_linear, ehd };
+[[nodiscard]] std::string_view to_string(BearingLaw law);  ///< "hertz", …, "houpert", "ehd-linear", "ehd"
 [[nodiscard]] std::optional<BearingLaw> bearing_law_from(std::string_view text);
 [[nodiscard]] std::string bearing_law_names();  ///< for messages
 [[nodiscard]] bool needs_film(BearingLaw law);
+[[nodiscard]] bool needs_ring_thickness(BearingLaw law);  ///< tripp, houpert: at the outer raceway
+/// A dry law at both raceways. Throws std::invalid_argument for a law with films.
+[[nodiscard]] bearing::LawPair dry_laws(BearingLaw law, const bearing::RollerContact& contact);
 
 /// What the case says of the bearing, as bearing/ takes it.
 [[nodiscard]] bearing::Geometry geometry_of(const BearingCase& body);
+[[nodiscard]] bearing::RollerContact roller_contact_of(const BearingCase& body);
 
 /// hertz, ehd-linear, ehd; hertz alone where the case has no lubricant.
 [[nodiscard]] std::vector<BearingLaw> default_laws(const BearingCase& bearing);
@@ -46,13 +52,16 @@ inline constexpr std::string_view fit = "straight-line fit";
 inline constexpr std::string_view curve = "load-approach curve";
 inline constexpr std::string_view variant = "ehd-linear cut at delta = 0";
 inline constexpr std::string_view lambda = "lambda ratios";
+inline constexpr std::string_view across = "balance across the load";
+inline constexpr std::string_view cage = "cage positions over one pitch";
 [[nodiscard]] std::string balance(BearingLaw law);
 [[nodiscard]] std::string film(BearingLaw law);
 }  // namespace bearing_stage
 
 /// What run_bearing will do, from the case alone. `asked`: laws asked for; those that the case cannot have are skipped
 /// with the reason.
-[[nodiscard]] Plan plan_bearing(const BearingCase& bearing, const std::vector<BearingLaw>& asked);
+[[nodiscard]] Plan plan_bearing(const BearingCase& bearing, const std::vector<BearingLaw>& asked,
+                                bearing::Form form = bearing::Form::plane, int cage_positions = 0);
 
 using ContactSolver = std::function<Solution(const Problem&, const Request&)>;
 
@@ -91,6 +100,7 @@ struct ContactRow {
   double displacement_m = 0;
   std::optional<double> film_minimum_m = {};
   std::optional<double> hertz_pressure_Pa = {};  ///< absent at no force
+  std::optional<double> lambda_ratio = {};       ///< minimum film over the composite roughness; absent without either
 };
 struct RollerRow {
   double azimuth_deg = 0;
@@ -106,8 +116,19 @@ struct BothRaceways {
 struct VariantResult {
   std::string name;
   double displacement_m = 0;
+  double displacement_lateral_m = 0;
   double balance_error = 0;
   std::vector<RollerRow> rollers;
+};
+
+/// The ring while the cage turns by one pitch, 360/Z.
+struct CageTurn {
+  struct Range {
+    double mean = 0, peak_to_peak = 0;
+  };
+  int positions = 0;  ///< equally spaced, the case's own the first
+  Range displacement_m, displacement_lateral_m;
+  double largest_force_N = 0;  ///< of any inner contact at any position
 };
 
 struct BearingResult {
@@ -117,6 +138,10 @@ struct BearingResult {
   StopReason status = StopReason::diverged;
   std::string why;  ///< where status is not converged
   double displacement_m = 0;
+  double displacement_lateral_m = 0;                           ///< towards psi = 90 degrees
+  std::optional<std::pair<double, double>> load_zone_deg = {};  ///< bearing::load_zone_deg; absent where nothing is loaded
+  std::array<std::array<double, 2>, 2> stiffness_N_per_m = {};
+  std::optional<CageTurn> cage = {};                           ///< where cage positions are asked for
   std::vector<RollerRow> rollers;                              ///< empty where there is no balance
   std::optional<BothRaceways<double>> datum_m = {};            ///< x_0
   std::optional<BothRaceways<bearing::LinearFit>> fit = {};    ///< ehd-linear
@@ -137,9 +162,12 @@ struct BearingRequest {
   std::vector<BearingLaw> laws;
   bool explicitly = false;  ///< laws were named by the user, not taken by default
   bool films = true;        ///< film of each roller, and the variants
+  bearing::Form form = bearing::Form::plane;
+  int cage_positions = 0;  ///< at how many positions of the cage over one pitch the ring is balanced besides; 0: none
 };
 /// All laws of the request that the plan runs, in that order. Every way to end is in the results' status. Throws
-/// CaseError for an EHD law at rest, or (`explicitly`) without a lubricant, before anything is solved.
+/// CaseError for an EHD law at rest, or (`explicitly`) without a lubricant, and for a law without the ring thickness that
+/// it needs, before anything is solved.
 [[nodiscard]] std::vector<BearingResult> run_bearing(const Case& bearing_case, const BearingRequest& request,
                                                      ContactMemory& memory);
 /// The refusals of run_bearing alone.

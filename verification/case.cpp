@@ -86,7 +86,7 @@ const std::vector<std::string> top_keys{"id", "version", "title", "source"};
 const std::vector<std::string> statement_tables{"moes", "conditions", "hertz", "bearing"};
 const std::vector<std::string> contact_tables{"lubricant", "domain"};
 const std::vector<std::string> bearing_tables{"operation", "material", "lubricant", "datum", "fit"};
-const std::vector<std::string> laws{"hertz", "iso", "ehd-linear", "ehd"};
+const std::vector<std::string> laws{"hertz", "iso", "lundberg", "tripp", "houpert", "ehd-linear", "ehd"};
 
 /// The keys of each table: what is not here is unknown.
 const std::map<std::string, std::vector<std::string>> schema{
@@ -599,7 +599,10 @@ class Reader {
       check_bearing_quantity(quantity_key, expectation.quantity);
       expectation.law = choice(path + ".law", laws);
       if (expectation.law.starts_with("ehd") && !has("lubricant"))
-        fail(path + ".law", "needs a lubricant; allowed is hertz or iso in a case without [lubricant]");
+        fail(path + ".law", "needs a lubricant; allowed is a dry law in a case without [lubricant]: hertz, iso, lundberg, "
+                            "tripp or houpert");
+      if ((expectation.law == "tripp" || expectation.law == "houpert") && !has("bearing.ring_thickness_m"))
+        fail(path + ".law", "needs bearing.ring_thickness_m; allowed is hertz, iso or lundberg in a case without it");
     } else {
       check_contact_quantity(quantity_key, expectation.quantity);
       if (has(path + ".law")) fail(path + ".law", "belongs to a bearing case; allowed is no law in a contact case");

@@ -40,9 +40,24 @@ CurveLaw synthetic_curve_law(double datum_m) {
   return {std::make_shared<const FilmCurve>(std::get<FilmCurve>(built)), datum_m};
 }
 
-/// All three kinds of law, one after the other.
+RollerContact needle_contact() {
+  return {.force_N = 0,
+          .length_m = 0.05,
+          .roller_diameter_m = 0.005,
+          .pitch_diameter_m = 0.053,
+          .modulus_Pa = 2.06e11,
+          .poisson = 0.3,
+          .ring_thickness_m = 0.003};
+}
+
+/// Every kind of law, one after the other.
 std::vector<std::pair<std::string, LawPair>> laws_of_every_kind() {
+  const RollerContact contact = needle_contact();
+  using enum Raceway;
   return {{"hertz", both(palmgren_law(0.05))},
+          {"lundberg", {lundberg_law(contact, inner), lundberg_law(contact, outer)}},
+          {"tripp", {tripp_law(contact, inner), tripp_law(contact, outer)}},
+          {"houpert", {houpert_law(contact, inner), houpert_law(contact, outer)}},
           {"ehd-linear", {LinearLaw{.K_N_per_m = 2.9e9, .dF_N = 900}, LinearLaw{.K_N_per_m = 3.1e9, .dF_N = 1040}}},
           {"ehd", {synthetic_curve_law(0.02), synthetic_curve_law(0.03)}}};
 }
@@ -128,23 +143,27 @@ BOOST_AUTO_TEST_CASE(forces_balance_at_every_load_and_clearance) {
     for (const double load_N : {1e-3, 0.1, 10.0, 1e3, 5e4, 4e5})
       for (const double clearance_m : {-20e-6, -2e-6, 0.0, 2.5e-6, 10e-6, 60e-6, 200e-6})
         for (const double centrifugal_N : {0.0, 28.0, 900.0}) {
-          const Equilibrium ring = balanced(needle_bearing(clearance_m), laws, {load_N, centrifugal_N});
-          double sum = 0, total = 0;
+          // Symmetric, and not; what is judged here is relative to the loads and inner forces alone.
+          Geometry geometry = needle_bearing(clearance_m);
+          geometry.first_azimuth_deg = balances % 2 == 0 ? 0.0 : 4.1;
+          const Equilibrium ring = balanced(geometry, laws, {load_N, centrifugal_N});
+          double sum = 0, across = 0, total = 0;
           for (std::size_t j = 0; j < ring.rollers.size(); ++j) {
             const RollerState& roller = ring.rollers[j];
             sum += roller.inner.force_N * std::cos(ring.azimuths_deg[j] * std::acos(-1) / 180);
+            across += roller.inner.force_N * std::sin(ring.azimuths_deg[j] * std::acos(-1) / 180);
             total += roller.inner.force_N;
             BOOST_REQUIRE(roller.inner.force_N >= 0);
             EHD_CHECK(error(roller.outer.force_N - roller.inner.force_N, centrifugal_N) * centrifugal_N,
                       Tolerance::round_off(4, roller.outer.force_N));
           }
           const double scale = std::max(load_N, total);
-          worst = std::max({worst, ring.balance_error, std::abs(sum - load_N) / scale});
+          worst = std::max({worst, ring.balance_error, std::abs(sum - load_N) / scale, std::abs(across) / scale});
           ++balances;
         }
-  BOOST_TEST(balances == 3 * 6 * 7 * 3);
+  BOOST_TEST(balances == 6 * 6 * 7 * 3);
   BOOST_TEST_MESSAGE("worst balance error of " << balances << " bearings: " << worst);
-  EHD_CHECK(worst, Tolerance::required(1e-10, "issue 2: balance error below 1e-10"));
+  EHD_CHECK(worst, Tolerance::required(1e-12, "what a balance promises"));
 }
 
 // Invariant: the approaches of a loaded roller are those that its laws give for its forces.
@@ -263,6 +282,206 @@ BOOST_AUTO_TEST_CASE(an_asymmetric_cage_needs_a_lateral_force) {
   BOOST_TEST(ring.groups == 14);
   BOOST_TEST(ring.lateral_displacement_m == 0);
   BOOST_TEST(std::abs(ring.lateral_force_N) > 1e-3);
+}
+
+// Invariant: in the plane any cage is balanced, across the load too.
+BOOST_AUTO_TEST_CASE(the_plane_form_balances_an_asymmetric_cage) {
+  Geometry geometry = bearing_209(0);
+  geometry.first_azimuth_deg = 7;
+  const Equilibrium ring = balanced(geometry, both(palmgren_law(0.0096)), {.radial_N = 4450});
+  BOOST_TEST(ring.lateral_displacement_m != 0);
+  EHD_CHECK(std::abs(ring.lateral_force_N) / 4450, Tolerance::required(1e-12, "what a balance promises"));
+}
+
+// Exact: a symmetric cage has one balance, whichever form is asked for, to the bit.
+BOOST_AUTO_TEST_CASE(both_forms_are_one_where_the_cage_is_symmetric) {
+  for (const auto& [name, laws] : laws_of_every_kind())
+    for (const double first_deg : {0.0, 180.0 / 22}) {
+      Geometry geometry = needle_bearing(10e-6);
+      geometry.first_azimuth_deg = first_deg;
+      const Equilibrium plane = balanced(geometry, laws, {5e4, 28}, Form::plane);
+      const Equilibrium radial = balanced(geometry, laws, {5e4, 28}, Form::radial);
+      BOOST_TEST(plane.displacement_m == radial.displacement_m);
+      BOOST_TEST(plane.lateral_displacement_m == 0);
+      for (std::size_t j = 0; j < 22; ++j) BOOST_TEST(plane.rollers[j].inner.force_N == radial.rollers[j].inner.force_N);
+    }
+}
+
+// Limit: the search in the plane meets the one along the load as the cage becomes symmetric. 1e-7 degrees are 2e-9 rad.
+BOOST_AUTO_TEST_CASE(the_plane_form_goes_to_the_radial_one) {
+  for (const auto& [name, laws] : laws_of_every_kind())
+    for (const double load_N : {3.0, 5e4})
+      for (const double clearance_m : {-5e-6, 0.0, 30e-6})
+        BOOST_TEST_CONTEXT(name << " " << load_N << " N " << clearance_m << " m") {
+          Geometry geometry = needle_bearing(clearance_m);
+          const Equilibrium symmetric = balanced(geometry, laws, {load_N, 28});
+          geometry.first_azimuth_deg = 1e-7;
+          const Equilibrium nearly = balanced(geometry, laws, {load_N, 28});
+          BOOST_TEST(nearly.groups == 22);
+          const double size = std::abs(symmetric.displacement_m) + std::abs(clearance_m);
+          const Tolerance turned = Tolerance::asymptotic(2e-8, "the azimuths turned by 1.7e-9 rad, ten times that");
+          EHD_CHECK(std::abs(nearly.displacement_m - symmetric.displacement_m) / size, turned);
+          double scale = load_N;
+          for (const RollerState& roller : symmetric.rollers) scale += roller.inner.force_N;
+          EHD_CHECK(std::abs(nearly.rollers[0].inner.force_N - symmetric.rollers[0].inner.force_N) / scale, turned);
+        }
+}
+
+// Invariant: a cage turned by a pitch is the same cage, one roller on; a mirrored one carries the mirrored forces.
+BOOST_AUTO_TEST_CASE(turning_by_a_pitch_and_mirroring_change_nothing) {
+  for (const auto& [name, laws] : laws_of_every_kind())
+    for (const double clearance_m : {-5e-6, 30e-6}) {
+      Geometry geometry = needle_bearing(clearance_m);
+      geometry.first_azimuth_deg = 3.3;
+      const Equilibrium here = balanced(geometry, laws, {2e4, 28});
+      geometry.first_azimuth_deg += 360.0 / 22;
+      const Equilibrium turned = balanced(geometry, laws, {2e4, 28});
+      geometry.first_azimuth_deg = -3.3;
+      const Equilibrium mirrored = balanced(geometry, laws, {2e4, 28});
+      // Two balances to rounding, their azimuths too: 22 rollers, a stiffness of the ring that lacks a digit across.
+      const Tolerance rounding = Tolerance::round_off(22, 100);
+      EHD_CHECK(error(turned.displacement_m, here.displacement_m), rounding);
+      EHD_CHECK(error(mirrored.displacement_m, here.displacement_m), rounding);
+      EHD_CHECK(std::abs(turned.lateral_displacement_m - here.lateral_displacement_m) / here.displacement_m, rounding);
+      EHD_CHECK(std::abs(mirrored.lateral_displacement_m + here.lateral_displacement_m) / here.displacement_m, rounding);
+      for (std::size_t j = 0; j < 22; ++j) {
+        EHD_CHECK(std::abs(turned.rollers[j].inner.force_N - here.rollers[(j + 1) % 22].inner.force_N) / 2e4, rounding);
+        EHD_CHECK(std::abs(mirrored.rollers[j].inner.force_N - here.rollers[(22 - j) % 22].inner.force_N) / 2e4, rounding);
+      }
+    }
+}
+
+// Exact: at light load a dry ring with room rests on the two rollers beside the load line, whose forces statics gives.
+BOOST_AUTO_TEST_CASE(a_light_load_rests_on_two_rollers) {
+  for (const int rollers : {3, 4, 22, 400})
+    for (const double part : {1e-6, 0.11, 0.47, 0.93})  // of a pitch, from the load line to the first roller
+      for (const double load_N : {1e-9, 1e-3})
+        BOOST_TEST_CONTEXT(rollers << " rollers, " << part << " of a pitch, " << load_N << " N") {
+          Geometry geometry = needle_bearing(200e-6);
+          geometry.rollers = rollers;
+          const double pitch_deg = 360.0 / rollers, degree = std::acos(-1) / 180;
+          geometry.first_azimuth_deg = part * pitch_deg;
+          const Equilibrium ring = balanced(geometry, both(palmgren_law(0.05)), {load_N, 28});
+          const double ahead = part * pitch_deg * degree, behind = pitch_deg * degree - ahead;
+          const double first = load_N * std::sin(behind) / std::sin(ahead + behind);
+          const double last = load_N * std::sin(ahead) / std::sin(ahead + behind);
+          // The sines' condition, cot(pitch) of an azimuth of 1e-16: below 100 at 400 rollers.
+          EHD_CHECK(std::abs(ring.rollers.front().inner.force_N - first) / load_N, Tolerance::round_off(20, 100));
+          EHD_CHECK(std::abs(ring.rollers.back().inner.force_N - last) / load_N, Tolerance::round_off(20, 100));
+          for (std::size_t j = 1; j + 1 < ring.rollers.size(); ++j) BOOST_TEST(ring.rollers[j].inner.force_N == 0);
+          EHD_CHECK(std::abs(std::hypot(ring.displacement_m, ring.lateral_displacement_m) * std::cos(pitch_deg * degree / 2) -
+                             100e-6 - approach(palmgren_law(0.05), 28)) / 100e-6,
+                    Tolerance::asymptotic(1e-6, "the contacts give less than 1e-10 m"));
+        }
+}
+
+/// Sum f (cos psi, sin psi) of a ring that is put at a displacement, roller by roller.
+std::pair<double, double> ring_force(const Geometry& geometry, const LawPair& laws, double centrifugal_N, double x, double y) {
+  std::pair<double, double> sum{0, 0};
+  for (const double psi : azimuths_deg(geometry)) {
+    const double c = std::cos(psi * std::acos(-1) / 180), s = std::sin(psi * std::acos(-1) / 180);
+    const double f = balance_roller(laws, centrifugal_N, x * c + y * s - geometry.clearance_m / 2).inner.force_N;
+    sum.first += f * c;
+    sum.second += f * s;
+  }
+  return sum;
+}
+
+// Invariant: the stiffness is the derivative of the forces, and its inverse that of the displacement to the load, in both
+// components; what a load along does across, a load across does along.
+BOOST_AUTO_TEST_CASE(the_stiffness_matrix_is_the_derivative_of_forces_and_of_balances) {
+  Geometry geometry = needle_bearing(5e-6);
+  geometry.rollers = 9;
+  geometry.first_azimuth_deg = 11;
+  constexpr double load_N = 2e4, centrifugal_N = 33;
+  for (const auto& named : laws_of_every_kind()) BOOST_TEST_CONTEXT(named.first) {
+    const LawPair& laws = named.second;
+    const Equilibrium ring = balanced(geometry, laws, {load_N, centrifugal_N});
+    const auto& K = ring.stiffness_N_per_m;
+    BOOST_TEST(K[0][1] == K[1][0]);
+    BOOST_TEST(std::abs(K[0][1]) > 1e-3 * K[0][0]);  // the cage is not symmetric, and it shows
+    const double x = ring.displacement_m, y = ring.lateral_displacement_m, h = 1e-5 * x;
+    // (h/x)^2, a third derivative of order ten, no roller within h of its edge; twice that through the inverse.
+    const Tolerance differences = Tolerance::discretisation(1e-10, 1e3);
+    const auto force_at = [&](double dx, double dy) { return ring_force(geometry, laws, centrifugal_N, x + dx, y + dy); };
+    const auto ahead = force_at(h, 0), back = force_at(-h, 0), left = force_at(0, h), right = force_at(0, -h);
+    EHD_CHECK(std::abs((ahead.first - back.first) / (2 * h) - K[0][0]) / K[0][0], differences);
+    EHD_CHECK(std::abs((ahead.second - back.second) / (2 * h) - K[1][0]) / K[0][0], differences);
+    EHD_CHECK(std::abs((left.first - right.first) / (2 * h) - K[0][1]) / K[0][0], differences);
+    EHD_CHECK(std::abs((left.second - right.second) / (2 * h) - K[1][1]) / K[0][0], differences);
+
+    const double determinant = K[0][0] * K[1][1] - K[0][1] * K[0][1], part = 1e-5;
+    const Equilibrium more = balanced(geometry, laws, {load_N * (1 + part), centrifugal_N});
+    const Equilibrium less = balanced(geometry, laws, {load_N * (1 - part), centrifugal_N});
+    const double d_load = 2 * part * load_N, unit = K[1][1] / determinant;
+    const double along = (more.displacement_m - less.displacement_m) / d_load;
+    const double across = (more.lateral_displacement_m - less.lateral_displacement_m) / d_load;
+    EHD_CHECK(std::abs(along - K[1][1] / determinant) / unit, differences);
+    EHD_CHECK(std::abs(across + K[0][1] / determinant) / unit, differences);
+
+    // A load across: the load turned by a little, which is the cage turned back, seen from the load.
+    const auto with_lateral = [&](double part_across) {
+      const double angle = std::atan(part_across);
+      Geometry turned = geometry;
+      turned.first_azimuth_deg -= angle * 180 / std::acos(-1);
+      const Equilibrium seen = balanced(turned, laws, {load_N / std::cos(angle), centrifugal_N});
+      return seen.displacement_m * std::cos(angle) - seen.lateral_displacement_m * std::sin(angle);
+    };
+    const double reciprocal = (with_lateral(part) - with_lateral(-part)) / d_load;
+    EHD_CHECK(std::abs(reciprocal - across) / unit, differences);
+  }
+}
+
+// What a law that is cut at delta = 0 has under an asymmetric cage: a balance in the radial form always, in the plane one
+// or a sentence that says so.
+BOOST_AUTO_TEST_CASE(a_cut_line_under_an_asymmetric_cage) {
+  LinearLaw cut{.K_N_per_m = 2.9e9, .dF_N = 900};
+  cut.unloading = Unloading::at_zero_approach;
+  Geometry geometry = needle_bearing(5e-6);
+  geometry.first_azimuth_deg = 3.3;
+  int in_the_plane = 0, not_there = 0;
+  for (double load_N = 1e3; load_N < 5e4; load_N *= 1.3) {
+    (void)balanced(geometry, both(cut), {load_N, 28}, Form::radial);
+    const auto plane = balance(geometry, both(cut), {load_N, 28});
+    if (std::holds_alternative<Equilibrium>(plane)) {
+      ++in_the_plane;
+    } else {
+      ++not_there;
+      BOOST_TEST(std::get<NoEquilibrium>(plane).why.find("radial form only") != std::string::npos);
+    }
+  }
+  BOOST_TEST(in_the_plane > 0);
+  BOOST_TEST_MESSAGE("cut line in the plane: " << in_the_plane << " balances, " << not_there << " refused");
+}
+
+BOOST_AUTO_TEST_CASE(a_load_beyond_the_domain_of_a_logarithm_is_refused) {
+  const auto result = balance(needle_bearing(0), {tripp_law(needle_contact(), Raceway::inner), tripp_law(needle_contact(), Raceway::outer)},
+                              {.radial_N = 1e9});
+  BOOST_REQUIRE(std::holds_alternative<NoEquilibrium>(result));
+  BOOST_TEST(std::get<NoEquilibrium>(result).why.find("domain of its law") != std::string::npos);
+}
+
+// Exact: what carries, from end to end; a film's rollers from a hundredth of the largest force on.
+BOOST_AUTO_TEST_CASE(the_load_zone_is_where_rollers_carry) {
+  const Equilibrium dry = balanced(needle_bearing(0), both(palmgren_law(0.05)), {5e4, 28});
+  const auto zone = load_zone_deg(dry);
+  BOOST_REQUIRE(zone.has_value());
+  const double pitch_deg = 360.0 / 22;
+  EHD_CHECK(error(zone->first, -5 * pitch_deg), Tolerance::round_off(4));
+  EHD_CHECK(error(zone->second, 5 * pitch_deg), Tolerance::round_off(4));
+  const Equilibrium film = balanced(needle_bearing(200e-6), {synthetic_curve_law(0.02), synthetic_curve_law(0.03)}, {5e4, 28});
+  BOOST_TEST(load_zone_deg(film)->second == 180);
+  BOOST_TEST(load_zone_deg(film, load_zone_share)->second < 60);
+  BOOST_TEST(!load_zone_deg(balanced(needle_bearing(5e-6), both(palmgren_law(0.05)), {.radial_N = 0})).has_value());
+}
+
+BOOST_AUTO_TEST_CASE(two_rollers_carry_no_load_between_them) {
+  Geometry geometry = bearing_209(0);
+  geometry.rollers = 2;
+  geometry.first_azimuth_deg = 30;
+  const auto result = balance(geometry, both(palmgren_law(0.0096)), {.radial_N = 4450});
+  BOOST_REQUIRE(std::holds_alternative<NoEquilibrium>(result));
+  BOOST_TEST(std::get<NoEquilibrium>(result).why.find("no two rollers") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(a_load_that_no_roller_can_carry_is_refused) {

@@ -2,10 +2,13 @@
 #include "bearing/force_law.hpp"
 
 #include <cmath>
+#include <string>
+#include <vector>
 #include <stdexcept>
 
 #include "bearing/fit.hpp"
 #include "contact/approach.hpp"
+#include "contact/hertz.hpp"
 #include "tests/bearing/synthetic.hpp"
 #include "tests/check.hpp"
 
@@ -22,9 +25,130 @@ CurveLaw curve_law(double datum_m) {
   return {std::make_shared<const FilmCurve>(std::get<FilmCurve>(built)), datum_m};
 }
 
+RollerContact roller() {
+  return {.force_N = 0,
+          .length_m = 0.021,
+          .roller_diameter_m = 0.013,
+          .pitch_diameter_m = 0.087,
+          .modulus_Pa = 2.07e11,
+          .poisson = 0.29,
+          .ring_thickness_m = 0.0071};
+}
+
+struct NamedLaw {
+  std::string name;
+  ForceLaw law;
+};
+/// Every dry law that is printed as an approach, at both raceways.
+std::vector<NamedLaw> printed_laws() {
+  using enum Raceway;
+  return {{"lundberg, inner", lundberg_law(roller(), inner)}, {"lundberg, outer", lundberg_law(roller(), outer)},
+          {"tripp, inner", tripp_law(roller(), inner)},       {"tripp, outer", tripp_law(roller(), outer)},
+          {"houpert, inner", houpert_law(roller(), inner)},   {"houpert, outer", houpert_law(roller(), outer)}};
+}
+std::vector<NamedLaw> dry_laws() {
+  auto laws = printed_laws();
+  laws.push_back({"hertz", palmgren_law(0.021)});
+  laws.push_back({"iso", iso_law(0.021)});
+  return laws;
+}
+
+/// Int d(delta)/df df by Gauss' rule of three points: to (by/from)^6.
+double integral_of_compliance(const ForceLaw& law, double from_N, double by_N) {
+  constexpr double node = 0.7745966692414834;
+  const auto at = [&](double x) { return compliance(law, from_N + by_N * (1 + x) / 2); };
+  return by_N * (5 * at(-node) + 8 * at(0) + 5 * at(node)) / 18;
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(force_law)
+
+// Exact: a law is the printed approach.
+BOOST_AUTO_TEST_CASE(the_laws_are_the_printed_approaches) {
+  for (const double f : {0.31, 47.0, 8900.0, 61e3}) {
+    RollerContact contact = roller();
+    contact.force_N = f;
+    for (const Raceway raceway : {Raceway::inner, Raceway::outer}) {
+      EHD_CHECK(error(approach(lundberg_law(roller(), raceway), f), lundberg_approach_m(contact, raceway)), Tolerance::round_off(4));
+      EHD_CHECK(error(approach(tripp_law(roller(), raceway), f), tripp_approach_m(contact, raceway)), Tolerance::round_off(4));
+      // A power of a power: the exponents' rounding times ln(f/coefficient), some 30.
+      EHD_CHECK(error(approach(houpert_law(roller(), raceway), f), houpert_approach_m(contact, raceway)),
+                Tolerance::round_off(4, 30));
+    }
+  }
+}
+
+// Invariant: over eleven decades of force, force(approach(f)) = f and both slopes are reciprocal, to rounding; the compliance
+// is the derivative of the approach.
+BOOST_AUTO_TEST_CASE(dry_laws_are_inverse_to_rounding_and_their_slopes_fit) {
+  for (const auto& [name, law] : dry_laws()) {
+    BOOST_TEST_CONTEXT(name) {
+      // A logarithmic law is good to an ulp or two, times L/(L - 1) < 1.4; a power to its exponent's rounding times
+      // ln(f/coefficient), below 50 here.
+      const bool logarithmic = std::holds_alternative<LogarithmicLaw>(law);
+      const Tolerance ulps = logarithmic ? Tolerance::round_off(6) : Tolerance::round_off(2, 50);
+      for (double f = 1e-6; f < 9e4; f *= 3.7) {
+        const double delta = approach(law, f);
+        EHD_CHECK(error(force(law, delta), f), ulps);
+        EHD_CHECK(error(stiffness(law, delta) * compliance(law, f), 1), Tolerance::round_off(10, 10));
+        const double step = 1e-4 * f;
+        const double slope = (approach(law, f + step) - approach(law, f - step)) / (2 * step);
+        EHD_CHECK(error(compliance(law, f), slope), Tolerance::discretisation(1e-8, 1));  // (step/f)^2
+        const double shift = 1e-4 * delta;
+        const double rate = (force(law, delta + shift) - force(law, delta - shift)) / (2 * shift);
+        EHD_CHECK(error(stiffness(law, delta), rate), Tolerance::discretisation(1e-8, 1));
+      }
+      BOOST_TEST(force(law, 0) == 0);
+      BOOST_TEST(force(law, -1e-6) == 0);
+      BOOST_TEST(stiffness(law, -1e-6) == 0);
+      BOOST_TEST(approach(law, 0) == 0);
+      EHD_CHECK(error(force(law, approach(law, 1e-250)), 1e-250), Tolerance::round_off(2, 700));  // ln 1e-300
+    }
+  }
+}
+
+// Invariant: what a force adds to the approach is the integral of the compliance, however little it adds.
+BOOST_AUTO_TEST_CASE(a_small_rise_of_the_approach_keeps_its_digits) {
+  auto laws = dry_laws();
+  laws.push_back({"ehd-linear", LinearLaw{.K_N_per_m = 2.9e9, .dF_N = 900}});
+  for (const auto& [name, law] : laws)
+    for (const double from : {0.7, 320.0, 71e3})
+      for (const double part : {1e-3, 1e-7, 1e-12, 1e-17})
+        BOOST_TEST_CONTEXT(name << " from " << from << " N by " << part) {
+          EHD_CHECK(error(rise(law, from, part * from), integral_of_compliance(law, from, part * from)),
+                    Tolerance::round_off(10) + Tolerance::asymptotic(1e-18, "Gauss' rule, (by/from)^6"));
+        }
+  for (const auto& [name, law] : laws) {
+    EHD_CHECK(error(rise(law, 0, 55), approach(law, 55) - begins_at(law)), Tolerance::round_off(10));
+    EHD_CHECK(error(rise(law, 20, 3000), approach(law, 3020) - approach(law, 20)), Tolerance::round_off(10));
+  }
+}
+
+// Exact: the line that is cut at delta = 0 carries dF there, and nothing moves below it.
+BOOST_AUTO_TEST_CASE(a_cut_line_rises_above_its_jump_only) {
+  const LinearLaw cut{.K_N_per_m = 3e9, .dF_N = 900, .unloading = Unloading::at_zero_approach, .fitted_N = {}};
+  BOOST_TEST(cut.rise(0, 700) == 0);
+  EHD_CHECK(error(cut.rise(0, 1200), 1e-7), Tolerance::round_off(4));
+  EHD_CHECK(error(cut.rise(850, 350), 1e-7), Tolerance::round_off(4));
+  EHD_CHECK(error(cut.rise(1000, 300), 1e-7), Tolerance::round_off(4));
+}
+
+// Exact: a logarithmic law is stated while b is below an eighth of the length in its logarithm, and goes on straight.
+BOOST_AUTO_TEST_CASE(logarithmic_laws_end_where_the_contact_is_no_longer_narrow) {
+  const ForceLaw law = lundberg_law(roller(), Raceway::outer);
+  BOOST_REQUIRE(domain(law).has_value());
+  const double heaviest = domain(law)->second;
+  const RacewayContact contact{.length_m = roller().length_m,
+                               .reduced_radius_m = reduced_radius_m({.rollers = 1, .pitch_diameter_m = 0.087, .roller_diameter_m = 0.013}, Raceway::outer),
+                               .reduced_modulus_Pa = reduced_modulus_Pa(2.07e11, 0.29)};
+  const double length = 2 * std::exp(0.5) * roller().length_m;  // ln(4 e l^2/b^2)
+  EHD_CHECK(error(hertz::half_width_m(contact.at(heaviest)), length / 8), Tolerance::round_off(20));
+  const double end = approach(law, heaviest), step = 0.1 * end;
+  EHD_CHECK(error(approach(law, 2 * heaviest) - end, compliance(law, heaviest) * heaviest), Tolerance::round_off(20));
+  EHD_CHECK(error(approach(law, force(law, end + step)), end + step), Tolerance::round_off(20));
+  EHD_CHECK(error(rise(law, 0.9 * heaviest, heaviest), approach(law, 1.9 * heaviest) - approach(law, 0.9 * heaviest)), Tolerance::round_off(20));
+}
 
 // Exact: the rounded constant itself, in N and mm.
 BOOST_AUTO_TEST_CASE(palmgren_law_is_its_printed_constant) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bearing/geometry.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -75,6 +76,38 @@ BOOST_AUTO_TEST_CASE(rollers_at_mirrored_azimuths_form_one_group) {
   std::size_t members = 0;
   for (const RollerGroup& group : groups_of(0)) members += group.members.size();
   BOOST_TEST(members == 22u);
+}
+
+// Exact: a symmetric cage is symmetric to the bit, wherever its first roller is counted from.
+BOOST_AUTO_TEST_CASE(a_symmetric_cage_is_mirrored_to_the_bit) {
+  for (const int rollers : {3, 7, 13, 22, 113, 400})
+    for (const int half_pitches : {0, 1, 2, 5, -3}) {
+      Geometry bearing = needle_bearing();
+      bearing.rollers = rollers;
+      bearing.first_azimuth_deg = half_pitches * 180.0 / rollers;
+      const auto azimuths = azimuths_deg(bearing);
+      BOOST_TEST(symmetric_to_load(azimuths));
+      for (const double psi : azimuths) {
+        BOOST_TEST((psi == 0 || psi == 180 || std::find(azimuths.begin(), azimuths.end(), -psi) != azimuths.end()));
+        BOOST_TEST(cosine_of_degrees(psi) == cosine_of_degrees(-psi));
+        BOOST_TEST(sine_of_degrees(psi) == -sine_of_degrees(-psi));
+      }
+      bearing.first_azimuth_deg += 1e-9;
+      BOOST_TEST(!symmetric_to_load(azimuths_deg(bearing)));
+    }
+}
+
+// Exact values, and the library's functions elsewhere.
+BOOST_AUTO_TEST_CASE(sines_and_cosines_of_degrees) {
+  BOOST_TEST(cosine_of_degrees(90) == 0);
+  BOOST_TEST(sine_of_degrees(-90) == -1);
+  BOOST_TEST(sine_of_degrees(180) == 0);
+  BOOST_TEST(cosine_of_degrees(-120) == -0.5);
+  BOOST_TEST(sine_of_degrees(150) == 0.5);
+  for (const double psi : {-171.3, -95.0, -1e-7, 12.5, 88.0, 133.7}) {
+    EHD_CHECK(error(cosine_of_degrees(psi), std::cos(psi * std::acos(-1) / 180)), Tolerance::round_off(20));
+    EHD_CHECK(error(sine_of_degrees(psi), std::sin(psi * std::acos(-1) / 180)), Tolerance::round_off(20));
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

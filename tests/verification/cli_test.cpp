@@ -207,6 +207,10 @@ BOOST_AUTO_TEST_CASE(wrong_usage_is_one_line_on_standard_error_and_exit_code_2) 
       {"plan harris-209 --law ehd", "is missing; law ehd needs it"},
       {"plan " + resting, "resting.toml:14: speed_rpm = 0.0: leaves the rings at rest"},
       {"bearing " + resting, "resting.toml:14: speed_rpm = 0.0: leaves the rings at rest"},
+      {"bearing na4908 --law tripp", "[bearing] ring_thickness_m: is missing; law tripp needs it at the outer raceway"},
+      {"plan na4908 --law houpert", "allowed without: hertz, iso, lundberg"},
+      {"bearing na4908 --law hertz --form cubic", "--form = cubic: is unknown; allowed is plane or radial"},
+      {"bearing na4908 --law hertz --cage-positions 1", "--cage-positions = 1: is out of range; allowed is an integer from 2"},
       {"plan own-moes-5-5 --nodes 2000000000 --solver reference", "would not fit into memory"},
   };
   std::size_t ran = 0;

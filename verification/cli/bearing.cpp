@@ -23,7 +23,8 @@ using namespace verification;
 struct BearingOptions {
   std::vector<std::string> cases, laws;
   std::optional<std::string> json, plot;
-  std::string solver = "fast";
+  std::string solver = "fast", form = "plane";
+  std::optional<std::string> cage_positions;
   RequestOptions limits;
 };
 
@@ -32,6 +33,7 @@ Examples:
   ehd bearing na4908                                   dry and EHD laws side by side
   ehd bearing na4908 na4908-2.5um na4908-10um          three clearances; the paper's statements judged
   ehd bearing harris-209 --law hertz --law iso         dry laws only
+  ehd bearing na4908 --cage-positions 24               and the displacement while the cage turns by one pitch
   ehd bearing na4908 --law ehd-linear --json -         one result as JSON on standard output
   ehd bearing na4908 na4908-10um --plot loads.svg      contact forces over the azimuth, a panel a case
 
@@ -46,6 +48,24 @@ std::vector<BearingLaw> laws_named(const std::vector<std::string>& names) {
     if (std::find(laws.begin(), laws.end(), *law) == laws.end()) laws.push_back(*law);
   }
   return laws;
+}
+
+/// Throws UsageError.
+bearing::Form form_named(const std::string& name) {
+  for (const bearing::Form form : {bearing::Form::plane, bearing::Form::radial})
+    if (name == to_string(form)) return form;
+  throw option_error("--form", name, "is unknown; allowed is plane or radial");
+}
+
+/// 0 where it is not asked for. Throws UsageError.
+int positions_asked(const std::optional<std::string>& text) {
+  if (!text) return 0;
+  constexpr int fewest = 2, most = 10000;
+  const int positions = parse_integer("--cage-positions", *text);
+  if (positions < fewest || positions > most)
+    throw option_error("--cage-positions", *text,
+                       "is out of range; allowed is an integer from " + std::to_string(fewest) + " to " + std::to_string(most));
+  return positions;
 }
 
 /// The cases that were read, and what was computed of each.
@@ -113,6 +133,8 @@ std::optional<std::string> plot_of(const Computed& computed) {
 
 int bearing(const BearingOptions& options) {
   const std::vector<BearingLaw> named = laws_named(options.laws);
+  const bearing::Form form = form_named(options.form);
+  const int positions = positions_asked(options.cage_positions);
   const RegisteredSolver& solver = solver_named(options.solver);
   Computed computed;
   for (const std::string& name : options.cases) {
@@ -123,7 +145,11 @@ int bearing(const BearingOptions& options) {
   }
   const auto asked_of = [&](const Case& one) {
     const auto& body = std::get<BearingCase>(one.body);
-    return BearingRequest{.laws = named.empty() ? default_laws(body) : named, .explicitly = !named.empty()};
+    return BearingRequest{.laws = named.empty() ? default_laws(body) : named,
+                          .explicitly = !named.empty(),
+                          .films = true,
+                          .form = form,
+                          .cage_positions = positions};
   };
   for (const Case& one : computed.cases) require_possible(one, asked_of(one));
   std::vector<NamedFile> inputs, outputs;
@@ -201,6 +227,12 @@ void add_bearing(CLI::App& app, int& exit_code) {
       ->allow_extra_args(false);
   command->add_option("--solver", options->solver, "solver of the EHD contacts, one of " + solver_names())
       ->capture_default_str();
+  command
+      ->add_option("--form", options->form,
+                   "plane: the ring moves along and across the load; radial: along it only, as in the paper")
+      ->capture_default_str();
+  command->add_option("--cage-positions", options->cage_positions,
+                      "also balance at this many positions of the cage over one pitch");
   options->limits.add_to(*command, false);
   command->add_option("--json", options->json, "the results as JSON into a file, or - for standard output");
   command->add_option("--plot", options->plot, "contact forces over the azimuth as a figure, SVG");

@@ -41,8 +41,14 @@ double largest_load_N(const std::vector<BearingResult>& results) {
 
 std::optional<bearing::ForceLaw> law_of(const BearingCase& body, const BearingResult& result, bool inner) {
   switch (result.law) {
-    case BearingLaw::hertz: return bearing::palmgren_law(body.geometry.length_m);
-    case BearingLaw::iso: return bearing::iso_law(body.geometry.length_m);
+    case BearingLaw::hertz:
+    case BearingLaw::iso:
+    case BearingLaw::lundberg:
+    case BearingLaw::tripp:
+    case BearingLaw::houpert: {
+      const bearing::LawPair laws = dry_laws(result.law, roller_contact_of(body));
+      return inner ? laws.inner : laws.outer;
+    }
     case BearingLaw::ehd_linear:
       if (!result.fit) return std::nullopt;
       return (inner ? result.fit->inner : result.fit->outer).law();
