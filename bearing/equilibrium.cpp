@@ -373,8 +373,11 @@ Place balance_in_the_plane(Ring& ring, const Loading& loading) {
     const double scale = std::max(loading.radial_N, here.state.total_N);
     without_gain = here.miss_N < 0.9 * best.miss_N ? 0 : without_gain + 1;
     if (here.miss_N < best.miss_N) best = here;
-    // At rounding; or near it, and getting nowhere.
-    if (best.miss_N <= epsilon * scale || (without_gain > 2 && best.miss_N <= 1e3 * epsilon * scale)) break;
+    // At rounding; or near it, and getting nowhere; or stuck at a jump, where no displacement balances.
+    constexpr int patience_at_rounding = 2, patience = 30;
+    if (best.miss_N <= epsilon * scale || without_gain > patience ||
+        (without_gain > patience_at_rounding && best.miss_N <= 1e3 * epsilon * scale))
+      break;
     const double reach = std::max({std::abs(ring.gap_m()), here.v.norm(), 1e-6});
     const Vector2d step = newton_step(here.state.stiffness_N_per_m, missing_N, reach);
     const double pull_N = missing_N.dot(step);

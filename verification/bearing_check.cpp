@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/bearing_check.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <variant>
 #include <vector>
 
 #include "verification/claim.hpp"
@@ -24,6 +26,12 @@ Quad dot(const QuadVector& a, const QuadVector& b) { return a.x * b.x + a.y * b.
 QuadVector direction(double degrees) {
   const Quad angle = Quad(degrees) * acos(Quad(-1)) / 180;
   return {cos(angle), sin(angle)};
+}
+
+/// The length of the line that is cut off [m]; 0 of any other law.
+double cut_off_m(const bearing::ForceLaw& law) {
+  const auto* line = std::get_if<bearing::LinearLaw>(&law);
+  return line && line->unloading == bearing::Unloading::at_zero_approach ? std::max(0.0, line->dF_N / line->K_N_per_m) : 0;
 }
 
 /// One roller: the approach that its forces need, over its inner force.
@@ -94,6 +102,7 @@ double worst_bisection_error(const bearing::Geometry& geometry, const bearing::L
                   static_cast<double>(abs(ring.y - equilibrium.lateral_displacement_m) / size));
   }
 
+  const double cut_m = cut_off_m(laws.inner) + cut_off_m(laws.outer);
   Quad along = 0, across = 0, outer = 0;
   std::vector<double> apart_N;
   for (std::size_t j = 0; j < count; ++j) {
@@ -101,9 +110,9 @@ double worst_bisection_error(const bearing::Geometry& geometry, const bearing::L
     const QuadVector n = direction(equilibrium.azimuths_deg[j]);
     const auto s = static_cast<double>(dot(ring, n) - gap);
     double f = roller.force_N(s);
-    if (returned.at_jump) {
+    if (cut_m > 0) {
       // On the vertical part of its law a roller carries anything between the forces on either side.
-      const double slack = 4 * std::numeric_limits<double>::epsilon() * static_cast<double>(size);
+      const double slack = 4 * std::numeric_limits<double>::epsilon() * (static_cast<double>(size) + cut_m);
       const double least = roller.force_N(s - slack), most = roller.force_N(s + slack);
       f = returned.inner.force_N < least ? least : returned.inner.force_N > most ? most : returned.inner.force_N;
     }

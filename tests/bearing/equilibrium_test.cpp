@@ -327,6 +327,19 @@ BOOST_AUTO_TEST_CASE(the_plane_form_goes_to_the_radial_one) {
         }
 }
 
+// Counter: Newton with exact slopes contracts quadratically. From an estimate that is right to a factor of two, five steps are
+// 1e-16; as many again find the edge of the load zone, where slopes have corners.
+BOOST_AUTO_TEST_CASE(newton_in_the_plane_takes_ten_positions) {
+  for (const auto& [name, laws] : laws_of_every_kind())
+    for (const double first_deg : {1.0, 5.5})
+      for (const double clearance_m : {-5e-6, 10e-6})
+        BOOST_TEST_CONTEXT(name << ", " << first_deg << " deg, " << clearance_m << " m") {
+          Geometry geometry = needle_bearing(clearance_m);
+          geometry.first_azimuth_deg = first_deg;
+          BOOST_TEST(balanced(geometry, laws, {5e4, 28}).newton_iterations <= 10);
+        }
+}
+
 // Invariant: a cage turned by a pitch is the same cage, one roller on; a mirrored one carries the mirrored forces.
 BOOST_AUTO_TEST_CASE(turning_by_a_pitch_and_mirroring_change_nothing) {
   for (const auto& [name, laws] : laws_of_every_kind())

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rung 11, the parts of a bearing: kinematics, datum, fit, film curve, energy, and infinitely many rollers. Expected
+// Rung 11, the parts of a bearing: kinematics, datum, fit, film curve, energy, dry laws, stiffness, statics at light load,
+// random bearings, and infinitely many rollers. Expected
 // values come from the printed formulas, written out here once more, and from contacts solved by `reference` in SI, never
 // from bearing/'s own functions.
 #include <algorithm>
@@ -7,17 +8,20 @@
 #include <memory>
 #include <mutex>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "bearing/equilibrium.hpp"
 #include "contact/scaling.hpp"
+#include "verification/bearing_check.hpp"
 #include "verification/bearing_run.hpp"
 #include "verification/claims/fits.hpp"
 #include "verification/claims/topics.hpp"
 #include "verification/exact/martin.hpp"
 #include "verification/exact/sjovall.hpp"
+#include "verification/random_bearing.hpp"
 #include "verification/registry.hpp"
 #include "verification/text.hpp"
 
@@ -357,8 +361,9 @@ Findings judge_energy() {
   const bearing::PowerLaw power = bearing::palmgren_law(geometry.length_m);
   const bearing::LinearLaw inner{.K_N_per_m = 3.3e8, .dF_N = 410}, outer{.K_N_per_m = 2.7e8, .dF_N = 530};
   Findings found;
-  for (const auto& [name, laws] : {std::pair<std::string, bearing::LawPair>{"hertz", {power, power}},
+  for (const auto& [name, pair] : {std::pair<std::string, bearing::LawPair>{"hertz", {power, power}},
                                    std::pair<std::string, bearing::LawPair>{"ehd-linear", {inner, outer}}}) {
+    const bearing::LawPair& laws = pair;
     const auto balanced = bearing::balance(geometry, laws, {.radial_N = radial_N, .centrifugal_N = centrifugal_N});
     double along = nothing, across = nothing;
     if (const auto* ring = std::get_if<bearing::Equilibrium>(&balanced)) {
@@ -380,6 +385,168 @@ Findings judge_energy() {
     found.claims.push_back(claim(sentence("energy/" + name + "/across",
                                           "under a cage that is not symmetric the energy is least across the load, law " + name),
                                  std::abs(across) / radial_N, 0, differences));
+  }
+  return found;
+}
+
+// ---- Dry laws and the ring in the plane ------------------------------------------------------------------------------
+
+constexpr BearingLaw printed_laws[] = {BearingLaw::hertz, BearingLaw::iso, BearingLaw::lundberg, BearingLaw::tripp, BearingLaw::houpert};
+
+bearing::RollerContact some_contact() {
+  return {.force_N = 0, .length_m = 0.017, .roller_diameter_m = 0.011, .pitch_diameter_m = 0.083, .modulus_Pa = 2.09e11,
+          .poisson = 0.28, .ring_thickness_m = 0.0064};
+}
+
+/// Nine decades of force, to 4 GPa.
+Findings judge_dry_laws() {
+  Findings found;
+  std::vector<std::pair<std::string, bearing::LawPair>> named;
+  for (const BearingLaw law : printed_laws) named.emplace_back(to_string(law), dry_laws(law, some_contact()));
+  named.emplace_back("ehd-linear", bearing::LawPair{bearing::LinearLaw{.K_N_per_m = 3.3e8, .dF_N = 410},
+                                                    bearing::LinearLaw{.K_N_per_m = 2.7e8, .dF_N = -90}});
+  for (const auto& [name, laws] : named) {
+    double slope_error = 0, inverse_error = 0;
+    int forces = 0;
+    for (const bearing::ForceLaw* one : {&laws.inner, &laws.outer})
+      for (double f = 1e-4; f < 1e5; f *= 3.1) {
+        if (std::holds_alternative<bearing::LinearLaw>(*one) && f < 1) continue;  // lost beside dF
+        const double delta = bearing::approach(*one, f), step = 1e-4 * f, shift = 1e-4 * f * bearing::compliance(*one, f);
+        const double compliance = (bearing::approach(*one, f + step) - bearing::approach(*one, f - step)) / (2 * step);
+        const double stiffness = (bearing::force(*one, delta + shift) - bearing::force(*one, delta - shift)) / (2 * shift);
+        slope_error = worse(slope_error, std::abs(bearing::compliance(*one, f) / compliance - 1),
+                            std::abs(bearing::stiffness(*one, delta) / stiffness - 1));
+        inverse_error = worse(inverse_error, std::abs(bearing::force(*one, delta) / f - 1));
+        ++forces;
+      }
+    const std::string about = std::to_string(forces) + " forces";
+    found.claims.push_back(claim(sentence("laws/" + name + "/slopes", "the slopes of the law " + name + " are those of its force and of its approach"),
+                                 slope_error, 0, Tolerance::discretisation(1e-8, 1), about + ", central differences of 1e-4"));
+    found.claims.push_back(claim(sentence("laws/" + name + "/inverse", "the law " + name + " gives back the force that its approach came from"),
+                                 inverse_error, 0, Tolerance::round_off(2, name == "ehd-linear" ? 1e3 : 50),
+                                 about + "; the logarithm of f over its coefficient is below 50, dF over f below 1000"));
+  }
+  return found;
+}
+
+/// Sum f (cos, sin) of a ring that is put somewhere, from the rollers alone.
+std::pair<double, double> ring_force_N(const bearing::Geometry& geometry, const bearing::LawPair& laws, double centrifugal_N,
+                                       double along_m, double across_m) {
+  std::pair<double, double> sum{0, 0};
+  for (int j = 0; j < geometry.rollers; ++j) {
+    const double psi = (geometry.first_azimuth_deg + 360.0 * j / geometry.rollers) * pi / 180;
+    const double f = bearing::balance_roller(laws, centrifugal_N,
+                                             along_m * std::cos(psi) + across_m * std::sin(psi) - geometry.clearance_m / 2)
+                         .inner.force_N;
+    sum.first += f * std::cos(psi);
+    sum.second += f * std::sin(psi);
+  }
+  return sum;
+}
+
+Findings judge_plane() {
+  const bearing::RollerContact contact = some_contact();
+  const bearing::Geometry geometry{.rollers = 9, .pitch_diameter_m = contact.pitch_diameter_m, .roller_diameter_m = contact.roller_diameter_m,
+                                   .length_m = contact.length_m, .clearance_m = 6e-6, .density_kg_per_m3 = 7790, .first_azimuth_deg = 8.3};
+  constexpr double centrifugal_N = 57, radial_N = 7.7e3;
+  Findings found;
+  for (const BearingLaw law : printed_laws) {
+    const std::string name(to_string(law));
+    const bearing::LawPair laws = dry_laws(law, contact);
+    const auto ring_of = [&](const bearing::Geometry& of, double load_N) -> std::optional<bearing::Equilibrium> {
+      const auto result = bearing::balance(of, laws, {.radial_N = load_N, .centrifugal_N = centrifugal_N});
+      const auto* ring = std::get_if<bearing::Equilibrium>(&result);
+      return ring ? std::optional(*ring) : std::nullopt;
+    };
+    double forces_error = nothing, balances_error = nothing, reciprocity = nothing;
+    if (const auto ring = ring_of(geometry, radial_N)) {
+      const auto& K = ring->stiffness_N_per_m;
+      const double x = ring->displacement_m, y = ring->lateral_displacement_m, h = 1e-5 * x;
+      const auto slope = [&](double to_x, double to_y) {
+        const auto more = ring_force_N(geometry, laws, centrifugal_N, x + h * to_x, y + h * to_y),
+                   less = ring_force_N(geometry, laws, centrifugal_N, x - h * to_x, y - h * to_y);
+        return std::pair{(more.first - less.first) / (2 * h), (more.second - less.second) / (2 * h)};
+      };
+      const auto along = slope(1, 0), across = slope(0, 1);
+      forces_error = worse(worse(std::abs(along.first - K[0][0]), std::abs(along.second - K[1][0])),
+                           worse(std::abs(across.first - K[0][1]), std::abs(across.second - K[1][1]))) / K[0][0];
+      // The inverse, by other balances: a load along changed by 1e-5, and as much across, which is the cage turned back.
+      constexpr double part = 1e-5;
+      const auto more = ring_of(geometry, radial_N * (1 + part)), less = ring_of(geometry, radial_N * (1 - part));
+      const auto with_lateral = [&](double part_across) {
+        const double angle = std::atan(part_across);
+        bearing::Geometry turned = geometry;
+        turned.first_azimuth_deg -= angle * 180 / pi;
+        const auto seen = ring_of(turned, radial_N / std::cos(angle));
+        return seen ? seen->displacement_m * std::cos(angle) - seen->lateral_displacement_m * std::sin(angle) : nothing;
+      };
+      if (more && less) {
+        const double determinant = K[0][0] * K[1][1] - K[0][1] * K[0][1], unit = K[1][1] / determinant, load = 2 * part * radial_N;
+        const double gives_along = (more->displacement_m - less->displacement_m) / load,
+                     gives_across = (more->lateral_displacement_m - less->lateral_displacement_m) / load;
+        balances_error = worse(std::abs(gives_along - K[1][1] / determinant), std::abs(gives_across + K[0][1] / determinant)) / unit;
+        reciprocity = std::abs((with_lateral(part) - with_lateral(-part)) / load - gives_across) / unit;
+      }
+    }
+    // (h/x)^2 with a third derivative of order a thousand: a roller near the edge of the load zone has a steep one.
+    const Tolerance differences = Tolerance::discretisation(1e-10, 1e3);
+    const std::string of = ", law " + name;
+    found.claims.push_back(claim(sentence("stiffness/" + name + "/forces", "the stiffness of the bearing is the derivative of the rollers' forces along and across" + of),
+                                 forces_error, 0, differences));
+    found.claims.push_back(claim(sentence("stiffness/" + name + "/balances", "its inverse is what other balances give way, along and across" + of),
+                                 balances_error, 0, differences));
+    found.claims.push_back(claim(sentence("stiffness/" + name + "/reciprocal", "a load across moves the ring along as a load along moves it across" + of),
+                                 reciprocity, 0, differences));
+  }
+  return found;
+}
+
+/// With room, a light load rests on the two rollers beside it, whose forces are F sin(b)/sin(a + b) and F sin(a)/sin(a + b).
+Findings judge_light_load() {
+  const bearing::RollerContact contact = some_contact();
+  double worst = 0;
+  int balances = 0;
+  for (const int rollers : {3, 5, 36, 400})
+    for (const double part : {1e-5, 0.2, 0.49, 0.9})
+      for (const double load_N : {1e-9, 1e-3}) {
+        const double pitch = 2 * pi / rollers, a = part * pitch, b = pitch - a;
+        const bearing::Geometry geometry{.rollers = rollers, .pitch_diameter_m = contact.pitch_diameter_m, .roller_diameter_m = contact.roller_diameter_m,
+                                         .length_m = contact.length_m, .clearance_m = 200e-6, .density_kg_per_m3 = 7790,
+                                         .first_azimuth_deg = part * 360 / rollers};
+        const auto result = bearing::balance(geometry, dry_laws(BearingLaw::tripp, contact), {.radial_N = load_N, .centrifugal_N = 57});
+        const auto* ring = std::get_if<bearing::Equilibrium>(&result);
+        const double first = ring ? ring->rollers.front().inner.force_N : nothing, last = ring ? ring->rollers.back().inner.force_N : nothing;
+        worst = worse(worst, std::abs(first / load_N - std::sin(b) / std::sin(pitch)), std::abs(last / load_N - std::sin(a) / std::sin(pitch)));
+        ++balances;
+      }
+  Findings found;
+  found.claims.push_back(claim(sentence("statics", "a light load rests on the two rollers beside it, with the forces that statics gives"), worst, 0,
+                               Tolerance::round_off(20, 100), std::to_string(balances) + " bearings; 1/sin(pitch) is below 100"));
+  return found;
+}
+
+/// Bearings over the whole ranges, each balance looked at by bisection.
+Findings judge_random_bearings() {
+  constexpr unsigned bearings = 150;
+  Findings found;
+  for (const BearingLaw law : printed_laws) {
+    double worst = 0;
+    unsigned worst_seed = 0;
+    for (unsigned seed = 1; seed <= bearings; ++seed) {
+      const RandomBearing drawn = random_bearing(seed);
+      const bearing::LawPair laws = dry_laws(law, drawn.contact);
+      const auto result = bearing::balance(drawn.geometry, laws, drawn.loading);
+      const auto* ring = std::get_if<bearing::Equilibrium>(&result);
+      const double error = ring ? worst_bisection_error(drawn.geometry, laws, drawn.loading, bearing::Form::plane, *ring) : nothing;
+      if (!(error <= worst) && !std::isnan(worst)) {
+        worst = error;
+        worst_seed = seed;
+      }
+    }
+    const std::string name(to_string(law));
+    found.claims.push_back(claim(sentence("random/" + name, std::to_string(bearings) + " random bearings are balanced, which bisection of every roller confirms, law " + name),
+                                 worst, 0, Tolerance::required(bearing::largest_balance_error, "what a balance promises"),
+                                 "worst at seed " + std::to_string(worst_seed)));
   }
   return found;
 }
@@ -431,6 +598,10 @@ std::vector<Topic> bearing_part_topics(const std::vector<LoadedCase>& cases) {
   };
   add("energy", judge_energy);
   add("many rollers", judge_many_rollers);
+  add("dry laws", judge_dry_laws);
+  add("ring in the plane", judge_plane);
+  add("light load", judge_light_load);
+  add("random bearings", judge_random_bearings);
   const auto na4908 = std::find_if(cases.begin(), cases.end(), [](const LoadedCase& loaded) { return loaded.id == "na4908"; });
   if (na4908 == cases.end() || !std::holds_alternative<Case>(na4908->content)) return topics;
   const Case one = std::get<Case>(na4908->content);
