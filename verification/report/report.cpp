@@ -79,6 +79,9 @@ Look look_of_law(const std::string& law) {
   if (law == "ehd-linear") return {Line::dash_dot, Marker::square, 2};
   if (law == "ehd") return {Line::solid, Marker::triangle, 3};
   if (law == "iso") return {Line::dotted, Marker::diamond, 4};
+  if (law == "lundberg") return {Line::dashed, Marker::plus, 5};
+  if (law == "tripp") return {Line::dash_dot, Marker::cross, 6};
+  if (law == "houpert") return {Line::dotted, Marker::square, 6};
   return {Line::dotted, Marker::plus, 5};
 }
 
