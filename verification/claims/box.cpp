@@ -119,9 +119,9 @@ std::vector<Topic> box_topics() {
       for (const bool flooded : {true, false}) {
         if (!flooded && M < lightest_cut_M) continue;
         const Row row{M, roelands, flooded};
-        topics.push_back({.name = "box", .rungs = {6, 8}, .slow = true, .judge = [row] { return judge_row(row); }});
+        topics.push_back({.name = id_of(row), .rungs = {6, 8}, .slow = true, .judge = [row] { return judge_row(row); }, .expected_s = 10});
         if (!flooded && M <= heaviest_twin_M)
-          topics.push_back({.name = "twins over the box", .rungs = {7}, .slow = true, .judge = [row] {
+          topics.push_back({.name = "twins, " + id_of(row), .rungs = {7}, .slow = true, .judge = [row] {
                               return judge_twin_row(row);
                             }});
       }

@@ -262,10 +262,10 @@ std::vector<Topic> random_topics(int runs) {
   std::vector<Topic> topics;
   for (const bool roelands : {false, true})
     topics.push_back(
-        {.name = "honest bars", .rungs = {8}, .slow = true, .judge = [=] { return judge_bars(roelands, runs); }});
-  topics.push_back({.name = "random box", .rungs = {6}, .slow = true, .judge = [=] { return judge_box(runs); }});
+        {.name = std::string("honest bars, ") + (roelands ? "Roelands" : "Barus"), .rungs = {8}, .slow = true, .judge = [=] { return judge_bars(roelands, runs); }, .expected_s = 100});
+  topics.push_back({.name = "random box", .rungs = {6}, .slow = true, .judge = [=] { return judge_box(runs); }, .expected_s = 80});
   for (const double tolerance : {1e-3, 1e-5})
-    topics.push_back({.name = "random box", .rungs = {6, 8}, .slow = true, .judge = [=] { return judge_fast(tolerance, runs); }});
+    topics.push_back({.name = "random box at " + plain(tolerance), .rungs = {6, 8}, .slow = true, .judge = [=] { return judge_fast(tolerance, runs); }, .expected_s = 20});
   return topics;
 }
 

@@ -328,7 +328,7 @@ std::vector<Topic> regime_topics() {
   return {{.name = "Martin limit", .rungs = {9}, .judge = [] { return judge_martin("reference"); }},
           {.name = "Martin limit", .rungs = {9}, .judge = [] { return judge_martin("fast"); }},
           {.name = "Ertel-Grubin", .rungs = {9}, .judge = judge_ertel_grubin},
-          {.name = "Ertel-Grubin", .rungs = {9}, .slow = true, .judge = judge_ertel_grubin_trend},
+          {.name = "Ertel-Grubin", .rungs = {9}, .slow = true, .judge = judge_ertel_grubin_trend, .expected_s = 12},
           {.name = "Blok limit", .rungs = {9}, .slow = true, .judge = judge_blok},
           {.name = "isoviscous elastic", .rungs = {9}, .judge = judge_isoviscous_elastic},
           {.name = "isoviscous elastic limit", .rungs = {9}, .judge = judge_isoviscous_elastic_limit}};
