@@ -708,6 +708,17 @@ std::vector<BearingResult> run_bearing(const Case& bearing_case, const BearingRe
   return BearingRun(bearing_case, request, memory).run();
 }
 
+std::optional<LawPair> laws_of(const BearingCase& body, const BearingResult& result) {
+  if (!needs_film(result.law)) return dry_laws(result.law, roller_contact_of(body));
+  if (result.law == BearingLaw::ehd_linear) {
+    if (!result.fit) return std::nullopt;
+    return LawPair{result.fit->inner.law(), result.fit->outer.law()};
+  }
+  if (!result.curve || !result.datum_m) return std::nullopt;
+  return LawPair{CurveLaw(std::make_shared<const FilmCurve>(result.curve->inner), result.datum_m->inner),
+                 CurveLaw(std::make_shared<const FilmCurve>(result.curve->outer), result.datum_m->outer)};
+}
+
 std::optional<double> measure(const std::vector<BearingResult>& results, const Expectation& expectation) {
   for (const BearingResult& result : results) {
     if (to_string(result.law) != expectation.law || result.rollers.empty()) continue;

@@ -165,6 +165,9 @@ struct BearingRequest {
   bearing::Form form = bearing::Form::plane;
   int cage_positions = 0;  ///< at how many positions of the cage over one pitch the ring is balanced besides; 0: none
 };
+/// The laws that a result was balanced with; absent where it has none (no balance).
+[[nodiscard]] std::optional<bearing::LawPair> laws_of(const BearingCase& body, const BearingResult& result);
+
 /// All laws of the request that the plan runs, in that order. Every way to end is in the results' status. Throws
 /// CaseError for an EHD law at rest, or (`explicitly`) without a lubricant, and for a law without the ring thickness that
 /// it needs, before anything is solved.

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <memory>
 #include <numbers>
 
 #include "bearing/force_law.hpp"
@@ -36,15 +35,6 @@ std::optional<double> thinnest_film_m(const BearingResult& result) {
   for (const RollerRow& row : result.rollers)
     if (row.inner.film_minimum_m) thinnest = std::min(thinnest.value_or(*row.inner.film_minimum_m), *row.inner.film_minimum_m);
   return thinnest;
-}
-
-/// The law that a result was balanced with.
-std::optional<bearing::ForceLaw> law_at(const BearingResult& result, bool inner) {
-  if (result.law == BearingLaw::ehd_linear && result.fit) return (inner ? result.fit->inner : result.fit->outer).law();
-  if (result.law == BearingLaw::ehd && result.curve && result.datum_m)
-    return bearing::CurveLaw(std::make_shared<const FilmCurve>(inner ? result.curve->inner : result.curve->outer),
-                             inner ? result.datum_m->inner : result.datum_m->outer);
-  return std::nullopt;
 }
 
 /// The rollers' exact stiffnesses at a balance, and what they make of errors of the contacts' approaches.
@@ -114,8 +104,8 @@ std::vector<BudgetRow> error_budget(const Case& bearing_case, const std::vector<
                                     ContactMemory& memory) {
   const BearingResult* const result = of_law(results, law);
   if (!result || !needs_film(law) || !result->curve || !result->datum_m) return {};
-  const auto inner = law_at(*result, true), outer = law_at(*result, false);
-  if (!inner || !outer) return {};
+  const auto laws = laws_of(std::get<BearingCase>(bearing_case.body), *result);
+  if (!laws) return {};
   std::vector<BudgetRow> rows;
   const auto add = [&rows](BudgetRow row, std::string source, std::string of) {
     row.source = std::move(source);
@@ -127,7 +117,7 @@ std::vector<BudgetRow> error_budget(const Case& bearing_case, const std::vector<
   const BearingResult* const full = of_law(results, BearingLaw::ehd);
   if (law == BearingLaw::ehd_linear && full) add(difference(*result, *full), "fit", "ehd-linear against ehd");
 
-  const Linearised linear(*result, *inner, *outer);
+  const Linearised linear(*result, laws->inner, laws->outer);
   const auto curve_of = [&](bool at_inner) -> const FilmCurve& {
     return at_inner ? result->curve->inner : result->curve->outer;
   };

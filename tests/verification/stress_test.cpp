@@ -162,7 +162,7 @@ BOOST_AUTO_TEST_CASE(every_part_is_listed_once_by_letter_and_name) {
     BOOST_TEST(find_part(part.id) == &part);
     BOOST_TEST(find_part(part.name) == &part);
   }
-  BOOST_TEST(ids == (std::set<std::string>{"a", "b", "c", "d", "e", "f", "g", "h"}), boost::test_tools::per_element());
+  BOOST_TEST(ids == (std::set<std::string>{"a", "b", "c", "d", "e", "f", "g", "h", "i"}), boost::test_tools::per_element());
   BOOST_TEST(names.size() == 8u);
   BOOST_TEST(!find_part("i"));
 }

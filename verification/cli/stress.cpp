@@ -97,7 +97,7 @@ void add_stress(CLI::App& app, int& exit_code) {
       app.add_subcommand("stress", "Numerical stability: starts, precision, rounding, condition, extremes");
   command->footer(examples);
   command->add_option("--output", options->output, "folder for stress.json")->type_name("DIR");
-  command->add_option("--part", options->parts, "a to h (repeatable; all)")
+  command->add_option("--part", options->parts, "a to i (repeatable; all)")
       ->type_name("LETTER")
       ->allow_extra_args(false);
   command->add_option("--threads", options->threads, "threads (as many as there are cores)")->type_name("N");

@@ -39,28 +39,6 @@ double largest_load_N(const std::vector<BearingResult>& results) {
   return largest;
 }
 
-std::optional<bearing::ForceLaw> law_of(const BearingCase& body, const BearingResult& result, bool inner) {
-  switch (result.law) {
-    case BearingLaw::hertz:
-    case BearingLaw::iso:
-    case BearingLaw::lundberg:
-    case BearingLaw::tripp:
-    case BearingLaw::houpert: {
-      const bearing::LawPair laws = dry_laws(result.law, roller_contact_of(body));
-      return inner ? laws.inner : laws.outer;
-    }
-    case BearingLaw::ehd_linear:
-      if (!result.fit) return std::nullopt;
-      return (inner ? result.fit->inner : result.fit->outer).law();
-    case BearingLaw::ehd:
-      if (!result.curve || !result.datum_m) return std::nullopt;
-      return bearing::CurveLaw(
-          std::make_shared<const bearing::FilmCurve>(inner ? result.curve->inner : result.curve->outer),
-          inner ? result.datum_m->inner : result.datum_m->outer);
-  }
-  return std::nullopt;
-}
-
 /// Displacement over contact force, geometrically spaced; the film only where the law has one of its own.
 Json curve_json(const bearing::ForceLaw& law, double heaviest_N) {
   std::vector<double> displacement, force, film;
@@ -103,11 +81,12 @@ void make(const std::vector<Case>& cases, Made& made) {
       bearing["laws"].push_back(law_json(result));
       if (const auto budget = error_budget(one, all.back(), result.law, memory); !budget.empty())
         bearing["laws"].back()["error_budget"] = to_json(budget);
+      const auto pair = result.rollers.empty() ? std::nullopt : laws_of(body, result);
       for (const bool inner : {true, false}) {
-        const auto law = law_of(body, result, inner);
-        if (!law || !(heaviest > 0)) continue;
+        if (!pair || !(heaviest > 0)) continue;
+        const bearing::ForceLaw& law = inner ? pair->inner : pair->outer;
         Json curve = {{"id", one.id}, {"raceway", inner ? "inner" : "outer"}, {"law", to_string(result.law)}};
-        curve.update(curve_json(*law, heaviest));
+        curve.update(curve_json(law, heaviest));
         made.laws.push_back(std::move(curve));
       }
     }

@@ -157,4 +157,20 @@ struct RepeatRow {
 [[nodiscard]] std::vector<RepeatRow> run_repeats(const Scope& scope);
 [[nodiscard]] Part judge_repeats(const std::vector<RepeatRow>& rows);
 
+// (i) -- random bearings ------------------------------------------------------------------------------------------
+struct BearingRow {
+  std::string law = {};
+  long tried = 0, balanced = 0;
+  long refused_outside = 0;  ///< outside the stated domain of the law, judged without the refusal
+  long refused_inside = 0;
+  double worst_balance = 0;    ///< balance_error; NaN stays
+  double worst_bisection = 0;  ///< worst_bisection_error; NaN stays
+  long contact_solves = 0;
+  double wall_s = 0, slowest_s = 0;
+  std::vector<std::string> inside = {};   ///< seeds and reasons of refusals inside the domain
+  std::vector<std::string> reasons = {};  ///< of refusals outside, each kind once
+};
+[[nodiscard]] std::vector<BearingRow> run_bearings(const Scope& scope);
+[[nodiscard]] Part judge_bearings(const std::vector<BearingRow>& rows);
+
 }  // namespace ehd::verification::stress

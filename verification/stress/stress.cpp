@@ -83,6 +83,7 @@ const std::vector<PartEntry>& parts() {
       {"f", "grids", [](const Scope& scope) { return judge_grids(run_grids(scope)); }},
       {"g", "extremes", [](const Scope& scope) { return judge_extremes(run_extremes(scope)); }},
       {"h", "repeatability", [](const Scope& scope) { return judge_repeats(run_repeats(scope)); }},
+      {"i", "bearings", [](const Scope& scope) { return judge_bearings(run_bearings(scope)); }},
   };
   return list;
 }

@@ -26,7 +26,7 @@ struct Table {
 
 /// One part as stress.json has it.
 struct Part {
-  std::string id = {};        ///< "a" … "h"
+  std::string id = {};        ///< "a" … "i"
   std::string name = {};      ///< "box"
   std::string question = {};  ///< one sentence
   Verdict verdict = Verdict::inconclusive;

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// (i) Ten thousand random bearings: every dry law balances all of them; the laws with films balance those of their
+// domain, and refuse others with a reason. Every balance is looked at by plain bisection.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <mutex>
+#include <numbers>
+#include <set>
+
+#include "bearing/equilibrium.hpp"
+#include "contact/hertz.hpp"
+#include "verification/bearing_check.hpp"
+#include "verification/bearing_run.hpp"
+#include "verification/claim.hpp"
+#include "verification/parallel.hpp"
+#include "verification/random_bearing.hpp"
+#include "verification/stress/parts.hpp"
+#include "verification/text.hpp"
+
+namespace ehd::verification::stress {
+
+namespace {
+
+using std::numbers::pi;
+using Clock = std::chrono::steady_clock;
+
+constexpr unsigned first_seed = 20261122;
+/// Of the contacts here: the balance is what is tried, and its forces are checked against the law it was given.
+constexpr double contact_tolerance = 1e-3;
+constexpr std::size_t most_messages = 20;
+
+/// The drawn bearing as a case, with an oil of its own.
+Case case_of(const RandomBearing& drawn, unsigned seed) {
+  Draw draw(seed ^ 0x5eedu);
+  Lubricant oil;
+  oil.viscosity = draw.index(4) == 0 ? ViscosityLaw::barus : ViscosityLaw::roelands;
+  oil.density = draw.index(2) == 0 ? DensityLaw::incompressible : DensityLaw::dowson_higginson;
+  oil.alpha_per_Pa = draw.uniform(1e-8, 2.8e-8);
+  BearingCase body;
+  body.geometry = {.rollers = drawn.geometry.rollers,
+                   .pitch_diameter_m = drawn.geometry.pitch_diameter_m,
+                   .roller_diameter_m = drawn.geometry.roller_diameter_m,
+                   .length_m = drawn.geometry.length_m,
+                   .clearance_m = drawn.geometry.clearance_m,
+                   .density_kg_per_m3 = drawn.geometry.density_kg_per_m3,
+                   .first_azimuth_deg = drawn.geometry.first_azimuth_deg,
+                   .ring_thickness_m = drawn.contact.ring_thickness_m};
+  constexpr double rpm_per_rad_per_s = 30 / pi;
+  body.operation = {.inner_speed_rpm = drawn.speeds.inner_rad_per_s * rpm_per_rad_per_s,
+                    .outer_speed_rpm = drawn.speeds.outer_rad_per_s * rpm_per_rad_per_s,
+                    .radial_load_N = drawn.loading.radial_N};
+  body.modulus_Pa = drawn.contact.modulus_Pa;
+  body.poisson = drawn.contact.poisson;
+  body.lubricant = BearingLubricant{.lubricant = oil, .viscosity_Pa_s = draw.logarithmic(2e-3, 0.2)};
+  Case one;
+  one.id = "random-" + std::to_string(seed);
+  one.version = 1;
+  one.body = std::move(body);
+  return one;
+}
+
+/// What the laws with films are made for, from the stated numbers alone: rings that move against each other, L up to 30
+/// and M up to 5000 at both raceways, p_H up to 4 GPa at the heaviest contact of the dry balance, and a datum (palmgren's)
+/// above the half width of the heaviest contact. Empty where the bearing is inside; else where it is not.
+std::string outside_films_domain(const RandomBearing& drawn, const BearingCase& body) {
+  const double u = bearing::sum_speed_m_per_s(drawn.geometry, drawn.speeds);
+  if (!(u > 0)) return "at rest";
+  const double E = bearing::reduced_modulus_Pa(body.modulus_Pa, body.poisson), eta = body.lubricant->viscosity_Pa_s;
+  const auto palmgren = bearing::palmgren_law(drawn.geometry.length_m);
+  const auto dry = bearing::balance(drawn.geometry, {palmgren, palmgren}, drawn.loading);
+  if (!std::holds_alternative<bearing::Equilibrium>(dry)) return "no dry balance";
+  double inner_N = 0;
+  for (const auto& roller : std::get<bearing::Equilibrium>(dry).rollers) inner_N = std::max(inner_N, roller.inner.force_N);
+  if (!(inner_N > 0)) return "no dry roller load, and so no datum";
+  for (const auto raceway : {bearing::Raceway::inner, bearing::Raceway::outer}) {
+    const double R = bearing::reduced_radius_m(drawn.geometry, raceway), l = drawn.geometry.length_m;
+    const double force_N = raceway == bearing::Raceway::inner ? inner_N : inner_N + drawn.loading.centrifugal_N;
+    const double U = eta * u / (E * R), w = force_N / l;
+    if (*body.lubricant->lubricant.alpha_per_Pa * E * std::pow(U, 0.25) > 30) return "L above 30";
+    if (w / (E * R) / std::sqrt(U) > 5000) return "M above 5000";
+    if (std::sqrt(w * E / (2 * pi * R)) > highest_pressure_Pa) return "p_H above 4 GPa";
+    // x_0 of palmgren's datum: (4w/(pi E')) [ln(2 x_0/b) + 1/2] = delta
+    const double b = std::sqrt(8 * w * R / (pi * E)), w_i = inner_N / l, b_i = std::sqrt(8 * w_i * R / (pi * E));
+    const double x_0 = b_i / 2 * std::exp(palmgren.approach(inner_N) / (4 * w_i / (pi * E)) - 0.5);
+    if (x_0 < b) return "datum below the half width";
+  }
+  return "";
+}
+
+struct Outcome {
+  bool balanced = false;
+  double balance = 0, bisection = 0, wall_s = 0;
+  long solves = 0;
+  std::string why, outside;
+};
+
+double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
+
+/// The returned balance once more from the laws, and by bisection.
+void check(Outcome& outcome, const RandomBearing& drawn, const bearing::LawPair& laws, std::optional<double> displacement_m) {
+  const auto begin = Clock::now();
+  const auto found = bearing::balance(drawn.geometry, laws, drawn.loading);
+  outcome.wall_s += seconds_since(begin);
+  if (const auto* none = std::get_if<bearing::NoEquilibrium>(&found)) {
+    outcome.why = none->why;
+    return;
+  }
+  const auto& ring = std::get<bearing::Equilibrium>(found);
+  outcome.balanced = true;
+  outcome.balance = ring.balance_error;
+  outcome.bisection = worst_bisection_error(drawn.geometry, laws, drawn.loading, bearing::Form::plane, ring);
+  if (displacement_m && *displacement_m != ring.displacement_m)  // the run and its own laws must say the same
+    outcome.bisection = std::numeric_limits<double>::quiet_NaN();
+}
+
+Outcome of_dry(BearingLaw law, const RandomBearing& drawn) {
+  Outcome outcome;
+  check(outcome, drawn, dry_laws(law, drawn.contact), std::nullopt);
+  return outcome;
+}
+
+/// Both laws with films: they share their contacts.
+std::vector<Outcome> of_films(const RandomBearing& drawn, unsigned seed) {
+  const Case one = case_of(drawn, seed);
+  const auto& body = std::get<BearingCase>(one.body);
+  const std::string outside = outside_films_domain(drawn, body);
+  std::vector<Outcome> outcomes(2);
+  Request request = ContactMemory::bearing_request();
+  request.tolerance = contact_tolerance;
+  request.time_limit_s = 20;
+  ContactMemory memory([solver = find_solver("fast")](const Problem& problem, const Request& with) { return solver->solve(problem, with); },
+                       request);
+  const BearingLaw laws[] = {BearingLaw::ehd_linear, BearingLaw::ehd};
+  for (std::size_t k = 0; k < 2; ++k) {
+    Outcome& outcome = outcomes[k];
+    outcome.outside = outside;
+    if (outside == "at rest") {
+      outcome.why = "refused at rest";
+      continue;
+    }
+    const auto results = run_bearing(one, {.laws = {laws[k]}, .explicitly = true, .films = false}, memory);
+    if (results.empty() || results[0].rollers.empty()) {
+      outcome.why = results.empty() ? "no result" : results[0].why;
+      continue;
+    }
+    outcome.wall_s = results[0].wall_s;
+    outcome.solves = results[0].contact_solves;
+    const auto pair = laws_of(body, results[0]);
+    if (pair) check(outcome, drawn, *pair, results[0].displacement_m);
+  }
+  return outcomes;
+}
+
+void add(BearingRow& row, const Outcome& outcome, const std::string& name) {
+  ++row.tried;
+  row.wall_s += outcome.wall_s;
+  row.slowest_s = std::max(row.slowest_s, outcome.wall_s);
+  row.contact_solves += outcome.solves;
+  if (outcome.balanced) {
+    ++row.balanced;
+    row.worst_balance = worse(row.worst_balance, outcome.balance);
+    row.worst_bisection = worse(row.worst_bisection, outcome.bisection);
+    return;
+  }
+  ++(outcome.outside.empty() ? row.refused_inside : row.refused_outside);
+  if (!outcome.outside.empty()) {
+    if (std::find(row.reasons.begin(), row.reasons.end(), outcome.outside) == row.reasons.end())
+      row.reasons.push_back(outcome.outside);
+  } else if (row.inside.size() < most_messages) {
+    row.inside.push_back(name + ": " + outcome.why);
+  }
+}
+
+}  // namespace
+
+std::vector<BearingRow> run_bearings(const Scope& scope) {
+  const std::size_t bearings = scope.quick ? 200 : 10000, with_films = scope.quick ? 12 : 10000;
+  constexpr BearingLaw dry[] = {BearingLaw::hertz, BearingLaw::iso, BearingLaw::lundberg, BearingLaw::tripp, BearingLaw::houpert};
+  constexpr BearingLaw film[] = {BearingLaw::ehd_linear, BearingLaw::ehd};
+  std::vector<std::vector<Outcome>> outcomes(bearings);
+  std::mutex lock;
+  std::size_t done = 0;
+  in_threads(bearings, scope.threads, [&](std::size_t i) {
+    const unsigned seed = first_seed + static_cast<unsigned>(i);
+    const RandomBearing drawn = random_bearing(seed);
+    for (const BearingLaw law : dry) outcomes[i].push_back(of_dry(law, drawn));
+    if (i < with_films)
+      for (Outcome& outcome : of_films(drawn, seed)) outcomes[i].push_back(std::move(outcome));
+    const std::lock_guard guard(lock);
+    if (++done % 100 == 0) scope.show("random bearings: " + std::to_string(done) + " of " + std::to_string(bearings));
+  });
+  std::vector<BearingRow> rows;
+  for (const BearingLaw law : dry) rows.push_back({.law = std::string(to_string(law))});
+  for (const BearingLaw law : film) rows.push_back({.law = std::string(to_string(law))});
+  for (std::size_t i = 0; i < bearings; ++i)
+    for (std::size_t k = 0; k < outcomes[i].size(); ++k)
+      add(rows[k], outcomes[i][k], "seed " + std::to_string(first_seed + i));
+  return rows;
+}
+
+Part judge_bearings(const std::vector<BearingRow>& rows) {
+  Part part{.id = "i",
+            .name = "bearings",
+            .question = "Do random bearings balance under every law, and is every balance one?"};
+  const Tolerance balance = Tolerance::required(1e-12, "of the larger of the load and the sum of the roller forces");
+  part.tolerance = balance;
+  part.settings = {{"first_seed", first_seed}, {"contact_tolerance", contact_tolerance}};
+  part.table.columns = {{"law", ""},
+                        {"tried", ""},
+                        {"balanced", ""},
+                        {"refused outside the domain", ""},
+                        {"refused inside", ""},
+                        {"worst balance error", ""},
+                        {"worst against bisection", ""},
+                        {"contact solves", ""},
+                        {"mean", "ms"},
+                        {"slowest", "ms"},
+                        {"why outside", ""}};
+  Tally tally;
+  long all = 0, balanced = 0;
+  for (const BearingRow& row : rows) {
+    all += row.tried;
+    balanced += row.balanced;
+    const bool film = row.law == to_string(BearingLaw::ehd_linear) || row.law == to_string(BearingLaw::ehd);
+    std::string reasons;
+    for (const std::string& one : row.reasons) reasons += (reasons.empty() ? "" : "; ") + one;
+    part.table.rows.push_back({row.law, static_cast<double>(row.tried), static_cast<double>(row.balanced),
+                               static_cast<double>(row.refused_outside), static_cast<double>(row.refused_inside),
+                               row.worst_balance, row.worst_bisection, static_cast<double>(row.contact_solves),
+                               1e3 * row.wall_s / static_cast<double>(std::max(1L, row.tried)), 1e3 * row.slowest_s, reasons});
+    tally.add(row.worst_balance, 0, balance, row.law + ", balance error");
+    tally.add(row.worst_bisection, 0, balance, row.law + ", against bisection");
+    if (!film) {
+      tally.require(row.tried > 0 && row.balanced == row.tried,
+                    row.law + ": " + std::to_string(row.balanced) + " of " + std::to_string(row.tried) + " balance");
+    } else {
+      constexpr double inside_share = 0.99;
+      const long inside = row.tried - row.refused_outside;
+      tally.require(inside > 0 && static_cast<double>(row.balanced) >= inside_share * static_cast<double>(inside),
+                    row.law + ": " + std::to_string(row.balanced) + " of " + std::to_string(inside) + " balance inside the domain");
+      tally.require(row.refused_inside == 0, row.law + ": " + std::to_string(row.refused_inside) + " refused inside the domain");
+    }
+    for (const std::string& one : row.inside) part.failures.push_back(row.law + ", " + one);
+  }
+  part.verdict = tally.verdict();
+  const auto more = tally.failures();
+  part.failures.insert(part.failures.begin(), more.begin(), more.end());
+  part.summary = std::to_string(balanced) + " of " + std::to_string(all) + " balances found; " +
+                 std::to_string(tally.passed()) + " of " + std::to_string(tally.judged()) + " requirements met";
+  return part;
+}
+
+}  // namespace ehd::verification::stress
