@@ -245,6 +245,21 @@ Findings judge_stated_errors(const Case& contact_case) {
   Findings found;
   for (const BarRun& asked : bar_runs) {
     const ContactRun run = run_contact(contact_case, *find_solver(asked.solver), {.tolerance = asked.tolerance, .nodes = asked.nodes}, want_everything());
+    if (asked.solver == std::string("reference")) {
+      const auto film = run.solution.observables.find(Quantity::film_minimum);
+      const double stated = run.solution.record.film_minimum.iteration;
+      // At X = 0 a film is a difference of terms of size 1.
+      const double rounding = film == run.solution.observables.end()
+                                  ? nothing
+                                  : std::numeric_limits<double>::epsilon() / film->second.value;
+      found.claims.push_back(claim_fact({.id = contact_case.id + "/reference/stated/rounding",
+                                         .rung = 8,
+                                         .statement = "the iteration error that reference states of " + contact_case.id +
+                                                      " is no smaller than what rounding does to a film",
+                                         .case_id = contact_case.id,
+                                         .solver = "reference"},
+                                        stated >= rounding, "eps/H_min", plain(stated, 2) + " against " + plain(rounding, 2)));
+    }
     for (const Expectation& expectation : contact_case.expectations) {
       const bool film = expectation.quantity == "film.minimum" || expectation.quantity == "film.central";
       if (!film || expectation.waiting || expectation.kind == ExpectationKind::fit) continue;
