@@ -100,7 +100,7 @@ BudgetRow difference(const BearingResult& one, const BearingResult& other) {
 
 }  // namespace
 
-std::vector<BudgetRow> error_budget(const Case& bearing_case, const std::vector<BearingResult>& results, BearingLaw law,
+std::vector<BudgetRow> budget_of(const Case& bearing_case, const std::vector<BearingResult>& results, BearingLaw law,
                                     ContactMemory& memory) {
   const BearingResult* const result = of_law(results, law);
   if (!result || !needs_film(law) || !result->curve || !result->datum_m) return {};

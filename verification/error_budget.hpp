@@ -28,7 +28,7 @@ struct BudgetRow {
 /// The rows of one EHD law among the results of a case; empty for a dry law, and where a balance is missing. "fit" needs
 /// both EHD laws among the results. The data compared are the others of palmgren, lundberg and x_0 = twice the case's;
 /// contacts are taken from the memory, which the datum does not change.
-[[nodiscard]] std::vector<BudgetRow> error_budget(const Case& bearing_case, const std::vector<BearingResult>& results,
+[[nodiscard]] std::vector<BudgetRow> budget_of(const Case& bearing_case, const std::vector<BearingResult>& results,
                                                   BearingLaw law, ContactMemory& memory);
 
 [[nodiscard]] Json to_json(const std::vector<BudgetRow>& rows);

@@ -68,7 +68,7 @@ const BudgetRow& row_of(const std::vector<BudgetRow>& rows, const std::string& s
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(error_budgets)
+BOOST_AUTO_TEST_SUITE(error_budget)
 
 // Agreement: films that are wrong by as much as the solver states move the balance within the bound, and the bound is
 // not empty: with all errors of one sign at least a hundredth of it is used.
@@ -77,7 +77,7 @@ BOOST_AUTO_TEST_CASE(the_solvers_bound_covers_a_solver_that_is_wrong_by_its_stat
   const auto truth = run(right), moved = run(wrong);
   int judged = 0;
   for (const std::size_t k : {1u, 2u}) {
-    const auto rows = error_budget(needle_bearing(), truth, truth[k].law, right);
+    const auto rows = budget_of(needle_bearing(), truth, truth[k].law, right);
     const BudgetRow& bound = row_of(rows, "contact solver");
     BOOST_TEST(bound.bound);
     const double displacement_m = std::abs(moved[k].displacement_m - truth[k].displacement_m);
@@ -99,7 +99,7 @@ BOOST_AUTO_TEST_CASE(the_fits_row_is_the_difference_of_the_two_laws) {
   ContactMemory memory(synthetic(0));
   const auto results = run(memory);
   const long solves = memory.solves();
-  const auto rows = error_budget(needle_bearing(), results, BearingLaw::ehd_linear, memory);
+  const auto rows = budget_of(needle_bearing(), results, BearingLaw::ehd_linear, memory);
   BOOST_TEST(memory.solves() == solves);  // another datum needs no other contact
   const BudgetRow& fit = row_of(rows, "fit");
   BOOST_TEST(!fit.bound);
@@ -112,8 +112,8 @@ BOOST_AUTO_TEST_CASE(the_fits_row_is_the_difference_of_the_two_laws) {
 BOOST_AUTO_TEST_CASE(a_dry_law_has_no_budget_and_the_full_one_has_no_fit) {
   ContactMemory memory(synthetic(0));
   const auto results = run(memory);
-  BOOST_TEST(error_budget(needle_bearing(), results, BearingLaw::hertz, memory).empty());
-  for (const BudgetRow& row : error_budget(needle_bearing(), results, BearingLaw::ehd, memory)) {
+  BOOST_TEST(budget_of(needle_bearing(), results, BearingLaw::hertz, memory).empty());
+  for (const BudgetRow& row : budget_of(needle_bearing(), results, BearingLaw::ehd, memory)) {
     BOOST_TEST(row.source != "fit");
     BOOST_TEST(std::isfinite(row.displacement_m));
     BOOST_TEST(row.any_force_N >= row.largest_force_N);

@@ -36,7 +36,7 @@ Solution synthetic_contact(const Problem& problem, const Request&) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(statement_studies)
+BOOST_AUTO_TEST_SUITE(statement_study)
 
 // Agreement: the row "as the case" is what the statements say of the cases themselves, and every choice is judged.
 BOOST_AUTO_TEST_CASE(every_choice_is_judged_and_the_first_row_is_the_case_itself) {

@@ -186,7 +186,7 @@ int bearing(const BearingOptions& options) {
     std::string budgets;
     for (const BearingResult& result : computed.results.back()) {
       list.push_back(to_json(result));
-      const auto budget = error_budget(one, computed.results.back(), result.law, memory);
+      const auto budget = budget_of(one, computed.results.back(), result.law, memory);
       if (!budget.empty()) {
         list.back()["error_budget"] = to_json(budget);
         budgets += "\n  error budget of " + std::string(to_string(result.law)) + ": what may move its balance\n" + human_budget(budget);

@@ -79,7 +79,7 @@ void make(const std::vector<Case>& cases, Made& made) {
     const double heaviest = beyond_heaviest * largest_load_N(all.back());
     for (const BearingResult& result : all.back()) {
       bearing["laws"].push_back(law_json(result));
-      if (const auto budget = error_budget(one, all.back(), result.law, memory); !budget.empty())
+      if (const auto budget = budget_of(one, all.back(), result.law, memory); !budget.empty())
         bearing["laws"].back()["error_budget"] = to_json(budget);
       const auto pair = result.rollers.empty() ? std::nullopt : laws_of(body, result);
       for (const bool inner : {true, false}) {

@@ -235,6 +235,7 @@ void add_statements(Page& page, const std::vector<View>& statements) {
 
 /// What each simplification may move; one table for all bearings that state one.
 void add_budgets(Page& page, const std::vector<View>& bearings) {
+  if (bearings.empty()) return;  // which is said where they would stand
   Table table;
   table.caption = "Error budget: what may move a balance (bounds of first order, or differences of two balances)";
   table.columns = {"case",

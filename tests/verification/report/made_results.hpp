@@ -223,6 +223,23 @@ inline Json bearing(const std::string& id, double clearance_m) {
        {"statement", "EHD is close to Hertz"},
        {"holds", false},
        {"numbers", "-5.5 %"}}};
+  figures["statement_study"] = {
+      {"summary", {{{"letter", "a"}, {"law", "ehd"}, {"holds", 1}, {"of", 2}, {"exceptions", "not with viscosity 0.1 Pa s"}}}},
+      {"rows",
+       {{{"factor", "viscosity"},
+         {"value", "0.1 Pa s"},
+         {"law", "ehd"},
+         {"statements",
+          {{{"letter", "a"}, {"holds", false}, {"values", {{"change", 0.012}}}, {"numbers", "+1.2 %"}},
+           {{"letter", "c"}, {"holds", true}, {"values", {{"middle", 0.004}, {"largest", 0.03}}}, {"numbers", "+3 %"}}}},
+         {"x0_all_hold_m", {{2e-4, 6e-4}}}}}}};
+  figures["bearing"][0]["laws"].back()["error_budget"] = {{{"source", "interpolation"},
+                                                           {"of", "every contact"},
+                                                           {"kind", "bound"},
+                                                           {"displacement_m", 2.6e-9},
+                                                           {"largest_force_N", 6.7},
+                                                           {"any_force_N", 6.8},
+                                                           {"smallest_film_relative", 9.5e-4}}};
   figures["force_law"] = Json::array();
   for (const char* law : {"hertz", "ehd"})
     figures["force_law"].push_back({{"id", "made-tight"},
