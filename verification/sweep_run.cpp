@@ -394,21 +394,33 @@ SweepCost compute_missing(const Sweep& sweep, const SweepRequest& request, const
 
 /// rows.csv and rows.json, from rows as `row_of` has them.
 void write_table(const Sweep& sweep, const Hashes& hashes, const std::filesystem::path& folder,
-                 const std::function<std::string(std::size_t row)>& row_of, SweepCost& cost) {
+                 const std::function<std::string(std::size_t row)>& row_of, unsigned threads, SweepCost& cost) {
   OutputFile csv(folder / "rows.csv"), json(folder / "rows.json");
   std::string lines = csv_header(sweep);
   Json stated = sweep.to_json();
   stated["hash"] = hashes.of_sweep;
   std::string objects = "{\"schema\":" + Json(schema).dump() + ",\n\"provenance\":" + build_provenance().dump() +
                         ",\n\"sweep\":" + stated.dump(-1, ' ', false, Json::error_handler_t::replace) + ",\n\"rows\":[";
-  for (std::size_t row = 0; row < sweep.rows(); ++row) {
-    const std::string object = numbered(row, row_of(row));
-    const Json parsed = Json::parse(object);
-    note_failure(parsed, cost);
-    lines += csv_lines(sweep, parsed);
-    objects += (row > 0 ? ",\n" : "\n") + object;
-    constexpr std::size_t enough = 1 << 20;  // bytes; memory is for the rows that are computed
-    if (objects.size() < enough) continue;
+  // A block of rows at a time: over threads, and no more of them in memory.
+  constexpr std::size_t block = 256;
+  struct Written {
+    std::string object, lines;
+    SweepCost failure;
+  };
+  for (std::size_t first = 0; first < sweep.rows(); first += block) {
+    std::vector<Written> rows(std::min(block, sweep.rows() - first));
+    in_threads(rows.size(), threads, [&](std::size_t i) {
+      rows[i].object = numbered(first + i, row_of(first + i));
+      const Json parsed = Json::parse(rows[i].object);
+      note_failure(parsed, rows[i].failure);
+      rows[i].lines = csv_lines(sweep, parsed);
+    });
+    for (const Written& row : rows) {
+      objects += (&row == &rows.front() && first == 0 ? "\n" : ",\n") + row.object;
+      lines += row.lines;
+      cost.failed += row.failure.failed;
+      if (cost.first_failure.empty()) cost.first_failure = row.failure.first_failure;
+    }
     json.append(objects);
     csv.append(lines);
     objects.clear();
@@ -460,7 +472,8 @@ SweepCost run_sweep(const Sweep& sweep, const SweepRequest& request, const std::
   { const OutputFile csv(folder / "rows.csv"), json(folder / "rows.json"); }  // refused before the work, not after
   const auto begin = Clock::now();
   SweepCost cost = compute_missing(sweep, request, hashes, rows, journal);
-  write_table(sweep, hashes, folder, [&](std::size_t row) { return journal.row(hashes.of_row[row]); }, cost);
+  write_table(
+      sweep, hashes, folder, [&](std::size_t row) { return journal.row(hashes.of_row[row]); }, request.threads, cost);
   cost.wall_s = seconds_since(begin);
   write_cost(cost, folder);
   return cost;
@@ -527,8 +540,9 @@ SweepCost merge_shards(const Sweep& sweep, const SweepRequest& request, const st
                                  " rows; run again --shard " + std::to_string(number) + "/" + std::to_string(of)));
   }
   SweepCost cost{.rows = sweep.rows()};
-  write_table(sweep, hashes, folder,
-              [&](std::size_t row) { return journals[row % of]->row(hashes.of_row[row]); }, cost);
+  write_table(
+      sweep, hashes, folder, [&](std::size_t row) { return journals[row % of]->row(hashes.of_row[row]); },
+      request.threads, cost);
   cost.wall_s = seconds_since(begin);
   return cost;
 }
