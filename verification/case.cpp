@@ -14,8 +14,8 @@
 #include "contact/scaling.hpp"
 #include "verification/case_text.hpp"
 #include "verification/text.hpp"
-#include "verification/toml.hpp"
 #include "verification/tolerance.hpp"
+#include "verification/toml.hpp"
 
 #ifndef EHD_CASES_FOLDER
 #define EHD_CASES_FOLDER "cases"
@@ -771,7 +771,8 @@ std::string toml_text(const TomlValue& value) {
     return shortest.find_first_of(".e") == std::string::npos ? shortest + ".0" : shortest;
   }
   std::string text = "\"";
-  for (const char c : std::get<std::string>(value)) text += c == '"' || c == '\\' ? std::string{'\\', c} : std::string{c};
+  for (const char c : std::get<std::string>(value))
+    text += c == '"' || c == '\\' ? std::string{'\\', c} : std::string{c};
   return text + "\"";
 }
 

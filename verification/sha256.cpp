@@ -16,13 +16,11 @@ constexpr std::size_t rounds = 64, block_bytes = 64;
 
 /// The first 32 bits of the fractional part of a root: extended precision has 64 bits, of which a cube root of a prime
 /// below 312 needs 3 before the point.
-Word fraction_bits(long double root) {
-  return static_cast<Word>((root - std::floor(root)) * 4294967296.0L);
-}
+Word fraction_bits(long double root) { return static_cast<Word>((root - std::floor(root)) * 4294967296.0L); }
 
 struct Constants {
-  std::array<Word, 8> start{};        // square roots of the first 8 primes
-  std::array<Word, rounds> added{};   // cube roots of the first 64 primes
+  std::array<Word, 8> start{};       // square roots of the first 8 primes
+  std::array<Word, rounds> added{};  // cube roots of the first 64 primes
   Constants() {
     std::size_t found = 0;
     for (int candidate = 2; found < rounds; ++candidate) {

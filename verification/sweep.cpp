@@ -122,12 +122,15 @@ class SweepReader {
     }
     if (const toml::node* node = root_.get("tolerance")) {
       if (sweep_.bearing)
-        fail("tolerance", *node, "belongs to the sweep of a contact; allowed is no tolerance for a bearing, whose "
-                                 "contacts are solved to " + plain(*ContactMemory::bearing_request().tolerance));
+        fail("tolerance", *node,
+             "belongs to the sweep of a contact; allowed is no tolerance for a bearing, whose "
+             "contacts are solved to " +
+                 plain(*ContactMemory::bearing_request().tolerance));
       const std::string allowed = "a number, more than 0 and up to " + plain(loosest_tolerance);
       const auto value = number_of(*node);
       if (!value) fail("tolerance", *node, "is " + type_of(*node) + "; allowed is " + allowed);
-      if (!(*value > 0 && *value <= loosest_tolerance)) fail("tolerance", *node, "is out of range; allowed is " + allowed);
+      if (!(*value > 0 && *value <= loosest_tolerance))
+        fail("tolerance", *node, "is out of range; allowed is " + allowed);
       sweep_.tolerance = *value;
     }
     const std::vector<std::string> ways{"product", "zip"};
@@ -151,10 +154,8 @@ class SweepReader {
       // key.with.dots without quotation marks is a table to TOML.
       if (values.is_table() && name.find('.') == std::string::npos)
         fail(name, values, "is a table; allowed is the whole key in quotation marks, as \"operation.radial_load_N\"");
-      sweep_.keys.push_back({.key = name,
-                             .values = values_of(name, values),
-                             .line = line_of(values),
-                             .text = text_of(values, lines_)});
+      sweep_.keys.push_back(
+          {.key = name, .values = values_of(name, values), .line = line_of(values), .text = text_of(values, lines_)});
     }
     // toml++ keeps a table by name; here the file's order counts.
     const auto place = [table](const SweptKey& one) {
@@ -169,8 +170,9 @@ class SweepReader {
       const std::string subject = one.key + " = " + one.text;
       if (sweep_.combine == Combine::zip) {
         if (one.values.size() != first.values.size())
-          fail(one.line, subject, "has " + std::to_string(one.values.size()) + " values where " + first.key + " has " +
-                                      std::to_string(first.values.size()) + "; allowed with zip are equal numbers");
+          fail(one.line, subject,
+               "has " + std::to_string(one.values.size()) + " values where " + first.key + " has " +
+                   std::to_string(first.values.size()) + "; allowed with zip are equal numbers");
         rows = one.values.size();
       } else {
         rows *= one.values.size();
@@ -187,7 +189,7 @@ class SweepReader {
 
   [[nodiscard]] std::vector<TomlValue> values_of(const std::string& key, const toml::node& node) const {
     const std::string allowed =
-        "a list of numbers or texts, or { from = …, to = …, points = …, spacing = \"linear\" or \"logarithmic\" }";
+        "a list of numbers or texts, or { from = A, to = B, points = N, spacing = \"linear\" or \"logarithmic\" }";
     if (const toml::table* range = node.as_table()) return range_of(key, *range);
     const toml::array* array = node.as_array();
     if (!array) fail(key, node, "is " + type_of(node) + "; allowed is " + allowed);
@@ -229,7 +231,8 @@ class SweepReader {
       fail(key + ": points", *node, "is out of range; allowed is " + allowed);
     const auto points = static_cast<std::size_t>(count->get());
     if (points == 1 && from != to)
-      fail(key + ": points", *node, "does not reach from one end to the other; allowed is 2 or more where from and to differ");
+      fail(key + ": points", *node,
+           "does not reach from one end to the other; allowed is 2 or more where from and to differ");
 
     const std::vector<std::string> spacings{"linear", "logarithmic"};
     const toml::node* spacing = range.get("spacing");

@@ -22,7 +22,9 @@ constexpr const char* schema = "ehd-sweep-journal-1";
 constexpr std::size_t check_digits = 16, hash_digits = 64;
 
 /// CHECKSUM CONTENT, where the content of a row is HASH TEXT.
-std::string line_of(const std::string& content) { return sha256(content).substr(0, check_digits) + " " + content + "\n"; }
+std::string line_of(const std::string& content) {
+  return sha256(content).substr(0, check_digits) + " " + content + "\n";
+}
 
 std::string content_of(const JournalHeader& header) {
   return Json{{"schema", schema}, {"sweep", header.sweep}, {"shard", header.shard}, {"of", header.of}}.dump();
@@ -64,13 +66,13 @@ SweepJournal::SweepJournal(const std::filesystem::path& folder, const JournalHea
   std::error_code error;
   if (!std::filesystem::is_regular_file(file_, error)) refuse(file_, "the shard is missing" + again);
   const Read found = read(nullptr);
-  if (found.bad_line > 0)
-    refuse(file_, "the shard is damaged at line " + std::to_string(found.bad_line) + again);
+  if (found.bad_line > 0) refuse(file_, "the shard is damaged at line " + std::to_string(found.bad_line) + again);
   if (found.header != content_of(header)) {
     const Json stated = Json::parse(found.header, nullptr, false);
     const bool other = !stated.is_object() || !stated.contains("sweep") || stated["sweep"] != header.sweep;
     refuse(file_, (other ? "the shard belongs to another sweep, another case or another build of the program"
-                         : "the shard is another part than its folder says") + again);
+                         : "the shard is another part than its folder says") +
+                      again);
   }
   open_file(O_RDONLY);
 }
@@ -149,7 +151,8 @@ std::string SweepJournal::row(const std::string& hash) const {
   const Place& place = rows_.at(hash);
   std::string text(place.bytes, '\0');
   for (std::size_t done = 0; done < text.size();) {
-    const ssize_t got = ::pread(descriptor_, text.data() + done, text.size() - done, static_cast<off_t>(place.begin + done));
+    const ssize_t got =
+        ::pread(descriptor_, text.data() + done, text.size() - done, static_cast<off_t>(place.begin + done));
     if (got < 0 && errno == EINTR) continue;
     if (got <= 0) refuse(file_, "cannot be read any more; it has been changed while it was in use");
     done += static_cast<std::size_t>(got);

@@ -47,8 +47,8 @@ class SweepJournal {
     std::size_t begin = 0, bytes = 0;
   };
   struct Read {
-    bool whole = true;     ///< nothing but wanted rows, each line with its checksum
-    std::string header;    ///< empty where there is none
+    bool whole = true;         ///< nothing but wanted rows, each line with its checksum
+    std::string header;        ///< empty where there is none
     std::size_t bad_line = 0;  ///< first damaged line, from 1; 0: none
   };
   Read read(const std::set<std::string>* wanted);

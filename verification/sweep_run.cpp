@@ -35,8 +35,13 @@ SharedContacts::SharedContacts(const RegisteredSolver& solver, std::size_t most)
 
 SharedContacts::Key SharedContacts::key_of(const Problem& problem) {
   const auto& [M, L, lambda, alpha_p_H] = problem.groups;
-  Key key{M, L, lambda, alpha_p_H, static_cast<double>(problem.viscosity.index()),
-          static_cast<double>(problem.density.index()), static_cast<double>(problem.inlet.index())};
+  Key key{M,
+          L,
+          lambda,
+          alpha_p_H,
+          static_cast<double>(problem.viscosity.index()),
+          static_cast<double>(problem.density.index()),
+          static_cast<double>(problem.inlet.index())};
   // Structured bindings name every member: a law that gets another one no longer compiles here.
   if (const auto* barus = std::get_if<Barus>(&problem.viscosity)) {
     const auto& [alpha] = *barus;
@@ -109,7 +114,8 @@ namespace {
 /// Two builds of a commit with changes on top, or of a tree without git, are told apart by the program's own bytes.
 std::string program_identity() {
   const Json json = provenance();
-  std::string identity = json.contains("commit") ? json["commit"].get<std::string>() : json["version"].get<std::string>();
+  std::string identity =
+      json.contains("commit") ? json["commit"].get<std::string>() : json["version"].get<std::string>();
   if (json.contains("commit") && !json["dirty"].get<bool>()) return identity;
   std::ostringstream bytes;
   bytes << std::ifstream("/proc/self/exe", std::ios::binary).rdbuf();
@@ -252,8 +258,9 @@ std::string csv_header(const Sweep& sweep) {
   std::string header = "row";
   for (const SweptKey& one : sweep.keys) header += "," + csv_cell(one.key);
   if (sweep.bearing) {
-    header += ",law,status,displacement_m,largest_force_N,largest_force_azimuth_deg,film_minimum_m,"
-              "hertz_pressure_maximum_Pa,loaded_rollers,balance_error,contacts";
+    header +=
+        ",law,status,displacement_m,largest_force_N,largest_force_azimuth_deg,film_minimum_m,"
+        "hertz_pressure_maximum_Pa,loaded_rollers,balance_error,contacts";
   } else {
     header += ",solver,status";
     for (const ContactColumn& column : contact_columns()) header += std::string(",") + column.name;
@@ -269,8 +276,8 @@ std::string csv_lines(const Sweep& sweep, const Json& row) {
   }
   std::string lines;
   for (const Json& result : row["results"]) {
-    std::string line = begin + "," + csv_value(result, {sweep.bearing ? "law" : "solver"}) + "," +
-                       csv_value(result, {"status"});
+    std::string line =
+        begin + "," + csv_value(result, {sweep.bearing ? "law" : "solver"}) + "," + csv_value(result, {"status"});
     if (sweep.bearing) {
       line += bearing_cells(result);
     } else {
@@ -433,9 +440,7 @@ void write_table(const Sweep& sweep, const Hashes& hashes, const std::filesystem
 }
 
 std::filesystem::path shards_folder(const std::filesystem::path& folder) { return folder / "shards"; }
-std::string shard_name(const Shard& shard) {
-  return std::to_string(shard.number) + "-of-" + std::to_string(shard.of);
-}
+std::string shard_name(const Shard& shard) { return std::to_string(shard.number) + "-of-" + std::to_string(shard.of); }
 
 void write_cost(const SweepCost& cost, const std::filesystem::path& folder) {
   OutputFile file(folder / "cost.json");
@@ -487,8 +492,7 @@ SweepCost run_shard(const Sweep& sweep, const SweepRequest& request, const std::
   SweepJournal journal(own, {.sweep = hashes.of_sweep, .shard = shard.number, .of = shard.of},
                        hashes_of_rows(hashes, rows), request.fresh);
   SweepCost cost = compute_missing(sweep, request, hashes, rows, journal);
-  for (const std::size_t row : rows)
-    note_failure(Json::parse(numbered(row, journal.row(hashes.of_row[row]))), cost);
+  for (const std::size_t row : rows) note_failure(Json::parse(numbered(row, journal.row(hashes.of_row[row]))), cost);
   write_cost(cost, own);
   return cost;
 }
@@ -514,7 +518,8 @@ std::size_t shards_in(const std::filesystem::path& folder) {
                                                  "--output before"));
   if (numbers.size() > 1)
     throw OutputError(one_line(folder.string() + ": shards of " + std::to_string(*numbers.begin()) + " and of " +
-                               std::to_string(*numbers.rbegin()) + " stand side by side; allowed is one division, and "
+                               std::to_string(*numbers.rbegin()) +
+                               " stand side by side; allowed is one division, and "
                                "the folders of the other must go"));
   return *numbers.begin();
 }

@@ -66,11 +66,11 @@ struct SweepCost {
   std::size_t computed = 0;  ///< by this run; the others were known, or equal another
   std::size_t failed = 0;    ///< rows with a law that did not converge
   std::string first_failure = {};
-  long solves = 0;      ///< contact solves of this run
-  long needed = 0;      ///< what its rows would have solved, each for itself
+  long solves = 0;  ///< contact solves of this run
+  long needed = 0;  ///< what its rows would have solved, each for itself
   unsigned threads = 0;
   double wall_s = 0;
-  double rows_s = 0;    ///< of that computing rows, over all threads
+  double rows_s = 0;  ///< of that computing rows, over all threads
   [[nodiscard]] long saved() const { return needed - solves; }
 };
 [[nodiscard]] Json to_json(const SweepCost& cost);
@@ -84,8 +84,7 @@ struct SweepCost {
 
 /// Computes what is not known yet and keeps it in folder/rows, or a shard's in folder/shards/K-of-N; writes
 /// folder/rows.csv, rows.json and cost.json, a shard its cost.json alone. Throws OutputError.
-[[nodiscard]] SweepCost run_sweep(const Sweep& sweep, const SweepRequest& request,
-                                  const std::filesystem::path& folder);
+[[nodiscard]] SweepCost run_sweep(const Sweep& sweep, const SweepRequest& request, const std::filesystem::path& folder);
 [[nodiscard]] SweepCost run_shard(const Sweep& sweep, const SweepRequest& request, const std::filesystem::path& folder,
                                   const Shard& shard);
 

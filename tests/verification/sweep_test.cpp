@@ -120,7 +120,8 @@ BOOST_AUTO_TEST_CASE(zip_takes_the_values_side_by_side) {
 
 BOOST_AUTO_TEST_CASE(a_range_ends_where_it_says_and_is_spaced_as_it_says) {
   const Folder folder;
-  const Sweep read = read_sweep(folder.write("s.toml", keys(R"("operation.radial_load_N" = { from = 1e3, to = 5e4, points = 20, spacing = "logarithmic" }
+  const Sweep read = read_sweep(folder.write(
+      "s.toml", keys(R"("operation.radial_load_N" = { from = 1e3, to = 5e4, points = 20, spacing = "logarithmic" }
 "bearing.clearance_m" = { from = -1e-5, to = 3e-5, points = 5, spacing = "linear" }
 )")));
   const auto& loads = read.keys[0].values;
@@ -204,7 +205,8 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_with_a_sweep_is_one_line_before_anything_is_c
     BOOST_TEST_CONTEXT("the sweep\n" << bad.text << "is refused with: " << message) {
       BOOST_TEST(message.starts_with(file.string() + ":" + std::to_string(bad.line) + ": "));
       BOOST_TEST(message.find('\n') == std::string::npos);
-      BOOST_TEST((message.find("allowed is") != std::string::npos || message.find("allowed with") != std::string::npos ||
+      BOOST_TEST((message.find("allowed is") != std::string::npos ||
+                  message.find("allowed with") != std::string::npos ||
                   message.find("required is") != std::string::npos));
       for (const std::string& text : bad.says) BOOST_TEST(message.find(text) != std::string::npos, text);
     }
@@ -233,8 +235,10 @@ BOOST_AUTO_TEST_CASE(the_program_refuses_with_one_line_and_leaves_nothing) {
 BOOST_AUTO_TEST_CASE(a_case_is_found_from_the_folder_of_the_sweep) {
   const Folder folder;
   std::filesystem::create_directories(folder.path() / "below");
-  (void)folder.write("below/own-moes-20-10.toml", test::read(std::string(EHD_SOURCE_DIR) + "/cases/own-moes-20-10.toml"));
-  const auto file = folder.write("s.toml", "case = \"below/own-moes-20-10.toml\"\ncombine = \"zip\"\n[keys]\n\"moes.M\" = [5.0]\n");
+  (void)folder.write("below/own-moes-20-10.toml",
+                     test::read(std::string(EHD_SOURCE_DIR) + "/cases/own-moes-20-10.toml"));
+  const auto file =
+      folder.write("s.toml", "case = \"below/own-moes-20-10.toml\"\ncombine = \"zip\"\n[keys]\n\"moes.M\" = [5.0]\n");
   BOOST_TEST(read_sweep(file).case_file == folder.path() / "below/own-moes-20-10.toml");
 }
 
@@ -316,6 +320,51 @@ combine = "zip"
 )")));
   const SweepCost cost = run_sweep(read, {.threads = 2}, folder.path() / "out");
   BOOST_TEST(cost.needed == 4 * cost.solves);
+}
+
+BOOST_AUTO_TEST_CASE(a_solved_contact_is_shared_by_equal_problems_alone) {
+  int calls = 0;
+  RegisteredSolver counting{.name = "counting",
+                            .description = {},
+                            .solve =
+                                [&calls](const Problem&, const Request&) {
+                                  Solution solution;
+                                  solution.observables[Quantity::film_minimum].value = ++calls;
+                                  return solution;
+                                },
+                            .uses_fft = false,
+                            .memory_bytes = {}};
+  const Problem one{.groups = {.M = 20, .L = 10, .lambda = 0.01, .alpha_p_H = 18},
+                    .viscosity = Roelands{.alpha = 18, .p0 = 0.2, .z = 0.6},
+                    .density = DowsonHigginson{.a = 0.5, .c = 1.5},
+                    .inlet = TruncatedAt{-4}};
+  std::vector<Problem> different(14, one);
+  different[1].groups.M = 21;
+  different[2].groups.L = 11;
+  different[3].groups.lambda = 0.02;
+  different[4].groups.alpha_p_H = 19;
+  different[5].viscosity = Roelands{.alpha = 19, .p0 = 0.2, .z = 0.6};
+  different[6].viscosity = Roelands{.alpha = 18, .p0 = 0.3, .z = 0.6};
+  different[7].viscosity = Roelands{.alpha = 18, .p0 = 0.2, .z = 0.7};
+  different[8].viscosity = Barus{.alpha = 18};
+  different[9].viscosity = Isoviscous{};
+  different[10].density = Incompressible{};
+  different[11].density = DowsonHigginson{.a = 0.5, .c = 1.6};
+  different[12].inlet = Flooded{};
+  different[13].wanted = {Quantity::film_minimum};
+  SharedContacts shared(counting), forgetful(counting, 3);
+  const auto film = [](SharedContacts& from, const Problem& of) {
+    return static_cast<int>(from.solve(of, {}).observables.at(Quantity::film_minimum).value);
+  };
+  for (int round = 0; round < 2; ++round)
+    for (std::size_t i = 0; i < different.size(); ++i)
+      BOOST_TEST(film(shared, different[i]) == static_cast<int>(i) + 1);
+  BOOST_TEST(shared.solves() == 14);
+  BOOST_TEST(shared.recalls() == 14);
+  // Where memory ends, what comes later is solved again.
+  for (int round = 0; round < 2; ++round)
+    for (const Problem& of : different) (void)film(forgetful, of);
+  BOOST_TEST(forgetful.solves() == 14 + 11);
 }
 
 BOOST_AUTO_TEST_CASE(a_contact_is_swept_as_ehd_solve_solves_it) {
@@ -557,11 +606,12 @@ BOOST_AUTO_TEST_CASE(a_rank_of_a_launcher_is_its_shard) {
                              quoted(parts) + " > /dev/null 2>&1";
   const std::string program = "EHD='" + std::string(EHD_PROGRAM) + "' ";
   // As srun, Open MPI and MPICH tell a process which one it is.
-  for (const char* rank : {"SLURM_PROCID=0 SLURM_NTASKS=3", "OMPI_COMM_WORLD_RANK=1 OMPI_COMM_WORLD_SIZE=3",
-                           "PMI_RANK=2 PMI_SIZE=3"})
-    BOOST_TEST(std::system(("env -u SLURM_PROCID -u OMPI_COMM_WORLD_RANK -u PMI_RANK " + program + rank + " " + script)
-                               .c_str()) == 0,
-               rank);
+  for (const char* rank :
+       {"SLURM_PROCID=0 SLURM_NTASKS=3", "OMPI_COMM_WORLD_RANK=1 OMPI_COMM_WORLD_SIZE=3", "PMI_RANK=2 PMI_SIZE=3"})
+    BOOST_TEST(
+        std::system(
+            ("env -u SLURM_PROCID -u OMPI_COMM_WORLD_RANK -u PMI_RANK " + program + rank + " " + script).c_str()) == 0,
+        rank);
   for (const char* name : {"1-of-3", "2-of-3", "3-of-3"})
     BOOST_TEST(std::filesystem::exists(parts / "shards" / name / "journal"), name);
   BOOST_TEST(std::system(("env -u SLURM_PROCID -u OMPI_COMM_WORLD_RANK -u PMI_RANK " + program + script).c_str()) != 0);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ehd sweep: a case over lists and ranges of its keys.
+#include "verification/sweep.hpp"
+
 #include <unistd.h>
 
 #include <algorithm>
@@ -14,7 +16,6 @@
 
 #include "verification/cli/commands.hpp"
 #include "verification/cli/common.hpp"
-#include "verification/sweep.hpp"
 #include "verification/sweep_run.hpp"
 #include "verification/text.hpp"
 
@@ -47,7 +48,8 @@ Examples:
   ehd sweep FILE --output DIR --merge                        the same files from all eight
   parallel ehd sweep FILE --output DIR --shard {}/8 ::: 1 2 3 4 5 6 7 8
 
-Finished rows are kept: the same command goes on where it was interrupted, and a sweep that has grown computes what is new.
+Finished rows are kept: the same command goes on where it was interrupted, and a sweep that has grown computes what
+is new.
 Exit code: 0 all rows converged; 1 one did not, its line has the status and the reason; 2 bad input or usage.)";
 
 constexpr int most_threads = 1024;
@@ -141,7 +143,8 @@ int sweep(const SweepOptions& options) {
   std::optional<Shard> shard;
   if (options.shard) shard = shard_from(*options.shard);
   if (shard && options.merge) throw UsageError("--shard and --merge exclude each other; allowed is one of them");
-  if (options.merge && options.fresh) throw UsageError("--merge and --fresh exclude each other; allowed is one of them");
+  if (options.merge && options.fresh)
+    throw UsageError("--merge and --fresh exclude each other; allowed is one of them");
   if (options.output && options.output->empty()) throw option_error("--output", "", "is empty; allowed is a folder");
   const Sweep asked = read_sweep(options.file);
   const OutputFolder folder(options.output.value_or("out/sweep/" + asked.id));
