@@ -266,7 +266,8 @@ BOOST_AUTO_TEST_CASE(a_row_of_a_bearing_says_what_ehd_bearing_says_of_that_case)
   std::filesystem::create_directories(folder.path() / "own");
   const auto own = folder.write("own/na4908.toml", text);
   const auto ended = test::ehd_run(folder, "bearing " + quoted(own) + " --json -");
-  const Json results = without_times(Json::parse(ended.out));
+  Json results = without_times(Json::parse(ended.out));
+  for (Json& result : results) result.erase("error_budget");  // further balances, which a row leaves out
   Json swept = rows["rows"][5]["results"];
   BOOST_TEST(results.size() == 3u);
   // One process solves for all laws, so what came from memory is the same there.
