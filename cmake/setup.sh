@@ -6,8 +6,9 @@ set -eu
 
 required="g++ cmake pkg-config libeigen3-dev libfftw3-dev libgsl-dev libboost-test-dev libtomlplusplus-dev \
 nlohmann-json3-dev libcli11-dev"
-# The build is faster with ninja, and make kernels needs the benchmark library; everything else works without.
-optional="ninja-build libbenchmark-dev"
+# The build is faster with ninja, make kernels needs the benchmark library, a test runs shards by GNU parallel;
+# everything else works without.
+optional="ninja-build libbenchmark-dev parallel"
 
 command -v dpkg-query > /dev/null 2>&1 || exit 0
 

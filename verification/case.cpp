@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/case.hpp"
 
-#include <toml++/toml.h>
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -17,6 +15,7 @@
 #include "verification/case_text.hpp"
 #include "verification/text.hpp"
 #include "verification/tolerance.hpp"
+#include "verification/toml.hpp"
 
 #ifndef EHD_CASES_FOLDER
 #define EHD_CASES_FOLDER "cases"
@@ -115,26 +114,6 @@ bool among(const std::vector<std::string>& items, std::string_view item) {
   return std::find(items.begin(), items.end(), item) != items.end();
 }
 
-std::string type_of(const toml::node& node) {
-  switch (node.type()) {
-    case toml::node_type::table: return "a table";
-    case toml::node_type::array: return "an array";
-    case toml::node_type::string: return "a text";
-    case toml::node_type::integer: return "an integer";
-    case toml::node_type::floating_point: return "a number";
-    case toml::node_type::boolean: return "a boolean";
-    default: return "a date or time";
-  }
-}
-
-/// Where the column-th character of a line begins.
-std::size_t byte_of_column(std::string_view line, std::size_t column) {
-  std::size_t i = 0;
-  for (std::size_t c = 1; c < column && i < line.size(); ++c)
-    i += std::max<std::size_t>(utf8_length(line.substr(i)), 1);
-  return std::min(i, line.size());
-}
-
 /// `table.key` for a key of a table, `key` at the top.
 std::string dotted(const std::string& table, std::string_view key) {
   return table.empty() ? std::string(key) : table + "." + std::string(key);
@@ -145,11 +124,13 @@ std::string dotted(const std::string& table, std::string_view key) {
 class Reader {
  public:
   /// `text` as checked_case_text leaves it.
-  Reader(const std::string& text, const std::filesystem::path& file) {
+  Reader(const std::string& text, const std::filesystem::path& file,
+         const std::vector<Substitution>& substitutions = {}) {
     case_.file = file;
     case_.lines[""] = 1;
     lines_ = lines_of(text);
-    parse(text);
+    root_ = parse_toml(text, file);
+    substitute(substitutions);
     index_top();
   }
 
@@ -170,63 +151,47 @@ class Reader {
  private:
   // -- the text as a tree ---------------------------------------------------------------------------------------
 
-  void parse(const std::string& text) {
-    try {
-      root_ = toml::parse(std::string_view(text));
-    } catch (const toml::parse_error& error) {
-      const auto last = static_cast<int>(lines_.size());
-      int line = std::clamp(static_cast<int>(error.source().begin.line), 1, last);
-      std::string what(error.description());
-      // "Error while parsing key-value pair: cannot redefine existing integer 'a'"
-      if (const auto colon = what.find(": "); colon != std::string::npos && what.starts_with("Error while parsing"))
-        what = what.substr(colon + 2);
-      std::string allowed = "allowed is TOML";
-      if (what.find("cannot redefine") != std::string::npos) {
-        what = "is a duplicate (" + what + ")";
-        allowed = "allowed is each key and each table once";
-      } else if (what.find("unescaped control characters") != std::string::npos) {
-        what = "a text is not closed on its line";
-      } else if (what.find("encountered end-of-file") != std::string::npos) {
-        what = "the file ends in the middle (" + what + ")";
-        while (line > 1 && blank(line)) --line;
-      }
-      case_.lines["?"] = line;
-      const std::string source = shortened(trimmed(lines_[static_cast<std::size_t>(line - 1)]), longest_text);
-      throw CaseError(
-          one_line(place(line) + (source.empty() ? "" : ": " + source) + ": " + shortened(what, 200) + "; " + allowed));
-    }
-  }
-
-  [[nodiscard]] bool blank(int line) const { return trimmed(lines_[static_cast<std::size_t>(line - 1)]).empty(); }
-
-  static std::string trimmed(std::string_view line) {
-    const auto begin = line.find_first_not_of(" \t");
-    if (begin == std::string_view::npos) return "";
-    return std::string(line.substr(begin, line.find_last_not_of(" \t") - begin + 1));
-  }
-
   [[nodiscard]] std::string place(int line) const { return case_.file.string() + ":" + std::to_string(line); }
-
-  [[nodiscard]] static int line_of(const toml::node& node) {
-    return std::max(1, static_cast<int>(node.source().begin.line));
-  }
-
-  /// The value as it stands in the file, its first line.
-  [[nodiscard]] std::string text_of(const toml::node& node) const {
-    const auto& region = node.source();
-    const auto first = static_cast<std::size_t>(region.begin.line);
-    if (first < 1 || first > lines_.size()) return "";
-    const std::string& line = lines_[first - 1];
-    const std::size_t begin = byte_of_column(line, region.begin.column);
-    const bool one = region.end.line == region.begin.line;
-    const std::size_t end = one ? byte_of_column(line, region.end.column) : line.size();
-    return shortened(line.substr(begin, std::max(begin, end) - begin), longest_text) + (one ? "" : "...");
-  }
 
   void record(const std::string& path, const toml::node& node) {
     nodes_[path] = &node;
-    case_.lines[path] = line_of(node);
-    if (!node.is_table()) case_.texts[path] = text_of(node);
+    const auto substituted = substituted_.find(path);
+    case_.lines[path] = substituted == substituted_.end() ? line_of(node) : substituted->second.line;
+    if (!node.is_table())
+      case_.texts[path] = substituted == substituted_.end() ? text_of(node, lines_) : substituted->second.text;
+  }
+
+  /// Puts values into the tree, in the place of the file's own or beside them. What the file expects of its own numbers
+  /// is no longer said of these.
+  void substitute(const std::vector<Substitution>& substitutions) {
+    if (substitutions.empty()) return;
+    root_.erase("expect");
+    for (const Substitution& substitution : substitutions) {
+      const auto dot = substitution.key.find('.');
+      const std::string table_name = substitution.key.substr(0, dot);
+      const std::string key = dot == std::string::npos ? "" : substitution.key.substr(dot + 1);
+      if (!schema.contains(table_name) || table_name == "expect" || !among(schema.at(table_name), key))
+        throw CaseError(one_line(shortened(substitution.key, longest_text) +
+                                 ": is no key of a case that can be given another value; allowed is " +
+                                 (schema.contains(table_name) && table_name != "expect"
+                                      ? "in [" + table_name + "] " + list(schema.at(table_name))
+                                      : "table.key with one of the tables " + list(substitutable_tables()))));
+      toml::node* node = root_.get(table_name);
+      if (!node) node = &root_.insert(table_name, toml::table{}).first->second;
+      toml::table* table = node->as_table();
+      if (!table) continue;  // index_top says what the file has there
+      const toml::node* present = table->get(key);
+      substituted_[substitution.key] = {.line = line_of(present ? *present : *table),
+                                        .text = toml_text(substitution.value)};
+      std::visit([&](const auto& value) { table->insert_or_assign(key, value); }, substitution.value);
+    }
+  }
+
+  [[nodiscard]] static std::vector<std::string> substitutable_tables() {
+    std::vector<std::string> names;
+    for (const auto& entry : schema)
+      if (entry.first != "expect") names.push_back(entry.first);
+    return names;
   }
 
   /// The first unknown key in the order of the file is the one to name.
@@ -241,7 +206,7 @@ class Reader {
       }
     }
     if (!first) return;
-    const std::string value = first->is_table() ? "" : " = " + text_of(*first);
+    const std::string value = first->is_table() ? "" : " = " + text_of(*first, lines_);
     const std::string name = first->is_table() && path.empty() ? "[" + first_key + "]" : first_key + value;
     throw CaseError(one_line(place(line_of(*first)) + ": " + shortened(name, 2 * longest_text) + ": is unknown" +
                              (path.empty() ? "" : " in " + table_name(path)) + "; allowed is " + list(allowed)));
@@ -748,6 +713,11 @@ class Reader {
   Case case_;
   std::vector<std::string> lines_;
   toml::table root_;
+  struct Substituted {
+    int line = 1;
+    std::string text;
+  };
+  std::map<std::string, Substituted> substituted_;
   std::map<std::string, const toml::node*> nodes_;
   std::size_t expectations_ = 0;
   std::optional<Scales> scales_;
@@ -788,6 +758,25 @@ Case read_case(const std::filesystem::path& file) { return Reader(read_case_text
 
 Case read_case(std::string text, const std::filesystem::path& file) {
   return Reader(checked_case_text(std::move(text), file), file).read();
+}
+
+Case read_case(std::string text, const std::filesystem::path& file, const std::vector<Substitution>& substitutions) {
+  return Reader(checked_case_text(std::move(text), file), file, substitutions).read();
+}
+
+std::string toml_text(const TomlValue& value) {
+  if (const auto* whole = std::get_if<std::int64_t>(&value)) return std::to_string(*whole);
+  if (const auto* real = std::get_if<double>(&value)) {
+    if (!std::isfinite(*real)) return std::isnan(*real) ? "nan" : *real > 0 ? "inf" : "-inf";
+    char text[32];
+    const auto end = std::to_chars(text, text + sizeof text, *real).ptr;
+    const std::string shortest(text, end);
+    return shortest.find_first_of(".e") == std::string::npos ? shortest + ".0" : shortest;
+  }
+  std::string text = "\"";
+  for (const char c : std::get<std::string>(value))
+    text += c == '"' || c == '\\' ? std::string{'\\', c} : std::string{c};
+  return text + "\"";
 }
 
 std::filesystem::path cases_folder() {

@@ -2,6 +2,7 @@
 // A benchmark case as a user writes it, and the strict reader. SI and text live here; solvers never see a Case.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -111,6 +112,22 @@ struct Case {
 
 /// The same of a text that is at hand, as if it stood in `file`: its name is the id, and stands in messages.
 [[nodiscard]] Case read_case(std::string text, const std::filesystem::path& file);
+
+/// A value as TOML has it.
+using TomlValue = std::variant<std::int64_t, double, std::string>;
+/// As TOML would write it, a number with as many digits as tell it from every other.
+[[nodiscard]] std::string toml_text(const TomlValue& value);
+
+/// A value for a key of a case, "operation.radial_load_N", in the place of the one in the file or beside those there.
+struct Substitution {
+  std::string key;
+  TomlValue value;
+};
+
+/// The same with other values, which pass every check that the file's own would; messages name the line of the value
+/// that was replaced, or of its table. The file's expectations are left out, since they speak of its own numbers.
+[[nodiscard]] Case read_case(std::string text, const std::filesystem::path& file,
+                             const std::vector<Substitution>& substitutions);
 
 /// A CASE argument: a path to a TOML file (it holds a '/' or ends in .toml), or the id of one in cases/ or a folder in
 /// it (cases/atlas); a file of another name only where no case has it for an id. Throws CaseError.

@@ -374,6 +374,17 @@ void OutputFile::commit(const std::string& text) {
   stream << text;
   stream.close();
   if (!stream) cannot_write(path_, "the device is full or failed");
+  commit();
+}
+
+void OutputFile::append(const std::string& text) {
+  std::ofstream stream(temporary_.empty() ? path_ : temporary_, std::ios::binary | std::ios::app);
+  stream << text;
+  stream.close();
+  if (!stream) cannot_write(path_, "the device is full or failed");
+}
+
+void OutputFile::commit() {
   if (temporary_.empty()) return;
   std::error_code error;
   std::filesystem::rename(temporary_, path_, error);

@@ -57,6 +57,10 @@ class OutputFile {
   /// Throws OutputError; the old file is then still there.
   void commit(const std::string& text);
 
+  /// The same in pieces, of what would not fit into memory: what is appended shows at commit().
+  void append(const std::string& text);
+  void commit();
+
  private:
   std::filesystem::path path_;
   std::filesystem::path temporary_;  ///< empty when done, or for a device

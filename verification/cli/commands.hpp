@@ -19,5 +19,6 @@ void add_report(CLI::App& app, int& exit_code);
 void add_atlas(CLI::App& app, int& exit_code);
 void add_maps(CLI::App& app, int& exit_code);
 void add_statements(CLI::App& app, int& exit_code);
+void add_sweep(CLI::App& app, int& exit_code);
 
 }  // namespace ehd::cli

@@ -18,6 +18,7 @@ Examples:
   ehd compare own-moes-20-10          the solvers side by side
   ehd bearing na4908                  the load distribution of a bearing
   ehd plan own-moes-20-10             what would be computed, what is skipped, and why
+  ehd sweep sweep.toml                a case over lists and ranges of its keys
   ehd cases                           the benchmark cases and how to cite them
   ehd verify                          the verification suite
   ehd bench                           run time against achieved error
@@ -50,6 +51,7 @@ int run(int argc, char** argv) {
   add_atlas(app, exit_code);
   add_maps(app, exit_code);
   add_statements(app, exit_code);
+  add_sweep(app, exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForVersion& version) {
