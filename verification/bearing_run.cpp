@@ -399,15 +399,20 @@ class BearingRun {
     if (const auto* given = std::get_if<LengthDatum>(&body_.datum)) return given->x0_m;
     if (std::holds_alternative<LundbergDatum>(body_.datum)) return contact.length_m;
     const double load_N = palmgren_load_N();
+    if (!(load_N > 0)) return contact.length_m;  // no contact force at all: a datum is of no consequence
     return datum_from_dry_approach_m(contact.at(load_N), bearing::palmgren_law(contact.length_m).approach(load_N));
   }
+  /// Without a radial load the dry rollers press on the outer ring alone.
   [[nodiscard]] double palmgren_load_N() const {
-    return std::get<PalmgrenDatum>(body_.datum).load_N.value_or(largest_dry_N());
+    const double largest_N = largest_dry_N();
+    return std::get<PalmgrenDatum>(body_.datum).load_N.value_or(largest_N > 0 ? largest_N : loading_.centrifugal_N);
   }
 
   void note_datum(BearingResult& result) const {
     std::string name = "datum: ";
-    if (std::holds_alternative<PalmgrenDatum>(body_.datum))
+    if (std::holds_alternative<PalmgrenDatum>(body_.datum) && !(palmgren_load_N() > 0))
+      name += "x_0 = l, since the dry rollers carry nothing that palmgren's law could be met at";
+    else if (std::holds_alternative<PalmgrenDatum>(body_.datum))
       name += "palmgren, the hertz law met at a contact force of " + plain(palmgren_load_N()) + " N";
     else if (std::holds_alternative<LundbergDatum>(body_.datum))
       name += "lundberg, x_0 = l";
@@ -434,6 +439,7 @@ class BearingRun {
 
   [[nodiscard]] LinearFit fitted(const RacewayContact& contact, double datum) {
     const auto [low, high] = body_.fit.load_N.value_or(std::pair{0.2 * largest_dry_N(), 1.2 * largest_dry_N()});
+    if (!(high > 0)) throw LawFailure("the dry rollers carry nothing, so there is no load to fit a line at; state fit.load_N");
     try {
       auto fit = bearing::fit_contacts(solved(contact), datum, low, high, body_.fit.points);
       if (const auto* failure = std::get_if<SolveFailure>(&fit)) throw LawFailure(failure->why);
@@ -558,7 +564,15 @@ class BearingRun {
   }
 
   /// Where a first curve ends; a balance that goes beyond extends it.
-  [[nodiscard]] double first_reach_N() const { return 1.05 * (largest_dry_N() + loading_.centrifugal_N); }
+  [[nodiscard]] double first_reach_N() const {
+    // Where every roller is light the curve still begins at M = 1: what is lighter is foretold from solved contacts, and
+    // below M = 1e-3 none can be solved.
+    const auto at_M_1 = [](const RacewayContact& contact) {
+      const double width = contact.reduced_modulus_Pa * contact.reduced_radius_m;
+      return contact.length_m * std::sqrt(contact.viscosity_Pa_s * contact.speed_sum_m_per_s * width);
+    };
+    return std::max({1.05 * (largest_dry_N() + loading_.centrifugal_N), at_M_1(contacts_.inner), at_M_1(contacts_.outer)});
+  }
 
   /// The contacts of the fit, where the case itself states them: the curve then shares them. With a range that follows
   /// the dry balance every load and clearance would have a curve of its own.
