@@ -163,8 +163,8 @@ BOOST_AUTO_TEST_CASE(every_part_is_listed_once_by_letter_and_name) {
     BOOST_TEST(find_part(part.name) == &part);
   }
   BOOST_TEST(ids == (std::set<std::string>{"a", "b", "c", "d", "e", "f", "g", "h", "i"}), boost::test_tools::per_element());
-  BOOST_TEST(names.size() == 8u);
-  BOOST_TEST(!find_part("i"));
+  BOOST_TEST(names.size() == 9u);
+  BOOST_TEST(!find_part("j"));
 }
 
 BOOST_AUTO_TEST_CASE(a_part_that_throws_is_a_part_that_fails) {
@@ -212,6 +212,29 @@ BOOST_AUTO_TEST_CASE(the_box_fails_where_solvers_differ_or_refuse_below_4_GPa) {
   BOOST_TEST(spoilt(box_point(), judge_box, Spoil([&](BoxPoint& p) { above(p), p.fast.film[0] = nothing; })) ==
              Verdict::inconclusive);
   BOOST_TEST(judge_box({}).verdict == Verdict::inconclusive);
+}
+
+BOOST_AUTO_TEST_CASE(bearings_fail_where_one_does_not_balance_or_is_no_balance) {
+  const BearingRow dry{.law = "hertz", .tried = 1000, .balanced = 1000, .worst_balance = 2e-16, .worst_bisection = 3e-16};
+  const BearingRow film{.law = "ehd",
+                        .tried = 1000,
+                        .balanced = 900,
+                        .refused_outside = 100,
+                        .worst_balance = 1e-15,
+                        .worst_bisection = 1e-15};
+  const auto verdict = [&](auto&& change) {
+    std::vector<BearingRow> rows{dry, film};
+    change(rows[0], rows[1]);
+    return judge_bearings(rows).verdict;
+  };
+  BOOST_TEST((verdict([](auto&, auto&) {}) == Verdict::pass));
+  BOOST_TEST((verdict([](auto& one, auto&) { one.balanced = 999; }) == Verdict::fail));
+  BOOST_TEST((verdict([](auto& one, auto&) { one.worst_balance = 2e-12; }) == Verdict::fail));
+  BOOST_TEST((verdict([](auto&, auto& one) { one.worst_bisection = 2e-12; }) == Verdict::fail));
+  BOOST_TEST((verdict([](auto&, auto& one) { one.worst_bisection = std::nan(""); }) != Verdict::pass));
+  BOOST_TEST((verdict([](auto&, auto& one) { one.balanced = 899, one.refused_inside = 1; }) == Verdict::fail));
+  BOOST_TEST((verdict([](auto&, auto& one) { one.balanced = 0, one.refused_outside = one.tried; }) == Verdict::fail));
+  BOOST_TEST((judge_bearings({}).verdict != Verdict::pass));
 }
 
 BOOST_AUTO_TEST_CASE(starts_fail_where_another_solution_is_found) {
