@@ -45,7 +45,6 @@ Case case_of(const RandomBearing& drawn, unsigned seed) {
   Lubricant oil;
   oil.viscosity = draw.index(4) == 0 ? ViscosityLaw::barus : ViscosityLaw::roelands;
   oil.density = draw.index(2) == 0 ? DensityLaw::incompressible : DensityLaw::dowson_higginson;
-  oil.alpha_per_Pa = draw.uniform(1e-8, 2.8e-8);
   BearingCase body;
   body.geometry = {.rollers = drawn.geometry.rollers,
                    .pitch_diameter_m = drawn.geometry.pitch_diameter_m,
@@ -61,13 +60,25 @@ Case case_of(const RandomBearing& drawn, unsigned seed) {
                     .radial_load_N = drawn.loading.radial_N};
   body.modulus_Pa = drawn.contact.modulus_Pa;
   body.poisson = drawn.contact.poisson;
-  double thickest = std::numeric_limits<double>::infinity();
-  const double E = bearing::reduced_modulus_Pa(body.modulus_Pa, body.poisson);
-  for (const auto raceway : {bearing::Raceway::inner, bearing::Raceway::outer})
-    thickest = std::min(thickest, std::pow(0.999 * thickest_L / (*oil.alpha_per_Pa * E), 4) * E *
-                                      bearing::reduced_radius_m(drawn.geometry, raceway) /
-                                      bearing::sum_speed_m_per_s(drawn.geometry, drawn.speeds));
-  body.lubricant = BearingLubricant{.lubricant = oil, .viscosity_Pa_s = std::min(draw.logarithmic(2e-3, 0.2), thickest)};
+  // An oil as there are: z of .35 .. .8 and alpha from it. Where L would be beyond 30 a thinner one, anywhere below.
+  const double z = draw.uniform(0.35, 0.8), E = bearing::reduced_modulus_Pa(body.modulus_Pa, body.poisson);
+  const double u = bearing::sum_speed_m_per_s(drawn.geometry, drawn.speeds);
+  const double R = std::min(bearing::reduced_radius_m(drawn.geometry, bearing::Raceway::inner),
+                            bearing::reduced_radius_m(drawn.geometry, bearing::Raceway::outer));
+  const auto alpha = [&](double eta) { return z * (std::log(eta) + 9.67) / oil.p0_Pa; };
+  const auto L = [&](double eta) { return alpha(eta) * E * std::pow(eta * u / (E * R), 0.25); };
+  double eta = draw.logarithmic(2e-3, 0.2);
+  const double target = draw.uniform(5, thickest_L);
+  if (L(eta) > thickest_L) {
+    double low = std::exp(-9.67), high = eta;  // alpha is 0 at the low end
+    for (int k = 0; k < 60; ++k) {
+      const double middle = std::sqrt(low * high);
+      (L(middle) < target ? low : high) = middle;
+    }
+    eta = high;
+  }
+  oil.alpha_per_Pa = alpha(eta);
+  body.lubricant = BearingLubricant{.lubricant = oil, .viscosity_Pa_s = eta};
   Case one;
   one.id = "random-" + std::to_string(seed);
   one.version = 1;
