@@ -70,7 +70,7 @@ sanitize-threads:  ## The tests that use threads, and part of the suite, with Th
 bench: build  ## Run time and work against achieved error, scaling, batches; results in out/bench (10 minutes)
 	@$(BUILD)/ehd bench --output out/bench
 
-stress: build  ## Numerical stability: starts, precision, rounding, extremes; results in out/stress (15 minutes)
+stress: build  ## Numerical stability: starts, precision, rounding, extremes, random bearings; results in out/stress (half an hour)
 	@$(BUILD)/ehd stress --output out/stress
 
 report: build  ## Make out/verify/report.html from what verify, bench and stress left in out/

@@ -6,54 +6,28 @@
 #include <string>
 #include <vector>
 
-#include "contact/hertz.hpp"
-#include "contact/scaling.hpp"
 #include "tests/check.hpp"
+#include "tests/verification/made_bearing.hpp"
 
 namespace ehd::verification {
 
 namespace {
 
+/// With room, a range of the fit that follows the load, and other rollers than the paper's.
 Case needle_bearing() {
-  Case one;
-  one.id = "needle";
-  one.version = 1;
-  one.lines = {{"operation.speed_rpm", 7}, {"operation", 5}, {"", 1}};
-  one.file = "needle.toml";
-  BearingCase body;
-  body.geometry = {.rollers = 19,
-                   .pitch_diameter_m = 0.060,
-                   .roller_diameter_m = 0.006,
-                   .length_m = 0.05,
-                   .clearance_m = 4e-6,
-                   .density_kg_per_m3 = 7850};
-  body.operation = {.inner_speed_rpm = 4000, .outer_speed_rpm = 0, .radial_load_N = 20e3};
-  body.modulus_Pa = 2.06e11;
-  body.poisson = 0.3;
-  Lubricant oil;
-  oil.viscosity = ViscosityLaw::roelands;
-  oil.density = DensityLaw::dowson_higginson;
-  oil.alpha_per_Pa = 2e-8;
-  body.lubricant = BearingLubricant{.lubricant = oil, .viscosity_Pa_s = 0.02};
-  one.body = body;
+  Case one = made::needle_bearing(4e-6);
+  auto& body = std::get<BearingCase>(one.body);
+  body.geometry.rollers = 19;
+  body.operation.radial_load_N = 20e3;
+  body.fit = {};
   return one;
 }
 
 constexpr double stated = 1e-3;  ///< the synthetic solver's own error of the offset film
 
-/// Films in closed form, the offset film off by `share` of the stated error.
+/// The offset film off by `share` of the stated error.
 ContactSolver synthetic(double share) {
-  return [share](const Problem& problem, const Request&) {
-    const double M = problem.groups.M;
-    const double martin = 2.4474842468 / M / moes_film_per_hertz_film(M), stiffening = 1 + std::pow(M / 0.25, 1.5);
-    const double film = martin * std::pow(stiffening, 0.58);
-    Solution solution;
-    solution.record.status = StopReason::converged;
-    solution.observables[Quantity::film_minimum] = {.value = martin * std::pow(stiffening, 0.56), .error = 1e-6};
-    solution.observables[Quantity::film_offset] = {.value = hertz::dry_offset() + film * (1 + share * stated),
-                                                   .error = stated * film};
-    return solution;
-  };
+  return [share](const Problem& problem, const Request&) { return made::contact(problem, stated, share); };
 }
 
 std::vector<BearingResult> run(ContactMemory& memory) {

@@ -7,9 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "contact/hertz.hpp"
-#include "contact/scaling.hpp"
 #include "tests/check.hpp"
+#include "tests/verification/made_bearing.hpp"
 #include "verification/case.hpp"
 
 namespace ehd::verification {
@@ -22,17 +21,7 @@ std::vector<Case> needle_bearing_at_three_clearances() {
   return cases;
 }
 
-/// Films in closed form: no solver.
-Solution synthetic_contact(const Problem& problem, const Request&) {
-  const double M = problem.groups.M;
-  const double martin = 2.4474842468 / M / moes_film_per_hertz_film(M), stiffening = 1 + std::pow(M / 0.25, 1.5);
-  const double film = martin * std::pow(stiffening, 0.58);
-  Solution solution;
-  solution.record.status = StopReason::converged;
-  solution.observables[Quantity::film_minimum] = {.value = martin * std::pow(stiffening, 0.56), .error = 1e-6};
-  solution.observables[Quantity::film_offset] = {.value = hertz::dry_offset() + film, .error = 1e-6 * film};
-  return solution;
-}
+Solution synthetic_contact(const Problem& problem, const Request&) { return made::contact(problem); }
 
 }  // namespace
 

@@ -24,7 +24,7 @@ struct StressOptions {
 
 const char* examples = R"(
 Examples:
-  ehd stress --output out/stress     every part, in a quarter of an hour; leaves out/stress/stress.json
+  ehd stress --output out/stress     every part, in half an hour; leaves out/stress/stress.json
   ehd stress --quick                 a small form of each, in under a minute
   ehd stress --part d --part e       two parts
 
