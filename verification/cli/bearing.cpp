@@ -22,7 +22,7 @@ using namespace verification;
 
 struct BearingOptions {
   std::vector<std::string> cases, laws;
-  std::optional<std::string> json, plot;
+  std::optional<std::string> json, plot, csv;
   std::string solver = "fast", form = "plane";
   std::optional<std::string> cage_positions;
   RequestOptions limits;
@@ -35,7 +35,8 @@ Examples:
   ehd bearing harris-209 --law hertz --law iso         dry laws only
   ehd bearing na4908 --cage-positions 24               and the displacement while the cage turns by one pitch
   ehd bearing na4908 --law ehd-linear --json -         one result as JSON on standard output
-  ehd bearing na4908 na4908-10um --plot loads.svg      contact forces over the azimuth, a panel a case
+  ehd bearing na4908 na4908-10um --plot loads.svg --csv loads.csv
+                                                       contact forces and displacements over the azimuth
 
 Exit code: 0 all laws balanced; 1 one did not; 2 bad input or usage.)";
 
@@ -101,13 +102,33 @@ std::string statements_of(const Computed& computed, ContactMemory& memory) {
   return text;
 }
 
+/// A row a roller: what the paper's figures show.
+std::string csv_of(const Computed& computed) {
+  std::string text =
+      "case,clearance_m,law,azimuth_deg,inner_force_N,inner_displacement_m,inner_film_minimum_m,inner_hertz_pressure_Pa,"
+      "outer_force_N,outer_displacement_m,outer_film_minimum_m,outer_hertz_pressure_Pa\n";
+  const auto cell = [](const std::optional<double>& value) { return "," + (value ? plain(*value, 17) : std::string()); };
+  for (std::size_t k = 0; k < computed.cases.size(); ++k) {
+    const auto& body = std::get<BearingCase>(computed.cases[k].body);
+    for (const BearingResult& result : computed.results[k])
+      for (const RollerRow& roller : result.rollers) {
+        text += computed.cases[k].id + cell(body.geometry.clearance_m) + "," + std::string(to_string(result.law)) +
+                cell(roller.azimuth_deg);
+        for (const ContactRow* at : {&roller.inner, &roller.outer})
+          text += cell(at->force_N) + cell(at->displacement_m) + cell(at->film_minimum_m) + cell(at->hertz_pressure_Pa);
+        text += "\n";
+      }
+  }
+  return text;
+}
+
 /// Contact forces over the azimuth, a panel a case; absent where nothing balanced.
 std::optional<std::string> plot_of(const Computed& computed) {
   report::Figure figure{
       .id = "bearing",
-      .title = "Contact forces over the azimuth",
-      .description =
-          "Contact force of each roller at the inner raceway over its azimuth, a curve a law, a panel a case.",
+      .title = "Contact forces and displacements over the azimuth",
+      .description = "Contact force and displacement of each roller at the inner raceway over its azimuth, a curve a law, "
+                     "two panels a case.",
       .width = 560};
   bool any = false;
   for (std::size_t k = 0; k < computed.cases.size(); ++k) {
@@ -127,6 +148,7 @@ std::optional<std::string> plot_of(const Computed& computed) {
     constexpr std::size_t fits = 80;
     figure.panels.push_back(report::azimuth_panel(
         report::OverAzimuth::force, report::literal(shortened(one_line(one.id + ": " + one.title), fits)), laws));
+    figure.panels.push_back(report::azimuth_panel(report::OverAzimuth::displacement, report::literal(one_line(one.id)), laws));
   }
   return any ? std::optional(report::draw(figure, report::Place::file)) : std::nullopt;
 }
@@ -156,10 +178,13 @@ int bearing(const BearingOptions& options) {
   for (const Case& one : computed.cases) inputs.push_back({"the case " + one.id, one.file});
   if (options.json) outputs.push_back({"--json", *options.json});
   if (options.plot) outputs.push_back({"--plot", *options.plot});
+  if (options.csv) outputs.push_back({"--csv", *options.csv});
   require_distinct(inputs, outputs);
   JsonTarget json(options.json);
   std::optional<OutputFile> plot;
   if (options.plot) plot.emplace(*options.plot);
+  std::optional<OutputFile> csv;
+  if (options.csv) csv.emplace(*options.csv);
 
   const Request limits = options.limits.request();
   Request request = ContactMemory::bearing_request();
@@ -202,6 +227,7 @@ int bearing(const BearingOptions& options) {
   if (!json.to_standard_output()) text += statements_of(computed, memory);
   progress.show("");
   json.write(list.size() == 1 ? list.front() : list);
+  if (csv) csv->commit(csv_of(computed));
   if (plot) {
     if (const auto svg = plot_of(computed))
       plot->commit(*svg);
@@ -235,7 +261,8 @@ void add_bearing(CLI::App& app, int& exit_code) {
                       "also balance at this many positions of the cage over one pitch");
   options->limits.add_to(*command, false);
   command->add_option("--json", options->json, "the results as JSON into a file, or - for standard output");
-  command->add_option("--plot", options->plot, "contact forces over the azimuth as a figure, SVG");
+  command->add_option("--plot", options->plot, "contact forces and displacements over the azimuth as a figure, SVG");
+  command->add_option("--csv", options->csv, "forces, displacements and films, a row a roller");
   command->callback([options, &exit_code] { run_guarded(exit_code, [&] { return bearing(*options); }); });
 }
 
