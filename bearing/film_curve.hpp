@@ -102,10 +102,13 @@ class FilmCurve {
   /// rigid continuation can be trusted to at any lighter load. The larger of the two films'. Where no lighter contact can
   /// be solved: of the curve without its lightest octaves, at its lightest point.
   double joint_error = 0;
-  double interpolation_error = 0;  ///< the same at the extra solves that the gaps between points were judged by
+  /// The same at the extra solves that the gaps between points were judged by, and an eighth of what the curve without a
+  /// point is off by there: whichever is largest.
+  double interpolation_error = 0;
   /// Relative error of the contact force at a given approach by the offset film's errors above, datum x_0 = l.
   double joint_force_error = 0, interpolation_force_error = 0;
   double solver_error = 0;         ///< largest relative error of an offset film that the solver itself reports
+  double film_error = 0;           ///< and of a minimum film
   std::string lightest_because;    ///< why no lighter contact was solved
 
   /// f d(delta)/df [m] with the datum x_0 = l: what the relative errors of a contact force are relative to.
@@ -127,6 +130,7 @@ struct CurveRequest {
   /// order of the radii), and of the minimum film, at an extra solve in each gap and at the joint.
   double force_bound = 1e-3, film_bound = 2e-3;
   double smallest_gap = 1.05;  ///< ratio of neighbouring forces below which no gap is split
+  double widest_gap = 3;       ///< and above which one always is
   int most_points = 120;
 
   friend auto operator<=>(const CurveRequest&, const CurveRequest&) = default;
@@ -138,7 +142,8 @@ struct CurveRequest {
 
 /// From the heaviest force down by factors of four until the rigid continuation foretells a contact half as heavy within
 /// the bounds, or no lighter one can be solved; then the gap whose extra solve disagrees most is split there, until all
-/// agree. Extra solves become points of the curve. A failure at the heavy end, or fewer than three points, is a
+/// agree; and both gaps beside a point that the others do not foretell (an eighth of the disagreement, over twice the gap).
+/// Extra solves become points of the curve. A failure at the heavy end, or fewer than three points, is a
 /// SolveFailure.
 [[nodiscard]] std::variant<FilmCurve, SolveFailure> build_curve(SolvedContacts& contacts, const CurveRequest& request);
 

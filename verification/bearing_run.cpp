@@ -245,7 +245,8 @@ bearing::ContactResult solve_contact(const RacewayContact& contact, const Lubric
   const auto known_to = [&](double share) { return *offset->second.error <= share * std::max(offset_film, dry_offset / 10); };
   if (!known_to(largest_offset_error))
     return SolveFailure{.why = groups + "the offset film is known to " + plain(*offset->second.error / offset_film, 2) +
-                        " only, needed is " + plain(largest_offset_error)};
+                        " of itself only, and to more than " + plain(largest_offset_error) +
+                        " of a tenth of the approach"};
   return SolvedContact{.offset = offset->second.value,
                        .offset_error = *offset->second.error,
                        .film_minimum_m = film->second.value * *reading.scales->film_m_per_hertz_film(),
@@ -335,6 +336,7 @@ class BearingRun {
     result.case_id = case_.id;
     result.version = case_.version;
     result.law = law;
+    result.form = request_.form;
     result.plan = plan;
     try {
       if (!needs_film(law)) {

@@ -135,6 +135,7 @@ struct BearingResult {
   std::string case_id;
   int version = 0;
   BearingLaw law = BearingLaw::hertz;
+  bearing::Form form = bearing::Form::plane;
   StopReason status = StopReason::diverged;
   std::string why;  ///< where status is not converged
   double displacement_m = 0;
@@ -218,7 +219,8 @@ struct DatumRow {
   std::vector<PaperStatement> statements;
 };
 /// `law`: ehd-linear or ehd. The named data: palmgren, lundberg, x0 = 20, 2.5, 1 and 0.5 mm.
-[[nodiscard]] std::vector<DatumRow> compare_data(const std::vector<Case>& cases, BearingLaw law, ContactMemory& memory);
+[[nodiscard]] std::vector<DatumRow> compare_data(const std::vector<Case>& cases, BearingLaw law, ContactMemory& memory,
+                                                 bearing::Form form = bearing::Form::plane);
 
 /// The lengths x_0 for which (a), (b) and (c) all hold, scanned from `lowest_m` to `highest_m` in steps of a factor
 /// `step`: a list of closed ranges of scanned values, empty where there is none.
@@ -229,7 +231,8 @@ struct DatumScan {
   Ranges c_close_m, c_opposite_m;  ///< the two halves of (c)
   Ranges all_hold_mildly_m;        ///< "close" in (c) read as closer than at the other two clearances
 };
-[[nodiscard]] DatumScan scan_datum(const std::vector<Case>& cases, BearingLaw law, ContactMemory& memory);
+[[nodiscard]] DatumScan scan_datum(const std::vector<Case>& cases, BearingLaw law, ContactMemory& memory,
+                                   bearing::Form form = bearing::Form::plane);
 
 /// True where the cases are one bearing at different clearances.
 [[nodiscard]] bool differ_only_in_clearance(const std::vector<Case>& cases);

@@ -51,10 +51,10 @@ struct Interval {
 };
 
 constexpr Interval lengths{1e-9, 1e6};      // m
-constexpr Interval small_lengths{0, 1e3};   // m, 0 included
 constexpr Interval moduli{1e3, 1e15};       // Pa
 constexpr Interval line_loads{1e-6, 1e12};  // N/m
 constexpr Interval forces{1e-9, 1e12};      // N
+constexpr Interval loads{.low = 1e-9, .high = 1e12, .or_zero = true};  // N; a bearing may turn without one
 constexpr Interval speeds{1e-12, 1e6};      // m/s
 constexpr Interval speeds_or_rest{.low = 1e-12, .high = 1e6, .or_zero = true};
 constexpr Interval viscosities{1e-12, 1e9};                                    // Pa s
@@ -473,9 +473,9 @@ class Reader {
     geometry.density_kg_per_m3 = number("bearing.density_kg_per_m3", densities);
     geometry.first_azimuth_deg = maybe_number("bearing.first_azimuth_deg", azimuths).value_or(0);
     geometry.ring_thickness_m = maybe_number("bearing.ring_thickness_m", lengths);
-    geometry.roughness_m = maybe_number("bearing.roughness_m", small_lengths);
+    geometry.roughness_m = maybe_number("bearing.roughness_m", lengths);
     read_speeds(bearing.operation);
-    bearing.operation.radial_load_N = number("operation.radial_load_N", forces);
+    bearing.operation.radial_load_N = number("operation.radial_load_N", loads);
     bearing.modulus_Pa = number("material.modulus_Pa", moduli);
     bearing.poisson = number("material.poisson", poisson_ratios);
     if (has("lubricant")) {
@@ -512,7 +512,9 @@ class Reader {
   void check_bearing_lubricant(const BearingCase& bearing) const {
     const BearingGeometry& geometry = bearing.geometry;
     Conditions any;
-    any.load_N_per_m = bearing.operation.radial_load_N / geometry.length_m;
+    constexpr double some_N = 1;  // where the bearing carries none
+    const double load_N = bearing.operation.radial_load_N;
+    any.load_N_per_m = (load_N > 0 ? load_N : some_N) / geometry.length_m;
     any.reduced_radius_m = geometry.roller_diameter_m / 2;
     any.reduced_modulus_Pa = bearing.modulus_Pa / (1 - bearing.poisson * bearing.poisson);
     any.speed_sum_m_per_s = 1;

@@ -29,11 +29,17 @@ std::size_t most_loaded(const BearingResult& result) {
                                   result.rollers.begin());
 }
 
-/// The thinnest minimum film between a roller and the inner ring.
-std::optional<double> thinnest_film_m(const BearingResult& result) {
-  std::optional<double> thinnest;
+/// The thinnest film of a balance, where it is.
+struct Thinnest {
+  double film_m = 0, force_N = 0;
+  bool inner = true;
+};
+std::optional<Thinnest> thinnest_film(const BearingResult& result) {
+  std::optional<Thinnest> thinnest;
   for (const RollerRow& row : result.rollers)
-    if (row.inner.film_minimum_m) thinnest = std::min(thinnest.value_or(*row.inner.film_minimum_m), *row.inner.film_minimum_m);
+    for (const ContactRow* at : {&row.inner, &row.outer})
+      if (at->film_minimum_m && (!thinnest || *at->film_minimum_m < thinnest->film_m))
+        thinnest = Thinnest{*at->film_minimum_m, at->force_N, at == &row.inner};
   return thinnest;
 }
 
@@ -51,6 +57,7 @@ class Linearised {
       else
         stiffness_[j] = 0;
     }
+    if (result.form == bearing::Form::radial) directions_.row(1).setZero();
     const Eigen::Matrix2d ring = directions_ * stiffness_.asDiagonal() * directions_.transpose();
     inverse_ = ring.completeOrthogonalDecomposition().pseudoInverse();  // few loaded rollers leave y free
   }
@@ -93,8 +100,8 @@ BudgetRow difference(const BearingResult& one, const BearingResult& other) {
     row.any_force_N = std::max(row.any_force_N, change);
     if (j == top) row.largest_force_N = change;
   }
-  const auto film = thinnest_film_m(one), other_film = thinnest_film_m(other);
-  if (film && other_film) row.smallest_film = std::abs(*film / *other_film - 1);
+  const auto film = thinnest_film(one), other_film = thinnest_film(other);
+  if (film && other_film) row.smallest_film = std::abs(film->film_m / other_film->film_m - 1);
   return row;
 }
 
@@ -117,6 +124,7 @@ std::vector<BudgetRow> budget_of(const Case& bearing_case, const std::vector<Bea
   const BearingResult* const full = of_law(results, BearingLaw::ehd);
   if (law == BearingLaw::ehd_linear && full) add(difference(*result, *full), "fit", "ehd-linear against ehd");
 
+  const auto thinnest = thinnest_film(*result);
   const Linearised linear(*result, laws->inner, laws->outer);
   const auto curve_of = [&](bool at_inner) -> const FilmCurve& {
     return at_inner ? result->curve->inner : result->curve->outer;
@@ -127,19 +135,25 @@ std::vector<BudgetRow> budget_of(const Case& bearing_case, const std::vector<Bea
       const FilmCurve& curve = curve_of(at_inner);
       return f >= curve.lightest_N() ? curve.interpolation_force_error * curve.rise_m(f) : 0;
     });
-    between.smallest_film = result->curve->inner.interpolation_error;
+    BudgetRow below = linear.bound([&](double f, bool at_inner) {
+      const FilmCurve& curve = curve_of(at_inner);
+      return f < curve.lightest_N() ? curve.joint_force_error * curve.rise_m(f) : 0;
+    });
+    if (thinnest) {
+      const FilmCurve& curve = curve_of(thinnest->inner);
+      if (thinnest->force_N >= curve.lightest_N())
+        between.smallest_film = curve.interpolation_error;
+      else
+        below.smallest_film = curve.joint_error;
+    }
     add(std::move(between), "interpolation", "largest disagreement of an extra solve, at every contact");
-    add(linear.bound([&](double f, bool at_inner) {
-          const FilmCurve& curve = curve_of(at_inner);
-          return f < curve.lightest_N() ? curve.joint_force_error * curve.rise_m(f) : 0;
-        }),
-        "rigid limit", "below the lightest solved contact");
+    add(std::move(below), "rigid limit", "below the lightest solved contact");
   }
   BudgetRow solver = linear.bound([&](double f, bool at_inner) {
     const FilmCurve& curve = curve_of(at_inner);
     return curve.solver_error * curve.offset_film(f).value;
   });
-  solver.smallest_film = ContactMemory::bearing_request().tolerance;
+  if (thinnest) solver.smallest_film = curve_of(thinnest->inner).film_error;
   add(std::move(solver), "contact solver", "its own stated errors, at every contact");
 
   // 3. The datum is a choice: what another would have given.
@@ -151,7 +165,7 @@ std::vector<BudgetRow> budget_of(const Case& bearing_case, const std::vector<Bea
   for (const auto& [name, datum] : data) {
     Case other = bearing_case;
     std::get<BearingCase>(other.body).datum = datum;
-    const auto again = run_bearing(other, {.laws = {law}, .explicitly = true, .films = true}, memory);
+    const auto again = run_bearing(other, {.laws = {law}, .explicitly = true, .films = true, .form = result->form}, memory);
     if (const BearingResult* const moved = of_law(again, law)) add(difference(*moved, *result), "datum", name);
   }
   return rows;

@@ -22,7 +22,7 @@ struct BudgetRow {
   double displacement_m = 0;   ///< of the ring, along the load
   double largest_force_N = 0;  ///< of the most loaded roller, inner raceway
   double any_force_N = 0;      ///< of the roller that is moved most
-  std::optional<double> smallest_film = {};  ///< relative, of the thinnest minimum film of the inner raceway
+  std::optional<double> smallest_film = {};  ///< relative, of the thinnest minimum film at any contact
 };
 
 /// The rows of one EHD law among the results of a case; empty for a dry law, and where a balance is missing. "fit" needs

@@ -156,13 +156,13 @@ const BearingResult* of_law(const std::vector<BearingResult>& results, BearingLa
 
 /// The cases with another datum; films are left out, since the offset film does not depend on the datum.
 std::vector<ClearanceComparison> with_datum(const std::vector<Case>& cases, const Datum& datum, BearingLaw law,
-                                            ContactMemory& memory) {
+                                            ContactMemory& memory, bearing::Form form) {
   std::vector<ClearanceComparison> clearances;
   for (Case one : cases) {
     auto& body = std::get<BearingCase>(one.body);
     body.datum = datum;
     const auto results =
-        run_bearing(one, {.laws = {BearingLaw::hertz, law}, .explicitly = true, .films = false}, memory);
+        run_bearing(one, {.laws = {BearingLaw::hertz, law}, .explicitly = true, .films = false, .form = form}, memory);
     const BearingResult *dry = of_law(results, BearingLaw::hertz), *film = of_law(results, law);
     if (!dry || !film) return {};
     clearances.push_back({body.geometry.clearance_m, *dry, *film});
@@ -233,20 +233,21 @@ bool differ_only_in_clearance(const std::vector<Case>& cases) {
   return !clearances.empty() && std::adjacent_find(clearances.begin(), clearances.end()) == clearances.end();
 }
 
-std::vector<DatumRow> compare_data(const std::vector<Case>& cases, BearingLaw law, ContactMemory& memory) {
+std::vector<DatumRow> compare_data(const std::vector<Case>& cases, BearingLaw law, ContactMemory& memory,
+                                   bearing::Form form) {
   std::vector<DatumRow> rows;
   const std::vector<std::pair<std::string, Datum>> data{
       {"palmgren", PalmgrenDatum{}},         {"lundberg", LundbergDatum{}},      {"x_0 = 20 mm", LengthDatum{0.020}},
       {"x_0 = 2.5 mm", LengthDatum{0.0025}}, {"x_0 = 1 mm", LengthDatum{0.001}}, {"x_0 = 0.5 mm", LengthDatum{0.0005}}};
   for (const auto& [name, datum] : data) {
-    DatumRow row{name, with_datum(cases, datum, law, memory), {}};
+    DatumRow row{name, with_datum(cases, datum, law, memory, form), {}};
     row.statements = judge_paper_statements(row.clearances);
     if (!row.statements.empty()) rows.push_back(std::move(row));
   }
   return rows;
 }
 
-DatumScan scan_datum(const std::vector<Case>& cases, BearingLaw law, ContactMemory& memory) {
+DatumScan scan_datum(const std::vector<Case>& cases, BearingLaw law, ContactMemory& memory, bearing::Form form) {
   // From well above half the contact's half width, below which there is no law, to a metre; tenths of an octave.
   DatumScan scan;
   scan.lowest_m = 2e-4;
@@ -259,7 +260,7 @@ DatumScan scan_datum(const std::vector<Case>& cases, BearingLaw law, ContactMemo
     was = now;
   };
   for (double x = scan.lowest_m; x <= scan.highest_m * 1.0001; x *= scan.step) {
-    const auto statements = judge_paper_statements(with_datum(cases, LengthDatum{x}, law, memory));
+    const auto statements = judge_paper_statements(with_datum(cases, LengthDatum{x}, law, memory, form));
     const bool a = holds(statements, 'a'), b = holds(statements, 'b'), c = holds(statements, 'c');
     extend(scan.a_m, a, before['a'], x);
     extend(scan.b_m, b, before['b'], x);

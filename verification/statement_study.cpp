@@ -34,6 +34,9 @@ std::vector<Choice> choices(const BearingCase& body) {
     for (const double share : {0.5, 0.75, 1.25, 1.75})
       add("alpha", number(*alpha * share, "1/Pa"),
           [alpha, share](BearingCase& one) { one.lubricant->lubricant.alpha_per_Pa = *alpha * share; });
+  else if (const auto z = body.lubricant->lubricant.z)  // alpha follows from it
+    for (const double share : {0.5, 0.75, 1.25, 1.75})
+      add("alpha", "z = " + plain(*z * share, 4), [z, share](BearingCase& one) { one.lubricant->lubricant.z = *z * share; });
   if (const auto range = body.fit.load_N) {
     for (const double share : {0.15, 0.5, 2.0})
       add("fit range", number(range->first * share, "N") + " to " + number(range->second, "N"),

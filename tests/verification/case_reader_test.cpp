@@ -324,7 +324,7 @@ BOOST_AUTO_TEST_CASE(bad_input_is_one_line_that_names_file_line_key_and_what_is_
       {b, 11, "", 5, "[bearing] rotating: is missing"},
       {b, 14, "speed_rpm = 5000.0\ninner_speed_rpm = 1.0", 14, "contradicts the speeds of both rings"},
       {b, 14, "", 13, "[operation] speed_rpm: is missing"},
-      {b, 15, "radial_load_N = 0", 15, "is zero"},
+      {b, 15, "radial_load_N = -5", 15, "allowed is 0, or 1e-9 to 1e12"},
       {b, 18, "poisson = 0.51", 18, "is out of range"},
       {b, 16, "[materials]", 16, "[materials]: is unknown"},
       {b, 22, "", 19, "[lubricant] viscosity_Pa_s: is missing"},

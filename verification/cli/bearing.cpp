@@ -75,7 +75,7 @@ struct Computed {
   std::vector<std::vector<BearingResult>> results;
 };
 
-std::string statements_of(const Computed& computed, ContactMemory& memory) {
+std::string statements_of(const Computed& computed, ContactMemory& memory, bearing::Form form) {
   if (computed.cases.size() < 3 || !differ_only_in_clearance(computed.cases)) return "";
   std::string text;
   bool scanned = false;
@@ -97,7 +97,7 @@ std::string statements_of(const Computed& computed, ContactMemory& memory) {
     if (scanned) continue;
     scanned = true;
     text += "\nThe same for other data (dry/" + std::string(to_string(law)) + " at psi = 0)\n" +
-            human_data(compare_data(computed.cases, law, memory), scan_datum(computed.cases, law, memory));
+            human_data(compare_data(computed.cases, law, memory, form), scan_datum(computed.cases, law, memory, form));
   }
   return text;
 }
@@ -224,7 +224,7 @@ int bearing(const BearingOptions& options) {
     text += (text.empty() ? "" : "\n") + human_table(one, computed.results.back()) + budgets;
     if (!body.lubricant && named.empty()) text += "\n  ehd-linear and ehd are skipped: the case has no lubricant\n";
   }
-  if (!json.to_standard_output()) text += statements_of(computed, memory);
+  if (!json.to_standard_output()) text += statements_of(computed, memory, form);
   progress.show("");
   json.write(list.size() == 1 ? list.front() : list);
   if (csv) csv->commit(csv_of(computed));
