@@ -432,6 +432,10 @@ BOOST_AUTO_TEST_CASE(repeats_fail_on_one_solution_that_differs) {
   using Spoil = std::function<void(RepeatRow&)>;
   BOOST_TEST(spoilt(repeat_row(), judge_repeats, Spoil([](RepeatRow&) {})) == Verdict::pass);
   BOOST_TEST(spoilt(repeat_row(), judge_repeats, Spoil([](RepeatRow& r) { r.same_in_two = 2; })) == Verdict::fail);
+  BOOST_TEST(spoilt(repeat_row(), judge_repeats, Spoil([](RepeatRow& r) {
+               r.ended_by_time = 1;
+               r.same_in_two = 2;
+             })) == Verdict::inconclusive);
   BOOST_TEST(spoilt(repeat_row(), judge_repeats, Spoil([](RepeatRow& r) { r.converged = 0; })) ==
              Verdict::inconclusive);
 }
@@ -440,7 +444,7 @@ BOOST_AUTO_TEST_CASE(wrong_usage_is_one_line_and_leaves_nothing) {
   const test::Folder folder;
   const std::string out = (folder.path() / "out").string();
   for (const auto& [arguments, says] : std::initializer_list<std::pair<std::string, std::string>>{
-           {"--part z", "--part = z: is unknown; allowed is a to h"},
+           {"--part z", "--part = z: is unknown; allowed is a to i"},
            {"--threads 0", "--threads = 0: is out of range"},
            {"extra", "ehd --help"}}) {
     const auto ended_as = test::ehd_run(folder, "stress --quick --output '" + out + "' " + arguments);

@@ -30,7 +30,8 @@ Examples:
 
 Parts: a box (every load and material), b starts (random first states), c precision (double against long double and
 34 digits), d rounding (the four rounding modes), e condition (inputs moved by one ulp and by 1e-8), f grids (2^6 to 2^20
-intervals), g extremes (random and impossible inputs, limits), h repeatability (the same bits again). Exit code: 0 every part
+intervals), g extremes (random and impossible inputs, limits), h repeatability (the same bits again),
+i random bearings (every force law). Exit code: 0 every part
 that ran passes; 1 one fails or is inconclusive; 2 wrong usage.)";
 
 int stress(const StressOptions& options) {
@@ -38,7 +39,7 @@ int stress(const StressOptions& options) {
   std::vector<const PartEntry*> chosen;
   for (const auto& text : options.parts) {
     const PartEntry* part = find_part(text);
-    if (!part) throw option_error("--part", text, "is unknown; allowed is a to h");
+    if (!part) throw option_error("--part", text, "is unknown; allowed is a to i");
     if (std::find(chosen.begin(), chosen.end(), part) == chosen.end()) chosen.push_back(part);
   }
   if (chosen.empty()) {

@@ -150,6 +150,7 @@ struct ExtremeRow {
 struct RepeatRow {
   std::string solver = {}, request = {};
   long contacts = 0, converged = 0;
+  long ended_by_time = 0;    ///< of the first run
   long same_again = 0;       ///< a second run in one thread
   long same_in_two = 0;      ///< two threads
   long same_in_process = 0;  ///< another process

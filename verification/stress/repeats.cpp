@@ -15,6 +15,9 @@ namespace ehd::verification::stress {
 namespace {
 
 constexpr double time_limit_s = 60;
+/// Equal cells need the 2/3 power of the film: the dense solver would have thousands of them at (200, 7.5), and end by
+/// its time, which no two runs do at the same place.
+constexpr double heaviest_on_equal_cells = 20;
 
 std::vector<Problem> contacts(bool quick) {
   std::vector<Problem> list;
@@ -55,7 +58,7 @@ std::string fingerprint(const Solution& solution) {
 
 std::vector<RepeatRow> run_repeats(const Scope& scope) {
   std::vector<RepeatRow> rows;
-  const auto problems = contacts(scope.quick);
+  const auto all_problems = contacts(scope.quick);
   for (const RegisteredSolver& solver : solvers()) {
     struct Asked {
       std::string text;
@@ -66,6 +69,9 @@ std::vector<RepeatRow> run_repeats(const Scope& scope) {
     for (const Asked& asked : all) {
       const std::string& text = asked.text;
       const Request& request = asked.request;
+      std::vector<Problem> problems = all_problems;
+      if (solver.name == "reference.uniform" && request.tolerance)
+        std::erase_if(problems, [](const Problem& problem) { return problem.groups.M > heaviest_on_equal_cells; });
       scope.show(solver.name + ", " + text);
       // The other process first, while this one has no thread but its own.
       const ChildEnd child = in_child([&] {
@@ -79,6 +85,7 @@ std::vector<RepeatRow> run_repeats(const Scope& scope) {
       std::string rest = child.text.value_or("");
       for (std::size_t i = 0; i < problems.size(); ++i) {
         row.converged += first[i].record.status == StopReason::converged ? 1 : 0;
+        row.ended_by_time += first[i].record.status == StopReason::limit_reached ? 1 : 0;
         row.same_again += identical(first[i], again[i]) ? 1 : 0;
         row.same_in_two += identical(first[i], in_two[i]) ? 1 : 0;
         const auto line = rest.find('\n');
@@ -98,7 +105,8 @@ Part judge_repeats(const std::vector<RepeatRow>& rows) {
             .question = "Does a solve give the same bits again, in one thread, two threads, another process?"};
   part.tolerance =
       Tolerance::required(0, "solutions that differ in any bit; plans are estimated, no solve knows of another");
-  part.settings = {{"threads", {1, 2}}, {"time_limit_s", time_limit_s}};
+  part.settings = {
+      {"threads", {1, 2}}, {"time_limit_s", time_limit_s}, {"heaviest_on_equal_cells", heaviest_on_equal_cells}};
   part.table.columns = {{"solver", ""},         {"asked", ""},      {"contacts", ""},
                         {"converged", ""},      {"same again", ""}, {"same in 2 threads", ""},
                         {"same in a child", ""}};
@@ -111,6 +119,11 @@ Part judge_repeats(const std::vector<RepeatRow>& rows) {
     const std::string where = row.solver + ", " + row.request + ": ";
     if (row.contacts == 0 || row.converged == 0) {
       tally.add(Verdict::inconclusive, where + "no contact was solved");
+      continue;
+    }
+    if (row.ended_by_time > 0) {
+      tally.add(Verdict::inconclusive,
+                where + std::to_string(row.ended_by_time) + " solves were ended by a limit, which no two runs meet at the same place");
       continue;
     }
     const std::pair<const char*, long> counts[] = {
