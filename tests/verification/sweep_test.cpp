@@ -152,6 +152,7 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_with_a_sweep_is_one_line_before_anything_is_c
       {head("combine = \"product\"\n[keys]\n"), 3, {"[keys]", "is empty"}},
       {head("combine = \"product\"\nspeed = 3\n"), 3, {"speed = 3", "is unknown", "allowed is case, laws"}},
       {head("combine = \"product\"\ncombine = \"zip\"\n"), 3, {"duplicate"}},
+      {keys(load + "[1.0]\n" + load + "[2.0]\n"), 5, {load + "[2.0]: is a duplicate (cannot redefine existing array)"}},
       {head("laws = [\"hertz\", \"tomato\"]\n"), 2, {"laws = \"tomato\"", "is unknown", "ehd-linear"}},
       {head("laws = []\n"), 2, {"laws = []", "is empty"}},
       {head("laws = [\"hertz\", \"hertz\"]\n"), 2, {"duplicate"}},
@@ -240,6 +241,17 @@ BOOST_AUTO_TEST_CASE(a_case_is_found_from_the_folder_of_the_sweep) {
   const auto file =
       folder.write("s.toml", "case = \"below/own-moes-20-10.toml\"\ncombine = \"zip\"\n[keys]\n\"moes.M\" = [5.0]\n");
   BOOST_TEST(read_sweep(file).case_file == folder.path() / "below/own-moes-20-10.toml");
+}
+
+BOOST_AUTO_TEST_CASE(what_a_case_expects_of_its_own_numbers_is_not_asked_of_other_ones) {
+  const Folder folder;
+  // Harris' bearing has fourteen rollers, and the case expects a force of the fourth.
+  const Sweep read = read_sweep(
+      folder.write("s.toml", "case = \"harris-209\"\ncombine = \"zip\"\n[keys]\n\"bearing.rollers\" = [3, 14]\n"));
+  const Case own = read_case(read.case_text, read.case_file);
+  const auto asks_of_the_fourth = [](const Expectation& one) { return one.quantity.starts_with("roller.4."); };
+  BOOST_TEST(std::count_if(own.expectations.begin(), own.expectations.end(), asks_of_the_fourth) == 1);
+  for (std::size_t row = 0; row < 2; ++row) BOOST_TEST(read.case_of(row).expectations.empty());
 }
 
 // ---- rows -----------------------------------------------------------------------------------------------------------

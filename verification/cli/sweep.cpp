@@ -105,10 +105,14 @@ class Bar {
   Progress progress_;
 };
 
+/// A bar stands on the line of a terminal.
+volatile std::sig_atomic_t bar_to_end = 0;
+
 /// Says what an interrupted run leaves, then ends as the signal asks. Only what a signal handler may call.
 extern "C" void tell_sweep_interrupted(int signal) {
-  constexpr std::string_view message =
+  constexpr std::string_view all =
       "\nehd: sweep: interrupted; the finished rows are kept, and the same command goes on from there\n";
+  const std::string_view message = bar_to_end ? all : all.substr(1);
   [[maybe_unused]] const auto written = ::write(STDERR_FILENO, message.data(), message.size());
   std::signal(signal, SIG_DFL);
   std::raise(signal);
@@ -149,6 +153,7 @@ int sweep(const SweepOptions& options) {
   const Sweep asked = read_sweep(options.file);
   const OutputFolder folder(options.output.value_or("out/sweep/" + asked.id));
 
+  bar_to_end = ::isatty(STDERR_FILENO);
   for (const int signal : {SIGINT, SIGTERM}) {
     if (std::signal(signal, tell_sweep_interrupted) == SIG_IGN) std::signal(signal, SIG_IGN);  // as nohup asks
   }
