@@ -73,7 +73,7 @@ bench: build  ## Run time and work against achieved error, scaling, batches; res
 stress: build  ## Numerical stability: starts, precision, rounding, extremes, random bearings; results in out/stress (half an hour)
 	@$(BUILD)/ehd stress --output out/stress
 
-report: build  ## Make out/verify/report.html from what verify, bench and stress left in out/
+report: build  ## Make out/verify/report.html from what verify, bench and stress left in out/ (2 seconds)
 	@mkdir -p out/verify
 	@for part in bench stress; do if [ -f out/$$part/$$part.json ]; then cp out/$$part/$$part.json out/verify/; fi; done
 	@$(BUILD)/ehd report out/verify

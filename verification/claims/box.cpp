@@ -52,14 +52,14 @@ Findings judge_row(const Row& row) {
       unsolved += " L = " + plain(L) + " (reference " + std::string(to_string(reference.record.status)) + ", fast " +
                   std::string(to_string(fast.record.status)) + ")";
       worst = std::numeric_limits<double>::quiet_NaN();
+      worst_at = "L = " + plain(L);
       continue;
     }
     ++converged;
     for (const Quantity film : {Quantity::film_minimum, Quantity::film_central}) {
       const Reading &a = reference.observables.at(film), &b = fast.observables.at(film);
       const double ratio = std::abs(b.value / a.value - 1) / (a.error.value() + b.error.value());
-      if (!(ratio <= worst)) {
-        worst = ratio;
+      if (worst = worse(worst, ratio); worst == ratio) {
         worst_at = std::string(to_string(film)) + ", L = " + plain(L);
       }
     }
@@ -92,9 +92,8 @@ Findings judge_twin_row(const Row& row) {
     double differ = std::numeric_limits<double>::quiet_NaN();
     if (one.fields.X.size() == intervals + 1 && two.fields.X.size() == intervals + 1)
       differ = worse((one.fields.P - two.fields.P).abs().maxCoeff(),
-                        ((one.fields.H - two.fields.H) / one.fields.H).abs().maxCoeff());
-    if (!(differ <= worst)) {
-      worst = differ;
+                     ((one.fields.H - two.fields.H) / one.fields.H).abs().maxCoeff());
+    if (worst = worse(worst, differ); worst == differ) {
       worst_at = "worst at L = " + plain(L);
     }
   }
@@ -119,7 +118,11 @@ std::vector<Topic> box_topics() {
       for (const bool flooded : {true, false}) {
         if (!flooded && M < lightest_cut_M) continue;
         const Row row{M, roelands, flooded};
-        topics.push_back({.name = id_of(row), .rungs = {6, 8}, .slow = true, .judge = [row] { return judge_row(row); }, .expected_s = 10});
+        topics.push_back({.name = id_of(row),
+                          .rungs = {6, 8},
+                          .slow = true,
+                          .judge = [row] { return judge_row(row); },
+                          .expected_s = 10});
         if (!flooded && M <= heaviest_twin_M)
           topics.push_back({.name = "twins, " + id_of(row), .rungs = {7}, .slow = true, .judge = [row] {
                               return judge_twin_row(row);

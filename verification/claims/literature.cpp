@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "bearing/approach_formulas.hpp"
+#include "bearing/force_law.hpp"
 #include "contact/film_formulas.hpp"
 #include "verification/claims/topics.hpp"
 #include "verification/exact/sjovall.hpp"
@@ -60,9 +61,10 @@ Findings judge_approach_formulas() {
     found.claims.push_back(digits_claim(11, std::string("approach/") + row.id,
                                         std::string(row.what) + " at 10 kN [micrometres]", 1e6 * row.metres,
                                         row.micrometres));
-  found.claims.push_back(digits_claim(11, "approach/palmgren-inverse",
-                                      "the constant of Palmgren's law turned to Q(delta), 3.84e-5^(-10/9),",
-                                      std::pow(3.84e-5, -10.0 / 9), "8.06e4"));
+  constexpr double per_mm = 1e-3;  // Q [N] = 8.06e4 l^(8/9) delta^(10/9), lengths in mm
+  found.claims.push_back(digits_claim(
+      11, "approach/palmgren-inverse", "the force of Palmgren's law at l = 1 mm and delta = 1 mm [N]",
+      bearing::palmgren_law(per_mm).force(per_mm), "8.06e4"));
   // Not the printed 1.8864: the formula here has the exact constant, which the log kernel gives with x_0 = l.
   found.claims.push_back(claim_finding({.id = "approach/lundberg-constant",
                                         .rung = 11,
@@ -244,6 +246,7 @@ struct Between {
   double value = 0;        ///< as given
   double unit = 1;         ///< of the solvers' value
   double uncertainty = 0;  ///< relative; film.offset: absolute
+  bool place = false;      ///< X where the quantity is found, of which solvers state no error
 };
 
 struct Ends {
@@ -264,6 +267,7 @@ void judge_between(Findings& found, const Ends& ends, const Between& one) {
     const auto at = solution.observables.find(one.quantity);
     if (solution.record.status != StopReason::converged || at == solution.observables.end() || !at->second.error)
       return {nothing, nothing};
+    if (one.place) return {at->second.place.value_or(nothing), 0};
     return {at->second.value * one.unit, *at->second.error};
   };
   const auto [first, first_error] = end(ends.cut);
@@ -374,6 +378,13 @@ Findings judge_three_fluids() {
                      .uncertainty = std::max(uncertainty_at(moes.M), digits)});
     }
   }
+  judge_between(found, ends_of(moes, fluids.back().lubricant),
+                {.id = "fluids/" + std::string(fluids.back().name) + "/film.minimum/x",
+                 .what = "X = .9547 of the smallest film of " + std::string(fluids.back().name) + " at (20,10)",
+                 .quantity = Quantity::film_minimum,
+                 .value = 0.9547,
+                 .uncertainty = uncertainty_at(moes.M),
+                 .place = true});
   const Lubricant biboulet{.viscosity = ViscosityLaw::barus, .density = DensityLaw::dowson_higginson, .alpha_per_Pa = 2.2e-8,
                      .z = {}};
   judge_between(found, ends_of(moes, biboulet),

@@ -61,8 +61,8 @@ Films films_at(const char* solver, MoesGroups moes, double tolerance) {
   return films;
 }
 
-/// Rigid isoviscous: deformation by a pressure of given load and shape is a fixed length, Martin's film grows like
-/// 1/M^2 in those units, so the departure is c M^2 with the next term M^4.
+/// Rigid isoviscous: deformation by a pressure of given load and shape is a fixed length, at most one in Hertz units;
+/// Martin's film is .96/M^2 there. So the departure is c1 M^2 + c2 M^4 + ..., and none of the c is above one.
 Findings judge_martin(const char* solver) {
   constexpr double heavier = 0.2, lighter = 0.1, tolerance = 1e-5;
   const Films films[] = {films_at(solver, {heavier, 0}, tolerance), films_at(solver, {lighter, 0}, tolerance)};
@@ -83,20 +83,20 @@ Findings judge_martin(const char* solver) {
   found.claims.push_back(
       claim_value(says("limit", std::string(solver) + "'s minimum film over Martin's goes to 1 as M vanishes"),
                   1 + (4 * near - far) / 3, 1, uncertainty,
-                  Tolerance::asymptotic(
-                      far * far, "extrapolated from M = 0.2 and 0.1; the next term is M^4, the departure squared"),
+                  Tolerance::asymptotic(heavier * heavier * lighter * lighter,
+                                        "extrapolated from M = 0.2 and 0.1, which leaves at most (0.2 x 0.1)^2"),
                   note));
   found.claims.push_back(claim_value(
       says("order", std::string(solver) + "'s minimum film departs from Martin's like M^2"), std::log2(far / near), 2,
       (films[0].minimum.error / std::abs(far) + films[1].minimum.error / std::abs(near)) / std::numbers::ln2 / 2,
-      Tolerance::asymptotic(4 * std::abs(far), "the next term: relative to the first, a few times the departure"),
+      Tolerance::asymptotic(4 * heavier * heavier, "the next term: M^2 of the first, times its own constant over c1"),
       note));
   // rho H at the exit over the smallest film is 1.2257 for the rigid contact.
   found.claims.push_back(claim_value(
       says("couette",
            std::string(solver) + "'s Couette film at M = 0.1 is Martin's 3/M, within the departure of the minimum"),
       films[1].couette.moes, 3 / lighter, films[1].couette.error,
-      Tolerance::asymptotic(2 * std::abs(near), "twice the departure of the minimum film"), note));
+      Tolerance::asymptotic(lighter * lighter, "the departure: M^2 at most"), note));
   return found;
 }
 
@@ -201,10 +201,11 @@ Findings judge_isoviscous_elastic_limit() {
     const char* name;
     const Approach* approach;
     const char* near;
+    std::string digits;
   };
   Findings found;
   const Limit flux = limit_of(couette, remainder);
-  for (const Row row : {Row{"Couette", &couette, "2.49"}, Row{"minimum", &minimum, "1.98"}}) {
+  for (const Row& row : {Row{"Couette", &couette, "2.49", "2.489479"}, Row{"minimum", &minimum, "1.98", "1.982128"}}) {
     const Limit limit = limit_of(*row.approach, remainder);
     const std::string note = plain(limit.value, 9) + " +- " + plain(limit.value * limit.error, 2) + ", remainder M^-" +
                              plain(limit.order, 5) + ", M = 250 ... 16000; " + row.approach->ended;
@@ -218,6 +219,9 @@ Findings judge_isoviscous_elastic_limit() {
     found.claims.push_back(claim_value(
         says("order", "the " + film + " goes to its limit like M^(-4/5)"), limit.order, remainder, 0,
         Tolerance::asymptotic(0.01, "the next power is a further M^(-2/5) or smaller, 2 % at 16000"), note));
+    found.claims.push_back(
+        claim_value(says("printed", "the limit of the " + film + " is the one that README.md prints, " + row.digits),
+                    limit.value, std::stod(row.digits), limit.error, Tolerance::published_digits(row.digits), note));
     Claim known = claim(
         says("digits", "the limit of the " + film + ", " + row.near + " ..., is known to five digits or more"),
         limit.error, 0, Tolerance::required(5e-6, "half a unit of the fifth digit and better than three digits"), note);
@@ -271,14 +275,16 @@ Findings judge_blok() {
                                       falls && ended.empty(), "the rigid piezoviscous limit", note));
     if (smallest) continue;
     const double limit = above[3] + (above[3] - above[1]) / std::expm1(2.0 / 3 * std::log(L[3] / L[1]));
+    const double next = std::pow(L[1] * L[3], -2.0 / 3);
     found.claims.push_back(
         claim_value({.id = "regimes/blok/limit",
                      .rung = 9,
                      .statement = "at M = 1 the Couette film over Blok's goes to 1 as L grows",
                      .solver = "reference"},
                     1 + limit, 1, 3 * error,
-                    Tolerance::asymptotic(above[1] * above[1],
-                                          "extrapolated from L = 35 and 70 by L^(-2/3); the next term is its square"),
+                    Tolerance::asymptotic(next,
+                                          "extrapolated from L = 35 and 70 by s = L^(-2/3), which leaves c s_1 s_2 of "
+                                          "the next term c s^2, with c of order one"),
                     note));
   }
   return found;

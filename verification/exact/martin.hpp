@@ -26,7 +26,7 @@ struct Martin {
 };
 
 /// Martin's contact at Moes' load parameter M (L = 0, M -> 0), films in Moes units and in Hertz units. The elastic
-/// contact differs from it by O(M^(4/5)).
+/// contact differs from it by O(M^2).
 struct MartinContact {
   explicit MartinContact(double M);
 

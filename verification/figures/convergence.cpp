@@ -34,13 +34,14 @@ struct Series {
 };
 
 /// The last four converged points whose error stands ten times above what it is known to, and above the accuracy to
-/// which a grid is iterated.
+/// which a grid is iterated; a geometric study as its claim has it, by every degree.
 std::vector<SeriesPoint> fitted_points(const Series& series) {
   constexpr std::size_t most = 4;
   constexpr double clear_of = 10, iterated_to = 1e-10;
   std::vector<SeriesPoint> fitted;
   for (const SeriesPoint& point : series.points)
-    if (point.status == StopReason::converged && point.error > std::max(clear_of * point.uncertainty, iterated_to))
+    if (point.status == StopReason::converged &&
+        (series.geometric || point.error > std::max(clear_of * point.uncertainty, iterated_to)))
       fitted.push_back(point);
   if (!series.geometric && fitted.size() > most)
     fitted.erase(fitted.begin(), fitted.end() - static_cast<std::ptrdiff_t>(most));

@@ -376,6 +376,29 @@ void add_force_laws(Page& page, const std::vector<View>& laws) {
 
 }  // namespace
 
+namespace {
+
+/// -180 < psi <= 180, rounded: azimuths that differ by rounding are one roller's.
+double wrapped_azimuth(double psi_deg) {
+  constexpr double same = 1e4;
+  double psi = std::remainder(std::round(psi_deg * same) / same, 360);
+  if (psi <= -180) psi += 360;
+  return psi == 0 ? 0 : psi;
+}
+
+/// Every roller has another at -psi that carries the same.
+bool mirrored(const std::map<double, double>& values) {
+  constexpr double same = 1e-6;  // of the largest: fields are written with some seven digits
+  double largest = 0;
+  for (const auto& [psi, value] : values) largest = std::max(largest, std::abs(value));
+  return std::all_of(values.begin(), values.end(), [&](const auto& roller) {
+    const auto other = values.find(roller.first == 180 ? 180 : roller.first == 0 ? 0 : -roller.first);
+    return other != values.end() && std::abs(other->second - roller.second) <= same * largest;
+  });
+}
+
+}  // namespace
+
 Panel azimuth_panel(OverAzimuth quantity, const std::string& title_markup, const std::vector<BearingCurves>& laws) {
   Panel panel;
   panel.title = title_markup;
@@ -383,20 +406,23 @@ Panel azimuth_panel(OverAzimuth quantity, const std::string& title_markup, const
   const bool force = quantity == OverAzimuth::force;
   panel.y = {.label = force ? axis_force : axis_displacement};
   if (force) panel.y.low = 0;
+  std::vector<std::map<double, double>> all;
   for (const BearingCurves& law : laws) {
-    const Look look = look_of_law(law.law);
-    // One half: the other is its mirror image; a roller at -psi lies on the one at psi.
-    std::map<double, double> half;
     const auto& values = force ? law.force_N : law.displacement_m;
-    for (std::size_t i = 0; i < std::min(law.azimuth_deg.size(), values.size()); ++i) {
-      double azimuth = std::fmod(std::abs(law.azimuth_deg[i]), 360);
-      if (azimuth > 180) azimuth = 360 - azimuth;
-      constexpr double same = 1e4;  // azimuths that differ by rounding are one roller's
-      half.emplace(std::round(azimuth * same) / same, values[i]);
-    }
+    std::map<double, double> rollers;
+    for (std::size_t i = 0; i < std::min(law.azimuth_deg.size(), values.size()); ++i)
+      if (std::isfinite(law.azimuth_deg[i])) rollers.emplace(wrapped_azimuth(law.azimuth_deg[i]), values[i]);
+    all.push_back(std::move(rollers));
+  }
+  // One half says everything where the other is its mirror image: not so for a cage that stands askew.
+  const bool half = std::all_of(all.begin(), all.end(), mirrored);
+  if (!half) panel.x = {.label = axis_psi, .low = -180, .high = 180, .step = 60};
+  for (std::size_t k = 0; k < laws.size(); ++k) {
+    const Look look = look_of_law(laws[k].law);
     Series series{
-        .name = literal(law.law), .line = look.line, .marker = look.marker, .colour = look.colour, .hollow = true};
-    for (const auto& [azimuth, value] : half) {
+        .name = literal(laws[k].law), .line = look.line, .marker = look.marker, .colour = look.colour, .hollow = true};
+    for (const auto& [azimuth, value] : all[k]) {
+      if (half && azimuth < 0) continue;
       series.x.push_back(azimuth);
       series.y.push_back(value * (force ? kilo : micro));
     }
@@ -416,7 +442,8 @@ void add_bearing(Page& page, const View& results) {
     page.paragraph(
         "Laws: <b>hertz</b>, dry; <b>ehd-linear</b>, the straight line fitted to the solver's relation; <b>ehd</b>, "
         "the solver's own relation. "
-        "Azimuth 0\u00b0 is the roller under the load; the other half of the bearing is the mirror image.");
+        "Azimuth 0\u00b0 is the roller under the load; where one half of the bearing is shown, the other is its mirror "
+        "image.");
     for (const auto& group : families(bearings)) add_family(page, group);
   }
   add_budgets(page, figures.list("bearing"));

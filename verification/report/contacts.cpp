@@ -142,8 +142,9 @@ void add_contacts(Page& page, const View& results) {
     return;
   }
   page.paragraph(
-      "Each case by both solvers; the lower panel shows how far they are apart (magnitudes), the dashed rule the sum "
-      "of the errors that they state. "
+      "Each case by both solvers; the lower panel shows how far they are apart (magnitudes). The dashed rule is the sum "
+      "of the errors that they state of the smallest and the central film. These are extrapolated over the grids; the "
+      "fields are those of the finest one, and lie further apart, by its second order. "
       "Films above the frame are cut off.");
   page.begin_figures();
   Table table;
@@ -189,7 +190,7 @@ void add_contacts(Page& page, const View& results) {
       apart.series.push_back({.name = "|\u0394*P*|", .x = X, .y = P, .colour = 1});
       apart.series.push_back({.name = "|\u0394*H*|/*H*", .x = X, .y = H, .line = Line::dashed, .colour = 2});
       if (const auto stated = difference.number("stated"); stated && *stated > 0)
-        apart.rules.push_back({*stated, "stated, films"});
+        apart.rules.push_back({*stated, "stated, *H*_{min} and *H*_{cen}"});
       figure.panels.push_back(std::move(apart));
       figure.description += " Below: the magnitude of " + difference.text("of") + ".";
     }

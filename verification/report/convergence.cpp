@@ -80,8 +80,9 @@ void add_convergence(Page& page, const View& results) {
   }
   page.paragraph(
       "Errors against a truth that is known better, over the size of the grid. A triangle shows the order that the "
-      "scheme declares; the legend the "
-      "order fitted to the points. Filled marks stand clear of the uncertainty of the truth, hollow ones do not.");
+      "scheme declares; the legend the order fitted to the last four points that stand clear of the truth's uncertainty "
+      "and of rounding. Filled marks are of converged solves that stand clear of the uncertainty of the truth, hollow "
+      "ones are not. Errors are relative; against a manufactured solution they are absolute, in Hertz units.");
   Table table;
   table.caption = "Orders, declared and fitted";
   table.columns = {"study", "solver", "case", "quantity", "kind", "declared", "fitted", "points", "smallest error"};
@@ -89,13 +90,15 @@ void add_convergence(Page& page, const View& results) {
   for (const Study& study : studies_of(entries)) {
     std::string where = study.solver;
     if (!study.where.empty()) where += (where.empty() ? "" : ", ") + study.where;
+    const bool manufactured = study.entries.front().text("id").starts_with("manufactured");
     Figure figure{.id = "fig-convergence-" + study.solver + "-" + study.where + "-" + study.abscissa,
                   .title = "Convergence: " + where,
-                  .description = "Relative error over " + study.abscissa + ", with declared and fitted orders."};
+                  .description = (manufactured ? "Absolute error over " : "Relative error over ") + study.abscissa +
+                                 ", with declared and fitted orders."};
     Panel panel;
     panel.title = literal(where);
     panel.x = {.label = abscissa_label(study.abscissa), .scale = study.geometric ? Scale::linear : Scale::logarithmic};
-    panel.y = {.label = "relative error", .scale = Scale::logarithmic};
+    panel.y = {.label = manufactured ? "error [Hertz units]" : "relative error", .scale = Scale::logarithmic};
     int colour = 0;
     static constexpr Line lines[] = {Line::solid, Line::dashed, Line::dash_dot, Line::dotted};
     static constexpr Marker markers[] = {Marker::circle, Marker::square, Marker::triangle, Marker::diamond};
@@ -112,7 +115,9 @@ void add_convergence(Page& page, const View& results) {
         series.x.push_back(*n);
         series.y.push_back(*error);
         constexpr double clearly = 3;
-        series.hollow_at.push_back(!(*error > clearly * point.number("uncertainty").value_or(0)));
+        const std::string status = point.text("status");
+        series.hollow_at.push_back(!(*error > clearly * point.number("uncertainty").value_or(0)) ||
+                                   !(status.empty() || status == "converged"));
         if (*error > 0) smallest = std::min(smallest, *error);
       }
       const auto declared = entry.number("declared_order"), fitted = entry.number("fitted_order");

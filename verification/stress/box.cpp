@@ -173,6 +173,7 @@ Part judge_box(const std::vector<BoxPoint>& points) {
          static_cast<double>(point.reference.iterations), static_cast<double>(point.fast.iterations),
          point.reference.wall_s, point.fast.wall_s, ratio});
   }
+  if (below == 0) tally.add(Verdict::inconclusive, "no contact below 4 GPa was solved");
   for (const auto& [key, row] : rows) {
     const auto most = [](const std::vector<double>& ms) { return *std::max_element(ms.begin(), ms.end()); };
     part.table.rows.push_back({law_name(!key.first), key.second, row.contacts, row.below, row.converged[0],

@@ -400,6 +400,15 @@ Part judge_extremes(const std::vector<ExtremeRow>& rows) {
     sum.worst = std::max(sum.worst, ratio);
     right += tally.add(ratio, 0, *part.tolerance, where + ", difference over stated errors") == Verdict::pass ? 1 : 0;
   }
+  double inside = 0, held_inside = 0;
+  for (const auto& [key, row] : sums) {
+    if (key.second.starts_with("inside")) {
+      inside += row.tried;
+      held_inside += row.held;
+    }
+  }
+  if (inside == 0 || held_inside == 0)
+    tally.add(Verdict::inconclusive, "no contact inside the box was held against another solver");
   for (const auto& [key, row] : sums)
     part.table.rows.push_back({key.first, key.second, row.tried, row.refused, row.converged, row.ended, row.held,
                                row.worst, row.over, row.broke});

@@ -7,6 +7,7 @@
 
 #include "tests/check.hpp"
 #include "tests/verification/report/markup.hpp"
+#include "verification/report/report.hpp"
 
 using namespace ehd::report;
 using ehd::verification::test::count_of;
@@ -109,6 +110,28 @@ BOOST_AUTO_TEST_CASE(values_for_the_read_out_are_in_the_page_only) {
   const Figure figure = figure_of({1, 2.5}, {2, 1e-5});
   BOOST_TEST(count_of(draw(figure, Place::page), ",2.5,1e-05\"") == 1u);
   BOOST_TEST(count_of(draw(figure, Place::file), "data-values") == 0u);
+}
+
+BOOST_AUTO_TEST_CASE(half_a_bearing_is_shown_only_where_the_other_half_is_its_mirror_image) {
+  BearingCurves even{.law = "hertz",
+                     .azimuth_deg = {0, 60, 120, 180, 240, -60},
+                     .force_N = {5e3, 2e3, 0, 0, 0, 2e3},
+                     .displacement_m = {3e-6, 1e-6, -1e-6, -2e-6, -1e-6, 1e-6}};
+  const Panel half = azimuth_panel(OverAzimuth::force, "", {even});
+  BOOST_TEST(half.x.low.value() == 0.0);
+  BOOST_TEST(half.series.front().x == (std::vector<double>{0, 60, 120, 180}), boost::test_tools::per_element());
+  // One roller carries less than its mirror image: both have to be seen, each at its own place.
+  BearingCurves askew = even;
+  askew.force_N.back() = 1e3;
+  const Panel whole = azimuth_panel(OverAzimuth::force, "", {even, askew});
+  BOOST_TEST(whole.x.low.value() == -180.0);
+  const Series& series = whole.series.back();
+  BOOST_TEST(series.x == (std::vector<double>{-120, -60, 0, 60, 120, 180}), boost::test_tools::per_element());
+  BOOST_TEST(series.y == (std::vector<double>{0, 1, 5, 2, 0, 0}), boost::test_tools::per_element());
+  // A cage turned by 20 degrees has no roller at -psi at all.
+  BearingCurves turned = even;
+  for (double& psi : turned.azimuth_deg) psi += 20;
+  BOOST_TEST(azimuth_panel(OverAzimuth::displacement, "", {turned}).x.low.value() == -180.0);
 }
 
 BOOST_AUTO_TEST_CASE(legend_entries_do_not_overlap) {
