@@ -63,7 +63,9 @@ Json provenance() {
                        {"GSL", std::string(gsl_version)},
                        {"nlohmann_json", std::to_string(NLOHMANN_JSON_VERSION_MAJOR) + "." +
                                              std::to_string(NLOHMANN_JSON_VERSION_MINOR) + "." +
-                                             std::to_string(NLOHMANN_JSON_VERSION_PATCH)}};
+                                             std::to_string(NLOHMANN_JSON_VERSION_PATCH)},
+                       {"tomlplusplus", EHD_TOMLPLUSPLUS_VERSION},
+                       {"CLI11", EHD_CLI11_VERSION}};
   if (const auto model = cpu()) json["cpu"] = *model;
   json["cores"] = std::thread::hardware_concurrency();
   json["date"] = now();

@@ -207,6 +207,9 @@ void add_inlet(Page& page, const Atlas& atlas, const std::vector<std::string>& s
     any = any || point.has("inlet_cost_minimum") || point.has("inlet_cost_central");
   if (!any) return;
   page.heading("What an inlet cut at <i>X</i> = \u22124 costs, in %");
+  page.paragraph(
+      "From <i>M</i> = 2 on: below, the oil that the film is made of begins to be felt before <i>X</i> = \u22124, and such an "
+      "inlet is not one that only truncates.");
   page.begin_figures("maps");
   for (const char* which : {"minimum", "central"}) {
     for (const std::string& laws : sets) {
