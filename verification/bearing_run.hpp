@@ -239,7 +239,9 @@ struct DatumScan {
   Ranges abc_m;                    ///< (a), (b) and (c)
   Ranges all_hold_m;               ///< (a) to (d)
   Ranges sign_of_a_m;              ///< (b), (c), (d) and the second half of (a): its threshold is this project's
-  Ranges all_hold_mildly_m;        ///< (a) to (d), "close" in (c) read as closer than at the other two clearances
+  /// Least and largest of what "similar" is judged by over the lengths judged in sign_of_a_m: what its threshold decides.
+  std::optional<std::pair<double, double>> apart_there = {};
+  Ranges all_hold_mildly_m;  ///< (a) to (d), "close" in (c) read as closer than at the other two clearances
 };
 /// "0.15 to 0.61 mm", with a word where an end is the scan's own or the law's; "nowhere".
 [[nodiscard]] std::string words_of(const DatumScan& scan, const DatumScan::Ranges& ranges, int digits = 3);

@@ -232,6 +232,16 @@ bool part_holds(const std::vector<PaperStatement>& statements, char letter, cons
   return false;
 }
 
+double value_of(const std::vector<PaperStatement>& statements, char letter, const std::string& wanted) {
+  for (const PaperStatement& statement : statements) {
+    if (statement.letter != letter) continue;
+    for (const auto& [name, value] : statement.values) {
+      if (name == wanted) return value;
+    }
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
 /// The half width of the heaviest dry contact of all balances, b = 2 f/(pi l p_H); 0 where nothing is loaded.
 double heaviest_half_width_m(const std::vector<BearingResult>& dry, double length_m) {
   double widest = 0;
@@ -376,7 +386,14 @@ DatumScan scan_datum(const std::vector<Case>& cases, BearingLaw law, ContactMemo
   scan.d_m = find(letters("d"));
   scan.abc_m = find(letters("abc"));
   scan.all_hold_m = find(letters("abcd"));
-  scan.sign_of_a_m = find(both(part('a', "lower"), letters("bcd")));
+  const Reading by_sign = both(part('a', "lower"), letters("bcd"));
+  scan.sign_of_a_m = find(by_sign);
+  for (const auto& [x, of] : known) {
+    if (!by_sign(of)) continue;
+    const double share = value_of(of, 'a', "apart");
+    auto& range = scan.apart_there;
+    range = range ? std::pair(std::min(range->first, share), std::max(range->second, share)) : std::pair(share, share);
+  }
   scan.all_hold_mildly_m = find(both(letters("abd"), both(part('c', "closest"), part('c', "opposite"))));
   return scan;
 }
@@ -445,6 +462,9 @@ std::string human_data(const std::vector<DatumRow>& rows, const DatumScan& scan)
   line("(a), (b) and (c) together", scan.abc_m);
   line("(a), (b), (c) and (d) together", scan.all_hold_m);
   line("the same with the second half of (a) alone, its sign at psi = 0", scan.sign_of_a_m);
+  if (scan.apart_there)
+    text += format("      there the loads are %.1f to %.1f %% of the largest dry load apart: the %s decide\n",
+                   100 * scan.apart_there->first, 100 * scan.apart_there->second, similar.c_str());
   line("all four with \"close\" in (c) read as closer than at the other two clearances", scan.all_hold_mildly_m);
   return text;
 }
