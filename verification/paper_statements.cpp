@@ -463,7 +463,7 @@ std::string human_data(const std::vector<DatumRow>& rows, const DatumScan& scan)
   line("(a), (b), (c) and (d) together", scan.all_hold_m);
   line("the same with the second half of (a) alone, its sign at psi = 0", scan.sign_of_a_m);
   if (scan.apart_there)
-    text += format("      there the loads are %.1f to %.1f %% of the largest dry load apart: the %s decide\n",
+    text += format("      there the loads are %.1f to %.1f %% of the largest dry load apart, where \"similar\" asks for %s\n",
                    100 * scan.apart_there->first, 100 * scan.apart_there->second, similar.c_str());
   line("all four with \"close\" in (c) read as closer than at the other two clearances", scan.all_hold_mildly_m);
   return text;
