@@ -348,8 +348,8 @@ DatumScan scan_datum(const std::vector<Case>& cases, BearingLaw law, ContactMemo
   const auto* const body = cases.empty() ? nullptr : std::get_if<BearingCase>(&cases.front().body);
   scan.half_width_m = body ? heaviest_half_width_m(dry, body->geometry.length_m) : 0;
   if (!(scan.half_width_m > 0)) return scan;
-  // An approach grows with the load where x_0 > b/2. What the film adds to the heaviest load moves b by a few per cent,
-  // so that at 0.6 b there still is a law.
+  // An approach grows with the load where x_0 > b/2; 0.6 b leaves a tenth of b for loads above the dry ones. A law that
+  // asks for more than that has no balance there, which `balanced_m` says.
   scan.lowest_m = 0.6 * scan.half_width_m;
   scan.step = std::exp2(0.1);
   scan.precision = 1.005;  // an end is asked for to one per cent
