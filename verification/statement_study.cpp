@@ -20,6 +20,8 @@ struct Choice {
   bool cut = false;  ///< the variant of ehd-linear that lets go at delta = 0
 };
 
+constexpr const char* two_choices = "two choices";
+
 std::string number(double value, const char* unit) { return plain(value, 4) + " " + unit; }
 
 std::vector<Choice> choices(const BearingCase& body) {
@@ -57,6 +59,20 @@ std::vector<Choice> choices(const BearingCase& body) {
   for (const double length_m : {0.018, 0.122})
     if (length_m != body.geometry.length_m)
       add("length", number(length_m, "m"), [length_m](BearingCase& one) { one.geometry.length_m = length_m; });
+  struct Pair {
+    double viscosity, length_m, radii;  // times the case's; 0: the case's own; x_0/R_i
+  };
+  for (const Pair& pair : {Pair{3.16, 0, 1}, {2, 0, 0.125}, {1, 0.018, 0.25}}) {
+    const double x0_m = radius_m * pair.radii;
+    add(two_choices,
+        (pair.length_m > 0 ? "length " + number(pair.length_m, "m") : "viscosity " + number(eta * pair.viscosity, "Pa s")) +
+            ", x_0 = " + number(1e3 * x0_m, "mm"),
+        [pair, eta, x0_m](BearingCase& one) {
+          one.lubricant->viscosity_Pa_s = eta * pair.viscosity;
+          if (pair.length_m > 0) one.geometry.length_m = pair.length_m;
+          one.datum = LengthDatum{x0_m};
+        });
+  }
   return all;
 }
 
@@ -76,7 +92,7 @@ std::optional<BearingResult> cut_of(const BearingResult& result) {
 }
 
 StudyRow judged(const Choice& choice, const std::vector<Case>& cases, BearingLaw law, ContactMemory& memory) {
-  StudyRow row{choice.factor, choice.value, law, {}, "", {}, {}};
+  StudyRow row{choice.factor, choice.value, law, {}, "", {}};
   std::vector<Case> changed = cases;
   std::vector<ClearanceComparison> clearances;
   for (Case& one : changed) {
@@ -95,12 +111,8 @@ StudyRow judged(const Choice& choice, const std::vector<Case>& cases, BearingLaw
   }
   row.statements = judge_paper_statements(clearances);
   if (row.statements.empty()) row.why = "no balance at a clearance";
-  if (choice.factor != "datum" && !choice.cut && !row.statements.empty()) {
-    const DatumScan scan = scan_datum(changed, law, memory);
-    row.all_hold_m = scan.all_hold_m;
-    row.all_hold_mildly_m = scan.all_hold_mildly_m;
-    row.scanned = true;
-  }
+  if (choice.factor != "datum" && choice.factor != two_choices && !choice.cut && !row.statements.empty())
+    row.scan = scan_datum(changed, law, memory);
   return row;
 }
 
@@ -110,22 +122,15 @@ const PaperStatement* statement(const StudyRow& row, char letter) {
   return nullptr;
 }
 
-std::string percent(const PaperStatement* one, const std::string& name) {
+std::string percent(const PaperStatement* one, const std::string& name, const char* pattern = "%+.1f") {
   if (one)
     for (const auto& [key, value] : one->values)
       if (key == name) {
         char text[32];
-        std::snprintf(text, sizeof text, "%+.1f", 100 * value);
+        std::snprintf(text, sizeof text, pattern, 100 * value);
         return text;
       }
   return "-";
-}
-
-std::string ranges(const DatumScan::Ranges& list) {
-  std::string words;
-  for (const auto& [low, high] : list)
-    words += (words.empty() ? "" : ", ") + plain(1e3 * low, 2) + ".." + plain(1e3 * high, 2);
-  return words.empty() ? "nowhere" : words;
 }
 
 std::string name_of(const StudyRow& row) { return row.value.empty() ? row.factor : row.factor + " " + row.value; }
@@ -154,7 +159,7 @@ std::vector<StudySummary> summarise(const std::vector<StudyRow>& rows) {
       std::string yes, no;
       for (const StudyRow& row : rows) {
         const PaperStatement* const one = statement(row, letter);
-        if (row.law != law || !one) continue;
+        if (row.law != law || !one || row.factor == two_choices) continue;
         ++summary.of;
         summary.holds += one->holds;
         std::string& list = one->holds ? yes : no;
@@ -186,9 +191,18 @@ Json to_json(const std::vector<StudyRow>& rows) {
                                    {"numbers", judged.numbers}});
     }
     if (!row.why.empty()) one["why"] = row.why;
-    if (row.scanned) {
-      one["x0_all_hold_m"] = list(row.all_hold_m);
-      one["x0_all_hold_mildly_m"] = list(row.all_hold_mildly_m);
+    if (row.scan) {
+      const DatumScan& scan = *row.scan;
+      put(one, "x0_lowest_m", scan.lowest_m);
+      put(one, "x0_highest_m", scan.highest_m);
+      one["x0_a_m"] = list(scan.a_m);
+      one["x0_b_m"] = list(scan.b_m);
+      one["x0_c_m"] = list(scan.c_m);
+      one["x0_d_m"] = list(scan.d_m);
+      one["x0_abc_m"] = list(scan.abc_m);
+      one["x0_all_hold_m"] = list(scan.all_hold_m);
+      one["x0_sign_of_a_m"] = list(scan.sign_of_a_m);
+      one["x0_all_hold_mildly_m"] = list(scan.all_hold_mildly_m);
     }
     json["rows"].push_back(std::move(one));
   }
@@ -205,24 +219,27 @@ std::string human_study(const std::vector<StudyRow>& rows) {
   std::string text;
   for (const BearingLaw law : {BearingLaw::ehd_linear, BearingLaw::ehd}) {
     std::vector<std::vector<std::string>> table{
-        {"changed", "to", "(a)", "Q(0) %", "(b)", "delta_i %", "(c)", "middle %", "largest %", "(d)", "x_0 mm for (a)..(c)",
-         "with the mild (c)"}};
+        {"changed", "to", "(a)", "Q(0) %", "apart %", "(b)", "delta_i %", "(c)", "middle %", "largest %", "(d)",
+         "x_0 for (a)..(d)", "by the sign of (a)", "by the mild (c)"}};
     for (const StudyRow& row : rows) {
       if (row.law != law) continue;
       if (row.statements.empty()) {
-        table.push_back({row.factor, row.value, row.why, "", "", "", "", "", "", "", "", ""});
+        table.push_back({row.factor, row.value, row.why, "", "", "", "", "", "", "", "", "", "", ""});
         continue;
       }
+      const auto range = [](const StudyRow& of, DatumScan::Ranges DatumScan::* which) {
+        return of.scan ? words_of(*of.scan, (*of.scan).*which, 2) : std::string();
+      };
       const auto word = [&](char letter) { return std::string(statement(row, letter)->holds ? "holds" : "no"); };
       const PaperStatement *a = statement(row, 'a'), *b = statement(row, 'b'), *c = statement(row, 'c');
-      table.push_back({row.factor, row.value, word('a'), percent(a, "change"), word('b'),
+      table.push_back({row.factor, row.value, word('a'), percent(a, "change"), percent(a, "apart", "%.1f"), word('b'),
                        percent(b, "least") + ".." + percent(b, "most"), word('c'), percent(c, "middle"),
-                       percent(c, "largest"), word('d'), row.scanned ? ranges(row.all_hold_m) : "",
-                       row.scanned ? ranges(row.all_hold_mildly_m) : ""});
+                       percent(c, "largest"), word('d'), range(row, &DatumScan::all_hold_m),
+                       range(row, &DatumScan::sign_of_a_m), range(row, &DatumScan::all_hold_mildly_m)});
     }
     if (table.size() == 1) continue;
     text += (text.empty() ? "" : "\n") + std::string("hertz against ") + std::string(to_string(law)) +
-            ": changes of the roller load and of delta_i at psi = 0\n" + aligned(table, 2, "  ");
+            ": changes of the roller load and of delta_i at psi = 0, the largest of any roller's load\n" + aligned(table, 2, "  ");
   }
   text += "\n";
   for (const StudySummary& one : summarise(rows))

@@ -47,8 +47,18 @@ BOOST_AUTO_TEST_CASE(every_choice_is_judged_and_the_first_row_is_the_case_itself
     BOOST_TEST(row.statements.size() == 4u, row.factor << " " << row.value << ": " << row.why);
     (row.law == BearingLaw::ehd ? full : linear).insert(row.factor);
   }
-  BOOST_TEST(linear.size() == 8u);
-  BOOST_TEST(full.size() == 6u);  // no fit, no letting go
+  BOOST_TEST(linear.size() == 9u);
+  BOOST_TEST(full.size() == 7u);  // no fit, no letting go
+  // "Two choices" are not of the table with one choice changed, and name both.
+  const auto pairs = std::count_if(rows.begin(), rows.end(), [](const StudyRow& row) { return row.factor == "two choices"; });
+  BOOST_TEST(pairs == 6);
+  for (const StudyRow& row : rows) {
+    if (row.factor == "two choices") BOOST_TEST(row.value.find(", x_0 = ") != std::string::npos);
+    BOOST_TEST(row.scan.has_value() == (row.factor != "two choices" && row.factor != "datum" && row.factor != "unloading"));
+  }
+  int of = 0;
+  for (const StudySummary& one : summarise(rows)) of += one.letter == 'a' ? one.of : 0;
+  BOOST_TEST(of == static_cast<int>(rows.size()) - pairs);
   for (const StudySummary& one : summarise(rows)) {
     BOOST_TEST(one.of > 10);
     BOOST_TEST((one.holds == 0 || one.holds == one.of) == one.exceptions.empty());

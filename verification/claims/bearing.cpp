@@ -2,6 +2,7 @@
 // Rung 11: the bearing cases. Equilibrium, geometry and the dry laws are checked here from the printed formulas, not by
 // bearing/'s own functions; the paper's statements are reported as computed, whichever way they turn out.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -145,7 +146,65 @@ Findings judge_bearing(const Case& bearing_case, SharedMemory& shared) {
   return found;
 }
 
-/// What the paper says of its figures, with what was computed: a finding, which stands once it could be computed.
+/// What bearing/README.md prints of NA4908 as the case stands: verdicts, and ends of the ranges of x_0 in mm.
+struct PrintedEnd {
+  const char *what, *id, *mm;
+  DatumScan::Ranges DatumScan::*ranges;
+  bool low;
+};
+struct PrintedVerdicts {
+  BearingLaw law;
+  std::string hold, do_not;  ///< letters
+  std::vector<PrintedEnd> ends;
+};
+std::vector<PrintedVerdicts> printed_verdicts() {
+  const auto ends = [](std::array<const char*, 8> mm) {
+    using Scan = DatumScan;
+    return std::vector<PrintedEnd>{{"(a) holds from", "a/from", mm[0], &Scan::a_m, true},
+                                   {"(b) holds up to", "b/to", mm[1], &Scan::b_m, false},
+                                   {"(c) holds from", "c/from", mm[2], &Scan::c_m, true},
+                                   {"(c) holds up to", "c/to", mm[3], &Scan::c_m, false},
+                                   {"the second half of (c) holds up to", "c-opposite/to", mm[4], &Scan::c_opposite_m, false},
+                                   {"(d) holds from", "d/from", mm[5], &Scan::d_m, true},
+                                   {"by the sign of (a) all hold from", "sign/from", mm[6], &Scan::sign_of_a_m, true},
+                                   {"by the sign of (a) all hold up to", "sign/to", mm[7], &Scan::sign_of_a_m, false}};
+  };
+  return {{BearingLaw::ehd_linear, "abd", "c", ends({"1.36", "26.9", "0.0573", "0.178", "2.15", "0.085", "0.102", "0.178"})},
+          {BearingLaw::ehd, "abd", "c", ends({"1.73", "26.3", "0.119", "0.637", "2.84", "0.0876", "0.149", "0.637"})}};
+}
+
+/// The judge against the printed table: a verdict that turns, or an end that moves, is seen.
+void judge_printed(const PrintedVerdicts& printed, const std::vector<PaperStatement>& statements, const DatumScan& scan,
+                   Findings& found) {
+  const std::string name(to_string(printed.law)), where = "what bearing/README.md prints";
+  const auto says = [&](const std::string& id, const std::string& statement) {
+    return Sentence{.id = "paper/" + name + "/" + id, .rung = 11, .statement = statement + ", law " + name, .case_id = "na4908"};
+  };
+  for (const bool expected : {true, false})
+    for (const char letter : expected ? printed.hold : printed.do_not) {
+      const auto one = std::find_if(statements.begin(), statements.end(),
+                                    [&](const PaperStatement& of) { return of.letter == letter; });
+      found.claims.push_back(claim_fact(
+          says(std::string("verdict/") + letter,
+               std::string("paper's (") + letter + ") " + (expected ? "holds" : "does not hold") + " for NA4908, as printed"),
+          one != statements.end() && one->holds == expected, where, one == statements.end() ? "not judged" : one->numbers));
+    }
+  found.claims.push_back(claim_fact(says("x0/nowhere", "(a), (b), (c) and (d) hold together with no x_0, as printed"),
+                                    scan.half_width_m > 0 && scan.all_hold_m.empty(), where,
+                                    words_of(scan, scan.all_hold_m)));
+  for (const PrintedEnd& end : printed.ends) {
+    const auto& ranges = scan.*end.ranges;
+    const double x0_m = ranges.size() != 1 ? nothing : end.low ? ranges.front().first : ranges.front().second;
+    found.claims.push_back(claim_value(
+        says(std::string("x0/") + end.id, std::string(end.what) + " x_0 = " + end.mm + " mm"), 1e3 * x0_m,
+        std::stod(end.mm), 0,
+        Tolerance::published_digits(end.mm) + Tolerance::required(scan.precision - 1, "ends are searched to that"),
+        "one range: " + words_of(scan, ranges)));
+  }
+}
+
+/// What the paper says of its figures, with what was computed: a finding, which stands once it could be computed. That the
+/// judge still says what is printed is a claim.
 Findings judge_paper(const std::vector<Case>& clearances, SharedMemory& shared) {
   Findings found;
   const std::lock_guard lock(shared.mutex);
@@ -174,17 +233,16 @@ Findings judge_paper(const std::vector<Case>& clearances, SharedMemory& shared) 
                                            one.numbers));
     }
     const DatumScan scan = scan_datum(clearances, law, shared.memory);
-    std::string ranges;
-    for (const auto& [low, high] : scan.all_hold_m)
-      ranges += (ranges.empty() ? "" : ", ") + plain(1e3 * low, 3) + " to " + plain(1e3 * high, 3) + " mm";
     found.claims.push_back(claim_finding(
         {.id = "paper/" + name + "/datum",
          .rung = 11,
-         .statement = "the datum x_0 with which (a), (b) and (c) all hold, law " + name + ": " +
-                      (ranges.empty() ? "none" : ranges),
+         .statement = "the datum x_0 with which (a) to (d) all hold, law " + name + ": " + words_of(scan, scan.all_hold_m) +
+                      "; by the sign of (a) alone: " + words_of(scan, scan.sign_of_a_m),
          .case_id = "na4908"},
         "scanned from " + plain(1e3 * scan.lowest_m, 3) + " to " + plain(1e3 * scan.highest_m, 3) +
-            " mm in steps of a factor " + plain(scan.step, 4)));
+            " mm in steps of a factor " + plain(scan.step, 4) + ", ends to a factor " + plain(scan.precision, 4)));
+    for (const PrintedVerdicts& printed : printed_verdicts())
+      if (printed.law == law) judge_printed(printed, statements, scan, found);
   }
   return found;
 }

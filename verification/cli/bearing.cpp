@@ -78,7 +78,6 @@ struct Computed {
 std::string statements_of(const Computed& computed, ContactMemory& memory, bearing::Form form) {
   if (computed.cases.size() < 3 || !differ_only_in_clearance(computed.cases)) return "";
   std::string text;
-  bool scanned = false;
   for (const BearingLaw law : {BearingLaw::ehd_linear, BearingLaw::ehd}) {
     std::vector<ClearanceComparison> clearances;
     for (std::size_t k = 0; k < computed.cases.size(); ++k) {
@@ -94,8 +93,6 @@ std::string statements_of(const Computed& computed, ContactMemory& memory, beari
     if (statements.empty()) continue;
     text += "\nThe paper's statements, hertz against " + std::string(to_string(law)) +
             " with the datum of the cases\n" + human_statements(statements);
-    if (scanned) continue;
-    scanned = true;
     text += "\nThe same for other data (dry/" + std::string(to_string(law)) + " at psi = 0)\n" +
             human_data(compare_data(computed.cases, law, memory, form), scan_datum(computed.cases, law, memory, form));
   }

@@ -27,7 +27,8 @@ Examples:
   ehd statements --json study.json
 
 One choice that the paper leaves open is changed at a time: viscosity, alpha, fit range, datum, rotating ring,
-unloading rule, length; every row is judged as the paper's statements (a) to (d) read.)";
+unloading rule, length; then two at once, of which one is a short x_0. Every row is judged as the paper's statements (a)
+to (d) read; x_0 is scanned where a row leaves it open.)";
 
 int statements(const StatementsOptions& options) {
   std::vector<Case> cases;

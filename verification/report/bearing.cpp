@@ -295,7 +295,7 @@ void add_study(Page& page, const View& study) {
                    "(c)",
                    "middle, largest clearance [%]",
                    "(d)",
-                   "<i>x</i><sub>0</sub> [mm] for (a) to (c)"};
+                   "<i>x</i><sub>0</sub> [mm] for (a) to (d)"};
   for (const View& row : rows) {
     std::map<std::string, View> by_letter;
     for (const View& one : row.list("statements")) by_letter[one.text("letter")] = one;
