@@ -314,7 +314,7 @@ BOOST_AUTO_TEST_CASE(a_line_tells_the_datum_and_use_outside_the_fit) {
 laws = ["hertz", "ehd-linear", "ehd"]
 combine = "product"
 [keys]
-"operation.radial_load_N" = [5e3, 5e4]
+"operation.radial_load_N" = [5e3, 7e4]
 )"));
   BOOST_TEST(run_sweep(read, {}, folder.path() / "out").failed == 0u);
   const auto csv = lines_of_text(test::read(folder.path() / "out/rows.csv"));
@@ -363,7 +363,7 @@ combine = "product"
 laws = ["ehd-linear"]
 combine = "product"
 [keys]
-"operation.radial_load_N" = [5e3, 5e4]
+"operation.radial_load_N" = [5e3, 7e4]
 "datum.load_N" = [9289.0]
 )"));
   BOOST_TEST(run_sweep(fixed, {}, folder.path() / "fixed").failed == 0u);
