@@ -27,20 +27,6 @@ const ContactResult& SolvedContacts::at(double force_N) {
   return results_.emplace(force_N, solve_(force_N / contact_.length_m)).first->second;
 }
 
-long SolvedContacts::unconverged() const {
-  return std::count_if(results_.begin(), results_.end(), [](const auto& entry) {
-    const auto* const solved = std::get_if<SolvedContact>(&entry.second);
-    return solved && !solved->converged;
-  });
-}
-
-bool SolvedContacts::hit_limit() const {
-  return std::any_of(results_.begin(), results_.end(), [](const auto& entry) {
-    const auto* const failure = std::get_if<SolveFailure>(&entry.second);
-    return failure && failure->limit;
-  });
-}
-
 double offset_film_m(const RacewayContact& contact, double force_N, const SolvedContact& solved) {
   const double b = hertz::half_width_m(contact.at(force_N));
   return b * b / contact.reduced_radius_m * (solved.offset - hertz::dry_offset());
@@ -235,13 +221,14 @@ class Points {
   explicit Points(SolvedContacts& contacts) : contacts_(contacts) {}
 
   /// Solves and keeps; returns why not otherwise.
-  [[nodiscard]] std::optional<std::string> add(double force_N) {
+  [[nodiscard]] std::optional<SolveFailure> add(double force_N) {
     const ContactResult& result = contacts_.at(force_N);
-    if (const auto* failure = std::get_if<SolveFailure>(&result)) return failure->why;
+    if (const auto* failure = std::get_if<SolveFailure>(&result)) return *failure;
     const auto& solved = std::get<SolvedContact>(result);
     const double F = offset_film_m(contacts_.contact(), force_N, solved);
-    if (!(F > 0) || !(solved.film_minimum_m > 0)) return "the solved film is not positive";
+    if (!(F > 0) || !(solved.film_minimum_m > 0)) return SolveFailure{.why = "the solved film is not positive"};
     points_[force_N] = {F, solved.film_minimum_m};
+    if (!solved.converged) missed_N_.insert(force_N);
     film_error_ = std::max(film_error_, solved.film_error);
     solver_error_ = std::max(solver_error_, solved.offset_error / (solved.offset - hertz::dry_offset()));
     return std::nullopt;
@@ -249,6 +236,7 @@ class Points {
   [[nodiscard]] std::size_t size() const { return points_.size(); }
   [[nodiscard]] double solver_error() const { return solver_error_; }
   [[nodiscard]] double film_error() const { return film_error_; }
+  [[nodiscard]] const std::set<double>& missed_N() const { return missed_N_; }
   [[nodiscard]] bool has(double force_N) const { return points_.contains(force_N); }
   [[nodiscard]] FilmCurve curve(const std::set<double>& forces_N) const {
     std::vector<double> forces, offsets, minima;
@@ -275,6 +263,7 @@ class Points {
   SolvedContacts& contacts_;
   std::map<double, Films> points_;
   double solver_error_ = 0, film_error_ = 0;
+  std::set<double> missed_N_;
 };
 
 std::string newtons(double force_N) {
@@ -298,8 +287,8 @@ class Refinement {
   Refinement(SolvedContacts& contacts, const CurveRequest& request) : points_(contacts), request_(request) {}
 
   /// Solves a point and keeps it; returns why not otherwise.
-  [[nodiscard]] std::optional<std::string> add_point(double force_N) {
-    if (const auto why = points_.add(force_N)) return why;
+  [[nodiscard]] std::optional<SolveFailure> add_point(double force_N) {
+    if (auto failure = points_.add(force_N)) return failure;
     nodes_.insert(force_N);
     return std::nullopt;
   }
@@ -387,6 +376,7 @@ class Refinement {
     curve.interpolation_force_error = worst_force_;
     curve.solver_error = points_.solver_error();
     curve.film_error = points_.film_error();
+    curve.missed_N.assign(points_.missed_N().begin(), points_.missed_N().end());
     return curve;
   }
   /// The curve's rigid continuation against a solved contact below its points.
@@ -397,8 +387,8 @@ class Refinement {
   [[nodiscard]] bool solved(double force_N, std::string* why = nullptr) {
     if (points_.has(force_N)) return true;
     if (failed_.contains(force_N) || points_.size() >= static_cast<std::size_t>(request_.most_points)) return false;
-    if (const auto not_solved = points_.add(force_N)) {
-      if (why) *why = *not_solved;
+    if (const auto failure = points_.add(force_N)) {
+      if (why) *why = failure->why;
       failed_.insert(force_N);
       return false;
     }
@@ -440,19 +430,29 @@ std::variant<FilmCurve, SolveFailure> build_curve(SolvedContacts& contacts, cons
   const CurveRequest request = as_met(asked);
   Refinement refinement(contacts, request);
   const double top = request.heaviest_N;
-  if (const auto why = refinement.add_point(top)) return SolveFailure{"at a contact force of " + newtons(top) + ": " + *why};
+  if (const auto failure = refinement.add_point(top))
+    return SolveFailure{.why = "at a contact force of " + newtons(top) + ": " + failure->why, .limit = failure->limit};
 
   // 1. The points to begin with: what a fit solves in any case, and two powers of two below.
   std::string stopped;
+  bool limit = false;
   double lighter = top / descent;
   for (const double given : request.given_N)
-    if ((given == request.given_N.front() || given == request.given_N.back()) && !refinement.add_point(given))
-      lighter = std::min(lighter, std::exp2(std::floor(std::log2(given) - 0.5)));
+    if (given == request.given_N.front() || given == request.given_N.back()) {
+      if (const auto failure = refinement.add_point(given))
+        limit = limit || failure->limit;
+      else
+        lighter = std::min(lighter, std::exp2(std::floor(std::log2(given) - 0.5)));
+    }
   for (int k = 0; k < 2 && stopped.empty(); ++k, lighter /= descent)
-    if (const auto why = refinement.add_point(lighter)) stopped = newtons(lighter) + " could not be solved: " + *why;
+    if (const auto failure = refinement.add_point(lighter)) {
+      stopped = newtons(lighter) + " could not be solved: " + failure->why;
+      limit = limit || failure->limit;
+    }
   if (refinement.size() < 3)
-    return SolveFailure{"only " + std::to_string(refinement.size()) + " contact forces up to " + newtons(top) +
-                        " could be solved, three are needed; " + stopped};
+    return SolveFailure{.why = "only " + std::to_string(refinement.size()) + " contact forces up to " + newtons(top) +
+                               " could be solved, three are needed; " + stopped,
+                        .limit = limit};
 
   // 2. Down to where the rigid limit takes over: the curve so far must foretell a contact half as heavy as its lightest.
   refinement.refine();
@@ -474,7 +474,7 @@ std::variant<FilmCurve, SolveFailure> build_curve(SolvedContacts& contacts, cons
     lighter = refinement.lightest_N() / descent;  // the half is then the middle of a gap
     if (const auto not_added = refinement.add_point(lighter)) {
       if (const auto again = refinement.add_point(half)) throw std::logic_error("film curve: a solved contact is lost");
-      stopped = newtons(lighter) + " could not be solved: " + *not_added;
+      stopped = newtons(lighter) + " could not be solved: " + not_added->why;
     }
     refinement.refine();
   }

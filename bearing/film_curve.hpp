@@ -49,8 +49,6 @@ class SolvedContacts {
   [[nodiscard]] const RacewayContact& contact() const { return contact_; }
   [[nodiscard]] long solves() const { return solves_; }    ///< calls of the callable
   [[nodiscard]] long recalls() const { return recalls_; }  ///< requests answered from memory
-  [[nodiscard]] long unconverged() const;                  ///< solved contacts that missed their tolerance
-  [[nodiscard]] bool hit_limit() const;                    ///< a contact failed on iterations or time
 
  private:
   RacewayContact contact_;
@@ -109,6 +107,7 @@ class FilmCurve {
   double joint_force_error = 0, interpolation_force_error = 0;
   double solver_error = 0;         ///< largest relative error of an offset film that the solver itself reports
   double film_error = 0;           ///< and of a minimum film
+  std::vector<double> missed_N;    ///< contacts solved for this curve that missed their tolerance, increasing
   std::string lightest_because;    ///< why no lighter contact was solved
 
   /// f d(delta)/df [m] with the datum x_0 = l: what the relative errors of a contact force are relative to.

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "contact/approach.hpp"
+#include "contact/hertz.hpp"
 
 namespace ehd::bearing {
 
@@ -48,6 +49,24 @@ LinearFit fit_line(const std::vector<FitPoint>& points) {
   return fit;
 }
 
+// With means d_m, f_m of the points, S = Sum (d_k - d_m)^2 and K = Sum (d_k - d_m)(f_k - f_m)/S, errors e_k of the d_k give
+//   dK = Sum [f_k - f_m - 2 K (d_k - d_m)] e_k/S,   and at fixed f   d(delta) = Sum e_k/n + (d_m - delta) dK/K.
+double LinearFit::approach_error_m(double force_N) const {
+  const auto n = static_cast<double>(points.size());
+  double mean_m = 0, mean_N = 0, squares = 0, error_m = 0;
+  for (const FitPoint& point : points) {
+    mean_m += point.approach_m / n;
+    mean_N += point.force_N / n;
+  }
+  for (const FitPoint& point : points) squares += (point.approach_m - mean_m) * (point.approach_m - mean_m);
+  const double from_mean_m = mean_m - (force_N - dF_N) / K_N_per_m;
+  for (const FitPoint& point : points) {
+    const double slope = (point.force_N - mean_N - 2 * K_N_per_m * (point.approach_m - mean_m)) / squares;
+    error_m += std::abs(1 / n + from_mean_m * slope / K_N_per_m) * point.approach_error_m;
+  }
+  return error_m;
+}
+
 std::vector<double> fit_forces_N(double lowest_N, double highest_N, int points) {
   std::vector<double> forces;
   for (int k = 0; k < points; ++k)
@@ -63,10 +82,15 @@ std::variant<LinearFit, SolveFailure> fit_contacts(SolvedContacts& contacts, dou
     if (const auto* failure = std::get_if<SolveFailure>(&result)) {
       char text[64];
       std::snprintf(text, sizeof text, "at a contact force of %.4g N: ", force_N);
-      return SolveFailure{text + failure->why};
+      return SolveFailure{.why = text + failure->why, .limit = failure->limit};
     }
-    solved.push_back(
-        {force_N, approach_m(contacts.contact().at(force_N), std::get<SolvedContact>(result).offset, datum_m)});
+    const auto& contact = std::get<SolvedContact>(result);
+    const Conditions conditions = contacts.contact().at(force_N);
+    const double b = hertz::half_width_m(conditions);
+    solved.push_back({.force_N = force_N,
+                      .approach_m = approach_m(conditions, contact.offset, datum_m),
+                      .approach_error_m = b * b / contacts.contact().reduced_radius_m * contact.offset_error,
+                      .converged = contact.converged});
   }
   return fit_line(solved);
 }

@@ -13,6 +13,8 @@ namespace ehd::bearing {
 struct FitPoint {
   double force_N = 0;
   double approach_m = 0;
+  double approach_error_m = 0;  ///< of the offset film, as the solver states it
+  bool converged = true;        ///< of the contact: false where it missed its tolerance
 };
 
 struct LinearFit {
@@ -24,6 +26,9 @@ struct LinearFit {
   double dF_deviation_N = 0;
   double correlation = 0;  ///< of K and dF
   std::vector<FitPoint> points;
+
+  /// First-order bound of the approach at a force, on the line, by the points' approach_error_m, whatever their signs.
+  [[nodiscard]] double approach_error_m(double force_N) const;
 
   [[nodiscard]] LinearLaw law(Unloading unloading = Unloading::at_zero_force) const;
 };

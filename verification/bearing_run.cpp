@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <stdexcept>
 
 #include "contact/approach.hpp"
@@ -305,7 +306,13 @@ std::string millimetre(double metre, int digits = 4) { return plain(1e3 * metre,
 /// A law could not be carried through; the sentence says where.
 class LawFailure : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  explicit LawFailure(const std::string& why) : std::runtime_error(why) {}
+  explicit LawFailure(const SolveFailure& contact) : std::runtime_error(contact.why), limit_(contact.limit) {}
+  /// A contact that the law needs ended on iterations or time.
+  [[nodiscard]] bool limit() const { return limit_; }
+
+ private:
+  bool limit_ = false;
 };
 
 class BearingRun {
@@ -351,11 +358,9 @@ class BearingRun {
       result.status = StopReason::converged;
       fill_lambda_ratios(result);
       note_what_to_know(result);
-      if (needs_film(law)) judge_contacts(result);
+      judge_contacts(result);
     } catch (const LawFailure& failure) {
-      const bool limit = needs_film(law) &&
-                         (solved(contacts_.inner).hit_limit() || solved(contacts_.outer).hit_limit());
-      result.status = limit ? StopReason::limit_reached : StopReason::diverged;
+      result.status = failure.limit() ? StopReason::limit_reached : StopReason::diverged;
       result.why = failure.what();
       result.rollers.clear();
     }
@@ -365,9 +370,18 @@ class BearingRun {
     return result;
   }
 
-  /// A balance is no better than the contacts that its law is made of.
-  void judge_contacts(BearingResult& result) {
-    const long unconverged = solved(contacts_.inner).unconverged() + solved(contacts_.outer).unconverged();
+  /// A balance is no better than the contacts that its law and films are made of; what else the memory holds is another's.
+  static void judge_contacts(BearingResult& result) {
+    const auto missed_N = [&result](auto at_raceway) {
+      std::set<double> missed;
+      if (result.curve) missed.insert(at_raceway(*result.curve).missed_N.begin(), at_raceway(*result.curve).missed_N.end());
+      if (result.fit)
+        for (const bearing::FitPoint& point : at_raceway(*result.fit).points)
+          if (!point.converged) missed.insert(point.force_N);
+      return missed.size();
+    };
+    const std::size_t unconverged = missed_N([](const auto& both) -> const auto& { return both.inner; }) +
+                                    missed_N([](const auto& both) -> const auto& { return both.outer; });
     if (unconverged == 0) return;
     result.status = StopReason::tolerance_not_met;
     result.why = std::to_string(unconverged) + " of the raceways' solved contacts have an estimated film error above 1e-3";
@@ -442,12 +456,17 @@ class BearingRun {
 
   // -- ehd-linear
 
-  [[nodiscard]] LinearFit fitted(const RacewayContact& contact, double datum) {
-    const auto [low, high] = body_.fit.load_N.value_or(std::pair{0.2 * largest_dry_N(), 1.2 * largest_dry_N()});
-    if (!(high > 0)) throw LawFailure("the dry rollers carry nothing, so there is no load to fit a line at; state fit.load_N");
+  /// `dry_N`: the largest force on this raceway that the dry balance knows.
+  [[nodiscard]] LinearFit fitted(BearingResult& result, const RacewayContact& contact, double datum, double dry_N,
+                                 const char* name) {
+    const double from_N = std::max(dry_N, lightest_fit_M * force_at_M_1_N(contact) / default_fit_from);
+    const auto [low, high] = body_.fit.load_N.value_or(std::pair{default_fit_from * from_N, default_fit_to * from_N});
+    if (!body_.fit.load_N && from_N > dry_N)
+      result.notes.push_back("fit raised to M = " + plain(lightest_fit_M) + " at the " + name + " raceway: from " + plain(low, 4) + " N, where " +
+                             plain(default_fit_from) + " times the largest dry force would be " + plain(default_fit_from * dry_N, 3) + " N");
     try {
       auto fit = bearing::fit_contacts(solved(contact), datum, low, high, body_.fit.points);
-      if (const auto* failure = std::get_if<SolveFailure>(&fit)) throw LawFailure(failure->why);
+      if (const auto* failure = std::get_if<SolveFailure>(&fit)) throw LawFailure(*failure);
       return std::get<LinearFit>(std::move(fit));
     } catch (const std::invalid_argument& error) {
       throw LawFailure(error.what());
@@ -455,7 +474,10 @@ class BearingRun {
   }
 
   void run_linear(BearingResult& result) {
-    result.fit = {fitted(contacts_.inner, result.datum_m->inner), fitted(contacts_.outer, result.datum_m->outer)};
+    const double inner_N = largest_dry_N(), outer_N = std::max(inner_N, loading_.centrifugal_N);
+    auto inner = fitted(result, contacts_.inner, result.datum_m->inner, inner_N, "inner");
+    auto outer = fitted(result, contacts_.outer, result.datum_m->outer, outer_N, "outer");
+    result.fit = {std::move(inner), std::move(outer)};
     note_lubricant(result, contacts_.inner);
     const LawPair lines{result.fit->inner.law(), result.fit->outer.law()};
     fill(result, all_positions(lines));
@@ -568,15 +590,17 @@ class BearingRun {
     throw LawFailure("the roller loads grow beyond every solved contact; the datum or the load is out of reach");
   }
 
+  /// M = f/(l sqrt(eta_0 u_s E' R)).
+  [[nodiscard]] static double force_at_M_1_N(const RacewayContact& contact) {
+    const double width = contact.reduced_modulus_Pa * contact.reduced_radius_m;
+    return contact.length_m * std::sqrt(contact.viscosity_Pa_s * contact.speed_sum_m_per_s * width);
+  }
+
   /// Where a first curve ends; a balance that goes beyond extends it.
   [[nodiscard]] double first_reach_N() const {
     // Where every roller is light the curve still begins at M = 1: what is lighter is foretold from solved contacts, and
     // below M = 1e-3 none can be solved.
-    const auto at_M_1 = [](const RacewayContact& contact) {
-      const double width = contact.reduced_modulus_Pa * contact.reduced_radius_m;
-      return contact.length_m * std::sqrt(contact.viscosity_Pa_s * contact.speed_sum_m_per_s * width);
-    };
-    return std::max({1.05 * (largest_dry_N() + loading_.centrifugal_N), at_M_1(contacts_.inner), at_M_1(contacts_.outer)});
+    return std::max({1.05 * (largest_dry_N() + loading_.centrifugal_N), force_at_M_1_N(contacts_.inner), force_at_M_1_N(contacts_.outer)});
   }
 
   /// The contacts of the fit, where the case itself states them: the curve then shares them. With a range that follows
@@ -589,7 +613,7 @@ class BearingRun {
   [[nodiscard]] std::shared_ptr<const FilmCurve> curve_of(const RacewayContact& contact, double heaviest_N) {
     const auto& curve =
         memory_.curve(contact, body_.lubricant->lubricant, {.heaviest_N = heaviest_N, .given_N = stated_fit_N()});
-    if (const auto* failure = std::get_if<SolveFailure>(&curve)) throw LawFailure(failure->why);
+    if (const auto* failure = std::get_if<SolveFailure>(&curve)) throw LawFailure(*failure);
     return std::make_shared<const FilmCurve>(std::get<FilmCurve>(curve));
   }
 

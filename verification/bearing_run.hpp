@@ -20,6 +20,7 @@
 #include "bearing/fit.hpp"
 #include "bearing/geometry.hpp"
 #include "contact/plan.hpp"
+#include "contact/scaling.hpp"
 #include "contact/solver.hpp"
 #include "verification/case.hpp"
 #include "verification/output.hpp"
@@ -38,6 +39,12 @@ enum class BearingLaw { hertz, iso, lundberg, tripp, houpert, ehd_linear, ehd };
 /// What the case says of the bearing, as bearing/ takes it.
 [[nodiscard]] bearing::Geometry geometry_of(const BearingCase& body);
 [[nodiscard]] bearing::RollerContact roller_contact_of(const BearingCase& body);
+
+/// Where a case states no fit.load_N, the line of a raceway is fitted over these parts of the largest force on it that the
+/// dry balance knows: the largest roller load, or at the outer raceway the centrifugal force where that is larger. The range
+/// begins no lighter than lightest_fit_M at that raceway, ten times the lightest contact that is solved at all, so that every
+/// bearing has a line: down there the film goes as 1/f (Martin's rigid cylinder), and no line follows it any better.
+inline constexpr double default_fit_from = 0.2, default_fit_to = 1.2, lightest_fit_M = 10 * smallest_M;
 
 /// hertz, ehd-linear, ehd; hertz alone where the case has no lubricant.
 [[nodiscard]] std::vector<BearingLaw> default_laws(const BearingCase& bearing);

@@ -75,7 +75,7 @@ struct LengthDatum {
 using Datum = std::variant<PalmgrenDatum, LundbergDatum, LengthDatum>;
 
 struct FitRange {
-  std::optional<std::pair<double, double>> load_N = {};  ///< default 0.2 and 1.2 times the largest dry roller load
+  std::optional<std::pair<double, double>> load_N = {};  ///< absent: follows the dry balance (bearing_run, default_fit_from)
   int points = 6;
 };
 

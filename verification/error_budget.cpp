@@ -111,6 +111,7 @@ std::vector<BudgetRow> budget_of(const Case& bearing_case, const std::vector<Bea
                                     ContactMemory& memory) {
   const BearingResult* const result = of_law(results, law);
   if (!result || !needs_film(law) || !result->curve || !result->datum_m) return {};
+  if (law == BearingLaw::ehd_linear && !result->fit) return {};
   const auto laws = laws_of(std::get<BearingCase>(bearing_case.body), *result);
   if (!laws) return {};
   std::vector<BudgetRow> rows;
@@ -129,16 +130,21 @@ std::vector<BudgetRow> budget_of(const Case& bearing_case, const std::vector<Bea
   const auto curve_of = [&](bool at_inner) -> const FilmCurve& {
     return at_inner ? result->curve->inner : result->curve->outer;
   };
-  // 2. Bounds of what the curve is made of.
-  if (law == BearingLaw::ehd) {
-    BudgetRow between = linear.bound([&](double f, bool at_inner) {
-      const FilmCurve& curve = curve_of(at_inner);
-      return f >= curve.lightest_N() ? curve.interpolation_force_error * curve.rise_m(f) : 0;
-    });
-    BudgetRow below = linear.bound([&](double f, bool at_inner) {
-      const FilmCurve& curve = curve_of(at_inner);
-      return f < curve.lightest_N() ? curve.joint_force_error * curve.rise_m(f) : 0;
-    });
+  // 2. Bounds of what the curve is made of. The films of the line are from the curve too, its balance is not.
+  const bool on_curve = law == BearingLaw::ehd;
+  {
+    BudgetRow between, below;
+    between.bound = below.bound = true;
+    if (on_curve) {
+      between = linear.bound([&](double f, bool at_inner) {
+        const FilmCurve& curve = curve_of(at_inner);
+        return f >= curve.lightest_N() ? curve.interpolation_force_error * curve.rise_m(f) : 0;
+      });
+      below = linear.bound([&](double f, bool at_inner) {
+        const FilmCurve& curve = curve_of(at_inner);
+        return f < curve.lightest_N() ? curve.joint_force_error * curve.rise_m(f) : 0;
+      });
+    }
     if (thinnest) {
       const FilmCurve& curve = curve_of(thinnest->inner);
       if (thinnest->force_N >= curve.lightest_N())
@@ -146,15 +152,17 @@ std::vector<BudgetRow> budget_of(const Case& bearing_case, const std::vector<Bea
       else
         below.smallest_film = curve.joint_error;
     }
-    add(std::move(between), "interpolation", "largest disagreement of an extra solve, at every contact");
-    add(std::move(below), "rigid limit", "below the lightest solved contact");
+    const std::string films = on_curve ? "" : ", of the films";
+    add(std::move(between), "interpolation", "largest disagreement of an extra solve, at every contact" + films);
+    add(std::move(below), "rigid limit", "below the lightest solved contact" + films);
   }
   BudgetRow solver = linear.bound([&](double f, bool at_inner) {
+    if (!on_curve) return (at_inner ? result->fit->inner : result->fit->outer).approach_error_m(f);
     const FilmCurve& curve = curve_of(at_inner);
     return curve.solver_error * curve.offset_film(f).value;
   });
   if (thinnest) solver.smallest_film = curve_of(thinnest->inner).film_error;
-  add(std::move(solver), "contact solver", "its own stated errors, at every contact");
+  add(std::move(solver), "contact solver", on_curve ? "its own stated errors, at every contact" : "its own stated errors, at the contacts of the fit");
 
   // 3. The datum is a choice: what another would have given.
   const auto& body = std::get<BearingCase>(bearing_case.body);

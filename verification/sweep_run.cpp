@@ -242,6 +242,31 @@ std::string bearing_cells(const Json& result) {
          csv_value(result, {"balance_error"}) + "," + csv_value(result, {"cost", "contact_solves"});
 }
 
+/// What was added later, behind every other column: where the ring goes across, the datum, use of the line outside its fit
+/// (contacts that carry a force outside, of both raceways; of ehd-linear alone), the thinnest film over the roughness.
+std::string later_bearing_cells(const Json& result) {
+  std::optional<double> ratio;
+  std::size_t outside = 0;
+  const Json none = Json::array();
+  const Json& rollers = result.contains("rollers") ? result["rollers"] : none;
+  const bool fitted = result.contains("fit") && !rollers.empty();
+  for (const Json& roller : rollers)
+    for (const char* raceway : {"inner", "outer"}) {
+      const Json& contact = roller[raceway];
+      if (contact.contains("lambda_ratio")) {
+        const double one = contact["lambda_ratio"].get<double>();
+        ratio = std::min(ratio.value_or(one), one);
+      }
+      if (!fitted) continue;
+      const double force_N = contact["force_N"].get<double>();
+      const Json& range = result["fit"][raceway]["load_N"];
+      outside += force_N > 0 && !(force_N >= range[0].get<double>() && force_N <= range[1].get<double>());
+    }
+  return "," + csv_value(result, {"displacement_lateral_m"}) + "," + csv_value(result, {"datum", "inner_x0_m"}) + "," +
+         csv_value(result, {"datum", "outer_x0_m"}) + "," + (fitted ? std::to_string(outside) : "") + "," +
+         (ratio ? Json(*ratio).dump() : "");
+}
+
 bool converged(const Json& result) { return result["status"] == to_string(StopReason::converged); }
 
 /// Why a result is not what was asked for; bearings and contacts name it differently.
@@ -265,7 +290,9 @@ std::string csv_header(const Sweep& sweep) {
     header += ",solver,status";
     for (const ContactColumn& column : contact_columns()) header += std::string(",") + column.name;
   }
-  return header + ",reason\n";
+  header += ",reason";
+  if (sweep.bearing) header += ",displacement_lateral_m,datum_inner_x0_m,datum_outer_x0_m,fit_used_outside,lambda_ratio_minimum";
+  return header + "\n";
 }
 
 std::string csv_lines(const Sweep& sweep, const Json& row) {
@@ -284,7 +311,7 @@ std::string csv_lines(const Sweep& sweep, const Json& row) {
       for (const ContactColumn& column : contact_columns()) line += "," + csv_value(result, column.path);
     }
     const std::string why = converged(result) ? "" : reason_of(result);
-    lines += line + "," + csv_cell(one_line(why)) + "\n";
+    lines += line + "," + csv_cell(one_line(why)) + (sweep.bearing ? later_bearing_cells(result) : "") + "\n";
   }
   return lines;
 }

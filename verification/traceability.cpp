@@ -29,7 +29,7 @@ const std::vector<TraceablePart>& traceable_parts() {
       {"work/dry-law", "the dry law beside it, f = K_Hertz delta^(10/9)",
        {"*/hertz/law", "*/iso/law", "approach/*", "bearing/laws/*"}},
       {"work/equilibrium", "equilibrium of the bearing: f_o - f_i = F_c, Sum f_i cos psi = F_r, delta_r cos psi - P_d/2 = delta_i + delta_o",
-       {"*/ring", "*/rollers", "*/geometry", "bearing/sjovall/*", "sjovall/*", "bearing/energy/*", "bearing/stiffness/*",
+       {"*/ring", "*/rollers", "*/geometry", "bearing/sjovall/*", "sjovall/*", "bearing/energy/*", "bearing/stiffness/*", "bearing/forms/*",
         "bearing/statics", "bearing/random/*", "properties/bearing/*"}},
       {"work/kinematics", "speed, radii, centrifugal force and datum of each raceway from the bearing's geometry",
        {"bearing/kinematics/*", "bearing/centrifugal-209", "bearing/datum/*"}},

@@ -221,6 +221,33 @@ BOOST_AUTO_TEST_CASE(least_squares_recovers_a_line) {
   EHD_CHECK(error(disturbed.K_deviation_N_per_m, std::sqrt(residuals / 4 / squares)), Tolerance::round_off(100, 100));
 }
 
+// Derivative: the bound of an approach on the line is the sum of what each point's error moves it by, by differences.
+BOOST_AUTO_TEST_CASE(the_error_of_a_line_is_that_of_its_points) {
+  std::vector<FitPoint> points;  // far from a line, so that every term counts
+  for (const double f : {500.0, 1700.0, 2900.0, 5300.0, 9100.0})
+    points.push_back({.force_N = f, .approach_m = 1e-9 * std::pow(f, 0.7), .approach_error_m = 1e-10 * std::sqrt(f / 100)});
+  const LinearFit fit = fit_line(points);
+  const auto approach = [](const LinearFit& line, double f) { return (f - line.dF_N) / line.K_N_per_m; };
+  for (const double f : {0.0, 500.0, 3000.0, 20000.0}) {
+    double sum_m = 0;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      constexpr double step = 1e-4;  // of the error: central differences are then exact to 1e-8 and rounding
+      auto up = points, down = points;
+      up[k].approach_m += step * points[k].approach_error_m;
+      down[k].approach_m -= step * points[k].approach_error_m;
+      sum_m += std::abs(approach(fit_line(up), f) - approach(fit_line(down), f)) / (2 * step);
+    }
+    EHD_CHECK(error(fit.approach_error_m(f), sum_m), Tolerance::round_off(100, 1e6));
+  }
+  // The mean of the approaches moves with all of them alike: at the points' centre nothing else counts.
+  double mean_N = 0, mean_error_m = 0;
+  for (const FitPoint& point : points) {
+    mean_N += point.force_N / 5;
+    mean_error_m += point.approach_error_m / 5;
+  }
+  EHD_CHECK(error(fit.approach_error_m(mean_N), mean_error_m), Tolerance::round_off(100, 10));
+}
+
 BOOST_AUTO_TEST_CASE(points_without_a_rising_line_are_refused) {
   BOOST_CHECK_THROW((void)fit_line({{100, 1e-6}}), std::invalid_argument);
   BOOST_CHECK_THROW((void)fit_line({{100, 1e-6}, {50, 2e-6}}), std::invalid_argument);

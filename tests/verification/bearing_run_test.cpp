@@ -244,6 +244,97 @@ BOOST_AUTO_TEST_CASE(a_dry_case_skips_ehd_laws_by_default_and_refuses_them_when_
   BOOST_TEST(skipped->why == "the case has no lubricant");
 }
 
+// The range of a default fit follows the dry balance while that is heavy enough for a contact to be solved, to the bit; else it
+// is raised, and said so, so that a bearing without a load has a line too. A range that is stated is not moved.
+BOOST_AUTO_TEST_CASE(every_bearing_has_a_line_whatever_its_load) {
+  CountedContacts contacts;
+  ContactMemory memory(contacts.solver());
+  const auto raised = [](const BearingResult& result) {
+    return std::count_if(result.notes.begin(), result.notes.end(),
+                         [](const std::string& note) { return note.starts_with("fit raised to M = 0.01 at the "); });
+  };
+  const auto M_of = [](double force_N, bool inner) {
+    const double R = 1 / (2 / 0.005 + (inner ? 2 / 0.048 : -2 / 0.058)), modulus = 2.06e11 / (1 - 0.09);
+    const double u_s = 0.0265 * (1 - std::pow(0.005 / 0.053, 2)) * 5000 * std::acos(-1) / 30;
+    return force_N / 0.122 / (modulus * R) / std::sqrt(0.02 * u_s / (modulus * R));
+  };
+  Case one = needle_bearing(0);
+  body_of(one).fit = {.load_N = {}, .points = 6};
+  for (const double load_N : {0.0, 1e-3, 0.5, 300.0}) {
+    body_of(one).operation.radial_load_N = load_N;
+    const BearingResult light = run(one, {BearingLaw::ehd_linear}, memory).at(0);
+    BOOST_TEST((light.status == StopReason::converged), light.why);
+    BOOST_REQUIRE(light.fit.has_value());
+    BOOST_TEST(raised(light) == 2);
+    for (const bool inner : {true, false}) {
+      const auto& points = (inner ? light.fit->inner : light.fit->outer).points;
+      EHD_CHECK(error(M_of(points.front().force_N, inner), 1e-2), Tolerance::round_off(1000));
+      EHD_CHECK(error(points.back().force_N / points.front().force_N, 6), Tolerance::round_off(10));
+    }
+    EHD_CHECK(light.balance_error, Tolerance::required(1e-12, "what a balance promises"));
+  }
+  for (const double load_N : {1e3, 50e3}) {
+    body_of(one).operation.radial_load_N = load_N;
+    const auto heavy = run(one, {BearingLaw::hertz, BearingLaw::ehd_linear}, memory);
+    const double largest_N = heavy.at(0).rollers.at(0).inner.force_N;
+    BOOST_TEST(raised(heavy.at(1)) == 0);
+    for (const auto& fit : {heavy.at(1).fit->inner, heavy.at(1).fit->outer}) {
+      BOOST_TEST(fit.points.front().force_N == 0.2 * largest_N);
+      BOOST_TEST(fit.points.back().force_N == 1.2 * largest_N);
+    }
+  }
+  // Where the rollers press harder by themselves, the outer line is about that.
+  body_of(one).operation = {.inner_speed_rpm = 30000, .outer_speed_rpm = 0, .radial_load_N = 1e3};
+  const BearingResult spinning = run(one, {BearingLaw::ehd_linear}, memory).at(0);
+  const double centrifugal_N = 7850 * std::acos(-1) / 4 * 25e-6 * 0.122 * 0.0265 * std::pow((1 - 5.0 / 53) / 2 * 1000 * std::acos(-1), 2);
+  EHD_CHECK(error(spinning.fit->outer.points.back().force_N, 1.2 * centrifugal_N), Tolerance::round_off(100));
+  BOOST_TEST(spinning.fit->inner.points.back().force_N < spinning.fit->outer.points.back().force_N);
+  // Stated, it stands.
+  one = needle_bearing(0);
+  body_of(one).fit.load_N = std::pair{0.1, 0.6};
+  const BearingResult refused = run(one, {BearingLaw::ehd_linear}, memory).at(0);
+  BOOST_TEST((refused.status == StopReason::diverged));
+  BOOST_TEST(refused.rollers.empty());
+  BOOST_TEST(refused.why.find("at a contact force of 0.1 N: M = ") != std::string::npos, refused.why);
+  BOOST_TEST(refused.why.find("is out of range") != std::string::npos, refused.why);
+}
+
+// A case is judged by its own contacts, not by what another case has left in the memory that they share.
+BOOST_AUTO_TEST_CASE(what_another_case_left_in_the_memory_is_not_judged) {
+  const auto solver = [](StopReason heavy) {
+    return [heavy](const Problem& problem, const Request&) {
+      Solution solution = made::contact(problem);
+      if (problem.groups.M < 9) return solution;  // 13 kN, above what the light case needs
+      solution.record.status = heavy;
+      solution.observables[Quantity::film_minimum].error = 5e-3;
+      return solution;
+    };
+  };
+  const std::vector laws{BearingLaw::ehd_linear, BearingLaw::ehd};
+  Case heavy = needle_bearing(0), light = needle_bearing(0);
+  heavy.id = "heavy";
+  body_of(heavy).operation.radial_load_N = 200e3;
+  body_of(heavy).fit = body_of(light).fit = {.load_N = {}, .points = 6};
+  body_of(light).operation.radial_load_N = 20e3;
+  for (const StopReason end : {StopReason::tolerance_not_met, StopReason::limit_reached, StopReason::diverged}) {
+    ContactMemory shared(solver(end)), own(solver(end));
+    for (const BearingResult& result : run(heavy, laws, shared)) BOOST_TEST((result.status == end));
+    const auto after = run(light, laws, shared), alone = run(light, laws, own);
+    for (std::size_t k = 0; k < laws.size(); ++k) {
+      BOOST_TEST((after[k].status == StopReason::converged), after[k].why);
+      BOOST_TEST(after[k].why == alone[k].why);
+      BOOST_TEST((after[k].notes == alone[k].notes));
+      BOOST_TEST(after[k].displacement_m == alone[k].displacement_m);
+    }
+    // And the other way round: remembered contacts that missed their tolerance are of this case all the same.
+    for (const BearingResult& result : run(heavy, laws, shared)) BOOST_TEST((result.status == end));
+    // A law that fails for another reason has not come to a limit.
+    Case refused = light;
+    body_of(refused).fit.load_N = std::pair{0.1, 0.6};
+    BOOST_TEST((run(refused, {BearingLaw::ehd_linear}, shared).at(0).status == StopReason::diverged));
+  }
+}
+
 // Every skipped stage has its reason, and no stage is both run and skipped.
 BOOST_AUTO_TEST_CASE(a_plan_gives_a_reason_for_every_skip) {
   const Case one = needle_bearing(0);

@@ -83,6 +83,33 @@ BOOST_AUTO_TEST_CASE(the_fits_row_is_the_difference_of_the_two_laws) {
   BOOST_TEST(std::count_if(rows.begin(), rows.end(), [](const BudgetRow& row) { return row.source == "datum"; }) == 2);
 }
 
+// The line's films are the curve's, whose errors are in its budget; its balance is of the fit's own contacts, which are.
+BOOST_AUTO_TEST_CASE(the_lines_budget_has_its_films_interpolation_and_its_fits_own_contacts) {
+  ContactMemory memory(synthetic(0));
+  const auto results = run(memory);
+  const auto rows = budget_of(needle_bearing(), results, BearingLaw::ehd_linear, memory);
+  const BearingResult& line = results[1];
+  const BudgetRow &between = row_of(rows, "interpolation"), &below = row_of(rows, "rigid limit");
+  for (const BudgetRow* row : {&between, &below}) {
+    BOOST_TEST(row->bound);
+    BOOST_TEST(row->displacement_m == 0);
+    BOOST_TEST(row->any_force_N == 0);
+  }
+  // The thinnest film is under the most loaded roller, far above the lightest solved contact.
+  BOOST_REQUIRE(between.smallest_film.has_value());
+  BOOST_TEST((*between.smallest_film == line.curve->inner.interpolation_error || *between.smallest_film == line.curve->outer.interpolation_error));
+  BOOST_TEST(*between.smallest_film > 0);
+  BOOST_TEST(!below.smallest_film.has_value());
+  // Ten times the error at the fit's contacts, ten times the bound, whatever the curve's own contacts are known to.
+  auto worse = results;
+  for (auto* fit : {&worse[1].fit->inner, &worse[1].fit->outer})
+    for (bearing::FitPoint& point : fit->points) point.approach_error_m *= 10;
+  const BudgetRow tenfold = row_of(budget_of(needle_bearing(), worse, BearingLaw::ehd_linear, memory), "contact solver");
+  const BudgetRow own = row_of(rows, "contact solver");
+  EHD_CHECK(error(tenfold.displacement_m, 10 * own.displacement_m), Tolerance::round_off(100));
+  EHD_CHECK(error(tenfold.any_force_N, 10 * own.any_force_N), Tolerance::round_off(100));
+}
+
 BOOST_AUTO_TEST_CASE(a_dry_law_has_no_budget_and_the_full_one_has_no_fit) {
   ContactMemory memory(synthetic(0));
   const auto results = run(memory);

@@ -231,8 +231,8 @@ BOOST_AUTO_TEST_CASE(bearings_fail_where_one_does_not_balance_or_is_no_balance) 
       .law = "hertz", .tried = 1000, .balanced = 1000, .worst_balance = 2e-16, .worst_bisection = 3e-16};
   const BearingRow film{.law = "ehd",
                         .tried = 1000,
-                        .balanced = 900,
-                        .refused_outside = 100,
+                        .balanced = 995,
+                        .refused_outside = 5,
                         .worst_balance = 1e-15,
                         .worst_bisection = 1e-15};
   const auto verdict = [&](auto&& change) {
@@ -245,7 +245,16 @@ BOOST_AUTO_TEST_CASE(bearings_fail_where_one_does_not_balance_or_is_no_balance) 
   BOOST_TEST((verdict([](auto& one, auto&) { one.worst_balance = 2e-12; }) == Verdict::fail));
   BOOST_TEST((verdict([](auto&, auto& one) { one.worst_bisection = 2e-12; }) == Verdict::fail));
   BOOST_TEST((verdict([](auto&, auto& one) { one.worst_bisection = std::nan(""); }) != Verdict::pass));
-  BOOST_TEST((verdict([](auto&, auto& one) { one.balanced = 899, one.refused_inside = 1; }) == Verdict::fail));
+  BOOST_TEST((verdict([](auto&, auto& one) { one.balanced = 994, one.refused_inside = 1; }) == Verdict::fail));
+  // The share is of all that were tried, whatever excuses the rest.
+  BOOST_TEST((verdict([](auto&, auto& one) { one.balanced = 990, one.refused_outside = 10; }) == Verdict::pass));
+  BOOST_TEST((verdict([](auto&, auto& one) { one.balanced = 989, one.refused_outside = 11; }) == Verdict::fail));
+  BOOST_TEST((verdict([](auto&, auto& one) { one.balanced = 900, one.refused_outside = 100; }) == Verdict::fail));
+  // A limit is no reason outside; what missed its tolerance is not among the balanced, and inside it is a failure.
+  BOOST_TEST((verdict([](auto&, auto& one) { one.refused_outside = 4, one.limits = 1; }) == Verdict::fail));
+  BOOST_TEST((verdict([](auto&, auto& one) { one.refused_outside = 4, one.missed = 1; }) == Verdict::pass));
+  BOOST_TEST((verdict([](auto&, auto& one) { one.refused_outside = 4, one.missed = one.missed_inside = 1; }) == Verdict::fail));
+  BOOST_TEST((verdict([](auto&, auto& one) { one.balanced = 985, one.missed = 10; }) == Verdict::fail));
   BOOST_TEST((verdict([](auto&, auto& one) { one.balanced = 0, one.refused_outside = one.tried; }) == Verdict::fail));
   BOOST_TEST((judge_bearings({}).verdict != Verdict::pass));
 }

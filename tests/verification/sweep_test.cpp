@@ -300,6 +300,78 @@ BOOST_AUTO_TEST_CASE(a_row_of_a_bearing_says_what_ehd_bearing_says_of_that_case)
                                     Json(largest).dump() + ",0.0," + Json(film).dump() + ","));
 }
 
+// Later columns stand behind all others: the datum, use outside the fit, lambda ratio, lateral displacement.
+BOOST_AUTO_TEST_CASE(a_line_tells_the_datum_and_use_outside_the_fit) {
+  const Folder folder;
+  std::string text = test::read(std::string(EHD_SOURCE_DIR) + "/cases/na4908.toml");
+  const auto behind = [&text](const std::string& line, const std::string& added) {
+    BOOST_REQUIRE(text.find(line) != std::string::npos);
+    text.insert(text.find(line) + line.size(), added);
+  };
+  behind("density_kg_per_m3 = 7850.0", "\nroughness_m = 1e-7\nfirst_azimuth_deg = 5.0");
+  (void)folder.write("na4908.toml", text);
+  const Sweep read = read_sweep(folder.write("s.toml", R"(case = "na4908.toml"
+laws = ["hertz", "ehd-linear", "ehd"]
+combine = "product"
+[keys]
+"operation.radial_load_N" = [5e3, 7e4]
+)"));
+  BOOST_TEST(run_sweep(read, {}, folder.path() / "out").failed == 0u);
+  const auto csv = lines_of_text(test::read(folder.path() / "out/rows.csv"));
+  const std::string added = "displacement_lateral_m,datum_inner_x0_m,datum_outer_x0_m,fit_used_outside,lambda_ratio_minimum";
+  BOOST_TEST(csv.at(0).ends_with(",contacts,reason," + added));
+  const auto cells_of = [](const std::string& line) {
+    std::vector<std::string> cells{""};
+    for (const char c : line)
+      if (c == ',') cells.emplace_back();
+      else cells.back() += c;
+    return std::vector<std::string>(cells.end() - 5, cells.end());
+  };
+  const Json rows = Json::parse(test::read(folder.path() / "out/rows.json"));
+  BOOST_REQUIRE(csv.size() == 1 + 2 * 3u);
+  std::vector<std::string> datum;
+  for (std::size_t row = 0; row < 2; ++row)
+    for (std::size_t law = 0; law < 3; ++law) {
+      const Json& result = rows["rows"][row]["results"][law];
+      const auto cells = cells_of(csv[1 + 3 * row + law]);
+      BOOST_TEST(cells[0] == result["displacement_lateral_m"].dump());
+      BOOST_TEST(std::stod(cells[0]) != 0);
+      if (law == 0) {
+        for (std::size_t k = 1; k < 5; ++k) BOOST_TEST(cells[k].empty());
+        continue;
+      }
+      BOOST_TEST(cells[1] == result["datum"]["inner_x0_m"].dump());
+      BOOST_TEST(cells[2] == result["datum"]["outer_x0_m"].dump());
+      BOOST_TEST(cells[1] != cells[2]);
+      datum.push_back(cells[1]);
+      int outside = 0;  // the case states 2 to 12 kN
+      double ratio = 1e9;
+      for (const Json& roller : result["rollers"])
+        for (const char* raceway : {"inner", "outer"}) {
+          const double force = roller[raceway]["force_N"].get<double>();
+          outside += force > 0 && (force < 2000 || force > 12000);
+          if (roller[raceway].contains("film_minimum_m")) ratio = std::min(ratio, roller[raceway]["film_minimum_m"].get<double>() / 1e-7);
+        }
+      BOOST_TEST(cells[3] == (law == 1 ? std::to_string(outside) : ""));
+      if (law == 1) BOOST_TEST(outside > 0);
+      EHD_CHECK(error(std::stod(cells[4]), ratio), Tolerance::round_off(2));
+    }
+  BOOST_TEST(datum[0] == datum[1]);  // of a row's laws
+  BOOST_TEST(datum[0] != datum[2]);  // the default follows the row's own load
+  // A load that is named fixes it.
+  const Sweep fixed = read_sweep(folder.write("f.toml", R"(case = "na4908.toml"
+laws = ["ehd-linear"]
+combine = "product"
+[keys]
+"operation.radial_load_N" = [5e3, 7e4]
+"datum.load_N" = [9289.0]
+)"));
+  BOOST_TEST(run_sweep(fixed, {}, folder.path() / "fixed").failed == 0u);
+  const auto lines = lines_of_text(test::read(folder.path() / "fixed/rows.csv"));
+  BOOST_TEST(cells_of(lines.at(1))[1] == cells_of(lines.at(2))[1]);
+  BOOST_TEST(!cells_of(lines.at(1))[1].empty());
+}
+
 BOOST_AUTO_TEST_CASE(neither_threads_nor_other_rows_change_a_bit) {
   const Folder folder;
   const Sweep read = read_sweep(folder.write("s.toml", small_sweep));
@@ -429,6 +501,9 @@ BOOST_AUTO_TEST_CASE(a_row_that_does_not_converge_is_a_row_with_its_reason) {
   BOOST_TEST(csv[1].find(",hertz,converged,") != std::string::npos);
   BOOST_TEST(csv[2].find(",ehd-linear,limit-reached,,,,") != std::string::npos);
   BOOST_TEST(csv[2].find("M = ") != std::string::npos);
+  // No balance, no count of what lies outside the fit; the datum is known.
+  BOOST_TEST(std::count(csv[2].begin(), csv[2].end(), ',') >= std::count(csv[0].begin(), csv[0].end(), ','));
+  BOOST_TEST(csv[2].ends_with(",,"));
   const Json rows = Json::parse(test::read(out / "rows.json"));
   BOOST_TEST(rows["rows"][0]["results"][2]["status"] == "limit-reached");
   // Known rows fail again, without being computed.

@@ -48,7 +48,7 @@ struct LoadedCase {
 /// A topic for each case in the list, bearings left out; a case that could not be read is a failing claim.
 [[nodiscard]] std::vector<Topic> contact_topics(const std::vector<LoadedCase>& cases);
 [[nodiscard]] std::vector<Topic> bearing_topics(const std::vector<LoadedCase>& cases);
-/// Those of NA4908 where it is in the list.
+/// Parts of NA4908 where it is in the list; both forms of balance of every bearing case.
 [[nodiscard]] std::vector<Topic> bearing_part_topics(const std::vector<LoadedCase>& cases);
 
 }  // namespace ehd::verification

@@ -40,6 +40,7 @@ A sweep file:
   [keys]                              # any key of the case that is a number or a text
   "operation.radial_load_N" = { from = 1e3, to = 5e4, points = 20, spacing = "logarithmic" }
   "bearing.clearance_m" = [0.0, 2.5e-6, 1e-5]
+  "datum.load_N" = [9289.0]           # one x_0 for all rows; the default, palmgren, follows each row's own load
 
 Examples:
   ehd sweep examples/sweeps/na4908-load-clearance.toml       rows.csv and rows.json into out/sweep/na4908-load-clearance

@@ -161,15 +161,18 @@ struct RepeatRow {
 // (i) -- random bearings ------------------------------------------------------------------------------------------
 struct BearingRow {
   std::string law = {};
-  long tried = 0, balanced = 0;
+  long tried = 0;
+  long balanced = 0;  ///< on contacts that all met their tolerance
+  long missed = 0, missed_inside = 0;  ///< balanced on others; and those of them inside the domain
+  long limits = 0;                     ///< refused since a solve came to its limit, inside or outside
   long refused_outside = 0;  ///< outside the stated domain of the law, judged without the refusal
   long refused_inside = 0;
   double worst_balance = 0;    ///< balance_error; NaN stays
   double worst_bisection = 0;  ///< worst_bisection_error; NaN stays
   long contact_solves = 0;
   double wall_s = 0, slowest_s = 0;
-  std::vector<std::string> inside = {};   ///< seeds and reasons of refusals inside the domain
-  std::vector<std::string> reasons = {};  ///< of refusals outside, each kind once
+  std::vector<std::string> inside = {};   ///< seeds and reasons of what no domain excuses
+  std::vector<std::string> reasons = {};  ///< why outside, each kind once, with the first refusal's words
 };
 [[nodiscard]] std::vector<BearingRow> run_bearings(const Scope& scope);
 [[nodiscard]] Part judge_bearings(const std::vector<BearingRow>& rows);
