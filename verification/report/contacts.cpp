@@ -190,7 +190,7 @@ void add_contacts(Page& page, const View& results) {
       apart.series.push_back({.name = "|\u0394*P*|", .x = X, .y = P, .colour = 1});
       apart.series.push_back({.name = "|\u0394*H*|/*H*", .x = X, .y = H, .line = Line::dashed, .colour = 2});
       if (const auto stated = difference.number("stated"); stated && *stated > 0)
-        apart.rules.push_back({*stated, "stated, *H*_{min} and *H*_{cen}"});
+        apart.rules.push_back({*stated, "stated, films"});
       figure.panels.push_back(std::move(apart));
       figure.description += " Below: the magnitude of " + difference.text("of") + ".";
     }
