@@ -86,7 +86,7 @@ browser-test: configure  ## Look at the report in headless Chromium, where it is
 callgrind:  ## Count instructions of three solves, name the functions that moved (KEEP=1 keeps the counts; 5 minutes)
 	@sh cmake/setup.sh valgrind
 	@$(MAKE) --no-print-directory build BUILD=$(BUILD)-callgrind CMAKE_FLAGS="-DEHD_NATIVE=OFF -DBUILD_TESTING=OFF"
-	@verification/callgrind/count.sh $(if $(KEEP),--keep) $(BUILD)-callgrind/ehd
+	@verification/bench/callgrind/count.sh $(if $(KEEP),--keep) $(BUILD)-callgrind/ehd
 
 kernels: configure  ## Time the kernels of fast/ in multiples of one FFT convolution (needs libbenchmark-dev; 1 minute)
 	@cmake --build $(BUILD) --parallel $(JOBS) --target ehd_kernels

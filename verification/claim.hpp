@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "verification/output.hpp"
+#include "io/output.hpp"
 #include "verification/tolerance.hpp"
 
 namespace ehd::verification {

@@ -13,9 +13,9 @@
 #include <utility>
 
 #include "verification/claims/topics.hpp"
-#include "verification/parallel.hpp"
-#include "verification/provenance.hpp"
-#include "verification/text.hpp"
+#include "workflow/parallel.hpp"
+#include "io/provenance.hpp"
+#include "contact/text.hpp"
 #include "verification/traceability.hpp"
 
 namespace ehd::verification {

@@ -3,7 +3,7 @@
 
 #include <fnmatch.h>
 
-#include "verification/text.hpp"
+#include "contact/text.hpp"
 
 namespace ehd::verification {
 

@@ -12,11 +12,11 @@
 
 #include "bearing/geometry.hpp"
 #include "contact/scaling.hpp"
-#include "verification/bearing_run.hpp"
-#include "verification/case.hpp"
-#include "verification/plan.hpp"
-#include "verification/solve_run.hpp"
-#include "verification/text.hpp"
+#include "workflow/bearing_run.hpp"
+#include "workflow/case.hpp"
+#include "workflow/contact_plan.hpp"
+#include "workflow/contact_run.hpp"
+#include "contact/text.hpp"
 
 namespace ehd::verification::promises {
 

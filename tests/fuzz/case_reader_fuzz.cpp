@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "tests/fuzz/case_promises.hpp"
-#include "verification/case_text.hpp"
+#include "io/case_text.hpp"
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t largest);
 
@@ -33,7 +33,7 @@ std::string any_number(std::mt19937& random) {
 
 /// One line of the text drawn twice over, left out, or given another number: what byte mutations rarely hit upon.
 std::string with_another_line(std::string_view text, std::mt19937& random) {
-  std::vector<std::string> lines = ehd::verification::lines_of(text);
+  std::vector<std::string> lines = lines_of(text);
   const std::size_t at = random() % lines.size();
   switch (random() % 8) {
     case 0: lines.insert(lines.begin() + static_cast<std::ptrdiff_t>(random() % lines.size()), lines[at]); break;

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "tests/check.hpp"
-#include "verification/case.hpp"
+#include "workflow/case.hpp"
 #include "verification/claims/topics.hpp"
 #include "verification/suite.hpp"
 
@@ -131,7 +131,7 @@ BOOST_AUTO_TEST_CASE(facts_stand_or_fall_and_findings_stand) {
 }
 
 BOOST_AUTO_TEST_CASE(json_has_every_field_and_never_null) {
-  const Json full = verification::to_json(claim_value(sentence("full"), 0.2518, 0.25, 0.001, percent, "a note"));
+  const Json full = to_json(claim_value(sentence("full"), 0.2518, 0.25, 0.001, percent, "a note"));
   for (const char* key : {"id", "rung", "statement", "case", "solver", "measured", "expected", "error", "uncertainty",
                           "tolerance", "verdict", "margin", "note"}) {
     BOOST_TEST_CONTEXT(key) { BOOST_TEST(full.contains(key)); }
@@ -139,7 +139,7 @@ BOOST_AUTO_TEST_CASE(json_has_every_field_and_never_null) {
   for (const char* key : {"value", "basis", "reason"}) BOOST_TEST(full["tolerance"].contains(key));
   BOOST_TEST(full["verdict"] == "pass");
   BOOST_TEST(full["rung"] == 6);
-  const Json unknown = verification::to_json(claim_value(sentence("nan"), unknown_value, 0.25, 0, percent));
+  const Json unknown = to_json(claim_value(sentence("nan"), unknown_value, 0.25, 0, percent));
   BOOST_TEST(!unknown.contains("measured"));
   BOOST_TEST(!unknown.contains("error"));
   BOOST_TEST(unknown["verdict"] == "inconclusive");

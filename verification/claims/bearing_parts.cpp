@@ -15,15 +15,15 @@
 
 #include "bearing/equilibrium.hpp"
 #include "contact/scaling.hpp"
-#include "verification/bearing_check.hpp"
-#include "verification/bearing_run.hpp"
-#include "verification/claims/fits.hpp"
+#include "verification/studies/bearing_check.hpp"
+#include "workflow/bearing_run.hpp"
+#include "verification/studies/fits.hpp"
 #include "verification/claims/topics.hpp"
 #include "verification/exact/martin.hpp"
 #include "verification/exact/sjovall.hpp"
-#include "verification/random_bearing.hpp"
-#include "verification/registry.hpp"
-#include "verification/text.hpp"
+#include "verification/studies/random_bearing.hpp"
+#include "workflow/registry.hpp"
+#include "contact/text.hpp"
 
 namespace ehd::verification {
 

@@ -6,10 +6,10 @@
 #include <limits>
 #include <string>
 
-#include "verification/claims/oils.hpp"
+#include "verification/studies/oils.hpp"
 #include "verification/claims/topics.hpp"
-#include "verification/registry.hpp"
-#include "verification/text.hpp"
+#include "workflow/registry.hpp"
+#include "contact/text.hpp"
 
 namespace ehd::verification {
 

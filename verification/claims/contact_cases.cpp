@@ -10,9 +10,9 @@
 
 #include "contact/estimate.hpp"
 #include "verification/claims/topics.hpp"
-#include "verification/registry.hpp"
-#include "verification/solve_run.hpp"
-#include "verification/text.hpp"
+#include "workflow/registry.hpp"
+#include "workflow/contact_run.hpp"
+#include "contact/text.hpp"
 
 namespace ehd::verification {
 

@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "verification/claims/oils.hpp"
+#include "verification/studies/oils.hpp"
 #include "verification/claims/topics.hpp"
-#include "verification/grid_study.hpp"
-#include "verification/registry.hpp"
-#include "verification/text.hpp"
+#include "verification/studies/grid_study.hpp"
+#include "workflow/registry.hpp"
+#include "contact/text.hpp"
 
 namespace ehd::verification {
 

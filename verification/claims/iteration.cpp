@@ -16,11 +16,11 @@
 #include "fast/newton.hpp"
 #include "reference/hp/newton.hpp"
 #include "reference/newton.hpp"
-#include "verification/claims/fits.hpp"
-#include "verification/claims/oils.hpp"
+#include "verification/studies/fits.hpp"
+#include "verification/studies/oils.hpp"
 #include "verification/claims/topics.hpp"
-#include "verification/registry.hpp"
-#include "verification/text.hpp"
+#include "workflow/registry.hpp"
+#include "contact/text.hpp"
 
 namespace ehd::verification {
 

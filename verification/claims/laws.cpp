@@ -8,9 +8,9 @@
 #include "contact/observables.hpp"
 #include "contact/scaling.hpp"
 #include "verification/claims/topics.hpp"
-#include "verification/output.hpp"
-#include "verification/registry.hpp"
-#include "verification/solve_run.hpp"
+#include "io/output.hpp"
+#include "workflow/registry.hpp"
+#include "workflow/contact_run.hpp"
 
 namespace ehd::verification {
 

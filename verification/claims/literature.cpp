@@ -16,9 +16,9 @@
 #include "contact/film_formulas.hpp"
 #include "verification/claims/topics.hpp"
 #include "verification/exact/sjovall.hpp"
-#include "verification/film_maps.hpp"
-#include "verification/registry.hpp"
-#include "verification/text.hpp"
+#include "verification/studies/film_maps.hpp"
+#include "workflow/registry.hpp"
+#include "contact/text.hpp"
 
 namespace ehd::verification {
 

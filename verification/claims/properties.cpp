@@ -11,11 +11,11 @@
 #include <vector>
 
 #include "bearing/equilibrium.hpp"
-#include "verification/claims/draw.hpp"
-#include "verification/claims/oils.hpp"
+#include "verification/studies/draw.hpp"
+#include "verification/studies/oils.hpp"
 #include "verification/claims/topics.hpp"
-#include "verification/registry.hpp"
-#include "verification/text.hpp"
+#include "workflow/registry.hpp"
+#include "contact/text.hpp"
 
 namespace ehd::verification {
 

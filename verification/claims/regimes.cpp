@@ -13,9 +13,9 @@
 #include "verification/exact/blok.hpp"
 #include "verification/exact/ertel_grubin.hpp"
 #include "verification/exact/martin.hpp"
-#include "verification/grid_study.hpp"
-#include "verification/registry.hpp"
-#include "verification/text.hpp"
+#include "verification/studies/grid_study.hpp"
+#include "workflow/registry.hpp"
+#include "contact/text.hpp"
 
 namespace ehd::verification {
 

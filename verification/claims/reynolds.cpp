@@ -16,12 +16,12 @@
 #include "fast/discretisation.hpp"
 #include "reference/equations.hpp"
 #include "reference/hp/collocation.hpp"
-#include "verification/claims/fits.hpp"
-#include "verification/claims/oils.hpp"
+#include "verification/studies/fits.hpp"
+#include "verification/studies/oils.hpp"
 #include "verification/claims/topics.hpp"
 #include "verification/exact/martin.hpp"
 #include "verification/exact/numerics.hpp"
-#include "verification/registry.hpp"
+#include "workflow/registry.hpp"
 
 namespace ehd::verification {
 

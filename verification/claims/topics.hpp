@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "verification/case.hpp"
+#include "workflow/case.hpp"
 #include "verification/claim.hpp"
 
 namespace ehd::verification {

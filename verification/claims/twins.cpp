@@ -4,9 +4,9 @@
 #include <limits>
 #include <string>
 
-#include "verification/claims/oils.hpp"
+#include "verification/studies/oils.hpp"
 #include "verification/claims/topics.hpp"
-#include "verification/registry.hpp"
+#include "workflow/registry.hpp"
 
 namespace ehd::verification {
 

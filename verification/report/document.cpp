@@ -7,11 +7,11 @@
 #include <sstream>
 #include <system_error>
 
-#include "verification/text.hpp"
+#include "contact/text.hpp"
 
 namespace ehd::report {
 
-using verification::Json;
+using Json;
 
 void View::refuse(const char* required) const {
   throw ReportError(path_ + ": is " +
@@ -73,7 +73,7 @@ std::string View::cell(int digits) const {
   if (!json_) return "";
   if (json_->is_string()) return text();
   if (json_->is_boolean()) return *flag() ? "yes" : "no";
-  if (json_->is_number()) return verification::plain(*number(), digits);
+  if (json_->is_number()) return plain(*number(), digits);
   return json_->dump();
 }
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "verification/output.hpp"
+#include "io/output.hpp"
 
 namespace ehd::report {
 
@@ -23,7 +23,7 @@ class ReportError : public std::runtime_error {
 class View {
  public:
   View() = default;
-  View(const verification::Json& json, std::string path)
+  View(const Json& json, std::string path)
       : json_(json.is_null() ? nullptr : &json), path_(std::move(path)) {}
 
   [[nodiscard]] bool exists() const { return json_ != nullptr; }
@@ -51,14 +51,14 @@ class View {
 
  private:
   [[noreturn]] void refuse(const char* required) const;
-  const verification::Json* json_ = nullptr;
+  const Json* json_ = nullptr;
   std::string path_;
 };
 
 /// results.json is required, bench.json and stress.json are read where they are.
 struct Documents {
-  verification::Json results;
-  verification::Json bench, stress;  ///< null where absent
+  Json results;
+  Json bench, stress;  ///< null where absent
 };
 inline constexpr int results_schema = 2, bench_schema = 1, stress_schema = 1;
 

@@ -4,7 +4,7 @@
 #include <cctype>
 #include <cmath>
 
-#include "verification/text.hpp"
+#include "contact/text.hpp"
 
 namespace ehd::report {
 

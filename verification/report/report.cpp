@@ -2,14 +2,14 @@
 #include "verification/report/report.hpp"
 
 #include "verification/claim.hpp"
-#include "verification/text.hpp"
+#include "contact/text.hpp"
 
 namespace ehd::report {
 
 namespace {
 
 [[noreturn]] void refuse(const std::string& where, const std::string& what) {
-  throw ReportError(verification::one_line(where + ": " + what));
+  throw ReportError(one_line(where + ": " + what));
 }
 
 View required(const View& object, const std::string& key, const std::string& allowed) {
@@ -24,7 +24,7 @@ void require_verdict(const View& judged) {
   const std::string verdict = value.text();
   constexpr std::size_t shown = 60;
   if (verdict != "pass" && verdict != "fail" && verdict != "inconclusive")
-    refuse(value.path(), "\"" + verification::shortened(verdict, shown) + "\" is no verdict; required is " + allowed);
+    refuse(value.path(), "\"" + shortened(verdict, shown) + "\" is no verdict; required is " + allowed);
 }
 
 void require_rung(const View& row) {

@@ -5,7 +5,7 @@
 #include <map>
 
 #include "verification/report/report.hpp"
-#include "verification/text.hpp"
+#include "contact/text.hpp"
 
 namespace ehd::report {
 
@@ -24,7 +24,7 @@ std::string percent(const std::optional<double>& share) {
   return share && std::isfinite(*share) ? markup_to_html(number_markup(100 * *share, 3)) + "\u2009%" : "";
 }
 
-std::string seconds(const std::optional<double>& value) { return value ? verification::plain(*value, 3) + " s" : ""; }
+std::string seconds(const std::optional<double>& value) { return value ? plain(*value, 3) + " s" : ""; }
 
 std::string where(const View& claim) {
   std::string text = claim.text("case");

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "verification/text.hpp"
+#include "contact/text.hpp"
 
 namespace ehd::report {
 
@@ -75,7 +75,7 @@ std::string escaped(std::string_view text) {
   std::string result;
   result.reserve(text.size());
   while (!text.empty()) {
-    const std::size_t length = verification::utf8_length(text);
+    const std::size_t length = utf8_length(text);
     if (length == 0) {
       result += "\uFFFD";
       text.remove_prefix(1);
@@ -116,7 +116,7 @@ std::string pixels(double value) {
 
 std::string number_markup(double value, int digits) {
   if (!std::isfinite(value)) return "?";
-  std::string text = verification::plain(value, digits);
+  std::string text = plain(value, digits);
   std::string power;
   if (const auto e = text.find('e'); e != std::string::npos) {
     power = std::to_string(std::atoi(text.c_str() + e + 1));
@@ -184,7 +184,7 @@ double text_width(std::string_view markup, double size) {
     double em = 0;
     std::string_view rest = run.text;
     while (!rest.empty()) {
-      const std::size_t length = std::max<std::size_t>(1, verification::utf8_length(rest));
+      const std::size_t length = std::max<std::size_t>(1, utf8_length(rest));
       const char c = rest.front();
       if (length > 1) {
         em += 0.6;

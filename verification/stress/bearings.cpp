@@ -11,13 +11,13 @@
 
 #include "bearing/equilibrium.hpp"
 #include "contact/hertz.hpp"
-#include "verification/bearing_check.hpp"
-#include "verification/bearing_run.hpp"
+#include "verification/studies/bearing_check.hpp"
+#include "workflow/bearing_run.hpp"
 #include "verification/claim.hpp"
-#include "verification/parallel.hpp"
-#include "verification/random_bearing.hpp"
+#include "workflow/parallel.hpp"
+#include "verification/studies/random_bearing.hpp"
 #include "verification/stress/parts.hpp"
-#include "verification/text.hpp"
+#include "contact/text.hpp"
 
 namespace ehd::verification::stress {
 

@@ -5,11 +5,11 @@
 #include <map>
 
 #include "verification/claim.hpp"
-#include "verification/claims/oils.hpp"
-#include "verification/parallel.hpp"
+#include "verification/studies/oils.hpp"
+#include "workflow/parallel.hpp"
 #include "verification/stress/parts.hpp"
-#include "verification/text.hpp"
-#include "verification/timing.hpp"
+#include "contact/text.hpp"
+#include "verification/bench/timing.hpp"
 
 namespace ehd::verification::stress {
 

@@ -5,7 +5,7 @@
 #include <random>
 
 #include "verification/stress/parts.hpp"
-#include "verification/text.hpp"
+#include "contact/text.hpp"
 
 namespace ehd::verification::stress {
 

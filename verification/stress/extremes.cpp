@@ -12,10 +12,10 @@
 #include <limits>
 #include <numbers>
 
-#include "verification/child.hpp"
-#include "verification/parallel.hpp"
+#include "verification/bench/child.hpp"
+#include "workflow/parallel.hpp"
 #include "verification/stress/parts.hpp"
-#include "verification/text.hpp"
+#include "contact/text.hpp"
 
 namespace ehd::verification::stress {
 

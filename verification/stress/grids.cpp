@@ -28,10 +28,10 @@
 #include <tuple>
 
 #include "contact/observables.hpp"
-#include "verification/claims/oils.hpp"
-#include "verification/parallel.hpp"
+#include "verification/studies/oils.hpp"
+#include "workflow/parallel.hpp"
 #include "verification/stress/parts.hpp"
-#include "verification/text.hpp"
+#include "contact/text.hpp"
 
 namespace ehd::verification::stress {
 

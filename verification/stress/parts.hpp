@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "contact/solver.hpp"
-#include "verification/registry.hpp"
+#include "workflow/registry.hpp"
 #include "verification/stress/stress.hpp"
 
 namespace ehd::verification::stress {

@@ -13,11 +13,11 @@
 #include "contact/observables.hpp"
 #include "reference/equations.hpp"
 #include "reference/hp/collocation.ipp"
-#include "verification/claims/oils.hpp"
-#include "verification/parallel.hpp"
+#include "verification/studies/oils.hpp"
+#include "workflow/parallel.hpp"
 #include "verification/quad.hpp"
 #include "verification/stress/parts.hpp"
-#include "verification/text.hpp"
+#include "contact/text.hpp"
 
 namespace ehd::verification::stress {
 

@@ -4,11 +4,11 @@
 #include <bit>
 #include <cstdint>
 
-#include "verification/batch.hpp"
-#include "verification/child.hpp"
-#include "verification/claims/oils.hpp"
+#include "workflow/batch.hpp"
+#include "verification/bench/child.hpp"
+#include "verification/studies/oils.hpp"
 #include "verification/stress/parts.hpp"
-#include "verification/text.hpp"
+#include "contact/text.hpp"
 
 namespace ehd::verification::stress {
 

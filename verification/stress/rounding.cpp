@@ -9,11 +9,11 @@
 #include <cfenv>
 #include <cmath>
 
-#include "verification/child.hpp"
+#include "verification/bench/child.hpp"
 #include "verification/claim.hpp"
-#include "verification/claims/oils.hpp"
+#include "verification/studies/oils.hpp"
 #include "verification/stress/parts.hpp"
-#include "verification/text.hpp"
+#include "contact/text.hpp"
 
 namespace ehd::verification::stress {
 

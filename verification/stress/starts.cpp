@@ -17,10 +17,10 @@
 #include "reference/hp/newton.hpp"
 #include "reference/newton.hpp"
 #include "verification/claim.hpp"
-#include "verification/claims/oils.hpp"
-#include "verification/parallel.hpp"
+#include "verification/studies/oils.hpp"
+#include "workflow/parallel.hpp"
 #include "verification/stress/parts.hpp"
-#include "verification/text.hpp"
+#include "contact/text.hpp"
 
 namespace ehd::verification::stress {
 

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <exception>
 
-#include "verification/provenance.hpp"
+#include "io/provenance.hpp"
 #include "verification/stress/parts.hpp"
-#include "verification/text.hpp"
+#include "contact/text.hpp"
 
 namespace ehd::verification::stress {
 

@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-#include "verification/output.hpp"
+#include "io/output.hpp"
 #include "verification/tolerance.hpp"
 
 namespace ehd::verification::stress {

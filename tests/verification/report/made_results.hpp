@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "verification/output.hpp"
+#include "io/output.hpp"
 
 namespace ehd::verification::test {
 

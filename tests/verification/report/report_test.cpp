@@ -8,7 +8,7 @@
 #include <tuple>
 
 #include "tests/check.hpp"
-#include "tests/verification/process.hpp"
+#include "tests/process.hpp"
 #include "tests/verification/report/made_results.hpp"
 #include "tests/verification/report/markup.hpp"
 

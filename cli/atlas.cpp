@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// ehd atlas: the certified solutions over M and L, with the digits that are known.
+#include "verification/atlas/atlas.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+#include "cli/commands.hpp"
+#include "cli/common.hpp"
+#include "contact/text.hpp"
+
+namespace ehd::cli {
+
+namespace {
+
+struct AtlasOptions {
+  std::optional<std::string> output, tolerance, time_limit, threads, only;
+  bool fresh = false;
+};
+
+const char* examples = R"(
+Examples:
+  ehd atlas                                the whole atlas, into cases/atlas
+  ehd atlas --output out/atlas             the same elsewhere
+  ehd atlas --only roelands-m20-           the points with this in their id; the others stay as they are
+  ehd atlas --only barus --fresh           solved again, whatever an earlier run has left
+
+An interrupted run goes on where it ended: every solved point leaves a record in DIR/.progress, which holds until the
+solver, the tolerance or (for a point that ran out of time) the time limit changes. A point that is not known to 1e-4
+is listed without digits. Exit code: 0 the atlas is written; 1 not one of the points has digits; 2 bad input or usage.)";
+
+constexpr int most_threads = 1024;
+
+/// One line a point on standard error.
+std::string progress_line(std::size_t done, std::size_t all, const verification::AtlasRecord& record) {
+  const auto error_of = [&](const char* name) -> std::string {
+    const auto at = record.readings.find(name);
+    if (at == record.readings.end()) return "none";
+    return with_absolute_error(at->second.value, at->second.error);
+  };
+  const std::string counter = std::to_string(done), total = std::to_string(all);
+  return "[" + std::string(total.size() - std::min(total.size(), counter.size()), ' ') + counter + "/" + total + "] " +
+         record.id + ": " + std::string(to_string(record.status)) + ", H_min " + error_of("H_min") + ", H_cen " +
+         error_of("H_cen") + ", " + plain(record.wall_s, 3) + " s";
+}
+
+/// Says what an interrupted run leaves, then ends as the signal asks. Only what a signal handler may call.
+extern "C" void tell_interrupted(int signal) {
+  constexpr std::string_view message =
+      "\nehd: atlas: interrupted; the solved points are kept, and the same command goes on from there\n";
+  [[maybe_unused]] const auto written = ::write(STDERR_FILENO, message.data(), message.size());
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+}
+
+int atlas(const AtlasOptions& options) {
+  RequestOptions limits;
+  limits.tolerance = options.tolerance;
+  limits.time_limit = options.time_limit;
+  const Request checked = limits.request();
+
+  verification::AtlasRequest request;
+  request.points = verification::atlas_points();
+  request.only = options.only.value_or("");
+  if (options.tolerance) {
+    request.tolerance = checked.tolerance;
+    if (*request.tolerance > verification::atlas_worst_error)
+      throw option_error("--tolerance", *options.tolerance,
+                         "is too loose for digits; allowed is a number > 0, up to " +
+                             plain(verification::atlas_worst_error));
+  }
+  if (options.time_limit) request.time_limit_s = checked.time_limit_s;
+  if (options.threads) {
+    const int threads = parse_integer("--threads", *options.threads);
+    if (threads < 1 || threads > most_threads)
+      throw option_error("--threads", *options.threads,
+                         "is out of range; allowed is an integer, 1 to " + std::to_string(most_threads));
+    request.threads = static_cast<unsigned>(threads);
+  }
+  request.fresh = options.fresh;
+  if (verification::selected_points(request).empty())
+    throw option_error("--only", request.only,
+                       "is in no id; allowed is a part of an id like " + request.points.back().id());
+  if (options.output && options.output->empty()) throw option_error("--output", "", "is empty; allowed is a folder");
+  request.folder = options.output ? std::filesystem::path(*options.output) : verification::atlas_folder();
+
+  std::size_t reused_so_far = 0;
+  bool told = false;
+  request.progress = [&](std::size_t done, std::size_t all, const verification::AtlasRecord& record, bool reused) {
+    reused_so_far += reused ? 1 : 0;
+    if (!told && reused_so_far > 0 && (!reused || done == all)) {
+      complain(std::to_string(reused_so_far) + " of " + std::to_string(all) + " points are known from an earlier run");
+      told = true;
+    }
+    if (!reused) complain(progress_line(done, all, record));
+  };
+  for (const int signal : {SIGINT, SIGTERM}) {
+    if (std::signal(signal, tell_interrupted) == SIG_IGN) std::signal(signal, SIG_IGN);  // as nohup asks
+  }
+  const auto& solver = solver_named("reference");
+  const auto result = verification::run_atlas(request, solver);
+  print(human_summary(result));
+  const bool any = std::any_of(result.entries.begin(), result.entries.end(),
+                               [](const auto& entry) { return entry.record.has_digits(); });
+  if (any) return success;
+  complain("ehd: atlas: not one of " + std::to_string(result.entries.size()) + " points is known to 1e-4");
+  return not_met;
+}
+
+}  // namespace
+
+void add_atlas(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<AtlasOptions>();
+  CLI::App* command = app.add_subcommand("atlas", "Solve the atlas of line contacts");
+  command->footer(examples);
+  command->add_option("--output", options->output, "folder for atlas.csv, digits.txt and the case files (cases/atlas)")
+      ->type_name("DIR");
+  command
+      ->add_option("--tolerance", options->tolerance,
+                   "relative error allowed in the minimum and central film (1e-10; Barus 1e-7)")
+      ->type_name("T");
+  command->add_option("--time-limit", options->time_limit, "seconds for each solve (30)")->type_name("S");
+  command->add_option("--threads", options->threads, "points solved side by side (as many as there are cores)")
+      ->type_name("N");
+  command->add_option("--only", options->only, "only points with this in their id")->type_name("SUBSTRING");
+  command->add_flag("--fresh", options->fresh, "solve every point again");
+  command->callback([options, &exit_code] { run_guarded(exit_code, [&] { return atlas(*options); }); });
+}
+
+}  // namespace ehd::cli

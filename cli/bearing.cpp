@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// ehd bearing: the load distribution of one or more bearing cases.
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "workflow/bearing_run.hpp"
+#include "workflow/case.hpp"
+#include "cli/commands.hpp"
+#include "cli/common.hpp"
+#include "verification/studies/error_budget.hpp"
+#include "verification/report/report.hpp"
+#include "contact/text.hpp"
+
+namespace ehd::cli {
+
+namespace {
+
+using namespace verification;
+
+struct BearingOptions {
+  std::vector<std::string> cases, laws;
+  std::optional<std::string> json, plot, csv;
+  std::string solver = "fast", form = "plane";
+  std::optional<std::string> cage_positions;
+  RequestOptions limits;
+};
+
+const char* examples = R"(
+Examples:
+  ehd bearing na4908                                   dry and EHD laws side by side
+  ehd bearing na4908 na4908-2.5um na4908-10um          three clearances; the paper's statements judged
+  ehd bearing harris-209 --law hertz --law iso         dry laws only
+  ehd bearing na4908 --cage-positions 24               and the displacement while the cage turns by one pitch
+  ehd bearing na4908 --law ehd-linear --json -         one result as JSON on standard output
+  ehd bearing na4908 na4908-10um --plot loads.svg --csv loads.csv
+                                                       contact forces and displacements over the azimuth
+
+Exit code: 0 all laws balanced; 1 one did not; 2 bad input or usage.)";
+
+/// The laws in the order given, each once. Throws UsageError.
+std::vector<BearingLaw> laws_named(const std::vector<std::string>& names) {
+  std::vector<BearingLaw> laws;
+  for (const std::string& name : names) {
+    const auto law = bearing_law_from(name);
+    if (!law) throw option_error("--law", name, "is unknown; allowed is " + bearing_law_names());
+    if (std::find(laws.begin(), laws.end(), *law) == laws.end()) laws.push_back(*law);
+  }
+  return laws;
+}
+
+/// Throws UsageError.
+bearing::Form form_named(const std::string& name) {
+  for (const bearing::Form form : {bearing::Form::plane, bearing::Form::radial})
+    if (name == to_string(form)) return form;
+  throw option_error("--form", name, "is unknown; allowed is plane or radial");
+}
+
+/// 0 where it is not asked for. Throws UsageError.
+int positions_asked(const std::optional<std::string>& text) {
+  if (!text) return 0;
+  constexpr int fewest = 2, most = 10000;
+  const int positions = parse_integer("--cage-positions", *text);
+  if (positions < fewest || positions > most)
+    throw option_error("--cage-positions", *text,
+                       "is out of range; allowed is an integer from " + std::to_string(fewest) + " to " + std::to_string(most));
+  return positions;
+}
+
+/// The cases that were read, and what was computed of each.
+struct Computed {
+  std::vector<Case> cases;
+  std::vector<std::vector<BearingResult>> results;
+};
+
+std::string statements_of(const Computed& computed, ContactMemory& memory, bearing::Form form) {
+  if (computed.cases.size() < 3 || !differ_only_in_clearance(computed.cases)) return "";
+  std::string text;
+  for (const BearingLaw law : {BearingLaw::ehd_linear, BearingLaw::ehd}) {
+    std::vector<ClearanceComparison> clearances;
+    for (std::size_t k = 0; k < computed.cases.size(); ++k) {
+      const BearingResult *dry = nullptr, *film = nullptr;
+      for (const BearingResult& result : computed.results[k]) {
+        if (result.law == BearingLaw::hertz) dry = &result;
+        if (result.law == law) film = &result;
+      }
+      if (!dry || !film) break;
+      clearances.push_back({std::get<BearingCase>(computed.cases[k].body).geometry.clearance_m, *dry, *film});
+    }
+    const auto statements = judge_paper_statements(clearances);
+    if (statements.empty()) continue;
+    text += "\nThe paper's statements, hertz against " + std::string(to_string(law)) +
+            " with the datum of the cases\n" + human_statements(statements);
+    text += "\nThe same for other data (dry/" + std::string(to_string(law)) + " at psi = 0)\n" +
+            human_data(compare_data(computed.cases, law, memory, form), scan_datum(computed.cases, law, memory, form));
+  }
+  return text;
+}
+
+/// A row a roller: what the paper's figures show.
+std::string csv_of(const Computed& computed) {
+  std::string text =
+      "case,clearance_m,law,azimuth_deg,inner_force_N,inner_displacement_m,inner_film_minimum_m,inner_hertz_pressure_Pa,"
+      "outer_force_N,outer_displacement_m,outer_film_minimum_m,outer_hertz_pressure_Pa\n";
+  const auto cell = [](const std::optional<double>& value) { return "," + (value ? plain(*value, 17) : std::string()); };
+  for (std::size_t k = 0; k < computed.cases.size(); ++k) {
+    const auto& body = std::get<BearingCase>(computed.cases[k].body);
+    for (const BearingResult& result : computed.results[k])
+      for (const RollerRow& roller : result.rollers) {
+        text += computed.cases[k].id + cell(body.geometry.clearance_m) + "," + std::string(to_string(result.law)) +
+                cell(roller.azimuth_deg);
+        for (const ContactRow* at : {&roller.inner, &roller.outer})
+          text += cell(at->force_N) + cell(at->displacement_m) + cell(at->film_minimum_m) + cell(at->hertz_pressure_Pa);
+        text += "\n";
+      }
+  }
+  return text;
+}
+
+/// Contact forces over the azimuth, a panel a case; absent where nothing balanced.
+std::optional<std::string> plot_of(const Computed& computed) {
+  report::Figure figure{
+      .id = "bearing",
+      .title = "Contact forces and displacements over the azimuth",
+      .description = "Contact force and displacement of each roller at the inner raceway over its azimuth, a curve a law, "
+                     "two panels a case.",
+      .width = 560};
+  bool any = false;
+  for (std::size_t k = 0; k < computed.cases.size(); ++k) {
+    const Case& one = computed.cases[k];
+    std::vector<report::BearingCurves> laws;
+    for (const BearingResult& result : computed.results[k]) {
+      report::BearingCurves curves{
+          .law = std::string(to_string(result.law)), .azimuth_deg = {}, .force_N = {}, .displacement_m = {}};
+      for (const RollerRow& roller : result.rollers) {
+        curves.azimuth_deg.push_back(roller.azimuth_deg);
+        curves.force_N.push_back(roller.inner.force_N);
+        curves.displacement_m.push_back(roller.inner.displacement_m);
+      }
+      any = any || !result.rollers.empty();
+      if (!result.rollers.empty()) laws.push_back(std::move(curves));
+    }
+    constexpr std::size_t fits = 80;
+    figure.panels.push_back(report::azimuth_panel(
+        report::OverAzimuth::force, report::literal(shortened(one_line(one.id + ": " + one.title), fits)), laws));
+    figure.panels.push_back(report::azimuth_panel(report::OverAzimuth::displacement, report::literal(one_line(one.id)), laws));
+  }
+  return any ? std::optional(report::draw(figure, report::Place::file)) : std::nullopt;
+}
+
+int bearing(const BearingOptions& options) {
+  const std::vector<BearingLaw> named = laws_named(options.laws);
+  const bearing::Form form = form_named(options.form);
+  const int positions = positions_asked(options.cage_positions);
+  const RegisteredSolver& solver = solver_named(options.solver);
+  Computed computed;
+  for (const std::string& name : options.cases) {
+    computed.cases.push_back(read_case(find_case(name)));
+    const Case& last = computed.cases.back();
+    if (!std::holds_alternative<BearingCase>(last.body))
+      throw case_error(last, "", "this is a contact; allowed is a bearing case (ehd solve solves this one)");
+  }
+  const auto asked_of = [&](const Case& one) {
+    const auto& body = std::get<BearingCase>(one.body);
+    return BearingRequest{.laws = named.empty() ? default_laws(body) : named,
+                          .explicitly = !named.empty(),
+                          .films = true,
+                          .form = form,
+                          .cage_positions = positions};
+  };
+  for (const Case& one : computed.cases) require_possible(one, asked_of(one));
+  std::vector<NamedFile> inputs, outputs;
+  for (const Case& one : computed.cases) inputs.push_back({"the case " + one.id, one.file});
+  if (options.json) outputs.push_back({"--json", *options.json});
+  if (options.plot) outputs.push_back({"--plot", *options.plot});
+  if (options.csv) outputs.push_back({"--csv", *options.csv});
+  require_distinct(inputs, outputs);
+  JsonTarget json(options.json);
+  std::optional<OutputFile> plot;
+  if (options.plot) plot.emplace(*options.plot);
+  std::optional<OutputFile> csv;
+  if (options.csv) csv.emplace(*options.csv);
+
+  const Request limits = options.limits.request();
+  Request request = ContactMemory::bearing_request();
+  request.max_iterations = limits.max_iterations;
+  request.time_limit_s = limits.time_limit_s;
+  Progress progress;
+  long solved = 0;
+  std::string current;
+  ContactMemory memory(
+      [&](const Problem& problem, const Request& with) {
+        progress.show(current + ": contact " + std::to_string(++solved) + " ...");
+        return solver.solve(problem, with);
+      },
+      request);
+
+  Json list = Json::array();
+  std::string text;
+  std::vector<std::string> complaints;
+  int exit_code = success;
+  for (const Case& one : computed.cases) {
+    current = one.id;
+    const auto& body = std::get<BearingCase>(one.body);
+    computed.results.push_back(run_bearing(one, asked_of(one), memory));
+    std::string budgets;
+    for (const BearingResult& result : computed.results.back()) {
+      list.push_back(to_json(result));
+      const auto budget = budget_of(one, computed.results.back(), result.law, memory);
+      if (!budget.empty()) {
+        list.back()["error_budget"] = to_json(budget);
+        budgets += "\n  error budget of " + std::string(to_string(result.law)) + ": what may move its balance\n" + human_budget(budget);
+      }
+      if (result.status == StopReason::converged) continue;
+      exit_code = not_met;
+      complaints.push_back("ehd: " + one.id + ": " + std::string(to_string(result.law)) + ": " +
+                           std::string(to_string(result.status)) + ": " + result.why);
+    }
+    text += (text.empty() ? "" : "\n") + human_table(one, computed.results.back()) + budgets;
+    if (!body.lubricant && named.empty()) text += "\n  ehd-linear and ehd are skipped: the case has no lubricant\n";
+  }
+  if (!json.to_standard_output()) text += statements_of(computed, memory, form);
+  progress.show("");
+  json.write(list.size() == 1 ? list.front() : list);
+  if (csv) csv->commit(csv_of(computed));
+  if (plot) {
+    if (const auto svg = plot_of(computed))
+      plot->commit(*svg);
+    else
+      complaints.push_back("ehd: bearing: nothing balanced, and no plot is written");
+  }
+  if (!json.to_standard_output()) print(text);
+  for (const std::string& complaint : complaints) complain(complaint);
+  return exit_code;
+}
+
+}  // namespace
+
+void add_bearing(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<BearingOptions>();
+  CLI::App* command = app.add_subcommand("bearing", "Load distribution of a roller bearing, dry and with films");
+  command->footer(examples);
+  command->add_option("CASE", options->cases, "case files (TOML), or ids of benchmark cases")->required();
+  command
+      ->add_option("--law", options->laws,
+                   "contact law (repeatable): " + bearing_law_names() +
+                       " (hertz, ehd-linear, ehd; hertz alone without a lubricant)")
+      ->allow_extra_args(false);
+  command->add_option("--solver", options->solver, "solver of the EHD contacts, one of " + solver_names())
+      ->capture_default_str();
+  command
+      ->add_option("--form", options->form,
+                   "plane: the ring moves along and across the load; radial: along it only, as in the paper")
+      ->capture_default_str();
+  command->add_option("--cage-positions", options->cage_positions,
+                      "also balance at this many positions of the cage over one pitch");
+  options->limits.add_to(*command, false);
+  command->add_option("--json", options->json, "the results as JSON into a file, or - for standard output");
+  command->add_option("--plot", options->plot, "contact forces and displacements over the azimuth as a figure, SVG");
+  command->add_option("--csv", options->csv, "forces, displacements and films, a row a roller");
+  command->callback([options, &exit_code] { run_guarded(exit_code, [&] { return bearing(*options); }); });
+}
+
+}  // namespace ehd::cli

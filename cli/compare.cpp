@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// ehd compare: solvers side by side on each case: time, films, the error that a solver reports and the one that it has.
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "workflow/case.hpp"
+#include "cli/commands.hpp"
+#include "cli/common.hpp"
+#include "workflow/contact_run.hpp"
+#include "contact/text.hpp"
+#include "verification/bench/work_precision.hpp"
+
+namespace ehd::cli {
+
+namespace {
+
+using Case;
+using ContactRun;
+using Expectation;
+using ExpectationKind;
+using plain;
+using RegisteredSolver;
+
+struct CompareOptions {
+  std::vector<std::string> cases, solvers, tolerances;
+  std::optional<std::string> json;
+  RequestOptions limits;
+};
+
+const char* examples = R"(
+Examples:
+  ehd compare own-moes-20-10 own-moes-100-10
+  ehd compare own-moes-20-10 --solver fast --solver reference --tolerance 1e-3
+  ehd compare own-barus-3-4-flooded --json comparison.json
+
+The error achieved is held against the case's own expectation where there is one (the most certain), else against the
+run with the smallest error estimate. Exit code: 0 every run converged; 1 not; 2 bad input or usage.)";
+
+constexpr Quantity films[] = {Quantity::film_minimum, Quantity::film_central};
+
+struct Row {
+  double tolerance = 0;
+  ContactRun run;
+  std::optional<double> reported[2] = {};  ///< of each film, relative
+  std::optional<double> achieved[2] = {};
+};
+
+const Reading* film_of(const ContactRun& run, Quantity quantity) {
+  const auto at = run.solution.observables.find(quantity);
+  return at == run.solution.observables.end() ? nullptr : &at->second;
+}
+
+/// The most certain number that somebody vouches for; a regression is none.
+const Expectation* truth_of(const Case& contact_case, Quantity quantity) {
+  const Expectation* best = nullptr;
+  for (const auto& expectation : contact_case.expectations) {
+    if (expectation.waiting || expectation.kind == ExpectationKind::fit) continue;
+    if (expectation.quantity != to_string(quantity)) continue;
+    if (!best || expectation.uncertainty < best->uncertainty) best = &expectation;
+  }
+  return best;
+}
+
+/// Fills the achieved errors of one film; returns what they are held against.
+std::string judge_film(const Case& contact_case, std::vector<Row>& rows, std::size_t film) {
+  const Quantity quantity = films[film];
+  if (const Expectation* truth = truth_of(contact_case, quantity)) {
+    for (Row& row : rows) {
+      const auto measured = measure(row.run, *truth);
+      if (measured && truth->value != 0)
+        row.achieved[film] = std::abs(measured->value - truth->value) / std::abs(truth->value);
+    }
+    return "the case's " + truth->digits + " (relative uncertainty " + plain(truth->uncertainty, 2) + ")";
+  }
+  const Row* tightest = nullptr;
+  for (const Row& row : rows) {
+    if (row.run.status() != StopReason::converged || !row.reported[film]) continue;
+    if (!tightest || *row.reported[film] < *tightest->reported[film]) tightest = &row;
+  }
+  if (!tightest) return "nothing: no expectation, and no run converged";
+  const double value = film_of(tightest->run, quantity)->value;
+  for (Row& row : rows) {
+    const Reading* reading = film_of(row.run, quantity);
+    if (reading && &row != tightest) row.achieved[film] = std::abs(reading->value - value) / std::abs(value);
+  }
+  return "the tightest run, " + tightest->run.solver + " at " + plain(tightest->tolerance);
+}
+
+std::string cell(const std::optional<double>& value) { return value ? plain(*value, 2) : "-"; }
+
+int compare(const CompareOptions& options) {
+  if (options.cases.empty()) throw UsageError("compare: a CASE is missing; required is at least one");
+  std::vector<const RegisteredSolver*> solvers;
+  for (const auto& name : options.solvers.empty() ? std::vector<std::string>{"reference", "fast"} : options.solvers)
+    solvers.push_back(&solver_named(name));
+  std::vector<Request> requests;
+  for (const auto& tolerance :
+       options.tolerances.empty() ? std::vector<std::string>{"1e-2", "1e-3", "1e-4"} : options.tolerances) {
+    RequestOptions one = options.limits;
+    one.tolerance = tolerance;
+    requests.push_back(one.request());
+  }
+  // Everything that can be refused is refused before the first solve.
+  const std::vector<Case> cases = verification::contacts_named(options.cases);
+  if (options.json) {
+    std::vector<NamedFile> inputs;
+    for (const Case& one : cases) inputs.push_back({"the case " + one.id, one.file});
+    require_distinct(inputs, {{"--json", *options.json}});
+  }
+  JsonTarget json(options.json);
+
+  Json list = Json::array();
+  bool all_converged = true;
+  for (const Case& contact_case : cases) {
+    std::vector<Row> rows;
+    {
+      Progress progress;
+      for (const RegisteredSolver* solver : solvers) {
+        for (const Request& request : requests) {
+          progress.show(contact_case.id + ": " + solver->name + " at " + plain(*request.tolerance) + " ...");
+          Row row{.tolerance = *request.tolerance, .run = run_contact(contact_case, *solver, request)};
+          for (std::size_t film = 0; film < 2; ++film) {
+            if (const Reading* reading = film_of(row.run, films[film])) row.reported[film] = reading->error;
+          }
+          rows.push_back(std::move(row));
+        }
+      }
+    }
+    const std::string against[2] = {judge_film(contact_case, rows, 0), judge_film(contact_case, rows, 1)};
+
+    std::vector<std::vector<std::string>> table{{"solver", "tolerance", "status", "H_min", "reported", "achieved",
+                                                 "H_cen", "reported", "achieved", "time [ms]", "work units",
+                                                 "intervals"}};
+    Json runs = Json::array();
+    for (const Row& row : rows) {
+      const bool converged = row.run.status() == StopReason::converged;
+      all_converged = all_converged && converged;
+      if (!converged)
+        complain("ehd: " + contact_case.id + ": " + row.run.solver + " at " + plain(row.tolerance) + ": " +
+                 std::string(to_string(row.run.status())) +
+                 (row.run.solution.record.reason.empty() ? "" : ": " + row.run.solution.record.reason));
+      std::vector<std::string> cells{row.run.solver, plain(row.tolerance), std::string(to_string(row.run.status()))};
+      for (std::size_t film = 0; film < 2; ++film) {
+        const Reading* reading = film_of(row.run, films[film]);
+        cells.push_back(reading ? with_error(reading->value, reading->error) : "-");
+        cells.push_back(cell(row.reported[film]));
+        cells.push_back(cell(row.achieved[film]));
+      }
+      const Cost& cost = row.run.solution.record.cost;
+      cells.push_back(plain(1e3 * cost.wall_s, 3));
+      cells.push_back(cost.nodes > 0 ? plain(cost.work_units, 3) : "-");
+      cells.push_back(cost.nodes > 0 ? std::to_string(cost.nodes) : "-");
+      table.push_back(cells);
+
+      Json entry = to_json(row.run);
+      put(entry, "tolerance", row.tolerance);
+      Json achieved = Json::object();
+      put(achieved, "film.minimum", row.achieved[0]);
+      put(achieved, "film.central", row.achieved[1]);
+      entry["achieved_error"] = achieved;
+      runs.push_back(entry);
+    }
+    list.push_back({{"case", contact_case.id},
+                    {"version", contact_case.version},
+                    {"truth", {{"film.minimum", against[0]}, {"film.central", against[1]}}},
+                    {"runs", runs}});
+    if (json.to_standard_output()) continue;
+    constexpr std::size_t names = 3;
+    print(contact_case.id + ": " + contact_case.title + "\n" + aligned(table, names, "  ") +
+          "  achieved: H_min against " + against[0] + "\n            H_cen against " + against[1] + "\n\n");
+  }
+  json.write(list);
+  return all_converged ? success : not_met;
+}
+
+}  // namespace
+
+void add_compare(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<CompareOptions>();
+  CLI::App* command = app.add_subcommand("compare", "Solvers side by side: time, error, work");
+  command->footer(examples);
+  command->add_option("CASE", options->cases, "case files (TOML), or ids of benchmark cases");
+  command
+      ->add_option("--solver", options->solvers,
+                   "one of " + solver_names() + " (repeatable; reference and fast)")
+      ->allow_extra_args(false);
+  command->add_option("--tolerance", options->tolerances, "relative error of the films (repeatable; 1e-2, 1e-3, 1e-4)")
+      ->allow_extra_args(false);
+  options->limits.add_to(*command, false);
+  command->add_option("--json", options->json, "the comparison as JSON into a file, or - for standard output");
+  command->callback([options, &exit_code] { run_guarded(exit_code, [&] { return compare(*options); }); });
+}
+
+}  // namespace ehd::cli

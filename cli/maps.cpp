@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// ehd maps: the film formulas and the cut inlet over M and L, from the atlas.
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "verification/atlas/atlas.hpp"
+#include "cli/commands.hpp"
+#include "cli/common.hpp"
+#include "verification/studies/film_maps.hpp"
+
+namespace ehd::cli {
+
+namespace {
+
+struct MapsOptions {
+  std::optional<std::string> output, quantity, laws;
+};
+
+const char* examples = R"(
+Examples:
+  ehd maps                                      every formula, Roelands and compressible
+  ehd maps --quantity film.minimum --laws barus
+  ehd maps --output out/maps                    leaves formula_maps.csv and inlet_maps.csv: all films and laws
+
+The films are those of cases/atlas (certified, ehd atlas made them): nothing is solved, and nothing is judged.)";
+
+int maps(const MapsOptions& options) {
+  const std::string quantity = options.quantity.value_or("");
+  if (options.quantity && quantity != "film.minimum" && quantity != "film.central")
+    throw option_error("--quantity", quantity, "is unknown; allowed is film.minimum, film.central");
+  auto laws = verification::AtlasLaws::roelands;
+  if (options.laws) {
+    if (*options.laws == "barus") {
+      laws = verification::AtlasLaws::barus;
+    } else if (*options.laws != "roelands") {
+      throw option_error("--laws", *options.laws, "is unknown; allowed is roelands, barus");
+    }
+  }
+  const auto all = verification::film_maps(verification::atlas_folder());
+  std::optional<OutputFolder> folder;
+  std::optional<OutputFile> formulas, inlets;
+  if (options.output) {
+    folder.emplace(*options.output);
+    formulas.emplace(folder->path() / "formula_maps.csv");
+    inlets.emplace(folder->path() / "inlet_maps.csv");
+    formulas->commit(formula_maps_csv(all));
+    inlets->commit(inlet_maps_csv(all));
+  }
+  print(human_maps(all, quantity, laws));
+  return success;
+}
+
+}  // namespace
+
+void add_maps(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<MapsOptions>();
+  CLI::App* command = app.add_subcommand("maps", "Film formulas and cut inlets against certified films, over M and L");
+  command->footer(examples);
+  command->add_option("--output", options->output, "folder for formula_maps.csv and inlet_maps.csv")->type_name("DIR");
+  command->add_option("--quantity", options->quantity, "film.minimum or film.central (both)")->type_name("FILM");
+  command->add_option("--laws", options->laws, "roelands or barus (roelands)")->type_name("LAWS");
+  command->callback([options, &exit_code] { run_guarded(exit_code, [&] { return maps(*options); }); });
+}
+
+}  // namespace ehd::cli

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// ehd plan: what would be computed, what is skipped, and why. Nothing is solved.
+#include "workflow/contact_plan.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "workflow/bearing_run.hpp"
+#include "workflow/case.hpp"
+#include "cli/commands.hpp"
+#include "cli/common.hpp"
+
+namespace ehd::cli {
+
+namespace {
+
+using Case;
+
+struct PlanOptions {
+  std::string case_name;
+  std::optional<std::string> solver;
+  std::vector<std::string> quantities, laws;
+  std::optional<std::string> json;
+  RequestOptions request;
+};
+
+const char* examples = R"(
+Examples:
+  ehd plan own-moes-20-10                              the stages of a contact
+  ehd plan own-isoviscous-10-0 --solver reference      no viscosity law, no FFT
+  ehd plan own-moes-20-10 --quantity film.minimum      nothing else is observed
+  ehd plan na4908 --law hertz                          a bearing with dry contacts)";
+
+std::vector<BearingLaw> laws_named(const std::vector<std::string>& names) {
+  std::vector<BearingLaw> laws;
+  for (const auto& name : names) {
+    const auto law = bearing_law_from(name);
+    if (!law) throw option_error("--law", name, "is unknown; allowed is " + bearing_law_names());
+    if (std::find(laws.begin(), laws.end(), *law) == laws.end()) laws.push_back(*law);
+  }
+  return laws;
+}
+
+int plan(const PlanOptions& options) {
+  const auto& solver = solver_named(options.solver.value_or("fast"));
+  const Request request = options.request.request();
+  const Wanted wanted = quantities_named(options.quantities);
+  const Case any = read_case(find_case(options.case_name));
+  if (options.json) require_distinct({{"the case", any.file}}, {{"--json", *options.json}});
+  // What the command itself would refuse has no plan.
+  Plan made;
+  if (const auto* bearing = std::get_if<BearingCase>(&any.body)) {
+    if (options.solver || !options.quantities.empty() || options.request.tolerance || options.request.nodes)
+      throw UsageError(
+          "plan: --solver, --quantity, --tolerance and --nodes belong to a contact; allowed with a bearing "
+          "case is --law");
+    const auto named = laws_named(options.laws);
+    const auto laws = named.empty() ? default_laws(*bearing) : named;
+    require_possible(any, {.laws = laws, .explicitly = !named.empty()});
+    made = plan_bearing(*bearing, laws);
+  } else {
+    if (!options.laws.empty())
+      throw UsageError("plan: --law belongs to a bearing; allowed with a contact case is --solver");
+    const auto& contact = std::get<ContactCase>(any.body);
+    if (!contact.dry()) require_memory(solver, request);
+    made = plan_contact(contact, solver, request, wanted);
+  }
+  JsonTarget json(options.json);
+  Json object = {{"case", any.id}, {"version", any.version}, {"plan", to_json(made)}};
+  json.write(object);
+  if (!json.to_standard_output()) print(any.id + ": " + any.title + "\n" + human_plan(made));
+  return success;
+}
+
+}  // namespace
+
+void add_plan(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<PlanOptions>();
+  CLI::App* command = app.add_subcommand("plan", "Show what would be computed, what is skipped, and why");
+  command->footer(examples);
+  command->add_option("CASE", options->case_name, "a case file (TOML), or the id of a benchmark case")->required();
+  command->add_option("--solver", options->solver, "one of " + solver_names() + " (fast)");
+  options->request.add_to(*command);
+  command->add_option("--quantity", options->quantities, "only this quantity (repeatable)")->allow_extra_args(false);
+  command->add_option("--law", options->laws, "a bearing's law (repeatable)")->allow_extra_args(false);
+  command->add_option("--json", options->json, "the plan as JSON into a file, or - for standard output");
+  command->callback([options, &exit_code] { run_guarded(exit_code, [&] { return plan(*options); }); });
+}
+
+}  // namespace ehd::cli

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// ehd report: what verify, bench and stress left in a folder, as one HTML page.
+#include "verification/report/report.hpp"
+
+#include <memory>
+#include <string>
+
+#include "cli/commands.hpp"
+#include "cli/common.hpp"
+
+namespace ehd::cli {
+
+namespace {
+
+const char* examples = R"(
+Examples:
+  ehd verify --output out/verify && ehd report out/verify    leaves out/verify/report.html
+  ehd bench --output out/verify; ehd report out/verify       with work-precision diagrams
+
+Reads results.json (required), bench.json and stress.json; solves nothing. Exit code: 0 the page is written; 2 the folder
+or a file in it cannot be used.)";
+
+int report_on(const std::string& folder) {
+  try {
+    const auto documents = report::read_documents(folder);
+    OutputFile file(std::filesystem::path(folder) / "report.html");
+    file.commit(report::report_html(documents));
+  } catch (const report::ReportError& error) {
+    throw UsageError("report: " + std::string(error.what()));
+  }
+  print((std::filesystem::path(folder) / "report.html").string() + "\n");
+  return success;
+}
+
+}  // namespace
+
+void add_report(CLI::App& app, int& exit_code) {
+  auto folder = std::make_shared<std::string>();
+  CLI::App* command = app.add_subcommand("report", "Results as one self-contained HTML page, DIR/report.html");
+  command->footer(examples);
+  command->add_option("DIR", *folder, "the folder that ehd verify --output has filled")->required();
+  command->callback([folder, &exit_code] { run_guarded(exit_code, [&] { return report_on(*folder); }); });
+}
+
+}  // namespace ehd::cli

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// ehd solve: one contact, from a case file or from options.
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "contact/scaling.hpp"
+#include "fast/convolution.hpp"
+#include "workflow/case.hpp"
+#include "cli/commands.hpp"
+#include "cli/common.hpp"
+#include "verification/report/report.hpp"
+#include "workflow/contact_run.hpp"
+#include "contact/text.hpp"
+
+namespace ehd::cli {
+
+namespace {
+
+using Case;
+using ContactCase;
+
+struct SolveOptions {
+  std::optional<std::string> case_name;
+  std::optional<std::string> M, L, inlet, viscosity, density, alpha, z, p0;
+  std::string solver = "fast";
+  std::vector<std::string> quantities;
+  std::optional<std::string> json, profile, plot, wisdom;
+  RequestOptions request;
+};
+
+const char* examples = R"(
+Examples:
+  ehd solve own-moes-20-10                              a benchmark case by its id
+  ehd solve my-contact.toml --tolerance 1e-4            a case file
+  ehd solve --M 20 --L 10                               Barus, incompressible, fully flooded
+  ehd solve --M 20 --L 10 --viscosity roelands --density dowson-higginson \
+            --alpha-per-Pa 2.2e-8 --z 0.68 --p0-Pa 1.96e8 --inlet -4
+  ehd solve own-moes-20-10 --solver reference --json -  the result as JSON on standard output
+  ehd solve steel-roller --profile profile.csv          pressure and film over X
+  ehd solve steel-roller --plot profile.svg             the same as a figure
+
+Exit code: 0 converged; 1 not converged (the status says how); 2 bad input or usage.)";
+
+/// What a law needs beside it, in terms of options; nondimensionalise would speak of a file's keys.
+void require_laws_possible(const SolveOptions& options, const Lubricant& lubricant) {
+  if (lubricant.viscosity == ViscosityLaw::isoviscous)
+    throw option_error("--viscosity", *options.viscosity,
+                       "contradicts --L = " + *options.L + "; allowed is barus or roelands, or --L 0");
+  const bool roelands = lubricant.viscosity == ViscosityLaw::roelands;
+  if (!lubricant.alpha_per_Pa) {
+    constexpr const char* needs =
+        "needs pressures in Pa, which the groups alone leave open; required is --alpha-per-Pa";
+    if (roelands) throw option_error("--viscosity", *options.viscosity, needs);
+    if (lubricant.density != DensityLaw::incompressible) throw option_error("--density", *options.density, needs);
+  }
+  if (roelands && !lubricant.z)
+    throw option_error("--viscosity", *options.viscosity, "needs Roelands' exponent; required is --z");
+}
+
+/// The contact that the options state. Throws UsageError.
+ContactCase contact_from(const SolveOptions& options) {
+  ContactCase contact;
+  const double M = parse_number("--M", *options.M), L = parse_number("--L", *options.L);
+  if (!(M >= smallest_M && M <= largest_M))
+    throw option_error("--M", *options.M, "is out of range; allowed is 1e-3 to 1e6");
+  constexpr double smallest_L = 1e-12;  // below it p_H in Pa leaves the range of numbers
+  if (!(L == 0 || (L >= smallest_L && L <= largest_L)))
+    throw option_error("--L", *options.L, "is out of range; allowed is 0, or 1e-12 to 100");
+  contact.statement = MoesGroups{.M = M, .L = L};
+
+  Lubricant lubricant;
+  if (options.viscosity) {
+    const auto law = viscosity_law_from(*options.viscosity);
+    if (!law)
+      throw option_error("--viscosity", *options.viscosity, "is unknown; allowed is isoviscous, barus, roelands");
+    lubricant.viscosity = *law;
+  }
+  if (options.density) {
+    const auto law = density_law_from(*options.density);
+    if (!law)
+      throw option_error("--density", *options.density,
+                         "is unknown; allowed is incompressible, dowson-higginson, dowson-higginson-1977");
+    lubricant.density = *law;
+  }
+  const auto number_within = [](const char* option, const std::string& text, double low, double high) {
+    const double value = parse_number(option, text);
+    if (!(value >= low && value <= high))
+      throw option_error(
+          option, text, "is out of range; allowed is " + plain(low) + " to " + plain(high));
+    return value;
+  };
+  if (options.alpha) lubricant.alpha_per_Pa = number_within("--alpha-per-Pa", *options.alpha, 1e-15, 1e-3);
+  if (options.z) lubricant.z = number_within("--z", *options.z, 1e-3, 10);
+  if (options.p0) lubricant.p0_Pa = number_within("--p0-Pa", *options.p0, 1e3, 1e15);
+  contact.lubricant = lubricant;
+
+  contact.inlet = Flooded{};
+  if (options.inlet && *options.inlet != "flooded") {
+    const double x = parse_number("--inlet", *options.inlet);
+    if (!(x < -1 && x >= -1e6))
+      throw option_error("--inlet", *options.inlet,
+                         "does not lie before the contact; allowed is flooded, or X = x/b from -1e6 to less than -1");
+    contact.inlet = TruncatedAt{x};
+  }
+
+  if (L > 0) require_laws_possible(options, lubricant);
+  (void)nondimensionalise(contact.statement, *contact.lubricant, *contact.inlet);  // the last word on what is possible
+  return contact;
+}
+
+void require_one_problem(const SolveOptions& options) {
+  const bool stated = options.M || options.L || options.inlet || options.viscosity || options.density ||
+                      options.alpha || options.z || options.p0;
+  if (options.case_name && stated)
+    throw UsageError(
+        "solve: a CASE and options that state a contact exclude each other; allowed is a CASE, or --M and "
+        "--L");
+  if (!options.case_name && !(options.M && options.L))
+    throw UsageError(std::string("solve: ") +
+                     (options.M   ? "--L is"
+                      : options.L ? "--M is"
+                                  : "the contact is") +
+                     " missing; required is a CASE, or --M and --L (ehd solve --help shows examples)");
+}
+
+/// --wisdom FILE: FFTW's measurements of earlier runs, if there were any; new ones are added to it.
+void read_wisdom(const std::string& name) {
+  std::string text;
+  if (name.empty())
+    throw UsageError("--wisdom names no file; allowed is a file that an earlier run wrote, or a new one");
+  if (std::filesystem::exists(name)) {
+    if (!std::filesystem::is_regular_file(name))
+      throw option_error("--wisdom", name, "is no file; allowed is a file that an earlier run wrote, or a new one");
+    std::ifstream file(name);
+    std::ostringstream content;
+    if (!(content << file.rdbuf()))
+      throw option_error("--wisdom", name, "cannot be read; allowed is a file that an earlier run wrote, or a new one");
+    text = content.str();
+  }
+  if (!fast::measure_plans(text))
+    throw option_error("--wisdom", name,
+                       "is no FFTW wisdom; allowed is a file that an earlier run wrote, or a new one");
+}
+
+/// Pressure and film over X, as a picture of its own.
+std::string plot_of(const ContactRun& run, const std::string& title) {
+  const Fields& fields = run.solution.fields;
+  const auto values = [](const auto& field) { return std::vector<double>(field.begin(), field.end()); };
+  const report::ContactCurves curves{.name = run.solver.empty() ? "Hertz" : run.solver,
+                                     .X = values(fields.X),
+                                     .P = values(fields.P),
+                                     .H = values(fields.H)};
+  report::Figure figure = report::contact_figure("contact", title, {curves});
+  constexpr std::size_t fits = 80;
+  figure.width = 560;
+  figure.panels.front().height = 300;
+  figure.panels.front().title = report::literal(shortened(one_line(title), fits));
+  return report::draw(figure, report::Place::file);
+}
+
+int solve(const SolveOptions& options) {
+  require_one_problem(options);
+  const auto& solver = solver_named(options.solver);
+  const Request request = options.request.request();
+  const Wanted wanted = quantities_named(options.quantities);
+
+  std::optional<Case> contact_case;
+  ContactCase contact;
+  std::string title;
+  if (options.case_name) {
+    contact_case = read_case(find_case(*options.case_name));
+    if (!std::holds_alternative<ContactCase>(contact_case->body))
+      throw case_error(*contact_case, "bearing",
+                       "is no contact; allowed is a contact case (ehd bearing solves this one)");
+    contact = std::get<ContactCase>(contact_case->body);
+    title = contact_case->id + ": " + contact_case->title;
+  } else {
+    contact = contact_from(options);
+    title = "M = " + *options.M + ", L = " + *options.L;
+  }
+  if (!contact.dry()) require_memory(solver, request);
+  std::vector<NamedFile> inputs, outputs;
+  if (contact_case) inputs.push_back({"the case", contact_case->file});
+  if (options.json) outputs.push_back({"--json", *options.json});
+  if (options.profile) outputs.push_back({"--profile", *options.profile});
+  if (options.plot) outputs.push_back({"--plot", *options.plot});
+  if (options.wisdom) outputs.push_back({"--wisdom", *options.wisdom});
+  require_distinct(inputs, outputs);
+  if (options.wisdom) read_wisdom(*options.wisdom);
+  JsonTarget json(options.json);
+  std::optional<OutputFile> wisdom;
+  if (options.wisdom) wisdom.emplace(*options.wisdom);
+  std::optional<OutputFile> profile;
+  if (options.profile) profile.emplace(*options.profile);
+  std::optional<OutputFile> plot;
+  if (options.plot) plot.emplace(*options.plot);
+
+  ContactRun run;
+  {
+    Progress progress;
+    progress.show("solving " + title + " with " + solver.name + " ...");
+    run = contact_case ? run_contact(*contact_case, solver, request, wanted)
+                       : run_contact(contact, solver, request, wanted);
+  }
+  json.write(to_json(run));
+  if (wisdom) wisdom->commit(fast::measured_plans());
+  const bool solution = run.status() != StopReason::diverged && run.solution.fields.X.size() > 0;
+  if (profile && solution) profile->commit(profile_csv(run));
+  if (plot && solution) plot->commit(plot_of(run, title));
+  if (!json.to_standard_output()) print(human_table(run, title, styled_output()));
+  if (run.status() == StopReason::converged) return success;
+  const std::string& reason = run.solution.record.reason;
+  std::string missing;
+  if (!solution && (profile || plot))
+    missing = std::string("; there is no solution, and no ") +
+              (profile && plot ? "profile and no plot is"
+               : profile       ? "profile is"
+                               : "plot is") +
+              " written";
+  complain("ehd: " + title + ": " + std::string(to_string(run.status())) + (reason.empty() ? "" : ": " + reason) +
+           missing);
+  return not_met;
+}
+
+}  // namespace
+
+void add_solve(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<SolveOptions>();
+  CLI::App* command = app.add_subcommand("solve", "Solve one contact");
+  command->footer(examples);
+  command->add_option("CASE", options->case_name, "a case file (TOML), or the id of a benchmark case");
+  command->add_option("--M", options->M, "Moes load parameter, 1e-3 to 1e6 (instead of a CASE, with --L)");
+  command->add_option("--L", options->L, "Moes material parameter, 0 to 100");
+  command->add_option("--inlet", options->inlet, "flooded, or X = x/b where the domain begins (flooded)");
+  command->add_option("--viscosity", options->viscosity, "isoviscous, barus or roelands (barus)");
+  command->add_option("--density", options->density,
+                      "incompressible, dowson-higginson or dowson-higginson-1977 (incompressible)");
+  command->add_option("--alpha-per-Pa", options->alpha, "pressure coefficient of viscosity; sets p_H");
+  command->add_option("--z", options->z, "Roelands' exponent");
+  command->add_option("--p0-Pa", options->p0, "Roelands' reference pressure (1.9613e8)");
+  command->add_option("--solver", options->solver, "one of " + solver_names())->capture_default_str();
+  options->request.add_to(*command);
+  command->add_option("--quantity", options->quantities, "compute only this quantity (repeatable), e.g. film.minimum")
+      ->allow_extra_args(false);
+  command->add_option("--json", options->json, "the result as JSON into a file, or - for standard output");
+  command->add_option("--profile", options->profile, "pressure, film, density and viscosity over X as CSV");
+  command->add_option("--plot", options->plot, "pressure and film over X as a figure, SVG");
+  command->add_option("--wisdom", options->wisdom, "let FFTW measure its plans, once: kept in FILE for later runs");
+  command->callback([options, &exit_code] { run_guarded(exit_code, [&] { return solve(*options); }); });
+}
+
+}  // namespace ehd::cli

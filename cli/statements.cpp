@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// ehd statements: on what the paper's statements depend.
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "workflow/case.hpp"
+#include "cli/commands.hpp"
+#include "cli/common.hpp"
+#include "verification/studies/statement_study.hpp"
+
+namespace ehd::cli {
+
+namespace {
+
+using namespace verification;
+
+struct StatementsOptions {
+  std::vector<std::string> cases{"na4908", "na4908-2.5um", "na4908-10um"};
+  std::optional<std::string> json;
+};
+
+const char* examples = R"(
+Examples:
+  ehd statements                        the paper's bearing at its three clearances
+  ehd statements --json study.json
+
+One choice that the paper leaves open is changed at a time: viscosity, alpha, fit range, datum, rotating ring,
+unloading rule, length; then two at once, of which one is a short x_0. Every row is judged as the paper's statements (a)
+to (d) read; x_0 is scanned where a row leaves it open.)";
+
+int statements(const StatementsOptions& options) {
+  std::vector<Case> cases;
+  for (const std::string& name : options.cases) {
+    cases.push_back(read_case(find_case(name)));
+    const auto* body = std::get_if<BearingCase>(&cases.back().body);
+    if (!body || !body->lubricant)
+      throw case_error(cases.back(), "", "has no film; allowed is a bearing case with a lubricant");
+  }
+  if (cases.size() < 3 || !differ_only_in_clearance(cases))
+    throw UsageError("CASE: the statements are about one bearing at three or more clearances; allowed are cases that "
+                     "differ in clearance alone");
+  std::vector<NamedFile> inputs, outputs;
+  for (const Case& one : cases) inputs.push_back({"the case " + one.id, one.file});
+  if (options.json) outputs.push_back({"--json", *options.json});
+  require_distinct(inputs, outputs);
+  JsonTarget json(options.json);
+  ContactMemory memory([solver = find_solver("fast")](const Problem& problem, const Request& request) {
+    return solver->solve(problem, request);
+  });
+  const auto rows = study_statements(cases, memory);
+  Json result = to_json(rows);
+  result["contact_solves"] = memory.solves();
+  result["contacts_from_memory"] = memory.recalls();
+  json.write(result);
+  if (!json.to_standard_output())
+    print(human_study(rows) + "\n  " + std::to_string(memory.solves()) + " contacts solved, " +
+          std::to_string(memory.recalls()) + " taken from memory\n");
+  int missing = 0;
+  for (const StudyRow& row : rows) {
+    if (!row.statements.empty()) continue;
+    ++missing;
+    complain("ehd: statements: " + row.factor + " " + row.value + ", " + std::string(to_string(row.law)) + ": " + row.why);
+  }
+  return missing == 0 ? success : not_met;
+}
+
+}  // namespace
+
+void add_statements(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<StatementsOptions>();
+  CLI::App* command = app.add_subcommand("statements", "On what the paper's statements about its bearing depend");
+  command->footer(examples);
+  command->add_option("CASE", options->cases, "one bearing at three or more clearances (na4908, na4908-2.5um, na4908-10um)");
+  command->add_option("--json", options->json, "the study as JSON into a file, or - for standard output");
+  command->callback([options, &exit_code] { run_guarded(exit_code, [&] { return statements(*options); }); });
+}
+
+}  // namespace ehd::cli

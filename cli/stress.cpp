@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// ehd stress: numerical stability.
+#include "verification/stress/stress.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/commands.hpp"
+#include "cli/common.hpp"
+
+namespace ehd::cli {
+
+namespace {
+
+struct StressOptions {
+  std::vector<std::string> parts;
+  std::optional<std::string> output, threads;
+  bool quick = false;
+};
+
+const char* examples = R"(
+Examples:
+  ehd stress --output out/stress     every part, in half an hour; leaves out/stress/stress.json
+  ehd stress --quick                 a small form of each, in under a minute
+  ehd stress --part d --part e       two parts
+
+Parts: a box (every load and material), b starts (random first states), c precision (double against long double and
+34 digits), d rounding (the four rounding modes), e condition (inputs moved by one ulp and by 1e-8), f grids (2^6 to 2^20
+intervals), g extremes (random and impossible inputs, limits), h repeatability (the same bits again),
+i random bearings (every force law). Exit code: 0 every part
+that ran passes; 1 one fails or is inconclusive; 2 wrong usage.)";
+
+int stress(const StressOptions& options) {
+  using namespace verification::stress;
+  std::vector<const PartEntry*> chosen;
+  for (const auto& text : options.parts) {
+    const PartEntry* part = find_part(text);
+    if (!part) throw option_error("--part", text, "is unknown; allowed is a to i");
+    if (std::find(chosen.begin(), chosen.end(), part) == chosen.end()) chosen.push_back(part);
+  }
+  if (chosen.empty()) {
+    for (const PartEntry& part : parts()) chosen.push_back(&part);
+  }
+  Scope scope{.quick = options.quick};
+  if (options.threads) {
+    constexpr int most = 1024;
+    const int threads = parse_integer("--threads", *options.threads);
+    if (threads < 1 || threads > most)
+      throw option_error("--threads", *options.threads, "is out of range; allowed is 1 to " + std::to_string(most));
+    scope.threads = static_cast<unsigned>(threads);
+  }
+
+  // Opened before the work begins: a folder that cannot be written is bad input, not a lost run.
+  std::optional<OutputFolder> folder;
+  std::optional<OutputFile> file;
+  if (options.output) {
+    folder.emplace(*options.output);
+    file.emplace(folder->path() / "stress.json");
+  }
+
+  using Clock = std::chrono::steady_clock;
+  const auto seconds_since = [](Clock::time_point begin) {
+    return std::chrono::duration<double>(Clock::now() - begin).count();
+  };
+  const auto begin = Clock::now();
+  std::vector<Part> results;
+  Progress progress;
+  for (const PartEntry* entry : chosen) {
+    scope.progress = [&](const std::string& what) {
+      progress.show("stress (" + entry->id + ") " + entry->name + ": " + what);
+    };
+    scope.show("...");
+    Part part = run_part(*entry, scope);
+    progress.show("");
+    print(human_text(part));
+    results.push_back(std::move(part));
+  }
+  if (results.size() > 1) print(human_summary(results));
+  if (file) file->commit(json_text(to_json(results, seconds_since(begin))));
+  if (all_passed(results)) return success;
+  std::string open;
+  for (const Part& part : results) {
+    if (part.verdict != verification::Verdict::pass) open += (open.empty() ? "" : ", ") + part.id + " " + part.name;
+  }
+  complain("ehd: stress: not passed: " + open);
+  return not_met;
+}
+
+}  // namespace
+
+void add_stress(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<StressOptions>();
+  CLI::App* command =
+      app.add_subcommand("stress", "Numerical stability: starts, precision, rounding, condition, extremes");
+  command->footer(examples);
+  command->add_option("--output", options->output, "folder for stress.json")->type_name("DIR");
+  command->add_option("--part", options->parts, "a to i (repeatable; all)")
+      ->type_name("LETTER")
+      ->allow_extra_args(false);
+  command->add_option("--threads", options->threads, "threads (as many as there are cores)")->type_name("N");
+  command->add_flag("--quick", options->quick, "a small form of every part");
+  command->callback([options, &exit_code] { run_guarded(exit_code, [&] { return stress(*options); }); });
+}
+
+}  // namespace ehd::cli

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// ehd sweep: a case over lists and ranges of its keys.
+#include "io/sweep_file.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "cli/commands.hpp"
+#include "cli/common.hpp"
+#include "io/sweep_run.hpp"
+#include "contact/text.hpp"
+
+namespace ehd::cli {
+
+namespace {
+
+using namespace verification;
+
+struct SweepOptions {
+  std::string file;
+  std::optional<std::string> output, threads, shard;
+  bool fresh = false, merge = false;
+  RequestOptions limits;
+};
+
+const char* examples = R"(
+A sweep file:
+  case = "na4908"                     # an id, or a path from the folder of this file
+  laws = ["hertz", "ehd"]             # of a bearing; a contact has solver = "fast", tolerance = 1e-3
+  combine = "product"                 # or "zip"
+  [keys]                              # any key of the case that is a number or a text
+  "operation.radial_load_N" = { from = 1e3, to = 5e4, points = 20, spacing = "logarithmic" }
+  "bearing.clearance_m" = [0.0, 2.5e-6, 1e-5]
+  "datum.load_N" = [9289.0]           # one x_0 for all rows; the default, palmgren, follows each row's own load
+
+Examples:
+  ehd sweep examples/sweeps/na4908-load-clearance.toml       rows.csv and rows.json into out/sweep/na4908-load-clearance
+  ehd sweep FILE --output DIR --threads 1
+  ehd sweep FILE --output DIR --shard 2/8                    the second of eight parts, on any machine
+  ehd sweep FILE --output DIR --merge                        the same files from all eight
+  parallel ehd sweep FILE --output DIR --shard {}/8 ::: 1 2 3 4 5 6 7 8
+
+Finished rows are kept: the same command goes on where it was interrupted, and a sweep that has grown computes what
+is new.
+Exit code: 0 all rows converged; 1 one did not, its line has the status and the reason; 2 bad input or usage.)";
+
+constexpr int most_threads = 1024;
+
+/// K/N. Throws UsageError.
+Shard shard_from(const std::string& text) {
+  const auto slash = text.find('/');
+  constexpr const char* allowed = "K/N with 1 <= K <= N, as 2/8";
+  if (slash == std::string::npos) throw option_error("--shard", text, std::string("is no part; allowed is ") + allowed);
+  int number = 0, of = 0;
+  try {
+    number = parse_integer("--shard", text.substr(0, slash));
+    of = parse_integer("--shard", text.substr(slash + 1));
+  } catch (const UsageError&) {
+    throw option_error("--shard", text, std::string("is no part; allowed is ") + allowed);
+  }
+  if (number < 1 || of < 1 || number > of)
+    throw option_error("--shard", text, std::string("is out of range; allowed is ") + allowed);
+  return {static_cast<std::size_t>(number), static_cast<std::size_t>(of)};
+}
+
+std::string duration(double seconds) {
+  if (seconds < 100) return plain(seconds, 2) + " s";
+  const double minutes = seconds / 60;
+  return minutes < 100 ? plain(minutes, 2) + " min" : plain(minutes / 60, 2) + " h";
+}
+
+/// A bar with the time left, from the rows of this run.
+class Bar {
+ public:
+  explicit Bar(std::string name) : name_(std::move(name)), begin_(Clock::now()), shown_(begin_) {}
+  void show(std::size_t known, std::size_t all, std::size_t computed) {
+    const auto now = Clock::now();
+    constexpr auto pause = std::chrono::milliseconds(100);
+    if (computed > 0 && known < all && now - shown_ < pause) return;
+    shown_ = now;
+    constexpr std::size_t width = 24;
+    const std::size_t full = all > 0 ? width * known / all : width;
+    std::string line = "[" + std::string(full, '#') + std::string(width - full, ' ') + "] " + std::to_string(known) +
+                       "/" + std::to_string(all) + " rows";
+    if (computed > 0 && known < all) {
+      const double passed = std::chrono::duration<double>(now - begin_).count();
+      line += ", " + duration(passed * static_cast<double>(all - known) / static_cast<double>(computed)) + " left";
+    }
+    progress_.show(line + "  " + name_);
+  }
+  void clear() { progress_.show(""); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  std::string name_;
+  Clock::time_point begin_, shown_;
+  Progress progress_;
+};
+
+/// A bar stands on the line of a terminal.
+volatile std::sig_atomic_t bar_to_end = 0;
+
+/// Says what an interrupted run leaves, then ends as the signal asks. Only what a signal handler may call.
+extern "C" void tell_sweep_interrupted(int signal) {
+  constexpr std::string_view all =
+      "\nehd: sweep: interrupted; the finished rows are kept, and the same command goes on from there\n";
+  const std::string_view message = bar_to_end ? all : all.substr(1);
+  [[maybe_unused]] const auto written = ::write(STDERR_FILENO, message.data(), message.size());
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+}
+
+std::string summary(const Sweep& sweep, const SweepCost& cost, const std::string& what) {
+  std::string laws;
+  for (const BearingLaw law : sweep.laws) laws += (laws.empty() ? ", laws " : ", ") + std::string(to_string(law));
+  std::string text = sweep.id + ": " + std::to_string(cost.rows) + " rows of " + sweep.case_id + laws + what + "\n";
+  text += "  rows computed " + std::to_string(cost.computed) + ", known before or equal to another " +
+          std::to_string(cost.rows - cost.computed) + ", not converged " + std::to_string(cost.failed) + "\n";
+  if (cost.computed > 0)
+    text += "  contact solves made " + std::to_string(cost.solves) + ", saved " + std::to_string(cost.saved()) +
+            " (rows that share a contact solve it once)\n  time " + duration(cost.wall_s) + " on " +
+            std::to_string(cost.threads) + (cost.threads == 1 ? " thread\n" : " threads\n");
+  return text;
+}
+
+int sweep(const SweepOptions& options) {
+  SweepRequest request;
+  const Request limits = options.limits.request();
+  request.max_iterations = limits.max_iterations;
+  request.time_limit_s = limits.time_limit_s;
+  request.fresh = options.fresh;
+  if (options.threads) {
+    const int threads = parse_integer("--threads", *options.threads);
+    if (threads < 1 || threads > most_threads)
+      throw option_error("--threads", *options.threads,
+                         "is out of range; allowed is an integer, 1 to " + std::to_string(most_threads));
+    request.threads = static_cast<unsigned>(threads);
+  }
+  std::optional<Shard> shard;
+  if (options.shard) shard = shard_from(*options.shard);
+  if (shard && options.merge) throw UsageError("--shard and --merge exclude each other; allowed is one of them");
+  if (options.merge && options.fresh)
+    throw UsageError("--merge and --fresh exclude each other; allowed is one of them");
+  if (options.output && options.output->empty()) throw option_error("--output", "", "is empty; allowed is a folder");
+  const Sweep asked = read_sweep(options.file);
+  const OutputFolder folder(options.output.value_or("out/sweep/" + asked.id));
+
+  bar_to_end = ::isatty(STDERR_FILENO);
+  for (const int signal : {SIGINT, SIGTERM}) {
+    if (std::signal(signal, tell_sweep_interrupted) == SIG_IGN) std::signal(signal, SIG_IGN);  // as nohup asks
+  }
+  Bar bar(asked.id);
+  request.progress = [&bar](std::size_t known, std::size_t all, std::size_t computed) {
+    bar.show(known, all, computed);
+  };
+  SweepCost cost;
+  std::string what;
+  if (options.merge) {
+    cost = merge_shards(asked, request, folder.path());
+    what = ", merged";
+  } else if (shard) {
+    cost = run_shard(asked, request, folder.path(), *shard);
+    what = ", shard " + std::to_string(shard->number) + " of " + std::to_string(shard->of);
+  } else {
+    cost = run_sweep(asked, request, folder.path());
+  }
+  bar.clear();
+  std::string text = summary(asked, cost, what);
+  if (!shard) text += "  " + (folder.path() / "rows.csv").string() + ", rows.json\n";
+  print(text);
+  if (cost.failed == 0) return success;
+  complain("ehd: sweep: " + std::to_string(cost.failed) + " of " + std::to_string(cost.rows) +
+           " rows did not converge; " + cost.first_failure);
+  return not_met;
+}
+
+}  // namespace
+
+void add_sweep(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<SweepOptions>();
+  CLI::App* command = app.add_subcommand("sweep", "A case over lists and ranges of its keys, as CSV and JSON");
+  command->footer(examples);
+  command->add_option("FILE", options->file, "the sweep (TOML)")->required();
+  command->add_option("--output", options->output, "folder for the rows (out/sweep/ID)")->type_name("DIR");
+  command->add_option("--threads", options->threads, "rows computed side by side (as many as there are cores)")
+      ->type_name("N");
+  command->add_option("--shard", options->shard, "compute the K-th of N parts alone")->type_name("K/N");
+  command->add_flag("--merge", options->merge, "put finished shards together");
+  command->add_flag("--fresh", options->fresh, "compute every row again");
+  options->limits.add_to(*command, false);
+  command->callback([options, &exit_code] { run_guarded(exit_code, [&] { return sweep(*options); }); });
+}
+
+}  // namespace ehd::cli

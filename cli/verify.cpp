@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// ehd verify: the verification suite.
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/commands.hpp"
+#include "cli/common.hpp"
+#include "verification/studies/figures/figures.hpp"
+#include "io/output.hpp"
+#include "verification/suite.hpp"
+#include "verification/traceability.hpp"
+
+namespace ehd::cli {
+
+namespace {
+
+struct VerifyOptions {
+  std::optional<std::string> rung, case_id, output, random_runs;
+  bool quick = false, all = false, trace = false;
+};
+
+const char* examples = R"(
+Examples:
+  ehd verify                            every rung, every case
+  ehd verify --quick                    without the slow cases, in half a minute
+  ehd verify --rung 7 --all             one rung, each claim with its numbers
+  ehd verify --case own-moes-20-10
+  ehd verify --random-runs 50 --rung 8  error bars at 50 random runs of each law set, in six minutes
+  ehd verify --output out/verify        leaves out/verify/results.json
+
+Rungs: 0 inputs, 1 kernel, 2 operator, 3 elasticity, 4 Reynolds, 5 coupled, 6 solvers, 7 twins, 8 grids, 9 regimes,
+10 published, 11 bearing. Exit code: 0 every claim stands, or nothing could be
+judged (every row is skipped, with its reason); 1 one fails or is inconclusive; 2 wrong usage.)";
+
+/// "45 s", "3 min"
+std::string time_text(double seconds) {
+  constexpr double minute = 60, minutes_from = 100;
+  const bool in_minutes = seconds >= minutes_from;
+  return std::to_string(std::lround(in_minutes ? seconds / minute : seconds)) + (in_minutes ? " min" : " s");
+}
+
+int verify(const VerifyOptions& options) {
+  verification::SuiteRequest request;
+  if (options.rung) {
+    request.rung = parse_integer("--rung", *options.rung);
+    if (*request.rung < 0 || *request.rung >= verification::rungs)
+      throw option_error("--rung", *options.rung,
+                         "is unknown; allowed is 0 to " + std::to_string(verification::rungs - 1));
+  }
+  request.case_id = options.case_id;
+  request.quick = options.quick;
+  if (options.random_runs) {
+    constexpr int most_runs = 10000;
+    request.random_runs = parse_integer("--random-runs", *options.random_runs);
+    if (request.random_runs < 1 || request.random_runs > most_runs)
+      throw option_error("--random-runs", *options.random_runs,
+                         "is out of range; allowed is 1 to " + std::to_string(most_runs));
+  }
+
+  // Opened before the work begins: a folder that cannot be written is bad input, not a lost run.
+  std::optional<OutputFolder> folder;
+  std::optional<OutputFile> file;
+  if (options.output) {
+    folder.emplace(*options.output);
+    file.emplace(folder->path() / "results.json");
+  }
+
+  verification::SuiteResult result;
+  Json figures;
+  try {
+    Progress progress;
+    request.progress = [&](const verification::SuiteProgress& now) {
+      progress.show("verify " + std::to_string(now.done) + "/" + std::to_string(now.all) + ", " +
+                    time_text(now.elapsed_s) + ", about " + time_text(now.left_s) + " left: " + now.name);
+    };
+    result = verification::run_suite(request);
+    if (file) {
+      verification::FiguresRequest pictures{.rung = request.rung,
+                                            .case_id = request.case_id,
+                                            .quick = request.quick,
+                                            .threads = request.threads};
+      pictures.progress = [&](std::size_t done, std::size_t all, const std::string& name) {
+        progress.show("figures " + std::to_string(done) + "/" + std::to_string(all) + ": " + name);
+      };
+      figures = verification::figures(pictures);
+    }
+  } catch (const verification::NothingSelected& nothing) {
+    throw UsageError(nothing.what());
+  }
+  if (file) {
+    Json json = to_json(result);
+    json["figures"] = std::move(figures);
+    file->commit(json_text(json));
+  }
+  print(human_summary(result, options.all));
+  if (options.trace) print("\n" + human_trace(trace(verification::traceable_parts(), {result.claims, result.skipped})));
+  if (result.success()) return success;
+  std::size_t standing = 0;
+  for (const auto& claim : result.claims) standing += claim.verdict == verification::Verdict::pass ? 1 : 0;
+  complain("ehd: verify: " + std::to_string(result.claims.size() - standing) + " of " +
+           std::to_string(result.claims.size()) + " claims do not stand");
+  return not_met;
+}
+
+}  // namespace
+
+void add_verify(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<VerifyOptions>();
+  CLI::App* command = app.add_subcommand("verify", "Run the verification suite");
+  command->footer(examples);
+  command->add_option("--rung", options->rung, "one rung of the ladder, 0 to 11");
+  command->add_option("--case", options->case_id, "one case: an id, or a path to a TOML file");
+  command->add_flag("--quick", options->quick, "leave out the slow cases");
+  command->add_flag("--all", options->all, "print every claim, not only those that do not stand");
+  command->add_flag("--trace", options->trace, "print which claims support which part of the work");
+  command->add_option("--random-runs", options->random_runs, "random runs for each law set (10)");
+  command->add_option("--output", options->output, "folder for results.json");
+  command->callback([options, &exit_code] { run_guarded(exit_code, [&] { return verify(*options); }); });
+}
+
+}  // namespace ehd::cli

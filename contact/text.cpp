@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace ehd {
+
+std::string plain(double value, int digits) {
+  char buffer[40];
+  std::snprintf(buffer, sizeof buffer, "%.*g", digits, value);
+  std::string text = buffer;
+  // 1e+06 -> 1e6, 2.2e-08 -> 2.2e-8
+  if (const auto e = text.find('e'); e != std::string::npos) {
+    std::string exponent = text.substr(e + 1);
+    const bool negative = exponent.front() == '-';
+    const auto first = exponent.find_first_not_of("+-0");
+    exponent = first == std::string::npos ? "0" : exponent.substr(first);
+    text = text.substr(0, e + 1) + (negative ? "-" : "") + exponent;
+  }
+  return text;
+}
+
+std::string with_absolute_error(double value, std::optional<double> absolute_error) {
+  constexpr int most_digits = 15;  // what a double holds
+  if (!std::isfinite(value) || !absolute_error || !std::isfinite(*absolute_error) || *absolute_error < 0)
+    return plain(value);
+  if (*absolute_error == 0 || value == 0) return plain(value, most_digits);
+  if (*absolute_error >= std::abs(value)) return plain(value, 2) + " (error " + plain(*absolute_error, 1) + ")";
+  const int leading = static_cast<int>(std::floor(std::log10(std::abs(value))));
+  int last = static_cast<int>(std::floor(std::log10(*absolute_error)));
+  int units = static_cast<int>(std::ceil(*absolute_error / std::pow(10.0, last)));
+  if (units > 9) {  // 9.3 units are 1 of the next digit
+    units = 1;
+    ++last;
+  }
+  last = std::max(last, leading - most_digits + 1);
+  char bracket[16];
+  std::snprintf(bracket, sizeof bracket, "(%d)", units);
+  char buffer[64];
+  constexpr int widest = 6;  // decimals before the exponent form takes over
+  if (leading >= -3 && leading <= widest && last <= 0) {
+    std::snprintf(buffer, sizeof buffer, "%.*f", -last, value);
+    return std::string(buffer) + bracket;
+  }
+  std::snprintf(buffer, sizeof buffer, "%.*e", std::max(leading - last, 0), value);
+  const std::string text = buffer;
+  const auto e = text.find('e');
+  return text.substr(0, e) + bracket + "e" + std::to_string(std::stoi(text.substr(e + 1)));
+}
+
+std::string with_error(double value, std::optional<double> relative_error) {
+  if (!relative_error) return plain(value);
+  return with_absolute_error(value, *relative_error * std::abs(value));
+}
+
+std::size_t utf8_length(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  if (text.empty()) return 0;
+  const unsigned lead = byte(0);
+  if (lead < 0x80) return 1;
+  const std::size_t length = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
+  if (lead < 0xC2 || lead > 0xF4 || text.size() < length) return 0;
+  unsigned code = lead & (0xFFu >> (length + 1));
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(i) & 0xC0u) != 0x80u) return 0;
+    code = (code << 6) | (byte(i) & 0x3Fu);
+  }
+  const bool overlong = (length == 3 && code < 0x800) || (length == 4 && code < 0x10000);
+  const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
+  return overlong || surrogate || code > 0x10FFFF ? 0 : length;
+}
+
+std::string one_line(std::string_view text) {
+  std::string line;
+  char escape[8];
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = utf8_length(text.substr(i));
+    const auto byte = static_cast<unsigned char>(text[i]);
+    // C0 and C1 control characters (C2 80 .. C2 9F) and the two Unicode line separators would break or colour a line.
+    const bool c1 = length == 2 && byte == 0xC2 && static_cast<unsigned char>(text[i + 1]) < 0xA0;
+    const bool separator = length == 3 && (text.substr(i, 3) == "\u2028" || text.substr(i, 3) == "\u2029");
+    if (text[i] == '\n') {
+      line += "\\n";
+    } else if (text[i] == '\t') {
+      line += ' ';
+    } else if (length == 0 || byte < 0x20 || byte == 0x7F) {
+      std::snprintf(escape, sizeof escape, "\\x%02X", byte);
+      line += escape;
+    } else if (c1 || separator) {
+      line += '?';
+    } else {
+      line += text.substr(i, length);
+    }
+    i += std::max<std::size_t>(length, 1);
+  }
+  return line;
+}
+
+std::string shortened(std::string_view text, std::size_t length) {
+  if (text.size() <= length) return std::string(text);
+  std::size_t end = length;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0u) == 0x80u) --end;
+  return std::string(text.substr(0, end)) + "...";
+}
+
+}  // namespace ehd

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Numbers and messages as people read them.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace ehd {
+
+/// The shortest plain text of a number to `digits` significant ones: 0.001, 1e6, 2.2e-8.
+[[nodiscard]] std::string plain(double value, int digits = 6);
+
+/// Digits printed = digits known: value 0.0741427, relative error 2e-4 -> "0.07414(2)", the bracket being the error
+/// (rounded up) in units of the last digit. Without an error, or with one that is not finite: `plain`, 6 digits.
+[[nodiscard]] std::string with_error(double value, std::optional<double> relative_error);
+/// The same for an absolute error.
+[[nodiscard]] std::string with_absolute_error(double value, std::optional<double> absolute_error);
+
+/// Control characters escaped (a line feed becomes \n), invalid UTF-8 bytes written as \xNN: always one line.
+[[nodiscard]] std::string one_line(std::string_view text);
+
+/// At most `length` bytes, cut between characters, "..." where something was cut.
+[[nodiscard]] std::string shortened(std::string_view text, std::size_t length);
+
+/// The number of bytes of the well-formed UTF-8 character at the beginning of `text`, 0 where there is none.
+[[nodiscard]] std::size_t utf8_length(std::string_view text);
+
+}  // namespace ehd

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/provenance.hpp"
+
+#include "ehd_commit.hpp"  // made by cmake/commit.cmake
+
+#include <fftw3.h>
+#include <gsl/gsl_version.h>
+
+#include <Eigen/Core>
+#include <chrono>
+#include <ctime>
+#include <fstream>
+#include <optional>
+#include <string>
+#include <thread>
+
+namespace ehd {
+
+namespace {
+
+std::optional<std::string> cpu() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);) {
+    if (!line.starts_with("model name")) continue;
+    const auto colon = line.find(": ");
+    if (colon != std::string::npos) return line.substr(colon + 2);
+  }
+  return std::nullopt;
+}
+
+std::string now() {
+  const std::time_t time = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  std::tm utc{};
+  ::gmtime_r(&time, &utc);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
+  return text;
+}
+
+std::string compiler() {
+#ifdef __clang__
+  return std::string("clang ") + __clang_version__;
+#else
+  return std::string("g++ ") + __VERSION__;
+#endif
+}
+
+}  // namespace
+
+Json provenance() {
+  Json json;
+  json["version"] = EHD_PROJECT_VERSION;
+  // Of the tree when the program was built, not of what has become of it since.
+  if (const std::string commit = EHD_COMMIT; !commit.empty()) {
+    json["commit"] = commit;
+    json["dirty"] = EHD_COMMIT_DIRTY;
+  }
+  json["compiler"] = compiler();
+  json["flags"] = EHD_COMPILE_FLAGS;
+  json["libraries"] = {{"Eigen", std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) + "." +
+                                     std::to_string(EIGEN_MINOR_VERSION)},
+                       {"FFTW", std::string(fftw_version)},
+                       {"GSL", std::string(gsl_version)},
+                       {"nlohmann_json", std::to_string(NLOHMANN_JSON_VERSION_MAJOR) + "." +
+                                             std::to_string(NLOHMANN_JSON_VERSION_MINOR) + "." +
+                                             std::to_string(NLOHMANN_JSON_VERSION_PATCH)},
+                       {"tomlplusplus", EHD_TOMLPLUSPLUS_VERSION},
+                       {"CLI11", EHD_CLI11_VERSION}};
+  if (const auto model = cpu()) json["cpu"] = *model;
+  json["cores"] = std::thread::hardware_concurrency();
+  json["date"] = now();
+  return json;
+}
+
+}  // namespace ehd

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where a result comes from: commit, compiler, libraries, machine, date.
+#pragma once
+
+#include "io/output.hpp"
+
+namespace ehd {
+
+/// {"version", "commit", "dirty", "compiler", "flags", "libraries", "cpu", "cores", "date"}. What cannot be found out
+/// (a source tree without git) is absent.
+[[nodiscard]] Json provenance();
+
+}  // namespace ehd

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/store.hpp"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <system_error>
+
+#include "io/sha256.hpp"
+#include "contact/text.hpp"
+
+namespace ehd {
+
+namespace {
+
+constexpr const char* name = "journal";
+constexpr const char* schema = "ehd-sweep-journal-1";
+constexpr std::size_t check_digits = 16, hash_digits = 64;
+
+/// CHECKSUM CONTENT, where the content of a row is HASH TEXT.
+std::string line_of(const std::string& content) {
+  return sha256(content).substr(0, check_digits) + " " + content + "\n";
+}
+
+std::string content_of(const JournalHeader& header) {
+  return Json{{"schema", schema}, {"sweep", header.sweep}, {"shard", header.shard}, {"of", header.of}}.dump();
+}
+
+[[noreturn]] void refuse(const std::filesystem::path& where, const std::string& what) {
+  throw OutputError(one_line(where.string() + ": " + what));
+}
+
+}  // namespace
+
+SweepJournal::SweepJournal(const std::filesystem::path& folder, const JournalHeader& header,
+                           const std::set<std::string>& wanted, bool fresh)
+    : folder_(folder), file_(folder / name) {
+  std::error_code error;
+  std::filesystem::create_directories(folder_, error);
+  if (error) refuse(folder_, "cannot be made (" + error.message() + "); allowed is a folder that may be written");
+  lock_ = ::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (lock_ < 0) refuse(folder_, std::string("cannot be opened (") + std::strerror(errno) + "); allowed is a folder");
+  if (::flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+    ::close(lock_);
+    refuse(folder_, "another run of this sweep is at work there; allowed is one at a time, or another --output");
+  }
+  try {
+    if (fresh) std::filesystem::remove(file_, error);
+    const std::string first = content_of(header);
+    const Read found = read(&wanted);
+    if (!found.whole || found.header != first) rewrite(first);
+    open_file(O_RDWR | O_APPEND);
+  } catch (...) {
+    ::close(lock_);
+    throw;
+  }
+}
+
+SweepJournal::SweepJournal(const std::filesystem::path& folder, const JournalHeader& header)
+    : folder_(folder), file_(folder / name) {
+  const std::string again = "; run again --shard " + std::to_string(header.shard) + "/" + std::to_string(header.of);
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file_, error)) refuse(file_, "the shard is missing" + again);
+  const Read found = read(nullptr);
+  if (found.bad_line > 0) refuse(file_, "the shard is damaged at line " + std::to_string(found.bad_line) + again);
+  if (found.header != content_of(header)) {
+    const Json stated = Json::parse(found.header, nullptr, false);
+    const bool other = !stated.is_object() || !stated.contains("sweep") || stated["sweep"] != header.sweep;
+    refuse(file_, (other ? "the shard belongs to another sweep, another case or another build of the program"
+                         : "the shard is another part than its folder says") +
+                      again);
+  }
+  open_file(O_RDONLY);
+}
+
+SweepJournal::~SweepJournal() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+  if (lock_ >= 0) ::close(lock_);
+}
+
+void SweepJournal::open_file(int flags) {
+  descriptor_ = ::open(file_.c_str(), flags | O_CLOEXEC);
+  if (descriptor_ < 0) refuse(file_, std::string("cannot be opened (") + std::strerror(errno) + ")");
+}
+
+SweepJournal::Read SweepJournal::read(const std::set<std::string>* wanted) {
+  Read found;
+  rows_.clear();
+  end_ = 0;
+  std::ifstream stream(file_, std::ios::binary);
+  if (!stream) {
+    found.whole = false;
+    return found;
+  }
+  std::size_t number = 0;
+  for (std::string line; std::getline(stream, line); end_ += line.size() + 1) {
+    ++number;
+    const bool ended = !stream.eof();  // the last line may have been cut
+    const std::string content = line.size() > check_digits ? line.substr(check_digits + 1) : "";
+    if (!ended || line.size() <= check_digits || line_of(content) != line + "\n") {
+      found.whole = false;
+      if (found.bad_line == 0) found.bad_line = number;
+      continue;
+    }
+    if (content.starts_with('{')) {
+      found.header = content;
+      found.whole = found.whole && number == 1;
+      continue;
+    }
+    const std::string hash = content.substr(0, hash_digits);
+    if (content.size() <= hash_digits + 1 || (wanted && !wanted->contains(hash))) {
+      found.whole = false;
+      continue;
+    }
+    const std::size_t before = check_digits + 1 + hash_digits + 1;
+    rows_[hash] = {.begin = end_ + before, .bytes = line.size() - before};
+  }
+  return found;
+}
+
+void SweepJournal::rewrite(const std::string& header) {
+  OutputFile file(file_);
+  std::map<std::string, Place> places;
+  std::string text = line_of(header);
+  std::size_t written = 0;
+  if (!rows_.empty()) open_file(O_RDONLY);
+  for (const auto& entry : rows_) {
+    const std::string content = entry.first + " " + row(entry.first);
+    const std::size_t before = check_digits + 1 + hash_digits + 1;
+    places[entry.first] = {.begin = written + text.size() + before, .bytes = entry.second.bytes};
+    text += line_of(content);
+    constexpr std::size_t enough = 1 << 20;
+    if (text.size() < enough) continue;
+    file.append(text);
+    written += text.size();
+    text.clear();
+  }
+  file.append(text);
+  file.commit();
+  if (descriptor_ >= 0) ::close(descriptor_);
+  descriptor_ = -1;
+  end_ = written + text.size();
+  rows_ = std::move(places);
+}
+
+std::string SweepJournal::row(const std::string& hash) const {
+  const Place& place = rows_.at(hash);
+  std::string text(place.bytes, '\0');
+  for (std::size_t done = 0; done < text.size();) {
+    const ssize_t got =
+        ::pread(descriptor_, text.data() + done, text.size() - done, static_cast<off_t>(place.begin + done));
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) refuse(file_, "cannot be read any more; it has been changed while it was in use");
+    done += static_cast<std::size_t>(got);
+  }
+  return text;
+}
+
+void SweepJournal::add(const std::string& hash, const std::string& text) {
+  const std::string line = line_of(hash + " " + text);
+  for (std::size_t done = 0; done < line.size();) {
+    const ssize_t put = ::write(descriptor_, line.data() + done, line.size() - done);
+    if (put < 0 && errno == EINTR) continue;
+    if (put < 0) refuse(file_, std::string("cannot be written (") + std::strerror(errno) + ")");
+    done += static_cast<std::size_t>(put);
+  }
+  const std::size_t before = check_digits + 1 + hash_digits + 1;
+  rows_[hash] = {.begin = end_ + before, .bytes = text.size()};
+  end_ += line.size();
+}
+
+}  // namespace ehd

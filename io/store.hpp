@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The rows of a sweep that are known, in a file that only grows: a line a row with its checksum, so that a run that is
+// killed loses no more than the line it was writing.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "io/output.hpp"
+
+namespace ehd {
+
+/// What a journal holds: which part of which sweep. The unsharded run is part 1 of 1.
+struct JournalHeader {
+  std::string sweep;  ///< Sweep's hash
+  std::size_t shard = 1, of = 1;
+};
+
+class SweepJournal {
+ public:
+  /// Opens the journal in `folder` (made where it does not exist) for a run, and keeps what it holds of `wanted` rows
+  /// (their hashes); damaged lines and rows of other sweeps or programs are left out for good. Throws OutputError: the
+  /// folder cannot be written, or another run is at work there.
+  SweepJournal(const std::filesystem::path& folder, const JournalHeader& header, const std::set<std::string>& wanted,
+               bool fresh);
+
+  /// A finished journal, for merging: every line must be whole, and the header this one, or OutputError says what is
+  /// there instead.
+  SweepJournal(const std::filesystem::path& folder, const JournalHeader& header);
+
+  ~SweepJournal();
+  SweepJournal(const SweepJournal&) = delete;
+  SweepJournal& operator=(const SweepJournal&) = delete;
+
+  [[nodiscard]] bool holds(const std::string& hash) const { return rows_.contains(hash); }
+  /// The row's text as it was added. Throws OutputError where the file has changed meanwhile.
+  [[nodiscard]] std::string row(const std::string& hash) const;
+  /// One line without line feeds. Throws OutputError. Not from several threads at once.
+  void add(const std::string& hash, const std::string& text);
+
+ private:
+  struct Place {
+    std::size_t begin = 0, bytes = 0;
+  };
+  struct Read {
+    bool whole = true;         ///< nothing but wanted rows, each line with its checksum
+    std::string header;        ///< empty where there is none
+    std::size_t bad_line = 0;  ///< first damaged line, from 1; 0: none
+  };
+  Read read(const std::set<std::string>* wanted);
+  void rewrite(const std::string& header);
+  void open_file(int flags);
+
+  std::filesystem::path folder_, file_;
+  int lock_ = -1, descriptor_ = -1;
+  std::size_t end_ = 0;
+  std::map<std::string, Place> rows_;
+};
+
+}  // namespace ehd

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A case with lists or ranges for some of its keys: the file as a user writes it, its strict reader, and its rows.
+// README.md lists the file's keys.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "workflow/bearing_run.hpp"
+#include "workflow/case.hpp"
+#include "io/output.hpp"
+
+namespace ehd {
+
+/// One key of the case with the values that it takes.
+struct SweptKey {
+  std::string key;  ///< "operation.radial_load_N"
+  std::vector<TomlValue> values;
+  int line = 0;      ///< of the sweep file
+  std::string text;  ///< the values as written there
+};
+
+enum class Combine { product, zip };
+
+struct Sweep {
+  std::string id;              ///< the file's name without .toml
+  std::filesystem::path file;  ///< as named by the user
+  std::filesystem::path case_file;
+  std::string case_text;
+  std::string case_id;
+  bool bearing = false;
+  std::vector<BearingLaw> laws;  ///< as asked for; empty: as `ehd bearing` has them
+  std::string solver = "fast";
+  double tolerance = 1e-3;  ///< of the films of a contact case; a bearing's contacts have their own
+  Combine combine = Combine::product;
+  std::vector<SweptKey> keys;  ///< in the order of the file, of which the last turns fastest
+  int keys_line = 0;
+
+  [[nodiscard]] std::size_t rows() const;
+  /// What row 0 … rows() - 1 puts into the case.
+  [[nodiscard]] std::vector<Substitution> values_of(std::size_t row) const;
+  /// The row's case, through the reader of case files. Throws CaseError with the sweep's line, the row and its keys.
+  [[nodiscard]] Case case_of(std::size_t row) const;
+  /// What run_bearing is asked for.
+  [[nodiscard]] BearingRequest request_of(const Case& row_case) const;
+  /// {"id", "case", "laws", "solver", "tolerance", "combine", "keys"}: what is not the row's own.
+  [[nodiscard]] Json to_json() const;
+};
+
+/// More rows are refused: they are all read before the first is computed.
+inline constexpr std::size_t most_rows = 100000;
+
+/// Reads the file and the case of every row, so that nothing is computed of a sweep that cannot be carried through.
+/// Throws CaseError.
+[[nodiscard]] Sweep read_sweep(const std::filesystem::path& file);
+
+[[nodiscard]] Json to_json(const TomlValue& value);
+
+}  // namespace ehd

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/toml.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+#include "workflow/case.hpp"
+#include "io/case_text.hpp"
+#include "contact/text.hpp"
+
+namespace ehd {
+
+namespace {
+
+constexpr std::size_t longest_text = 60;  // of a value in a message
+
+/// Where the column-th character of a line begins.
+std::size_t byte_of_column(std::string_view line, std::size_t column) {
+  std::size_t i = 0;
+  for (std::size_t c = 1; c < column && i < line.size(); ++c)
+    i += std::max<std::size_t>(utf8_length(line.substr(i)), 1);
+  return std::min(i, line.size());
+}
+
+std::string trimmed(std::string_view line) {
+  const auto begin = line.find_first_not_of(" \t");
+  if (begin == std::string_view::npos) return "";
+  return std::string(line.substr(begin, line.find_last_not_of(" \t") - begin + 1));
+}
+
+}  // namespace
+
+std::string type_of(const toml::node& node) {
+  switch (node.type()) {
+    case toml::node_type::table: return "a table";
+    case toml::node_type::array: return "an array";
+    case toml::node_type::string: return "a text";
+    case toml::node_type::integer: return "an integer";
+    case toml::node_type::floating_point: return "a number";
+    case toml::node_type::boolean: return "a boolean";
+    default: return "a date or time";
+  }
+}
+
+int line_of(const toml::node& node) { return std::max(1, static_cast<int>(node.source().begin.line)); }
+
+std::string text_of(const toml::node& node, const std::vector<std::string>& lines) {
+  const auto& region = node.source();
+  const auto first = static_cast<std::size_t>(region.begin.line);
+  if (first < 1 || first > lines.size()) return "";
+  const std::string& line = lines[first - 1];
+  const std::size_t begin = byte_of_column(line, region.begin.column);
+  const bool one = region.end.line == region.begin.line;
+  const std::size_t end = one ? byte_of_column(line, region.end.column) : line.size();
+  return shortened(line.substr(begin, std::max(begin, end) - begin), longest_text) + (one ? "" : "...");
+}
+
+toml::table parse_toml(const std::string& text, const std::filesystem::path& file) {
+  try {
+    return toml::parse(std::string_view(text));
+  } catch (const toml::parse_error& error) {
+    const std::vector<std::string> lines = lines_of(text);
+    const auto content_of = [&](int line) { return trimmed(lines[static_cast<std::size_t>(line - 1)]); };
+    int line = std::clamp(static_cast<int>(error.source().begin.line), 1, static_cast<int>(lines.size()));
+    std::string what(error.description());
+    // "Error while parsing key-value pair: cannot redefine existing integer 'a'"
+    if (const auto colon = what.find(": "); colon != std::string::npos && what.starts_with("Error while parsing"))
+      what = what.substr(colon + 2);
+    std::string allowed = "allowed is TOML";
+    if (what.find("cannot redefine") != std::string::npos) {
+      // The library's own copy of a name in quotation marks is not to be trusted; the line has it.
+      what = "is a duplicate (" + what.substr(0, what.find(" '")) + ")";
+      allowed = "allowed is each key and each table once";
+    } else if (what.find("unescaped control characters") != std::string::npos) {
+      what = "a text is not closed on its line";
+    } else if (what.find("encountered end-of-file") != std::string::npos) {
+      what = "the file ends in the middle (" + what + ")";
+      while (line > 1 && content_of(line).empty()) --line;
+    }
+    const std::string source = shortened(content_of(line), longest_text);
+    throw CaseError(one_line(file.string() + ":" + std::to_string(line) + (source.empty() ? "" : ": " + source) + ": " +
+                             shortened(what, 200) + "; " + allowed));
+  }
+}
+
+}  // namespace ehd

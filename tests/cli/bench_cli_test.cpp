@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// ehd bench as a process.
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+
+#include "tests/check.hpp"
+#include "tests/files.hpp"
+#include "tests/process.hpp"
+
+using namespace ehd;
+using namespace ehd::verification;
+using nlohmann::json;
+
+BOOST_AUTO_TEST_SUITE(bench_cli)
+
+BOOST_AUTO_TEST_CASE(a_quick_bench_prints_its_tables_and_leaves_its_files) {
+  const test::Folder folder;
+  const auto out = folder.path() / "new" / "bench";
+  const auto ended = test::ehd_run(folder,
+                                   "bench --quick --case own-moes-5-5 --solver fast --solver fast.uniform "
+                                   "--solver reference --output '" +
+                                       out.string() + "'");
+  BOOST_TEST(ended.exit_code == 0);
+  BOOST_TEST(ended.err == "");  // progress is for terminals
+  for (const char* text :
+       {"one convolution", "speed-up", "The truths", "reference/fast", "fast.uniform/fast", "covered"})
+    BOOST_CHECK_MESSAGE(ended.out.find(text) != std::string::npos, text << " is not in the tables");
+  const json bench = json::parse(test::read(out / "bench.json"));
+  BOOST_TEST(bench["schema"] == 1);
+  BOOST_TEST(bench["provenance"].contains("compiler"));
+  for (const char* part : {"work_precision", "scaling", "batch"}) BOOST_TEST(bench.contains(part));
+  BOOST_TEST(!bench["work_precision"]["rows"].empty());
+  for (const json& row : bench["work_precision"]["rows"]) {
+    if (row["status"] == "converged") BOOST_TEST(row["cost"]["wall_s"].get<double>() > 0);
+  }
+  for (const char* name : {"work_precision.csv", "scaling.csv"})
+    BOOST_TEST(test::read(out / name).find('\n') != std::string::npos);
+  const auto files = std::distance(std::filesystem::directory_iterator(out), {});
+  BOOST_TEST(files == 3);
+}
+
+BOOST_AUTO_TEST_CASE(one_part_leaves_its_own_files_only) {
+  const test::Folder folder;
+  const auto out = folder.path() / "bench";
+  const auto ended = test::ehd_run(folder, "bench --quick --part batch --solver fast --output '" + out.string() + "'");
+  BOOST_TEST(ended.exit_code == 0);
+  BOOST_TEST(std::filesystem::exists(out / "bench.json"));
+  BOOST_TEST(!std::filesystem::exists(out / "scaling.csv"));
+  BOOST_TEST(!json::parse(test::read(out / "bench.json")).contains("work_precision"));
+}
+
+BOOST_AUTO_TEST_CASE(wrong_usage_is_one_line_and_leaves_nothing) {
+  const test::Folder folder;
+  const std::string out = (folder.path() / "out").string();
+  const std::string file = folder.write("file", "text").string();
+  for (const auto& [arguments, says] : std::initializer_list<std::pair<std::string, std::string>>{
+           {"--part speed", "--part = speed: is unknown; allowed is work-precision, scaling, batch"},
+           {"--solver fastest", "--solver = fastest: is unknown"},
+           {"--case nowhere", "nowhere"},
+           {"--case dry-steel", "is a dry contact"},
+           {"--case na4908", "is no contact"},
+           {"--part batch --case own-moes-5-5", "belongs to the part work-precision"},
+           {"--part scaling --solver reference", "uses no FFT"},
+           {"--time-limit 0", "--time-limit = 0: is out of range"},
+           {"extra", "ehd --help"}}) {
+    const auto refused = test::ehd_run(folder, "bench --quick --output '" + out + "' " + arguments);
+    BOOST_TEST(refused.exit_code == 2, arguments);
+    BOOST_TEST(refused.error_lines() == 1, refused.err);
+    BOOST_TEST(refused.err.find(says) != std::string::npos, refused.err);
+    BOOST_TEST(refused.out == "");
+    BOOST_TEST(!std::filesystem::exists(out), arguments);
+  }
+  BOOST_TEST(test::ehd_run(folder, "bench --quick --output '" + file + "'").exit_code == 2);
+  BOOST_TEST(test::read(file) == "text");
+}
+
+BOOST_AUTO_TEST_SUITE_END()

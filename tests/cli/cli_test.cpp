@@ -1,0 +1,341 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The program as a process: exit codes and streams.
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tests/check.hpp"
+#include "tests/files.hpp"
+#include "tests/process.hpp"
+
+using namespace ehd;
+using namespace ehd::verification;
+using nlohmann::json;
+
+BOOST_AUTO_TEST_SUITE(cli)
+
+BOOST_AUTO_TEST_CASE(a_solve_prints_a_table_and_exits_with_0) {
+  const test::Folder folder;
+  const auto ended = test::ehd_run(folder, "solve own-moes-5-5 --tolerance 1e-2");
+  BOOST_TEST(ended.exit_code == 0);
+  BOOST_TEST(ended.err == "");
+  for (const char* text : {"film.minimum", "Moes", "converged", "Dowson & Higginson", "cost"})
+    BOOST_CHECK_MESSAGE(ended.out.find(text) != std::string::npos, text << " is not in the table");
+  BOOST_TEST(ended.out.find('\033') == std::string::npos);  // no colour into a file
+}
+
+BOOST_AUTO_TEST_CASE(json_on_standard_output_stands_alone_and_is_read_back) {
+  const test::Folder folder;
+  const auto ended = test::ehd_run(folder, "solve --M 5 --L 5 --inlet -4 --tolerance 1e-2 --json -");
+  BOOST_TEST(ended.exit_code == 0);
+  const json result = json::parse(ended.out);
+  BOOST_TEST(result["status"] == "converged");
+  BOOST_TEST(result["solver"] == "fast");
+  BOOST_TEST(!result.contains("case"));
+  EHD_CHECK(result["film"]["minimum"]["error"].get<double>(), Tolerance::required(1e-2, "the tolerance asked for"));
+}
+
+BOOST_AUTO_TEST_CASE(a_solve_that_does_not_converge_exits_with_1_and_says_so_beside_the_json) {
+  const test::Folder folder;
+  const auto ended = test::ehd_run(folder, "solve own-moes-20-10 --max-iterations 1 --json -");
+  BOOST_TEST(ended.exit_code == 1);
+  BOOST_TEST(ended.error_lines() == 1);
+  const json result = json::parse(ended.out);
+  BOOST_TEST(result["status"] != "converged");
+}
+
+BOOST_AUTO_TEST_CASE(a_grid_that_cannot_see_the_inlet_zone_is_no_solution) {
+  const test::Folder folder;
+  const auto ended = test::ehd_run(folder, "solve own-moes-1000-10 --solver fast.uniform --nodes 256 --json -");
+  BOOST_TEST(ended.exit_code == 1);
+  BOOST_TEST(json::parse(ended.out)["status"] != "converged");
+}
+
+BOOST_AUTO_TEST_CASE(wisdom_is_written_read_again_and_refused_where_it_is_none) {
+  const test::Folder folder;
+  const auto wisdom = folder.path() / "wisdom.txt", text = folder.path() / "text.txt";
+  const auto solve = [&](const std::string& rest) {
+    return test::ehd_run(folder, "solve own-moes-5-5 --tolerance 1e-2 --json - " + rest);
+  };
+  const auto plain = solve(""), first = solve("--wisdom " + wisdom.string()), second = solve("--wisdom " + wisdom.string());
+  for (const auto* ended : {&plain, &first, &second}) BOOST_REQUIRE(ended->exit_code == 0);
+  BOOST_TEST(std::filesystem::file_size(wisdom) > 0u);
+  const double film = json::parse(plain.out)["film"]["central"]["hertz"];
+  const double again = json::parse(second.out)["film"]["central"]["hertz"];
+  // Other plans round otherwise; Newton stops at the same step and passes a small part of it on.
+  EHD_CHECK(error(again, film), verification::Tolerance::round_off(1e4, 1e2));
+  std::ofstream(text) << "no wisdom\n";
+  for (const auto& name : {text, folder.path()}) {
+    const auto refused = solve("--wisdom " + name.string());
+    BOOST_TEST(refused.exit_code == 2);
+    BOOST_TEST(refused.error_lines() == 1);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_error_of_a_film_is_the_sum_of_its_parts) {
+  const test::Folder folder;
+  const auto ended = test::ehd_run(folder, "solve own-moes-5-5-flooded --tolerance 1e-3 --json -");
+  BOOST_REQUIRE(ended.exit_code == 0);
+  const json film = json::parse(ended.out)["film"];
+  for (const char* which : {"minimum", "central"}) {
+    const json& parts = film[which]["errors"];
+    const double sum = parts["discretisation"].get<double>() + parts["iteration"].get<double>() +
+                       parts["truncation"].get<double>();
+    BOOST_TEST(parts["truncation"].get<double>() > 0);
+    BOOST_TEST(parts["iteration"].get<double>() > 0);
+    EHD_CHECK(error(sum, film[which]["error"].get<double>()), verification::Tolerance::round_off(4));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(files_are_written_beside_the_table) {
+  const test::Folder folder;
+  const auto result = folder.path() / "result.json", profile = folder.path() / "profile.csv";
+  const auto ended = test::ehd_run(
+      folder, "solve own-moes-5-5 --tolerance 1e-2 --json " + result.string() + " --profile " + profile.string());
+  BOOST_TEST(ended.exit_code == 0);
+  BOOST_TEST(ended.out.find("film.minimum") != std::string::npos);
+  BOOST_TEST(json::parse(test::read(result))["case"] == "own-moes-5-5");
+  BOOST_TEST(test::read(profile).starts_with("X [x/b],P [p/p_H],H [h R/b^2],rho [rho/rho_0],eta [eta/eta_0]\n"));
+}
+
+BOOST_AUTO_TEST_CASE(a_dry_case_is_exact_and_has_no_groups_and_no_film) {
+  const test::Folder folder;
+  const auto ended = test::ehd_run(folder, "solve dry-steel --json -");
+  BOOST_TEST(ended.exit_code == 0);
+  const json result = json::parse(ended.out);
+  BOOST_TEST(result["status"] == "converged");
+  BOOST_TEST(!result["groups"].contains("M"));
+  BOOST_TEST(!result["film"].contains("minimum"));
+  EHD_CHECK(error(result["film"]["offset"]["hertz"], -0.5965736), Tolerance::published_digits("0.5965736"));
+  BOOST_TEST(result["cost"]["fft_plans"] == 0);
+}
+
+// Every row: arguments, and what the one line on standard error must hold.
+BOOST_AUTO_TEST_CASE(wrong_usage_is_one_line_on_standard_error_and_exit_code_2) {
+  const test::Folder folder;
+  const std::string bad = folder.write("bad.toml", "id = \"bad\"\nversion = 1\nx = 2\n").string();
+  const std::string heading = "\nversion = 1\ntitle = \"t\"\nsource = \"own\"\n";
+  const std::string dry = folder
+                              .write("dry.toml", "id = \"dry\"" + heading +
+                                                     "[conditions]\nload_N_per_m = 1.2e5\nreduced_radius_m = 1.1e-2\n"
+                                                     "reduced_modulus_Pa = 2.3e11\n")
+                              .string();
+  const std::string dry_otherwise = (folder.path() / "." / "dry.toml").string();
+  const std::string fluid =
+      folder
+          .write("fluid.toml", "id = \"fluid\"" + heading +
+                                   "[moes]\nM = 5.5\nL = 4.5\n[lubricant]\nviscosity = \"barus\"\n"
+                                   "density = \"incompressible\"\n[domain]\ninlet = -4.0\n")
+          .string();
+  const std::string resting =
+      folder
+          .write("resting.toml",
+                 "id = \"resting\"" + heading +
+                     "[bearing]\nrollers = 21\npitch_diameter_m = 0.053\nroller_diameter_m = 0.005\nlength_m = 0.121\n"
+                     "clearance_m = 2.5e-6\ndensity_kg_per_m3 = 7850.0\nrotating = \"outer\"\n[operation]\n"
+                     "speed_rpm = 0.0\nradial_load_N = 50.0e3\n[material]\nmodulus_Pa = 2.06e11\npoisson = 0.3\n"
+                     "[lubricant]\nviscosity = \"barus\"\ndensity = \"incompressible\"\nviscosity_Pa_s = 0.02\n"
+                     "alpha_per_Pa = 2.0e-8\n")
+          .string();
+  const std::string absent = (folder.path() / "absent" / "file").string();
+  const std::vector<std::pair<std::string, std::string>> rows{
+      {"frobnicate", "frobnicate"},
+      {"--frobnicate", "frobnicate"},
+      {"solve", "is missing"},
+      {"solve no-such-case", "there is no such case"},
+      {"solve " + bad, "bad.toml:3: x = 2: is unknown; allowed is"},
+      {"solve " + folder.path().string(), "is a directory"},
+      {"solve own-moes-5-5 own-moes-20-10", "own-moes-20-10"},
+      {"solve own-moes-5-5 --M 3 --L 4", "exclude each other"},
+      {"solve own-moes-5-5 --frobnicate", "frobnicate"},
+      {"solve own-moes-5-5 --solver magic", "is unknown; allowed is reference"},
+      {"solve own-moes-5-5 --tolerance 0", "is not positive"},
+      {"solve own-moes-5-5 --tolerance -1e-3", "is not positive"},
+      {"solve own-moes-5-5 --tolerance nan", "is not finite"},
+      {"solve own-moes-5-5 --tolerance inf", "is not finite"},
+      {"solve own-moes-5-5 --tolerance 1e999", "is out of range"},
+      {"solve own-moes-5-5 --tolerance", "--tolerance"},
+      {"solve own-moes-5-5 --tolerance 1e-3 --tolerance 1e-4", "--tolerance"},
+      {"solve own-moes-5-5 --tolerance 1e-3 --nodes 64", "exclude each other"},
+      {"solve own-moes-5-5 --nodes 15", "is too few; allowed is an integer from 16"},
+      {"solve own-moes-5-5 --nodes 64.5", "is not an integer"},
+      {"solve own-moes-5-5 --nodes 99999999999", "is not an integer"},
+      {"solve own-moes-5-5 --nodes 2000000000 --solver reference", "would not fit into memory"},
+      {"solve own-moes-5-5 --quantity film.maximum", "is unknown; allowed is film.minimum"},
+      {"solve own-moes-5-5 --max-iterations 0", "is too few"},
+      {"solve own-moes-5-5 --time-limit 0", "is out of range"},
+      {"solve own-moes-5-5 --json " + absent, "cannot be written"},
+      {"solve own-moes-5-5 --profile " + folder.path().string(), "it is a directory"},
+      {"solve own-moes-5-5 --profile -", "--profile = -: is no file; allowed is a file's name"},
+      {"solve own-moes-5-5 --wisdom -", "--wisdom = -: is no file; allowed is a file's name"},
+      {"solve own-moes-5-5 --json a --profile a", "--profile = a: is the same file as --json"},
+      {"solve own-moes-5-5 --json a.json --profile ./a.json", "--profile = ./a.json: is the same file as --json"},
+      {"solve " + dry + " --json " + dry, "is the same file as the case"},
+      {"solve " + dry + " --profile " + dry_otherwise, "is the same file as the case"},
+      {"compare " + fluid + " --json " + fluid, "is the same file as the case fluid"},
+      {"plan " + dry + " --json " + dry, "is the same file as the case"},
+      {"solve own-moes-5-5 --json ''", "cannot be written"},
+      {"solve --M 20", "--L is missing"},
+      {"solve --L 20", "--M is missing"},
+      {"solve --M twenty --L 10", "is not a number"},
+      {"solve --M 1e308 --L 10", "is out of range"},
+      {"solve --M -5 --L 10", "ehd: --M = -5: is out of range; allowed is 1e-3 to 1e6"},
+      {"solve --M 20 --L 5e-324", "is out of range"},
+      {"solve --M 20 --L 10 --inlet 0.5", "does not lie before the contact"},
+      {"solve --M 20 --L 10 --viscosity magic", "is unknown; allowed is isoviscous"},
+      {"solve --M 20 --L 10 --viscosity isoviscous", "--viscosity = isoviscous: contradicts --L = 10; allowed"},
+      {"solve --M 20 --L 10 --viscosity roelands", "--viscosity = roelands: needs pressures in Pa"},
+      {"solve --M 20 --L 10 --viscosity roelands", "required is --alpha-per-Pa"},
+      {"solve --M 20 --L 10 --viscosity roelands --alpha-per-Pa 2e-8", "required is --z"},
+      {"solve --M 20 --L 10 --density dowson-higginson", "--density = dowson-higginson: needs pressures in Pa"},
+      {"solve na4908", "na4908.toml:"},
+      {"compare", "a CASE is missing"},
+      {"compare own-moes-5-5 no-such-case", "there is no such case"},
+      {"compare dry-steel", "is a dry contact"},
+      {"compare own-moes-5-5 --solver magic", "is unknown"},
+      {"verify --random-runs 0", "--random-runs = 0: is out of range; allowed is 1 to 10000"},
+      {"compare own-moes-5-5 --tolerance x", "is not a number"},
+      {"cases extra", "extra"},
+      {"plan", "CASE"},
+      {"plan no-such-case", "there is no such case"},
+      {"plan own-moes-5-5 --law hertz", "--law belongs to a bearing"},
+      {"plan na4908 --solver fast", "belong to a contact"},
+      {"plan na4908 --law magic", "is unknown"},
+      {"plan harris-209 --law ehd", "is missing; law ehd needs it"},
+      {"plan " + resting, "resting.toml:14: speed_rpm = 0.0: leaves the rings at rest"},
+      {"bearing " + resting, "resting.toml:14: speed_rpm = 0.0: leaves the rings at rest"},
+      {"bearing na4908 --law tripp", "[bearing] ring_thickness_m: is missing; law tripp needs it at the outer raceway"},
+      {"plan na4908 --law houpert", "allowed without: hertz, iso, lundberg"},
+      {"bearing na4908 --law hertz --form cubic", "--form = cubic: is unknown; allowed is plane or radial"},
+      {"bearing na4908 --law hertz --cage-positions 1", "--cage-positions = 1: is out of range; allowed is an integer from 2"},
+      {"plan own-moes-5-5 --nodes 2000000000 --solver reference", "would not fit into memory"},
+  };
+  std::size_t ran = 0;
+  for (const auto& [arguments, phrase] : rows) {
+    const auto ended = test::ehd_run(folder, arguments);
+    BOOST_TEST_CONTEXT("ehd " << arguments) {
+      BOOST_TEST(ended.exit_code == 2);
+      BOOST_TEST(ended.out == "");
+      BOOST_CHECK_MESSAGE(ended.error_lines() == 1, "not one line: " << ended.err);
+      BOOST_CHECK_MESSAGE(ended.err.find(phrase) != std::string::npos, phrase << " is not in: " << ended.err);
+    }
+    ++ran;
+  }
+  BOOST_TEST(ran == rows.size());
+}
+
+BOOST_AUTO_TEST_CASE(without_a_solution_no_profile_is_written_and_that_is_said) {
+  const test::Folder folder;
+  const auto profile = folder.write("profile.csv", "old");
+  const auto ended =
+      test::ehd_run(folder, "solve own-moes-20-10 --max-iterations 1 --json - --profile " + profile.string());
+  BOOST_TEST(ended.exit_code == 1);
+  const json result = json::parse(ended.out);
+  BOOST_TEST(ended.error_lines() == 1);
+  const bool written = test::read(profile) != "old";
+  const bool said = ended.err.find("no profile is written") != std::string::npos;
+  BOOST_TEST(written != said);
+  if (result["status"] == "diverged") BOOST_TEST(said);
+}
+
+BOOST_AUTO_TEST_CASE(what_cannot_be_judged_is_skipped_with_a_reason_and_exit_code_0) {
+  const test::Folder folder;
+  const std::string dry = folder
+                              .write("silent.toml",
+                                     "id = \"silent\"\nversion = 1\ntitle = \"t\"\nsource = \"own\"\n[conditions]\n"
+                                     "load_N_per_m = 1.2e5\nreduced_radius_m = 1.1e-2\nreduced_modulus_Pa = 2.3e11\n")
+                              .string();
+  for (const std::string& selection : {std::string("--case venner1991-waiting"), "--case " + dry}) {
+    const auto ended = test::ehd_run(folder, "verify " + selection);
+    BOOST_TEST_CONTEXT("ehd verify " << selection) {
+      BOOST_TEST(ended.exit_code == 0);
+      BOOST_TEST(ended.err == "");
+      BOOST_TEST(ended.out.find("  skipped  ") != std::string::npos);
+      BOOST_TEST(ended.out.find("nothing could be judged: ") != std::string::npos);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_refused_verify_leaves_no_folder) {
+  const test::Folder folder;
+  const auto above = folder.path() / "out";
+  const std::string output = " --output " + (above / "verify").string();
+  for (const char* selection : {"--case no-such-case", "--rung 7 --case own-moes-5-5", "--rung 12"}) {
+    BOOST_TEST(test::ehd_run(folder, "verify " + (selection + output)).exit_code == 2);
+    BOOST_TEST(!std::filesystem::exists(above));
+  }
+  BOOST_TEST(test::ehd_run(folder, "verify --rung 3" + output + "/").exit_code == 0);
+  BOOST_TEST(std::filesystem::exists(above / "verify" / "results.json"));
+}
+
+BOOST_AUTO_TEST_CASE(an_id_is_preferred_to_a_file_of_that_name_unless_it_is_written_as_a_path) {
+  const test::Folder folder;
+  (void)folder.write("dry-steel", "no case");
+  const std::string here = "'" + folder.path().string() + "'";
+  const std::string program = "'" + std::string(EHD_PROGRAM) + "'";
+  const auto in_folder = [&](const std::string& name) {
+    return std::system(("cd " + here + " && " + program + " plan " + name + " > /dev/null 2>&1").c_str());
+  };
+  BOOST_TEST(in_folder("dry-steel") == 0);
+  BOOST_TEST(in_folder("./dry-steel") != 0);
+}
+
+BOOST_AUTO_TEST_CASE(help_and_version_are_printed_with_exit_code_0) {
+  const test::Folder folder;
+  for (const char* arguments : {"", "--help", "solve --help", "compare --help", "cases --help", "plan --help"}) {
+    const auto ended = test::ehd_run(folder, arguments);
+    BOOST_TEST(ended.exit_code == 0);
+    BOOST_TEST(ended.err == "");
+    BOOST_CHECK_MESSAGE(ended.out.find("Examples:") != std::string::npos, "no examples: ehd " << arguments);
+  }
+  const auto version = test::ehd_run(folder, "--version");
+  BOOST_TEST(version.exit_code == 0);
+  BOOST_TEST(version.out.starts_with("ehd "));
+}
+
+BOOST_AUTO_TEST_CASE(the_cases_are_listed_with_how_to_cite_them) {
+  const test::Folder folder;
+  const auto list = test::ehd_run(folder, "cases");
+  BOOST_TEST(list.exit_code == 0);
+  BOOST_TEST(list.out.find("own-moes-20-10") != std::string::npos);
+  BOOST_TEST(list.out.find("Int. J. Num. Meth. Fluids 4, 377-397") != std::string::npos);
+  const auto bibtex = test::ehd_run(folder, "cases --bibtex");
+  BOOST_TEST(bibtex.exit_code == 0);
+  BOOST_TEST(bibtex.out.find("@article{kostreva1984,") != std::string::npos);
+  BOOST_TEST(bibtex.out.find("@misc{ertelgrubin,") != std::string::npos);  // a source of claims alone
+  BOOST_TEST(list.out.find("biboulet-houpert-rigid") != std::string::npos);
+  for (const char* kind : {"  exact  ", "  fit  ", "  computed  ", "  waiting  "})
+    BOOST_CHECK_MESSAGE(list.out.find(kind) != std::string::npos, kind << "is no kind in the list");
+}
+
+BOOST_AUTO_TEST_CASE(a_plan_says_what_is_skipped_and_why) {
+  const test::Folder folder;
+  const auto ended = test::ehd_run(folder, "plan own-isoviscous-10-0 --json -");
+  BOOST_TEST(ended.exit_code == 0);
+  const json plan = json::parse(ended.out)["plan"];
+  BOOST_TEST(plan["skipped"].dump().find("no exponential is evaluated") != std::string::npos);
+  const auto bearing = test::ehd_run(folder, "plan na4908 --law hertz");
+  BOOST_TEST(bearing.exit_code == 0);
+  BOOST_TEST(bearing.out.find("skipped, and why") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(solvers_are_compared_by_the_error_that_they_achieve) {
+  const test::Folder folder;
+  const auto ended = test::ehd_run(folder, "compare own-moes-5-5 --tolerance 1e-2 --tolerance 1e-3 --json -");
+  BOOST_TEST(ended.exit_code == 0);
+  const json comparison = json::parse(ended.out);
+  BOOST_REQUIRE(comparison.size() == 1u);
+  BOOST_REQUIRE(comparison[0]["runs"].size() == 4u);  // reference and fast, two tolerances each
+  for (const auto& run : comparison[0]["runs"]) {
+    const double tolerance = run["tolerance"];
+    EHD_CHECK(run["achieved_error"]["film.minimum"].get<double>(),
+              Tolerance::required(tolerance, "interface.md: --tolerance T asks for an error <= T"));
+    EHD_CHECK(run["achieved_error"]["film.central"].get<double>(),
+              Tolerance::required(tolerance, "interface.md: --tolerance T asks for an error <= T"));
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()

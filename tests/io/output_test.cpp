@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/output.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <sstream>
+
+#include "tests/check.hpp"
+#include "tests/files.hpp"
+#include "contact/text.hpp"
+
+using namespace ehd;
+using namespace ehd::verification;
+
+namespace {
+
+/// Three nodes with numbers that cannot be mixed up.
+ContactRun made_run() {
+  ContactRun run;
+  run.case_id = "mine";
+  run.version = 3;
+  run.solver = "fast";
+  run.groups = Groups{.M = 20, .L = 10, .lambda = 0.0093, .alpha_p_H = 17.8};
+  run.scales = Scales{.hertz_pressure_Pa = 8e8, .half_width_m = 2e-4, .reduced_radius_m = 1e-2};
+  run.solution.record.status = StopReason::converged;
+  run.solution.observables[Quantity::film_minimum] = {.value = 0.0741427, .place = 0.955, .error = 2e-4};
+  run.solution.observables[Quantity::film_offset] = {.value = -0.5034, .error = 1e-4};
+  run.solution.observables[Quantity::load_error] = {.value = std::numeric_limits<double>::quiet_NaN()};
+  Fields& fields = run.solution.fields;
+  fields.X = Array(3);
+  fields.X << -4, 0.5, 1.07;
+  fields.P = Array(3);
+  fields.P << 0, 0.9, 0;
+  fields.H = Array(3);
+  fields.H << 7.7, 0.08, 0.09;
+  fields.density = Array(3);
+  fields.density << 1, 1.2, 1;
+  fields.log_viscosity = Array(3);
+  fields.log_viscosity << 0, 846, 0;  // e^846 overflows
+  return run;
+}
+
+bool holds_null(const Json& json) {
+  if (json.is_null()) return true;
+  return json.is_structured() && std::any_of(json.begin(), json.end(), holds_null);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(output)
+
+BOOST_AUTO_TEST_CASE(the_json_of_a_solve_has_the_keys_that_scripts_rely_on) {
+  const Json json = Json::parse(json_text(to_json(made_run())));
+  BOOST_TEST(json["case"] == "mine");
+  BOOST_TEST(json["version"] == 3);
+  BOOST_TEST(json["solver"] == "fast");
+  BOOST_TEST(json["status"] == "converged");
+  BOOST_TEST(json["groups"]["M"] == 20);
+  BOOST_TEST(json["film"]["minimum"]["hertz"] == 0.0741427);
+  BOOST_TEST(json["film"]["minimum"]["x"] == 0.955);
+  BOOST_TEST(json["film"]["minimum"]["error"] == 2e-4);
+  constexpr double operations = 4;
+  EHD_CHECK(error(json["film"]["minimum"]["moes"], 0.0741427 * 8 * 20 / M_PI), Tolerance::round_off(operations));
+  EHD_CHECK(error(json["film"]["minimum"]["m"], 0.0741427 * 2e-4 * 2e-4 / 1e-2), Tolerance::round_off(operations));
+  BOOST_TEST(json["film"]["offset"]["hertz"] == -0.5034);
+  BOOST_TEST(json["plan"]["run"].is_array());
+  BOOST_TEST(json["notes"].is_array());
+}
+
+BOOST_AUTO_TEST_CASE(what_is_not_finite_or_not_known_is_absent_and_never_null) {
+  const Json json = to_json(made_run());
+  BOOST_TEST(!holds_null(json));
+  BOOST_TEST(!json.contains("load_error"));  // it was NaN
+  BOOST_TEST(!json["film"].contains("central"));
+  BOOST_TEST(!json.contains("pressure"));
+  BOOST_TEST(!json["groups"].contains("W"));
+  ContactRun diverged = made_run();
+  diverged.solution.record.status = StopReason::diverged;
+  diverged.solution.observables.clear();
+  BOOST_TEST(!to_json(diverged).contains("film"));
+}
+
+BOOST_AUTO_TEST_CASE(G_is_absent_where_alpha_is_unknown) {
+  ContactRun run = made_run();
+  run.scales->dowson = DowsonGroups{.W = 2e-5, .U_mean = 1e-11, .G = 0};
+  BOOST_TEST(to_json(run)["groups"].contains("W"));
+  BOOST_TEST(!to_json(run)["groups"].contains("G"));
+  BOOST_TEST(human_table(run, "title", false).find("  G ") == std::string::npos);
+  run.scales->dowson->G = 4600;
+  BOOST_TEST(to_json(run)["groups"]["G"] == 4600);
+}
+
+BOOST_AUTO_TEST_CASE(a_cost_tells_of_a_grid_only_where_one_was_accepted) {
+  ContactRun run = made_run();
+  run.solution.record.cost.convolutions = 7;
+  for (const char* key : {"work_units", "nodes", "levels"}) BOOST_TEST(!to_json(run)["cost"].contains(key));
+  BOOST_TEST(to_json(run)["cost"]["convolutions"] == 7);
+  run.solution.record.cost.nodes = 256;
+  for (const char* key : {"work_units", "nodes", "levels"}) BOOST_TEST(to_json(run)["cost"].contains(key));
+}
+
+BOOST_AUTO_TEST_CASE(what_a_solver_notes_stands_in_the_json_and_in_the_table) {
+  RegisteredSolver noting = *find_solver("fast");
+  noting.solve = [](const Problem&, const Request&) {
+    Solution solution;
+    solution.record.status = StopReason::converged;
+    solution.record.notes = {"the spike is left out"};
+    return solution;
+  };
+  ContactCase contact;
+  contact.statement = MoesGroups{.M = 7, .L = 3};
+  contact.lubricant = Lubricant{};
+  contact.inlet = Flooded{};
+  const ContactRun run = run_contact(contact, noting, Request{});
+  BOOST_TEST(to_json(run)["notes"] == Json::array({"the spike is left out"}));
+  BOOST_TEST(human_table(run, "title", false).find("note  the spike is left out\n") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(a_profile_has_a_column_for_each_field_and_si_where_it_is_known) {
+  std::istringstream csv(profile_csv(made_run()));
+  std::string header, row, spike;
+  std::getline(csv, header);
+  std::getline(csv, row);
+  std::getline(csv, spike);
+  BOOST_TEST(header == "X [x/b],P [p/p_H],H [h R/b^2],rho [rho/rho_0],eta [eta/eta_0],x_m [m],p_Pa [Pa],h_m [m]");
+  BOOST_TEST(row == "-4,0,7.7,1,1,-0.0008,0,3.08e-05");
+  BOOST_TEST(spike == "0.5,0.9,0.08,1.2,,0.0001,720000000,3.2e-07");
+  ContactRun groups_only = made_run();
+  groups_only.scales.reset();
+  BOOST_TEST(profile_csv(groups_only).find("x_m") == std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(digits_printed_are_digits_known) {
+  BOOST_TEST(with_error(0.0741427, 2e-4) == "0.07414(2)");
+  BOOST_TEST(with_error(3.9760, 5e-5) == "3.9760(2)");
+  BOOST_TEST(with_error(1.5141e-7, 1e-3) == "1.514(2)e-7");
+  BOOST_TEST(with_absolute_error(-0.50277, 1e-4) == "-0.5028(1)");
+  BOOST_TEST(with_error(123.456, 0.02) == "123(3)");
+  BOOST_TEST(with_error(0.0741427, 0.0133) == "0.074(1)");
+  BOOST_TEST(with_error(2.5, 1.5).find("error") != std::string::npos);
+  BOOST_TEST(with_error(0.5, std::nullopt) == "0.5");
+  BOOST_TEST(with_error(0.5, std::numeric_limits<double>::infinity()) == "0.5");
+  BOOST_TEST(plain(1e-6) == "1e-6");
+  BOOST_TEST(plain(1e6) == "1e6");
+}
+
+BOOST_AUTO_TEST_CASE(a_message_is_one_line_whatever_it_quotes) {
+  BOOST_TEST(one_line("a\nb\r\x1b[1m\xFFü") == "a\\nb\\x0D\\x1B[1m\\xFFü");
+  BOOST_TEST(shortened("über", 1) == "...");
+  BOOST_TEST(shortened("abc", 3) == "abc");
+}
+
+BOOST_AUTO_TEST_CASE(a_file_appears_whole_or_not_at_all) {
+  const test::Folder folder;
+  const auto file = folder.write("result.json", "old");
+  {
+    const OutputFile abandoned(file);
+    BOOST_TEST(test::read(file) == "old");
+  }
+  BOOST_TEST(test::read(file) == "old");
+  OutputFile written(file);
+  written.commit("new");
+  BOOST_TEST(test::read(file) == "new");
+  const auto entries = std::distance(std::filesystem::directory_iterator(folder.path()), {});
+  BOOST_TEST(entries == 1);  // no temporary file stays
+}
+
+BOOST_AUTO_TEST_CASE(a_path_that_cannot_be_written_is_refused_at_once) {
+  const test::Folder folder;
+  BOOST_CHECK_THROW(OutputFile(folder.path()), OutputError);
+  BOOST_CHECK_THROW(OutputFile(folder.path() / "absent" / "result.json"), OutputError);
+  BOOST_CHECK_THROW(OutputFile(""), OutputError);
+}
+
+BOOST_AUTO_TEST_CASE(a_full_device_is_an_error) {
+  OutputFile full("/dev/full");
+  BOOST_CHECK_THROW(full.commit("text"), OutputError);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

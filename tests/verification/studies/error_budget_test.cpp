@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verification/studies/error_budget.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "tests/check.hpp"
+#include "tests/made_bearing.hpp"
+
+namespace ehd::verification {
+
+namespace {
+
+/// With room, a range of the fit that follows the load, and other rollers than the paper's.
+Case needle_bearing() {
+  Case one = made::needle_bearing(4e-6);
+  auto& body = std::get<BearingCase>(one.body);
+  body.geometry.rollers = 19;
+  body.operation.radial_load_N = 20e3;
+  body.fit = {};
+  return one;
+}
+
+constexpr double stated = 1e-3;  ///< the synthetic solver's own error of the offset film
+
+/// The offset film off by `share` of the stated error.
+ContactSolver synthetic(double share) {
+  return [share](const Problem& problem, const Request&) { return made::contact(problem, stated, share); };
+}
+
+std::vector<BearingResult> run(ContactMemory& memory) {
+  return run_bearing(needle_bearing(), {.laws = {BearingLaw::hertz, BearingLaw::ehd_linear, BearingLaw::ehd}}, memory);
+}
+
+const BudgetRow& row_of(const std::vector<BudgetRow>& rows, const std::string& source) {
+  const auto found = std::find_if(rows.begin(), rows.end(), [&](const BudgetRow& row) { return row.source == source; });
+  BOOST_REQUIRE(found != rows.end());
+  return *found;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(error_budget)
+
+// Agreement: films that are wrong by as much as the solver states move the balance within the bound, and the bound is
+// not empty: with all errors of one sign at least a hundredth of it is used.
+BOOST_AUTO_TEST_CASE(the_solvers_bound_covers_a_solver_that_is_wrong_by_its_stated_error) {
+  ContactMemory right(synthetic(0)), wrong(synthetic(1));
+  const auto truth = run(right), moved = run(wrong);
+  int judged = 0;
+  for (const std::size_t k : {1u, 2u}) {
+    const auto rows = budget_of(needle_bearing(), truth, truth[k].law, right);
+    const BudgetRow& bound = row_of(rows, "contact solver");
+    BOOST_TEST(bound.bound);
+    const double displacement_m = std::abs(moved[k].displacement_m - truth[k].displacement_m);
+    BOOST_TEST(displacement_m <= bound.displacement_m);
+    BOOST_TEST(displacement_m >= 0.01 * bound.displacement_m);
+    for (std::size_t j = 0; j < truth[k].rollers.size(); ++j) {
+      // An unloaded roller of the line has no stiffness: its force is zero in both.
+      BOOST_TEST(std::abs(moved[k].rollers[j].inner.force_N - truth[k].rollers[j].inner.force_N) <=
+                 bound.any_force_N * (1 + 1e-3));
+      ++judged;
+    }
+    BOOST_TEST(bound.any_force_N < 0.01 * truth[k].rollers[0].inner.force_N);
+  }
+  BOOST_TEST(judged == 2 * 19);
+}
+
+// Exact: a difference is that of the two balances.
+BOOST_AUTO_TEST_CASE(the_fits_row_is_the_difference_of_the_two_laws) {
+  ContactMemory memory(synthetic(0));
+  const auto results = run(memory);
+  const long solves = memory.solves();
+  const auto rows = budget_of(needle_bearing(), results, BearingLaw::ehd_linear, memory);
+  BOOST_TEST(memory.solves() == solves);  // another datum needs no other contact
+  const BudgetRow& fit = row_of(rows, "fit");
+  BOOST_TEST(!fit.bound);
+  BOOST_TEST(fit.displacement_m == std::abs(results[1].displacement_m - results[2].displacement_m));
+  BOOST_TEST(fit.largest_force_N == std::abs(results[1].rollers[0].inner.force_N - results[2].rollers[0].inner.force_N));
+  BOOST_TEST(fit.any_force_N >= fit.largest_force_N);
+  BOOST_TEST(std::count_if(rows.begin(), rows.end(), [](const BudgetRow& row) { return row.source == "datum"; }) == 2);
+}
+
+// The line's films are the curve's, whose errors are in its budget; its balance is of the fit's own contacts, which are.
+BOOST_AUTO_TEST_CASE(the_lines_budget_has_its_films_interpolation_and_its_fits_own_contacts) {
+  ContactMemory memory(synthetic(0));
+  const auto results = run(memory);
+  const auto rows = budget_of(needle_bearing(), results, BearingLaw::ehd_linear, memory);
+  const BearingResult& line = results[1];
+  const BudgetRow &between = row_of(rows, "interpolation"), &below = row_of(rows, "rigid limit");
+  for (const BudgetRow* row : {&between, &below}) {
+    BOOST_TEST(row->bound);
+    BOOST_TEST(row->displacement_m == 0);
+    BOOST_TEST(row->any_force_N == 0);
+  }
+  // The thinnest film is under the most loaded roller, far above the lightest solved contact.
+  BOOST_REQUIRE(between.smallest_film.has_value());
+  BOOST_TEST((*between.smallest_film == line.curve->inner.interpolation_error || *between.smallest_film == line.curve->outer.interpolation_error));
+  BOOST_TEST(*between.smallest_film > 0);
+  BOOST_TEST(!below.smallest_film.has_value());
+  // Ten times the error at the fit's contacts, ten times the bound, whatever the curve's own contacts are known to.
+  auto worse = results;
+  for (auto* fit : {&worse[1].fit->inner, &worse[1].fit->outer})
+    for (bearing::FitPoint& point : fit->points) point.approach_error_m *= 10;
+  const BudgetRow tenfold = row_of(budget_of(needle_bearing(), worse, BearingLaw::ehd_linear, memory), "contact solver");
+  const BudgetRow own = row_of(rows, "contact solver");
+  EHD_CHECK(error(tenfold.displacement_m, 10 * own.displacement_m), Tolerance::round_off(100));
+  EHD_CHECK(error(tenfold.any_force_N, 10 * own.any_force_N), Tolerance::round_off(100));
+}
+
+BOOST_AUTO_TEST_CASE(a_dry_law_has_no_budget_and_the_full_one_has_no_fit) {
+  ContactMemory memory(synthetic(0));
+  const auto results = run(memory);
+  BOOST_TEST(budget_of(needle_bearing(), results, BearingLaw::hertz, memory).empty());
+  for (const BudgetRow& row : budget_of(needle_bearing(), results, BearingLaw::ehd, memory)) {
+    BOOST_TEST(row.source != "fit");
+    BOOST_TEST(std::isfinite(row.displacement_m));
+    BOOST_TEST(row.any_force_N >= row.largest_force_N);
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace ehd::verification

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a case does not need does not run: proved by the counters in Cost, not by time.
+#include "workflow/contact_plan.hpp"
+
+#include "tests/check.hpp"
+#include "workflow/contact_run.hpp"
+
+using namespace ehd;
+using namespace ehd::verification;
+
+namespace {
+
+ContactCase contact(double M, double L, ViscosityLaw viscosity, DensityLaw density) {
+  ContactCase made;
+  made.statement = MoesGroups{.M = M, .L = L};
+  Lubricant lubricant;
+  lubricant.viscosity = viscosity;
+  lubricant.density = density;
+  lubricant.alpha_per_Pa = 2.3e-8;
+  lubricant.z = 0.67;
+  made.lubricant = lubricant;
+  made.inlet = TruncatedAt{-4};
+  return made;
+}
+
+ContactCase dry_contact() {
+  ContactCase made;
+  made.statement = Conditions{.load_N_per_m = 1.1e5, .reduced_radius_m = 1.2e-2, .reduced_modulus_Pa = 2.1e11};
+  return made;
+}
+
+std::string reason(const Plan& plan, std::string_view stage) {
+  for (const auto& skipped : plan.skipped) {
+    if (skipped.stage == stage) return skipped.why;
+  }
+  return "";
+}
+
+Request coarse() {
+  Request request;
+  request.tolerance = 1e-2;
+  return request;
+}
+
+const RegisteredSolver& fast() { return *find_solver("fast"); }
+const RegisteredSolver& reference() { return *find_solver("reference"); }
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(plan)
+
+BOOST_AUTO_TEST_CASE(every_stage_runs_or_is_skipped_with_a_reason) {
+  for (const auto* solver : {&fast(), &reference()}) {
+    for (const auto& any : {dry_contact(), contact(7, 3, ViscosityLaw::roelands, DensityLaw::dowson_higginson)}) {
+      const Plan made = plan_contact(any, *solver, coarse(), {Quantity::film_minimum});
+      for (const auto stage : {stage::groups, stage::dry, stage::fft_plan, stage::viscosity, stage::density,
+                               stage::solve, stage::grids, stage::formulas}) {
+        const bool skipped = !reason(made, stage).empty();
+        BOOST_CHECK_MESSAGE(made.runs(stage) != skipped, stage);
+      }
+      for (const Quantity quantity : all_quantities)
+        BOOST_TEST(made.runs(stage::observe(quantity)) != !reason(made, stage::observe(quantity)).empty());
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_dry_contact_makes_no_fft_plan_and_no_solve) {
+  const ContactRun run = run_contact(dry_contact(), fast(), coarse());
+  const Cost& cost = run.solution.record.cost;
+  BOOST_TEST(!run.plan.runs(stage::solve));
+  BOOST_TEST(!run.plan.runs(stage::fft_plan));
+  BOOST_TEST(cost.fft_plans == 0);
+  BOOST_TEST(cost.newton_iterations == 0);
+  BOOST_TEST(cost.convolutions == 0);
+  BOOST_TEST(cost.viscosity_points == 0);
+  BOOST_TEST(cost.density_points == 0);
+  BOOST_CHECK(run.status() == StopReason::converged);
+  BOOST_TEST(!run.groups.has_value());
+  BOOST_TEST(run.solution.observables.count(Quantity::film_minimum) == 0u);
+  EHD_CHECK(error(run.solution.observables.at(Quantity::film_offset).value, -0.5965736),
+            Tolerance::published_digits("0.5965736"));
+}
+
+BOOST_AUTO_TEST_CASE(an_isoviscous_contact_evaluates_no_viscosity_law) {
+  for (const auto* solver : {&fast(), &reference()}) {
+    const ContactRun run =
+        run_contact(contact(7, 0, ViscosityLaw::isoviscous, DensityLaw::incompressible), *solver, coarse());
+    BOOST_TEST(!run.plan.runs(stage::viscosity));
+    BOOST_REQUIRE(run.solution.record.cost.newton_iterations > 0);  // it did run
+    BOOST_TEST(run.solution.record.cost.viscosity_points == 0);
+    BOOST_TEST(run.solution.record.cost.density_points == 0);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(an_incompressible_contact_evaluates_no_density) {
+  for (const auto* solver : {&fast(), &reference()}) {
+    const ContactRun run =
+        run_contact(contact(7, 3, ViscosityLaw::barus, DensityLaw::incompressible), *solver, coarse());
+    BOOST_TEST(run.plan.runs(stage::viscosity));
+    BOOST_TEST(!run.plan.runs(stage::density));
+    BOOST_TEST(run.solution.record.cost.viscosity_points > 0);
+    BOOST_TEST(run.solution.record.cost.density_points == 0);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_compressible_roelands_contact_evaluates_both_laws) {
+  const ContactRun run =
+      run_contact(contact(7, 3, ViscosityLaw::roelands, DensityLaw::dowson_higginson), fast(), coarse());
+  BOOST_TEST(run.plan.runs(stage::viscosity));
+  BOOST_TEST(run.plan.runs(stage::density));
+  BOOST_TEST(run.solution.record.cost.viscosity_points > 0);
+  BOOST_TEST(run.solution.record.cost.density_points > 0);
+}
+
+BOOST_AUTO_TEST_CASE(only_the_solver_with_transforms_plans_them) {
+  const auto any = contact(7, 3, ViscosityLaw::barus, DensityLaw::incompressible);
+  BOOST_TEST(run_contact(any, fast(), coarse()).solution.record.cost.fft_plans > 0);
+  const ContactRun dense = run_contact(any, reference(), coarse());
+  BOOST_TEST(!dense.plan.runs(stage::fft_plan));
+  BOOST_TEST(dense.solution.record.cost.fft_plans == 0);
+}
+
+BOOST_AUTO_TEST_CASE(quantities_that_are_not_asked_for_are_not_returned) {
+  const auto any = contact(7, 3, ViscosityLaw::barus, DensityLaw::incompressible);
+  const ContactRun run = run_contact(any, fast(), coarse(), {Quantity::film_central});
+  BOOST_REQUIRE(run.solution.observables.size() == 1u);
+  BOOST_TEST(run.solution.observables.count(Quantity::film_central) == 1u);
+  BOOST_TEST(reason(run.plan, stage::observe(Quantity::pressure_spike)) == "not asked for");
+}
+
+BOOST_AUTO_TEST_CASE(grids_stop_at_the_coarsest_that_meets_the_tolerance) {
+  const auto any = contact(7, 3, ViscosityLaw::barus, DensityLaw::incompressible);
+  Request fine = coarse();
+  fine.tolerance = 1e-5;
+  const Cost loose_cost = run_contact(any, fast(), coarse()).solution.record.cost;
+  const Cost tight_cost = run_contact(any, fast(), fine).solution.record.cost;
+  BOOST_TEST(loose_cost.nodes < tight_cost.nodes);
+  BOOST_TEST(loose_cost.convolutions < tight_cost.convolutions);
+}
+
+BOOST_AUTO_TEST_CASE(a_number_of_nodes_switches_the_search_for_a_grid_off) {
+  const auto any = contact(7, 3, ViscosityLaw::barus, DensityLaw::incompressible);
+  Request request;
+  request.tolerance.reset();
+  request.nodes = 512;
+  const ContactRun run = run_contact(any, fast(), request);
+  BOOST_TEST(!run.plan.runs(stage::grids));
+  BOOST_TEST(run.solution.record.cost.nodes == 512);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

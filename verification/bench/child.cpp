@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verification/bench/child.hpp"
+
+#include <malloc.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <exception>
+#include <fstream>
+
+namespace ehd::verification {
+
+namespace {
+
+constexpr int threw = 3, could_not_write = 4;  // exit codes of the child
+
+bool write_all(int pipe, const std::string& text) {
+  for (std::size_t written = 0; written < text.size();) {
+    const auto count = ::write(pipe, text.data() + written, text.size() - written);
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return false;
+    written += static_cast<std::size_t>(count);
+  }
+  return true;
+}
+
+std::string read_all(int pipe) {
+  std::string text;
+  char buffer[4096];
+  for (;;) {
+    const auto count = ::read(pipe, buffer, sizeof buffer);
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return text;
+    text.append(buffer, static_cast<std::size_t>(count));
+  }
+}
+
+}  // namespace
+
+ChildEnd in_child(const std::function<std::string()>& work) {
+  return_free_memory();  // else the child would use them without growing
+  int ends[2];
+  if (::pipe(ends) != 0) return {{}, std::string("no pipe: ") + std::strerror(errno)};
+  const pid_t child = ::fork();
+  if (child < 0) {
+    const std::string why = std::string("no process: ") + std::strerror(errno);
+    ::close(ends[0]);
+    ::close(ends[1]);
+    return {{}, why};
+  }
+  if (child == 0) {
+    ::close(ends[0]);
+    int code = 0;
+    std::string text;
+    try {
+      text = work();
+    } catch (const std::exception& thrown) {
+      text = thrown.what();
+      code = threw;
+    } catch (...) {
+      code = threw;
+    }
+    if (!write_all(ends[1], text)) code = could_not_write;
+    ::_exit(code);  // what the parent had buffered is the parent's to write
+  }
+  ::close(ends[1]);
+  std::string text = read_all(ends[0]);
+  ::close(ends[0]);
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return {std::move(text), {}};
+  if (WIFEXITED(status) && WEXITSTATUS(status) == threw) return {{}, text.empty() ? "it threw" : text};
+  if (WIFSIGNALED(status)) return {{}, std::string("ended by ") + ::strsignal(WTERMSIG(status))};
+  return {{}, "exit code " + std::to_string(WIFEXITED(status) ? WEXITSTATUS(status) : -1)};
+}
+
+double peak_memory_bytes() {
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  constexpr double kilobyte = 1024;
+  return kilobyte * static_cast<double>(usage.ru_maxrss);
+}
+
+void return_free_memory() { ::malloc_trim(0); }
+
+double resident_memory_bytes() {
+  std::ifstream statm("/proc/self/statm");
+  double pages = 0, resident = 0;
+  statm >> pages >> resident;
+  return resident * static_cast<double>(::sysconf(_SC_PAGESIZE));
+}
+
+}  // namespace ehd::verification

@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verification/bench/cost_scaling.hpp"
+
+#include <fftw3.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <new>
+#include <set>
+
+#include "verification/bench/child.hpp"
+#include "verification/studies/oils.hpp"
+#include "contact/text.hpp"
+
+namespace ehd::verification {
+
+namespace {
+
+constexpr int fewest = 256;
+
+bool same(const MoesGroups& a, const MoesGroups& b) { return a.M == b.M && a.L == b.L; }
+
+std::string name_of(const MoesGroups& contact) { return "(" + plain(contact.M) + ", " + plain(contact.L) + ")"; }
+
+}  // namespace
+
+double convolution_s(int intervals, const Repetition& repetition) {
+  if (intervals < 1) throw std::invalid_argument("a convolution on " + std::to_string(intervals) + " intervals");
+  const int length = 2 * intervals, modes = length / 2 + 1;
+  double* const real = fftw_alloc_real(static_cast<std::size_t>(length));
+  fftw_complex* const spectrum = fftw_alloc_complex(static_cast<std::size_t>(modes));
+  if (!real || !spectrum) throw std::bad_alloc();
+  const fftw_plan forward = fftw_plan_dft_r2c_1d(length, real, spectrum, FFTW_ESTIMATE);
+  const fftw_plan backward = fftw_plan_dft_c2r_1d(length, spectrum, real, FFTW_ESTIMATE);
+  const Array kernel = Array::LinSpaced(modes, 1, 2) / length;
+  const Array x = Array::LinSpaced(intervals, -1, 1).square();
+  Array y = Array::Zero(intervals);
+  std::vector<double> seconds;
+  do {
+    const auto begin = std::chrono::steady_clock::now();
+    std::copy(x.begin(), x.end(), real);
+    std::fill(real + intervals, real + length, 0.0);
+    fftw_execute(forward);
+    for (int k = 0; k < modes; ++k) {
+      spectrum[k][0] *= kernel[k];
+      spectrum[k][1] *= kernel[k];
+    }
+    fftw_execute(backward);
+    std::copy(real, real + intervals, y.begin());
+    seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+  } while (!repetition.satisfied_by(seconds));
+  fftw_destroy_plan(forward);
+  fftw_destroy_plan(backward);
+  fftw_free(real);
+  fftw_free(spectrum);
+  return median(seconds);
+}
+
+std::optional<double> ScalingRow::median_s() const {
+  return wall_s.empty() ? std::nullopt : std::optional(median(wall_s));
+}
+
+std::optional<double> ScalingRow::per_unit() const {
+  const double bare = work_units * convolution_s;
+  return wall_s.empty() || !(bare > 0) ? std::nullopt : std::optional(*median_s() / bare);
+}
+
+std::optional<double> ScalingRow::ns_per_n_log_n() const {
+  if (wall_s.empty() || nodes_used < 2) return std::nullopt;
+  constexpr double nanoseconds = 1e9;
+  return nanoseconds * *median_s() / (nodes_used * std::log2(nodes_used));
+}
+
+ScalingRequest usual_scaling(const std::vector<const RegisteredSolver*>& solvers, bool quick) {
+  constexpr int far = 1 << 20, middle = 1 << 14, near = 1 << 12;
+  ScalingRequest request;
+  if (!quick) request.repetition.enough_s = 5;  // the large sizes are few, and what a trend is read from
+  request.contacts = quick ? std::vector<MoesGroups>{{5, 5}} : std::vector<MoesGroups>{{20, 10}, {5, 5}};
+  for (const RegisteredSolver* solver : solvers) {
+    if (!solver->uses_fft) continue;  // dense solvers: n^3, and memory n^2
+    const bool uniform = solver->name.ends_with(".uniform");
+    request.solvers.push_back({solver, quick ? near : uniform ? far : middle});
+  }
+  return request;
+}
+
+namespace {
+
+/// One size: what the child measures, as the text that comes back from it.
+Json measured(const RegisteredSolver& solver, const Problem& problem, const Request& asked,
+              const Repetition& repetition) {
+  // A small solve first: the pages of the program and its libraries that any solve touches are not the solve's own.
+  constexpr int warm_up_nodes = 64;
+  (void)solver.solve(problem, {.tolerance = {}, .nodes = warm_up_nodes, .time_limit_s = asked.time_limit_s});
+  return_free_memory();
+  const double before = resident_memory_bytes();
+  std::vector<double> seconds;
+  Json json;
+  while (!repetition.satisfied_by(seconds)) {
+    const Solution solution = solver.solve(problem, asked);
+    const SolveRecord& record = solution.record;
+    seconds.push_back(record.cost.wall_s);
+    if (seconds.size() > 1) continue;
+    json["peak_bytes"] = peak_memory_bytes() - before;
+    json["status"] = static_cast<int>(record.status);
+    json["reason"] = record.reason;
+    json["nodes"] = record.cost.nodes;
+    json["work_units"] = record.cost.work_units;
+    json["newton_iterations"] = record.cost.newton_iterations;
+    json["stages"] = Json::array();
+    for (const auto& [stage, s] : record.cost.stage_s) json["stages"].push_back({{"name", stage}, {"s", s}});
+    if (record.status != StopReason::converged) break;
+  }
+  json["wall_s"] = seconds;
+  json["convolution_s"] = convolution_s(*asked.nodes, repetition);  // right after, on the same machine in the same mood
+  return json;
+}
+
+void fill(const Json& json, ScalingRow& row) {
+  row.status = static_cast<StopReason>(json["status"].get<int>());
+  row.reason = json["reason"];
+  row.wall_s = json["wall_s"].get<std::vector<double>>();
+  row.convolution_s = json["convolution_s"];
+  row.peak_bytes = json["peak_bytes"];
+  row.nodes_used = json["nodes"];
+  row.work_units = json["work_units"];
+  row.newton_iterations = json["newton_iterations"];
+  for (const Json& stage : json["stages"]) row.stage_s.emplace_back(stage["name"], stage["s"]);
+}
+
+}  // namespace
+
+std::vector<ScalingRow> run_scaling(const ScalingRequest& request) {
+  std::vector<ScalingRow> rows;
+  for (const MoesGroups& contact : request.contacts) {
+    const Problem problem = problem_at(contact, true, TruncatedAt{-4});
+    int most = 0;
+    for (const auto& range : request.solvers) most = std::max(most, range.most);
+    std::set<std::string> given_up;
+    // Sizes outside, solvers inside: ratios between solvers are of one moment.
+    for (int n = fewest; n <= most; n *= 2) {
+      for (const auto& [solver, largest] : request.solvers) {
+        if (n > largest) continue;
+        ScalingRow row{.solver = solver->name, .contact = contact, .nodes = n};
+        if (given_up.contains(solver->name)) {
+          row.reason = "not run: fewer intervals already reached the time limit";
+        } else if (solver->memory_bytes(n) > available_memory_bytes()) {
+          row.reason = "not run: it would not fit into memory";
+        } else {
+          if (request.progress) request.progress(name_of(contact) + ": " + solver->name + ", n = " + std::to_string(n));
+          const Request asked{.tolerance = {}, .nodes = n, .iteration_share = 0.5, .time_limit_s = request.time_limit_s};
+          const ChildEnd end =
+              in_child([&, one = solver] { return measured(*one, problem, asked, request.repetition).dump(); });
+          if (end.text) {
+            fill(Json::parse(*end.text), row);
+          } else {
+            row.reason = "not measured: " + end.why;
+          }
+          if (row.status == StopReason::limit_reached) given_up.insert(solver->name);
+        }
+        rows.push_back(std::move(row));
+      }
+    }
+  }
+  return rows;
+}
+
+std::optional<double> fitted_exponent(const std::vector<ScalingRow>& rows, const std::string& solver,
+                                      const MoesGroups& contact, int least) {
+  std::vector<double> x, y;
+  for (const ScalingRow& row : rows) {
+    if (row.solver != solver || !same(row.contact, contact) || row.status != StopReason::converged) continue;
+    if (row.nodes_used < least) continue;
+    x.push_back(std::log(row.nodes_used));
+    y.push_back(std::log(*row.median_s()));
+  }
+  if (x.size() < 3) return std::nullopt;
+  const auto count = static_cast<Eigen::Index>(x.size());
+  const Array logs = Eigen::Map<const Array>(x.data(), count), times = Eigen::Map<const Array>(y.data(), count);
+  const Array from_mean = logs - logs.mean();
+  return (from_mean * (times - times.mean())).sum() / from_mean.square().sum();
+}
+
+// -- output -----------------------------------------------------------------------------------------------------
+
+namespace {
+
+constexpr double megabyte = 1e6;
+constexpr int far_enough = 4096;  // below, what does not grow with n counts for too much to fit an exponent
+
+std::string dash(const std::optional<double>& value, int digits) { return value ? plain(*value, digits) : "-"; }
+
+}  // namespace
+
+Json to_json(const std::vector<ScalingRow>& rows) {
+  Json list = Json::array();
+  for (const ScalingRow& row : rows) {
+    Json json{{"solver", row.solver},
+              {"M", row.contact.M},
+              {"L", row.contact.L},
+              {"nodes_asked", row.nodes},
+              {"status", row.status ? std::string(to_string(*row.status)) : "not-run"}};
+    if (!row.reason.empty()) json["reason"] = row.reason;
+    if (row.status) {
+      json["nodes"] = row.nodes_used;
+      put(json, "wall_s", row.median_s());
+      json["solves"] = row.wall_s.size();
+      put(json, "work_units", row.work_units);
+      json["newton_iterations"] = row.newton_iterations;
+      put(json, "convolution_s", row.convolution_s);
+      put(json, "time_per_unit", row.per_unit());
+      put(json, "ns_per_n_log2_n", row.ns_per_n_log_n());
+      put(json, "peak_bytes", row.peak_bytes);
+      for (const auto& [stage, seconds] : row.stage_s) put(json["stage_s"], stage, seconds);
+    }
+    list.push_back(json);
+  }
+  return list;
+}
+
+std::string scaling_csv(const std::vector<ScalingRow>& rows) {
+  std::vector<std::string> stages;  // of all rows, each once, in order of appearance
+  for (const ScalingRow& row : rows) {
+    for (const auto& [stage, seconds] : row.stage_s) {
+      if (std::find(stages.begin(), stages.end(), stage) == stages.end()) stages.push_back(stage);
+    }
+  }
+  std::string csv =
+      "solver,M,L,nodes_asked,status,nodes,wall_s,solves,work_units,newton_iterations,convolution_s,"
+      "time_per_unit,ns_per_n_log2_n,peak_bytes";
+  for (const auto& stage : stages) csv += "," + stage + "_s";
+  csv += "\n";
+  constexpr int digits = 10;
+  const auto number = [](const std::optional<double>& value) { return value ? plain(*value, digits) : std::string(); };
+  for (const ScalingRow& row : rows) {
+    std::vector<std::string> cells{row.solver, plain(row.contact.M), plain(row.contact.L), std::to_string(row.nodes),
+                                   row.status ? std::string(to_string(*row.status)) : "not-run"};
+    if (row.status) {
+      for (const auto& cell :
+           {std::to_string(row.nodes_used), number(row.median_s()), std::to_string(row.wall_s.size()),
+            number(row.work_units), std::to_string(row.newton_iterations), number(row.convolution_s),
+            number(row.per_unit()), number(row.ns_per_n_log_n()), number(row.peak_bytes)})
+        cells.push_back(cell);
+    } else {
+      cells.resize(cells.size() + 9);
+    }
+    for (const auto& stage : stages) {
+      const auto at =
+          std::find_if(row.stage_s.begin(), row.stage_s.end(), [&](const auto& one) { return one.first == stage; });
+      cells.push_back(at == row.stage_s.end() ? "" : number(at->second));
+    }
+    for (std::size_t c = 0; c < cells.size(); ++c) csv += (c > 0 ? "," : "") + cells[c];
+    csv += "\n";
+  }
+  return csv;
+}
+
+std::string human_table(const std::vector<ScalingRow>& rows) {
+  std::vector<std::vector<std::string>> table{{"M, L", "solver", "intervals", "status", "time [ms]", "solves",
+                                               "work units", "one convolution [ms]", "time/(units x it)",
+                                               "ns/(n log2 n)", "peak [MB]", "bytes/n"}};
+  std::vector<std::vector<std::string>> stages, exponents{{"M, L", "solver", "time ~ n^"}};
+  std::string failures;
+  for (const ScalingRow& row : rows) {
+    const bool ran = row.status.has_value();
+    const auto time = row.median_s();
+    table.push_back({name_of(row.contact), row.solver, std::to_string(row.nodes),
+                     ran ? std::string(to_string(*row.status)) : "not run", time ? plain(1e3 * *time, 3) : "-",
+                     std::to_string(row.wall_s.size()), ran ? plain(row.work_units, 3) : "-",
+                     ran ? plain(1e3 * row.convolution_s, 3) : "-", dash(row.per_unit(), 3),
+                     dash(row.ns_per_n_log_n(), 3), ran ? plain(row.peak_bytes / megabyte, 3) : "-",
+                     ran ? plain(row.peak_bytes / row.nodes, 3) : "-"});
+    if (!row.reason.empty())
+      failures += "  " + name_of(row.contact) + ", " + row.solver + ", n = " + std::to_string(row.nodes) + ": " +
+                  row.reason + "\n";
+    if (!row.stage_s.empty() && time) {
+      std::string split;
+      for (const auto& [stage, seconds] : row.stage_s)
+        split += (split.empty() ? "" : ", ") + stage + " " + plain(100 * seconds / row.wall_s.front(), 2) + " %";
+      stages.push_back({name_of(row.contact), row.solver, std::to_string(row.nodes), split});
+    }
+    const bool first_of_its_kind = std::none_of(rows.data(), &row, [&](const ScalingRow& before) {
+      return before.solver == row.solver && same(before.contact, row.contact);
+    });
+    if (first_of_its_kind) {
+      if (const auto exponent = fitted_exponent(rows, row.solver, row.contact, far_enough))
+        exponents.push_back({name_of(row.contact), row.solver, plain(*exponent, 3)});
+    }
+  }
+  std::string text =
+      "Cost against the number of intervals, each size in a process of its own\n" + aligned(table, 2, "  ");
+  if (!failures.empty()) text += "\n" + failures;
+  if (exponents.size() > 1)
+    text += "\nfitted from n = " + std::to_string(far_enough) + "\n" + aligned(exponents, 2, "  ");
+  if (!stages.empty()) text += "\nwhere the first solve's time went\n" + aligned(stages, 4, "  ");
+  return text + "\n";
+}
+
+}  // namespace ehd::verification

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Rung 10: the atlas (cases/atlas). Its table and its case files say the same; a sample of its points is met by both
+// solvers at other tolerances than the one it was made with.
+#include "verification/atlas/atlas.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "verification/claims/topics.hpp"
+#include "workflow/registry.hpp"
+#include "workflow/contact_run.hpp"
+#include "contact/text.hpp"
+
+namespace ehd::verification {
+
+namespace {
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr int rung = 10;
+
+/// Over laws, M, L and inlets; what takes the dense solver more than a second or so is slow.
+struct Sample {
+  const char* id;
+  bool slow;
+};
+constexpr Sample sample[] = {
+    {"atlas-isoviscous-m0.2-l0-flooded", false}, {"atlas-isoviscous-m50-l0-cut4", false},
+    {"atlas-roelands-m5-l5-flooded", false},     {"atlas-roelands-m20-l10-cut4", false},
+    {"atlas-roelands-m200-l15-flooded", true},   {"atlas-roelands-m1000-l10-cut4", true},
+    {"atlas-barus-m2-l2.5-flooded", false},      {"atlas-barus-m20-l5-cut4", true},
+    {"atlas-barus-m100-l10-flooded", true},
+};
+
+struct Solve {
+  const char* solver;
+  double tolerance;
+};
+constexpr Solve solves[] = {{"fast", 1e-4}, {"reference", 1e-7}};
+
+SkippedClaim skipped(const std::string& id, const std::string& statement, const std::string& why) {
+  return {{.id = id, .rung = rung, .statement = statement}, why};
+}
+
+Findings judge_files() {
+  const auto folder = atlas_folder();
+  const std::string id = "atlas/files",
+                    statement = "atlas.csv and the case files beside it say the same of every point";
+  std::error_code error;
+  if (!std::filesystem::exists(folder / "atlas.csv", error) && atlas_files(folder).empty())
+    return {.claims = {}, .skipped = {skipped(id, statement, "there is no atlas in " + cases_folder().string())}};
+  std::vector<std::string> differ;
+  try {
+    differ = atlas_disagreements(folder);
+  } catch (const CaseError& wrong) {
+    differ.push_back(wrong.what());
+  }
+  std::string note = std::to_string(atlas_files(folder).size()) + " points";
+  if (!differ.empty()) note = std::to_string(differ.size()) + " differ, first: " + differ.front();
+  return {.claims = {claim_fact({.id = id, .rung = rung, .statement = statement},
+                                differ.empty() && !atlas_files(folder).empty(), "one run writes both", note)},
+          .skipped = {}};
+}
+
+Findings judge_point(const std::string& id) {
+  Findings found;
+  const auto file = atlas_folder() / (id + ".toml");
+  std::error_code error;
+  if (!std::filesystem::exists(file, error)) {
+    found.skipped.push_back(skipped("atlas/" + id, "the solvers meet " + id, "there is no such point in cases/atlas"));
+    return found;
+  }
+  const Case point = read_case(file);
+  for (const Solve& solve : solves) {
+    const ContactRun run = run_contact(point, *find_solver(solve.solver), {.tolerance = solve.tolerance});
+    // Where the tolerance is not met the error reported is judged all the same: it must be honest.
+    const bool solved = run.status() == StopReason::converged || run.status() == StopReason::tolerance_not_met;
+    const std::string ended = run.status() == StopReason::converged
+                                  ? ""
+                                  : "; " + std::string(to_string(run.status())) + ": " + run.solution.record.reason;
+    for (const Expectation& expectation : point.expectations) {
+      const std::string name = std::string(solve.solver) + " at " + plain(solve.tolerance);
+      Sentence says{.id = "atlas/" + id + "/" + solve.solver + "/" + expectation.quantity,
+                    .rung = rung,
+                    .statement = name + " meets " + expectation.quantity + " = " + expectation.digits + " of " + id,
+                    .case_id = {},
+                    .solver = solve.solver};
+      const bool film = expectation.quantity == "film.minimum" || expectation.quantity == "film.central";
+      if (expectation.waiting) {
+        says.statement = id + " waits for the digits of " + expectation.quantity;
+        found.skipped.push_back({says, "the atlas does not know them to 1e-4"});
+        continue;
+      }
+      const auto measured = solved ? measure(run, expectation) : std::nullopt;
+      if (solved && !film && !(measured && measured->error)) {
+        found.skipped.push_back({says, name + " reports no " + (measured ? "error of it" : "such value")});
+        continue;
+      }
+      const double reported = measured && measured->error ? *measured->error : nothing;
+      found.claims.push_back(claim_value(says, measured ? measured->value : nothing, expectation.value, 0,
+                                         Tolerance::discretisation(reported + expectation.uncertainty, 1),
+                                         "tolerance = reported error " + plain(reported, 2) +
+                                             " + uncertainty in the atlas " + plain(expectation.uncertainty, 2) +
+                                             ended));
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+std::vector<Topic> atlas_topics() {
+  std::vector<Topic> topics{{.name = "atlas files", .rungs = {rung}, .judge = judge_files}};
+  for (const Sample& one : sample)
+    topics.push_back({.name = std::string("atlas sample ") + one.id,
+                      .rungs = {rung},
+                      .slow = one.slow,
+                      .judge = [id = std::string(one.id)] { return judge_point(id); }});
+  return topics;
+}
+
+}  // namespace ehd::verification

@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Rung 11: the bearing cases. Equilibrium, geometry and the dry laws are checked here from the printed formulas, not by
+// bearing/'s own functions; the paper's statements are reported as computed, whichever way they turn out.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "workflow/bearing_run.hpp"
+#include "verification/claims/topics.hpp"
+#include "workflow/registry.hpp"
+#include "contact/text.hpp"
+
+namespace ehd::verification {
+
+namespace {
+
+using std::numbers::pi;
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+/// The contacts solved so far, shared by the topics: bearings that differ in clearance have the same contacts.
+struct SharedMemory {
+  std::mutex mutex;
+  ContactMemory memory{[](const Problem& problem, const Request& request) {
+    return find_solver("fast")->solve(problem, request);
+  }};
+};
+
+/// F_c = m (d_m/2) w_c^2 of a solid roller, from the case's own numbers.
+double centrifugal_N(const BearingCase& body) {
+  const auto& g = body.geometry;
+  const double gamma = g.roller_diameter_m / g.pitch_diameter_m, per_rpm = 2 * pi / 60;
+  const double cage =
+      per_rpm * (body.operation.inner_speed_rpm * (1 - gamma) + body.operation.outer_speed_rpm * (1 + gamma)) / 2;
+  const double mass = g.density_kg_per_m3 * pi * g.roller_diameter_m * g.roller_diameter_m * g.length_m / 4;
+  return mass * g.pitch_diameter_m / 2 * cage * cage;
+}
+
+struct Residuals {
+  double ring = 0;      ///< Sum f_i cos psi - F_r, and Sum f_i sin psi
+  double rollers = 0;   ///< f_o - f_i - F_c, the worst
+  double geometry = 0;  ///< delta_i + delta_o - (x cos psi + y sin psi - P_d/2), the worst
+  double law = 0;       ///< f - k l^(8/9) delta^(10/9) at loaded contacts of hertz and iso, the worst
+};
+
+/// All relative: forces to the larger of F_r and their sum, lengths to the displacement.
+Residuals residuals_of(const BearingCase& body, const BearingResult& result) {
+  Residuals worst;
+  const double radial = body.operation.radial_load_N, centrifugal = centrifugal_N(body);
+  double sum = 0, along = 0, across = 0;
+  for (const auto& roller : result.rollers) {
+    sum += roller.inner.force_N;
+    along += roller.inner.force_N * std::cos(roller.azimuth_deg * pi / 180);
+    across += roller.inner.force_N * std::sin(roller.azimuth_deg * pi / 180);
+  }
+  const double force_scale = std::max(radial, sum), length_scale = std::abs(result.displacement_m);
+  worst.ring = worse(std::abs(along - radial), std::abs(across)) / force_scale;
+  // 8.06e4 N/mm^(2) by Palmgren; ISO/TS 16281's 35948 covers both contacts in series.
+  const double constant = result.law == BearingLaw::iso ? 35948 * std::pow(2.0, 10.0 / 9) : 8.06e4;
+  const bool power = result.law == BearingLaw::hertz || result.law == BearingLaw::iso;
+  for (const auto& roller : result.rollers) {
+    worst.rollers = worse(worst.rollers, std::abs(roller.outer.force_N - roller.inner.force_N - centrifugal) / force_scale);
+    const double room =
+        result.displacement_m * std::cos(roller.azimuth_deg * pi / 180) +
+        result.displacement_lateral_m * std::sin(roller.azimuth_deg * pi / 180) - body.geometry.clearance_m / 2;
+    worst.geometry = worse(worst.geometry, std::abs(roller.inner.displacement_m + roller.outer.displacement_m - room) / length_scale);
+    if (!power) continue;
+    for (const ContactRow& contact : {roller.inner, roller.outer}) {
+      const double closed = contact.displacement_m <= 0
+                                ? 0.0
+                                : constant * std::pow(1e3 * body.geometry.length_m, 8.0 / 9) *
+                                      std::pow(1e3 * contact.displacement_m, 10.0 / 9);
+      worst.law = worse(worst.law, std::abs(contact.force_N - closed) / force_scale);
+    }
+  }
+  return worst;
+}
+
+Findings judge_bearing(const Case& bearing_case, SharedMemory& shared) {
+  const auto& body = std::get<BearingCase>(bearing_case.body);
+  std::vector<BearingLaw> laws = default_laws(body);
+  if (body.operation.inner_speed_rpm == body.operation.outer_speed_rpm)  // at rest there is no film
+    std::erase_if(laws, [](BearingLaw law) { return needs_film(law); });
+  for (const auto& expectation : bearing_case.expectations) {
+    const auto law = bearing_law_from(expectation.law);
+    if (law && std::find(laws.begin(), laws.end(), *law) == laws.end()) laws.push_back(*law);
+  }
+  std::vector<BearingResult> results;
+  {
+    const std::lock_guard lock(shared.mutex);
+    results = run_bearing(bearing_case, {.laws = laws, .explicitly = false, .films = true}, shared.memory);
+  }
+
+  Findings found;
+  for (const BearingResult& result : results) {
+    const std::string law(to_string(result.law));
+    const auto says = [&](const std::string& what, const std::string& statement) {
+      return Sentence{.id = bearing_case.id + "/" + law + "/" + what,
+                      .rung = 11,
+                      .statement = bearing_case.id + " by the law " + law + ": " + statement,
+                      .case_id = bearing_case.id};
+    };
+    const bool balanced = result.status == StopReason::converged && !result.rollers.empty();
+    found.claims.push_back(claim_fact(says("balanced", "the bearing is balanced"), balanced, "every law finds a balance",
+                                      std::string(to_string(result.status)) + (result.why.empty() ? "" : ": " + result.why)));
+    const Residuals worst = balanced ? residuals_of(body, result)
+                                     : Residuals{nothing, nothing, nothing, nothing};
+    const Tolerance bound = Tolerance::required(1e-12, "balance error below 1e-12");
+    found.claims.push_back(claim(says("balance_error", "the reported balance error is below 1e-12"),
+                                 balanced ? result.balance_error : nothing, 0, bound));
+    found.claims.push_back(claim(says("ring", "the rollers carry the radial load, and nothing across it"), worst.ring, 0, bound));
+    found.claims.push_back(claim(says("rollers", "f_o = f_i + F_c on every roller"), worst.rollers, 0, bound));
+    found.claims.push_back(
+        claim(says("geometry", "delta_i + delta_o = x cos psi + y sin psi - P_d/2 at every roller"), worst.geometry, 0, bound));
+    if (result.law == BearingLaw::hertz || result.law == BearingLaw::iso)
+      found.claims.push_back(claim(says("law", "every contact obeys the printed power law"), worst.law, 0, bound));
+  }
+
+  for (const Expectation& expectation : bearing_case.expectations) {
+    Sentence says{.id = bearing_case.id + "/" + expectation.law + "/" + expectation.quantity + "/" +
+                        (expectation.waiting ? "waiting" : expectation.digits),
+                  .rung = 11,
+                  .statement = expectation.quantity + (expectation.waiting ? "" : " = " + expectation.digits) + " of " +
+                               bearing_case.id + " by the law " + expectation.law,
+                  .case_id = bearing_case.id};
+    if (expectation.waiting) {
+      found.skipped.push_back({says, "waits for the source's number"});
+      continue;
+    }
+    const auto measured = measure(results, expectation);
+    if (expectation.kind == ExpectationKind::fit) {
+      found.skipped.push_back({says, "a regression neither passes nor fails" +
+                                         (measured ? "; computed " + plain(*measured) : std::string())});
+      continue;
+    }
+    found.claims.push_back(claim_value(says, measured.value_or(nothing), expectation.value, 0,
+                                       Tolerance::discretisation(expectation.uncertainty, 1),
+                                       "tolerance = the expectation's uncertainty; balances are exact to 1e-12"));
+  }
+  return found;
+}
+
+/// What bearing/README.md prints of NA4908 as the case stands: verdicts, and ends of the ranges of x_0 in mm.
+struct PrintedEnd {
+  const char *what, *id, *mm;
+  DatumScan::Ranges DatumScan::*ranges;
+  bool low;
+};
+struct PrintedVerdicts {
+  BearingLaw law;
+  std::string hold, do_not;  ///< letters
+  std::vector<PrintedEnd> ends;
+};
+std::vector<PrintedVerdicts> printed_verdicts() {
+  const auto ends = [](std::array<const char*, 8> mm) {
+    using Scan = DatumScan;
+    return std::vector<PrintedEnd>{{"(a) holds from", "a/from", mm[0], &Scan::a_m, true},
+                                   {"(b) holds up to", "b/to", mm[1], &Scan::b_m, false},
+                                   {"(c) holds from", "c/from", mm[2], &Scan::c_m, true},
+                                   {"(c) holds up to", "c/to", mm[3], &Scan::c_m, false},
+                                   {"the second half of (c) holds up to", "c-opposite/to", mm[4], &Scan::c_opposite_m, false},
+                                   {"(d) holds from", "d/from", mm[5], &Scan::d_m, true},
+                                   {"by the sign of (a) all hold from", "sign/from", mm[6], &Scan::sign_of_a_m, true},
+                                   {"by the sign of (a) all hold up to", "sign/to", mm[7], &Scan::sign_of_a_m, false}};
+  };
+  return {{BearingLaw::ehd_linear, "abd", "c", ends({"1.36", "26.9", "0.0573", "0.178", "2.15", "0.085", "0.102", "0.178"})},
+          {BearingLaw::ehd, "abd", "c", ends({"1.73", "26.3", "0.119", "0.637", "2.84", "0.0876", "0.149", "0.637"})}};
+}
+
+/// The judge against the printed table: a verdict that turns, or an end that moves, is seen.
+void judge_printed(const PrintedVerdicts& printed, const std::vector<PaperStatement>& statements, const DatumScan& scan,
+                   Findings& found) {
+  const std::string name(to_string(printed.law)), where = "what bearing/README.md prints";
+  const auto says = [&](const std::string& id, const std::string& statement) {
+    return Sentence{.id = "paper/" + name + "/" + id, .rung = 11, .statement = statement + ", law " + name, .case_id = "na4908"};
+  };
+  for (const bool expected : {true, false})
+    for (const char letter : expected ? printed.hold : printed.do_not) {
+      const auto one = std::find_if(statements.begin(), statements.end(),
+                                    [&](const PaperStatement& of) { return of.letter == letter; });
+      found.claims.push_back(claim_fact(
+          says(std::string("verdict/") + letter,
+               std::string("paper's (") + letter + ") " + (expected ? "holds" : "does not hold") + " for NA4908, as printed"),
+          one != statements.end() && one->holds == expected, where, one == statements.end() ? "not judged" : one->numbers));
+    }
+  found.claims.push_back(claim_fact(says("x0/nowhere", "(a), (b), (c) and (d) hold together with no x_0, as printed"),
+                                    scan.half_width_m > 0 && scan.all_hold_m.empty(), where,
+                                    words_of(scan, scan.all_hold_m)));
+  for (const PrintedEnd& end : printed.ends) {
+    const auto& ranges = scan.*end.ranges;
+    const double x0_m = ranges.size() != 1 ? nothing : end.low ? ranges.front().first : ranges.front().second;
+    found.claims.push_back(claim_value(
+        says(std::string("x0/") + end.id, std::string(end.what) + " x_0 = " + end.mm + " mm"), 1e3 * x0_m,
+        std::stod(end.mm), 0,
+        Tolerance::published_digits(end.mm) + Tolerance::required(scan.precision - 1, "ends are searched to that"),
+        "one range: " + words_of(scan, ranges)));
+  }
+}
+
+/// What the paper says of its figures, with what was computed: a finding, which stands once it could be computed. That the
+/// judge still says what is printed is a claim.
+Findings judge_paper(const std::vector<Case>& clearances, SharedMemory& shared) {
+  Findings found;
+  const std::lock_guard lock(shared.mutex);
+  for (const BearingLaw law : {BearingLaw::ehd_linear, BearingLaw::ehd}) {
+    std::vector<ClearanceComparison> rows;
+    for (const Case& one : clearances) {
+      const auto results =
+          run_bearing(one, {.laws = {BearingLaw::hertz, law}, .explicitly = false, .films = false}, shared.memory);
+      if (results.size() != 2) continue;
+      rows.push_back({std::get<BearingCase>(one.body).geometry.clearance_m, results[0], results[1]});
+    }
+    const auto statements = judge_paper_statements(rows);
+    const std::string name(to_string(law));
+    found.claims.push_back(claim_fact({.id = "paper/" + name + "/computed",
+                                       .rung = 11,
+                                       .statement = "the paper's four statements can be judged by the law " + name,
+                                       .case_id = "na4908"},
+                                      statements.size() == 4, "a judgement for each statement"));
+    for (const PaperStatement& one : statements) {
+      found.claims.push_back(claim_finding({.id = "paper/" + name + "/" + one.letter,
+                                            .rung = 11,
+                                            .statement = std::string("paper's (") + one.letter + "), law " + name +
+                                                         ": " + one.statement + ": computed: " +
+                                                         (one.holds ? "holds" : "does not hold"),
+                                            .case_id = "na4908"},
+                                           one.numbers));
+    }
+    const DatumScan scan = scan_datum(clearances, law, shared.memory);
+    found.claims.push_back(claim_finding(
+        {.id = "paper/" + name + "/datum",
+         .rung = 11,
+         .statement = "the datum x_0 with which (a) to (d) all hold, law " + name + ": " + words_of(scan, scan.all_hold_m) +
+                      "; by the sign of (a) alone: " + words_of(scan, scan.sign_of_a_m),
+         .case_id = "na4908"},
+        "scanned from " + plain(1e3 * scan.lowest_m, 3) + " to " + plain(1e3 * scan.highest_m, 3) +
+            " mm in steps of a factor " + plain(scan.step, 4) + ", ends to a factor " + plain(scan.precision, 4)));
+    for (const PrintedVerdicts& printed : printed_verdicts())
+      if (printed.law == law) judge_printed(printed, statements, scan, found);
+  }
+  return found;
+}
+
+/// 37.8 N: a roller of the 209 bearing at 10,000 rpm.
+Findings judge_centrifugal() {
+  const bearing::Geometry geometry{.rollers = 14,
+                                   .pitch_diameter_m = 0.065,
+                                   .roller_diameter_m = 0.010,
+                                   .length_m = 0.0096,
+                                   .clearance_m = 0,
+                                   .density_kg_per_m3 = 7860,
+                                   .first_azimuth_deg = 0};
+  const std::string printed = "37.8";
+  Findings found;
+  found.claims.push_back(claim_value({.id = "bearing/centrifugal-209",
+                                      .rung = 11,
+                                      .statement = "a roller of the 209 bearing at 10,000 rpm is thrown out with 37.8 N"},
+                                     bearing::centrifugal_force_N(geometry, bearing::speeds_from_rpm(10000, 0)),
+                                     std::stod(printed), 0, Tolerance::published_digits(printed)));
+  return found;
+}
+
+}  // namespace
+
+std::vector<Topic> bearing_topics(const std::vector<LoadedCase>& cases) {
+  std::vector<Topic> topics{{.name = "centrifugal force", .rungs = {11}, .judge = judge_centrifugal}};
+  const auto shared = std::make_shared<SharedMemory>();
+  std::vector<Case> paper;
+  for (const LoadedCase& loaded : cases) {
+    const auto* one = std::get_if<Case>(&loaded.content);
+    if (!one || !std::holds_alternative<BearingCase>(one->body)) continue;
+    topics.push_back({.name = one->id,
+                      .rungs = {11},
+                      .case_id = one->id,
+                      .judge = [bearing_case = *one, shared] { return judge_bearing(bearing_case, *shared); }});
+    if (one->id == "na4908" || one->id == "na4908-2.5um" || one->id == "na4908-10um") paper.push_back(*one);
+  }
+  if (paper.size() > 1)
+    topics.push_back({.name = "the paper's statements",
+                      .rungs = {11},
+                      .judge = [paper, shared] { return judge_paper(paper, *shared); }});
+  return topics;
+}
+
+}  // namespace ehd::verification

@@ -1,0 +1,455 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The bearing: loads and displacements round it, the paper's figures and statements, force laws.
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "verification/report/report.hpp"
+#include "contact/text.hpp"
+
+namespace ehd::report {
+
+namespace {
+
+using plain;
+
+constexpr double micro = 1e6, milli = 1e3, kilo = 1e-3;
+constexpr const char* axis_psi = "azimuth *\u03c8* [deg]";
+constexpr const char* axis_force = "contact force *f*_{i} [kN]";
+constexpr const char* axis_displacement = "displacement *\u03b4*_{i} [\u00b5m]";
+
+std::vector<double> scaled(std::vector<double> values, double factor) {
+  for (double& value : values) value *= factor;
+  return values;
+}
+
+struct Bearing {
+  std::string id, title, clearance_text;
+  double clearance_m = 0;
+  View view;
+  std::vector<BearingCurves> laws;
+};
+
+std::vector<Bearing> bearings_of(const View& figures) {
+  std::vector<Bearing> bearings;
+  for (const View& one : figures.list("bearing")) {
+    Bearing bearing{.id = one.text("id"),
+                    .title = one.text("title"),
+                    .clearance_text = {},
+                    .clearance_m = one.number("clearance_m").value_or(0),
+                    .view = one,
+                    .laws = {}};
+    bearing.clearance_text = plain(bearing.clearance_m * micro, 4);
+    for (const View& law : one.list("laws")) {
+      BearingCurves curves{.law = law.text("law"), .azimuth_deg = {}, .force_N = {}, .displacement_m = {}};
+      for (const View& roller : law.list("rollers")) {
+        const auto azimuth = roller.number("azimuth_deg"), force = roller["inner"].number("force_N"),
+                   displacement = roller["inner"].number("displacement_m");
+        if (!azimuth || !force || !displacement) continue;
+        curves.azimuth_deg.push_back(*azimuth);
+        curves.force_N.push_back(*force);
+        curves.displacement_m.push_back(*displacement);
+      }
+      bearing.laws.push_back(std::move(curves));
+    }
+    bearings.push_back(std::move(bearing));
+  }
+  return bearings;
+}
+
+std::string clearance_label(const std::string& micrometres) { return "*P*_{d} = " + micrometres + " \u00b5m"; }
+
+/// The bearings that differ in clearance alone stand together: same rollers, load and speed.
+std::vector<std::vector<Bearing>> families(const std::vector<Bearing>& bearings) {
+  std::vector<std::vector<Bearing>> groups;
+  for (const Bearing& one : bearings) {
+    const auto same = [&](const Bearing& other) {
+      return one.view.number("radial_load_N") == other.view.number("radial_load_N") &&
+             one.view.number("speed_rpm") == other.view.number("speed_rpm") && !one.laws.empty() &&
+             !other.laws.empty() && one.laws.front().azimuth_deg.size() == other.laws.front().azimuth_deg.size() &&
+             one.laws.size() == other.laws.size();
+    };
+    const auto group =
+        std::find_if(groups.begin(), groups.end(), [&](const auto& members) { return same(members.front()); });
+    if (group == groups.end())
+      groups.push_back({one});
+    else
+      group->push_back(one);
+  }
+  for (auto& group : groups)
+    std::stable_sort(group.begin(), group.end(),
+                     [](const Bearing& a, const Bearing& b) { return a.clearance_m < b.clearance_m; });
+  return groups;
+}
+
+std::string operation(const View& bearing) {
+  std::string text;
+  if (const auto load = bearing.number("radial_load_N"))
+    text += "<i>F</i><sub>r</sub> = " + escaped(plain(*load * kilo, 4)) + " kN";
+  if (const auto speed = bearing.number("speed_rpm"))
+    text += (text.empty() ? "" : ", ") + escaped(plain(*speed, 6)) + " rpm";
+  return text;
+}
+
+/// delta_i over psi of one law at all clearances.
+Panel clearances_panel(const std::vector<Bearing>& group, const std::string& law) {
+  static constexpr Line lines[] = {Line::solid, Line::dashed, Line::dash_dot, Line::dotted};
+  static constexpr Marker markers[] = {Marker::circle, Marker::square, Marker::triangle, Marker::diamond};
+  std::vector<BearingCurves> curves;
+  std::vector<std::string> names;
+  for (const Bearing& bearing : group) {
+    for (const BearingCurves& one : bearing.laws) {
+      if (one.law != law) continue;
+      curves.push_back(one);
+      names.push_back(clearance_label(bearing.clearance_text));
+    }
+  }
+  Panel panel = azimuth_panel(OverAzimuth::displacement, literal(law), curves);
+  for (std::size_t k = 0; k < panel.series.size(); ++k) {
+    Series& series = panel.series[k];
+    series.name = names[k];
+    series.line = lines[k % 4];
+    series.marker = markers[k % 4];
+    series.colour = 1 + static_cast<int>(k % 6);
+  }
+  return panel;
+}
+
+void add_family(Page& page, const std::vector<Bearing>& group) {
+  const Bearing& first = group.front();
+  const std::string what = first.id + (group.size() > 1 ? " and its clearances" : "");
+  page.heading(escaped(what) + (operation(first.view).empty() ? "" : ": " + operation(first.view)));
+  if (!first.title.empty()) page.paragraph(escaped(first.title) + ".");
+  page.begin_figures();
+  for (const Bearing& bearing : group) {
+    Figure figure{.id = "fig-force-" + bearing.id,
+                  .title = "Contact forces of " + bearing.id,
+                  .description = "Contact force of each roller at the inner raceway over its azimuth, a curve a law."};
+    figure.panels.push_back(azimuth_panel(OverAzimuth::force, clearance_label(bearing.clearance_text), bearing.laws));
+    page.figure(std::move(figure), "<b>" + escaped(bearing.id) +
+                                       "</b>: contact force over azimuth (the paper's figure 2), inner raceway, " +
+                                       markup_to_html(clearance_label(bearing.clearance_text)) + ".");
+  }
+  Figure displacement{
+      .id = "fig-displacement-" + first.id,
+      .title = "Displacements of " + first.id,
+      .description =
+          "Displacement of each roller at the inner raceway over its azimuth, a curve a law; negative is a gap."};
+  displacement.panels.push_back(
+      azimuth_panel(OverAzimuth::displacement, clearance_label(first.clearance_text), first.laws));
+  page.figure(std::move(displacement),
+              "<b>" + escaped(first.id) + "</b>: displacement over azimuth (the paper's figure 3), " +
+                  markup_to_html(clearance_label(first.clearance_text)) + "; negative where there is a gap.");
+  if (group.size() > 1) {
+    for (const BearingCurves& law : first.laws) {
+      Figure figure{.id = "fig-clearance-" + first.id + "-" + law.law,
+                    .title = "Displacements at all clearances, " + law.law,
+                    .description = "Displacement of each roller over its azimuth under the law " + law.law +
+                                   ", a curve a clearance."};
+      figure.panels.push_back(clearances_panel(group, law.law));
+      page.figure(std::move(figure), "Displacement over azimuth at all clearances (the paper's figure 4), law <b>" +
+                                         escaped(law.law) + "</b>.");
+    }
+  }
+  page.end_figures();
+  page.begin_figures("polars");
+  for (const Bearing& bearing : group) {
+    PolarPlot plot{
+        .id = "fig-polar-" + bearing.id,
+        .title = "Load distribution of " + bearing.id + " round the bearing",
+        .description =
+            "Contact force of each roller at the inner raceway as radius, azimuth as angle, the load pointing down.",
+        .heading = clearance_label(bearing.clearance_text),
+        .radius_label = axis_force,
+        .series = {}};
+    for (const BearingCurves& law : bearing.laws) {
+      const Look look = look_of_law(law.law);
+      plot.series.push_back({.name = literal(law.law),
+                             .angle_deg = law.azimuth_deg,
+                             .radius = scaled(law.force_N, kilo),
+                             .line = look.line,
+                             .marker = look.marker,
+                             .colour = look.colour});
+    }
+    page.figure(std::move(plot),
+                "<b>" + escaped(bearing.id) + "</b>: load distribution; the load points down, towards 0\u00b0.");
+  }
+  page.end_figures();
+
+  Table table;
+  table.caption = "Balance and fit, inner raceway: <i>f</i> = <i>K</i> <i>\u03b4</i> + \u0394<i>F</i>";
+  table.columns = {"case",
+                   "law",
+                   "status",
+                   "ring displacement [\u00b5m]",
+                   "largest force [kN]",
+                   "loaded rollers",
+                   "thinnest film [\u00b5m]",
+                   "<i>K</i> [N/\u00b5m]",
+                   "\u0394<i>F</i> [N]",
+                   "residual [N]"};
+  for (const Bearing& bearing : group) {
+    for (const View& law : bearing.view.list("laws")) {
+      double force = 0, film = std::numeric_limits<double>::infinity();
+      int loaded = 0;
+      for (const View& roller : law.list("rollers")) {
+        const double own = roller["inner"].number("force_N").value_or(0);
+        force = std::max(force, own);
+        loaded += own > 0 ? 1 : 0;
+        if (const auto h = roller["inner"].number("film_minimum_m")) film = std::min(film, *h);
+      }
+      const View fit = law["fit"]["inner"];
+      const auto times = [](const std::optional<double>& value, double factor) {
+        return value ? std::optional(*value * factor) : std::nullopt;
+      };
+      table.rows.push_back({words(bearing.id), words(law.text("law")), verdict_cell(law.text("status")),
+                            number_cell(times(law.number("displacement_m"), micro), 4), number_cell(force * kilo, 4),
+                            integer_cell(loaded),
+                            number_cell(std::isfinite(film) ? std::optional(film * micro) : std::nullopt, 3),
+                            number_cell(times(fit.number("K_N_per_m"), 1 / micro), 5),
+                            number_cell(fit.number("dF_N"), 4), number_cell(fit.number("residual_N"), 3)});
+    }
+  }
+  page.add(table);
+}
+
+void add_statements(Page& page, const std::vector<View>& statements) {
+  page.heading("The paper's statements");
+  if (statements.empty()) {
+    page.absent("The paper's statements with their verdicts are", "ehd verify --output DIR");
+    return;
+  }
+  Table table;
+  table.columns = {"", "law", "statement", "verdict", "in numbers"};
+  for (const View& one : statements) {
+    const auto holds = one.flag("holds");
+    // Not a failure of the program: what was computed, whichever way it turned out.
+    table.rows.push_back({{"(" + escaped(one.text("letter")) + ")", ""},
+                          words(one.text("law")),
+                          {escaped(one.text("statement")), "wide"},
+                          {holds ? (*holds ? "holds" : "<b>does not hold</b>") : "", ""},
+                          {escaped(one.text("numbers")), "wide"}});
+  }
+  page.add(table);
+}
+
+/// What each simplification may move; one table for all bearings that state one.
+void add_budgets(Page& page, const std::vector<View>& bearings) {
+  if (bearings.empty()) return;  // which is said where they would stand
+  Table table;
+  table.caption = "Error budget: what may move a balance (bounds of first order, or differences of two balances)";
+  table.columns = {"case",
+                   "law",
+                   "source",
+                   "of",
+                   "kind",
+                   "ring displacement [\u00b5m]",
+                   "largest force [N]",
+                   "any force [N]",
+                   "thinnest film [%]"};
+  const auto times = [](const std::optional<double>& value, double factor) {
+    return value ? std::optional(*value * factor) : std::nullopt;
+  };
+  for (const View& bearing : bearings)
+    for (const View& law : bearing.list("laws"))
+      for (const View& row : law.list("error_budget"))
+        table.rows.push_back({words(bearing.text("id")), words(law.text("law")), words(row.text("source")),
+                              words(row.text("of")), words(row.text("kind")),
+                              number_cell(times(row.number("displacement_m"), micro), 2),
+                              number_cell(row.number("largest_force_N"), 3), number_cell(row.number("any_force_N"), 3),
+                              number_cell(times(row.number("smallest_film_relative"), 100), 2)});
+  page.heading("Error budget");
+  if (table.rows.empty()) {
+    page.absent("Error budgets are", "ehd verify --output DIR");
+    return;
+  }
+  page.add(table);
+}
+
+/// One choice changed at a time, and what the statements become.
+void add_study(Page& page, const View& study) {
+  page.heading("On what the statements depend");
+  const std::vector<View> rows = study.list("rows");
+  if (rows.empty()) {
+    page.absent("The study of the statements is", "ehd verify --output DIR");
+    return;
+  }
+  Table summary;
+  summary.caption = "Statements over the choices that the paper leaves open";
+  summary.columns = {"", "law", "holds in", "where not, or where alone"};
+  for (const View& one : study.list("summary"))
+    summary.rows.push_back({{"(" + escaped(one.text("letter")) + ")", ""},
+                            words(one.text("law")),
+                            words(plain(one.number("holds").value_or(0)) + " of " + plain(one.number("of").value_or(0))),
+                            {escaped(one.text("exceptions")), "wide"}});
+  page.add(summary);
+  Table table;
+  table.caption = "One choice changed at a time; changes are EHD against dry at <i>\u03c8</i> = 0";
+  table.columns = {"changed",
+                   "to",
+                   "law",
+                   "(a)",
+                   "force [%]",
+                   "(b)",
+                   "displacement [%]",
+                   "(c)",
+                   "middle, largest clearance [%]",
+                   "(d)",
+                   "<i>x</i><sub>0</sub> [mm] for (a) to (d)"};
+  for (const View& row : rows) {
+    std::map<std::string, View> by_letter;
+    for (const View& one : row.list("statements")) by_letter[one.text("letter")] = one;
+    const auto holds = [&](const char* letter) {
+      const auto flag = by_letter[letter].flag("holds");
+      return TableCell{flag ? (*flag ? "holds" : "<b>no</b>") : "", ""};
+    };
+    const auto percent = [&](const char* letter, const char* name) {
+      const auto value = by_letter[letter]["values"].number(name);
+      return value ? plain(100 * *value, 2) : std::string("-");
+    };
+    std::string ranges;
+    for (const View& range : row.list("x0_all_hold_m")) {
+      const std::vector<double> ends = range.numbers();
+      if (ends.size() != 2) continue;
+      ranges += (ranges.empty() ? "" : ", ") + plain(milli * ends[0], 2) + " to " + plain(milli * ends[1], 2);
+    }
+    if (ranges.empty() && row.has("x0_all_hold_m")) ranges = "nowhere";
+    table.rows.push_back({words(row.text("factor")), words(row.text("value")), words(row.text("law")), holds("a"),
+                          words(percent("a", "change")), holds("b"),
+                          words(percent("b", "least") + " to " + percent("b", "most")), holds("c"),
+                          words(percent("c", "middle") + ", " + percent("c", "largest")), holds("d"), words(ranges)});
+  }
+  page.add(table);
+}
+
+void add_force_laws(Page& page, const std::vector<View>& laws) {
+  page.heading("Contact force laws <i>f</i>(<i>\u03b4</i>)");
+  if (laws.empty()) {
+    page.absent("Contact force laws are", "ehd verify --output DIR");
+    return;
+  }
+  std::vector<std::pair<std::string, std::string>> contacts;  // case, raceway
+  for (const View& one : laws) {
+    const std::pair name{one.text("id"), one.text("raceway")};
+    if (std::find(contacts.begin(), contacts.end(), name) == contacts.end()) contacts.push_back(name);
+  }
+  page.begin_figures();
+  for (const auto& [id, raceway] : contacts) {
+    Figure figure{.id = "fig-law-" + id + "-" + raceway,
+                  .title = "Contact force laws of " + id + ", " + raceway + " raceway",
+                  .description = "Contact force over displacement, a curve a law; below, the minimum film."};
+    Panel force, film;
+    force.height = 200;
+    film.height = 110;
+    force.y = {.label = "*f* [kN]", .low = 0};
+    film.y = {.label = "*h*_{min} [\u00b5m]", .scale = Scale::logarithmic};
+    for (const View& one : laws) {
+      if (one.text("id") != id || one.text("raceway") != raceway) continue;
+      const Look look = look_of_law(one.text("law"));
+      const auto displacement = scaled(one.numbers("displacement_m"), micro);
+      force.series.push_back({.name = literal(one.text("law")),
+                              .x = displacement,
+                              .y = scaled(one.numbers("force_N"), kilo),
+                              .line = look.line,
+                              .colour = look.colour});
+      if (one.has("film_minimum_m"))
+        film.series.push_back({.x = displacement,
+                               .y = scaled(one.numbers("film_minimum_m"), micro),
+                               .line = look.line,
+                               .colour = look.colour});
+    }
+    std::vector<double> all;
+    for (const Series& series : force.series) all.insert(all.end(), series.x.begin(), series.x.end());
+    const Range range = range_of(all, Scale::linear);
+    force.x.low = film.x.low = range.low;
+    force.x.high = film.x.high = range.high;
+    force.x.label = film.x.label = "displacement *\u03b4* [\u00b5m]";
+    force.x.silent = !film.series.empty();
+    figure.panels.push_back(std::move(force));
+    if (!film.series.empty()) figure.panels.push_back(std::move(film));
+    page.figure(std::move(figure), "<b>" + escaped(id) + "</b>, " + escaped(raceway) +
+                                       " raceway: contact force over displacement" +
+                                       (figure.panels.size() > 1 ? ", and the minimum film below." : "."));
+  }
+  page.end_figures();
+}
+
+}  // namespace
+
+namespace {
+
+/// -180 < psi <= 180, rounded: azimuths that differ by rounding are one roller's.
+double wrapped_azimuth(double psi_deg) {
+  constexpr double same = 1e4;
+  double psi = std::remainder(std::round(psi_deg * same) / same, 360);
+  if (psi <= -180) psi += 360;
+  return psi == 0 ? 0 : psi;
+}
+
+/// Every roller has another at -psi that carries the same.
+bool mirrored(const std::map<double, double>& values) {
+  constexpr double same = 1e-6;  // of the largest: fields are written with some seven digits
+  double largest = 0;
+  for (const auto& [psi, value] : values) largest = std::max(largest, std::abs(value));
+  return std::all_of(values.begin(), values.end(), [&](const auto& roller) {
+    const auto other = values.find(roller.first == 180 ? 180 : roller.first == 0 ? 0 : -roller.first);
+    return other != values.end() && std::abs(other->second - roller.second) <= same * largest;
+  });
+}
+
+}  // namespace
+
+Panel azimuth_panel(OverAzimuth quantity, const std::string& title_markup, const std::vector<BearingCurves>& laws) {
+  Panel panel;
+  panel.title = title_markup;
+  panel.x = {.label = axis_psi, .low = 0, .high = 180, .step = 30};
+  const bool force = quantity == OverAzimuth::force;
+  panel.y = {.label = force ? axis_force : axis_displacement};
+  if (force) panel.y.low = 0;
+  std::vector<std::map<double, double>> all;
+  for (const BearingCurves& law : laws) {
+    const auto& values = force ? law.force_N : law.displacement_m;
+    std::map<double, double> rollers;
+    for (std::size_t i = 0; i < std::min(law.azimuth_deg.size(), values.size()); ++i)
+      if (std::isfinite(law.azimuth_deg[i])) rollers.emplace(wrapped_azimuth(law.azimuth_deg[i]), values[i]);
+    all.push_back(std::move(rollers));
+  }
+  // One half says everything where the other is its mirror image: not so for a cage that stands askew.
+  const bool half = std::all_of(all.begin(), all.end(), mirrored);
+  if (!half) panel.x = {.label = axis_psi, .low = -180, .high = 180, .step = 60};
+  for (std::size_t k = 0; k < laws.size(); ++k) {
+    const Look look = look_of_law(laws[k].law);
+    Series series{
+        .name = literal(laws[k].law), .line = look.line, .marker = look.marker, .colour = look.colour, .hollow = true};
+    for (const auto& [azimuth, value] : all[k]) {
+      if (half && azimuth < 0) continue;
+      series.x.push_back(azimuth);
+      series.y.push_back(value * (force ? kilo : micro));
+    }
+    panel.series.push_back(std::move(series));
+  }
+  if (!force) panel.rules.push_back({0, ""});
+  return panel;
+}
+
+void add_bearing(Page& page, const View& results) {
+  page.section("bearing", "Bearing");
+  const View figures = results["figures"];
+  const auto bearings = bearings_of(figures);
+  if (bearings.empty()) {
+    page.absent("Load distributions are", "ehd verify --output DIR");
+  } else {
+    page.paragraph(
+        "Laws: <b>hertz</b>, dry; <b>ehd-linear</b>, the straight line fitted to the solver's relation; <b>ehd</b>, "
+        "the solver's own relation. "
+        "Azimuth 0\u00b0 is the roller under the load; where one half of the bearing is shown, the other is its mirror "
+        "image.");
+    for (const auto& group : families(bearings)) add_family(page, group);
+  }
+  add_budgets(page, figures.list("bearing"));
+  add_statements(page, figures.list("statements"));
+  add_study(page, figures["statement_study"]);
+  add_force_laws(page, figures.list("force_law"));
+}
+
+}  // namespace ehd::report

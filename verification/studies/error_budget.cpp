@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verification/studies/error_budget.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+
+#include "bearing/force_law.hpp"
+#include "contact/text.hpp"
+
+namespace ehd::verification {
+
+using bearing::FilmCurve;
+
+namespace {
+
+const BearingResult* of_law(const std::vector<BearingResult>& results, BearingLaw law) {
+  for (const BearingResult& result : results)
+    if (result.law == law && !result.rollers.empty()) return &result;
+  return nullptr;
+}
+
+std::size_t most_loaded(const BearingResult& result) {
+  const auto heavier = [](const RollerRow& one, const RollerRow& other) { return one.inner.force_N < other.inner.force_N; };
+  return static_cast<std::size_t>(std::max_element(result.rollers.begin(), result.rollers.end(), heavier) -
+                                  result.rollers.begin());
+}
+
+/// The thinnest film of a balance, where it is.
+struct Thinnest {
+  double film_m = 0, force_N = 0;
+  bool inner = true;
+};
+std::optional<Thinnest> thinnest_film(const BearingResult& result) {
+  std::optional<Thinnest> thinnest;
+  for (const RollerRow& row : result.rollers)
+    for (const ContactRow* at : {&row.inner, &row.outer})
+      if (at->film_minimum_m && (!thinnest || *at->film_minimum_m < thinnest->film_m))
+        thinnest = Thinnest{*at->film_minimum_m, at->force_N, at == &row.inner};
+  return thinnest;
+}
+
+/// The rollers' exact stiffnesses at a balance, and what they make of errors of the contacts' approaches.
+class Linearised {
+ public:
+  Linearised(const BearingResult& result, const bearing::ForceLaw& inner, const bearing::ForceLaw& outer)
+      : result_(result), directions_(2, static_cast<Eigen::Index>(result.rollers.size())), stiffness_(directions_.cols()) {
+    for (Eigen::Index j = 0; j < directions_.cols(); ++j) {
+      const RollerRow& row = result.rollers[static_cast<std::size_t>(j)];
+      const double psi = row.azimuth_deg * std::numbers::pi / 180;
+      directions_.col(j) << std::cos(psi), std::sin(psi);
+      if (row.inner.force_N > 0 && row.outer.force_N > 0)
+        stiffness_[j] = 1 / (bearing::compliance(inner, row.inner.force_N) + bearing::compliance(outer, row.outer.force_N));
+      else
+        stiffness_[j] = 0;
+    }
+    if (result.form == bearing::Form::radial) directions_.row(1).setZero();
+    const Eigen::Matrix2d ring = directions_ * stiffness_.asDiagonal() * directions_.transpose();
+    inverse_ = ring.completeOrthogonalDecomposition().pseudoInverse();  // few loaded rollers leave y free
+  }
+
+  /// `error_m`: bound of the approach's error at a contact, from (force, inner raceway).
+  [[nodiscard]] BudgetRow bound(const std::function<double(double, bool)>& error_m) const {
+    const Eigen::Index n = directions_.cols();
+    Eigen::VectorXd moved_m(n);
+    for (Eigen::Index j = 0; j < n; ++j) {
+      const RollerRow& row = result_.rollers[static_cast<std::size_t>(j)];
+      moved_m[j] = stiffness_[j] > 0 ? error_m(row.inner.force_N, true) + error_m(row.outer.force_N, false) : 0;
+    }
+    // du/dg_j in the columns, then df_i/dg_j.
+    const Eigen::MatrixXd ring = inverse_ * directions_ * stiffness_.asDiagonal();
+    Eigen::MatrixXd forces = stiffness_.asDiagonal() * directions_.transpose() * ring;
+    forces.diagonal() -= stiffness_;
+    const Eigen::VectorXd sizes = forces.cwiseAbs() * moved_m;
+    BudgetRow row;
+    row.bound = true;
+    row.displacement_m = ring.row(0).cwiseAbs() * moved_m;
+    row.largest_force_N = sizes[static_cast<Eigen::Index>(most_loaded(result_))];
+    row.any_force_N = sizes.maxCoeff();
+    if (!sizes.allFinite()) row.any_force_N = std::numeric_limits<double>::infinity();  // maxCoeff overlooks a NaN
+    return row;
+  }
+
+ private:
+  const BearingResult& result_;
+  Eigen::Matrix2Xd directions_;
+  Eigen::VectorXd stiffness_;
+  Eigen::Matrix2d inverse_;
+};
+
+BudgetRow difference(const BearingResult& one, const BearingResult& other) {
+  BudgetRow row;
+  row.displacement_m = std::abs(one.displacement_m - other.displacement_m);
+  const std::size_t top = most_loaded(other);
+  for (std::size_t j = 0; j < one.rollers.size() && j < other.rollers.size(); ++j) {
+    const double change = std::abs(one.rollers[j].inner.force_N - other.rollers[j].inner.force_N);
+    row.any_force_N = std::max(row.any_force_N, change);
+    if (j == top) row.largest_force_N = change;
+  }
+  const auto film = thinnest_film(one), other_film = thinnest_film(other);
+  if (film && other_film) row.smallest_film = std::abs(film->film_m / other_film->film_m - 1);
+  return row;
+}
+
+}  // namespace
+
+std::vector<BudgetRow> budget_of(const Case& bearing_case, const std::vector<BearingResult>& results, BearingLaw law,
+                                    ContactMemory& memory) {
+  const BearingResult* const result = of_law(results, law);
+  if (!result || !needs_film(law) || !result->curve || !result->datum_m) return {};
+  if (law == BearingLaw::ehd_linear && !result->fit) return {};
+  const auto laws = laws_of(std::get<BearingCase>(bearing_case.body), *result);
+  if (!laws) return {};
+  std::vector<BudgetRow> rows;
+  const auto add = [&rows](BudgetRow row, std::string source, std::string of) {
+    row.source = std::move(source);
+    row.of = std::move(of);
+    rows.push_back(std::move(row));
+  };
+
+  // 1. Differences: the fit against the full relation; another datum.
+  const BearingResult* const full = of_law(results, BearingLaw::ehd);
+  if (law == BearingLaw::ehd_linear && full) add(difference(*result, *full), "fit", "ehd-linear against ehd");
+
+  const auto thinnest = thinnest_film(*result);
+  const Linearised linear(*result, laws->inner, laws->outer);
+  const auto curve_of = [&](bool at_inner) -> const FilmCurve& {
+    return at_inner ? result->curve->inner : result->curve->outer;
+  };
+  // 2. Bounds of what the curve is made of. The films of the line are from the curve too, its balance is not.
+  const bool on_curve = law == BearingLaw::ehd;
+  {
+    BudgetRow between, below;
+    between.bound = below.bound = true;
+    if (on_curve) {
+      between = linear.bound([&](double f, bool at_inner) {
+        const FilmCurve& curve = curve_of(at_inner);
+        return f >= curve.lightest_N() ? curve.interpolation_force_error * curve.rise_m(f) : 0;
+      });
+      below = linear.bound([&](double f, bool at_inner) {
+        const FilmCurve& curve = curve_of(at_inner);
+        return f < curve.lightest_N() ? curve.joint_force_error * curve.rise_m(f) : 0;
+      });
+    }
+    if (thinnest) {
+      const FilmCurve& curve = curve_of(thinnest->inner);
+      if (thinnest->force_N >= curve.lightest_N())
+        between.smallest_film = curve.interpolation_error;
+      else
+        below.smallest_film = curve.joint_error;
+    }
+    const std::string films = on_curve ? "" : ", of the films";
+    add(std::move(between), "interpolation", "largest disagreement of an extra solve, at every contact" + films);
+    add(std::move(below), "rigid limit", "below the lightest solved contact" + films);
+  }
+  BudgetRow solver = linear.bound([&](double f, bool at_inner) {
+    if (!on_curve) return (at_inner ? result->fit->inner : result->fit->outer).approach_error_m(f);
+    const FilmCurve& curve = curve_of(at_inner);
+    return curve.solver_error * curve.offset_film(f).value;
+  });
+  if (thinnest) solver.smallest_film = curve_of(thinnest->inner).film_error;
+  add(std::move(solver), "contact solver", on_curve ? "its own stated errors, at every contact" : "its own stated errors, at the contacts of the fit");
+
+  // 3. The datum is a choice: what another would have given.
+  const auto& body = std::get<BearingCase>(bearing_case.body);
+  std::vector<std::pair<std::string, Datum>> data;
+  if (!std::holds_alternative<PalmgrenDatum>(body.datum)) data.emplace_back("palmgren", PalmgrenDatum{});
+  if (!std::holds_alternative<LundbergDatum>(body.datum)) data.emplace_back("lundberg", LundbergDatum{});
+  data.emplace_back("x_0 twice that of the inner raceway", LengthDatum{2 * result->datum_m->inner});
+  for (const auto& [name, datum] : data) {
+    Case other = bearing_case;
+    std::get<BearingCase>(other.body).datum = datum;
+    const auto again = run_bearing(other, {.laws = {law}, .explicitly = true, .films = true, .form = result->form}, memory);
+    if (const BearingResult* const moved = of_law(again, law)) add(difference(*moved, *result), "datum", name);
+  }
+  return rows;
+}
+
+Json to_json(const std::vector<BudgetRow>& rows) {
+  Json json = Json::array();
+  for (const BudgetRow& row : rows) {
+    Json one = {{"source", row.source}, {"of", row.of}, {"kind", row.bound ? "bound" : "difference"}};
+    put(one, "displacement_m", row.displacement_m);
+    put(one, "largest_force_N", row.largest_force_N);
+    put(one, "any_force_N", row.any_force_N);
+    put(one, "smallest_film_relative", row.smallest_film);
+    json.push_back(std::move(one));
+  }
+  return json;
+}
+
+std::string human_budget(const std::vector<BudgetRow>& rows) {
+  std::vector<std::vector<std::string>> table{{"source", "of", "kind", "displacement um", "largest load N", "any load N", "film %"}};
+  for (const BudgetRow& row : rows)
+    table.push_back({row.source, row.of, row.bound ? "bound" : "difference", plain(1e6 * row.displacement_m, 2),
+                     plain(row.largest_force_N, 3), plain(row.any_force_N, 3),
+                     row.smallest_film ? plain(100 * *row.smallest_film, 2) : "-"});
+  return aligned(table, 3, "  ");
+}
+
+}  // namespace ehd::verification

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The data behind the figures: profiles of the cases, convergence, maps over M and L, the bearing. Computed beside the
+// suite and written into results.json, so that making a report never runs a solver. Nothing here is judged.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "io/output.hpp"
+
+namespace ehd::verification {
+
+struct FiguresRequest {
+  /// 5: manufactured solutions; 8: grids; 10: cases and maps; 11: bearing; others: none; absent: all.
+  std::optional<int> rung = {};
+  std::optional<std::string> case_id = {};  ///< profiles (or the bearing) of this case alone
+  bool quick = false;                       ///< a few grids, points of the maps and light cases
+  unsigned threads = 0;                     ///< 0: as many as there are cores
+  /// Called after each piece of work, one thread at a time.
+  std::function<void(std::size_t done, std::size_t all, const std::string& name)> progress = {};
+};
+
+/// {"threads", "cases", "convergence", "maps", "bearing", "statements", "force_law"}, a key absent where it was not
+/// made; "failed": what threw, a sentence each (absent where nothing did). Times are of cold solves, one a thread, while
+/// `threads` of them share the machine. Throws CaseError for a case that is named and cannot be read.
+[[nodiscard]] Json figures(const FiguresRequest& request);
+
+}  // namespace ehd::verification

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verification/studies/manufactured_study.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <complex>
+
+#include "reference/hp/newton.hpp"
+#include "verification/claim.hpp"
+
+namespace ehd::verification {
+
+using exact::Manufactured;
+namespace hp = reference::hp;
+
+ManufacturedErrors errors_of_solver(const RegisteredSolver& solver, const Manufactured& truth, int intervals) {
+  Problem problem = truth.problem();
+  problem.wanted = {Quantity::film_offset};
+  Request request;
+  request.tolerance.reset();
+  request.nodes = intervals;
+  const Solution solution = solver.solve(problem, request);
+  const Fields& at = solution.fields;
+  if (solution.record.status != StopReason::converged || at.X.size() != intervals + 1) return {};
+  const Manufactured::Choice& chosen = truth.choice();
+  ManufacturedErrors errors{.pressure = 0,
+                            .offset = std::abs(at.offset - chosen.offset),
+                            .flux = std::abs(at.density[intervals] * at.H[intervals] +
+                                             truth.balance_source(at.X[intervals]).first - chosen.flux),
+                            .exit = std::abs(at.X[intervals] - chosen.exit)};
+  for (int i = 0; i <= intervals; ++i) {
+    const double P = at.X[i] < chosen.exit ? truth.pressure(at.X[i]).value : 0;
+    errors.pressure = worse(errors.pressure, std::abs(at.P[i] - P));
+  }
+  return errors;
+}
+
+ManufacturedErrors errors_of_collocation(const Manufactured& truth, int elements, int degree) {
+  const Problem problem = truth.problem();
+  const Manufactured::Choice& chosen = truth.choice();
+  const double length = chosen.exit - chosen.inlet;
+  hp::Mesh mesh{.inlet = chosen.inlet,
+                .breakpoints = {},
+                .degrees = std::vector<int>(static_cast<std::size_t>(elements), degree)};
+  for (int e = elements; e >= 0; --e) mesh.breakpoints.push_back(-length * e / elements);
+  const hp::Collocation<double> equations(problem, mesh, hp::Points::left_radau);
+
+  hp::State<double> start{.P = VectorOf<double>::Zero(equations.intervals() + 1),
+                          .offset = chosen.offset,
+                          .flux = chosen.flux,
+                          .exit = chosen.exit};
+  const auto places = equations.node_places();
+  for (Eigen::Index i = 1; i + 1 < start.P.size(); ++i)
+    start.P[i] = truth.pressure(chosen.exit + equations.xi(places[static_cast<std::size_t>(i)])).value;
+  hp::Meter meter{.iterations_left = 100, .end = std::chrono::steady_clock::now() + std::chrono::seconds(60)};
+  const hp::NewtonRun run = hp::newton(equations, start, 0, {.iterations = 8}, meter);
+  ManufacturedErrors errors{.pressure = 0,
+                            .offset = std::abs(run.state.offset - chosen.offset),
+                            .flux = std::abs(run.state.flux - chosen.flux),
+                            .exit = std::abs(run.state.exit - chosen.exit)};
+  for (int e = 0; e < elements; ++e) {
+    for (int k = 0; k <= 20; ++k) {
+      const double t = k / 10.0 - 1;
+      const double X = run.state.exit + equations.stretching(run.state.exit) * equations.xi({e, 1 + t, 1 - t});
+      errors.pressure = worse(errors.pressure,
+                              std::abs(equations.interpolate(run.state.P, e, t) - truth.pressure(X).value));
+    }
+  }
+  // At the rounding floor the residual goes up and down, and the iteration does not always see that it is there. What it
+  // leaves must be nothing beside the error that is read.
+  constexpr double rounding_floor = 1e-11, nothing_beside = 1e-3;
+  if (!(run.residual <= std::max(rounding_floor, nothing_beside * errors.pressure))) return {};
+  return errors;
+}
+
+double bernstein_factor(const Manufactured& truth, int elements) {
+  const double half = (truth.choice().exit - truth.choice().inlet) / elements / 2;
+  double ellipse = std::numeric_limits<double>::infinity();
+  for (int e = 0; e < elements; ++e) {
+    const std::complex<double> z = (truth.pole() - (truth.choice().inlet + (2 * e + 1) * half)) / half,
+                               root = std::sqrt(z * z - 1.0);
+    ellipse = std::min(ellipse, std::max(std::abs(z + root), std::abs(z - root)));
+  }
+  return ellipse;
+}
+
+}  // namespace ehd::verification

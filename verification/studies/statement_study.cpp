@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verification/studies/statement_study.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <optional>
+
+#include "contact/text.hpp"
+
+namespace ehd::verification {
+
+namespace {
+
+/// A choice: how it changes a case, and what of a result it looks at.
+struct Choice {
+  std::string factor, value;
+  std::function<void(BearingCase&)> change;
+  bool cut = false;  ///< the variant of ehd-linear that lets go at delta = 0
+};
+
+constexpr const char* two_choices = "two choices";
+
+std::string number(double value, const char* unit) { return plain(value, 4) + " " + unit; }
+
+std::vector<Choice> choices(const BearingCase& body) {
+  std::vector<Choice> all{{"as the case", "", [](BearingCase&) {}}};
+  const auto add = [&all](std::string factor, std::string value, std::function<void(BearingCase&)> change) {
+    all.push_back({std::move(factor), std::move(value), std::move(change)});
+  };
+  const double eta = body.lubricant->viscosity_Pa_s;
+  for (const double share : {0.316, 0.5, 2.0, 3.16})
+    add("viscosity", number(eta * share, "Pa s"), [eta, share](BearingCase& one) { one.lubricant->viscosity_Pa_s = eta * share; });
+  if (const auto alpha = body.lubricant->lubricant.alpha_per_Pa)
+    for (const double share : {0.5, 0.75, 1.25, 1.75})
+      add("alpha", number(*alpha * share, "1/Pa"),
+          [alpha, share](BearingCase& one) { one.lubricant->lubricant.alpha_per_Pa = *alpha * share; });
+  else if (const auto z = body.lubricant->lubricant.z)  // alpha follows from it
+    for (const double share : {0.5, 0.75, 1.25, 1.75})
+      add("alpha", "z = " + plain(*z * share, 4), [z, share](BearingCase& one) { one.lubricant->lubricant.z = *z * share; });
+  if (const auto range = body.fit.load_N) {
+    for (const double share : {0.15, 0.5, 2.0})
+      add("fit range", number(range->first * share, "N") + " to " + number(range->second, "N"),
+          [range, share](BearingCase& one) { one.fit.load_N = std::pair{range->first * share, range->second}; });
+    for (const double share : {0.2, 0.5, 1.2})
+      add("datum", "palmgren at " + number(range->second * share, "N"),
+          [range, share](BearingCase& one) { one.datum = PalmgrenDatum{range->second * share}; });
+  }
+  add("datum", "lundberg, x_0 = l", [](BearingCase& one) { one.datum = LundbergDatum{}; });
+  const double radius_m = bearing::reduced_radius_m(geometry_of(body), bearing::Raceway::inner);
+  add("datum", "x_0 = R_i = " + number(1e3 * radius_m, "mm"), [radius_m](BearingCase& one) { one.datum = LengthDatum{radius_m}; });
+  add("datum", "x_0 = R_i/4", [radius_m](BearingCase& one) { one.datum = LengthDatum{radius_m / 4}; });
+  add("datum", "x_0 = 20 mm", [](BearingCase& one) { one.datum = LengthDatum{0.020}; });
+  const bool inner_turns = body.operation.inner_speed_rpm != 0;
+  add("rotating ring", inner_turns ? "outer" : "inner",
+      [](BearingCase& one) { std::swap(one.operation.inner_speed_rpm, one.operation.outer_speed_rpm); });
+  all.push_back({"unloading", "let go at delta = 0", [](BearingCase&) {}, true});
+  for (const double length_m : {0.018, 0.122})
+    if (length_m != body.geometry.length_m)
+      add("length", number(length_m, "m"), [length_m](BearingCase& one) { one.geometry.length_m = length_m; });
+  struct Pair {
+    double viscosity, length_m, radii;  // times the case's; 0: the case's own; x_0/R_i
+  };
+  for (const Pair& pair : {Pair{3.16, 0, 1}, {2, 0, 0.125}, {1, 0.018, 0.25}}) {
+    const double x0_m = radius_m * pair.radii;
+    add(two_choices,
+        (pair.length_m > 0 ? "length " + number(pair.length_m, "m") : "viscosity " + number(eta * pair.viscosity, "Pa s")) +
+            ", x_0 = " + number(1e3 * x0_m, "mm"),
+        [pair, eta, x0_m](BearingCase& one) {
+          one.lubricant->viscosity_Pa_s = eta * pair.viscosity;
+          if (pair.length_m > 0) one.geometry.length_m = pair.length_m;
+          one.datum = LengthDatum{x0_m};
+        });
+  }
+  return all;
+}
+
+const BearingResult* of_law(const std::vector<BearingResult>& results, BearingLaw law) {
+  for (const BearingResult& result : results)
+    if (result.law == law && !result.rollers.empty()) return &result;
+  return nullptr;
+}
+
+/// A result as its variant has it.
+std::optional<BearingResult> cut_of(const BearingResult& result) {
+  if (result.variants.empty()) return std::nullopt;
+  BearingResult cut = result;
+  cut.rollers = result.variants.front().rollers;
+  cut.displacement_m = result.variants.front().displacement_m;
+  return cut;
+}
+
+StudyRow judged(const Choice& choice, const std::vector<Case>& cases, BearingLaw law, ContactMemory& memory) {
+  StudyRow row{choice.factor, choice.value, law, {}, "", {}};
+  std::vector<Case> changed = cases;
+  std::vector<ClearanceComparison> clearances;
+  for (Case& one : changed) {
+    auto& body = std::get<BearingCase>(one.body);
+    choice.change(body);
+    const auto results =
+        run_bearing(one, {.laws = {BearingLaw::hertz, law}, .explicitly = true, .films = choice.cut}, memory);
+    const BearingResult *dry = of_law(results, BearingLaw::hertz), *film = of_law(results, law);
+    std::optional<BearingResult> cut;
+    if (choice.cut && film) cut = cut_of(*film);
+    if (!dry || !film || (choice.cut && !cut)) {
+      row.why = !results.empty() && !results.back().why.empty() ? results.back().why : "no balance";
+      return row;
+    }
+    clearances.push_back({body.geometry.clearance_m, *dry, cut.value_or(*film)});
+  }
+  row.statements = judge_paper_statements(clearances);
+  if (row.statements.empty()) row.why = "no balance at a clearance";
+  if (choice.factor != "datum" && choice.factor != two_choices && !choice.cut && !row.statements.empty())
+    row.scan = scan_datum(changed, law, memory);
+  return row;
+}
+
+const PaperStatement* statement(const StudyRow& row, char letter) {
+  for (const PaperStatement& one : row.statements)
+    if (one.letter == letter) return &one;
+  return nullptr;
+}
+
+std::string percent(const PaperStatement* one, const std::string& name, const char* pattern = "%+.1f") {
+  if (one)
+    for (const auto& [key, value] : one->values)
+      if (key == name) {
+        char text[32];
+        std::snprintf(text, sizeof text, pattern, 100 * value);
+        return text;
+      }
+  return "-";
+}
+
+std::string name_of(const StudyRow& row) { return row.value.empty() ? row.factor : row.factor + " " + row.value; }
+
+}  // namespace
+
+std::vector<StudyRow> study_statements(const std::vector<Case>& cases, ContactMemory& memory) {
+  std::vector<StudyRow> rows;
+  if (!differ_only_in_clearance(cases) || cases.size() < 3) return rows;
+  const auto& body = std::get<BearingCase>(cases.front().body);
+  if (!body.lubricant) return rows;
+  for (const BearingLaw law : {BearingLaw::ehd_linear, BearingLaw::ehd})
+    for (const Choice& choice : choices(body)) {
+      // The full relation knows neither a fit nor a force at which it lets go.
+      if (law == BearingLaw::ehd && (choice.cut || choice.factor == "fit range")) continue;
+      rows.push_back(judged(choice, cases, law, memory));
+    }
+  return rows;
+}
+
+std::vector<StudySummary> summarise(const std::vector<StudyRow>& rows) {
+  std::vector<StudySummary> summaries;
+  for (const BearingLaw law : {BearingLaw::ehd_linear, BearingLaw::ehd})
+    for (const char letter : {'a', 'b', 'c', 'd'}) {
+      StudySummary summary{.law = law, .letter = letter, .holds = 0, .of = 0, .exceptions = ""};
+      std::string yes, no;
+      for (const StudyRow& row : rows) {
+        const PaperStatement* const one = statement(row, letter);
+        if (row.law != law || !one || row.factor == two_choices) continue;
+        ++summary.of;
+        summary.holds += one->holds;
+        std::string& list = one->holds ? yes : no;
+        list += (list.empty() ? "" : "; ") + name_of(row);
+      }
+      if (summary.of == 0) continue;
+      if (summary.holds > 0 && summary.holds < summary.of)
+        summary.exceptions = 2 * summary.holds >= summary.of ? "not with " + no : "only with " + yes;
+      summaries.push_back(std::move(summary));
+    }
+  return summaries;
+}
+
+Json to_json(const std::vector<StudyRow>& rows) {
+  Json json = {{"rows", Json::array()}, {"summary", Json::array()}};
+  const auto list = [](const DatumScan::Ranges& of) {
+    Json all = Json::array();
+    for (const auto& [low, high] : of) all.push_back({low, high});
+    return all;
+  };
+  for (const StudyRow& row : rows) {
+    Json one = {{"factor", row.factor}, {"value", row.value}, {"law", to_string(row.law)}, {"statements", Json::array()}};
+    for (const PaperStatement& judged : row.statements) {
+      Json values = Json::object();
+      for (const auto& [name, value] : judged.values) put(values, name.c_str(), value);
+      one["statements"].push_back({{"letter", std::string(1, judged.letter)},
+                                   {"holds", judged.holds},
+                                   {"values", std::move(values)},
+                                   {"numbers", judged.numbers}});
+    }
+    if (!row.why.empty()) one["why"] = row.why;
+    if (row.scan) {
+      const DatumScan& scan = *row.scan;
+      put(one, "x0_lowest_m", scan.lowest_m);
+      put(one, "x0_highest_m", scan.highest_m);
+      one["x0_a_m"] = list(scan.a_m);
+      one["x0_b_m"] = list(scan.b_m);
+      one["x0_c_m"] = list(scan.c_m);
+      one["x0_d_m"] = list(scan.d_m);
+      one["x0_abc_m"] = list(scan.abc_m);
+      one["x0_all_hold_m"] = list(scan.all_hold_m);
+      one["x0_sign_of_a_m"] = list(scan.sign_of_a_m);
+      one["x0_all_hold_mildly_m"] = list(scan.all_hold_mildly_m);
+    }
+    json["rows"].push_back(std::move(one));
+  }
+  for (const StudySummary& one : summarise(rows))
+    json["summary"].push_back({{"law", to_string(one.law)},
+                               {"letter", std::string(1, one.letter)},
+                               {"holds", one.holds},
+                               {"of", one.of},
+                               {"exceptions", one.exceptions}});
+  return json;
+}
+
+std::string human_study(const std::vector<StudyRow>& rows) {
+  std::string text;
+  for (const BearingLaw law : {BearingLaw::ehd_linear, BearingLaw::ehd}) {
+    std::vector<std::vector<std::string>> table{
+        {"changed", "to", "(a)", "Q(0) %", "apart %", "(b)", "delta_i %", "(c)", "middle %", "largest %", "(d)",
+         "x_0 for (a)..(d)", "by the sign of (a)", "by the mild (c)"}};
+    for (const StudyRow& row : rows) {
+      if (row.law != law) continue;
+      if (row.statements.empty()) {
+        table.push_back({row.factor, row.value, row.why, "", "", "", "", "", "", "", "", "", "", ""});
+        continue;
+      }
+      const auto range = [](const StudyRow& of, DatumScan::Ranges DatumScan::* which) {
+        return of.scan ? words_of(*of.scan, (*of.scan).*which, 2) : std::string();
+      };
+      const auto word = [&](char letter) { return std::string(statement(row, letter)->holds ? "holds" : "no"); };
+      const PaperStatement *a = statement(row, 'a'), *b = statement(row, 'b'), *c = statement(row, 'c');
+      table.push_back({row.factor, row.value, word('a'), percent(a, "change"), percent(a, "apart", "%.1f"), word('b'),
+                       percent(b, "least") + ".." + percent(b, "most"), word('c'), percent(c, "middle"),
+                       percent(c, "largest"), word('d'), range(row, &DatumScan::all_hold_m),
+                       range(row, &DatumScan::sign_of_a_m), range(row, &DatumScan::all_hold_mildly_m)});
+    }
+    if (table.size() == 1) continue;
+    text += (text.empty() ? "" : "\n") + std::string("hertz against ") + std::string(to_string(law)) +
+            ": changes of the roller load and of delta_i at psi = 0, the largest of any roller's load\n" + aligned(table, 2, "  ");
+  }
+  text += "\n";
+  for (const StudySummary& one : summarise(rows))
+    text += std::string("  (") + one.letter + "), " + std::string(to_string(one.law)) + ": holds in " +
+            std::to_string(one.holds) + " of " + std::to_string(one.of) +
+            (one.exceptions.empty() ? "" : ", " + one.exceptions) + "\n";
+  return text;
+}
+
+}  // namespace ehd::verification

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// On what the paper's statements (a)..(d) depend: the same bearing with one of the choices that the paper leaves open
+// changed at a time, judged each time. Films do not depend on the datum, so a datum costs no contact solve.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "workflow/bearing_run.hpp"
+
+namespace ehd::verification {
+
+/// One choice changed, and what it makes of the statements.
+struct StudyRow {
+  /// "as the case", "viscosity", "alpha", "fit range", "datum", "rotating ring", "unloading", "length"; "two choices"
+  std::string factor;
+  std::string value;   ///< with its unit
+  BearingLaw law = BearingLaw::ehd_linear;
+  std::vector<PaperStatement> statements;  ///< empty where a balance is missing
+  std::string why;                         ///< why it is
+  std::optional<DatumScan> scan = {};      ///< of the rows that leave the datum to it
+};
+
+/// `cases`: one bearing at three or more clearances (differ_only_in_clearance) with a lubricant. For both EHD laws:
+/// the case as it is; viscosity over a decade about its own, at the same alpha; alpha from half to 1.75 times its own;
+/// the fit from .3, 1, 2 and 4 kN (scaled to the case's own range) to its end; Palmgren met at a fifth, half and 1.2 of
+/// the fit's end, Lundberg, x_0 = R and 20 mm; the other ring turning; ehd-linear cut at delta = 0; lengths of .122 and
+/// .018 m at the same load. Last, two choices at once where one alone changes little: a thick oil, or another length, with a
+/// short x_0.
+[[nodiscard]] std::vector<StudyRow> study_statements(const std::vector<Case>& cases, ContactMemory& memory);
+
+/// How many of a law's rows with one choice changed a statement holds in, and where it does not.
+struct StudySummary {
+  BearingLaw law = BearingLaw::ehd_linear;
+  char letter = 'a';
+  int holds = 0, of = 0;
+  std::string exceptions;  ///< where the fewer rows are: those that fail, or those that hold
+};
+[[nodiscard]] std::vector<StudySummary> summarise(const std::vector<StudyRow>& rows);
+
+[[nodiscard]] Json to_json(const std::vector<StudyRow>& rows);
+[[nodiscard]] std::string human_study(const std::vector<StudyRow>& rows);
+
+}  // namespace ehd::verification

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From a contact case to its result: case -> plan -> problem -> solver -> result. The one place where a case and a
+// solver meet.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "contact/film_formulas.hpp"
+#include "contact/plan.hpp"
+#include "contact/scaling.hpp"
+#include "contact/solution.hpp"
+#include "workflow/case.hpp"
+#include "workflow/contact_plan.hpp"
+#include "workflow/registry.hpp"
+
+namespace ehd {
+
+struct ContactRun {
+  std::string case_id = {};  ///< empty for a contact stated on the command line
+  int version = 0;
+  std::string solver = {};  ///< empty where none ran (dry)
+  Plan plan = {};
+  std::optional<Groups> groups = {};  ///< absent for a dry contact
+  std::optional<Scales> scales = {};  ///< absent where the statement fixes no pressure in Pa
+  Solution solution = {};
+  std::vector<FilmFormula> formulas = {};
+  std::vector<std::string> notes = {};
+
+  [[nodiscard]] StopReason status() const { return solution.record.status; }
+  /// What one unit of Hertz film is in Moes units, and in metres where they are known.
+  [[nodiscard]] std::optional<double> moes_per_hertz_film() const;
+  [[nodiscard]] std::optional<double> m_per_hertz_film() const;
+  /// G = alpha E', absent where either is unknown (Scales has 0 where alpha is).
+  [[nodiscard]] std::optional<double> known_G() const;
+};
+
+/// Plans and runs one contact; quantities outside `wanted` are neither computed nor returned. A solver's every way to
+/// end is in status(). Throws StatementError where the statement makes no problem (a case from read_case always does).
+[[nodiscard]] ContactRun run_contact(const ContactCase& contact, const RegisteredSolver& solver, const Request& request,
+                                     const Wanted& wanted = want_everything());
+
+/// The same for a case with a contact in it, with its id and version.
+[[nodiscard]] ContactRun run_contact(const Case& contact_case, const RegisteredSolver& solver, const Request& request,
+                                     const Wanted& wanted = want_everything());
+
+/// One observed number in the scaling of an expectation, for comparing the two.
+struct Measured {
+  double value = 0;
+  std::optional<double> error = {};  ///< estimated by the solver, relative to |value|
+};
+
+/// Absent where the quantity was not observed, or its scaling needs what the statement leaves open.
+[[nodiscard]] std::optional<Measured> measure(const ContactRun& run, const Expectation& expectation);
+
+}  // namespace ehd

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "workflow/registry.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <limits>
+#include <string>
+
+#include "fast/mapped.hpp"
+#include "fast/uniform.hpp"
+#include "reference/graded.hpp"
+#include "reference/high_order.hpp"
+#include "reference/uniform.hpp"
+
+namespace ehd {
+
+namespace {
+
+/// Kernel, Jacobian, its factors and one product: four dense N x N matrices of doubles.
+double dense_memory(double N) { return 4 * 8 * N * N; }
+/// Kernel, Jacobian and its factors of the second discretisation, which has half as many intervals again.
+double certified_memory(double N) { return 4 * 8 * 2.25 * N * N; }
+/// Some hundred vectors of doubles on the finest grid, all levels, stages and Krylov directions together.
+double vector_memory(double N) { return 200 * 8 * N; }
+
+template <Solver S>
+RegisteredSolver entry(bool uses_fft, double (*memory_bytes)(double), std::string_view alias = {}) {
+  return {.name = std::string(alias.empty() ? S::description.name : alias),
+          .description = S::description,
+          .solve = [](const Problem& problem, const Request& request) { return S().solve(problem, request); },
+          .uses_fft = uses_fft,
+          .memory_bytes = memory_bytes};
+}
+
+}  // namespace
+
+const std::vector<RegisteredSolver>& solvers() {
+  static const std::vector<RegisteredSolver> list{
+      entry<reference::HighOrder>(false, certified_memory),
+      entry<reference::Graded>(false, dense_memory),
+      entry<reference::Uniform>(false, dense_memory),
+      entry<fast::Mapped>(true, vector_memory),
+      entry<fast::Uniform>(true, vector_memory),
+  };
+  return list;
+}
+
+const RegisteredSolver* find_solver(std::string_view name) {
+  const auto& list = solvers();
+  const auto at = std::find_if(list.begin(), list.end(), [&](const auto& solver) { return solver.name == name; });
+  return at == list.end() ? nullptr : &*at;
+}
+
+std::string solver_names() {
+  std::string names;
+  for (const auto& solver : solvers()) names += (names.empty() ? "" : ", ") + solver.name;
+  return names;
+}
+
+double available_memory_bytes() {
+  double bytes = std::numeric_limits<double>::infinity();
+  std::ifstream meminfo("/proc/meminfo");
+  std::string key, unit;
+  double kilobytes = 0;
+  while (meminfo >> key >> kilobytes && std::getline(meminfo, unit)) {
+    if (key == "MemAvailable:") bytes = kilobytes * 1024;
+  }
+  // A control group may allow less; "max" is no number and allows everything.
+  double limit = 0, used = 0;
+  std::ifstream limit_file("/sys/fs/cgroup/memory.max"), used_file("/sys/fs/cgroup/memory.current");
+  if (limit_file >> limit && used_file >> used) bytes = std::min(bytes, std::max(limit - used, 0.0));
+  return bytes;
+}
+
+}  // namespace ehd
