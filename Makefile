@@ -14,7 +14,7 @@ GENERATOR = $(if $(wildcard $(BUILD)/CMakeCache.txt),,$(if $(shell command -v ni
 SANITIZER_FLAGS = -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=RelWithDebInfo \
   -DCMAKE_CXX_FLAGS_RELWITHDEBINFO='-O1 -gline-tables-only'
 
-SANITIZED ?= contact reference fast bearing verification
+SANITIZED ?= contact reference fast bearing workflow io verification
 space := $() $()
 
 .DEFAULT_GOAL := help
@@ -63,7 +63,7 @@ sanitize-threads:  ## The tests that use threads, and part of the suite, with Th
 	@sh cmake/setup.sh clang libclang-rt-dev
 	@$(MAKE) --no-print-directory configure BUILD=$(BUILD)-threads \
 	  CMAKE_FLAGS="$(SANITIZER_FLAGS) -DEHD_SANITIZE=thread $(CMAKE_FLAGS)"
-	@cmake --build $(BUILD)-threads --parallel $(JOBS) --target test_verification ehd_program
+	@cmake --build $(BUILD)-threads --parallel $(JOBS) --target test_workflow test_io test_verification ehd_program
 	@ctest --test-dir $(BUILD)-threads --output-on-failure --label-regex '^threads$$' --no-tests=error $(CTEST_FLAGS)
 	@$(BUILD)-threads/ehd verify --quick --rung 7
 
@@ -102,7 +102,7 @@ atlas: build  ## Solve the atlas of line contacts into cases/atlas (goes on wher
 
 format:     ## Format every source file with clang-format
 	@command -v clang-format > /dev/null || { echo "clang-format is missing: apt-get install clang-format" >&2; exit 2; }
-	@find contact reference fast bearing verification tests -name '*.[ch]pp' -exec clang-format -i {} +
+	@find contact reference fast bearing workflow io verification cli tests -name '*.[ch]pp' -exec clang-format -i {} +
 
 clean:      ## Remove the build folder
 	@rm -rf $(BUILD)

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "io/bearing_json.hpp"
+#include "io/bearing_table.hpp"
 #include "workflow/bearing_run.hpp"
 #include "workflow/case.hpp"
 #include "cli/commands.hpp"
@@ -13,6 +15,14 @@
 #include "verification/studies/error_budget.hpp"
 #include "verification/report/report.hpp"
 #include "contact/text.hpp"
+#include "io/contact_json.hpp"
+#include "io/json.hpp"
+#include <nlohmann/json.hpp>
+#include "io/output_file.hpp"
+#include "io/tables.hpp"
+#include "io/case_reader.hpp"
+#include "io/find_case.hpp"
+#include "verification/studies/paper_statements.hpp"
 
 namespace ehd::cli {
 

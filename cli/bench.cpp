@@ -15,12 +15,16 @@
 #include "verification/bench/cost_scaling.hpp"
 #include "contact/text.hpp"
 #include "verification/bench/work_precision.hpp"
+#include "io/contact_json.hpp"
+#include "io/json.hpp"
+#include <nlohmann/json.hpp>
+#include "io/output_file.hpp"
+#include "io/tables.hpp"
 
 namespace ehd::cli {
 
 namespace {
 
-using RegisteredSolver;
 
 constexpr int schema = 1;
 constexpr double usual_time_limit_s = 30;

@@ -14,13 +14,14 @@
 #include "cli/commands.hpp"
 #include "cli/common.hpp"
 #include "contact/text.hpp"
+#include "io/tables.hpp"
+#include "io/case_reader.hpp"
+#include "io/find_case.hpp"
 
 namespace ehd::cli {
 
 namespace {
 
-using Case;
-using plain;
 
 const char* examples = R"(
 Examples:

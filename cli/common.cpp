@@ -15,10 +15,12 @@
 #include "contact/scaling.hpp"
 #include "workflow/case.hpp"
 #include "contact/text.hpp"
+#include "io/json.hpp"
+#include <nlohmann/json.hpp>
+#include "io/output_file.hpp"
 
 namespace ehd::cli {
 
-using plain;
 
 namespace {
 

@@ -11,8 +11,9 @@
 #include <vector>
 
 #include "contact/solver.hpp"
-#include "io/output.hpp"
 #include "workflow/registry.hpp"
+#include "io/json.hpp"
+#include "io/output_file.hpp"
 
 namespace ehd::cli {
 

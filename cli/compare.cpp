@@ -10,20 +10,18 @@
 #include "workflow/case.hpp"
 #include "cli/commands.hpp"
 #include "cli/common.hpp"
+#include "io/contact_json.hpp"
 #include "workflow/contact_run.hpp"
 #include "contact/text.hpp"
 #include "verification/bench/work_precision.hpp"
+#include "io/json.hpp"
+#include <nlohmann/json.hpp>
+#include "io/tables.hpp"
 
 namespace ehd::cli {
 
 namespace {
 
-using Case;
-using ContactRun;
-using Expectation;
-using ExpectationKind;
-using plain;
-using RegisteredSolver;
 
 struct CompareOptions {
   std::vector<std::string> cases, solvers, tolerances;

@@ -8,6 +8,7 @@
 #include "cli/commands.hpp"
 #include "cli/common.hpp"
 #include "verification/studies/film_maps.hpp"
+#include "io/output_file.hpp"
 
 namespace ehd::cli {
 

@@ -13,12 +13,17 @@
 #include "workflow/case.hpp"
 #include "cli/commands.hpp"
 #include "cli/common.hpp"
+#include "io/contact_json.hpp"
+#include "io/json.hpp"
+#include <nlohmann/json.hpp>
+#include "io/tables.hpp"
+#include "io/case_reader.hpp"
+#include "io/find_case.hpp"
 
 namespace ehd::cli {
 
 namespace {
 
-using Case;
 
 struct PlanOptions {
   std::string case_name;

@@ -7,6 +7,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/common.hpp"
+#include "io/output_file.hpp"
 
 namespace ehd::cli {
 

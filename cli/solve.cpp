@@ -9,20 +9,22 @@
 #include <vector>
 
 #include "contact/scaling.hpp"
-#include "fast/convolution.hpp"
 #include "workflow/case.hpp"
 #include "cli/commands.hpp"
 #include "cli/common.hpp"
 #include "verification/report/report.hpp"
 #include "workflow/contact_run.hpp"
 #include "contact/text.hpp"
+#include "io/output_file.hpp"
+#include "io/tables.hpp"
+#include "io/profile_csv.hpp"
+#include "io/case_reader.hpp"
+#include "io/find_case.hpp"
 
 namespace ehd::cli {
 
 namespace {
 
-using Case;
-using ContactCase;
 
 struct SolveOptions {
   std::optional<std::string> case_name;
@@ -142,7 +144,7 @@ void read_wisdom(const std::string& name) {
       throw option_error("--wisdom", name, "cannot be read; allowed is a file that an earlier run wrote, or a new one");
     text = content.str();
   }
-  if (!fast::measure_plans(text))
+  if (!measure_fft_plans(text))
     throw option_error("--wisdom", name,
                        "is no FFTW wisdom; allowed is a file that an earlier run wrote, or a new one");
 }
@@ -208,7 +210,7 @@ int solve(const SolveOptions& options) {
                        : run_contact(contact, solver, request, wanted);
   }
   json.write(to_json(run));
-  if (wisdom) wisdom->commit(fast::measured_plans());
+  if (wisdom) wisdom->commit(learned_fft_plans());
   const bool solution = run.status() != StopReason::diverged && run.solution.fields.X.size() > 0;
   if (profile && solution) profile->commit(profile_csv(run));
   if (plot && solution) plot->commit(plot_of(run, title));

@@ -9,6 +9,12 @@
 #include "cli/commands.hpp"
 #include "cli/common.hpp"
 #include "verification/studies/statement_study.hpp"
+#include "io/contact_json.hpp"
+#include "io/json.hpp"
+#include <nlohmann/json.hpp>
+#include "io/case_reader.hpp"
+#include "io/find_case.hpp"
+#include "verification/studies/paper_statements.hpp"
 
 namespace ehd::cli {
 

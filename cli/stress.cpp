@@ -11,6 +11,9 @@
 
 #include "cli/commands.hpp"
 #include "cli/common.hpp"
+#include "io/contact_json.hpp"
+#include "io/json.hpp"
+#include "io/output_file.hpp"
 
 namespace ehd::cli {
 

@@ -23,7 +23,6 @@ namespace ehd::cli {
 
 namespace {
 
-using namespace verification;
 
 struct SweepOptions {
   std::string file;

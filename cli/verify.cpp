@@ -9,9 +9,12 @@
 #include "cli/commands.hpp"
 #include "cli/common.hpp"
 #include "verification/studies/figures/figures.hpp"
-#include "io/output.hpp"
 #include "verification/suite.hpp"
 #include "verification/traceability.hpp"
+#include "io/json.hpp"
+#include <nlohmann/json.hpp>
+#include "io/contact_json.hpp"
+#include "io/output_file.hpp"
 
 namespace ehd::cli {
 

@@ -55,6 +55,22 @@ std::string with_error(double value, std::optional<double> relative_error) {
   return with_absolute_error(value, *relative_error * std::abs(value));
 }
 
+std::string micrometre(double metre, int digits) { return plain(1e6 * metre, digits) + " um"; }
+std::string millimetre(double metre, int digits) { return plain(1e3 * metre, digits) + " mm"; }
+
+double relative_half_unit(std::string_view digits) {
+  const auto exponent_at = digits.find_first_of("eE");
+  const std::string_view mantissa = digits.substr(0, exponent_at);
+  const double exponent =
+      exponent_at == std::string_view::npos ? 0 : std::stod(std::string(digits.substr(exponent_at + 1)));
+  const auto point = mantissa.find('.');
+  const double decimals =
+      point == std::string_view::npos ? 0 : static_cast<double>(mantissa.size() - point - 1);
+  const double half = 0.5 * std::pow(10.0, exponent - decimals);
+  const double value = std::abs(std::stod(std::string(digits)));
+  return value > 0 ? half / value : half;
+}
+
 std::size_t utf8_length(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   if (text.empty()) return 0;

@@ -17,6 +17,14 @@ namespace ehd {
 /// The same for an absolute error.
 [[nodiscard]] std::string with_absolute_error(double value, std::optional<double> absolute_error);
 
+/// A length in um or mm, with the unit.
+[[nodiscard]] std::string micrometre(double metre, int digits = 4);
+[[nodiscard]] std::string millimetre(double metre, int digits = 4);
+
+/// Half a unit of the last digit of a decimal text, relative to the number ("0.0741" -> 0.00005/0.0741); absolute where
+/// the number is 0.
+[[nodiscard]] double relative_half_unit(std::string_view digits);
+
 /// Control characters escaped (a line feed becomes \n), invalid UTF-8 bytes written as \xNN: always one line.
 [[nodiscard]] std::string one_line(std::string_view text);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "workflow/case.hpp"
+#include "io/case_reader.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -14,24 +14,9 @@
 #include "contact/scaling.hpp"
 #include "io/case_text.hpp"
 #include "contact/text.hpp"
-#include "verification/tolerance.hpp"
 #include "io/toml.hpp"
 
-#ifndef EHD_CASES_FOLDER
-#define EHD_CASES_FOLDER "cases"
-#endif
-
 namespace ehd {
-
-std::string_view to_string(ExpectationKind kind) {
-  switch (kind) {
-    case ExpectationKind::exact: return "exact";
-    case ExpectationKind::published: return "published";
-    case ExpectationKind::computed: return "computed";
-    case ExpectationKind::fit: return "fit";
-  }
-  return "";
-}
 
 namespace {
 
@@ -650,7 +635,7 @@ class Reader {
     const double size = std::abs(expectation.value);
     if (parsed.ec != std::errc() || !(size == 0 || values.contains(size)))
       fail(key, "is out of range; allowed is a size of 0, or " + values.text());
-    expectation.uncertainty = Tolerance::half_unit(digits);
+    expectation.uncertainty = relative_half_unit(digits);
   }
 
   /// [+-] digits [. digits] [e [+-] at most three digits], at least one digit before the exponent.
@@ -727,35 +712,6 @@ class Reader {
 
 }  // namespace
 
-CaseError case_error(const Case& where, const std::string& key, const std::string& message) {
-  const auto dot = key.rfind('.');
-  const std::string table = dot == std::string::npos ? "" : key.substr(0, dot);
-  const std::string name = dot == std::string::npos ? key : key.substr(dot + 1);
-  const auto table_text = [](const std::string& path) {
-    return path.starts_with("expect") ? std::string("[[expect]]") : "[" + path + "]";
-  };
-
-  std::string subject = key;
-  int line = 0;
-  if (const auto at = where.lines.find(key); at != where.lines.end()) {
-    line = at->second;
-    const auto text = where.texts.find(key);
-    subject = key.empty() ? "" : text == where.texts.end() ? table_text(key) : name + " = " + text->second;
-  } else if (const auto above = where.lines.find(table); above != where.lines.end()) {  // a missing key
-    line = above->second;
-    const bool whole_table = schema.count(key) > 0;
-    subject = whole_table ? table_text(key) : table.empty() ? name : table_text(table) + " " + name;
-  } else if (const auto root = where.lines.find(""); root != where.lines.end()) {  // a missing table with its key
-    line = root->second;
-    subject = table_text(table) + " " + name;
-  }
-  std::string text = where.file.string();
-  if (line > 0) text += (text.empty() ? "line " : ":") + std::to_string(line);
-  if (!text.empty()) text += ": ";
-  if (!subject.empty()) text += subject + ": ";
-  return CaseError(one_line(text + message));
-}
-
 Case read_case(const std::filesystem::path& file) { return Reader(read_case_text(file), file).read(); }
 
 Case read_case(std::string text, const std::filesystem::path& file) {
@@ -779,62 +735,6 @@ std::string toml_text(const TomlValue& value) {
   for (const char c : std::get<std::string>(value))
     text += c == '"' || c == '\\' ? std::string{'\\', c} : std::string{c};
   return text + "\"";
-}
-
-std::filesystem::path cases_folder() {
-  const char* folder = std::getenv("EHD_CASES");
-  return folder && *folder ? std::filesystem::path(folder) : std::filesystem::path(EHD_CASES_FOLDER);
-}
-
-namespace {
-
-std::vector<std::filesystem::path> case_files() {
-  std::vector<std::filesystem::path> files;
-  std::error_code error;
-  std::filesystem::directory_iterator entry(cases_folder(), error);
-  for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
-    if (entry->path().extension() == ".toml") files.push_back(entry->path());
-  }
-  if (error)
-    throw CaseError(one_line(cases_folder().string() +
-                             ": the folder of the benchmark cases cannot be listed; EHD_CASES may name another"));
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
-/// The folders in cases/, by name: whole collections, whose ids are as good as those of the folder itself.
-std::vector<std::filesystem::path> case_subfolders() {
-  std::vector<std::filesystem::path> folders;
-  std::error_code error, unknown;
-  std::filesystem::directory_iterator entry(cases_folder(), error);
-  for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
-    if (entry->is_directory(unknown)) folders.push_back(entry->path());
-  }
-  std::sort(folders.begin(), folders.end());
-  return folders;
-}
-
-}  // namespace
-
-std::filesystem::path find_case(const std::string& path_or_id) {
-  std::error_code error;
-  const std::filesystem::path path(path_or_id);
-  if (path_or_id.find('/') != std::string::npos || path.extension() == ".toml") return path;
-  const auto in_cases = cases_folder() / (path_or_id + ".toml");
-  if (std::filesystem::is_regular_file(std::filesystem::status(in_cases, error))) return in_cases;
-  for (const auto& folder : case_subfolders()) {
-    const auto below = folder / (path_or_id + ".toml");
-    if (std::filesystem::is_regular_file(std::filesystem::status(below, error))) return below;
-  }
-  if (std::filesystem::exists(std::filesystem::status(path, error))) return path;
-  throw CaseError(one_line(path_or_id + ": there is no such case; allowed is a path to a case file, or an id that "
-                                        "`ehd cases` lists"));
-}
-
-std::vector<Case> all_cases() {
-  std::vector<Case> cases;
-  for (const auto& file : case_files()) cases.push_back(read_case(file));
-  return cases;
 }
 
 }  // namespace ehd

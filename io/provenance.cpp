@@ -13,6 +13,8 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include "io/json.hpp"
+#include <nlohmann/json.hpp>
 
 namespace ehd {
 

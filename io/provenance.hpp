@@ -2,7 +2,7 @@
 // Where a result comes from: commit, compiler, libraries, machine, date.
 #pragma once
 
-#include "io/output.hpp"
+#include "io/json.hpp"
 
 namespace ehd {
 

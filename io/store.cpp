@@ -12,6 +12,9 @@
 
 #include "io/sha256.hpp"
 #include "contact/text.hpp"
+#include "io/json.hpp"
+#include <nlohmann/json.hpp>
+#include "io/output_file.hpp"
 
 namespace ehd {
 

@@ -11,6 +11,10 @@
 #include "workflow/registry.hpp"
 #include "contact/text.hpp"
 #include "io/toml.hpp"
+#include "io/json.hpp"
+#include <nlohmann/json.hpp>
+#include "io/case_reader.hpp"
+#include "io/find_case.hpp"
 
 namespace ehd {
 
@@ -336,7 +340,7 @@ Json Sweep::to_json() const {
   json["keys"] = Json::object();
   for (const SweptKey& one : keys) {
     Json values = Json::array();
-    for (const TomlValue& value : one.values) values.push_back(to_json(value));
+    for (const TomlValue& value : one.values) values.push_back(ehd::to_json(value));
     json["keys"][one.key] = std::move(values);
   }
   json["rows"] = rows();

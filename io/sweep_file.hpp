@@ -10,7 +10,8 @@
 
 #include "workflow/bearing_run.hpp"
 #include "workflow/case.hpp"
-#include "io/output.hpp"
+#include "io/json.hpp"
+#include "io/case_reader.hpp"
 
 namespace ehd {
 

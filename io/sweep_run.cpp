@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/sweep_run.hpp"
 
+#include "io/bearing_json.hpp"
+#include "io/contact_json.hpp"
+#include "workflow/contact_run.hpp"
+
 #include <algorithm>
 #include <charconv>
 #include <chrono>
@@ -17,6 +21,10 @@
 #include "io/sha256.hpp"
 #include "io/store.hpp"
 #include "contact/text.hpp"
+#include "io/json.hpp"
+#include <nlohmann/json.hpp>
+#include "io/output_file.hpp"
+#include "io/case_reader.hpp"
 
 namespace ehd {
 

@@ -16,6 +16,8 @@
 
 #include "workflow/registry.hpp"
 #include "io/sweep_file.hpp"
+#include "io/json.hpp"
+#include "io/output_file.hpp"
 
 namespace ehd {
 

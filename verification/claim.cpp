@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 #include <utility>
+#include "io/json.hpp"
+#include <nlohmann/json.hpp>
 
 namespace ehd::verification {
 

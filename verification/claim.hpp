@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "io/output.hpp"
 #include "verification/tolerance.hpp"
+#include "io/json.hpp"
 
 namespace ehd::verification {
 

@@ -17,6 +17,11 @@
 #include "io/provenance.hpp"
 #include "contact/text.hpp"
 #include "verification/traceability.hpp"
+#include "io/json.hpp"
+#include <nlohmann/json.hpp>
+#include "io/tables.hpp"
+#include "io/case_reader.hpp"
+#include "io/find_case.hpp"
 
 namespace ehd::verification {
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "verification/claim.hpp"
+#include "io/json.hpp"
 
 namespace ehd::verification {
 

@@ -2,12 +2,13 @@
 // A tolerance is a number with the reason for it; there is no constructor from double.
 #pragma once
 
-#include <cmath>
 #include <cstdio>
 #include <limits>
 #include <string>
 #include <string_view>
 #include <utility>
+
+#include "contact/text.hpp"
 
 namespace ehd::verification {
 
@@ -29,7 +30,7 @@ class Tolerance {
   }
   /// Relative half unit of the last digit of a decimal text ("0.0741" -> 0.00005/0.0741).
   [[nodiscard]] static Tolerance published_digits(std::string_view digits) {
-    return {half_unit(digits), "published digits", "half a unit of the last digit of " + std::string(digits)};
+    return {relative_half_unit(digits), "published digits", "half a unit of the last digit of " + std::string(digits)};
   }
   /// The remainder of an asymptotic expansion.
   [[nodiscard]] static Tolerance asymptotic(double remainder, std::string why) {
@@ -54,9 +55,6 @@ class Tolerance {
   [[nodiscard]] const std::string& basis() const { return basis_; }
   [[nodiscard]] const std::string& reason() const { return reason_; }
 
-  /// Relative half unit of the last digit; 0 for a text without digits, absolute where the number is 0.
-  [[nodiscard]] static double half_unit(std::string_view digits);
-
  private:
   Tolerance(double value, std::string basis, std::string reason)
       : value_(value), basis_(std::move(basis)), reason_(std::move(reason)) {}
@@ -69,19 +67,6 @@ class Tolerance {
   std::string basis_;
   std::string reason_;
 };
-
-inline double Tolerance::half_unit(std::string_view digits) {
-  const auto exponent_at = digits.find_first_of("eE");
-  const std::string_view mantissa = digits.substr(0, exponent_at);
-  const double exponent =
-      exponent_at == std::string_view::npos ? 0 : std::stod(std::string(digits.substr(exponent_at + 1)));
-  const auto point = mantissa.find('.');
-  const double decimals =
-      point == std::string_view::npos ? 0 : static_cast<double>(mantissa.size() - point - 1);
-  const double half = 0.5 * std::pow(10.0, exponent - decimals);
-  const double value = std::abs(std::stod(std::string(digits)));
-  return value > 0 ? half / value : half;
-}
 
 enum class Verdict { pass, fail, inconclusive };
 

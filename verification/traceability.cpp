@@ -4,6 +4,9 @@
 #include <fnmatch.h>
 
 #include "contact/text.hpp"
+#include "io/json.hpp"
+#include <nlohmann/json.hpp>
+#include "io/tables.hpp"
 
 namespace ehd::verification {
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "verification/claim.hpp"
+#include "io/json.hpp"
 
 namespace ehd::verification {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A benchmark case as a user writes it, and the strict reader. SI and text live here; solvers never see a Case.
+// A case as a user states it: a contact or a bearing in SI, with the numbers that somebody expects of it. Types only;
+// io/case_reader.hpp reads them from a file. Solvers never see a Case.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -105,39 +105,6 @@ struct Case {
   std::map<std::string, int> lines;          ///< dotted key ("bearing.length_m") or table ("bearing") -> line
   std::map<std::string, std::string> texts;  ///< dotted key -> its value as written, for error messages
 };
-
-/// Reads and checks a case; throws CaseError. Everything that can be refused without solving is refused here, the
-/// groups' range included (nondimensionalise is tried).
-[[nodiscard]] Case read_case(const std::filesystem::path& file);
-
-/// The same of a text that is at hand, as if it stood in `file`: its name is the id, and stands in messages.
-[[nodiscard]] Case read_case(std::string text, const std::filesystem::path& file);
-
-/// A value as TOML has it.
-using TomlValue = std::variant<std::int64_t, double, std::string>;
-/// As TOML would write it, a number with as many digits as tell it from every other.
-[[nodiscard]] std::string toml_text(const TomlValue& value);
-
-/// A value for a key of a case, "operation.radial_load_N", in the place of the one in the file or beside those there.
-struct Substitution {
-  std::string key;
-  TomlValue value;
-};
-
-/// The same with other values, which pass every check that the file's own would; messages name the line of the value
-/// that was replaced, or of its table. The file's expectations are left out, since they speak of its own numbers.
-[[nodiscard]] Case read_case(std::string text, const std::filesystem::path& file,
-                             const std::vector<Substitution>& substitutions);
-
-/// A CASE argument: a path to a TOML file (it holds a '/' or ends in .toml), or the id of one in cases/ or a folder in
-/// it (cases/atlas); a file of another name only where no case has it for an id. Throws CaseError.
-[[nodiscard]] std::filesystem::path find_case(const std::string& path_or_id);
-
-/// The folder of the benchmark cases: environment EHD_CASES, else the one the program was built from.
-[[nodiscard]] std::filesystem::path cases_folder();
-
-/// All cases in cases/, by id, folders in it left out. Throws CaseError at the first that cannot be read.
-[[nodiscard]] std::vector<Case> all_cases();
 
 /// FILE:LINE: message, with the line of `key` or of its table; the way every CaseError is worded.
 [[nodiscard]] CaseError case_error(const Case& where, const std::string& key, const std::string& message);

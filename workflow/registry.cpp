@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 
+#include "fast/convolution.hpp"
 #include "fast/mapped.hpp"
 #include "fast/uniform.hpp"
 #include "reference/graded.hpp"
@@ -71,5 +72,9 @@ double available_memory_bytes() {
   if (limit_file >> limit && used_file >> used) bytes = std::min(bytes, std::max(limit - used, 0.0));
   return bytes;
 }
+
+bool measure_fft_plans(const std::string& wisdom) { return fast::measure_plans(wisdom); }
+
+std::string learned_fft_plans() { return fast::measured_plans(); }
 
 }  // namespace ehd

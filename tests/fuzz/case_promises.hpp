@@ -17,6 +17,7 @@
 #include "workflow/contact_plan.hpp"
 #include "workflow/contact_run.hpp"
 #include "contact/text.hpp"
+#include "io/case_reader.hpp"
 
 namespace ehd::verification::promises {
 

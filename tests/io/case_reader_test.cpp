@@ -10,6 +10,8 @@
 #include "tests/files.hpp"
 #include "io/bibliography.hpp"
 #include "workflow/case.hpp"
+#include "io/case_reader.hpp"
+#include "io/find_case.hpp"
 
 using namespace ehd;
 using namespace ehd::verification;

@@ -9,6 +9,7 @@
 #include "tests/check.hpp"
 #include "tests/fuzz/case_promises.hpp"
 #include "tests/files.hpp"
+#include "io/case_reader.hpp"
 
 using namespace ehd::verification;
 

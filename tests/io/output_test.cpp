@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/output.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +9,12 @@
 #include "tests/check.hpp"
 #include "tests/files.hpp"
 #include "contact/text.hpp"
+#include "io/json.hpp"
+#include <nlohmann/json.hpp>
+#include "io/contact_json.hpp"
+#include "io/output_file.hpp"
+#include "io/tables.hpp"
+#include "io/profile_csv.hpp"
 
 using namespace ehd;
 using namespace ehd::verification;

@@ -20,6 +20,10 @@
 #include "tests/process.hpp"
 #include "io/store.hpp"
 #include "io/sweep_run.hpp"
+#include "io/json.hpp"
+#include <nlohmann/json.hpp>
+#include "io/output_file.hpp"
+#include "io/case_reader.hpp"
 
 using namespace ehd;
 using namespace ehd::verification;

@@ -17,6 +17,8 @@
 #include "workflow/case.hpp"
 #include "verification/claims/topics.hpp"
 #include "verification/suite.hpp"
+#include "io/json.hpp"
+#include <nlohmann/json.hpp>
 
 namespace {
 

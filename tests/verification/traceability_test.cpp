@@ -8,6 +8,8 @@
 
 #include "tests/check.hpp"
 #include "verification/suite.hpp"
+#include "io/json.hpp"
+#include <nlohmann/json.hpp>
 
 namespace {
 

@@ -13,6 +13,9 @@
 #include "fast/uniform.hpp"
 #include "tests/check.hpp"
 #include "tests/made_bearing.hpp"
+#include "io/json.hpp"
+#include <nlohmann/json.hpp>
+#include "verification/studies/paper_statements.hpp"
 
 namespace ehd::verification {
 

@@ -47,7 +47,7 @@ const RegisteredSolver& reference() { return *find_solver("reference"); }
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(plan)
+BOOST_AUTO_TEST_SUITE(contact_plan)
 
 BOOST_AUTO_TEST_CASE(every_stage_runs_or_is_skipped_with_a_reason) {
   for (const auto* solver : {&fast(), &reference()}) {

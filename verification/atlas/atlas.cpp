@@ -20,11 +20,16 @@
 #include <tuple>
 
 #include "contact/scaling.hpp"
-#include "io/output.hpp"
 #include "workflow/parallel.hpp"
 #include "workflow/contact_run.hpp"
 #include "contact/text.hpp"
 #include "verification/tolerance.hpp"
+#include "io/json.hpp"
+#include <nlohmann/json.hpp>
+#include "io/output_file.hpp"
+#include "io/tables.hpp"
+#include "io/case_reader.hpp"
+#include "io/find_case.hpp"
 
 namespace ehd::verification {
 

@@ -16,6 +16,7 @@
 #include "contact/solution.hpp"
 #include "workflow/case.hpp"
 #include "workflow/registry.hpp"
+#include "io/output_file.hpp"
 
 namespace ehd::verification {
 

@@ -8,6 +8,9 @@
 #include "verification/studies/oils.hpp"
 #include "contact/text.hpp"
 #include "verification/bench/timing.hpp"
+#include "io/json.hpp"
+#include <nlohmann/json.hpp>
+#include "io/tables.hpp"
 
 namespace ehd::verification {
 

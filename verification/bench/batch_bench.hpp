@@ -6,8 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "io/output.hpp"
 #include "workflow/registry.hpp"
+#include "io/json.hpp"
+#include "io/tables.hpp"
 
 namespace ehd::verification {
 

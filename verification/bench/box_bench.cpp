@@ -8,6 +8,9 @@
 #include "workflow/batch.hpp"
 #include "verification/studies/oils.hpp"
 #include "contact/text.hpp"
+#include "io/json.hpp"
+#include <nlohmann/json.hpp>
+#include "io/tables.hpp"
 
 namespace ehd::verification {
 

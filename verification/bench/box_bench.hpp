@@ -7,9 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "io/output.hpp"
 #include "workflow/registry.hpp"
 #include "verification/bench/timing.hpp"
+#include "io/json.hpp"
+#include "io/tables.hpp"
 
 namespace ehd::verification {
 

@@ -12,6 +12,9 @@
 #include "verification/bench/child.hpp"
 #include "verification/studies/oils.hpp"
 #include "contact/text.hpp"
+#include "io/json.hpp"
+#include <nlohmann/json.hpp>
+#include "io/tables.hpp"
 
 namespace ehd::verification {
 

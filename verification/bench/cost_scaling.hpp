@@ -9,9 +9,10 @@
 #include <vector>
 
 #include "contact/conditions.hpp"
-#include "io/output.hpp"
 #include "workflow/registry.hpp"
 #include "verification/bench/timing.hpp"
+#include "io/json.hpp"
+#include "io/tables.hpp"
 
 namespace ehd::verification {
 

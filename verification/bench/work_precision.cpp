@@ -13,6 +13,11 @@
 #include "verification/studies/profile.hpp"
 #include "workflow/contact_run.hpp"
 #include "contact/text.hpp"
+#include "io/json.hpp"
+#include <nlohmann/json.hpp>
+#include "io/tables.hpp"
+#include "io/case_reader.hpp"
+#include "io/find_case.hpp"
 
 namespace ehd::verification {
 

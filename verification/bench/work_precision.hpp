@@ -10,9 +10,10 @@
 #include <vector>
 
 #include "workflow/case.hpp"
-#include "io/output.hpp"
 #include "workflow/registry.hpp"
 #include "verification/bench/timing.hpp"
+#include "io/json.hpp"
+#include "io/tables.hpp"
 
 namespace ehd::verification {
 

@@ -14,6 +14,8 @@
 #include "workflow/registry.hpp"
 #include "workflow/contact_run.hpp"
 #include "contact/text.hpp"
+#include "io/case_reader.hpp"
+#include "io/find_case.hpp"
 
 namespace ehd::verification {
 

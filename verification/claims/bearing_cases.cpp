@@ -15,6 +15,7 @@
 #include "verification/claims/topics.hpp"
 #include "workflow/registry.hpp"
 #include "contact/text.hpp"
+#include "verification/studies/paper_statements.hpp"
 
 namespace ehd::verification {
 

@@ -8,9 +8,11 @@
 #include "contact/observables.hpp"
 #include "contact/scaling.hpp"
 #include "verification/claims/topics.hpp"
-#include "io/output.hpp"
 #include "workflow/registry.hpp"
 #include "workflow/contact_run.hpp"
+#include "io/json.hpp"
+#include <nlohmann/json.hpp>
+#include "io/contact_json.hpp"
 
 namespace ehd::verification {
 

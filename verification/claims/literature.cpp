@@ -19,6 +19,7 @@
 #include "verification/studies/film_maps.hpp"
 #include "workflow/registry.hpp"
 #include "contact/text.hpp"
+#include "io/find_case.hpp"
 
 namespace ehd::verification {
 
@@ -367,7 +368,7 @@ Findings judge_three_fluids() {
     const Ends ends = ends_of(moes, fluid.lubricant);
     for (const Number& number : fluid.numbers) {
       // Digits round further than 0.1 % only where few are printed.
-      const double digits = Tolerance::half_unit(number.text);
+      const double digits = relative_half_unit(number.text);
       judge_between(found, ends,
                     {.id = std::string("fluids/") + fluid.name + "/" + std::string(to_string(number.quantity)),
                      .what = std::string(to_string(number.quantity)) + " = " + number.text + " of " + fluid.name +

@@ -11,7 +11,6 @@ namespace ehd::report {
 
 namespace {
 
-using plain;
 
 constexpr double micro = 1e6, milli = 1e3, kilo = 1e-3;
 constexpr const char* axis_psi = "azimuth *\u03c8* [deg]";

@@ -8,10 +8,11 @@
 #include <system_error>
 
 #include "contact/text.hpp"
+#include "io/json.hpp"
+#include <nlohmann/json.hpp>
 
 namespace ehd::report {
 
-using Json;
 
 void View::refuse(const char* required) const {
   throw ReportError(path_ + ": is " +

@@ -7,8 +7,9 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
+#include <nlohmann/json.hpp>
+#include "io/json.hpp"
 
-#include "io/output.hpp"
 
 namespace ehd::report {
 

@@ -14,7 +14,6 @@ namespace ehd::report {
 
 namespace {
 
-using plain;
 
 struct Atlas {
   std::vector<double> M, L;

@@ -12,10 +12,13 @@
 #include <limits>
 #include <numbers>
 
+#include "contact/scaling.hpp"
 #include "verification/bench/child.hpp"
 #include "workflow/parallel.hpp"
 #include "verification/stress/parts.hpp"
 #include "contact/text.hpp"
+#include "io/json.hpp"
+#include <nlohmann/json.hpp>
 
 namespace ehd::verification::stress {
 

@@ -14,6 +14,8 @@
 #include "verification/studies/oils.hpp"
 #include "verification/stress/parts.hpp"
 #include "contact/text.hpp"
+#include "io/json.hpp"
+#include <nlohmann/json.hpp>
 
 namespace ehd::verification::stress {
 

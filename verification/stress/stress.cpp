@@ -9,6 +9,9 @@
 #include "io/provenance.hpp"
 #include "verification/stress/parts.hpp"
 #include "contact/text.hpp"
+#include "io/json.hpp"
+#include <nlohmann/json.hpp>
+#include "io/tables.hpp"
 
 namespace ehd::verification::stress {
 

@@ -9,8 +9,10 @@
 #include <variant>
 #include <vector>
 
-#include "io/output.hpp"
 #include "verification/tolerance.hpp"
+#include <nlohmann/json.hpp>
+
+#include "io/json.hpp"
 
 namespace ehd::verification::stress {
 

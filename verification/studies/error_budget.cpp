@@ -10,6 +10,9 @@
 
 #include "bearing/force_law.hpp"
 #include "contact/text.hpp"
+#include "io/json.hpp"
+#include <nlohmann/json.hpp>
+#include "io/tables.hpp"
 
 namespace ehd::verification {
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "workflow/bearing_run.hpp"
+#include "io/json.hpp"
 
 namespace ehd::verification {
 

@@ -12,8 +12,8 @@
 
 #include "contact/film_formulas.hpp"
 #include "contact/scaling.hpp"
-#include "io/output.hpp"
 #include "contact/text.hpp"
+#include "io/tables.hpp"
 
 namespace ehd::verification {
 

@@ -10,6 +10,8 @@
 
 #include "workflow/bearing_run.hpp"
 #include "contact/text.hpp"
+#include "io/tables.hpp"
+#include "verification/studies/paper_statements.hpp"
 
 namespace ehd::verification {
 

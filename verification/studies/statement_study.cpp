@@ -8,6 +8,10 @@
 #include <optional>
 
 #include "contact/text.hpp"
+#include "io/json.hpp"
+#include <nlohmann/json.hpp>
+#include "io/tables.hpp"
+#include "verification/studies/paper_statements.hpp"
 
 namespace ehd::verification {
 

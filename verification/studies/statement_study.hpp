@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "workflow/bearing_run.hpp"
+#include "io/json.hpp"
+#include "verification/studies/paper_statements.hpp"
 
 namespace ehd::verification {
 

@@ -17,7 +17,10 @@
 #include "tests/check.hpp"
 #include "tests/files.hpp"
 #include "tests/process.hpp"
-#include "io/output.hpp"
+#include "io/json.hpp"
+#include <nlohmann/json.hpp>
+#include "io/output_file.hpp"
+#include "io/case_reader.hpp"
 
 using namespace ehd;
 using namespace ehd::verification;
@@ -94,7 +97,7 @@ void replace_in(const std::filesystem::path& file, const std::string& before, co
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(atlas)
+BOOST_AUTO_TEST_SUITE(atlas_atlas)
 
 // -- digits -----------------------------------------------------------------------------------------------------
 

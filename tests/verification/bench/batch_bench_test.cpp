@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "tests/check.hpp"
+#include "io/tables.hpp"
 
 using namespace ehd;
 using namespace ehd::verification;
@@ -27,7 +28,7 @@ RegisteredSolver made_solver(const std::function<double()>& offset) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(batch_bench)
+BOOST_AUTO_TEST_SUITE(bench_batch_bench)
 
 BOOST_AUTO_TEST_CASE(two_threads_that_wait_are_twice_as_quick) {
   const RegisteredSolver solver = made_solver([] { return 1.0; });

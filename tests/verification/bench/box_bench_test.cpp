@@ -2,6 +2,7 @@
 #include "verification/bench/box_bench.hpp"
 
 #include "tests/check.hpp"
+#include "io/tables.hpp"
 
 using namespace ehd;
 using namespace ehd::verification;
@@ -25,7 +26,7 @@ RegisteredSolver made_solver(std::string name, double offset, double reported, d
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(box_bench)
+BOOST_AUTO_TEST_SUITE(bench_box_bench)
 
 BOOST_AUTO_TEST_CASE(the_box_is_that_of_the_method) {
   int cut = 0, flooded = 0;

@@ -32,7 +32,7 @@ double rise_with(std::size_t bytes) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(child)
+BOOST_AUTO_TEST_SUITE(bench_child)
 
 BOOST_AUTO_TEST_CASE(the_text_comes_back_whole) {
   const std::string long_text(300000, 'y');  // more than a pipe holds

@@ -6,6 +6,9 @@
 #include <vector>
 
 #include "tests/check.hpp"
+#include "io/json.hpp"
+#include <nlohmann/json.hpp>
+#include "io/tables.hpp"
 
 using namespace ehd;
 using namespace ehd::verification;
@@ -43,7 +46,7 @@ ScalingRequest request_for(const RegisteredSolver& solver, int most) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(scaling)
+BOOST_AUTO_TEST_SUITE(bench_cost_scaling)
 
 BOOST_AUTO_TEST_CASE(memory_time_and_exponent_are_those_of_the_solver) {
   const RegisteredSolver solver = proportional();

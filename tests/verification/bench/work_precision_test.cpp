@@ -11,6 +11,9 @@
 
 #include "tests/check.hpp"
 #include "workflow/contact_run.hpp"
+#include "io/json.hpp"
+#include <nlohmann/json.hpp>
+#include "io/tables.hpp"
 
 using namespace ehd;
 using namespace ehd::verification;
@@ -52,7 +55,7 @@ WorkPrecisionRequest quick_request(const RegisteredSolver& solver) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(work_precision)
+BOOST_AUTO_TEST_SUITE(bench_work_precision)
 
 BOOST_AUTO_TEST_CASE(the_median_is_the_middle_one) {
   BOOST_TEST(median({3, 90, 1}) == 3);

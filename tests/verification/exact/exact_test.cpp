@@ -42,7 +42,7 @@ void check_digits(const std::vector<Digits>& rows, std::size_t count) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(exact)
+BOOST_AUTO_TEST_SUITE(exact_exact)
 
 BOOST_AUTO_TEST_CASE(quadrature_and_roots_know_when_they_fail) {
   EHD_CHECK(error(integral([](double x) { return std::log(x); }, 0, 1), -1), by_quadrature);

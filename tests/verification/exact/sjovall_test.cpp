@@ -14,7 +14,7 @@ namespace ehd::verification {
 
 using exact::SjovallIntegral;
 
-BOOST_AUTO_TEST_SUITE(sjovall)
+BOOST_AUTO_TEST_SUITE(exact_sjovall)
 
 // Exact evaluations (literature.md), n = 10/9.
 BOOST_AUTO_TEST_CASE(the_integral_has_its_tabulated_values) {

@@ -4,6 +4,9 @@
 #include <iostream>
 
 #include "tests/verification/report/made_results.hpp"
+#include "io/json.hpp"
+#include <nlohmann/json.hpp>
+#include "io/output_file.hpp"
 
 int main(int argc, char** argv) {
   using namespace ehd::verification;

@@ -7,8 +7,9 @@
 #include <numbers>
 #include <string>
 #include <vector>
+#include "io/json.hpp"
+#include <nlohmann/json.hpp>
 
-#include "io/output.hpp"
 
 namespace ehd::verification::test {
 

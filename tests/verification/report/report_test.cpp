@@ -11,6 +11,8 @@
 #include "tests/process.hpp"
 #include "tests/verification/report/made_results.hpp"
 #include "tests/verification/report/markup.hpp"
+#include "io/json.hpp"
+#include <nlohmann/json.hpp>
 
 using namespace ehd;
 using namespace ehd::verification;

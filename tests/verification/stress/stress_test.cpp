@@ -10,6 +10,7 @@
 #include "tests/files.hpp"
 #include "tests/process.hpp"
 #include "verification/stress/parts.hpp"
+#include "io/json.hpp"
 
 using namespace ehd;
 using namespace ehd::verification;
@@ -138,7 +139,7 @@ Verdict spoilt(Row row, Judge judge, const std::function<void(Row&)>& spoil) {
 
 BOOST_TEST_DONT_PRINT_LOG_VALUE(Verdict)
 
-BOOST_AUTO_TEST_SUITE(stress)
+BOOST_AUTO_TEST_SUITE(stress_stress)
 
 BOOST_AUTO_TEST_CASE(a_tally_with_nothing_in_it_is_open_and_nan_never_passes) {
   Tally tally;

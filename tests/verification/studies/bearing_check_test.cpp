@@ -45,7 +45,7 @@ const Tolerance promised = Tolerance::required(bearing::largest_balance_error, "
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(bearing_check)
+BOOST_AUTO_TEST_SUITE(studies_bearing_check)
 
 // A check that cannot fail is none: what is broken by 1e-9 is seen as that.
 BOOST_AUTO_TEST_CASE(a_broken_equilibrium_is_seen) {

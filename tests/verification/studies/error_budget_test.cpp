@@ -42,7 +42,7 @@ const BudgetRow& row_of(const std::vector<BudgetRow>& rows, const std::string& s
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(error_budget)
+BOOST_AUTO_TEST_SUITE(studies_error_budget)
 
 // Agreement: films that are wrong by as much as the solver states move the balance within the bound, and the bound is
 // not empty: with all errors of one sign at least a hundredth of it is used.

@@ -11,6 +11,8 @@
 #include "workflow/case.hpp"
 #include "verification/studies/figures/curves.hpp"
 #include "verification/studies/figures/parts.hpp"
+#include "io/json.hpp"
+#include <nlohmann/json.hpp>
 
 using namespace ehd;
 using namespace ehd::verification;
@@ -25,7 +27,7 @@ double interpolated(const std::vector<double>& X, const std::vector<double>& Y, 
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(figures)
+BOOST_AUTO_TEST_SUITE(studies_figures)
 
 BOOST_AUTO_TEST_CASE(a_thinned_curve_keeps_its_bound_and_its_ends) {
   std::vector<double> X, bump, line;

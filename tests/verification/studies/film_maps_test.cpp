@@ -53,7 +53,7 @@ AtlasTable two_rows(const std::string& cut_error) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(film_maps)
+BOOST_AUTO_TEST_SUITE(studies_film_maps)
 
 BOOST_AUTO_TEST_CASE(a_deviation_is_the_formula_over_the_certified_film) {
   const FilmMaps maps = ehd::verification::film_maps(two_rows("2e-5"));

@@ -25,7 +25,7 @@ const std::vector<double> doubled{64, 128, 256, 512}, crooked{64, 100, 170, 240,
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(grid_study)
+BOOST_AUTO_TEST_SUITE(studies_grid_study)
 
 BOOST_AUTO_TEST_CASE(a_pure_power_is_asymptotic_and_extrapolates_to_its_limit) {
   int rows = 0;

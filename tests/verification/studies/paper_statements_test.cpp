@@ -8,6 +8,7 @@
 #include "tests/check.hpp"
 #include "tests/made_bearing.hpp"
 #include "workflow/bearing_run.hpp"
+#include "verification/studies/paper_statements.hpp"
 
 namespace ehd::verification {
 
@@ -75,7 +76,7 @@ double value(const PaperStatement& statement, const std::string& name) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(paper_statements)
+BOOST_AUTO_TEST_SUITE(studies_paper_statements)
 
 BOOST_AUTO_TEST_CASE(all_four_hold_with_figures_that_are_as_the_paper_says) {
   BOOST_TEST(that_hold(Figures{}) == "abcd");

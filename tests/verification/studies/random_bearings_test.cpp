@@ -23,7 +23,7 @@ const Tolerance promised = Tolerance::required(bearing::largest_balance_error, "
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(random_bearings)
+BOOST_AUTO_TEST_SUITE(studies_random_bearings)
 
 BOOST_AUTO_TEST_CASE(the_same_seed_draws_the_same_bearing) {
   const RandomBearing one = random_bearing(17), again = random_bearing(17), other = random_bearing(18);

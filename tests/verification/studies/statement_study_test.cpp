@@ -10,6 +10,9 @@
 #include "tests/check.hpp"
 #include "tests/made_bearing.hpp"
 #include "workflow/case.hpp"
+#include "io/case_reader.hpp"
+#include "io/find_case.hpp"
+#include "verification/studies/paper_statements.hpp"
 
 namespace ehd::verification {
 
@@ -25,7 +28,7 @@ Solution synthetic_contact(const Problem& problem, const Request&) { return made
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(statement_study)
+BOOST_AUTO_TEST_SUITE(studies_statement_study)
 
 // Agreement: the row "as the case" is what the statements say of the cases themselves, and every choice is judged.
 BOOST_AUTO_TEST_CASE(every_choice_is_judged_and_the_first_row_is_the_case_itself) {

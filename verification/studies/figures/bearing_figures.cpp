@@ -8,9 +8,13 @@
 #include "bearing/force_law.hpp"
 #include "workflow/bearing_run.hpp"
 #include "verification/studies/error_budget.hpp"
+#include "io/bearing_json.hpp"
 #include "verification/studies/figures/parts.hpp"
 #include "workflow/registry.hpp"
 #include "verification/studies/statement_study.hpp"
+#include "io/json.hpp"
+#include <nlohmann/json.hpp>
+#include "verification/studies/paper_statements.hpp"
 
 namespace ehd::verification {
 

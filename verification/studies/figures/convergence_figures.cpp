@@ -14,6 +14,10 @@
 #include "verification/studies/manufactured_study.hpp"
 #include "workflow/registry.hpp"
 #include "workflow/contact_run.hpp"
+#include "io/json.hpp"
+#include <nlohmann/json.hpp>
+#include "io/case_reader.hpp"
+#include "io/find_case.hpp"
 
 namespace ehd::verification {
 

@@ -13,6 +13,10 @@
 #include "verification/atlas/atlas.hpp"
 #include "verification/studies/figures/parts.hpp"
 #include "workflow/parallel.hpp"
+#include "io/json.hpp"
+#include <nlohmann/json.hpp>
+#include "io/case_reader.hpp"
+#include "io/find_case.hpp"
 
 namespace ehd::verification {
 

@@ -7,8 +7,8 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include "io/json.hpp"
 
-#include "io/output.hpp"
 
 namespace ehd::verification {
 

@@ -9,6 +9,8 @@
 #include "verification/studies/figures/parts.hpp"
 #include "verification/studies/film_maps.hpp"
 #include "workflow/registry.hpp"
+#include "io/json.hpp"
+#include <nlohmann/json.hpp>
 
 namespace ehd::verification {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "workflow/case.hpp"
-#include "io/output.hpp"
+#include "io/json.hpp"
 
 namespace ehd::verification {
 

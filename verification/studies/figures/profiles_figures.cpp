@@ -12,6 +12,9 @@
 #include "verification/studies/figures/parts.hpp"
 #include "workflow/registry.hpp"
 #include "workflow/contact_run.hpp"
+#include "io/contact_json.hpp"
+#include "io/json.hpp"
+#include <nlohmann/json.hpp>
 
 namespace ehd::verification {
 

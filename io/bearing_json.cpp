@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/bearing_json.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "io/contact_json.hpp"
+#include "io/json.hpp"
+
+namespace ehd {
+
+using bearing::FilmCurve;
+using bearing::LinearFit;
+
+namespace {
+
+Json to_json(const ContactRow& row) {
+  Json json = Json::object();
+  put(json, "force_N", row.force_N);
+  put(json, "displacement_m", row.displacement_m);
+  put(json, "film_minimum_m", row.film_minimum_m);
+  put(json, "hertz_pressure_Pa", row.hertz_pressure_Pa);
+  put(json, "lambda_ratio", row.lambda_ratio);
+  return json;
+}
+
+Json to_json(const std::vector<RollerRow>& rows) {
+  Json json = Json::array();
+  for (const RollerRow& row : rows) {
+    Json roller = Json::object();
+    put(roller, "azimuth_deg", row.azimuth_deg);
+    roller["inner"] = to_json(row.inner);
+    roller["outer"] = to_json(row.outer);
+    json.push_back(std::move(roller));
+  }
+  return json;
+}
+
+Json to_json(const CageTurn& turn) {
+  const auto range = [](const CageTurn::Range& one) {
+    Json json = Json::object();
+    put(json, "mean", one.mean);
+    put(json, "peak_to_peak", one.peak_to_peak);
+    return json;
+  };
+  Json json = Json::object();
+  json["positions"] = turn.positions;
+  json["displacement_m"] = range(turn.displacement_m);
+  json["displacement_lateral_m"] = range(turn.displacement_lateral_m);
+  put(json, "largest_force_N", turn.largest_force_N);
+  return json;
+}
+
+Json to_json(const LinearFit& fit) {
+  Json json = Json::object();
+  put(json, "K_N_per_m", fit.K_N_per_m);
+  put(json, "dF_N", fit.dF_N);
+  put(json, "residual_N", fit.residual_N);
+  put(json, "standard_deviation_N", fit.standard_deviation_N);
+  put(json, "K_standard_deviation_N_per_m", fit.K_deviation_N_per_m);
+  put(json, "dF_standard_deviation_N", fit.dF_deviation_N);
+  put(json, "correlation", fit.correlation);
+  json["load_N"] = {fit.points.front().force_N, fit.points.back().force_N};
+  json["points"] = fit.points.size();
+  return json;
+}
+
+Json to_json(const FilmCurve& curve) {
+  Json json = Json::object();
+  json["points"] = curve.forces_N().size();
+  json["load_N"] = {curve.lightest_N(), curve.heaviest_N()};
+  put(json, "interpolation_error", curve.interpolation_error);
+  put(json, "joint_error", curve.joint_error);
+  put(json, "force_error", std::max(curve.interpolation_force_error, curve.joint_force_error));
+  put(json, "solver_error", curve.solver_error);
+  json["lightest_because"] = curve.lightest_because;
+  return json;
+}
+
+}  // namespace
+
+Json to_json(const BearingResult& result) {
+  Json json = Json::object();
+  json["case"] = result.case_id;
+  json["version"] = result.version;
+  json["law"] = to_string(result.law);
+  json["status"] = to_string(result.status);
+  if (!result.rollers.empty()) {
+    put(json, "displacement_m", result.displacement_m);
+    put(json, "displacement_lateral_m", result.displacement_lateral_m);
+    if (result.load_zone_deg) json["load_zone_deg"] = {result.load_zone_deg->first, result.load_zone_deg->second};
+    json["stiffness_N_per_m"] = result.stiffness_N_per_m;
+    if (result.cage) json["cage"] = to_json(*result.cage);
+    json["rollers"] = to_json(result.rollers);
+    put(json, "balance_error", result.balance_error);
+  } else {
+    json["why"] = result.why;
+  }
+  if (result.fit) json["fit"] = {{"inner", to_json(result.fit->inner)}, {"outer", to_json(result.fit->outer)}};
+  if (result.curve) json["curve"] = {{"inner", to_json(result.curve->inner)}, {"outer", to_json(result.curve->outer)}};
+  if (result.datum_m) json["datum"] = {{"inner_x0_m", result.datum_m->inner}, {"outer_x0_m", result.datum_m->outer}};
+  for (const VariantResult& variant : result.variants) {
+    Json one = Json::object();
+    one["name"] = variant.name;
+    put(one, "displacement_m", variant.displacement_m);
+    put(one, "displacement_lateral_m", variant.displacement_lateral_m);
+    one["rollers"] = to_json(variant.rollers);
+    put(one, "balance_error", variant.balance_error);
+    json["variants"].push_back(std::move(one));
+  }
+  json["cost"] = {{"wall_s", result.wall_s},
+                  {"contact_solves", result.contact_solves},
+                  {"contacts_from_memory", result.contact_recalls},
+                  {"newton_iterations", result.newton_iterations},
+                  {"rollers_balanced", result.rollers_balanced}};
+  json["plan"] = to_json(result.plan);
+  json["notes"] = result.notes;
+  return json;
+}
+
+}  // namespace ehd

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The result of one contact as JSON: the object that `ehd solve --json` writes.
+#pragma once
+
+#include "io/json.hpp"
+#include "workflow/contact_run.hpp"
+
+namespace ehd {
+
+/// The result object of `ehd solve`. Numbers are finite; a quantity that is unknown or was not requested is absent.
+[[nodiscard]] Json to_json(const ContactRun& run);
+[[nodiscard]] Json to_json(const Plan& plan);
+
+}  // namespace ehd

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where cases are found: the folder of benchmark cases, and the CASE argument of the command line.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "workflow/case.hpp"
+
+namespace ehd {
+
+/// A CASE argument: a path to a TOML file (it holds a '/' or ends in .toml), or the id of one in cases/ or a folder in
+/// it (cases/atlas); a file of another name only where no case has it for an id. Throws CaseError.
+[[nodiscard]] std::filesystem::path find_case(const std::string& path_or_id);
+
+/// The folder of the benchmark cases: environment EHD_CASES, else the one the program was built from.
+[[nodiscard]] std::filesystem::path cases_folder();
+
+/// All cases in cases/, by id, folders in it left out. Throws CaseError at the first that cannot be read.
+[[nodiscard]] std::vector<Case> all_cases();
+
+}  // namespace ehd

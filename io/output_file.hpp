@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A file that is written whole or not at all.
+#pragma once
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+
+namespace ehd {
+
+/// Where a file cannot be written: what() names it and says why.
+class OutputError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A file that appears whole, at commit, or not at all. The constructor already opens a temporary file beside it, so
+/// that a path that cannot be written is refused before anything is computed (OutputError). Devices and pipes
+/// (/dev/stdout) are written directly.
+class OutputFile {
+ public:
+  explicit OutputFile(std::filesystem::path path);
+  ~OutputFile();
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+  OutputFile(OutputFile&& other) noexcept;
+  OutputFile& operator=(OutputFile&&) = delete;
+
+  /// Throws OutputError; the old file is then still there.
+  void commit(const std::string& text);
+
+  /// The same in pieces, of what would not fit into memory: what is appended shows at commit().
+  void append(const std::string& text);
+  void commit();
+
+ private:
+  std::filesystem::path path_;
+  std::filesystem::path temporary_;  ///< empty when done, or for a device
+};
+
+}  // namespace ehd

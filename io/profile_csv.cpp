@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/profile_csv.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace ehd {
+
+std::string profile_csv(const ContactRun& run) {
+  const Fields& fields = run.solution.fields;
+  const auto nodes = fields.X.size();
+  const bool lubricated = fields.density.size() == nodes && fields.log_viscosity.size() == nodes;
+  const auto length = run.scales ? run.scales->half_width_m : std::nullopt;
+  const auto film = run.m_per_hertz_film();
+  const bool metres = length && film;
+
+  std::string csv = "X [x/b],P [p/p_H],H [h R/b^2]";
+  if (lubricated) csv += ",rho [rho/rho_0],eta [eta/eta_0]";
+  if (metres) csv += ",x_m [m],p_Pa [Pa],h_m [m]";
+  csv += "\n";
+  const auto cell = [&](double value, bool first = false) {
+    char text[32] = "";
+    if (std::isfinite(value)) std::snprintf(text, sizeof text, "%.15g", value);
+    if (!first) csv += ',';
+    csv += text;
+  };
+  for (Eigen::Index i = 0; i < nodes; ++i) {
+    cell(fields.X[i], true);
+    cell(fields.P[i]);
+    cell(fields.H[i]);
+    if (lubricated) {
+      cell(fields.density[i]);
+      cell(std::exp(fields.log_viscosity[i]));
+    }
+    if (metres) {
+      cell(fields.X[i] * *length);
+      cell(fields.P[i] * run.scales->hertz_pressure_Pa);
+      cell(fields.H[i] * *film);
+    }
+    csv += "\n";
+  }
+  return csv;
+}
+
+}  // namespace ehd

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which room may include which. A room includes its own headers and those of the rooms below it, never one above:
+//
+//   contact <- reference | fast | bearing <- workflow <- io <- verification <- cli
+//
+// reference/ and fast/ never see each other, io/ knows solvers by workflow/registry.hpp alone, and verification/report/
+// knows JSON alone.
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <boost/test/unit_test.hpp>
+
+namespace {
+
+/// A room or a part of one, with the rooms that it may include beside itself.
+const std::map<std::string, std::set<std::string>> arrows{
+    {"contact", {}},
+    {"reference", {"contact"}},
+    {"fast", {"contact"}},
+    {"bearing", {"contact"}},
+    {"workflow", {"contact", "reference", "fast", "bearing"}},
+    {"io", {"contact", "bearing", "workflow"}},
+    {"verification/report", {"contact", "bearing", "workflow", "io"}},
+    {"verification", {"contact", "reference", "fast", "bearing", "workflow", "io", "verification/report"}},
+    {"cli", {"contact", "bearing", "workflow", "io", "verification/report", "verification"}},
+};
+
+/// The longest name in `arrows` that the path begins with; empty for a header from outside.
+std::string room_of(const std::string& path) {
+  std::string room;
+  for (const auto& arrow : arrows)
+    if (path.starts_with(arrow.first + "/") && arrow.first.size() > room.size()) room = arrow.first;
+  return room;
+}
+
+/// The includes of a source text that its room must not have.
+std::vector<std::string> forbidden(const std::string& room, std::istream& source) {
+  std::vector<std::string> found;
+  const std::string begin = "#include \"";
+  for (std::string line; std::getline(source, line);) {
+    if (!line.starts_with(begin)) continue;
+    const std::string header = line.substr(begin.size(), line.rfind('"') - begin.size());
+    const std::string other = room_of(header);
+    if (!other.empty() && other != room && !arrows.at(room).contains(other)) found.push_back(header);
+  }
+  return found;
+}
+
+bool is_source(const std::filesystem::path& file) {
+  return file.extension() == ".cpp" || file.extension() == ".hpp" || file.extension() == ".ipp";
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(arrows)
+
+BOOST_AUTO_TEST_CASE(an_include_against_the_arrows_is_found) {
+  std::istringstream upwards("#include <map>\n#include \"io/json.hpp\"\n#include \"contact/hertz.hpp\"\n");
+  BOOST_TEST(forbidden("workflow", upwards) == std::vector<std::string>{"io/json.hpp"}, boost::test_tools::per_element());
+  std::istringstream sideways("#include \"fast/mapped.hpp\"\n");
+  BOOST_TEST(forbidden("reference", sideways).size() == 1);
+  std::istringstream into_the_report("#include \"verification/claim.hpp\"\n");
+  BOOST_TEST(forbidden("verification/report", into_the_report).size() == 1);
+}
+
+BOOST_AUTO_TEST_CASE(no_room_includes_one_above_it) {
+  const std::filesystem::path top(EHD_SOURCE_DIR);
+  std::map<std::string, int> files;
+  for (const auto& arrow : arrows)
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(top / arrow.first)) {
+      const std::string name = std::filesystem::relative(entry.path(), top).string();
+      if (!is_source(entry.path()) || room_of(name) != arrow.first) continue;
+      ++files[arrow.first];
+      std::ifstream source(entry.path());
+      for (const std::string& header : forbidden(arrow.first, source))
+        BOOST_ERROR(name << " includes " << header << ", which " << arrow.first << "/ must not see");
+    }
+  for (const auto& arrow : arrows)
+    BOOST_CHECK_MESSAGE(files[arrow.first] >= 5, arrow.first << "/ has " << files[arrow.first] << " sources: was it read?");
+}
+
+BOOST_AUTO_TEST_SUITE_END()

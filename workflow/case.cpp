@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "workflow/case.hpp"
+
+#include "contact/text.hpp"
+
+namespace ehd {
+
+std::string_view to_string(ExpectationKind kind) {
+  switch (kind) {
+    case ExpectationKind::exact: return "exact";
+    case ExpectationKind::published: return "published";
+    case ExpectationKind::computed: return "computed";
+    case ExpectationKind::fit: return "fit";
+  }
+  return "";
+}
+
+namespace {
+
+/// The keys above the first table; every other key without a dot is a table.
+bool is_heading(const std::string& key) { return key == "id" || key == "version" || key == "title" || key == "source"; }
+
+}  // namespace
+
+CaseError case_error(const Case& where, const std::string& key, const std::string& message) {
+  const auto dot = key.rfind('.');
+  const std::string table = dot == std::string::npos ? "" : key.substr(0, dot);
+  const std::string name = dot == std::string::npos ? key : key.substr(dot + 1);
+  const auto table_text = [](const std::string& path) {
+    return path.starts_with("expect") ? std::string("[[expect]]") : "[" + path + "]";
+  };
+
+  std::string subject = key;
+  int line = 0;
+  if (const auto at = where.lines.find(key); at != where.lines.end()) {
+    line = at->second;
+    const auto text = where.texts.find(key);
+    subject = key.empty() ? "" : text == where.texts.end() ? table_text(key) : name + " = " + text->second;
+  } else if (const auto above = where.lines.find(table); above != where.lines.end()) {  // a missing key
+    line = above->second;
+    const bool whole_table = table.empty() && !is_heading(key);
+    subject = whole_table ? table_text(key) : table.empty() ? name : table_text(table) + " " + name;
+  } else if (const auto root = where.lines.find(""); root != where.lines.end()) {  // a missing table with its key
+    line = root->second;
+    subject = table_text(table) + " " + name;
+  }
+  std::string text = where.file.string();
+  if (line > 0) text += (text.empty() ? "line " : ":") + std::to_string(line);
+  if (!text.empty()) text += ": ";
+  if (!subject.empty()) text += subject + ": ";
+  return CaseError(one_line(text + message));
+}
+
+}  // namespace ehd
