@@ -23,8 +23,9 @@ struct RollerContact {
 struct PowerApproach {
   double scale = 0, exponent = 0;
 };
-/// delta = scale Q ln(limit/Q) [m, N]. The logarithm is that of (length/b)^2, the length one of the bodies', b ~ sqrt(Q)
-/// the contact's half width: printed for b far below that length. Beyond Q = limit/e the formula falls with the force.
+/// delta = scale Q ln(limit/Q) [m, N]. The logarithm is that of (length/b)^2, the length one of the bodies', b ~
+/// sqrt(Q) the contact's half width: printed for b far below that length. Beyond Q = limit/e the formula falls with the
+/// force.
 struct LogarithmicApproach {
   double scale_m_per_N = 0, limit_N = 0;
 };

@@ -139,7 +139,8 @@ class Ring {
         gap_m_(geometry.clearance_m / 2 + roller_.origin_m()) {
     plane_ = form == Form::plane && !symmetric_to_load(azimuths_);
     if (plane_) {
-      for (int j = 0; j < static_cast<int>(azimuths_.size()); ++j) add_group(azimuths_[static_cast<std::size_t>(j)], {j});
+      for (int j = 0; j < static_cast<int>(azimuths_.size()); ++j)
+        add_group(azimuths_[static_cast<std::size_t>(j)], {j});
     } else {
       for (const RollerGroup& group : mirror_groups(azimuths_)) add_group(group.azimuth_deg, group.members);
     }
@@ -253,15 +254,15 @@ struct Place {
 
 /// The search along one line from a place, v + t direction: where the force along it, less the load's part, is zero.
 struct Crossing {
-  Place best;      ///< of all t that were tried, the one with the least miss along the line
+  Place best;           ///< of all t that were tried, the one with the least miss along the line
   bool jumped = false;  ///< the bracket closed to nothing, and the force jumps there
   Place low, high;      ///< the bracket's ends, where it closed
 };
 
-/// `enough_N`: the miss at which to stop; rounding always ends it. Newton with the exact slope; outwards in doubled steps
-/// where there is no bracket yet, halving where a step leaves it or stalls.
-Crossing cross(Ring& ring, const Vector2d& load_N, const Vector2d& from, const Vector2d& direction, double low, double t,
-               double reach, double enough_N) {
+/// `enough_N`: the miss at which to stop; rounding always ends it. Newton with the exact slope; outwards in doubled
+/// steps where there is no bracket yet, halving where a step leaves it or stalls.
+Crossing cross(Ring& ring, const Vector2d& load_N, const Vector2d& from, const Vector2d& direction, double low,
+               double t, double reach, double enough_N) {
   Crossing crossing;
   double high = infinity, width_before = infinity;
   for (int iteration = 0; iteration < 400; ++iteration) {
@@ -318,15 +319,17 @@ Place share_the_jump(const Ring& ring, const Vector2d& load_N, double centrifuga
 }
 
 /// Stribeck's estimate of the largest roller force.
-double estimate_N(const Ring& ring, double load_N) { return 4.08 * load_N / static_cast<double>(ring.azimuths().size()); }
+double estimate_N(const Ring& ring, double load_N) {
+  return 4.08 * load_N / static_cast<double>(ring.azimuths().size());
+}
 
 Place balance_along_the_load(Ring& ring, const LawPair& laws, const Loading& loading) {
   const Vector2d load_N(loading.radial_N, 0);
   const double largest_cosine = cosine_of_degrees(ring.second_deg());
   const double excess = ring.roller().excess_m(estimate_N(ring, loading.radial_N));
   const double start = (excess + (ring.counts_from_touch() ? 0 : ring.gap_m())) / largest_cosine;
-  const Crossing crossing = cross(ring, load_N, Vector2d::Zero(), Vector2d::UnitX(), -infinity, start,
-                                  std::max(std::abs(start), 1e-9), 0);
+  const Crossing crossing =
+      cross(ring, load_N, Vector2d::Zero(), Vector2d::UnitX(), -infinity, start, std::max(std::abs(start), 1e-9), 0);
   if (crossing.jumped && (jumps(laws.inner) || jumps(laws.outer)) &&
       crossing.best.miss_N > largest_balance_error * loading.radial_N)
     return share_the_jump(ring, load_N, loading.centrifugal_N, crossing);
@@ -403,9 +406,10 @@ std::variant<Equilibrium, NoEquilibrium> balance(const Geometry& geometry, const
     return NoEquilibrium{text("the radial load is %g N; it must be finite and not negative", load, 0)};
   Ring ring(geometry, laws, loading, form);
   if (load > 0 && !ring.can_carry())
-    return NoEquilibrium{ring.plane() ? "no two rollers stand less than a half turn apart with the load between them, so "
-                                        "nothing can carry it"
-                                      : "no roller stands on the loaded side, so nothing can carry the load"};
+    return NoEquilibrium{ring.plane()
+                             ? "no two rollers stand less than a half turn apart with the load between them, so "
+                               "nothing can carry it"
+                             : "no roller stands on the loaded side, so nothing can carry the load"};
 
   // Without a load equally spaced rollers hold the ring in the middle; where there is room it may stand anywhere near.
   Place place;
@@ -456,10 +460,10 @@ std::variant<Equilibrium, NoEquilibrium> balance(const Geometry& geometry, const
   result.balance_error = scale > 0 ? worst_N / scale : 0;
   if (!(result.balance_error <= largest_balance_error)) {
     const bool jump = ring.plane() && (jumps(laws.inner) || jumps(laws.outer));
-    return NoEquilibrium{text("the forces balance only to %g of the larger of load and roller forces, %g N",
-                              result.balance_error, scale) +
-                         (jump ? "; rollers on the jump of a law that is cut at delta = 0 are balanced in the radial form only"
-                               : "")};
+    return NoEquilibrium{
+        text("the forces balance only to %g of the larger of load and roller forces, %g N", result.balance_error,
+             scale) +
+        (jump ? "; rollers on the jump of a law that is cut at delta = 0 are balanced in the radial form only" : "")};
   }
   for (const ForceLaw* law : {&laws.inner, &laws.outer}) {
     const auto* logarithm = std::get_if<LogarithmicLaw>(law);
@@ -467,9 +471,10 @@ std::variant<Equilibrium, NoEquilibrium> balance(const Geometry& geometry, const
     for (const RollerState& roller : result.rollers)
       largest_N = std::max(largest_N, (law == &laws.inner ? roller.inner : roller.outer).force_N);
     if (logarithm && largest_N > logarithm->heaviest_N())
-      return NoEquilibrium{text("a contact would carry %g N, beyond the domain of its law: the half width must stay below an "
-                                "eighth of the length in the logarithm, allowed is up to %g N",
-                                largest_N, logarithm->heaviest_N())};
+      return NoEquilibrium{
+          text("a contact would carry %g N, beyond the domain of its law: the half width must stay below an "
+               "eighth of the length in the logarithm, allowed is up to %g N",
+               largest_N, logarithm->heaviest_N())};
   }
   return result;
 }

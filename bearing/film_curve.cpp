@@ -68,7 +68,8 @@ double martin_offset_film_m(const RacewayContact& contact, double force_N) {
   return rigid_offset(contact, force_N).film;
 }
 
-/// GSL's cubic spline has natural ends, which are of second order, and its monotone ones are of second order everywhere.
+/// GSL's cubic spline has natural ends, which are of second order, and its monotone ones are of second order
+/// everywhere.
 struct FilmCurve::Spline {
   Spline(std::vector<double> log_force, std::vector<double> log_film)
       : x(std::move(log_force)), y(std::move(log_film)), slope(slopes(x, y)) {}
@@ -204,7 +205,7 @@ namespace {
 
 /// How far a curve is from a solved contact, relative.
 struct Disagreement {
-  double force = 0;            ///< of the contact force at the solved approach
+  double force = 0;                ///< of the contact force at the solved approach
   double offset = 0, minimum = 0;  ///< |ln(curve/solved)| of the films
 
   [[nodiscard]] double film() const { return std::max(offset, minimum); }
@@ -274,8 +275,8 @@ std::string newtons(double force_N) {
 
 constexpr double descent = 4;
 
-/// Value and slope are joined at t = 1, so the continuation's error grows as t^p (1 - t^(3/2))^2, p = 3 or 9/2 (the next
-/// powers of the piezoviscous series): at t = 1/2 it is at least .52 of its largest.
+/// Value and slope are joined at t = 1, so the continuation's error grows as t^p (1 - t^(3/2))^2, p = 3 or 9/2 (the
+/// next powers of the piezoviscous series): at t = 1/2 it is at least .52 of its largest.
 Disagreement largest_below(Disagreement at_half) {
   constexpr double factor = 2;
   return {.force = factor * at_half.force, .offset = factor * at_half.offset, .minimum = factor * at_half.minimum};
@@ -327,8 +328,8 @@ class Refinement {
     }
   }
   /// The middle of a gap sees nothing where the error changes its sign there. So every point is foretold by the others
-  /// too, over twice the gap: where an eighth of what they are off by (a fourth-order spline's error falls to a sixteenth)
-  /// is beyond the bounds, the gaps on both sides are split. Extra solves are points from here on.
+  /// too, over twice the gap: where an eighth of what they are off by (a fourth-order spline's error falls to a
+  /// sixteenth) is beyond the bounds, the gaps on both sides are split. Extra solves are points from here on.
   void refine_where_points_are_not_foretold() {
     nodes_.insert(extras_.begin(), extras_.end());
     extras_.clear();
@@ -454,7 +455,8 @@ std::variant<FilmCurve, SolveFailure> build_curve(SolvedContacts& contacts, cons
                                " could be solved, three are needed; " + stopped,
                         .limit = limit};
 
-  // 2. Down to where the rigid limit takes over: the curve so far must foretell a contact half as heavy as its lightest.
+  // 2. Down to where the rigid limit takes over: the curve so far must foretell a contact half as heavy as its
+  // lightest.
   refinement.refine();
   std::optional<Disagreement> joint;
   while (stopped.empty()) {
@@ -485,8 +487,8 @@ std::variant<FilmCurve, SolveFailure> build_curve(SolvedContacts& contacts, cons
   } else {
     // No lighter contact to compare with: of the curve without its lightest octaves, at its lightest point.
     const double from_N = descent * curve.lightest_N() * (1 - 1e-12);
-    const bool enough = std::count_if(curve.forces_N().begin(), curve.forces_N().end(),
-                                      [&](double f) { return f >= from_N; }) >= 3;
+    const bool enough =
+        std::count_if(curve.forces_N().begin(), curve.forces_N().end(), [&](double f) { return f >= from_N; }) >= 3;
     if (enough) joint = largest_below(refinement.joint(refinement.curve(from_N), curve.lightest_N()));
   }
   constexpr double unknown = std::numeric_limits<double>::infinity();

@@ -75,10 +75,12 @@ struct ValueAndSlope {
 [[nodiscard]] double martin_offset_film_m(const RacewayContact& contact, double force_N);
 
 /// Offset film and minimum film over the contact force, 0 < f <= heaviest.
-/// - Between solved points: the cubic spline of the logarithms over ln f with not-a-knot ends (fourth order), its slopes
+/// - Between solved points: the cubic spline of the logarithms over ln f with not-a-knot ends (fourth order), its
+/// slopes
 ///   limited where the points are monotone (Hyman 1983, SIAM J. Sci. Stat. Comput. 4, 645-654), so that nothing
 ///   overshoots.
-/// - Below the lightest: Martin's films times exp(a t^(3/2) + c t^3), t = f/f_lightest, joined with value and slope; the
+/// - Below the lightest: Martin's films times exp(a t^(3/2) + c t^3), t = f/f_lightest, joined with value and slope;
+/// the
 ///   powers are those in which the first piezoviscous corrections grow (alpha p_max ~ f^(3/2)).
 /// - Above the heaviest, where Newton iterates may stray: the end's power law, NOT vouched for.
 class FilmCurve {
@@ -96,19 +98,19 @@ class FilmCurve {
   /// 4/(pi E' l) [m/N].
   [[nodiscard]] double compliance_scale() const;
 
-  /// Twice |ln(curve/solved)| at a contact half as heavy as the lightest point, which the curve does not contain: what the
-  /// rigid continuation can be trusted to at any lighter load. The larger of the two films'. Where no lighter contact can
-  /// be solved: of the curve without its lightest octaves, at its lightest point.
+  /// Twice |ln(curve/solved)| at a contact half as heavy as the lightest point, which the curve does not contain: what
+  /// the rigid continuation can be trusted to at any lighter load. The larger of the two films'. Where no lighter
+  /// contact can be solved: of the curve without its lightest octaves, at its lightest point.
   double joint_error = 0;
-  /// The same at the extra solves that the gaps between points were judged by, and an eighth of what the curve without a
-  /// point is off by there: whichever is largest.
+  /// The same at the extra solves that the gaps between points were judged by, and an eighth of what the curve without
+  /// a point is off by there: whichever is largest.
   double interpolation_error = 0;
   /// Relative error of the contact force at a given approach by the offset film's errors above, datum x_0 = l.
   double joint_force_error = 0, interpolation_force_error = 0;
-  double solver_error = 0;         ///< largest relative error of an offset film that the solver itself reports
-  double film_error = 0;           ///< and of a minimum film
-  std::vector<double> missed_N;    ///< contacts solved for this curve that missed their tolerance, increasing
-  std::string lightest_because;    ///< why no lighter contact was solved
+  double solver_error = 0;       ///< largest relative error of an offset film that the solver itself reports
+  double film_error = 0;         ///< and of a minimum film
+  std::vector<double> missed_N;  ///< contacts solved for this curve that missed their tolerance, increasing
+  std::string lightest_because;  ///< why no lighter contact was solved
 
   /// f d(delta)/df [m] with the datum x_0 = l: what the relative errors of a contact force are relative to.
   [[nodiscard]] double rise_m(double force_N) const;
@@ -135,15 +137,16 @@ struct CurveRequest {
   friend auto operator<=>(const CurveRequest&, const CurveRequest&) = default;
 };
 
-/// The same request as it is met: the heaviest force is the heaviest given one where that reaches it, else the next power
-/// of two [N], so that bearings that share a raceway contact share solves; of the given forces, those within reach.
+/// The same request as it is met: the heaviest force is the heaviest given one where that reaches it, else the next
+/// power of two [N], so that bearings that share a raceway contact share solves; of the given forces, those within
+/// reach.
 [[nodiscard]] CurveRequest as_met(CurveRequest request);
 
-/// From the heaviest force down by factors of four until the rigid continuation foretells a contact half as heavy within
-/// the bounds, or no lighter one can be solved; then the gap whose extra solve disagrees most is split there, until all
-/// agree; and both gaps beside a point that the others do not foretell (an eighth of the disagreement, over twice the gap).
-/// Extra solves become points of the curve. A failure at the heavy end, or fewer than three points, is a
-/// SolveFailure.
+/// From the heaviest force down by factors of four until the rigid continuation foretells a contact half as heavy
+/// within the bounds, or no lighter one can be solved; then the gap whose extra solve disagrees most is split there,
+/// until all agree; and both gaps beside a point that the others do not foretell (an eighth of the disagreement, over
+/// twice the gap). Extra solves become points of the curve. A failure at the heavy end, or fewer than three points, is
+/// a SolveFailure.
 [[nodiscard]] std::variant<FilmCurve, SolveFailure> build_curve(SolvedContacts& contacts, const CurveRequest& request);
 
 }  // namespace ehd::bearing

@@ -49,7 +49,8 @@ LinearFit fit_line(const std::vector<FitPoint>& points) {
   return fit;
 }
 
-// With means d_m, f_m of the points, S = Sum (d_k - d_m)^2 and K = Sum (d_k - d_m)(f_k - f_m)/S, errors e_k of the d_k give
+// With means d_m, f_m of the points, S = Sum (d_k - d_m)^2 and K = Sum (d_k - d_m)(f_k - f_m)/S, errors e_k of the d_k
+// give
 //   dK = Sum [f_k - f_m - 2 K (d_k - d_m)] e_k/S,   and at fixed f   d(delta) = Sum e_k/n + (d_m - delta) dK/K.
 double LinearFit::approach_error_m(double force_N) const {
   const auto n = static_cast<double>(points.size());

@@ -36,8 +36,9 @@ struct PowerLaw {
 
 /// delta = scale f ln(limit/f), with limit/f = (length/b)^2; f = 0 for delta <= 0. `lundberg` and `tripp`.
 /// Such a formula is the first term in b/length and leaves out terms of the order (b/length)^2. It is taken at its word
-/// while these are below 1/64 beside a logarithm of ln 64 = 4.2, b below length/8: domain() ends at limit/64. Beyond, the
-/// law goes on along its tangent, for Newton's iterates alone: a balance that needs it is refused (equilibrium.hpp).
+/// while these are below 1/64 beside a logarithm of ln 64 = 4.2, b below length/8: domain() ends at limit/64. Beyond,
+/// the law goes on along its tangent, for Newton's iterates alone: a balance that needs it is refused
+/// (equilibrium.hpp).
 class LogarithmicLaw {
  public:
   explicit LogarithmicLaw(const LogarithmicApproach& terms) : terms_(terms) {}

@@ -51,7 +51,8 @@ double reduced_modulus_Pa(double modulus_Pa, double poisson) { return modulus_Pa
 
 std::vector<double> azimuths_deg(const Geometry& geometry) {
   std::vector<double> azimuths;
-  const double half_pitch_deg = 180.0 / geometry.rollers, steps = std::round(geometry.first_azimuth_deg / half_pitch_deg);
+  const double half_pitch_deg = 180.0 / geometry.rollers,
+               steps = std::round(geometry.first_azimuth_deg / half_pitch_deg);
   const bool symmetric = std::abs(geometry.first_azimuth_deg - steps * half_pitch_deg) <= same_deg;
   for (int j = 0; j < geometry.rollers; ++j) {
     // In half pitches a symmetric cage is counted in integers, so that mirrored rollers are so to the bit.
