@@ -5,8 +5,8 @@
 #include <variant>
 #include <vector>
 
-#include "bearing/film_curve.hpp"
 #include "bearing/force_law.hpp"
+#include "bearing/solved_contacts.hpp"
 
 namespace ehd::bearing {
 

@@ -381,7 +381,10 @@ class BearingRun {
   static void judge_contacts(BearingResult& result) {
     const auto missed_N = [&result](auto at_raceway) {
       std::set<double> missed;
-      if (result.curve) missed.insert(at_raceway(*result.curve).missed_N.begin(), at_raceway(*result.curve).missed_N.end());
+      if (result.curve) {
+        const std::vector<double>& of_curve = at_raceway(*result.curve).errors().missed_N;
+        missed.insert(of_curve.begin(), of_curve.end());
+      }
       if (result.fit)
         for (const bearing::FitPoint& point : at_raceway(*result.fit).points)
           if (!point.converged) missed.insert(point.force_N);
@@ -639,10 +642,10 @@ class BearingRun {
     result.notes.push_back(std::string(name) + " curve: " + std::to_string(curve.forces_N().size()) +
                            " solved contacts from " + plain(curve.lightest_N(), 4) + " to " +
                            plain(curve.heaviest_N(), 4) + " N, relative errors of film and force: interpolation " +
-                           plain(curve.interpolation_error, 2) + ", " + plain(curve.interpolation_force_error, 2) +
-                           "; rigid limit below " + plain(curve.joint_error, 2) + ", " +
-                           plain(curve.joint_force_error, 2) + "; solver's own " + plain(curve.solver_error, 2) + " (" +
-                           curve.lightest_because + "); " + std::to_string(below) + " contacts lie below it");
+                           plain(curve.errors().interpolation, 2) + ", " + plain(curve.errors().interpolation_force, 2) +
+                           "; rigid limit below " + plain(curve.errors().joint, 2) + ", " +
+                           plain(curve.errors().joint_force, 2) + "; solver's own " + plain(curve.errors().solver_offset_film, 2) + " (" +
+                           curve.errors().lightest_because + "); " + std::to_string(below) + " contacts lie below it");
   }
 
   // -- all laws
@@ -856,11 +859,11 @@ Json to_json(const FilmCurve& curve) {
   Json json = Json::object();
   json["points"] = curve.forces_N().size();
   json["load_N"] = {curve.lightest_N(), curve.heaviest_N()};
-  put(json, "interpolation_error", curve.interpolation_error);
-  put(json, "joint_error", curve.joint_error);
-  put(json, "force_error", std::max(curve.interpolation_force_error, curve.joint_force_error));
-  put(json, "solver_error", curve.solver_error);
-  json["lightest_because"] = curve.lightest_because;
+  put(json, "interpolation_error", curve.errors().interpolation);
+  put(json, "joint_error", curve.errors().joint);
+  put(json, "force_error", std::max(curve.errors().interpolation_force, curve.errors().joint_force));
+  put(json, "solver_error", curve.errors().solver_offset_film);
+  json["lightest_because"] = curve.errors().lightest_because;
   return json;
 }
 

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "bearing/approach_formulas.hpp"
+#include "bearing/build_curve.hpp"
 #include "bearing/equilibrium.hpp"
 #include "bearing/film_curve.hpp"
 #include "bearing/fit.hpp"

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "bearing/build_curve.hpp"
 #include "contact/approach.hpp"
 #include "tests/bearing/synthetic.hpp"
 #include "tests/check.hpp"

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "bearing/build_curve.hpp"
 #include "bearing/fit.hpp"
 #include "contact/approach.hpp"
 #include "contact/hertz.hpp"

@@ -138,19 +138,19 @@ std::vector<BudgetRow> budget_of(const Case& bearing_case, const std::vector<Bea
     if (on_curve) {
       between = linear.bound([&](double f, bool at_inner) {
         const FilmCurve& curve = curve_of(at_inner);
-        return f >= curve.lightest_N() ? curve.interpolation_force_error * curve.rise_m(f) : 0;
+        return f >= curve.lightest_N() ? curve.errors().interpolation_force * curve.rise_m(f) : 0;
       });
       below = linear.bound([&](double f, bool at_inner) {
         const FilmCurve& curve = curve_of(at_inner);
-        return f < curve.lightest_N() ? curve.joint_force_error * curve.rise_m(f) : 0;
+        return f < curve.lightest_N() ? curve.errors().joint_force * curve.rise_m(f) : 0;
       });
     }
     if (thinnest) {
       const FilmCurve& curve = curve_of(thinnest->inner);
       if (thinnest->force_N >= curve.lightest_N())
-        between.smallest_film = curve.interpolation_error;
+        between.smallest_film = curve.errors().interpolation;
       else
-        below.smallest_film = curve.joint_error;
+        below.smallest_film = curve.errors().joint;
     }
     const std::string films = on_curve ? "" : ", of the films";
     add(std::move(between), "interpolation", "largest disagreement of an extra solve, at every contact" + films);
@@ -159,9 +159,9 @@ std::vector<BudgetRow> budget_of(const Case& bearing_case, const std::vector<Bea
   BudgetRow solver = linear.bound([&](double f, bool at_inner) {
     if (!on_curve) return (at_inner ? result->fit->inner : result->fit->outer).approach_error_m(f);
     const FilmCurve& curve = curve_of(at_inner);
-    return curve.solver_error * curve.offset_film(f).value;
+    return curve.errors().solver_offset_film * curve.offset_film(f).value;
   });
-  if (thinnest) solver.smallest_film = curve_of(thinnest->inner).film_error;
+  if (thinnest) solver.smallest_film = curve_of(thinnest->inner).errors().solver_minimum_film;
   add(std::move(solver), "contact solver", on_curve ? "its own stated errors, at every contact" : "its own stated errors, at the contacts of the fit");
 
   // 3. The datum is a choice: what another would have given.

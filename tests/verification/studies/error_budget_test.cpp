@@ -97,7 +97,7 @@ BOOST_AUTO_TEST_CASE(the_lines_budget_has_its_films_interpolation_and_its_fits_o
   }
   // The thinnest film is under the most loaded roller, far above the lightest solved contact.
   BOOST_REQUIRE(between.smallest_film.has_value());
-  BOOST_TEST((*between.smallest_film == line.curve->inner.interpolation_error || *between.smallest_film == line.curve->outer.interpolation_error));
+  BOOST_TEST((*between.smallest_film == line.curve->inner.errors().interpolation || *between.smallest_film == line.curve->outer.errors().interpolation));
   BOOST_TEST(*between.smallest_film > 0);
   BOOST_TEST(!below.smallest_film.has_value());
   // Ten times the error at the fit's contacts, ten times the bound, whatever the curve's own contacts are known to.
