@@ -15,7 +15,24 @@ namespace ehd::bearing {
 
 namespace {
 
+/// One lambda a law: a visit with it does not compile until a new law has its own.
+template <class... OneLaw>
+struct Exhaustive : OneLaw... {
+  using OneLaw::operator()...;
+};
+template <class... OneLaw>
+Exhaustive(OneLaw...) -> Exhaustive<OneLaw...>;
+
 constexpr double roller_exponent = 10.0 / 9.0;
+
+std::string beyond_the_logarithm(double force_N, double heaviest_N) {
+  char text[240];
+  std::snprintf(text, sizeof text,
+                "a contact would carry %g N, beyond the domain of its law: the half width must stay below an eighth of "
+                "the length in the logarithm, allowed is up to %g N",
+                force_N, heaviest_N);
+  return text;
+}
 
 /// From N and mm: f = c l^(8/9) delta^(10/9).
 PowerLaw power_law_from_mm(double c, double length_m) {
@@ -185,10 +202,36 @@ double begins_at(const ForceLaw& law) {
 }
 
 std::optional<std::pair<double, double>> domain(const ForceLaw& law) {
-  if (const auto* line = std::get_if<LinearLaw>(&law)) return line->fitted_N;
-  if (const auto* curve = std::get_if<CurveLaw>(&law)) return std::pair{0.0, curve->curve().heaviest_N()};
-  if (const auto* logarithm = std::get_if<LogarithmicLaw>(&law)) return std::pair{0.0, logarithm->heaviest_N()};
-  return std::nullopt;
+  using Domain = std::optional<std::pair<double, double>>;
+  return std::visit(Exhaustive{[](const PowerLaw&) -> Domain { return std::nullopt; },
+                               [](const LogarithmicLaw& one) -> Domain {
+                                 return std::pair{0.0, one.heaviest_N()};
+                               },
+                               [](const LinearLaw& one) -> Domain { return one.fitted_N; },
+                               [](const CurveLaw& one) -> Domain {
+                                 return std::pair{0.0, one.curve().heaviest_N()};
+                               }},
+                    law);
+}
+
+std::optional<std::string> refusal(const ForceLaw& law, double force_N) {
+  using Refusal = std::optional<std::string>;
+  return std::visit(Exhaustive{[](const PowerLaw&) -> Refusal { return std::nullopt; },
+                               [&](const LogarithmicLaw& one) -> Refusal {
+                                 if (!(force_N > one.heaviest_N())) return std::nullopt;
+                                 return beyond_the_logarithm(force_N, one.heaviest_N());
+                               },
+                               [](const LinearLaw&) -> Refusal { return std::nullopt; },
+                               // A curve is extended by whoever balances with it.
+                               [](const CurveLaw&) -> Refusal { return std::nullopt; }},
+                    law);
+}
+
+bool jumps(const ForceLaw& law) {
+  return std::visit(Exhaustive{[](const PowerLaw&) { return false; }, [](const LogarithmicLaw&) { return false; },
+                               [](const LinearLaw& one) { return one.unloading == Unloading::at_zero_approach; },
+                               [](const CurveLaw&) { return false; }},
+                    law);
 }
 
 }  // namespace ehd::bearing

@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 #include <variant>
 
@@ -107,6 +108,11 @@ class CurveLaw {
 
 using ForceLaw = std::variant<PowerLaw, LogarithmicLaw, LinearLaw, CurveLaw>;
 
+/// The laws at the two contacts of every roller.
+struct LawPair {
+  ForceLaw inner, outer;
+};
+
 /// Force [N] at an approach [m]; 0 where the contact is unloaded.
 [[nodiscard]] double force(const ForceLaw& law, double approach_m);
 /// df/d(delta) [N/m]; 0 where the contact is unloaded.
@@ -123,5 +129,9 @@ using ForceLaw = std::variant<PowerLaw, LogarithmicLaw, LinearLaw, CurveLaw>;
 /// The contact forces [N] for which the law is vouched for: the range of the fit, up to the heaviest solved load, where
 /// the logarithm means anything; absent where there is no limit.
 [[nodiscard]] std::optional<std::pair<double, double>> domain(const ForceLaw& law);
+/// Why a balance in which the law carries this force [N] is refused; absent where it is not.
+[[nodiscard]] std::optional<std::string> refusal(const ForceLaw& law, double force_N);
+/// True for a law that lets go at a finite force.
+[[nodiscard]] bool jumps(const ForceLaw& law);
 
 }  // namespace ehd::bearing
