@@ -107,9 +107,12 @@ double LogarithmicLaw::force(double approach_m) const {
 double LogarithmicLaw::rise(double from_N, double by_N) const {
   const double heaviest = heaviest_N(), to_N = from_N + by_N;
   if (from_N >= heaviest) return compliance(heaviest) * by_N;
-  if (to_N > heaviest) return rise(from_N, heaviest - from_N) + compliance(heaviest) * (to_N - heaviest);
+  if (to_N > heaviest) return rise_inside(from_N, heaviest - from_N) + compliance(heaviest) * (to_N - heaviest);
+  return rise_inside(from_N, by_N);
+}
+double LogarithmicLaw::rise_inside(double from_N, double by_N) const {
   if (!(from_N > 0)) return approach(by_N);
-  return terms_.scale_m_per_N * (by_N * logarithm(to_N) - from_N * std::log1p(by_N / from_N));
+  return terms_.scale_m_per_N * (by_N * logarithm(from_N + by_N) - from_N * std::log1p(by_N / from_N));
 }
 
 double LinearLaw::begins_at() const {

@@ -54,6 +54,7 @@ class LogarithmicLaw {
 
  private:
   [[nodiscard]] double logarithm(double force_N) const;
+  [[nodiscard]] double rise_inside(double from_N, double by_N) const;  ///< both forces up to heaviest_N()
   LogarithmicApproach terms_;
 };
 

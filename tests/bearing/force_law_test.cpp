@@ -156,6 +156,24 @@ BOOST_AUTO_TEST_CASE(logarithmic_laws_end_where_the_contact_is_no_longer_narrow)
             Tolerance::round_off(20));
 }
 
+// Exact: a rise over the end of the domain is the sum of both sides, however the remainder below the end rounds.
+BOOST_AUTO_TEST_CASE(a_rise_over_the_end_of_a_logarithm_ends) {
+  int rounds_up = 0;
+  for (int m = 0; m < 50; ++m) {
+    RollerContact contact = roller();
+    contact.length_m = 0.02 + 1e-4 * m;
+    const LogarithmicLaw law = lundberg_law(contact, Raceway::outer);
+    const double heaviest = law.heaviest_N();
+    for (int k = 1; k < 100; ++k) {
+      const double from = heaviest * k / 100;
+      rounds_up += from + (heaviest - from) > heaviest;
+      EHD_CHECK(error(law.rise(from, heaviest), law.approach(from + heaviest) - law.approach(from)),
+                Tolerance::round_off(10));
+    }
+  }
+  BOOST_TEST(rounds_up > 10);
+}
+
 // Exact: the rounded constant itself, in N and mm.
 BOOST_AUTO_TEST_CASE(palmgren_law_is_its_printed_constant) {
   const double expected = 8.06e4 * std::pow(30.0, 8.0 / 9.0) * std::pow(0.010, 10.0 / 9.0);
