@@ -28,6 +28,11 @@ struct Speeds {
 
 enum class Raceway { inner, outer };
 
+template <class T>
+struct BothRaceways {
+  T inner, outer;
+};
+
 /// r_i = (d_m - D)/2, r_o = (d_m + D)/2 [m].
 [[nodiscard]] double raceway_radius_m(const Geometry& geometry, Raceway raceway);
 /// 1/R_i = 2/D + 1/r_i, 1/R_o = 2/D - 1/r_o.
