@@ -1,53 +1,85 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bearing/monotone_spline.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 namespace ehd::bearing {
 
 namespace {
 
-/// Slopes of the cubic spline with not-a-knot ends (a parabola through three points), limited where the neighbouring
-/// secants agree in sign.
+/// One row of a tridiagonal system.
+struct Row {
+  double before = 0, diagonal = 0, after = 0, right = 0;
+};
+
+/// Elimination without exchanges. A spline's rows need none: every factor is at most one, and of the pivots only the
+/// last one is a difference. It loses less than a digit where the last two gaps differ by less than a factor of eight.
+std::vector<double> solve_tridiagonal(std::vector<Row> rows) {
+  for (std::size_t k = 1; k < rows.size(); ++k) {
+    const double factor = rows[k].before / rows[k - 1].diagonal;
+    rows[k].diagonal -= factor * rows[k - 1].after;
+    rows[k].right -= factor * rows[k - 1].right;
+  }
+  std::vector<double> solution(rows.size());
+  solution.back() = rows.back().right / rows.back().diagonal;
+  for (std::size_t k = rows.size() - 1; k-- > 0;)
+    solution[k] = (rows[k].right - rows[k].after * solution[k + 1]) / rows[k].diagonal;
+  return solution;
+}
+
+struct Piece {
+  double width = 0, secant = 0;
+};
+
+/// The third derivative does not jump at the point next to an end: `next` is the piece inwards of `end`. In the entries
+/// of the end's slope, its neighbour's slope and the right-hand side.
+std::array<double, 3> not_a_knot(const Piece& end, const Piece& next) {
+  const double both = end.width + next.width;
+  return {next.width, both,
+          ((end.width + 2 * both) * next.width * end.secant + end.width * end.width * next.secant) / both};
+}
+
+/// The system of the spline's slopes.
+std::vector<Row> rows_of(const std::vector<Piece>& pieces) {
+  const std::size_t last = pieces.size();
+  std::vector<Row> rows(last + 1);
+  for (std::size_t k = 1; k < last; ++k) {
+    const Piece &left = pieces[k - 1], &right = pieces[k];
+    rows[k] = {right.width, 2 * (left.width + right.width), left.width,
+               3 * (right.width * left.secant + left.width * right.secant)};
+  }
+  if (last == 2) {  // one parabola: the slopes at both ends of a piece have the secant as their mean
+    rows[0] = {0, 1, 1, 2 * pieces[0].secant};
+    rows[2] = {1, 1, 0, 2 * pieces[1].secant};
+    return rows;
+  }
+  const auto first_end = not_a_knot(pieces[0], pieces[1]), last_end = not_a_knot(pieces[last - 1], pieces[last - 2]);
+  rows[0] = {0, first_end[0], first_end[1], first_end[2]};
+  rows[last] = {last_end[1], last_end[0], 0, last_end[2]};
+  return rows;
+}
+
+/// Hyman's limit: where both secants beside a point have one sign, its slope has it too, and is at most three times the
+/// smaller one. An extremum of the points keeps its slope.
+double limited(double slope, double before, double after) {
+  constexpr double steepest = 3;
+  if (!(before * after > 0)) return slope;
+  const double largest = steepest * std::min(std::abs(before), std::abs(after));
+  return before > 0 ? std::clamp(slope, 0.0, largest) : std::clamp(slope, -largest, 0.0);
+}
+
 std::vector<double> slopes(const std::vector<double>& x, const std::vector<double>& y) {
-  const auto n = static_cast<Eigen::Index>(x.size());
-  Eigen::VectorXd h(n - 1), secant(n - 1), right(n);
-  for (Eigen::Index k = 0; k + 1 < n; ++k) {
-    const auto i = static_cast<std::size_t>(k);
-    h[k] = x[i + 1] - x[i];
-    secant[k] = (y[i + 1] - y[i]) / h[k];
-  }
-  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(n, n);
-  for (Eigen::Index k = 1; k + 1 < n; ++k) {
-    rows(k, k - 1) = h[k];
-    rows(k, k) = 2 * (h[k - 1] + h[k]);
-    rows(k, k + 1) = h[k - 1];
-    right[k] = 3 * (h[k] * secant[k - 1] + h[k - 1] * secant[k]);
-  }
-  const auto end = [&](Eigen::Index row, Eigen::Index inwards, double h0, double h1, double s0, double s1) {
-    if (n == 3) {  // one parabola: d_0 + d_1 = 2 s_0
-      rows(row, row) = rows(row, row + inwards) = 1;
-      right[row] = 2 * s0;
-      return;
-    }
-    rows(row, row) = h1;
-    rows(row, row + inwards) = h0 + h1;
-    right[row] = ((h0 + 2 * (h0 + h1)) * h1 * s0 + h0 * h0 * s1) / (h0 + h1);
-  };
-  end(0, 1, h[0], h[1], secant[0], secant[1]);
-  end(n - 1, -1, h[n - 2], h[n - 3], secant[n - 2], secant[n - 3]);
-  const Eigen::VectorXd solved = rows.partialPivLu().solve(right);
-  std::vector<double> result(x.size());
-  for (Eigen::Index k = 0; k < n; ++k) {
-    const double before = secant[std::max<Eigen::Index>(k - 1, 0)], after = secant[std::min(k, n - 2)];
-    const double largest = 3 * std::min(std::abs(before), std::abs(after));
-    double d = solved[k];
-    if (before * after > 0)  // monotone here; an extremum of the points keeps its slope
-      d = before > 0 ? std::clamp(d, 0.0, largest) : std::clamp(d, -largest, 0.0);
-    result[static_cast<std::size_t>(k)] = d;
+  std::vector<Piece> pieces;
+  for (std::size_t k = 0; k + 1 < x.size(); ++k)
+    pieces.push_back({x[k + 1] - x[k], (y[k + 1] - y[k]) / (x[k + 1] - x[k])});
+  std::vector<double> result = solve_tridiagonal(rows_of(pieces));
+  for (std::size_t k = 0; k < result.size(); ++k) {
+    const Piece &before = pieces[k > 0 ? k - 1 : 0], &after = pieces[std::min(k, pieces.size() - 1)];
+    result[k] = limited(result[k], before.secant, after.secant);
   }
   return result;
 }

@@ -77,8 +77,9 @@ BOOST_AUTO_TEST_CASE(the_offset_film_does_not_depend_on_the_datum) {
 BOOST_AUTO_TEST_CASE(a_known_relation_is_recovered_within_the_bound) {
   SolvedContacts contacts = synthetic::contacts();
   const FilmCurve curve = built(contacts);
-  BOOST_TEST_MESSAGE(curve.forces_N().size() << " points from " << curve.lightest_N() << " N, interpolation error "
-                                             << curve.errors().interpolation << ", joint error " << curve.errors().joint);
+  BOOST_TEST_MESSAGE(curve.forces_N().size()
+                     << " points from " << curve.lightest_N() << " N, interpolation error "
+                     << curve.errors().interpolation << ", joint error " << curve.errors().joint);
   EHD_CHECK(curve.errors().interpolation_force, Tolerance::required(bound, "asked of the curve"));
   EHD_CHECK(curve.errors().joint_force, Tolerance::required(bound, "asked of the curve"));
   double inside = 0, below = 0;
