@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/studies/error_budget.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 #include "bearing/force_law.hpp"
+#include "bearing/plane.hpp"
 #include "contact/text.hpp"
 
 namespace ehd::verification {
@@ -43,52 +44,59 @@ std::optional<Thinnest> thinnest_film(const BearingResult& result) {
   return thinnest;
 }
 
-/// The rollers' exact stiffnesses at a balance, and what they make of errors of the contacts' approaches.
+/// The rollers' exact stiffnesses at a balance, and how errors of the contacts' approaches move it.
 class Linearised {
  public:
   Linearised(const BearingResult& result, const bearing::ForceLaw& inner, const bearing::ForceLaw& outer)
-      : result_(result), directions_(2, static_cast<Eigen::Index>(result.rollers.size())), stiffness_(directions_.cols()) {
-    for (Eigen::Index j = 0; j < directions_.cols(); ++j) {
-      const RollerRow& row = result.rollers[static_cast<std::size_t>(j)];
+      : result_(result) {
+    bearing::Symmetric2 ring;
+    for (const RollerRow& row : result.rollers) {
       const double psi = row.azimuth_deg * std::numbers::pi / 180;
-      directions_.col(j) << std::cos(psi), std::sin(psi);
+      const bool across = result.form != bearing::Form::radial;
+      Roller roller{.direction = {std::cos(psi), across ? std::sin(psi) : 0}};
       if (row.inner.force_N > 0 && row.outer.force_N > 0)
-        stiffness_[j] = 1 / (bearing::compliance(inner, row.inner.force_N) + bearing::compliance(outer, row.outer.force_N));
-      else
-        stiffness_[j] = 0;
+        roller.stiffness =
+            1 / (bearing::compliance(inner, row.inner.force_N) + bearing::compliance(outer, row.outer.force_N));
+      ring.add(roller.stiffness, roller.direction);
+      rollers_.push_back(roller);
     }
-    if (result.form == bearing::Form::radial) directions_.row(1).setZero();
-    const Eigen::Matrix2d ring = directions_ * stiffness_.asDiagonal() * directions_.transpose();
-    inverse_ = ring.completeOrthogonalDecomposition().pseudoInverse();  // few loaded rollers leave y free
+    const bearing::Symmetric2 inverse = bearing::pseudo_inverse(ring);  // few loaded rollers leave y free
+    for (Roller& roller : rollers_) roller.moves_ring = roller.stiffness * (inverse * roller.direction);
   }
 
   /// `error_m`: bound of the approach's error at a contact, from (force, inner raceway).
   [[nodiscard]] BudgetRow bound(const std::function<double(double, bool)>& error_m) const {
-    const Eigen::Index n = directions_.cols();
-    Eigen::VectorXd moved_m(n);
-    for (Eigen::Index j = 0; j < n; ++j) {
-      const RollerRow& row = result_.rollers[static_cast<std::size_t>(j)];
-      moved_m[j] = stiffness_[j] > 0 ? error_m(row.inner.force_N, true) + error_m(row.outer.force_N, false) : 0;
+    std::vector<double> off_m;
+    for (std::size_t j = 0; j < rollers_.size(); ++j) {
+      const RollerRow& row = result_.rollers[j];
+      const bool carries = rollers_[j].stiffness > 0;
+      off_m.push_back(carries ? error_m(row.inner.force_N, true) + error_m(row.outer.force_N, false) : 0);
     }
-    // du/dg_j in the columns, then df_i/dg_j.
-    const Eigen::MatrixXd ring = inverse_ * directions_ * stiffness_.asDiagonal();
-    Eigen::MatrixXd forces = stiffness_.asDiagonal() * directions_.transpose() * ring;
-    forces.diagonal() -= stiffness_;
-    const Eigen::VectorXd sizes = forces.cwiseAbs() * moved_m;
     BudgetRow row;
     row.bound = true;
-    row.displacement_m = ring.row(0).cwiseAbs() * moved_m;
-    row.largest_force_N = sizes[static_cast<Eigen::Index>(most_loaded(result_))];
-    row.any_force_N = sizes.maxCoeff();
-    if (!sizes.allFinite()) row.any_force_N = std::numeric_limits<double>::infinity();  // maxCoeff overlooks a NaN
+    const std::size_t top = most_loaded(result_);
+    for (std::size_t i = 0; i < rollers_.size(); ++i) {
+      row.displacement_m += std::abs(rollers_[i].moves_ring.x) * off_m[i];
+      double size_N = 0;  // Sum |df_i/dg_j| g_j
+      for (std::size_t j = 0; j < rollers_.size(); ++j) {
+        const double gives = dot(rollers_[i].direction, rollers_[j].moves_ring) - (i == j ? 1 : 0);
+        size_N += std::abs(rollers_[i].stiffness * gives) * off_m[j];
+      }
+      if (i == top) row.largest_force_N = size_N;
+      row.any_force_N = std::isfinite(size_N) ? std::max(row.any_force_N, size_N) : infinity;
+    }
     return row;
   }
 
  private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  struct Roller {
+    bearing::Vector2 direction = {};  ///< n; in the radial form its part across the load is 0
+    double stiffness = 0;             ///< k [N/m]; 0 where the roller is unloaded
+    bearing::Vector2 moves_ring = {};  ///< du/dg of this roller's approach
+  };
   const BearingResult& result_;
-  Eigen::Matrix2Xd directions_;
-  Eigen::VectorXd stiffness_;
-  Eigen::Matrix2d inverse_;
+  std::vector<Roller> rollers_;
 };
 
 BudgetRow difference(const BearingResult& one, const BearingResult& other) {
