@@ -70,6 +70,7 @@ double LinearFit::approach_error_m(double force_N) const {
 
 std::vector<double> fit_forces_N(double lowest_N, double highest_N, int points) {
   std::vector<double> forces;
+  forces.reserve(static_cast<std::size_t>(std::max(points, 0)));
   for (int k = 0; k < points; ++k)
     forces.push_back(points == 1 ? lowest_N : lowest_N + (highest_N - lowest_N) * k / (points - 1));
   return forces;

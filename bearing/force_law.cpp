@@ -23,7 +23,26 @@ struct Exhaustive : OneLaw... {
 template <class... OneLaw>
 Exhaustive(OneLaw...) -> Exhaustive<OneLaw...>;
 
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double roller_exponent = 10.0 / 9.0;
+
+// ---- Inverse of a logarithmic law
+/// Newton in the logarithm ends by rounding long before this.
+constexpr int most_logarithm_iterations = 50;
+/// Newton's steps in the force itself: they give back the digits that the exponential of the logarithm loses.
+constexpr int polishing_steps = 2;
+
+// ---- Inverse of a curve
+/// Newton in the bracket ends by rounding long before this.
+constexpr int most_curve_iterations = 200;
+/// Newton's step in ln f is at most this long.
+constexpr double longest_step = 2;
+
+// ---- Where a curve is looked at for a rising approach
+/// Forces, equally spaced in their logarithm, from this part of the lightest solved force to the heaviest.
+constexpr int rising_samples = 400;
+constexpr double rising_from = 1.0 / 64;
 
 std::string beyond_the_logarithm(double force_N, double heaviest_N) {
   char text[240];
@@ -80,7 +99,7 @@ double LogarithmicLaw::approach(double force_N) const {
   return force_N > 0 ? terms_.scale_m_per_N * force_N * logarithm(force_N) : 0;
 }
 double LogarithmicLaw::compliance(double force_N) const {
-  if (!(force_N > 0)) return std::numeric_limits<double>::infinity();
+  if (!(force_N > 0)) return infinity;
   return terms_.scale_m_per_N * (logarithm(std::min(force_N, heaviest_N())) - 1);
 }
 double LogarithmicLaw::stiffness(double approach_m) const {
@@ -94,14 +113,14 @@ double LogarithmicLaw::force(double approach_m) const {
   // Newton from A + ln A, which lies below the root and above 1, steps over it once and then falls to it.
   const double A = std::log(terms_.scale_m_per_N * terms_.limit_N) - std::log(approach_m);
   double L = A + std::log(A);
-  for (int iteration = 0; iteration < 50; ++iteration) {
+  for (int iteration = 0; iteration < most_logarithm_iterations; ++iteration) {
     const double step = (L - std::log(L) - A) / (1 - 1 / L);
     L -= step;
-    if (std::abs(step) <= 4 * std::numeric_limits<double>::epsilon() * L) break;
+    if (std::abs(step) <= 4 * epsilon * L) break;
   }
   // exp(-L) keeps an L-th of the digits of L; two more steps in f itself, where the law is good to an ulp or two.
   double f = terms_.limit_N * std::exp(-L);
-  for (int polish = 0; polish < 2; ++polish) f -= (approach(f) - approach_m) / compliance(f);
+  for (int polish = 0; polish < polishing_steps; ++polish) f -= (approach(f) - approach_m) / compliance(f);
   return f;
 }
 double LogarithmicLaw::rise(double from_N, double by_N) const {
@@ -136,10 +155,9 @@ double LinearLaw::rise(double from_N, double by_N) const {
 CurveLaw::CurveLaw(std::shared_ptr<const FilmCurve> curve, double datum_m)
     : curve_(std::move(curve)), datum_m_(datum_m) {
   // delta_dry' > 0 needs x_0 > b/2, and F falls with the load; both are looked at where the law is used, densely.
-  const double lightest = curve_->lightest_N() / 64, heaviest = curve_->heaviest_N();
-  constexpr int samples = 400;
-  for (int k = 0; k <= samples; ++k) {
-    const double f = lightest * std::pow(heaviest / lightest, static_cast<double>(k) / samples);
+  const double lightest = curve_->lightest_N() * rising_from, heaviest = curve_->heaviest_N();
+  for (int k = 0; k <= rising_samples; ++k) {
+    const double f = lightest * std::pow(heaviest / lightest, static_cast<double>(k) / rising_samples);
     if (compliance(f) > 0) continue;
     char text[256];
     std::snprintf(text, sizeof text,
@@ -150,7 +168,7 @@ CurveLaw::CurveLaw(std::shared_ptr<const FilmCurve> curve, double datum_m)
   }
 }
 
-double CurveLaw::begins_at() const { return -std::numeric_limits<double>::infinity(); }
+double CurveLaw::begins_at() const { return -infinity; }
 
 double CurveLaw::approach(double force_N) const {
   const double heaviest = curve_->heaviest_N();
@@ -171,14 +189,14 @@ double CurveLaw::force(double approach_m) const {
   while (approach(low) > approach_m) low /= 2;
   while (approach(high) < approach_m) high *= 2;
   double f = std::sqrt(low * high);
-  for (int iteration = 0; iteration < 200; ++iteration) {
+  for (int iteration = 0; iteration < most_curve_iterations; ++iteration) {
     const double excess = approach(f) - approach_m;
     if (excess == 0) return f;
     (excess < 0 ? low : high) = f;
     const double step = -excess / (compliance(f) * f);
-    double next = f * std::exp(std::clamp(step, -2.0, 2.0));
+    double next = f * std::exp(std::clamp(step, -longest_step, longest_step));
     if (!(next > low && next < high)) next = std::sqrt(low * high);
-    if (std::abs(next - f) <= 2 * std::numeric_limits<double>::epsilon() * f) return next;
+    if (std::abs(next - f) <= 2 * epsilon * f) return next;
     f = next;
   }
   return f;

@@ -36,10 +36,10 @@ struct PowerLaw {
 [[nodiscard]] PowerLaw houpert_law(const RollerContact& contact, Raceway raceway);
 
 /// delta = scale f ln(limit/f), with limit/f = (length/b)^2; f = 0 for delta <= 0. `lundberg` and `tripp`.
-/// Such a formula is the first term in b/length and leaves out terms of the order (b/length)^2. It is taken at its word
-/// while these are below 1/64 beside a logarithm of ln 64 = 4.2, b below length/8: domain() ends at limit/64. Beyond,
-/// the law goes on along its tangent, for Newton's iterates alone: a balance that needs it is refused
-/// (equilibrium.hpp).
+/// Such a formula leaves out terms of the order (b/length)^2. It is used while b is below length/8: there these terms
+/// are below 1/64 beside a logarithm of ln 64 = 4.2, and domain() ends at limit/64. Beyond, the law goes on along its
+/// tangent. That serves Newton's iterates alone: a balance that needs it is refused (refusal). The formula itself falls
+/// with the force where b nears the length.
 class LogarithmicLaw {
  public:
   explicit LogarithmicLaw(const LogarithmicApproach& terms) : terms_(terms) {}
@@ -50,11 +50,12 @@ class LogarithmicLaw {
   [[nodiscard]] double compliance(double force_N) const;  ///< infinite at f = 0
   [[nodiscard]] double rise(double from_N, double by_N) const;
   [[nodiscard]] double begins_at() const { return 0; }
-  [[nodiscard]] double heaviest_N() const { return terms_.limit_N / 64; }
+  [[nodiscard]] double heaviest_N() const { return terms_.limit_N / narrow; }
 
  private:
   [[nodiscard]] double logarithm(double force_N) const;
   [[nodiscard]] double rise_inside(double from_N, double by_N) const;  ///< both forces up to heaviest_N()
+  static constexpr double narrow = 64;                                 ///< (length/b)^2 at the end of the domain
   LogarithmicApproach terms_;
 };
 
@@ -65,8 +66,10 @@ class LogarithmicLaw {
 
 /// What the straight line says below its range.
 enum class Unloading {
-  at_zero_force,     ///< f = max(0, K delta + dF)
-  at_zero_approach,  ///< f = 0 below delta = 0; at delta = 0 the contact carries anything from 0 to dF
+  at_zero_force,  ///< f = max(0, K delta + dF)
+  /// f = 0 below delta = 0. At delta = 0 the law jumps by dF: a contact there carries any part of dF, and the rollers
+  /// on the jump share what the others leave of the load. No other reading of the cut line has a balance at every load.
+  at_zero_approach,
 };
 
 /// `ehd-linear`: f = K delta + dF.
@@ -127,8 +130,8 @@ struct LawPair {
 [[nodiscard]] double rise(const ForceLaw& law, double from_N, double by_N);
 /// The approach [m] below which the force is zero; -infinity for `ehd`.
 [[nodiscard]] double begins_at(const ForceLaw& law);
-/// The contact forces [N] for which the law is vouched for: the range of the fit, up to the heaviest solved load, where
-/// the logarithm means anything; absent where there is no limit.
+/// The contact forces [N] for which the law is meant: the range of a fit, up to the heaviest solved load of a curve, up
+/// to the end of a logarithm; absent where there is no limit.
 [[nodiscard]] std::optional<std::pair<double, double>> domain(const ForceLaw& law);
 /// Why a balance in which the law carries this force [N] is refused; absent where it is not.
 [[nodiscard]] std::optional<std::string> refusal(const ForceLaw& law, double force_N);
