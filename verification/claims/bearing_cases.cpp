@@ -146,7 +146,7 @@ Findings judge_bearing(const Case& bearing_case, SharedMemory& shared) {
   return found;
 }
 
-/// What bearing/README.md prints of NA4908 as the case stands: verdicts, and ends of the ranges of x_0 in mm.
+/// What docs/results/bearing-measured.md prints of NA4908 as the case stands: verdicts, and ends of the ranges of x_0 in mm.
 struct PrintedEnd {
   const char *what, *id, *mm;
   DatumScan::Ranges DatumScan::*ranges;
@@ -176,7 +176,7 @@ std::vector<PrintedVerdicts> printed_verdicts() {
 /// The judge against the printed table: a verdict that turns, or an end that moves, is seen.
 void judge_printed(const PrintedVerdicts& printed, const std::vector<PaperStatement>& statements, const DatumScan& scan,
                    Findings& found) {
-  const std::string name(to_string(printed.law)), where = "what bearing/README.md prints";
+  const std::string name(to_string(printed.law)), where = "what docs/results/bearing-measured.md prints";
   const auto says = [&](const std::string& id, const std::string& statement) {
     return Sentence{.id = "paper/" + name + "/" + id, .rung = 11, .statement = statement + ", law " + name, .case_id = "na4908"};
   };
