@@ -314,7 +314,8 @@ void descend(Refinement& refinement, const CurveRequest& request, LightEnd& end)
       return;
     }
     if (largest_below(refinement.disagreement(so_far, half)).against(request) <= 1) {
-      end.because = "the rigid limit foretells " + newtons(half) + " within the bounds";
+      end.because = "below " + newtons(refinement.lightest_N()) +
+                    " the rigid-roller formula is used; it was checked at " + newtons(half);
       end.at_rigid_limit = true;
       return;
     }

@@ -52,10 +52,12 @@ struct NoEquilibrium {
   std::string why;
 };
 
-/// Newton's method with exact derivatives (ring_search.hpp). A plane form whose cage is symmetric to the load is the
-/// radial one. No balance: a load that no roller can carry, a law used where it is refused (force_law.hpp), and a law
-/// that is cut at delta = 0 (Unloading::at_zero_approach) under an asymmetric cage in the plane form where rollers
-/// stand on the jump.
+/// Newton's method with exact derivatives (ring_search.hpp). Three or more equally spaced rollers always have two less
+/// than a half turn apart with the load between them, so in the plane form there is a balance. Without a load the ring
+/// stays in the middle, where equal rollers hold it. A plane form whose cage is symmetric to the load is the radial
+/// one. No balance: a load that no roller can carry, a law used where it is refused (force_law.hpp), and a law that is
+/// cut at delta = 0 (Unloading::at_zero_approach) under an asymmetric cage in the plane form where rollers stand on the
+/// jump.
 [[nodiscard]] std::variant<Equilibrium, NoEquilibrium> balance(const Geometry& geometry, const LawPair& laws,
                                                                const Loading& loading, Form form = Form::plane);
 

@@ -294,7 +294,7 @@ BOOST_AUTO_TEST_CASE(the_plane_form_balances_an_asymmetric_cage) {
   EHD_CHECK(std::abs(ring.lateral_force_N) / 4450, Tolerance::required(1e-12, "what a balance promises"));
 }
 
-// Exact: a symmetric cage has one balance, whichever form is asked for, to the bit.
+// Exact: under a symmetric cage both forms give the same balance, to the bit.
 BOOST_AUTO_TEST_CASE(both_forms_are_one_where_the_cage_is_symmetric) {
   for (const auto& [name, laws] : laws_of_every_kind())
     for (const double first_deg : {0.0, 180.0 / 22}) {

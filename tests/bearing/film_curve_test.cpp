@@ -80,8 +80,8 @@ BOOST_AUTO_TEST_CASE(a_known_relation_is_recovered_within_the_bound) {
   BOOST_TEST_MESSAGE(curve.forces_N().size()
                      << " points from " << curve.lightest_N() << " N, interpolation error "
                      << curve.errors().interpolation << ", joint error " << curve.errors().joint);
-  EHD_CHECK(curve.errors().interpolation_force, Tolerance::required(bound, "asked of the curve"));
-  EHD_CHECK(curve.errors().joint_force, Tolerance::required(bound, "asked of the curve"));
+  EHD_CHECK(curve.errors().interpolation_force, Tolerance::required(bound, "the bound of the request"));
+  EHD_CHECK(curve.errors().joint_force, Tolerance::required(bound, "the bound of the request"));
   double inside = 0, below = 0;
   for (double f = 1e-2 * curve.lightest_N(); f <= curve.heaviest_N(); f *= 1.07) {
     // The force at the true approach, by the curve's own law; datum x_0 = l.
@@ -94,8 +94,8 @@ BOOST_AUTO_TEST_CASE(a_known_relation_is_recovered_within_the_bound) {
     worst = std::max(worst, wrong);
   }
   BOOST_TEST_MESSAGE("true error between points " << inside << ", below the lightest " << below);
-  EHD_CHECK(inside, Tolerance::required(bound, "asked of the curve"));
-  EHD_CHECK(below, Tolerance::required(bound, "asked of the curve"));
+  EHD_CHECK(inside, Tolerance::required(bound, "the bound of the request"));
+  EHD_CHECK(below, Tolerance::required(bound, "the bound of the request"));
 }
 
 // Invariant: value and slope are continuous where the rigid limit takes over, and the film falls all the way.
