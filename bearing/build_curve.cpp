@@ -13,8 +13,6 @@
 #include <string>
 #include <utility>
 
-#include "contact/hertz.hpp"
-
 namespace ehd::bearing {
 
 namespace {
@@ -81,7 +79,7 @@ class Points {
     points_[force_N] = {F, solved.film_minimum_m};
     if (!solved.converged) missed_N_.insert(force_N);
     solver_minimum_film_ = std::max(solver_minimum_film_, solved.film_error);
-    solver_offset_film_ = std::max(solver_offset_film_, solved.offset_error / (solved.offset - hertz::dry_offset()));
+    solver_offset_film_ = std::max(solver_offset_film_, relative_offset_error(solved));
     return std::nullopt;
   }
   [[nodiscard]] std::size_t size() const { return points_.size(); }

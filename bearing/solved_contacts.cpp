@@ -20,4 +20,8 @@ double offset_film_m(const RacewayContact& contact, double force_N, const Solved
   return b * b / contact.reduced_radius_m * (solved.offset - hertz::dry_offset());
 }
 
+double relative_offset_error(const SolvedContact& solved) {
+  return solved.offset_error / (solved.offset - hertz::dry_offset());
+}
+
 }  // namespace ehd::bearing

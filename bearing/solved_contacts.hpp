@@ -52,4 +52,7 @@ class SolvedContacts {
 /// The offset film of a solved contact [m], F = (b^2/R)(H_0 - H_0,dry) = delta_dry - delta (film_curve.hpp).
 [[nodiscard]] double offset_film_m(const RacewayContact& contact, double force_N, const SolvedContact& solved);
 
+/// What offset_error is of the offset film, relative.
+[[nodiscard]] double relative_offset_error(const SolvedContact& solved);
+
 }  // namespace ehd::bearing
