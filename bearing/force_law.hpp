@@ -89,9 +89,10 @@ struct LinearLaw {
 };
 
 /// `ehd`: the solver's own relation, delta(f) = delta_dry(f; x_0) - F(f), F the offset film of a FilmCurve. A film
-/// always pushes: the force is positive at every approach. Above the heaviest solved load it goes on along its tangent,
-/// for Newton's iterates; a force there is outside domain(). Throws std::domain_error at construction where the
-/// approach would not increase with the force (a datum below half the contact's half width).
+/// always pushes: the force is positive at every approach. Above the heaviest solved load the law goes on along its
+/// tangent. That serves Newton's iterates alone: a force there is outside domain(), and the caller extends the curve.
+/// The constructor throws std::domain_error where the approach would not increase with the force (a datum below half
+/// the contact's half width).
 class CurveLaw {
  public:
   CurveLaw(std::shared_ptr<const FilmCurve> curve, double datum_m);
@@ -121,12 +122,12 @@ struct LawPair {
 [[nodiscard]] double force(const ForceLaw& law, double approach_m);
 /// df/d(delta) [N/m]; 0 where the contact is unloaded.
 [[nodiscard]] double stiffness(const ForceLaw& law, double approach_m);
-/// The approach [m] at a force > 0 [N]; at 0 the one where contact begins (-infinity for `ehd`).
+/// The approach [m] at a force > 0 [N]; at 0 that where contact begins (-infinity for `ehd`).
 [[nodiscard]] double approach(const ForceLaw& law, double force_N);
 /// d(delta)/df [m/N] at a force > 0.
 [[nodiscard]] double compliance(const ForceLaw& law, double force_N);
-/// approach(from + by) - approach(from) [m], from >= 0, by > 0, without the digits that the difference of the two would
-/// lose where by is far below from. Of `ehd` the plain difference, from > 0.
+/// approach(from + by) - approach(from) [m], from >= 0, by > 0. Computed without that difference, which loses digits
+/// where by is far below from. For `ehd` it is the plain difference, from > 0.
 [[nodiscard]] double rise(const ForceLaw& law, double from_N, double by_N);
 /// The approach [m] below which the force is zero; -infinity for `ehd`.
 [[nodiscard]] double begins_at(const ForceLaw& law);

@@ -13,7 +13,7 @@ namespace {
 
 double gamma_of(const Geometry& geometry) { return geometry.roller_diameter_m / geometry.pitch_diameter_m; }
 
-// Ten times the rounding of an azimuth; a load at 1e-12 degrees has 2e-14 of itself across.
+/// Azimuths closer than this are equal: ten times their rounding. A load turned by this has 2e-14 of itself across.
 constexpr double same_deg = 1e-12;
 
 }  // namespace

@@ -144,7 +144,7 @@ BOOST_AUTO_TEST_CASE(forces_balance_at_every_load_and_clearance) {
     for (const double load_N : {1e-3, 0.1, 10.0, 1e3, 5e4, 4e5})
       for (const double clearance_m : {-20e-6, -2e-6, 0.0, 2.5e-6, 10e-6, 60e-6, 200e-6})
         for (const double centrifugal_N : {0.0, 28.0, 900.0}) {
-          // Symmetric, and not; what is judged here is relative to the loads and inner forces alone.
+          // Symmetric and asymmetric cages. Errors are relative to the load and the inner forces alone.
           Geometry geometry = needle_bearing(clearance_m);
           geometry.first_azimuth_deg = balances % 2 == 0 ? 0.0 : 4.1;
           const Equilibrium ring = balanced(geometry, laws, {load_N, centrifugal_N});
@@ -167,7 +167,7 @@ BOOST_AUTO_TEST_CASE(forces_balance_at_every_load_and_clearance) {
   EHD_CHECK(worst, Tolerance::required(1e-12, "what a balance promises"));
 }
 
-// Invariant: the approaches of a loaded roller are those that its laws give for its forces.
+// Invariant: the approaches of a loaded roller follow from its forces by its laws.
 BOOST_AUTO_TEST_CASE(approaches_are_compatible_with_the_ring_and_the_laws) {
   const Geometry geometry = needle_bearing(10e-6);
   for (const auto& [name, laws] : laws_of_every_kind()) {
@@ -202,7 +202,7 @@ BOOST_AUTO_TEST_CASE(mirrored_rollers_are_balanced_once_and_equal) {
   }
 }
 
-// Invariant: F_r is the gradient of the energy of all contacts, with the rollers where they find their balance.
+// Invariant: F_r is the gradient of the energy of all contacts, each roller in its own balance.
 BOOST_AUTO_TEST_CASE(the_load_is_the_gradient_of_the_energy) {
   const Geometry geometry = needle_bearing(2.5e-6);
   constexpr double load_N = 3e4, centrifugal_N = 40, difference = 1e-3;
@@ -330,7 +330,7 @@ BOOST_AUTO_TEST_CASE(the_plane_form_goes_to_the_radial_one) {
 }
 
 // Counter: Newton with exact slopes contracts quadratically. From an estimate that is right to a factor of two, five
-// steps are 1e-16; as many again find the edge of the load zone, where slopes have corners.
+// steps reach 1e-16. Five more find the edge of the load zone, where slopes have corners.
 BOOST_AUTO_TEST_CASE(newton_in_the_plane_takes_ten_positions) {
   for (const auto& [name, laws] : laws_of_every_kind())
     for (const double first_deg : {1.0, 5.5})
@@ -342,7 +342,8 @@ BOOST_AUTO_TEST_CASE(newton_in_the_plane_takes_ten_positions) {
         }
 }
 
-// Invariant: a cage turned by a pitch is the same cage, one roller on; a mirrored one carries the mirrored forces.
+// Invariant: a cage turned by a pitch carries the same forces, one roller on. A mirrored cage carries the mirrored
+// forces.
 BOOST_AUTO_TEST_CASE(turning_by_a_pitch_and_mirroring_change_nothing) {
   for (const auto& [name, laws] : laws_of_every_kind())
     for (const double clearance_m : {-5e-6, 30e-6}) {
@@ -454,8 +455,8 @@ BOOST_AUTO_TEST_CASE(the_stiffness_matrix_is_the_derivative_of_forces_and_of_bal
     }
 }
 
-// What a law that is cut at delta = 0 has under an asymmetric cage: a balance in the radial form always, in the plane
-// one or a sentence that says so.
+// Under an asymmetric cage a law that is cut at delta = 0 always has a balance in the radial form. In the plane form it
+// has one, or a sentence says that it has none.
 BOOST_AUTO_TEST_CASE(a_cut_line_under_an_asymmetric_cage) {
   LinearLaw cut{.K_N_per_m = 2.9e9, .dF_N = 900};
   cut.unloading = Unloading::at_zero_approach;
@@ -484,7 +485,8 @@ BOOST_AUTO_TEST_CASE(a_load_beyond_the_domain_of_a_logarithm_is_refused) {
   BOOST_TEST(std::get<NoEquilibrium>(result).why.find("domain of its law") != std::string::npos);
 }
 
-// Exact: what carries, from end to end; a film's rollers from a hundredth of the largest force on.
+// Exact: the load zone reaches from the first to the last roller that carries. Under a film, rollers count from a
+// hundredth of the largest force on.
 BOOST_AUTO_TEST_CASE(the_load_zone_is_where_rollers_carry) {
   const Equilibrium dry = balanced(needle_bearing(0), both(palmgren_law(0.05)), {5e4, 28});
   const auto zone = load_zone_deg(dry);

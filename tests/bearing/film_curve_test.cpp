@@ -81,6 +81,7 @@ BOOST_AUTO_TEST_CASE(a_known_relation_is_recovered_within_the_bound) {
                      << " points from " << curve.lightest_N() << " N, interpolation error "
                      << curve.errors().interpolation << ", joint error " << curve.errors().joint);
   EHD_CHECK(curve.errors().interpolation_force, Tolerance::required(bound, "the bound of the request"));
+  BOOST_TEST(curve.errors().lightest_because.find("the rigid-roller formula is used") != std::string::npos);
   EHD_CHECK(curve.errors().joint_force, Tolerance::required(bound, "the bound of the request"));
   double inside = 0, below = 0;
   for (double f = 1e-2 * curve.lightest_N(); f <= curve.heaviest_N(); f *= 1.07) {
