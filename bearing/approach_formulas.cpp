@@ -65,10 +65,13 @@ LogarithmicApproach tripp_terms(const RollerContact& contact, Raceway raceway) {
 
 PowerApproach houpert_terms(const RollerContact& contact, Raceway raceway) {
   // Fractional powers of lengths: printed for mm and MPa.
-  const double per_force = (1 - contact.poisson * contact.poisson) / (contact.modulus_Pa * 1e-6 * 1e3 * contact.length_m),
+  const double per_force =
+                   (1 - contact.poisson * contact.poisson) / (contact.modulus_Pa * 1e-6 * 1e3 * contact.length_m),
                d_m = 1e3 * contact.pitch_diameter_m, t = 1e3 * contact.ring_thickness_m,
                gamma = contact.roller_diameter_m / contact.pitch_diameter_m;
-  const auto in_mm = [](double factor, double power) { return PowerApproach{1e-3 * std::pow(factor, 1 / power), 1 / power}; };
+  const auto in_mm = [](double factor, double power) {
+    return PowerApproach{1e-3 * std::pow(factor, 1 / power), 1 / power};
+  };
   if (raceway == Raceway::inner) return in_mm(per_force * std::pow(d_m, 0.074) / 0.2723, 1.074);
   return in_mm(per_force / 0.27835 * std::pow(t / (1 + gamma), 0.078), 1.078);
 }

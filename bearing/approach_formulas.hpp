@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Approach of a roller of finite length and its raceway as the literature prints it (Teutsch & Sauer 2004, J. Tribol.
-// 126, 436-442, table 1). Each stands once, as the coefficients of its form in the contact force: lundberg, tripp and
-// houpert are force laws made of them (force_law.hpp), where Palmgren's law stands in its rounded inverse.
+// 126, 436-442, table 1). Each stands once, as the coefficients of its form in the contact force. The force laws
+// lundberg, tripp and houpert are made of them (force_law.hpp). Palmgren's law stands there as its rounded inverse.
 #pragma once
 
 #include "bearing/geometry.hpp"
@@ -23,8 +23,9 @@ struct RollerContact {
 struct PowerApproach {
   double scale = 0, exponent = 0;
 };
-/// delta = scale Q ln(limit/Q) [m, N]. The logarithm is that of (length/b)^2, the length one of the bodies', b ~ sqrt(Q)
-/// the contact's half width: printed for b far below that length. Beyond Q = limit/e the formula falls with the force.
+/// delta = scale Q ln(limit/Q) [m, N]. The logarithm is that of (length/b)^2: a length of the bodies over the contact's
+/// half width b ~ sqrt(Q). The formulas are printed for b far below that length. Beyond Q = limit/e they fall with the
+/// force.
 struct LogarithmicApproach {
   double scale_m_per_N = 0, limit_N = 0;
 };

@@ -49,8 +49,10 @@ LinearFit fit_line(const std::vector<FitPoint>& points) {
   return fit;
 }
 
-// With means d_m, f_m of the points, S = Sum (d_k - d_m)^2 and K = Sum (d_k - d_m)(f_k - f_m)/S, errors e_k of the d_k give
-//   dK = Sum [f_k - f_m - 2 K (d_k - d_m)] e_k/S,   and at fixed f   d(delta) = Sum e_k/n + (d_m - delta) dK/K.
+// With means d_m, f_m of the points, S = Sum (d_k - d_m)^2 and K = Sum (d_k - d_m)(f_k - f_m)/S. Errors e_k of the d_k
+// change
+//   the slope by        dK = Sum [f_k - f_m - 2 K (d_k - d_m)] e_k/S,
+//   the approach at f by  d(delta) = Sum e_k/n + (d_m - delta) dK/K.
 double LinearFit::approach_error_m(double force_N) const {
   const auto n = static_cast<double>(points.size());
   double mean_m = 0, mean_N = 0, squares = 0, error_m = 0;
@@ -69,6 +71,7 @@ double LinearFit::approach_error_m(double force_N) const {
 
 std::vector<double> fit_forces_N(double lowest_N, double highest_N, int points) {
   std::vector<double> forces;
+  forces.reserve(static_cast<std::size_t>(std::max(points, 0)));
   for (int k = 0; k < points; ++k)
     forces.push_back(points == 1 ? lowest_N : lowest_N + (highest_N - lowest_N) * k / (points - 1));
   return forces;

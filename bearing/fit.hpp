@@ -5,8 +5,8 @@
 #include <variant>
 #include <vector>
 
-#include "bearing/film_curve.hpp"
 #include "bearing/force_law.hpp"
+#include "bearing/solved_contacts.hpp"
 
 namespace ehd::bearing {
 
@@ -27,7 +27,8 @@ struct LinearFit {
   double correlation = 0;  ///< of K and dF
   std::vector<FitPoint> points;
 
-  /// First-order bound of the approach at a force, on the line, by the points' approach_error_m, whatever their signs.
+  /// First-order bound of the line's error of the approach at a force [m], from the points' approach_error_m with any
+  /// signs.
   [[nodiscard]] double approach_error_m(double force_N) const;
 
   [[nodiscard]] LinearLaw law(Unloading unloading = Unloading::at_zero_force) const;

@@ -15,7 +15,43 @@ namespace ehd::bearing {
 
 namespace {
 
+/// One lambda a law: a visit with it does not compile until a new law has its own.
+template <class... OneLaw>
+struct Exhaustive : OneLaw... {
+  using OneLaw::operator()...;
+};
+template <class... OneLaw>
+Exhaustive(OneLaw...) -> Exhaustive<OneLaw...>;
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double roller_exponent = 10.0 / 9.0;
+
+// ---- Inverse of a logarithmic law
+/// Newton in the logarithm ends by rounding long before this.
+constexpr int most_logarithm_iterations = 50;
+/// Newton's steps in the force itself: they give back the digits that the exponential of the logarithm loses.
+constexpr int polishing_steps = 2;
+
+// ---- Inverse of a curve
+/// Newton in the bracket ends by rounding long before this.
+constexpr int most_curve_iterations = 200;
+/// Newton's step in ln f is at most this long.
+constexpr double longest_step = 2;
+
+// ---- Where a curve is looked at for a rising approach
+/// Forces, equally spaced in their logarithm, from this part of the lightest solved force to the heaviest.
+constexpr int rising_samples = 400;
+constexpr double rising_from = 1.0 / 64;
+
+std::string beyond_the_logarithm(double force_N, double heaviest_N) {
+  char text[240];
+  std::snprintf(text, sizeof text,
+                "a contact would carry %g N, beyond the domain of its law: the half width must stay below an eighth of "
+                "the length in the logarithm, allowed is up to %g N",
+                force_N, heaviest_N);
+  return text;
+}
 
 /// From N and mm: f = c l^(8/9) delta^(10/9).
 PowerLaw power_law_from_mm(double c, double length_m) {
@@ -63,7 +99,7 @@ double LogarithmicLaw::approach(double force_N) const {
   return force_N > 0 ? terms_.scale_m_per_N * force_N * logarithm(force_N) : 0;
 }
 double LogarithmicLaw::compliance(double force_N) const {
-  if (!(force_N > 0)) return std::numeric_limits<double>::infinity();
+  if (!(force_N > 0)) return infinity;
   return terms_.scale_m_per_N * (logarithm(std::min(force_N, heaviest_N())) - 1);
 }
 double LogarithmicLaw::stiffness(double approach_m) const {
@@ -77,22 +113,25 @@ double LogarithmicLaw::force(double approach_m) const {
   // Newton from A + ln A, which lies below the root and above 1, steps over it once and then falls to it.
   const double A = std::log(terms_.scale_m_per_N * terms_.limit_N) - std::log(approach_m);
   double L = A + std::log(A);
-  for (int iteration = 0; iteration < 50; ++iteration) {
+  for (int iteration = 0; iteration < most_logarithm_iterations; ++iteration) {
     const double step = (L - std::log(L) - A) / (1 - 1 / L);
     L -= step;
-    if (std::abs(step) <= 4 * std::numeric_limits<double>::epsilon() * L) break;
+    if (std::abs(step) <= 4 * epsilon * L) break;
   }
   // exp(-L) keeps an L-th of the digits of L; two more steps in f itself, where the law is good to an ulp or two.
   double f = terms_.limit_N * std::exp(-L);
-  for (int polish = 0; polish < 2; ++polish) f -= (approach(f) - approach_m) / compliance(f);
+  for (int polish = 0; polish < polishing_steps; ++polish) f -= (approach(f) - approach_m) / compliance(f);
   return f;
 }
 double LogarithmicLaw::rise(double from_N, double by_N) const {
   const double heaviest = heaviest_N(), to_N = from_N + by_N;
   if (from_N >= heaviest) return compliance(heaviest) * by_N;
-  if (to_N > heaviest) return rise(from_N, heaviest - from_N) + compliance(heaviest) * (to_N - heaviest);
+  if (to_N > heaviest) return rise_inside(from_N, heaviest - from_N) + compliance(heaviest) * (to_N - heaviest);
+  return rise_inside(from_N, by_N);
+}
+double LogarithmicLaw::rise_inside(double from_N, double by_N) const {
   if (!(from_N > 0)) return approach(by_N);
-  return terms_.scale_m_per_N * (by_N * logarithm(to_N) - from_N * std::log1p(by_N / from_N));
+  return terms_.scale_m_per_N * (by_N * logarithm(from_N + by_N) - from_N * std::log1p(by_N / from_N));
 }
 
 double LinearLaw::begins_at() const {
@@ -116,10 +155,9 @@ double LinearLaw::rise(double from_N, double by_N) const {
 CurveLaw::CurveLaw(std::shared_ptr<const FilmCurve> curve, double datum_m)
     : curve_(std::move(curve)), datum_m_(datum_m) {
   // delta_dry' > 0 needs x_0 > b/2, and F falls with the load; both are looked at where the law is used, densely.
-  const double lightest = curve_->lightest_N() / 64, heaviest = curve_->heaviest_N();
-  constexpr int samples = 400;
-  for (int k = 0; k <= samples; ++k) {
-    const double f = lightest * std::pow(heaviest / lightest, static_cast<double>(k) / samples);
+  const double lightest = curve_->lightest_N() * rising_from, heaviest = curve_->heaviest_N();
+  for (int k = 0; k <= rising_samples; ++k) {
+    const double f = lightest * std::pow(heaviest / lightest, static_cast<double>(k) / rising_samples);
     if (compliance(f) > 0) continue;
     char text[256];
     std::snprintf(text, sizeof text,
@@ -130,7 +168,7 @@ CurveLaw::CurveLaw(std::shared_ptr<const FilmCurve> curve, double datum_m)
   }
 }
 
-double CurveLaw::begins_at() const { return -std::numeric_limits<double>::infinity(); }
+double CurveLaw::begins_at() const { return -infinity; }
 
 double CurveLaw::approach(double force_N) const {
   const double heaviest = curve_->heaviest_N();
@@ -151,14 +189,14 @@ double CurveLaw::force(double approach_m) const {
   while (approach(low) > approach_m) low /= 2;
   while (approach(high) < approach_m) high *= 2;
   double f = std::sqrt(low * high);
-  for (int iteration = 0; iteration < 200; ++iteration) {
+  for (int iteration = 0; iteration < most_curve_iterations; ++iteration) {
     const double excess = approach(f) - approach_m;
     if (excess == 0) return f;
     (excess < 0 ? low : high) = f;
     const double step = -excess / (compliance(f) * f);
-    double next = f * std::exp(std::clamp(step, -2.0, 2.0));
+    double next = f * std::exp(std::clamp(step, -longest_step, longest_step));
     if (!(next > low && next < high)) next = std::sqrt(low * high);
-    if (std::abs(next - f) <= 2 * std::numeric_limits<double>::epsilon() * f) return next;
+    if (std::abs(next - f) <= 2 * epsilon * f) return next;
     f = next;
   }
   return f;
@@ -185,10 +223,36 @@ double begins_at(const ForceLaw& law) {
 }
 
 std::optional<std::pair<double, double>> domain(const ForceLaw& law) {
-  if (const auto* line = std::get_if<LinearLaw>(&law)) return line->fitted_N;
-  if (const auto* curve = std::get_if<CurveLaw>(&law)) return std::pair{0.0, curve->curve().heaviest_N()};
-  if (const auto* logarithm = std::get_if<LogarithmicLaw>(&law)) return std::pair{0.0, logarithm->heaviest_N()};
-  return std::nullopt;
+  using Domain = std::optional<std::pair<double, double>>;
+  return std::visit(Exhaustive{[](const PowerLaw&) -> Domain { return std::nullopt; },
+                               [](const LogarithmicLaw& one) -> Domain {
+                                 return std::pair{0.0, one.heaviest_N()};
+                               },
+                               [](const LinearLaw& one) -> Domain { return one.fitted_N; },
+                               [](const CurveLaw& one) -> Domain {
+                                 return std::pair{0.0, one.curve().heaviest_N()};
+                               }},
+                    law);
+}
+
+std::optional<std::string> refusal(const ForceLaw& law, double force_N) {
+  using Refusal = std::optional<std::string>;
+  return std::visit(Exhaustive{[](const PowerLaw&) -> Refusal { return std::nullopt; },
+                               [&](const LogarithmicLaw& one) -> Refusal {
+                                 if (!(force_N > one.heaviest_N())) return std::nullopt;
+                                 return beyond_the_logarithm(force_N, one.heaviest_N());
+                               },
+                               [](const LinearLaw&) -> Refusal { return std::nullopt; },
+                               // A curve is extended by whoever balances with it.
+                               [](const CurveLaw&) -> Refusal { return std::nullopt; }},
+                    law);
+}
+
+bool jumps(const ForceLaw& law) {
+  return std::visit(Exhaustive{[](const PowerLaw&) { return false; }, [](const LogarithmicLaw&) { return false; },
+                               [](const LinearLaw& one) { return one.unloading == Unloading::at_zero_approach; },
+                               [](const CurveLaw&) { return false; }},
+                    law);
 }
 
 }  // namespace ehd::bearing

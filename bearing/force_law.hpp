@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 #include <variant>
 
@@ -35,9 +36,10 @@ struct PowerLaw {
 [[nodiscard]] PowerLaw houpert_law(const RollerContact& contact, Raceway raceway);
 
 /// delta = scale f ln(limit/f), with limit/f = (length/b)^2; f = 0 for delta <= 0. `lundberg` and `tripp`.
-/// Such a formula is the first term in b/length and leaves out terms of the order (b/length)^2. It is taken at its word
-/// while these are below 1/64 beside a logarithm of ln 64 = 4.2, b below length/8: domain() ends at limit/64. Beyond, the
-/// law goes on along its tangent, for Newton's iterates alone: a balance that needs it is refused (equilibrium.hpp).
+/// Such a formula leaves out terms of the order (b/length)^2. It is used while b is below length/8: there these terms
+/// are below 1/64 beside a logarithm of ln 64 = 4.2, and domain() ends at limit/64. Beyond, the law goes on along its
+/// tangent. That serves Newton's iterates alone: a balance that needs it is refused (refusal). The formula itself falls
+/// with the force where b nears the length.
 class LogarithmicLaw {
  public:
   explicit LogarithmicLaw(const LogarithmicApproach& terms) : terms_(terms) {}
@@ -48,10 +50,12 @@ class LogarithmicLaw {
   [[nodiscard]] double compliance(double force_N) const;  ///< infinite at f = 0
   [[nodiscard]] double rise(double from_N, double by_N) const;
   [[nodiscard]] double begins_at() const { return 0; }
-  [[nodiscard]] double heaviest_N() const { return terms_.limit_N / 64; }
+  [[nodiscard]] double heaviest_N() const { return terms_.limit_N / narrow; }
 
  private:
   [[nodiscard]] double logarithm(double force_N) const;
+  [[nodiscard]] double rise_inside(double from_N, double by_N) const;  ///< both forces up to heaviest_N()
+  static constexpr double narrow = 64;                                 ///< (length/b)^2 at the end of the domain
   LogarithmicApproach terms_;
 };
 
@@ -62,8 +66,10 @@ class LogarithmicLaw {
 
 /// What the straight line says below its range.
 enum class Unloading {
-  at_zero_force,     ///< f = max(0, K delta + dF)
-  at_zero_approach,  ///< f = 0 below delta = 0; at delta = 0 the contact carries anything from 0 to dF
+  at_zero_force,  ///< f = max(0, K delta + dF)
+  /// f = 0 below delta = 0. At delta = 0 the law jumps by dF: a contact there carries any part of dF, and the rollers
+  /// on the jump share what the others leave of the load. No other reading of the cut line has a balance at every load.
+  at_zero_approach,
 };
 
 /// `ehd-linear`: f = K delta + dF.
@@ -83,9 +89,10 @@ struct LinearLaw {
 };
 
 /// `ehd`: the solver's own relation, delta(f) = delta_dry(f; x_0) - F(f), F the offset film of a FilmCurve. A film
-/// always pushes: the force is positive at every approach. Above the heaviest solved load it goes on along its tangent,
-/// for Newton's iterates; a force there is outside domain(). Throws std::domain_error at construction where the
-/// approach would not increase with the force (a datum below half the contact's half width).
+/// always pushes: the force is positive at every approach. Above the heaviest solved load the law goes on along its
+/// tangent. That serves Newton's iterates alone: a force there is outside domain(), and the caller extends the curve.
+/// The constructor throws std::domain_error where the approach would not increase with the force (a datum below half
+/// the contact's half width).
 class CurveLaw {
  public:
   CurveLaw(std::shared_ptr<const FilmCurve> curve, double datum_m);
@@ -106,21 +113,30 @@ class CurveLaw {
 
 using ForceLaw = std::variant<PowerLaw, LogarithmicLaw, LinearLaw, CurveLaw>;
 
+/// The laws at the two contacts of every roller.
+struct LawPair {
+  ForceLaw inner, outer;
+};
+
 /// Force [N] at an approach [m]; 0 where the contact is unloaded.
 [[nodiscard]] double force(const ForceLaw& law, double approach_m);
 /// df/d(delta) [N/m]; 0 where the contact is unloaded.
 [[nodiscard]] double stiffness(const ForceLaw& law, double approach_m);
-/// The approach [m] at a force > 0 [N]; at 0 the one where contact begins (-infinity for `ehd`).
+/// The approach [m] at a force > 0 [N]; at 0 that where contact begins (-infinity for `ehd`).
 [[nodiscard]] double approach(const ForceLaw& law, double force_N);
 /// d(delta)/df [m/N] at a force > 0.
 [[nodiscard]] double compliance(const ForceLaw& law, double force_N);
-/// approach(from + by) - approach(from) [m], from >= 0, by > 0, without the digits that the difference of the two would
-/// lose where by is far below from. Of `ehd` the plain difference, from > 0.
+/// approach(from + by) - approach(from) [m], from >= 0, by > 0. Computed without that difference, which loses digits
+/// where by is far below from. For `ehd` it is the plain difference, from > 0.
 [[nodiscard]] double rise(const ForceLaw& law, double from_N, double by_N);
 /// The approach [m] below which the force is zero; -infinity for `ehd`.
 [[nodiscard]] double begins_at(const ForceLaw& law);
-/// The contact forces [N] for which the law is vouched for: the range of the fit, up to the heaviest solved load, where
-/// the logarithm means anything; absent where there is no limit.
+/// The contact forces [N] for which the law is meant: the range of a fit, up to the heaviest solved load of a curve, up
+/// to the end of a logarithm; absent where there is no limit.
 [[nodiscard]] std::optional<std::pair<double, double>> domain(const ForceLaw& law);
+/// Why a balance in which the law carries this force [N] is refused; absent where it is not.
+[[nodiscard]] std::optional<std::string> refusal(const ForceLaw& law, double force_N);
+/// True for a law that lets go at a finite force.
+[[nodiscard]] bool jumps(const ForceLaw& law);
 
 }  // namespace ehd::bearing

@@ -13,7 +13,7 @@ namespace {
 
 double gamma_of(const Geometry& geometry) { return geometry.roller_diameter_m / geometry.pitch_diameter_m; }
 
-// Ten times the rounding of an azimuth; a load at 1e-12 degrees has 2e-14 of itself across.
+/// Azimuths closer than this are equal: ten times their rounding. A load turned by this has 2e-14 of itself across.
 constexpr double same_deg = 1e-12;
 
 }  // namespace
@@ -51,7 +51,8 @@ double reduced_modulus_Pa(double modulus_Pa, double poisson) { return modulus_Pa
 
 std::vector<double> azimuths_deg(const Geometry& geometry) {
   std::vector<double> azimuths;
-  const double half_pitch_deg = 180.0 / geometry.rollers, steps = std::round(geometry.first_azimuth_deg / half_pitch_deg);
+  const double half_pitch_deg = 180.0 / geometry.rollers,
+               steps = std::round(geometry.first_azimuth_deg / half_pitch_deg);
   const bool symmetric = std::abs(geometry.first_azimuth_deg - steps * half_pitch_deg) <= same_deg;
   for (int j = 0; j < geometry.rollers; ++j) {
     // In half pitches a symmetric cage is counted in integers, so that mirrored rollers are so to the bit.

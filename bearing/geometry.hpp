@@ -28,6 +28,12 @@ struct Speeds {
 
 enum class Raceway { inner, outer };
 
+/// One of a kind for each raceway.
+template <class T>
+struct BothRaceways {
+  T inner, outer;
+};
+
 /// r_i = (d_m - D)/2, r_o = (d_m + D)/2 [m].
 [[nodiscard]] double raceway_radius_m(const Geometry& geometry, Raceway raceway);
 /// 1/R_i = 2/D + 1/r_i, 1/R_o = 2/D - 1/r_o.
@@ -41,19 +47,19 @@ enum class Raceway { inner, outer };
 /// E' = E/(1 - nu^2) of two equal bodies [Pa].
 [[nodiscard]] double reduced_modulus_Pa(double modulus_Pa, double poisson);
 
-/// Azimuths of rollers 1..Z from the load line, psi_j = first_azimuth + 360 (j-1)/Z, in (-180, 180]. Rollers that
-/// mirror one another in the load line but for rounding do so to the bit.
+/// Azimuths of rollers 1..Z from the load line, psi_j = first_azimuth + 360 (j-1)/Z, in (-180, 180]. Under a cage
+/// that is symmetric to the load (to 1e-12 degrees), mirrored rollers have equal and opposite azimuths to the bit.
 [[nodiscard]] std::vector<double> azimuths_deg(const Geometry& geometry);
 
-/// Exact at multiples of 30 degrees (where they are 0, 1/2 or 1), so that a roller at 90 degrees carries nothing of the
-/// load; of opposite angles equal and opposite to the bit. For |degrees| <= 180.
+/// For |degrees| <= 180. Where a multiple of 30 degrees makes the value 0, 1/2 or 1 it is exact, so that a roller at 90
+/// degrees carries nothing of the load. The values of opposite angles are equal, or equal and opposite, to the bit.
 [[nodiscard]] double cosine_of_degrees(double degrees);
 [[nodiscard]] double sine_of_degrees(double degrees);
 
 /// Rollers that a ring moving along the load cannot tell apart: psi and -psi.
 struct RollerGroup {
-  double azimuth_deg = 0;    ///< the common magnitude
-  double cosine = 0;         ///< of it; exactly +-1 and 0 where the azimuth says so
+  double azimuth_deg = 0;    ///< |psi|
+  double cosine = 0;         ///< of psi; exact at 0, 90 and 180 degrees
   std::vector<int> members;  ///< indices of rollers, from 0
 };
 [[nodiscard]] std::vector<RollerGroup> mirror_groups(const std::vector<double>& azimuths_deg);

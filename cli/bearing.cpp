@@ -51,11 +51,11 @@ Examples:
 Exit code: 0 all laws balanced; 1 one did not; 2 bad input or usage.)";
 
 /// The laws in the order given, each once. Throws UsageError.
-std::vector<BearingLaw> laws_named(const std::vector<std::string>& names) {
-  std::vector<BearingLaw> laws;
+std::vector<bearing::Law> laws_named(const std::vector<std::string>& names) {
+  std::vector<bearing::Law> laws;
   for (const std::string& name : names) {
-    const auto law = bearing_law_from(name);
-    if (!law) throw option_error("--law", name, "is unknown; allowed is " + bearing_law_names());
+    const auto law = bearing::law_from(name);
+    if (!law) throw option_error("--law", name, "is unknown; allowed is " + bearing::names_of(bearing::Laws::all));
     if (std::find(laws.begin(), laws.end(), *law) == laws.end()) laws.push_back(*law);
   }
   return laws;
@@ -88,12 +88,12 @@ struct Computed {
 std::string statements_of(const Computed& computed, ContactMemory& memory, bearing::Form form) {
   if (computed.cases.size() < 3 || !differ_only_in_clearance(computed.cases)) return "";
   std::string text;
-  for (const BearingLaw law : {BearingLaw::ehd_linear, BearingLaw::ehd}) {
+  for (const bearing::Law law : {bearing::Law::ehd_linear, bearing::Law::ehd}) {
     std::vector<ClearanceComparison> clearances;
     for (std::size_t k = 0; k < computed.cases.size(); ++k) {
       const BearingResult *dry = nullptr, *film = nullptr;
       for (const BearingResult& result : computed.results[k]) {
-        if (result.law == BearingLaw::hertz) dry = &result;
+        if (result.law == bearing::Law::hertz) dry = &result;
         if (result.law == law) film = &result;
       }
       if (!dry || !film) break;
@@ -161,7 +161,7 @@ std::optional<std::string> plot_of(const Computed& computed) {
 }
 
 int bearing(const BearingOptions& options) {
-  const std::vector<BearingLaw> named = laws_named(options.laws);
+  const std::vector<bearing::Law> named = laws_named(options.laws);
   const bearing::Form form = form_named(options.form);
   const int positions = positions_asked(options.cage_positions);
   const RegisteredSolver& solver = solver_named(options.solver);
@@ -255,7 +255,7 @@ void add_bearing(CLI::App& app, int& exit_code) {
   command->add_option("CASE", options->cases, "case files (TOML), or ids of benchmark cases")->required();
   command
       ->add_option("--law", options->laws,
-                   "contact law (repeatable): " + bearing_law_names() +
+                   "contact law (repeatable): " + bearing::names_of(bearing::Laws::all) +
                        " (hertz, ehd-linear, ehd; hertz alone without a lubricant)")
       ->allow_extra_args(false);
   command->add_option("--solver", options->solver, "solver of the EHD contacts, one of " + solver_names())

@@ -40,11 +40,11 @@ Examples:
   ehd plan own-moes-20-10 --quantity film.minimum      nothing else is observed
   ehd plan na4908 --law hertz                          a bearing with dry contacts)";
 
-std::vector<BearingLaw> laws_named(const std::vector<std::string>& names) {
-  std::vector<BearingLaw> laws;
+std::vector<bearing::Law> laws_named(const std::vector<std::string>& names) {
+  std::vector<bearing::Law> laws;
   for (const auto& name : names) {
-    const auto law = bearing_law_from(name);
-    if (!law) throw option_error("--law", name, "is unknown; allowed is " + bearing_law_names());
+    const auto law = bearing::law_from(name);
+    if (!law) throw option_error("--law", name, "is unknown; allowed is " + bearing::names_of(bearing::Laws::all));
     if (std::find(laws.begin(), laws.end(), *law) == laws.end()) laws.push_back(*law);
   }
   return laws;

@@ -120,7 +120,7 @@ extern "C" void tell_sweep_interrupted(int signal) {
 
 std::string summary(const Sweep& sweep, const SweepCost& cost, const std::string& what) {
   std::string laws;
-  for (const BearingLaw law : sweep.laws) laws += (laws.empty() ? ", laws " : ", ") + std::string(to_string(law));
+  for (const bearing::Law law : sweep.laws) laws += (laws.empty() ? ", laws " : ", ") + std::string(to_string(law));
   std::string text = sweep.id + ": " + std::to_string(cost.rows) + " rows of " + sweep.case_id + laws + what + "\n";
   text += "  rows computed " + std::to_string(cost.computed) + ", known before or equal to another " +
           std::to_string(cost.rows - cost.computed) + ", not converged " + std::to_string(cost.failed) + "\n";

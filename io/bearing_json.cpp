@@ -69,11 +69,11 @@ Json to_json(const FilmCurve& curve) {
   Json json = Json::object();
   json["points"] = curve.forces_N().size();
   json["load_N"] = {curve.lightest_N(), curve.heaviest_N()};
-  put(json, "interpolation_error", curve.interpolation_error);
-  put(json, "joint_error", curve.joint_error);
-  put(json, "force_error", std::max(curve.interpolation_force_error, curve.joint_force_error));
-  put(json, "solver_error", curve.solver_error);
-  json["lightest_because"] = curve.lightest_because;
+  put(json, "interpolation_error", curve.errors().interpolation);
+  put(json, "joint_error", curve.errors().joint);
+  put(json, "force_error", std::max(curve.errors().interpolation_force, curve.errors().joint_force));
+  put(json, "solver_error", curve.errors().solver_offset_film);
+  json["lightest_because"] = curve.errors().lightest_because;
   return json;
 }
 

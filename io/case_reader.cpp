@@ -9,6 +9,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "bearing/law_table.hpp"
 #include "contact/hertz.hpp"
 #include "contact/problem.hpp"
 #include "contact/scaling.hpp"
@@ -70,7 +71,11 @@ const std::vector<std::string> top_keys{"id", "version", "title", "source"};
 const std::vector<std::string> statement_tables{"moes", "conditions", "hertz", "bearing"};
 const std::vector<std::string> contact_tables{"lubricant", "domain"};
 const std::vector<std::string> bearing_tables{"operation", "material", "lubricant", "datum", "fit"};
-const std::vector<std::string> laws{"hertz", "iso", "lundberg", "tripp", "houpert", "ehd-linear", "ehd"};
+std::vector<std::string> law_names() {
+  std::vector<std::string> names;
+  for (const bearing::LawRow& row : bearing::law_rows()) names.emplace_back(row.name);
+  return names;
+}
 
 /// The keys of each table: what is not here is unknown.
 const std::map<std::string, std::vector<std::string>> schema{
@@ -542,19 +547,22 @@ class Reader {
 
   // -- expectations ---------------------------------------------------------------------------------------------
 
-  [[nodiscard]] Expectation read_expectation(const std::string& path, bool bearing) const {
+  [[nodiscard]] Expectation read_expectation(const std::string& path, bool of_bearing) const {
     Expectation expectation;
     expectation.line = case_.lines.at(path);
     const std::string quantity_key = path + ".quantity";
-    expectation.quantity = text(quantity_key, bearing ? bearing_quantities() : contact_quantities());
-    if (bearing) {
+    expectation.quantity = text(quantity_key, of_bearing ? bearing_quantities() : contact_quantities());
+    if (of_bearing) {
       check_bearing_quantity(quantity_key, expectation.quantity);
-      expectation.law = choice(path + ".law", laws);
-      if (expectation.law.starts_with("ehd") && !has("lubricant"))
-        fail(path + ".law", "needs a lubricant; allowed is a dry law in a case without [lubricant]: hertz, iso, lundberg, "
-                            "tripp or houpert");
-      if ((expectation.law == "tripp" || expectation.law == "houpert") && !has("bearing.ring_thickness_m"))
-        fail(path + ".law", "needs bearing.ring_thickness_m; allowed is hertz, iso or lundberg in a case without it");
+      expectation.law = choice(path + ".law", law_names());
+      const bearing::Law law = *bearing::law_from(expectation.law);
+      if (needs_film(law) && !has("lubricant"))
+        fail(path + ".law", "needs a lubricant; allowed is a dry law in a case without [lubricant]: " +
+                                bearing::names_of(bearing::Laws::dry, " or "));
+      if (needs_ring_thickness(law) && !has("bearing.ring_thickness_m"))
+        fail(path + ".law", "needs bearing.ring_thickness_m; allowed is " +
+                                bearing::names_of(bearing::Laws::dry_without_ring_thickness, " or ") +
+                                " in a case without it");
     } else {
       check_contact_quantity(quantity_key, expectation.quantity);
       if (has(path + ".law")) fail(path + ".law", "belongs to a bearing case; allowed is no law in a contact case");
@@ -569,7 +577,7 @@ class Reader {
       read_value(path, expectation);
     }
     // An expectation that waits may leave open what only the digits' source can tell.
-    if (!expectation.waiting || has(path + ".scaling")) read_scaling(path, expectation, bearing);
+    if (!expectation.waiting || has(path + ".scaling")) read_scaling(path, expectation, of_bearing);
     if (!expectation.waiting || has(path + ".kind")) {
       const std::string kind = choice(path + ".kind", {"exact", "published", "computed", "fit"});
       expectation.kind = kind == "exact"       ? ExpectationKind::exact

@@ -107,13 +107,13 @@ class SweepReader {
 
   void read_how() {
     if (const toml::node* node = root_.get("laws")) {
-      const std::string allowed = "a list of laws out of " + bearing_law_names();
+      const std::string allowed = "a list of laws out of " + bearing::names_of(bearing::Laws::all);
       if (!sweep_.bearing) fail("laws", *node, "belongs to the sweep of a bearing; allowed is no laws for a contact");
       const toml::array* array = node->as_array();
       if (!array) fail("laws", *node, "is " + type_of(*node) + "; allowed is " + allowed);
       if (array->empty()) fail("laws", *node, "is empty; allowed is " + allowed);
       for (const toml::node& entry : *array) {
-        const auto law = bearing_law_from(text("laws", entry, allowed));
+        const auto law = bearing::law_from(text("laws", entry, allowed));
         if (!law) fail("laws", entry, "is unknown; allowed is " + allowed);
         if (std::find(sweep_.laws.begin(), sweep_.laws.end(), *law) != sweep_.laws.end())
           fail("laws", entry, "is a duplicate; allowed is each law once");
@@ -331,7 +331,7 @@ Json Sweep::to_json() const {
   json["case"] = case_id;
   if (bearing) {
     json["laws"] = Json::array();
-    for (const BearingLaw law : laws) json["laws"].push_back(to_string(law));
+    for (const bearing::Law law : laws) json["laws"].push_back(to_string(law));
     if (laws.empty()) json["laws"] = "default";
   }
   json["solver"] = solver;

@@ -32,7 +32,7 @@ struct Sweep {
   std::string case_text;
   std::string case_id;
   bool bearing = false;
-  std::vector<BearingLaw> laws;  ///< as asked for; empty: as `ehd bearing` has them
+  std::vector<bearing::Law> laws;  ///< as asked for; empty: as `ehd bearing` has them
   std::string solver = "fast";
   double tolerance = 1e-3;  ///< of the films of a contact case; a bearing's contacts have their own
   Combine combine = Combine::product;

@@ -157,7 +157,7 @@ std::string row_hash(const Sweep& sweep, const SweepRequest& request, std::size_
   std::string content = std::string(schema) + "\n" + program + "\n" + sweep.solver + "\n" +
                         std::to_string(request.max_iterations) + " " + number_text(request.time_limit_s) + "\n";
   content += number_text(sweep.bearing ? *ContactMemory::bearing_request().tolerance : sweep.tolerance) + "\n";
-  for (const BearingLaw law : sweep.laws) content += std::string(to_string(law)) + " ";
+  for (const bearing::Law law : sweep.laws) content += std::string(to_string(law)) + " ";
   content += "\n" + sweep.case_id + "\n";
   for (const Substitution& one : sweep.values_of(row)) content += one.key + " = " + toml_text(one.value) + "\n";
   return sha256(content + sweep.case_text);

@@ -44,7 +44,7 @@ RacewayContact contact_of(const BearingCase& body, bearing::Raceway raceway) {
 
 }  // namespace
 
-BothRaceways<RacewayContact> contacts_of(const BearingCase& body) {
+bearing::BothRaceways<RacewayContact> contacts_of(const BearingCase& body) {
   return {contact_of(body, bearing::Raceway::inner), contact_of(body, bearing::Raceway::outer)};
 }
 

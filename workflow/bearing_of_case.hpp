@@ -8,16 +8,11 @@
 
 namespace ehd {
 
-template <class T>
-struct BothRaceways {
-  T inner, outer;
-};
-
 [[nodiscard]] bearing::Geometry geometry_of(const BearingCase& body);
 [[nodiscard]] bearing::RollerContact roller_contact_of(const BearingCase& body);
 [[nodiscard]] bearing::Speeds speeds_of(const BearingCase& body);
 /// The contact of a roller with each raceway; its viscosity is 0 where the case has no lubricant.
-[[nodiscard]] BothRaceways<bearing::RacewayContact> contacts_of(const BearingCase& body);
+[[nodiscard]] bearing::BothRaceways<bearing::RacewayContact> contacts_of(const BearingCase& body);
 /// The rings do not move against each other.
 [[nodiscard]] bool at_rest(const BearingCase& body);
 /// The datum follows from the dry balance.

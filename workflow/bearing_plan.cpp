@@ -9,16 +9,16 @@ namespace ehd {
 
 namespace {
 
-bool contains(const std::vector<BearingLaw>& laws, BearingLaw law) {
+bool contains(const std::vector<bearing::Law>& laws, bearing::Law law) {
   return std::find(laws.begin(), laws.end(), law) != laws.end();
 }
 
 }  // namespace
 
-std::string bearing_stage::balance(BearingLaw law) { return "balance: " + std::string(to_string(law)); }
-std::string bearing_stage::film(BearingLaw law) { return "film at each roller: " + std::string(to_string(law)); }
+std::string bearing_stage::balance(bearing::Law law) { return "balance: " + std::string(to_string(law)); }
+std::string bearing_stage::film(bearing::Law law) { return "film at each roller: " + std::string(to_string(law)); }
 
-Plan plan_bearing(const BearingCase& body, const std::vector<BearingLaw>& asked, bearing::Form form,
+Plan plan_bearing(const BearingCase& body, const std::vector<bearing::Law>& asked, bearing::Form form,
                   int cage_positions) {
   Plan plan;
   const auto decide = [&plan](std::string_view stage, const std::string& why_skipped = "") {
@@ -31,8 +31,8 @@ Plan plan_bearing(const BearingCase& body, const std::vector<BearingLaw>& asked,
   const std::string no_film = !body.lubricant ? "the case has no lubricant"
                               : at_rest(body) ? "the rings do not move against each other: no film"
                                               : "";
-  const bool linear = no_film.empty() && contains(asked, BearingLaw::ehd_linear);
-  const bool full = no_film.empty() && contains(asked, BearingLaw::ehd);
+  const bool linear = no_film.empty() && contains(asked, bearing::Law::ehd_linear);
+  const bool full = no_film.empty() && contains(asked, bearing::Law::ehd);
   const bool film = linear || full;
   const std::string why_no_film = !no_film.empty() ? no_film : "no law with a film is asked for";
 
@@ -59,7 +59,7 @@ Plan plan_bearing(const BearingCase& body, const std::vector<BearingLaw>& asked,
   }
   decide(bearing_stage::fit, linear ? "" : film ? "ehd-linear is not asked for" : why_no_film);
   decide(bearing_stage::curve, film ? "" : why_no_film);
-  for (const BearingLaw law : all_laws) {
+  for (const bearing::Law law : bearing::laws_of(bearing::Laws::all)) {
     const bool possible = !needs_film(law) || no_film.empty();
     const bool no_ring = needs_ring_thickness(law) && !body.geometry.ring_thickness_m;
     decide(bearing_stage::balance(law), !contains(asked, law) ? "not asked for"

@@ -8,7 +8,7 @@
 
 #include "bearing/equilibrium.hpp"
 #include "contact/plan.hpp"
-#include "workflow/bearing_laws.hpp"
+#include "bearing/law_table.hpp"
 #include "workflow/case.hpp"
 
 namespace ehd {
@@ -25,13 +25,13 @@ inline constexpr std::string_view variant = "ehd-linear cut at delta = 0";
 inline constexpr std::string_view lambda = "lambda ratios";
 inline constexpr std::string_view across = "balance across the load";
 inline constexpr std::string_view cage = "cage positions over one pitch";
-[[nodiscard]] std::string balance(BearingLaw law);
-[[nodiscard]] std::string film(BearingLaw law);
+[[nodiscard]] std::string balance(bearing::Law law);
+[[nodiscard]] std::string film(bearing::Law law);
 }  // namespace bearing_stage
 
 /// What run_bearing will do, from the case alone. `asked`: laws asked for; those that the case cannot have are skipped
 /// with the reason.
-[[nodiscard]] Plan plan_bearing(const BearingCase& bearing, const std::vector<BearingLaw>& asked,
+[[nodiscard]] Plan plan_bearing(const BearingCase& body, const std::vector<bearing::Law>& asked,
                                 bearing::Form form = bearing::Form::plane, int cage_positions = 0);
 
 }  // namespace ehd

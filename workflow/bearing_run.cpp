@@ -16,6 +16,7 @@
 
 namespace ehd {
 
+using bearing::BothRaceways;
 using bearing::CurveLaw;
 using bearing::Equilibrium;
 using bearing::FilmCurve;
@@ -27,9 +28,8 @@ using bearing::SolvedContacts;
 using bearing::SolveFailure;
 using bearing::Unloading;
 
-std::vector<BearingLaw> default_laws(const BearingCase& bearing) {
-  if (!bearing.lubricant) return {BearingLaw::hertz};
-  return {BearingLaw::hertz, BearingLaw::ehd_linear, BearingLaw::ehd};
+std::vector<bearing::Law> default_laws(const BearingCase& body) {
+  return bearing::laws_of(body.lubricant ? bearing::Laws::by_default : bearing::Laws::by_default_dry);
 }
 
 
@@ -64,7 +64,7 @@ class BearingRun {
 
   [[nodiscard]] std::vector<BearingResult> run() {
     std::vector<BearingResult> results;
-    for (const BearingLaw law : request_.laws) {
+    for (const bearing::Law law : request_.laws) {
       const Plan plan = plan_bearing(body_, {law}, request_.form, request_.cage_positions);
       if (plan.runs(bearing_stage::balance(law))) results.push_back(run_law(law, plan));
     }
@@ -72,7 +72,7 @@ class BearingRun {
   }
 
  private:
-  [[nodiscard]] BearingResult run_law(BearingLaw law, const Plan& plan) {
+  [[nodiscard]] BearingResult run_law(bearing::Law law, const Plan& plan) {
     const auto begin = std::chrono::steady_clock::now();
     const long solves = memory_.solves(), recalls = memory_.recalls();
     BearingResult result;
@@ -85,11 +85,11 @@ class BearingRun {
       if (!needs_film(law)) {
         fill(result, all_positions(dry_laws(law, roller_contact_of(body_))));
       } else {
-        if (plan.runs(bearing_stage::dry)) dry_ = balanced(dry_laws(BearingLaw::hertz, roller_contact_of(body_)));
+        if (plan.runs(bearing_stage::dry)) dry_ = balanced(dry_laws(bearing::Law::hertz, roller_contact_of(body_)));
         result.datum_m = {datum_m(contacts_.inner), datum_m(contacts_.outer)};
         note_datum(result);
-        if (law == BearingLaw::ehd_linear) run_linear(result);
-        if (law == BearingLaw::ehd) run_curve(result);
+        if (law == bearing::Law::ehd_linear) run_linear(result);
+        if (law == bearing::Law::ehd) run_curve(result);
       }
       result.status = StopReason::converged;
       fill_lambda_ratios(result);
@@ -110,7 +110,10 @@ class BearingRun {
   static void judge_contacts(BearingResult& result) {
     const auto missed_N = [&result](auto at_raceway) {
       std::set<double> missed;
-      if (result.curve) missed.insert(at_raceway(*result.curve).missed_N.begin(), at_raceway(*result.curve).missed_N.end());
+      if (result.curve) {
+        const std::vector<double>& of_curve = at_raceway(*result.curve).errors().missed_N;
+        missed.insert(of_curve.begin(), of_curve.end());
+      }
       if (result.fit)
         for (const bearing::FitPoint& point : at_raceway(*result.fit).points)
           if (!point.converged) missed.insert(point.force_N);
@@ -217,7 +220,7 @@ class BearingRun {
     note_lubricant(result, contacts_.inner);
     const LawPair lines{result.fit->inner.law(), result.fit->outer.law()};
     fill(result, all_positions(lines));
-    if (request_.films && result.plan.runs(bearing_stage::film(BearingLaw::ehd_linear))) {
+    if (request_.films && result.plan.runs(bearing_stage::film(bearing::Law::ehd_linear))) {
       fill_films_of_fit(result);
       note_fit_range(result, result.fit->inner, &RollerRow::inner, "inner");
       note_fit_range(result, result.fit->outer, &RollerRow::outer, "outer");
@@ -368,10 +371,10 @@ class BearingRun {
     result.notes.push_back(std::string(name) + " curve: " + std::to_string(curve.forces_N().size()) +
                            " solved contacts from " + plain(curve.lightest_N(), 4) + " to " +
                            plain(curve.heaviest_N(), 4) + " N, relative errors of film and force: interpolation " +
-                           plain(curve.interpolation_error, 2) + ", " + plain(curve.interpolation_force_error, 2) +
-                           "; rigid limit below " + plain(curve.joint_error, 2) + ", " +
-                           plain(curve.joint_force_error, 2) + "; solver's own " + plain(curve.solver_error, 2) + " (" +
-                           curve.lightest_because + "); " + std::to_string(below) + " contacts lie below it");
+                           plain(curve.errors().interpolation, 2) + ", " + plain(curve.errors().interpolation_force, 2) +
+                           "; rigid limit below " + plain(curve.errors().joint, 2) + ", " +
+                           plain(curve.errors().joint_force, 2) + "; solver's own " + plain(curve.errors().solver_offset_film, 2) + " (" +
+                           curve.errors().lightest_because + "); " + std::to_string(below) + " contacts lie below it");
   }
 
   // -- all laws
@@ -394,7 +397,7 @@ class BearingRun {
     const Equilibrium& ring = positions.front();
     result.displacement_m = ring.displacement_m;
     result.displacement_lateral_m = ring.lateral_displacement_m;
-    result.load_zone_deg = bearing::load_zone_deg(ring, result.law == BearingLaw::ehd ? bearing::load_zone_share : 0);
+    result.load_zone_deg = bearing::load_zone_deg(ring, result.law == bearing::Law::ehd ? bearing::load_zone_share : 0);
     result.stiffness_N_per_m = ring.stiffness_N_per_m;
     result.balance_error = ring.balance_error;
     result.rollers = rows_of(ring);
@@ -465,20 +468,23 @@ class BearingRun {
 
 void require_possible(const Case& bearing_case, const BearingRequest& request) {
   const auto& body = std::get<BearingCase>(bearing_case.body);
-  for (const BearingLaw law : request.laws) {
+  for (const bearing::Law law : request.laws) {
     if (needs_ring_thickness(law) && !body.geometry.ring_thickness_m)
       throw case_error(bearing_case, "bearing.ring_thickness_m",
                        "is missing; law " + std::string(to_string(law)) +
-                           " needs it at the outer raceway (allowed without: hertz, iso, lundberg)");
+                           " needs it at the outer raceway (allowed without: " +
+                           bearing::names_of(bearing::Laws::dry_without_ring_thickness) + ")");
     if (!needs_film(law)) continue;
     if (!body.lubricant && request.explicitly)
       throw case_error(bearing_case, "lubricant",
-                       "is missing; law " + std::string(to_string(law)) + " needs it (allowed without: the dry laws, hertz, iso, lundberg, tripp, houpert)");
+                       "is missing; law " + std::string(to_string(law)) +
+                           " needs it (allowed without: the dry laws, " + bearing::names_of(bearing::Laws::dry) + ")");
     if (!body.lubricant || !at_rest(body)) continue;
     const std::string both = "operation.inner_speed_rpm", one = "operation.speed_rpm";
     throw case_error(bearing_case, bearing_case.lines.contains(both) ? both : one,
                      "leaves the rings at rest against each other, where law " + std::string(to_string(law)) +
-                         " does not exist; allowed is a relative speed, or a dry law (--law hertz, iso, lundberg, tripp, houpert)");
+                         " does not exist; allowed is a relative speed, or a dry law (--law " +
+                         bearing::names_of(bearing::Laws::dry) + ")");
   }
 }
 
@@ -489,7 +495,7 @@ std::vector<BearingResult> run_bearing(const Case& bearing_case, const BearingRe
 
 std::optional<LawPair> laws_of(const BearingCase& body, const BearingResult& result) {
   if (!needs_film(result.law)) return dry_laws(result.law, roller_contact_of(body));
-  if (result.law == BearingLaw::ehd_linear) {
+  if (result.law == bearing::Law::ehd_linear) {
     if (!result.fit) return std::nullopt;
     return LawPair{result.fit->inner.law(), result.fit->outer.law()};
   }

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "bearing/approach_formulas.hpp"
+#include "bearing/build_curve.hpp"
 #include "bearing/equilibrium.hpp"
 #include "bearing/film_curve.hpp"
 #include "bearing/fit.hpp"
@@ -36,7 +37,7 @@ namespace ehd {
 inline constexpr double default_fit_from = 0.2, default_fit_to = 1.2, lightest_fit_M = 10 * smallest_M;
 
 /// hertz, ehd-linear, ehd; hertz alone where the case has no lubricant.
-[[nodiscard]] std::vector<BearingLaw> default_laws(const BearingCase& bearing);
+[[nodiscard]] std::vector<bearing::Law> default_laws(const BearingCase& body);
 
 struct ContactRow {
   double force_N = 0;
@@ -72,7 +73,7 @@ struct CageTurn {
 struct BearingResult {
   std::string case_id;
   int version = 0;
-  BearingLaw law = BearingLaw::hertz;
+  bearing::Law law = bearing::Law::hertz;
   bearing::Form form = bearing::Form::plane;
   StopReason status = StopReason::diverged;
   std::string why;  ///< where status is not converged
@@ -82,9 +83,9 @@ struct BearingResult {
   std::array<std::array<double, 2>, 2> stiffness_N_per_m = {};
   std::optional<CageTurn> cage = {};                           ///< where cage positions are asked for
   std::vector<RollerRow> rollers;                              ///< empty where there is no balance
-  std::optional<BothRaceways<double>> datum_m = {};            ///< x_0
-  std::optional<BothRaceways<bearing::LinearFit>> fit = {};    ///< ehd-linear
-  std::optional<BothRaceways<bearing::FilmCurve>> curve = {};  ///< ehd; of ehd-linear, where its films are from
+  std::optional<bearing::BothRaceways<double>> datum_m = {};            ///< x_0
+  std::optional<bearing::BothRaceways<bearing::LinearFit>> fit = {};    ///< ehd-linear
+  std::optional<bearing::BothRaceways<bearing::FilmCurve>> curve = {};  ///< ehd; of ehd-linear, where its films are from
   std::vector<VariantResult> variants;
   double balance_error = 0;
   double wall_s = 0;
@@ -98,7 +99,7 @@ struct BearingResult {
 };
 
 struct BearingRequest {
-  std::vector<BearingLaw> laws;
+  std::vector<bearing::Law> laws;
   bool explicitly = false;  ///< laws were named by the user, not taken by default
   bool films = true;        ///< film of each roller, and the variants
   bearing::Form form = bearing::Form::plane;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "bearing/build_curve.hpp"
 #include "contact/approach.hpp"
 #include "tests/bearing/synthetic.hpp"
 #include "tests/check.hpp"
@@ -143,7 +144,7 @@ BOOST_AUTO_TEST_CASE(forces_balance_at_every_load_and_clearance) {
     for (const double load_N : {1e-3, 0.1, 10.0, 1e3, 5e4, 4e5})
       for (const double clearance_m : {-20e-6, -2e-6, 0.0, 2.5e-6, 10e-6, 60e-6, 200e-6})
         for (const double centrifugal_N : {0.0, 28.0, 900.0}) {
-          // Symmetric, and not; what is judged here is relative to the loads and inner forces alone.
+          // Symmetric and asymmetric cages. Errors are relative to the load and the inner forces alone.
           Geometry geometry = needle_bearing(clearance_m);
           geometry.first_azimuth_deg = balances % 2 == 0 ? 0.0 : 4.1;
           const Equilibrium ring = balanced(geometry, laws, {load_N, centrifugal_N});
@@ -166,7 +167,7 @@ BOOST_AUTO_TEST_CASE(forces_balance_at_every_load_and_clearance) {
   EHD_CHECK(worst, Tolerance::required(1e-12, "what a balance promises"));
 }
 
-// Invariant: the approaches of a loaded roller are those that its laws give for its forces.
+// Invariant: the approaches of a loaded roller follow from its forces by its laws.
 BOOST_AUTO_TEST_CASE(approaches_are_compatible_with_the_ring_and_the_laws) {
   const Geometry geometry = needle_bearing(10e-6);
   for (const auto& [name, laws] : laws_of_every_kind()) {
@@ -201,7 +202,7 @@ BOOST_AUTO_TEST_CASE(mirrored_rollers_are_balanced_once_and_equal) {
   }
 }
 
-// Invariant: F_r is the gradient of the energy of all contacts, with the rollers where they find their balance.
+// Invariant: F_r is the gradient of the energy of all contacts, each roller in its own balance.
 BOOST_AUTO_TEST_CASE(the_load_is_the_gradient_of_the_energy) {
   const Geometry geometry = needle_bearing(2.5e-6);
   constexpr double load_N = 3e4, centrifugal_N = 40, difference = 1e-3;
@@ -293,7 +294,7 @@ BOOST_AUTO_TEST_CASE(the_plane_form_balances_an_asymmetric_cage) {
   EHD_CHECK(std::abs(ring.lateral_force_N) / 4450, Tolerance::required(1e-12, "what a balance promises"));
 }
 
-// Exact: a symmetric cage has one balance, whichever form is asked for, to the bit.
+// Exact: under a symmetric cage both forms give the same balance, to the bit.
 BOOST_AUTO_TEST_CASE(both_forms_are_one_where_the_cage_is_symmetric) {
   for (const auto& [name, laws] : laws_of_every_kind())
     for (const double first_deg : {0.0, 180.0 / 22}) {
@@ -303,7 +304,8 @@ BOOST_AUTO_TEST_CASE(both_forms_are_one_where_the_cage_is_symmetric) {
       const Equilibrium radial = balanced(geometry, laws, {5e4, 28}, Form::radial);
       BOOST_TEST(plane.displacement_m == radial.displacement_m);
       BOOST_TEST(plane.lateral_displacement_m == 0);
-      for (std::size_t j = 0; j < 22; ++j) BOOST_TEST(plane.rollers[j].inner.force_N == radial.rollers[j].inner.force_N);
+      for (std::size_t j = 0; j < 22; ++j)
+        BOOST_TEST(plane.rollers[j].inner.force_N == radial.rollers[j].inner.force_N);
     }
 }
 
@@ -327,8 +329,8 @@ BOOST_AUTO_TEST_CASE(the_plane_form_goes_to_the_radial_one) {
         }
 }
 
-// Counter: Newton with exact slopes contracts quadratically. From an estimate that is right to a factor of two, five steps are
-// 1e-16; as many again find the edge of the load zone, where slopes have corners.
+// Counter: Newton with exact slopes contracts quadratically. From an estimate that is right to a factor of two, five
+// steps reach 1e-16. Five more find the edge of the load zone, where slopes have corners.
 BOOST_AUTO_TEST_CASE(newton_in_the_plane_takes_ten_positions) {
   for (const auto& [name, laws] : laws_of_every_kind())
     for (const double first_deg : {1.0, 5.5})
@@ -340,7 +342,8 @@ BOOST_AUTO_TEST_CASE(newton_in_the_plane_takes_ten_positions) {
         }
 }
 
-// Invariant: a cage turned by a pitch is the same cage, one roller on; a mirrored one carries the mirrored forces.
+// Invariant: a cage turned by a pitch carries the same forces, one roller on. A mirrored cage carries the mirrored
+// forces.
 BOOST_AUTO_TEST_CASE(turning_by_a_pitch_and_mirroring_change_nothing) {
   for (const auto& [name, laws] : laws_of_every_kind())
     for (const double clearance_m : {-5e-6, 30e-6}) {
@@ -356,10 +359,12 @@ BOOST_AUTO_TEST_CASE(turning_by_a_pitch_and_mirroring_change_nothing) {
       EHD_CHECK(error(turned.displacement_m, here.displacement_m), rounding);
       EHD_CHECK(error(mirrored.displacement_m, here.displacement_m), rounding);
       EHD_CHECK(std::abs(turned.lateral_displacement_m - here.lateral_displacement_m) / here.displacement_m, rounding);
-      EHD_CHECK(std::abs(mirrored.lateral_displacement_m + here.lateral_displacement_m) / here.displacement_m, rounding);
+      EHD_CHECK(std::abs(mirrored.lateral_displacement_m + here.lateral_displacement_m) / here.displacement_m,
+                rounding);
       for (std::size_t j = 0; j < 22; ++j) {
         EHD_CHECK(std::abs(turned.rollers[j].inner.force_N - here.rollers[(j + 1) % 22].inner.force_N) / 2e4, rounding);
-        EHD_CHECK(std::abs(mirrored.rollers[j].inner.force_N - here.rollers[(22 - j) % 22].inner.force_N) / 2e4, rounding);
+        EHD_CHECK(std::abs(mirrored.rollers[j].inner.force_N - here.rollers[(22 - j) % 22].inner.force_N) / 2e4,
+                  rounding);
       }
     }
 }
@@ -382,14 +387,17 @@ BOOST_AUTO_TEST_CASE(a_light_load_rests_on_two_rollers) {
           EHD_CHECK(std::abs(ring.rollers.front().inner.force_N - first) / load_N, Tolerance::round_off(20, 100));
           EHD_CHECK(std::abs(ring.rollers.back().inner.force_N - last) / load_N, Tolerance::round_off(20, 100));
           for (std::size_t j = 1; j + 1 < ring.rollers.size(); ++j) BOOST_TEST(ring.rollers[j].inner.force_N == 0);
-          EHD_CHECK(std::abs(std::hypot(ring.displacement_m, ring.lateral_displacement_m) * std::cos(pitch_deg * degree / 2) -
-                             100e-6 - approach(palmgren_law(0.05), 28)) / 100e-6,
-                    Tolerance::asymptotic(1e-6, "the contacts give less than 1e-10 m"));
+          EHD_CHECK(
+              std::abs(std::hypot(ring.displacement_m, ring.lateral_displacement_m) * std::cos(pitch_deg * degree / 2) -
+                       100e-6 - approach(palmgren_law(0.05), 28)) /
+                  100e-6,
+              Tolerance::asymptotic(1e-6, "the contacts give less than 1e-10 m"));
         }
 }
 
 /// Sum f (cos psi, sin psi) of a ring that is put at a displacement, roller by roller.
-std::pair<double, double> ring_force(const Geometry& geometry, const LawPair& laws, double centrifugal_N, double x, double y) {
+std::pair<double, double> ring_force(const Geometry& geometry, const LawPair& laws, double centrifugal_N, double x,
+                                     double y) {
   std::pair<double, double> sum{0, 0};
   for (const double psi : azimuths_deg(geometry)) {
     const double c = std::cos(psi * std::acos(-1) / 180), s = std::sin(psi * std::acos(-1) / 180);
@@ -400,53 +408,55 @@ std::pair<double, double> ring_force(const Geometry& geometry, const LawPair& la
   return sum;
 }
 
-// Invariant: the stiffness is the derivative of the forces, and its inverse that of the displacement to the load, in both
-// components; what a load along does across, a load across does along.
+// Invariant: the stiffness is the derivative of the forces, and its inverse that of the displacement to the load, in
+// both components; what a load along does across, a load across does along.
 BOOST_AUTO_TEST_CASE(the_stiffness_matrix_is_the_derivative_of_forces_and_of_balances) {
   Geometry geometry = needle_bearing(5e-6);
   geometry.rollers = 9;
   geometry.first_azimuth_deg = 11;
   constexpr double load_N = 2e4, centrifugal_N = 33;
   for (const auto& named : laws_of_every_kind()) BOOST_TEST_CONTEXT(named.first) {
-    const LawPair& laws = named.second;
-    const Equilibrium ring = balanced(geometry, laws, {load_N, centrifugal_N});
-    const auto& K = ring.stiffness_N_per_m;
-    BOOST_TEST(K[0][1] == K[1][0]);
-    BOOST_TEST(std::abs(K[0][1]) > 1e-3 * K[0][0]);  // the cage is not symmetric, and it shows
-    const double x = ring.displacement_m, y = ring.lateral_displacement_m, h = 1e-5 * x;
-    // (h/x)^2, a third derivative of order ten, no roller within h of its edge; twice that through the inverse.
-    const Tolerance differences = Tolerance::discretisation(1e-10, 1e3);
-    const auto force_at = [&](double dx, double dy) { return ring_force(geometry, laws, centrifugal_N, x + dx, y + dy); };
-    const auto ahead = force_at(h, 0), back = force_at(-h, 0), left = force_at(0, h), right = force_at(0, -h);
-    EHD_CHECK(std::abs((ahead.first - back.first) / (2 * h) - K[0][0]) / K[0][0], differences);
-    EHD_CHECK(std::abs((ahead.second - back.second) / (2 * h) - K[1][0]) / K[0][0], differences);
-    EHD_CHECK(std::abs((left.first - right.first) / (2 * h) - K[0][1]) / K[0][0], differences);
-    EHD_CHECK(std::abs((left.second - right.second) / (2 * h) - K[1][1]) / K[0][0], differences);
+      const LawPair& laws = named.second;
+      const Equilibrium ring = balanced(geometry, laws, {load_N, centrifugal_N});
+      const auto& K = ring.stiffness_N_per_m;
+      BOOST_TEST(K[0][1] == K[1][0]);
+      BOOST_TEST(std::abs(K[0][1]) > 1e-3 * K[0][0]);  // the cage is not symmetric, and it shows
+      const double x = ring.displacement_m, y = ring.lateral_displacement_m, h = 1e-5 * x;
+      // (h/x)^2, a third derivative of order ten, no roller within h of its edge; twice that through the inverse.
+      const Tolerance differences = Tolerance::discretisation(1e-10, 1e3);
+      const auto force_at = [&](double dx, double dy) {
+        return ring_force(geometry, laws, centrifugal_N, x + dx, y + dy);
+      };
+      const auto ahead = force_at(h, 0), back = force_at(-h, 0), left = force_at(0, h), right = force_at(0, -h);
+      EHD_CHECK(std::abs((ahead.first - back.first) / (2 * h) - K[0][0]) / K[0][0], differences);
+      EHD_CHECK(std::abs((ahead.second - back.second) / (2 * h) - K[1][0]) / K[0][0], differences);
+      EHD_CHECK(std::abs((left.first - right.first) / (2 * h) - K[0][1]) / K[0][0], differences);
+      EHD_CHECK(std::abs((left.second - right.second) / (2 * h) - K[1][1]) / K[0][0], differences);
 
-    const double determinant = K[0][0] * K[1][1] - K[0][1] * K[0][1], part = 1e-5;
-    const Equilibrium more = balanced(geometry, laws, {load_N * (1 + part), centrifugal_N});
-    const Equilibrium less = balanced(geometry, laws, {load_N * (1 - part), centrifugal_N});
-    const double d_load = 2 * part * load_N, unit = K[1][1] / determinant;
-    const double along = (more.displacement_m - less.displacement_m) / d_load;
-    const double across = (more.lateral_displacement_m - less.lateral_displacement_m) / d_load;
-    EHD_CHECK(std::abs(along - K[1][1] / determinant) / unit, differences);
-    EHD_CHECK(std::abs(across + K[0][1] / determinant) / unit, differences);
+      const double determinant = K[0][0] * K[1][1] - K[0][1] * K[0][1], part = 1e-5;
+      const Equilibrium more = balanced(geometry, laws, {load_N * (1 + part), centrifugal_N});
+      const Equilibrium less = balanced(geometry, laws, {load_N * (1 - part), centrifugal_N});
+      const double d_load = 2 * part * load_N, unit = K[1][1] / determinant;
+      const double along = (more.displacement_m - less.displacement_m) / d_load;
+      const double across = (more.lateral_displacement_m - less.lateral_displacement_m) / d_load;
+      EHD_CHECK(std::abs(along - K[1][1] / determinant) / unit, differences);
+      EHD_CHECK(std::abs(across + K[0][1] / determinant) / unit, differences);
 
-    // A load across: the load turned by a little, which is the cage turned back, seen from the load.
-    const auto with_lateral = [&](double part_across) {
-      const double angle = std::atan(part_across);
-      Geometry turned = geometry;
-      turned.first_azimuth_deg -= angle * 180 / std::acos(-1);
-      const Equilibrium seen = balanced(turned, laws, {load_N / std::cos(angle), centrifugal_N});
-      return seen.displacement_m * std::cos(angle) - seen.lateral_displacement_m * std::sin(angle);
-    };
-    const double reciprocal = (with_lateral(part) - with_lateral(-part)) / d_load;
-    EHD_CHECK(std::abs(reciprocal - across) / unit, differences);
-  }
+      // A load across: the load turned by a little, which is the cage turned back, seen from the load.
+      const auto with_lateral = [&](double part_across) {
+        const double angle = std::atan(part_across);
+        Geometry turned = geometry;
+        turned.first_azimuth_deg -= angle * 180 / std::acos(-1);
+        const Equilibrium seen = balanced(turned, laws, {load_N / std::cos(angle), centrifugal_N});
+        return seen.displacement_m * std::cos(angle) - seen.lateral_displacement_m * std::sin(angle);
+      };
+      const double reciprocal = (with_lateral(part) - with_lateral(-part)) / d_load;
+      EHD_CHECK(std::abs(reciprocal - across) / unit, differences);
+    }
 }
 
-// What a law that is cut at delta = 0 has under an asymmetric cage: a balance in the radial form always, in the plane one
-// or a sentence that says so.
+// Under an asymmetric cage a law that is cut at delta = 0 always has a balance in the radial form. In the plane form it
+// has one, or a sentence says that it has none.
 BOOST_AUTO_TEST_CASE(a_cut_line_under_an_asymmetric_cage) {
   LinearLaw cut{.K_N_per_m = 2.9e9, .dF_N = 900};
   cut.unloading = Unloading::at_zero_approach;
@@ -468,13 +478,15 @@ BOOST_AUTO_TEST_CASE(a_cut_line_under_an_asymmetric_cage) {
 }
 
 BOOST_AUTO_TEST_CASE(a_load_beyond_the_domain_of_a_logarithm_is_refused) {
-  const auto result = balance(needle_bearing(0), {tripp_law(needle_contact(), Raceway::inner), tripp_law(needle_contact(), Raceway::outer)},
-                              {.radial_N = 1e9});
+  const auto result = balance(
+      needle_bearing(0), {tripp_law(needle_contact(), Raceway::inner), tripp_law(needle_contact(), Raceway::outer)},
+      {.radial_N = 1e9});
   BOOST_REQUIRE(std::holds_alternative<NoEquilibrium>(result));
   BOOST_TEST(std::get<NoEquilibrium>(result).why.find("domain of its law") != std::string::npos);
 }
 
-// Exact: what carries, from end to end; a film's rollers from a hundredth of the largest force on.
+// Exact: the load zone reaches from the first to the last roller that carries. Under a film, rollers count from a
+// hundredth of the largest force on.
 BOOST_AUTO_TEST_CASE(the_load_zone_is_where_rollers_carry) {
   const Equilibrium dry = balanced(needle_bearing(0), both(palmgren_law(0.05)), {5e4, 28});
   const auto zone = load_zone_deg(dry);
@@ -482,7 +494,8 @@ BOOST_AUTO_TEST_CASE(the_load_zone_is_where_rollers_carry) {
   const double pitch_deg = 360.0 / 22;
   EHD_CHECK(error(zone->first, -5 * pitch_deg), Tolerance::round_off(4));
   EHD_CHECK(error(zone->second, 5 * pitch_deg), Tolerance::round_off(4));
-  const Equilibrium film = balanced(needle_bearing(200e-6), {synthetic_curve_law(0.02), synthetic_curve_law(0.03)}, {5e4, 28});
+  const Equilibrium film =
+      balanced(needle_bearing(200e-6), {synthetic_curve_law(0.02), synthetic_curve_law(0.03)}, {5e4, 28});
   BOOST_TEST(load_zone_deg(film)->second == 180);
   BOOST_TEST(load_zone_deg(film, load_zone_share)->second < 60);
   BOOST_TEST(!load_zone_deg(balanced(needle_bearing(5e-6), both(palmgren_law(0.05)), {.radial_N = 0})).has_value());

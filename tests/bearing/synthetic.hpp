@@ -5,7 +5,8 @@
 
 #include <cmath>
 
-#include "bearing/film_curve.hpp"
+#include "bearing/martin.hpp"
+#include "bearing/solved_contacts.hpp"
 #include "contact/hertz.hpp"
 
 namespace ehd::bearing::synthetic {

@@ -174,7 +174,7 @@ inline std::string broken_by_bearing(const Case& read, const BearingCase& body) 
   if (auto broken = broken_by_plan(plan_bearing(body, default_laws(body))); !broken.empty()) return broken;
 
   ContactMemory memory([](const Problem&, const Request&) { return Solution{}; });
-  for (const BearingLaw law : {BearingLaw::hertz, BearingLaw::iso, BearingLaw::lundberg}) {
+  for (const bearing::Law law : {bearing::Law::hertz, bearing::Law::iso, bearing::Law::lundberg}) {
     const auto results = run_bearing(read, {.laws = {law}, .explicitly = true, .films = false}, memory);
     if (results.size() != 1) return "one law gives " + std::to_string(results.size()) + " results";
     const BearingResult& result = results.front();

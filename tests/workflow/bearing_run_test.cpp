@@ -42,7 +42,7 @@ struct CountedContacts {
   }
 };
 
-std::vector<BearingResult> run(const Case& one, const std::vector<BearingLaw>& laws, ContactMemory& memory) {
+std::vector<BearingResult> run(const Case& one, const std::vector<bearing::Law>& laws, ContactMemory& memory) {
   return run_bearing(one, {.laws = laws, .explicitly = true}, memory);
 }
 
@@ -54,7 +54,7 @@ BOOST_AUTO_TEST_SUITE(bearing_run)
 BOOST_AUTO_TEST_CASE(the_dry_laws_solve_no_contact) {
   CountedContacts contacts;
   ContactMemory memory(contacts.solver());
-  const auto results = run(needle_bearing(0), {BearingLaw::hertz, BearingLaw::iso}, memory);
+  const auto results = run(needle_bearing(0), {bearing::Law::hertz, bearing::Law::iso}, memory);
   BOOST_REQUIRE(results.size() == 2u);
   BOOST_TEST(contacts.total == 0);
   for (const BearingResult& result : results) {
@@ -70,7 +70,7 @@ BOOST_AUTO_TEST_CASE(every_dry_law_balances_and_says_what_it_needs) {
   ContactMemory memory(contacts.solver());
   Case one = needle_bearing(5e-6);
   one.lines["bearing"] = 3;
-  for (const BearingLaw law : {BearingLaw::tripp, BearingLaw::houpert}) {
+  for (const bearing::Law law : {bearing::Law::tripp, bearing::Law::houpert}) {
     BOOST_CHECK_EXCEPTION((void)run(one, {law}, memory), CaseError, [](const CaseError& error) {
       const std::string what = error.what();
       return what.starts_with("needle.toml:3: [bearing] ring_thickness_m: is missing") && what.find('\n') == std::string::npos;
@@ -78,12 +78,12 @@ BOOST_AUTO_TEST_CASE(every_dry_law_balances_and_says_what_it_needs) {
     BOOST_TEST(!plan_bearing(body_of(one), {law}).runs(bearing_stage::balance(law)));
   }
   body_of(one).geometry.ring_thickness_m = 0.0035;
-  const std::vector laws{BearingLaw::hertz, BearingLaw::lundberg, BearingLaw::tripp, BearingLaw::houpert};
+  const std::vector laws{bearing::Law::hertz, bearing::Law::lundberg, bearing::Law::tripp, bearing::Law::houpert};
   const auto results = run(one, laws, memory);
   BOOST_REQUIRE(results.size() == laws.size());
   for (std::size_t k = 0; k < laws.size(); ++k) {
     BOOST_TEST((results[k].law == laws[k]));
-    BOOST_TEST((bearing_law_from(to_string(laws[k])) == laws[k]));
+    BOOST_TEST((bearing::law_from(to_string(laws[k])) == laws[k]));
     BOOST_TEST((results[k].status == StopReason::converged), results[k].why);
     if (k > 0) BOOST_TEST(std::abs(results[k].displacement_m / results[0].displacement_m - 1) < 0.3);
     if (k > 0) BOOST_TEST(results[k].displacement_m != results[0].displacement_m);
@@ -96,7 +96,7 @@ BOOST_AUTO_TEST_CASE(the_cage_is_turned_over_one_pitch) {
   CountedContacts contacts;
   ContactMemory memory(contacts.solver());
   const Case one = needle_bearing(30e-6);
-  BearingRequest request{.laws = {BearingLaw::hertz, BearingLaw::ehd_linear, BearingLaw::ehd}, .explicitly = true};
+  BearingRequest request{.laws = {bearing::Law::hertz, bearing::Law::ehd_linear, bearing::Law::ehd}, .explicitly = true};
   const auto still = run_bearing(one, request, memory);
   const long solved = contacts.total;
   request.cage_positions = 12;
@@ -132,10 +132,10 @@ BOOST_AUTO_TEST_CASE(the_form_is_a_choice_and_a_skipped_stage) {
       if (stage.stage == bearing_stage::across) return stage.why;
     return std::string();
   };
-  BOOST_TEST(skipped_why(plan_bearing(body_of(one), {BearingLaw::hertz})).find("symmetric") != std::string::npos);
+  BOOST_TEST(skipped_why(plan_bearing(body_of(one), {bearing::Law::hertz})).find("symmetric") != std::string::npos);
   body_of(one).geometry.first_azimuth_deg = 5;
-  BOOST_TEST(skipped_why(plan_bearing(body_of(one), {BearingLaw::hertz})).empty());
-  BearingRequest request{.laws = {BearingLaw::hertz, BearingLaw::ehd_linear}, .explicitly = true};
+  BOOST_TEST(skipped_why(plan_bearing(body_of(one), {bearing::Law::hertz})).empty());
+  BearingRequest request{.laws = {bearing::Law::hertz, bearing::Law::ehd_linear}, .explicitly = true};
   const auto plane = run_bearing(one, request, memory);
   request.form = bearing::Form::radial;
   const auto radial = run_bearing(one, request, memory);
@@ -159,7 +159,7 @@ BOOST_AUTO_TEST_CASE(equal_contacts_are_solved_once_across_laws_and_clearances) 
   ContactMemory memory(contacts.solver());
   long before = 0;
   for (const double clearance_m : {0.0, 2.5e-6, 10e-6}) {
-    const auto results = run(needle_bearing(clearance_m), {BearingLaw::ehd_linear, BearingLaw::ehd}, memory);
+    const auto results = run(needle_bearing(clearance_m), {bearing::Law::ehd_linear, bearing::Law::ehd}, memory);
     for (const BearingResult& result : results) BOOST_TEST((result.status == StopReason::converged));
     if (before > 0)
       BOOST_TEST(contacts.total - before <= 6);  // fit and curve are there; only edges of the zone are new
@@ -175,7 +175,7 @@ BOOST_AUTO_TEST_CASE(equal_contacts_are_solved_once_across_laws_and_clearances) 
 BOOST_AUTO_TEST_CASE(mirrored_rollers_are_balanced_once) {
   CountedContacts contacts;
   ContactMemory memory(contacts.solver());
-  for (const BearingResult& result : run(needle_bearing(0), {BearingLaw::hertz, BearingLaw::ehd}, memory)) {
+  for (const BearingResult& result : run(needle_bearing(0), {bearing::Law::hertz, bearing::Law::ehd}, memory)) {
     BOOST_TEST(result.roller_groups == 12);
     BOOST_TEST(result.rollers_balanced == 12 * result.newton_iterations);
   }
@@ -186,7 +186,7 @@ BOOST_AUTO_TEST_CASE(the_fit_sees_the_approach_of_the_solved_contacts) {
   CountedContacts contacts;
   ContactMemory memory(contacts.solver());
   const Case one = needle_bearing(0);
-  const auto results = run(one, {BearingLaw::hertz, BearingLaw::ehd_linear}, memory);
+  const auto results = run(one, {bearing::Law::hertz, bearing::Law::ehd_linear}, memory);
   const BearingResult& linear = results.at(1);
   BOOST_REQUIRE(linear.fit.has_value());
   const double largest_N = results.at(0).rollers.at(0).inner.force_N;
@@ -212,10 +212,10 @@ BOOST_AUTO_TEST_CASE(another_datum_needs_no_other_contact) {
   CountedContacts contacts;
   ContactMemory memory(contacts.solver());
   Case one = needle_bearing(0);
-  (void)run(one, {BearingLaw::ehd}, memory);
+  (void)run(one, {bearing::Law::ehd}, memory);
   const long solved = contacts.total;
   body_of(one).datum = LundbergDatum{};
-  const auto results = run(one, {BearingLaw::ehd}, memory);
+  const auto results = run(one, {bearing::Law::ehd}, memory);
   BOOST_TEST(contacts.total == solved);
   EHD_CHECK(error(results.at(0).datum_m->inner, 0.122), Tolerance::round_off(1));
 }
@@ -225,11 +225,11 @@ BOOST_AUTO_TEST_CASE(an_ehd_law_at_rest_is_refused_in_one_line) {
   ContactMemory memory(contacts.solver());
   Case one = needle_bearing(0);
   body_of(one).operation.inner_speed_rpm = 0;
-  BOOST_CHECK_EXCEPTION((void)run(one, {BearingLaw::ehd}, memory), CaseError, [](const CaseError& error) {
+  BOOST_CHECK_EXCEPTION((void)run(one, {bearing::Law::ehd}, memory), CaseError, [](const CaseError& error) {
     const std::string what = error.what();
     return what.starts_with("needle.toml:7: ") && what.find('\n') == std::string::npos;
   });
-  BOOST_TEST((run(one, {BearingLaw::hertz}, memory).at(0).status == StopReason::converged));
+  BOOST_TEST((run(one, {bearing::Law::hertz}, memory).at(0).status == StopReason::converged));
   BOOST_TEST(contacts.total == 0);
 }
 
@@ -238,9 +238,9 @@ BOOST_AUTO_TEST_CASE(a_dry_case_skips_ehd_laws_by_default_and_refuses_them_when_
   ContactMemory memory(contacts.solver());
   Case one = needle_bearing(0);
   body_of(one).lubricant.reset();
-  BOOST_TEST((default_laws(body_of(one)) == std::vector{BearingLaw::hertz}));
-  BOOST_CHECK_THROW((void)run(one, {BearingLaw::ehd_linear}, memory), CaseError);
-  const Plan plan = plan_bearing(body_of(one), {BearingLaw::hertz, BearingLaw::ehd});
+  BOOST_TEST((default_laws(body_of(one)) == std::vector{bearing::Law::hertz}));
+  BOOST_CHECK_THROW((void)run(one, {bearing::Law::ehd_linear}, memory), CaseError);
+  const Plan plan = plan_bearing(body_of(one), {bearing::Law::hertz, bearing::Law::ehd});
   const auto skipped = std::find_if(plan.skipped.begin(), plan.skipped.end(),
                                     [](const SkippedStage& stage) { return stage.stage == bearing_stage::solves; });
   BOOST_REQUIRE(skipped != plan.skipped.end());
@@ -265,7 +265,7 @@ BOOST_AUTO_TEST_CASE(every_bearing_has_a_line_whatever_its_load) {
   body_of(one).fit = {.load_N = {}, .points = 6};
   for (const double load_N : {0.0, 1e-3, 0.5, 300.0}) {
     body_of(one).operation.radial_load_N = load_N;
-    const BearingResult light = run(one, {BearingLaw::ehd_linear}, memory).at(0);
+    const BearingResult light = run(one, {bearing::Law::ehd_linear}, memory).at(0);
     BOOST_TEST((light.status == StopReason::converged), light.why);
     BOOST_REQUIRE(light.fit.has_value());
     BOOST_TEST(raised(light) == 2);
@@ -278,7 +278,7 @@ BOOST_AUTO_TEST_CASE(every_bearing_has_a_line_whatever_its_load) {
   }
   for (const double load_N : {1e3, 50e3}) {
     body_of(one).operation.radial_load_N = load_N;
-    const auto heavy = run(one, {BearingLaw::hertz, BearingLaw::ehd_linear}, memory);
+    const auto heavy = run(one, {bearing::Law::hertz, bearing::Law::ehd_linear}, memory);
     const double largest_N = heavy.at(0).rollers.at(0).inner.force_N;
     BOOST_TEST(raised(heavy.at(1)) == 0);
     for (const auto& fit : {heavy.at(1).fit->inner, heavy.at(1).fit->outer}) {
@@ -288,14 +288,14 @@ BOOST_AUTO_TEST_CASE(every_bearing_has_a_line_whatever_its_load) {
   }
   // Where the rollers press harder by themselves, the outer line is about that.
   body_of(one).operation = {.inner_speed_rpm = 30000, .outer_speed_rpm = 0, .radial_load_N = 1e3};
-  const BearingResult spinning = run(one, {BearingLaw::ehd_linear}, memory).at(0);
+  const BearingResult spinning = run(one, {bearing::Law::ehd_linear}, memory).at(0);
   const double centrifugal_N = 7850 * std::acos(-1) / 4 * 25e-6 * 0.122 * 0.0265 * std::pow((1 - 5.0 / 53) / 2 * 1000 * std::acos(-1), 2);
   EHD_CHECK(error(spinning.fit->outer.points.back().force_N, 1.2 * centrifugal_N), Tolerance::round_off(100));
   BOOST_TEST(spinning.fit->inner.points.back().force_N < spinning.fit->outer.points.back().force_N);
   // Stated, it stands.
   one = needle_bearing(0);
   body_of(one).fit.load_N = std::pair{0.1, 0.6};
-  const BearingResult refused = run(one, {BearingLaw::ehd_linear}, memory).at(0);
+  const BearingResult refused = run(one, {bearing::Law::ehd_linear}, memory).at(0);
   BOOST_TEST((refused.status == StopReason::diverged));
   BOOST_TEST(refused.rollers.empty());
   BOOST_TEST(refused.why.find("at a contact force of 0.1 N: M = ") != std::string::npos, refused.why);
@@ -313,7 +313,7 @@ BOOST_AUTO_TEST_CASE(what_another_case_left_in_the_memory_is_not_judged) {
       return solution;
     };
   };
-  const std::vector laws{BearingLaw::ehd_linear, BearingLaw::ehd};
+  const std::vector laws{bearing::Law::ehd_linear, bearing::Law::ehd};
   Case heavy = needle_bearing(0), light = needle_bearing(0);
   heavy.id = "heavy";
   body_of(heavy).operation.radial_load_N = 200e3;
@@ -334,7 +334,7 @@ BOOST_AUTO_TEST_CASE(what_another_case_left_in_the_memory_is_not_judged) {
     // A law that fails for another reason has not come to a limit.
     Case refused = light;
     body_of(refused).fit.load_N = std::pair{0.1, 0.6};
-    BOOST_TEST((run(refused, {BearingLaw::ehd_linear}, shared).at(0).status == StopReason::diverged));
+    BOOST_TEST((run(refused, {bearing::Law::ehd_linear}, shared).at(0).status == StopReason::diverged));
   }
 }
 
@@ -354,7 +354,7 @@ BOOST_AUTO_TEST_CASE(a_contact_that_misses_what_is_asked_for_is_asked_for_what_i
           return solution;
         },
         ContactMemory::bearing_request());
-    const BearingResult result = run(needle_bearing(0), {BearingLaw::ehd}, memory).at(0);
+    const BearingResult result = run(needle_bearing(0), {bearing::Law::ehd}, memory).at(0);
     BOOST_TEST((result.status == (met ? StopReason::converged : StopReason::tolerance_not_met)), result.why);
     BOOST_TEST(fine > 0);
     BOOST_TEST(coarse == fine);
@@ -365,7 +365,7 @@ BOOST_AUTO_TEST_CASE(a_contact_that_misses_what_is_asked_for_is_asked_for_what_i
 BOOST_AUTO_TEST_CASE(a_plan_gives_a_reason_for_every_skip) {
   const Case one = needle_bearing(0);
   for (const auto& laws :
-       {std::vector{BearingLaw::hertz}, {BearingLaw::ehd_linear}, {BearingLaw::iso, BearingLaw::ehd}}) {
+       {std::vector{bearing::Law::hertz}, {bearing::Law::ehd_linear}, {bearing::Law::iso, bearing::Law::ehd}}) {
     const Plan plan = plan_bearing(std::get<BearingCase>(one.body), laws);
     BOOST_TEST(!plan.run.empty());
     for (const SkippedStage& skipped : plan.skipped) {
@@ -383,7 +383,7 @@ BOOST_AUTO_TEST_CASE(a_failing_contact_is_no_balance) {
     solution.record.reason = "no start was admissible";
     return solution;
   });
-  for (const BearingResult& result : run(needle_bearing(0), {BearingLaw::ehd_linear, BearingLaw::ehd}, memory)) {
+  for (const BearingResult& result : run(needle_bearing(0), {bearing::Law::ehd_linear, bearing::Law::ehd}, memory)) {
     BOOST_TEST((result.status == StopReason::diverged));
     BOOST_TEST(result.rollers.empty());
     BOOST_TEST(result.why.find("no start was admissible") != std::string::npos);
@@ -403,7 +403,7 @@ BOOST_AUTO_TEST_CASE(the_json_is_complete_and_finite) {
           "balance_error", "cost", "plan", "notes"})
       BOOST_TEST(json.contains(key), key);
     BOOST_TEST(json.dump().find("null") == std::string::npos);
-    BOOST_TEST(json.contains("fit") == (result.law == BearingLaw::ehd_linear));
+    BOOST_TEST(json.contains("fit") == (result.law == bearing::Law::ehd_linear));
     BOOST_TEST(json["rollers"].size() == 22u);
     BOOST_TEST(json["stiffness_N_per_m"][0].size() == 2u);
     BOOST_TEST(json["stiffness_N_per_m"][0][0].get<double>() > 1e8);
@@ -425,7 +425,7 @@ BOOST_AUTO_TEST_CASE(notes_say_what_a_reader_should_know) {
   };
   Case one = needle_bearing(10e-6);
   body_of(one).geometry.roughness_m = 2e-6;
-  const auto rough = run(one, {BearingLaw::ehd_linear}, memory).at(0);
+  const auto rough = run(one, {bearing::Law::ehd_linear}, memory).at(0);
   BOOST_TEST(noted(rough, "fit used outside its range"));
   BOOST_TEST(noted(rough, "lambda ratio"));
   BOOST_REQUIRE(rough.rollers[0].outer.lambda_ratio.has_value());
@@ -433,7 +433,7 @@ BOOST_AUTO_TEST_CASE(notes_say_what_a_reader_should_know) {
   BOOST_TEST(to_json(rough)["rollers"][0]["outer"].contains("lambda_ratio"));
   BOOST_TEST(noted(rough, "cut at delta = 0"));
   body_of(one).geometry.length_m = 0.005;
-  BOOST_TEST(noted(run(one, {BearingLaw::hertz}, memory).at(0), "4 GPa"));
+  BOOST_TEST(noted(run(one, {bearing::Law::hertz}, memory).at(0), "4 GPa"));
 }
 
 // Published: the first balance of NA4908 in paper.md (Palmgren datum, fit over 2..12 kN), two digits; the films there
@@ -446,7 +446,7 @@ BOOST_AUTO_TEST_CASE(the_needle_bearing_of_the_first_balance) {
   };
   for (const Printed& printed :
        {Printed{0, 9285, 8752, 2.44}, {2.5e-6, 9816, 9280, 2.61}, {10e-6, 11199, 10682, 3.06}}) {
-    const auto results = run(needle_bearing(printed.clearance_m), {BearingLaw::hertz, BearingLaw::ehd_linear}, memory);
+    const auto results = run(needle_bearing(printed.clearance_m), {bearing::Law::hertz, bearing::Law::ehd_linear}, memory);
     BOOST_REQUIRE((results.at(1).status == StopReason::converged));
     const Tolerance two_digits = Tolerance::required(5e-3, "paper.md: two digits");
     EHD_CHECK(error(results[0].rollers[0].inner.force_N, printed.dry_N), two_digits);
@@ -464,7 +464,7 @@ BOOST_AUTO_TEST_CASE(the_papers_statements_are_judged_from_three_clearances) {
   std::vector<ClearanceComparison> clearances;
   for (const double clearance_m : {10e-6, 0.0, 2.5e-6}) {
     cases.push_back(needle_bearing(clearance_m));
-    const auto results = run(cases.back(), {BearingLaw::hertz, BearingLaw::ehd_linear}, memory);
+    const auto results = run(cases.back(), {bearing::Law::hertz, bearing::Law::ehd_linear}, memory);
     clearances.push_back({clearance_m, results.at(0), results.at(1)});
   }
   BOOST_TEST(differ_only_in_clearance(cases));

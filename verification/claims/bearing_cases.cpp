@@ -63,8 +63,8 @@ Residuals residuals_of(const BearingCase& body, const BearingResult& result) {
   const double force_scale = std::max(radial, sum), length_scale = std::abs(result.displacement_m);
   worst.ring = worse(std::abs(along - radial), std::abs(across)) / force_scale;
   // 8.06e4 N/mm^(2) by Palmgren; ISO/TS 16281's 35948 covers both contacts in series.
-  const double constant = result.law == BearingLaw::iso ? 35948 * std::pow(2.0, 10.0 / 9) : 8.06e4;
-  const bool power = result.law == BearingLaw::hertz || result.law == BearingLaw::iso;
+  const double constant = result.law == bearing::Law::iso ? 35948 * std::pow(2.0, 10.0 / 9) : 8.06e4;
+  const bool power = result.law == bearing::Law::hertz || result.law == bearing::Law::iso;
   for (const auto& roller : result.rollers) {
     worst.rollers = worse(worst.rollers, std::abs(roller.outer.force_N - roller.inner.force_N - centrifugal) / force_scale);
     const double room =
@@ -85,11 +85,11 @@ Residuals residuals_of(const BearingCase& body, const BearingResult& result) {
 
 Findings judge_bearing(const Case& bearing_case, SharedMemory& shared) {
   const auto& body = std::get<BearingCase>(bearing_case.body);
-  std::vector<BearingLaw> laws = default_laws(body);
+  std::vector<bearing::Law> laws = default_laws(body);
   if (body.operation.inner_speed_rpm == body.operation.outer_speed_rpm)  // at rest there is no film
-    std::erase_if(laws, [](BearingLaw law) { return needs_film(law); });
+    std::erase_if(laws, [](bearing::Law law) { return needs_film(law); });
   for (const auto& expectation : bearing_case.expectations) {
-    const auto law = bearing_law_from(expectation.law);
+    const auto law = bearing::law_from(expectation.law);
     if (law && std::find(laws.begin(), laws.end(), *law) == laws.end()) laws.push_back(*law);
   }
   std::vector<BearingResult> results;
@@ -119,7 +119,7 @@ Findings judge_bearing(const Case& bearing_case, SharedMemory& shared) {
     found.claims.push_back(claim(says("rollers", "f_o = f_i + F_c on every roller"), worst.rollers, 0, bound));
     found.claims.push_back(
         claim(says("geometry", "delta_i + delta_o = x cos psi + y sin psi - P_d/2 at every roller"), worst.geometry, 0, bound));
-    if (result.law == BearingLaw::hertz || result.law == BearingLaw::iso)
+    if (result.law == bearing::Law::hertz || result.law == bearing::Law::iso)
       found.claims.push_back(claim(says("law", "every contact obeys the printed power law"), worst.law, 0, bound));
   }
 
@@ -147,14 +147,14 @@ Findings judge_bearing(const Case& bearing_case, SharedMemory& shared) {
   return found;
 }
 
-/// What bearing/README.md prints of NA4908 as the case stands: verdicts, and ends of the ranges of x_0 in mm.
+/// What docs/results/bearing-measured.md prints of NA4908 as the case stands: verdicts, and ends of the ranges of x_0 in mm.
 struct PrintedEnd {
   const char *what, *id, *mm;
   DatumScan::Ranges DatumScan::*ranges;
   bool low;
 };
 struct PrintedVerdicts {
-  BearingLaw law;
+  bearing::Law law;
   std::string hold, do_not;  ///< letters
   std::vector<PrintedEnd> ends;
 };
@@ -170,14 +170,14 @@ std::vector<PrintedVerdicts> printed_verdicts() {
                                    {"by the sign of (a) all hold from", "sign/from", mm[6], &Scan::sign_of_a_m, true},
                                    {"by the sign of (a) all hold up to", "sign/to", mm[7], &Scan::sign_of_a_m, false}};
   };
-  return {{BearingLaw::ehd_linear, "abd", "c", ends({"1.36", "26.9", "0.0573", "0.178", "2.15", "0.085", "0.102", "0.178"})},
-          {BearingLaw::ehd, "abd", "c", ends({"1.73", "26.3", "0.119", "0.637", "2.84", "0.0876", "0.149", "0.637"})}};
+  return {{bearing::Law::ehd_linear, "abd", "c", ends({"1.36", "26.9", "0.0573", "0.178", "2.15", "0.085", "0.102", "0.178"})},
+          {bearing::Law::ehd, "abd", "c", ends({"1.73", "26.3", "0.119", "0.637", "2.84", "0.0876", "0.149", "0.637"})}};
 }
 
 /// The judge against the printed table: a verdict that turns, or an end that moves, is seen.
 void judge_printed(const PrintedVerdicts& printed, const std::vector<PaperStatement>& statements, const DatumScan& scan,
                    Findings& found) {
-  const std::string name(to_string(printed.law)), where = "what bearing/README.md prints";
+  const std::string name(to_string(printed.law)), where = "what docs/results/bearing-measured.md prints";
   const auto says = [&](const std::string& id, const std::string& statement) {
     return Sentence{.id = "paper/" + name + "/" + id, .rung = 11, .statement = statement + ", law " + name, .case_id = "na4908"};
   };
@@ -209,11 +209,11 @@ void judge_printed(const PrintedVerdicts& printed, const std::vector<PaperStatem
 Findings judge_paper(const std::vector<Case>& clearances, SharedMemory& shared) {
   Findings found;
   const std::lock_guard lock(shared.mutex);
-  for (const BearingLaw law : {BearingLaw::ehd_linear, BearingLaw::ehd}) {
+  for (const bearing::Law law : {bearing::Law::ehd_linear, bearing::Law::ehd}) {
     std::vector<ClearanceComparison> rows;
     for (const Case& one : clearances) {
       const auto results =
-          run_bearing(one, {.laws = {BearingLaw::hertz, law}, .explicitly = false, .films = false}, shared.memory);
+          run_bearing(one, {.laws = {bearing::Law::hertz, law}, .explicitly = false, .films = false}, shared.memory);
       if (results.size() != 2) continue;
       rows.push_back({std::get<BearingCase>(one.body).geometry.clearance_m, results[0], results[1]});
     }

@@ -76,7 +76,7 @@ Findings judge_contacts_asked(const Case& bearing_case) {
     asked.push_back({problem.groups.M, problem.groups.L});
     return find_solver("fast")->solve(problem, request);
   });
-  const auto results = run_bearing(bearing_case, {.laws = {BearingLaw::ehd_linear}, .films = false}, memory);
+  const auto results = run_bearing(bearing_case, {.laws = {bearing::Law::ehd_linear}, .films = false}, memory);
   std::vector<MoesGroups> expected;
   const auto [lowest, highest] = body.fit.load_N.value_or(std::pair(nothing, nothing));
   for (const bool inner : {true, false}) {
@@ -180,7 +180,7 @@ Findings judge_datum(const Case& bearing_case, ContactMemory& memory) {
   const auto run = [&](const Datum& datum) {
     Case one = bearing_case;
     std::get<BearingCase>(one.body).datum = datum;
-    return run_bearing(one, {.laws = {BearingLaw::hertz, BearingLaw::ehd_linear}, .films = false}, memory);
+    return run_bearing(one, {.laws = {bearing::Law::hertz, bearing::Law::ehd_linear}, .films = false}, memory);
   };
   const auto& body = std::get<BearingCase>(bearing_case.body);
   const auto datum_of = [](const std::vector<BearingResult>& results, bool inner) {
@@ -219,7 +219,7 @@ Tolerance film_tolerance() { return Tolerance::required(1e-3, "ten times the 1e-
 
 Findings judge_fit(const Case& bearing_case, ContactMemory& memory) {
   const auto& body = std::get<BearingCase>(bearing_case.body);
-  const auto results = run_bearing(bearing_case, {.laws = {BearingLaw::ehd_linear}, .films = true}, memory);
+  const auto results = run_bearing(bearing_case, {.laws = {bearing::Law::ehd_linear}, .films = true}, memory);
   Findings found;
   for (const bool inner : {true, false}) {
     const std::string raceway = inner ? "inner" : "outer";
@@ -283,7 +283,7 @@ Findings judge_fit(const Case& bearing_case, ContactMemory& memory) {
 /// Rollers of a balance by the full relation, at heavy, medium and light loads.
 Findings judge_curve(const Case& bearing_case, ContactMemory& memory) {
   const auto& body = std::get<BearingCase>(bearing_case.body);
-  const auto results = run_bearing(bearing_case, {.laws = {BearingLaw::ehd}, .films = true}, memory);
+  const auto results = run_bearing(bearing_case, {.laws = {bearing::Law::ehd}, .films = true}, memory);
   Findings found;
   const bool balanced = results.size() == 1 && !results[0].rollers.empty() && results[0].datum_m;
   for (const bool inner : {true, false}) {
@@ -402,7 +402,7 @@ Findings judge_energy() {
 
 // ---- Dry laws and the ring in the plane ------------------------------------------------------------------------------
 
-constexpr BearingLaw printed_laws[] = {BearingLaw::hertz, BearingLaw::iso, BearingLaw::lundberg, BearingLaw::tripp, BearingLaw::houpert};
+constexpr bearing::Law printed_laws[] = {bearing::Law::hertz, bearing::Law::iso, bearing::Law::lundberg, bearing::Law::tripp, bearing::Law::houpert};
 
 bearing::RollerContact some_contact() {
   return {.force_N = 0, .length_m = 0.017, .roller_diameter_m = 0.011, .pitch_diameter_m = 0.083, .modulus_Pa = 2.09e11,
@@ -439,7 +439,7 @@ void add_law(Findings& found, const std::string& name, const bearing::LawPair& l
 
 Findings judge_dry_laws() {
   Findings found;
-  for (const BearingLaw law : printed_laws) add_law(found, std::string(to_string(law)), dry_laws(law, some_contact()));
+  for (const bearing::Law law : printed_laws) add_law(found, std::string(to_string(law)), dry_laws(law, some_contact()));
   add_law(found, "ehd-linear", {bearing::LinearLaw{.K_N_per_m = 3.3e8, .dF_N = 410}, bearing::LinearLaw{.K_N_per_m = 2.7e8, .dF_N = -90}});
   return found;
 }
@@ -513,14 +513,14 @@ Findings judge_plane() {
   const bearing::Geometry geometry{.rollers = 9, .pitch_diameter_m = contact.pitch_diameter_m, .roller_diameter_m = contact.roller_diameter_m,
                                    .length_m = contact.length_m, .clearance_m = 6e-6, .density_kg_per_m3 = 7790, .first_azimuth_deg = 8.3};
   Findings found;
-  for (const BearingLaw law : printed_laws) add_stiffness(found, std::string(to_string(law)), geometry, dry_laws(law, contact), 57, 7.7e3);
+  for (const bearing::Law law : printed_laws) add_stiffness(found, std::string(to_string(law)), geometry, dry_laws(law, contact), 57, 7.7e3);
   return found;
 }
 
 /// The same of the full relation: energy, slopes, stiffness, under a cage that is not symmetric.
 Findings judge_full_relation(const Case& bearing_case, ContactMemory& memory) {
   const auto& body = std::get<BearingCase>(bearing_case.body);
-  const auto results = run_bearing(bearing_case, {.laws = {BearingLaw::ehd}, .explicitly = true}, memory);
+  const auto results = run_bearing(bearing_case, {.laws = {bearing::Law::ehd}, .explicitly = true}, memory);
   const auto laws = results.size() == 1 ? laws_of(body, results[0]) : std::nullopt;
   Findings found;
   if (!laws) {
@@ -543,9 +543,9 @@ Findings judge_forms(const Case& bearing_case) {
   constexpr double turned_deg = 1e-9;
   const auto& body = std::get<BearingCase>(bearing_case.body);
   ContactMemory memory([](const Problem& problem, const Request& request) { return find_solver("fast")->solve(problem, request); });
-  std::vector<BearingLaw> possible;
-  for (const BearingLaw law : {BearingLaw::hertz, BearingLaw::iso, BearingLaw::lundberg, BearingLaw::tripp, BearingLaw::houpert,
-                               BearingLaw::ehd_linear, BearingLaw::ehd})
+  std::vector<bearing::Law> possible;
+  for (const bearing::Law law : {bearing::Law::hertz, bearing::Law::iso, bearing::Law::lundberg, bearing::Law::tripp, bearing::Law::houpert,
+                               bearing::Law::ehd_linear, bearing::Law::ehd})
     if (plan_bearing(body, {law}).runs(bearing_stage::balance(law))) possible.push_back(law);
   Findings found;
   for (const BearingResult& result : run_bearing(bearing_case, {.laws = possible, .explicitly = true, .films = false}, memory)) {
@@ -604,7 +604,7 @@ Findings judge_light_load() {
         const bearing::Geometry geometry{.rollers = rollers, .pitch_diameter_m = contact.pitch_diameter_m, .roller_diameter_m = contact.roller_diameter_m,
                                          .length_m = contact.length_m, .clearance_m = 200e-6, .density_kg_per_m3 = 7790,
                                          .first_azimuth_deg = part * 360 / rollers};
-        const auto result = bearing::balance(geometry, dry_laws(BearingLaw::tripp, contact), {.radial_N = load_N, .centrifugal_N = 57});
+        const auto result = bearing::balance(geometry, dry_laws(bearing::Law::tripp, contact), {.radial_N = load_N, .centrifugal_N = 57});
         const auto* ring = std::get_if<bearing::Equilibrium>(&result);
         const double first = ring ? ring->rollers.front().inner.force_N : nothing, last = ring ? ring->rollers.back().inner.force_N : nothing;
         worst = worse(worst, std::abs(first / load_N - std::sin(b) / std::sin(pitch)), std::abs(last / load_N - std::sin(a) / std::sin(pitch)));
@@ -620,7 +620,7 @@ Findings judge_light_load() {
 Findings judge_random_bearings() {
   constexpr unsigned bearings = 150;
   Findings found;
-  for (const BearingLaw law : printed_laws) {
+  for (const bearing::Law law : printed_laws) {
     double worst = 0;
     unsigned worst_seed = 0;
     for (unsigned seed = 1; seed <= bearings; ++seed) {
@@ -694,7 +694,7 @@ Findings judge_zero_speed(const Case& bearing_case, ContactMemory& memory) {
     body.datum = LundbergDatum{};
     body.fit = {};
     const auto results =
-        run_bearing(slow, {.laws = {BearingLaw::lundberg, BearingLaw::ehd}, .explicitly = true, .films = false}, memory);
+        run_bearing(slow, {.laws = {bearing::Law::lundberg, bearing::Law::ehd}, .explicitly = true, .films = false}, memory);
     if (results.size() != 2 || results[0].rollers.empty() || results[1].rollers.empty() || !results[1].curve) continue;
     const double dry = results[0].displacement_m;
     by_speed.emplace_back(rpm, std::abs(results[1].displacement_m / dry - 1));

@@ -144,7 +144,7 @@ void check(Outcome& outcome, const RandomBearing& drawn, const bearing::LawPair&
     outcome.bisection = std::numeric_limits<double>::quiet_NaN();
 }
 
-Outcome of_dry(BearingLaw law, const RandomBearing& drawn) {
+Outcome of_dry(bearing::Law law, const RandomBearing& drawn) {
   Outcome outcome;
   check(outcome, drawn, dry_laws(law, drawn.contact), std::nullopt);
   return outcome;
@@ -163,7 +163,7 @@ std::vector<Outcome> of_films(const RandomBearing& at_any_speed, unsigned seed) 
   request.time_limit_s = 20;
   ContactMemory memory([solver = find_solver("fast")](const Problem& problem, const Request& with) { return solver->solve(problem, with); },
                        request);
-  const BearingLaw laws[] = {BearingLaw::ehd_linear, BearingLaw::ehd};
+  const bearing::Law laws[] = {bearing::Law::ehd_linear, bearing::Law::ehd};
   for (std::size_t k = 0; k < 2; ++k) {
     Outcome& outcome = outcomes[k];
     outcome.outside = outside_films_domain(drawn, body);
@@ -219,23 +219,23 @@ void add(BearingRow& row, const Outcome& outcome, const std::string& name) {
 
 std::vector<BearingRow> run_bearings(const Scope& scope) {
   const std::size_t bearings = scope.quick ? 200 : 10000, with_films = scope.quick ? 12 : 10000;
-  constexpr BearingLaw dry[] = {BearingLaw::hertz, BearingLaw::iso, BearingLaw::lundberg, BearingLaw::tripp, BearingLaw::houpert};
-  constexpr BearingLaw film[] = {BearingLaw::ehd_linear, BearingLaw::ehd};
+  constexpr bearing::Law dry[] = {bearing::Law::hertz, bearing::Law::iso, bearing::Law::lundberg, bearing::Law::tripp, bearing::Law::houpert};
+  constexpr bearing::Law film[] = {bearing::Law::ehd_linear, bearing::Law::ehd};
   std::vector<std::vector<Outcome>> outcomes(bearings);
   std::mutex lock;
   std::size_t done = 0;
   in_threads(bearings, scope.threads, [&](std::size_t i) {
     const unsigned seed = first_seed + static_cast<unsigned>(i);
     const RandomBearing drawn = random_bearing(seed);
-    for (const BearingLaw law : dry) outcomes[i].push_back(of_dry(law, drawn));
+    for (const bearing::Law law : dry) outcomes[i].push_back(of_dry(law, drawn));
     if (i < with_films)
       for (Outcome& outcome : of_films(drawn, seed)) outcomes[i].push_back(std::move(outcome));
     const std::lock_guard guard(lock);
     if (++done % 100 == 0) scope.show("random bearings: " + std::to_string(done) + " of " + std::to_string(bearings));
   });
   std::vector<BearingRow> rows;
-  for (const BearingLaw law : dry) rows.push_back({.law = std::string(to_string(law))});
-  for (const BearingLaw law : film) rows.push_back({.law = std::string(to_string(law))});
+  for (const bearing::Law law : dry) rows.push_back({.law = std::string(to_string(law))});
+  for (const bearing::Law law : film) rows.push_back({.law = std::string(to_string(law))});
   for (std::size_t i = 0; i < bearings; ++i)
     for (std::size_t k = 0; k < outcomes[i].size(); ++k)
       add(rows[k], outcomes[i][k], "seed " + std::to_string(first_seed + i));
@@ -267,7 +267,7 @@ Part judge_bearings(const std::vector<BearingRow>& rows) {
   for (const BearingRow& row : rows) {
     all += row.tried;
     balanced += row.balanced;
-    const bool film = row.law == to_string(BearingLaw::ehd_linear) || row.law == to_string(BearingLaw::ehd);
+    const bool film = row.law == to_string(bearing::Law::ehd_linear) || row.law == to_string(bearing::Law::ehd);
     std::string reasons;
     for (const std::string& one : row.reasons) reasons += (reasons.empty() ? "" : "; ") + one;
     part.table.rows.push_back({row.law, static_cast<double>(row.tried), static_cast<double>(row.balanced),

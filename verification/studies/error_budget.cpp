@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/studies/error_budget.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 #include "bearing/force_law.hpp"
+#include "bearing/plane.hpp"
 #include "contact/text.hpp"
 #include "io/json.hpp"
 #include <nlohmann/json.hpp>
@@ -20,7 +21,7 @@ using bearing::FilmCurve;
 
 namespace {
 
-const BearingResult* of_law(const std::vector<BearingResult>& results, BearingLaw law) {
+const BearingResult* of_law(const std::vector<BearingResult>& results, bearing::Law law) {
   for (const BearingResult& result : results)
     if (result.law == law && !result.rollers.empty()) return &result;
   return nullptr;
@@ -46,52 +47,59 @@ std::optional<Thinnest> thinnest_film(const BearingResult& result) {
   return thinnest;
 }
 
-/// The rollers' exact stiffnesses at a balance, and what they make of errors of the contacts' approaches.
+/// The rollers' exact stiffnesses at a balance, and how errors of the contacts' approaches move it.
 class Linearised {
  public:
   Linearised(const BearingResult& result, const bearing::ForceLaw& inner, const bearing::ForceLaw& outer)
-      : result_(result), directions_(2, static_cast<Eigen::Index>(result.rollers.size())), stiffness_(directions_.cols()) {
-    for (Eigen::Index j = 0; j < directions_.cols(); ++j) {
-      const RollerRow& row = result.rollers[static_cast<std::size_t>(j)];
+      : result_(result) {
+    bearing::Symmetric2 ring;
+    for (const RollerRow& row : result.rollers) {
       const double psi = row.azimuth_deg * std::numbers::pi / 180;
-      directions_.col(j) << std::cos(psi), std::sin(psi);
+      const bool across = result.form != bearing::Form::radial;
+      Roller roller{.direction = {std::cos(psi), across ? std::sin(psi) : 0}};
       if (row.inner.force_N > 0 && row.outer.force_N > 0)
-        stiffness_[j] = 1 / (bearing::compliance(inner, row.inner.force_N) + bearing::compliance(outer, row.outer.force_N));
-      else
-        stiffness_[j] = 0;
+        roller.stiffness =
+            1 / (bearing::compliance(inner, row.inner.force_N) + bearing::compliance(outer, row.outer.force_N));
+      ring.add(roller.stiffness, roller.direction);
+      rollers_.push_back(roller);
     }
-    if (result.form == bearing::Form::radial) directions_.row(1).setZero();
-    const Eigen::Matrix2d ring = directions_ * stiffness_.asDiagonal() * directions_.transpose();
-    inverse_ = ring.completeOrthogonalDecomposition().pseudoInverse();  // few loaded rollers leave y free
+    const bearing::Symmetric2 inverse = bearing::pseudo_inverse(ring);  // few loaded rollers leave y free
+    for (Roller& roller : rollers_) roller.moves_ring = roller.stiffness * (inverse * roller.direction);
   }
 
   /// `error_m`: bound of the approach's error at a contact, from (force, inner raceway).
   [[nodiscard]] BudgetRow bound(const std::function<double(double, bool)>& error_m) const {
-    const Eigen::Index n = directions_.cols();
-    Eigen::VectorXd moved_m(n);
-    for (Eigen::Index j = 0; j < n; ++j) {
-      const RollerRow& row = result_.rollers[static_cast<std::size_t>(j)];
-      moved_m[j] = stiffness_[j] > 0 ? error_m(row.inner.force_N, true) + error_m(row.outer.force_N, false) : 0;
+    std::vector<double> off_m;
+    for (std::size_t j = 0; j < rollers_.size(); ++j) {
+      const RollerRow& row = result_.rollers[j];
+      const bool carries = rollers_[j].stiffness > 0;
+      off_m.push_back(carries ? error_m(row.inner.force_N, true) + error_m(row.outer.force_N, false) : 0);
     }
-    // du/dg_j in the columns, then df_i/dg_j.
-    const Eigen::MatrixXd ring = inverse_ * directions_ * stiffness_.asDiagonal();
-    Eigen::MatrixXd forces = stiffness_.asDiagonal() * directions_.transpose() * ring;
-    forces.diagonal() -= stiffness_;
-    const Eigen::VectorXd sizes = forces.cwiseAbs() * moved_m;
     BudgetRow row;
     row.bound = true;
-    row.displacement_m = ring.row(0).cwiseAbs() * moved_m;
-    row.largest_force_N = sizes[static_cast<Eigen::Index>(most_loaded(result_))];
-    row.any_force_N = sizes.maxCoeff();
-    if (!sizes.allFinite()) row.any_force_N = std::numeric_limits<double>::infinity();  // maxCoeff overlooks a NaN
+    const std::size_t top = most_loaded(result_);
+    for (std::size_t i = 0; i < rollers_.size(); ++i) {
+      row.displacement_m += std::abs(rollers_[i].moves_ring.x) * off_m[i];
+      double size_N = 0;  // Sum |df_i/dg_j| g_j
+      for (std::size_t j = 0; j < rollers_.size(); ++j) {
+        const double gives = dot(rollers_[i].direction, rollers_[j].moves_ring) - (i == j ? 1 : 0);
+        size_N += std::abs(rollers_[i].stiffness * gives) * off_m[j];
+      }
+      if (i == top) row.largest_force_N = size_N;
+      row.any_force_N = std::isfinite(size_N) ? std::max(row.any_force_N, size_N) : infinity;
+    }
     return row;
   }
 
  private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  struct Roller {
+    bearing::Vector2 direction = {};  ///< n; in the radial form its part across the load is 0
+    double stiffness = 0;             ///< k [N/m]; 0 where the roller is unloaded
+    bearing::Vector2 moves_ring = {};  ///< du/dg of this roller's approach
+  };
   const BearingResult& result_;
-  Eigen::Matrix2Xd directions_;
-  Eigen::VectorXd stiffness_;
-  Eigen::Matrix2d inverse_;
+  std::vector<Roller> rollers_;
 };
 
 BudgetRow difference(const BearingResult& one, const BearingResult& other) {
@@ -110,11 +118,11 @@ BudgetRow difference(const BearingResult& one, const BearingResult& other) {
 
 }  // namespace
 
-std::vector<BudgetRow> budget_of(const Case& bearing_case, const std::vector<BearingResult>& results, BearingLaw law,
+std::vector<BudgetRow> budget_of(const Case& bearing_case, const std::vector<BearingResult>& results, bearing::Law law,
                                     ContactMemory& memory) {
   const BearingResult* const result = of_law(results, law);
   if (!result || !needs_film(law) || !result->curve || !result->datum_m) return {};
-  if (law == BearingLaw::ehd_linear && !result->fit) return {};
+  if (law == bearing::Law::ehd_linear && !result->fit) return {};
   const auto laws = laws_of(std::get<BearingCase>(bearing_case.body), *result);
   if (!laws) return {};
   std::vector<BudgetRow> rows;
@@ -125,8 +133,8 @@ std::vector<BudgetRow> budget_of(const Case& bearing_case, const std::vector<Bea
   };
 
   // 1. Differences: the fit against the full relation; another datum.
-  const BearingResult* const full = of_law(results, BearingLaw::ehd);
-  if (law == BearingLaw::ehd_linear && full) add(difference(*result, *full), "fit", "ehd-linear against ehd");
+  const BearingResult* const full = of_law(results, bearing::Law::ehd);
+  if (law == bearing::Law::ehd_linear && full) add(difference(*result, *full), "fit", "ehd-linear against ehd");
 
   const auto thinnest = thinnest_film(*result);
   const Linearised linear(*result, laws->inner, laws->outer);
@@ -134,26 +142,26 @@ std::vector<BudgetRow> budget_of(const Case& bearing_case, const std::vector<Bea
     return at_inner ? result->curve->inner : result->curve->outer;
   };
   // 2. Bounds of what the curve is made of. The films of the line are from the curve too, its balance is not.
-  const bool on_curve = law == BearingLaw::ehd;
+  const bool on_curve = law == bearing::Law::ehd;
   {
     BudgetRow between, below;
     between.bound = below.bound = true;
     if (on_curve) {
       between = linear.bound([&](double f, bool at_inner) {
         const FilmCurve& curve = curve_of(at_inner);
-        return f >= curve.lightest_N() ? curve.interpolation_force_error * curve.rise_m(f) : 0;
+        return f >= curve.lightest_N() ? curve.errors().interpolation_force * curve.rise_m(f) : 0;
       });
       below = linear.bound([&](double f, bool at_inner) {
         const FilmCurve& curve = curve_of(at_inner);
-        return f < curve.lightest_N() ? curve.joint_force_error * curve.rise_m(f) : 0;
+        return f < curve.lightest_N() ? curve.errors().joint_force * curve.rise_m(f) : 0;
       });
     }
     if (thinnest) {
       const FilmCurve& curve = curve_of(thinnest->inner);
       if (thinnest->force_N >= curve.lightest_N())
-        between.smallest_film = curve.interpolation_error;
+        between.smallest_film = curve.errors().interpolation;
       else
-        below.smallest_film = curve.joint_error;
+        below.smallest_film = curve.errors().joint;
     }
     const std::string films = on_curve ? "" : ", of the films";
     add(std::move(between), "interpolation", "largest disagreement of an extra solve, at every contact" + films);
@@ -162,9 +170,9 @@ std::vector<BudgetRow> budget_of(const Case& bearing_case, const std::vector<Bea
   BudgetRow solver = linear.bound([&](double f, bool at_inner) {
     if (!on_curve) return (at_inner ? result->fit->inner : result->fit->outer).approach_error_m(f);
     const FilmCurve& curve = curve_of(at_inner);
-    return curve.solver_error * curve.offset_film(f).value;
+    return curve.errors().solver_offset_film * curve.offset_film(f).value;
   });
-  if (thinnest) solver.smallest_film = curve_of(thinnest->inner).film_error;
+  if (thinnest) solver.smallest_film = curve_of(thinnest->inner).errors().solver_minimum_film;
   add(std::move(solver), "contact solver", on_curve ? "its own stated errors, at every contact" : "its own stated errors, at the contacts of the fit");
 
   // 3. The datum is a choice: what another would have given.

@@ -30,7 +30,7 @@ struct BudgetRow {
 /// both EHD laws among the results. The data compared are the others of palmgren, lundberg and x_0 = twice the case's;
 /// contacts are taken from the memory, which the datum does not change.
 [[nodiscard]] std::vector<BudgetRow> budget_of(const Case& bearing_case, const std::vector<BearingResult>& results,
-                                                  BearingLaw law, ContactMemory& memory);
+                                                  bearing::Law law, ContactMemory& memory);
 
 [[nodiscard]] Json to_json(const std::vector<BudgetRow>& rows);
 [[nodiscard]] std::string human_budget(const std::vector<BudgetRow>& rows);

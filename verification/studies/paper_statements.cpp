@@ -177,7 +177,7 @@ PaperStatement judge_d(const std::vector<ClearanceComparison>& all) {
   return statement;
 }
 
-const BearingResult* of_law(const std::vector<BearingResult>& results, BearingLaw law) {
+const BearingResult* of_law(const std::vector<BearingResult>& results, bearing::Law law) {
   for (const BearingResult& result : results) {
     if (result.law == law && !result.rollers.empty()) return &result;
   }
@@ -189,8 +189,8 @@ std::vector<BearingResult> dry_balances(const std::vector<Case>& cases, ContactM
   std::vector<BearingResult> dry;
   for (const Case& one : cases) {
     const auto results =
-        run_bearing(one, {.laws = {BearingLaw::hertz}, .explicitly = true, .films = false, .form = form}, memory);
-    const BearingResult* const found = of_law(results, BearingLaw::hertz);
+        run_bearing(one, {.laws = {bearing::Law::hertz}, .explicitly = true, .films = false, .form = form}, memory);
+    const BearingResult* const found = of_law(results, bearing::Law::hertz);
     if (!found) return {};
     dry.push_back(*found);
   }
@@ -199,7 +199,7 @@ std::vector<BearingResult> dry_balances(const std::vector<Case>& cases, ContactM
 
 /// The cases with another datum; films are left out, since the offset film does not depend on the datum.
 std::vector<ClearanceComparison> with_datum(const std::vector<Case>& cases, const std::vector<BearingResult>& dry,
-                                            const Datum& datum, BearingLaw law, ContactMemory& memory,
+                                            const Datum& datum, bearing::Law law, ContactMemory& memory,
                                             bearing::Form form) {
   std::vector<ClearanceComparison> clearances;
   if (dry.size() != cases.size()) return clearances;
@@ -329,7 +329,7 @@ bool differ_only_in_clearance(const std::vector<Case>& cases) {
   return !clearances.empty() && std::adjacent_find(clearances.begin(), clearances.end()) == clearances.end();
 }
 
-std::vector<DatumRow> compare_data(const std::vector<Case>& cases, BearingLaw law, ContactMemory& memory,
+std::vector<DatumRow> compare_data(const std::vector<Case>& cases, bearing::Law law, ContactMemory& memory,
                                    bearing::Form form) {
   std::vector<DatumRow> rows;
   const std::vector<std::pair<std::string, Datum>> data{
@@ -344,7 +344,7 @@ std::vector<DatumRow> compare_data(const std::vector<Case>& cases, BearingLaw la
   return rows;
 }
 
-DatumScan scan_datum(const std::vector<Case>& cases, BearingLaw law, ContactMemory& memory, bearing::Form form) {
+DatumScan scan_datum(const std::vector<Case>& cases, bearing::Law law, ContactMemory& memory, bearing::Form form) {
   DatumScan scan;
   const auto dry = dry_balances(cases, memory, form);
   const auto* const body = cases.empty() ? nullptr : std::get_if<BearingCase>(&cases.front().body);

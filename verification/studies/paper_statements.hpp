@@ -46,7 +46,7 @@ struct DatumRow {
   std::vector<PaperStatement> statements;
 };
 /// `law`: ehd-linear or ehd. The named data: palmgren, lundberg, x0 = 20, 2.5, 1 and 0.5 mm.
-[[nodiscard]] std::vector<DatumRow> compare_data(const std::vector<Case>& cases, BearingLaw law, ContactMemory& memory,
+[[nodiscard]] std::vector<DatumRow> compare_data(const std::vector<Case>& cases, bearing::Law law, ContactMemory& memory,
                                                  bearing::Form form = bearing::Form::plane);
 
 /// The lengths x_0 for which the statements hold, scanned from `lowest_m` to `highest_m` in steps of a factor `step`, each
@@ -69,7 +69,7 @@ struct DatumScan {
 };
 /// "0.15 to 0.61 mm", with a word where an end is the scan's own or the law's; "nowhere".
 [[nodiscard]] std::string words_of(const DatumScan& scan, const DatumScan::Ranges& ranges, int digits = 3);
-[[nodiscard]] DatumScan scan_datum(const std::vector<Case>& cases, BearingLaw law, ContactMemory& memory,
+[[nodiscard]] DatumScan scan_datum(const std::vector<Case>& cases, bearing::Law law, ContactMemory& memory,
                                    bearing::Form form = bearing::Form::plane);
 
 /// True where the cases are one bearing at different clearances.

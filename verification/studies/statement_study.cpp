@@ -80,7 +80,7 @@ std::vector<Choice> choices(const BearingCase& body) {
   return all;
 }
 
-const BearingResult* of_law(const std::vector<BearingResult>& results, BearingLaw law) {
+const BearingResult* of_law(const std::vector<BearingResult>& results, bearing::Law law) {
   for (const BearingResult& result : results)
     if (result.law == law && !result.rollers.empty()) return &result;
   return nullptr;
@@ -95,7 +95,7 @@ std::optional<BearingResult> cut_of(const BearingResult& result) {
   return cut;
 }
 
-StudyRow judged(const Choice& choice, const std::vector<Case>& cases, BearingLaw law, ContactMemory& memory) {
+StudyRow judged(const Choice& choice, const std::vector<Case>& cases, bearing::Law law, ContactMemory& memory) {
   StudyRow row{choice.factor, choice.value, law, {}, "", {}};
   std::vector<Case> changed = cases;
   std::vector<ClearanceComparison> clearances;
@@ -103,8 +103,8 @@ StudyRow judged(const Choice& choice, const std::vector<Case>& cases, BearingLaw
     auto& body = std::get<BearingCase>(one.body);
     choice.change(body);
     const auto results =
-        run_bearing(one, {.laws = {BearingLaw::hertz, law}, .explicitly = true, .films = choice.cut}, memory);
-    const BearingResult *dry = of_law(results, BearingLaw::hertz), *film = of_law(results, law);
+        run_bearing(one, {.laws = {bearing::Law::hertz, law}, .explicitly = true, .films = choice.cut}, memory);
+    const BearingResult *dry = of_law(results, bearing::Law::hertz), *film = of_law(results, law);
     std::optional<BearingResult> cut;
     if (choice.cut && film) cut = cut_of(*film);
     if (!dry || !film || (choice.cut && !cut)) {
@@ -146,10 +146,10 @@ std::vector<StudyRow> study_statements(const std::vector<Case>& cases, ContactMe
   if (!differ_only_in_clearance(cases) || cases.size() < 3) return rows;
   const auto& body = std::get<BearingCase>(cases.front().body);
   if (!body.lubricant) return rows;
-  for (const BearingLaw law : {BearingLaw::ehd_linear, BearingLaw::ehd})
+  for (const bearing::Law law : {bearing::Law::ehd_linear, bearing::Law::ehd})
     for (const Choice& choice : choices(body)) {
       // The full relation knows neither a fit nor a force at which it lets go.
-      if (law == BearingLaw::ehd && (choice.cut || choice.factor == "fit range")) continue;
+      if (law == bearing::Law::ehd && (choice.cut || choice.factor == "fit range")) continue;
       rows.push_back(judged(choice, cases, law, memory));
     }
   return rows;
@@ -157,7 +157,7 @@ std::vector<StudyRow> study_statements(const std::vector<Case>& cases, ContactMe
 
 std::vector<StudySummary> summarise(const std::vector<StudyRow>& rows) {
   std::vector<StudySummary> summaries;
-  for (const BearingLaw law : {BearingLaw::ehd_linear, BearingLaw::ehd})
+  for (const bearing::Law law : {bearing::Law::ehd_linear, bearing::Law::ehd})
     for (const char letter : {'a', 'b', 'c', 'd'}) {
       StudySummary summary{.law = law, .letter = letter, .holds = 0, .of = 0, .exceptions = ""};
       std::string yes, no;
@@ -221,7 +221,7 @@ Json to_json(const std::vector<StudyRow>& rows) {
 
 std::string human_study(const std::vector<StudyRow>& rows) {
   std::string text;
-  for (const BearingLaw law : {BearingLaw::ehd_linear, BearingLaw::ehd}) {
+  for (const bearing::Law law : {bearing::Law::ehd_linear, bearing::Law::ehd}) {
     std::vector<std::vector<std::string>> table{
         {"changed", "to", "(a)", "Q(0) %", "apart %", "(b)", "delta_i %", "(c)", "middle %", "largest %", "(d)",
          "x_0 for (a)..(d)", "by the sign of (a)", "by the mild (c)"}};

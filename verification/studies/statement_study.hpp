@@ -18,7 +18,7 @@ struct StudyRow {
   /// "as the case", "viscosity", "alpha", "fit range", "datum", "rotating ring", "unloading", "length"; "two choices"
   std::string factor;
   std::string value;   ///< with its unit
-  BearingLaw law = BearingLaw::ehd_linear;
+  bearing::Law law = bearing::Law::ehd_linear;
   std::vector<PaperStatement> statements;  ///< empty where a balance is missing
   std::string why;                         ///< why it is
   std::optional<DatumScan> scan = {};      ///< of the rows that leave the datum to it
@@ -34,7 +34,7 @@ struct StudyRow {
 
 /// How many of a law's rows with one choice changed a statement holds in, and where it does not.
 struct StudySummary {
-  BearingLaw law = BearingLaw::ehd_linear;
+  bearing::Law law = bearing::Law::ehd_linear;
   char letter = 'a';
   int holds = 0, of = 0;
   std::string exceptions;  ///< where the fewer rows are: those that fail, or those that hold

@@ -31,7 +31,7 @@ ContactSolver synthetic(double share) {
 }
 
 std::vector<BearingResult> run(ContactMemory& memory) {
-  return run_bearing(needle_bearing(), {.laws = {BearingLaw::hertz, BearingLaw::ehd_linear, BearingLaw::ehd}}, memory);
+  return run_bearing(needle_bearing(), {.laws = {bearing::Law::hertz, bearing::Law::ehd_linear, bearing::Law::ehd}}, memory);
 }
 
 const BudgetRow& row_of(const std::vector<BudgetRow>& rows, const std::string& source) {
@@ -73,7 +73,7 @@ BOOST_AUTO_TEST_CASE(the_fits_row_is_the_difference_of_the_two_laws) {
   ContactMemory memory(synthetic(0));
   const auto results = run(memory);
   const long solves = memory.solves();
-  const auto rows = budget_of(needle_bearing(), results, BearingLaw::ehd_linear, memory);
+  const auto rows = budget_of(needle_bearing(), results, bearing::Law::ehd_linear, memory);
   BOOST_TEST(memory.solves() == solves);  // another datum needs no other contact
   const BudgetRow& fit = row_of(rows, "fit");
   BOOST_TEST(!fit.bound);
@@ -87,7 +87,7 @@ BOOST_AUTO_TEST_CASE(the_fits_row_is_the_difference_of_the_two_laws) {
 BOOST_AUTO_TEST_CASE(the_lines_budget_has_its_films_interpolation_and_its_fits_own_contacts) {
   ContactMemory memory(synthetic(0));
   const auto results = run(memory);
-  const auto rows = budget_of(needle_bearing(), results, BearingLaw::ehd_linear, memory);
+  const auto rows = budget_of(needle_bearing(), results, bearing::Law::ehd_linear, memory);
   const BearingResult& line = results[1];
   const BudgetRow &between = row_of(rows, "interpolation"), &below = row_of(rows, "rigid limit");
   for (const BudgetRow* row : {&between, &below}) {
@@ -97,14 +97,14 @@ BOOST_AUTO_TEST_CASE(the_lines_budget_has_its_films_interpolation_and_its_fits_o
   }
   // The thinnest film is under the most loaded roller, far above the lightest solved contact.
   BOOST_REQUIRE(between.smallest_film.has_value());
-  BOOST_TEST((*between.smallest_film == line.curve->inner.interpolation_error || *between.smallest_film == line.curve->outer.interpolation_error));
+  BOOST_TEST((*between.smallest_film == line.curve->inner.errors().interpolation || *between.smallest_film == line.curve->outer.errors().interpolation));
   BOOST_TEST(*between.smallest_film > 0);
   BOOST_TEST(!below.smallest_film.has_value());
   // Ten times the error at the fit's contacts, ten times the bound, whatever the curve's own contacts are known to.
   auto worse = results;
   for (auto* fit : {&worse[1].fit->inner, &worse[1].fit->outer})
     for (bearing::FitPoint& point : fit->points) point.approach_error_m *= 10;
-  const BudgetRow tenfold = row_of(budget_of(needle_bearing(), worse, BearingLaw::ehd_linear, memory), "contact solver");
+  const BudgetRow tenfold = row_of(budget_of(needle_bearing(), worse, bearing::Law::ehd_linear, memory), "contact solver");
   const BudgetRow own = row_of(rows, "contact solver");
   EHD_CHECK(error(tenfold.displacement_m, 10 * own.displacement_m), Tolerance::round_off(100));
   EHD_CHECK(error(tenfold.any_force_N, 10 * own.any_force_N), Tolerance::round_off(100));
@@ -113,8 +113,8 @@ BOOST_AUTO_TEST_CASE(the_lines_budget_has_its_films_interpolation_and_its_fits_o
 BOOST_AUTO_TEST_CASE(a_dry_law_has_no_budget_and_the_full_one_has_no_fit) {
   ContactMemory memory(synthetic(0));
   const auto results = run(memory);
-  BOOST_TEST(budget_of(needle_bearing(), results, BearingLaw::hertz, memory).empty());
-  for (const BudgetRow& row : budget_of(needle_bearing(), results, BearingLaw::ehd, memory)) {
+  BOOST_TEST(budget_of(needle_bearing(), results, bearing::Law::hertz, memory).empty());
+  for (const BudgetRow& row : budget_of(needle_bearing(), results, bearing::Law::ehd, memory)) {
     BOOST_TEST(row.source != "fit");
     BOOST_TEST(std::isfinite(row.displacement_m));
     BOOST_TEST(row.any_force_N >= row.largest_force_N);

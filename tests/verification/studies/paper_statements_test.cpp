@@ -20,7 +20,7 @@ struct Made {
   double approach_um[4];
 };
 
-BearingResult made_result(BearingLaw law, const Made& made) {
+BearingResult made_result(bearing::Law law, const Made& made) {
   BearingResult result;
   result.law = law;
   result.status = StopReason::converged;
@@ -47,8 +47,8 @@ std::vector<PaperStatement> judged(const Figures& figures) {
   constexpr double clearances_m[] = {0, 2.5e-6, 10e-6};
   std::vector<ClearanceComparison> all;
   for (std::size_t k = 0; k < 3; ++k)
-    all.push_back({clearances_m[k], made_result(BearingLaw::hertz, figures.dry[k]),
-                   made_result(BearingLaw::ehd, figures.film[k])});
+    all.push_back({clearances_m[k], made_result(bearing::Law::hertz, figures.dry[k]),
+                   made_result(bearing::Law::ehd, figures.film[k])});
   return judge_paper_statements(all);
 }
 
@@ -219,12 +219,12 @@ BOOST_AUTO_TEST_CASE(the_ends_of_a_range_are_where_the_verdict_turns) {
   ContactMemory memory([](const Problem& problem, const Request&) { return made::contact(problem); });
   std::vector<Case> cases;
   for (const double clearance_m : {0.0, 2.5e-6, 10e-6}) cases.push_back(made::needle_bearing(clearance_m));
-  const DatumScan scan = scan_datum(cases, BearingLaw::ehd_linear, memory);
+  const DatumScan scan = scan_datum(cases, bearing::Law::ehd_linear, memory);
   const auto holds_at = [&](double x0_m, char letter) {
     std::vector<ClearanceComparison> clearances;
     for (Case one : cases) {
       std::get<BearingCase>(one.body).datum = LengthDatum{x0_m};
-      const auto results = run_bearing(one, {.laws = {BearingLaw::hertz, BearingLaw::ehd_linear}, .explicitly = true}, memory);
+      const auto results = run_bearing(one, {.laws = {bearing::Law::hertz, bearing::Law::ehd_linear}, .explicitly = true}, memory);
       clearances.push_back({std::get<BearingCase>(one.body).geometry.clearance_m, results[0], results[1]});
     }
     for (const PaperStatement& one : judge_paper_statements(clearances))

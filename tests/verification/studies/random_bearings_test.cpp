@@ -17,7 +17,7 @@ using bearing::NoEquilibrium;
 
 namespace {
 
-constexpr BearingLaw dry[] = {BearingLaw::hertz, BearingLaw::iso, BearingLaw::lundberg, BearingLaw::tripp, BearingLaw::houpert};
+constexpr bearing::Law dry[] = {bearing::Law::hertz, bearing::Law::iso, bearing::Law::lundberg, bearing::Law::tripp, bearing::Law::houpert};
 
 const Tolerance promised = Tolerance::required(bearing::largest_balance_error, "what a balance promises");
 
@@ -58,7 +58,7 @@ BOOST_AUTO_TEST_CASE(random_bearings_balance_by_every_dry_law) {
   int balances = 0;
   for (unsigned seed = 1; seed <= 300; ++seed) {
     const RandomBearing drawn = random_bearing(seed);
-    for (const BearingLaw law : dry)
+    for (const bearing::Law law : dry)
       for (const Form form : {Form::plane, Form::radial})
         BOOST_TEST_CONTEXT("seed " << seed << ", " << to_string(law) << ", " << bearing::to_string(form)) {
           const bearing::LawPair laws = dry_laws(law, drawn.contact);

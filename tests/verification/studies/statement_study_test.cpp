@@ -37,7 +37,7 @@ BOOST_AUTO_TEST_CASE(every_choice_is_judged_and_the_first_row_is_the_case_itself
   const auto rows = study_statements(cases, memory);
   std::vector<ClearanceComparison> clearances;
   for (const Case& one : cases) {
-    const auto results = run_bearing(one, {.laws = {BearingLaw::hertz, BearingLaw::ehd_linear}, .explicitly = true}, memory);
+    const auto results = run_bearing(one, {.laws = {bearing::Law::hertz, bearing::Law::ehd_linear}, .explicitly = true}, memory);
     clearances.push_back({std::get<BearingCase>(one.body).geometry.clearance_m, results[0], results[1]});
   }
   const auto statements = judge_paper_statements(clearances);
@@ -48,7 +48,7 @@ BOOST_AUTO_TEST_CASE(every_choice_is_judged_and_the_first_row_is_the_case_itself
   std::set<std::string> linear, full;
   for (const StudyRow& row : rows) {
     BOOST_TEST(row.statements.size() == 4u, row.factor << " " << row.value << ": " << row.why);
-    (row.law == BearingLaw::ehd ? full : linear).insert(row.factor);
+    (row.law == bearing::Law::ehd ? full : linear).insert(row.factor);
   }
   BOOST_TEST(linear.size() == 9u);
   BOOST_TEST(full.size() == 7u);  // no fit, no letting go
@@ -77,7 +77,7 @@ BOOST_AUTO_TEST_CASE(a_choice_changes_what_it_says) {
     std::vector<double> values;
     for (const StudyRow& row : rows)
       for (const PaperStatement& one : row.statements)
-        if (row.law == BearingLaw::ehd_linear && row.factor == factor && one.letter == letter)
+        if (row.law == bearing::Law::ehd_linear && row.factor == factor && one.letter == letter)
           for (const auto& [key, number] : one.values)
             if (key == name) values.push_back(number);
     return values;

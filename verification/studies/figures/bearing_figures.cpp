@@ -68,9 +68,9 @@ void make(const std::vector<Case>& cases, Made& made) {
   std::vector<std::vector<BearingResult>> all;
   for (const Case& one : cases) {
     const auto& body = std::get<BearingCase>(one.body);
-    std::vector<BearingLaw> laws = default_laws(body);
+    std::vector<bearing::Law> laws = default_laws(body);
     if (body.operation.inner_speed_rpm == body.operation.outer_speed_rpm)  // at rest there is no film
-      std::erase_if(laws, [](BearingLaw law) { return needs_film(law); });
+      std::erase_if(laws, [](bearing::Law law) { return needs_film(law); });
     all.push_back(run_bearing(one, {.laws = laws, .explicitly = false, .films = true}, memory));
     Json bearing = Json::object();
     bearing["id"] = one.id;
@@ -98,13 +98,13 @@ void make(const std::vector<Case>& cases, Made& made) {
   }
   if (cases.size() < 3 || !differ_only_in_clearance(cases)) return;
   if (const auto study = study_statements(cases, memory); !study.empty()) made.study = to_json(study);
-  for (const BearingLaw law : {BearingLaw::ehd_linear, BearingLaw::ehd}) {
+  for (const bearing::Law law : {bearing::Law::ehd_linear, bearing::Law::ehd}) {
     std::vector<ClearanceComparison> rows;
     for (std::size_t k = 0; k < cases.size(); ++k) {
-      const auto of = [&](BearingLaw wanted) {
+      const auto of = [&](bearing::Law wanted) {
         return std::find_if(all[k].begin(), all[k].end(), [&](const auto& one) { return one.law == wanted; });
       };
-      const auto dry = of(BearingLaw::hertz), film = of(law);
+      const auto dry = of(bearing::Law::hertz), film = of(law);
       if (dry == all[k].end() || film == all[k].end()) continue;
       rows.push_back({std::get<BearingCase>(cases[k].body).geometry.clearance_m, *dry, *film});
     }

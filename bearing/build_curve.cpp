@@ -1,0 +1,376 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bearing/build_curve.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace ehd::bearing {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Ratio of neighbouring forces on the way down, before gaps are split.
+constexpr double descent = 4;
+/// Value and slope are joined at t = 1, so the error below the lightest point grows as t^p (1 - t^(3/2))^2, p = 3 or
+/// 9/2 (the next powers of the piezoviscous series). At t = 1/2 it is at least .52 of its largest value.
+constexpr double largest_below_over_at_half = 2;
+/// A point is predicted over twice the gap. The error of a fourth-order spline falls to a sixteenth where the gap is
+/// halved; half of that gain is counted on.
+constexpr double gain_of_half_the_gap = 8;
+/// Fewer points than this do not predict one another.
+constexpr std::size_t fewest_points_to_predict_one = 5;
+/// Points below which there is no curve.
+constexpr std::size_t fewest_points = 3;
+/// Relative, for comparing ratios of forces that were computed in different ways.
+constexpr double rounding_of_a_gap = 1e-9, rounding_of_a_force = 1e-12;
+
+std::string newtons(double force_N) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.4g N", force_N);
+  return text;
+}
+
+/// How far a curve is from a solved contact, relative.
+struct Disagreement {
+  double force = 0;                ///< of the contact force at the solved approach
+  double offset = 0, minimum = 0;  ///< |ln(curve/solved)| of the films
+
+  [[nodiscard]] double film() const { return std::max(offset, minimum); }
+  /// Above 1: beyond the bounds. Infinite where a number is not finite.
+  [[nodiscard]] double against(const CurveRequest& request) const {
+    const double ratio = std::max(force / request.force_bound, minimum / request.film_bound);
+    return std::isfinite(force) && std::isfinite(minimum) ? ratio : infinity;
+  }
+};
+
+Disagreement largest_below(const Disagreement& at_half) {
+  constexpr double factor = largest_below_over_at_half;
+  return {.force = factor * at_half.force, .offset = factor * at_half.offset, .minimum = factor * at_half.minimum};
+}
+
+Disagreement over_half_the_gap(const Disagreement& over_the_gap) {
+  constexpr double gain = gain_of_half_the_gap;
+  return {
+      .force = over_the_gap.force / gain, .offset = over_the_gap.offset / gain, .minimum = over_the_gap.minimum / gain};
+}
+
+/// The solved contacts that a curve may be made of.
+class Points {
+ public:
+  explicit Points(SolvedContacts& contacts) : contacts_(contacts) {}
+
+  /// Solves a contact and keeps it, or says why it cannot.
+  [[nodiscard]] std::optional<SolveFailure> add(double force_N) {
+    const ContactResult& result = contacts_.at(force_N);
+    if (const auto* failure = std::get_if<SolveFailure>(&result)) return *failure;
+    const auto& solved = std::get<SolvedContact>(result);
+    const double F = offset_film_m(contacts_.contact(), force_N, solved);
+    if (!(F > 0) || !(solved.film_minimum_m > 0)) return SolveFailure{.why = "the solved film is not positive"};
+    points_[force_N] = {F, solved.film_minimum_m};
+    if (!solved.converged) missed_N_.insert(force_N);
+    solver_minimum_film_ = std::max(solver_minimum_film_, solved.film_error);
+    solver_offset_film_ = std::max(solver_offset_film_, relative_offset_error(solved));
+    return std::nullopt;
+  }
+  [[nodiscard]] std::size_t size() const { return points_.size(); }
+  [[nodiscard]] bool has(double force_N) const { return points_.contains(force_N); }
+
+  /// What the solver states of the contacts' own errors.
+  void put_solver_errors(CurveErrors& errors) const {
+    errors.solver_offset_film = solver_offset_film_;
+    errors.solver_minimum_film = solver_minimum_film_;
+    errors.missed_N.assign(missed_N_.begin(), missed_N_.end());
+  }
+
+  [[nodiscard]] FilmCurve curve(const std::set<double>& forces_N, CurveErrors errors = {}) const {
+    std::vector<double> forces, offsets, minima;
+    for (const double force_N : forces_N) {
+      forces.push_back(force_N);
+      offsets.push_back(points_.at(force_N).offset);
+      minima.push_back(points_.at(force_N).minimum);
+    }
+    return {contacts_.contact(), std::move(forces), offsets, minima, std::move(errors)};
+  }
+
+  /// Of a curve at a solved contact that the curve need not contain.
+  [[nodiscard]] Disagreement disagreement(const FilmCurve& curve, double force_N) const {
+    const Films& solved = points_.at(force_N);
+    const ValueAndSlope offset = curve.offset_film(force_N);
+    return {.force = std::abs(offset.value - solved.offset) / curve.rise_m(force_N),
+            .offset = std::abs(std::log(offset.value / solved.offset)),
+            .minimum = std::abs(std::log(curve.minimum_film(force_N).value / solved.minimum))};
+  }
+
+ private:
+  struct Films {
+    double offset = 0, minimum = 0;
+  };
+  SolvedContacts& contacts_;
+  std::map<double, Films> points_;
+  double solver_offset_film_ = 0, solver_minimum_film_ = 0;
+  std::set<double> missed_N_;
+};
+
+/// The largest disagreements that were met, and the force whose disagreement is furthest beyond the bounds.
+struct Worst {
+  double film = 0, force = 0;
+  double ratio = 1;
+  std::optional<double> at_N = {};
+
+  void meet(const Disagreement& here) {
+    film = std::max(film, here.film());
+    force = std::max(force, here.force);
+  }
+  void propose(double force_N, double ratio_there) {
+    if (!(ratio_there > ratio)) return;
+    ratio = ratio_there;
+    at_N = force_N;
+  }
+};
+
+/// The points of a curve, and the extra solves that its gaps are judged by.
+class Refinement {
+ public:
+  Refinement(SolvedContacts& contacts, CurveRequest request) : points_(contacts), request_(std::move(request)) {}
+
+  /// Solves a point of the curve, or says why it cannot.
+  [[nodiscard]] std::optional<SolveFailure> add_point(double force_N) {
+    if (auto failure = points_.add(force_N)) return failure;
+    nodes_.insert(force_N);
+    return std::nullopt;
+  }
+  [[nodiscard]] std::size_t size() const { return nodes_.size(); }
+  [[nodiscard]] double lightest_N() const { return *nodes_.begin(); }
+
+  /// Splits the gap whose extra solve disagrees most, until all agree.
+  void split_gaps() {
+    while (true) {
+      worst_ = judge_gaps();
+      if (!worst_.at_N) return;
+      nodes_.insert(*worst_.at_N);
+    }
+  }
+
+  /// The middle of a gap sees nothing where the error changes its sign there. So every point is also predicted by the
+  /// others, and the gaps beside a point that they do not predict are split. Extra solves are points from here on.
+  void split_beside_points_that_others_do_not_predict() {
+    nodes_.insert(extras_.begin(), extras_.end());
+    extras_.clear();
+    const Worst of_gaps{.film = worst_.film, .force = worst_.force};
+    std::set<double> left;  // points whose gaps cannot be split any more
+    while (true) {
+      worst_ = judge_points(of_gaps, left);
+      if (!worst_.at_N) return;
+      left.insert(*worst_.at_N);
+      if (split_beside(*worst_.at_N)) left.erase(*worst_.at_N);
+    }
+  }
+
+  /// Of points and extra solves at `down_to_N` and above.
+  [[nodiscard]] FilmCurve curve(double down_to_N = 0, CurveErrors errors = {}) const {
+    std::set<double> all = nodes_;
+    all.insert(extras_.begin(), extras_.end());
+    all.erase(all.begin(), all.lower_bound(down_to_N));
+    return points_.curve(all, std::move(errors));
+  }
+  /// All but those below the lightest point.
+  [[nodiscard]] CurveErrors errors() const {
+    CurveErrors errors;
+    errors.interpolation = worst_.film;
+    errors.interpolation_force = worst_.force;
+    points_.put_solver_errors(errors);
+    return errors;
+  }
+  /// Of a curve at a solved contact.
+  [[nodiscard]] Disagreement disagreement(const FilmCurve& curve, double force_N) const {
+    return points_.disagreement(curve, force_N);
+  }
+  /// Solves a contact that is no point yet, or remembers it. False where it cannot be solved or there are too many.
+  [[nodiscard]] bool solved(double force_N, std::string* why = nullptr) {
+    if (points_.has(force_N)) return true;
+    if (failed_.contains(force_N) || points_.size() >= static_cast<std::size_t>(request_.most_points)) return false;
+    if (const auto failure = points_.add(force_N)) {
+      if (why) *why = failure->why;
+      failed_.insert(force_N);
+      return false;
+    }
+    return true;
+  }
+
+ private:
+  [[nodiscard]] Worst judge_gaps() {
+    const FilmCurve curve = points_.curve(nodes_);
+    Worst worst;
+    extras_.clear();
+    for (auto low = nodes_.begin(), high = std::next(low); high != nodes_.end(); ++low, ++high) {
+      const double between = extra_between(*low, *high);
+      if (!solved(between)) {
+        worst.film = worst.force = infinity;  // nothing was checked in this gap
+        continue;
+      }
+      extras_.insert(between);
+      const Disagreement here = points_.disagreement(curve, between);
+      worst.meet(here);
+      if (is_smallest(*high / *low)) continue;
+      // One extra solve says nothing of a gap this wide: beside a bend the error may change its sign just there.
+      const bool wide = *high / *low > request_.widest_gap * (1 + rounding_of_a_gap);
+      worst.propose(between, wide ? infinity : here.against(request_));
+    }
+    return worst;
+  }
+
+  [[nodiscard]] Worst judge_points(Worst worst, const std::set<double>& left) const {
+    if (nodes_.size() < fewest_points_to_predict_one) return worst;
+    for (auto at = std::next(nodes_.begin()); std::next(at) != nodes_.end(); ++at) {
+      std::set<double> others = nodes_;
+      others.erase(*at);
+      const Disagreement here = over_half_the_gap(points_.disagreement(points_.curve(others), *at));
+      worst.meet(here);
+      if (!left.contains(*at)) worst.propose(*at, here.against(request_));
+    }
+    return worst;
+  }
+
+  /// False where neither gap beside the point can be split.
+  [[nodiscard]] bool split_beside(double point) {
+    const auto at = nodes_.find(point);
+    const double below = *std::prev(at), above = *std::next(at);
+    bool any = false;
+    for (const double middle : {extra_between(below, point), extra_between(point, above)}) {
+      const double gap = middle < point ? point / below : above / point;
+      if (is_smallest(gap) || !solved(middle)) continue;
+      nodes_.insert(middle);
+      any = true;
+    }
+    return any;
+  }
+
+  [[nodiscard]] bool is_smallest(double gap) const { return std::sqrt(gap) < request_.smallest_gap; }
+
+  /// The middle of a gap, or the given force in the gap that is nearest to it.
+  [[nodiscard]] double extra_between(double low, double high) const {
+    const double middle = std::sqrt(low * high);
+    const auto off = [&](double f) { return std::abs(std::log(f / middle)); };
+    double nearest = middle;
+    for (const double f : request_.given_N) {
+      if (f <= low || f >= high || failed_.contains(f)) continue;
+      if (nearest == middle || off(f) < off(nearest)) nearest = f;
+    }
+    return nearest;
+  }
+
+  Points points_;
+  CurveRequest request_;
+  std::set<double> nodes_, extras_, failed_;
+  Worst worst_;
+};
+
+/// Where the solved points end.
+struct LightEnd {
+  std::string because = {};     ///< empty while the curve may still go down
+  bool at_rigid_limit = false;  ///< Martin's films take over within the bounds
+  bool limit = false;           ///< a contact ran out of iterations or time
+};
+
+/// The points to begin with: the ends of what a fit solves in any case, and two lighter ones.
+LightEnd add_first_points(Refinement& refinement, const CurveRequest& request) {
+  LightEnd end;
+  double lighter = request.heaviest_N / descent;
+  for (const double given : request.given_N)
+    if (given == request.given_N.front() || given == request.given_N.back()) {
+      if (const auto failure = refinement.add_point(given))
+        end.limit = end.limit || failure->limit;
+      else
+        lighter = std::min(lighter, std::exp2(std::floor(std::log2(given) - 0.5)));
+    }
+  for (int k = 0; k < 2 && end.because.empty(); ++k, lighter /= descent)
+    if (const auto failure = refinement.add_point(lighter)) {
+      end.because = newtons(lighter) + " could not be solved: " + failure->why;
+      end.limit = end.limit || failure->limit;
+    }
+  return end;
+}
+
+/// Down to where the curve so far predicts a contact of half its lightest force within the bounds.
+void descend(Refinement& refinement, const CurveRequest& request, LightEnd& end) {
+  while (end.because.empty()) {
+    const FilmCurve so_far = refinement.curve();
+    const double half = refinement.lightest_N() / 2;
+    std::string why = "too many points";
+    if (!refinement.solved(half, &why)) {
+      end.because = newtons(half) + " could not be solved: " + why;
+      return;
+    }
+    if (largest_below(refinement.disagreement(so_far, half)).against(request) <= 1) {
+      end.because = "below " + newtons(refinement.lightest_N()) +
+                    " the rigid-roller formula is used; it was checked at " + newtons(half);
+      end.at_rigid_limit = true;
+      return;
+    }
+    const double lighter = refinement.lightest_N() / descent;  // the half is then the middle of a gap
+    if (const auto not_added = refinement.add_point(lighter)) {
+      if (refinement.add_point(half)) throw std::logic_error("film curve: a solved contact is lost");
+      end.because = newtons(lighter) + " could not be solved: " + not_added->why;
+    }
+    refinement.split_gaps();
+  }
+}
+
+/// The error of the films below the lightest point (CurveErrors::joint); absent where too few points are left.
+std::optional<Disagreement> error_below(const Refinement& refinement, bool at_rigid_limit) {
+  const FilmCurve curve = refinement.curve();
+  if (at_rigid_limit) return largest_below(refinement.disagreement(curve, curve.lightest_N() / 2));
+  const double from_N = descent * curve.lightest_N() * (1 - rounding_of_a_force);
+  const auto enough = std::count_if(curve.forces_N().begin(), curve.forces_N().end(),
+                                    [&](double f) { return f >= from_N; }) >= static_cast<long>(fewest_points);
+  if (!enough) return std::nullopt;
+  return largest_below(refinement.disagreement(refinement.curve(from_N), curve.lightest_N()));
+}
+
+}  // namespace
+
+CurveRequest as_met(CurveRequest request) {
+  std::vector<double>& given = request.given_N;
+  std::erase_if(given, [&](double f) { return !(f > 0) || f > descent * request.heaviest_N; });
+  if (given.size() < 2) given.clear();
+  request.heaviest_N = !given.empty() && given.back() >= request.heaviest_N
+                           ? given.back()
+                           : std::exp2(std::ceil(std::log2(request.heaviest_N)));
+  return request;
+}
+
+std::variant<FilmCurve, SolveFailure> build_curve(SolvedContacts& contacts, const CurveRequest& asked) {
+  const CurveRequest request = as_met(asked);
+  Refinement refinement(contacts, request);
+  const double top = request.heaviest_N;
+  if (const auto failure = refinement.add_point(top))
+    return SolveFailure{.why = "at a contact force of " + newtons(top) + ": " + failure->why, .limit = failure->limit};
+  LightEnd end = add_first_points(refinement, request);
+  if (refinement.size() < fewest_points)
+    return SolveFailure{.why = "only " + std::to_string(refinement.size()) + " contact forces up to " + newtons(top) +
+                               " could be solved, three are needed; " + end.because,
+                        .limit = end.limit};
+
+  refinement.split_gaps();
+  descend(refinement, request, end);
+  refinement.split_beside_points_that_others_do_not_predict();
+
+  CurveErrors errors = refinement.errors();
+  const std::optional<Disagreement> below = error_below(refinement, end.at_rigid_limit);
+  errors.joint = below ? below->film() : infinity;
+  errors.joint_force = below ? below->force : infinity;
+  errors.lightest_because = end.because;
+  return refinement.curve(0, std::move(errors));
+}
+
+}  // namespace ehd::bearing
