@@ -2,7 +2,7 @@
 #pragma once
 
 #include "contact/solver.hpp"
-#include "fast/newton.hpp"
+#include "fast/newton_krylov.hpp"
 
 namespace ehd::fast {
 

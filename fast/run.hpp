@@ -3,7 +3,7 @@
 #pragma once
 
 #include "contact/solver.hpp"
-#include "fast/newton.hpp"
+#include "fast/newton_krylov.hpp"
 #include "fast/start.hpp"
 
 namespace ehd::fast {

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "fast/multigrid.hpp"
-#include "fast/newton.hpp"
+#include "fast/newton_krylov.hpp"
 #include "reference/hp/newton.hpp"
 #include "reference/newton.hpp"
 #include "verification/claims/fits.hpp"

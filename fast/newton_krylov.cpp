@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fast/newton.hpp"
+#include "fast/newton_krylov.hpp"
 
 #include <algorithm>
 #include <array>
