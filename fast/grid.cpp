@@ -136,8 +136,8 @@ Grid& Grids::of(int intervals) {
     grid.bias.setZero(n);
     grid.toeplitz = &kernel(n, Rule::piecewise_linear);
   }
-  grid.by_slope = grid.slope.inverse();
-  grid.by_spacing = grid.spacing.inverse();
+  grid.inverse_slope = grid.slope.inverse();
+  grid.inverse_spacing = grid.spacing.inverse();
   grid.first_weight = grid.slope[0] / n / 2;
   return grid;
 }

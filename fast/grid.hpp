@@ -22,9 +22,9 @@ struct Grid {
   int n = 0;
   Array place;     ///< phi_i, n + 1
   Array slope;     ///< phi'_i, n + 1
-  Array by_slope;  ///< 1/phi'_i
+  Array inverse_slope;  ///< 1/phi'_i
   Array spacing;   ///< phi_(i+1) - phi_i, n
-  Array by_spacing;
+  Array inverse_spacing;
   /// k of the wedge at each node, f_(i+1/2) = f_i + [(1+k)(f_(i+1) - f_i) + (1-k)(f_i - f_(i-1))]/4; n.
   Array bias;
   double first_weight = 0;  ///< what P_0 adds to the integral: the first node's own half

@@ -139,7 +139,7 @@ State on_new_map(Run& run, const Known& known, const InletTail& tail, const Reci
 }
 
 Known known_now(const Run& run) {
-  const Discretisation& at = run.workspace.now();
+  const NodeFields& at = run.workspace.now().nodes;
   return known_of(at.places(run.setting.inlet), run.state.P, at.H);
 }
 

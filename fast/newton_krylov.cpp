@@ -2,9 +2,10 @@
 #include "fast/newton_krylov.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
+
+#include "fast/workspace.hpp"
 
 namespace ehd::fast {
 
@@ -12,112 +13,236 @@ using std::numbers::pi;
 
 namespace {
 
-/// The norm that GMRES and the line search work in: rms of the relative flux error, and the relative load error.
+/// The residual counts as met at this multiple of its rounding floor.
+constexpr double rounding_floors = 8;
+/// An end without the target counts as stalled below this residual, as failed above.
+constexpr double stalled_below = 1e-3;
+/// The tail is refreshed once the residual is below this, at most so many times.
+constexpr double tail_refreshed_below = 1e-3;
+constexpr int most_tail_refreshes = 20;
+/// GMRES solves to this share of what is left to the target, within these bounds (relative residual).
+constexpr double krylov_share = 0.5, tightest_krylov = 0.1, loosest_krylov = 0.5;
+/// A step changes the pressure at most by this share of its maximum (of max P/2, or of 1 where that is more: Barus' spike
+/// stands at 10 p_H), and the exit at most by this share of X* + 0.2.
+constexpr double largest_pressure_change = 0.5, largest_exit_change = 0.05, exit_margin = 0.2;
+/// A step leaves at least this share of the film at every node.
+constexpr double smallest_film_left = 0.2;
+/// A step is halved at most so many times before Newton gives up.
+constexpr int most_halvings = 12;
+/// A step is poor where it leaves more than this share of the norm; so many poor steps in a row end Newton.
+constexpr double poor_contraction = 0.9;
+constexpr int most_poor_steps = 15;
+/// A step whose contraction is above this says nothing about the films.
+constexpr double useful_contraction = 0.5;
+/// Film error left after a step, over contraction x last change. At 200 problems (M of 1..1000, L of 0..20, two law sets,
+/// flooded and -4, uniform grids of 4096), stopped by this estimate at half the expected discretisation error: it covers
+/// the true iteration error in 90 %, half of that error in 96 %. At most 0.73 of the true discretisation error was left,
+/// 0.14 in 95 %.
+constexpr double film_error_factor = 5;
+
+constexpr double unknown = std::numeric_limits<double>::infinity();
+
+/// The norm of GMRES and the line search: rms of the relative flux error, and the relative load error.
 struct Norm {
-  double by_flux, by_load;
+  double flux_scale, load_scale;
   explicit Norm(const Discretisation& at)
-      : by_flux(1 / (at.exit_flux() * std::sqrt(static_cast<double>(at.n)))), by_load(2 / pi) {}
-  [[nodiscard]] double of(const Discretisation& at) const {
-    return std::hypot(at.e.matrix().norm() * by_flux, at.load_error * by_load);
+      : flux_scale(1 / (at.nodes.exit_flux() * std::sqrt(static_cast<double>(at.nodes.n)))), load_scale(2 / pi) {}
+  [[nodiscard]] double of(const Residual& error) const {
+    return std::hypot(error.flux.matrix().norm() * flux_scale, error.load * load_scale);
   }
 };
 
 double residual_of(const Discretisation& at) {
-  return std::max(at.residual(), std::abs(at.load_error) * 2 / pi);
+  return std::max(at.residual(), std::abs(at.error.load) * 2 / pi);
 }
 
-constexpr int most_krylov = 40;
-
-/// Flexible GMRES for J step = -(e, load) to the relative residual `relative`.
-void solve_linear(Workspace& workspace, Workspace::OnGrid& w, Grid& grid, const Norm& norm, double relative,
-                  Counters& counters) {
-  const InStage stage(counters, Stage::krylov);
-  const Discretisation& at = w.now;
-  const Eigen::Index n = at.n;
-  w.basis.resize(most_krylov + 1);
-  w.preconditioned.resize(most_krylov);
-  Eigen::Matrix<double, most_krylov + 1, most_krylov> hessenberg;  // filled up to the column in work
-  std::array<double, most_krylov + 1> right{};
-  std::array<double, most_krylov> cosines, sines, y;
-
-  Array& first = w.basis[0];
-  first.resize(n + 1);
-  first.head(n) = -at.e * norm.by_flux;
-  first[n] = -at.load_error * norm.by_load;
-  const double size = first.matrix().norm();
-  right[0] = size;
-  first /= size;
-  std::size_t k = 0;
-  while (k < most_krylov) {
-    Step& z = w.preconditioned[k];
-    const Array& v = w.basis[k];
-    w.flux_error = v.head(n) / norm.by_flux;
-    workspace.multigrid.cycle(w.flux_error, v[n] / norm.by_load, z, counters);
-    double load_change = 0;
-    at.apply(z, grid, counters, w.product, load_change);
-    ++counters.krylov;
-    Array& next = w.basis[k + 1];
-    next.resize(n + 1);
-    next.head(n) = w.product * norm.by_flux;
-    next[n] = load_change * norm.by_load;
-    const auto column = static_cast<Eigen::Index>(k);
-    for (std::size_t i = 0; i <= k; ++i) {
-      const Array& b = w.basis[i];
-      const double share = b.matrix().dot(next.matrix());
-      hessenberg(static_cast<Eigen::Index>(i), column) = share;
-      next -= share * b;
-    }
-    const double beside = next.matrix().norm();
-    if (beside > 0) next /= beside;
-    for (std::size_t i = 0; i < k; ++i) {
-      const auto row = static_cast<Eigen::Index>(i);
-      const double a = hessenberg(row, column), b = hessenberg(row + 1, column);
-      hessenberg(row, column) = cosines[i] * a + sines[i] * b;
-      hessenberg(row + 1, column) = -sines[i] * a + cosines[i] * b;
-    }
-    const double length = std::hypot(hessenberg(column, column), beside);
-    cosines[k] = hessenberg(column, column) / length;
-    sines[k] = beside / length;
-    hessenberg(column, column) = length;
-    right[k + 1] = -sines[k] * right[k];
-    right[k] *= cosines[k];
-    ++k;
-    if (!(std::abs(right[k]) > relative * size)) break;
-  }
-  for (std::size_t i = k; i-- > 0;) {
-    double rest = right[i];
-    for (std::size_t j = i + 1; j < k; ++j)
-      rest -= hessenberg(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) * y[j];
-    y[i] = rest / hessenberg(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i));
-  }
-  Step& step = w.step;
-  step.P.setZero(n + 1);
-  step.product.setZero(n + 1);
-  step.offset = step.exit = step.integral = 0;
-  for (std::size_t i = 0; i < k; ++i) {
-    const Step& z = w.preconditioned[i];
-    step.P += y[i] * z.P;
-    step.product += y[i] * z.product;
-    step.integral += y[i] * z.integral;
-    step.offset += y[i] * z.offset;
-    step.exit += y[i] * z.exit;
-  }
-}
-
-constexpr double unknown = std::numeric_limits<double>::infinity();
-
-/// What a step leaves in H_min and H_cen: the same share of the larger change that it leaves of the residual, times 5.
-/// At 200 problems (M of 1..1000, L of 0..20, two law sets, flooded and -4, uniform grids of 4096), stopped by it at half
-/// the expected discretisation error: covers the true iteration error in 90 %, half of it in 96 %; at most 0.73 of the
-/// true discretisation error was left, 0.14 in 95 %.
-double film_error_left(const Discretisation& before, const Discretisation& after, double inlet, double residual_before,
-                       double residual_after) {
-  const double contraction = residual_after / residual_before;
-  if (!(contraction < 0.5)) return unknown;
+/// The film error that a step leaves in H_min and H_cen.
+double film_error_left(const NodeFields& before, const NodeFields& after, double inlet, double contraction) {
+  if (!(contraction < useful_contraction)) return unknown;
   const Eigen::Index centre = after.centre(inlet);
   const double minimum = after.H.minCoeff() / before.H.minCoeff(), central = after.H[centre] / before.H[centre];
-  return 5 * contraction * std::max(std::abs(minimum - 1), std::abs(central - 1));
+  return film_error_factor * contraction * std::max(std::abs(minimum - 1), std::abs(central - 1));
 }
+
+/// The share of a step that keeps pressure and exit within their bounds. A step is scaled as a whole, never clipped node
+/// by node.
+double longest(const Step& step, const State& state) {
+  double length = 1;
+  const double largest = step.P.abs().maxCoeff();
+  const double largest_allowed = largest_pressure_change * std::max(1.0, state.P.maxCoeff() / 2);
+  if (largest > largest_allowed) length = std::min(length, largest_allowed / largest);
+  const double largest_exit = largest_exit_change * (state.exit + exit_margin);
+  if (std::abs(step.exit) > largest_exit) length = std::min(length, largest_exit / std::abs(step.exit));
+  return length;
+}
+
+class Newton {
+ public:
+  Newton(const Setting& setting, State& state, const Target& target, Workspace& workspace, Counters& counters)
+      : setting_(setting),
+        state_(state),
+        target_(target),
+        workspace_(workspace),
+        counters_(counters),
+        grid_(workspace.grids.of(static_cast<int>(state.P.size()) - 1)),
+        w_(workspace.on(grid_.n)) {
+    workspace.current = &w_;
+  }
+
+  NewtonResult operator()(int most_iterations, const Limits& limits) {
+    if (!w_.now.evaluate(setting_, state_, grid_, counters_)) return result_;
+    for (;; ++result_.iterations) {
+      result_.residual = residual_of(w_.now);
+      if (!refresh_tail() || !renew_product()) return result_;
+      if (done()) return ended(NewtonEnd::converged);
+      if (counters_.newton >= limits.newton_iterations || limits.time_is_up()) return ended(NewtonEnd::limit);
+      if (result_.iterations >= most_iterations || poor_steps_ >= most_poor_steps) return given_up();
+      ++counters_.newton;
+      if (!find_step()) return result_;
+      if (!search_along_step()) return given_up();
+    }
+  }
+
+ private:
+  [[nodiscard]] bool done() const {
+    return result_.residual <= std::max(target_.residual, rounding_floors * w_.now.rounding) ||
+           (result_.film_error < target_.film_error && result_.residual <= target_.film_residual);
+  }
+  NewtonResult ended(NewtonEnd end) {
+    result_.end = end;
+    return result_;
+  }
+  NewtonResult given_up() {
+    return ended(result_.residual < stalled_below ? NewtonEnd::stalled : NewtonEnd::failed);
+  }
+
+  /// The tail beyond a flooded inlet, made new from the present fields. A tail changes the film by a few per cent at most,
+  /// so a tail as exact as the target leaves less error than the residual does. False where no film is left.
+  bool refresh_tail() {
+    if (!setting_.with_tail || tail_refreshes_ >= most_tail_refreshes) return true;
+    if (!(result_.residual <= tail_refreshed_below || done())) return true;
+    const InletTail fresh = w_.now.tail_of(setting_, state_);
+    const double enough = std::max(target_.residual, target_.film_error);
+    if (!(std::abs(fresh.pressure - state_.tail.pressure) > enough * fresh.pressure)) return true;
+    ++tail_refreshes_;
+    norm_before_refresh_ = Norm(w_.now).of(w_.now.error);
+    state_.tail = fresh;
+    if (!w_.now.evaluate_with_product(setting_, state_, grid_, counters_)) return false;
+    result_.residual = residual_of(w_.now);
+    result_.film_error = unknown;
+    return true;
+  }
+
+  /// Rounding errors of summed products add up, so a solve to round-off is judged by a product of its own. False where no
+  /// film is left.
+  bool renew_product() {
+    if (!product_is_a_sum_ || target_.film_error != 0 || !done()) return true;
+    product_is_a_sum_ = false;
+    if (!w_.now.evaluate(setting_, state_, grid_, counters_)) return false;
+    result_.residual = residual_of(w_.now);
+    return true;
+  }
+
+  /// w_.step = -J^-1 e, by GMRES. False where it cannot be found.
+  bool find_step() {
+    {
+      const InStage stage(counters_, Stage::linearise);
+      w_.jacobian.linearise(setting_, w_.now.nodes, state_.P, state_.exit);
+    }
+    if (!workspace_.multigrid.prepare(setting_, w_.now.nodes, w_.jacobian, state_, workspace_.grids, counters_))
+      return false;
+    const double to_target = std::max(target_.residual / result_.residual, target_.film_error / result_.film_error);
+    solve_linear(std::clamp(to_target * krylov_share, tightest_krylov, loosest_krylov));
+    const Step& step = w_.step;
+    return step.P.allFinite() && std::isfinite(step.offset) && std::isfinite(step.exit);
+  }
+
+  /// J step = -e to the relative residual `relative`, in the scaling of Norm.
+  void solve_linear(double relative) {
+    const InStage stage(counters_, Stage::krylov);
+    const Norm norm(w_.now);
+    const Residual& error = w_.now.error;
+    const Eigen::Index n = grid_.n;
+    w_.right_side.resize(n + 1);
+    w_.right_side.head(n) = -error.flux * norm.flux_scale;
+    w_.right_side[n] = -error.load * norm.load_scale;
+    w_.preconditioned.resize(Gmres::most_steps);
+    const auto product = [&](std::size_t k, const Array& v, Array& Jz) {
+      Step& z = w_.preconditioned[k];
+      w_.unscaled.flux = v.head(n) / norm.flux_scale;
+      w_.unscaled.load = v[n] / norm.load_scale;
+      workspace_.multigrid.cycle(w_.unscaled, z, counters_);
+      const Residual& change = w_.jacobian.apply(z, counters_);
+      ++counters_.krylov;
+      Jz.resize(n + 1);
+      Jz.head(n) = change.flux * norm.flux_scale;
+      Jz[n] = change.load * norm.load_scale;
+    };
+    const auto y = w_.gmres.solve(w_.right_side, relative, product);
+    Step& step = w_.step;
+    step.P.setZero(n + 1);
+    step.product.setZero(n + 1);
+    step.offset = step.exit = step.integral = 0;
+    for (std::size_t k = 0; k < y.size(); ++k) {
+      const Step& z = w_.preconditioned[k];
+      step.P += y[k] * z.P;
+      step.product += y[k] * z.product;
+      step.integral += y[k] * z.integral;
+      step.offset += y[k] * z.offset;
+      step.exit += y[k] * z.exit;
+    }
+  }
+
+  /// The longest share of the step, by halving, that makes the norm smaller. False where there is none.
+  bool search_along_step() {
+    const Norm norm(w_.now);
+    const double before = norm.of(w_.now.error);
+    double length = longest(w_.step, state_);
+    for (int halving = 0; halving < most_halvings; ++halving, length /= 2) {
+      if (!try_step(length)) continue;
+      const double after = norm.of(w_.trial.error);
+      if (!(after < before)) continue;
+      poor_steps_ = after > poor_contraction * before ? poor_steps_ + 1 : 0;
+      const double contraction = after / std::min(before, norm_before_refresh_);
+      result_.film_error = film_error_left(w_.now.nodes, w_.trial.nodes, setting_.inlet, contraction);
+      norm_before_refresh_ = unknown;
+      product_is_a_sum_ = true;
+      std::swap(w_.now, w_.trial);
+      std::swap(state_, w_.candidate);
+      return true;
+    }
+    return false;
+  }
+
+  /// w_.trial: the fields after this share of the step. The product is linear in P, so a trial costs no FFT. False where
+  /// the exit or the film goes too far.
+  bool try_step(double length) {
+    const Step& step = w_.step;
+    State& candidate = w_.candidate;
+    candidate.tail = state_.tail;
+    candidate.P = state_.P + length * step.P;
+    candidate.offset = state_.offset + length * step.offset;
+    candidate.exit = state_.exit + length * step.exit;
+    if (candidate.exit <= setting_.inlet / 2) return false;
+    NodeFields& trial = w_.trial.nodes;
+    trial.product = w_.now.nodes.product + length * step.product;
+    trial.product_integral = w_.now.nodes.product_integral + length * step.integral;
+    if (!w_.trial.evaluate_with_product(setting_, candidate, grid_, counters_)) return false;
+    return !(trial.H < smallest_film_left * w_.now.nodes.H).any();
+  }
+
+  const Setting& setting_;
+  State& state_;
+  const Target& target_;
+  Workspace& workspace_;
+  Counters& counters_;
+  Grid& grid_;
+  Workspace::OnGrid& w_;
+  NewtonResult result_;
+  int poor_steps_ = 0, tail_refreshes_ = 0;
+  bool product_is_a_sum_ = false;         ///< K P of the state was added up from steps
+  double norm_before_refresh_ = unknown;  ///< a fresh tail raises the norm, on the far faces alone
+};
 
 }  // namespace
 
@@ -130,102 +255,12 @@ Workspace::OnGrid& Workspace::on(int intervals) {
   return *grids_seen_.back();
 }
 
-NewtonResult newton(const Setting& setting, State& state, const Target& target, int most_iterations, const Limits& limits,
-                    Workspace& workspace, Counters& counters) {
-  NewtonResult result;
-  const int n = static_cast<int>(state.P.size()) - 1;
-  const Stage stage_before = counters.clock.change_to(Stage::grids);
-  Grid& grid = workspace.grids.of(n);
-  counters.clock.change_to(stage_before);
-  Workspace::OnGrid& w = workspace.on(n);
-  workspace.current = &w;
-  if (!w.now.evaluate(setting, state, grid, counters)) return result;
-  Step& step = w.step;
-  int poor_steps = 0, refreshes = 0;
-  bool carried = false;
-  double before_refresh = unknown;  // of the norm: a fresh tail raises it on the far faces alone
-  for (;; ++result.iterations) {
-    result.residual = residual_of(w.now);
-    const auto done = [&] {
-      return result.residual <= std::max(target.residual, 8 * w.now.floor) ||
-             (result.film_error < target.film_error && result.residual <= target.film_residual);
-    };
-    if (setting.with_tail && (result.residual <= 1e-3 || done()) && refreshes < 20) {
-      // What the tail does to the film is a few per cent at the most, so this leaves less than the residual does.
-      const InletTail fresh = w.now.tail_of(setting, state);
-      const double enough = std::max(target.residual, target.film_error);
-      if (std::abs(fresh.pressure - state.tail.pressure) > enough * fresh.pressure) {
-        ++refreshes;
-        before_refresh = Norm(w.now).of(w.now);
-        state.tail = fresh;
-        if (!w.now.evaluate_with_product(setting, state, grid, counters)) return result;
-        result.residual = residual_of(w.now);
-        result.film_error = unknown;
-      }
-    }
-    if (carried && target.film_error == 0 && done()) {
-      // Rounding of carried products adds up: round-off is judged by a product of its own.
-      carried = false;
-      if (!w.now.evaluate(setting, state, grid, counters)) return result;
-      result.residual = residual_of(w.now);
-    }
-    if (done()) {
-      result.end = NewtonEnd::converged;
-      return result;
-    }
-    if (counters.newton >= limits.newton_iterations || limits.time_is_up()) {
-      result.end = NewtonEnd::limit;
-      return result;
-    }
-    if (result.iterations >= most_iterations || poor_steps >= 15) {
-      result.end = result.residual < 1e-3 ? NewtonEnd::stalled : NewtonEnd::failed;
-      return result;
-    }
-    ++counters.newton;
-    {
-      const InStage stage(counters, Stage::linearise);
-      w.now.linearise(setting, state.P, state.exit);
-    }
-    if (!workspace.multigrid.prepare(setting, w.now, state, workspace.grids, counters)) return result;
-    const Norm norm(w.now);
-    const double before = norm.of(w.now);
-    const double asked = std::max(target.residual / result.residual, target.film_error / result.film_error);
-    solve_linear(workspace, w, grid, norm, std::clamp(asked / 2, 0.1, 0.5), counters);
-    if (!step.P.allFinite() || !std::isfinite(step.offset) || !std::isfinite(step.exit)) return result;
-
-    // The whole step is scaled, never clipped node by node.
-    double length = 1;
-    const double largest = step.P.abs().maxCoeff();
-    const double largest_allowed = 0.5 * std::max(1.0, state.P.maxCoeff() / 2);  // Barus' spike stands at 10 p_H
-    if (largest > largest_allowed) length = std::min(length, largest_allowed / largest);
-    const double largest_exit = 0.05 * (state.exit + 0.2);
-    if (std::abs(step.exit) > largest_exit) length = std::min(length, largest_exit / std::abs(step.exit));
-    bool accepted = false;
-    for (int halving = 0; halving < 12 && !accepted; ++halving, length /= 2) {
-      w.candidate.tail = state.tail;
-      w.candidate.P = state.P + length * step.P;
-      w.candidate.offset = state.offset + length * step.offset;
-      w.candidate.exit = state.exit + length * step.exit;
-      if (w.candidate.exit <= setting.inlet / 2) continue;
-      w.trial.product = w.now.product + length * step.product;  // linear in P: a trial costs no FFT
-      w.trial.product_integral = w.now.product_integral + length * step.integral;
-      if (!w.trial.evaluate_with_product(setting, w.candidate, grid, counters)) continue;
-      if ((w.trial.H < 0.2 * w.now.H).any()) continue;
-      const double after = norm.of(w.trial);
-      if (!(after < before)) continue;
-      accepted = true;
-      poor_steps = after > 0.9 * before ? poor_steps + 1 : 0;
-      result.film_error = film_error_left(w.now, w.trial, setting.inlet, std::min(before, before_refresh), after);
-      before_refresh = unknown;
-    }
-    if (!accepted) {
-      result.end = result.residual < 1e-3 ? NewtonEnd::stalled : NewtonEnd::failed;
-      return result;
-    }
-    carried = true;
-    std::swap(w.now, w.trial);
-    std::swap(state, w.candidate);
-  }
+NewtonResult newton(const Setting& setting, State& state, const Target& target, int most_iterations,
+                    const Limits& limits, Workspace& workspace, Counters& counters) {
+  const Stage before = counters.clock.change_to(Stage::grids);
+  Newton run(setting, state, target, workspace, counters);
+  counters.clock.change_to(before);
+  return run(most_iterations, limits);
 }
 
 }  // namespace ehd::fast

@@ -11,7 +11,7 @@ using Clock = std::chrono::steady_clock;
 namespace {
 
 /// P >= 0 and a film that opens at the exit: the conditions that tracking the exit leaves to be checked.
-bool admissible(const Discretisation& at, const State& state) {
+bool admissible(const NodeFields& at, const State& state) {
   const int n = at.n;
   return state.P.minCoeff() >= -1e-3 && at.density.value[n] * at.H[n] >= at.density.value[n - 1] * at.H[n - 1];
 }
@@ -32,7 +32,7 @@ NewtonResult newton_on(Run& run, State& state, const Target& target) {
 
 bool succeeded(const NewtonResult& result, const Run& run, const State& state) {
   return (result.end == NewtonEnd::converged || result.end == NewtonEnd::stalled) &&
-         admissible(run.workspace.now(), state);
+         admissible(run.workspace.now().nodes, state);
 }
 
 bool lower_floor(Run& run, State& state, const Target& target, NewtonResult& result) {
@@ -66,7 +66,7 @@ bool lower_floor(Run& run, State& state, const Target& target, NewtonResult& res
 namespace {
 
 /// Of the load's own sum, l Int P dphi.
-Array weights_of(const Discretisation& at) {
+Array weights_of(const NodeFields& at) {
   Array weights = at.length / at.n * at.grid->slope;
   weights[0] /= 2;
   weights[at.n] /= 2;
@@ -76,13 +76,13 @@ Array weights_of(const Discretisation& at) {
 }  // namespace
 
 Fields fields_of(const Run& run) {
-  const Discretisation& at = run.workspace.now();
+  const NodeFields& at = run.workspace.now().nodes;
   return {.X = at.places(run.setting.inlet),
           .P = run.state.P,
           .H = at.H,
           .density = at.density.value,
           .log_viscosity = at.log_viscosity.value,
-          .flux = at.flux,
+          .flux = run.workspace.now().faces.flux,
           .offset = run.state.offset,
           .weights = run.workspace.grids.map() ? weights_of(at) : Array(),
           .load_beyond_inlet = run.state.tail.load,

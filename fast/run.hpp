@@ -4,6 +4,7 @@
 
 #include "contact/solver.hpp"
 #include "fast/newton_krylov.hpp"
+#include "fast/workspace.hpp"
 #include "fast/start.hpp"
 
 namespace ehd::fast {

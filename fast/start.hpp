@@ -2,7 +2,8 @@
 // First iterates, and the lengths that a grid must see.
 #pragma once
 
-#include "fast/discretisation.hpp"
+#include "fast/grid.hpp"
+#include "fast/state.hpp"
 
 namespace ehd::fast {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "contact/solver.hpp"
-#include "fast/newton_krylov.hpp"
+#include "fast/workspace.hpp"
 
 namespace ehd::fast {
 

@@ -98,8 +98,8 @@ BOOST_AUTO_TEST_CASE(places_slopes_and_spacings_are_those_of_the_map) {
         EHD_CHECK((grid.place - at.place).abs().maxCoeff(), Tolerance::round_off(2));
         EHD_CHECK((grid.slope / at.slope - 1).abs().maxCoeff(), Tolerance::round_off(16, 1));
         EHD_CHECK((grid.spacing - (X.tail(n) - X.head(n)) / length).abs().maxCoeff(), Tolerance::round_off(2));
-        EHD_CHECK((grid.by_slope * grid.slope - 1).abs().maxCoeff(), Tolerance::round_off(2));
-        EHD_CHECK((grid.by_spacing * grid.spacing - 1).abs().maxCoeff(), Tolerance::round_off(2));
+        EHD_CHECK((grid.inverse_slope * grid.slope - 1).abs().maxCoeff(), Tolerance::round_off(2));
+        EHD_CHECK((grid.inverse_spacing * grid.spacing - 1).abs().maxCoeff(), Tolerance::round_off(2));
         ++rows;
       }
     }
