@@ -2,6 +2,7 @@
 // First iterates, and the lengths that a grid must see.
 #pragma once
 
+#include "contact/scaling.hpp"
 #include "fast/grid.hpp"
 #include "fast/state.hpp"
 
@@ -14,6 +15,17 @@ struct Lengths {
   double inlet = 1;  ///< width of the inlet zone, min(1, H_cen)^(2/3) l
 };
 [[nodiscard]] Lengths lengths_from_film(double film);
+/// The same lubricant in another contact. Laws are written for pressures in units of p_H, which changes with the groups.
+template <class Contact>  // Problem or Setting
+void move_to(Contact& contact, const MoesGroups& moes) {
+  const double alpha_p_H = contact.groups.alpha_p_H;
+  contact.groups = groups_from(moes);
+  if (!(alpha_p_H > 0)) return;
+  const double unit = contact.groups.alpha_p_H / alpha_p_H;
+  contact.viscosity = in_units_of(contact.viscosity, unit);
+  contact.density = in_units_of(contact.density, unit);
+}
+
 /// By Moes' film formula.
 [[nodiscard]] Lengths expected_lengths(const Groups& groups);
 
