@@ -5,6 +5,13 @@
 
 namespace ehd::fast {
 
+namespace {
+
+/// A pivot below this share of the upper part of its row counts as zero.
+constexpr double smallest_pivot = 1e-14;
+
+}  // namespace
+
 bool Banded::factorise() {
   const int n = rows();
   for (int i = 0; i < n; ++i) {
@@ -20,7 +27,7 @@ bool Banded::factorise() {
         r[static_cast<std::size_t>(k + m)] -= factor * pivot[static_cast<std::size_t>(lower + m)];
     }
     const double size = std::abs(r[lower]) + std::abs(r[lower + 1]) + std::abs(r[lower + 2]);
-    if (!(std::abs(r[lower]) > 1e-14 * size)) return false;
+    if (!(std::abs(r[lower]) > smallest_pivot * size)) return false;
     r[lower] = 1 / r[lower];
   }
   return true;

@@ -19,12 +19,12 @@ namespace ehd::fast {
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 struct Grid {
-  int n = 0;
-  Array place;     ///< phi_i, n + 1
-  Array slope;     ///< phi'_i, n + 1
-  Array inverse_slope;  ///< 1/phi'_i
-  Array spacing;   ///< phi_(i+1) - phi_i, n
-  Array inverse_spacing;
+  int n = 0;             ///< intervals
+  Array place;           ///< phi_i, n + 1
+  Array slope;           ///< phi'_i, n + 1
+  Array inverse_slope;   ///< 1/phi'_i, n + 1
+  Array spacing;         ///< phi_(i+1) - phi_i, n
+  Array inverse_spacing;  ///< n
   /// k of the wedge at each node, f_(i+1/2) = f_i + [(1+k)(f_(i+1) - f_i) + (1-k)(f_i - f_(i-1))]/4; n.
   Array bias;
   double first_weight = 0;  ///< what P_0 adds to the integral: the first node's own half
@@ -64,6 +64,8 @@ class Grids {
     Rule rule;
     std::unique_ptr<Convolution> convolution;
   };
+  void make_uniform(Grid& grid);
+  void make_mapped(Grid& grid);
   [[nodiscard]] Convolution& kernel(int intervals, Rule rule);
   [[nodiscard]] std::shared_ptr<const RemainderTable> table(int cells);
   /// The map's nodes; from the finest made so far where that holds them.
