@@ -123,7 +123,7 @@ Attempt lower_floor(Run& run, State& state, const Target& target) {
       floor *= factor;
     }
   }
-  attempt.succeeded = run.setting.fluidity_floor == 0 && any && succeeded(attempt.newton, run, reached);
+  attempt.succeeded = attempt.succeeded && run.setting.fluidity_floor == 0;
   run.setting = setting;
   if (attempt.succeeded) state = reached;
   return attempt;
