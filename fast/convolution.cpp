@@ -99,7 +99,7 @@ Convolution::Convolution(int intervals, Rule rule) : intervals_(intervals), plan
 
   plans_->length = length;
   plans_->real = fftw_alloc_real(static_cast<std::size_t>(length));
-  plans_->modes = fftw_alloc_complex(static_cast<std::size_t>(length / 2 + 1));
+  plans_->modes = fftw_alloc_complex(static_cast<std::size_t>(length) / 2 + 1);
   {
     const auto begin = std::chrono::steady_clock::now();
     const std::lock_guard lock(planner);

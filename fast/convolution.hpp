@@ -11,7 +11,8 @@ namespace ehd::fast {
 
 /// Int hat(t) ln|k - t| dt for the hat function on [-1, 1], k >= 0: the exact weight of piecewise-linear pressure at a
 /// node k spacings away. Second difference of G(u) = u^2 ln|u|/2 - 3u^2/4; beyond 24 spacings, where that difference
-/// cancels, its asymptotic series (next term below 1e-17).
+/// cancels, its asymptotic series (next term below 1e-17). On spacing h the weight is h g_k + h ln h: the matrix stays
+/// Toeplitz when X* moves.
 [[nodiscard]] double hat_moment(int k);
 
 /// Int_0^1 (1 - s) ln(k + s) ds: the outer half of the hat at node 0, seen from node k >= 0.

@@ -118,7 +118,7 @@ void Multigrid::Level::smooth(Counters& counters) {
 void Multigrid::Level::restrict_to(Level& coarse) const {
   const int m = coarse.n;
   if (n % 2 == 0) {
-    for (int i = 0; i < m; ++i) coarse.error.flux[i] = (error.flux[2 * i] + error.flux[2 * i + 1]) / 2;
+    for (Eigen::Index i = 0; i < m; ++i) coarse.error.flux[i] = (error.flux[2 * i] + error.flux[2 * i + 1]) / 2;
   } else {
     for (int i = 0; i < m; ++i) {
       const double at = (i + 0.5) * n / m - 0.5;
@@ -135,7 +135,7 @@ void Multigrid::Level::add_correction(const Level& coarse) {
   const Array& correction = coarse.step.P;
   const int m = coarse.n;
   if (n % 2 == 0) {
-    for (int i = 0; i < m; ++i) {
+    for (Eigen::Index i = 0; i < m; ++i) {
       step.P[2 * i] += correction[i];
       step.P[2 * i + 1] += (correction[i] + correction[i + 1]) / 2;
     }
