@@ -16,7 +16,7 @@ using std::numbers::pi;
 struct Coarsest::Matrices {
   RowMajor film;  ///< dH_i, row by row, as Reynolds' equation combines them
   RowMajor all;
-  Eigen::RowVectorXd integral;                    ///< of P dphi
+  Eigen::RowVectorXd integral;                   ///< of P dphi
   Eigen::PartialPivLU<Eigen::MatrixXd> factors;  ///< of the transpose: Eigen is quicker by columns
   Eigen::VectorXd right_side, solution;
 

@@ -12,7 +12,7 @@ namespace ehd::fast {
 
 namespace {
 
-std::mutex planner;  // FFTW's planner is not thread-safe; its execution is
+std::mutex planner;                   // FFTW's planner is not thread-safe; its execution is
 unsigned plan_flags = FFTW_ESTIMATE;  // guarded by the planner's mutex
 
 /// Beyond so many spacings the closed forms of the weights cancel, and their series take over.
@@ -47,7 +47,8 @@ double hat_moment(int k) {
 double half_hat_moment(int k) {
   // Int_0^1 (1-s) ln(k+s) ds = G(k+1) - G(k) - G'(k), G' = u ln u - u.
   if (k == 0) return -0.75;
-  if (k <= closed_form_up_to) return antiderivative(k + 1) - antiderivative(k) - k * (std::log(static_cast<double>(k)) - 1);
+  if (k <= closed_form_up_to)
+    return antiderivative(k + 1) - antiderivative(k) - k * (std::log(static_cast<double>(k)) - 1);
   const double r = 1.0 / k;
   // Taylor: Sum_m (-1)^(m+1) r^m Int (1-s) s^m ds / m, Int = 1/((m+1)(m+2)).
   double sum = 0, power = 1;

@@ -43,8 +43,7 @@ bool Discretisation::evaluate_with_product(const Setting& setting, State& state,
 InletTail Discretisation::tail_of(const Setting& setting, const State& state) const {
   if (!setting.with_tail) return {};
   const double far = -setting.inlet;
-  const double moment =
-      nodes.length / nodes.n * (state.P * nodes.grid->slope * nodes.places(setting.inlet)).sum();
+  const double moment = nodes.length / nodes.n * (state.P * nodes.grid->slope * nodes.places(setting.inlet)).sum();
   return inlet_tail(far, nodes.H[0] - far * far / 2, moment, nodes.exit_flux(), setting.groups.lambda,
                     ambient_slope(setting.viscosity));
 }

@@ -27,7 +27,8 @@ Limit limit_of(const std::vector<double>& f) {
   if (m == 2) return {.value = R(0), .error = std::abs(f[1] - f[0])};
   const auto r = [&](std::size_t back) { return R(back) - R(back + 1); };
   const auto S = [&](std::size_t back) { return (8 * R(back) - R(back + 1)) / 7; };
-  if (m == 3) return {.value = S(0), .error = std::max(of_three * std::abs(r(0)), std::abs(f[2] - f[1]) / of_plain_move)};
+  if (m == 3)
+    return {.value = S(0), .error = std::max(of_three * std::abs(r(0)), std::abs(f[2] - f[1]) / of_plain_move)};
 
   const double move = std::abs(S(0) - S(1));
   const auto regular = [&](std::size_t back) {

@@ -41,8 +41,8 @@ double FaceFluxes::rounding(const NodeFields& nodes, const Array& P) const {
   const int n = nodes.n;
   const double inverse_length = 1 / nodes.length;
   const auto poiseuille = eps * P.head(n).max(P.tail(n)) * nodes.grid->inverse_spacing * inverse_length;
-  return std::numeric_limits<double>::epsilon() *
-         (poiseuille + (nodes.density.value * nodes.H).head(n)).maxCoeff() / nodes.exit_flux();
+  return std::numeric_limits<double>::epsilon() * (poiseuille + (nodes.density.value * nodes.H).head(n)).maxCoeff() /
+         nodes.exit_flux();
 }
 
 }  // namespace ehd::fast

@@ -19,8 +19,8 @@ class Gmres {
   /// w = A z_k with z_k = M^-1 v; the caller keeps z_k, k = 0, 1, … `w` may hold anything before.
   using Product = std::function<void(std::size_t k, const Array& v, Array& w)>;
 
-  /// From x = 0 until |b - A x| <= relative |b|, or most_steps. The y_k of the solution x = Sum_k y_k z_k; valid until the
-  /// next call.
+  /// From x = 0 until |b - A x| <= relative |b|, or most_steps. The y_k of the solution x = Sum_k y_k z_k; valid until
+  /// the next call.
   [[nodiscard]] std::span<const double> solve(const Array& b, double relative, const Product& product);
 
  private:
@@ -30,10 +30,10 @@ class Gmres {
   struct Rotation {
     double cosine, sine;
   };
-  std::vector<Array> v_;                  ///< orthonormal basis of the Krylov space
-  std::vector<std::vector<double>> h_;    ///< Hessenberg matrix, column by column, made upper triangular
-  std::vector<Rotation> rotations_;       ///< that made it so
-  std::vector<double> g_, y_;             ///< the rotated right side, and the solution of the triangular system
+  std::vector<Array> v_;                ///< orthonormal basis of the Krylov space
+  std::vector<std::vector<double>> h_;  ///< Hessenberg matrix, column by column, made upper triangular
+  std::vector<Rotation> rotations_;     ///< that made it so
+  std::vector<double> g_, y_;           ///< the rotated right side, and the solution of the triangular system
 };
 
 }  // namespace ehd::fast

@@ -8,9 +8,9 @@ namespace ehd::fast {
 
 namespace {
 
-/// Cells of the remainder's table: `small_table` up to the given number of intervals, `large_table` above. Compared with
-/// solutions on whole tables, 128 cells move H_cen by 1.4e-6 of itself at (5000, 0), by 1e-7 at (5000, 10), H_min by
-/// 1.3e-6 at most; 256 cells by less than a hundredth of that.
+/// Cells of the remainder's table: `small_table` up to the given number of intervals, `large_table` above. Compared
+/// with solutions on whole tables, 128 cells move H_cen by 1.4e-6 of itself at (5000, 0), by 1e-7 at (5000, 10), H_min
+/// by 1.3e-6 at most; 256 cells by less than a hundredth of that.
 constexpr int small_table = 128, large_table = 256, small_table_up_to = 512;
 int table_cells(int n) { return n <= small_table ? n : n <= small_table_up_to ? small_table : large_table; }
 
@@ -68,7 +68,8 @@ const Array& Grids::nodes(int n) {
   const auto known = std::find_if(nodes_.begin(), nodes_.end(), [&](const Array& X) { return X.size() == n + 1; });
   if (known != nodes_.end()) return *known;
   const auto find = [&](auto wanted) {
-    return std::find_if(nodes_.begin(), nodes_.end(), [&](const Array& X) { return wanted(static_cast<int>(X.size()) - 1); });
+    return std::find_if(nodes_.begin(), nodes_.end(),
+                        [&](const Array& X) { return wanted(static_cast<int>(X.size()) - 1); });
   };
   Array made;
   if (const auto finer = find([&](int m) { return m > n && m % n == 0; }); finer != nodes_.end()) {
@@ -100,7 +101,8 @@ std::shared_ptr<const RemainderTable> Grids::table(int cells) {
   for (const auto& one : tables_) {
     if (one->cells == cells) return one;
   }
-  const auto finer = std::find_if(tables_.begin(), tables_.end(), [&](const auto& one) { return one->cells % cells == 0; });
+  const auto finer =
+      std::find_if(tables_.begin(), tables_.end(), [&](const auto& one) { return one->cells % cells == 0; });
   if (finer != tables_.end()) {
     const auto every = Eigen::seqN(0, cells + 1, (*finer)->cells / cells);
     tables_.push_back(std::make_shared<const RemainderTable>(

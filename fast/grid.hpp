@@ -19,11 +19,11 @@ namespace ehd::fast {
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 struct Grid {
-  int n = 0;             ///< intervals
-  Array place;           ///< phi_i, n + 1
-  Array slope;           ///< phi'_i, n + 1
-  Array inverse_slope;   ///< 1/phi'_i, n + 1
-  Array spacing;         ///< phi_(i+1) - phi_i, n
+  int n = 0;              ///< intervals
+  Array place;            ///< phi_i, n + 1
+  Array slope;            ///< phi'_i, n + 1
+  Array inverse_slope;    ///< 1/phi'_i, n + 1
+  Array spacing;          ///< phi_(i+1) - phi_i, n
   Array inverse_spacing;  ///< n
   /// k of the wedge at each node, f_(i+1/2) = f_i + [(1+k)(f_(i+1) - f_i) + (1-k)(f_i - f_(i-1))]/4; n.
   Array bias;

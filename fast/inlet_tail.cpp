@@ -15,8 +15,8 @@ constexpr int points = 12;
 /// Newton for the points of the rule: most steps, and the move that ends it.
 constexpr int most_steps = 100;
 constexpr double last_move = 1e-16;
-/// Pressures are held where a Q reaches this, and the gap is kept above this part of x^2: both happen only while Newton is
-/// far from the solution.
+/// Pressures are held where a Q reaches this, and the gap is kept above this part of x^2: both happen only while Newton
+/// is far from the solution.
 constexpr double largest_aQ = 0.9, least_gap = 1.0 / 8;
 /// Below this a Q, P = Q to rounding.
 constexpr double linear_aQ = 1e-8;

@@ -20,10 +20,10 @@ class Jacobian {
  public:
   // Faces, n entries: p_i,i-1, p_i,i, p_i,i+1; w likewise; x_i.
   Array p_left, p_mid, p_right, w_left, w_mid, w_right, by_exit;
-  Array film_by_exit;        ///< h_i, at fixed P; n + 1 entries
-  double load_by_exit = 0;   ///< Int P dphi
+  Array film_by_exit;          ///< h_i, at fixed P; n + 1 entries
+  double load_by_exit = 0;     ///< Int P dphi
   double density_at_exit = 0;  ///< rho_n
-  double length = 0;         ///< l
+  double length = 0;           ///< l
 
   /// All coefficients, at the fields `nodes` of the pressure P and the exit X*.
   void linearise(const Setting& setting, const NodeFields& nodes, const Array& P, double exit);

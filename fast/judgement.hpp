@@ -9,9 +9,9 @@
 
 namespace ehd::fast {
 
-/// Iteration stops at this share of the tolerance. Film error over the residual stopped at, measured at 96 problems (M of
-/// 0.5..1000, L of 0..20, both law sets, flooded and -4) and three tolerances: at most 0.24, so the residual covers the
-/// film error.
+/// Iteration stops at this share of the tolerance. Film error over the residual stopped at, measured at 96 problems (M
+/// of 0.5..1000, L of 0..20, both law sets, flooded and -4) and three tolerances: at most 0.24, so the residual covers
+/// the film error.
 constexpr double iteration_share = 1.0 / 30;
 /// Newton's target on grids of a given number where the caller asks for nothing else: round-off.
 constexpr double round_off_residual = 1e-11;
@@ -24,8 +24,8 @@ constexpr double spike_safety = 3, vaguest_spike = 0.05;
 
 /// Error by the cut inlet of other quantities, over that of the films: the work before the domain falls with 1/|X_a|
 /// alone, and H_0 holds ln|X_a| of the tail. Measured with fast.uniform against the reference at ten points of
-/// M = 0.05..100, both law sets: rolling force at most 4.7e-5 (reach 4), 2.8e-6 (reach 8); offset 1.3e-5, 1.2e-6, with the
-/// discretisation in it.
+/// M = 0.05..100, both law sets: rolling force at most 4.7e-5 (reach 4), 2.8e-6 (reach 8); offset 1.3e-5, 1.2e-6, with
+/// the discretisation in it.
 constexpr double truncation_of_work = 20, truncation_of_offset = 5;
 
 /// film.offset and approach have absolute errors.

@@ -11,7 +11,8 @@ namespace {
 
 /// Newton stops here: the step from this error of s leaves rounding alone, since Newton contracts quadratically.
 constexpr double last_error = 1e-9;
-/// Newton for all nodes at once; nodes that are not sharp after so many steps are found one by one, by bracketed Newton.
+/// Newton for all nodes at once; nodes that are not sharp after so many steps are found one by one, by bracketed
+/// Newton.
 constexpr int steps_together = 7, steps_alone = 100;
 /// Grids of up to so many intervals are made from nothing, finer even ones from the grid of half as many.
 constexpr int made_from_nothing = 32;
@@ -28,8 +29,8 @@ Map::Map(const MapShape& shape) : shape_(shape) {
 
 double Map::raw(double X) const {
   const auto& [inlet, exit, l, d, spike, width] = shape_;
-  return std::asinh(X / (0.7 * l)) + std::asinh((X + l) / (d * l)) +
-         3 * std::atan((X + l * (1 + d)) / (2 * d * l)) + std::asinh((X - spike) / width);
+  return std::asinh(X / (0.7 * l)) + std::asinh((X + l) / (d * l)) + 3 * std::atan((X + l * (1 + d)) / (2 * d * l)) +
+         std::asinh((X - spike) / width);
 }
 
 double Map::operator()(double X) const { return (raw(X) - first_) / range_; }
@@ -91,7 +92,7 @@ Array Map::slopes(const Array& X) const {
 double Map::inverse(double s, double guess, double low, double high) const {
   double X = guess > low && guess < high ? guess : (low + high) / 2;
   for (int step = 0; step < steps_alone; ++step) {
-    const double error = (*this)(X) - s;
+    const double error = (*this)(X)-s;
     const double next = X - error / slope(X);
     if (std::abs(error) < last_error) return next;
     (error > 0 ? high : low) = X;

@@ -13,17 +13,17 @@ namespace ehd::fast {
 
 namespace {
 
-/// A given number of intervals is halved down to this or more, for the extrapolation. A ratio that is not quite 2 leaves
-/// (4/N) of the error that the extrapolation would have removed.
+/// A given number of intervals is halved down to this or more, for the extrapolation. A ratio that is not quite 2
+/// leaves (4/N) of the error that the extrapolation would have removed.
 constexpr int fewest_halved = 64;
-/// Or iteration stops at this share of the tolerance in the films of each grid, by the estimate of a step: extrapolation
-/// multiplies their errors by 45/21 at most.
+/// Or iteration stops at this share of the tolerance in the films of each grid, by the estimate of a step:
+/// extrapolation multiplies their errors by 45/21 at most.
 constexpr double film_share = 1.0 / 60, extrapolation_gain = 45.0 / 21;
-/// The residual must be below this part of the tolerance as well: where an interpolated start errs most on the far faces,
-/// the first step's contraction says nothing about the films (5e-5 off at (1000, 10) without).
+/// The residual must be below this part of the tolerance as well: where an interpolated start errs most on the far
+/// faces, the first step's contraction says nothing about the films (5e-5 off at (1000, 10) without).
 constexpr double residual_part = 10;
-/// With Request::iteration_share, the next grid's error is expected to be this part of what the grids before are known to;
-/// before two grids, of the last number.
+/// With Request::iteration_share, the next grid's error is expected to be this part of what the grids before are known
+/// to; before two grids, of the last number.
 constexpr double next_part = 5, known_at_first = 1e-4;
 
 class Climber {

@@ -9,8 +9,8 @@
 
 namespace ehd::fast {
 
-/// Climbs until both films are known to the tolerance, or to the number of intervals requested. `from`: the solution of a
-/// neighbouring problem, used with full care alone.
+/// Climbs until both films are known to the tolerance, or to the number of intervals requested. `from`: the solution of
+/// a neighbouring problem, used with full care alone.
 [[nodiscard]] MappedClimb climb_mapped(Run& run, const Request& request, const Recipe& recipe, const Solution* from,
                                        Care care);
 

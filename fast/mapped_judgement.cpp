@@ -16,16 +16,17 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::infinity();
 
-/// Relative film error of a lone grid of n intervals, times n^2. Calibrated on 464 problems as in extrapolation.hpp: the
-/// largest error was 4e-2 at 64 intervals, 9e-3 at 128, 4e-3 at 256; on 16, 12 % at (20, 10) and 35 % at (1000, 10).
+/// Relative film error of a lone grid of n intervals, times n^2. Calibrated on 464 problems as in extrapolation.hpp:
+/// the largest error was 4e-2 at 64 intervals, 9e-3 at 128, 4e-3 at 256; on 16, 12 % at (20, 10) and 35 % at (1000,
+/// 10).
 constexpr double error_of_one_grid = 330;
-/// Two or three coarse grids may agree by chance (M = 0.67, L = 26.5, 145 intervals: 2e-4 off at moves of 3e-5). Below so
-/// many grids the error is at least this number over n^2.
+/// Two or three coarse grids may agree by chance (M = 0.67, L = 26.5, 145 intervals: 2e-4 off at moves of 3e-5). Below
+/// so many grids the error is at least this number over n^2.
 constexpr std::size_t few_grids = 4;
 constexpr double least_of_few_grids = 5;
-/// The work at a spike does not follow the films' expansion: its error is multiplied. Against the reference at 102 problems
-/// (M of 0.1..300, L of 0..16, both law sets), four tolerances: without this, and without the last move of the pressures,
-/// 97 % of the maxima, 90 % of the spikes and 98 % of the rolling forces were covered.
+/// The work at a spike does not follow the films' expansion: its error is multiplied. Against the reference at 102
+/// problems (M of 0.1..300, L of 0..16, both law sets), four tolerances: without this, and without the last move of the
+/// pressures, 97 % of the maxima, 90 % of the spikes and 98 % of the rolling forces were covered.
 constexpr double work_safety = 3;
 /// Fewer grids prove nothing of a spike.
 constexpr std::size_t fewest_for_spike = 3;
@@ -128,9 +129,8 @@ ErrorBudget budget_of(const MappedClimb& climb, Quantity quantity, const std::op
 }  // namespace
 
 ErrorBudget film_budget(const MappedClimb& climb, Quantity film, double truncation) {
-  return {.discretisation = film_discretisation(climb.grids, film),
-          .iteration = climb.iteration,
-          .truncation = truncation};
+  return {
+      .discretisation = film_discretisation(climb.grids, film), .iteration = climb.iteration, .truncation = truncation};
 }
 
 void judge(const MappedClimb& climb, const Problem& problem, Solution& solution) {

@@ -12,13 +12,13 @@ namespace {
 constexpr Target for_maps{.residual = 1e-3, .film_error = 1e-2};
 /// Tolerances below this get full care; from ten times this on, or up to this L, the least.
 constexpr double loose_tolerance = 3e-4, mild_L = 10;
-/// Intervals of the grids whose solutions make the next map, after the first. Measured on 464 problems: without any, 1e-2
-/// takes 40 % less time and its error bars hold; at 1e-3 that misses bars where a narrow spike stands (1.2 % of 3000 films,
-/// L > 12), so one is made there; three make H_min at n = 512 three times better.
+/// Intervals of the grids whose solutions make the next map, after the first. Measured on 464 problems: without any,
+/// 1e-2 takes 40 % less time and its error bars hold; at 1e-3 that misses bars where a narrow spike stands (1.2 % of
+/// 3000 films, L > 12), so one is made there; three make H_min at n = 512 three times better.
 constexpr int map_grids[] = {64, 128, 128};
-/// A neighbour's solution is near where less than this share of the load has moved. Neighbours 2 and 10 % away in M and L
-/// moved 1 to 24 % at 139 of 140 points (M of .2..1000, L of 2.5..20, both law sets); nine in ten of the random pressures
-/// of `ehd stress --part b` move more than 30 %, and a map made from such a pressure has to be made again.
+/// A neighbour's solution is near where less than this share of the load has moved. Neighbours 2 and 10 % away in M and
+/// L moved 1 to 24 % at 139 of 140 points (M of .2..1000, L of 2.5..20, both law sets); nine in ten of the random
+/// pressures of `ehd stress --part b` move more than 30 %, and a map made from such a pressure has to be made again.
 constexpr double near_share = 0.25;
 
 std::span<const int> grids_for_maps(Care care) {

@@ -32,9 +32,9 @@ enum class Care { least, little, full };
 /// The care that the tolerance is worth.
 [[nodiscard]] Care care_for(const Request& request, double L);
 
-/// Newton on the grid of run.state; where an interpolated pressure has closed the film, once more with the film at X = 0
-/// restored to `film`; where a sharpening spike stops Newton, with a floor under the fluidity. run.state: the start, then
-/// the solution.
+/// Newton on the grid of run.state; where an interpolated pressure has closed the film, once more with the film at X =
+/// 0 restored to `film`; where a sharpening spike stops Newton, with a floor under the fluidity. run.state: the start,
+/// then the solution.
 [[nodiscard]] Attempt solve_on(Run& run, double film, const Target& target);
 
 /// Makes the final map, and run.state on that map: from nothing, or from the solution `from` of a neighbouring problem

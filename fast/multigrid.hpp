@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One V(1,0) cycle of linear multigrid for the linearised problem: the preconditioner of GMRES.
 //
-// Smoother: a direct banded solve in the dipole variable d, phi'_j dP_j = 2 d_j - d_(j-1) - d_(j+1), which turns the log
-// kernel into its second difference (~ 1/k^2), truncated at |k| <= 1; no relaxation factor. Flux errors are averaged over
-// the two faces of a coarse cell, laws and fields are injected, corrections come back by linear interpolation. dH_0 and
-// dX* are solved for on the coarsest level, which is dense (coarsest.hpp).
+// Smoother: a direct banded solve in the dipole variable d, phi'_j dP_j = 2 d_j - d_(j-1) - d_(j+1), which turns the
+// log kernel into its second difference (~ 1/k^2), truncated at |k| <= 1; no relaxation factor. Flux errors are
+// averaged over the two faces of a coarse cell, laws and fields are injected, corrections come back by linear
+// interpolation. dH_0 and dX* are solved for on the coarsest level, which is dense (coarsest.hpp).
 #pragma once
 
 #include <memory>
@@ -20,8 +20,8 @@ namespace ehd::fast {
 
 class Multigrid {
  public:
-  /// Linearises every level at the iterate of the finest, whose fields and Jacobian are given and must stay. False where
-  /// the coarsest matrix is singular.
+  /// Linearises every level at the iterate of the finest, whose fields and Jacobian are given and must stay. False
+  /// where the coarsest matrix is singular.
   [[nodiscard]] bool prepare(const Setting& setting, const NodeFields& finest, const Jacobian& jacobian,
                              const State& state, Grids& grids, Counters& counters);
   /// step = approximately J^-1 error.

@@ -22,8 +22,8 @@ constexpr double tail_refreshed_below = 1e-3;
 constexpr int most_tail_refreshes = 20;
 /// GMRES solves to this share of what is left to the target, within these bounds (relative residual).
 constexpr double krylov_share = 0.5, tightest_krylov = 0.1, loosest_krylov = 0.5;
-/// A step changes the pressure at most by this share of its maximum (of max P/2, or of 1 where that is more: Barus' spike
-/// stands at 10 p_H), and the exit at most by this share of X* + 0.2.
+/// A step changes the pressure at most by this share of its maximum (of max P/2, or of 1 where that is more: Barus'
+/// spike stands at 10 p_H), and the exit at most by this share of X* + 0.2.
 constexpr double largest_pressure_change = 0.5, largest_exit_change = 0.05, exit_margin = 0.2;
 /// A step leaves at least this share of the film at every node.
 constexpr double smallest_film_left = 0.2;
@@ -34,10 +34,10 @@ constexpr double poor_contraction = 0.9;
 constexpr int most_poor_steps = 15;
 /// A step whose contraction is above this says nothing about the films.
 constexpr double useful_contraction = 0.5;
-/// Film error left after a step, over contraction x last change. At 200 problems (M of 1..1000, L of 0..20, two law sets,
-/// flooded and -4, uniform grids of 4096), stopped by this estimate at half the expected discretisation error: it covers
-/// the true iteration error in 90 %, half of that error in 96 %. At most 0.73 of the true discretisation error was left,
-/// 0.14 in 95 %.
+/// Film error left after a step, over contraction x last change. At 200 problems (M of 1..1000, L of 0..20, two law
+/// sets, flooded and -4, uniform grids of 4096), stopped by this estimate at half the expected discretisation error: it
+/// covers the true iteration error in 90 %, half of that error in 96 %. At most 0.73 of the true discretisation error
+/// was left, 0.14 in 95 %.
 constexpr double film_error_factor = 5;
 
 constexpr double unknown = std::numeric_limits<double>::infinity();
@@ -52,9 +52,7 @@ struct Norm {
   }
 };
 
-double residual_of(const Discretisation& at) {
-  return std::max(at.residual(), std::abs(at.error.load) * 2 / pi);
-}
+double residual_of(const Discretisation& at) { return std::max(at.residual(), std::abs(at.error.load) * 2 / pi); }
 
 /// The film error that a step leaves in H_min and H_cen.
 double film_error_left(const NodeFields& before, const NodeFields& after, double inlet, double contraction) {
@@ -64,8 +62,8 @@ double film_error_left(const NodeFields& before, const NodeFields& after, double
   return film_error_factor * contraction * std::max(std::abs(minimum - 1), std::abs(central - 1));
 }
 
-/// The share of a step that keeps pressure and exit within their bounds. A step is scaled as a whole, never clipped node
-/// by node.
+/// The share of a step that keeps pressure and exit within their bounds. A step is scaled as a whole, never clipped
+/// node by node.
 double longest(const Step& step, const State& state) {
   double length = 1;
   const double largest = step.P.abs().maxCoeff();
@@ -112,12 +110,10 @@ class Newton {
     result_.end = end;
     return result_;
   }
-  NewtonResult given_up() {
-    return ended(result_.residual < stalled_below ? NewtonEnd::stalled : NewtonEnd::failed);
-  }
+  NewtonResult given_up() { return ended(result_.residual < stalled_below ? NewtonEnd::stalled : NewtonEnd::failed); }
 
-  /// The tail beyond a flooded inlet, made new from the present fields. A tail changes the film by a few per cent at most,
-  /// so a tail as exact as the target leaves less error than the residual does. False where no film is left.
+  /// The tail beyond a flooded inlet, made new from the present fields. A tail changes the film by a few per cent at
+  /// most, so a tail as exact as the target leaves less error than the residual does. False where no film is left.
   bool refresh_tail() {
     if (!setting_.with_tail || tail_refreshes_ >= most_tail_refreshes) return true;
     if (!(result_.residual <= tail_refreshed_below || done())) return true;
@@ -133,8 +129,8 @@ class Newton {
     return true;
   }
 
-  /// Rounding errors of summed products add up, so a solve to round-off is judged by a product of its own. False where no
-  /// film is left.
+  /// Rounding errors of summed products add up, so a solve to round-off is judged by a product of its own. False where
+  /// no film is left.
   bool renew_product() {
     if (!product_is_a_sum_ || target_.film_error != 0 || !done()) return true;
     product_is_a_sum_ = false;
@@ -214,8 +210,8 @@ class Newton {
     return false;
   }
 
-  /// w_.trial: the fields after this share of the step. The product is linear in P, so a trial costs no FFT. False where
-  /// the exit or the film goes too far.
+  /// w_.trial: the fields after this share of the step. The product is linear in P, so a trial costs no FFT. False
+  /// where the exit or the film goes too far.
   bool try_step(double length) {
     const Step& step = w_.step;
     State& candidate = w_.candidate;

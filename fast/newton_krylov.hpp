@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Newton's method on one grid. Each step is solved for by flexible GMRES, with a multigrid cycle as right preconditioner,
-// only as exactly as the target needs (inexact Newton).
+// Newton's method on one grid. Each step is solved for by flexible GMRES, with a multigrid cycle as right
+// preconditioner, only as exactly as the target needs (inexact Newton).
 #pragma once
 
 #include <chrono>

@@ -10,7 +10,8 @@ namespace ehd::fast {
 
 namespace {
 
-/// Guesses for the first map, in widths of the inlet zone: the exit beyond X = 1, the spike before it, the spike's width.
+/// Guesses for the first map, in widths of the inlet zone: the exit beyond X = 1, the spike before it, the spike's
+/// width.
 constexpr double expected_exit = 0.45, expected_spike = 0.45, expected_spike_width = 0.5;
 /// Films thicker than this (Hertz units) hardly deform the contact: the exit is then this part of sqrt(2 H_cen).
 constexpr double rigid_film = 0.5, rigid_exit = 0.5;

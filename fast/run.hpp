@@ -46,8 +46,8 @@ struct Run {
 /// A grid of the workspace; the time to make it is noted.
 [[nodiscard]] Grid& grid_of(Run& run, int intervals);
 
-/// How Newton ended, and whether the end is a solution: converged or nearly, P >= 0 and a film that opens at the exit. The
-/// last two are the conditions that tracking the exit leaves to check.
+/// How Newton ended, and whether the end is a solution: converged or nearly, P >= 0 and a film that opens at the exit.
+/// The last two are the conditions that tracking the exit leaves to check.
 struct Attempt {
   bool succeeded = false;
   NewtonResult newton = {};
@@ -57,8 +57,8 @@ struct Attempt {
 [[nodiscard]] Attempt newton_on(Run& run, State& state, const Target& target);
 /// Newton from nothing: pressures of Hertz and of Martin, films about the expected one. A success goes to run.state.
 [[nodiscard]] Attempt cold_start(Run& run, Grid& grid, const Target& target);
-/// Where a sharpening spike stops Newton: a floor under the fluidity, 1/eta + delta, is lowered step by step to nothing.
-/// `state`: the start, then the solution.
+/// Where a sharpening spike stops Newton: a floor under the fluidity, 1/eta + delta, is lowered step by step to
+/// nothing. `state`: the start, then the solution.
 [[nodiscard]] Attempt lower_floor(Run& run, State& state, const Target& target);
 
 /// The numbers of intervals on the way.

@@ -34,7 +34,8 @@ constexpr double far_begin = 1.5, far_widths = 2;
 /// A first guess of the deflection at the first node, for the first tail.
 constexpr double first_deflection = 0.6;
 
-/// Martin's pressure from the exit inwards: dP/dy ~ 1/(1+y^2)^2 - flux/(1+y^2)^3, y = X/sqrt(2 H). Not scaled to a load.
+/// Martin's pressure from the exit inwards: dP/dy ~ 1/(1+y^2)^2 - flux/(1+y^2)^3, y = X/sqrt(2 H). Not scaled to a
+/// load.
 void put_martin(const Array& X, double width, Array& P) {
   const double flux = 1 + martin_exit * martin_exit;  // gap at the exit over the smallest, where dP/dX = 0
   for (Eigen::Index i = X.size() - 2; i > 0; --i) {
@@ -47,8 +48,8 @@ void put_hertz(const Array& X, Array& P) {
   for (Eigen::Index i = X.size() - 2; i > 0; --i) P[i] = std::sqrt(std::max(0.0, 1 - X[i] * X[i]));
 }
 
-/// The far inlet's pressure, lambda 4/(3 x^3), less what a cut takes away, is the least that P holds there: without it the
-/// first faces, whose conductance grows as x^6, would dominate every norm.
+/// The far inlet's pressure, lambda 4/(3 x^3), less what a cut takes away, is the least that P holds there: without it
+/// the first faces, whose conductance grows as x^6, would dominate every norm.
 void raise_far_inlet(const Setting& setting, const Array& X, double width, Array& P) {
   const double cut = setting.with_tail ? 0 : 1 / std::pow(-setting.inlet, 3);
   for (Eigen::Index i = 1; i + 1 < X.size(); ++i) {
@@ -61,7 +62,8 @@ void raise_far_inlet(const Setting& setting, const Array& X, double width, Array
 }  // namespace
 
 double first_exit(Shape shape, double film) {
-  return shape == Shape::hertz ? 1 + hertz_exit * std::pow(std::min(1.0, film), 2.0 / 3) : martin_exit * std::sqrt(2 * film);
+  return shape == Shape::hertz ? 1 + hertz_exit * std::pow(std::min(1.0, film), 2.0 / 3)
+                               : martin_exit * std::sqrt(2 * film);
 }
 
 double offset_for(double film, const Setting& setting, const State& state, Grid& grid) {

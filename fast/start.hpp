@@ -15,7 +15,8 @@ struct Lengths {
   double inlet = 1;  ///< width of the inlet zone, min(1, H_cen)^(2/3) l
 };
 [[nodiscard]] Lengths lengths_from_film(double film);
-/// The same lubricant in another contact. Laws are written for pressures in units of p_H, which changes with the groups.
+/// The same lubricant in another contact. Laws are written for pressures in units of p_H, which changes with the
+/// groups.
 template <class Contact>  // Problem or Setting
 void move_to(Contact& contact, const MoesGroups& moes) {
   const double alpha_p_H = contact.groups.alpha_p_H;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The problem on a grid (Setting), its unknowns (State), a correction of them (Step), and the equations' errors (Residual).
+// The problem on a grid (Setting), its unknowns (State), a correction of them (Step), and the equations' errors
+// (Residual).
 #pragma once
 
 #include <memory>

@@ -22,7 +22,8 @@ constexpr double discretisation_share = 0.5;
 /// On the way to a given grid, more: a grid is only a start for the next one.
 constexpr double share_on_the_way = 2.5;
 /// The error to expect of the next grid: the difference of the last two over this number (second order: the last grid's
-/// error is a third of the difference, the next one's a quarter of that); before two grids, the calibrated error over this.
+/// error is a third of the difference, the next one's a quarter of that); before two grids, the calibrated error over
+/// this.
 constexpr double difference_over_next = 12, calibrated_over_next = 10;
 
 class Climber {
@@ -57,8 +58,8 @@ class Climber {
  private:
   [[nodiscard]] double cells(int n, double exit) const { return run_.lengths.inlet * n / (exit - run_.setting.inlet); }
 
-  /// The first grid is the coarsest that sees the inlet zone. A given number of intervals is halved down to it: a lone grid
-  /// would have no error but the calibrated one.
+  /// The first grid is the coarsest that sees the inlet zone. A given number of intervals is halved down to it: a lone
+  /// grid would have no error but the calibrated one.
   [[nodiscard]] GridPlan plan_of_grids() const {
     const auto seen = [&](int n) { return cells(n, first_exit_) >= fewest_inlet_cells; };
     if (request_.nodes) {

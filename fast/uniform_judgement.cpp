@@ -29,8 +29,8 @@ double at_least(double error, double least) { return std::isfinite(error) ? std:
 
 void put_errors(const UniformClimb& climb, const Run& run, const SolveRecord& record, Observables& observables) {
   const double least = least_error(climb);
-  const double film = observables.contains(Quantity::film_central) ? observables.at(Quantity::film_central).value
-                                                                   : run.lengths.film;
+  const double film =
+      observables.contains(Quantity::film_central) ? observables.at(Quantity::film_central).value : run.lengths.film;
   const double offset_scale = 1 + film;  // H_0 is the film at X = 0 less a deflection of order one
   for (auto& [quantity, reading] : observables) {
     if (is_check(quantity)) continue;

@@ -36,7 +36,8 @@ void check_krylov_steps(const S& solver, const std::vector<Problem>& problems, c
       const Cost cost = solver.solve(problem, {.tolerance = {}, .nodes = n}).record.cost;
       BOOST_TEST_CONTEXT("M " << problem.groups.M << " L " << problem.groups.L << " n " << n) {
         EHD_CHECK(static_cast<double>(cost.krylov_iterations) / static_cast<double>(cost.newton_iterations),
-                  verification::Tolerance::required(2.5, "the method: 1..2 GMRES steps a Newton step to M = 200, a few more from the start"));
+                  verification::Tolerance::required(
+                      2.5, "the method: 1..2 GMRES steps a Newton step to M = 200, a few more from the start"));
       }
       ++rows;
     }

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fast/discretisation.hpp"
 
-#include "fast/jacobian.hpp"
-
 #include <cmath>
 #include <numbers>
 #include <random>
 
 #include "contact/hertz.hpp"
+#include "fast/jacobian.hpp"
 #include "fast/start.hpp"
 #include "tests/check.hpp"
 
@@ -69,14 +68,11 @@ struct JacobianCase {
   const char* name;
   bool sourced, mapped, robust_wedge, with_tail;
 };
-constexpr JacobianCase jacobian_cases[] = {{"uniform", false, false, false, false},
-                                           {"uniform, sources", true, false, false, false},
-                                           {"uniform, tail", false, false, false, true},
-                                           {"mapped", false, true, false, false},
-                                           {"mapped, sources", true, true, false, false},
-                                           {"mapped, robust wedge", false, true, true, false},
-                                           {"mapped, tail", false, true, false, true},
-                                           {"mapped, all", true, true, true, true}};
+constexpr JacobianCase jacobian_cases[] = {
+    {"uniform", false, false, false, false},       {"uniform, sources", true, false, false, false},
+    {"uniform, tail", false, false, false, true},  {"mapped", false, true, false, false},
+    {"mapped, sources", true, true, false, false}, {"mapped, robust wedge", false, true, true, false},
+    {"mapped, tail", false, true, false, true},    {"mapped, all", true, true, true, true}};
 
 std::shared_ptr<const Map> map_from(double inlet) {
   return std::make_shared<const Map>(
@@ -97,8 +93,7 @@ BOOST_AUTO_TEST_CASE(jacobian_product_is_the_derivative_of_the_residual) {
       setting.with_tail = with_tail;
       constexpr int n = 96;
       Grids grids;
-      if (mapped)
-        grids.use(map_from(setting.inlet), robust_wedge);
+      if (mapped) grids.use(map_from(setting.inlet), robust_wedge);
       Grid& grid = grids.of(n);
       BOOST_CHECK_EQUAL(grid.bias.abs().maxCoeff() > 0.1, mapped);
       Counters counters;
@@ -151,8 +146,7 @@ BOOST_AUTO_TEST_CASE(the_first_pressure_deflects_with_its_half_of_a_cell_and_the
       Setting setting = setting_of_seven_and_six();
       constexpr int n = 96;
       Grids grids;
-      if (mapped)
-        grids.use(map_from(setting.inlet));
+      if (mapped) grids.use(map_from(setting.inlet));
       Grid& grid = grids.of(n);
       Counters counters;
       State state = first_iterate(setting, Shape::hertz, 0.21, grid);

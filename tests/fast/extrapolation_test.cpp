@@ -53,7 +53,8 @@ BOOST_AUTO_TEST_CASE(from_three_grids_on_second_and_third_order_errors_are_gone)
         const double finest = std::abs(sequence(grids, L, a, b, 0).back() - L);
         EHD_CHECK(std::abs(limit.value - L), Tolerance::discretisation(limit.error + 1e-15, 1));
         if (b != 0) BOOST_CHECK_GT(limit.error, 0);
-        if (grids >= 5) EHD_CHECK(limit.error, Tolerance::required(finest, "a bar shorter than the finest grid's error"));
+        if (grids >= 5)
+          EHD_CHECK(limit.error, Tolerance::required(finest, "a bar shorter than the finest grid's error"));
         ++rows;
       }
     }
@@ -69,7 +70,8 @@ BOOST_AUTO_TEST_CASE(fourth_order_errors_are_covered_from_three_grids_on) {
   int rows = 0;
   double worst = 0;
   for (int trial = 0; trial < 2000; ++trial) {
-    const double second = uniform(random), a = 0.7 * second + std::copysign(0.3, second), b = uniform(random), c = uniform(random);
+    const double second = uniform(random), a = 0.7 * second + std::copysign(0.3, second), b = uniform(random),
+                 c = uniform(random);
     for (std::size_t grids = 3; grids <= 8; ++grids) {
       constexpr double L = 1.7;
       const auto limit = limit_of(sequence(grids, L, a, b, c));
