@@ -33,7 +33,7 @@ enum class Rule {
 /// holds of earlier measurements. Two runs may then differ by rounding, so verification plans by estimate. False: no
 /// wisdom of this FFTW.
 [[nodiscard]] bool measure_plans(const std::string& wisdom);
-/// What FFTW has measured in this process and was given.
+/// The wisdom of this process: plans that FFTW has measured, and those it was given.
 [[nodiscard]] std::string measured_plans();
 
 /// y_i = Sum_j g_|i-j| x_j for i, j = 0..n, where x_n = 0 (the exit). Holds its FFTW plans; not copyable, one thread

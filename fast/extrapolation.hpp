@@ -23,7 +23,7 @@ struct Limit {
 /// the smallest film and 99.5 % of the central film's, at a median of 5 to 400 times the true one.
 [[nodiscard]] Limit limit_of(const std::vector<double>& values);
 
-/// A small move by chance proves nothing: each error is at least this share of the largest relative error of the films.
+/// A single move may be small by chance: each error is at least this share of the largest relative error of the films.
 [[nodiscard]] constexpr double shared(std::size_t grids) { return grids > 3 ? 0.1 : 0.8; }
 
 }  // namespace ehd::fast

@@ -46,7 +46,7 @@ double Map::slope(double X) const {
 
 namespace {
 
-/// asinh to rounding of the larger of 1 and the result: what a sum of such terms needs.
+/// asinh, with a rounding error relative to the larger of 1 and the result: enough for a sum of such terms.
 Array asinh_of(const Array& y, const Array& root) { return (y.abs() + root).log() * y.sign(); }
 
 /// atan: three half angles bring |y| below tan(pi/16) = 0.199; there the series' next term is below 1e-18.

@@ -11,7 +11,7 @@
 
 namespace ehd::fast {
 
-/// What the map is made for, in Hertz half-widths.
+/// The lengths that a map is made for, in Hertz half-widths.
 struct MapShape {
   double inlet = -4;       ///< X_a
   double exit = 1;         ///< X* that is expected

@@ -28,7 +28,7 @@ constexpr double least_of_few_grids = 5;
 /// problems (M of 0.1..300, L of 0..16, both law sets), four tolerances: without this, and without the last move of the
 /// pressures, 97 % of the maxima, 90 % of the spikes and 98 % of the rolling forces were covered.
 constexpr double work_safety = 3;
-/// Fewer grids prove nothing of a spike.
+/// With fewer grids a spike has no error estimate.
 constexpr std::size_t fewest_for_spike = 3;
 /// An unknown spike grows with the grids; half as high again was met.
 constexpr double unknown_spike_growth = 0.5;
@@ -58,7 +58,7 @@ double film_discretisation(const std::vector<GridRecord>& grids, Quantity film) 
   const double minimum = relative_error(grids, Quantity::film_minimum);
   const double central = relative_error(grids, Quantity::film_central);
   const double own = film == Quantity::film_minimum ? minimum : central;
-  // A central film that lies outside the grid says nothing.
+  // Without X = 0 on the grid there is no central film.
   const double largest = std::isfinite(central) ? std::max(minimum, central) : minimum;
   const double least = grids.size() < few_grids ? least_of_few_grids / (n * n) : 0;
   return std::max({own, shared(grids.size()) * largest, least});

@@ -95,7 +95,7 @@ void Multigrid::Level::assemble_band() {
   smooths = band.factorise();
 }
 
-/// A step that takes the rough part of the error away, and what is left of the error.
+/// Makes a step that removes the rough part of the error, and updates the error.
 void Multigrid::Level::smooth(Counters& counters) {
   step.offset = step.exit = 0;
   if (!smooths) {

@@ -32,7 +32,7 @@ constexpr int most_halvings = 12;
 /// A step is poor where it leaves more than this share of the norm; so many poor steps in a row end Newton.
 constexpr double poor_contraction = 0.9;
 constexpr int most_poor_steps = 15;
-/// A step whose contraction is above this says nothing about the films.
+/// With a contraction above this the film error is unknown.
 constexpr double useful_contraction = 0.5;
 /// Film error left after a step, over contraction x last change. At 200 problems (M of 1..1000, L of 0..20, two law
 /// sets, flooded and -4, uniform grids of 4096), stopped by this estimate at half the expected discretisation error: it

@@ -31,7 +31,7 @@ void move_to(Contact& contact, const MoesGroups& moes) {
 [[nodiscard]] Lengths expected_lengths(const Groups& groups);
 
 enum class Shape { hertz, martin };
-/// The likelier of the two for a film: Martin's where it is thicker than half b^2/R.
+/// The likelier of the two for a film: Martin's where the film is thicker than half b^2/R.
 [[nodiscard]] inline Shape likely_shape(double film) { return film > 0.5 ? Shape::martin : Shape::hertz; }
 /// X* of the first iterate.
 [[nodiscard]] double first_exit(Shape shape, double film);

@@ -12,7 +12,7 @@ namespace ehd::fast {
 
 namespace {
 
-/// What the grids say of one quantity; infinite where only one grid has it.
+/// Discretisation error of one quantity, from its values on the grids; infinite where only one grid has it.
 double discretisation_error(const std::vector<GridRecord>& grids, Quantity quantity) {
   const std::vector<double> values = values_of(grids, quantity);
   if (values.empty()) return std::numeric_limits<double>::infinity();

@@ -302,7 +302,7 @@ BOOST_AUTO_TEST_CASE(product_on_a_map_keeps_the_fifth_order) {
 
 BOOST_AUTO_TEST_CASE(hertz_pressure_is_deflected_as_it_should_with_the_order_of_its_roots) {
   // Int P ln|X - X'| dX' = pi/2 (X^2 - 1/2 - ln 2) inside. Both edges are nodes, where the root leaves
-  // zeta(-1/2) h^(3/2) of the load (Navot 1961); inside the contact that is all that is seen.
+  // zeta(-1/2) h^(3/2) of the load (Navot 1961); inside the contact this error is the largest.
   int rows = 0;
   for (const MapShape& shape :
        {MapShape{.inlet = -1, .exit = 1, .scale = 1, .inlet_width = 0.2, .spike = 0.9, .spike_width = 0.1},

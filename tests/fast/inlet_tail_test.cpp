@@ -13,7 +13,7 @@ using verification::Tolerance;
 
 namespace {
 
-/// The model's ODE integrated by GSL, for what the rule on 12 points is worth.
+/// The model's ODE, integrated by GSL: the truth for the rule on 12 points.
 struct Model {
   double far, excess, moment, flux, lambda, slope;
   [[nodiscard]] double gap(double x) const {

@@ -44,7 +44,7 @@ std::pair<Quantity, double> films_of(const Truth& truth, int which) {
                     : std::pair{Quantity::film_central, truth.central};
 }
 
-/// Half a unit of the last of ten digits, relative: as well as all these films are known.
+/// Relative uncertainty of the true films: half a unit of the last of ten digits.
 constexpr double truths_known_to = 5e-10;
 
 /// Each film within its reported error of the truth.
@@ -287,7 +287,7 @@ BOOST_AUTO_TEST_CASE(plain_films_converge_with_the_declared_order_and_extrapolat
   BOOST_REQUIRE_EQUAL(rows, 4);
 }
 
-// Found by trial; truths by `reference` at 1e-8.
+// These problems were found by random trial. Their true values are by `reference` at 1e-8.
 BOOST_AUTO_TEST_CASE(a_pressure_maximum_that_a_spike_may_hide_is_left_out) {
   // The smooth maximum is at 1.0012561, a spike that 4e-4 does not resolve stands beside it.
   const Lubricant oil{.viscosity = ViscosityLaw::roelands,
@@ -299,11 +299,11 @@ BOOST_AUTO_TEST_CASE(a_pressure_maximum_that_a_spike_may_hide_is_left_out) {
   const Solution all = fast::Mapped{}.solve(problem, {.tolerance = 4e-4});
   BOOST_REQUIRE(all.record.status == StopReason::converged);
   const auto maximum = all.observables.find(Quantity::pressure_maximum);
-  if (maximum != all.observables.end()) {  // then with a bar that holds the truth
+  if (maximum != all.observables.end()) {  // the reported error then covers the truth
     BOOST_REQUIRE(maximum->second.error.has_value());
     EHD_CHECK(error(maximum->second.value, 1.0012561), Tolerance::discretisation(*maximum->second.error, 1));
   }
-  // Whoever asks for less is told the same.
+  // A request for the maximum alone gets the same answer.
   problem.wanted = {Quantity::pressure_maximum};
   const Solution one = fast::Mapped{}.solve(problem, {.tolerance = 4e-4});
   BOOST_CHECK_EQUAL(one.observables.contains(Quantity::pressure_maximum), maximum != all.observables.end());

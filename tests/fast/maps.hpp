@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Maps that tests go over: extremes of what fast makes, and an easy one.
+// Maps for tests: extremes of those that `fast` makes, and an easy one.
 #pragma once
 
 #include "fast/map.hpp"

@@ -81,7 +81,7 @@ BOOST_AUTO_TEST_CASE(neighbouring_nodes_lead_to_the_diagonal) {
 }
 
 BOOST_AUTO_TEST_CASE(interpolation_is_exact_for_polynomials_of_seventh_degree) {
-  // A table that holds p(s_i) q(s_j): eight points leave nothing but rounding, whatever the number of intervals.
+  // A table that holds p(s_i) q(s_j): eight points leave rounding only, at any number of intervals.
   const auto p = [](double s) { return 0.3 + s * (1.1 + s * (-0.7 + s * (2 + s * s * (s * s - 1.3 * s + 0.4)))); };
   const auto q = [](double s) { return 1.2 - s * (0.4 - s * s * (0.9 + s * s * (0.1 - 2.1 * s * s))); };
   int rows = 0;
@@ -99,7 +99,7 @@ BOOST_AUTO_TEST_CASE(interpolation_is_exact_for_polynomials_of_seventh_degree) {
         const double term = q(static_cast<double>(j) / n) * x[j];
         sum += term, size += std::abs(term);
       }
-      Array y = Array::Constant(n + 1, 0.7);  // what is there stays
+      Array y = Array::Constant(n + 1, 0.7);  // add() keeps the old values
       remainder.add(x, y);
       double worst = 0;
       for (int i = 0; i <= n; ++i) worst = std::max(worst, std::abs(y[i] - 0.7 - p(static_cast<double>(i) / n) * sum));

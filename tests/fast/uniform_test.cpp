@@ -99,7 +99,7 @@ BOOST_AUTO_TEST_CASE(a_grid_that_cannot_see_the_inlet_zone_is_under_resolved) {
       BOOST_CHECK(!solution.record.reason.empty());
       for (const auto& [quantity, value] :
            {std::pair{Quantity::film_minimum, 8.9959560167e-4}, std::pair{Quantity::film_central, 9.6476425613e-4}}) {
-        if (!solution.observables.contains(quantity)) continue;  // no solution at all: no film is reported
+        if (!solution.observables.contains(quantity)) continue;  // without a solution no film is reported
         BOOST_CHECK_GT(film(solution, quantity), 0);
         EHD_CHECK(error(film(solution, quantity), value), Tolerance::discretisation(reported(solution, quantity), 1));
       }
