@@ -12,9 +12,15 @@ namespace ehd::fast {
 
 namespace {
 
-std::mutex planner;  // FFTW's planner is not thread-safe; its execution is
+std::mutex planner;                   // FFTW's planner is not thread-safe; its execution is
 unsigned plan_flags = FFTW_ESTIMATE;  // guarded by the planner's mutex
 
+/// Beyond so many spacings the closed forms of the weights cancel, and their series take over.
+constexpr int closed_form_up_to = 24;
+/// Terms of the series of half a hat.
+constexpr int half_hat_terms = 12;
+
+/// G(u) = u^2 ln|u|/2 - 3u^2/4.
 double antiderivative(double u) { return u == 0 ? 0 : u * u * (std::log(std::abs(u)) / 2 - 0.75); }
 
 /// The smallest length >= `least` without prime factors above 5.
@@ -31,7 +37,7 @@ int friendly_length(int least) {
 }  // namespace
 
 double hat_moment(int k) {
-  if (k <= 24) return antiderivative(k + 1) - 2 * antiderivative(k) + antiderivative(k - 1);
+  if (k <= closed_form_up_to) return antiderivative(k + 1) - 2 * antiderivative(k) + antiderivative(k - 1);
   const double q = 1.0 / (static_cast<double>(k) * k);
   // 2 Sum_m G^(2m)(k)/(2m)!, m = 1..6.
   return std::log(static_cast<double>(k)) -
@@ -41,11 +47,12 @@ double hat_moment(int k) {
 double half_hat_moment(int k) {
   // Int_0^1 (1-s) ln(k+s) ds = G(k+1) - G(k) - G'(k), G' = u ln u - u.
   if (k == 0) return -0.75;
-  if (k <= 24) return antiderivative(k + 1) - antiderivative(k) - k * (std::log(static_cast<double>(k)) - 1);
+  if (k <= closed_form_up_to)
+    return antiderivative(k + 1) - antiderivative(k) - k * (std::log(static_cast<double>(k)) - 1);
   const double r = 1.0 / k;
   // Taylor: Sum_m (-1)^(m+1) r^m Int (1-s) s^m ds / m, Int = 1/((m+1)(m+2)).
   double sum = 0, power = 1;
-  for (int m = 1; m <= 12; ++m) {
+  for (int m = 1; m <= half_hat_terms; ++m) {
     power *= -r;
     sum -= power / (static_cast<double>(m) * (m + 1) * (m + 2));
   }
@@ -93,7 +100,7 @@ Convolution::Convolution(int intervals, Rule rule) : intervals_(intervals), plan
 
   plans_->length = length;
   plans_->real = fftw_alloc_real(static_cast<std::size_t>(length));
-  plans_->modes = fftw_alloc_complex(static_cast<std::size_t>(length / 2 + 1));
+  plans_->modes = fftw_alloc_complex(static_cast<std::size_t>(length) / 2 + 1);
   {
     const auto begin = std::chrono::steady_clock::now();
     const std::lock_guard lock(planner);

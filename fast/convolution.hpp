@@ -11,7 +11,8 @@ namespace ehd::fast {
 
 /// Int hat(t) ln|k - t| dt for the hat function on [-1, 1], k >= 0: the exact weight of piecewise-linear pressure at a
 /// node k spacings away. Second difference of G(u) = u^2 ln|u|/2 - 3u^2/4; beyond 24 spacings, where that difference
-/// cancels, its asymptotic series (next term below 1e-17).
+/// cancels, its asymptotic series (next term below 1e-17). On spacing h the weight is h g_k + h ln h: the matrix stays
+/// Toeplitz when X* moves.
 [[nodiscard]] double hat_moment(int k);
 
 /// Int_0^1 (1 - s) ln(k + s) ds: the outer half of the hat at node 0, seen from node k >= 0.
@@ -24,18 +25,20 @@ enum class Rule {
 };
 
 /// Weights of the trapezoid rule with zeta corrections at the singular point (Kapur & Rokhlin 1997):
-/// Int g(s) ln|s_i - s| ds ~ h Sum_j g_j (w_|i-j| + ln h) with w_0 = -ln 2 pi + 2c, w_1 = -c, w_k = ln k, c = zeta(3)/(4 pi^2).
+/// Int g(s) ln|s_i - s| ds ~ h Sum_j g_j (w_|i-j| + ln h) with w_0 = -ln 2 pi + 2c, w_1 = -c, w_k = ln k, c =
+/// zeta(3)/(4 pi^2).
 [[nodiscard]] double trapezoid_weight(int k);
 
-/// From now on FFTW measures the plans of this process, beginning with what `wisdom` (its own text; empty: nothing) holds
-/// of earlier measurements. Two runs may then differ by rounding, so verification plans by estimate. False: no wisdom of
-/// this FFTW.
+/// From now on FFTW measures the plans of this process, beginning with what `wisdom` (its own text; empty: nothing)
+/// holds of earlier measurements. Two runs may then differ by rounding, so verification plans by estimate. False: no
+/// wisdom of this FFTW.
 [[nodiscard]] bool measure_plans(const std::string& wisdom);
-/// What FFTW has measured in this process and was given.
+/// The wisdom of this process: plans that FFTW has measured, and those it was given.
 [[nodiscard]] std::string measured_plans();
 
 /// y_i = Sum_j g_|i-j| x_j for i, j = 0..n, where x_n = 0 (the exit). Holds its FFTW plans; not copyable, one thread
-/// at a time. Plans are made with FFTW_ESTIMATE, so that two runs do the same arithmetic, unless measure_plans was called.
+/// at a time. Plans are made with FFTW_ESTIMATE, so that two runs do the same arithmetic, unless measure_plans was
+/// called.
 class Convolution {
  public:
   explicit Convolution(int intervals, Rule rule = Rule::piecewise_linear);
@@ -47,15 +50,15 @@ class Convolution {
   void apply(const Array& x, Array& y);
 
   [[nodiscard]] double weight(int k) const { return weights_[k]; }
-  /// The weight of the inner half of node 0 (the first node's share), seen from node k: Int_0^1 (1 - s) ln|k - s| ds for
-  /// the hat, half the weight for the trapezoid rule.
+  /// The weight of the inner half of node 0 (the first node's share), seen from node k: Int_0^1 (1 - s) ln|k - s| ds
+  /// for the hat, half the weight for the trapezoid rule.
   [[nodiscard]] double inner_half_weight(int k) const { return inner_half_[k]; }
   [[nodiscard]] double planning_s() const { return planning_s_; }
 
  private:
   struct Plans;
   int intervals_;
-  Array weights_;   ///< g_0..g_n
+  Array weights_;  ///< g_0..g_n
   Array inner_half_;
   Array spectrum_;  ///< real, since the circulant is symmetric; holds 1/length
   std::unique_ptr<Plans> plans_;

@@ -7,6 +7,18 @@
 
 namespace ehd::fast {
 
+namespace {
+
+/// Calibrated as extrapolation.hpp says: bars of three grids; the ratios of moves that count as regular (8 for smooth
+/// solutions); bars of regular and of irregular sequences; how much less each move further back counts.
+constexpr double of_three = 1.6, of_plain_move = 3;
+constexpr double least_ratio = 6, largest_ratio = 11;
+constexpr double of_regular = 2, of_regular_move = 4;
+constexpr double of_irregular = 1.5, less_each_move = 6;
+constexpr std::size_t moves_back = 4;
+
+}  // namespace
+
 Limit limit_of(const std::vector<double>& f) {
   const std::size_t m = f.size();
   if (m == 1) return {.value = f[0], .error = std::numeric_limits<double>::infinity()};
@@ -15,18 +27,20 @@ Limit limit_of(const std::vector<double>& f) {
   if (m == 2) return {.value = R(0), .error = std::abs(f[1] - f[0])};
   const auto r = [&](std::size_t back) { return R(back) - R(back + 1); };
   const auto S = [&](std::size_t back) { return (8 * R(back) - R(back + 1)) / 7; };
-  if (m == 3) return {.value = S(0), .error = std::max(1.6 * std::abs(r(0)), std::abs(f[2] - f[1]) / 3)};
+  if (m == 3)
+    return {.value = S(0), .error = std::max(of_three * std::abs(r(0)), std::abs(f[2] - f[1]) / of_plain_move)};
 
   const double move = std::abs(S(0) - S(1));
   const auto regular = [&](std::size_t back) {
     const double ratio = r(back + 1) / r(back);
-    return ratio >= 6 && ratio <= 11;
+    return ratio >= least_ratio && ratio <= largest_ratio;
   };
   // One ratio may be near 8 by chance.
-  if (regular(0) && m == 4) return {.value = S(0), .error = std::max(2 * move, std::abs(r(0)))};
-  if (regular(0) && regular(1)) return {.value = S(0), .error = std::max(2 * move, std::abs(r(0)) / 4)};
-  double error = move, share = 1.5;
-  for (std::size_t back = 0; back + 3 <= m && back < 4; ++back, share /= 6)
+  if (regular(0) && m == 4) return {.value = S(0), .error = std::max(of_regular * move, std::abs(r(0)))};
+  if (regular(0) && regular(1))
+    return {.value = S(0), .error = std::max(of_regular * move, std::abs(r(0)) / of_regular_move)};
+  double error = move, share = of_irregular;
+  for (std::size_t back = 0; back + 3 <= m && back < moves_back; ++back, share /= less_each_move)
     error = std::max(error, share * std::abs(r(back)));
   return {.value = S(0), .error = error};
 }

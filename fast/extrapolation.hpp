@@ -18,12 +18,12 @@ struct Limit {
 ///   m >= 4, the last ratio (from m = 5 the last two) r_(k-1)/r_k between 6 and 11 (8 for smooth solutions):
 ///     max(2 |S_m - S_(m-1)|, |r_m|/4), m = 4: |r_m|
 ///   else max(1.5 |r_m|, 1.5 |r_(m-1)|/6, .. over four moves, |S_m - S_(m-1)|): a spike passes through the grids.
-/// Calibrated on 464 problems (16 M of 0.05..5000, 8 L of 0..30, Roelands compressible and Barus, cut and flooded), grids
-/// of 64 to 8192, truth from the reference: with what `shared` adds it covers 98.5 % .. 100 % of the errors of the
-/// smallest film and 99.5 % of the central film's, at a median of 5 to 400 times the true one.
+/// Calibrated on 464 problems (16 M of 0.05..5000, 8 L of 0..30, Roelands compressible and Barus, cut and flooded),
+/// grids of 64 to 8192, truth from the reference: with what `shared` adds it covers 98.5 % .. 100 % of the errors of
+/// the smallest film and 99.5 % of the central film's, at a median of 5 to 400 times the true one.
 [[nodiscard]] Limit limit_of(const std::vector<double>& values);
 
-/// A small move by chance proves nothing: each error is at least this share of the largest relative error of the films.
+/// A single move may be small by chance: each error is at least this share of the largest relative error of the films.
 [[nodiscard]] constexpr double shared(std::size_t grids) { return grids > 3 ? 0.1 : 0.8; }
 
 }  // namespace ehd::fast

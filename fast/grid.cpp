@@ -8,9 +8,15 @@ namespace ehd::fast {
 
 namespace {
 
-/// Cells of the remainder's table for n intervals. Solved against whole tables, 128 cells move H_cen by 1.4e-6 of itself
-/// at (5000, 0), by 1e-7 at (5000, 10), H_min by 1.3e-6 at most; 256 cells by less than a hundredth of that.
-int table_cells(int n) { return n <= 128 ? n : n <= 512 ? 128 : 256; }
+/// Cells of the remainder's table: `small_table` up to the given number of intervals, `large_table` above. Compared
+/// with solutions on whole tables, 128 cells move H_cen by 1.4e-6 of itself at (5000, 0), by 1e-7 at (5000, 10), H_min
+/// by 1.3e-6 at most; 256 cells by less than a hundredth of that.
+constexpr int small_table = 128, large_table = 256, small_table_up_to = 512;
+int table_cells(int n) { return n <= small_table ? n : n <= small_table_up_to ? small_table : large_table; }
+
+/// The wedge's k: third order in the inlet, where the pressure rises; upwind where the spike may stand. From one to the
+/// other k follows 1/(1 + exp(bias_steepness X)).
+constexpr double inlet_bias = 0.5, spike_bias = -0.5, robust_spike_bias = -1, bias_steepness = 8;
 
 }  // namespace
 
@@ -62,7 +68,8 @@ const Array& Grids::nodes(int n) {
   const auto known = std::find_if(nodes_.begin(), nodes_.end(), [&](const Array& X) { return X.size() == n + 1; });
   if (known != nodes_.end()) return *known;
   const auto find = [&](auto wanted) {
-    return std::find_if(nodes_.begin(), nodes_.end(), [&](const Array& X) { return wanted(static_cast<int>(X.size()) - 1); });
+    return std::find_if(nodes_.begin(), nodes_.end(),
+                        [&](const Array& X) { return wanted(static_cast<int>(X.size()) - 1); });
   };
   Array made;
   if (const auto finer = find([&](int m) { return m > n && m % n == 0; }); finer != nodes_.end()) {
@@ -94,7 +101,8 @@ std::shared_ptr<const RemainderTable> Grids::table(int cells) {
   for (const auto& one : tables_) {
     if (one->cells == cells) return one;
   }
-  const auto finer = std::find_if(tables_.begin(), tables_.end(), [&](const auto& one) { return one->cells % cells == 0; });
+  const auto finer =
+      std::find_if(tables_.begin(), tables_.end(), [&](const auto& one) { return one->cells % cells == 0; });
   if (finer != tables_.end()) {
     const auto every = Eigen::seqN(0, cells + 1, (*finer)->cells / cells);
     tables_.push_back(std::make_shared<const RemainderTable>(
@@ -116,30 +124,39 @@ Grid& Grids::of(int intervals) {
   }
   grids.push_back(std::make_unique<Grid>());
   Grid& grid = *grids.back();
-  const int n = grid.n = intervals;
+  grid.n = intervals;
   if (map_) {
-    const MapShape& shape = map_->shape();
-    const double length = shape.exit - shape.inlet;
-    const Array& X = nodes(n);
-    grid.place = (X - shape.inlet) / length;
-    grid.slope = (map_->slopes(X) * length).inverse();
-    grid.spacing = (X.tail(n) - X.head(n)) / length;
-    // Third order where the inlet's pressure rises, upwind where the spike may stand.
-    const double at_spike = robust_wedge_ ? -1 : -0.5;
-    grid.bias = 0.5 - (0.5 - at_spike) / 2 * (2 - 2 / (1 + (8 * X.head(n)).exp()));
-    grid.toeplitz = &kernel(n, Rule::corrected_trapezoid);
-    grid.remainder.emplace(n, table(table_cells(n)));
+    make_mapped(grid);
   } else {
-    grid.place = Array::LinSpaced(n + 1, 0, 1);
-    grid.slope.setOnes(n + 1);
-    grid.spacing.setConstant(n, 1.0 / n);
-    grid.bias.setZero(n);
-    grid.toeplitz = &kernel(n, Rule::piecewise_linear);
+    make_uniform(grid);
   }
-  grid.by_slope = grid.slope.inverse();
-  grid.by_spacing = grid.spacing.inverse();
-  grid.first_weight = grid.slope[0] / n / 2;
+  grid.inverse_slope = grid.slope.inverse();
+  grid.inverse_spacing = grid.spacing.inverse();
+  grid.first_weight = grid.slope[0] / intervals / 2;
   return grid;
+}
+
+void Grids::make_mapped(Grid& grid) {
+  const int n = grid.n;
+  const MapShape& shape = map_->shape();
+  const double length = shape.exit - shape.inlet;
+  const Array& X = nodes(n);
+  grid.place = (X - shape.inlet) / length;
+  grid.slope = (map_->slopes(X) * length).inverse();
+  grid.spacing = (X.tail(n) - X.head(n)) / length;
+  const double at_spike = robust_wedge_ ? robust_spike_bias : spike_bias;
+  grid.bias = inlet_bias - (inlet_bias - at_spike) / 2 * (2 - 2 / (1 + (bias_steepness * X.head(n)).exp()));
+  grid.toeplitz = &kernel(n, Rule::corrected_trapezoid);
+  grid.remainder.emplace(n, table(table_cells(n)));
+}
+
+void Grids::make_uniform(Grid& grid) {
+  const int n = grid.n;
+  grid.place = Array::LinSpaced(n + 1, 0, 1);
+  grid.slope.setOnes(n + 1);
+  grid.spacing.setConstant(n, 1.0 / n);
+  grid.bias.setZero(n);
+  grid.toeplitz = &kernel(n, Rule::piecewise_linear);
 }
 
 }  // namespace ehd::fast

@@ -19,20 +19,20 @@ namespace ehd::fast {
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 struct Grid {
-  int n = 0;
-  Array place;     ///< phi_i, n + 1
-  Array slope;     ///< phi'_i, n + 1
-  Array by_slope;  ///< 1/phi'_i
-  Array spacing;   ///< phi_(i+1) - phi_i, n
-  Array by_spacing;
+  int n = 0;              ///< intervals
+  Array place;            ///< phi_i, n + 1
+  Array slope;            ///< phi'_i, n + 1
+  Array inverse_slope;    ///< 1/phi'_i, n + 1
+  Array spacing;          ///< phi_(i+1) - phi_i, n
+  Array inverse_spacing;  ///< n
   /// k of the wedge at each node, f_(i+1/2) = f_i + [(1+k)(f_(i+1) - f_i) + (1-k)(f_i - f_(i-1))]/4; n.
   Array bias;
-  double first_weight = 0;  ///< what P_0 adds to the integral: the first node's own half
+  double first_weight = 0;  ///< weight of P_0 in the integral: the first node's half of a cell
 
   /// y_i = Sum_j K_ij P_j over j = 1..n-1, and the integral S of P over phi, so that
   /// Int P ln|X_i - X'| dX' = l (y_i + ln l S) on [X_a, X*], l = X* - X_a. P_0 and P_n are ignored.
   void product(const Array& P, Array& y, double& integral);
-  /// What P_0 adds to the product; made once.
+  /// Column of P_0 in the product; made once.
   [[nodiscard]] const Array& first_column();
   /// K_ij for 0 < j < n, dense; made once.
   [[nodiscard]] const RowMajor& dense();
@@ -64,6 +64,8 @@ class Grids {
     Rule rule;
     std::unique_ptr<Convolution> convolution;
   };
+  void make_uniform(Grid& grid);
+  void make_mapped(Grid& grid);
   [[nodiscard]] Convolution& kernel(int intervals, Rule rule);
   [[nodiscard]] std::shared_ptr<const RemainderTable> table(int cells);
   /// The map's nodes; from the finest made so far where that holds them.

@@ -11,7 +11,7 @@
 
 namespace ehd::fast {
 
-/// What the map is made for, in Hertz half-widths.
+/// The lengths that a map is made for, in Hertz half-widths.
 struct MapShape {
   double inlet = -4;       ///< X_a
   double exit = 1;         ///< X* that is expected
@@ -39,7 +39,9 @@ class Map {
   [[nodiscard]] Array slopes(const Array& X) const;
 
  private:
+  /// s before it is scaled to 0 and 1.
   [[nodiscard]] double raw(double X) const;
+  [[nodiscard]] Array samples() const;
   /// s and ds/dX of many X at once, by vector instructions.
   void evaluate(const Array& X, Array& s, Array& slope) const;
   /// Where s is `target`, by Newton from X within [low, high], for many at once.

@@ -1,12 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the solvers of this folder share on the way through their grids.
+// One solve on its way through the grids: what both solvers of this folder do alike.
 #pragma once
 
+#include <chrono>
+#include <functional>
+#include <optional>
+#include <vector>
+
 #include "contact/solver.hpp"
-#include "fast/newton.hpp"
+#include "fast/counters.hpp"
+#include "fast/newton_krylov.hpp"
 #include "fast/start.hpp"
+#include "fast/workspace.hpp"
 
 namespace ehd::fast {
+
+/// Where the grid of a flooded contact begins, X_a = -reach max(1, sqrt(2 H_cen)), and the relative film error that the
+/// asymptotic tail beyond X_a leaves.
+struct FloodedInlet {
+  double reach, truncation;
+};
 
 /// Everything that one solve carries from grid to grid.
 struct Run {
@@ -14,32 +27,57 @@ struct Run {
   Setting setting;
   Workspace& workspace;
   Limits limits;
-  Counters counters = {};
   Lengths lengths;
+  Wanted observed;        ///< what each grid is asked for: what the problem wants, and both films
+  double truncation = 0;  ///< relative film error by the cut inlet; 0 where the problem itself cuts
+  std::chrono::steady_clock::time_point begin;
+  double planning_before = 0;  ///< of the workspace, when the solve began [s]
+  long plans_before = 0;
+  Counters counters = {};
   State state = {};
   bool has_state = false;
   bool limit_reached = false;
-
-  /// Cells of a uniform grid in the inlet zone.
-  [[nodiscard]] double cells(int n, double exit) const { return lengths.inlet * n / (exit - setting.inlet); }
 };
 
-[[nodiscard]] Limits limits_of(const Request& request, std::chrono::steady_clock::time_point begin);
+/// From here on the time counts.
+[[nodiscard]] Run begin_run(const Problem& problem, const Request& request, Workspace& workspace,
+                            const FloodedInlet& far);
 
-/// At most 60 Newton steps on the grid of `state`; notes a limit that was reached.
-NewtonResult newton_on(Run& run, State& state, const Target& target);
-/// Converged or nearly, P >= 0 and a film that opens at the exit: the conditions that tracking the exit leaves to check.
-[[nodiscard]] bool succeeded(const NewtonResult& result, const Run& run, const State& state);
-/// Where a sharpening spike stops Newton on a finer grid: with a floor under the fluidity, lowered to nothing.
-[[nodiscard]] bool lower_floor(Run& run, State& state, const Target& target, NewtonResult& result);
+/// A grid of the workspace; the time to make it is noted.
+[[nodiscard]] Grid& grid_of(Run& run, int intervals);
 
-/// Of the grid that the workspace holds now.
+/// How Newton ended, and whether the end is a solution: converged or nearly, P >= 0 and a film that opens at the exit.
+/// The last two are the conditions that tracking the exit leaves to check.
+struct Attempt {
+  bool succeeded = false;
+  NewtonResult newton = {};
+};
+
+/// Newton on the grid of `state`. Notes in the run that a limit was reached.
+[[nodiscard]] Attempt newton_on(Run& run, State& state, const Target& target);
+/// Newton from nothing: pressures of Hertz and of Martin, films about the expected one. A success goes to run.state.
+[[nodiscard]] Attempt cold_start(Run& run, Grid& grid, const Target& target);
+/// Where a sharpening spike stops Newton: a floor under the fluidity, 1/eta + delta, is lowered step by step to
+/// nothing. `state`: the start, then the solution.
+[[nodiscard]] Attempt lower_floor(Run& run, State& state, const Target& target);
+
+/// The numbers of intervals on the way.
+struct GridPlan {
+  std::vector<int> given;  ///< with Request::nodes: all of them, coarse to fine
+  int first = 0;
+  int last = 0;
+
+  /// N, N/2, … while `halve` allows for the coarsest so far, odd numbers rounded up.
+  [[nodiscard]] static GridPlan down_from(int nodes, const std::function<bool(int)>& halve);
+  /// first, 2 first, … up to last.
+  [[nodiscard]] static GridPlan doubling(int first, int last) { return {.given = {}, .first = first, .last = last}; }
+  /// The number of intervals after n; empty after the last.
+  [[nodiscard]] std::optional<int> after(int n) const;
+};
+
+/// Of the grid that Newton ended on last, with the pressure of run.state.
 [[nodiscard]] Fields fields_of(const Run& run);
-/// film.offset and approach have absolute errors.
-[[nodiscard]] bool is_absolute(Quantity quantity);
-
-/// Grids, counts and times of the run; `planning_before`, `plans_before`: of the workspace when the solve began.
-void fill_cost(SolveRecord& record, Run& run, std::chrono::steady_clock::time_point begin, double planning_before,
-               long plans_before);
+/// Counts and times of the run, and the number of its grids.
+void fill_cost(SolveRecord& record, Run& run);
 
 }  // namespace ehd::fast

@@ -27,8 +27,8 @@ SmoothRemainder::SmoothRemainder(int n, std::shared_ptr<const RemainderTable> ta
     : n_(n), direct_(table->cells == n), table_(std::move(table)) {
   if (direct_) return;
   const int cells = table_->cells, order = std::min(points, cells + 1);
-  base_.resize(static_cast<std::size_t>(n + 1));
-  pattern_.resize(static_cast<std::size_t>(n + 1));
+  base_.resize(static_cast<std::size_t>(n) + 1);
+  pattern_.resize(static_cast<std::size_t>(n) + 1);
   const bool periodic = n % cells == 0;
   const int parts = periodic ? n / cells : 1;
   std::vector<int> known(static_cast<std::size_t>(points * parts), -1);
@@ -38,7 +38,8 @@ SmoothRemainder::SmoothRemainder(int n, std::shared_ptr<const RemainderTable> ta
     const int base = std::clamp(cell - (order / 2 - 1), 0, cells + 1 - order);
     int* known_pattern = nullptr;
     if (periodic && i < n) {
-      known_pattern = &known[static_cast<std::size_t>((cell - base) * parts + i % parts)];
+      const int place = (cell - base) * parts + i % parts;
+      known_pattern = &known[static_cast<std::size_t>(place)];
       base_[static_cast<std::size_t>(i)] = base;
       if (*known_pattern >= 0) {
         pattern_[static_cast<std::size_t>(i)] = *known_pattern;

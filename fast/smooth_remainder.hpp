@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the logarithmic kernel on mapped nodes has beside its Toeplitz part:
+// The part of the logarithmic kernel on mapped nodes that is not Toeplitz:
 //   ln|phi_i - phi_j| = ln|s_i - s_j| + Lambda_ij,  Lambda_ij = ln((phi_i - phi_j)/(s_i - s_j)), Lambda_ii = ln phi'_i,
-// which is smooth in both indices: a small symmetric table at equal steps of s, p-point Lagrange interpolation out of it
-// and its transpose into it.
+// which is smooth in both indices: a small symmetric table at equal steps of s, p-point Lagrange interpolation out of
+// it and its transpose into it.
 #pragma once
 
 #include <Eigen/Core>
@@ -22,8 +22,8 @@ struct RemainderTable {
   static RemainderTable of(const Array& place, const Array& slope);
 };
 
-/// The product with Lambda on n + 1 nodes. Direct where n equals the table's cells, else n must be a multiple of them or
-/// any other number (then interpolation weights are kept node by node).
+/// The product with Lambda on n + 1 nodes. Direct where n equals the table's cells, else n must be a multiple of them
+/// or any other number (then interpolation weights are kept node by node).
 class SmoothRemainder {
  public:
   static constexpr int points = 8;  ///< of the interpolation
@@ -38,7 +38,9 @@ class SmoothRemainder {
 
  private:
   using Weights = Eigen::Array<double, points, 1>;
-  [[nodiscard]] const Weights& weights(int i) const { return weights_[static_cast<std::size_t>(pattern_[static_cast<std::size_t>(i)])]; }
+  [[nodiscard]] const Weights& weights(int i) const {
+    return weights_[static_cast<std::size_t>(pattern_[static_cast<std::size_t>(i)])];
+  }
 
   int n_ = 0;
   bool direct_ = true;

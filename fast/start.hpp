@@ -2,7 +2,9 @@
 // First iterates, and the lengths that a grid must see.
 #pragma once
 
-#include "fast/discretisation.hpp"
+#include "contact/scaling.hpp"
+#include "fast/grid.hpp"
+#include "fast/state.hpp"
 
 namespace ehd::fast {
 
@@ -13,11 +15,23 @@ struct Lengths {
   double inlet = 1;  ///< width of the inlet zone, min(1, H_cen)^(2/3) l
 };
 [[nodiscard]] Lengths lengths_from_film(double film);
+/// The same lubricant in another contact. Laws are written for pressures in units of p_H, which changes with the
+/// groups.
+template <class Contact>  // Problem or Setting
+void move_to(Contact& contact, const MoesGroups& moes) {
+  const double alpha_p_H = contact.groups.alpha_p_H;
+  contact.groups = groups_from(moes);
+  if (!(alpha_p_H > 0)) return;
+  const double unit = contact.groups.alpha_p_H / alpha_p_H;
+  contact.viscosity = in_units_of(contact.viscosity, unit);
+  contact.density = in_units_of(contact.density, unit);
+}
+
 /// By Moes' film formula.
 [[nodiscard]] Lengths expected_lengths(const Groups& groups);
 
 enum class Shape { hertz, martin };
-/// The likelier of the two for a film: Martin's where it is thicker than half b^2/R.
+/// The likelier of the two for a film: Martin's where the film is thicker than half b^2/R.
 [[nodiscard]] inline Shape likely_shape(double film) { return film > 0.5 ? Shape::martin : Shape::hertz; }
 /// X* of the first iterate.
 [[nodiscard]] double first_exit(Shape shape, double film);

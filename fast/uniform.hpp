@@ -2,17 +2,17 @@
 #pragma once
 
 #include "contact/solver.hpp"
-#include "fast/newton.hpp"
+#include "fast/workspace.hpp"
 
 namespace ehd::fast {
 
 /// The classical FFT multigrid solver on a uniform grid, done well: full multigrid (each grid starts from the one
-/// before), Newton-GMRES with one FFT convolution a Jacobian product, a multigrid cycle with a banded dipole smoother as
-/// preconditioner, the exit tracked as an unknown. Grids of 64 to 65536 intervals (any number from 16 with
+/// before), Newton-GMRES with one FFT convolution a Jacobian product, a multigrid cycle with a banded dipole smoother
+/// as preconditioner, the exit tracked as an unknown. Grids of 64 to 65536 intervals (any number from 16 with
 /// Request::nodes). Domain: M 0.05..1000, L 0..25 flooded; inlet -4 from M 0.5.
 ///
-/// With a tolerance it doubles the grid until film.minimum and film.central are estimated within it; values are those of
-/// the finest grid, never extrapolated.
+/// With a tolerance the solver doubles the grid until film.minimum and film.central are estimated within the tolerance;
+/// values are those of the finest grid, never extrapolated.
 class Uniform {
  public:
   static constexpr SolverDescription description{

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What every solver of fast/ has to do, asked of each by its own test file.
+// Checks that hold for both solvers of fast/; the test file of each solver calls them.
 #pragma once
 
 #include <vector>
@@ -27,7 +27,7 @@ void check_that_nothing_needless_is_computed(const S& solver) {
   BOOST_CHECK(one.observables.contains(Quantity::film_central));
 }
 
-/// GMRES steps a Newton step, over problems and grids.
+/// GMRES steps per Newton step, on all problems and grids.
 template <Solver S>
 void check_krylov_steps(const S& solver, const std::vector<Problem>& problems, const std::vector<int>& grids) {
   std::size_t rows = 0;
@@ -36,7 +36,8 @@ void check_krylov_steps(const S& solver, const std::vector<Problem>& problems, c
       const Cost cost = solver.solve(problem, {.tolerance = {}, .nodes = n}).record.cost;
       BOOST_TEST_CONTEXT("M " << problem.groups.M << " L " << problem.groups.L << " n " << n) {
         EHD_CHECK(static_cast<double>(cost.krylov_iterations) / static_cast<double>(cost.newton_iterations),
-                  verification::Tolerance::required(2.5, "the method: 1..2 GMRES steps a Newton step to M = 200, a few more from the start"));
+                  verification::Tolerance::required(
+                      2.5, "the method: 1..2 GMRES steps a Newton step to M = 200, a few more from the start"));
       }
       ++rows;
     }

@@ -50,8 +50,8 @@ BOOST_AUTO_TEST_CASE(hat_moments_are_the_integrals_of_the_log_kernel) {
 BOOST_AUTO_TEST_CASE(series_and_closed_form_meet_where_they_change_over) {
   // Third differences of g are smooth, about 2/k^3: a jump at 24/25 would stand out of the neighbours' trend.
   for (int k = 20; k < 30; ++k) {
-    const double third = fast::hat_moment(k + 2) - 3 * fast::hat_moment(k + 1) + 3 * fast::hat_moment(k) -
-                         fast::hat_moment(k - 1);
+    const double third =
+        fast::hat_moment(k + 2) - 3 * fast::hat_moment(k + 1) + 3 * fast::hat_moment(k) - fast::hat_moment(k - 1);
     const double expected = 2 / std::pow(k + 0.5, 3);
     EHD_CHECK(error(third, expected), Tolerance::asymptotic(3.0 / (k * k), "next term of the difference, ~ 2.5/k^2"));
   }

@@ -49,11 +49,12 @@ BOOST_AUTO_TEST_CASE(from_three_grids_on_second_and_third_order_errors_are_gone)
         constexpr double L = 0.83;
         const auto limit = limit_of(sequence(grids, L, a, b, 0));
         EHD_CHECK(std::abs(limit.value - L), Tolerance::round_off(8));
-        // The bar covers, and is not that of the finest grid itself.
+        // The reported error covers the true one, and is smaller than the error of the finest grid.
         const double finest = std::abs(sequence(grids, L, a, b, 0).back() - L);
         EHD_CHECK(std::abs(limit.value - L), Tolerance::discretisation(limit.error + 1e-15, 1));
         if (b != 0) BOOST_CHECK_GT(limit.error, 0);
-        if (grids >= 5) EHD_CHECK(limit.error, Tolerance::required(finest, "a bar shorter than the finest grid's error"));
+        if (grids >= 5)
+          EHD_CHECK(limit.error, Tolerance::required(finest, "a bar shorter than the finest grid's error"));
         ++rows;
       }
     }
@@ -69,7 +70,8 @@ BOOST_AUTO_TEST_CASE(fourth_order_errors_are_covered_from_three_grids_on) {
   int rows = 0;
   double worst = 0;
   for (int trial = 0; trial < 2000; ++trial) {
-    const double second = uniform(random), a = 0.7 * second + std::copysign(0.3, second), b = uniform(random), c = uniform(random);
+    const double second = uniform(random), a = 0.7 * second + std::copysign(0.3, second), b = uniform(random),
+                 c = uniform(random);
     for (std::size_t grids = 3; grids <= 8; ++grids) {
       constexpr double L = 1.7;
       const auto limit = limit_of(sequence(grids, L, a, b, c));
@@ -108,11 +110,11 @@ BOOST_AUTO_TEST_CASE(a_small_last_move_by_chance_is_not_believed) {
       const double before = (4 * f[m - 1] - f[m - 2]) / 3;
       f[m] = (3 * before + f[m - 1]) / 4;
       const auto limit = limit_of(f);
-      if (grids == 3) {  // no move before that: a share of the plain values' move is all there is to hold on to
+      if (grids == 3) {  // no earlier move: the error is a share of the plain values' move
         EHD_CHECK(std::abs(f[m] - f[m - 1]) / 20, Tolerance::discretisation(limit.error, 1 + 1e-12));
       } else {
         EHD_CHECK(std::abs(limit.value - L), Tolerance::discretisation(limit.error, 1));
-        // A sixth, with its half more, of the move before.
+        // 1.5 times a sixth of the move before.
         const double earlier = std::abs(before - (4 * f[m - 2] - f[m - 3]) / 3);
         EHD_CHECK(earlier / 4, Tolerance::discretisation(limit.error, 1 + 1e-12));
       }

@@ -13,7 +13,7 @@ using verification::Tolerance;
 
 namespace {
 
-/// The model's ODE integrated by GSL, for what the rule on 12 points is worth.
+/// The model's ODE, integrated by GSL: the truth for the rule on 12 points.
 struct Model {
   double far, excess, moment, flux, lambda, slope;
   [[nodiscard]] double gap(double x) const {
@@ -48,8 +48,7 @@ BOOST_AUTO_TEST_SUITE(inlet_tail)
 BOOST_AUTO_TEST_CASE(pressure_load_and_deflection_are_those_of_the_model) {
   // (M, L) about (1, 5): l = 1.8, the grid begins at -4 l.
   const Model model{.far = 7.4, .excess = 0.83, .moment = -0.4, .flux = 2.1, .lambda = 3.7, .slope = 1.9};
-  const auto tail =
-      fast::inlet_tail(model.far, model.excess, model.moment, model.flux, model.lambda, model.slope);
+  const auto tail = fast::inlet_tail(model.far, model.excess, model.moment, model.flux, model.lambda, model.slope);
   const Tolerance rule = Tolerance::discretisation(1e-7, 2);  // 12 points on t^2 ln t
   EHD_CHECK(error(tail.pressure, pressure(model, model.far)), rule);
   const gsl_function load{[](double x, void* p) { return pressure(*static_cast<const Model*>(p), x); },

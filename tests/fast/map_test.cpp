@@ -80,7 +80,7 @@ BOOST_AUTO_TEST_CASE(nodes_stand_at_equal_steps_of_s) {
         BOOST_CHECK_GT((X.tail(n) - X.head(n)).minCoeff(), 0);
         double worst = 0;
         for (int i = 0; i <= n; ++i) {
-          // X itself is rounded to half an eps, which s feels by its slope.
+          // X is rounded to half an eps; the slope of s carries that rounding into s.
           const double condition = 1 + std::abs(X[i]) * map.slope(X[i]);
           worst = std::max(worst, std::abs(map(X[i]) - static_cast<double>(i) / n) / condition);
         }

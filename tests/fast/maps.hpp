@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Maps that tests go over: extremes of what fast makes, and an easy one.
+// Maps for tests: extremes of those that `fast` makes, and an easy one.
 #pragma once
 
 #include "fast/map.hpp"
@@ -17,8 +17,10 @@ inline constexpr NamedShape heaviest{
 
 inline constexpr NamedShape named_shapes[] = {
     heaviest,
-    {"flooded from -16", {.inlet = -16, .exit = 1.11, .scale = 1, .inlet_width = 0.21, .spike = 0.93, .spike_width = 0.013}},
-    {"flooded from -60", {.inlet = -60, .exit = 1.03, .scale = 1, .inlet_width = 0.07, .spike = 0.97, .spike_width = 0.0014}},
+    {"flooded from -16",
+     {.inlet = -16, .exit = 1.11, .scale = 1, .inlet_width = 0.21, .spike = 0.93, .spike_width = 0.013}},
+    {"flooded from -60",
+     {.inlet = -60, .exit = 1.03, .scale = 1, .inlet_width = 0.07, .spike = 0.97, .spike_width = 0.0014}},
     {"thick film", {.inlet = -177, .exit = 5.3, .scale = 11, .inlet_width = 1, .spike = -4.6, .spike_width = 5.5}},
     {"moderate", {.inlet = -3.7, .exit = 1.17, .scale = 1, .inlet_width = 0.37, .spike = 0.84, .spike_width = 0.19}}};
 

@@ -28,7 +28,7 @@ Array random_array(int size, unsigned seed) {
   return x;
 }
 
-constexpr std::pair<int, int> cells_and_intervals[] = {{64, 64},   {128, 128}, {128, 256},  {128, 512},
+constexpr std::pair<int, int> cells_and_intervals[] = {{64, 64},   {128, 128},  {128, 256},  {128, 512},
                                                        {128, 333}, {128, 1000}, {128, 1001}, {256, 2048}};
 
 }  // namespace
@@ -61,8 +61,8 @@ BOOST_AUTO_TEST_CASE(table_holds_the_logarithms_of_the_difference_quotients) {
 }
 
 BOOST_AUTO_TEST_CASE(neighbouring_nodes_lead_to_the_diagonal) {
-  // Lambda_ii = ln phi'_i is the limit of Lambda_ij: the mean of both neighbours differs from it by the third derivative
-  // of ln phi, which falls as h^2.
+  // Lambda_ii = ln phi'_i is the limit of Lambda_ij: the mean of both neighbours differs from it by the third
+  // derivative of ln phi, which falls as h^2.
   const Map map(named_shapes[4].shape);
   double before = 0;
   int rows = 0;
@@ -81,7 +81,7 @@ BOOST_AUTO_TEST_CASE(neighbouring_nodes_lead_to_the_diagonal) {
 }
 
 BOOST_AUTO_TEST_CASE(interpolation_is_exact_for_polynomials_of_seventh_degree) {
-  // A table that holds p(s_i) q(s_j): eight points leave nothing but rounding, whatever the number of intervals.
+  // A table that holds p(s_i) q(s_j): eight points leave rounding only, at any number of intervals.
   const auto p = [](double s) { return 0.3 + s * (1.1 + s * (-0.7 + s * (2 + s * s * (s * s - 1.3 * s + 0.4)))); };
   const auto q = [](double s) { return 1.2 - s * (0.4 - s * s * (0.9 + s * s * (0.1 - 2.1 * s * s))); };
   int rows = 0;
@@ -99,7 +99,7 @@ BOOST_AUTO_TEST_CASE(interpolation_is_exact_for_polynomials_of_seventh_degree) {
         const double term = q(static_cast<double>(j) / n) * x[j];
         sum += term, size += std::abs(term);
       }
-      Array y = Array::Constant(n + 1, 0.7);  // what is there stays
+      Array y = Array::Constant(n + 1, 0.7);  // add() keeps the old values
       remainder.add(x, y);
       double worst = 0;
       for (int i = 0; i <= n; ++i) worst = std::max(worst, std::abs(y[i] - 0.7 - p(static_cast<double>(i) / n) * sum));
@@ -136,9 +136,10 @@ BOOST_AUTO_TEST_CASE(add_uses_the_entries_and_they_are_symmetric) {
 }
 
 BOOST_AUTO_TEST_CASE(product_equals_the_dense_sum_to_what_interpolation_leaves) {
-  // Absolute, for a smooth x whose sizes add up to about 1: eight points err as the table's eighth derivative, by 2^8 less
-  // with half the step. What that makes of a film is in grid_test.
-  constexpr double with_128[] = {6e-8, 8e-9, 2.4e-8, 8e-11, 3.5e-10}, with_256[] = {2.6e-10, 6e-11, 1.3e-10, 3e-13, 2.6e-12};
+  // Absolute, for a smooth x whose sizes add up to about 1: eight points err as the table's eighth derivative, by 2^8
+  // less with half the step. What that makes of a film is in grid_test.
+  constexpr double with_128[] = {6e-8, 8e-9, 2.4e-8, 8e-11, 3.5e-10},
+                   with_256[] = {2.6e-10, 6e-11, 1.3e-10, 3e-13, 2.6e-12};
   int rows = 0;
   for (std::size_t k = 0; k < std::size(named_shapes); ++k) {
     const auto& [name, shape] = named_shapes[k];
@@ -156,8 +157,9 @@ BOOST_AUTO_TEST_CASE(product_equals_the_dense_sum_to_what_interpolation_leaves) 
           for (int j = 0; j <= n; ++j) sum += remainder_between(at, i, j) * x[j];
           worst = std::max(worst, std::abs(y[i] - sum));
         }
-        EHD_CHECK(worst, cells == n ? Tolerance::round_off(std::sqrt(n), 6)
-                                    : Tolerance::calibrated(cells == 128 ? with_128[k] : with_256[k], "measured, times 1.4"));
+        EHD_CHECK(worst, cells == n
+                             ? Tolerance::round_off(std::sqrt(n), 6)
+                             : Tolerance::calibrated(cells == 128 ? with_128[k] : with_256[k], "measured, times 1.4"));
         ++rows;
       }
     }

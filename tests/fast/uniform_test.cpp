@@ -45,11 +45,10 @@ BOOST_AUTO_TEST_CASE(reported_errors_cover_the_true_ones_and_meet_the_tolerance)
         const Solution solution = fast::Uniform{}.solve(problem_of(truth), {.tolerance = tolerance});
         BOOST_REQUIRE(solution.record.status == StopReason::converged);
         const Tolerance asked = Tolerance::required(tolerance, "the tolerance asked for");
-        for (const auto& [quantity, value] : {std::pair{Quantity::film_minimum, truth.minimum},
-                                              std::pair{Quantity::film_central, truth.central}}) {
+        for (const auto& [quantity, value] :
+             {std::pair{Quantity::film_minimum, truth.minimum}, std::pair{Quantity::film_central, truth.central}}) {
           EHD_CHECK(reported(solution, quantity), asked);
-          EHD_CHECK(error(film(solution, quantity), value),
-                    Tolerance::discretisation(reported(solution, quantity), 1));
+          EHD_CHECK(error(film(solution, quantity), value), Tolerance::discretisation(reported(solution, quantity), 1));
         }
         ++rows;
       }
@@ -98,12 +97,11 @@ BOOST_AUTO_TEST_CASE(a_grid_that_cannot_see_the_inlet_zone_is_under_resolved) {
     BOOST_TEST_CONTEXT("n " << n) {
       BOOST_CHECK(solution.record.status == StopReason::under_resolved);
       BOOST_CHECK(!solution.record.reason.empty());
-      for (const auto& [quantity, value] : {std::pair{Quantity::film_minimum, 8.9959560167e-4},
-                                            std::pair{Quantity::film_central, 9.6476425613e-4}}) {
-        if (!solution.observables.contains(quantity)) continue;  // no solution at all: no film is reported
+      for (const auto& [quantity, value] :
+           {std::pair{Quantity::film_minimum, 8.9959560167e-4}, std::pair{Quantity::film_central, 9.6476425613e-4}}) {
+        if (!solution.observables.contains(quantity)) continue;  // without a solution no film is reported
         BOOST_CHECK_GT(film(solution, quantity), 0);
-        EHD_CHECK(error(film(solution, quantity), value),
-                  Tolerance::discretisation(reported(solution, quantity), 1));
+        EHD_CHECK(error(film(solution, quantity), value), Tolerance::discretisation(reported(solution, quantity), 1));
       }
     }
     ++rows;
@@ -144,7 +142,8 @@ BOOST_AUTO_TEST_CASE(a_truncated_inlet_is_not_flooded) {
   const Solution cut = fast::Uniform{}.solve(barus_problem(3, 4, TruncatedAt{-4}), request);
   const Solution flooded = fast::Uniform{}.solve(barus_problem(3, 4, Flooded{}), request);
   EHD_CHECK(error(film(cut, Quantity::film_central) * moes, 4.0150), Tolerance::discretisation(1e-4 + 0.00005 / 4, 1));
-  EHD_CHECK(error(film(flooded, Quantity::film_central) * moes, 4.1195), Tolerance::discretisation(1e-4 + 0.0001 / 4, 1));
+  EHD_CHECK(error(film(flooded, Quantity::film_central) * moes, 4.1195),
+            Tolerance::discretisation(1e-4 + 0.0001 / 4, 1));
   BOOST_CHECK_GT(flooded.record.film_central.truncation, 0);
   BOOST_CHECK_EQUAL(cut.record.film_central.truncation, 0);
 }
@@ -159,7 +158,8 @@ BOOST_AUTO_TEST_CASE(work_does_not_grow_with_the_grid) {
     smallest = std::min(smallest, solution.record.cost.work_units);
     largest = std::max(largest, solution.record.cost.work_units);
   }
-  EHD_CHECK(largest / smallest, Tolerance::required(2, "a rate independent of n, one Newton step more or less in five"));
+  EHD_CHECK(largest / smallest,
+            Tolerance::required(2, "a rate independent of n, one Newton step more or less in five"));
 }
 
 BOOST_AUTO_TEST_CASE(kernel_products_to_discretisation_error_are_as_few_as_promised) {
@@ -173,8 +173,7 @@ BOOST_AUTO_TEST_CASE(kernel_products_to_discretisation_error_are_as_few_as_promi
     BOOST_TEST_CONTEXT("M " << truth.M << " L " << truth.L) {
       const Problem problem = problem_of(truth);
       const Solution full = fast::Uniform{}.solve(problem, {.tolerance = {}, .nodes = 4096});
-      const Solution stopped =
-          fast::Uniform{}.solve(problem, {.tolerance = {}, .nodes = 4096, .iteration_share = 0.5});
+      const Solution stopped = fast::Uniform{}.solve(problem, {.tolerance = {}, .nodes = 4096, .iteration_share = 0.5});
       BOOST_REQUIRE(stopped.record.status == StopReason::converged);
       EHD_CHECK(stopped.record.cost.work_units, Tolerance::required(products, "13 to M = 20, 26 to 200, 49 to 1000"));
       for (const auto& [quantity, value, budget] :
@@ -192,8 +191,7 @@ BOOST_AUTO_TEST_CASE(products_to_discretisation_error_do_not_depend_on_the_grid)
   const Problem problem = roelands_problem(20, 10, TruncatedAt{-4});
   double smallest = 1e9, largest = 0;
   for (int n = 1 << 10; n <= 1 << 17; n *= 2) {
-    const Solution solution =
-        fast::Uniform{}.solve(problem, {.tolerance = {}, .nodes = n, .iteration_share = 0.5});
+    const Solution solution = fast::Uniform{}.solve(problem, {.tolerance = {}, .nodes = n, .iteration_share = 0.5});
     BOOST_REQUIRE(solution.record.status == StopReason::converged);
     smallest = std::min(smallest, solution.record.cost.work_units);
     largest = std::max(largest, solution.record.cost.work_units);
@@ -208,7 +206,9 @@ BOOST_AUTO_TEST_CASE(multigrid_needs_one_or_two_krylov_steps_whatever_the_grid) 
   check_krylov_steps(fast::Uniform{}, problems, {1024, 4096, 16384});
 }
 
-BOOST_AUTO_TEST_CASE(what_a_case_does_not_need_is_not_computed) { check_that_nothing_needless_is_computed(fast::Uniform{}); }
+BOOST_AUTO_TEST_CASE(what_a_case_does_not_need_is_not_computed) {
+  check_that_nothing_needless_is_computed(fast::Uniform{});
+}
 
 BOOST_AUTO_TEST_CASE(grids_stop_at_the_coarsest_that_meets_the_tolerance) {
   const Problem problem = roelands_problem(20, 10, TruncatedAt{-4});

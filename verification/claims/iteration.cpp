@@ -12,8 +12,9 @@
 #include <utility>
 #include <vector>
 
+#include "fast/discretisation.hpp"
+#include "fast/jacobian.hpp"
 #include "fast/multigrid.hpp"
-#include "fast/newton.hpp"
 #include "reference/hp/newton.hpp"
 #include "reference/newton.hpp"
 #include "verification/studies/fits.hpp"
@@ -112,18 +113,17 @@ Claim judge_matrix_free_jacobian(bool mapped) {
   fast::Discretisation base, moved;
   std::vector<double> left;
   if (base.evaluate(setting, at, grid, counters)) {
-    base.linearise(setting, at.P, at.exit);
-    Array linear;
-    double load = 0;
-    base.apply(step, grid, counters, linear, load);
+    fast::Jacobian jacobian;
+    jacobian.linearise(setting, base.nodes, at.P, at.exit);
+    const auto& [linear, load] = jacobian.apply(step, counters);
     for (const double share : shares) {
       fast::State there = at;
       there.P += share * step.P;
       there.offset += share * step.offset;
       there.exit += share * step.exit;
       if (!moved.evaluate(setting, there, grid, counters)) break;
-      left.push_back(worse((moved.e - base.e - share * linear).abs().maxCoeff(),
-                              std::abs(moved.load_error - base.load_error - share * load)));
+      left.push_back(worse((moved.error.flux - base.error.flux - share * linear).abs().maxCoeff(),
+                           std::abs(moved.error.load - base.error.load - share * load)));
     }
   }
   if (left.size() != std::size(shares)) left.assign(std::size(shares), nothing);
@@ -240,24 +240,23 @@ double contraction(MoesGroups moes, int n) {
   fast::Discretisation scheme;
   fast::Multigrid multigrid;
   if (!scheme.evaluate(setting, state, grids.of(n), counters)) return nothing;
-  scheme.linearise(setting, state.P, state.exit);
-  if (!multigrid.prepare(setting, scheme, state, grids, counters)) return nothing;
-  Array left(n);
-  for (int i = 0; i < n; ++i) left[i] = std::sin(3.0 * i) + std::cos(0.01 * i);  // rough and smooth
-  double load = 0.3, early = 0;
+  fast::Jacobian jacobian;
+  jacobian.linearise(setting, scheme.nodes, state.P, state.exit);
+  if (!multigrid.prepare(setting, scheme.nodes, jacobian, state, grids, counters)) return nothing;
+  fast::Residual left{.flux = Array(n), .load = 0.3};
+  for (int i = 0; i < n; ++i) left.flux[i] = std::sin(3.0 * i) + std::cos(0.01 * i);  // rough and smooth
+  double early = 0;
   constexpr int first = 4, last = 12;
   for (int cycle = 1; cycle <= last; ++cycle) {
     fast::Step step;
     step.P = Array::Zero(n + 1);
-    multigrid.cycle(left, load, step, counters);
-    Array change;
-    double load_change = 0;
-    scheme.apply(step, grids.of(n), counters, change, load_change);
-    left -= change;
-    load -= load_change;
-    if (cycle == first) early = left.matrix().norm();
+    multigrid.cycle(left, step, counters);
+    const fast::Residual& change = jacobian.apply(step, counters);
+    left.flux -= change.flux;
+    left.load -= change.load;
+    if (cycle == first) early = left.flux.matrix().norm();
   }
-  return std::pow(left.matrix().norm() / early, 1.0 / (last - first));
+  return std::pow(left.flux.matrix().norm() / early, 1.0 / (last - first));
 }
 
 Findings judge_multigrid(MoesGroups moes) {

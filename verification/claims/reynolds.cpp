@@ -144,7 +144,7 @@ Scheme evaluated(Kind kind, const Problem& problem, double exit, const Array& P,
   fast::Discretisation scheme;
   fast::Counters counters;
   if (!scheme.evaluate(setting, state, grids.of(intervals), counters)) return {};
-  return {scheme.places(inlet), scheme.H, scheme.flux, scheme.eps, scheme.e};
+  return {scheme.nodes.places(inlet), scheme.nodes.H, scheme.faces.flux, scheme.faces.eps, scheme.error.flux};
 }
 
 Scheme at_rest(Kind kind, const Problem& problem, int intervals, double exit) {

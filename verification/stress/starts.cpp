@@ -156,7 +156,7 @@ Level of_fast_uniform(const Problem& problem) {
   };
   // As fast::succeeded: P >= 0 and a film that opens at the exit.
   const auto admissible = [=](const fast::NewtonResult& result, const fast::State& state) {
-    const auto& at = kept->workspace.now();
+    const auto& at = kept->workspace.now().nodes;
     return result.end == fast::NewtonEnd::converged && state.P.minCoeff() >= -1e-3 &&
            at.density.value[at.n] * at.H[at.n] >= at.density.value[at.n - 1] * at.H[at.n - 1];
   };
@@ -166,7 +166,7 @@ Level of_fast_uniform(const Problem& problem) {
     fast::State state = fast::first_iterate(setting, shape, film, kept->workspace.grids.of(intervals));
     const auto result = solve(state);
     if (!admissible(result, state)) continue;
-    truth = kept->workspace.now().H;
+    truth = kept->workspace.now().nodes.H;
     break;
   }
   return {"fast.uniform's Newton", truth.size() > 0,
@@ -179,7 +179,7 @@ Level of_fast_uniform(const Problem& problem) {
             state.offset = fast::offset_for(start.film, setting, state, kept->workspace.grids.of(intervals));
             const auto result = solve(state);
             if (truth.size() == 0 || !admissible(result, state)) return Outcome{};
-            const Array& H = kept->workspace.now().H;
+            const Array& H = kept->workspace.now().nodes.H;
             return Outcome{true, H.allFinite() && state.P.allFinite(), largest_difference(H, truth)};
           }};
 }

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a solve counts, and where its time goes.
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <string_view>
+#include <utility>
+
+namespace ehd::fast {
+
+/// The parts of a solve that are timed. `other`: starts, interpolation, line search, observation.
+enum class Stage { product, laws, residual, linearise, factorise, smooth, coarsest, krylov, grids, other };
+inline constexpr std::string_view stage_names[] = {
+    "kernel products",        "laws",          "residual",          "linearisation",   "factorisation",
+    "smoothing and transfer", "coarsest grid", "orthogonalisation", "maps and tables", "other"};
+
+/// A stop watch that belongs to one stage at a time; 30 ns a change.
+class StageClock {
+ public:
+  using Clock = std::chrono::steady_clock;
+  /// The time since the last change goes to the present stage, which is returned; the clock then belongs to `next`.
+  Stage change_to(Stage next) {
+    const auto now = Clock::now();
+    seconds_[static_cast<std::size_t>(stage_)] += std::chrono::duration<double>(now - since_).count();
+    since_ = now;
+    return std::exchange(stage_, next);
+  }
+  [[nodiscard]] double seconds(Stage stage) const { return seconds_[static_cast<std::size_t>(stage)]; }
+
+ private:
+  Stage stage_ = Stage::other;
+  Clock::time_point since_ = Clock::now();
+  std::array<double, std::size(stage_names)> seconds_ = {};
+};
+
+/// Counts that a solve reports.
+struct Counters {
+  StageClock clock;
+  long convolutions = 0;
+  double convolution_points = 0;  ///< sum of the intervals over all kernel products
+  long newton = 0;
+  long krylov = 0;
+  long viscosity_points = 0;
+  long density_points = 0;
+};
+
+/// Within the scope of this object, time belongs to `stage`.
+class InStage {
+ public:
+  InStage(Counters& counters, Stage stage) : clock_(counters.clock), before_(clock_.change_to(stage)) {}
+  ~InStage() { clock_.change_to(before_); }
+  InStage(const InStage&) = delete;
+  InStage& operator=(const InStage&) = delete;
+
+ private:
+  StageClock& clock_;
+  Stage before_;
+};
+
+}  // namespace ehd::fast

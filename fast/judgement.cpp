@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fast/judgement.hpp"
+
+namespace ehd::fast {
+
+bool is_absolute(Quantity quantity) { return quantity == Quantity::film_offset || quantity == Quantity::approach; }
+
+bool is_check(Quantity quantity) { return quantity == Quantity::load_error || quantity == Quantity::flux_variation; }
+
+std::vector<double> values_of(const std::vector<GridRecord>& grids, Quantity quantity) {
+  std::vector<double> values;
+  for (const GridRecord& grid : grids) {
+    const auto found = grid.observed.find(quantity);
+    if (found == grid.observed.end()) {
+      values.clear();
+    } else {
+      values.push_back(found->second.value);
+    }
+  }
+  return values;
+}
+
+bool films_within(const ErrorBudget& minimum, const ErrorBudget& central, double tolerance) {
+  return minimum.total() <= tolerance && central.total() <= tolerance;
+}
+
+void keep_wanted(Observables& observables, const Wanted& wanted) {
+  std::erase_if(observables, [&](const auto& entry) { return !wanted.contains(entry.first); });
+}
+
+Ending limit_ending() {
+  return {.status = StopReason::limit_reached, .reason = "the limit on iterations or time was reached"};
+}
+
+Ending diverged_ending() {
+  return {.status = StopReason::diverged, .reason = "Newton found no admissible solution from any start"};
+}
+
+Ending tolerance_ending() {
+  return {.status = StopReason::tolerance_not_met,
+          .reason = "the finest grid's estimated error is above the tolerance"};
+}
+
+}  // namespace ehd::fast

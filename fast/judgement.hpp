@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How both solvers of this folder judge a solve: shared constants, values of the grids, and the sentences of its end.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "contact/solution.hpp"
+
+namespace ehd::fast {
+
+/// Iteration stops at this share of the tolerance. Film error over the residual stopped at, measured at 96 problems (M
+/// of 0.5..1000, L of 0..20, both law sets, flooded and -4) and three tolerances: at most 0.24, so the residual covers
+/// the film error.
+constexpr double iteration_share = 1.0 / 30;
+/// Newton's target on grids of a given number where the caller asks for nothing else: round-off.
+constexpr double round_off_residual = 1e-11;
+
+/// No grid of a moderate size sees the spike's width (1e-4 at (20, 10), 2e-11 at (200, 15)), so grids agree on a height
+/// before it is right. Measured with fast.uniform against the ten-digit heights of six points, flooded and -4, at four
+/// tolerances: an estimate below 3 % was never too small, one of 9 % up to five times. Estimates are multiplied, and a
+/// height that stays vague is not reported.
+constexpr double spike_safety = 3, vaguest_spike = 0.05;
+
+/// Error by the cut inlet of other quantities, over that of the films: the work before the domain falls with 1/|X_a|
+/// alone, and H_0 holds ln|X_a| of the tail. Measured with fast.uniform against the reference at ten points of
+/// M = 0.05..100, both law sets: rolling force at most 4.7e-5 (reach 4), 2.8e-6 (reach 8); offset 1.3e-5, 1.2e-6, with
+/// the discretisation in it.
+constexpr double truncation_of_work = 20, truncation_of_offset = 5;
+
+/// film.offset and approach have absolute errors.
+[[nodiscard]] bool is_absolute(Quantity quantity);
+/// The load's error and the flux's variation are checks of the solve, not results; they have no error.
+[[nodiscard]] bool is_check(Quantity quantity);
+
+/// A quantity on the grids, coarse to fine, without those before a grid that lacks it.
+[[nodiscard]] std::vector<double> values_of(const std::vector<GridRecord>& grids, Quantity quantity);
+
+/// Both films are known to the tolerance.
+[[nodiscard]] bool films_within(const ErrorBudget& minimum, const ErrorBudget& central, double tolerance);
+
+/// Removes what was observed for the judgement alone.
+void keep_wanted(Observables& observables, const Wanted& wanted);
+
+/// How a solve ended, with a sentence where it did not converge.
+struct Ending {
+  StopReason status;
+  std::string reason = {};
+};
+[[nodiscard]] Ending limit_ending();
+[[nodiscard]] Ending diverged_ending();
+[[nodiscard]] Ending tolerance_ending();
+
+}  // namespace ehd::fast

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fast/mapped_climb.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "contact/observables.hpp"
+#include "fast/judgement.hpp"
+#include "fast/mapped.hpp"
+
+namespace ehd::fast {
+
+namespace {
+
+/// A given number of intervals is halved down to this or more, for the extrapolation. A ratio that is not quite 2
+/// leaves (4/N) of the error that the extrapolation would have removed.
+constexpr int fewest_halved = 64;
+/// Or iteration stops at this share of the tolerance in the films of each grid, by the estimate of a step:
+/// extrapolation multiplies their errors by 45/21 at most.
+constexpr double film_share = 1.0 / 60, extrapolation_gain = 45.0 / 21;
+/// The residual must be below this part of the tolerance as well: where an interpolated start errs most on the far
+/// faces, the first step's contraction says nothing about the films (5e-5 off at (1000, 10) without).
+constexpr double residual_part = 10;
+/// With Request::iteration_share, the next grid's error is expected to be this part of what the grids before are known
+/// to; before two grids, of the last number.
+constexpr double next_part = 5, known_at_first = 1e-4;
+
+class Climber {
+ public:
+  Climber(Run& run, const Request& request) : run_(run), request_(request) {}
+
+  MappedClimb operator()(const Recipe& recipe, const Solution* from, Care care) {
+    std::optional<double> film = start(run_, recipe, from, care);
+    if (!film) return std::move(climb_);
+    const GridPlan plan = request_.nodes
+                              ? GridPlan::down_from(*request_.nodes, [](int n) { return n >= 2 * fewest_halved; })
+                              : GridPlan::doubling(first_mapped_nodes, Mapped::largest_nodes);
+    for (std::optional<int> n = plan.first; n && !met(climb_, request_); n = plan.after(*n)) {
+      const Target wanted = target();
+      const long newton_before = run_.counters.newton;
+      if (run_.state.P.size() != *n + 1) run_.state = interpolate_to(run_.state, *n);
+      const Attempt attempt = solve_on(run_, *film, wanted);
+      if (!attempt.succeeded) return std::move(climb_);
+      film = film_now(run_);
+      note(*n, attempt.newton, newton_before, wanted);
+    }
+    climb_.complete = true;
+    return std::move(climb_);
+  }
+
+ private:
+  /// Of the next grid.
+  [[nodiscard]] Target target() const {
+    const auto within = [](double relative) {
+      return Target{.residual = relative * iteration_share,
+                    .film_error = relative * film_share,
+                    .film_residual = relative / residual_part};
+    };
+    if (!request_.nodes) return within(request_.tolerance.value_or(0));
+    if (!request_.iteration_share) return {.residual = round_off_residual};
+    const double known = climb_.grids.size() > 1
+                             ? std::min(climb_.film_minimum.discretisation, climb_.film_central.discretisation)
+                             : known_at_first;
+    return within(*request_.iteration_share * known / next_part);
+  }
+
+  /// The solution of a grid, with what is known of its errors.
+  void note(int n, const NewtonResult& newton, long newton_before, const Target& target) {
+    climb_.fields = fields_of(run_);
+    const Array& X = climb_.fields.X;
+    GridRecord grid{.nodes = n,
+                    .newton_iterations = static_cast<int>(run_.counters.newton - newton_before),
+                    .residual = newton.residual,
+                    .observed = observe(climb_.fields, run_.observed)};
+    const Lengths l = lengths_from_film(grid.observed.at(Quantity::film_minimum).value);
+    const auto edge = std::lower_bound(X.begin(), X.end(), -l.scale) - X.begin();
+    const auto right = std::clamp<Eigen::Index>(edge, 1, n);
+    grid.inlet_cells = l.inlet / (X[right] - X[right - 1]);
+    climb_.grids.push_back(std::move(grid));
+    const double left_in_films = std::max(newton.film_error, target.film_error) * extrapolation_gain;
+    const double left =
+        request_.nodes ? newton.residual : std::min(std::max(newton.residual, target.residual), left_in_films);
+    climb_.iteration = std::max(climb_.iteration, left);
+    climb_.film_minimum = film_budget(climb_, Quantity::film_minimum, run_.truncation);
+    climb_.film_central = film_budget(climb_, Quantity::film_central, run_.truncation);
+  }
+
+  Run& run_;
+  const Request& request_;
+  MappedClimb climb_;
+};
+
+}  // namespace
+
+MappedClimb climb_mapped(Run& run, const Request& request, const Recipe& recipe, const Solution* from, Care care) {
+  return Climber(run, request)(recipe, from, care);
+}
+
+bool met(const MappedClimb& climb, const Request& request) {
+  return !request.nodes && !climb.grids.empty() &&
+         films_within(climb.film_minimum, climb.film_central, request.tolerance.value_or(0));
+}
+
+}  // namespace ehd::fast

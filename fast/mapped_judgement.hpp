@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the grids of `fast` say of their limit and its errors, and how its solve ended.
+#pragma once
+
+#include <vector>
+
+#include "contact/solver.hpp"
+#include "fast/judgement.hpp"
+#include "fast/run.hpp"
+
+namespace ehd::fast {
+
+/// What one way through all grids of a map leaves.
+struct MappedClimb {
+  std::vector<GridRecord> grids;  ///< coarse to fine
+  Fields fields;                  ///< of the finest grid
+  ErrorBudget film_minimum, film_central;
+  double iteration = 0;   ///< relative error that iteration leaves in the films; the largest of the grids
+  bool complete = false;  ///< Newton reached the last grid
+};
+
+/// Errors of a film, film_minimum or film_central. `truncation`: by the cut inlet.
+[[nodiscard]] ErrorBudget film_budget(const MappedClimb& climb, Quantity film, double truncation);
+
+/// The limits of the grids with their errors, and notes; only where the climb has grids.
+void judge(const MappedClimb& climb, const Problem& problem, Solution& solution);
+
+[[nodiscard]] Ending ending_of(const MappedClimb& climb, const Run& run, const Request& request);
+
+}  // namespace ehd::fast

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fast/mapped_start.hpp"
+
+#include <numbers>
+#include <span>
+
+namespace ehd::fast {
+
+namespace {
+
+/// Newton's target for a solution that only serves to make a map.
+constexpr Target for_maps{.residual = 1e-3, .film_error = 1e-2};
+/// Tolerances below this get full care; from ten times this on, or up to this L, the least.
+constexpr double loose_tolerance = 3e-4, mild_L = 10;
+/// Intervals of the grids whose solutions make the next map, after the first. Measured on 464 problems: without any,
+/// 1e-2 takes 40 % less time and its error bars hold; at 1e-3 that misses bars where a narrow spike stands (1.2 % of
+/// 3000 films, L > 12), so one is made there; three make H_min at n = 512 three times better.
+constexpr int map_grids[] = {64, 128, 128};
+/// A neighbour's solution is near where less than this share of the load has moved. Neighbours 2 and 10 % away in M and
+/// L moved 1 to 24 % at 139 of 140 points (M of .2..1000, L of 2.5..20, both law sets); nine in ten of the random
+/// pressures of `ehd stress --part b` move more than 30 %, and a map made from such a pressure has to be made again.
+constexpr double near_share = 0.25;
+
+std::span<const int> grids_for_maps(Care care) {
+  return std::span(map_grids).first(care == Care::least ? 0 : care == Care::little ? 1 : 3);
+}
+
+/// run.state, which began as `before`, has moved less than a near neighbour's solution does.
+bool was_near(const Run& run, const State& before) {
+  const Grid& grid = run.workspace.grids.of(static_cast<int>(before.P.size()) - 1);
+  const double length = run.state.exit - run.setting.inlet;
+  const double moved = (grid.slope * (run.state.P - before.P).abs()).sum() / grid.n * length;
+  return moved < near_share * std::numbers::pi / 2;
+}
+
+}  // namespace
+
+Care care_for(const Request& request, double L) {
+  if (request.nodes || *request.tolerance < loose_tolerance) return Care::full;
+  return *request.tolerance >= 10 * loose_tolerance || L <= mild_L ? Care::least : Care::little;
+}
+
+Attempt solve_on(Run& run, double film, const Target& target) {
+  const State begin = run.state;
+  Attempt attempt = newton_on(run, run.state, target);
+  if (attempt.succeeded || run.limit_reached) return attempt;
+  run.state = begin;
+  Grid& grid = run.workspace.grids.of(static_cast<int>(begin.P.size()) - 1);
+  run.state.offset = offset_for(film, run.setting, run.state, grid);
+  attempt = newton_on(run, run.state, target);
+  if (attempt.succeeded || run.limit_reached) return attempt;
+  run.state = begin;
+  return lower_floor(run, run.state, target);
+}
+
+std::optional<double> start(Run& run, const Recipe& recipe, const Solution* from, Care care) {
+  auto grids = recipe.remaps ? grids_for_maps(care) : std::span<const int>();
+  // At loose tolerances a neighbour's solution, with its sharper spike, costs more steps than nothing does (634 against
+  // 546 at 24 problems, 2 and 10 % away in M and L); below, that solution saves 15 %.
+  if (from && care == Care::full) {
+    const Known known = known_of(from->fields);
+    const InletTail tail = run.setting.with_tail ? first_tail(run.setting, run.lengths.film) : InletTail{};
+    run.state = on_new_map(run, known, tail, recipe.map, 2 * first_mapped_nodes);
+    const State before = run.state;
+    if (!solve_on(run, known.film, for_maps).succeeded) return std::nullopt;
+    if (was_near(run, before)) grids = {};
+  } else {
+    use_first_map(run, recipe.map);
+    if (!cold_start(run, grid_of(run, recipe.first), for_maps).succeeded) return std::nullopt;
+  }
+  for (const int n : grids) {
+    const Known known = known_now(run);
+    run.state = on_new_map(run, known, run.state.tail, recipe.map, n);
+    if (!solve_on(run, known.film, for_maps).succeeded) return std::nullopt;
+  }
+  const Known known = known_now(run);
+  if (recipe.remaps) run.state = on_new_map(run, known, run.state.tail, recipe.map, first_mapped_nodes);
+  return known.film;
+}
+
+}  // namespace ehd::fast

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How `fast` begins: ways to make the final map and a first iterate on that map, the usual way and the retries.
+#pragma once
+
+#include <optional>
+
+#include "contact/solution.hpp"
+#include "fast/remap.hpp"
+#include "fast/run.hpp"
+
+namespace ehd::fast {
+
+/// Intervals of the first grid on the final map.
+constexpr int first_mapped_nodes = 64;
+
+/// A way to begin.
+struct Recipe {
+  MapRecipe map;
+  bool remaps;  ///< further maps are made from solutions; else the first map is the final one
+  int first;    ///< intervals of the first solution
+};
+/// In the order of trial. The first is right nearly always, the others are retries.
+constexpr Recipe recipes[] = {
+    {.map = {.narrowest = 0.005, .cells = 0.5, .robust_wedge = false}, .remaps = true, .first = 64},
+    {.map = {.narrowest = 0.1, .cells = 1, .robust_wedge = false}, .remaps = true, .first = 64},
+    {.map = {.narrowest = 0.1, .cells = 1, .robust_wedge = true}, .remaps = true, .first = 64},
+    {.map = {.narrowest = 0.5, .cells = 1, .robust_wedge = false}, .remaps = false, .first = 64},
+    {.map = {.narrowest = 0.1, .cells = 1, .robust_wedge = true}, .remaps = true, .first = 128}};
+
+/// How good a map is made: from the first solution alone, from one more, or from three more.
+enum class Care { least, little, full };
+/// The care that the tolerance is worth.
+[[nodiscard]] Care care_for(const Request& request, double L);
+
+/// Newton on the grid of run.state; where an interpolated pressure has closed the film, once more with the film at X =
+/// 0 restored to `film`; where a sharpening spike stops Newton, with a floor under the fluidity. run.state: the start,
+/// then the solution.
+[[nodiscard]] Attempt solve_on(Run& run, double film, const Target& target);
+
+/// Makes the final map, and run.state on that map: from nothing, or from the solution `from` of a neighbouring problem
+/// (with full care alone). The film at X = 0 of the solution that the map was made from; empty where Newton failed.
+[[nodiscard]] std::optional<double> start(Run& run, const Recipe& recipe, const Solution* from, Care care);
+
+}  // namespace ehd::fast

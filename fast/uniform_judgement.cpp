@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fast/uniform_judgement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "contact/estimate.hpp"
+#include "fast/uniform.hpp"
+
+namespace ehd::fast {
+
+namespace {
+
+/// Discretisation error of one quantity, from its values on the grids; infinite where only one grid has it.
+double discretisation_error(const std::vector<GridRecord>& grids, Quantity quantity) {
+  const std::vector<double> values = values_of(grids, quantity);
+  if (values.empty()) return std::numeric_limits<double>::infinity();
+  const GridEstimate judged = estimate(values, Uniform::description.formal_order);
+  return is_absolute(quantity) ? judged.error * std::abs(judged.value) : judged.error;
+}
+
+/// The calibrated film error, where the grids say too little: a lone grid, or one that hardly sees the inlet zone.
+double least_error(const UniformClimb& climb) {
+  return climb.cells < fewest_inlet_cells || climb.grids.size() < 2 ? error_of_inlet_cells(climb.cells) : 0;
+}
+
+double at_least(double error, double least) { return std::isfinite(error) ? std::max(error, least) : least; }
+
+void put_errors(const UniformClimb& climb, const Run& run, const SolveRecord& record, Observables& observables) {
+  const double least = least_error(climb);
+  const double film =
+      observables.contains(Quantity::film_central) ? observables.at(Quantity::film_central).value : run.lengths.film;
+  const double offset_scale = 1 + film;  // H_0 is the film at X = 0 less a deflection of order one
+  for (auto& [quantity, reading] : observables) {
+    if (is_check(quantity)) continue;
+    double error = error_budget(climb, quantity, run.truncation).total();
+    if (quantity == Quantity::film_minimum) error = record.film_minimum.total();
+    if (quantity == Quantity::film_central) error = record.film_central.total();
+    if (least > 0 && quantity == Quantity::film_couette) error = at_least(error, least);
+    if (least > 0 && is_absolute(quantity)) error = at_least(error, least * offset_scale);
+    if (is_absolute(quantity)) error += truncation_of_offset * run.truncation * offset_scale;
+    if (std::isfinite(error)) reading.error = error;
+  }
+}
+
+/// A spike is reported with its uncertainty or not at all; nor is a pressure maximum that is the spike.
+void judge_spike(const Wanted& wanted, Observables& observables, std::vector<std::string>& notes) {
+  const auto spike = observables.find(Quantity::pressure_spike);
+  if (spike == observables.end()) return;
+  if (spike->second.error) *spike->second.error *= spike_safety;
+  if (spike->second.error.value_or(1) < vaguest_spike) return;
+  if (wanted.contains(Quantity::pressure_spike))
+    notes.push_back("pressure.spike is left out: its height is not known to 5 %");
+  const auto maximum = observables.find(Quantity::pressure_maximum);
+  if (maximum != observables.end() && maximum->second.place == spike->second.place) {
+    observables.erase(maximum);
+    if (wanted.contains(Quantity::pressure_maximum)) notes.push_back("pressure.maximum is left out: it is the spike");
+  }
+  observables.erase(spike);
+}
+
+}  // namespace
+
+double error_of_inlet_cells(double cells) { return 0.5 / (cells * cells); }
+
+ErrorBudget error_budget(const UniformClimb& climb, Quantity quantity, double truncation) {
+  return {.discretisation = discretisation_error(climb.grids, quantity),
+          .iteration = climb.iteration,
+          .truncation = truncation * (quantity == Quantity::rolling_force ? truncation_of_work : 1)};
+}
+
+void judge(const UniformClimb& climb, const Run& run, Solution& solution) {
+  SolveRecord& record = solution.record;
+  record.film_minimum = climb.film_minimum;
+  record.film_central = climb.film_central;
+  for (ErrorBudget* const film : {&record.film_minimum, &record.film_central})
+    film->discretisation = at_least(film->discretisation, least_error(climb));
+  solution.observables = climb.grids.back().observed;
+  put_errors(climb, run, record, solution.observables);
+  judge_spike(run.problem.wanted, solution.observables, record.notes);
+  keep_wanted(solution.observables, run.problem.wanted);
+}
+
+Ending ending_of(const UniformClimb& climb, const Run& run, const Request& request, const SolveRecord& record) {
+  if (run.limit_reached) return limit_ending();
+  if (climb.cells < fewest_inlet_cells)
+    return {.status = StopReason::under_resolved,
+            .reason = "the grid has fewer than 1.5 cells in the inlet zone of width H_cen^(2/3)"};
+  if (climb.grids.empty()) return diverged_ending();
+  if (climb.refused > 0)
+    return {.status = StopReason::tolerance_not_met,
+            .reason = "Newton does not converge on " + std::to_string(climb.refused) +
+                      " intervals; the values are those of " + std::to_string(climb.grids.back().nodes)};
+  if (!request.nodes && !films_within(record.film_minimum, record.film_central, request.tolerance.value_or(0)))
+    return tolerance_ending();
+  return {.status = StopReason::converged};
+}
+
+}  // namespace ehd::fast
