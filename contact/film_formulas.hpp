@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/scaling.hpp"
+#include "contact/nondimensional.hpp"
 
 namespace ehd {
 

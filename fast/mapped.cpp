@@ -9,7 +9,7 @@
 #include <span>
 
 #include "contact/observables.hpp"
-#include "contact/scaling.hpp"
+#include "contact/nondimensional.hpp"
 #include "fast/extrapolation.hpp"
 #include "fast/run.hpp"
 

@@ -10,7 +10,7 @@
 
 #include "contact/estimate.hpp"
 #include "contact/observables.hpp"
-#include "contact/scaling.hpp"
+#include "contact/nondimensional.hpp"
 #include "fast/run.hpp"
 
 namespace ehd::fast {

@@ -11,7 +11,7 @@
 
 #include "contact/film_formulas.hpp"
 #include "contact/observables.hpp"
-#include "contact/scaling.hpp"
+#include "contact/nondimensional.hpp"
 #include "reference/hp/homotopy.hpp"
 
 namespace ehd::reference {

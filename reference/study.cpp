@@ -9,7 +9,7 @@
 #include "contact/estimate.hpp"
 #include "contact/film_formulas.hpp"
 #include "contact/observables.hpp"
-#include "contact/scaling.hpp"
+#include "contact/nondimensional.hpp"
 
 namespace ehd::reference {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "contact/solver.hpp"
-#include "reference/newton.hpp"
+#include "reference/grid_newton.hpp"
 
 namespace ehd::reference {
 

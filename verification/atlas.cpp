@@ -19,7 +19,7 @@
 #include <system_error>
 #include <tuple>
 
-#include "contact/scaling.hpp"
+#include "contact/nondimensional.hpp"
 #include "verification/output.hpp"
 #include "verification/parallel.hpp"
 #include "verification/solve_run.hpp"

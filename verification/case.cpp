@@ -11,7 +11,7 @@
 
 #include "contact/hertz.hpp"
 #include "contact/problem.hpp"
-#include "contact/scaling.hpp"
+#include "contact/nondimensional.hpp"
 #include "verification/case_text.hpp"
 #include "verification/text.hpp"
 #include "verification/tolerance.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/plan.hpp"
 
-#include "contact/scaling.hpp"
+#include "contact/nondimensional.hpp"
 #include "verification/text.hpp"
 
 namespace ehd::verification {

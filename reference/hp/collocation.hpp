@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "contact/problem.hpp"
-#include "reference/hp/legendre.hpp"
+#include "reference/hp/reference_element.hpp"
 #include "reference/hp/mesh.hpp"
 #include "reference/hp/moments.hpp"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "contact/solution.hpp"
-#include "reference/hp/newton.hpp"
+#include "reference/hp/element_newton.hpp"
 
 namespace ehd::reference::hp {
 

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "bearing/geometry.hpp"
-#include "contact/scaling.hpp"
+#include "contact/nondimensional.hpp"
 #include "verification/bearing_run.hpp"
 #include "verification/case.hpp"
 #include "verification/plan.hpp"

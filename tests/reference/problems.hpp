@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "contact/scaling.hpp"
+#include "contact/nondimensional.hpp"
 #include "contact/solver.hpp"
 
 namespace ehd::testing {

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "contact/scaling.hpp"
+#include "contact/nondimensional.hpp"
 #include "tests/check.hpp"
 #include "tests/verification/files.hpp"
 #include "tests/verification/process.hpp"

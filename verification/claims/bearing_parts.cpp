@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "bearing/equilibrium.hpp"
-#include "contact/scaling.hpp"
+#include "contact/nondimensional.hpp"
 #include "verification/bearing_check.hpp"
 #include "verification/bearing_run.hpp"
 #include "verification/claims/fits.hpp"

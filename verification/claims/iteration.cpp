@@ -14,8 +14,8 @@
 
 #include "fast/multigrid.hpp"
 #include "fast/newton.hpp"
-#include "reference/hp/newton.hpp"
-#include "reference/newton.hpp"
+#include "reference/hp/element_newton.hpp"
+#include "reference/grid_newton.hpp"
 #include "verification/claims/fits.hpp"
 #include "verification/claims/oils.hpp"
 #include "verification/claims/topics.hpp"

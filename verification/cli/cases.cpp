@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "contact/scaling.hpp"
+#include "contact/nondimensional.hpp"
 #include "verification/atlas.hpp"
 #include "verification/bibliography.hpp"
 #include "verification/case.hpp"

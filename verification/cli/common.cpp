@@ -12,7 +12,7 @@
 #include <new>
 #include <system_error>
 
-#include "contact/scaling.hpp"
+#include "contact/nondimensional.hpp"
 #include "verification/case.hpp"
 #include "verification/text.hpp"
 

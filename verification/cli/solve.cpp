@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/scaling.hpp"
+#include "contact/nondimensional.hpp"
 #include "fast/convolution.hpp"
 #include "verification/case.hpp"
 #include "verification/cli/commands.hpp"

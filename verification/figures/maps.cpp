@@ -5,7 +5,7 @@
 #include <string>
 #include <system_error>
 
-#include "contact/scaling.hpp"
+#include "contact/nondimensional.hpp"
 #include "verification/figures/parts.hpp"
 #include "verification/film_maps.hpp"
 #include "verification/registry.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/hp/newton.hpp"
+#include "reference/hp/element_newton.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "contact/scaling.hpp"
+#include "contact/nondimensional.hpp"
 
 #include <cmath>
 #include <cstdio>

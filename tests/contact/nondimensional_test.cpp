@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "contact/scaling.hpp"
+#include "contact/nondimensional.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -52,7 +52,7 @@ double difference(const Groups& a, const Groups& b) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(scaling)
+BOOST_AUTO_TEST_SUITE(nondimensional)
 
 BOOST_AUTO_TEST_CASE(moes_and_hertz_groups_are_inverse) {
   int rows = 0;

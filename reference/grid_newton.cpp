@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/newton.hpp"
+#include "reference/grid_newton.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
