@@ -206,7 +206,7 @@ class Solve {
     const bool three = apart.size() > 2;
     const Observables two = three ? observe(fields_of(problem_, done.floors[apart[2]]), wanted_) : Observables{};
     for (auto& [quantity, reading] : done.seen) {
-      if (is_diagnostic(quantity) || !one.contains(quantity)) continue;
+      if (is_self_check(quantity) || !one.contains(quantity)) continue;
       const double slope = (one.at(quantity).value - reading.value) / (f1 - f0), move = -f0 * slope;
       double error = three && f0 <= highest_linear_floor ? floor_safety * std::abs(move) : 2 * std::abs(move);
       if (three && two.contains(quantity)) {
@@ -214,10 +214,10 @@ class Solve {
         const double further = (two.at(quantity).value - one.at(quantity).value) / (f2 - f1);
         error = std::max(error, curvature_safety * std::abs(f0 * f1 * (further - slope) / (f2 - f0)));
       }
-      if (is_peak(quantity)) error = std::max(error, peak_safety * std::abs(move));  // grows like a logarithm
+      if (is_pressure_peak(quantity)) error = std::max(error, peak_safety * std::abs(move));  // grows like a logarithm
       if (f0 > highest_floor) error = std::max(error, size_of(quantity, reading.value));
       done.floor_errors[quantity] = error;
-      if (!is_peak(quantity)) reading.value += move;
+      if (!is_pressure_peak(quantity)) reading.value += move;
     }
   }
 
@@ -234,21 +234,21 @@ class Solve {
     // Numbers of one solution move together: a difference of one that is small by chance is no small error.
     double films_differ = 0, all_differ = 0;
     for (const auto& [quantity, reading] : first.seen) {
-      if (is_diagnostic(quantity) || is_peak(quantity) || !second.seen.contains(quantity)) continue;
+      if (is_self_check(quantity) || is_pressure_peak(quantity) || !second.seen.contains(quantity)) continue;
       const double differ = std::abs(reading.value - second.seen.at(quantity).value) / size_of(quantity, reading.value);
       all_differ = std::max(all_differ, differ);
       if (is_film(quantity)) films_differ = std::max(films_differ, differ);
     }
     for (auto [quantity, reading] : first.seen) {
-      if (is_diagnostic(quantity)) {
+      if (is_self_check(quantity)) {
         if (problem_.wanted.contains(quantity)) solution.observables[quantity] = reading;
         continue;
       }
       if (!second.seen.contains(quantity)) continue;
-      const bool absolute = is_absolute(quantity);
+      const bool absolute = has_absolute_error(quantity);
       const double size = size_of(quantity, reading.value);
       ErrorBudget budget;
-      budget.discretisation = (is_peak(quantity) ? peak_safety : discretisation_safety) *
+      budget.discretisation = (is_pressure_peak(quantity) ? peak_safety : discretisation_safety) *
                               std::abs(reading.value - second.seen.at(quantity).value) / size;
       budget.discretisation =
           std::max(budget.discretisation, is_film(quantity) ? discretisation_safety * films_differ : all_differ);
@@ -261,14 +261,13 @@ class Solve {
         budget.discretisation += first.floor_errors.contains(quantity) ? first.floor_errors.at(quantity) / size : 1;
       // A maximum behind the centre is the spike, or on its way to be one.
       const bool on_a_floor = first.last().floor > 0 && reading.place.value_or(0) > 0;
-      if (is_peak(quantity) && (on_a_floor || !(budget.total() <= vaguest_peak))) {
+      if (is_pressure_peak(quantity) && (on_a_floor || !(budget.total() <= vaguest_peak))) {
         if (problem_.wanted.contains(quantity))
           record.notes.push_back(std::string(to_string(quantity)) + " is left out: the spike is not resolved");
         continue;
       }
       reading.error = budget.total();
-      if (quantity == Quantity::film_minimum) record.film_minimum = budget;
-      if (quantity == Quantity::film_central) record.film_central = budget;
+      if (const auto parts = row_of(quantity).budget) record.*parts = budget;
       if (problem_.wanted.contains(quantity)) solution.observables[quantity] = reading;
     }
     if (first.last().floor > 0)
@@ -324,23 +323,8 @@ class Solve {
   /// Above, the solution of the floor says nothing of that without it.
   static constexpr double highest_floor = 1e-5;
 
-  [[nodiscard]] static bool is_absolute(Quantity quantity) {
-    return quantity == Quantity::film_offset || quantity == Quantity::approach;
-  }
   [[nodiscard]] static double size_of(Quantity quantity, double value) {
-    return is_absolute(quantity) ? 1 : std::abs(value);
-  }
-
-  [[nodiscard]] static bool is_diagnostic(Quantity quantity) {
-    return quantity == Quantity::load_error || quantity == Quantity::flux_variation;
-  }
-  [[nodiscard]] static bool is_peak(Quantity quantity) {
-    return quantity == Quantity::pressure_spike || quantity == Quantity::pressure_maximum;
-  }
-
-  [[nodiscard]] static bool is_film(Quantity quantity) {
-    return quantity == Quantity::film_minimum || quantity == Quantity::film_central ||
-           quantity == Quantity::film_couette;
+    return has_absolute_error(quantity) ? 1 : std::abs(value);
   }
 
   [[nodiscard]] static double inlet_cells(const Fields& fields, double film) {

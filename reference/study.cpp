@@ -38,16 +38,6 @@ Fields fields_of(const Level& level, const Problem& problem) {
   return fields;
 }
 
-bool is_absolute(Quantity quantity) { return quantity == Quantity::film_offset || quantity == Quantity::approach; }
-/// These measure an error themselves.
-bool is_diagnostic(Quantity quantity) {
-  return quantity == Quantity::load_error || quantity == Quantity::flux_variation;
-}
-
-bool is_film(Quantity quantity) {
-  return quantity == Quantity::film_minimum || quantity == Quantity::film_central || quantity == Quantity::film_couette;
-}
-
 /// Least relative error of a film on a grid with few cells in the inlet zone, whatever differences of grids say; with
 /// more than `safe_inlet_cells` they are enough. Thrice what was measured with equal cells: README.md, section 4.
 constexpr double safe_inlet_cells = 8;
@@ -187,9 +177,9 @@ std::optional<Truncation> Study::truncation(const Level& level) {
   const double ratio = X[0] / X[first];
   Truncation truncation{.inlet = X[0], .errors = {}};
   for (const auto& [quantity, reading] : level.seen) {
-    if (is_diagnostic(quantity) || !solved->seen.contains(quantity)) continue;
+    if (is_self_check(quantity) || !solved->seen.contains(quantity)) continue;
     const double move = std::abs(solved->seen.at(quantity).value - reading.value) / (ratio * ratio - 1);
-    truncation.errors[quantity].value = safety * move / (is_absolute(quantity) ? 1 : std::abs(reading.value));
+    truncation.errors[quantity].value = safety * move / (has_absolute_error(quantity) ? 1 : std::abs(reading.value));
   }
   return truncation;
 }
@@ -211,7 +201,7 @@ Solution Study::report(const std::vector<Level>& levels, bool extrapolate,
   solution.fields = fields_of(finest, problem_);
   for (auto [quantity, reading] : finest.seen) {
     const bool film = is_film(quantity);
-    if (!is_diagnostic(quantity)) {
+    if (!is_self_check(quantity)) {
       std::vector<double> values;
       for (const Level& level : levels) {
         if (level.seen.contains(quantity))
@@ -230,18 +220,17 @@ Solution Study::report(const std::vector<Level>& levels, bool extrapolate,
       ErrorBudget budget{.discretisation = judged.error, .iteration = finest.iteration_error, .truncation = 0};
       if (truncation && truncation->errors.contains(quantity))
         budget.truncation = truncation->errors.at(quantity).value * std::pow(truncation->inlet / finest.grid.inlet, 2);
-      if (is_absolute(quantity)) {
+      if (has_absolute_error(quantity)) {
         budget.discretisation *= std::abs(judged.value);
         budget.iteration *= finest.central_film();
       }
       if (film && cells < safe_inlet_cells)
         budget.discretisation = std::max(levels.size() == 1 ? 0 : budget.discretisation, coarse_grid_error(cells));
-      if (is_absolute(quantity) && levels.size() == 1)  // H_0 is the film at X = 0 less a deflection of order one
+      if (has_absolute_error(quantity) && levels.size() == 1)  // H_0 is the film at X = 0 less a deflection of order one
         budget.discretisation = coarse_grid_error(cells) * (1 + finest.central_film());
       if (flooded() && !truncation) budget.truncation = std::numeric_limits<double>::infinity();
       if (std::isfinite(budget.total())) reading.error = budget.total();
-      if (quantity == Quantity::film_minimum) solution.record.film_minimum = budget;
-      if (quantity == Quantity::film_central) solution.record.film_central = budget;
+      if (const auto parts = row_of(quantity).budget) solution.record.*parts = budget;
     }
     if (problem_.wanted.contains(quantity)) solution.observables[quantity] = reading;
   }
