@@ -40,6 +40,13 @@ struct Truncation {
   Observables errors;
 };
 
+/// A quantity as a sequence of grids gives it.
+struct Judged {
+  double value = 0;
+  double error = 0;      ///< relative
+  bool settles = false;  ///< the last differences fall
+};
+
 /// Fewer cells than this in the inlet zone cannot see it.
 inline constexpr double fewest_inlet_cells = 1.5;
 
@@ -76,6 +83,9 @@ class Study {
  private:
   using Clock = std::chrono::steady_clock;
   std::optional<Level> attempt(const Equations& equations, const State& start);
+  /// The parts of the error of a quantity that was judged on `levels`.
+  [[nodiscard]] ErrorBudget budget_of(Quantity quantity, const Judged& judged, const std::vector<Level>& levels,
+                                      const std::optional<Truncation>& truncation) const;
 
   Problem problem_;
   Request request_;
