@@ -14,8 +14,8 @@ inline constexpr double usual_G = 5000;
 
 /// One formula evaluated at one point; film in Moes units (h/R) U_s^(-1/2).
 struct FilmFormula {
-  std::string name;      ///< "Dowson & Higginson 1977"
-  std::string of;        ///< "film.minimum" | "film.central" | "film.couette"
+  std::string name;  ///< "Dowson & Higginson 1977"
+  std::string of;    ///< "film.minimum" | "film.central" | "film.couette"
   double moes_film = 0;
 };
 

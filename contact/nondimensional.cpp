@@ -22,10 +22,7 @@ Groups groups_from(const MoesGroups& moes) {
 
 Groups groups_from(const HertzGroups& hertz) {
   const double M = std::sqrt(3 * pi * pi / (8 * hertz.lambda));
-  return {.M = M,
-          .L = hertz.alpha_p_H * std::sqrt(2 * pi / M),
-          .lambda = hertz.lambda,
-          .alpha_p_H = hertz.alpha_p_H};
+  return {.M = M, .L = hertz.alpha_p_H * std::sqrt(2 * pi / M), .lambda = hertz.lambda, .alpha_p_H = hertz.alpha_p_H};
 }
 
 double moes_film_per_hertz_film(double M) { return 8 * M / pi; }
@@ -66,7 +63,7 @@ struct StatedOil {
 
 /// Roelands' alpha and z. Where one of the two is left out, alpha = z (ln eta_0 + 9.67)/p_0 supplies it.
 StatedOil roelands_in_SI(const Lubricant& lubricant, std::optional<double> viscosity_Pa_s,
-                            std::vector<std::string>& notes) {
+                         std::vector<std::string>& notes) {
   const double span = viscosity_Pa_s ? std::log(*viscosity_Pa_s) + 9.67 : 0;
   const auto need_span = [&](const char* missing) {
     if (!viscosity_Pa_s)
@@ -95,8 +92,9 @@ StatedOil roelands_in_SI(const Lubricant& lubricant, std::optional<double> visco
     need_span("z");
     const double z = *lubricant.alpha_per_Pa * lubricant.p0_Pa / span;
     if (!(z > 0))
-      throw StatementError("lubricant.alpha_per_Pa", "makes z = " + number(z) + " by alpha = z (ln eta_0 + 9.67)/p_0; " +
-                                                         "roelands needs alpha_per_Pa > 0");
+      throw StatementError(
+          "lubricant.alpha_per_Pa",
+          "makes z = " + number(z) + " by alpha = z (ln eta_0 + 9.67)/p_0; " + "roelands needs alpha_per_Pa > 0");
     return {*lubricant.alpha_per_Pa, z};
   }
   throw StatementError("lubricant.alpha_per_Pa", "is missing; roelands needs alpha_per_Pa, z or both");
@@ -145,8 +143,12 @@ Scaled scaled(const Conditions& si, const Lubricant& lubricant, const StatedOil&
 }
 
 Scaled scaled(const Statement& statement, const Lubricant& lubricant, const StatedOil& oil) {
-  return std::visit(Overloaded{[](const MoesGroups& moes) -> Scaled { return {groups_from(moes), std::nullopt}; },
-                               [](const HertzGroups& hertz) -> Scaled { return {groups_from(hertz), std::nullopt}; },
+  return std::visit(Overloaded{[](const MoesGroups& moes) -> Scaled {
+                                 return {groups_from(moes), std::nullopt};
+                               },
+                               [](const HertzGroups& hertz) -> Scaled {
+                                 return {groups_from(hertz), std::nullopt};
+                               },
                                [&](const Conditions& si) { return scaled(si, lubricant, oil); }},
                     statement);
 }
@@ -212,16 +214,14 @@ Nondimensional nondimensionalise(const Statement& statement, const Lubricant& lu
     return result;
   }
   if (groups.alpha_p_H != 0 && !piezoviscous)
-    throw StatementError("lubricant.viscosity",
-                         "isoviscous contradicts L > 0; allowed is barus or roelands, or L = 0");
+    throw StatementError("lubricant.viscosity", "isoviscous contradicts L > 0; allowed is barus or roelands, or L = 0");
 
   // 3. p_H from alpha where groups alone are stated: p_H = alpha p_H/alpha.
   if (!result.scales && oil.alpha_per_Pa && *oil.alpha_per_Pa > 0)
     result.scales = Scales{.hertz_pressure_Pa = groups.alpha_p_H / *oil.alpha_per_Pa};
 
   // 4. Laws in units of p_H.
-  if (groups.alpha_p_H > 0)
-    result.problem.viscosity = viscosity_of(lubricant, oil, in_SI, groups, result.scales);
+  if (groups.alpha_p_H > 0) result.problem.viscosity = viscosity_of(lubricant, oil, in_SI, groups, result.scales);
   result.problem.density = density_of(lubricant, result.scales);
   if (result.scales && result.scales->hertz_pressure_Pa > highest_usual_pressure_Pa)
     result.notes.push_back("p_H = " + number(result.scales->hertz_pressure_Pa / 1e9) +

@@ -16,10 +16,8 @@ Viscosity made_from(const LawInputs& inputs) {
 template <ViscosityFormula... Laws, std::size_t... Places>
 constexpr std::array<ViscosityLawRow, sizeof...(Laws)> rows_of(const std::variant<Laws...>*,
                                                                std::index_sequence<Places...>) {
-  return {ViscosityLawRow{.law = static_cast<ViscosityLaw>(Places),
-                          .name = Laws::name,
-                          .keys = Laws::keys,
-                          .from = made_from<Laws>}...};
+  return {ViscosityLawRow{
+      .law = static_cast<ViscosityLaw>(Places), .name = Laws::name, .keys = Laws::keys, .from = made_from<Laws>}...};
 }
 
 /// One row for each alternative of the variant, made of what the law's struct says about itself.

@@ -70,12 +70,12 @@ struct QuantityRow {
   std::string_view meaning;  ///< in a few words, for help texts
   std::string_view unit;     ///< of Reading::value, in Hertz scaling
   ErrorKind error = ErrorKind::relative;
-  bool in_dry_contact = false;                ///< Hertz' solution without a lubricant has the quantity
-  bool in_moes_units = false;                 ///< (h/R) U_s^(-1/2) is also reported
-  SIScale SI = SIScale::none;                 ///< how the quantity is reported in SI
+  bool in_dry_contact = false;                 ///< Hertz' solution without a lubricant has the quantity
+  bool in_moes_units = false;                  ///< (h/R) U_s^(-1/2) is also reported
+  SIScale SI = SIScale::none;                  ///< how the quantity is reported in SI
   std::optional<double> kostreva_factor = {};  ///< value in Kostreva's scaling over the value in Hertz units, if any
-  std::string_view json_entry;                ///< where the result's JSON has the quantity; dots separate the levels
-  std::string_view json_value = {};           ///< key of Reading::value inside that entry; empty: the entry is the value
+  std::string_view json_entry;                 ///< where the result's JSON has the quantity; dots separate the levels
+  std::string_view json_value = {};  ///< key of Reading::value inside that entry; empty: the entry is the value
   /// Reads the quantity off the fields. Empty where the fields do not have it.
   std::optional<Reading> (*observe)(const Fields& fields);
   /// Where the record of a solve keeps the parts of the error; null for most quantities.

@@ -4,9 +4,9 @@
 // A law is one struct. The concepts ViscosityFormula and DensityFormula list what each law must answer. A law that
 // leaves out one answer does not compile, and no function below has a default for unknown laws.
 //
-// Every viscosity law returns ln(eta/eta_0), never eta: Barus at (M, L) = (5000, 30) reaches e^846. A law is written for
-// pressures in some unit. The unit is 1 Pa in a case file and the Hertz pressure p_H inside a Problem (in_units_of).
-// Iterates may stray below zero pressure. There each law continues along its tangent at zero.
+// Every viscosity law returns ln(eta/eta_0), never eta: Barus at (M, L) = (5000, 30) reaches e^846. A law is written
+// for pressures in some unit. The unit is 1 Pa in a case file and the Hertz pressure p_H inside a Problem
+// (in_units_of). Iterates may stray below zero pressure. There each law continues along its tangent at zero.
 #pragma once
 
 #include <concepts>
@@ -108,8 +108,8 @@ struct Roelands {
     const Scalar a(alpha), p_0(p0), exponent(z), zero(0), one(1);
     const Scalar scale = a * p_0 / exponent;
     out.slope = one + pressure.max(zero) / p_0;
-    out.value = (exponent * out.slope.log()).exp();                 // (1 + p/p_0)^z
-    out.slope = a * out.value / out.slope;                          // alpha (1 + p/p_0)^(z-1)
+    out.value = (exponent * out.slope.log()).exp();                  // (1 + p/p_0)^z
+    out.slope = a * out.value / out.slope;                           // alpha (1 + p/p_0)^(z-1)
     out.value = scale * (out.value - one) + a * pressure.min(zero);  // tangent below zero
   }
 };
@@ -167,14 +167,13 @@ using Density = std::variant<Incompressible, DowsonHigginson>;
 
 /// A law of density: its name, whether it is constant, its parameters, its values.
 template <class Law>
-concept DensityFormula =
-    requires(const Law law, double unit, const ArrayOf<double>& pressure, LawValues<double>& out) {
-      { Law::name } -> std::convertible_to<std::string_view>;
-      { Law::trivial } -> std::convertible_to<bool>;
-      { law.in_units_of(unit) } -> std::same_as<Law>;
-      { law.parameters() } -> std::same_as<std::vector<double>>;
-      { law.evaluate(pressure, out) } -> std::same_as<void>;
-    };
+concept DensityFormula = requires(const Law law, double unit, const ArrayOf<double>& pressure, LawValues<double>& out) {
+  { Law::name } -> std::convertible_to<std::string_view>;
+  { Law::trivial } -> std::convertible_to<bool>;
+  { law.in_units_of(unit) } -> std::same_as<Law>;
+  { law.parameters() } -> std::same_as<std::vector<double>>;
+  { law.evaluate(pressure, out) } -> std::same_as<void>;
+};
 
 /// A law of viscosity: the same, and how the law is made from the keys of a case.
 template <class Law>

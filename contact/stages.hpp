@@ -17,7 +17,9 @@ struct SkippedStage {
 struct Plan {
   std::vector<std::string> run;  ///< stages in order
   std::vector<SkippedStage> skipped;
-  [[nodiscard]] bool runs(std::string_view stage) const { return std::find(run.begin(), run.end(), stage) != run.end(); }
+  [[nodiscard]] bool runs(std::string_view stage) const {
+    return std::find(run.begin(), run.end(), stage) != run.end();
+  }
 };
 
 }  // namespace ehd

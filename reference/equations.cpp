@@ -141,7 +141,8 @@ Evaluation Equations::evaluate(const State& state) const {
   at.residual.head(n) = at.mobility * at.gradient - at.wedge + f[n];
   at.residual[n] = 2 / pi * length * load - 1;
   if (sources_) {
-    at.residual.head(n) += source(sources_->balance, at.X.tail(1)).value[0] - source(sources_->balance, mid_points(at.X)).value;
+    at.residual.head(n) +=
+        source(sources_->balance, at.X.tail(1)).value[0] - source(sources_->balance, mid_points(at.X)).value;
     at.residual[n] -= sources_->load;
   }
 

@@ -24,11 +24,11 @@ constexpr double largest_pressure_step = 0.5;  // of the largest pressure
 constexpr double largest_exit_step = 0.05;     // of X* + 0.2
 constexpr double smallest_film_left = 0.2;     // of the film before the step
 constexpr int halvings = 8;
-constexpr double exit_at_rest = 0.2;           // added to X*, so that an exit near 0 can move
-constexpr double least_decrease = 0.1;         // of the merit, for a full step
-constexpr double negative_pressure = 1e-10;    // over the largest pressure: rounding, not a negative root
-constexpr double rounding_units = 4;           // what is solved, over what rounding does to a residual
-constexpr double film_at_rest = 1e-11;         // relative; a film that moves less has reached its rounding
+constexpr double exit_at_rest = 0.2;         // added to X*, so that an exit near 0 can move
+constexpr double least_decrease = 0.1;       // of the merit, for a full step
+constexpr double negative_pressure = 1e-10;  // over the largest pressure: rounding, not a negative root
+constexpr double rounding_units = 4;         // what is solved, over what rounding does to a residual
+constexpr double film_at_rest = 1e-11;       // relative; a film that moves less has reached its rounding
 // A start that is interpolated gets a new H_0 where interpolation left less of the smallest film, or moved the central
 // film by more, relative.
 constexpr double smallest_film_kept = 0.5, largest_central_move = 0.3;
@@ -47,8 +47,9 @@ double merit(const Evaluation& at) {
 /// Largest residual in units of what counts as solved.
 double distance_to_floor(const Evaluation& at) {
   const Index n = at.wedge.size();
-  return std::max((at.residual.head(n).abs() / (small_residual * at.H[n] + rounding_units * at.rounding.head(n))).maxCoeff(),
-                  std::abs(at.residual[n]) / (small_residual + rounding_units * at.rounding[n]));
+  return std::max(
+      (at.residual.head(n).abs() / (small_residual * at.H[n] + rounding_units * at.rounding.head(n))).maxCoeff(),
+      std::abs(at.residual[n]) / (small_residual + rounding_units * at.rounding[n]));
 }
 
 /// P >= 0 up to rounding, H > 0, and the film opens where the pressure ends.
@@ -170,7 +171,8 @@ State interpolated_start(const Equations& equations, const State& solved, const 
   const double central = local_cubic(at.X, at.H, 0);
   const Array film = start.offset + equations.film_without_offset(start.P, start.exit);
   const double moved_to = local_cubic(X, film, 0);
-  if (film.minCoeff() < smallest_film_kept * at.H.minCoeff() || std::abs(moved_to - central) > largest_central_move * central)
+  if (film.minCoeff() < smallest_film_kept * at.H.minCoeff() ||
+      std::abs(moved_to - central) > largest_central_move * central)
     start.offset += central - moved_to;
   return start;
 }

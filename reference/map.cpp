@@ -10,12 +10,12 @@ namespace {
 
 // Shape of the map; map.hpp has the formula. Measured on grids of 400 intervals: other bump weights and widths move the
 // error by a factor of two either way (README.md, section 5).
-constexpr double contact_width = 0.7;      // of the crowding in the contact, over l
-constexpr double bump_reach = 3;           // beyond this times l a bump adds no nodes
-constexpr double inlet_weight = 3;         // of the crowding before the inlet zone
-constexpr double inlet_spread = 2;         // its width, over that of the inlet zone
-constexpr double wedge = -0.5;             // the wedge's k far behind the contact; 0.5 before it
-constexpr double wedge_steepness = 4;      // of its change at X = 0, per l
+constexpr double contact_width = 0.7;         // of the crowding in the contact, over l
+constexpr double bump_reach = 3;              // beyond this times l a bump adds no nodes
+constexpr double inlet_weight = 3;            // of the crowding before the inlet zone
+constexpr double inlet_spread = 2;            // its width, over that of the inlet zone
+constexpr double wedge = -0.5;                // the wedge's k far behind the contact; 0.5 before it
+constexpr double wedge_steepness = 4;         // of its change at X = 0, per l
 constexpr double exit_per_inlet_zone = 0.45;  // first guess of X* - 1 and of 1 - X_sp, over d
 constexpr double exit_per_length = 0.5;       // first guess of X* of a light load, over l
 constexpr double first_spike_width = 0.5;     // first guess, over d l
@@ -25,9 +25,12 @@ constexpr int bisections = 60;
 }  // namespace
 
 double GradedMap::density_integral(double X) const {
-  const auto bump = [&](double x, double width) { return std::asinh(x / width) - std::asinh(x / (bump_reach * length)); };
+  const auto bump = [&](double x, double width) {
+    return std::asinh(x / width) - std::asinh(x / (bump_reach * length));
+  };
   return std::asinh(X / (contact_width * length)) + bump(X + length, inlet_zone * length) +
-         inlet_weight * std::atan((X + length * (1 + inlet_zone)) / (inlet_spread * inlet_zone * length)) + bump(X - spike, spike_width);
+         inlet_weight * std::atan((X + length * (1 + inlet_zone)) / (inlet_spread * inlet_zone * length)) +
+         bump(X - spike, spike_width);
 }
 
 Grid GradedMap::grid(int intervals) const {
@@ -51,8 +54,12 @@ Grid GradedMap::grid(int intervals) const {
 GradedMap first_map(double inlet, double central_film) {
   const double d = inlet_zone(central_film), l = contact_length(central_film);
   const double exit = std::max(1 + exit_per_inlet_zone * d, exit_per_length * l);
-  return {
-      .inlet = inlet, .exit = exit, .length = l, .inlet_zone = d, .spike = 1 - exit_per_inlet_zone * d, .spike_width = first_spike_width * d * l};
+  return {.inlet = inlet,
+          .exit = exit,
+          .length = l,
+          .inlet_zone = d,
+          .spike = 1 - exit_per_inlet_zone * d,
+          .spike_width = first_spike_width * d * l};
 }
 
 GradedMap adapted_map(const State& state, const Evaluation& at) {
@@ -63,7 +70,8 @@ GradedMap adapted_map(const State& state, const Evaluation& at) {
   for (Eigen::Index i = 0; i < n; ++i)
     if (at.X[i] > 0 && at.gradient[i] < at.gradient[steepest]) steepest = i;
   map.spike = (at.X[steepest] + at.X[steepest + 1]) / 2;
-  map.spike_width = std::max(least_spike_width * map.inlet_zone * map.length, (at.X[steepest + 1] - at.X[steepest]) / 2);
+  map.spike_width =
+      std::max(least_spike_width * map.inlet_zone * map.length, (at.X[steepest + 1] - at.X[steepest]) / 2);
   return map;
 }
 

@@ -8,8 +8,8 @@
 
 #include "contact/estimate.hpp"
 #include "contact/film_formulas.hpp"
-#include "contact/observables.hpp"
 #include "contact/nondimensional.hpp"
+#include "contact/observables.hpp"
 
 namespace ehd::reference {
 
@@ -33,7 +33,7 @@ constexpr double cut_part = 8, nearest_cut = -50;
 /// Stated truncation over the measured one.
 constexpr double truncation_safety = 2;
 constexpr double longest_time_s = 1e8;
-constexpr int fewest_halved = 32;  // grids with fewer intervals are not halved
+constexpr int fewest_halved = 32;        // grids with fewer intervals are not halved
 constexpr std::size_t fewest_grids = 3;  // that a tolerance needs
 
 double seconds_since(std::chrono::steady_clock::time_point begin) {
@@ -172,7 +172,8 @@ std::optional<Level> Study::solve(const Grid& grid, bool insist) {
   for (const double factor : start_films) {
     const double film = factor * expected_film_;
     // Hertz' pressure where the film is thin, Martin's where it is thick, both between.
-    if (expected_film_ < thickest_hertz_film) level = attempt(equations, hertz_start(equations, film, 1 + exit_per_inlet_zone * inlet_zone(film)));
+    if (expected_film_ < thickest_hertz_film)
+      level = attempt(equations, hertz_start(equations, film, 1 + exit_per_inlet_zone * inlet_zone(film)));
     if (level || limit_reached_) break;
     if (expected_film_ > thinnest_rigid_film) level = attempt(equations, martin_start(equations, film));
     if (level || limit_reached_ || !insist) break;
@@ -208,7 +209,8 @@ std::optional<Truncation> Study::truncation(const Level& level) {
   for (const auto& [quantity, reading] : level.seen) {
     if (is_self_check(quantity) || !solved->seen.contains(quantity)) continue;
     const double move = std::abs(solved->seen.at(quantity).value - reading.value) / (ratio * ratio - 1);
-    truncation.errors[quantity].value = truncation_safety * move / (has_absolute_error(quantity) ? 1 : std::abs(reading.value));
+    truncation.errors[quantity].value =
+        truncation_safety * move / (has_absolute_error(quantity) ? 1 : std::abs(reading.value));
   }
   return truncation;
 }
@@ -338,7 +340,8 @@ Solution solve_grids(Study& study, const std::function<Grid(int)>& grid_of, cons
 
   const std::string finest = std::to_string(sizes.back()) + " intervals";
   if (levels.empty())
-    return no_grid_solved(study, inlet_cells(grid_of(sizes.back()).nodes(1), study.expected_film()), finest, out_of_time);
+    return no_grid_solved(study, inlet_cells(grid_of(sizes.back()).nodes(1), study.expected_film()), finest,
+                          out_of_time);
   if (out_of_time) {
     solution.record.cost = study.cost(solution.record.cost.nodes);  // with what was given up
     solution.record.status = StopReason::limit_reached;

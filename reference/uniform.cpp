@@ -34,7 +34,8 @@ Grid grid_of(const Inlet& inlet, double expected_film, int intervals) {
   double stretch = 1;  // h outer sinh(stretch)/stretch = reach
   for (int i = 0; i < stretch_steps; ++i) stretch = std::asinh(reach * stretch / (h * outer));
   Array X(intervals + 1);
-  for (int i = 0; i < outer; ++i) X[i] = -equal_from * l - h * outer / stretch * std::sinh(stretch * (outer - i) / outer);
+  for (int i = 0; i < outer; ++i)
+    X[i] = -equal_from * l - h * outer / stretch * std::sinh(stretch * (outer - i) / outer);
   for (int i = 0; i <= inner; ++i) X[outer + i] = -equal_from * l + h * i;
   return {.inlet = X[0], .fractions = (X[intervals] - X) / (X[intervals] - X[0]), .kappa = Array::Zero(intervals)};
 }

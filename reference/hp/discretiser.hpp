@@ -37,8 +37,8 @@ class Discretiser {
   /// Descends on meshes of the scheme, from the lowest of `floors` at which such a mesh has a solution.
   [[nodiscard]] std::optional<Discretised> discretised(const std::vector<Resolved>& floors, const Scheme& scheme,
                                                        const Resolution& resolution, double tolerance);
-  /// A mesh of exactly `intervals` intervals, made for the solution that `guide` left at its floors; where those give no
-  /// solution, for the smoother ones of the coarse descent.
+  /// A mesh of exactly `intervals` intervals, made for the solution that `guide` left at its floors; where those give
+  /// no solution, for the smoother ones of the coarse descent.
   [[nodiscard]] std::optional<Discretised> laid_out(const Discretised& guide, const std::vector<Resolved>& coarse,
                                                     int intervals);
   /// The elements of `first` again, shifted, of higher degree, and with half the inlet.

@@ -53,8 +53,8 @@ ErrorBudget budget_of(Quantity quantity, const Reading& reading, const Discretis
   budget.discretisation =
       std::max(budget.discretisation, is_film(quantity) ? discretisation_safety * largest.films : largest.all);
   if (guide && guide->seen.contains(quantity))
-    budget.discretisation = std::max(
-        budget.discretisation, guide_safety * std::abs(reading.value - guide->seen.at(quantity).value) / size);
+    budget.discretisation =
+        std::max(budget.discretisation, guide_safety * std::abs(reading.value - guide->seen.at(quantity).value) / size);
   budget.iteration = first.last().run.iteration_error + rounding;
   if (has_absolute_error(quantity)) budget.iteration *= first.last().run.state.flux;
   if (first.last().floor > 0)
