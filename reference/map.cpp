@@ -9,7 +9,7 @@ namespace ehd::reference {
 namespace {
 
 // Shape of the map; map.hpp has the formula. Measured on grids of 400 intervals: other bump weights and widths move the
-// error by a factor of two either way (README.md, section 5).
+// error by a factor of two either way (docs/results/reference-measured.md).
 constexpr double contact_width = 0.7;         // of the crowding in the contact, over l
 constexpr double bump_reach = 3;              // beyond this times l a bump adds no nodes
 constexpr double inlet_weight = 3;            // of the crowding before the inlet zone

@@ -56,7 +56,7 @@ Fields fields_of(const Level& level, const Problem& problem) {
 }
 
 /// Least relative error of a film on a grid with few cells in the inlet zone, whatever differences of grids say; with
-/// more than `safe_inlet_cells` they are enough. Thrice what was measured with equal cells: README.md, section 4.
+/// more than `safe_inlet_cells` they are enough. Thrice what was measured with equal cells: docs/results/reference-measured.md.
 constexpr double safe_inlet_cells = 8;
 double coarse_grid_error(double inlet_cells) { return 0.6 / (inlet_cells * std::max(1.0, inlet_cells)); }
 
@@ -68,7 +68,7 @@ constexpr double vaguest_spike = 0.05;
 constexpr double spike_safety = 3;
 
 Judged judge_grids(const std::vector<double>& values, bool extrapolate) {
-  // The safety of extrapolated values is calibrated on the box of README.md, section 6; the other has its own.
+  // The safety of extrapolated values is calibrated on the box of docs/results/reference-measured.md; the other has its own.
   constexpr double extrapolation_safety = 2;
   const GridEstimate now = estimate(values, formal_order);
   return {.value = extrapolate ? now.extrapolated : now.value,
