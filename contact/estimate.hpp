@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Error of the last value of a sequence of grids, each with twice the intervals of the one before. Judged from what
-// the grids show, never from an assumed order.
+// Error of the last value of a sequence of grids, each with twice the intervals of the one before. The
+// estimate uses the differences between the grids, and does not assume an order.
 #pragma once
 
 #include <optional>

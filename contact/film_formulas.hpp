@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Regression formulas of the literature for the film: a plausibility table, never a verdict.
+// Published film formulas, for comparison only.
 #pragma once
 
 #include <string>
@@ -22,8 +22,8 @@ struct FilmFormula {
 /// Moes' interpolation (as in Venner 1991) of the four asymptotes; for the central (Couette) film, sum speed.
 [[nodiscard]] double moes_film_formula(const MoesGroups& moes);
 
-/// Every formula that the groups allow. The power laws of U, W, G need G where it is not known from the case;
-/// `G` is then the one assumed.
+/// Every formula that the groups allow. The power laws of U, W, G need G = alpha E'; a caller that does not know G
+/// assumes one.
 [[nodiscard]] std::vector<FilmFormula> film_formulas(const MoesGroups& moes, double G);
 
 /// Pan & Hamrock 1989: p_spike/E' = 0.648 W^0.185 U^0.275 G^0.391, x_spike/R = 1.111 W^0.606 U^-0.021 G^0.077,

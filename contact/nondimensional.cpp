@@ -210,7 +210,7 @@ Nondimensional nondimensionalise(const Statement& statement, const Lubricant& lu
   const bool compressible = lubricant.density != DensityLaw::incompressible;
   if (groups.alpha_p_H == 0 && !in_SI) {
     if (piezoviscous || compressible)
-      result.notes.push_back("L = 0 is solved isoviscous and incompressible: with it p_H -> 0");
+      result.notes.push_back("L = 0 is solved isoviscous and incompressible, because p_H -> 0");
     return result;
   }
   if (groups.alpha_p_H != 0 && !piezoviscous)
@@ -225,7 +225,7 @@ Nondimensional nondimensionalise(const Statement& statement, const Lubricant& lu
   result.problem.density = density_of(lubricant, result.scales);
   if (result.scales && result.scales->hertz_pressure_Pa > highest_usual_pressure_Pa)
     result.notes.push_back("p_H = " + number(result.scales->hertz_pressure_Pa / 1e9) +
-                           " GPa is above 4 GPa: a numerical test, physically not steel");
+                           " GPa is above 4 GPa: a numerical test, not a contact of steel");
   return result;
 }
 

@@ -63,8 +63,8 @@ Point minimum_between_nodes(const Array& x, const Array& y, Index i) {
     }
   }
   const Point quartic{(a + b) / 2, interpolate(nodes, values, (a + b) / 2)};
-  // An unresolved kink can make the quartic overshoot; it may then not go further below the node than thrice the
-  // parabola does.
+  // An unresolved kink makes the quartic overshoot. A quartic that goes below the node by more than three times the
+  // parabola's depth is not used.
   const double depth = y[i] - parabola.y;
   if (quartic.y > y[i] || y[i] - quartic.y > 3 * depth) return parabola;
   return quartic;

@@ -16,7 +16,7 @@ namespace {
 using Eigen::Index;
 using std::numbers::pi;
 
-// Residuals below this, relative to H_n, are solved whatever rounding would still allow.
+// Residuals below this, relative to H_n, count as solved.
 constexpr double small_residual = 1e-12;
 // Safeguards of a step; calibrated on 104 points M 0.5..5000, L 0..30 in an earlier prototype, where half and twice
 // each value worked as well.

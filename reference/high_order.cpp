@@ -29,9 +29,9 @@ constexpr double spike_resolution = 1e-3, defect_resolution = 1e-2;
 /// Attempts to meet a tolerance, each working with this part of the tolerance of the one before.
 constexpr int attempts = 3;
 constexpr double next_working = 0.01;
-/// A refinement that leaves more of the error than this is the last one, as finer meshes are no cure ...
+/// A refinement that leaves more than this part of the error is the last one, because finer meshes do not help ...
 constexpr double hopeless_reduction = 0.7;
-/// ... unless the error is larger than this: the floor is then too high, and finer meshes may find a lower one.
+/// ... unless the error is larger than this. The floor is then too high, and finer meshes may reach a lower one.
 constexpr double unknown = 0.5;
 /// A request's iterations are those of meshes with a thousand nodes; most meshes here have a hundred.
 constexpr int iterations_per_request = 10;
@@ -124,7 +124,7 @@ Solution Solve::within(double tolerance) {
   Solution solution;
   double last_error = std::numeric_limits<double>::infinity();
   double working = tolerance;  // floors and meshes are judged by it
-  std::string why;             // the tolerance is not met
+  std::string why;             // reason of tolerance_not_met
   for (int attempt = 0; attempt < attempts; ++attempt) {
     if (attempt > 0) working *= next_working;
     if (attempt > 0 && working < finest_working) break;
@@ -147,9 +147,8 @@ Solution Solve::within(double tolerance) {
     // 4. The best solution so far stays.
     if (error < last_error) {
       solution = std::move(refined);
-      why = first->last().floor > 0
-                ? "the fluidity's floor could not be lowered further than " + text_of(first->last().floor)
-                : "the two discretisations differ by more than the tolerance";
+      why = first->last().floor > 0 ? "the fluidity's floor could not be lowered below " + text_of(first->last().floor)
+                                    : "the two discretisations differ by more than the tolerance";
       grids_ = {record_of(*first), record_of(*second)};
     }
     if (error <= tolerance) return finished(std::move(solution), StopReason::converged, "");

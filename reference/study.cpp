@@ -55,20 +55,22 @@ Fields fields_of(const Level& level, const Problem& problem) {
   return fields;
 }
 
-/// Least relative error of a film on a grid with few cells in the inlet zone, whatever differences of grids say; with
-/// more than `safe_inlet_cells` they are enough. Thrice what was measured with equal cells: docs/results/reference-measured.md.
+/// Least relative error that is stated for a film on a grid with few cells in the inlet zone. With more cells than
+/// `safe_inlet_cells`, the differences of grids are enough. Three times the error measured with equal cells:
+/// docs/results/reference-measured.md.
 constexpr double safe_inlet_cells = 8;
 double coarse_grid_error(double inlet_cells) { return 0.6 / (inlet_cells * std::max(1.0, inlet_cells)); }
 
-/// A spike height less certain than this is not reported: where it grows with the grid, differences that fall do so by
-/// chance.
+/// A spike height with a larger error than this is not reported. A height that grows with the grid may show falling
+/// differences by chance.
 constexpr double vaguest_spike = 0.05;
 /// Estimates of the spike's height are multiplied by this: at (20, 10) three grids agree to 2.0 % on a height that is
 /// 2.6 % low, since none of them sees the width of 1e-4.
 constexpr double spike_safety = 3;
 
 Judged judge_grids(const std::vector<double>& values, bool extrapolate) {
-  // The safety of extrapolated values is calibrated on the box of docs/results/reference-measured.md; the other has its own.
+  // Calibrated on the box of docs/results/reference-measured.md. Values that are not extrapolated need no further
+  // factor.
   constexpr double extrapolation_safety = 2;
   const GridEstimate now = estimate(values, formal_order);
   return {.value = extrapolate ? now.extrapolated : now.value,
@@ -96,7 +98,7 @@ bool maximum_is_spike(const Observables& seen) {
   return spike != seen.end() && maximum != seen.end() && spike->second.place == maximum->second.place;
 }
 
-/// Films are what errors are judged by, wanted or not.
+/// The study always needs the films, because their errors decide when it ends.
 Wanted with_films(Wanted wanted) {
   wanted.insert({Quantity::film_minimum, Quantity::film_central});
   return wanted;
@@ -254,7 +256,9 @@ Solution Study::report(const std::vector<Level>& levels, bool extrapolate,
     if (!is_self_check(quantity)) {
       const Judged judged = judged_on(levels, quantity, extrapolate);
       if (quantity == Quantity::pressure_spike && !(judged.settles && judged.error <= vaguest_spike)) {
-        if (wanted) solution.record.notes.push_back("pressure.spike is left out: its height is not known to 5 %");
+        if (wanted)
+          solution.record.notes.push_back(
+              "pressure.spike omitted: its height is not known to 5 %. Try a smaller tolerance.");
         continue;
       }
       reading.value = judged.value;
@@ -267,7 +271,8 @@ Solution Study::report(const std::vector<Level>& levels, bool extrapolate,
   // A maximum that is the spike is known no better than the spike.
   if (maximum_is_spike(finest.seen) && !solution.observables.contains(Quantity::pressure_spike) &&
       solution.observables.erase(Quantity::pressure_maximum) > 0)
-    solution.record.notes.push_back("pressure.maximum is left out: it is the spike");
+    solution.record.notes.push_back(
+        "pressure.maximum omitted: it is the spike, which is not resolved. Try a smaller tolerance.");
   solution.record.status = StopReason::converged;
   solution.record.cost = cost(finest.grid.intervals());
   solution.record.grids = grids_;
@@ -348,7 +353,7 @@ Solution solve_grids(Study& study, const std::function<Grid(int)>& grid_of, cons
     solution.record.reason = "iterations or time ended before " + finest;
   } else if (tolerance) {
     solution.record.status = StopReason::tolerance_not_met;
-    solution.record.reason = "the films are not estimated within the tolerance on " + finest;
+    solution.record.reason = "the estimated errors of the films exceed the tolerance on " + finest;
   } else if (levels.back().cells_in_inlet_zone() < fewest_inlet_cells) {
     solution.record.status = StopReason::under_resolved;
     solution.record.reason = "the inlet zone is narrower than two cells";

@@ -21,8 +21,8 @@ constexpr double largest_exit_move = 0.1;
 /// ... and the pressure by no more than this part of its maximum.
 constexpr double largest_pressure_change = 0.5;
 constexpr int halvings = 10;
-/// The step is kept although the residual grew, up to this factor: next to the root of a stiff exponential the first
-/// full step often does.
+/// A step may make the residual larger by up to this factor. Near the root of a stiff exponential the first full step
+/// often does.
 constexpr double residual_growth = 4;
 /// Added to X* where its move is judged, so that an exit near 0 can move.
 constexpr double exit_at_rest = 0.2;

@@ -84,7 +84,8 @@ Solution report(const Problem& problem, const Discretised& first, const Discreti
     const bool on_a_floor = floor > 0 && reading.place.value_or(0) > 0;
     if (is_pressure_peak(quantity) && (on_a_floor || !(budget.total() <= vaguest_peak))) {
       if (problem.wanted.contains(quantity))
-        record.notes.push_back(std::string(to_string(quantity)) + " is left out: the spike is not resolved");
+        record.notes.push_back(std::string(to_string(quantity)) +
+                               " omitted: the spike is not resolved. Try a smaller tolerance.");
       continue;
     }
     reading.error = budget.total();
@@ -93,8 +94,8 @@ Solution report(const Problem& problem, const Discretised& first, const Discreti
   }
   if (floor > 0)
     record.notes.push_back(
-        "the fluidity has a floor of " + text_of(floor) +
-        ": films are carried on to 0 and what may be left is part of the errors; profiles are those of the floor");
+        "the descent ended at a fluidity floor of " + text_of(floor) +
+        ": films are extrapolated to floor 0, and their errors include that; profiles are those of the floor");
   return solution;
 }
 

@@ -33,12 +33,13 @@ double tail_of(const ReferenceElement<double>& shape, const VectorOf<double>& no
   return a.cwiseAbs().sum();
 }
 
-/// What the last coefficients of the pressure do to the film nearby: (r/pi) |a_k m_k|, m_k about 2/p^2.
+/// Change of the film near the element by the last coefficients of the pressure: (r/pi) |a_k m_k|, m_k about 2/p^2.
 double film_error_of_tail(double tail, double half_length, int degree, double film) {
   return half_length * tail / (degree * degree * film);
 }
 
-/// What no mesh resolves: H is a difference of terms of size 1 + X^2/2, P' one of pressures over a length.
+/// Rounding of the balance, which no mesh can lower: H is a difference of terms of size 1 + X^2/2, and P' is a
+/// difference of pressures over a length.
 double rounding_of_balance(const Evaluation<double>& at, Eigen::Index row, double half) {
   const double X = at.X[row],
                through_film = std::abs(3 * at.mobility[row] * at.slope[row] / at.H[row] - at.density.value[row]);
