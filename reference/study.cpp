@@ -134,7 +134,7 @@ Study::Study(const Problem& problem, const Request& request)
       request_(request),
       budget_{.newton_iterations = request.max_iterations,
               .end = begin_ + std::chrono::duration_cast<Clock::duration>(
-                                  std::chrono::duration<double>(std::min(request.time_limit_s, 1e8)))},
+                                  std::chrono::duration<double>(std::min(request.time_limit_s, longest_time_s)))},
       expected_film_(moes_film_formula({problem.groups.M, problem.groups.L}) /
                      moes_film_per_hertz_film(problem.groups.M)) {}
 
