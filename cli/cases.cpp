@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "contact/scaling.hpp"
+#include "contact/nondimensional.hpp"
 #include "verification/atlas/atlas.hpp"
 #include "io/bibliography.hpp"
 #include "workflow/case.hpp"

@@ -12,7 +12,7 @@
 #include <new>
 #include <system_error>
 
-#include "contact/scaling.hpp"
+#include "contact/nondimensional.hpp"
 #include "workflow/case.hpp"
 #include "contact/text.hpp"
 #include "io/json.hpp"

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/scaling.hpp"
+#include "contact/nondimensional.hpp"
 #include "workflow/case.hpp"
 #include "cli/commands.hpp"
 #include "cli/common.hpp"

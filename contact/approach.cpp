@@ -23,8 +23,7 @@ double dry_approach_m(const Conditions& conditions, double datum_m) {
 }
 
 double datum_from_dry_approach_m(const Conditions& conditions, double approach) {
-  return hertz::half_width_m(conditions) *
-         std::exp(approach / compliance_m(conditions) + 2 * hertz::dry_offset());
+  return hertz::half_width_m(conditions) * std::exp(approach / compliance_m(conditions) + 2 * hertz::dry_offset());
 }
 
 }  // namespace ehd

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The approach of the two bodies. The log kernel leaves it undetermined up to a reference length x_0, the datum:
 //   delta = (4 w/(pi E')) [ ln(x_0/b) - 2 H_0 ].
-// So a film changes a dry approach by the same amount whatever the datum: delta - delta_dry = -(b^2/R)(H_0 - H_0,dry).
+// A film changes the dry approach by an amount that does not depend on the datum: delta - delta_dry = -(b^2/R)(H_0 -
+// H_0,dry).
 #pragma once
 
 #include "contact/conditions.hpp"

@@ -9,8 +9,8 @@
 namespace ehd {
 
 namespace {
-/// Where differences shrink by less than this from grid to grid (a third of an order), the error is judged as if they
-/// shrank by this: no finite bound would be right for all, and a smaller one than at a faster ratio would be absurd.
+/// The smallest ratio of differences between grids that the estimate uses (a third of an order). No finite bound is
+/// right for all slower sequences, and a slower sequence must not get a smaller error than a faster one.
 constexpr double slowest_ratio = 1.25;
 }  // namespace
 

@@ -14,8 +14,7 @@ double moes_film_formula(const MoesGroups& moes) {
   const double ep = 1.311 * std::pow(moes.M, -0.125) * std::pow(moes.L, 0.75);
   const double s = (7 + 8 * std::exp(-2 * ei / ri)) / 5;
   const double isoviscous = std::pow(std::pow(ri, 7.0 / 3) + std::pow(ei, 7.0 / 3), 3 * s / 7);
-  const double piezoviscous =
-      moes.L > 0 ? std::pow(std::pow(rp, -3.5) + std::pow(ep, -3.5), -2 * s / 7) : 0.0;
+  const double piezoviscous = moes.L > 0 ? std::pow(std::pow(rp, -3.5) + std::pow(ep, -3.5), -2 * s / 7) : 0.0;
   return std::pow(isoviscous + piezoviscous, 1 / s);
 }
 
@@ -26,7 +25,8 @@ std::vector<FilmFormula> film_formulas(const MoesGroups& moes, double G) {
   const double moes_per_film_ratio = 1 / std::sqrt(2 * groups.U_mean);  // h/R -> (h/R) U_s^(-1/2)
   const auto add = [&](const char* name, const char* of, double c, double a, double u, double w) {
     formulas.push_back(
-        {name, of, c * std::pow(groups.G, a) * std::pow(groups.U_mean, u) * std::pow(groups.W, w) * moes_per_film_ratio});
+        {name, of,
+         c * std::pow(groups.G, a) * std::pow(groups.U_mean, u) * std::pow(groups.W, w) * moes_per_film_ratio});
   };
   add("Dowson & Higginson 1966", "film.minimum", 1.6, 0.6, 0.7, -0.13);
   add("Dowson & Higginson 1977", "film.minimum", 2.65, 0.54, 0.70, -0.13);

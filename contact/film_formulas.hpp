@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Regression formulas of the literature for the film: a plausibility table, never a verdict.
+// Published film formulas, for comparison only.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "contact/scaling.hpp"
+#include "contact/nondimensional.hpp"
 
 namespace ehd {
 
@@ -14,16 +14,16 @@ inline constexpr double usual_G = 5000;
 
 /// One formula evaluated at one point; film in Moes units (h/R) U_s^(-1/2).
 struct FilmFormula {
-  std::string name;      ///< "Dowson & Higginson 1977"
-  std::string of;        ///< "film.minimum" | "film.central" | "film.couette"
+  std::string name;  ///< "Dowson & Higginson 1977"
+  std::string of;    ///< "film.minimum" | "film.central" | "film.couette"
   double moes_film = 0;
 };
 
 /// Moes' interpolation (as in Venner 1991) of the four asymptotes; for the central (Couette) film, sum speed.
 [[nodiscard]] double moes_film_formula(const MoesGroups& moes);
 
-/// Every formula that the groups allow. The power laws of U, W, G need G where it is not known from the case;
-/// `G` is then the one assumed.
+/// Every formula that the groups allow. The power laws of U, W, G need G = alpha E'; a caller that does not know G
+/// assumes one.
 [[nodiscard]] std::vector<FilmFormula> film_formulas(const MoesGroups& moes, double G);
 
 /// Pan & Hamrock 1989: p_spike/E' = 0.648 W^0.185 U^0.275 G^0.391, x_spike/R = 1.111 W^0.606 U^-0.021 G^0.077,

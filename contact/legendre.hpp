@@ -88,8 +88,8 @@ template <class Scalar>
   const auto with_slope = [&](const Scalar& t) {
     const Scalar P = legendre(degree, t)[degree], slope = legendre_derivatives(degree, t)[degree];
     // Legendre's equation: (1 - t^2) P'' = 2 t P' - p (p+1) P.
-    return std::pair<Scalar, Scalar>(
-        slope, (Scalar(2) * t * slope - Scalar(degree * (degree + 1)) * P) / (Scalar(1) - t * t));
+    return std::pair<Scalar, Scalar>(slope,
+                                     (Scalar(2) * t * slope - Scalar(degree * (degree + 1)) * P) / (Scalar(1) - t * t));
   };
   const auto starts =
       detail::sign_changes([&](double t) { return legendre_derivatives(degree, t)[degree]; }, degree - 1);

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "contact/legendre.hpp"
+#include "contact/quantities.hpp"
 
 namespace ehd {
 
@@ -13,21 +14,22 @@ namespace {
 
 using Index = Eigen::Index;
 
-/// The `count` nodes that stand most evenly about node `centre`, shifted inwards at the ends.
+/// Neighbouring nodes: the index of the first one, and how many.
 struct Window {
   Index first, count;
 };
 
+/// `count` nodes from `centre_left` on, shifted inwards at the ends of the grid.
 Window window(Index centre_left, Index count, Index size) {
   count = std::min(count, size);
   return {std::clamp<Index>(centre_left, 0, size - count), count};
 }
 
-/// Vertex of the parabola through nodes i-1, i, i+1, where i is an interior local extremum.
 struct Point {
   double x, y;
 };
 
+/// Vertex of the parabola through nodes i-1, i, i+1, where i is an interior local extremum.
 Point vertex(const Array& x, const Array& y, Index i) {
   const double left = x[i] - x[i - 1], right = x[i + 1] - x[i];
   const double slope_left = (y[i] - y[i - 1]) / left, slope_right = (y[i + 1] - y[i]) / right;
@@ -61,8 +63,8 @@ Point minimum_between_nodes(const Array& x, const Array& y, Index i) {
     }
   }
   const Point quartic{(a + b) / 2, interpolate(nodes, values, (a + b) / 2)};
-  // An unresolved kink can make the quartic overshoot; it may then not go further below the node than thrice the
-  // parabola does.
+  // An unresolved kink makes the quartic overshoot. A quartic that goes below the node by more than three times the
+  // parabola's depth is not used.
   const double depth = y[i] - parabola.y;
   if (quartic.y > y[i] || y[i] - quartic.y > 3 * depth) return parabola;
   return quartic;
@@ -180,67 +182,108 @@ double interpolate(const Array& nodes, const Array& values, double x) {
   return p[0];
 }
 
+namespace observed {
+
+namespace {
+
+bool has_elements(const Fields& fields) { return !fields.elements.empty(); }
+
+/// The sum of part(element) over the polynomial elements, added to `start`.
+template <class Part>
+double summed_over_elements(const Fields& fields, double start, const Part& part) {
+  for (std::size_t k = 0; k + 1 < fields.elements.size(); ++k) start += part(Element(fields, k));
+  return start;
+}
+
+Reading reading_at(const Point& point) { return {.value = point.y, .place = point.x}; }
+
+}  // namespace
+
+std::optional<Reading> film_minimum(const Fields& fields) {
+  Index i = 0;
+  fields.H.minCoeff(&i);
+  return reading_at(has_elements(fields) ? minimum_of_elements(fields, fields.H, i)
+                                         : minimum_between_nodes(fields.X, fields.H, i));
+}
+
+std::optional<Reading> film_central(const Fields& fields) {
+  const Array &X = fields.X, &H = fields.H;
+  if (!(X[0] <= 0 && X[X.size() - 1] >= 0)) return std::nullopt;
+  const Index right = std::lower_bound(X.begin(), X.end(), 0.0) - X.begin();
+  if (has_elements(fields)) {
+    const Element element(fields, element_of(fields, right));
+    return Reading{.value = element.value(element.coefficients(H), element.local(0)), .place = 0.0};
+  }
+  const Window w = window(right - 3, 6, X.size());
+  return Reading{.value = interpolate(X.segment(w.first, w.count), H.segment(w.first, w.count), 0.0), .place = 0.0};
+}
+
+std::optional<Reading> film_couette(const Fields& fields) {
+  const Array &H = fields.H, &density = fields.density;
+  const Index last = fields.X.size() - 1;
+  return Reading{.value = density[last] * H[last]};
+}
+
+std::optional<Reading> film_offset(const Fields& fields) { return Reading{.value = fields.offset}; }
+
+std::optional<Reading> approach(const Fields& fields) { return Reading{.value = -fields.offset}; }
+
+std::optional<Reading> pressure_exit(const Fields& fields) {
+  const double exit = fields.X[fields.X.size() - 1];
+  return Reading{.value = exit, .place = exit};
+}
+
+std::optional<Reading> pressure_maximum(const Fields& fields) {
+  const Array &X = fields.X, &P = fields.P;
+  Index i = 0;
+  P.maxCoeff(&i);
+  if (has_elements(fields)) return reading_at(maximum_of_elements(fields, P, i));
+  const bool interior = i > 0 && i < X.size() - 1;
+  return reading_at(interior ? vertex(X, P, i) : Point{X[i], P[i]});
+}
+
+std::optional<Reading> pressure_spike(const Fields& fields) {
+  const Array &X = fields.X, &P = fields.P;
+  const auto i = spike(X, P);
+  if (!i) return std::nullopt;
+  return reading_at(has_elements(fields) ? maximum_of_elements(fields, P, *i) : vertex(X, P, *i));
+}
+
+std::optional<Reading> rolling_force(const Fields& fields) {
+  const Array &P = fields.P, &H = fields.H;
+  const Index last = fields.X.size() - 1;
+  double twice = summed_over_elements(fields, fields.work_beyond_inlet,
+                                      [&](const Element& element) { return element.integral_over(H, P); });
+  if (!has_elements(fields)) twice += ((H.head(last) + H.tail(last)) * (P.tail(last) - P.head(last))).sum() / 2;
+  return Reading{.value = std::abs(twice) / 2};
+}
+
+std::optional<Reading> load_error(const Fields& fields) {
+  const Array &X = fields.X, &P = fields.P;
+  const Index last = X.size() - 1;
+  double load = summed_over_elements(fields, fields.load_beyond_inlet,
+                                     [&](const Element& element) { return element.integral(P); });
+  if (fields.weights.size() > 0)
+    load += (fields.weights * P).sum();
+  else if (!has_elements(fields))
+    load += ((P.head(last) + P.tail(last)) * (X.tail(last) - X.head(last))).sum() / 2;
+  return Reading{.value = std::abs(2 * load / std::numbers::pi - 1)};
+}
+
+std::optional<Reading> flux_variation(const Fields& fields) {
+  const Array& flux = fields.flux;
+  const Index last = fields.X.size() - 1;
+  const double exit = fields.density[last] * fields.H[last];
+  return Reading{.value = ((flux - exit).abs().maxCoeff()) / std::abs(exit)};
+}
+
+}  // namespace observed
+
 Observables observe(const Fields& fields, const Wanted& wanted) {
   Observables seen;
-  const Array &X = fields.X, &P = fields.P, &H = fields.H, &density = fields.density, &flux = fields.flux;
-  const Index last = X.size() - 1;
-  const bool polynomial = !fields.elements.empty();
-  const std::size_t elements = polynomial ? fields.elements.size() - 1 : 0;
-  const auto want = [&](Quantity quantity) { return wanted.contains(quantity); };
-
-  if (want(Quantity::film_minimum)) {
-    Index i = 0;
-    H.minCoeff(&i);
-    const Point at = polynomial ? minimum_of_elements(fields, H, i) : minimum_between_nodes(X, H, i);
-    seen[Quantity::film_minimum] = {.value = at.y, .place = at.x};
-  }
-  if (want(Quantity::film_central) && X[0] <= 0 && X[last] >= 0) {
-    const Index right = std::lower_bound(X.begin(), X.end(), 0.0) - X.begin();
-    if (polynomial) {
-      const Element element(fields, element_of(fields, right));
-      seen[Quantity::film_central] = {.value = element.value(element.coefficients(H), element.local(0)), .place = 0.0};
-    } else {
-    const Window w = window(right - 3, 6, X.size());
-    seen[Quantity::film_central] = {
-        .value = interpolate(X.segment(w.first, w.count), H.segment(w.first, w.count), 0.0), .place = 0.0};
-    }
-  }
-  if (want(Quantity::film_couette)) seen[Quantity::film_couette] = {.value = density[last] * H[last]};
-  if (want(Quantity::film_offset)) seen[Quantity::film_offset] = {.value = fields.offset};
-  if (want(Quantity::approach)) seen[Quantity::approach] = {.value = -fields.offset};
-  if (want(Quantity::pressure_exit)) seen[Quantity::pressure_exit] = {.value = X[last], .place = X[last]};
-  if (want(Quantity::pressure_maximum)) {
-    Index i = 0;
-    P.maxCoeff(&i);
-    const Point at = polynomial           ? maximum_of_elements(fields, P, i)
-                     : i > 0 && i < last ? vertex(X, P, i)
-                                         : Point{X[i], P[i]};
-    seen[Quantity::pressure_maximum] = {.value = at.y, .place = at.x};
-  }
-  if (want(Quantity::pressure_spike)) {
-    if (const auto i = spike(X, P)) {
-      const Point at = polynomial ? maximum_of_elements(fields, P, *i) : vertex(X, P, *i);
-      seen[Quantity::pressure_spike] = {.value = at.y, .place = at.x};
-    }
-  }
-  if (want(Quantity::rolling_force)) {
-    double twice = fields.work_beyond_inlet;
-    for (std::size_t k = 0; k < elements; ++k) twice += Element(fields, k).integral_over(H, P);
-    if (!polynomial) twice += ((H.head(last) + H.tail(last)) * (P.tail(last) - P.head(last))).sum() / 2;
-    seen[Quantity::rolling_force] = {.value = std::abs(twice) / 2};
-  }
-  if (want(Quantity::load_error)) {
-    double load = fields.load_beyond_inlet;
-    for (std::size_t k = 0; k < elements; ++k) load += Element(fields, k).integral(P);
-    if (fields.weights.size() > 0)
-      load += (fields.weights * P).sum();
-    else if (!polynomial)
-      load += ((P.head(last) + P.tail(last)) * (X.tail(last) - X.head(last))).sum() / 2;
-    seen[Quantity::load_error] = {.value = std::abs(2 * load / std::numbers::pi - 1)};
-  }
-  if (want(Quantity::flux_variation)) {
-    const double exit = density[last] * H[last];
-    seen[Quantity::flux_variation] = {.value = ((flux - exit).abs().maxCoeff()) / std::abs(exit)};
+  for (const QuantityRow& row : quantity_table()) {
+    if (!wanted.contains(row.quantity)) continue;
+    if (const auto reading = row.observe(fields)) seen[row.quantity] = *reading;
   }
   return seen;
 }

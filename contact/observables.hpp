@@ -1,22 +1,42 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The only reader of fields. Second-order sums where the scheme's own integrals are second order, local polynomials
-// between nodes elsewhere; nothing here knows which solver made the fields.
+// The only reader of fields: from nodal values to films, pressures, forces and checks. No function here knows which
+// solver made the fields.
 #pragma once
+
+#include <optional>
 
 #include "contact/problem.hpp"
 #include "contact/solution.hpp"
 
 namespace ehd {
 
-/// Every wanted quantity, without errors. A spike is a local pressure maximum with a local minimum before it and an
-/// earlier maximum before that; without one it is absent. film.central is absent where X = 0 lies outside the grid.
-/// - film.minimum: minimum of the quartic through the five nodes about the smallest one (parabola as a fall-back)
-/// - film.central: quintic through the six nodes about X = 0
-/// - film.couette: flux at the exit, rho H there
-/// - rolling.force: |Int H dP/dX dX|/2 by the trapezoid rule in P
-/// - load_error: |2/pi Int P dX - 1| by the trapezoid rule, with the tail
-/// Where the fields are made of polynomial elements, extrema, values and integrals are those of the polynomials.
-/// - flux_variation: max |q - q_exit|/|q_exit| over the faces
+/// One function for each row of the table of quantities. Empty where the fields do not have the quantity. Fields on
+/// polynomial elements are read as polynomials; all others by local polynomials between nodes and second-order sums.
+namespace observed {
+
+/// Nodes: the minimum of the quartic through the five nodes about the smallest one; a parabola where that fails.
+[[nodiscard]] std::optional<Reading> film_minimum(const Fields& fields);
+/// Nodes: the quintic through the six nodes about X = 0. Empty where X = 0 lies outside the grid.
+[[nodiscard]] std::optional<Reading> film_central(const Fields& fields);
+/// rho H at the exit, which is the flux there.
+[[nodiscard]] std::optional<Reading> film_couette(const Fields& fields);
+[[nodiscard]] std::optional<Reading> film_offset(const Fields& fields);
+[[nodiscard]] std::optional<Reading> pressure_maximum(const Fields& fields);
+/// The last local maximum of the pressure at X > 0 that has a local minimum and an earlier maximum before it. Empty
+/// without one.
+[[nodiscard]] std::optional<Reading> pressure_spike(const Fields& fields);
+[[nodiscard]] std::optional<Reading> pressure_exit(const Fields& fields);
+[[nodiscard]] std::optional<Reading> approach(const Fields& fields);
+/// |Int H dP/dX dX|/2, with the part before the inlet. Nodes: the trapezoid rule in P.
+[[nodiscard]] std::optional<Reading> rolling_force(const Fields& fields);
+/// |2/pi Int P dX - 1|, with the part before the inlet. Nodes: the scheme's own weights, else the trapezoid rule.
+[[nodiscard]] std::optional<Reading> load_error(const Fields& fields);
+/// max |q - q_exit|/|q_exit| over the faces.
+[[nodiscard]] std::optional<Reading> flux_variation(const Fields& fields);
+
+}  // namespace observed
+
+/// Every wanted quantity that the fields have, without errors.
 [[nodiscard]] Observables observe(const Fields& fields, const Wanted& wanted);
 
 /// The value at x of the polynomial through (nodes, values). Sizes equal, nodes distinct. Errors: none.

@@ -7,14 +7,10 @@
 
 #include <functional>
 #include <memory>
-#include <set>
-#include <string>
-#include <string_view>
-#include <optional>
 #include <utility>
-#include <vector>
 
 #include "contact/conditions.hpp"
+#include "contact/quantities.hpp"
 #include "contact/rheology.hpp"
 
 namespace ehd {
@@ -26,32 +22,6 @@ struct Groups {
   double lambda = 0;
   double alpha_p_H = 0;
 };
-
-/// The quantities that can be asked for; names as in case files (to_string).
-enum class Quantity {
-  film_minimum,
-  film_central,
-  film_couette,
-  film_offset,
-  pressure_maximum,
-  pressure_spike,
-  pressure_exit,
-  approach,
-  rolling_force,
-  load_error,
-  flux_variation,
-};
-inline constexpr Quantity all_quantities[] = {
-    Quantity::film_minimum,   Quantity::film_central,  Quantity::film_couette, Quantity::film_offset,
-    Quantity::pressure_maximum, Quantity::pressure_spike, Quantity::pressure_exit, Quantity::approach,
-    Quantity::rolling_force,  Quantity::load_error,    Quantity::flux_variation};
-
-[[nodiscard]] std::string_view to_string(Quantity quantity);  ///< "film.minimum", …
-[[nodiscard]] std::optional<Quantity> quantity_from(std::string_view text);
-
-/// The quantities that a caller asks for; what is not wanted is not computed.
-using Wanted = std::set<Quantity>;
-[[nodiscard]] Wanted want_everything();
 
 /// Source terms, which make a chosen state the solution (method of manufactured solutions). Functions of X with their
 /// derivatives, since X* is an unknown.

@@ -24,7 +24,7 @@ struct Fields {
   /// Where polynomial elements begin, and where the last one ends: nodes elements[k] … elements[k+1] are the
   /// Gauss-Lobatto nodes of one polynomial. Empty for second-order schemes.
   std::vector<Eigen::Index> elements = {};
-  Array weights = {};  ///< of the scheme's own Int … dX on the nodes; empty: the trapezoid rule in X
+  Array weights = {};            ///< of the scheme's own Int … dX on the nodes; empty: the trapezoid rule in X
   double load_beyond_inlet = 0;  ///< Int P dX from -infinity to X_0 (an asymptotic tail), 0 without
   double work_beyond_inlet = 0;  ///< Int H dP/dX dX from -infinity to X_0, likewise
 };
@@ -60,7 +60,7 @@ struct ErrorBudget {
 struct GridRecord {
   int nodes = 0;  ///< intervals, inlet to exit
   int newton_iterations = 0;
-  double residual = 0;    ///< final, relative to H_n
+  double residual = 0;     ///< final, relative to H_n
   double inlet_cells = 0;  ///< cells in the inlet zone of width H_cen^(2/3)
   Observables observed;
 };

@@ -16,18 +16,18 @@ namespace ehd {
 struct Request {
   std::optional<double> tolerance = 1e-3;
   std::optional<int> nodes = {};
-  /// With `nodes`: iterate until the iteration error of both films, estimated, is this share of the discretisation error
-  /// that the grids before let expect; empty: to round-off.
+  /// Used with `nodes`. The iteration ends where its estimated error of both films is this share of the discretisation
+  /// error, which is expected from the coarser grids. Empty: the iteration goes on to round-off.
   std::optional<double> iteration_share = {};
   int max_iterations = 2000;  ///< Newton iterations over all grids
   double time_limit_s = 300;
 };
 
 struct SolverDescription {
-  std::string_view name;    ///< "fast.uniform"
-  std::string_view method;  ///< one sentence
-  std::string_view cite;    ///< where the method comes from
-  double formal_order = 0;  ///< of the films on smooth solutions
+  std::string_view name;     ///< "fast.uniform"
+  std::string_view method;   ///< one sentence
+  std::string_view cite;     ///< where the method comes from
+  double formal_order = 0;   ///< of the films on smooth solutions
   double work_exponent = 0;  ///< run time ~ n^work_exponent
 };
 

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "contact/film_formulas.hpp"
-#include "contact/scaling.hpp"
+#include "contact/nondimensional.hpp"
 
 namespace ehd::fast {
 

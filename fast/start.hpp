@@ -2,7 +2,7 @@
 // First iterates, and the lengths that a grid must see.
 #pragma once
 
-#include "contact/scaling.hpp"
+#include "contact/nondimensional.hpp"
 #include "fast/grid.hpp"
 #include "fast/state.hpp"
 

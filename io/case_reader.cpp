@@ -12,7 +12,7 @@
 #include "bearing/law_table.hpp"
 #include "contact/hertz.hpp"
 #include "contact/problem.hpp"
-#include "contact/scaling.hpp"
+#include "contact/nondimensional.hpp"
 #include "io/case_text.hpp"
 #include "contact/text.hpp"
 #include "io/toml.hpp"

@@ -14,6 +14,10 @@ namespace {
 using Eigen::Index;
 using std::numbers::pi;
 
+/// Up to this difference the logarithmic mean is a series of so many terms; those left out are below 1e-17.
+constexpr double largest_series_difference = 0.1;
+constexpr int series_terms = 10;
+
 /// The logarithmic mean of 1/eta on each face; 1 where the law is trivial, with no exponential.
 FaceFluidity face_fluidity(const LawValues<double>& viscosity, bool trivial) {
   const Index n = viscosity.value.size() - 1;
@@ -53,14 +57,13 @@ Grid uniform_grid(double inlet, int intervals) {
 
 LogarithmicMean logarithmic_mean(double a, double b) {
   const double d = b - a, at_a = std::exp(-a), at_b = std::exp(-b);
-  if (std::abs(d) > 0.1) {
+  if (std::abs(d) > largest_series_difference) {
     const double value = (at_a - at_b) / d;
     return {value, (value - at_a) / d, (at_b - value) / d};
   }
-  // e^-a phi(d) with phi = (1 - e^-d)/d = Sum (-d)^k/(k+1)!; (phi - 1)/d is the same sum from its second term. The
-  // terms left out are below 1e-17.
+  // e^-a phi(d) with phi = (1 - e^-d)/d = Sum (-d)^k/(k+1)!; (phi - 1)/d is the same sum from its second term.
   double value = 0, by_a = 0;
-  for (int k = 9; k >= 0; --k) {
+  for (int k = series_terms - 1; k >= 0; --k) {
     by_a = value;
     value = (k % 2 == 0 ? 1 : -1) / std::tgamma(k + 2.0) + d * value;
   }
@@ -138,7 +141,8 @@ Evaluation Equations::evaluate(const State& state) const {
   at.residual.head(n) = at.mobility * at.gradient - at.wedge + f[n];
   at.residual[n] = 2 / pi * length * load - 1;
   if (sources_) {
-    at.residual.head(n) += source(sources_->balance, at.X.tail(1)).value[0] - source(sources_->balance, mid_points(at.X)).value;
+    at.residual.head(n) +=
+        source(sources_->balance, at.X.tail(1)).value[0] - source(sources_->balance, mid_points(at.X)).value;
     at.residual[n] -= sources_->load;
   }
 

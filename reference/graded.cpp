@@ -8,6 +8,13 @@
 
 namespace ehd::reference {
 
+namespace {
+
+/// Intervals of the grids that a map is fitted on, and how often it is fitted.
+constexpr int coarse = 100, maps = 3;
+
+}  // namespace
+
 Solution Graded::solve(const Problem& problem, const Request& request) const {
   Study study(problem, request);
   if (request.nodes && *request.nodes > largest_nodes)
@@ -18,7 +25,6 @@ Solution Graded::solve(const Problem& problem, const Request& request) const {
   const double inlet = truncated ? truncated->x : farthest_inlet * contact_length(study.expected_film());
 
   // A map from the film formula, then three from what was solved on the map before; the last one stays.
-  constexpr int coarse = 100, maps = 3;
   GradedMap map = first_map(inlet, study.expected_film());
   std::optional<Level> level = study.solve(map.grid(coarse));
   for (int i = 1; level && i <= maps; ++i) {

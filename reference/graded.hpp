@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// reference.linear: the same equations on a grid graded to the solution, with Richardson extrapolation. README.md, section 5.
+// reference.linear: the same equations on a grid graded to the solution, with Richardson extrapolation. README.md,
+// section 5.
 #pragma once
 
 #include "contact/solver.hpp"

@@ -6,10 +6,31 @@
 
 namespace ehd::reference {
 
+namespace {
+
+// Shape of the map; map.hpp has the formula. Measured on grids of 400 intervals: other bump weights and widths move the
+// error by a factor of two either way (docs/results/reference-measured.md).
+constexpr double contact_width = 0.7;         // of the crowding in the contact, over l
+constexpr double bump_reach = 3;              // beyond this times l a bump adds no nodes
+constexpr double inlet_weight = 3;            // of the crowding before the inlet zone
+constexpr double inlet_spread = 2;            // its width, over that of the inlet zone
+constexpr double wedge = -0.5;                // the wedge's k far behind the contact; 0.5 before it
+constexpr double wedge_steepness = 4;         // of its change at X = 0, per l
+constexpr double exit_per_inlet_zone = 0.45;  // first guess of X* - 1 and of 1 - X_sp, over d
+constexpr double exit_per_length = 0.5;       // first guess of X* of a light load, over l
+constexpr double first_spike_width = 0.5;     // first guess, over d l
+constexpr double least_spike_width = 0.02;    // of a fitted map, over d l
+constexpr int bisections = 60;
+
+}  // namespace
+
 double GradedMap::density_integral(double X) const {
-  const auto bump = [&](double x, double width) { return std::asinh(x / width) - std::asinh(x / (3 * length)); };
-  return std::asinh(X / (0.7 * length)) + bump(X + length, inlet_zone * length) +
-         3 * std::atan((X + length * (1 + inlet_zone)) / (2 * inlet_zone * length)) + bump(X - spike, spike_width);
+  const auto bump = [&](double x, double width) {
+    return std::asinh(x / width) - std::asinh(x / (bump_reach * length));
+  };
+  return std::asinh(X / (contact_width * length)) + bump(X + length, inlet_zone * length) +
+         inlet_weight * std::atan((X + length * (1 + inlet_zone)) / (inlet_spread * inlet_zone * length)) +
+         bump(X - spike, spike_width);
 }
 
 Grid GradedMap::grid(int intervals) const {
@@ -19,22 +40,26 @@ Grid GradedMap::grid(int intervals) const {
   for (int i = 0; i <= intervals; ++i) {
     const double s = begin + (end - begin) * i / intervals;
     double low = X, high = exit;
-    for (int bisections = 0; bisections < 60 && i > 0; ++bisections) {
+    for (int step = 0; step < bisections && i > 0; ++step) {
       X = (low + high) / 2;
       (density_integral(X) < s ? low : high) = X;
     }
     if (i == intervals) X = exit;
     grid.fractions[i] = (exit - X) / (exit - inlet);
-    if (i < intervals) grid.kappa[i] = -0.5 * std::tanh(4 * X / length);
+    if (i < intervals) grid.kappa[i] = wedge * std::tanh(wedge_steepness * X / length);
   }
   return grid;
 }
 
 GradedMap first_map(double inlet, double central_film) {
   const double d = inlet_zone(central_film), l = contact_length(central_film);
-  const double exit = std::max(1 + 0.45 * d, 0.5 * l);
-  return {
-      .inlet = inlet, .exit = exit, .length = l, .inlet_zone = d, .spike = 1 - 0.45 * d, .spike_width = 0.5 * d * l};
+  const double exit = std::max(1 + exit_per_inlet_zone * d, exit_per_length * l);
+  return {.inlet = inlet,
+          .exit = exit,
+          .length = l,
+          .inlet_zone = d,
+          .spike = 1 - exit_per_inlet_zone * d,
+          .spike_width = first_spike_width * d * l};
 }
 
 GradedMap adapted_map(const State& state, const Evaluation& at) {
@@ -45,7 +70,8 @@ GradedMap adapted_map(const State& state, const Evaluation& at) {
   for (Eigen::Index i = 0; i < n; ++i)
     if (at.X[i] > 0 && at.gradient[i] < at.gradient[steepest]) steepest = i;
   map.spike = (at.X[steepest] + at.X[steepest + 1]) / 2;
-  map.spike_width = std::max(0.02 * map.inlet_zone * map.length, (at.X[steepest + 1] - at.X[steepest]) / 2);
+  map.spike_width =
+      std::max(least_spike_width * map.inlet_zone * map.length, (at.X[steepest + 1] - at.X[steepest]) / 2);
   return map;
 }
 

@@ -8,8 +8,8 @@
 
 #include "contact/estimate.hpp"
 #include "contact/film_formulas.hpp"
+#include "contact/nondimensional.hpp"
 #include "contact/observables.hpp"
-#include "contact/scaling.hpp"
 
 namespace ehd::reference {
 
@@ -18,6 +18,23 @@ namespace {
 using Eigen::Index;
 
 constexpr double formal_order = 2;
+/// Ratio of differences from which on a quantity is taken to settle.
+constexpr double settling_ratio = 1.5;
+/// Starts from scratch: central films over the expected one.
+constexpr double start_films[] = {1.0, 2.0, 0.5, 4.0};
+/// Hertz' pressure is a start below the first film, the rigid gap's above the second.
+constexpr double thinnest_rigid_film = 0.1, thickest_hertz_film = 5;
+/// X* of Hertz' start is 1 plus this times the width of the inlet zone.
+constexpr double exit_per_inlet_zone = 0.45;
+/// Run time grows as n^3: a grid with twice the intervals takes 8 times as long.
+constexpr double time_of_doubled_grid = 8;
+/// The truncation is measured by cutting the domain at X_a/8, and not nearer than 50 l.
+constexpr double cut_part = 8, nearest_cut = -50;
+/// Stated truncation over the measured one.
+constexpr double truncation_safety = 2;
+constexpr double longest_time_s = 1e8;
+constexpr int fewest_halved = 32;        // grids with fewer intervals are not halved
+constexpr std::size_t fewest_grids = 3;  // that a tolerance needs
 
 double seconds_since(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -38,45 +55,50 @@ Fields fields_of(const Level& level, const Problem& problem) {
   return fields;
 }
 
-bool is_absolute(Quantity quantity) { return quantity == Quantity::film_offset || quantity == Quantity::approach; }
-/// These measure an error themselves.
-bool is_diagnostic(Quantity quantity) {
-  return quantity == Quantity::load_error || quantity == Quantity::flux_variation;
-}
-
-bool is_film(Quantity quantity) {
-  return quantity == Quantity::film_minimum || quantity == Quantity::film_central || quantity == Quantity::film_couette;
-}
-
-/// Least relative error of a film on a grid with few cells in the inlet zone, whatever differences of grids say; with
-/// more than `safe_inlet_cells` they are enough. Thrice what was measured with equal cells: README.md, section 4.
+/// Least relative error that is stated for a film on a grid with few cells in the inlet zone. With more cells than
+/// `safe_inlet_cells`, the differences of grids are enough. Three times the error measured with equal cells:
+/// docs/results/reference-measured.md.
 constexpr double safe_inlet_cells = 8;
 double coarse_grid_error(double inlet_cells) { return 0.6 / (inlet_cells * std::max(1.0, inlet_cells)); }
 
-/// A spike height less certain than this is not reported: where it grows with the grid, differences that fall do so by
-/// chance.
+/// A spike height with a larger error than this is not reported. A height that grows with the grid may show falling
+/// differences by chance.
 constexpr double vaguest_spike = 0.05;
 /// Estimates of the spike's height are multiplied by this: at (20, 10) three grids agree to 2.0 % on a height that is
 /// 2.6 % low, since none of them sees the width of 1e-4.
 constexpr double spike_safety = 3;
 
-/// A quantity as a sequence of grids gives it.
-struct Judged {
-  double value = 0;
-  double error = 0;      ///< relative
-  bool settles = false;  ///< the last differences fall at least by 1.5
-};
-
 Judged judge_grids(const std::vector<double>& values, bool extrapolate) {
-  // The safety of extrapolated values is calibrated on the box of README.md, section 6; the other has its own.
+  // Calibrated on the box of docs/results/reference-measured.md. Values that are not extrapolated need no further
+  // factor.
   constexpr double extrapolation_safety = 2;
   const GridEstimate now = estimate(values, formal_order);
   return {.value = extrapolate ? now.extrapolated : now.value,
           .error = extrapolate ? extrapolation_safety * now.extrapolated_error : now.error,
-          .settles = now.observed_order && *now.observed_order >= std::log2(1.5)};
+          .settles = now.observed_order && *now.observed_order >= std::log2(settling_ratio)};
 }
 
-/// Films are what errors are judged by, wanted or not.
+/// A quantity from the finest of the levels and all before it that have the quantity without a gap.
+Judged judged_on(const std::vector<Level>& levels, Quantity quantity, bool extrapolate) {
+  std::vector<double> values;
+  for (const Level& level : levels) {
+    if (level.seen.contains(quantity))
+      values.push_back(level.seen.at(quantity).value);
+    else
+      values.clear();
+  }
+  Judged judged = judge_grids(values, extrapolate);
+  if (quantity == Quantity::pressure_spike) judged.error *= spike_safety;
+  return judged;
+}
+
+/// The spike is the highest point of the pressure.
+bool maximum_is_spike(const Observables& seen) {
+  const auto spike = seen.find(Quantity::pressure_spike), maximum = seen.find(Quantity::pressure_maximum);
+  return spike != seen.end() && maximum != seen.end() && spike->second.place == maximum->second.place;
+}
+
+/// The study always needs the films, because their errors decide when it ends.
 Wanted with_films(Wanted wanted) {
   wanted.insert({Quantity::film_minimum, Quantity::film_central});
   return wanted;
@@ -112,7 +134,7 @@ Study::Study(const Problem& problem, const Request& request)
       request_(request),
       budget_{.newton_iterations = request.max_iterations,
               .end = begin_ + std::chrono::duration_cast<Clock::duration>(
-                                  std::chrono::duration<double>(std::min(request.time_limit_s, 1e8)))},
+                                  std::chrono::duration<double>(std::min(request.time_limit_s, longest_time_s)))},
       expected_film_(moes_film_formula({problem.groups.M, problem.groups.L}) /
                      moes_film_per_hertz_film(problem.groups.M)) {}
 
@@ -149,12 +171,13 @@ std::optional<Level> Study::solve(const Grid& grid, bool insist) {
   const auto begin = Clock::now();
   const Equations equations(problem_, grid);
   std::optional<Level> level;
-  for (const double factor : {1.0, 2.0, 0.5, 4.0}) {
+  for (const double factor : start_films) {
     const double film = factor * expected_film_;
     // Hertz' pressure where the film is thin, Martin's where it is thick, both between.
-    if (expected_film_ < 5) level = attempt(equations, hertz_start(equations, film, 1 + 0.45 * inlet_zone(film)));
+    if (expected_film_ < thickest_hertz_film)
+      level = attempt(equations, hertz_start(equations, film, 1 + exit_per_inlet_zone * inlet_zone(film)));
     if (level || limit_reached_) break;
-    if (expected_film_ > 0.1) level = attempt(equations, martin_start(equations, film));
+    if (expected_film_ > thinnest_rigid_film) level = attempt(equations, martin_start(equations, film));
     if (level || limit_reached_ || !insist) break;
   }
   last_grid_s_ = seconds_since(begin);
@@ -172,13 +195,12 @@ std::optional<Level> Study::solve(const Grid& grid, const Level& from, bool insi
 
 bool Study::no_time_to_double() const {
   const double left_s = std::chrono::duration<double>(budget_.end - Clock::now()).count();
-  return 8 * last_grid_s_ > left_s;
+  return time_of_doubled_grid * last_grid_s_ > left_s;
 }
 
 std::optional<Truncation> Study::truncation(const Level& level) {
-  constexpr double safety = 2;
   const Array& X = level.at.X;
-  const double near = std::max(X[0] / 8, -50 * contact_length(level.central_film()));
+  const double near = std::max(X[0] / cut_part, nearest_cut * contact_length(level.central_film()));
   const Index first = std::lower_bound(X.begin(), X.end(), near) - X.begin();
   const auto [grid, start] = cut(level, first);
   const auto solved = attempt(Equations(problem_, grid), start);
@@ -187,9 +209,10 @@ std::optional<Truncation> Study::truncation(const Level& level) {
   const double ratio = X[0] / X[first];
   Truncation truncation{.inlet = X[0], .errors = {}};
   for (const auto& [quantity, reading] : level.seen) {
-    if (is_diagnostic(quantity) || !solved->seen.contains(quantity)) continue;
+    if (is_self_check(quantity) || !solved->seen.contains(quantity)) continue;
     const double move = std::abs(solved->seen.at(quantity).value - reading.value) / (ratio * ratio - 1);
-    truncation.errors[quantity].value = safety * move / (is_absolute(quantity) ? 1 : std::abs(reading.value));
+    truncation.errors[quantity].value =
+        truncation_safety * move / (has_absolute_error(quantity) ? 1 : std::abs(reading.value));
   }
   return truncation;
 }
@@ -203,54 +226,53 @@ Cost Study::cost(int finest) const {
   return cost;
 }
 
+ErrorBudget Study::budget_of(Quantity quantity, const Judged& judged, const std::vector<Level>& levels,
+                             const std::optional<Truncation>& truncation) const {
+  const Level& finest = levels.back();
+  const double cells = finest.cells_in_inlet_zone();
+  const bool single = levels.size() == 1;
+  ErrorBudget budget{.discretisation = judged.error, .iteration = finest.iteration_error, .truncation = 0};
+  if (truncation && truncation->errors.contains(quantity))
+    budget.truncation = truncation->errors.at(quantity).value * std::pow(truncation->inlet / finest.grid.inlet, 2);
+  if (has_absolute_error(quantity)) {
+    budget.discretisation *= std::abs(judged.value);
+    budget.iteration *= finest.central_film();
+  }
+  if (is_film(quantity) && cells < safe_inlet_cells)
+    budget.discretisation = std::max(single ? 0 : budget.discretisation, coarse_grid_error(cells));
+  if (has_absolute_error(quantity) && single)  // H_0 is the film at X = 0 less a deflection of order one
+    budget.discretisation = coarse_grid_error(cells) * (1 + finest.central_film());
+  if (flooded() && !truncation) budget.truncation = std::numeric_limits<double>::infinity();
+  return budget;
+}
+
 Solution Study::report(const std::vector<Level>& levels, bool extrapolate,
                        const std::optional<Truncation>& truncation) const {
   const Level& finest = levels.back();
-  const double cells = finest.cells_in_inlet_zone();
   Solution solution;
   solution.fields = fields_of(finest, problem_);
   for (auto [quantity, reading] : finest.seen) {
-    const bool film = is_film(quantity);
-    if (!is_diagnostic(quantity)) {
-      std::vector<double> values;
-      for (const Level& level : levels) {
-        if (level.seen.contains(quantity))
-          values.push_back(level.seen.at(quantity).value);
-        else
-          values.clear();
-      }
-      Judged judged = judge_grids(values, extrapolate);
-      if (quantity == Quantity::pressure_spike) judged.error *= spike_safety;
+    const bool wanted = problem_.wanted.contains(quantity);
+    if (!is_self_check(quantity)) {
+      const Judged judged = judged_on(levels, quantity, extrapolate);
       if (quantity == Quantity::pressure_spike && !(judged.settles && judged.error <= vaguest_spike)) {
-        if (problem_.wanted.contains(quantity))
-          solution.record.notes.push_back("pressure.spike is left out: its height is not known to 5 %");
+        if (wanted)
+          solution.record.notes.push_back(
+              "pressure.spike omitted: its height is not known to 5 %. Try a smaller tolerance.");
         continue;
       }
       reading.value = judged.value;
-      ErrorBudget budget{.discretisation = judged.error, .iteration = finest.iteration_error, .truncation = 0};
-      if (truncation && truncation->errors.contains(quantity))
-        budget.truncation = truncation->errors.at(quantity).value * std::pow(truncation->inlet / finest.grid.inlet, 2);
-      if (is_absolute(quantity)) {
-        budget.discretisation *= std::abs(judged.value);
-        budget.iteration *= finest.central_film();
-      }
-      if (film && cells < safe_inlet_cells)
-        budget.discretisation = std::max(levels.size() == 1 ? 0 : budget.discretisation, coarse_grid_error(cells));
-      if (is_absolute(quantity) && levels.size() == 1)  // H_0 is the film at X = 0 less a deflection of order one
-        budget.discretisation = coarse_grid_error(cells) * (1 + finest.central_film());
-      if (flooded() && !truncation) budget.truncation = std::numeric_limits<double>::infinity();
+      const ErrorBudget budget = budget_of(quantity, judged, levels, truncation);
       if (std::isfinite(budget.total())) reading.error = budget.total();
-      if (quantity == Quantity::film_minimum) solution.record.film_minimum = budget;
-      if (quantity == Quantity::film_central) solution.record.film_central = budget;
+      if (const auto parts = row_of(quantity).budget) solution.record.*parts = budget;
     }
-    if (problem_.wanted.contains(quantity)) solution.observables[quantity] = reading;
+    if (wanted) solution.observables[quantity] = reading;
   }
   // A maximum that is the spike is known no better than the spike.
-  if (finest.seen.contains(Quantity::pressure_spike) && finest.seen.contains(Quantity::pressure_maximum) &&
-      finest.seen.at(Quantity::pressure_spike).place == finest.seen.at(Quantity::pressure_maximum).place &&
-      !solution.observables.contains(Quantity::pressure_spike) &&
+  if (maximum_is_spike(finest.seen) && !solution.observables.contains(Quantity::pressure_spike) &&
       solution.observables.erase(Quantity::pressure_maximum) > 0)
-    solution.record.notes.push_back("pressure.maximum is left out: it is the spike");
+    solution.record.notes.push_back(
+        "pressure.maximum omitted: it is the spike, which is not resolved. Try a smaller tolerance.");
   solution.record.status = StopReason::converged;
   solution.record.cost = cost(finest.grid.intervals());
   solution.record.grids = grids_;
@@ -274,10 +296,24 @@ std::vector<int> doubled_sizes(int n0, int largest) {
 
 std::vector<int> halved_sizes(int n, const std::function<bool(int)>& useful) {
   std::vector<int> sizes{n};
-  while (sizes.back() >= 32 && useful((sizes.back() + 1) / 2)) sizes.push_back((sizes.back() + 1) / 2);
+  while (sizes.back() >= fewest_halved && useful((sizes.back() + 1) / 2)) sizes.push_back((sizes.back() + 1) / 2);
   std::reverse(sizes.begin(), sizes.end());
   return sizes;
 }
+
+namespace {
+
+/// Why a study has no film; `cells` are those of its finest grid in the inlet zone of the expected film.
+Solution no_grid_solved(const Study& study, double cells, const std::string& finest, bool out_of_time) {
+  if (out_of_time) return study.without_film(StopReason::limit_reached, "no grid was solved within the limits");
+  if (cells < fewest_inlet_cells)
+    return study.without_film(
+        StopReason::under_resolved,
+        "the inlet zone is narrower than two cells and no positive film solves the equations of " + finest);
+  return study.without_film(StopReason::diverged, "no positive film was found on up to " + finest);
+}
+
+}  // namespace
 
 Solution solve_grids(Study& study, const std::function<Grid(int)>& grid_of, const std::vector<int>& sizes,
                      const std::optional<double>& tolerance, bool extrapolate, const std::optional<Level>& start) {
@@ -304,25 +340,20 @@ Solution solve_grids(Study& study, const std::function<Grid(int)>& grid_of, cons
     if (study.flooded() && !truncation) truncation = study.truncation(*level);
     solution = study.report(levels, extrapolate, truncation);
     const double error = std::max(solution.record.film_minimum.total(), solution.record.film_central.total());
-    if (tolerance && levels.size() >= 3 && error <= *tolerance) return solution;
+    if (tolerance && levels.size() >= fewest_grids && error <= *tolerance) return solution;
   }
 
   const std::string finest = std::to_string(sizes.back()) + " intervals";
-  if (levels.empty()) {
-    if (out_of_time) return study.without_film(StopReason::limit_reached, "no grid was solved within the limits");
-    if (inlet_cells(grid_of(sizes.back()).nodes(1), study.expected_film()) < fewest_inlet_cells)
-      return study.without_film(
-          StopReason::under_resolved,
-          "the inlet zone is narrower than two cells and no positive film solves the equations of " + finest);
-    return study.without_film(StopReason::diverged, "no positive film was found on up to " + finest);
-  }
+  if (levels.empty())
+    return no_grid_solved(study, inlet_cells(grid_of(sizes.back()).nodes(1), study.expected_film()), finest,
+                          out_of_time);
   if (out_of_time) {
     solution.record.cost = study.cost(solution.record.cost.nodes);  // with what was given up
     solution.record.status = StopReason::limit_reached;
     solution.record.reason = "iterations or time ended before " + finest;
   } else if (tolerance) {
     solution.record.status = StopReason::tolerance_not_met;
-    solution.record.reason = "the films are not estimated within the tolerance on " + finest;
+    solution.record.reason = "the estimated errors of the films exceed the tolerance on " + finest;
   } else if (levels.back().cells_in_inlet_zone() < fewest_inlet_cells) {
     solution.record.status = StopReason::under_resolved;
     solution.record.reason = "the inlet zone is narrower than two cells";

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "contact/solver.hpp"
-#include "reference/newton.hpp"
+#include "reference/grid_newton.hpp"
 
 namespace ehd::reference {
 
@@ -40,6 +40,13 @@ struct Truncation {
   Observables errors;
 };
 
+/// A quantity as a sequence of grids gives it.
+struct Judged {
+  double value = 0;
+  double error = 0;      ///< relative
+  bool settles = false;  ///< the last differences fall
+};
+
 /// Fewer cells than this in the inlet zone cannot see it.
 inline constexpr double fewest_inlet_cells = 1.5;
 
@@ -47,7 +54,7 @@ class Study {
  public:
   Study(const Problem& problem, const Request& request);
 
-  /// Central film that a fit of the literature expects: where searching begins, never what is reported.
+  /// Central film by Moes' formula. Starts use it; no result does.
   [[nodiscard]] double expected_film() const { return expected_film_; }
   /// Solves from scratch: Hertz' or Martin's pressure with the expected film; if `insist`, also with 2, 1/2, 4 times
   /// it.
@@ -62,8 +69,8 @@ class Study {
   /// Everything spent so far, work units on `finest` intervals.
   [[nodiscard]] Cost cost(int finest) const;
   [[nodiscard]] bool flooded() const { return std::holds_alternative<Flooded>(problem_.inlet); }
-  /// What the inlet's place does: the level again without its far nodes, and the difference carried on as X_a^-2, twice
-  /// for safety. Empty where the cut grid could not be solved.
+  /// The error that the place X_a of the inlet causes. The level is solved again without its far nodes; the difference
+  /// is extrapolated as X_a^-2 and doubled. Empty where the cut grid could not be solved.
   [[nodiscard]] std::optional<Truncation> truncation(const Level& level);
 
   /// The last of `levels` (coarse to fine, one family) with an error for each quantity. `extrapolate`: Richardson where
@@ -76,6 +83,9 @@ class Study {
  private:
   using Clock = std::chrono::steady_clock;
   std::optional<Level> attempt(const Equations& equations, const State& start);
+  /// The parts of the error of a quantity that was judged on `levels`.
+  [[nodiscard]] ErrorBudget budget_of(Quantity quantity, const Judged& judged, const std::vector<Level>& levels,
+                                      const std::optional<Truncation>& truncation) const;
 
   Problem problem_;
   Request request_;

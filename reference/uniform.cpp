@@ -11,19 +11,32 @@ namespace ehd::reference {
 
 namespace {
 
+/// A flooded domain: equal cells begin at X = -4 l, the others are a quarter of all.
+constexpr double equal_from = 4;
+constexpr int stretched_part = 4;
+/// X_a = -2 n l, and not beyond farthest_inlet.
+constexpr double far_per_interval = -2;
+/// First guess of X*: 1 + this times (l - 1). The grid follows the exit.
+constexpr double exit_per_length = 0.5;
+/// Steps of the fixed-point iteration for the stretching.
+constexpr int stretch_steps = 60;
+/// Intervals of the first grid where a tolerance is given.
+constexpr int first_intervals = 64;
+
 /// Equal cells where the film lives; for a flooded inlet a quarter of them leaves X = -4 l with the same spacing and
 /// stretches as sinh, the farther the more there are: what is truncated falls as n^-2, like the error of the cells.
 Grid grid_of(const Inlet& inlet, double expected_film, int intervals) {
   if (const auto* truncated = std::get_if<TruncatedAt>(&inlet)) return uniform_grid(truncated->x, intervals);
-  const double l = contact_length(expected_film), far = std::max(-2.0 * intervals, farthest_inlet) * l;
-  const double exit = 1 + 0.5 * (l - 1);  // roughly; the grid follows the exit
-  const int outer = intervals / 4, inner = intervals - outer;
-  const double h = (exit + 4 * l) / inner, reach = -far - 4 * l;
+  const double l = contact_length(expected_film), far = std::max(far_per_interval * intervals, farthest_inlet) * l;
+  const double exit = 1 + exit_per_length * (l - 1);
+  const int outer = intervals / stretched_part, inner = intervals - outer;
+  const double h = (exit + equal_from * l) / inner, reach = -far - equal_from * l;
   double stretch = 1;  // h outer sinh(stretch)/stretch = reach
-  for (int i = 0; i < 60; ++i) stretch = std::asinh(reach * stretch / (h * outer));
+  for (int i = 0; i < stretch_steps; ++i) stretch = std::asinh(reach * stretch / (h * outer));
   Array X(intervals + 1);
-  for (int i = 0; i < outer; ++i) X[i] = -4 * l - h * outer / stretch * std::sinh(stretch * (outer - i) / outer);
-  for (int i = 0; i <= inner; ++i) X[outer + i] = -4 * l + h * i;
+  for (int i = 0; i < outer; ++i)
+    X[i] = -equal_from * l - h * outer / stretch * std::sinh(stretch * (outer - i) / outer);
+  for (int i = 0; i <= inner; ++i) X[outer + i] = -equal_from * l + h * i;
   return {.inlet = X[0], .fractions = (X[intervals] - X) / (X[intervals] - X[0]), .kappa = Array::Zero(intervals)};
 }
 
@@ -44,7 +57,7 @@ Solution Uniform::solve(const Problem& problem, const Request& request) const {
     const auto sizes = halved_sizes(*request.nodes, [&](int n) { return n >= quarter || expected_cells(n) >= 1; });
     return solve_grids(study, grid, sizes, std::nullopt, false, std::nullopt);
   }
-  int first = 64;
+  int first = first_intervals;
   while (expected_cells(first) < fewest_inlet_cells && 2 * first <= largest_nodes) first *= 2;
   return solve_grids(study, grid, doubled_sizes(first, largest_nodes), request.tolerance, false, std::nullopt);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// reference.uniform: the equations on equal cells, written as plainly as they can be. README.md, sections 1 to 4.
+// reference.uniform: the equations on equal cells, in the shortest readable code. README.md, sections 1 to 4.
 #pragma once
 
 #include "contact/solver.hpp"
@@ -10,7 +10,7 @@ namespace ehd::reference {
 /// - inlet TruncatedAt x: n equal cells from x to the exit.
 /// - Flooded: three quarters of the n cells are equal, from X = -4 l (l = max(1, sqrt(2 H_c))) to the exit; the others
 ///   stretch out to -2 n l, at most to -4000 l.
-/// - Request::nodes: the values of that very grid, their error from it and its halves.
+/// - Request::nodes: the values of that grid; their errors come from it and its halves.
 /// - Request::tolerance: doubles the grid until both films are estimated within it; never extrapolates.
 class Uniform {
  public:

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "contact/hertz.hpp"
-#include "contact/scaling.hpp"
+#include "contact/nondimensional.hpp"
 #include "workflow/bearing_run.hpp"
 
 namespace ehd::verification::made {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bearing/equilibrium.hpp"
-#include "contact/plan.hpp"
+#include "contact/stages.hpp"
 #include "bearing/law_table.hpp"
 #include "workflow/case.hpp"
 

@@ -10,7 +10,7 @@
 
 #include "contact/approach.hpp"
 #include "contact/hertz.hpp"
-#include "contact/scaling.hpp"
+#include "contact/nondimensional.hpp"
 #include "contact/text.hpp"
 #include "workflow/bearing_of_case.hpp"
 

@@ -5,7 +5,7 @@
 
 #include "contact/approach.hpp"
 #include "contact/hertz.hpp"
-#include "contact/scaling.hpp"
+#include "contact/nondimensional.hpp"
 #include "contact/text.hpp"
 
 namespace ehd {

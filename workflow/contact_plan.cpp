@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "workflow/contact_plan.hpp"
 
-#include "contact/scaling.hpp"
+#include "contact/nondimensional.hpp"
 #include "contact/text.hpp"
 
 namespace ehd {

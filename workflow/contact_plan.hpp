@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "contact/plan.hpp"
+#include "contact/stages.hpp"
 #include "contact/problem.hpp"
 #include "contact/solver.hpp"
 #include "workflow/case.hpp"

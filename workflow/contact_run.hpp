@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "contact/film_formulas.hpp"
-#include "contact/plan.hpp"
-#include "contact/scaling.hpp"
+#include "contact/stages.hpp"
+#include "contact/nondimensional.hpp"
 #include "contact/solution.hpp"
 #include "workflow/case.hpp"
 #include "workflow/contact_plan.hpp"

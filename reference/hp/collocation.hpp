@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "contact/problem.hpp"
-#include "reference/hp/legendre.hpp"
 #include "reference/hp/mesh.hpp"
 #include "reference/hp/moments.hpp"
+#include "reference/hp/reference_element.hpp"
 
 namespace ehd::reference::hp {
 

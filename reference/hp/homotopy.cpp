@@ -9,23 +9,41 @@ namespace ehd::reference::hp {
 
 namespace {
 
+/// Solves and adaptations of one mesh at one floor.
+constexpr int most_passes = 40;
+/// Elements are merged up to this pass.
+constexpr int last_merging_pass = 1;
+/// Two elements are merged whose lengths differ by no more than this ratio, whose excess is below the second number,
+/// and whose common polynomial has a tail below the third, each in units of what is allowed.
+constexpr double largest_merged_ratio = 4.5, merged_excess = 0.05, merged_tail = 0.1;
+/// Below this floor nothing changes: it is less than the rounding of 1/eta anywhere that matters.
+constexpr double lowest_floor = 1e-18;
+/// The factor by which the floor falls: at first, at most, and where the descent gives up.
+constexpr double first_factor = 10, largest_factor = 1e6, smallest_factor = 1.2;
+/// A descent step that succeeds multiplies the factor by this; one that fails takes its root.
+constexpr double factor_growth = 10;
+/// Floors to extrapolate from are this many times apart.
+constexpr double floor_ratio = 3;
+/// Rounding of a balance in units of the machine's epsilon and of its terms.
+constexpr double rounding_units = 10;
+
 /// |a_p| + |a_(p-1)| of the polynomial through nodal values.
 double tail_of(const ReferenceElement<double>& shape, const VectorOf<double>& nodes) {
   const VectorOf<double> a = shape.to_legendre.bottomRows(2) * nodes;
   return a.cwiseAbs().sum();
 }
 
-/// What the last coefficients of the pressure do to the film nearby: (r/pi) |a_k m_k|, m_k about 2/p^2.
+/// Change of the film near the element by the last coefficients of the pressure: (r/pi) |a_k m_k|, m_k about 2/p^2.
 double film_error_of_tail(double tail, double half_length, int degree, double film) {
   return half_length * tail / (degree * degree * film);
 }
 
-/// What no mesh resolves: H is a difference of terms of size 1 + X^2/2, P' one of pressures over a length.
+/// Rounding of the balance, which no mesh can lower: H is a difference of terms of size 1 + X^2/2, and P' is a
+/// difference of pressures over a length.
 double rounding_of_balance(const Evaluation<double>& at, Eigen::Index row, double half) {
-  constexpr double units = 10;
   const double X = at.X[row],
                through_film = std::abs(3 * at.mobility[row] * at.slope[row] / at.H[row] - at.density.value[row]);
-  return units * std::numeric_limits<double>::epsilon() *
+  return rounding_units * std::numeric_limits<double>::epsilon() *
          ((1 + X * X / 2) * through_film + at.mobility[row] * std::abs(at.P[row]) / half);
 }
 
@@ -54,10 +72,48 @@ std::vector<double> excess_of(const Collocation<double>& equations, const Newton
   return excess;
 }
 
+namespace {
+
+/// The solution on the elements e and e + 1 as one polynomial on both, at the nodes of `shape`.
+VectorOf<double> on_one_element(const Collocation<double>& equations, const NewtonRun& run,
+                                const ReferenceElement<double>& shape, int e) {
+  const auto& breakpoints = equations.mesh().breakpoints;
+  const auto at = static_cast<std::size_t>(e);
+  const double left = breakpoints[at], middle = breakpoints[at + 1], right = breakpoints[at + 2];
+  VectorOf<double> nodes(shape.degree + 1);
+  for (int j = 0; j <= shape.degree; ++j) {
+    const double x = 0.5 * (right - left) * (1 + shape.nodes[j]);  // from left
+    const bool first = x <= middle - left;
+    const double half = first ? (middle - left) / 2 : (right - middle) / 2;
+    const double t = (first ? x : x - (middle - left)) / half - 1;
+    nodes[j] = equations.interpolate(run.state.P, first ? e : e + 1, std::clamp(t, -1.0, 1.0));
+  }
+  return nodes;
+}
+
+/// The elements e and e + 1 can be merged: of like length and degree, far below what is allowed, and one polynomial
+/// represents the pressure on both.
+bool one_polynomial_does(const Collocation<double>& equations, const NewtonRun& run, const std::vector<double>& excess,
+                         const Resolution& resolution, int e) {
+  const Mesh& mesh = equations.mesh();
+  const auto at = static_cast<std::size_t>(e);
+  const double left = mesh.breakpoints[at], middle = mesh.breakpoints[at + 1], right = mesh.breakpoints[at + 2];
+  const double ratio = (middle - left) / (right - middle);
+  if (ratio > largest_merged_ratio || ratio < 1 / largest_merged_ratio) return false;
+  if (excess[at] > merged_excess || excess[at + 1] > merged_excess) return false;
+  const auto& shape = equations.reference(e);
+  if (shape.degree != mesh.degrees[at + 1]) return false;
+  const double s = equations.stretching(run.state.exit);
+  const double tail = tail_of(shape, on_one_element(equations, run, shape, e));
+  return tail < merged_tail * resolution.spike &&
+         film_error_of_tail(tail, (right - left) / 2 * s, shape.degree, run.state.flux) < merged_tail * resolution.film;
+}
+
+}  // namespace
+
 std::optional<Resolved> resolved(const Problem& problem, const Resolved& from, const Resolution& resolution,
                                  const HomotopyLimits& limits, Meter& meter) {
   const double floor = from.floor;
-  constexpr int most_passes = 40;
   auto equations = from.equations;
   State<double> start = from.run.state;
   std::optional<Resolved> unmerged;  // the last state before neighbours were merged
@@ -76,34 +132,15 @@ std::optional<Resolved> resolved(const Problem& problem, const Resolved& from, c
     const auto excess = excess_of(*equations, run, problem, resolution);
     const double worst = *std::max_element(excess.begin(), excess.end());
     const auto& mesh = equations->mesh();
-    const double s = equations->stretching(run.state.exit);
-    const auto mergeable = [&](int e) {
-      const auto at = static_cast<std::size_t>(e);
-      const double left = mesh.breakpoints[at], middle = mesh.breakpoints[at + 1], right = mesh.breakpoints[at + 2];
-      const double ratio = (middle - left) / (right - middle);
-      if (!may_merge || pass > 1 || ratio > 4.5 || ratio < 1 / 4.5)
-        return false;  // later a merge could undo a split, for ever
-      if (excess[at] > 0.05 || excess[at + 1] > 0.05) return false;
-      const auto& shape = equations->reference(e);
-      if (shape.degree != mesh.degrees[at + 1]) return false;
-      VectorOf<double> nodes(shape.degree + 1);
-      for (int j = 0; j <= shape.degree; ++j) {
-        const double x = 0.5 * (right - left) * (1 + shape.nodes[j]);  // from left
-        const bool first = x <= middle - left;
-        const double half = first ? (middle - left) / 2 : (right - middle) / 2;
-        const double t = (first ? x : x - (middle - left)) / half - 1;
-        nodes[j] = equations->interpolate(run.state.P, first ? e : e + 1, std::clamp(t, -1.0, 1.0));
-      }
-      const double tail = tail_of(shape, nodes);
-      return tail < 0.1 * resolution.spike &&
-             film_error_of_tail(tail, (right - left) / 2 * s, shape.degree, run.state.flux) < 0.1 * resolution.film;
+    const auto mergeable = [&](int e) {  // later passes do not merge: a merge could undo a split, without end
+      return may_merge && pass <= last_merging_pass && one_polynomial_does(*equations, run, excess, resolution, e);
     };
     Mesh next = adapted(mesh, excess, mergeable, limits.shortest_element);
     const bool same = next.breakpoints == mesh.breakpoints;
     const bool enough = worst <= 1 || same || next.intervals() > limits.largest_intervals;
     if (enough) return Resolved{.equations = equations, .run = std::move(run), .floor = floor, .excess = worst};
     auto fresh = std::make_shared<const Collocation<double>>(problem, std::move(next), equations->points());
-    if (pass <= 1 && may_merge)
+    if (pass <= last_merging_pass && may_merge)
       unmerged = Resolved{.equations = equations, .run = run, .floor = floor, .excess = worst};
     else
       unmerged.reset();
@@ -115,16 +152,14 @@ std::optional<Resolved> resolved(const Problem& problem, const Resolved& from, c
 
 std::vector<Resolved> descent(const Problem& problem, const Resolved& top, const Resolution& resolution,
                               const HomotopyLimits& limits, Meter& meter) {
-  constexpr double lowest = 1e-18;  // below it a floor is less than the rounding of 1/eta anywhere that matters
-  constexpr double first_factor = 10, largest_factor = 1e6, smallest_factor = 1.2;
   std::vector<Resolved> floors{top};
   double factor = first_factor;
   while (floors.back().floor > 0 && !meter.spent()) {
     Resolved next = floors.back();
-    next.floor = next.floor / factor < lowest ? 0 : next.floor / factor;
+    next.floor = next.floor / factor < lowest_floor ? 0 : next.floor / factor;
     if (auto solved = resolved(problem, next, resolution, limits, meter)) {
       floors.push_back(std::move(*solved));
-      factor = std::min(10 * factor, largest_factor);
+      factor = std::min(factor_growth * factor, largest_factor);
       continue;
     }
     factor = std::sqrt(factor);
@@ -134,10 +169,9 @@ std::vector<Resolved> descent(const Problem& problem, const Resolved& top, const
 }
 
 std::vector<std::size_t> floors_apart(const std::vector<Resolved>& floors) {
-  constexpr double apart = 3;
   std::vector<std::size_t> found{floors.size() - 1};
   for (std::size_t i = floors.size(); i-- > 0;)
-    if (floors[i].floor > 0 && floors[i].floor >= apart * floors[found.back()].floor) found.push_back(i);
+    if (floors[i].floor > 0 && floors[i].floor >= floor_ratio * floors[found.back()].floor) found.push_back(i);
   return found;
 }
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From a state that Newton's method finds at once to the physics: the fluidity 1/eta gets a floor delta, which is
-// lowered from 1e-2 to 0 while the mesh follows the solution at every step. README.md, section 4.
+// The fluidity 1/eta gets a floor delta, with which Newton's method converges. The floor is lowered from 1e-2 to 0, and
+// the mesh is adapted at every floor. README.md, section 4.
 #pragma once
 
 #include <optional>
 #include <vector>
 
 #include "contact/solution.hpp"
-#include "reference/hp/newton.hpp"
+#include "reference/hp/element_newton.hpp"
 
 namespace ehd::reference::hp {
 
@@ -48,11 +48,11 @@ struct HomotopyLimits {
 [[nodiscard]] std::vector<Resolved> descent(const Problem& problem, const Resolved& top, const Resolution& resolution,
                                             const HomotopyLimits& limits, Meter& meter);
 
-/// The last floor and, up from there, each that is at least thrice the one before it, so that the noise of a mesh is
-/// not amplified where values are carried on to floor 0: indices.
+/// Indices of the floors to extrapolate from: the last one, and upwards each that is at least three times the one
+/// before. Closer floors would amplify the noise of their meshes.
 [[nodiscard]] std::vector<std::size_t> floors_apart(const std::vector<Resolved>& floors);
-/// How much the flux would still move, relative, if the floor went from where the descent ended to 0, as it is linear
-/// in a small floor. 0 where it did; infinite where no two floors are apart.
+/// Relative change of the flux that is left between the last floor and floor 0; the flux is linear in a small floor. 0
+/// where the descent reached 0, infinite where no two floors are apart.
 [[nodiscard]] double floor_gap(const std::vector<Resolved>& floors);
 
 /// Nodal values, as observe() reads them, with what a flooded contact has before its inlet.

@@ -8,16 +8,29 @@
 
 namespace ehd::reference::hp {
 
+namespace {
+
+/// Seeded elements: the finest over the inlet zone, the widest over their distance to the contact's centre.
+constexpr double finest_per_inlet_zone = 0.5, widest_per_distance = 0.5;
+/// An element is at most this much wider than wanted at its middle.
+constexpr double largest_overshoot = 1.5;
+/// An element that would take this part of what is left up to the inlet takes all of it.
+constexpr double last_part = 0.75;
+/// Of an element that a new inlet cuts, less than this part is given to its neighbour.
+constexpr double least_part_kept = 0.1;
+
+}  // namespace
+
 int Mesh::intervals() const { return std::accumulate(degrees.begin(), degrees.end(), 0); }
 
 Mesh seeded_mesh(const Seed& seed) {
   // Sizes wanted at X: geometric about -l and about the exit, never above half a length inside the contact.
   const auto wanted = [&](double X) {
-    const double finest = seed.inlet_zone / 2;
+    const double finest = seed.inlet_zone * finest_per_inlet_zone;
     const double grade = (seed.growth - 1) / seed.growth;
     const double about_inlet = finest + grade * std::abs(X + seed.length);
     const double about_exit = finest + grade * std::abs(X - seed.length);
-    const double widest = 0.5 * std::max(seed.length, std::abs(X));
+    const double widest = widest_per_distance * std::max(seed.length, std::abs(X));
     return std::min({about_inlet, about_exit, std::max(widest, finest)});
   };
   Mesh mesh;
@@ -28,9 +41,9 @@ Mesh seeded_mesh(const Seed& seed) {
   b.push_back(0);
   double width = wanted(X);
   for (;;) {
-    width = std::min(width, 1.5 * wanted(X - width / 2));
+    width = std::min(width, largest_overshoot * wanted(X - width / 2));
     const double left = X - seed.inlet;
-    if (width >= 0.75 * left) break;
+    if (width >= last_part * left) break;
     X -= width;
     b.push_back(X - seed.exit);
     width = wanted(X);
@@ -122,7 +135,7 @@ Mesh cut_at(Mesh mesh, double inlet, double exit) {
   const double first = (inlet - exit) / stretching;
   auto& b = mesh.breakpoints;
   std::size_t drop = 0;  // the element that holds the new inlet stays, unless little of it would
-  while (drop + 2 < b.size() && b[drop + 1] - first < 0.1 * (b[drop + 1] - b[drop])) ++drop;
+  while (drop + 2 < b.size() && b[drop + 1] - first < least_part_kept * (b[drop + 1] - b[drop])) ++drop;
   b.erase(b.begin(), b.begin() + static_cast<std::ptrdiff_t>(drop));
   mesh.degrees.erase(mesh.degrees.begin(), mesh.degrees.begin() + static_cast<std::ptrdiff_t>(drop));
   b.front() = first;

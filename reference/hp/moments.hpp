@@ -10,7 +10,7 @@
 #include <limits>
 #include <type_traits>
 
-#include "reference/hp/legendre.hpp"
+#include "reference/hp/reference_element.hpp"
 
 namespace ehd::reference::hp {
 

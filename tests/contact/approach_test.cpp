@@ -76,7 +76,8 @@ BOOST_AUTO_TEST_CASE(lundbergs_approach_is_the_length_as_datum) {
   const double length = 0.030, D = 0.020, d_m = 0.060, load = 1e4;
   const double reduced_modulus = 2.031e11 / (1 - 0.3 * 0.3);
   const auto lundberg_micrometre = [&](double curvature) {
-    const Conditions c{.load_N_per_m = load / length, .reduced_radius_m = 1 / curvature, .reduced_modulus_Pa = reduced_modulus};
+    const Conditions c{
+        .load_N_per_m = load / length, .reduced_radius_m = 1 / curvature, .reduced_modulus_Pa = reduced_modulus};
     return 1e6 * dry_approach_m(c, length);
   };
   EHD_CHECK(error(lundberg_micrometre(2 / D + 2 / (d_m - D)), 12.231), Tolerance::published_digits("12.231"));

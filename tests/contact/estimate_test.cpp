@@ -16,7 +16,8 @@ constexpr double truth = 0.0743;
 /// truth (1 + c 2^(-order k) + c4 2^(-4k)), k = 0 … grids-1.
 std::vector<double> sequence(double c, double order, int grids, double c4 = 0) {
   std::vector<double> values;
-  for (int k = 0; k < grids; ++k) values.push_back(truth * (1 + c * std::pow(2.0, -order * k) + c4 * std::pow(16.0, -k)));
+  for (int k = 0; k < grids; ++k)
+    values.push_back(truth * (1 + c * std::pow(2.0, -order * k) + c4 * std::pow(16.0, -k)));
   return values;
 }
 

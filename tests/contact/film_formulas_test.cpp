@@ -15,7 +15,8 @@ BOOST_AUTO_TEST_SUITE(film_formulas)
 
 BOOST_AUTO_TEST_CASE(minimum_films_have_the_known_agreement_with_a_computed_one) {
   // At M = 20, L = 10, G = 5000 the computed H_min (Roelands, Dowson-Higginson density) is 3.784 in Moes units; the
-  // formulas are off by the percentages that the literature notes give, to their last digit (and 3.784's own half digit).
+  // formulas are off by the percentages that the literature notes give, to their last digit (and 3.784's own half
+  // digit).
   const std::map<std::string, double> percent = {{"Dowson & Higginson 1977", 1.3},
                                                  {"Dowson & Higginson 1966", 1.9},
                                                  {"Hamrock & Jacobson 1984", -2.9},
@@ -39,8 +40,10 @@ BOOST_AUTO_TEST_CASE(power_laws_equal_their_printed_form_in_the_mean_speed) {
   const double moes = 1 / std::sqrt(2 * U);
   std::map<std::string, double> expected = {
       {"Dowson & Higginson 1966 film.minimum", 1.6 * std::pow(G, 0.6) * std::pow(U, 0.7) * std::pow(W, -0.13) * moes},
-      {"Dowson & Higginson 1977 film.minimum", 2.65 * std::pow(U, 0.70) * std::pow(G, 0.54) * std::pow(W, -0.13) * moes},
-      {"Hamrock & Jacobson 1984 film.minimum", 3.07 * std::pow(U, 0.71) * std::pow(G, 0.57) * std::pow(W, -0.11) * moes},
+      {"Dowson & Higginson 1977 film.minimum",
+       2.65 * std::pow(U, 0.70) * std::pow(G, 0.54) * std::pow(W, -0.13) * moes},
+      {"Hamrock & Jacobson 1984 film.minimum",
+       3.07 * std::pow(U, 0.71) * std::pow(G, 0.57) * std::pow(W, -0.11) * moes},
       {"Pan & Hamrock 1989 film.minimum", 1.714 * std::pow(W, -0.128) * std::pow(U, 0.694) * std::pow(G, 0.568) * moes},
       {"Dowson & Toyoda 1978 film.central", 3.06 * std::pow(G, 0.56) * std::pow(U, 0.69) * std::pow(W, -0.10) * moes},
       {"Pan & Hamrock 1989 film.central", 2.922 * std::pow(W, -0.166) * std::pow(U, 0.692) * std::pow(G, 0.470) * moes},
@@ -102,13 +105,15 @@ BOOST_AUTO_TEST_CASE(the_spike_formula_equals_its_printed_form) {
   const double G = 4700, M = 23, L = 8, modulus = 2.1e11, radius = 0.013;
   const double U = std::pow(L / G, 4) / 2, W = M * std::pow(L / G, 2);
   const double load = W * modulus * radius, pi = 3.14159265358979323846;
-  const double half_width = std::sqrt(8 * load * radius / (pi * modulus)), hertz_pressure = 2 * load / (pi * half_width);
+  const double half_width = std::sqrt(8 * load * radius / (pi * modulus)),
+               hertz_pressure = 2 * load / (pi * half_width);
   const SpikeFormula spike = pan_hamrock_spike({.M = M, .L = L}, G);
   EHD_CHECK(error(spike.height * hertz_pressure,
                   modulus * 0.648 * std::pow(W, 0.185) * std::pow(U, 0.275) * std::pow(G, 0.391)),
             Tolerance::round_off(128));
-  EHD_CHECK(error(spike.place * half_width, radius * 1.111 * std::pow(W, 0.606) * std::pow(U, -0.021) * std::pow(G, 0.077)),
-            Tolerance::round_off(128));
+  EHD_CHECK(
+      error(spike.place * half_width, radius * 1.111 * std::pow(W, 0.606) * std::pow(U, -0.021) * std::pow(G, 0.077)),
+      Tolerance::round_off(128));
   EHD_CHECK(error(spike.minimum_place * half_width,
                   radius * 1.439 * std::pow(W, 0.548) * std::pow(U, -0.011) * std::pow(G, 0.026)),
             Tolerance::round_off(128));

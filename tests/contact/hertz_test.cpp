@@ -104,7 +104,7 @@ BOOST_AUTO_TEST_CASE(scales_in_si_satisfy_their_relations) {
   const Conditions c{.load_N_per_m = 0.9e5, .reduced_radius_m = 1.3e-2, .reduced_modulus_Pa = 2.19e11};
   const double b = ehd::hertz::half_width_m(c), p_H = ehd::hertz::pressure_Pa(c);
   const Tolerance rounding = Tolerance::round_off(16);
-  EHD_CHECK(error(pi * b * p_H / 2, c.load_N_per_m), rounding);                      // the ellipse carries the load
+  EHD_CHECK(error(pi * b * p_H / 2, c.load_N_per_m), rounding);  // the ellipse carries the load
   EHD_CHECK(error(p_H, c.reduced_modulus_Pa * b / (4 * c.reduced_radius_m)), rounding);
   EHD_CHECK(error(b * b, 8 * c.load_N_per_m * c.reduced_radius_m / (pi * c.reduced_modulus_Pa)), rounding);
 }

@@ -82,7 +82,8 @@ BOOST_AUTO_TEST_CASE(a_smooth_minimum_film_converges_with_the_order_of_its_quart
   const auto film_error = [](int n) {
     const Array X = graded(-2, 1.1, n);
     const Array H = 1 + ((X - 0.61).exp() - 1).square();
-    return error(value(observe(fields_on(X, 1 - X.square(), H), {Quantity::film_minimum}), Quantity::film_minimum), 1.0);
+    return error(value(observe(fields_on(X, 1 - X.square(), H), {Quantity::film_minimum}), Quantity::film_minimum),
+                 1.0);
   };
   // Five nodes: the error is of order 5 where the minimum lies in general position, and of order 6 or more on average.
   BOOST_TEST(fitted_order(film_error, 32) >= 4.5);
@@ -107,7 +108,8 @@ BOOST_AUTO_TEST_CASE(the_central_film_is_at_zero_and_not_at_a_node) {
 
 BOOST_AUTO_TEST_CASE(without_zero_in_the_grid_there_is_no_central_film) {
   const Array X = graded(-2, -0.1, 16);
-  BOOST_TEST(!observe(fields_on(X, 1 - X.square(), 1 + X.square()), want_everything()).contains(Quantity::film_central));
+  BOOST_TEST(
+      !observe(fields_on(X, 1 - X.square(), 1 + X.square()), want_everything()).contains(Quantity::film_central));
 }
 
 BOOST_AUTO_TEST_CASE(couette_film_offset_approach_and_exit_are_read_off) {
@@ -149,7 +151,8 @@ BOOST_AUTO_TEST_CASE(rolling_force_is_half_the_integral_of_film_over_pressure) {
     const Array X = graded(-1, 1, n);
     const Array P = (1 - X.square()).square(), H = 0.4 + P + 0.3 * X;
     // Int H dP = 0.3 Int X P' dX = -0.3 Int P dX = -0.3 * 16/15.
-    return error(value(observe(fields_on(X, P, H), {Quantity::rolling_force}), Quantity::rolling_force), 0.15 * 16 / 15);
+    return error(value(observe(fields_on(X, P, H), {Quantity::rolling_force}), Quantity::rolling_force),
+                 0.15 * 16 / 15);
   };
   // The trapezoid rule in P is second order; fitted over four grids, to a tenth.
   EHD_CHECK(std::abs(fitted_order(force_error, 32) - 2), Tolerance::discretisation(0.1, 1));
@@ -178,7 +181,8 @@ BOOST_AUTO_TEST_CASE(flux_variation_is_relative_to_the_exit_flux) {
   fields.flux.setConstant(exit);
   fields.flux[3] = exit * 0.98;
   fields.flux[9] = exit * 1.01;
-  EHD_CHECK(error(value(observe(fields, want_everything()), Quantity::flux_variation), 0.02), Tolerance::round_off(100));
+  EHD_CHECK(error(value(observe(fields, want_everything()), Quantity::flux_variation), 0.02),
+            Tolerance::round_off(100));
 }
 
 BOOST_AUTO_TEST_CASE(only_what_is_wanted_is_observed) {
@@ -215,8 +219,7 @@ BOOST_AUTO_TEST_CASE(martins_film_has_his_rolling_force) {
     P[i] = P[i - 1] + (g[i] - g[i - 1]) / 6 * (slope(g[i - 1]) + 4 * slope((g[i - 1] + g[i]) / 2) + slope(g[i]));
   Fields fields = fields_on(length * g.tan(), P, film);
   // Int H dP = lambda length/H_m Int (1 - (H_exit/H_m) cos^2 g) dg, here from -pi/2 to the first node.
-  fields.work_beyond_inlet =
-      lambda * length / H_m * (beyond - H_exit / H_m * (beyond / 2 - std::sin(2 * beyond) / 4));
+  fields.work_beyond_inlet = lambda * length / H_m * (beyond - H_exit / H_m * (beyond / 2 - std::sin(2 * beyond) / 4));
   const double force = value(observe(fields, {Quantity::rolling_force}), Quantity::rolling_force);
   // Half a digit of 1.4475, and the trapezoid rule: (angle step)^2/(6 beyond) relative to a sum of about 1.
   const double step = g[1] - g[0];

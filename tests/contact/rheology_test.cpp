@@ -168,7 +168,8 @@ BOOST_AUTO_TEST_CASE(roelands_becomes_barus_as_the_pressure_vanishes) {
   const double p_0 = 1.7e8, alpha = 2.3e-8, z = 0.57, p = 1.7e3;
   const Array pressure = Array::Constant(1, p);
   const double roelands = evaluate(Viscosity{Roelands{.alpha = alpha, .p0 = p_0, .z = z}}, pressure).value[0];
-  EHD_CHECK(error(roelands, alpha * p), Tolerance::asymptotic((1 - z) / 2 * p / p_0 * 1.01, "(1-z)/2 p/p_0, next term"));
+  EHD_CHECK(error(roelands, alpha * p),
+            Tolerance::asymptotic((1 - z) / 2 * p / p_0 * 1.01, "(1-z)/2 p/p_0, next term"));
   BOOST_TEST(roelands < alpha * p);
 }
 
@@ -182,7 +183,8 @@ BOOST_AUTO_TEST_CASE(a_law_in_other_units_has_the_same_values_at_the_same_pressu
     const auto in_units = evaluate(in_units_of(law, unit), P);
     for (Eigen::Index i = 0; i < p.size(); ++i) {
       BOOST_TEST_CONTEXT(name << " at " << p[i] << " Pa") {
-        EHD_CHECK(std::abs(in_units.value[i] - in_Pa.value[i]), Tolerance::round_off(16, 10 + std::abs(in_Pa.value[i])));
+        EHD_CHECK(std::abs(in_units.value[i] - in_Pa.value[i]),
+                  Tolerance::round_off(16, 10 + std::abs(in_Pa.value[i])));
         EHD_CHECK(error(in_units.slope[i], in_Pa.slope[i] * unit), Tolerance::round_off(16));
       }
       ++rows;

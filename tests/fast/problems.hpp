@@ -3,7 +3,7 @@
 // Dowson-Higginson density.
 #pragma once
 
-#include "contact/scaling.hpp"
+#include "contact/nondimensional.hpp"
 
 namespace ehd {
 

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "bearing/geometry.hpp"
-#include "contact/scaling.hpp"
+#include "contact/nondimensional.hpp"
 #include "workflow/bearing_run.hpp"
 #include "workflow/case.hpp"
 #include "workflow/contact_plan.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/scaling.hpp"
+#include "contact/nondimensional.hpp"
 #include "tests/check.hpp"
 #include "tests/files.hpp"
 #include "io/bibliography.hpp"

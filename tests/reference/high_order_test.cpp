@@ -227,8 +227,8 @@ BOOST_AUTO_TEST_CASE(just_the_intervals_that_are_asked_for) {
                            << stated_error(solution, film_central) << " " << to_string(solution.record.status) << " "
                            << solution.record.cost.wall_s);
         EHD_CHECK(missed, Tolerance::discretisation(stated_error(solution, film_central) + 1e-11, 1));
-        // The second opinion has elements of half as many degrees again: the same mesh once more would agree with itself.
-        // Where it finds no solution, the guide of other elements judges alone.
+        // The second opinion has elements of half as many degrees again: the same mesh once more would agree with
+        // itself. Where it finds no solution, the guide of other elements judges alone.
         if (solution.record.grids.size() > 1) {
           BOOST_TEST(2 * solution.record.grids[1].nodes > 27 * nodes / 10);
           ++second_opinions;

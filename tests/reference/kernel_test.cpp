@@ -51,7 +51,7 @@ double log_integral(const std::function<double(double)>& f, double a, double b, 
   return smooth_integral([&](double t) { return f(t) * std::log(std::abs(v - t)); }, a, b);
 }
 
-// QAWS and QAG were asked for 1e-13; the moments are of size 1.
+// QAWS and QAG have a tolerance of 1e-13; the moments are of size 1.
 const Tolerance quadrature = Tolerance::round_off(500);
 
 }  // namespace

@@ -5,14 +5,15 @@
 #include <cmath>
 #include <vector>
 
-#include "contact/scaling.hpp"
+#include "contact/nondimensional.hpp"
 #include "contact/solver.hpp"
 
 namespace ehd::testing {
 
 inline Problem roelands_problem(MoesGroups moes, const Inlet& inlet, DensityLaw density, double alpha_per_Pa, double z,
                                 double p0_Pa) {
-  const Lubricant oil{.viscosity = ViscosityLaw::roelands, .density = density, .alpha_per_Pa = alpha_per_Pa, .z = z, .p0_Pa = p0_Pa};
+  const Lubricant oil{
+      .viscosity = ViscosityLaw::roelands, .density = density, .alpha_per_Pa = alpha_per_Pa, .z = z, .p0_Pa = p0_Pa};
   return nondimensionalise(moes, oil, inlet).problem;
 }
 

@@ -9,7 +9,7 @@
 
 #include "contact/approach.hpp"
 #include "contact/hertz.hpp"
-#include "contact/scaling.hpp"
+#include "contact/nondimensional.hpp"
 #include "fast/uniform.hpp"
 #include "tests/check.hpp"
 #include "tests/made_bearing.hpp"

@@ -19,7 +19,7 @@
 #include <system_error>
 #include <tuple>
 
-#include "contact/scaling.hpp"
+#include "contact/nondimensional.hpp"
 #include "workflow/parallel.hpp"
 #include "workflow/contact_run.hpp"
 #include "contact/text.hpp"

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "bearing/equilibrium.hpp"
-#include "contact/scaling.hpp"
+#include "contact/nondimensional.hpp"
 #include "verification/studies/bearing_check.hpp"
 #include "workflow/bearing_run.hpp"
 #include "verification/studies/fits.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "contact/observables.hpp"
-#include "contact/scaling.hpp"
+#include "contact/nondimensional.hpp"
 #include "verification/claims/topics.hpp"
 #include "workflow/registry.hpp"
 #include "workflow/contact_run.hpp"

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "contact/scaling.hpp"
+#include "contact/nondimensional.hpp"
 #include "verification/claims/topics.hpp"
 #include "verification/exact/blok.hpp"
 #include "verification/exact/ertel_grubin.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "contact/scaling.hpp"
+#include "contact/nondimensional.hpp"
 #include "verification/exact/numerics.hpp"
 
 namespace ehd::verification::exact {

@@ -10,7 +10,7 @@
 #include <memory>
 #include <numbers>
 
-#include "contact/scaling.hpp"
+#include "contact/nondimensional.hpp"
 #include "verification/exact/numerics.hpp"
 
 namespace ehd::verification::exact {

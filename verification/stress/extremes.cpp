@@ -12,7 +12,7 @@
 #include <limits>
 #include <numbers>
 
-#include "contact/scaling.hpp"
+#include "contact/nondimensional.hpp"
 #include "verification/bench/child.hpp"
 #include "workflow/parallel.hpp"
 #include "verification/stress/parts.hpp"

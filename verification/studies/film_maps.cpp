@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "contact/film_formulas.hpp"
-#include "contact/scaling.hpp"
+#include "contact/nondimensional.hpp"
 #include "contact/text.hpp"
 #include "io/tables.hpp"
 

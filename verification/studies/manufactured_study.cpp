@@ -6,7 +6,7 @@
 #include <cmath>
 #include <complex>
 
-#include "reference/hp/newton.hpp"
+#include "reference/hp/element_newton.hpp"
 #include "verification/claim.hpp"
 
 namespace ehd::verification {

@@ -2,7 +2,7 @@
 // The two law sets that claims go over, and the atlas lists.
 #pragma once
 
-#include "contact/scaling.hpp"
+#include "contact/nondimensional.hpp"
 
 namespace ehd::verification {
 

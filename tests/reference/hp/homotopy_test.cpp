@@ -127,7 +127,7 @@ BOOST_AUTO_TEST_CASE(excess_is_large_where_a_mesh_sees_too_little) {
   BOOST_REQUIRE(coarse.run.solved);
   const auto excess = excess_of(*coarse.equations, coarse.run, problem, resolution);
   BOOST_TEST(*std::max_element(excess.begin(), excess.end()) > 100);
-  // What is asked for ten times more loosely is exceeded by ten times less.
+  // A resolution that is ten times looser gives an excess that is ten times smaller.
   const auto looser = excess_of(*coarse.equations, coarse.run, problem, {.film = 1e-8, .spike = 1e-2, .defect = 1e-1});
   for (std::size_t e = 0; e < excess.size(); ++e) EHD_CHECK(error(10 * looser[e], excess[e]), Tolerance::round_off(4));
 }

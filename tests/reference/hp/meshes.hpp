@@ -2,7 +2,7 @@
 // Meshes, states and data that the tests of this folder share; no two numbers alike.
 #pragma once
 
-#include "reference/hp/newton.hpp"
+#include "reference/hp/element_newton.hpp"
 #include "tests/reference/problems.hpp"
 
 namespace ehd::testing {

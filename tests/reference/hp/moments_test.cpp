@@ -44,7 +44,7 @@ Tolerance rounding(int k, double distance) {
   return Tolerance::round_off(5, (k + 1) * std::max(1.0, std::log(2 / distance) / 2));
 }
 
-// QAWS and QAG were asked for 1e-13, of an integral of size 1.
+// QAWS and QAG have a tolerance of 1e-13, of an integral of size 1.
 const Tolerance quadrature = Tolerance::iteration(ehd::testing::asked_of_quadrature, 2);
 
 }  // namespace

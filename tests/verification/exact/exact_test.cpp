@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "contact/hertz.hpp"
-#include "contact/scaling.hpp"
+#include "contact/nondimensional.hpp"
 #include "tests/check.hpp"
 #include "verification/exact/blok.hpp"
 #include "verification/exact/ertel_grubin.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <system_error>
 
-#include "contact/scaling.hpp"
+#include "contact/nondimensional.hpp"
 #include "verification/studies/figures/parts.hpp"
 #include "verification/studies/film_maps.hpp"
 #include "workflow/registry.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rung 6: Newton's method contracts quadratically to round-off, what is no solution is not called one, and a state
 // survives the way to another mesh.
-#include "reference/hp/newton.hpp"
+#include "reference/hp/element_newton.hpp"
 
 #include <cmath>
 #include <limits>
@@ -27,7 +27,7 @@ bool is_finite(const State<double>& state) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(hp_newton)
+BOOST_AUTO_TEST_SUITE(hp_element_newton)
 
 BOOST_AUTO_TEST_CASE(newton_contracts_quadratically_to_round_off) {
   struct Row {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/hp/newton.hpp"
+#include "reference/hp/element_newton.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -14,13 +14,26 @@ namespace {
 
 using std::numbers::pi;
 
-/// No step takes away more of the film at any row, moves the exit by more of X* + 0.2, or changes the
-/// pressure by more than this part of its maximum.
-constexpr double smallest_film_left = 0.2, largest_exit_move = 0.1, largest_pressure_change = 0.5;
+/// A step leaves at least this part of the film at every row.
+constexpr double smallest_film_left = 0.2;
+/// A step moves the exit by no more than this part of X* + 0.2 ...
+constexpr double largest_exit_move = 0.1;
+/// ... and the pressure by no more than this part of its maximum.
+constexpr double largest_pressure_change = 0.5;
 constexpr int halvings = 10;
-/// The step is kept although the residual grew, up to this factor: next to the root of a stiff exponential the first
-/// full step often does.
+/// A step may make the residual larger by up to this factor. Near the root of a stiff exponential the first full step
+/// often does.
 constexpr double residual_growth = 4;
+/// Added to X* where its move is judged, so that an exit near 0 can move.
+constexpr double exit_at_rest = 0.2;
+/// The largest pressure counts as at least this where a step is judged.
+constexpr double least_pressure = 1e-3;
+/// A run that has ended moves the pressure by no more than this, or by the step that the limits allow.
+constexpr double pressure_at_rest = 1e-5;
+/// Keeps quotients of films and moves finite.
+constexpr double smallest_divisor = 1e-300;
+/// Two domains whose stretchings differ by less are cut from one another and share their xi.
+constexpr double same_stretching = 1e-13;
 
 State<double> moved(const State<double>& state, const VectorOf<double>& change, double step) {
   const auto n = change.size() - 3;
@@ -33,6 +46,19 @@ State<double> moved(const State<double>& state, const VectorOf<double>& change, 
 }
 
 double scaled(const Evaluation<double>& at) { return (at.residual.array() / at.scale.array()).abs().maxCoeff(); }
+
+}  // namespace
+
+namespace {
+
+/// The largest step in (0, 1] that moves pressure and exit by no more than the safeguards allow.
+double allowed_step(const State<double>& state, const VectorOf<double>& change, double pressure_change) {
+  const auto n = change.size() - 3;
+  double step = 1;
+  const double pressure = std::max(state.P.cwiseAbs().maxCoeff(), least_pressure);
+  step = std::min(step, largest_pressure_change * pressure / pressure_change);
+  return std::min(step, largest_exit_move * (state.exit + exit_at_rest) / std::abs(change[n + 2]));
+}
 
 }  // namespace
 
@@ -64,11 +90,8 @@ NewtonRun newton(const Collocation<double>& equations, const State<double>& star
         Eigen::PartialPivLU<Eigen::Ref<MatrixOf<double>>>(J).solve(-rows.cwiseProduct(run.at.residual));
     if (!change.allFinite()) return run;
 
-    double step = 1;
-    const double pressure_change = change.head(n).cwiseAbs().maxCoeff(),
-                 pressure = std::max(run.state.P.cwiseAbs().maxCoeff(), 1e-3);
-    step = std::min(step, largest_pressure_change * pressure / pressure_change);
-    step = std::min(step, largest_exit_move * (run.state.exit + 0.2) / std::abs(change[n + 2]));
+    const double pressure_change = change.head(n).cwiseAbs().maxCoeff();
+    double step = allowed_step(run.state, change, pressure_change);
     bool accepted = false;
     for (int k = 0; k <= halvings; ++k, step /= 2) {
       State<double> next = moved(run.state, change, step);
@@ -84,13 +107,13 @@ NewtonRun newton(const Collocation<double>& equations, const State<double>& star
       break;
     }
     if (!accepted) return run;
-    const double film = std::max(std::abs(run.state.flux), 1e-300);
+    const double film = std::max(std::abs(run.state.flux), smallest_divisor);
     const double move = step * std::max({std::abs(change[n + 1]) / film, std::abs(change[n]) / film,
                                          std::abs(change[n + 2]) / (1 + run.state.exit)});
     const bool full = step == 1;
-    run.iteration_error = move * std::min(1.0, move / std::max(last_move, 1e-300));
+    run.iteration_error = move * std::min(1.0, move / std::max(last_move, smallest_divisor));
     last_move = move;
-    if (full && move <= limits.step && pressure_change <= std::max(1e-5, limits.step)) {
+    if (full && move <= limits.step && pressure_change <= std::max(pressure_at_rest, limits.step)) {
       run.solved = run.state.flux > 0;
       return run;
     }
@@ -140,7 +163,7 @@ State<double> transferred(const Collocation<double>& from, const State<double>& 
   const auto& fresh = to.mesh().breakpoints;
   // Domains differ by their extent at most: positions in X at the state's own exit.
   double ratio = to.stretching(state.exit) / from.stretching(state.exit);
-  if (std::abs(ratio - 1) < 1e-13) ratio = 1;  // domains cut from one another share their xi
+  if (std::abs(ratio - 1) < same_stretching) ratio = 1;  // domains cut from one another share their xi
   std::size_t e = 0;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const auto& place = places[i];

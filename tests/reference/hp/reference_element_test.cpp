@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Collocation points and the element's matrices, in double and with 34 digits.
-#include "reference/hp/legendre.hpp"
+#include "reference/hp/reference_element.hpp"
 
 #include <boost/mpl/list.hpp>
 
@@ -70,7 +70,7 @@ void check_rule(Points kind, int exact_to_twice_p_minus) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(hp_legendre)
+BOOST_AUTO_TEST_SUITE(hp_reference_element)
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(left_radau_points_of_low_degree_are_the_printed_ones, Scalar, Scalars) {
   using std::sqrt;

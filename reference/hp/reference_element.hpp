@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an element of polynomials knows about itself: nodes, collocation points, values and slopes there.
+// One polynomial element on [-1, 1]: its nodes, its collocation points, and the values and slopes there.
 #pragma once
 
 #include "contact/legendre.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "contact/scaling.hpp"
+#include "contact/nondimensional.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -52,7 +52,7 @@ double difference(const Groups& a, const Groups& b) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(scaling)
+BOOST_AUTO_TEST_SUITE(nondimensional)
 
 BOOST_AUTO_TEST_CASE(moes_and_hertz_groups_are_inverse) {
   int rows = 0;
@@ -96,9 +96,9 @@ BOOST_AUTO_TEST_CASE(dowsons_groups_have_the_mean_speed) {
   const Conditions c = steel();
   const auto made = nondimensionalise(c, barus(1.8e-8), Flooded{});
   const double mean_speed = *c.speed_sum_m_per_s / 2;
-  EHD_CHECK(error(made.scales->dowson->U_mean,
-                  *c.viscosity_Pa_s * mean_speed / (c.reduced_modulus_Pa * c.reduced_radius_m)),
-            few_operations);
+  EHD_CHECK(
+      error(made.scales->dowson->U_mean, *c.viscosity_Pa_s * mean_speed / (c.reduced_modulus_Pa * c.reduced_radius_m)),
+      few_operations);
   EHD_CHECK(error(made.scales->dowson->W, c.load_N_per_m / (c.reduced_modulus_Pa * c.reduced_radius_m)),
             few_operations);
   EHD_CHECK(error(made.scales->dowson->G, 1.8e-8 * c.reduced_modulus_Pa), few_operations);
@@ -154,8 +154,8 @@ BOOST_AUTO_TEST_CASE(the_three_statements_of_one_contact_give_the_same_problem) 
   const auto from_SI = nondimensionalise(steel(), roelands(2.1e-8, 0.63), Flooded{});
   const Groups groups = from_SI.problem.groups;
   int rows = 0;
-  for (const Statement& statement : {Statement{MoesGroups{groups.M, groups.L}},
-                                     Statement{HertzGroups{groups.lambda, groups.alpha_p_H}}}) {
+  for (const Statement& statement :
+       {Statement{MoesGroups{groups.M, groups.L}}, Statement{HertzGroups{groups.lambda, groups.alpha_p_H}}}) {
     const auto made = nondimensionalise(statement, roelands(2.1e-8, 0.63), Flooded{});
     EHD_CHECK(difference(made.problem.groups, groups), few_operations);
     const auto& law = std::get<Roelands>(made.problem.viscosity);
@@ -181,8 +181,8 @@ BOOST_AUTO_TEST_CASE(each_density_name_gives_its_own_law) {
   };
   EHD_CHECK(error(law(DensityLaw::dowson_higginson).c, p_H / 5.9e8), few_operations);
   EHD_CHECK(error(law(DensityLaw::dowson_higginson_1977).c, 1.7e-9 * p_H), few_operations);
-  BOOST_TEST(std::holds_alternative<Incompressible>(
-      nondimensionalise(steel(), barus(1.8e-8), Flooded{}).problem.density));
+  BOOST_TEST(
+      std::holds_alternative<Incompressible>(nondimensionalise(steel(), barus(1.8e-8), Flooded{}).problem.density));
 }
 
 BOOST_AUTO_TEST_CASE(roelands_relation_supplies_what_is_left_out) {
@@ -290,8 +290,7 @@ BOOST_AUTO_TEST_CASE(names_of_laws_and_quantities_read_back) {
     BOOST_TEST((viscosity_law_from(to_string(law)) == law));
     ++rows;
   }
-  for (const auto law :
-       {DensityLaw::incompressible, DensityLaw::dowson_higginson, DensityLaw::dowson_higginson_1977}) {
+  for (const auto law : {DensityLaw::incompressible, DensityLaw::dowson_higginson, DensityLaw::dowson_higginson_1977}) {
     BOOST_TEST((density_law_from(to_string(law)) == law));
     ++rows;
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What would be computed and what is skipped, as data: made before anything runs, obeyed by what runs, and printed.
+// The stages of a run, and the stages that are skipped with the reason. A plan is made before the run; the run follows
+// it, and the plan can be printed without a run.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +18,9 @@ struct SkippedStage {
 struct Plan {
   std::vector<std::string> run;  ///< stages in order
   std::vector<SkippedStage> skipped;
-  [[nodiscard]] bool runs(std::string_view stage) const { return std::find(run.begin(), run.end(), stage) != run.end(); }
+  [[nodiscard]] bool runs(std::string_view stage) const {
+    return std::find(run.begin(), run.end(), stage) != run.end();
+  }
 };
 
 }  // namespace ehd

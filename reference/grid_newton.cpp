@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/newton.hpp"
+#include "reference/grid_newton.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 using Eigen::Index;
 using std::numbers::pi;
 
-// Residuals below this, relative to H_n, are solved whatever rounding would still allow.
+// Residuals below this, relative to H_n, count as solved.
 constexpr double small_residual = 1e-12;
 // Safeguards of a step; calibrated on 104 points M 0.5..5000, L 0..30 in an earlier prototype, where half and twice
 // each value worked as well.
@@ -24,6 +24,16 @@ constexpr double largest_pressure_step = 0.5;  // of the largest pressure
 constexpr double largest_exit_step = 0.05;     // of X* + 0.2
 constexpr double smallest_film_left = 0.2;     // of the film before the step
 constexpr int halvings = 8;
+constexpr double exit_at_rest = 0.2;         // added to X*, so that an exit near 0 can move
+constexpr double least_decrease = 0.1;       // of the merit, for a full step
+constexpr double negative_pressure = 1e-10;  // over the largest pressure: rounding, not a negative root
+constexpr double rounding_units = 4;         // what is solved, over what rounding does to a residual
+constexpr double film_at_rest = 1e-11;       // relative; a film that moves less has reached its rounding
+// A start that is interpolated gets a new H_0 where interpolation left less of the smallest film, or moved the central
+// film by more, relative.
+constexpr double smallest_film_kept = 0.5, largest_central_move = 0.3;
+// X* of the parabolic gap H_c + X^2/2 with Reynolds' exit, over sqrt(2 H_c).
+constexpr double martin_exit = 0.4751299200930562;
 constexpr int most_iterations = 50;  // a start that needs more is a bad one; 30 is the most that succeeded
 
 /// Sum of squared residuals, each flux relative to its wedge: the far inlet, where the wedge is large, weighs no more
@@ -37,14 +47,15 @@ double merit(const Evaluation& at) {
 /// Largest residual in units of what counts as solved.
 double distance_to_floor(const Evaluation& at) {
   const Index n = at.wedge.size();
-  return std::max((at.residual.head(n).abs() / (small_residual * at.H[n] + 4 * at.rounding.head(n))).maxCoeff(),
-                  std::abs(at.residual[n]) / (small_residual + 4 * at.rounding[n]));
+  return std::max(
+      (at.residual.head(n).abs() / (small_residual * at.H[n] + rounding_units * at.rounding.head(n))).maxCoeff(),
+      std::abs(at.residual[n]) / (small_residual + rounding_units * at.rounding[n]));
 }
 
 /// P >= 0 up to rounding, H > 0, and the film opens where the pressure ends.
 bool is_solution(const State& state, const Evaluation& at) {
   const Index n = at.wedge.size();
-  return state.P.minCoeff() >= -1e-10 * state.P.maxCoeff() && at.H.minCoeff() > 0 && at.H[n] > at.H[n - 1];
+  return state.P.minCoeff() >= -negative_pressure * state.P.maxCoeff() && at.H.minCoeff() > 0 && at.H[n] > at.H[n - 1];
 }
 
 /// Largest step in (0, 1] that the safeguards on P and X* allow.
@@ -54,7 +65,7 @@ double allowed_step(const State& state, const Eigen::VectorXd& change) {
   const double exit = std::abs(change[n]);
   double step = 1;
   if (pressure > 0) step = std::min(step, largest_pressure_step * state.P.maxCoeff() / pressure);
-  if (exit > 0) step = std::min(step, largest_exit_step * (state.exit + 0.2) / exit);
+  if (exit > 0) step = std::min(step, largest_exit_step * (state.exit + exit_at_rest) / exit);
   return step;
 }
 
@@ -106,7 +117,7 @@ NewtonResult newton(const Equations& equations, const State& start, const Budget
       const State next = moved(run.state, change, step);
       Evaluation at = evaluate(next);
       const bool film_stays = (at.H - smallest_film_left * run.at.H).minCoeff() >= 0 && next.exit > 0;
-      const bool better = merit(at) <= (1 - 0.1 * step) * before || distance_to_floor(at) <= 1;
+      const bool better = merit(at) <= (1 - least_decrease * step) * before || distance_to_floor(at) <= 1;
       if (!(film_stays && better) && k < halvings) continue;
       if (!film_stays || !std::isfinite(merit(at))) return run;
       film_change = ((at.H - run.at.H) / at.H).abs().maxCoeff();
@@ -117,7 +128,7 @@ NewtonResult newton(const Equations& equations, const State& start, const Budget
     run.residuals.push_back(run.at.relative_residual());
     run.iteration_error = film_change * std::min(1.0, merit(run.at) / before);
     // At the floor the residual no longer falls and the film no longer moves: what is left is rounding.
-    if (film_change < 1e-11 && is_solution(run.state, run.at)) {
+    if (film_change < film_at_rest && is_solution(run.state, run.at)) {
       run.end = NewtonEnd::solved;
       return run;
     }
@@ -139,8 +150,7 @@ State hertz_start(const Equations& equations, double central_film, double exit) 
 }
 
 State martin_start(const Equations& equations, double central_film) {
-  // Reynolds exit of the parabolic gap: X* = 0.4751 sqrt(2 H_c).
-  const double exit = 0.4751299200930562 * std::sqrt(2 * central_film);
+  const double exit = martin_exit * std::sqrt(2 * central_film);
   const Array X = equations.grid().nodes(exit);
   const Index n = X.size() - 1;
   const Array gap = central_film + X.square() / 2;
@@ -161,7 +171,8 @@ State interpolated_start(const Equations& equations, const State& solved, const 
   const double central = local_cubic(at.X, at.H, 0);
   const Array film = start.offset + equations.film_without_offset(start.P, start.exit);
   const double moved_to = local_cubic(X, film, 0);
-  if (film.minCoeff() < 0.5 * at.H.minCoeff() || std::abs(moved_to - central) > 0.3 * central)
+  if (film.minCoeff() < smallest_film_kept * at.H.minCoeff() ||
+      std::abs(moved_to - central) > largest_central_move * central)
     start.offset += central - moved_to;
   return start;
 }

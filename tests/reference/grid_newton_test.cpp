@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rung 6: Newton contracts quadratically, and what is no solution is not called one.
-#include "reference/newton.hpp"
+#include "reference/grid_newton.hpp"
 
 #include "tests/check.hpp"
 #include "tests/reference/problems.hpp"
@@ -18,7 +18,7 @@ Budget generous() {
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(newton)
+BOOST_AUTO_TEST_SUITE(grid_newton)
 
 BOOST_AUTO_TEST_CASE(newton_contracts_quadratically) {
   for (const auto& [M, L] : {std::pair{5.0, 5.0}, {20.0, 10.0}, {100.0, 10.0}}) {

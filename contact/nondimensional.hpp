@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Similarity groups in both conventions, and the way from what a user states to a Problem.
+// Similarity groups in both conventions, and nondimensionalise(): from what a user states in SI or by groups to the
+// dimensionless Problem that a solver gets.
 #pragma once
 
 #include <optional>
@@ -44,7 +45,7 @@ struct Scales {
 struct Nondimensional {
   Problem problem;
   std::optional<Scales> scales;    ///< absent where the statement fixes no pressure in Pa
-  std::vector<std::string> notes;  ///< what the user should know about the reading of the case
+  std::vector<std::string> notes;  ///< how the case was read, where that may surprise the user
 };
 
 /// A statement that cannot be made into a problem; `key` names the case-file key at fault ("lubricant.viscosity").

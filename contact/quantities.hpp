@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The table of quantities: one row for each number that can be read off a solved contact. A row holds everything that
+// readers, writers, tables and judges need to know about the quantity. A new quantity is a value of the enum, a row in
+// quantities.cpp, and a function in observables.cpp.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+
+namespace ehd {
+
+struct Fields;
+struct Reading;
+struct ErrorBudget;
+struct SolveRecord;
+
+enum class Quantity {
+  film_minimum,
+  film_central,
+  film_couette,
+  film_offset,
+  pressure_maximum,
+  pressure_spike,
+  pressure_exit,
+  approach,
+  rolling_force,
+  load_error,
+  flux_variation,  // the last one: quantity_count follows from it
+};
+
+inline constexpr std::size_t quantity_count = static_cast<std::size_t>(Quantity::flux_variation) + 1;
+
+/// All quantities in the order of the enum.
+inline constexpr std::array<Quantity, quantity_count> all_quantities = [] {
+  std::array<Quantity, quantity_count> all{};
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<Quantity>(i);
+  return all;
+}();
+
+enum class QuantityKind {
+  film,           ///< a film thickness; always positive
+  offset,         ///< H_0; may have either sign
+  pressure_peak,  ///< the maximum of the pressure or the height of its spike
+  exit,           ///< the place X* where the pressure ends
+  approach,
+  force,
+  self_check,  ///< measures an error of the solution itself; a case cannot expect a value of it
+};
+
+/// The error of an offset or an approach is absolute, because the value may vanish. All others are relative.
+enum class ErrorKind { relative, absolute };
+
+/// The factor from Hertz units to SI.
+enum class SIScale {
+  none,      ///< the quantity is not reported in SI
+  film,      ///< b^2/R [m]
+  length,    ///< b [m]
+  pressure,  ///< p_H [Pa]
+};
+
+/// Everything that the program knows about one quantity.
+struct QuantityRow {
+  Quantity quantity;
+  QuantityKind kind;
+  std::string_view name;     ///< in case files: "film.minimum"
+  std::string_view meaning;  ///< in a few words, for help texts
+  std::string_view unit;     ///< of Reading::value, in Hertz scaling
+  ErrorKind error = ErrorKind::relative;
+  bool in_dry_contact = false;                 ///< Hertz' solution without a lubricant has the quantity
+  bool in_moes_units = false;                  ///< (h/R) U_s^(-1/2) is also reported
+  SIScale SI = SIScale::none;                  ///< how the quantity is reported in SI
+  std::optional<double> kostreva_factor = {};  ///< value in Kostreva's scaling over the value in Hertz units, if any
+  std::string_view json_entry;                 ///< where the result's JSON has the quantity; dots separate the levels
+  std::string_view json_value = {};  ///< key of Reading::value inside that entry; empty: the entry is the value
+  /// Reads the quantity off the fields. Empty where the fields do not have it.
+  std::optional<Reading> (*observe)(const Fields& fields);
+  /// Where the record of a solve keeps the parts of the error; null for most quantities.
+  ErrorBudget SolveRecord::*budget = nullptr;
+};
+
+/// The table, in the order of the enum.
+[[nodiscard]] const std::array<QuantityRow, quantity_count>& quantity_table();
+[[nodiscard]] const QuantityRow& row_of(Quantity quantity);
+
+[[nodiscard]] std::string_view to_string(Quantity quantity);  ///< "film.minimum", …
+[[nodiscard]] std::optional<Quantity> quantity_from(std::string_view text);
+
+[[nodiscard]] bool has_absolute_error(Quantity quantity);
+[[nodiscard]] bool is_film(Quantity quantity);           ///< film.minimum, film.central, film.couette
+[[nodiscard]] bool is_pressure_peak(Quantity quantity);  ///< pressure.maximum, pressure.spike
+[[nodiscard]] bool is_self_check(Quantity quantity);     ///< load_error, flux_variation
+[[nodiscard]] bool exists_when_dry(Quantity quantity);
+
+/// The names of all quantities for which `holds`, separated by commas: for messages that list what is allowed.
+[[nodiscard]] std::string names_of_quantities(bool (*holds)(Quantity));
+
+/// The quantities that a caller asks for. All others are not computed.
+using Wanted = std::set<Quantity>;
+[[nodiscard]] Wanted want_everything();
+
+}  // namespace ehd

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/hp/discretiser.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "contact/film_formulas.hpp"
+#include "contact/nondimensional.hpp"
+#include "contact/observables.hpp"
+
+namespace ehd::reference::hp {
+
+namespace {
+
+/// X_a of a flooded domain in units of l, with the tail before it; README.md, section 5.
+constexpr double flooded_inlet = -800;
+
+/// The second discretisation has this much more degree and its breakpoints shifted by this part of an element. Gauss
+/// points instead of left Radau were tried: their odd-even mode makes meshes five times finer where the fluidity
+/// vanishes.
+constexpr int second_degree = 3;
+constexpr double second_shift = 0.37, second_inlet_part = 0.5;
+
+/// Where the start tries: floors of the fluidity, films over the expected one.
+constexpr double start_floors[] = {1e-2, 1e-1, 1.0};
+constexpr double start_films[] = {1.0, 2.0, 0.5, 4.0};
+/// Expected films above this one try the rigid gap's pressure before Hertz'.
+constexpr double thick_film = 0.5;
+/// X* of the start: 1 + this times the inlet zone's width over l, and at least this times sqrt(2 H) for thick films.
+constexpr double exit_per_inlet_zone = 0.45, exit_per_film_length = 0.5;
+
+/// A film that would still move by this part of the tolerance has settled.
+constexpr double settled_part = 0.2;
+/// Resolution of a spike whose height is read.
+constexpr double finest_spike = 1e-8;
+/// A floor to extrapolate from is this many times the one below it.
+constexpr double floor_ratio = 3;
+
+/// Newton's method: iterations, and the step at which it ends.
+constexpr NewtonLimits start_newton{.iterations = 40, .step = 1e-4};
+constexpr NewtonLimits coarse_newton{.iterations = 25, .step = 1e-4};
+constexpr NewtonLimits scheme_newton{.iterations = 20, .step = 1e-9};
+constexpr NewtonLimits given_mesh_newton{.iterations = 30, .step = 1e-9};
+
+/// What tells the elements of a mesh with a given number of intervals apart.
+constexpr Resolution layout_resolution{.film = 1e-8, .spike = 1e-3};
+
+/// Few intervals do better with low degrees, as many elements can then follow the solution.
+int degree_for(int intervals) { return intervals >= 400 ? 12 : intervals >= 160 ? 8 : intervals >= 80 ? 6 : 4; }
+
+/// Rounding of a film in units of the machine's epsilon and of the terms that H is a difference of.
+constexpr double rounding_units = 10;
+
+}  // namespace
+
+Scheme second_to(const Scheme& scheme) {
+  return {.points = Points::left_radau,
+          .degree = scheme.degree + second_degree,
+          .shift = second_shift,
+          .inlet_part = second_inlet_part};
+}
+
+Discretiser::Discretiser(const Problem& problem, const Meter& meter)
+    : problem_(problem), wanted_(problem.wanted), meter_(meter) {
+  wanted_.insert({Quantity::film_minimum, Quantity::film_central});
+  film_ = moes_film_formula({problem.groups.M, problem.groups.L}) / moes_film_per_hertz_film(problem.groups.M);
+  length_ = std::max(1.0, std::sqrt(2 * film_));
+  inlet_zone_ = length_ * std::pow(std::min(film_, 1.0), 2.0 / 3);
+  const auto* truncated = std::get_if<TruncatedAt>(&problem.inlet);
+  flooded_ = !truncated;
+  inlet_ = truncated ? truncated->x : flooded_inlet * length_;
+}
+
+std::optional<Resolved> Discretiser::start() {
+  const double exit =
+      std::max(1 + exit_per_inlet_zone * inlet_zone_ / length_, exit_per_film_length * std::sqrt(2 * film_));
+  const Mesh mesh = seeded_mesh({.inlet = inlet_, .exit = exit, .length = length_, .inlet_zone = inlet_zone_});
+  const auto equations = std::make_shared<const Collocation<double>>(problem_, mesh, Points::left_radau);
+  const HomotopyLimits limits{.newton = start_newton};
+  for (const double floor : start_floors) {
+    for (const double factor : start_films) {
+      for (const bool rigid : {film_ > thick_film, film_ <= thick_film}) {
+        Resolved guess{.equations = equations, .run = {}, .floor = floor};
+        guess.run.state =
+            rigid ? martin_start(*equations, exit, factor * film_) : hertz_start(*equations, exit, factor * film_);
+        if (auto solved = resolved(problem_, guess, Resolution{}, limits, meter_)) return solved;
+      }
+      if (meter_.spent()) return std::nullopt;
+    }
+  }
+  return std::nullopt;
+}
+
+std::vector<Resolved> Discretiser::coarse_descent(const Resolved& top, double tolerance) {
+  return descent(problem_, top, Resolution{}, {.settled = settled_part * tolerance, .newton = coarse_newton}, meter_);
+}
+
+/// The scheme at one floor, its first mesh made from the one that was used there.
+std::optional<Resolved> Discretiser::on_mesh_of(const Resolved& from, const Scheme& scheme,
+                                                const Resolution& resolution, const HomotopyLimits& limits) {
+  Mesh mesh = with_degree(from.equations->mesh(), scheme.degree);
+  if (scheme.shift > 0) mesh = shifted(std::move(mesh), scheme.shift);
+  if (flooded_ && scheme.inlet_part < 1)
+    mesh = cut_at(std::move(mesh), scheme.inlet_part * inlet_, from.run.state.exit);
+  return resolved(problem_, moved_to(problem_, from, std::move(mesh), scheme.points), resolution, limits, meter_);
+}
+
+/// Newton's method on a mesh that stays as it is.
+std::optional<Resolved> Discretiser::as_it_is(const Resolved& start, const HomotopyLimits& limits) {
+  Resolved done = start;
+  done.run = newton(*start.equations, start.run.state, start.floor, limits.newton, meter_);
+  if (!done.run.solved) return std::nullopt;
+  return done;
+}
+
+/// What can be read off the last floor. A spike that is there is resolved first where the resolution is fine.
+Discretised Discretiser::observed(std::vector<Resolved> floors, Resolution resolution, const HomotopyLimits& limits) {
+  Discretised done;
+  done.floors = std::move(floors);
+  done.fields = fields_of(problem_, done.last());
+  done.seen = observe(done.fields, wanted_);
+  if (done.last().floor == 0 && done.seen.contains(Quantity::pressure_spike) && resolution.film <= fine_tolerance) {
+    resolution.spike = finest_spike;
+    if (auto solved = resolved(problem_, done.last(), resolution, limits, meter_)) {
+      done.floors.back() = std::move(*solved);
+      done.fields = fields_of(problem_, done.last());
+      done.seen = observe(done.fields, wanted_);
+    }
+  }
+  return done;
+}
+
+std::optional<Discretised> Discretiser::discretised(const std::vector<Resolved>& floors, const Scheme& scheme,
+                                                    const Resolution& resolution, double tolerance) {
+  const HomotopyLimits limits{.settled = settled_part * tolerance, .newton = scheme_newton};
+  for (auto from = floors.rbegin(); from != floors.rend() && !meter_.spent(); ++from) {
+    const auto top = on_mesh_of(*from, scheme, resolution, limits);
+    if (!top) continue;
+    Discretised done = observed(descent(problem_, *top, resolution, limits, meter_), resolution, limits);
+    // Two floors to extrapolate from, and a third one to judge the extrapolation: further ones from further up.
+    for (auto above = from; done.last().floor > 0 && floors_apart(done.floors).size() < 3 && above != floors.rend();
+         ++above) {
+      if (above->floor < floor_ratio * done.floors.front().floor) continue;
+      if (auto solved = on_mesh_of(*above, scheme, resolution, limits))
+        done.floors.insert(done.floors.begin(), std::move(*solved));
+    }
+    carry_to_zero(problem_, wanted_, done);
+    return done;
+  }
+  return std::nullopt;
+}
+
+std::optional<Discretised> Discretiser::laid_out(const Discretised& guide, const std::vector<Resolved>& coarse,
+                                                 int intervals) {
+  std::vector<Resolved> floors = coarse;
+  floors.insert(floors.end(), guide.floors.begin(), guide.floors.end());
+  const HomotopyLimits limits{.newton = given_mesh_newton};
+  for (auto from = floors.rbegin(); from != floors.rend() && !meter_.spent(); ++from) {
+    const auto excess = excess_of(*from->equations, from->run, problem_, layout_resolution);
+    const int elements = intervals / degree_for(intervals);
+    Mesh mesh =
+        with_intervals(with_elements(from->equations->mesh(), excess, elements, limits.shortest_element), intervals);
+    Resolved start = moved_to(problem_, *from, std::move(mesh), Points::left_radau);
+    start.floor = 0;
+    if (auto solved = as_it_is(start, limits)) return observed({std::move(*solved)}, {}, limits);
+  }
+  return std::nullopt;
+}
+
+std::optional<Discretised> Discretiser::second_opinion(const Discretised& first) {
+  const HomotopyLimits limits{.newton = given_mesh_newton};
+  const Scheme other = second_to({});
+  Mesh mesh = shifted(first.last().equations->mesh(), other.shift);
+  for (int& degree : mesh.degrees) degree = (3 * degree + 1) / 2;
+  if (flooded_) mesh = cut_at(std::move(mesh), other.inlet_part * inlet_, first.last().run.state.exit);
+  auto solved = as_it_is(moved_to(problem_, first.last(), std::move(mesh), Points::left_radau), limits);
+  if (!solved) return std::nullopt;
+  return observed({std::move(*solved)}, {}, limits);
+}
+
+double Discretiser::rounding_of(double film) const {
+  return rounding_units * std::numeric_limits<double>::epsilon() * (1 + length_ * length_ / 2) / film;
+}
+
+}  // namespace ehd::reference::hp

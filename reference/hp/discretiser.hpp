@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From a problem to solved discretisations of it: the start, the coarse descent, and a mesh for each scheme.
+// README.md, sections 4 and 6.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "reference/hp/discretised.hpp"
+
+namespace ehd::reference::hp {
+
+/// A discretisation: its points, its degree, and where its breakpoints stand against those of the first one.
+struct Scheme {
+  Points points = Points::left_radau;
+  int degree = 12;
+  double shift = 0;       ///< of the breakpoints, in elements
+  double inlet_part = 1;  ///< of a flooded domain's X_a
+};
+
+/// Tolerances below this one need the high degree.
+inline constexpr double fine_tolerance = 2e-5;
+inline constexpr Scheme coarse_scheme{.degree = 8};
+inline constexpr Scheme fine_scheme{.degree = 12};
+/// The second discretisation that goes with a scheme: higher degree, no common breakpoint, half the inlet.
+[[nodiscard]] Scheme second_to(const Scheme& scheme);
+
+class Discretiser {
+ public:
+  /// The problem must outlive the discretiser.
+  Discretiser(const Problem& problem, const Meter& meter);
+
+  /// A coarse solution at a floor of the fluidity where Newton's method finds one. Empty where there is none up to 1.
+  [[nodiscard]] std::optional<Resolved> start();
+  /// The descent of the coarse mesh: a state at every floor, from `top` down.
+  [[nodiscard]] std::vector<Resolved> coarse_descent(const Resolved& top, double tolerance);
+  /// Descends on meshes of the scheme, from the lowest of `floors` at which such a mesh has a solution.
+  [[nodiscard]] std::optional<Discretised> discretised(const std::vector<Resolved>& floors, const Scheme& scheme,
+                                                       const Resolution& resolution, double tolerance);
+  /// A mesh of exactly `intervals` intervals, made for the solution that `guide` left at its floors; where those give
+  /// no solution, for the smoother ones of the coarse descent.
+  [[nodiscard]] std::optional<Discretised> laid_out(const Discretised& guide, const std::vector<Resolved>& coarse,
+                                                    int intervals);
+  /// The elements of `first` again, shifted, of higher degree, and with half the inlet.
+  [[nodiscard]] std::optional<Discretised> second_opinion(const Discretised& first);
+
+  /// What rounding does to a film, relative. Meshes that resolve less only cost time.
+  [[nodiscard]] double rounding_of(double film) const;
+  /// The same for the film that a fit of the literature expects.
+  [[nodiscard]] double expected_rounding() const { return rounding_of(film_); }
+  [[nodiscard]] const Meter& meter() const { return meter_; }
+
+ private:
+  [[nodiscard]] std::optional<Resolved> on_mesh_of(const Resolved& from, const Scheme& scheme,
+                                                   const Resolution& resolution, const HomotopyLimits& limits);
+  [[nodiscard]] std::optional<Resolved> as_it_is(const Resolved& start, const HomotopyLimits& limits);
+  [[nodiscard]] Discretised observed(std::vector<Resolved> floors, Resolution resolution, const HomotopyLimits& limits);
+
+  const Problem& problem_;
+  Wanted wanted_;
+  Meter meter_;
+  double film_, length_, inlet_zone_, inlet_;
+  bool flooded_;
+};
+
+}  // namespace ehd::reference::hp
