@@ -73,9 +73,9 @@ int atlas(const AtlasOptions& options) {
   if (options.tolerance) {
     request.tolerance = checked.tolerance;
     if (*request.tolerance > verification::atlas_worst_error)
-      throw option_error("--tolerance", *options.tolerance,
-                         "is too loose for digits; allowed is a number > 0, up to " +
-                             plain(verification::atlas_worst_error));
+      throw option_error(
+          "--tolerance", *options.tolerance,
+          "is too loose for digits; allowed is a number > 0, up to " + plain(verification::atlas_worst_error));
   }
   if (options.time_limit) request.time_limit_s = checked.time_limit_s;
   if (options.threads) {

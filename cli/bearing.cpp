@@ -2,27 +2,27 @@
 // ehd bearing: the load distribution of one or more bearing cases.
 #include <algorithm>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "io/bearing_json.hpp"
-#include "io/bearing_table.hpp"
-#include "workflow/bearing_run.hpp"
-#include "workflow/case.hpp"
 #include "cli/commands.hpp"
 #include "cli/common.hpp"
-#include "verification/studies/error_budget.hpp"
-#include "verification/report/report.hpp"
 #include "contact/text.hpp"
+#include "io/bearing_json.hpp"
+#include "io/bearing_table.hpp"
+#include "io/case_reader.hpp"
 #include "io/contact_json.hpp"
+#include "io/find_case.hpp"
 #include "io/json.hpp"
-#include <nlohmann/json.hpp>
 #include "io/output_file.hpp"
 #include "io/tables.hpp"
-#include "io/case_reader.hpp"
-#include "io/find_case.hpp"
+#include "verification/report/report.hpp"
+#include "verification/studies/error_budget.hpp"
 #include "verification/studies/paper_statements.hpp"
+#include "workflow/bearing_run.hpp"
+#include "workflow/case.hpp"
 
 namespace ehd::cli {
 
@@ -74,8 +74,9 @@ int positions_asked(const std::optional<std::string>& text) {
   constexpr int fewest = 2, most = 10000;
   const int positions = parse_integer("--cage-positions", *text);
   if (positions < fewest || positions > most)
-    throw option_error("--cage-positions", *text,
-                       "is out of range; allowed is an integer from " + std::to_string(fewest) + " to " + std::to_string(most));
+    throw option_error(
+        "--cage-positions", *text,
+        "is out of range; allowed is an integer from " + std::to_string(fewest) + " to " + std::to_string(most));
   return positions;
 }
 
@@ -112,9 +113,12 @@ std::string statements_of(const Computed& computed, ContactMemory& memory, beari
 /// A row a roller: what the paper's figures show.
 std::string csv_of(const Computed& computed) {
   std::string text =
-      "case,clearance_m,law,azimuth_deg,inner_force_N,inner_displacement_m,inner_film_minimum_m,inner_hertz_pressure_Pa,"
+      "case,clearance_m,law,azimuth_deg,inner_force_N,inner_displacement_m,inner_film_minimum_m,inner_hertz_pressure_"
+      "Pa,"
       "outer_force_N,outer_displacement_m,outer_film_minimum_m,outer_hertz_pressure_Pa\n";
-  const auto cell = [](const std::optional<double>& value) { return "," + (value ? plain(*value, 17) : std::string()); };
+  const auto cell = [](const std::optional<double>& value) {
+    return "," + (value ? plain(*value, 17) : std::string());
+  };
   for (std::size_t k = 0; k < computed.cases.size(); ++k) {
     const auto& body = std::get<BearingCase>(computed.cases[k].body);
     for (const BearingResult& result : computed.results[k])
@@ -134,8 +138,9 @@ std::optional<std::string> plot_of(const Computed& computed) {
   report::Figure figure{
       .id = "bearing",
       .title = "Contact forces and displacements over the azimuth",
-      .description = "Contact force and displacement of each roller at the inner raceway over its azimuth, a curve a law, "
-                     "two panels a case.",
+      .description =
+          "Contact force and displacement of each roller at the inner raceway over its azimuth, a curve a law, "
+          "two panels a case.",
       .width = 560};
   bool any = false;
   for (std::size_t k = 0; k < computed.cases.size(); ++k) {
@@ -155,7 +160,8 @@ std::optional<std::string> plot_of(const Computed& computed) {
     constexpr std::size_t fits = 80;
     figure.panels.push_back(report::azimuth_panel(
         report::OverAzimuth::force, report::literal(shortened(one_line(one.id + ": " + one.title), fits)), laws));
-    figure.panels.push_back(report::azimuth_panel(report::OverAzimuth::displacement, report::literal(one_line(one.id)), laws));
+    figure.panels.push_back(
+        report::azimuth_panel(report::OverAzimuth::displacement, report::literal(one_line(one.id)), laws));
   }
   return any ? std::optional(report::draw(figure, report::Place::file)) : std::nullopt;
 }
@@ -221,7 +227,8 @@ int bearing(const BearingOptions& options) {
       const auto budget = budget_of(one, computed.results.back(), result.law, memory);
       if (!budget.empty()) {
         list.back()["error_budget"] = to_json(budget);
-        budgets += "\n  error budget of " + std::string(to_string(result.law)) + ": what may move its balance\n" + human_budget(budget);
+        budgets += "\n  error budget of " + std::string(to_string(result.law)) + ": what may move its balance\n" +
+                   human_budget(budget);
       }
       if (result.status == StopReason::converged) continue;
       exit_code = not_met;

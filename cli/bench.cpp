@@ -2,29 +2,28 @@
 // ehd bench: what the solvers cost. Work against precision, cost against size, many contacts over threads.
 #include <algorithm>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <thread>
 #include <vector>
 
-#include "verification/bench/batch_bench.hpp"
-#include "verification/bench/box_bench.hpp"
 #include "cli/commands.hpp"
 #include "cli/common.hpp"
-#include "io/provenance.hpp"
-#include "verification/bench/cost_scaling.hpp"
 #include "contact/text.hpp"
-#include "verification/bench/work_precision.hpp"
 #include "io/contact_json.hpp"
 #include "io/json.hpp"
-#include <nlohmann/json.hpp>
 #include "io/output_file.hpp"
+#include "io/provenance.hpp"
 #include "io/tables.hpp"
+#include "verification/bench/batch_bench.hpp"
+#include "verification/bench/box_bench.hpp"
+#include "verification/bench/cost_scaling.hpp"
+#include "verification/bench/work_precision.hpp"
 
 namespace ehd::cli {
 
 namespace {
-
 
 constexpr int schema = 1;
 constexpr double usual_time_limit_s = 30;

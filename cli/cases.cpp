@@ -7,21 +7,20 @@
 #include <variant>
 #include <vector>
 
-#include "contact/nondimensional.hpp"
-#include "verification/atlas/atlas.hpp"
-#include "io/bibliography.hpp"
-#include "workflow/case.hpp"
 #include "cli/commands.hpp"
 #include "cli/common.hpp"
+#include "contact/nondimensional.hpp"
 #include "contact/text.hpp"
-#include "io/tables.hpp"
+#include "io/bibliography.hpp"
 #include "io/case_reader.hpp"
 #include "io/find_case.hpp"
+#include "io/tables.hpp"
+#include "verification/atlas/atlas.hpp"
+#include "workflow/case.hpp"
 
 namespace ehd::cli {
 
 namespace {
-
 
 const char* examples = R"(
 Examples:
@@ -64,14 +63,14 @@ std::string expected_in(const Case& any) {
 std::vector<std::vector<std::string>> rows_of(const std::vector<Case>& cases) {
   std::vector<std::vector<std::string>> rows{{"id", "version", "problem", "expects", "kind", "source", "title"}};
   for (const auto& any : cases)
-    rows.push_back({any.id, std::to_string(any.version), problem_of(any), expected_in(any), kinds_in(any), any.source, any.title});
+    rows.push_back(
+        {any.id, std::to_string(any.version), problem_of(any), expected_in(any), kinds_in(any), any.source, any.title});
   return rows;
 }
 
 int list_atlas() {
   std::vector<Case> points;
-  for (const auto& file : verification::atlas_files(verification::atlas_folder()))
-    points.push_back(read_case(file));
+  for (const auto& file : verification::atlas_files(verification::atlas_folder())) points.push_back(read_case(file));
   if (points.empty())
     throw UsageError("--atlas: there are no points in " + verification::atlas_folder().string() +
                      "; required is a folder that ehd atlas has filled");

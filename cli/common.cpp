@@ -10,17 +10,16 @@
 #include <iostream>
 #include <limits>
 #include <new>
+#include <nlohmann/json.hpp>
 #include <system_error>
 
 #include "contact/nondimensional.hpp"
-#include "workflow/case.hpp"
 #include "contact/text.hpp"
 #include "io/json.hpp"
-#include <nlohmann/json.hpp>
 #include "io/output_file.hpp"
+#include "workflow/case.hpp"
 
 namespace ehd::cli {
-
 
 namespace {
 
@@ -79,9 +78,9 @@ int parse_integer(const std::string& option, const std::string& text) {
   const char* end = text.data() + text.size();
   const auto parsed = std::from_chars(text.data(), end, value);
   if (parsed.ec != std::errc() || parsed.ptr != end)
-    throw option_error(option, text,
-                       "is not an integer; allowed is an integer up to " +
-                           std::to_string(std::numeric_limits<int>::max()));
+    throw option_error(
+        option, text,
+        "is not an integer; allowed is an integer up to " + std::to_string(std::numeric_limits<int>::max()));
   return value;
 }
 

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "contact/solver.hpp"
-#include "workflow/registry.hpp"
 #include "io/json.hpp"
 #include "io/output_file.hpp"
+#include "workflow/registry.hpp"
 
 namespace ehd::cli {
 

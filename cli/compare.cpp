@@ -3,25 +3,24 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "workflow/case.hpp"
 #include "cli/commands.hpp"
 #include "cli/common.hpp"
-#include "io/contact_json.hpp"
-#include "workflow/contact_run.hpp"
 #include "contact/text.hpp"
-#include "verification/bench/work_precision.hpp"
+#include "io/contact_json.hpp"
 #include "io/json.hpp"
-#include <nlohmann/json.hpp>
 #include "io/tables.hpp"
+#include "verification/bench/work_precision.hpp"
+#include "workflow/case.hpp"
+#include "workflow/contact_run.hpp"
 
 namespace ehd::cli {
 
 namespace {
-
 
 struct CompareOptions {
   std::vector<std::string> cases, solvers, tolerances;
@@ -182,9 +181,7 @@ void add_compare(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("compare", "Solvers side by side: time, error, work");
   command->footer(examples);
   command->add_option("CASE", options->cases, "case files (TOML), or ids of benchmark cases");
-  command
-      ->add_option("--solver", options->solvers,
-                   "one of " + solver_names() + " (repeatable; reference and fast)")
+  command->add_option("--solver", options->solvers, "one of " + solver_names() + " (repeatable; reference and fast)")
       ->allow_extra_args(false);
   command->add_option("--tolerance", options->tolerances, "relative error of the films (repeatable; 1e-2, 1e-3, 1e-4)")
       ->allow_extra_args(false);

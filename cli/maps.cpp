@@ -4,11 +4,11 @@
 #include <optional>
 #include <string>
 
-#include "verification/atlas/atlas.hpp"
 #include "cli/commands.hpp"
 #include "cli/common.hpp"
-#include "verification/studies/film_maps.hpp"
 #include "io/output_file.hpp"
+#include "verification/atlas/atlas.hpp"
+#include "verification/studies/film_maps.hpp"
 
 namespace ehd::cli {
 

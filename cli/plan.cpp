@@ -1,29 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ehd plan: what would be computed, what is skipped, and why. Nothing is solved.
-#include "workflow/contact_plan.hpp"
-
 #include <algorithm>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
-#include "workflow/bearing_run.hpp"
-#include "workflow/case.hpp"
 #include "cli/commands.hpp"
 #include "cli/common.hpp"
-#include "io/contact_json.hpp"
-#include "io/json.hpp"
-#include <nlohmann/json.hpp>
-#include "io/tables.hpp"
 #include "io/case_reader.hpp"
+#include "io/contact_json.hpp"
 #include "io/find_case.hpp"
+#include "io/json.hpp"
+#include "io/tables.hpp"
+#include "workflow/bearing_run.hpp"
+#include "workflow/case.hpp"
+#include "workflow/contact_plan.hpp"
 
 namespace ehd::cli {
 
 namespace {
-
 
 struct PlanOptions {
   std::string case_name;

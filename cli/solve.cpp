@@ -8,23 +8,22 @@
 #include <string>
 #include <vector>
 
-#include "contact/nondimensional.hpp"
-#include "workflow/case.hpp"
 #include "cli/commands.hpp"
 #include "cli/common.hpp"
-#include "verification/report/report.hpp"
-#include "workflow/contact_run.hpp"
+#include "contact/nondimensional.hpp"
 #include "contact/text.hpp"
-#include "io/output_file.hpp"
-#include "io/tables.hpp"
-#include "io/profile_csv.hpp"
 #include "io/case_reader.hpp"
 #include "io/find_case.hpp"
+#include "io/output_file.hpp"
+#include "io/profile_csv.hpp"
+#include "io/tables.hpp"
+#include "verification/report/report.hpp"
+#include "workflow/case.hpp"
+#include "workflow/contact_run.hpp"
 
 namespace ehd::cli {
 
 namespace {
-
 
 struct SolveOptions {
   std::optional<std::string> case_name;
@@ -92,8 +91,7 @@ ContactCase contact_from(const SolveOptions& options) {
   const auto number_within = [](const char* option, const std::string& text, double low, double high) {
     const double value = parse_number(option, text);
     if (!(value >= low && value <= high))
-      throw option_error(
-          option, text, "is out of range; allowed is " + plain(low) + " to " + plain(high));
+      throw option_error(option, text, "is out of range; allowed is " + plain(low) + " to " + plain(high));
     return value;
   };
   if (options.alpha) lubricant.alpha_per_Pa = number_within("--alpha-per-Pa", *options.alpha, 1e-15, 1e-3);

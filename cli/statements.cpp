@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ehd statements: on what the paper's statements depend.
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "workflow/case.hpp"
 #include "cli/commands.hpp"
 #include "cli/common.hpp"
-#include "verification/studies/statement_study.hpp"
-#include "io/contact_json.hpp"
-#include "io/json.hpp"
-#include <nlohmann/json.hpp>
 #include "io/case_reader.hpp"
+#include "io/contact_json.hpp"
 #include "io/find_case.hpp"
+#include "io/json.hpp"
 #include "verification/studies/paper_statements.hpp"
+#include "verification/studies/statement_study.hpp"
+#include "workflow/case.hpp"
 
 namespace ehd::cli {
 
@@ -45,8 +45,9 @@ int statements(const StatementsOptions& options) {
       throw case_error(cases.back(), "", "has no film; allowed is a bearing case with a lubricant");
   }
   if (cases.size() < 3 || !differ_only_in_clearance(cases))
-    throw UsageError("CASE: the statements are about one bearing at three or more clearances; allowed are cases that "
-                     "differ in clearance alone");
+    throw UsageError(
+        "CASE: the statements are about one bearing at three or more clearances; allowed are cases that "
+        "differ in clearance alone");
   std::vector<NamedFile> inputs, outputs;
   for (const Case& one : cases) inputs.push_back({"the case " + one.id, one.file});
   if (options.json) outputs.push_back({"--json", *options.json});
@@ -67,7 +68,8 @@ int statements(const StatementsOptions& options) {
   for (const StudyRow& row : rows) {
     if (!row.statements.empty()) continue;
     ++missing;
-    complain("ehd: statements: " + row.factor + " " + row.value + ", " + std::string(to_string(row.law)) + ": " + row.why);
+    complain("ehd: statements: " + row.factor + " " + row.value + ", " + std::string(to_string(row.law)) + ": " +
+             row.why);
   }
   return missing == 0 ? success : not_met;
 }
@@ -78,7 +80,8 @@ void add_statements(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<StatementsOptions>();
   CLI::App* command = app.add_subcommand("statements", "On what the paper's statements about its bearing depend");
   command->footer(examples);
-  command->add_option("CASE", options->cases, "one bearing at three or more clearances (na4908, na4908-2.5um, na4908-10um)");
+  command->add_option("CASE", options->cases,
+                      "one bearing at three or more clearances (na4908, na4908-2.5um, na4908-10um)");
   command->add_option("--json", options->json, "the study as JSON into a file, or - for standard output");
   command->callback([options, &exit_code] { run_guarded(exit_code, [&] { return statements(*options); }); });
 }

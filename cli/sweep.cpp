@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ehd sweep: a case over lists and ranges of its keys.
-#include "io/sweep_file.hpp"
-
 #include <unistd.h>
 
 #include <algorithm>
@@ -16,13 +14,13 @@
 
 #include "cli/commands.hpp"
 #include "cli/common.hpp"
-#include "io/sweep_run.hpp"
 #include "contact/text.hpp"
+#include "io/sweep_file.hpp"
+#include "io/sweep_run.hpp"
 
 namespace ehd::cli {
 
 namespace {
-
 
 struct SweepOptions {
   std::string file;

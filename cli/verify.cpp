@@ -2,19 +2,19 @@
 // ehd verify: the verification suite.
 #include <cmath>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "cli/commands.hpp"
 #include "cli/common.hpp"
+#include "io/contact_json.hpp"
+#include "io/json.hpp"
+#include "io/output_file.hpp"
 #include "verification/studies/figures/figures.hpp"
 #include "verification/suite.hpp"
 #include "verification/traceability.hpp"
-#include "io/json.hpp"
-#include <nlohmann/json.hpp>
-#include "io/contact_json.hpp"
-#include "io/output_file.hpp"
 
 namespace ehd::cli {
 
@@ -81,10 +81,8 @@ int verify(const VerifyOptions& options) {
     };
     result = verification::run_suite(request);
     if (file) {
-      verification::FiguresRequest pictures{.rung = request.rung,
-                                            .case_id = request.case_id,
-                                            .quick = request.quick,
-                                            .threads = request.threads};
+      verification::FiguresRequest pictures{
+          .rung = request.rung, .case_id = request.case_id, .quick = request.quick, .threads = request.threads};
       pictures.progress = [&](std::size_t done, std::size_t all, const std::string& name) {
         progress.show("figures " + std::to_string(done) + "/" + std::to_string(all) + ": " + name);
       };

@@ -64,8 +64,7 @@ double relative_half_unit(std::string_view digits) {
   const double exponent =
       exponent_at == std::string_view::npos ? 0 : std::stod(std::string(digits.substr(exponent_at + 1)));
   const auto point = mantissa.find('.');
-  const double decimals =
-      point == std::string_view::npos ? 0 : static_cast<double>(mantissa.size() - point - 1);
+  const double decimals = point == std::string_view::npos ? 0 : static_cast<double>(mantissa.size() - point - 1);
   const double half = 0.5 * std::pow(10.0, exponent - decimals);
   const double value = std::abs(std::stod(std::string(digits)));
   return value > 0 ? half / value : half;

@@ -42,8 +42,8 @@ std::string fixed(double value, int decimals) {
 std::string human_ring(const std::vector<BearingResult>& results) {
   std::vector<std::vector<std::string>> ring{
       {"ring", "lateral um", "load zone deg", "to", "stiffness N/um: xx", "yy", "xy"}};
-  std::vector<std::vector<std::string>> turn{
-      {"cage turning", "positions", "displacement um: mean", "peak to peak", "lateral um: mean", "peak to peak", "largest Q_i N"}};
+  std::vector<std::vector<std::string>> turn{{"cage turning", "positions", "displacement um: mean", "peak to peak",
+                                              "lateral um: mean", "peak to peak", "largest Q_i N"}};
   for (const BearingResult& result : results) {
     if (result.rollers.empty()) continue;
     const std::string law(to_string(result.law));
@@ -55,8 +55,9 @@ std::string human_ring(const std::vector<BearingResult>& results) {
     if (!result.cage) continue;
     const auto& along = result.cage->displacement_m;
     const auto& across = result.cage->displacement_lateral_m;
-    turn.push_back({law, std::to_string(result.cage->positions), fixed(1e6 * along.mean, 4), plain(1e6 * along.peak_to_peak, 3),
-                    fixed(1e6 * across.mean, 4), plain(1e6 * across.peak_to_peak, 3), fixed(result.cage->largest_force_N, 1)});
+    turn.push_back({law, std::to_string(result.cage->positions), fixed(1e6 * along.mean, 4),
+                    plain(1e6 * along.peak_to_peak, 3), fixed(1e6 * across.mean, 4),
+                    plain(1e6 * across.peak_to_peak, 3), fixed(result.cage->largest_force_N, 1)});
   }
   std::string text;
   if (ring.size() > 1) text += "\n" + aligned(ring, 1, "  ");

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <fstream>
 
-#include "workflow/case.hpp"
 #include "contact/text.hpp"
+#include "workflow/case.hpp"
 
 namespace ehd {
 

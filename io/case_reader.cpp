@@ -11,10 +11,10 @@
 
 #include "bearing/law_table.hpp"
 #include "contact/hertz.hpp"
-#include "contact/problem.hpp"
 #include "contact/nondimensional.hpp"
-#include "io/case_text.hpp"
+#include "contact/problem.hpp"
 #include "contact/text.hpp"
+#include "io/case_text.hpp"
 #include "io/toml.hpp"
 
 namespace ehd {
@@ -36,12 +36,12 @@ struct Interval {
   }
 };
 
-constexpr Interval lengths{1e-9, 1e6};      // m
-constexpr Interval moduli{1e3, 1e15};       // Pa
-constexpr Interval line_loads{1e-6, 1e12};  // N/m
-constexpr Interval forces{1e-9, 1e12};      // N
+constexpr Interval lengths{1e-9, 1e6};                                 // m
+constexpr Interval moduli{1e3, 1e15};                                  // Pa
+constexpr Interval line_loads{1e-6, 1e12};                             // N/m
+constexpr Interval forces{1e-9, 1e12};                                 // N
 constexpr Interval loads{.low = 1e-9, .high = 1e12, .or_zero = true};  // N; a bearing may turn without one
-constexpr Interval speeds{1e-12, 1e6};      // m/s
+constexpr Interval speeds{1e-12, 1e6};                                 // m/s
 constexpr Interval speeds_or_rest{.low = 1e-12, .high = 1e6, .or_zero = true};
 constexpr Interval viscosities{1e-12, 1e9};                                    // Pa s
 constexpr Interval coefficients{.low = 1e-15, .high = 1e-3, .or_zero = true};  // alpha, 1/Pa

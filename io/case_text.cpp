@@ -5,8 +5,8 @@
 #include <fstream>
 #include <system_error>
 
-#include "workflow/case.hpp"
 #include "contact/text.hpp"
+#include "workflow/case.hpp"
 
 namespace ehd {
 

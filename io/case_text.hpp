@@ -11,8 +11,8 @@ namespace ehd {
 
 /// The file's text without a byte order mark. Throws CaseError for what cannot be a case at all: missing, a directory
 /// or device, unreadable, larger than 64 KiB, empty, binary (control characters), not UTF-8, non-ASCII characters
-/// outside strings and comments, lines that begin with a bracket but are no table (the parser's release 3.3.0 misbehaves
-/// on both), lines longer than 2000 bytes (keys nested by the thousand would exhaust the parser's stack).
+/// outside strings and comments, lines that begin with a bracket but are no table (the parser's release 3.3.0
+/// misbehaves on both), lines longer than 2000 bytes (keys nested by the thousand would exhaust the parser's stack).
 [[nodiscard]] std::string read_case_text(const std::filesystem::path& file);
 
 /// The same of bytes that are at hand; `file` names them in messages.

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+
 #include "io/json.hpp"
 
 namespace ehd {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/provenance.hpp"
 
-#include "ehd_commit.hpp"  // made by cmake/commit.cmake
-
 #include <fftw3.h>
 #include <gsl/gsl_version.h>
 
@@ -10,11 +8,13 @@
 #include <chrono>
 #include <ctime>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <thread>
+
+#include "ehd_commit.hpp"  // made by cmake/commit.cmake
 #include "io/json.hpp"
-#include <nlohmann/json.hpp>
 
 namespace ehd {
 

@@ -8,13 +8,13 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <system_error>
 
-#include "io/sha256.hpp"
 #include "contact/text.hpp"
 #include "io/json.hpp"
-#include <nlohmann/json.hpp>
 #include "io/output_file.hpp"
+#include "io/sha256.hpp"
 
 namespace ehd {
 

@@ -9,8 +9,8 @@
 #include <set>
 #include <string>
 #include <vector>
-#include "io/output_file.hpp"
 
+#include "io/output_file.hpp"
 
 namespace ehd {
 

@@ -5,16 +5,16 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <optional>
 
-#include "io/case_text.hpp"
-#include "workflow/registry.hpp"
 #include "contact/text.hpp"
-#include "io/toml.hpp"
-#include "io/json.hpp"
-#include <nlohmann/json.hpp>
 #include "io/case_reader.hpp"
+#include "io/case_text.hpp"
 #include "io/find_case.hpp"
+#include "io/json.hpp"
+#include "io/toml.hpp"
+#include "workflow/registry.hpp"
 
 namespace ehd {
 

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "io/case_reader.hpp"
+#include "io/json.hpp"
 #include "workflow/bearing_run.hpp"
 #include "workflow/case.hpp"
-#include "io/json.hpp"
-#include "io/case_reader.hpp"
 
 namespace ehd {
 

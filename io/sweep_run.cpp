@@ -1,30 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/sweep_run.hpp"
 
-#include "io/bearing_json.hpp"
-#include "io/contact_json.hpp"
-#include "workflow/contact_run.hpp"
-
 #include <algorithm>
 #include <charconv>
 #include <chrono>
 #include <fstream>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <sstream>
 #include <system_error>
 #include <thread>
 
-#include "workflow/parallel.hpp"
+#include "contact/text.hpp"
+#include "io/bearing_json.hpp"
+#include "io/case_reader.hpp"
+#include "io/contact_json.hpp"
+#include "io/json.hpp"
+#include "io/output_file.hpp"
 #include "io/provenance.hpp"
 #include "io/sha256.hpp"
 #include "io/store.hpp"
-#include "contact/text.hpp"
-#include "io/json.hpp"
-#include <nlohmann/json.hpp>
-#include "io/output_file.hpp"
-#include "io/case_reader.hpp"
+#include "workflow/contact_run.hpp"
+#include "workflow/parallel.hpp"
 
 namespace ehd {
 
@@ -250,8 +249,9 @@ std::string bearing_cells(const Json& result) {
          csv_value(result, {"balance_error"}) + "," + csv_value(result, {"cost", "contact_solves"});
 }
 
-/// What was added later, behind every other column: where the ring goes across, the datum, use of the line outside its fit
-/// (contacts that carry a force outside, of both raceways; of ehd-linear alone), the thinnest film over the roughness.
+/// What was added later, behind every other column: where the ring goes across, the datum, use of the line outside its
+/// fit (contacts that carry a force outside, of both raceways; of ehd-linear alone), the thinnest film over the
+/// roughness.
 std::string later_bearing_cells(const Json& result) {
   std::optional<double> ratio;
   std::size_t outside = 0;
@@ -299,7 +299,8 @@ std::string csv_header(const Sweep& sweep) {
     for (const ContactColumn& column : contact_columns()) header += std::string(",") + column.name;
   }
   header += ",reason";
-  if (sweep.bearing) header += ",displacement_lateral_m,datum_inner_x0_m,datum_outer_x0_m,fit_used_outside,lambda_ratio_minimum";
+  if (sweep.bearing)
+    header += ",displacement_lateral_m,datum_inner_x0_m,datum_outer_x0_m,fit_used_outside,lambda_ratio_minimum";
   return header + "\n";
 }
 

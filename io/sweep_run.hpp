@@ -14,10 +14,10 @@
 #include <string>
 #include <vector>
 
-#include "workflow/registry.hpp"
-#include "io/sweep_file.hpp"
 #include "io/json.hpp"
 #include "io/output_file.hpp"
+#include "io/sweep_file.hpp"
+#include "workflow/registry.hpp"
 
 namespace ehd {
 

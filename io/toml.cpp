@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <string_view>
 
-#include "workflow/case.hpp"
-#include "io/case_text.hpp"
 #include "contact/text.hpp"
+#include "io/case_text.hpp"
+#include "workflow/case.hpp"
 
 namespace ehd {
 

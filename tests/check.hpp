@@ -15,13 +15,13 @@ inline double error(double value, double truth) {
   return truth == 0 ? std::abs(value) : std::abs(value - truth) / std::abs(truth);
 }
 
-#define EHD_CHECK(error_expression, tolerance_expression)                                                          \
-  do {                                                                                                            \
-    const double measured_error_ = (error_expression);                                                            \
-    const ::ehd::verification::Tolerance tolerance_ = (tolerance_expression);                                     \
-    BOOST_CHECK_MESSAGE(measured_error_ <= tolerance_.value(),                                                    \
-                        #error_expression << " = " << measured_error_ << " > " << tolerance_.value() << " ("      \
-                                          << tolerance_.reason() << ")");                                         \
+#define EHD_CHECK(error_expression, tolerance_expression)                                                             \
+  do {                                                                                                                \
+    const double measured_error_ = (error_expression);                                                                \
+    const ::ehd::verification::Tolerance tolerance_ = (tolerance_expression);                                         \
+    BOOST_CHECK_MESSAGE(measured_error_ <= tolerance_.value(), #error_expression << " = " << measured_error_ << " > " \
+                                                                                 << tolerance_.value() << " ("        \
+                                                                                 << tolerance_.reason() << ")");      \
   } while (false)
 
 }  // namespace ehd

@@ -3,9 +3,10 @@
 
 #include <cmath>
 #include <limits>
-#include <utility>
-#include "io/json.hpp"
 #include <nlohmann/json.hpp>
+#include <utility>
+
+#include "io/json.hpp"
 
 namespace ehd::verification {
 
@@ -28,8 +29,8 @@ Claim claim(Sentence says, double error, double uncertainty, Tolerance tolerance
 Claim claim_value(Sentence says, double measured, double expected, double uncertainty, Tolerance tolerance,
                   std::string note) {
   const double size = expected == 0 ? 1 : std::abs(expected);
-  Claim judged = claim(std::move(says), std::abs(measured - expected) / size, uncertainty, std::move(tolerance),
-                       std::move(note));
+  Claim judged =
+      claim(std::move(says), std::abs(measured - expected) / size, uncertainty, std::move(tolerance), std::move(note));
   judged.measured = measured;
   judged.expected = expected;
   return judged;

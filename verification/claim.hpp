@@ -8,19 +8,20 @@
 #include <string_view>
 #include <vector>
 
-#include "verification/tolerance.hpp"
 #include "io/json.hpp"
+#include "verification/tolerance.hpp"
 
 namespace ehd::verification {
 
 /// The ladder: each rung assumes the one below.
-inline constexpr std::string_view rung_names[] = {"inputs",  "kernel", "operator", "elasticity", "Reynolds",  "coupled",
-                                                  "solvers", "twins",  "grids",    "regimes",    "published", "bearing"};
+inline constexpr std::string_view rung_names[] = {"inputs",   "kernel",  "operator",  "elasticity",
+                                                  "Reynolds", "coupled", "solvers",   "twins",
+                                                  "grids",    "regimes", "published", "bearing"};
 inline constexpr int rungs = 12;
 
 /// What a claim says and of what.
 struct Sentence {
-  std::string id;         ///< unique: "own-moes-20-10/fast/film.minimum/expected"
+  std::string id;  ///< unique: "own-moes-20-10/fast/film.minimum/expected"
   int rung = 0;
   std::string statement;  ///< "fast meets the computed film.minimum of own-moes-20-10"
   std::string case_id = {};
@@ -35,8 +36,8 @@ struct Claim {
   double uncertainty = 0;  ///< of that error, where the tolerance does not contain it
   Tolerance tolerance;
   Verdict verdict;
-  std::string note = {};   ///< numbers or the reason, for a reader
-  bool finding = false;    ///< reports what was computed, whichever way it turned out; always shown
+  std::string note = {};  ///< numbers or the reason, for a reader
+  bool finding = false;   ///< reports what was computed, whichever way it turned out; always shown
 
   /// 1 - (error + uncertainty)/tolerance: 1 nothing used, 0 just met, negative beyond. 0 or -infinity where the
   /// tolerance is 0.

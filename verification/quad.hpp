@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// 34 digits: float128 of libquadmath where the compiler is gcc, elsewhere the same format in software. Only for templates
-// that measure what rounding does.
+// 34 digits: float128 of libquadmath where the compiler is gcc, elsewhere the same format in software. Only for
+// templates that measure what rounding does.
 #pragma once
 
 #if defined(__GNUC__) && !defined(__clang__)

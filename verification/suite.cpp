@@ -7,21 +7,21 @@
 #include <iterator>
 #include <map>
 #include <mutex>
+#include <nlohmann/json.hpp>
 #include <numeric>
 #include <set>
 #include <thread>
 #include <utility>
 
-#include "verification/claims/topics.hpp"
-#include "workflow/parallel.hpp"
-#include "io/provenance.hpp"
 #include "contact/text.hpp"
-#include "verification/traceability.hpp"
-#include "io/json.hpp"
-#include <nlohmann/json.hpp>
-#include "io/tables.hpp"
 #include "io/case_reader.hpp"
 #include "io/find_case.hpp"
+#include "io/json.hpp"
+#include "io/provenance.hpp"
+#include "io/tables.hpp"
+#include "verification/claims/topics.hpp"
+#include "verification/traceability.hpp"
+#include "workflow/parallel.hpp"
 
 namespace ehd::verification {
 
@@ -60,10 +60,10 @@ std::vector<LoadedCase> load_cases(const SuiteRequest& request) {
 
 std::vector<Topic> topics_of(const SuiteRequest& request, const std::vector<LoadedCase>& cases) {
   std::vector<Topic> topics;
-  for (auto& list :
-       {input_topics(), law_topics(), property_topics(), kernel_topics(), exact_topics(), reynolds_topics(), coupled_topics(),
-        iteration_topics(), contact_topics(cases), twin_topics(), box_topics(), random_topics(request.random_runs),
-        grid_topics(), regime_topics(), atlas_topics(), literature_topics(), bearing_topics(cases), bearing_part_topics(cases)}) {
+  for (auto& list : {input_topics(), law_topics(), property_topics(), kernel_topics(), exact_topics(),
+                     reynolds_topics(), coupled_topics(), iteration_topics(), contact_topics(cases), twin_topics(),
+                     box_topics(), random_topics(request.random_runs), grid_topics(), regime_topics(), atlas_topics(),
+                     literature_topics(), bearing_topics(cases), bearing_part_topics(cases)}) {
     topics.insert(topics.end(), list.begin(), list.end());
   }
   return topics;
@@ -83,8 +83,10 @@ class Numbered {
 };
 
 Findings run_topic(const Topic& topic, const SuiteRequest& request) {
-  const Sentence whole{
-      .id = topic.name, .rung = request.rung.value_or(*topic.rungs.begin()), .statement = topic.name, .case_id = topic.case_id};
+  const Sentence whole{.id = topic.name,
+                       .rung = request.rung.value_or(*topic.rungs.begin()),
+                       .statement = topic.name,
+                       .case_id = topic.case_id};
   if (request.quick && topic.slow) return {.claims = {}, .skipped = {{whole, "slow, and --quick was asked for"}}};
   try {
     Findings found = topic.judge();
@@ -95,7 +97,8 @@ Findings run_topic(const Topic& topic, const SuiteRequest& request) {
     Sentence says = whole;
     says.id += "/ran";
     says.statement = topic.name + " can be judged";
-    return {.claims = {claim_fact(std::move(says), false, "no topic of the suite throws", thrown.what())}, .skipped = {}};
+    return {.claims = {claim_fact(std::move(says), false, "no topic of the suite throws", thrown.what())},
+            .skipped = {}};
   }
 }
 
@@ -219,7 +222,8 @@ SuiteResult run_topics(const SuiteRequest& request, std::vector<Topic> topics,
     result.claims[i].says.id = ids(says.id);
     if (result.claims[i].says.id == says.id) continue;
     Sentence unique{.id = ids(says.id + "/unique"), .rung = says.rung, .statement = "one claim is called " + says.id};
-    Claim repeated = claim_fact(std::move(unique), false, "an id names one claim", "another is now called " + result.claims[i].says.id);
+    Claim repeated = claim_fact(std::move(unique), false, "an id names one claim",
+                                "another is now called " + result.claims[i].says.id);
     result.claims.insert(result.claims.begin() + static_cast<std::ptrdiff_t>(++i), std::move(repeated));
   }
   for (SkippedClaim& one : result.skipped) one.says.id = skipped_ids(one.says.id);
@@ -233,7 +237,9 @@ std::vector<RungSummary> summarise(const SuiteResult& result) {
     RungSummary summary{.rung = rung};
     for (const Claim& one : result.claims) {
       if (one.says.rung != rung) continue;
-      ++(one.verdict == Verdict::pass ? summary.pass : one.verdict == Verdict::fail ? summary.fail : summary.inconclusive);
+      ++(one.verdict == Verdict::pass   ? summary.pass
+         : one.verdict == Verdict::fail ? summary.fail
+                                        : summary.inconclusive);
       const double margin = one.margin();
       if (one.finding || !(one.tolerance.value() > 0) || !std::isfinite(margin)) continue;
       if (summary.worst_margin && *summary.worst_margin <= margin) continue;
@@ -335,9 +341,8 @@ Json to_json(const SuiteResult& result) {
                      {"wall_s", result.wall_s}};
   Json rung_rows = Json::array(), traced = Json::array(), topics = Json::array();
   for (const RungSummary& summary : summarise(result)) {
-    Json row = {{"rung", summary.rung},           {"name", rung_names[summary.rung]},
-                {"pass", summary.pass},           {"fail", summary.fail},
-                {"inconclusive", summary.inconclusive}, {"skipped", summary.skipped}};
+    Json row = {{"rung", summary.rung}, {"name", rung_names[summary.rung]},     {"pass", summary.pass},
+                {"fail", summary.fail}, {"inconclusive", summary.inconclusive}, {"skipped", summary.skipped}};
     put(row, "worst_margin", summary.worst_margin);
     if (summary.worst_margin) row["worst_claim"] = summary.worst_claim;
     rung_rows.push_back(std::move(row));

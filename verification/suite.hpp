@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "verification/claim.hpp"
 #include "io/json.hpp"
+#include "verification/claim.hpp"
 
 namespace ehd::verification {
 
@@ -75,7 +75,8 @@ struct Topic;  // claims/topics.hpp
 struct RungSummary {
   int rung = 0;
   std::size_t pass = 0, fail = 0, inconclusive = 0, skipped = 0;
-  /// The smallest margin of a claim with a positive tolerance that is no finding, and its id; absent where there is none.
+  /// The smallest margin of a claim with a positive tolerance that is no finding, and its id; absent where there is
+  /// none.
   std::optional<double> worst_margin = {};
   std::string worst_claim = {};
 };

@@ -3,54 +3,72 @@
 
 #include <fnmatch.h>
 
+#include <nlohmann/json.hpp>
+
 #include "contact/text.hpp"
 #include "io/json.hpp"
-#include <nlohmann/json.hpp>
 #include "io/tables.hpp"
 
 namespace ehd::verification {
 
 namespace {
 
-bool matches(const std::string& pattern, const std::string& id) { return ::fnmatch(pattern.c_str(), id.c_str(), 0) == 0; }
+bool matches(const std::string& pattern, const std::string& id) {
+  return ::fnmatch(pattern.c_str(), id.c_str(), 0) == 0;
+}
 
 }  // namespace
 
 const std::vector<TraceablePart>& traceable_parts() {
   static const std::vector<TraceablePart> parts{
-      {"work/contact", "the full EHD line contact: Reynolds' equation, the film with elastic deformation, the load balance",
-       {"manufactured/*", "own-moes-*/film.*", "kostreva-*/film.*", "regimes/*", "reynolds/*", "elasticity/*", "properties/monotone/*",
-        "properties/similarity/*", "properties/conserved/*"}},
-      {"work/rheology", "viscosity by Roelands (and Barus), density by Dowson and Higginson",
+      {"work/contact",
+       "the full EHD line contact: Reynolds' equation, the film with elastic deformation, the load balance",
+       {"manufactured/*", "own-moes-*/film.*", "kostreva-*/film.*", "regimes/*", "reynolds/*", "elasticity/*",
+        "properties/monotone/*", "properties/similarity/*", "properties/conserved/*"}},
+      {"work/rheology",
+       "viscosity by Roelands (and Barus), density by Dowson and Higginson",
        {"inputs/laws/*", "manufactured/compressible/*", "manufactured/barus/*", "reynolds/*/barus"}},
-      {"work/multilevel", "multilevel solution of Reynolds' equation with a fast evaluation of the deformation integral",
+      {"work/multilevel",
+       "multilevel solution of Reynolds' equation with a fast evaluation of the deformation integral",
        {"operator/*", "iteration/*/multigrid*", "twins/*"}},
-      {"work/direct", "a direct dense solver beside it",
+      {"work/direct",
+       "a direct dense solver beside it",
        {"kernel/*", "*/certified/*", "*/reference-fast/*", "iteration/*/newton*"}},
-      {"work/force-law", "a contact law for each raceway by least squares, f = K_EHD delta + Delta F",
+      {"work/force-law",
+       "a contact law for each raceway by least squares, f = K_EHD delta + Delta F",
        {"bearing/fit/*", "bearing/curve/*", "na4908*/ehd-linear/*"}},
-      {"work/dry-law", "the dry law beside it, f = K_Hertz delta^(10/9)",
+      {"work/dry-law",
+       "the dry law beside it, f = K_Hertz delta^(10/9)",
        {"*/hertz/law", "*/iso/law", "approach/*", "bearing/laws/*"}},
-      {"work/equilibrium", "equilibrium of the bearing: f_o - f_i = F_c, Sum f_i cos psi = F_r, delta_r cos psi - P_d/2 = delta_i + delta_o",
-       {"*/ring", "*/rollers", "*/geometry", "bearing/sjovall/*", "sjovall/*", "bearing/energy/*", "bearing/stiffness/*", "bearing/forms/*",
-        "bearing/statics", "bearing/random/*", "properties/bearing/*"}},
-      {"work/kinematics", "speed, radii, centrifugal force and datum of each raceway from the bearing's geometry",
+      {"work/equilibrium",
+       "equilibrium of the bearing: f_o - f_i = F_c, Sum f_i cos psi = F_r, delta_r cos psi - P_d/2 = delta_i + "
+       "delta_o",
+       {"*/ring", "*/rollers", "*/geometry", "bearing/sjovall/*", "sjovall/*", "bearing/energy/*",
+        "bearing/stiffness/*", "bearing/forms/*", "bearing/statics", "bearing/random/*", "properties/bearing/*"}},
+      {"work/kinematics",
+       "speed, radii, centrifugal force and datum of each raceway from the bearing's geometry",
        {"bearing/kinematics/*", "bearing/centrifugal-209", "bearing/datum/*"}},
-      {"work/example", "NA4908 at 5000 rpm and 50 kN with clearances 0, 2.5 and 10 um, dry and EHD",
+      {"work/example",
+       "NA4908 at 5000 rpm and 50 kN with clearances 0, 2.5 and 10 um, dry and EHD",
        {"na4908/*/balanced", "na4908-2.5um/*/balanced", "na4908-10um/*/balanced", "na4908-18mm/*/balanced"}},
-      {"work/statements", "the statements (a) to (d) of what the film does to the bearing, and the datum that they need",
-       {"paper/*/a", "paper/*/b", "paper/*/c", "paper/*/d", "paper/*/datum",
-        "paper/*/verdict/*", "paper/*/x0/*"}},
-      {"readme/one-contact-two-codes", "two solvers side by side, each with its own code from the kernel weights up",
+      {"work/statements",
+       "the statements (a) to (d) of what the film does to the bearing, and the datum that they need",
+       {"paper/*/a", "paper/*/b", "paper/*/c", "paper/*/d", "paper/*/datum", "paper/*/verdict/*", "paper/*/x0/*"}},
+      {"readme/one-contact-two-codes",
+       "two solvers side by side, each with its own code from the kernel weights up",
        {"kernel/two-codes", "twins/*", "box/*/agreement"}},
-      {"readme/reference-digits", "reference: films to ten digits and more (Roelands), to seven (Barus)",
+      {"readme/reference-digits",
+       "reference: films to ten digits and more (Roelands), to seven (Barus)",
        {"*/certified/film.*", "*/reference/film.*/certified"}},
-      {"readme/fast-error-bars", "fast states what its grids prove: its errors hold the truth",
+      {"readme/fast-error-bars",
+       "fast states what its grids prove: its errors hold the truth",
        {"*/reference-fast/*", "*/fast/stated-*", "random-fast/*", "box/*/agreement"}},
       {"readme/atlas", "cases/atlas: 351 contacts with the digits that are known", {"atlas/files", "atlas/atlas-*"}},
-      {"readme/isoviscous-limit", "the isoviscous elastic limit, film x M^(1/5) = 2.489479 and 1.982128",
+      {"readme/isoviscous-limit",
+       "the isoviscous elastic limit, film x M^(1/5) = 2.489479 and 1.982128",
        {"regimes/isoviscous-elastic-limit/*"}},
-      {"readme/literature", "published digits are reproduced; what waits for its source is a row that says so",
+      {"readme/literature",
+       "published digits are reproduced; what waits for its source is a row that says so",
        {"kostreva-*/film.*", "harris-209*/hertz/*", "iso-*/iso/*", "computed/*", "exact/*", "*/waiting"}},
       {"readme/formulas", "film formulas stand beside a result and are never a verdict", {"formulas/*"}},
   };
@@ -89,10 +107,9 @@ std::vector<Claim> judge_traceability(const std::vector<TraceRow>& rows) {
   for (const TraceRow& row : rows) {
     std::string dead;
     for (const std::string& pattern : row.unmatched) dead += (dead.empty() ? "no claim is called " : ", ") + pattern;
-    claims.push_back(claim_fact({.id = "traceability/" + row.part.id,
-                                 .rung = 0,
-                                 .statement = "claims were judged of: " + row.part.text},
-                                row.judged() > 0 && row.unmatched.empty(), "what is promised is judged", dead));
+    claims.push_back(claim_fact(
+        {.id = "traceability/" + row.part.id, .rung = 0, .statement = "claims were judged of: " + row.part.text},
+        row.judged() > 0 && row.unmatched.empty(), "what is promised is judged", dead));
   }
   return claims;
 }
@@ -111,9 +128,11 @@ std::string human_trace(const std::vector<TraceRow>& rows) {
 }
 
 Json to_json(const TraceRow& row) {
-  return {{"part", row.part.id},         {"text", row.part.text},       {"claims", row.judged()},
-          {"pass", row.pass},            {"fail", row.fail},            {"inconclusive", row.inconclusive},
-          {"skipped", row.skipped},      {"patterns", row.part.patterns}, {"ids", row.examples}};
+  return {{"part", row.part.id},    {"text", row.part.text},
+          {"claims", row.judged()}, {"pass", row.pass},
+          {"fail", row.fail},       {"inconclusive", row.inconclusive},
+          {"skipped", row.skipped}, {"patterns", row.part.patterns},
+          {"ids", row.examples}};
 }
 
 }  // namespace ehd::verification

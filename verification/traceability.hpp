@@ -6,15 +6,15 @@
 #include <string>
 #include <vector>
 
-#include "verification/claim.hpp"
 #include "io/json.hpp"
+#include "verification/claim.hpp"
 
 namespace ehd::verification {
 
 /// One thing that somebody relies on.
 struct TraceablePart {
-  std::string id;    ///< "work/force-law"
-  std::string text;  ///< one sentence
+  std::string id;                     ///< "work/force-law"
+  std::string text;                   ///< one sentence
   std::vector<std::string> patterns;  ///< of claim ids; * stands for anything, as in a shell
 };
 
@@ -31,7 +31,8 @@ struct TraceRow {
 
 [[nodiscard]] std::vector<TraceRow> trace(const std::vector<TraceablePart>& parts, const Findings& findings);
 
-/// A claim for each part, on rung 0: it is supported by a claim that was judged, and none of its patterns is a dead letter.
+/// A claim for each part, on rung 0: it is supported by a claim that was judged, and none of its patterns is a dead
+/// letter.
 [[nodiscard]] std::vector<Claim> judge_traceability(const std::vector<TraceRow>& rows);
 
 [[nodiscard]] std::string human_trace(const std::vector<TraceRow>& rows);

@@ -43,9 +43,10 @@ Plan plan_bearing(const BearingCase& body, const std::vector<bearing::Law>& aske
   if (mirrored > 0)
     decide("balance of mirrored rollers", std::to_string(mirrored) + " of " + std::to_string(body.geometry.rollers) +
                                               " rollers mirror another and carry the same");
-  decide(bearing_stage::across, form == bearing::Form::radial        ? "the radial form is asked for"
-                                : bearing::symmetric_to_load(azimuths) ? "the cage stands symmetric to the load, and so does the ring"
-                                                                       : "");
+  decide(bearing_stage::across, form == bearing::Form::radial ? "the radial form is asked for"
+                                : bearing::symmetric_to_load(azimuths)
+                                    ? "the cage stands symmetric to the load, and so does the ring"
+                                    : "");
   decide(bearing_stage::cage, cage_positions > 0 ? "" : "not asked for (--cage-positions N)");
   decide(bearing_stage::dry, !film                                              ? why_no_film
                              : full || datum_from_dry(body) || !body.fit.load_N ? ""

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "bearing/equilibrium.hpp"
-#include "contact/stages.hpp"
 #include "bearing/law_table.hpp"
+#include "contact/stages.hpp"
 #include "workflow/case.hpp"
 
 namespace ehd {

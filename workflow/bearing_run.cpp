@@ -32,7 +32,6 @@ std::vector<bearing::Law> default_laws(const BearingCase& body) {
   return bearing::laws_of(body.lubricant ? bearing::Laws::by_default : bearing::Laws::by_default_dry);
 }
 
-
 // ---- The run --------------------------------------------------------------------------------------------------------
 
 namespace {
@@ -106,7 +105,8 @@ class BearingRun {
     return result;
   }
 
-  /// A balance is no better than the contacts that its law and films are made of; what else the memory holds is another's.
+  /// A balance is no better than the contacts that its law and films are made of; what else the memory holds is
+  /// another's.
   static void judge_contacts(BearingResult& result) {
     const auto missed_N = [&result](auto at_raceway) {
       std::set<double> missed;
@@ -123,7 +123,8 @@ class BearingRun {
                                     missed_N([](const auto& both) -> const auto& { return both.outer; });
     if (unconverged == 0) return;
     result.status = StopReason::tolerance_not_met;
-    result.why = std::to_string(unconverged) + " of the raceways' solved contacts have an estimated film error above 1e-3";
+    result.why =
+        std::to_string(unconverged) + " of the raceways' solved contacts have an estimated film error above 1e-3";
     result.notes.push_back(result.why);
   }
 
@@ -201,8 +202,9 @@ class BearingRun {
     const double from_N = std::max(dry_N, lightest_fit_M * force_at_M_1_N(contact) / default_fit_from);
     const auto [low, high] = body_.fit.load_N.value_or(std::pair{default_fit_from * from_N, default_fit_to * from_N});
     if (!body_.fit.load_N && from_N > dry_N)
-      result.notes.push_back("fit raised to M = " + plain(lightest_fit_M) + " at the " + name + " raceway: from " + plain(low, 4) + " N, where " +
-                             plain(default_fit_from) + " times the largest dry force would be " + plain(default_fit_from * dry_N, 3) + " N");
+      result.notes.push_back("fit raised to M = " + plain(lightest_fit_M) + " at the " + name + " raceway: from " +
+                             plain(low, 4) + " N, where " + plain(default_fit_from) +
+                             " times the largest dry force would be " + plain(default_fit_from * dry_N, 3) + " N");
     try {
       auto fit = bearing::fit_contacts(solved(contact), datum, low, high, body_.fit.points);
       if (const auto* failure = std::get_if<SolveFailure>(&fit)) throw LawFailure(*failure);
@@ -292,12 +294,12 @@ class BearingRun {
       loaded_cut += ring.rollers[j].inner.force_N > 0;
       shared = shared || ring.rollers[j].at_jump;
     }
-    result.notes.push_back("variant " + variant.name + ": " + std::to_string(loaded_cut) +
-                           " loaded rollers instead of " + std::to_string(loaded) + ", roller 1 carries " +
-                           plain(variant.rollers[0].inner.force_N) + " N instead of " +
-                           plain(result.rollers[0].inner.force_N) + " N" +
-                           (shared ? "; the outermost sit on the jump of the law at delta = 0" : "") +
-                           (radial ? "; balanced in the radial form, since in the plane rollers stand on that jump" : ""));
+    result.notes.push_back(
+        "variant " + variant.name + ": " + std::to_string(loaded_cut) + " loaded rollers instead of " +
+        std::to_string(loaded) + ", roller 1 carries " + plain(variant.rollers[0].inner.force_N) + " N instead of " +
+        plain(result.rollers[0].inner.force_N) + " N" +
+        (shared ? "; the outermost sit on the jump of the law at delta = 0" : "") +
+        (radial ? "; balanced in the radial form, since in the plane rollers stand on that jump" : ""));
     result.variants.push_back(std::move(variant));
   }
 
@@ -337,9 +339,10 @@ class BearingRun {
 
   /// Where a first curve ends; a balance that goes beyond extends it.
   [[nodiscard]] double first_reach_N() const {
-    // Where every roller is light the curve still begins at M = 1: what is lighter is foretold from solved contacts, and
-    // below M = 1e-3 none can be solved.
-    return std::max({1.05 * (largest_dry_N() + loading_.centrifugal_N), force_at_M_1_N(contacts_.inner), force_at_M_1_N(contacts_.outer)});
+    // Where every roller is light the curve still begins at M = 1: what is lighter is foretold from solved contacts,
+    // and below M = 1e-3 none can be solved.
+    return std::max({1.05 * (largest_dry_N() + loading_.centrifugal_N), force_at_M_1_N(contacts_.inner),
+                     force_at_M_1_N(contacts_.outer)});
   }
 
   /// The contacts of the fit, where the case itself states them: the curve then shares them. With a range that follows
@@ -368,13 +371,13 @@ class BearingRun {
                          const char* name) {
     int below = 0;
     for (const RollerRow& row : result.rollers) below += (row.*raceway).force_N < curve.lightest_N();
-    result.notes.push_back(std::string(name) + " curve: " + std::to_string(curve.forces_N().size()) +
-                           " solved contacts from " + plain(curve.lightest_N(), 4) + " to " +
-                           plain(curve.heaviest_N(), 4) + " N, relative errors of film and force: interpolation " +
-                           plain(curve.errors().interpolation, 2) + ", " + plain(curve.errors().interpolation_force, 2) +
-                           "; rigid limit below " + plain(curve.errors().joint, 2) + ", " +
-                           plain(curve.errors().joint_force, 2) + "; solver's own " + plain(curve.errors().solver_offset_film, 2) + " (" +
-                           curve.errors().lightest_because + "); " + std::to_string(below) + " contacts lie below it");
+    result.notes.push_back(
+        std::string(name) + " curve: " + std::to_string(curve.forces_N().size()) + " solved contacts from " +
+        plain(curve.lightest_N(), 4) + " to " + plain(curve.heaviest_N(), 4) +
+        " N, relative errors of film and force: interpolation " + plain(curve.errors().interpolation, 2) + ", " +
+        plain(curve.errors().interpolation_force, 2) + "; rigid limit below " + plain(curve.errors().joint, 2) + ", " +
+        plain(curve.errors().joint_force, 2) + "; solver's own " + plain(curve.errors().solver_offset_film, 2) + " (" +
+        curve.errors().lightest_because + "); " + std::to_string(below) + " contacts lie below it");
   }
 
   // -- all laws
@@ -477,8 +480,8 @@ void require_possible(const Case& bearing_case, const BearingRequest& request) {
     if (!needs_film(law)) continue;
     if (!body.lubricant && request.explicitly)
       throw case_error(bearing_case, "lubricant",
-                       "is missing; law " + std::string(to_string(law)) +
-                           " needs it (allowed without: the dry laws, " + bearing::names_of(bearing::Laws::dry) + ")");
+                       "is missing; law " + std::string(to_string(law)) + " needs it (allowed without: the dry laws, " +
+                           bearing::names_of(bearing::Laws::dry) + ")");
     if (!body.lubricant || !at_rest(body)) continue;
     const std::string both = "operation.inner_speed_rpm", one = "operation.speed_rpm";
     throw case_error(bearing_case, bearing_case.lines.contains(both) ? both : one,

@@ -20,9 +20,9 @@
 #include "bearing/film_curve.hpp"
 #include "bearing/fit.hpp"
 #include "bearing/geometry.hpp"
-#include "contact/stages.hpp"
 #include "contact/nondimensional.hpp"
 #include "contact/solver.hpp"
+#include "contact/stages.hpp"
 #include "workflow/bearing_of_case.hpp"
 #include "workflow/bearing_plan.hpp"
 #include "workflow/case.hpp"
@@ -30,10 +30,11 @@
 
 namespace ehd {
 
-/// Where a case states no fit.load_N, the line of a raceway is fitted over these parts of the largest force on it that the
-/// dry balance knows: the largest roller load, or at the outer raceway the centrifugal force where that is larger. The range
-/// begins no lighter than lightest_fit_M at that raceway, ten times the lightest contact that is solved at all, so that every
-/// bearing has a line: down there the film goes as 1/f (Martin's rigid cylinder), and no line follows it any better.
+/// Where a case states no fit.load_N, the line of a raceway is fitted over these parts of the largest force on it that
+/// the dry balance knows: the largest roller load, or at the outer raceway the centrifugal force where that is larger.
+/// The range begins no lighter than lightest_fit_M at that raceway, ten times the lightest contact that is solved at
+/// all, so that every bearing has a line: down there the film goes as 1/f (Martin's rigid cylinder), and no line
+/// follows it any better.
 inline constexpr double default_fit_from = 0.2, default_fit_to = 1.2, lightest_fit_M = 10 * smallest_M;
 
 /// hertz, ehd-linear, ehd; hertz alone where the case has no lubricant.
@@ -78,14 +79,16 @@ struct BearingResult {
   StopReason status = StopReason::diverged;
   std::string why;  ///< where status is not converged
   double displacement_m = 0;
-  double displacement_lateral_m = 0;                           ///< towards psi = 90 degrees
-  std::optional<std::pair<double, double>> load_zone_deg = {};  ///< bearing::load_zone_deg; absent where nothing is loaded
+  double displacement_lateral_m = 0;  ///< towards psi = 90 degrees
+  std::optional<std::pair<double, double>> load_zone_deg =
+      {};  ///< bearing::load_zone_deg; absent where nothing is loaded
   std::array<std::array<double, 2>, 2> stiffness_N_per_m = {};
-  std::optional<CageTurn> cage = {};                           ///< where cage positions are asked for
-  std::vector<RollerRow> rollers;                              ///< empty where there is no balance
-  std::optional<bearing::BothRaceways<double>> datum_m = {};            ///< x_0
-  std::optional<bearing::BothRaceways<bearing::LinearFit>> fit = {};    ///< ehd-linear
-  std::optional<bearing::BothRaceways<bearing::FilmCurve>> curve = {};  ///< ehd; of ehd-linear, where its films are from
+  std::optional<CageTurn> cage = {};                                  ///< where cage positions are asked for
+  std::vector<RollerRow> rollers;                                     ///< empty where there is no balance
+  std::optional<bearing::BothRaceways<double>> datum_m = {};          ///< x_0
+  std::optional<bearing::BothRaceways<bearing::LinearFit>> fit = {};  ///< ehd-linear
+  std::optional<bearing::BothRaceways<bearing::FilmCurve>> curve =
+      {};  ///< ehd; of ehd-linear, where its films are from
   std::vector<VariantResult> variants;
   double balance_error = 0;
   double wall_s = 0;
@@ -109,8 +112,8 @@ struct BearingRequest {
 [[nodiscard]] std::optional<bearing::LawPair> laws_of(const BearingCase& body, const BearingResult& result);
 
 /// All laws of the request that the plan runs, in that order. Every way to end is in the results' status. Throws
-/// CaseError for an EHD law at rest, or (`explicitly`) without a lubricant, and for a law without the ring thickness that
-/// it needs, before anything is solved.
+/// CaseError for an EHD law at rest, or (`explicitly`) without a lubricant, and for a law without the ring thickness
+/// that it needs, before anything is solved.
 [[nodiscard]] std::vector<BearingResult> run_bearing(const Case& bearing_case, const BearingRequest& request,
                                                      ContactMemory& memory);
 /// The refusals of run_bearing alone.

@@ -75,7 +75,8 @@ struct LengthDatum {
 using Datum = std::variant<PalmgrenDatum, LundbergDatum, LengthDatum>;
 
 struct FitRange {
-  std::optional<std::pair<double, double>> load_N = {};  ///< absent: follows the dry balance (bearing_run, default_fit_from)
+  std::optional<std::pair<double, double>> load_N =
+      {};  ///< absent: follows the dry balance (bearing_run, default_fit_from)
   int points = 6;
 };
 

@@ -37,8 +37,8 @@ bearing::ContactResult solve_contact(const RacewayContact& contact, const Lubric
     return SolveFailure{.why = error.what()};
   }
   reading.problem.wanted = {Quantity::film_minimum, Quantity::film_central, Quantity::film_offset};
-  // Asked for is a tenth of what a contact law needs of its points. Where that is not met, the need itself is asked for: on
-  // finer and finer grids a spike that meets X = 0 only blurs what a coarser one knew.
+  // Asked for is a tenth of what a contact law needs of its points. Where that is not met, the need itself is asked
+  // for: on finer and finer grids a spike that meets X = 0 only blurs what a coarser one knew.
   constexpr double needed = 1e-3;
   Solution solution = solver(reading.problem, request);
   if (solution.record.status == StopReason::tolerance_not_met && request.tolerance.value_or(needed) < needed) {
@@ -61,20 +61,24 @@ bearing::ContactResult solve_contact(const RacewayContact& contact, const Lubric
     return SolveFailure{.why = groups + "the solver gives no film.minimum or film.offset with an error"};
   // A film that is a small part of the approach need not be known as well as one that is all of it: what it does to the
   // contact force counts too, against the dry approach with x_0 = l.
-  constexpr double largest_offset_error = 1e-2;  // more than a per cent of film, and of force, is no solution for a bearing
+  constexpr double largest_offset_error =
+      1e-2;  // more than a per cent of film, and of force, is no solution for a bearing
   const double force_N = load_N_per_m * contact.length_m, b = hertz::half_width_m(conditions);
   const double dry_offset = dry_approach_m(contact.at(force_N), contact.length_m) * contact.reduced_radius_m / (b * b);
   const double offset_film = offset->second.value - hertz::dry_offset();
-  const auto known_to = [&](double share) { return *offset->second.error <= share * std::max(offset_film, dry_offset / 10); };
+  const auto known_to = [&](double share) {
+    return *offset->second.error <= share * std::max(offset_film, dry_offset / 10);
+  };
   if (!known_to(largest_offset_error))
     return SolveFailure{.why = groups + "the offset film is known to " + plain(*offset->second.error / offset_film, 2) +
-                        " of itself only, and to more than " + plain(largest_offset_error) +
-                        " of a tenth of the approach"};
-  return SolvedContact{.offset = offset->second.value,
-                       .offset_error = *offset->second.error,
-                       .film_minimum_m = film->second.value * *reading.scales->film_m_per_hertz_film(),
-                       .film_error = *film->second.error,
-                       .converged = status == StopReason::converged || (*film->second.error <= needed && known_to(needed))};
+                               " of itself only, and to more than " + plain(largest_offset_error) +
+                               " of a tenth of the approach"};
+  return SolvedContact{
+      .offset = offset->second.value,
+      .offset_error = *offset->second.error,
+      .film_minimum_m = film->second.value * *reading.scales->film_m_per_hertz_film(),
+      .film_error = *film->second.error,
+      .converged = status == StopReason::converged || (*film->second.error <= needed && known_to(needed))};
 }
 
 }  // namespace

@@ -6,9 +6,9 @@
 #include <string>
 #include <string_view>
 
-#include "contact/stages.hpp"
 #include "contact/problem.hpp"
 #include "contact/solver.hpp"
+#include "contact/stages.hpp"
 #include "workflow/case.hpp"
 #include "workflow/registry.hpp"
 

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "contact/film_formulas.hpp"
-#include "contact/stages.hpp"
 #include "contact/nondimensional.hpp"
 #include "contact/solution.hpp"
+#include "contact/stages.hpp"
 #include "workflow/case.hpp"
 #include "workflow/contact_plan.hpp"
 #include "workflow/registry.hpp"

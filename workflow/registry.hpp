@@ -31,8 +31,8 @@ struct RegisteredSolver {
 /// Memory that this process may still take: the machine's available memory, or what its control group leaves.
 [[nodiscard]] double available_memory_bytes();
 
-/// From now on FFTW measures its plans, starting from what an earlier run learned (FFTW's own text, or empty). False: the
-/// text is no wisdom of this FFTW. Two runs may then differ by rounding.
+/// From now on FFTW measures its plans, starting from what an earlier run learned (FFTW's own text, or empty). False:
+/// the text is no wisdom of this FFTW. Two runs may then differ by rounding.
 [[nodiscard]] bool measure_fft_plans(const std::string& wisdom);
 /// What was learned, for the next run.
 [[nodiscard]] std::string learned_fft_plans();

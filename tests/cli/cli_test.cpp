@@ -60,7 +60,8 @@ BOOST_AUTO_TEST_CASE(wisdom_is_written_read_again_and_refused_where_it_is_none) 
   const auto solve = [&](const std::string& rest) {
     return test::ehd_run(folder, "solve own-moes-5-5 --tolerance 1e-2 --json - " + rest);
   };
-  const auto plain = solve(""), first = solve("--wisdom " + wisdom.string()), second = solve("--wisdom " + wisdom.string());
+  const auto plain = solve(""), first = solve("--wisdom " + wisdom.string()),
+             second = solve("--wisdom " + wisdom.string());
   for (const auto* ended : {&plain, &first, &second}) BOOST_REQUIRE(ended->exit_code == 0);
   BOOST_TEST(std::filesystem::file_size(wisdom) > 0u);
   const double film = json::parse(plain.out)["film"]["central"]["hertz"];
@@ -82,8 +83,8 @@ BOOST_AUTO_TEST_CASE(the_error_of_a_film_is_the_sum_of_its_parts) {
   const json film = json::parse(ended.out)["film"];
   for (const char* which : {"minimum", "central"}) {
     const json& parts = film[which]["errors"];
-    const double sum = parts["discretisation"].get<double>() + parts["iteration"].get<double>() +
-                       parts["truncation"].get<double>();
+    const double sum =
+        parts["discretisation"].get<double>() + parts["iteration"].get<double>() + parts["truncation"].get<double>();
     BOOST_TEST(parts["truncation"].get<double>() > 0);
     BOOST_TEST(parts["iteration"].get<double>() > 0);
     EHD_CHECK(error(sum, film[which]["error"].get<double>()), verification::Tolerance::round_off(4));
@@ -210,7 +211,8 @@ BOOST_AUTO_TEST_CASE(wrong_usage_is_one_line_on_standard_error_and_exit_code_2) 
       {"bearing na4908 --law tripp", "[bearing] ring_thickness_m: is missing; law tripp needs it at the outer raceway"},
       {"plan na4908 --law houpert", "allowed without: hertz, iso, lundberg"},
       {"bearing na4908 --law hertz --form cubic", "--form = cubic: is unknown; allowed is plane or radial"},
-      {"bearing na4908 --law hertz --cage-positions 1", "--cage-positions = 1: is out of range; allowed is an integer from 2"},
+      {"bearing na4908 --law hertz --cage-positions 1",
+       "--cage-positions = 1: is out of range; allowed is an integer from 2"},
       {"plan own-moes-5-5 --nodes 2000000000 --solver reference", "would not fit into memory"},
   };
   std::size_t ran = 0;

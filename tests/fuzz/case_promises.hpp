@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the case reader promises of ANY bytes, in one function: libFuzzer calls it for bytes that it makes up, a test for
-// the bytes that are kept (tests/fuzz/corpus, tests/fuzz/found, cases/).
+// What the case reader promises of ANY bytes, in one function: libFuzzer calls it for bytes that it makes up, a test
+// for the bytes that are kept (tests/fuzz/corpus, tests/fuzz/found, cases/).
 #pragma once
 
 #include <algorithm>
@@ -12,12 +12,12 @@
 
 #include "bearing/geometry.hpp"
 #include "contact/nondimensional.hpp"
+#include "contact/text.hpp"
+#include "io/case_reader.hpp"
 #include "workflow/bearing_run.hpp"
 #include "workflow/case.hpp"
 #include "workflow/contact_plan.hpp"
 #include "workflow/contact_run.hpp"
-#include "contact/text.hpp"
-#include "io/case_reader.hpp"
 
 namespace ehd::verification::promises {
 
@@ -86,8 +86,10 @@ inline std::string broken_by_scales(const Scales& scales) {
   if (scales.half_width_m && !positive(*scales.half_width_m)) return "b = " + plain(*scales.half_width_m) + " m";
   if (const auto unit = scales.film_m_per_hertz_film(); unit && !positive(*unit))
     return "the unit of film is " + plain(*unit) + " m";
-  if (scales.dowson && !(positive(scales.dowson->W) && positive(scales.dowson->U_mean) && not_negative(scales.dowson->G)))
-    return "W, U, G = " + plain(scales.dowson->W) + ", " + plain(scales.dowson->U_mean) + ", " + plain(scales.dowson->G);
+  if (scales.dowson &&
+      !(positive(scales.dowson->W) && positive(scales.dowson->U_mean) && not_negative(scales.dowson->G)))
+    return "W, U, G = " + plain(scales.dowson->W) + ", " + plain(scales.dowson->U_mean) + ", " +
+           plain(scales.dowson->G);
   return "";
 }
 
@@ -95,8 +97,8 @@ inline std::string broken_by_scales(const Scales& scales) {
 inline std::string broken_by_problem(const Problem& problem) {
   const Groups& groups = problem.groups;
   if (!(positive(groups.M) && not_negative(groups.L) && positive(groups.lambda) && not_negative(groups.alpha_p_H)))
-    return "M, L, lambda, alpha p_H = " + plain(groups.M) + ", " + plain(groups.L) + ", " + plain(groups.lambda) + ", " +
-           plain(groups.alpha_p_H);
+    return "M, L, lambda, alpha p_H = " + plain(groups.M) + ", " + plain(groups.L) + ", " + plain(groups.lambda) +
+           ", " + plain(groups.alpha_p_H);
   if (!(groups.M >= smallest_M && groups.M <= largest_M && groups.L <= largest_L))
     return "M = " + plain(groups.M) + " or L = " + plain(groups.L) + " is out of range";
   Array pressure(3);

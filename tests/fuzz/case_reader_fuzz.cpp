@@ -12,8 +12,8 @@
 #include <string_view>
 #include <vector>
 
-#include "tests/fuzz/case_promises.hpp"
 #include "io/case_text.hpp"
+#include "tests/fuzz/case_promises.hpp"
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t largest);
 
@@ -21,11 +21,37 @@ namespace {
 
 /// A number as a hostile user writes it: the edges of what is allowed and of a double, or any size and sign.
 std::string any_number(std::mt19937& random) {
-  static const std::vector<std::string> edges{
-      "0",    "-0.0", "1",     "-1",    "0.5",  "0.49999999999999994", "3",      "400",     "100",     "100.00000000000001",
-      "1e-3", "1e6",  "1e-9",  "1e-6",  "1e-12", "1e12",               "1e15",   "1e-15",   "1e3",     "1e7",
-      "1e9",  "-1e6", "1e-300", "5e-324", "1e308", "nan",              "inf",    "-inf",    "9223372036854775807",
-      "1.0000000000000002", "-1.0000000000000002"};
+  static const std::vector<std::string> edges{"0",
+                                              "-0.0",
+                                              "1",
+                                              "-1",
+                                              "0.5",
+                                              "0.49999999999999994",
+                                              "3",
+                                              "400",
+                                              "100",
+                                              "100.00000000000001",
+                                              "1e-3",
+                                              "1e6",
+                                              "1e-9",
+                                              "1e-6",
+                                              "1e-12",
+                                              "1e12",
+                                              "1e15",
+                                              "1e-15",
+                                              "1e3",
+                                              "1e7",
+                                              "1e9",
+                                              "-1e6",
+                                              "1e-300",
+                                              "5e-324",
+                                              "1e308",
+                                              "nan",
+                                              "inf",
+                                              "-inf",
+                                              "9223372036854775807",
+                                              "1.0000000000000002",
+                                              "-1.0000000000000002"};
   if (random() % 2 == 0) return edges[random() % edges.size()];
   const int digits = static_cast<int>(random() % 99999) + 1, exponent = static_cast<int>(random() % 41) - 24;
   return (random() % 8 == 0 ? "-" : "") + std::to_string(digits) + "e" + std::to_string(exponent);
@@ -49,7 +75,8 @@ std::string with_another_line(std::string_view text, std::mt19937& random) {
 
 }  // namespace
 
-extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t largest, unsigned seed) {
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t largest,
+                                               unsigned seed) {
   std::mt19937 random(seed);
   if (size == 0 || random() % 2 == 0) return LLVMFuzzerMutate(data, size, largest);
   std::string text(reinterpret_cast<const char*>(data), size);

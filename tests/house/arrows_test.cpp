@@ -6,6 +6,7 @@
 // reference/ and fast/ never see each other, io/ knows solvers by workflow/registry.hpp alone, and verification/report/
 // knows JSON alone.
 #include <algorithm>
+#include <boost/test/unit_test.hpp>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -13,8 +14,6 @@
 #include <sstream>
 #include <string>
 #include <vector>
-
-#include <boost/test/unit_test.hpp>
 
 namespace {
 
@@ -62,7 +61,8 @@ BOOST_AUTO_TEST_SUITE(arrows)
 
 BOOST_AUTO_TEST_CASE(an_include_against_the_arrows_is_found) {
   std::istringstream upwards("#include <map>\n#include \"io/json.hpp\"\n#include \"contact/hertz.hpp\"\n");
-  BOOST_TEST(forbidden("workflow", upwards) == std::vector<std::string>{"io/json.hpp"}, boost::test_tools::per_element());
+  BOOST_TEST(forbidden("workflow", upwards) == std::vector<std::string>{"io/json.hpp"},
+             boost::test_tools::per_element());
   std::istringstream sideways("#include \"fast/mapped.hpp\"\n");
   BOOST_TEST(forbidden("reference", sideways).size() == 1);
   std::istringstream into_the_report("#include \"verification/claim.hpp\"\n");
@@ -82,7 +82,8 @@ BOOST_AUTO_TEST_CASE(no_room_includes_one_above_it) {
         BOOST_ERROR(name << " includes " << header << ", which " << arrow.first << "/ must not see");
     }
   for (const auto& arrow : arrows)
-    BOOST_CHECK_MESSAGE(files[arrow.first] >= 5, arrow.first << "/ has " << files[arrow.first] << " sources: was it read?");
+    BOOST_CHECK_MESSAGE(files[arrow.first] >= 5,
+                        arrow.first << "/ has " << files[arrow.first] << " sources: was it read?");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/case_reader.hpp"
+
 #include <algorithm>
 #include <set>
 #include <sstream>
@@ -6,12 +8,11 @@
 #include <vector>
 
 #include "contact/nondimensional.hpp"
+#include "io/bibliography.hpp"
+#include "io/find_case.hpp"
 #include "tests/check.hpp"
 #include "tests/files.hpp"
-#include "io/bibliography.hpp"
 #include "workflow/case.hpp"
-#include "io/case_reader.hpp"
-#include "io/find_case.hpp"
 
 using namespace ehd;
 using namespace ehd::verification;

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "tests/check.hpp"
-#include "tests/fuzz/case_promises.hpp"
-#include "tests/files.hpp"
 #include "io/case_reader.hpp"
+#include "tests/check.hpp"
+#include "tests/files.hpp"
+#include "tests/fuzz/case_promises.hpp"
 
 using namespace ehd::verification;
 

@@ -4,17 +4,17 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "contact/text.hpp"
+#include "io/contact_json.hpp"
+#include "io/json.hpp"
+#include "io/output_file.hpp"
+#include "io/profile_csv.hpp"
+#include "io/tables.hpp"
 #include "tests/check.hpp"
 #include "tests/files.hpp"
-#include "contact/text.hpp"
-#include "io/json.hpp"
-#include <nlohmann/json.hpp>
-#include "io/contact_json.hpp"
-#include "io/output_file.hpp"
-#include "io/tables.hpp"
-#include "io/profile_csv.hpp"
 
 using namespace ehd;
 using namespace ehd::verification;

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sweeps: what the file says, and that rows depend on nothing but themselves.
-#include "io/sweep_file.hpp"
-
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -11,19 +9,20 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "io/case_reader.hpp"
+#include "io/json.hpp"
+#include "io/output_file.hpp"
+#include "io/store.hpp"
+#include "io/sweep_file.hpp"
+#include "io/sweep_run.hpp"
 #include "tests/check.hpp"
 #include "tests/files.hpp"
 #include "tests/process.hpp"
-#include "io/store.hpp"
-#include "io/sweep_run.hpp"
-#include "io/json.hpp"
-#include <nlohmann/json.hpp>
-#include "io/output_file.hpp"
-#include "io/case_reader.hpp"
 
 using namespace ehd;
 using namespace ehd::verification;
@@ -185,7 +184,9 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_with_a_sweep_is_one_line_before_anything_is_c
       {keys("\"title\" = [\"one\"]\n"), 4, {"title", "is no key", "table.key"}},
       {keys("\"expect.value\" = [\"1\"]\n"), 4, {"expect.value", "is no key"}},
       {keys("\"moes.M\" = [1.0]\n"), 4, {"row 0", "[bearing]"}},
-      {keys(load + "[1e3, -5.0]\n"), 4, {"row 1", "operation.radial_load_N = -5.0", "is negative", "allowed is 0, or 1e-9"}},
+      {keys(load + "[1e3, -5.0]\n"),
+       4,
+       {"row 1", "operation.radial_load_N = -5.0", "is negative", "allowed is 0, or 1e-9"}},
       {keys(load + "[1e3, \"much\"]\n"), 4, {"row 1", "is a text"}},
       {keys("\"bearing.rollers\" = [22, 22.5]\n"), 4, {"row 1", "rollers = 22.5", "is a number", "an integer"}},
       {keys("\"lubricant.viscosity\" = [\"barus\", \"honey\"]\n"), 4, {"row 1", "honey", "roelands"}},
@@ -322,13 +323,16 @@ combine = "product"
 )"));
   BOOST_TEST(run_sweep(read, {}, folder.path() / "out").failed == 0u);
   const auto csv = lines_of_text(test::read(folder.path() / "out/rows.csv"));
-  const std::string added = "displacement_lateral_m,datum_inner_x0_m,datum_outer_x0_m,fit_used_outside,lambda_ratio_minimum";
+  const std::string added =
+      "displacement_lateral_m,datum_inner_x0_m,datum_outer_x0_m,fit_used_outside,lambda_ratio_minimum";
   BOOST_TEST(csv.at(0).ends_with(",contacts,reason," + added));
   const auto cells_of = [](const std::string& line) {
     std::vector<std::string> cells{""};
     for (const char c : line)
-      if (c == ',') cells.emplace_back();
-      else cells.back() += c;
+      if (c == ',')
+        cells.emplace_back();
+      else
+        cells.back() += c;
     return std::vector<std::string>(cells.end() - 5, cells.end());
   };
   const Json rows = Json::parse(test::read(folder.path() / "out/rows.json"));
@@ -354,7 +358,8 @@ combine = "product"
         for (const char* raceway : {"inner", "outer"}) {
           const double force = roller[raceway]["force_N"].get<double>();
           outside += force > 0 && (force < 2000 || force > 12000);
-          if (roller[raceway].contains("film_minimum_m")) ratio = std::min(ratio, roller[raceway]["film_minimum_m"].get<double>() / 1e-7);
+          if (roller[raceway].contains("film_minimum_m"))
+            ratio = std::min(ratio, roller[raceway]["film_minimum_m"].get<double>() / 1e-7);
         }
       BOOST_TEST(cells[3] == (law == 1 ? std::to_string(outside) : ""));
       if (law == 1) BOOST_TEST(outside > 0);

@@ -9,16 +9,16 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "io/json.hpp"
 #include "tests/check.hpp"
-#include "workflow/case.hpp"
 #include "verification/claims/topics.hpp"
 #include "verification/suite.hpp"
-#include "io/json.hpp"
-#include <nlohmann/json.hpp>
+#include "workflow/case.hpp"
 
 namespace {
 
@@ -52,9 +52,7 @@ class CaseFolder {
   CaseFolder(const CaseFolder&) = delete;
   CaseFolder& operator=(const CaseFolder&) = delete;
 
-  void write(const std::string& id, const std::string& text) const {
-    std::ofstream(path_ / (id + ".toml")) << text;
-  }
+  void write(const std::string& id, const std::string& text) const { std::ofstream(path_ / (id + ".toml")) << text; }
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
  private:
@@ -112,7 +110,8 @@ BOOST_AUTO_TEST_CASE(an_unconverged_solve_never_passes) {
   int rows = 0;
   for (const double expected : {0.25, 0.0, unknown_value}) {
     for (const double uncertainty : {0.0, 0.5, unknown_value}) {
-      BOOST_TEST((claim_value(sentence("nan"), unknown_value, expected, uncertainty, percent).verdict != Verdict::pass));
+      BOOST_TEST(
+          (claim_value(sentence("nan"), unknown_value, expected, uncertainty, percent).verdict != Verdict::pass));
       ++rows;
     }
   }

@@ -3,20 +3,21 @@
 
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 
+#include "io/json.hpp"
 #include "tests/check.hpp"
 #include "verification/suite.hpp"
-#include "io/json.hpp"
-#include <nlohmann/json.hpp>
 
 namespace {
 
 using namespace ehd::verification;
 
 Claim made(const std::string& id, int rung, double error, double tolerance) {
-  return claim({.id = id, .rung = rung, .statement = "something holds"}, error, 0, Tolerance::required(tolerance, "here"));
+  return claim({.id = id, .rung = rung, .statement = "something holds"}, error, 0,
+               Tolerance::required(tolerance, "here"));
 }
 
 Findings some_findings() {
@@ -42,8 +43,9 @@ BOOST_AUTO_TEST_CASE(claims_are_counted_by_verdict_for_each_part) {
 }
 
 BOOST_AUTO_TEST_CASE(a_part_without_a_judged_claim_or_with_a_dead_pattern_fails) {
-  const auto rows = trace({{"supported", "s", {"a/one"}}, {"skipped-only", "s", {"a/three"}}, {"dead", "s", {"a/one", "c/*"}}},
-                          some_findings());
+  const auto rows =
+      trace({{"supported", "s", {"a/one"}}, {"skipped-only", "s", {"a/three"}}, {"dead", "s", {"a/one", "c/*"}}},
+            some_findings());
   const auto claims = judge_traceability(rows);
   BOOST_REQUIRE(claims.size() == 3U);
   BOOST_TEST((claims[0].verdict == Verdict::pass));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -11,10 +12,9 @@
 #include "contact/hertz.hpp"
 #include "contact/nondimensional.hpp"
 #include "fast/uniform.hpp"
+#include "io/json.hpp"
 #include "tests/check.hpp"
 #include "tests/made_bearing.hpp"
-#include "io/json.hpp"
-#include <nlohmann/json.hpp>
 #include "verification/studies/paper_statements.hpp"
 
 namespace ehd::verification {
@@ -73,7 +73,8 @@ BOOST_AUTO_TEST_CASE(every_dry_law_balances_and_says_what_it_needs) {
   for (const bearing::Law law : {bearing::Law::tripp, bearing::Law::houpert}) {
     BOOST_CHECK_EXCEPTION((void)run(one, {law}, memory), CaseError, [](const CaseError& error) {
       const std::string what = error.what();
-      return what.starts_with("needle.toml:3: [bearing] ring_thickness_m: is missing") && what.find('\n') == std::string::npos;
+      return what.starts_with("needle.toml:3: [bearing] ring_thickness_m: is missing") &&
+             what.find('\n') == std::string::npos;
     });
     BOOST_TEST(!plan_bearing(body_of(one), {law}).runs(bearing_stage::balance(law)));
   }
@@ -96,7 +97,8 @@ BOOST_AUTO_TEST_CASE(the_cage_is_turned_over_one_pitch) {
   CountedContacts contacts;
   ContactMemory memory(contacts.solver());
   const Case one = needle_bearing(30e-6);
-  BearingRequest request{.laws = {bearing::Law::hertz, bearing::Law::ehd_linear, bearing::Law::ehd}, .explicitly = true};
+  BearingRequest request{.laws = {bearing::Law::hertz, bearing::Law::ehd_linear, bearing::Law::ehd},
+                         .explicitly = true};
   const auto still = run_bearing(one, request, memory);
   const long solved = contacts.total;
   request.cage_positions = 12;
@@ -247,8 +249,8 @@ BOOST_AUTO_TEST_CASE(a_dry_case_skips_ehd_laws_by_default_and_refuses_them_when_
   BOOST_TEST(skipped->why == "the case has no lubricant");
 }
 
-// The range of a default fit follows the dry balance while that is heavy enough for a contact to be solved, to the bit; else it
-// is raised, and said so, so that a bearing without a load has a line too. A range that is stated is not moved.
+// The range of a default fit follows the dry balance while that is heavy enough for a contact to be solved, to the bit;
+// else it is raised, and said so, so that a bearing without a load has a line too. A range that is stated is not moved.
 BOOST_AUTO_TEST_CASE(every_bearing_has_a_line_whatever_its_load) {
   CountedContacts contacts;
   ContactMemory memory(contacts.solver());
@@ -289,7 +291,8 @@ BOOST_AUTO_TEST_CASE(every_bearing_has_a_line_whatever_its_load) {
   // Where the rollers press harder by themselves, the outer line is about that.
   body_of(one).operation = {.inner_speed_rpm = 30000, .outer_speed_rpm = 0, .radial_load_N = 1e3};
   const BearingResult spinning = run(one, {bearing::Law::ehd_linear}, memory).at(0);
-  const double centrifugal_N = 7850 * std::acos(-1) / 4 * 25e-6 * 0.122 * 0.0265 * std::pow((1 - 5.0 / 53) / 2 * 1000 * std::acos(-1), 2);
+  const double centrifugal_N =
+      7850 * std::acos(-1) / 4 * 25e-6 * 0.122 * 0.0265 * std::pow((1 - 5.0 / 53) / 2 * 1000 * std::acos(-1), 2);
   EHD_CHECK(error(spinning.fit->outer.points.back().force_N, 1.2 * centrifugal_N), Tolerance::round_off(100));
   BOOST_TEST(spinning.fit->inner.points.back().force_N < spinning.fit->outer.points.back().force_N);
   // Stated, it stands.
@@ -398,9 +401,8 @@ BOOST_AUTO_TEST_CASE(the_json_is_complete_and_finite) {
   const Case one = needle_bearing(10e-6);
   for (const BearingResult& result : run(one, default_laws(std::get<BearingCase>(one.body)), memory)) {
     const Json json = to_json(result);
-    for (const char* key :
-         {"case", "version", "law", "displacement_m", "displacement_lateral_m", "load_zone_deg", "stiffness_N_per_m", "rollers",
-          "balance_error", "cost", "plan", "notes"})
+    for (const char* key : {"case", "version", "law", "displacement_m", "displacement_lateral_m", "load_zone_deg",
+                            "stiffness_N_per_m", "rollers", "balance_error", "cost", "plan", "notes"})
       BOOST_TEST(json.contains(key), key);
     BOOST_TEST(json.dump().find("null") == std::string::npos);
     BOOST_TEST(json.contains("fit") == (result.law == bearing::Law::ehd_linear));
@@ -429,7 +431,8 @@ BOOST_AUTO_TEST_CASE(notes_say_what_a_reader_should_know) {
   BOOST_TEST(noted(rough, "fit used outside its range"));
   BOOST_TEST(noted(rough, "lambda ratio"));
   BOOST_REQUIRE(rough.rollers[0].outer.lambda_ratio.has_value());
-  EHD_CHECK(error(*rough.rollers[0].outer.lambda_ratio, *rough.rollers[0].outer.film_minimum_m / 2e-6), Tolerance::round_off(1));
+  EHD_CHECK(error(*rough.rollers[0].outer.lambda_ratio, *rough.rollers[0].outer.film_minimum_m / 2e-6),
+            Tolerance::round_off(1));
   BOOST_TEST(to_json(rough)["rollers"][0]["outer"].contains("lambda_ratio"));
   BOOST_TEST(noted(rough, "cut at delta = 0"));
   body_of(one).geometry.length_m = 0.005;
@@ -446,7 +449,8 @@ BOOST_AUTO_TEST_CASE(the_needle_bearing_of_the_first_balance) {
   };
   for (const Printed& printed :
        {Printed{0, 9285, 8752, 2.44}, {2.5e-6, 9816, 9280, 2.61}, {10e-6, 11199, 10682, 3.06}}) {
-    const auto results = run(needle_bearing(printed.clearance_m), {bearing::Law::hertz, bearing::Law::ehd_linear}, memory);
+    const auto results =
+        run(needle_bearing(printed.clearance_m), {bearing::Law::hertz, bearing::Law::ehd_linear}, memory);
     BOOST_REQUIRE((results.at(1).status == StopReason::converged));
     const Tolerance two_digits = Tolerance::required(5e-3, "paper.md: two digits");
     EHD_CHECK(error(results[0].rollers[0].inner.force_N, printed.dry_N), two_digits);

@@ -13,6 +13,7 @@
 #include <fstream>
 #include <limits>
 #include <mutex>
+#include <nlohmann/json.hpp>
 #include <numeric>
 #include <set>
 #include <sstream>
@@ -20,16 +21,15 @@
 #include <tuple>
 
 #include "contact/nondimensional.hpp"
-#include "workflow/parallel.hpp"
-#include "workflow/contact_run.hpp"
 #include "contact/text.hpp"
-#include "verification/tolerance.hpp"
-#include "io/json.hpp"
-#include <nlohmann/json.hpp>
-#include "io/output_file.hpp"
-#include "io/tables.hpp"
 #include "io/case_reader.hpp"
 #include "io/find_case.hpp"
+#include "io/json.hpp"
+#include "io/output_file.hpp"
+#include "io/tables.hpp"
+#include "verification/tolerance.hpp"
+#include "workflow/contact_run.hpp"
+#include "workflow/parallel.hpp"
 
 namespace ehd::verification {
 

@@ -14,9 +14,9 @@
 #include <vector>
 
 #include "contact/solution.hpp"
+#include "io/output_file.hpp"
 #include "workflow/case.hpp"
 #include "workflow/registry.hpp"
-#include "io/output_file.hpp"
 
 namespace ehd::verification {
 

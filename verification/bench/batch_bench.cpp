@@ -3,14 +3,14 @@
 
 #include <algorithm>
 #include <chrono>
-
-#include "workflow/batch.hpp"
-#include "verification/studies/oils.hpp"
-#include "contact/text.hpp"
-#include "verification/bench/timing.hpp"
-#include "io/json.hpp"
 #include <nlohmann/json.hpp>
+
+#include "contact/text.hpp"
+#include "io/json.hpp"
 #include "io/tables.hpp"
+#include "verification/bench/timing.hpp"
+#include "verification/studies/oils.hpp"
+#include "workflow/batch.hpp"
 
 namespace ehd::verification {
 

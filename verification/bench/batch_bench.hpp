@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "workflow/registry.hpp"
 #include "io/json.hpp"
 #include "io/tables.hpp"
+#include "workflow/registry.hpp"
 
 namespace ehd::verification {
 

@@ -3,14 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "contact/film_formulas.hpp"
-#include "workflow/batch.hpp"
-#include "verification/studies/oils.hpp"
 #include "contact/text.hpp"
 #include "io/json.hpp"
-#include <nlohmann/json.hpp>
 #include "io/tables.hpp"
+#include "verification/studies/oils.hpp"
+#include "workflow/batch.hpp"
 
 namespace ehd::verification {
 
@@ -31,7 +31,8 @@ std::vector<BoxContact> box_contacts(bool quick) {
   const std::vector<double> loads =
       quick ? std::vector<double>{0.5, 20, 1000}
             : std::vector<double>{0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000};
-  const std::vector<double> moduli = quick ? std::vector<double>{2.5, 10} : std::vector<double>{0, 1, 2.5, 5, 10, 15, 20, 30};
+  const std::vector<double> moduli =
+      quick ? std::vector<double>{2.5, 10} : std::vector<double>{0, 1, 2.5, 5, 10, 15, 20, 30};
   std::vector<BoxContact> contacts;
   for (const bool flooded : {false, true}) {
     for (const double M : loads) {
@@ -39,17 +40,20 @@ std::vector<BoxContact> box_contacts(bool quick) {
       for (const double L : moduli) {
         const double film = moes_film_formula({.M = M, .L = L}) / moes_film_per_hertz_film(M);
         const double inlet = -std::max(4.0, 4 * std::sqrt(2 * film));
-        contacts.push_back({.M = M,
-                            .L = L,
-                            .flooded = flooded,
-                            .problem = problem_at({M, L}, true, flooded ? Inlet{Flooded{}} : Inlet{TruncatedAt{inlet}})});
+        contacts.push_back(
+            {.M = M,
+             .L = L,
+             .flooded = flooded,
+             .problem = problem_at({M, L}, true, flooded ? Inlet{Flooded{}} : Inlet{TruncatedAt{inlet}})});
       }
     }
   }
   return contacts;
 }
 
-std::string BoxSetting::text() const { return tolerance ? plain(*tolerance) : "n = " + std::to_string(nodes.value_or(0)); }
+std::string BoxSetting::text() const {
+  return tolerance ? plain(*tolerance) : "n = " + std::to_string(nodes.value_or(0));
+}
 
 std::vector<BoxSetting> box_settings() {
   return {{.tolerance = 1e-3, .nodes = {}},
@@ -61,7 +65,8 @@ std::vector<BoxSetting> box_settings() {
 std::vector<BoxRow> run_box(const BoxRequest& request) {
   std::vector<Solution> truths;
   if (request.truth) {
-    if (request.progress) request.progress(std::to_string(request.contacts.size()) + " truths by " + request.truth->name);
+    if (request.progress)
+      request.progress(std::to_string(request.contacts.size()) + " truths by " + request.truth->name);
     std::vector<Problem> problems;
     for (const BoxContact& contact : request.contacts) problems.push_back(contact.problem);
     truths = solve_all(*request.truth, problems,
@@ -112,8 +117,13 @@ std::vector<BoxRow> run_box(const BoxRequest& request) {
 Json to_json(const std::vector<BoxRow>& rows) {
   Json list = Json::array();
   for (const BoxRow& row : rows) {
-    Json json{{"solver", row.solver}, {"M", row.M}, {"L", row.L}, {"inlet", row.flooded ? "flooded" : "cut"},
-              {"status", row.status}, {"wall_s", median(row.wall_s)}, {"solves", row.wall_s.size()}};
+    Json json{{"solver", row.solver},
+              {"M", row.M},
+              {"L", row.L},
+              {"inlet", row.flooded ? "flooded" : "cut"},
+              {"status", row.status},
+              {"wall_s", median(row.wall_s)},
+              {"solves", row.wall_s.size()}};
     if (row.setting.tolerance) json["tolerance"] = *row.setting.tolerance;
     if (row.setting.nodes) json["nodes"] = *row.setting.nodes;
     for (std::size_t k = 0; k < 2; ++k) {
@@ -135,8 +145,8 @@ std::string box_csv(const std::vector<BoxRow>& rows) {
   const auto number = [](const std::optional<double>& value) { return value ? plain(*value, 6) : std::string(); };
   for (const BoxRow& row : rows) {
     text += row.solver + "," + number(row.setting.tolerance) + "," +
-            (row.setting.nodes ? std::to_string(*row.setting.nodes) : "") + "," + plain(row.M) + "," + plain(row.L) + "," +
-            (row.flooded ? "flooded" : "cut") + "," + row.status + "," + plain(median(row.wall_s), 6);
+            (row.setting.nodes ? std::to_string(*row.setting.nodes) : "") + "," + plain(row.M) + "," + plain(row.L) +
+            "," + (row.flooded ? "flooded" : "cut") + "," + row.status + "," + plain(median(row.wall_s), 6);
     for (std::size_t k = 0; k < 2; ++k)
       text += "," + number(row.reported[k]) + "," + number(row.achieved[k]) + "," + number(row.truth_error[k]);
     text += "\n";
@@ -150,7 +160,8 @@ std::string human_table(const std::vector<BoxRow>& rows) {
                                                "within bars"}};
   for (auto first = rows.begin(); first != rows.end();) {
     const auto same = [&](const BoxRow& row) {
-      return row.solver == first->solver && row.setting.text() == first->setting.text() && row.flooded == first->flooded;
+      return row.solver == first->solver && row.setting.text() == first->setting.text() &&
+             row.flooded == first->flooded;
     };
     const auto last = std::find_if_not(first, rows.end(), same);
     std::vector<double> times;
@@ -178,8 +189,8 @@ std::string human_table(const std::vector<BoxRow>& rows) {
                      cell(largest[1]), place[1], std::to_string(covered) + " of " + std::to_string(judged)});
     first = last;
   }
-  return "The box, Roelands compressible: M of 0.5 .. 5000 (flooded from 0.05), L of 0 .. 30\n" + aligned(table, 3, "  ") +
-         "\n";
+  return "The box, Roelands compressible: M of 0.5 .. 5000 (flooded from 0.05), L of 0 .. 30\n" +
+         aligned(table, 3, "  ") + "\n";
 }
 
 }  // namespace ehd::verification

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "workflow/registry.hpp"
-#include "verification/bench/timing.hpp"
 #include "io/json.hpp"
 #include "io/tables.hpp"
+#include "verification/bench/timing.hpp"
+#include "workflow/registry.hpp"
 
 namespace ehd::verification {
 
@@ -20,8 +20,8 @@ struct BoxContact {
   bool flooded = false;
   Problem problem;
 };
-/// M of 0.5 .. 5000 and L of 0 .. 30 with the inlet cut at -max(4, 4 sqrt(2 H_cen)) by Moes' film (104 contacts), the same
-/// flooded from M = 0.05 (128); a few of them when quick.
+/// M of 0.5 .. 5000 and L of 0 .. 30 with the inlet cut at -max(4, 4 sqrt(2 H_cen)) by Moes' film (104 contacts), the
+/// same flooded from M = 0.05 (128); a few of them when quick.
 [[nodiscard]] std::vector<BoxContact> box_contacts(bool quick);
 
 /// What a solver is asked: a tolerance or a number of intervals (then iterated to half the grid's error).

@@ -7,14 +7,14 @@
 #include <chrono>
 #include <cmath>
 #include <new>
+#include <nlohmann/json.hpp>
 #include <set>
 
-#include "verification/bench/child.hpp"
-#include "verification/studies/oils.hpp"
 #include "contact/text.hpp"
 #include "io/json.hpp"
-#include <nlohmann/json.hpp>
 #include "io/tables.hpp"
+#include "verification/bench/child.hpp"
+#include "verification/studies/oils.hpp"
 
 namespace ehd::verification {
 
@@ -152,7 +152,8 @@ std::vector<ScalingRow> run_scaling(const ScalingRequest& request) {
           row.reason = "not run: it would not fit into memory";
         } else {
           if (request.progress) request.progress(name_of(contact) + ": " + solver->name + ", n = " + std::to_string(n));
-          const Request asked{.tolerance = {}, .nodes = n, .iteration_share = 0.5, .time_limit_s = request.time_limit_s};
+          const Request asked{
+              .tolerance = {}, .nodes = n, .iteration_share = 0.5, .time_limit_s = request.time_limit_s};
           const ChildEnd end =
               in_child([&, one = solver] { return measured(*one, problem, asked, request.repetition).dump(); });
           if (end.text) {

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "contact/conditions.hpp"
-#include "workflow/registry.hpp"
-#include "verification/bench/timing.hpp"
 #include "io/json.hpp"
 #include "io/tables.hpp"
+#include "verification/bench/timing.hpp"
+#include "workflow/registry.hpp"
 
 namespace ehd::verification {
 

@@ -7,17 +7,17 @@
 #include <ctime>
 #include <limits>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <utility>
 
-#include "workflow/batch.hpp"
-#include "verification/studies/profile.hpp"
-#include "workflow/contact_run.hpp"
 #include "contact/text.hpp"
-#include "io/json.hpp"
-#include <nlohmann/json.hpp>
-#include "io/tables.hpp"
 #include "io/case_reader.hpp"
 #include "io/find_case.hpp"
+#include "io/json.hpp"
+#include "io/tables.hpp"
+#include "verification/studies/profile.hpp"
+#include "workflow/batch.hpp"
+#include "workflow/contact_run.hpp"
 
 namespace ehd::verification {
 

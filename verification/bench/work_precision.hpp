@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "workflow/case.hpp"
-#include "workflow/registry.hpp"
-#include "verification/bench/timing.hpp"
 #include "io/json.hpp"
 #include "io/tables.hpp"
+#include "verification/bench/timing.hpp"
+#include "workflow/case.hpp"
+#include "workflow/registry.hpp"
 
 namespace ehd::verification {
 

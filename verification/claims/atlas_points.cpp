@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rung 10: the atlas (cases/atlas). Its table and its case files say the same; a sample of its points is met by both
 // solvers at other tolerances than the one it was made with.
-#include "verification/atlas/atlas.hpp"
-
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -10,12 +8,13 @@
 #include <system_error>
 #include <vector>
 
-#include "verification/claims/topics.hpp"
-#include "workflow/registry.hpp"
-#include "workflow/contact_run.hpp"
 #include "contact/text.hpp"
 #include "io/case_reader.hpp"
 #include "io/find_case.hpp"
+#include "verification/atlas/atlas.hpp"
+#include "verification/claims/topics.hpp"
+#include "workflow/contact_run.hpp"
+#include "workflow/registry.hpp"
 
 namespace ehd::verification {
 

@@ -11,11 +11,11 @@
 #include <string>
 #include <vector>
 
-#include "workflow/bearing_run.hpp"
-#include "verification/claims/topics.hpp"
-#include "workflow/registry.hpp"
 #include "contact/text.hpp"
+#include "verification/claims/topics.hpp"
 #include "verification/studies/paper_statements.hpp"
+#include "workflow/bearing_run.hpp"
+#include "workflow/registry.hpp"
 
 namespace ehd::verification {
 
@@ -28,9 +28,8 @@ constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 /// The contacts solved so far, shared by the topics: bearings that differ in clearance have the same contacts.
 struct SharedMemory {
   std::mutex mutex;
-  ContactMemory memory{[](const Problem& problem, const Request& request) {
-    return find_solver("fast")->solve(problem, request);
-  }};
+  ContactMemory memory{
+      [](const Problem& problem, const Request& request) { return find_solver("fast")->solve(problem, request); }};
 };
 
 /// F_c = m (d_m/2) w_c^2 of a solid roller, from the case's own numbers.
@@ -66,17 +65,18 @@ Residuals residuals_of(const BearingCase& body, const BearingResult& result) {
   const double constant = result.law == bearing::Law::iso ? 35948 * std::pow(2.0, 10.0 / 9) : 8.06e4;
   const bool power = result.law == bearing::Law::hertz || result.law == bearing::Law::iso;
   for (const auto& roller : result.rollers) {
-    worst.rollers = worse(worst.rollers, std::abs(roller.outer.force_N - roller.inner.force_N - centrifugal) / force_scale);
-    const double room =
-        result.displacement_m * std::cos(roller.azimuth_deg * pi / 180) +
-        result.displacement_lateral_m * std::sin(roller.azimuth_deg * pi / 180) - body.geometry.clearance_m / 2;
-    worst.geometry = worse(worst.geometry, std::abs(roller.inner.displacement_m + roller.outer.displacement_m - room) / length_scale);
+    worst.rollers =
+        worse(worst.rollers, std::abs(roller.outer.force_N - roller.inner.force_N - centrifugal) / force_scale);
+    const double room = result.displacement_m * std::cos(roller.azimuth_deg * pi / 180) +
+                        result.displacement_lateral_m * std::sin(roller.azimuth_deg * pi / 180) -
+                        body.geometry.clearance_m / 2;
+    worst.geometry = worse(worst.geometry,
+                           std::abs(roller.inner.displacement_m + roller.outer.displacement_m - room) / length_scale);
     if (!power) continue;
     for (const ContactRow& contact : {roller.inner, roller.outer}) {
-      const double closed = contact.displacement_m <= 0
-                                ? 0.0
-                                : constant * std::pow(1e3 * body.geometry.length_m, 8.0 / 9) *
-                                      std::pow(1e3 * contact.displacement_m, 10.0 / 9);
+      const double closed = contact.displacement_m <= 0 ? 0.0
+                                                        : constant * std::pow(1e3 * body.geometry.length_m, 8.0 / 9) *
+                                                              std::pow(1e3 * contact.displacement_m, 10.0 / 9);
       worst.law = worse(worst.law, std::abs(contact.force_N - closed) / force_scale);
     }
   }
@@ -108,17 +108,18 @@ Findings judge_bearing(const Case& bearing_case, SharedMemory& shared) {
                       .case_id = bearing_case.id};
     };
     const bool balanced = result.status == StopReason::converged && !result.rollers.empty();
-    found.claims.push_back(claim_fact(says("balanced", "the bearing is balanced"), balanced, "every law finds a balance",
-                                      std::string(to_string(result.status)) + (result.why.empty() ? "" : ": " + result.why)));
-    const Residuals worst = balanced ? residuals_of(body, result)
-                                     : Residuals{nothing, nothing, nothing, nothing};
+    found.claims.push_back(
+        claim_fact(says("balanced", "the bearing is balanced"), balanced, "every law finds a balance",
+                   std::string(to_string(result.status)) + (result.why.empty() ? "" : ": " + result.why)));
+    const Residuals worst = balanced ? residuals_of(body, result) : Residuals{nothing, nothing, nothing, nothing};
     const Tolerance bound = Tolerance::required(1e-12, "balance error below 1e-12");
     found.claims.push_back(claim(says("balance_error", "the reported balance error is below 1e-12"),
                                  balanced ? result.balance_error : nothing, 0, bound));
-    found.claims.push_back(claim(says("ring", "the rollers carry the radial load, and nothing across it"), worst.ring, 0, bound));
-    found.claims.push_back(claim(says("rollers", "f_o = f_i + F_c on every roller"), worst.rollers, 0, bound));
     found.claims.push_back(
-        claim(says("geometry", "delta_i + delta_o = x cos psi + y sin psi - P_d/2 at every roller"), worst.geometry, 0, bound));
+        claim(says("ring", "the rollers carry the radial load, and nothing across it"), worst.ring, 0, bound));
+    found.claims.push_back(claim(says("rollers", "f_o = f_i + F_c on every roller"), worst.rollers, 0, bound));
+    found.claims.push_back(claim(says("geometry", "delta_i + delta_o = x cos psi + y sin psi - P_d/2 at every roller"),
+                                 worst.geometry, 0, bound));
     if (result.law == bearing::Law::hertz || result.law == bearing::Law::iso)
       found.claims.push_back(claim(says("law", "every contact obeys the printed power law"), worst.law, 0, bound));
   }
@@ -147,7 +148,8 @@ Findings judge_bearing(const Case& bearing_case, SharedMemory& shared) {
   return found;
 }
 
-/// What docs/results/bearing-measured.md prints of NA4908 as the case stands: verdicts, and ends of the ranges of x_0 in mm.
+/// What docs/results/bearing-measured.md prints of NA4908 as the case stands: verdicts, and ends of the ranges of x_0
+/// in mm.
 struct PrintedEnd {
   const char *what, *id, *mm;
   DatumScan::Ranges DatumScan::*ranges;
@@ -161,17 +163,20 @@ struct PrintedVerdicts {
 std::vector<PrintedVerdicts> printed_verdicts() {
   const auto ends = [](std::array<const char*, 8> mm) {
     using Scan = DatumScan;
-    return std::vector<PrintedEnd>{{"(a) holds from", "a/from", mm[0], &Scan::a_m, true},
-                                   {"(b) holds up to", "b/to", mm[1], &Scan::b_m, false},
-                                   {"(c) holds from", "c/from", mm[2], &Scan::c_m, true},
-                                   {"(c) holds up to", "c/to", mm[3], &Scan::c_m, false},
-                                   {"the second half of (c) holds up to", "c-opposite/to", mm[4], &Scan::c_opposite_m, false},
-                                   {"(d) holds from", "d/from", mm[5], &Scan::d_m, true},
-                                   {"by the sign of (a) all hold from", "sign/from", mm[6], &Scan::sign_of_a_m, true},
-                                   {"by the sign of (a) all hold up to", "sign/to", mm[7], &Scan::sign_of_a_m, false}};
+    return std::vector<PrintedEnd>{
+        {"(a) holds from", "a/from", mm[0], &Scan::a_m, true},
+        {"(b) holds up to", "b/to", mm[1], &Scan::b_m, false},
+        {"(c) holds from", "c/from", mm[2], &Scan::c_m, true},
+        {"(c) holds up to", "c/to", mm[3], &Scan::c_m, false},
+        {"the second half of (c) holds up to", "c-opposite/to", mm[4], &Scan::c_opposite_m, false},
+        {"(d) holds from", "d/from", mm[5], &Scan::d_m, true},
+        {"by the sign of (a) all hold from", "sign/from", mm[6], &Scan::sign_of_a_m, true},
+        {"by the sign of (a) all hold up to", "sign/to", mm[7], &Scan::sign_of_a_m, false}};
   };
-  return {{bearing::Law::ehd_linear, "abd", "c", ends({"1.36", "26.9", "0.0573", "0.178", "2.15", "0.085", "0.102", "0.178"})},
-          {bearing::Law::ehd, "abd", "c", ends({"1.73", "26.3", "0.119", "0.637", "2.84", "0.0876", "0.149", "0.637"})}};
+  return {
+      {bearing::Law::ehd_linear, "abd", "c",
+       ends({"1.36", "26.9", "0.0573", "0.178", "2.15", "0.085", "0.102", "0.178"})},
+      {bearing::Law::ehd, "abd", "c", ends({"1.73", "26.3", "0.119", "0.637", "2.84", "0.0876", "0.149", "0.637"})}};
 }
 
 /// The judge against the printed table: a verdict that turns, or an end that moves, is seen.
@@ -179,16 +184,18 @@ void judge_printed(const PrintedVerdicts& printed, const std::vector<PaperStatem
                    Findings& found) {
   const std::string name(to_string(printed.law)), where = "what docs/results/bearing-measured.md prints";
   const auto says = [&](const std::string& id, const std::string& statement) {
-    return Sentence{.id = "paper/" + name + "/" + id, .rung = 11, .statement = statement + ", law " + name, .case_id = "na4908"};
+    return Sentence{
+        .id = "paper/" + name + "/" + id, .rung = 11, .statement = statement + ", law " + name, .case_id = "na4908"};
   };
   for (const bool expected : {true, false})
     for (const char letter : expected ? printed.hold : printed.do_not) {
       const auto one = std::find_if(statements.begin(), statements.end(),
                                     [&](const PaperStatement& of) { return of.letter == letter; });
-      found.claims.push_back(claim_fact(
-          says(std::string("verdict/") + letter,
-               std::string("paper's (") + letter + ") " + (expected ? "holds" : "does not hold") + " for NA4908, as printed"),
-          one != statements.end() && one->holds == expected, where, one == statements.end() ? "not judged" : one->numbers));
+      found.claims.push_back(claim_fact(says(std::string("verdict/") + letter,
+                                             std::string("paper's (") + letter + ") " +
+                                                 (expected ? "holds" : "does not hold") + " for NA4908, as printed"),
+                                        one != statements.end() && one->holds == expected, where,
+                                        one == statements.end() ? "not judged" : one->numbers));
     }
   found.claims.push_back(claim_fact(says("x0/nowhere", "(a), (b), (c) and (d) hold together with no x_0, as printed"),
                                     scan.half_width_m > 0 && scan.all_hold_m.empty(), where,
@@ -204,8 +211,8 @@ void judge_printed(const PrintedVerdicts& printed, const std::vector<PaperStatem
   }
 }
 
-/// What the paper says of its figures, with what was computed: a finding, which stands once it could be computed. That the
-/// judge still says what is printed is a claim.
+/// What the paper says of its figures, with what was computed: a finding, which stands once it could be computed. That
+/// the judge still says what is printed is a claim.
 Findings judge_paper(const std::vector<Case>& clearances, SharedMemory& shared) {
   Findings found;
   const std::lock_guard lock(shared.mutex);
@@ -225,19 +232,20 @@ Findings judge_paper(const std::vector<Case>& clearances, SharedMemory& shared) 
                                        .case_id = "na4908"},
                                       statements.size() == 4, "a judgement for each statement"));
     for (const PaperStatement& one : statements) {
-      found.claims.push_back(claim_finding({.id = "paper/" + name + "/" + one.letter,
-                                            .rung = 11,
-                                            .statement = std::string("paper's (") + one.letter + "), law " + name +
-                                                         ": " + one.statement + ": computed: " +
-                                                         (one.holds ? "holds" : "does not hold"),
-                                            .case_id = "na4908"},
-                                           one.numbers));
+      found.claims.push_back(
+          claim_finding({.id = "paper/" + name + "/" + one.letter,
+                         .rung = 11,
+                         .statement = std::string("paper's (") + one.letter + "), law " + name + ": " + one.statement +
+                                      ": computed: " + (one.holds ? "holds" : "does not hold"),
+                         .case_id = "na4908"},
+                        one.numbers));
     }
     const DatumScan scan = scan_datum(clearances, law, shared.memory);
     found.claims.push_back(claim_finding(
         {.id = "paper/" + name + "/datum",
          .rung = 11,
-         .statement = "the datum x_0 with which (a) to (d) all hold, law " + name + ": " + words_of(scan, scan.all_hold_m) +
+         .statement = "the datum x_0 with which (a) to (d) all hold, law " + name + ": " +
+                      words_of(scan, scan.all_hold_m) +
                       "; by the sign of (a) alone: " + words_of(scan, scan.sign_of_a_m),
          .case_id = "na4908"},
         "scanned from " + plain(1e3 * scan.lowest_m, 3) + " to " + plain(1e3 * scan.highest_m, 3) +
@@ -259,11 +267,12 @@ Findings judge_centrifugal() {
                                    .first_azimuth_deg = 0};
   const std::string printed = "37.8";
   Findings found;
-  found.claims.push_back(claim_value({.id = "bearing/centrifugal-209",
-                                      .rung = 11,
-                                      .statement = "a roller of the 209 bearing at 10,000 rpm is thrown out with 37.8 N"},
-                                     bearing::centrifugal_force_N(geometry, bearing::speeds_from_rpm(10000, 0)),
-                                     std::stod(printed), 0, Tolerance::published_digits(printed)));
+  found.claims.push_back(
+      claim_value({.id = "bearing/centrifugal-209",
+                   .rung = 11,
+                   .statement = "a roller of the 209 bearing at 10,000 rpm is thrown out with 37.8 N"},
+                  bearing::centrifugal_force_N(geometry, bearing::speeds_from_rpm(10000, 0)), std::stod(printed), 0,
+                  Tolerance::published_digits(printed)));
   return found;
 }
 
@@ -276,16 +285,15 @@ std::vector<Topic> bearing_topics(const std::vector<LoadedCase>& cases) {
   for (const LoadedCase& loaded : cases) {
     const auto* one = std::get_if<Case>(&loaded.content);
     if (!one || !std::holds_alternative<BearingCase>(one->body)) continue;
-    topics.push_back({.name = one->id,
-                      .rungs = {11},
-                      .case_id = one->id,
-                      .judge = [bearing_case = *one, shared] { return judge_bearing(bearing_case, *shared); }});
+    topics.push_back({.name = one->id, .rungs = {11}, .case_id = one->id, .judge = [bearing_case = *one, shared] {
+                        return judge_bearing(bearing_case, *shared);
+                      }});
     if (one->id == "na4908" || one->id == "na4908-2.5um" || one->id == "na4908-10um") paper.push_back(*one);
   }
   if (paper.size() > 1)
-    topics.push_back({.name = "the paper's statements",
-                      .rungs = {11},
-                      .judge = [paper, shared] { return judge_paper(paper, *shared); }});
+    topics.push_back({.name = "the paper's statements", .rungs = {11}, .judge = [paper, shared] {
+                        return judge_paper(paper, *shared);
+                      }});
   return topics;
 }
 

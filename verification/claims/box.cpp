@@ -6,10 +6,10 @@
 #include <limits>
 #include <string>
 
-#include "verification/studies/oils.hpp"
-#include "verification/claims/topics.hpp"
-#include "workflow/registry.hpp"
 #include "contact/text.hpp"
+#include "verification/claims/topics.hpp"
+#include "verification/studies/oils.hpp"
+#include "workflow/registry.hpp"
 
 namespace ehd::verification {
 

@@ -9,10 +9,10 @@
 #include <string>
 
 #include "contact/estimate.hpp"
-#include "verification/claims/topics.hpp"
-#include "workflow/registry.hpp"
-#include "workflow/contact_run.hpp"
 #include "contact/text.hpp"
+#include "verification/claims/topics.hpp"
+#include "workflow/contact_run.hpp"
+#include "workflow/registry.hpp"
 
 namespace ehd::verification {
 
@@ -194,8 +194,8 @@ double finest_digits(const Case& contact_case) {
   return finest;
 }
 
-/// Cases with more digits than 1e-3 can feel are solved once more by the reference, as far as it is said to go: films to
-/// ten digits (half a unit of the tenth, 5e-11), by Barus' law, whose spike is narrower, and spikes to seven.
+/// Cases with more digits than 1e-3 can feel are solved once more by the reference, as far as it is said to go: films
+/// to ten digits (half a unit of the tenth, 5e-11), by Barus' law, whose spike is narrower, and spikes to seven.
 Findings judge_certified(const Case& contact_case) {
   const RegisteredSolver* solver = find_solver("reference");
   const auto& contact = std::get<ContactCase>(contact_case.body);
@@ -215,7 +215,8 @@ Findings judge_certified(const Case& contact_case) {
                                   .case_id = contact_case.id,
                                   .solver = "reference"},
                                  seen && seen->error ? *seen->error : nothing, 0,
-                                 Tolerance::required(bound, "the digits that README.md says of `reference`"), how_it_ended(run)));
+                                 Tolerance::required(bound, "the digits that README.md says of `reference`"),
+                                 how_it_ended(run)));
   };
   for (const Quantity film : films) within(film, tolerance);
   for (const Expectation& expectation : contact_case.expectations)
@@ -245,7 +246,8 @@ constexpr BarRun bar_runs[] = {{"fast.uniform", {}, 1024},
 Findings judge_stated_errors(const Case& contact_case) {
   Findings found;
   for (const BarRun& asked : bar_runs) {
-    const ContactRun run = run_contact(contact_case, *find_solver(asked.solver), {.tolerance = asked.tolerance, .nodes = asked.nodes}, want_everything());
+    const ContactRun run = run_contact(contact_case, *find_solver(asked.solver),
+                                       {.tolerance = asked.tolerance, .nodes = asked.nodes}, want_everything());
     if (asked.solver == std::string("reference")) {
       const auto film = run.solution.observables.find(Quantity::film_minimum);
       const double stated = run.solution.record.film_minimum.iteration;
@@ -253,23 +255,26 @@ Findings judge_stated_errors(const Case& contact_case) {
       const double rounding = film == run.solution.observables.end()
                                   ? nothing
                                   : std::numeric_limits<double>::epsilon() / film->second.value;
-      found.claims.push_back(claim_fact({.id = contact_case.id + "/reference/stated/rounding",
-                                         .rung = 8,
-                                         .statement = "the iteration error that reference states of " + contact_case.id +
-                                                      " is no smaller than what rounding does to a film",
-                                         .case_id = contact_case.id,
-                                         .solver = "reference"},
-                                        stated >= rounding, "eps/H_min", plain(stated, 2) + " against " + plain(rounding, 2)));
+      found.claims.push_back(
+          claim_fact({.id = contact_case.id + "/reference/stated/rounding",
+                      .rung = 8,
+                      .statement = "the iteration error that reference states of " + contact_case.id +
+                                   " is no smaller than what rounding does to a film",
+                      .case_id = contact_case.id,
+                      .solver = "reference"},
+                     stated >= rounding, "eps/H_min", plain(stated, 2) + " against " + plain(rounding, 2)));
     }
     for (const Expectation& expectation : contact_case.expectations) {
       const bool film = expectation.quantity == "film.minimum" || expectation.quantity == "film.central";
       if (!film || expectation.waiting || expectation.kind == ExpectationKind::fit) continue;
       const auto measured = measure(run, expectation);  // however it ended: what is stated has to hold
       const double stated = measured && measured->error ? *measured->error : nothing;
-      const Sentence says{.id = contact_case.id + "/" + asked.solver + "/stated" + (asked.tolerance ? "-" + plain(*asked.tolerance) : "") + "/" + expectation.quantity + "/" + expectation.digits,
+      const Sentence says{.id = contact_case.id + "/" + asked.solver + "/stated" +
+                                (asked.tolerance ? "-" + plain(*asked.tolerance) : "") + "/" + expectation.quantity +
+                                "/" + expectation.digits,
                           .rung = 8,
-                          .statement = std::string(asked.solver) + asked.how() +
-                                       " states an error that holds " + expectation.quantity + " of " + contact_case.id,
+                          .statement = std::string(asked.solver) + asked.how() + " states an error that holds " +
+                                       expectation.quantity + " of " + contact_case.id,
                           .case_id = contact_case.id,
                           .solver = asked.solver};
       if (!measured && run.status() == StopReason::under_resolved) {

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rung 5: the coupled equations against a manufactured solution: real deflection, both laws, full film
 // (verification/studies/manufactured_study.hpp). Orders are fitted over four grids.
-#include "verification/studies/manufactured_study.hpp"
-
 #include <cmath>
 #include <functional>
 #include <string>
 
-#include "verification/studies/fits.hpp"
 #include "verification/claims/topics.hpp"
+#include "verification/studies/fits.hpp"
+#include "verification/studies/manufactured_study.hpp"
 
 namespace ehd::verification {
 

@@ -16,9 +16,9 @@ namespace ehd::verification {
 namespace {
 
 void digits(Findings& found, const std::string& id, const std::string& what, double value, const std::string& printed) {
-  found.claims.push_back(claim_value(
-      {.id = "exact/" + id, .rung = 4, .statement = what + " has the printed digits " + printed}, value,
-      std::stod(printed), 0, Tolerance::published_digits(printed)));
+  found.claims.push_back(
+      claim_value({.id = "exact/" + id, .rung = 4, .statement = what + " has the printed digits " + printed}, value,
+                  std::stod(printed), 0, Tolerance::published_digits(printed)));
 }
 
 Findings judge_exact() {
@@ -28,8 +28,8 @@ Findings judge_exact() {
     const double H = 1 + X * X;
     return 12 * (H - martin.exit_film) / (H * H * H);
   };
-  const double at_exit = exact::integral_to_infinity([&](double t) { return slope(-t); }, 0) +
-                         exact::integral(slope, 0, martin.exit);
+  const double at_exit =
+      exact::integral_to_infinity([&](double t) { return slope(-t); }, 0) + exact::integral(slope, 0, martin.exit);
   found.claims.push_back(
       claim({.id = "exact/martin-exit",
              .rung = 4,
@@ -45,18 +45,19 @@ Findings judge_exact() {
                                      martin.exit, 0.4751299200930562, 0, Tolerance::round_off(16)));
   // Printed as 25.41379133: cut, not rounded, so a whole unit of the last digit is allowed.
   constexpr double printed_degrees = 25.41379133, unit = 1e-8;
-  found.claims.push_back(claim_value({.id = "exact/martin-exit-angle",
-                                      .rung = 4,
-                                      .statement = "Martin's exit stands at 25.41379133 degrees (cut, not rounded)"},
-                                     martin.exit_angle * 180 / std::numbers::pi, printed_degrees, 0,
-                                     Tolerance::calibrated(unit / printed_degrees, "a unit of the last printed digit")));
+  found.claims.push_back(
+      claim_value({.id = "exact/martin-exit-angle",
+                   .rung = 4,
+                   .statement = "Martin's exit stands at 25.41379133 degrees (cut, not rounded)"},
+                  martin.exit_angle * 180 / std::numbers::pi, printed_degrees, 0,
+                  Tolerance::calibrated(unit / printed_degrees, "a unit of the last printed digit")));
   digits(found, "martin-load-sum", "Martin's load with the sum speed", martin.load_sum, "2.447484");
-  found.claims.push_back(claim_value({.id = "exact/martin-pressure-at-0",
-                                      .rung = 4,
-                                      .statement = "Martin's pressure at x = 0 is half of the largest"},
-                                     martin.pressure_at_0, martin.pressure_max / 2, 0, Tolerance::round_off(64)));
+  found.claims.push_back(claim_value(
+      {.id = "exact/martin-pressure-at-0", .rung = 4, .statement = "Martin's pressure at x = 0 is half of the largest"},
+      martin.pressure_at_0, martin.pressure_max / 2, 0, Tolerance::round_off(64)));
   digits(found, "martin-rolling-force-moes", "Martin's T* M", exact::MartinContact(1).rolling_force, "1.4475");
-  // Full Sommerfeld: with h_exit = 4/3 h_0 the pressure comes back to zero far behind, so it is odd and carries nothing.
+  // Full Sommerfeld: with h_exit = 4/3 h_0 the pressure comes back to zero far behind, so it is odd and carries
+  // nothing.
   const auto sommerfeld = [](double X) {
     const double H = 1 + X * X;
     return 12 * (H - 4.0 / 3) / (H * H * H);

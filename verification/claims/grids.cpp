@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "verification/studies/oils.hpp"
+#include "contact/text.hpp"
 #include "verification/claims/topics.hpp"
 #include "verification/studies/grid_study.hpp"
+#include "verification/studies/oils.hpp"
 #include "workflow/registry.hpp"
-#include "contact/text.hpp"
 
 namespace ehd::verification {
 

@@ -31,9 +31,9 @@ double apart(double a, double b) { return std::abs(a - b) / std::abs(b); }
 double apart(const Problem& a, const Problem& b) {
   const auto& one = std::get<Roelands>(a.viscosity);
   const auto& two = std::get<Roelands>(b.viscosity);
-  return worse(apart(a.groups.M, b.groups.M), apart(a.groups.L, b.groups.L),
-                   apart(a.groups.lambda, b.groups.lambda), apart(a.groups.alpha_p_H, b.groups.alpha_p_H),
-                   apart(one.alpha, two.alpha), apart(one.p0, two.p0), apart(one.z, two.z));
+  return worse(apart(a.groups.M, b.groups.M), apart(a.groups.L, b.groups.L), apart(a.groups.lambda, b.groups.lambda),
+               apart(a.groups.alpha_p_H, b.groups.alpha_p_H), apart(one.alpha, two.alpha), apart(one.p0, two.p0),
+               apart(one.z, two.z));
 }
 
 // A dozen products, roots and powers of inputs known to half an ulp.
@@ -54,21 +54,22 @@ Findings judge_inputs() {
   Lubricant lubricant = oil();
   *lubricant.alpha_per_Pa *= pressure;
   lubricant.p0_Pa /= pressure;
-  found.claims.push_back(claim({.id = "inputs/units",
-                                .rung = 0,
-                                .statement = "a contact in inches, pounds and minutes is the same dimensionless problem"},
-                               apart(nondimensionalise(conditions, lubricant, Flooded{}).problem, in_SI), 0,
-                               rounding()));
+  found.claims.push_back(
+      claim({.id = "inputs/units",
+             .rung = 0,
+             .statement = "a contact in inches, pounds and minutes is the same dimensionless problem"},
+            apart(nondimensionalise(conditions, lubricant, Flooded{}).problem, in_SI), 0, rounding()));
 
   const MoesGroups moes{.M = in_SI.groups.M, .L = in_SI.groups.L};
   const HertzGroups hertz{.lambda = in_SI.groups.lambda, .alpha_p_H = in_SI.groups.alpha_p_H};
   for (const Statement& statement : {Statement{moes}, Statement{hertz}}) {
     const bool is_moes = std::holds_alternative<MoesGroups>(statement);
-    found.claims.push_back(claim({.id = is_moes ? "inputs/moes" : "inputs/hertz",
-                                  .rung = 0,
-                                  .statement = std::string("a contact stated by ") + (is_moes ? "M and L" : "lambda and alpha p_H") +
-                                               " is the same dimensionless problem as in SI"},
-                                 apart(nondimensionalise(statement, oil(), Flooded{}).problem, in_SI), 0, rounding()));
+    found.claims.push_back(
+        claim({.id = is_moes ? "inputs/moes" : "inputs/hertz",
+               .rung = 0,
+               .statement = std::string("a contact stated by ") + (is_moes ? "M and L" : "lambda and alpha p_H") +
+                            " is the same dimensionless problem as in SI"},
+              apart(nondimensionalise(statement, oil(), Flooded{}).problem, in_SI), 0, rounding()));
   }
 
   const DowsonGroups mean{.W = steel().load_N_per_m / (steel().reduced_modulus_Pa * steel().reduced_radius_m),
@@ -76,10 +77,11 @@ Findings judge_inputs() {
                                     (steel().reduced_modulus_Pa * steel().reduced_radius_m),
                           .G = *oil().alpha_per_Pa * steel().reduced_modulus_Pa};
   const MoesGroups from_mean = moes_from(mean);
-  found.claims.push_back(claim({.id = "inputs/mean-speed",
-                                .rung = 0,
-                                .statement = "Dowson's groups with the mean speed and Moes' with the sum are one contact"},
-                               worse(apart(from_mean.M, moes.M), apart(from_mean.L, moes.L)), 0, rounding()));
+  found.claims.push_back(
+      claim({.id = "inputs/mean-speed",
+             .rung = 0,
+             .statement = "Dowson's groups with the mean speed and Moes' with the sum are one contact"},
+            worse(apart(from_mean.M, moes.M), apart(from_mean.L, moes.L)), 0, rounding()));
   return found;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rung 6: how the solvers iterate. Jacobians are derivatives, Newton's method contracts quadratically, multigrid's cycle
-// does not care about the number of intervals, and iteration counts stay where they were.
+// Rung 6: how the solvers iterate. Jacobians are derivatives, Newton's method contracts quadratically, multigrid's
+// cycle does not care about the number of intervals, and iteration counts stay where they were.
 #include <Eigen/Dense>
 #include <algorithm>
 #include <chrono>
@@ -12,16 +12,16 @@
 #include <utility>
 #include <vector>
 
+#include "contact/text.hpp"
 #include "fast/discretisation.hpp"
 #include "fast/jacobian.hpp"
 #include "fast/multigrid.hpp"
-#include "reference/hp/element_newton.hpp"
 #include "reference/grid_newton.hpp"
+#include "reference/hp/element_newton.hpp"
+#include "verification/claims/topics.hpp"
 #include "verification/studies/fits.hpp"
 #include "verification/studies/oils.hpp"
-#include "verification/claims/topics.hpp"
 #include "workflow/registry.hpp"
-#include "contact/text.hpp"
 
 namespace ehd::verification {
 
@@ -72,7 +72,8 @@ Claim judge_dense_jacobian(bool graded) {
   constexpr int n = 120;
   const reference::Equations equations(some_problem(), dense_grid(graded, n));
   const Array X = equations.grid().nodes(some_exit);
-  reference::State at{.P = X.unaryExpr([](double x) { return some_pressure(x, some_exit); }), .offset = some_offset, .exit = some_exit};
+  reference::State at{
+      .P = X.unaryExpr([](double x) { return some_pressure(x, some_exit); }), .offset = some_offset, .exit = some_exit};
   Array change = X.unaryExpr([](double x) { return some_change(x, some_exit); });
   at.P[0] = at.P[n] = change[0] = change[n] = 0;
   const auto base = equations.evaluate(at);
@@ -81,12 +82,14 @@ Claim judge_dense_jacobian(bool graded) {
   const Eigen::VectorXd linear = equations.jacobian(at, base) * step;
   std::vector<double> left;
   for (const double share : shares) {
-    const auto moved = equations.evaluate(
-        {.P = at.P + share * change, .offset = at.offset + share * offset_change, .exit = at.exit + share * exit_change});
+    const auto moved = equations.evaluate({.P = at.P + share * change,
+                                           .offset = at.offset + share * offset_change,
+                                           .exit = at.exit + share * exit_change});
     left.push_back((moved.residual - base.residual - share * linear.array()).abs().maxCoeff());
   }
   const std::string solver = graded ? "reference.linear" : "reference.uniform";
-  return quadratic(solver + "/jacobian", "the Jacobian of " + solver + " is the derivative of its residual", solver, left);
+  return quadratic(solver + "/jacobian", "the Jacobian of " + solver + " is the derivative of its residual", solver,
+                   left);
 }
 
 Claim judge_matrix_free_jacobian(bool mapped) {
@@ -108,7 +111,9 @@ Claim judge_matrix_free_jacobian(bool mapped) {
   at.P = X.unaryExpr([](double x) { return some_pressure(x, some_exit); });
   at.offset = some_offset;
   at.exit = some_exit;
-  fast::Step step{.P = X.unaryExpr([](double x) { return some_change(x, some_exit); }), .offset = offset_change, .exit = exit_change};
+  fast::Step step{.P = X.unaryExpr([](double x) { return some_change(x, some_exit); }),
+                  .offset = offset_change,
+                  .exit = exit_change};
   at.P[0] = at.P[n] = step.P[0] = step.P[n] = 0;
   fast::Discretisation base, moved;
   std::vector<double> left;
@@ -128,11 +133,14 @@ Claim judge_matrix_free_jacobian(bool mapped) {
   }
   if (left.size() != std::size(shares)) left.assign(std::size(shares), nothing);
   const std::string solver = mapped ? "fast" : "fast.uniform";
-  return quadratic(solver + "/jacobian", "the matrix-free Jacobian of " + solver + " is the derivative of its residual", solver, left);
+  return quadratic(solver + "/jacobian", "the matrix-free Jacobian of " + solver + " is the derivative of its residual",
+                   solver, left);
 }
 
 hp::Mesh some_mesh() {
-  hp::Mesh mesh{.inlet = inlet, .breakpoints = {inlet - some_exit, -2.5, -1.7, -1.1, -0.6, -0.2, 0}, .degrees = {5, 6, 7, 8, 7, 6}};
+  hp::Mesh mesh{.inlet = inlet,
+                .breakpoints = {inlet - some_exit, -2.5, -1.7, -1.1, -0.6, -0.2, 0},
+                .degrees = {5, 6, 7, 8, 7, 6}};
   return mesh;
 }
 
@@ -160,7 +168,8 @@ Claim judge_collocation_jacobian() {
     there.exit += share * exit_change;
     left.push_back((equations.evaluate(there, 0).residual - base.residual - share * linear).cwiseAbs().maxCoeff());
   }
-  return quadratic("reference/jacobian", "the Jacobian of reference is the derivative of its residual", "reference", left);
+  return quadratic("reference/jacobian", "the Jacobian of reference is the derivative of its residual", "reference",
+                   left);
 }
 
 Findings judge_jacobians() {
@@ -179,7 +188,8 @@ Findings judge_newton() {
   {
     constexpr int n = 200;
     const reference::Equations equations(some_problem(), dense_grid(false, n));
-    const auto solved = reference::newton(equations, reference::hertz_start(equations, 0.5, some_exit), {.newton_iterations = 60, .end = end});
+    const auto solved = reference::newton(equations, reference::hertz_start(equations, 0.5, some_exit),
+                                          {.newton_iterations = 60, .end = end});
     std::vector<double> left(std::size(shares), nothing);
     if (solved.end == reference::NewtonEnd::solved) {
       const Array change = solved.state.P * solved.at.X.unaryExpr([](double x) { return std::sin(1.3 + 2 * x); });
@@ -194,7 +204,8 @@ Findings judge_newton() {
                                             : nothing);
       }
     }
-    found.claims.push_back(quadratic("reference.uniform/newton", "Newton's method of reference.uniform contracts quadratically",
+    found.claims.push_back(quadratic("reference.uniform/newton",
+                                     "Newton's method of reference.uniform contracts quadratically",
                                      "reference.uniform", left));
   }
   const hp::Collocation<double> equations(some_problem(), some_mesh(), hp::Points::left_radau);
@@ -212,7 +223,8 @@ Findings judge_newton() {
       beside.exit -= 0.1 * share;
       hp::Meter one{.iterations_left = 10, .end = end};
       const auto next = hp::newton(equations, beside, 0, {.iterations = 1, .step = 0}, one);
-      left.push_back(worse((next.state.P - solved.state.P).cwiseAbs().maxCoeff(), std::abs(next.state.exit - solved.state.exit)));
+      left.push_back(
+          worse((next.state.P - solved.state.P).cwiseAbs().maxCoeff(), std::abs(next.state.exit - solved.state.exit)));
     }
   }
   found.claims.push_back(
@@ -271,17 +283,25 @@ Findings judge_multigrid(MoesGroups moes) {
   double worst = 0;
   for (const double rate : rates) worst = worse(worst, rate);
   const std::string point = plain(moes.M) + "-" + plain(moes.L);
-  found.claims.push_back(claim({.id = "iteration/fast.uniform/multigrid-rate/" + point, .rung = 6,
-                                .statement = "a cycle leaves a bounded share of the linear residual at (" + plain(moes.M) + "," + plain(moes.L) + ")",
-                                .solver = "fast.uniform"},
-                               worst, 0,
-                               Tolerance::calibrated(moes.M < 100 ? 0.25 : 0.8, "twice the largest seen up to (20,10), .12; .62 was seen at (200,15)"),
-                               "256 to 4096 cells: " + text));
-  found.claims.push_back(claim({.id = "iteration/fast.uniform/multigrid-independent/" + point, .rung = 6,
-                                .statement = "that share does not grow with the number of cells at (" + plain(moes.M) + "," + plain(moes.L) + ")",
-                                .solver = "fast.uniform"},
-                               worse(0, slope(x, rates)), 0, Tolerance::calibrated(0.05, "growth a doubling: a rate that grows by .05 each time would be lost after ten"),
-                               text));
+  found.claims.push_back(claim(
+      {.id = "iteration/fast.uniform/multigrid-rate/" + point,
+       .rung = 6,
+       .statement =
+           "a cycle leaves a bounded share of the linear residual at (" + plain(moes.M) + "," + plain(moes.L) + ")",
+       .solver = "fast.uniform"},
+      worst, 0,
+      Tolerance::calibrated(moes.M < 100 ? 0.25 : 0.8,
+                            "twice the largest seen up to (20,10), .12; .62 was seen at (200,15)"),
+      "256 to 4096 cells: " + text));
+  found.claims.push_back(claim(
+      {.id = "iteration/fast.uniform/multigrid-independent/" + point,
+       .rung = 6,
+       .statement =
+           "that share does not grow with the number of cells at (" + plain(moes.M) + "," + plain(moes.L) + ")",
+       .solver = "fast.uniform"},
+      worse(0, slope(x, rates)), 0,
+      Tolerance::calibrated(0.05, "growth a doubling: a rate that grows by .05 each time would be lost after ten"),
+      text));
   return found;
 }
 
@@ -296,11 +316,11 @@ struct Count {
   double newton, krylov, work_units;
 };
 const Count counts[] = {
-    {{5, 5}, "fast.uniform", {}, 1024, 12, 12, 19.75},    {{20, 10}, "fast.uniform", {}, 1024, 15, 16, 27.75},
-    {{200, 15}, "fast.uniform", {}, 1024, 16, 27, 57.1},  {{5, 5}, "fast", 1e-4, {}, 18, 19, 20.5},
-    {{20, 10}, "fast", 1e-4, {}, 41, 41, 30.9},           {{200, 15}, "fast", 1e-4, {}, 82, 118, 89.6},
-    {{5, 5}, "reference", 1e-6, {}, 23, 0, 32.0},         {{20, 10}, "reference", 1e-6, {}, 61, 0, 55.1},
-    {{5, 5}, "reference.uniform", {}, 512, 21, 0, 12.3},  {{200, 15}, "reference.uniform", {}, 512, 20, 0, 25.75},
+    {{5, 5}, "fast.uniform", {}, 1024, 12, 12, 19.75},   {{20, 10}, "fast.uniform", {}, 1024, 15, 16, 27.75},
+    {{200, 15}, "fast.uniform", {}, 1024, 16, 27, 57.1}, {{5, 5}, "fast", 1e-4, {}, 18, 19, 20.5},
+    {{20, 10}, "fast", 1e-4, {}, 41, 41, 30.9},          {{200, 15}, "fast", 1e-4, {}, 82, 118, 89.6},
+    {{5, 5}, "reference", 1e-6, {}, 23, 0, 32.0},        {{20, 10}, "reference", 1e-6, {}, 61, 0, 55.1},
+    {{5, 5}, "reference.uniform", {}, 512, 21, 0, 12.3}, {{200, 15}, "reference.uniform", {}, 512, 20, 0, 25.75},
 };
 
 Findings judge_counts(const Count& recorded) {
@@ -311,14 +331,14 @@ Findings judge_counts(const Count& recorded) {
   Findings found;
   const auto add = [&](const std::string& what, double now, double then) {
     const bool ended = solution.record.status == StopReason::converged;
-    Claim judged = claim(
-        {.id = "iteration/" + std::string(recorded.solver) + "/" + what + "/" + plain(recorded.moes.M) + "-" + plain(recorded.moes.L),
-         .rung = 6,
-         .statement = std::string(recorded.solver) + " needs as many " + what + " at (" + plain(recorded.moes.M) + "," +
-                      plain(recorded.moes.L) + ") as it did",
-         .solver = recorded.solver},
-        ended ? std::abs(std::log(now / then)) : nothing, 0,
-        Tolerance::calibrated(std::log(1.5), "a factor 1.5 either way of the count recorded"));
+    Claim judged = claim({.id = "iteration/" + std::string(recorded.solver) + "/" + what + "/" +
+                                plain(recorded.moes.M) + "-" + plain(recorded.moes.L),
+                          .rung = 6,
+                          .statement = std::string(recorded.solver) + " needs as many " + what + " at (" +
+                                       plain(recorded.moes.M) + "," + plain(recorded.moes.L) + ") as it did",
+                          .solver = recorded.solver},
+                         ended ? std::abs(std::log(now / then)) : nothing, 0,
+                         Tolerance::calibrated(std::log(1.5), "a factor 1.5 either way of the count recorded"));
     judged.measured = now;
     judged.expected = then;
     found.claims.push_back(std::move(judged));
@@ -333,13 +353,15 @@ Findings judge_counts(const Count& recorded) {
 Findings judge_blind_grids() {
   Findings found;
   for (const char* solver : {"reference.uniform", "fast.uniform"}) {
-    const Solution solution = find_solver(solver)->solve(problem_at({1000, 10}, true, TruncatedAt{-4}), {.tolerance = {}, .nodes = 128});
-    found.claims.push_back(claim_fact({.id = "iteration/" + std::string(solver) + "/under-resolved",
-                                       .rung = 6,
-                                       .statement = std::string(solver) + " calls 128 intervals at (1000,10) under-resolved",
-                                       .solver = solver},
-                                      solution.record.status == StopReason::under_resolved, "a grid that cannot see the inlet zone is never converged",
-                                      std::string(to_string(solution.record.status))));
+    const Solution solution =
+        find_solver(solver)->solve(problem_at({1000, 10}, true, TruncatedAt{-4}), {.tolerance = {}, .nodes = 128});
+    found.claims.push_back(claim_fact(
+        {.id = "iteration/" + std::string(solver) + "/under-resolved",
+         .rung = 6,
+         .statement = std::string(solver) + " calls 128 intervals at (1000,10) under-resolved",
+         .solver = solver},
+        solution.record.status == StopReason::under_resolved,
+        "a grid that cannot see the inlet zone is never converged", std::string(to_string(solution.record.status))));
   }
   return found;
 }

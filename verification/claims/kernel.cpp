@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rungs 1 to 3: the logarithmic kernel by each solver's own code against quadrature, the products by FFT on uniform
 // and mapped grids against dense ones, and the deflection by Hertz's pressure.
+#include "reference/kernel.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -12,7 +14,6 @@
 #include "contact/hertz.hpp"
 #include "fast/convolution.hpp"
 #include "fast/grid.hpp"
-#include "reference/kernel.hpp"
 #include "verification/claims/topics.hpp"
 #include "verification/exact/hertz_gap.hpp"
 #include "verification/exact/numerics.hpp"
@@ -45,7 +46,7 @@ Findings judge_weights() {
     const auto moments = reference::log_moments(v);
     const double size = 1 + std::log(1 + std::abs(v));
     worst = worse(worst, std::abs(moments.zeroth - moment_by_quadrature(v, false)) / size,
-                      std::abs(moments.first - moment_by_quadrature(v, true)) / size);
+                  std::abs(moments.first - moment_by_quadrature(v, true)) / size);
     if (std::isnan(moment_by_quadrature(v, false) + moment_by_quadrature(v, true))) worst = NAN;
   }
   // The quadrature is granted 1e-13, the weights declare 1e-14.
@@ -82,11 +83,9 @@ Findings judge_weights() {
   // second differences of u^2 ln|u|/2 up to u = 24: four terms of that size, rounded.
   const double by_reference = 4e-14 * (1 + std::log(2.0 * intervals));
   const double by_fast = 4 * (24.0 * 24 * std::log(24.0) / 2) * std::numeric_limits<double>::epsilon();
-  found.claims.push_back(claim({.id = "kernel/two-codes",
-                                .rung = 1,
-                                .statement = "the kernels of reference/ and fast/ agree on equal cells"},
-                               apart, 0, Tolerance::discretisation(by_reference + by_fast, 1),
-                               "200 cells, relative to a cell"));
+  found.claims.push_back(claim(
+      {.id = "kernel/two-codes", .rung = 1, .statement = "the kernels of reference/ and fast/ agree on equal cells"},
+      apart, 0, Tolerance::discretisation(by_reference + by_fast, 1), "200 cells, relative to a cell"));
   found.claims.push_back(
       claim({.id = "kernel/symmetry", .rung = 1, .statement = "the kernel of equal cells is symmetric"}, asymmetry, 0,
             Tolerance::discretisation(by_reference, 1)));
@@ -121,8 +120,8 @@ Findings judge_operator() {
   return found;
 }
 
-/// Sum_j h phi'_j P_j (w_|i-j| + Lambda_ij + ln h) term by term, every factor from its definition, and the largest sum of
-/// the terms' sizes.
+/// Sum_j h phi'_j P_j (w_|i-j| + Lambda_ij + ln h) term by term, every factor from its definition, and the largest sum
+/// of the terms' sizes.
 struct DenseProduct {
   Array y;
   double size = 0;
@@ -167,15 +166,16 @@ Findings judge_mapped_operator() {
     const bool whole = intervals <= 128;
     // Three transforms and a product, as above, and two sums; nearby places cancel: eps over the smallest spacing.
     const double nearest = (X.tail(intervals) - X.head(intervals)).minCoeff() / length;
-    found.claims.push_back(
-        claim({.id = "operator/mapped-" + std::to_string(intervals),
-               .rung = 2,
-               .statement = "FFT and smooth remainder make the dense product on " + std::to_string(intervals) +
-                            " mapped cells" + (whole ? "" : ", but for what interpolation leaves of a film")},
-              whole ? apart / dense.size : length / pi * apart / film, 0,
-              whole ? Tolerance::round_off(4 * std::log2(2.0 * intervals) + 2 * std::sqrt(intervals) + 0.1 / (nearest * intervals))
-                    : Tolerance::calibrated(intervals <= 1024 ? 1e-6 : 1e-8, "eight points of 128 or 256 cells"),
-              whole ? "relative to the sum of its terms' sizes" : "film error over H_cen = 0.02, largest of all nodes"));
+    found.claims.push_back(claim(
+        {.id = "operator/mapped-" + std::to_string(intervals),
+         .rung = 2,
+         .statement = "FFT and smooth remainder make the dense product on " + std::to_string(intervals) +
+                      " mapped cells" + (whole ? "" : ", but for what interpolation leaves of a film")},
+        whole ? apart / dense.size : length / pi * apart / film, 0,
+        whole ? Tolerance::round_off(4 * std::log2(2.0 * intervals) + 2 * std::sqrt(intervals) +
+                                     0.1 / (nearest * intervals))
+              : Tolerance::calibrated(intervals <= 1024 ? 1e-6 : 1e-8, "eight points of 128 or 256 cells"),
+        whole ? "relative to the sum of its terms' sizes" : "film error over H_cen = 0.02, largest of all nodes"));
   }
   return found;
 }
@@ -183,8 +183,7 @@ Findings judge_mapped_operator() {
 /// max over the nodes in |X| <= inside of |film - flat| for Hertz's pressure on n equal cells of [-1, 1].
 double flatness_error(int intervals, bool centre_only) {
   const Array nodes = Array::LinSpaced(intervals + 1, 1.0, -1.0);
-  const Array deflection =
-      (reference::log_kernel(nodes) * hertz::pressure(nodes).matrix()).array() / pi;
+  const Array deflection = (reference::log_kernel(nodes) * hertz::pressure(nodes).matrix()).array() / pi;
   const Array error = (nodes.square() / 2 - deflection + hertz::dry_offset()).abs();
   return centre_only ? error[intervals / 2] : error.maxCoeff();
 }
@@ -214,14 +213,13 @@ Findings judge_elasticity() {
       sx += x, sy += y, sxx += x * x, sxy += x * y;
     }
     const double n = std::size(grids), order = (n * sxy - sx * sy) / (n * sxx - sx * sx);
-    Claim judged =
-        claim({.id = centre ? "elasticity/order-centre" : "elasticity/order-contact",
-               .rung = 3,
-               .statement = std::string("on piecewise linear pressure the film of Hertz's contact converges ") +
-                            (centre ? "like h^2 at the centre" : "like h^(3/2) ln h over the whole contact")},
-              std::abs(order - declared), 0,
-              Tolerance::calibrated(0.1, "fitted orders over four grids are read to a tenth"),
-              "64 to 512 cells on [-1, 1]");
+    Claim judged = claim(
+        {.id = centre ? "elasticity/order-centre" : "elasticity/order-contact",
+         .rung = 3,
+         .statement = std::string("on piecewise linear pressure the film of Hertz's contact converges ") +
+                      (centre ? "like h^2 at the centre" : "like h^(3/2) ln h over the whole contact")},
+        std::abs(order - declared), 0, Tolerance::calibrated(0.1, "fitted orders over four grids are read to a tenth"),
+        "64 to 512 cells on [-1, 1]");
     judged.measured = order;
     judged.expected = declared;
     found.claims.push_back(judged);
@@ -231,8 +229,8 @@ Findings judge_elasticity() {
 
 Findings judge_mapped_elasticity() {
   // On a map both edges are nodes, where the root of the pressure leaves zeta(-1/2) h^(3/2) (Navot 1961).
-  const auto map = std::make_shared<const fast::Map>(fast::MapShape{
-      .inlet = -1, .exit = 1, .scale = 1, .inlet_width = 0.2, .spike = 0.9, .spike_width = 0.1});
+  const auto map = std::make_shared<const fast::Map>(
+      fast::MapShape{.inlet = -1, .exit = 1, .scale = 1, .inlet_width = 0.2, .spike = 0.9, .spike_width = 0.1});
   double sx = 0, sy = 0, sxx = 0, sxy = 0, last = 0;
   constexpr int sizes[] = {128, 256, 512, 1024, 2048};
   for (const int intervals : sizes) {

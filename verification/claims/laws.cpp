@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rung 0: what becomes of SI. Groups, scales and laws of a steel contact, from the printed formulas written out here once
-// more, along other ways than those of contact/; and what a result says in metres and Moes' units.
+// Rung 0: what becomes of SI. Groups, scales and laws of a steel contact, from the printed formulas written out here
+// once more, along other ways than those of contact/; and what a result says in metres and Moes' units.
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <string>
 
-#include "contact/observables.hpp"
 #include "contact/nondimensional.hpp"
-#include "verification/claims/topics.hpp"
-#include "workflow/registry.hpp"
-#include "workflow/contact_run.hpp"
-#include "io/json.hpp"
-#include <nlohmann/json.hpp>
+#include "contact/observables.hpp"
 #include "io/contact_json.hpp"
+#include "io/json.hpp"
+#include "verification/claims/topics.hpp"
+#include "workflow/contact_run.hpp"
+#include "workflow/registry.hpp"
 
 namespace ehd::verification {
 
@@ -52,7 +52,8 @@ void add(Findings& found, const std::string& id, const std::string& statement, d
 
 Findings judge_groups() {
   Findings found;
-  const Nondimensional made = nondimensionalise(contact(), oil_of(ViscosityLaw::barus, DensityLaw::incompressible), Flooded{});
+  const Nondimensional made =
+      nondimensionalise(contact(), oil_of(ViscosityLaw::barus, DensityLaw::incompressible), Flooded{});
   const double pressure = std::sqrt(load * modulus / (2 * pi * radius));  // p_H = sqrt(w E'/(2 pi R))
   const double half_width = 4 * radius * pressure / modulus;
   add(found, "scales/hertz-pressure", "p_H = sqrt(w E'/(2 pi R))", made.scales->hertz_pressure_Pa, pressure);
@@ -65,7 +66,8 @@ Findings judge_groups() {
   const double U = viscosity * sum_speed / (modulus * radius);
   add(found, "groups/M", "M = w/sqrt(eta_0 u_s E' R)", made.problem.groups.M,
       load / std::sqrt(viscosity * sum_speed * modulus * radius));
-  add(found, "groups/L", "L = alpha E' (eta_0 u_s/(E' R))^(1/4)", made.problem.groups.L, 1.9e-8 * modulus * std::sqrt(std::sqrt(U)));
+  add(found, "groups/L", "L = alpha E' (eta_0 u_s/(E' R))^(1/4)", made.problem.groups.L,
+      1.9e-8 * modulus * std::sqrt(std::sqrt(U)));
   return found;
 }
 
@@ -81,22 +83,31 @@ Findings judge_laws() {
   const double unit = first.scales->hertz_pressure_Pa;
   int judged = 0;
   for (const double p : {2e7, 1.9e8, 6.1e8, 1.7e9}) {
-    const auto at = [&](const auto& law, double pressure) { return evaluate(law, Array(Array::Constant(1, pressure / unit))); };
+    const auto at = [&](const auto& law, double pressure) {
+      return evaluate(law, Array(Array::Constant(1, pressure / unit)));
+    };
     const double exponent = (std::log(viscosity) + 9.67) * (-1 + std::pow(1 + p / p0, z));
     const auto eta = at(first.problem.viscosity, p);
     worst_roelands = worse(worst_roelands, std::abs(eta.value[0] / exponent - 1));
     // The slope by central differences: 1e-5 p either way leaves 1e-10 of the third derivative, 1e-11 of rounding.
     const double step = 1e-5 * p;
-    const double slope = (at(first.problem.viscosity, p + step).value[0] - at(first.problem.viscosity, p - step).value[0]) / (2 * step / unit);
-    const double of_density = (at(first.problem.density, p + step).value[0] - at(first.problem.density, p - step).value[0]) / (2 * step / unit);
-    worst_slope = worse(worst_slope, std::abs(eta.slope[0] / slope - 1), std::abs(at(first.problem.density, p).slope[0] - of_density));
-    worst_density[0] = worse(worst_density[0], std::abs(at(first.problem.density, p).value[0] / ((5.9e8 + 1.34 * p) / (5.9e8 + p)) - 1));
-    worst_density[1] = worse(worst_density[1], std::abs(at(second.problem.density, p).value[0] / (1 + 0.6e-9 * p / (1 + 1.7e-9 * p)) - 1));
+    const double slope =
+        (at(first.problem.viscosity, p + step).value[0] - at(first.problem.viscosity, p - step).value[0]) /
+        (2 * step / unit);
+    const double of_density =
+        (at(first.problem.density, p + step).value[0] - at(first.problem.density, p - step).value[0]) /
+        (2 * step / unit);
+    worst_slope = worse(worst_slope, std::abs(eta.slope[0] / slope - 1),
+                        std::abs(at(first.problem.density, p).slope[0] - of_density));
+    worst_density[0] = worse(worst_density[0],
+                             std::abs(at(first.problem.density, p).value[0] / ((5.9e8 + 1.34 * p) / (5.9e8 + p)) - 1));
+    worst_density[1] = worse(
+        worst_density[1], std::abs(at(second.problem.density, p).value[0] / (1 + 0.6e-9 * p / (1 + 1.7e-9 * p)) - 1));
     ++judged;
   }
   const auto claim_of = [&](const std::string& id, const std::string& statement, double error, Tolerance tolerance) {
-    found.claims.push_back(claim({.id = "inputs/laws/" + id, .rung = 0, .statement = statement}, error, 0, std::move(tolerance),
-                                 std::to_string(judged) + " pressures, 20 MPa to 1.7 GPa"));
+    found.claims.push_back(claim({.id = "inputs/laws/" + id, .rung = 0, .statement = statement}, error, 0,
+                                 std::move(tolerance), std::to_string(judged) + " pressures, 20 MPa to 1.7 GPa"));
   };
   claim_of("roelands", "eta is Roelands' eta_0 exp((ln eta_0 + 9.67)((1 + p/p_0)^z - 1))", worst_roelands, rounding());
   claim_of("dowson-higginson", "rho is rho_0 (5.9e8 + 1.34 p)/(5.9e8 + p)", worst_density[0], rounding());
@@ -108,7 +119,8 @@ Findings judge_laws() {
     oil.alpha_per_Pa = 2.05e-8;
     const double follows = 2.05e-8 * p0 / (std::log(viscosity) + 9.67), p = 7.3e8;
     add(found, "laws/roelands-from-alpha", "z follows from alpha and eta_0 where it is not stated",
-        evaluate(nondimensionalise(contact(), oil, Flooded{}).problem.viscosity, Array(Array::Constant(1, p / unit))).value[0],
+        evaluate(nondimensionalise(contact(), oil, Flooded{}).problem.viscosity, Array(Array::Constant(1, p / unit)))
+            .value[0],
         (std::log(viscosity) + 9.67) * (-1 + std::pow(1 + p / p0, follows)));
   }
   const Nondimensional barus = problem_of(ViscosityLaw::barus, DensityLaw::incompressible);
@@ -133,11 +145,14 @@ Findings judge_units_of_a_result() {
   for (const char* film : {"minimum", "central", "couette"}) {
     const Json& said = json.at("film").at(film);
     const double H = said.at("hertz");
-    add(found, std::string("result/") + film + "/m", std::string("the ") + film + " film in metres is H b^2/R", said.at("m"), H * metres);
-    add(found, std::string("result/") + film + "/moes", std::string("the ") + film + " film in Moes' units is (h/R) U_s^(-1/2)", said.at("moes"), H * moes);
+    add(found, std::string("result/") + film + "/m", std::string("the ") + film + " film in metres is H b^2/R",
+        said.at("m"), H * metres);
+    add(found, std::string("result/") + film + "/moes",
+        std::string("the ") + film + " film in Moes' units is (h/R) U_s^(-1/2)", said.at("moes"), H * moes);
   }
   const double offset = json.at("film").at("offset").at("hertz");
-  add(found, "result/approach/m", "the approach with x_0 = b is -H_0 b^2/R", json.at("approach").at("m"), -offset * metres);
+  add(found, "result/approach/m", "the approach with x_0 = b is -H_0 b^2/R", json.at("approach").at("m"),
+      -offset * metres);
   const Json& groups = json.at("groups");
   const double U = viscosity * sum_speed / (modulus * radius), alpha = z * (std::log(viscosity) + 9.67) / p0;
   add(found, "result/groups/p_H", "the result's p_H is sqrt(w E'/(2 pi R))", groups.at("hertz_pressure_Pa"), pressure);
@@ -145,7 +160,8 @@ Findings judge_units_of_a_result() {
   add(found, "result/groups/W", "the result's W is w/(E' R)", groups.at("W"), load / (modulus * radius));
   add(found, "result/groups/U", "the result's U has the mean speed", groups.at("U_mean"), U / 2);
   add(found, "result/groups/G", "the result's G is alpha E', alpha from z and eta_0", groups.at("G"), alpha * modulus);
-  add(found, "result/exit", "the result's exit is where its pressure ends, nearly", std::round(50 * json.at("pressure").at("exit_x").get<double>()) / 50,
+  add(found, "result/exit", "the result's exit is where its pressure ends, nearly",
+      std::round(50 * json.at("pressure").at("exit_x").get<double>()) / 50,
       std::round(50 * run.solution.fields.X[run.solution.fields.X.size() - 1]) / 50);
   return found;
 }
@@ -171,8 +187,10 @@ Findings judge_observed() {
     if (at == seen.end()) return std::nan("");
     return place ? at->second.place.value_or(std::nan("")) : at->second.value;
   };
-  const auto add_with = [&](const std::string& id, const std::string& statement, double value, double expected, Tolerance tolerance) {
-    found.claims.push_back(claim_value({.id = "inputs/observed/" + id, .rung = 0, .statement = statement}, value, expected, 0, std::move(tolerance)));
+  const auto add_with = [&](const std::string& id, const std::string& statement, double value, double expected,
+                            Tolerance tolerance) {
+    found.claims.push_back(claim_value({.id = "inputs/observed/" + id, .rung = 0, .statement = statement}, value,
+                                       expected, 0, std::move(tolerance)));
   };
   // Parabolas are met by parabolas through nodes; the search for a minimum ends within the root of rounding.
   const Tolerance sharp = Tolerance::round_off(1e3), place = Tolerance::discretisation(1e-7, 10);
@@ -181,15 +199,18 @@ Findings judge_observed() {
   add_with("minimum", "the smallest film of a parabola is its vertex", read(Quantity::film_minimum), 0.2, sharp);
   add_with("minimum-place", "and stands where it is", read(Quantity::film_minimum, true), 0.4, place);
   add_with("central", "the central film is the one at X = 0", read(Quantity::film_central), 0.2 + 0.3 * 0.16, sharp);
-  add_with("couette", "the Couette film is the flux at the exit", read(Quantity::film_couette), 0.2 + 0.3 * 1.21, sharp);
+  add_with("couette", "the Couette film is the flux at the exit", read(Quantity::film_couette), 0.2 + 0.3 * 1.21,
+           sharp);
   add_with("exit", "the exit is where the pressure ends", read(Quantity::pressure_exit), 1.5, sharp);
   add_with("approach", "the approach is minus the offset", read(Quantity::approach), 0.31, sharp);
-  add_with("pressure", "the largest pressure of a parabola is its vertex", read(Quantity::pressure_maximum), 27.0 / 32, sharp);
+  add_with("pressure", "the largest pressure of a parabola is its vertex", read(Quantity::pressure_maximum), 27.0 / 32,
+           sharp);
   add_with("pressure-place", "and stands where it is", read(Quantity::pressure_maximum, true), -0.75, place);
   // The trapezoid rule is off by h^2/12 times the change of the slope, -4.5/3.
   add_with("load-error", "the load's error is 2/pi Int P dX less 1", read(Quantity::load_error),
            2 / pi * (integral - h * h / 12 * 1.5) - 1, Tolerance::round_off(1e4));
-  add_with("flux-variation", "the flux's variation is its largest distance from the exit's", read(Quantity::flux_variation), 0.07, Tolerance::round_off(1e3));
+  add_with("flux-variation", "the flux's variation is its largest distance from the exit's",
+           read(Quantity::flux_variation), 0.07, Tolerance::round_off(1e3));
   // Int H P' dX by hand: Int (.2 + .3 (X - .4)^2)(-4X - 3)/12 dX over [-3, 1.5].
   const auto antiderivative = [](double x) {
     // .248 - .24 x + .3 x^2 times (-4x - 3)/12

@@ -14,12 +14,12 @@
 #include "bearing/approach_formulas.hpp"
 #include "bearing/force_law.hpp"
 #include "contact/film_formulas.hpp"
+#include "contact/text.hpp"
+#include "io/find_case.hpp"
 #include "verification/claims/topics.hpp"
 #include "verification/exact/sjovall.hpp"
 #include "verification/studies/film_maps.hpp"
 #include "workflow/registry.hpp"
-#include "contact/text.hpp"
-#include "io/find_case.hpp"
 
 namespace ehd::verification {
 
@@ -63,23 +63,23 @@ Findings judge_approach_formulas() {
                                         std::string(row.what) + " at 10 kN [micrometres]", 1e6 * row.metres,
                                         row.micrometres));
   constexpr double per_mm = 1e-3;  // Q [N] = 8.06e4 l^(8/9) delta^(10/9), lengths in mm
-  found.claims.push_back(digits_claim(
-      11, "approach/palmgren-inverse", "the force of Palmgren's law at l = 1 mm and delta = 1 mm [N]",
-      bearing::palmgren_law(per_mm).force(per_mm), "8.06e4"));
+  found.claims.push_back(digits_claim(11, "approach/palmgren-inverse",
+                                      "the force of Palmgren's law at l = 1 mm and delta = 1 mm [N]",
+                                      bearing::palmgren_law(per_mm).force(per_mm), "8.06e4"));
   // Not the printed 1.8864: the formula here has the exact constant, which the log kernel gives with x_0 = l.
-  found.claims.push_back(claim_finding({.id = "approach/lundberg-constant",
-                                        .rung = 11,
-                                        .statement = "Lundberg's printed constant 1.8864 against 2 ln 2 + 1/2"},
-                                       "2 ln 2 + 1/2 = " + plain(2 * std::numbers::ln2 + 0.5, 8) +
-                                           ": one in the printed last digit"));
+  found.claims.push_back(
+      claim_finding({.id = "approach/lundberg-constant",
+                     .rung = 11,
+                     .statement = "Lundberg's printed constant 1.8864 against 2 ln 2 + 1/2"},
+                    "2 ln 2 + 1/2 = " + plain(2 * std::numbers::ln2 + 0.5, 8) + ": one in the printed last digit"));
   return found;
 }
 
 Findings judge_sjovall() {
   const exact::SjovallIntegral integral;
   const std::pair<const char*, const char*> table[] = {
-      {"0.1", "0.12641"}, {"0.2", "0.17317"}, {"0.3", "0.20496"}, {"0.4", "0.22804"},  {"0.5", "0.24480"},
-      {"0.6", "0.25636"}, {"0.7", "0.26324"}, {"0.8", "0.26549"}, {"0.9", "0.26266"},  {"1", "0.25253"},
+      {"0.1", "0.12641"},  {"0.2", "0.17317"},  {"0.3", "0.20496"}, {"0.4", "0.22804"}, {"0.5", "0.24480"},
+      {"0.6", "0.25636"},  {"0.7", "0.26324"},  {"0.8", "0.26549"}, {"0.9", "0.26266"}, {"1", "0.25253"},
       {"1.25", "0.20867"}, {"1.67", "0.15951"}, {"2.5", "0.10831"}, {"5", "0.05490"}};
   Findings found;
   for (const auto& [eps, printed] : table)
@@ -91,8 +91,8 @@ Findings judge_sjovall() {
   const double tables = 1 / exact::SjovallIntegral{1.1}(0.5);
   found.claims.push_back(
       digits_claim(11, "sjovall/no-clearance-n-1.1", "1/J_r at eps = 0.5, n = 1.1,", tables, "4.0766"));
-  found.claims.push_back(
-      digits_claim(11, "sjovall/nsk", "1/J_r at eps = 0.5, n = 1.1 (NSK catalogue E728g, section 5.1),", tables, "4.08"));
+  found.claims.push_back(digits_claim(
+      11, "sjovall/nsk", "1/J_r at eps = 0.5, n = 1.1 (NSK catalogue E728g, section 5.1),", tables, "4.08"));
   return found;
 }
 
@@ -118,10 +118,11 @@ Findings judge_printed_powers() {
   Findings found;
   for (const PrintedPower& printed : printed_powers) {
     double error = 0;
-    for (const auto& [M, L, G] : {std::tuple(20.0, 10.0, 5000.0), std::tuple(3.0, 4.0, 3200.0), std::tuple(900.0, 17.0, 4100.0)}) {
+    for (const auto& [M, L, G] :
+         {std::tuple(20.0, 10.0, 5000.0), std::tuple(3.0, 4.0, 3200.0), std::tuple(900.0, 17.0, 4100.0)}) {
       const double U_s = std::pow(L / G, 4), W = M * std::sqrt(U_s);
-      const double power = std::stod(printed.c) * std::pow(G, std::stod(printed.G)) * std::pow(U_s / 2, std::stod(printed.U)) *
-                           std::pow(W, std::stod(printed.W));
+      const double power = std::stod(printed.c) * std::pow(G, std::stod(printed.G)) *
+                           std::pow(U_s / 2, std::stod(printed.U)) * std::pow(W, std::stod(printed.W));
       const SpikeFormula spike = pan_hamrock_spike({.M = M, .L = L}, G);
       const double half_width = std::sqrt(8 * W / std::numbers::pi);  // b/R
       double computed = nothing;
@@ -138,10 +139,11 @@ Findings judge_printed_powers() {
       error = worse(error, std::abs(computed / power - 1));
     }
     const std::string law = std::string(printed.c) + " G^" + printed.G + " U^" + printed.U + " W^" + printed.W;
-    found.claims.push_back(claim({.id = std::string("formulas/printed/") + printed.name + "/" + printed.of,
-                                  .rung = 10,
-                                  .statement = std::string(printed.name) + ", " + printed.of + ": evaluated as printed, " + law},
-                                 error, 0, Tolerance::round_off(64, 10), "three points (M, L, G)"));
+    found.claims.push_back(
+        claim({.id = std::string("formulas/printed/") + printed.name + "/" + printed.of,
+               .rung = 10,
+               .statement = std::string(printed.name) + ", " + printed.of + ": evaluated as printed, " + law},
+              error, 0, Tolerance::round_off(64, 10), "three points (M, L, G)"));
   }
   return found;
 }
@@ -159,13 +161,13 @@ Findings judge_formulas() {
     double deviation = nothing;
     for (const FilmFormula& formula : formulas)
       if (formula.name == name && formula.of == "film.minimum") deviation = formula.moes_film / computed - 1;
-    Claim judged = claim({.id = std::string("formulas/agreement/") + name,
-                          .rung = 10,
-                          .statement = std::string(name) + " at (20,10), G = 5000, lies " + plain(percent) +
-                                       " % from the computed H_min 3.784"},
-                         std::abs(deviation - percent / 100), 0,
-                         Tolerance::calibrated(half_digit + half_digit / computed,
-                                               "half digits of the percentage and of 3.784"));
+    Claim judged =
+        claim({.id = std::string("formulas/agreement/") + name,
+               .rung = 10,
+               .statement = std::string(name) + " at (20,10), G = 5000, lies " + plain(percent) +
+                            " % from the computed H_min 3.784"},
+              std::abs(deviation - percent / 100), 0,
+              Tolerance::calibrated(half_digit + half_digit / computed, "half digits of the percentage and of 3.784"));
     judged.measured = 100 * deviation;
     judged.expected = percent;
     found.claims.push_back(std::move(judged));
@@ -175,8 +177,9 @@ Findings judge_formulas() {
   request.tolerance = 1e-4;
   const AtlasPoint point{.laws = AtlasLaws::roelands, .M = 20, .L = 10, .inlet = Flooded{}};
   const ContactCase contact = point.contact();
-  const Solution solution = find_solver("reference")->solve(
-      nondimensionalise(contact.statement, *contact.lubricant, *contact.inlet).problem, request);
+  const Solution solution =
+      find_solver("reference")
+          ->solve(nondimensionalise(contact.statement, *contact.lubricant, *contact.inlet).problem, request);
   const auto value = [&](Quantity quantity, bool place) {
     const auto at = solution.observables.find(quantity);
     if (at == solution.observables.end()) return nothing;
@@ -214,7 +217,8 @@ Findings judge_moes_statement() {
   for (const MapPoint& point : film_maps(folder).points) {
     for (const MapFormula& formula : point.formulas) {
       const auto& film = point.film(formula.of);
-      arithmetic = worse(arithmetic, film ? std::abs(film->value * (1 + formula.deviation) / formula.moes - 1) : nothing);
+      arithmetic =
+          worse(arithmetic, film ? std::abs(film->value * (1 + formula.deviation) / formula.moes - 1) : nothing);
     }
     if (point.at.laws == AtlasLaws::roelands || point.at.M < lightest) continue;
     for (const MapFormula& formula : point.formulas) {
@@ -279,14 +283,14 @@ void judge_between(Findings& found, const Ends& ends, const Between& one) {
   const double outside = std::isfinite(first) && std::isfinite(second)
                              ? std::max({0.0, low - one.value, one.value - high}) / scale
                              : nothing;
-  Claim judged = claim({.id = "computed/" + one.id,
-                        .rung = 10,
-                        .statement = one.what + ", computed with an inlet at -8 or wider, lies between cut at -8 and flooded",
-                        .case_id = {},
-                        .solver = "fast"},
-                       outside, 0,
-                       Tolerance::discretisation(one.uncertainty + std::max(first_error, second_error), 1),
-                       "cut at -8 " + plain(first, 6) + ", flooded " + plain(second, 6));
+  Claim judged =
+      claim({.id = "computed/" + one.id,
+             .rung = 10,
+             .statement = one.what + ", computed with an inlet at -8 or wider, lies between cut at -8 and flooded",
+             .case_id = {},
+             .solver = "fast"},
+            outside, 0, Tolerance::discretisation(one.uncertainty + std::max(first_error, second_error), 1),
+            "cut at -8 " + plain(first, 6) + ", flooded " + plain(second, 6));
   judged.measured = one.value < low ? low : std::min(one.value, high);
   judged.expected = one.value;
   found.claims.push_back(std::move(judged));
@@ -298,13 +302,13 @@ struct BarusRow {
   const char *minimum, *central;
 };
 constexpr BarusRow barus_films[] = {
-    {1, 0, "3.0572", "3.2717"},    {1, 10, "5.3436", "5.6152"},   {2, 5, "3.6003", "4.5521"},
-    {5, 0, "1.5900", "2.0356"},    {5, 5, "3.1739", "4.1776"},    {5, 10, "4.6323", "6.0726"},
-    {10, 0, "1.3241", "1.6800"},   {10, 5, "2.8905", "3.8281"},   {10, 15, "5.5655", "7.3289"},
-    {20, 0, "1.1246", "1.4204"},   {20, 5, "2.6355", "3.5055"},   {20, 10, "3.9747", "5.2764"},
-    {20, 15, "5.1810", "6.8623"},  {50, 5, "2.3297", "3.1098"},   {50, 10, "3.5652", "4.7525"},
-    {100, 0, "0.7963", "1.0014"},  {100, 10, "3.2715", "4.3716"}, {100, 15, "4.3111", "5.7503"},
-    {200, 5, "1.9277", "2.5810"},  {200, 10, "2.9981", "4.0108"}, {200, 15, "3.9596", "5.2933"}};
+    {1, 0, "3.0572", "3.2717"},   {1, 10, "5.3436", "5.6152"},   {2, 5, "3.6003", "4.5521"},
+    {5, 0, "1.5900", "2.0356"},   {5, 5, "3.1739", "4.1776"},    {5, 10, "4.6323", "6.0726"},
+    {10, 0, "1.3241", "1.6800"},  {10, 5, "2.8905", "3.8281"},   {10, 15, "5.5655", "7.3289"},
+    {20, 0, "1.1246", "1.4204"},  {20, 5, "2.6355", "3.5055"},   {20, 10, "3.9747", "5.2764"},
+    {20, 15, "5.1810", "6.8623"}, {50, 5, "2.3297", "3.1098"},   {50, 10, "3.5652", "4.7525"},
+    {100, 0, "0.7963", "1.0014"}, {100, 10, "3.2715", "4.3716"}, {100, 15, "4.3111", "5.7503"},
+    {200, 5, "1.9277", "2.5810"}, {200, 10, "2.9981", "4.0108"}, {200, 15, "3.9596", "5.2933"}};
 
 /// 0.1 % for M <= 20, 0.3 % at 200 (and, since nothing is said between, above 20).
 double uncertainty_at(double M) {
@@ -338,10 +342,10 @@ Findings judge_barus_films() {
 Findings judge_three_fluids() {
   constexpr MoesGroups moes{20, 10};
   const Lubricant barus{}, roelands{.viscosity = ViscosityLaw::roelands,
-                              .density = DensityLaw::incompressible,
-                              .alpha_per_Pa = 2.2e-8,
-                              .z = 0.68,
-                              .p0_Pa = 1.96e8};
+                                    .density = DensityLaw::incompressible,
+                                    .alpha_per_Pa = 2.2e-8,
+                                    .z = 0.68,
+                                    .p0_Pa = 1.96e8};
   Lubricant compressible = roelands;
   compressible.density = DensityLaw::dowson_higginson;
   struct Number {
@@ -369,14 +373,14 @@ Findings judge_three_fluids() {
     for (const Number& number : fluid.numbers) {
       // Digits round further than 0.1 % only where few are printed.
       const double digits = relative_half_unit(number.text);
-      judge_between(found, ends,
-                    {.id = std::string("fluids/") + fluid.name + "/" + std::string(to_string(number.quantity)),
-                     .what = std::string(to_string(number.quantity)) + " = " + number.text + " of " + fluid.name +
-                             " at (20,10)",
-                     .quantity = number.quantity,
-                     .value = std::stod(number.text),
-                     .unit = 1,
-                     .uncertainty = std::max(uncertainty_at(moes.M), digits)});
+      judge_between(
+          found, ends,
+          {.id = std::string("fluids/") + fluid.name + "/" + std::string(to_string(number.quantity)),
+           .what = std::string(to_string(number.quantity)) + " = " + number.text + " of " + fluid.name + " at (20,10)",
+           .quantity = number.quantity,
+           .value = std::stod(number.text),
+           .unit = 1,
+           .uncertainty = std::max(uncertainty_at(moes.M), digits)});
     }
   }
   judge_between(found, ends_of(moes, fluids.back().lubricant),
@@ -386,8 +390,8 @@ Findings judge_three_fluids() {
                  .value = 0.9547,
                  .uncertainty = uncertainty_at(moes.M),
                  .place = true});
-  const Lubricant biboulet{.viscosity = ViscosityLaw::barus, .density = DensityLaw::dowson_higginson, .alpha_per_Pa = 2.2e-8,
-                     .z = {}};
+  const Lubricant biboulet{
+      .viscosity = ViscosityLaw::barus, .density = DensityLaw::dowson_higginson, .alpha_per_Pa = 2.2e-8, .z = {}};
   judge_between(found, ends_of(moes, biboulet),
                 {.id = "rolling-force/20-10",
                  .what = "the rolling force T* M^(3/2) = 1.4536 at (20,10)",

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What must hold whatever the numbers are: units, similarity, monotony, scaling laws, symmetry, conservation. Inputs are
-// drawn from fixed seeds over what bearings and gears run at; no truth is needed, so no solver vouches for another.
+// What must hold whatever the numbers are: units, similarity, monotony, scaling laws, symmetry, conservation. Inputs
+// are drawn from fixed seeds over what bearings and gears run at; no truth is needed, so no solver vouches for another.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,11 +11,11 @@
 #include <vector>
 
 #include "bearing/equilibrium.hpp"
+#include "contact/text.hpp"
+#include "verification/claims/topics.hpp"
 #include "verification/studies/draw.hpp"
 #include "verification/studies/oils.hpp"
-#include "verification/claims/topics.hpp"
 #include "workflow/registry.hpp"
-#include "contact/text.hpp"
 
 namespace ehd::verification {
 
@@ -39,11 +39,12 @@ StatedContact drawn_contact(Draw& draw, ViscosityLaw viscosity) {
                         .reduced_modulus_Pa = draw.uniform(0.6e11, 2.4e11),
                         .speed_sum_m_per_s = draw.logarithmic(1e-2, 30),
                         .viscosity_Pa_s = draw.logarithmic(2e-3, 0.5)};
-    drawn.lubricant = {.viscosity = viscosity,
-                       .density = DensityLaw::incompressible,  // the constants of the others are in Pa, whatever the units
-                       .alpha_per_Pa = draw.uniform(0.8e-8, 2.5e-8),
-                       .z = viscosity == ViscosityLaw::roelands ? std::optional(draw.uniform(0.4, 0.8)) : std::nullopt,
-                       .p0_Pa = draw.uniform(1.9e8, 2e8)};
+    drawn.lubricant = {
+        .viscosity = viscosity,
+        .density = DensityLaw::incompressible,  // the constants of the others are in Pa, whatever the units
+        .alpha_per_Pa = draw.uniform(0.8e-8, 2.5e-8),
+        .z = viscosity == ViscosityLaw::roelands ? std::optional(draw.uniform(0.4, 0.8)) : std::nullopt,
+        .p0_Pa = draw.uniform(1.9e8, 2e8)};
     const double ER = drawn.conditions.reduced_modulus_Pa * drawn.conditions.reduced_radius_m;
     const double U = *drawn.conditions.viscosity_Pa_s * *drawn.conditions.speed_sum_m_per_s / ER;
     const double M = drawn.conditions.load_N_per_m / ER / std::sqrt(U);
@@ -110,15 +111,17 @@ Findings judge_units() {
   found.claims.push_back(claim_fact(
       {.id = "properties/units/problem",
        .rung = 0,
-       .statement = std::to_string(contacts) +
-                    " random contacts in units that differ by powers of two are bit for bit the same dimensionless problem"},
+       .statement =
+           std::to_string(contacts) +
+           " random contacts in units that differ by powers of two are bit for bit the same dimensionless problem"},
       same == contacts, "only similarity groups enter", std::to_string(same) + " of " + std::to_string(contacts)));
-  found.claims.push_back(claim_fact({.id = "properties/units/films",
-                                     .rung = 0,
-                                     .statement = "and " + std::to_string(solved) + " of them have films and errors that are the same bit for bit",
-                                     .solver = "fast"},
-                                    films_same == films_seen && films_seen > 0, "a solver sees groups alone",
-                                    std::to_string(films_same) + " of " + std::to_string(films_seen) + " films"));
+  found.claims.push_back(claim_fact(
+      {.id = "properties/units/films",
+       .rung = 0,
+       .statement = "and " + std::to_string(solved) + " of them have films and errors that are the same bit for bit",
+       .solver = "fast"},
+      films_same == films_seen && films_seen > 0, "a solver sees groups alone",
+      std::to_string(films_same) + " of " + std::to_string(films_seen) + " films"));
   return found;
 }
 
@@ -140,7 +143,8 @@ StatedContact similar_to(const StatedContact& one, Draw& draw) {
   to.reduced_radius_m *= draw.uniform(1.1, 7);
   *to.viscosity_Pa_s *= draw.uniform(0.1, 0.9);
   const double U_ratio = draw.uniform(0.2, 5);  // W ~ U^(1/2), G ~ U^(-1/4)
-  const double ER_ratio = to.reduced_modulus_Pa * to.reduced_radius_m / (from.reduced_modulus_Pa * from.reduced_radius_m);
+  const double ER_ratio =
+      to.reduced_modulus_Pa * to.reduced_radius_m / (from.reduced_modulus_Pa * from.reduced_radius_m);
   *to.speed_sum_m_per_s *= U_ratio * ER_ratio * *from.viscosity_Pa_s / *to.viscosity_Pa_s;
   to.load_N_per_m *= std::sqrt(U_ratio) * ER_ratio;
   *other.lubricant.alpha_per_Pa *= std::pow(U_ratio, -0.25) * from.reduced_modulus_Pa / to.reduced_modulus_Pa;
@@ -176,13 +180,14 @@ Findings judge_similarity() {
     }
   }
   Findings found;
-  found.claims.push_back(claim({.id = "properties/similarity/moes",
-                                .rung = 9,
-                                .statement = "Moes films of Barus contacts depend on M and L alone: " + std::to_string(pairs) +
-                                             " random pairs that differ in E', R, eta_0, u, w and alpha",
-                                .solver = "fast"},
-                               worst, 0, Tolerance::required(1, "difference over the sum of the stated errors"),
-                               "largest relative difference " + plain(difference, 2)));
+  found.claims.push_back(
+      claim({.id = "properties/similarity/moes",
+             .rung = 9,
+             .statement = "Moes films of Barus contacts depend on M and L alone: " + std::to_string(pairs) +
+                          " random pairs that differ in E', R, eta_0, u, w and alpha",
+             .solver = "fast"},
+            worst, 0, Tolerance::required(1, "difference over the sum of the stated errors"),
+            "largest relative difference " + plain(difference, 2)));
   return found;
 }
 
@@ -203,7 +208,8 @@ Findings judge_rigid() {
         find_solver("fast")->solve(problem_at({change.M_after, 0}, false, Flooded{}), {.tolerance = tolerance});
     const Reading *a = film_of(before, Quantity::film_minimum), *b = film_of(after, Quantity::film_minimum);
     const double measured =
-        a && b ? b->value * moes_film_per_hertz_film(change.M_after) / (a->value * moes_film_per_hertz_film(M)) : nothing;
+        a && b ? b->value * moes_film_per_hertz_film(change.M_after) / (a->value * moes_film_per_hertz_film(M))
+               : nothing;
     const double heavier = std::max(M, change.M_after);
     found.claims.push_back(claim_value(
         {.id = std::string("properties/scaling/rigid-") + change.id,
@@ -216,8 +222,8 @@ Findings judge_rigid() {
   return found;
 }
 
-/// A film with its error; the Couette film, for which a solver need not state one, is as good as the central film, being
-/// the same flux.
+/// A film with its error; the Couette film, for which a solver need not state one, is as good as the central film,
+/// being the same flux.
 struct FilmAndError {
   double value = nothing, error = nothing;
 };
@@ -229,8 +235,8 @@ FilmAndError film_or_flux(const Solution& solution, Quantity film) {
 }
 
 /// Along lines through the box in steps of a factor of two, one contact: speed alone, or load alone. Minimum film and
-/// flux: the film at X = 0 is no such quantity, it grows with the load where the contact's plateau forms (reference, Barus,
-/// L = 9: 5.3596, 5.5751, 6.2535 Moes units at M = 1, 1.4, 1.9, and falls from there).
+/// flux: the film at X = 0 is no such quantity, it grows with the load where the contact's plateau forms (reference,
+/// Barus, L = 9: 5.3596, 5.5751, 6.2535 Moes units at M = 1, 1.4, 1.9, and falls from there).
 Findings judge_lines(bool roelands) {
   constexpr int lines = 8, steps = 4;
   constexpr double tolerance = 1e-3, lightest = 0.05, heaviest = 2000, largest_step_L = 25;
@@ -269,7 +275,8 @@ Findings judge_lines(bool roelands) {
           ++(change > errors ? count.right : change < -errors ? count.wrong : count.undecided);
           count.smallest = std::min(count.smallest, change / errors);  // shown beside the verdict, no part of it
           if (change < -errors)
-            against[speed] += " " + std::string(to_string(film)) + " at M = " + plain(at.M, 4) + ", L = " + plain(at.L, 4) + ";";
+            against[speed] +=
+                " " + std::string(to_string(film)) + " at M = " + plain(at.M, 4) + ", L = " + plain(at.L, 4) + ";";
         }
         before = std::move(now);
         at_before = at;
@@ -279,18 +286,18 @@ Findings judge_lines(bool roelands) {
   Findings found;
   for (const auto& [speed, count] : counts) {
     const int all = count.right + count.wrong + count.undecided + count.unsolved;
-    found.claims.push_back(
-        claim_fact({.id = std::string("properties/monotone/") + (speed ? "speed-" : "load-") + (roelands ? "roelands" : "barus"),
-                    .rung = 9,
-                    .statement = std::string("minimum film and flux ") + (speed ? "grow with the speed" : "shrink with the load") +
-                                 " beyond the stated errors, at " + std::to_string(lines) +
-                                 " random contacts in steps of two, " + (roelands ? "Roelands" : "Barus"),
-                    .solver = "fast"},
-                   all > 0 && count.right == all, "every step of two is decided and has that direction",
-                   std::to_string(count.right) + " of " + std::to_string(all) + " steps, " + std::to_string(count.undecided) +
-                       " within the errors, " + std::to_string(count.unsolved) + " without films; smallest change " +
-                       plain(count.smallest, 3) + " times the errors" +
-                       (against[speed].empty() ? "" : "; against it:" + against[speed])));
+    found.claims.push_back(claim_fact(
+        {.id = std::string("properties/monotone/") + (speed ? "speed-" : "load-") + (roelands ? "roelands" : "barus"),
+         .rung = 9,
+         .statement = std::string("minimum film and flux ") + (speed ? "grow with the speed" : "shrink with the load") +
+                      " beyond the stated errors, at " + std::to_string(lines) + " random contacts in steps of two, " +
+                      (roelands ? "Roelands" : "Barus"),
+         .solver = "fast"},
+        all > 0 && count.right == all, "every step of two is decided and has that direction",
+        std::to_string(count.right) + " of " + std::to_string(all) + " steps, " + std::to_string(count.undecided) +
+            " within the errors, " + std::to_string(count.unsolved) + " without films; smallest change " +
+            plain(count.smallest, 3) + " times the errors" +
+            (against[speed].empty() ? "" : "; against it:" + against[speed])));
   }
   return found;
 }
@@ -308,25 +315,24 @@ Findings judge_flux() {
     for (int i = 0; i < contacts; ++i) {
       const MoesGroups at{draw.logarithmic(0.2, 1000), draw.uniform(0, 20)};
       const bool roelands = i % 2 == 0, flooded = at.M < 2 || i % 4 < 2;
-      const Solution solution =
-          find_solver("fast")->solve(problem_at(at, roelands, flooded ? Inlet{Flooded{}} : Inlet{TruncatedAt{-4}}),
-                                     {.tolerance = tolerance});
+      const Solution solution = find_solver("fast")->solve(
+          problem_at(at, roelands, flooded ? Inlet{Flooded{}} : Inlet{TruncatedAt{-4}}), {.tolerance = tolerance});
       const auto seen = solution.observables.find(quantity);
       const double value = solution.record.status == StopReason::converged && seen != solution.observables.end()
                                ? seen->second.value
                                : nothing;
       if (!(value <= worst) && !std::isnan(worst)) {
         worst = value;
-        worst_at = "worst at M = " + plain(at.M, 4) + ", L = " + plain(at.L, 4) + (roelands ? ", Roelands" : ", Barus") +
-                   (flooded ? ", flooded" : ", cut at -4");
+        worst_at = "worst at M = " + plain(at.M, 4) + ", L = " + plain(at.L, 4) +
+                   (roelands ? ", Roelands" : ", Barus") + (flooded ? ", flooded" : ", cut at -4");
       }
     }
     const bool flux = quantity == Quantity::flux_variation;
     found.claims.push_back(claim(
         {.id = std::string("properties/conserved/") + (flux ? "flux" : "load"),
          .rung = 6,
-         .statement = std::string(flux ? "the flux is the same at every face" : "the pressure carries the load") + " of " +
-                      std::to_string(contacts) + " random contacts, within the accuracy asked of the films",
+         .statement = std::string(flux ? "the flux is the same at every face" : "the pressure carries the load") +
+                      " of " + std::to_string(contacts) + " random contacts, within the accuracy asked of the films",
          .solver = "fast"},
         worst, 0, Tolerance::required(tolerance, "the accuracy asked of the films"), worst_at));
   }
@@ -358,14 +364,16 @@ DrawnBearing drawn_bearing(Draw& draw, int i) {
                                              : bearing::ForceLaw{line};
   drawn.laws = {law, law};
   const auto speeds = bearing::speeds_from_rpm(draw.uniform(0, 10000), 0);
-  drawn.loading = {.radial_N = draw.logarithmic(1e3, 1e5), .centrifugal_N = bearing::centrifugal_force_N(drawn.geometry, speeds)};
+  drawn.loading = {.radial_N = draw.logarithmic(1e3, 1e5),
+                   .centrifugal_N = bearing::centrifugal_force_N(drawn.geometry, speeds)};
   return drawn;
 }
 
 /// Largest |f_a - f_b| over the rollers that `other_of` pairs, relative to the larger of F_r and the sum of forces.
 template <class Pairing>
 double forces_apart(const DrawnBearing& one, const bearing::Geometry& turned, Pairing other_of) {
-  const auto a = bearing::balance(one.geometry, one.laws, one.loading), b = bearing::balance(turned, one.laws, one.loading);
+  const auto a = bearing::balance(one.geometry, one.laws, one.loading),
+             b = bearing::balance(turned, one.laws, one.loading);
   const auto *x = std::get_if<bearing::Equilibrium>(&a), *y = std::get_if<bearing::Equilibrium>(&b);
   if (!x || !y) return nothing;
   double sum = 0, apart = 0;
@@ -414,23 +422,26 @@ Findings judge_bearing_symmetry() {
   }
   const std::string of = " of " + std::to_string(bearings) + " random bearings";
   // A ring that is out of balance by 1e-12 of the load moves no roller's force by more.
-  const Tolerance balanced = Tolerance::required(2 * bearing::largest_balance_error, "two balances, each to 1e-12 of the load");
+  const Tolerance balanced =
+      Tolerance::required(2 * bearing::largest_balance_error, "two balances, each to 1e-12 of the load");
   // Some ten operations; what both rings share cancels with a condition of (rpm + 2 |cage|)/rpm, at most 61.
   const Tolerance rounding = Tolerance::round_off(16), cancelling = Tolerance::round_off(16, 61);
   const auto says = [](const char* id, std::string statement) {
     return Sentence{.id = std::string("properties/bearing/") + id, .rung = 11, .statement = std::move(statement)};
   };
   Findings found;
+  found.claims.push_back(claim(says("mirrored", "a cage mirrored in the load line carries the mirrored forces" + of),
+                               mirrored, 0, balanced));
   found.claims.push_back(
-      claim(says("mirrored", "a cage mirrored in the load line carries the mirrored forces" + of), mirrored, 0, balanced));
-  found.claims.push_back(claim(says("one-pitch", "a cage turned by one pitch carries the same forces, one roller on" + of),
-                               turned_by_a_pitch, 0, balanced));
-  found.claims.push_back(claim(says("load-power", "displacement ~ load^(9/10) by a dry law without clearance" + of), displaced,
-                               0, balanced));
+      claim(says("one-pitch", "a cage turned by one pitch carries the same forces, one roller on" + of),
+            turned_by_a_pitch, 0, balanced));
+  found.claims.push_back(claim(says("load-power", "displacement ~ load^(9/10) by a dry law without clearance" + of),
+                               displaced, 0, balanced));
   found.claims.push_back(
       claim(says("other-ring", "the sum speed is the same whichever ring turns" + of), other_ring, 0, rounding));
-  found.claims.push_back(claim(says("both-rings", "the sum speed does not change when both rings turn faster alike" + of),
-                               both_rings, 0, cancelling));
+  found.claims.push_back(
+      claim(says("both-rings", "the sum speed does not change when both rings turn faster alike" + of), both_rings, 0,
+            cancelling));
   return found;
 }
 

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The reference, and fast, at random points of the box M 0.05..5000, L 0..30, both law sets. Rung 6: does it converge, and where
-// it does not, does it say so? Rung 8: are its error bars honest? Each run is held against a solution of a tolerance a
-// thousand times tighter, whose meshes are others throughout.
+// The reference, and fast, at random points of the box M 0.05..5000, L 0..30, both law sets. Rung 6: does it converge,
+// and where it does not, does it say so? Rung 8: are its error bars honest? Each run is held against a solution of a
+// tolerance a thousand times tighter, whose meshes are others throughout.
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
 
+#include "contact/text.hpp"
+#include "verification/claims/topics.hpp"
 #include "verification/studies/draw.hpp"
 #include "verification/studies/oils.hpp"
-#include "verification/claims/topics.hpp"
 #include "workflow/registry.hpp"
-#include "contact/text.hpp"
 
 namespace ehd::verification {
 
@@ -19,7 +19,8 @@ namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 constexpr unsigned bar_seed = 20261121, box_seed = 20261122, fast_seed = 20261123;
-/// fast takes milliseconds: so many points of each law set for each random run; every tenth is held against the reference.
+/// fast takes milliseconds: so many points of each law set for each random run; every tenth is held against the
+/// reference.
 constexpr int fast_points_a_run = 5, points_a_truth = 10;
 /// Draws for each run that is judged, at most: some tolerances are met so far that no truth is tighter.
 constexpr int most_draws = 3;
@@ -54,8 +55,8 @@ Run drawn(Draw& draw, bool roelands) {
 
 Problem problem_of(const Run& run) { return problem_at(run.moes, run.roelands, run.inlet); }
 
-/// A truth that is not ten times tighter than a bar says nothing, unless the bar misses by more than the truth's own error:
-/// a bar that is far too small is wrong, however small it is.
+/// A truth that is not ten times tighter than a bar says nothing, unless the bar misses by more than the truth's own
+/// error: a bar that is far too small is wrong, however small it is.
 bool undecided(double difference, double bar, double truth_error) {
   return !(truth_error <= truth_within * bar) && !(difference - truth_error > bar);
 }
@@ -138,8 +139,8 @@ struct Ends {
     if (!ended && solution.record.reason.empty())
       dishonest += " " + name_of(run) + ": " + std::string(to_string(solution.record.status)) + " without a reason;";
     if (!ended)
-      unsolved += (unsolved.empty() ? "" : "; ") + name_of(run) + ": " + std::string(to_string(solution.record.status)) +
-                  (of_oil ? "" : " (above 4 GPa)");
+      unsolved += (unsolved.empty() ? "" : "; ") + name_of(run) + ": " +
+                  std::string(to_string(solution.record.status)) + (of_oil ? "" : " (above 4 GPa)");
     if (solution.record.cost.wall_s > slowest_s) {
       slowest_s = solution.record.cost.wall_s;
       slowest_at = name_of(run);
@@ -150,9 +151,9 @@ struct Ends {
     return physical > 0 ? 1 - physical_converged / static_cast<double>(physical) : nothing;
   }
   [[nodiscard]] std::string text() const {
-    return std::to_string(converged) + " of " + std::to_string(solves) + " converged, " + std::to_string(physical_converged) +
-           " of " + std::to_string(physical) + " up to 4 GPa; slowest " + plain(slowest_s, 2) + " s at " + slowest_at +
-           (unsolved.empty() ? "" : "; not: " + unsolved);
+    return std::to_string(converged) + " of " + std::to_string(solves) + " converged, " +
+           std::to_string(physical_converged) + " of " + std::to_string(physical) + " up to 4 GPa; slowest " +
+           plain(slowest_s, 2) + " s at " + slowest_at + (unsolved.empty() ? "" : "; not: " + unsolved);
   }
 };
 
@@ -183,8 +184,8 @@ Findings judge_box(int runs) {
                                 .statement = "the reference converges to 1e-5 at " + std::to_string(2 * runs) +
                                              " random flooded points of both law sets where p_H is up to 4 GPa",
                                 .solver = "reference"},
-                               ends.physical_missed(), 0,
-                               Tolerance::required(0.03, "at least 97 points in 100"), ends.text()));
+                               ends.physical_missed(), 0, Tolerance::required(0.03, "at least 97 points in 100"),
+                               ends.text()));
   found.claims.push_back(
       claim_fact({.id = "random-box/honest",
                   .rung = 6,
@@ -220,7 +221,8 @@ Findings judge_fast(double tolerance, int runs) {
       if (undecided(difference, *a->second.error, b->second.error.value())) continue;
       known = true;
       const double ratio = difference / *a->second.error;
-      if (ratio > 1) beyond += " " + name_of(run) + ", " + std::string(to_string(film)) + ": " + plain(ratio, 3) + " bars off;";
+      if (ratio > 1)
+        beyond += " " + name_of(run) + ", " + std::string(to_string(film)) + ": " + plain(ratio, 3) + " bars off;";
       inside = inside && ratio <= 1;
       worst = worse(worst, ratio);
     }
@@ -235,14 +237,14 @@ Findings judge_fast(double tolerance, int runs) {
                                 .statement = "fast converges to " + at + " at " + std::to_string(points) +
                                              " random flooded points of both law sets where p_H is up to 4 GPa",
                                 .solver = "fast"},
-                               ends.physical_missed(), 0,
-                               Tolerance::required(0.01, "at least 99 points in 100"), ends.text()));
-  found.claims.push_back(
-      claim_fact({.id = id + "/honest",
-                  .rung = 6,
-                  .statement = "fast ends every one of these points converged within its error, or says why not (" + at + ")",
-                  .solver = "fast"},
-                 ends.dishonest.empty(), "of every solve", ends.dishonest.empty() ? ends.text() : ends.dishonest));
+                               ends.physical_missed(), 0, Tolerance::required(0.01, "at least 99 points in 100"),
+                               ends.text()));
+  found.claims.push_back(claim_fact(
+      {.id = id + "/honest",
+       .rung = 6,
+       .statement = "fast ends every one of these points converged within its error, or says why not (" + at + ")",
+       .solver = "fast"},
+      ends.dishonest.empty(), "of every solve", ends.dishonest.empty() ? ends.text() : ends.dishonest));
   found.claims.push_back(
       claim({.id = id + "/covered",
              .rung = 8,
@@ -261,11 +263,19 @@ Findings judge_fast(double tolerance, int runs) {
 std::vector<Topic> random_topics(int runs) {
   std::vector<Topic> topics;
   for (const bool roelands : {false, true})
-    topics.push_back(
-        {.name = std::string("honest bars, ") + (roelands ? "Roelands" : "Barus"), .rungs = {8}, .slow = true, .judge = [=] { return judge_bars(roelands, runs); }, .expected_s = 100});
-  topics.push_back({.name = "random box", .rungs = {6}, .slow = true, .judge = [=] { return judge_box(runs); }, .expected_s = 80});
+    topics.push_back({.name = std::string("honest bars, ") + (roelands ? "Roelands" : "Barus"),
+                      .rungs = {8},
+                      .slow = true,
+                      .judge = [=] { return judge_bars(roelands, runs); },
+                      .expected_s = 100});
+  topics.push_back(
+      {.name = "random box", .rungs = {6}, .slow = true, .judge = [=] { return judge_box(runs); }, .expected_s = 80});
   for (const double tolerance : {1e-3, 1e-5})
-    topics.push_back({.name = "random box at " + plain(tolerance), .rungs = {6, 8}, .slow = true, .judge = [=] { return judge_fast(tolerance, runs); }, .expected_s = 20});
+    topics.push_back({.name = "random box at " + plain(tolerance),
+                      .rungs = {6, 8},
+                      .slow = true,
+                      .judge = [=] { return judge_fast(tolerance, runs); },
+                      .expected_s = 20});
   return topics;
 }
 

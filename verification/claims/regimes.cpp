@@ -9,13 +9,13 @@
 #include <vector>
 
 #include "contact/nondimensional.hpp"
+#include "contact/text.hpp"
 #include "verification/claims/topics.hpp"
 #include "verification/exact/blok.hpp"
 #include "verification/exact/ertel_grubin.hpp"
 #include "verification/exact/martin.hpp"
 #include "verification/studies/grid_study.hpp"
 #include "workflow/registry.hpp"
-#include "contact/text.hpp"
 
 namespace ehd::verification {
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rung 3: every scheme's own film under a pressure that is given. Rung 4: its Reynolds equation on gaps that do not deform. The scheme is evaluated at P = 0, where its
-// deflection is nothing and sources make the film any gap; isoviscous, its flux is then linear in P, and the pressure
-// follows face by face from its own wedge and mobility. Truths by quadrature.
+// Rung 3: every scheme's own film under a pressure that is given. Rung 4: its Reynolds equation on gaps that do not
+// deform. The scheme is evaluated at P = 0, where its deflection is nothing and sources make the film any gap;
+// isoviscous, its flux is then linear in P, and the pressure follows face by face from its own wedge and mobility.
+// Truths by quadrature.
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
@@ -16,11 +17,11 @@
 #include "fast/discretisation.hpp"
 #include "reference/equations.hpp"
 #include "reference/hp/collocation.hpp"
-#include "verification/studies/fits.hpp"
-#include "verification/studies/oils.hpp"
 #include "verification/claims/topics.hpp"
 #include "verification/exact/martin.hpp"
 #include "verification/exact/numerics.hpp"
+#include "verification/studies/fits.hpp"
+#include "verification/studies/oils.hpp"
 #include "workflow/registry.hpp"
 
 namespace ehd::verification {
@@ -66,7 +67,8 @@ Truth truth_of(const Gap& gap, double lambda) {
   Truth truth{.flux = 0, .exit = gap.exit, .slope = {}, .jump = gap.jump};
   // Int H^-2 and Int H^-3 from the inlet: both positive, so that their quadrature knows its digits.
   const auto moment = [&](int power, double to) {
-    const Truth part{.flux = 0, .exit = to, .slope = [=](double X) { return std::pow(film(X), -power); }, .jump = gap.jump};
+    const Truth part{
+        .flux = 0, .exit = to, .slope = [=](double X) { return std::pow(film(X), -power); }, .jump = gap.jump};
     return part.between(inlet, to);
   };
   if (gap.free_exit) {
@@ -87,8 +89,8 @@ struct Scheme {
 
 std::shared_ptr<const Sources> sources_for(std::function<double(double)> film) {
   const auto none = [](double) { return std::pair(0.0, 0.0); };
-  return std::make_shared<Sources>(
-      Sources{.film = [film = std::move(film)](double X) { return std::pair(film(X) - X * X / 2, 0.0); }, .balance = none});
+  return std::make_shared<Sources>(Sources{
+      .film = [film = std::move(film)](double X) { return std::pair(film(X) - X * X / 2, 0.0); }, .balance = none});
 }
 
 Problem rigid_problem(std::function<double(double)> film) {
@@ -116,8 +118,8 @@ reference::Grid graded_grid(int intervals) {
 }
 
 std::shared_ptr<const fast::Map> a_map() {
-  return std::make_shared<const fast::Map>(fast::MapShape{
-      .inlet = inlet, .exit = 0.9, .scale = 1, .inlet_width = 0.3, .spike = 0.4, .spike_width = 0.1});
+  return std::make_shared<const fast::Map>(
+      fast::MapShape{.inlet = inlet, .exit = 0.9, .scale = 1, .inlet_width = 0.3, .spike = 0.4, .spike_width = 0.1});
 }
 
 Scheme evaluated(Kind kind, const Problem& problem, double exit, const Array& P, double offset = 0) {
@@ -210,7 +212,8 @@ std::vector<Gap> gaps_for(double jump) {
   return {{"martin", "Martin's contact, with a free exit", parabola, 1.5, true},
           {"sommerfeld", "a parabolic gap with P = 0 at both ends", parabola, 1.9, false},
           {"slider", "an inclined slider", [](double X) { return lowest + 0.17 * (1 - X); }, 0.9, false},
-          {"rayleigh-step", "Rayleigh's step", [=](double X) { return X <= jump ? lowest + step : lowest; }, 0.9, false, jump}};
+          {"rayleigh-step", "Rayleigh's step", [=](double X) { return X <= jump ? lowest + step : lowest; }, 0.9, false,
+           jump}};
 }
 
 Findings judge_scheme(const Named& scheme) {
@@ -282,19 +285,20 @@ Findings judge_reduced_pressure(const Named& scheme) {
   }
   Findings found;
   // Lifting the film costs 1e3 eps, a q = 0.9 makes the last digits of P ten times coarser, and P/dX is n times P.
-  found.claims.push_back(
-      claim({.id = "reynolds/" + std::string(scheme.id) + "/barus",
-             .rung = 4,
-             .statement = std::string(scheme.id) + " keeps the reduced pressure of Barus' law on a gap that does not deform",
-             .solver = scheme.solver},
-            worst, 0, Tolerance::round_off(10 * (lifted + 10 * intervals)), "flux error over the flux, 96 cells"));
+  found.claims.push_back(claim(
+      {.id = "reynolds/" + std::string(scheme.id) + "/barus",
+       .rung = 4,
+       .statement = std::string(scheme.id) + " keeps the reduced pressure of Barus' law on a gap that does not deform",
+       .solver = scheme.solver},
+      worst, 0, Tolerance::round_off(10 * (lifted + 10 * intervals)), "flux error over the flux, 96 cells"));
   return found;
 }
 
 /// Collocation on polynomial elements: P' from its own film and mobility at the collocation points.
 double collocated_error(const Gap& gap, const Truth& truth, int elements, int degree) {
   const double exit = truth.exit, length = exit - inlet;
-  hp::Mesh mesh{.inlet = inlet, .breakpoints = {}, .degrees = std::vector<int>(static_cast<std::size_t>(elements), degree)};
+  hp::Mesh mesh{
+      .inlet = inlet, .breakpoints = {}, .degrees = std::vector<int>(static_cast<std::size_t>(elements), degree)};
   for (int e = elements; e >= 0; --e) mesh.breakpoints.push_back(-length * e / elements);
   const hp::Collocation<double> equations(rigid_problem(gap.film), mesh, hp::Points::left_radau);
   const Eigen::Index n = equations.intervals();
@@ -350,8 +354,7 @@ Findings judge_collocation() {
            .statement = "collocation of degree " + std::to_string(degree) + " reaches the pressure of " + gap.sentence +
                         " with order " + std::to_string(degree + 1),
            .solver = "reference"},
-          slope(x, y), degree + 1,
-          Tolerance::calibrated(0.1, "fitted orders over four grids are read to a tenth"),
+          slope(x, y), degree + 1, Tolerance::calibrated(0.1, "fitted orders over four grids are read to a tenth"),
           "error " + three_digits(std::exp(y.back())) + " on 162 elements"));
     }
   }
@@ -360,8 +363,8 @@ Findings judge_collocation() {
 
 /// The positive half of the antisymmetric pressure on the whole parabola carries 4 eta u_m R/h_0.
 Findings judge_half_sommerfeld() {
-  // Lengths in sqrt(2 R h_0), P' = 12 (H - q)/H^3 with H = 1 + X^2: q = Int H^-2/Int H^-3 = 4/3, and the load of the half
-  // is -Int X P' dX over X < 0, sqrt(2)^2 times that in Martin's units.
+  // Lengths in sqrt(2 R h_0), P' = 12 (H - q)/H^3 with H = 1 + X^2: q = Int H^-2/Int H^-3 = 4/3, and the load of the
+  // half is -Int X P' dX over X < 0, sqrt(2)^2 times that in Martin's units.
   const double load = exact::integral_to_infinity(
       [](double X) {
         const double H = 1 + X * X;
@@ -369,11 +372,11 @@ Findings judge_half_sommerfeld() {
       },
       0);
   Findings found;
-  found.claims.push_back(claim({.id = "exact/half-sommerfeld",
-                                .rung = 4,
-                                .statement = "the half-Sommerfeld load h_0 w/(eta u_m R) is the quadrature of its pressure"},
-                               std::abs(2 * load / exact::half_sommerfeld_load() - 1), 0,
-                               Tolerance::discretisation(1e-13, 10)));
+  found.claims.push_back(
+      claim({.id = "exact/half-sommerfeld",
+             .rung = 4,
+             .statement = "the half-Sommerfeld load h_0 w/(eta u_m R) is the quadrature of its pressure"},
+            std::abs(2 * load / exact::half_sommerfeld_load() - 1), 0, Tolerance::discretisation(1e-13, 10)));
   return found;
 }
 
@@ -403,12 +406,15 @@ Findings judge_film(const Named& scheme) {
   double last = nothing;
   for (const int intervals : {96, 144, 216, 324}) {
     const Problem problem = problem_at({M, 0}, false, TruncatedAt{inlet});
-    const Scheme at = evaluated(scheme.kind, problem, film_exit,
-                                at_rest(scheme.kind, rigid_problem([](double) { return 1.0; }), intervals, film_exit)
-                                    .X.unaryExpr([](double X) { return given_pressure(X); }),
-                                film_offset);
+    const Scheme at = evaluated(
+        scheme.kind, problem, film_exit,
+        at_rest(scheme.kind, rigid_problem([](double) { return 1.0; }), intervals, film_exit).X.unaryExpr([](double X) {
+          return given_pressure(X);
+        }),
+        film_offset);
     double worst = at.X.size() == intervals + 1 ? 0 : nothing;
-    for (Eigen::Index i = 0; i < at.X.size(); ++i) worst = worse(worst, std::abs(at.H[i] - film_by_quadrature(at.X[i])));
+    for (Eigen::Index i = 0; i < at.X.size(); ++i)
+      worst = worse(worst, std::abs(at.H[i] - film_by_quadrature(at.X[i])));
     last = worst;
     x.push_back(-std::log(intervals));
     y.push_back(std::log(worst / (mapped ? std::log(intervals) : 1)));
@@ -417,7 +423,8 @@ Findings judge_film(const Named& scheme) {
   found.claims.push_back(order_claim(
       {.id = "elasticity/" + std::string(scheme.id) + "/film",
        .rung = 3,
-       .statement = std::string(scheme.id) + " finds the film of a given pressure at every node, like h^2" + (mapped ? " ln h" : ""),
+       .statement = std::string(scheme.id) + " finds the film of a given pressure at every node, like h^2" +
+                    (mapped ? " ln h" : ""),
        .solver = scheme.solver},
       slope(x, y), 2, Tolerance::calibrated(0.2, "orders of a largest error, over four grids, are read to a fifth"),
       "96 to 324 cells, error " + three_digits(last) + " on the last"));
@@ -425,11 +432,14 @@ Findings judge_film(const Named& scheme) {
 }
 
 Findings judge_collocation_film() {
-  hp::Mesh mesh{.inlet = inlet, .breakpoints = {inlet - film_exit, -2.1, -1.4, -0.9, -0.3, 0}, .degrees = {3, 4, 6, 5, 2}};
+  hp::Mesh mesh{
+      .inlet = inlet, .breakpoints = {inlet - film_exit, -2.1, -1.4, -0.9, -0.3, 0}, .degrees = {3, 4, 6, 5, 2}};
   const hp::Collocation<double> equations(problem_at({M, 0}, false, TruncatedAt{inlet}), mesh, hp::Points::left_radau);
   const Array X = equations.node_coordinates(film_exit);
-  const hp::State<double> state{
-      .P = X.unaryExpr([](double place) { return given_pressure(place); }).matrix(), .offset = film_offset, .flux = 1, .exit = film_exit};
+  const hp::State<double> state{.P = X.unaryExpr([](double place) { return given_pressure(place); }).matrix(),
+                                .offset = film_offset,
+                                .flux = 1,
+                                .exit = film_exit};
   const auto at = equations.evaluate(state, 0);
   double worst = 0;
   for (Eigen::Index i = 0; i < at.X.size(); ++i) worst = worse(worst, std::abs(at.H[i] - film_by_quadrature(at.X[i])));
@@ -452,7 +462,8 @@ std::vector<Topic> reynolds_topics() {
   for (const Named& scheme : schemes) {
     add([&scheme] { return judge_scheme(scheme); });
     add([&scheme] { return judge_reduced_pressure(scheme); });
-    topics.push_back({.name = "films of a given pressure", .rungs = {3}, .judge = [&scheme] { return judge_film(scheme); }});
+    topics.push_back(
+        {.name = "films of a given pressure", .rungs = {3}, .judge = [&scheme] { return judge_film(scheme); }});
   }
   add(judge_collocation);
   topics.push_back({.name = "films of a given pressure", .rungs = {3}, .judge = judge_collocation_film});

@@ -8,8 +8,8 @@
 #include <variant>
 #include <vector>
 
-#include "workflow/case.hpp"
 #include "verification/claim.hpp"
+#include "workflow/case.hpp"
 
 namespace ehd::verification {
 
@@ -20,7 +20,7 @@ struct Topic {
   std::string case_id = {};  ///< the case that it is about; empty for none
   bool slow = false;         ///< left out with --quick
   std::function<Findings()> judge;
-  double expected_s = 0;     ///< of one core, roughly, where it is more than a second: for order and time left
+  double expected_s = 0;  ///< of one core, roughly, where it is more than a second: for order and time left
 };
 
 /// A case file with what became of reading it.

@@ -4,8 +4,8 @@
 #include <limits>
 #include <string>
 
-#include "verification/studies/oils.hpp"
 #include "verification/claims/topics.hpp"
+#include "verification/studies/oils.hpp"
 #include "workflow/registry.hpp"
 
 namespace ehd::verification {

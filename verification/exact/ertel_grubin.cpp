@@ -15,8 +15,7 @@ namespace {
 double gap_at(double t) {
   if (t > 0.2) return (std::sinh(2 * t) - 2 * t) / 4;
   const double s = 4 * t * t;  // the series, where the difference would cancel; next term 1e-19 at t = 0.2
-  return t * t * t / 3 *
-         (1 + s / 20 * (1 + s / 42 * (1 + s / 72 * (1 + s / 110 * (1 + s / 156 * (1 + s / 210))))));
+  return t * t * t / 3 * (1 + s / 20 * (1 + s / 42 * (1 + s / 72 * (1 + s / 110 * (1 + s / 156 * (1 + s / 210))))));
 }
 
 }  // namespace
@@ -30,9 +29,8 @@ double ertel_grubin_defect(double M, double L, double moes_film) {
   };
   // The integrand peaks where gap = film/2 and falls like e^(-3t): beyond t = 40 nothing is left in double.
   const double peak = std::asinh(std::cbrt(1.5 * film));
-  const double reduced_pressure =
-      groups.lambda * (integral(integrand, 0, peak) + integral(integrand, peak, peak + 2) +
-                       integral(integrand, peak + 2, peak + 40));
+  const double reduced_pressure = groups.lambda * (integral(integrand, 0, peak) + integral(integrand, peak, peak + 2) +
+                                                   integral(integrand, peak + 2, peak + 40));
   return reduced_pressure * groups.alpha_p_H - 1;
 }
 

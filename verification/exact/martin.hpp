@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rigid cylinder on a plane, isoviscous, incompressible, Reynolds exit (Martin 1916).
 //
-// With x = sqrt(2 R h_0) tan g and h = h_0/cos^2 g, Reynolds' equation dp/dx = 12 eta u_m (h - h_exit)/h^3 integrates to
+// With x = sqrt(2 R h_0) tan g and h = h_0/cos^2 g, Reynolds' equation dp/dx = 12 eta u_m (h - h_exit)/h^3 integrates
+// to
 //   p(g) = 12 eta u_m sqrt(2 R h_0)/h_0^2 Int_-pi/2^g (cos^2 t - cos^4 t/cos^2 g_c) dt,
 // and p = 0 at the exit g_c, where dp/dx = 0 too, fixes g_c.
 #pragma once
@@ -34,9 +35,9 @@ struct MartinContact {
   double moes_couette = 0;   ///< 3/M, exactly
   double hertz_minimum = 0;  ///< times pi/(8M)
   double hertz_couette = 0;
-  double hertz_exit = 0;      ///< X* = sqrt(2 H_min) X_c
+  double hertz_exit = 0;          ///< X* = sqrt(2 H_min) X_c
   double hertz_pressure_max = 0;  ///< P = p/p_H
-  double rolling_force = 0;   ///< T* = 1.4475/M
+  double rolling_force = 0;       ///< T* = 1.4475/M
 };
 
 /// h_0 w/(eta u_m R) where the positive half of the antisymmetric pressure carries the load: 4.

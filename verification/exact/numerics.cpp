@@ -16,22 +16,21 @@ namespace {
 using Function = std::function<double(double)>;
 
 constexpr double asked = 2e-14,  // GSL refuses less than 50 eps
-     granted = 1e-13, granted_absolute = 1e-15;
+    granted = 1e-13, granted_absolute = 1e-15;
 constexpr std::size_t intervals = 1000;
 
 double call(double x, void* function) { return (*static_cast<const Function*>(function))(x); }
 
 /// GSL's default is to abort the program; every status is looked at here instead.
-void keep_going_on_gsl_errors() {
-  [[maybe_unused]] static const auto once = gsl_set_error_handler_off();
-}
+void keep_going_on_gsl_errors() { [[maybe_unused]] static const auto once = gsl_set_error_handler_off(); }
 
 gsl_function wrap(const Function& f) { return {.function = call, .params = const_cast<Function*>(&f)}; }
 
 double judged(int status, double value, double estimate) {
   // Rounding stops the adaptive rule short of what it was asked for; what counts is what it reached.
   const bool ran = status == GSL_SUCCESS || status == GSL_EROUND || status == GSL_EMAXITER;
-  return ran && estimate <= granted * std::abs(value) + granted_absolute ? value : std::numeric_limits<double>::quiet_NaN();
+  return ran && estimate <= granted * std::abs(value) + granted_absolute ? value
+                                                                         : std::numeric_limits<double>::quiet_NaN();
 }
 
 using Workspace = std::unique_ptr<gsl_integration_workspace, decltype(&gsl_integration_workspace_free)>;
@@ -45,8 +44,7 @@ double integral(const Function& f, double a, double b) {
   gsl_function integrand = wrap(f);
   const Workspace space = workspace();
   double value = 0, estimate = 0;
-  const int status =
-      gsl_integration_qags(&integrand, a, b, 0, asked, intervals, space.get(), &value, &estimate);
+  const int status = gsl_integration_qags(&integrand, a, b, 0, asked, intervals, space.get(), &value, &estimate);
   return judged(status, value, estimate);
 }
 

@@ -4,13 +4,12 @@
 #include <cmath>
 #include <map>
 
-#include "verification/report/report.hpp"
 #include "contact/text.hpp"
+#include "verification/report/report.hpp"
 
 namespace ehd::report {
 
 namespace {
-
 
 constexpr double micro = 1e6, milli = 1e3, kilo = 1e-3;
 constexpr const char* axis_psi = "azimuth *\u03c8* [deg]";
@@ -277,10 +276,11 @@ void add_study(Page& page, const View& study) {
   summary.caption = "Statements over the choices that the paper leaves open";
   summary.columns = {"", "law", "holds in", "where not, or where alone"};
   for (const View& one : study.list("summary"))
-    summary.rows.push_back({{"(" + escaped(one.text("letter")) + ")", ""},
-                            words(one.text("law")),
-                            words(plain(one.number("holds").value_or(0)) + " of " + plain(one.number("of").value_or(0))),
-                            {escaped(one.text("exceptions")), "wide"}});
+    summary.rows.push_back(
+        {{"(" + escaped(one.text("letter")) + ")", ""},
+         words(one.text("law")),
+         words(plain(one.number("holds").value_or(0)) + " of " + plain(one.number("of").value_or(0))),
+         {escaped(one.text("exceptions")), "wide"}});
   page.add(summary);
   Table table;
   table.caption = "One choice changed at a time; changes are EHD against dry at <i>\u03c8</i> = 0";

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "verification/report/report.hpp"
 #include "contact/text.hpp"
+#include "verification/report/report.hpp"
 
 namespace ehd::report {
 
@@ -142,7 +142,8 @@ void add_contacts(Page& page, const View& results) {
     return;
   }
   page.paragraph(
-      "Each case by both solvers; the lower panel shows how far they are apart (magnitudes). The dashed rule is the sum "
+      "Each case by both solvers; the lower panel shows how far they are apart (magnitudes). The dashed rule is the "
+      "sum "
       "of the errors that they state of the smallest and the central film. These are extrapolated over the grids; the "
       "fields are those of the finest one, and lie further apart, by its second order. "
       "Films above the frame are cut off.");

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "verification/report/report.hpp"
 #include "contact/text.hpp"
+#include "verification/report/report.hpp"
 
 namespace ehd::report {
 
@@ -80,7 +80,8 @@ void add_convergence(Page& page, const View& results) {
   }
   page.paragraph(
       "Errors against a truth that is known better, over the size of the grid. A triangle shows the order that the "
-      "scheme declares; the legend the order fitted to the last four points that stand clear of the truth's uncertainty "
+      "scheme declares; the legend the order fitted to the last four points that stand clear of the truth's "
+      "uncertainty "
       "and of rounding. Filled marks are of converged solves that stand clear of the uncertainty of the truth, hollow "
       "ones are not. Errors are relative; against a manufactured solution they are absolute, in Hertz units.");
   Table table;

@@ -4,15 +4,14 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <system_error>
 
 #include "contact/text.hpp"
 #include "io/json.hpp"
-#include <nlohmann/json.hpp>
 
 namespace ehd::report {
-
 
 void View::refuse(const char* required) const {
   throw ReportError(path_ + ": is " +

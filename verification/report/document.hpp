@@ -3,13 +3,13 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
-#include <nlohmann/json.hpp>
-#include "io/json.hpp"
 
+#include "io/json.hpp"
 
 namespace ehd::report {
 
@@ -24,8 +24,7 @@ class ReportError : public std::runtime_error {
 class View {
  public:
   View() = default;
-  View(const Json& json, std::string path)
-      : json_(json.is_null() ? nullptr : &json), path_(std::move(path)) {}
+  View(const Json& json, std::string path) : json_(json.is_null() ? nullptr : &json), path_(std::move(path)) {}
 
   [[nodiscard]] bool exists() const { return json_ != nullptr; }
   /// "results.json: claims[3]: verdict"; empty for nothing.

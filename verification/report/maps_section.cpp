@@ -7,13 +7,12 @@
 #include <functional>
 #include <map>
 
-#include "verification/report/report.hpp"
 #include "contact/text.hpp"
+#include "verification/report/report.hpp"
 
 namespace ehd::report {
 
 namespace {
-
 
 struct Atlas {
   std::vector<double> M, L;
@@ -207,7 +206,8 @@ void add_inlet(Page& page, const Atlas& atlas, const std::vector<std::string>& s
   if (!any) return;
   page.heading("What an inlet cut at <i>X</i> = \u22124 costs, in %");
   page.paragraph(
-      "From <i>M</i> = 2 on: below, the oil that the film is made of begins to be felt before <i>X</i> = \u22124, and such an "
+      "From <i>M</i> = 2 on: below, the oil that the film is made of begins to be felt before <i>X</i> = \u22124, and "
+      "such an "
       "inlet is not one that only truncates.");
   page.begin_figures("maps");
   for (const char* which : {"minimum", "central"}) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/report/report.hpp"
 
-#include "verification/claim.hpp"
 #include "contact/text.hpp"
+#include "verification/claim.hpp"
 
 namespace ehd::report {
 

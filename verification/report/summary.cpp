@@ -4,8 +4,8 @@
 #include <cmath>
 #include <map>
 
-#include "verification/report/report.hpp"
 #include "contact/text.hpp"
+#include "verification/report/report.hpp"
 
 namespace ehd::report {
 
@@ -266,8 +266,8 @@ void add_summary(Page& page, const View& results) {
   // From the claims themselves: a summary that says otherwise is not believed.
   const bool success = !claims.empty() && std::all_of(claims.begin(), claims.end(), stands);
   const auto count = [&](const char* kind) {
-    return std::to_string(std::count_if(claims.begin(), claims.end(),
-                                        [&](const View& claim) { return claim.text("verdict") == kind; }));
+    return std::to_string(
+        std::count_if(claims.begin(), claims.end(), [&](const View& claim) { return claim.text("verdict") == kind; }));
   };
   std::string verdict = success          ? "<b>Every claim stands.</b> "
                         : claims.empty() ? "<b>No claim was judged.</b> "

@@ -5,8 +5,8 @@
 #include <limits>
 #include <map>
 
-#include "verification/report/report.hpp"
 #include "contact/text.hpp"
+#include "verification/report/report.hpp"
 
 namespace ehd::report {
 

@@ -11,13 +11,13 @@
 
 #include "bearing/equilibrium.hpp"
 #include "contact/hertz.hpp"
-#include "verification/studies/bearing_check.hpp"
-#include "workflow/bearing_run.hpp"
-#include "verification/claim.hpp"
-#include "workflow/parallel.hpp"
-#include "verification/studies/random_bearing.hpp"
-#include "verification/stress/parts.hpp"
 #include "contact/text.hpp"
+#include "verification/claim.hpp"
+#include "verification/stress/parts.hpp"
+#include "verification/studies/bearing_check.hpp"
+#include "verification/studies/random_bearing.hpp"
+#include "workflow/bearing_run.hpp"
+#include "workflow/parallel.hpp"
 
 namespace ehd::verification::stress {
 
@@ -87,8 +87,8 @@ Case case_of(const RandomBearing& drawn, unsigned seed) {
 }
 
 /// What the laws with films are made for, from the stated numbers alone: rings that move against each other, L up to 30
-/// and M up to 5000 at both raceways, p_H up to 4 GPa at the heaviest contact of the dry balance, and a datum (palmgren's)
-/// above the half width of the heaviest contact. Empty where the bearing is inside; else why it is not.
+/// and M up to 5000 at both raceways, p_H up to 4 GPa at the heaviest contact of the dry balance, and a datum
+/// (palmgren's) above the half width of the heaviest contact. Empty where the bearing is inside; else why it is not.
 std::string outside_films_domain(const RandomBearing& drawn, const BearingCase& body) {
   const double u = bearing::sum_speed_m_per_s(drawn.geometry, drawn.speeds);
   if (!(u > 0)) return "rings at rest against each other";
@@ -97,7 +97,8 @@ std::string outside_films_domain(const RandomBearing& drawn, const BearingCase& 
   const auto dry = bearing::balance(drawn.geometry, {palmgren, palmgren}, drawn.loading);
   if (!std::holds_alternative<bearing::Equilibrium>(dry)) return "no dry balance";
   double inner_N = 0;
-  for (const auto& roller : std::get<bearing::Equilibrium>(dry).rollers) inner_N = std::max(inner_N, roller.inner.force_N);
+  for (const auto& roller : std::get<bearing::Equilibrium>(dry).rollers)
+    inner_N = std::max(inner_N, roller.inner.force_N);
   // Without a roller load palmgren's datum is met at the centrifugal force.
   const double datum_N = inner_N > 0 ? inner_N : drawn.loading.centrifugal_N;
   for (const auto raceway : {bearing::Raceway::inner, bearing::Raceway::outer}) {
@@ -128,7 +129,8 @@ struct Outcome {
 double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
 /// The returned balance once more from the laws, and by bisection.
-void check(Outcome& outcome, const RandomBearing& drawn, const bearing::LawPair& laws, std::optional<double> displacement_m) {
+void check(Outcome& outcome, const RandomBearing& drawn, const bearing::LawPair& laws,
+           std::optional<double> displacement_m) {
   const auto begin = Clock::now();
   const auto found = bearing::balance(drawn.geometry, laws, drawn.loading);
   outcome.wall_s += seconds_since(begin);
@@ -161,7 +163,8 @@ std::vector<Outcome> of_films(const RandomBearing& at_any_speed, unsigned seed) 
   std::vector<Outcome> outcomes(2);
   Request request = ContactMemory::bearing_request();
   request.time_limit_s = 20;
-  ContactMemory memory([solver = find_solver("fast")](const Problem& problem, const Request& with) { return solver->solve(problem, with); },
+  ContactMemory memory([solver = find_solver("fast")](const Problem& problem,
+                                                      const Request& with) { return solver->solve(problem, with); },
                        request);
   const bearing::Law laws[] = {bearing::Law::ehd_linear, bearing::Law::ehd};
   for (std::size_t k = 0; k < 2; ++k) {
@@ -219,7 +222,8 @@ void add(BearingRow& row, const Outcome& outcome, const std::string& name) {
 
 std::vector<BearingRow> run_bearings(const Scope& scope) {
   const std::size_t bearings = scope.quick ? 200 : 10000, with_films = scope.quick ? 12 : 10000;
-  constexpr bearing::Law dry[] = {bearing::Law::hertz, bearing::Law::iso, bearing::Law::lundberg, bearing::Law::tripp, bearing::Law::houpert};
+  constexpr bearing::Law dry[] = {bearing::Law::hertz, bearing::Law::iso, bearing::Law::lundberg, bearing::Law::tripp,
+                                  bearing::Law::houpert};
   constexpr bearing::Law film[] = {bearing::Law::ehd_linear, bearing::Law::ehd};
   std::vector<std::vector<Outcome>> outcomes(bearings);
   std::mutex lock;
@@ -272,21 +276,26 @@ Part judge_bearings(const std::vector<BearingRow>& rows) {
     for (const std::string& one : row.reasons) reasons += (reasons.empty() ? "" : "; ") + one;
     part.table.rows.push_back({row.law, static_cast<double>(row.tried), static_cast<double>(row.balanced),
                                static_cast<double>(row.refused_outside), static_cast<double>(row.refused_inside),
-                               static_cast<double>(row.limits), static_cast<double>(row.missed), row.worst_balance, row.worst_bisection, static_cast<double>(row.contact_solves),
-                               1e3 * row.wall_s / static_cast<double>(std::max(1L, row.tried)), 1e3 * row.slowest_s, reasons});
+                               static_cast<double>(row.limits), static_cast<double>(row.missed), row.worst_balance,
+                               row.worst_bisection, static_cast<double>(row.contact_solves),
+                               1e3 * row.wall_s / static_cast<double>(std::max(1L, row.tried)), 1e3 * row.slowest_s,
+                               reasons});
     tally.add(row.worst_balance, 0, balance, row.law + ", balance error");
     tally.add(row.worst_bisection, 0, balance, row.law + ", against bisection");
     if (!film) {
       tally.require(row.tried > 0 && row.balanced == row.tried,
                     row.law + ": " + std::to_string(row.balanced) + " of " + std::to_string(row.tried) + " balance");
     } else {
-      // Of all that were tried: a domain that leaves out many is none. And every one of the rest has its reason outside it.
+      // Of all that were tried: a domain that leaves out many is none. And every one of the rest has its reason outside
+      // it.
       constexpr double least_share = 0.99;
       tally.require(row.tried > 0 && static_cast<double>(row.balanced) >= least_share * static_cast<double>(row.tried),
                     row.law + ": " + std::to_string(row.balanced) + " of " + std::to_string(row.tried) + " balance");
-      tally.require(row.refused_inside == 0, row.law + ": " + std::to_string(row.refused_inside) + " refused inside the domain");
+      tally.require(row.refused_inside == 0,
+                    row.law + ": " + std::to_string(row.refused_inside) + " refused inside the domain");
       tally.require(row.limits == 0, row.law + ": " + std::to_string(row.limits) + " ended by a limit");
-      tally.require(row.missed_inside == 0, row.law + ": " + std::to_string(row.missed_inside) + " with contacts that missed their tolerance, inside the domain");
+      tally.require(row.missed_inside == 0, row.law + ": " + std::to_string(row.missed_inside) +
+                                                " with contacts that missed their tolerance, inside the domain");
     }
     for (const std::string& one : row.inside) part.failures.push_back(row.law + ", " + one);
   }

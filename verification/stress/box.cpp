@@ -4,12 +4,12 @@
 #include <cmath>
 #include <map>
 
-#include "verification/claim.hpp"
-#include "verification/studies/oils.hpp"
-#include "workflow/parallel.hpp"
-#include "verification/stress/parts.hpp"
 #include "contact/text.hpp"
 #include "verification/bench/timing.hpp"
+#include "verification/claim.hpp"
+#include "verification/stress/parts.hpp"
+#include "verification/studies/oils.hpp"
+#include "workflow/parallel.hpp"
 
 namespace ehd::verification::stress {
 

@@ -4,8 +4,8 @@
 #include <limits>
 #include <random>
 
-#include "verification/stress/parts.hpp"
 #include "contact/text.hpp"
+#include "verification/stress/parts.hpp"
 
 namespace ehd::verification::stress {
 

@@ -11,10 +11,10 @@
 #include <map>
 #include <tuple>
 
+#include "contact/text.hpp"
+#include "verification/stress/parts.hpp"
 #include "verification/studies/oils.hpp"
 #include "workflow/parallel.hpp"
-#include "verification/stress/parts.hpp"
-#include "contact/text.hpp"
 
 namespace ehd::verification::stress {
 

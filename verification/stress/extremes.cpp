@@ -10,15 +10,15 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "contact/nondimensional.hpp"
-#include "verification/bench/child.hpp"
-#include "workflow/parallel.hpp"
-#include "verification/stress/parts.hpp"
 #include "contact/text.hpp"
 #include "io/json.hpp"
-#include <nlohmann/json.hpp>
+#include "verification/bench/child.hpp"
+#include "verification/stress/parts.hpp"
+#include "workflow/parallel.hpp"
 
 namespace ehd::verification::stress {
 

@@ -9,10 +9,10 @@
 // cells of size 1/n: nothing grows. In Reynolds' equation P is known to eps P, so that the gradient on a cell of h =
 // l/n has eps P n/l and the residual, relative to the exit's flux,
 //   r_2 = eps (1 + c n), c = max (rho H^3/(eta lambda)) P/(l rho_n H_n),
-// is noise from node to node. Newton stops at max(1e-11, 8 r_2) (fast/newton_krylov.cpp; reference: 1e-12 + 4 r_2), and a
-// residual moves a film by no more than itself (0.24 at most: fast/uniform.cpp). The floor is r_1 + max(1e-11, 8 r_2):
-// flat to some 1e5 cells, then ~ n. It bounds the line, not the bars: what a solver states contains its rounding, and is
-// held against the truth as it stands.
+// is noise from node to node. Newton stops at max(1e-11, 8 r_2) (fast/newton_krylov.cpp; reference: 1e-12 + 4 r_2), and
+// a residual moves a film by no more than itself (0.24 at most: fast/uniform.cpp). The floor is r_1 + max(1e-11, 8
+// r_2): flat to some 1e5 cells, then ~ n. It bounds the line, not the bars: what a solver states contains its rounding,
+// and is held against the truth as it stands.
 //
 // A bar is refuted where the error is larger by more than the truth is unsure, |difference| - truth_error > stated; it
 // holds where |difference| + truth_error <= stated, or |difference| <= stated with a truth ten times better. Between
@@ -28,10 +28,10 @@
 #include <tuple>
 
 #include "contact/observables.hpp"
+#include "contact/text.hpp"
+#include "verification/stress/parts.hpp"
 #include "verification/studies/oils.hpp"
 #include "workflow/parallel.hpp"
-#include "verification/stress/parts.hpp"
-#include "contact/text.hpp"
 
 namespace ehd::verification::stress {
 
@@ -204,10 +204,10 @@ Part judge_grids(const std::vector<GridRow>& rows) {
     if (equal_cells)
       tally.require(converged || row.status == StopReason::under_resolved, end);
     else
-      tally.require(converged || ((row.status == StopReason::under_resolved ||
-                                   row.status == StopReason::tolerance_not_met) &&
-                                  has_bars(row)),
-                    end + ", " + (has_bars(row) ? "with" : "without") + " films and errors");
+      tally.require(
+          converged || ((row.status == StopReason::under_resolved || row.status == StopReason::tolerance_not_met) &&
+                        has_bars(row)),
+          end + ", " + (has_bars(row) ? "with" : "without") + " films and errors");
     if (row.cells > 0 && row.cells < surely_blind) {
       ++blind;
       called += row.status == StopReason::under_resolved ? 1 : 0;
@@ -215,8 +215,7 @@ Part judge_grids(const std::vector<GridRow>& rows) {
           row.status == StopReason::under_resolved,
           where + ": " + plain(row.cells, 2) + " cells in the inlet zone, but " + std::string(to_string(row.status)));
     }
-    if (row.cells > surely_seeing)
-      tally.require(converged, end);
+    if (row.cells > surely_seeing) tally.require(converged, end);
     for (std::size_t k = 0; k < 2; ++k) {
       if (!row.error[k]) {
         if (converged) tally.add(Verdict::inconclusive, where + ": no film, or no truth");
@@ -262,8 +261,8 @@ Part judge_grids(const std::vector<GridRow>& rows) {
   part.failures = tally.failures();
   part.summary = std::to_string(called) + " of " + std::to_string(blind) + " blind grids called under-resolved; " +
                  std::to_string(covered) + " of " + std::to_string(stated) + " stated errors hold (" +
-                 std::to_string(undecided) + " more where the truth cannot tell); errors fall to " +
-                 plain(lowest, 2) + ", up to " + std::to_string(finest) + " intervals";
+                 std::to_string(undecided) + " more where the truth cannot tell); errors fall to " + plain(lowest, 2) +
+                 ", up to " + std::to_string(finest) + " intervals";
   return part;
 }
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "contact/solver.hpp"
-#include "workflow/registry.hpp"
 #include "verification/stress/stress.hpp"
+#include "workflow/registry.hpp"
 
 namespace ehd::verification::stress {
 
@@ -66,8 +66,8 @@ struct StartRow {
   std::string level = {}, contact = {}, family = {};
   long starts = 0, converged = 0, dishonest = 0;  ///< dishonest: a number that is not finite in what is called solved
   bool own_solved = false;                        ///< from the start that the solver makes itself
-  double worst = 0;                               ///< largest relative difference of a film from that start's; NaN stays
-  std::optional<Tolerance> tolerance = {};        ///< of that; absent where the own start was not solved
+  double worst = 0;                         ///< largest relative difference of a film from that start's; NaN stays
+  std::optional<Tolerance> tolerance = {};  ///< of that; absent where the own start was not solved
 };
 [[nodiscard]] std::vector<StartRow> run_starts(const Scope& scope);
 [[nodiscard]] Part judge_starts(const std::vector<StartRow>& rows);
@@ -139,9 +139,10 @@ struct ExtremeRow {
   double wall_s = 0, time_limit_s = 0;
   std::string broke = {};  ///< how it broke: another exception, a signal
 };
-/// The box that must be solved: M .05 … 5000, L 0 … 30, p_H <= 4 GPa, z .1 … 1.2, p_0 1e7 … 1e10 Pa, flooded or (M >= 2)
-/// cut at -100 … -2.5. From the stated numbers alone, with u the sum of speeds: M = w/sqrt(eta u E' R), L = alpha E'
-/// (eta u/(E' R))^(1/4), p_H = sqrt(w E'/(2 pi R)); nothing of what makes the problem, so that a refusal does not hide it.
+/// The box that must be solved: M .05 … 5000, L 0 … 30, p_H <= 4 GPa, z .1 … 1.2, p_0 1e7 … 1e10 Pa, flooded or (M >=
+/// 2) cut at -100 … -2.5. From the stated numbers alone, with u the sum of speeds: M = w/sqrt(eta u E' R), L = alpha E'
+/// (eta u/(E' R))^(1/4), p_H = sqrt(w E'/(2 pi R)); nothing of what makes the problem, so that a refusal does not hide
+/// it.
 [[nodiscard]] bool in_the_box(const Statement& statement, const Lubricant& lubricant, const Inlet& inlet);
 [[nodiscard]] std::vector<ExtremeRow> run_extremes(const Scope& scope);
 [[nodiscard]] Part judge_extremes(const std::vector<ExtremeRow>& rows);
@@ -162,10 +163,10 @@ struct RepeatRow {
 struct BearingRow {
   std::string law = {};
   long tried = 0;
-  long balanced = 0;  ///< on contacts that all met their tolerance
+  long balanced = 0;                   ///< on contacts that all met their tolerance
   long missed = 0, missed_inside = 0;  ///< balanced on others; and those of them inside the domain
   long limits = 0;                     ///< refused since a solve came to its limit, inside or outside
-  long refused_outside = 0;  ///< outside the stated domain of the law, judged without the refusal
+  long refused_outside = 0;            ///< outside the stated domain of the law, judged without the refusal
   long refused_inside = 0;
   double worst_balance = 0;    ///< balance_error; NaN stays
   double worst_bisection = 0;  ///< worst_bisection_error; NaN stays

@@ -11,13 +11,13 @@
 #include <cmath>
 
 #include "contact/observables.hpp"
+#include "contact/text.hpp"
 #include "reference/equations.hpp"
 #include "reference/hp/collocation.ipp"
-#include "verification/studies/oils.hpp"
-#include "workflow/parallel.hpp"
 #include "verification/quad.hpp"
 #include "verification/stress/parts.hpp"
-#include "contact/text.hpp"
+#include "verification/studies/oils.hpp"
+#include "workflow/parallel.hpp"
 
 namespace ehd::verification::stress {
 

@@ -4,11 +4,11 @@
 #include <bit>
 #include <cstdint>
 
-#include "workflow/batch.hpp"
-#include "verification/bench/child.hpp"
-#include "verification/studies/oils.hpp"
-#include "verification/stress/parts.hpp"
 #include "contact/text.hpp"
+#include "verification/bench/child.hpp"
+#include "verification/stress/parts.hpp"
+#include "verification/studies/oils.hpp"
+#include "workflow/batch.hpp"
 
 namespace ehd::verification::stress {
 
@@ -122,8 +122,8 @@ Part judge_repeats(const std::vector<RepeatRow>& rows) {
       continue;
     }
     if (row.ended_by_time > 0) {
-      tally.add(Verdict::inconclusive,
-                where + std::to_string(row.ended_by_time) + " solves were ended by a limit, which no two runs meet at the same place");
+      tally.add(Verdict::inconclusive, where + std::to_string(row.ended_by_time) +
+                                           " solves were ended by a limit, which no two runs meet at the same place");
       continue;
     }
     const std::pair<const char*, long> counts[] = {

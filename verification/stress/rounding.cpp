@@ -8,14 +8,14 @@
 // move within what both runs state.
 #include <cfenv>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
-#include "verification/bench/child.hpp"
-#include "verification/claim.hpp"
-#include "verification/studies/oils.hpp"
-#include "verification/stress/parts.hpp"
 #include "contact/text.hpp"
 #include "io/json.hpp"
-#include <nlohmann/json.hpp>
+#include "verification/bench/child.hpp"
+#include "verification/claim.hpp"
+#include "verification/stress/parts.hpp"
+#include "verification/studies/oils.hpp"
 
 namespace ehd::verification::stress {
 

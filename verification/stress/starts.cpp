@@ -12,15 +12,15 @@
 
 #include "contact/film_formulas.hpp"
 #include "contact/hertz.hpp"
+#include "contact/text.hpp"
 #include "fast/mapped.hpp"
 #include "fast/run.hpp"
-#include "reference/hp/element_newton.hpp"
 #include "reference/grid_newton.hpp"
+#include "reference/hp/element_newton.hpp"
 #include "verification/claim.hpp"
+#include "verification/stress/parts.hpp"
 #include "verification/studies/oils.hpp"
 #include "workflow/parallel.hpp"
-#include "verification/stress/parts.hpp"
-#include "contact/text.hpp"
 
 namespace ehd::verification::stress {
 
@@ -124,8 +124,8 @@ Level of_reference_uniform(const Problem& problem) {
   const bool known = own.end == reference::NewtonEnd::solved;
   const double smallest = known ? own.at.H.minCoeff() : 0;
   const Array truth = own.at.H;
-  return {"reference.uniform's Newton", known, Tolerance::iteration(2 * iterated_to, amplification) + rounding(smallest),
-          [=](const Start& start) {
+  return {"reference.uniform's Newton", known,
+          Tolerance::iteration(2 * iterated_to, amplification) + rounding(smallest), [=](const Start& start) {
             const Array X = equations->grid().nodes(start.exit);
             reference::State state{.P = X.unaryExpr(start.P), .exit = start.exit};
             state.P[0] = state.P[intervals] = 0;
@@ -216,9 +216,8 @@ Level of_reference(const Problem& problem) {
             state.flux = start.film;
             const auto run = solve(state);
             if (!(flux > 0) || !run.solved) return Outcome{};
-            return Outcome{
-                true, run.state.P.allFinite() && std::isfinite(run.state.flux),
-                worse(std::abs(run.state.flux / flux - 1), largest_difference(run.at.H, own.at.H))};
+            return Outcome{true, run.state.P.allFinite() && std::isfinite(run.state.flux),
+                           worse(std::abs(run.state.flux / flux - 1), largest_difference(run.at.H, own.at.H))};
           }};
 }
 
@@ -227,8 +226,8 @@ Level of_fast(const Problem& problem) {
   const Solution cold = fast::Mapped().solve(problem, request);
   const Ended truth = ended(cold);
   // Relative to the sum of the stated errors.
-  return {"fast, warm start", truth.status == StopReason::converged && truth.has_films(), Tolerance::required(1, "difference over the sum of the stated errors"),
-          [=](const Start& start) {
+  return {"fast, warm start", truth.status == StopReason::converged && truth.has_films(),
+          Tolerance::required(1, "difference over the sum of the stated errors"), [=](const Start& start) {
             Solution neighbour = cold;
             Fields& fields = neighbour.fields;
             fields.X = inlet + (start.exit - inlet) * (cold.fields.X - cold.fields.X[0]) /

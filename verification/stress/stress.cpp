@@ -5,13 +5,13 @@
 #include <chrono>
 #include <cmath>
 #include <exception>
+#include <nlohmann/json.hpp>
 
-#include "io/provenance.hpp"
-#include "verification/stress/parts.hpp"
 #include "contact/text.hpp"
 #include "io/json.hpp"
-#include <nlohmann/json.hpp>
+#include "io/provenance.hpp"
 #include "io/tables.hpp"
+#include "verification/stress/parts.hpp"
 
 namespace ehd::verification::stress {
 

@@ -4,15 +4,14 @@
 #pragma once
 
 #include <functional>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
-#include "verification/tolerance.hpp"
-#include <nlohmann/json.hpp>
-
 #include "io/json.hpp"
+#include "verification/tolerance.hpp"
 
 namespace ehd::verification::stress {
 
@@ -78,7 +77,8 @@ struct PartEntry {
   std::function<Part(const Scope&)> run;
 };
 [[nodiscard]] const std::vector<PartEntry>& parts();
-/// The part, timed. One that throws is a part that fails with the message: the others still run, and the file is written.
+/// The part, timed. One that throws is a part that fails with the message: the others still run, and the file is
+/// written.
 [[nodiscard]] Part run_part(const PartEntry& entry, const Scope& scope);
 /// By id or name; nullptr where there is none.
 [[nodiscard]] const PartEntry* find_part(const std::string& text);

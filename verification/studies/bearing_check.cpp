@@ -31,7 +31,8 @@ QuadVector direction(double degrees) {
 /// The length of the line that is cut off [m]; 0 of any other law.
 double cut_off_m(const bearing::ForceLaw& law) {
   const auto* line = std::get_if<bearing::LinearLaw>(&law);
-  return line && line->unloading == bearing::Unloading::at_zero_approach ? std::max(0.0, line->dF_N / line->K_N_per_m) : 0;
+  return line && line->unloading == bearing::Unloading::at_zero_approach ? std::max(0.0, line->dF_N / line->K_N_per_m)
+                                                                         : 0;
 }
 
 /// One roller: the approach that its forces need, over its inner force.

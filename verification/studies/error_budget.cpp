@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <vector>
 
@@ -12,7 +13,6 @@
 #include "bearing/plane.hpp"
 #include "contact/text.hpp"
 #include "io/json.hpp"
-#include <nlohmann/json.hpp>
 #include "io/tables.hpp"
 
 namespace ehd::verification {
@@ -28,7 +28,9 @@ const BearingResult* of_law(const std::vector<BearingResult>& results, bearing::
 }
 
 std::size_t most_loaded(const BearingResult& result) {
-  const auto heavier = [](const RollerRow& one, const RollerRow& other) { return one.inner.force_N < other.inner.force_N; };
+  const auto heavier = [](const RollerRow& one, const RollerRow& other) {
+    return one.inner.force_N < other.inner.force_N;
+  };
   return static_cast<std::size_t>(std::max_element(result.rollers.begin(), result.rollers.end(), heavier) -
                                   result.rollers.begin());
 }
@@ -94,8 +96,8 @@ class Linearised {
  private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   struct Roller {
-    bearing::Vector2 direction = {};  ///< n; in the radial form its part across the load is 0
-    double stiffness = 0;             ///< k [N/m]; 0 where the roller is unloaded
+    bearing::Vector2 direction = {};   ///< n; in the radial form its part across the load is 0
+    double stiffness = 0;              ///< k [N/m]; 0 where the roller is unloaded
     bearing::Vector2 moves_ring = {};  ///< du/dg of this roller's approach
   };
   const BearingResult& result_;
@@ -119,7 +121,7 @@ BudgetRow difference(const BearingResult& one, const BearingResult& other) {
 }  // namespace
 
 std::vector<BudgetRow> budget_of(const Case& bearing_case, const std::vector<BearingResult>& results, bearing::Law law,
-                                    ContactMemory& memory) {
+                                 ContactMemory& memory) {
   const BearingResult* const result = of_law(results, law);
   if (!result || !needs_film(law) || !result->curve || !result->datum_m) return {};
   if (law == bearing::Law::ehd_linear && !result->fit) return {};
@@ -173,7 +175,8 @@ std::vector<BudgetRow> budget_of(const Case& bearing_case, const std::vector<Bea
     return curve.errors().solver_offset_film * curve.offset_film(f).value;
   });
   if (thinnest) solver.smallest_film = curve_of(thinnest->inner).errors().solver_minimum_film;
-  add(std::move(solver), "contact solver", on_curve ? "its own stated errors, at every contact" : "its own stated errors, at the contacts of the fit");
+  add(std::move(solver), "contact solver",
+      on_curve ? "its own stated errors, at every contact" : "its own stated errors, at the contacts of the fit");
 
   // 3. The datum is a choice: what another would have given.
   const auto& body = std::get<BearingCase>(bearing_case.body);
@@ -184,7 +187,8 @@ std::vector<BudgetRow> budget_of(const Case& bearing_case, const std::vector<Bea
   for (const auto& [name, datum] : data) {
     Case other = bearing_case;
     std::get<BearingCase>(other.body).datum = datum;
-    const auto again = run_bearing(other, {.laws = {law}, .explicitly = true, .films = true, .form = result->form}, memory);
+    const auto again =
+        run_bearing(other, {.laws = {law}, .explicitly = true, .films = true, .form = result->form}, memory);
     if (const BearingResult* const moved = of_law(again, law)) add(difference(*moved, *result), "datum", name);
   }
   return rows;
@@ -204,7 +208,8 @@ Json to_json(const std::vector<BudgetRow>& rows) {
 }
 
 std::string human_budget(const std::vector<BudgetRow>& rows) {
-  std::vector<std::vector<std::string>> table{{"source", "of", "kind", "displacement um", "largest load N", "any load N", "film %"}};
+  std::vector<std::vector<std::string>> table{
+      {"source", "of", "kind", "displacement um", "largest load N", "any load N", "film %"}};
   for (const BudgetRow& row : rows)
     table.push_back({row.source, row.of, row.bound ? "bound" : "difference", plain(1e6 * row.displacement_m, 2),
                      plain(row.largest_force_N, 3), plain(row.any_force_N, 3),

@@ -119,8 +119,8 @@ std::vector<const MapPoint*> points_of(const FilmMaps& maps, AtlasLaws laws) {
 }
 
 const MapPoint* at(const std::vector<const MapPoint*>& points, double M, double L) {
-  const auto found = std::find_if(points.begin(), points.end(),
-                                  [&](const MapPoint* one) { return one->at.M == M && one->at.L == L; });
+  const auto found =
+      std::find_if(points.begin(), points.end(), [&](const MapPoint* one) { return one->at.M == M && one->at.L == L; });
   return found == points.end() ? nullptr : *found;
 }
 
@@ -179,8 +179,8 @@ std::vector<NamedFormula> formulas_of(const FilmMaps& maps, std::string_view qua
   std::vector<NamedFormula> names;
   for (const MapPoint& point : maps.points) {
     for (const MapFormula& formula : point.formulas) {
-      const bool asked = quantity.empty() || formula.of == quantity ||
-                         (quantity == "film.central" && formula.of == "film.couette");
+      const bool asked =
+          quantity.empty() || formula.of == quantity || (quantity == "film.central" && formula.of == "film.couette");
       if (asked && std::none_of(names.begin(), names.end(), [&](const NamedFormula& one) {
             return one.name == formula.name && one.of == formula.of;
           }))
@@ -208,9 +208,9 @@ bool is_poor(double deviation) { return std::abs(deviation) >= poor_formula; }
 /// p_H <= 4 GPa, which is where bearings run.
 std::string overview(const std::vector<NamedFormula>& formulas, const std::vector<const MapPoint*>& points) {
   constexpr double bearings_M = 2;
-  std::vector<std::vector<std::string>> rows{
-      {"formula", "film", "points", "within 5 %", "30 % off", "M >= 2, up to 4 GPa", "within 5 %", "30 % off", "median",
-       "lowest", "highest"}};
+  std::vector<std::vector<std::string>> rows{{"formula", "film", "points", "within 5 %", "30 % off",
+                                              "M >= 2, up to 4 GPa", "within 5 %", "30 % off", "median", "lowest",
+                                              "highest"}};
   for (const NamedFormula& formula : formulas) {
     const Field deviation = deviation_of(formula);
     std::vector<MapValue> all, bearings;
@@ -225,7 +225,7 @@ std::string overview(const std::vector<NamedFormula>& formulas, const std::vecto
       return std::to_string(
           std::count_if(values.begin(), values.end(), [&](const MapValue& one) { return holds(one.value); }));
     };
-    std::vector<std::string> row{formula.name,         formula.of, std::to_string(all.size()), count(all, is_close),
+    std::vector<std::string> row{formula.name, formula.of, std::to_string(all.size()), count(all, is_close),
                                  count(all, is_poor)};
     row.push_back(std::to_string(bearings.size()));
     row.push_back(count(bearings, is_close));
@@ -262,23 +262,22 @@ std::string human_maps(const FilmMaps& maps, std::string_view quantity, AtlasLaw
   std::string text = "Film formulas against the certified films of " + maps.source + ", " +
                      std::string(to_string(laws)) +
                      (laws == AtlasLaws::roelands ? " (z = 0.68, Dowson-Higginson density)" : ", incompressible") +
-                     ", flooded\nRegressions: plausibility, never pass or fail. Power laws with G = " +
-                     plain(usual_G) +
+                     ", flooded\nRegressions: plausibility, never pass or fail. Power laws with G = " + plain(usual_G) +
                      ", mean speed in U.\nPercent = 100 (formula/film - 1), as many digits as are known, 0 where "
                      "it is within its own error; * p_H above 4 GPa; - not known; L = 0 is "
                      "isoviscous and incompressible.\n\n" +
                      overview(formulas, points);
   for (const NamedFormula& formula : formulas) {
     const Field deviation = deviation_of(formula);
-    text += "\n" + formula.name + ", " + formula.of + ": deviation in percent\n" +
-            percent_table(maps, points, deviation);
+    text +=
+        "\n" + formula.name + ", " + formula.of + ": deviation in percent\n" + percent_table(maps, points, deviation);
     std::vector<std::vector<std::string>> regions{{"L", "within 5 % at M =", "30 % or more off at M ="}};
     for (const double L : maps.L) {
       if (std::none_of(points.begin(), points.end(),
                        [&](const MapPoint* one) { return one->at.L == L && deviation(*one); }))
         continue;
-      regions.push_back({plain(L), runs_of_M(maps, points, L, deviation, is_close),
-                         runs_of_M(maps, points, L, deviation, is_poor)});
+      regions.push_back(
+          {plain(L), runs_of_M(maps, points, L, deviation, is_close), runs_of_M(maps, points, L, deviation, is_poor)});
     }
     text += "\n" + aligned(regions, 3, "    ");
   }
@@ -307,9 +306,10 @@ constexpr std::string_view point_header = "laws,M,L,p_H_GPa,numerical_test";
 }  // namespace
 
 std::string formula_maps_csv(const FilmMaps& maps) {
-  std::string text = "# Film formulas over the atlas: films in Moes units, flooded; deviation = formula/certified - 1; G = " +
-                     plain(usual_G) + "\n" + std::string(point_header) +
-                     ",quantity,certified_moes,certified_error,formula,formula_moes,deviation\n";
+  std::string text =
+      "# Film formulas over the atlas: films in Moes units, flooded; deviation = formula/certified - 1; G = " +
+      plain(usual_G) + "\n" + std::string(point_header) +
+      ",quantity,certified_moes,certified_error,formula,formula_moes,deviation\n";
   for (const MapPoint& point : maps.points) {
     for (const MapFormula& formula : point.formulas) {
       const auto& certified = point.film(formula.of);
@@ -326,7 +326,8 @@ std::string inlet_maps_csv(const FilmMaps& maps) {
       "# Inlet cut at X = -4 over the atlas: films in Moes units; cost = cut/flooded - 1, its uncertainty absolute\n" +
       std::string(point_header) + ",quantity,flooded_moes,cost,cost_error\n";
   for (const MapPoint& point : maps.points) {
-    for (const auto& [name, cost] : {std::pair{"film.minimum", point.minimum_cost}, {"film.central", point.central_cost}}) {
+    for (const auto& [name, cost] :
+         {std::pair{"film.minimum", point.minimum_cost}, {"film.central", point.central_cost}}) {
       if (!cost) continue;
       text += point_cells(point) + "," + name + "," + plain(point.film(name)->value, most_digits) + "," +
               plain(cost->value, 6) + "," + plain(cost->error, 2) + "\n";

@@ -30,7 +30,7 @@ struct MapFormula {
 /// M, L and laws, flooded, with the same point cut at X = -4 beside it.
 struct MapPoint {
   AtlasPoint at;
-  std::optional<MapValue> minimum, central, couette;  ///< certified, flooded, Moes units; absent: not known to 1e-4
+  std::optional<MapValue> minimum, central, couette;   ///< certified, flooded, Moes units; absent: not known to 1e-4
   std::optional<MapValue> minimum_cost, central_cost;  ///< film cut at -4 over flooded - 1; absent for M < 2
   std::vector<MapFormula> formulas;                    ///< of the films that are known
 

@@ -63,12 +63,12 @@ ManufacturedErrors errors_of_collocation(const Manufactured& truth, int elements
     for (int k = 0; k <= 20; ++k) {
       const double t = k / 10.0 - 1;
       const double X = run.state.exit + equations.stretching(run.state.exit) * equations.xi({e, 1 + t, 1 - t});
-      errors.pressure = worse(errors.pressure,
-                              std::abs(equations.interpolate(run.state.P, e, t) - truth.pressure(X).value));
+      errors.pressure =
+          worse(errors.pressure, std::abs(equations.interpolate(run.state.P, e, t) - truth.pressure(X).value));
     }
   }
-  // At the rounding floor the residual goes up and down, and the iteration does not always see that it is there. What it
-  // leaves must be nothing beside the error that is read.
+  // At the rounding floor the residual goes up and down, and the iteration does not always see that it is there. What
+  // it leaves must be nothing beside the error that is read.
   constexpr double rounding_floor = 1e-11, nothing_beside = 1e-3;
   if (!(run.residual <= std::max(rounding_floor, nothing_beside * errors.pressure))) return {};
   return errors;

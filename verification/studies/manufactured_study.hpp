@@ -34,8 +34,8 @@ struct ManufacturedContact {
 inline const ManufacturedContact manufactured_contacts[] = {{"compressible", &exact::Manufactured::compressible},
                                                             {"barus", &exact::Manufactured::barus}};
 
-inline constexpr int manufactured_grids[] = {192, 288, 432, 648};     ///< intervals
-inline constexpr int collocation_elements[] = {48, 72, 108, 162};     ///< of one degree
+inline constexpr int manufactured_grids[] = {192, 288, 432, 648};         ///< intervals
+inline constexpr int collocation_elements[] = {48, 72, 108, 162};         ///< of one degree
 inline constexpr int collocation_degrees[] = {6, 8, 10, 12, 14, 16, 18};  ///< on collocation_elements_in_p elements
 inline constexpr int collocation_elements_in_p = 5;
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the paper says of its figures, judged with computed numbers (bearing_run.hpp).
+#include "verification/studies/paper_statements.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -8,10 +10,9 @@
 #include <map>
 #include <numbers>
 
-#include "workflow/bearing_run.hpp"
 #include "contact/text.hpp"
 #include "io/tables.hpp"
-#include "verification/studies/paper_statements.hpp"
+#include "workflow/bearing_run.hpp"
 
 namespace ehd::verification {
 
@@ -54,10 +55,10 @@ int loaded_rollers(const BearingResult& result) {
                                         [&](const RollerRow& roller) { return is_loaded(roller, largest_N); }));
 }
 
-/// What the film does to the rollers that the dry law loads, those nearest to psi = 0 left out. Rollers that the dry law
-/// leaves empty are no part of it: a film always pushes, so that they can only gain.
+/// What the film does to the rollers that the dry law loads, those nearest to psi = 0 left out. Rollers that the dry
+/// law leaves empty are no part of it: a film always pushes, so that they can only gain.
 struct FurtherOut {
-  double change_N = 0;   ///< sum of f_film - f_dry
+  double change_N = 0;    ///< sum of f_film - f_dry
   int lower = 0, of = 0;  ///< how many of them carry less with the film
 };
 FurtherOut further_out(const ClearanceComparison& at) {
@@ -98,21 +99,24 @@ PaperStatement judge_a(const ClearanceComparison& smallest) {
   const double top = change_at_top(smallest);
   const Apart most = apart(smallest);
   const bool similar = most.share <= similar_load, lower = top < 0;
-  return {'a',
-          format("at P_d = %g um the load distributions are similar, and near psi = 0 EHD lowers the roller load",
-                 1e6 * smallest.clearance_m),
-          similar && lower,
-          format("Q(0) dry %.0f N, EHD %.0f N: %+.1f %%; furthest apart at %.4g deg: %+.0f N, %.1f %% of the largest dry load "
-                 "(%s: at most %g %%); %s",
-                 top_force_N(smallest.dry), top_force_N(smallest.film), 100 * top, most.azimuth_deg, most.change_N,
-                 100 * most.share, similar ? "similar" : "not similar", 100 * similar_load,
-                 words_of(further_out(smallest)).c_str()),
-          {{"similar", similar}, {"lower", lower}},
-          {{"change", top}, {"apart", most.share}}};
+  return {
+      'a',
+      format("at P_d = %g um the load distributions are similar, and near psi = 0 EHD lowers the roller load",
+             1e6 * smallest.clearance_m),
+      similar && lower,
+      format(
+          "Q(0) dry %.0f N, EHD %.0f N: %+.1f %%; furthest apart at %.4g deg: %+.0f N, %.1f %% of the largest dry load "
+          "(%s: at most %g %%); %s",
+          top_force_N(smallest.dry), top_force_N(smallest.film), 100 * top, most.azimuth_deg, most.change_N,
+          100 * most.share, similar ? "similar" : "not similar", 100 * similar_load,
+          words_of(further_out(smallest)).c_str()),
+      {{"similar", similar}, {"lower", lower}},
+      {{"change", top}, {"apart", most.share}}};
 }
 
 PaperStatement judge_b(const std::vector<ClearanceComparison>& all) {
-  PaperStatement statement{'b', "delta_i is considerably smaller with EHD than dry, at every clearance", true, "", {}, {}};
+  PaperStatement statement{'b', "delta_i is considerably smaller with EHD than dry, at every clearance", true, "", {},
+                           {}};
   double least = -std::numeric_limits<double>::infinity(), most = std::numeric_limits<double>::infinity();
   for (const ClearanceComparison& at : all) {
     const double change = top_approach_m(at.film) / top_approach_m(at.dry) - 1;
@@ -207,8 +211,7 @@ std::vector<ClearanceComparison> with_datum(const std::vector<Case>& cases, cons
     Case one = cases[k];
     auto& body = std::get<BearingCase>(one.body);
     body.datum = datum;
-    const auto results =
-        run_bearing(one, {.laws = {law}, .explicitly = true, .films = false, .form = form}, memory);
+    const auto results = run_bearing(one, {.laws = {law}, .explicitly = true, .films = false, .form = form}, memory);
     const BearingResult* const film = of_law(results, law);
     if (!film) return {};
     clearances.push_back({body.geometry.clearance_m, dry[k], *film});
@@ -258,8 +261,8 @@ double heaviest_half_width_m(const std::vector<BearingResult>& dry, double lengt
 using Judged = std::vector<PaperStatement>;  ///< empty where a balance is missing
 using Reading = std::function<bool(const Judged&)>;
 
-/// Where a reading holds: between two scanned lengths that differ the end is sought by bisection, and is the last length
-/// found at which it holds, so that a list never claims more than was judged.
+/// Where a reading holds: between two scanned lengths that differ the end is sought by bisection, and is the last
+/// length found at which it holds, so that a list never claims more than was judged.
 DatumScan::Ranges ranges_of(const Reading& reading, const std::vector<double>& scanned,
                             const std::function<const Judged&(double)>& judged, double precision) {
   const auto yes = [&](double x) { return reading(judged(x)); };
@@ -363,7 +366,8 @@ DatumScan scan_datum(const std::vector<Case>& cases, bearing::Law law, ContactMe
   const auto judged = [&](double x) -> const Judged& {
     const auto found = known.find(x);
     if (found != known.end()) return found->second;
-    return known.emplace(x, judge_paper_statements(with_datum(cases, dry, LengthDatum{x}, law, memory, form))).first->second;
+    return known.emplace(x, judge_paper_statements(with_datum(cases, dry, LengthDatum{x}, law, memory, form)))
+        .first->second;
   };
   const auto find = [&](const Reading& reading) { return ranges_of(reading, scanned, judged, scan.precision); };
   const auto letters = [](const std::string& wanted) {
@@ -444,9 +448,10 @@ std::string human_data(const std::vector<DatumRow>& rows, const DatumScan& scan)
     }
     text += aligned(table, 1, "  ") + "\n";
   }
-  text += format("  x_0 scanned from %.3g mm, 0.6 of the half width of the heaviest dry contact (half of it: no law), to %.3g mm "
-                 "in steps of %.2g %%, ends to %.2g %%; what is narrower than a step may be missed:\n",
-                 1e3 * scan.lowest_m, 1e3 * scan.highest_m, 100 * (scan.step - 1), 100 * (scan.precision - 1));
+  text += format(
+      "  x_0 scanned from %.3g mm, 0.6 of the half width of the heaviest dry contact (half of it: no law), to %.3g mm "
+      "in steps of %.2g %%, ends to %.2g %%; what is narrower than a step may be missed:\n",
+      1e3 * scan.lowest_m, 1e3 * scan.highest_m, 100 * (scan.step - 1), 100 * (scan.precision - 1));
   const auto line = [&](const std::string& what, const DatumScan::Ranges& list) {
     text += "    " + what + ": " + words_of(scan, list) + "\n";
   };
@@ -465,8 +470,9 @@ std::string human_data(const std::vector<DatumRow>& rows, const DatumScan& scan)
   line("(a), (b), (c) and (d) together", scan.all_hold_m);
   line("the same with the second half of (a) alone, its sign at psi = 0", scan.sign_of_a_m);
   if (scan.apart_there)
-    text += format("      there the loads are %.1f to %.1f %% of the largest dry load apart, where \"similar\" asks for %s\n",
-                   100 * scan.apart_there->first, 100 * scan.apart_there->second, similar.c_str());
+    text += format(
+        "      there the loads are %.1f to %.1f %% of the largest dry load apart, where \"similar\" asks for %s\n",
+        100 * scan.apart_there->first, 100 * scan.apart_there->second, similar.c_str());
   line("all four with \"close\" in (c) read as closer than at the other two clearances", scan.all_hold_mildly_m);
   return text;
 }

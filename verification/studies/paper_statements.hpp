@@ -32,8 +32,8 @@ struct PaperStatement {
 /// Readings of words: "EHD is close to Hertz" (c) is within this fraction of the roller load at psi = 0, and
 /// "considerably smaller" (b) is smaller by at least the second. The numbers stand beside every verdict.
 inline constexpr double close_load = 0.02, considerably = 0.10;
-/// "Similar" (a): no roller's load changes by more than this fraction of the largest dry load. The paper gives no number;
-/// curves that are further apart than a fifth of a figure's scale are not what a reader of it calls similar.
+/// "Similar" (a): no roller's load changes by more than this fraction of the largest dry load. The paper gives no
+/// number; curves that are further apart than a fifth of a figure's scale are not what a reader of it calls similar.
 inline constexpr double similar_load = 0.20;
 
 /// (a)..(d) from at least three clearances of one bearing; absent where a balance is missing.
@@ -46,12 +46,13 @@ struct DatumRow {
   std::vector<PaperStatement> statements;
 };
 /// `law`: ehd-linear or ehd. The named data: palmgren, lundberg, x0 = 20, 2.5, 1 and 0.5 mm.
-[[nodiscard]] std::vector<DatumRow> compare_data(const std::vector<Case>& cases, bearing::Law law, ContactMemory& memory,
-                                                 bearing::Form form = bearing::Form::plane);
+[[nodiscard]] std::vector<DatumRow> compare_data(const std::vector<Case>& cases, bearing::Law law,
+                                                 ContactMemory& memory, bearing::Form form = bearing::Form::plane);
 
-/// The lengths x_0 for which the statements hold, scanned from `lowest_m` to `highest_m` in steps of a factor `step`, each
-/// end refined by bisection until it is known to a factor `precision`: lists of closed ranges, empty where there is none.
-/// What is narrower than a step may be missed. No scan (half_width_m = 0) where the dry law has no balance or no load.
+/// The lengths x_0 for which the statements hold, scanned from `lowest_m` to `highest_m` in steps of a factor `step`,
+/// each end refined by bisection until it is known to a factor `precision`: lists of closed ranges, empty where there
+/// is none. What is narrower than a step may be missed. No scan (half_width_m = 0) where the dry law has no balance or
+/// no load.
 struct DatumScan {
   double half_width_m = 0;  ///< of the heaviest dry contact; below about half of it there is no law
   double lowest_m = 0, highest_m = 0, step = 0, precision = 0;
@@ -63,7 +64,8 @@ struct DatumScan {
   Ranges abc_m;                    ///< (a), (b) and (c)
   Ranges all_hold_m;               ///< (a) to (d)
   Ranges sign_of_a_m;              ///< (b), (c), (d) and the second half of (a): its threshold is this project's
-  /// Least and largest of what "similar" is judged by over the lengths judged in sign_of_a_m: what its threshold decides.
+  /// Least and largest of what "similar" is judged by over the lengths judged in sign_of_a_m: what its threshold
+  /// decides.
   std::optional<std::pair<double, double>> apart_there = {};
   Ranges all_hold_mildly_m;  ///< (a) to (d), "close" in (c) read as closer than at the other two clearances
 };

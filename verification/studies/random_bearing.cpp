@@ -69,7 +69,8 @@ RandomBearing random_bearing(unsigned seed) {
   drawn.loading.centrifugal_N = bearing::centrifugal_force_N(geometry, drawn.speeds);
 
   // The largest roller force, and the rollers that share the load with it: Stribeck's fifth of those in the load zone.
-  const double largest_N = force_at(draw.logarithmic(1e5, heaviest_Pa), geometry, drawn.contact, bearing::Raceway::inner);
+  const double largest_N =
+      force_at(draw.logarithmic(1e5, heaviest_Pa), geometry, drawn.contact, bearing::Raceway::inner);
   const double approach_m = 2 * palmgren.approach(largest_N), gap_m = std::max(0.0, geometry.clearance_m / 2);
   const double zone = std::acos(gap_m / (gap_m + approach_m)) / (pi / 2) * geometry.rollers / 5;
   drawn.loading.radial_N = largest_N * (zone > 1 ? draw.uniform(1, zone) : 1);

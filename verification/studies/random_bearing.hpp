@@ -6,9 +6,9 @@
 
 namespace ehd::verification {
 
-/// Z 3..400, rollers side by side; clearance -20..+200 um; load from none to p_H = 4 GPa on the roller that carries most;
-/// either ring or both turning, to 30,000 rpm; the cage anywhere, symmetric to the load, or nearly so. Preload and speed
-/// go no further than 4 GPa at the contacts either: with small rollers -20 um and 30,000 rpm would.
+/// Z 3..400, rollers side by side; clearance -20..+200 um; load from none to p_H = 4 GPa on the roller that carries
+/// most; either ring or both turning, to 30,000 rpm; the cage anywhere, symmetric to the load, or nearly so. Preload
+/// and speed go no further than 4 GPa at the contacts either: with small rollers -20 um and 30,000 rpm would.
 struct RandomBearing {
   bearing::Geometry geometry;
   bearing::Speeds speeds;

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "contact/text.hpp"
 #include "io/json.hpp"
-#include <nlohmann/json.hpp>
 #include "io/tables.hpp"
 #include "verification/studies/paper_statements.hpp"
 
@@ -35,25 +35,30 @@ std::vector<Choice> choices(const BearingCase& body) {
   };
   const double eta = body.lubricant->viscosity_Pa_s;
   for (const double share : {0.316, 0.5, 2.0, 3.16})
-    add("viscosity", number(eta * share, "Pa s"), [eta, share](BearingCase& one) { one.lubricant->viscosity_Pa_s = eta * share; });
+    add("viscosity", number(eta * share, "Pa s"),
+        [eta, share](BearingCase& one) { one.lubricant->viscosity_Pa_s = eta * share; });
   if (const auto alpha = body.lubricant->lubricant.alpha_per_Pa)
     for (const double share : {0.5, 0.75, 1.25, 1.75})
       add("alpha", number(*alpha * share, "1/Pa"),
           [alpha, share](BearingCase& one) { one.lubricant->lubricant.alpha_per_Pa = *alpha * share; });
   else if (const auto z = body.lubricant->lubricant.z)  // alpha follows from it
     for (const double share : {0.5, 0.75, 1.25, 1.75})
-      add("alpha", "z = " + plain(*z * share, 4), [z, share](BearingCase& one) { one.lubricant->lubricant.z = *z * share; });
+      add("alpha", "z = " + plain(*z * share, 4),
+          [z, share](BearingCase& one) { one.lubricant->lubricant.z = *z * share; });
   if (const auto range = body.fit.load_N) {
     for (const double share : {0.15, 0.5, 2.0})
       add("fit range", number(range->first * share, "N") + " to " + number(range->second, "N"),
-          [range, share](BearingCase& one) { one.fit.load_N = std::pair{range->first * share, range->second}; });
+          [range, share](BearingCase& one) {
+            one.fit.load_N = std::pair{range->first * share, range->second};
+          });
     for (const double share : {0.2, 0.5, 1.2})
       add("datum", "palmgren at " + number(range->second * share, "N"),
           [range, share](BearingCase& one) { one.datum = PalmgrenDatum{range->second * share}; });
   }
   add("datum", "lundberg, x_0 = l", [](BearingCase& one) { one.datum = LundbergDatum{}; });
   const double radius_m = bearing::reduced_radius_m(geometry_of(body), bearing::Raceway::inner);
-  add("datum", "x_0 = R_i = " + number(1e3 * radius_m, "mm"), [radius_m](BearingCase& one) { one.datum = LengthDatum{radius_m}; });
+  add("datum", "x_0 = R_i = " + number(1e3 * radius_m, "mm"),
+      [radius_m](BearingCase& one) { one.datum = LengthDatum{radius_m}; });
   add("datum", "x_0 = R_i/4", [radius_m](BearingCase& one) { one.datum = LengthDatum{radius_m / 4}; });
   add("datum", "x_0 = 20 mm", [](BearingCase& one) { one.datum = LengthDatum{0.020}; });
   const bool inner_turns = body.operation.inner_speed_rpm != 0;
@@ -69,7 +74,8 @@ std::vector<Choice> choices(const BearingCase& body) {
   for (const Pair& pair : {Pair{3.16, 0, 1}, {2, 0, 0.125}, {1, 0.018, 0.25}}) {
     const double x0_m = radius_m * pair.radii;
     add(two_choices,
-        (pair.length_m > 0 ? "length " + number(pair.length_m, "m") : "viscosity " + number(eta * pair.viscosity, "Pa s")) +
+        (pair.length_m > 0 ? "length " + number(pair.length_m, "m")
+                           : "viscosity " + number(eta * pair.viscosity, "Pa s")) +
             ", x_0 = " + number(1e3 * x0_m, "mm"),
         [pair, eta, x0_m](BearingCase& one) {
           one.lubricant->viscosity_Pa_s = eta * pair.viscosity;
@@ -185,7 +191,8 @@ Json to_json(const std::vector<StudyRow>& rows) {
     return all;
   };
   for (const StudyRow& row : rows) {
-    Json one = {{"factor", row.factor}, {"value", row.value}, {"law", to_string(row.law)}, {"statements", Json::array()}};
+    Json one = {
+        {"factor", row.factor}, {"value", row.value}, {"law", to_string(row.law)}, {"statements", Json::array()}};
     for (const PaperStatement& judged : row.statements) {
       Json values = Json::object();
       for (const auto& [name, value] : judged.values) put(values, name.c_str(), value);
@@ -222,16 +229,16 @@ Json to_json(const std::vector<StudyRow>& rows) {
 std::string human_study(const std::vector<StudyRow>& rows) {
   std::string text;
   for (const bearing::Law law : {bearing::Law::ehd_linear, bearing::Law::ehd}) {
-    std::vector<std::vector<std::string>> table{
-        {"changed", "to", "(a)", "Q(0) %", "apart %", "(b)", "delta_i %", "(c)", "middle %", "largest %", "(d)",
-         "x_0 for (a)..(d)", "by the sign of (a)", "by the mild (c)"}};
+    std::vector<std::vector<std::string>> table{{"changed", "to", "(a)", "Q(0) %", "apart %", "(b)", "delta_i %", "(c)",
+                                                 "middle %", "largest %", "(d)", "x_0 for (a)..(d)",
+                                                 "by the sign of (a)", "by the mild (c)"}};
     for (const StudyRow& row : rows) {
       if (row.law != law) continue;
       if (row.statements.empty()) {
         table.push_back({row.factor, row.value, row.why, "", "", "", "", "", "", "", "", "", "", ""});
         continue;
       }
-      const auto range = [](const StudyRow& of, DatumScan::Ranges DatumScan::* which) {
+      const auto range = [](const StudyRow& of, DatumScan::Ranges DatumScan::*which) {
         return of.scan ? words_of(*of.scan, (*of.scan).*which, 2) : std::string();
       };
       const auto word = [&](char letter) { return std::string(statement(row, letter)->holds ? "holds" : "no"); };
@@ -243,7 +250,8 @@ std::string human_study(const std::vector<StudyRow>& rows) {
     }
     if (table.size() == 1) continue;
     text += (text.empty() ? "" : "\n") + std::string("hertz against ") + std::string(to_string(law)) +
-            ": changes of the roller load and of delta_i at psi = 0, the largest of any roller's load\n" + aligned(table, 2, "  ");
+            ": changes of the roller load and of delta_i at psi = 0, the largest of any roller's load\n" +
+            aligned(table, 2, "  ");
   }
   text += "\n";
   for (const StudySummary& one : summarise(rows))

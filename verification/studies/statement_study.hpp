@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "workflow/bearing_run.hpp"
 #include "io/json.hpp"
 #include "verification/studies/paper_statements.hpp"
+#include "workflow/bearing_run.hpp"
 
 namespace ehd::verification {
 
@@ -17,7 +17,7 @@ namespace ehd::verification {
 struct StudyRow {
   /// "as the case", "viscosity", "alpha", "fit range", "datum", "rotating ring", "unloading", "length"; "two choices"
   std::string factor;
-  std::string value;   ///< with its unit
+  std::string value;  ///< with its unit
   bearing::Law law = bearing::Law::ehd_linear;
   std::vector<PaperStatement> statements;  ///< empty where a balance is missing
   std::string why;                         ///< why it is
@@ -28,8 +28,8 @@ struct StudyRow {
 /// the case as it is; viscosity over a decade about its own, at the same alpha; alpha from half to 1.75 times its own;
 /// the fit from .3, 1, 2 and 4 kN (scaled to the case's own range) to its end; Palmgren met at a fifth, half and 1.2 of
 /// the fit's end, Lundberg, x_0 = R and 20 mm; the other ring turning; ehd-linear cut at delta = 0; lengths of .122 and
-/// .018 m at the same load. Last, two choices at once where one alone changes little: a thick oil, or another length, with a
-/// short x_0.
+/// .018 m at the same load. Last, two choices at once where one alone changes little: a thick oil, or another length,
+/// with a short x_0.
 [[nodiscard]] std::vector<StudyRow> study_statements(const std::vector<Case>& cases, ContactMemory& memory);
 
 /// How many of a law's rows with one choice changed a statement holds in, and where it does not.

@@ -9,18 +9,18 @@
 #include <fstream>
 #include <limits>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "io/case_reader.hpp"
+#include "io/json.hpp"
+#include "io/output_file.hpp"
 #include "tests/check.hpp"
 #include "tests/files.hpp"
 #include "tests/process.hpp"
-#include "io/json.hpp"
-#include <nlohmann/json.hpp>
-#include "io/output_file.hpp"
-#include "io/case_reader.hpp"
 
 using namespace ehd;
 using namespace ehd::verification;

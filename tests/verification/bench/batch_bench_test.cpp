@@ -5,8 +5,8 @@
 #include <chrono>
 #include <thread>
 
-#include "tests/check.hpp"
 #include "io/tables.hpp"
+#include "tests/check.hpp"
 
 using namespace ehd;
 using namespace ehd::verification;

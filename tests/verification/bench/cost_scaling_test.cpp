@@ -2,13 +2,13 @@
 #include "verification/bench/cost_scaling.hpp"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <vector>
 
-#include "tests/check.hpp"
 #include "io/json.hpp"
-#include <nlohmann/json.hpp>
 #include "io/tables.hpp"
+#include "tests/check.hpp"
 
 using namespace ehd;
 using namespace ehd::verification;

@@ -4,16 +4,16 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 #include <stdexcept>
 #include <thread>
 
+#include "io/json.hpp"
+#include "io/tables.hpp"
 #include "tests/check.hpp"
 #include "workflow/contact_run.hpp"
-#include "io/json.hpp"
-#include <nlohmann/json.hpp>
-#include "io/tables.hpp"
 
 using namespace ehd;
 using namespace ehd::verification;

@@ -2,11 +2,11 @@
 // made_report DIR: the made results as files, for the browser test.
 #include <filesystem>
 #include <iostream>
-
-#include "tests/verification/report/made_results.hpp"
-#include "io/json.hpp"
 #include <nlohmann/json.hpp>
+
+#include "io/json.hpp"
 #include "io/output_file.hpp"
+#include "tests/verification/report/made_results.hpp"
 
 int main(int argc, char** argv) {
   using namespace ehd::verification;

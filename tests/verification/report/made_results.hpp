@@ -4,12 +4,12 @@
 #pragma once
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <string>
 #include <vector>
-#include "io/json.hpp"
-#include <nlohmann/json.hpp>
 
+#include "io/json.hpp"
 
 namespace ehd::verification::test {
 
@@ -225,14 +225,18 @@ inline Json bearing(const std::string& id, double clearance_m) {
        {"holds", false},
        {"numbers", "-5.5 %"}}};
   figures["statement_study"] = {
-      {"summary", {{{"letter", "a"}, {"law", "ehd"}, {"holds", 1}, {"of", 2}, {"exceptions", "not with viscosity 0.1 Pa s"}}}},
+      {"summary",
+       {{{"letter", "a"}, {"law", "ehd"}, {"holds", 1}, {"of", 2}, {"exceptions", "not with viscosity 0.1 Pa s"}}}},
       {"rows",
        {{{"factor", "viscosity"},
          {"value", "0.1 Pa s"},
          {"law", "ehd"},
          {"statements",
           {{{"letter", "a"}, {"holds", false}, {"values", {{"change", 0.012}}}, {"numbers", "+1.2 %"}},
-           {{"letter", "c"}, {"holds", true}, {"values", {{"middle", 0.004}, {"largest", 0.03}}}, {"numbers", "+3 %"}}}},
+           {{"letter", "c"},
+            {"holds", true},
+            {"values", {{"middle", 0.004}, {"largest", 0.03}}},
+            {"numbers", "+3 %"}}}},
          {"x0_all_hold_m", {{2e-4, 6e-4}}}}}}};
   figures["bearing"][0]["laws"].back()["error_budget"] = {{{"source", "interpolation"},
                                                            {"of", "every contact"},

@@ -4,15 +4,15 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <tuple>
 
+#include "io/json.hpp"
 #include "tests/check.hpp"
 #include "tests/process.hpp"
 #include "tests/verification/report/made_results.hpp"
 #include "tests/verification/report/markup.hpp"
-#include "io/json.hpp"
-#include <nlohmann/json.hpp>
 
 using namespace ehd;
 using namespace ehd::verification;
@@ -121,9 +121,11 @@ BOOST_AUTO_TEST_CASE(the_verdict_is_that_of_the_claims_whatever_the_summary_says
   };
   int rows = 0;
   for (const Json& success : {Json(true), Json(false), Json(nullptr)}) {
-    for (const auto& [third, fourth, accepted, good] :
-         {std::tuple{"pass", "pass", false, true}, {"pass", "inconclusive", true, true},
-          {"pass", "inconclusive", false, false}, {"fail", "pass", false, false}, {"pass", "fail", true, false}}) {
+    for (const auto& [third, fourth, accepted, good] : {std::tuple{"pass", "pass", false, true},
+                                                        {"pass", "inconclusive", true, true},
+                                                        {"pass", "inconclusive", false, false},
+                                                        {"fail", "pass", false, false},
+                                                        {"pass", "fail", true, false}}) {
       const std::string page = page_of(third, fourth, accepted, success);
       BOOST_TEST(count_of(page, "<b>Every claim stands.") == (good ? 1u : 0u));
       BOOST_TEST(count_of(page, "<b>Not every claim stands.") == (good ? 0u : 1u));
@@ -172,10 +174,9 @@ BOOST_AUTO_TEST_CASE(results_that_nobody_can_place_are_refused_with_their_path) 
       }
     }
   }
-  BOOST_CHECK_THROW((void)made_page([](report::Documents& documents) {
-                      documents.stress["parts"][0]["verdict"] = "maybe";
-                    }),
-                    report::ReportError);
+  BOOST_CHECK_THROW(
+      (void)made_page([](report::Documents& documents) { documents.stress["parts"][0]["verdict"] = "maybe"; }),
+      report::ReportError);
 }
 
 BOOST_AUTO_TEST_CASE(numbers_that_are_missing_or_strange_leave_a_gap) {
@@ -217,7 +218,8 @@ BOOST_AUTO_TEST_CASE(the_command_writes_the_page_and_refuses_in_one_line) {
   };
   BOOST_TEST(refused("no results.json").find("ehd verify --output") != std::string::npos);
   for (const char* text :
-       {"", "{", "[]", "{}", "{\"schema\": 1}", "{\"schema\": \"2\"}", "{\"schema\": 2, \"claims\": 5}", "{\"schema\": 2}",
+       {"", "{", "[]", "{}", "{\"schema\": 1}", "{\"schema\": \"2\"}", "{\"schema\": 2, \"claims\": 5}",
+        "{\"schema\": 2}",
         R"({"schema": 2, "claims": [{"verdict": "maybe", "rung": 1}], "summary": {}, "provenance": {}})",
         R"({"schema": 2, "claims": [{"verdict": "pass", "rung": 12}], "summary": {}, "provenance": {}})"}) {
     (void)folder.write("results.json", text);
@@ -266,7 +268,8 @@ BOOST_AUTO_TEST_CASE(solve_and_bearing_draw_a_picture_whole_or_not_at_all) {
     BOOST_TEST(streamed.exit_code == 2, arguments);
     BOOST_TEST(streamed.error_lines() == 1, arguments);
     BOOST_TEST(streamed.out == "", arguments);
-    BOOST_TEST(streamed.err.find("--plot = -: is no file; allowed is a file's name") != std::string::npos, streamed.err);
+    BOOST_TEST(streamed.err.find("--plot = -: is no file; allowed is a file's name") != std::string::npos,
+               streamed.err);
     BOOST_TEST(!std::filesystem::exists("-"), arguments);
   }
 }

@@ -6,11 +6,11 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "io/json.hpp"
 #include "tests/check.hpp"
 #include "tests/files.hpp"
 #include "tests/process.hpp"
 #include "verification/stress/parts.hpp"
-#include "io/json.hpp"
 
 using namespace ehd;
 using namespace ehd::verification;
@@ -254,7 +254,8 @@ BOOST_AUTO_TEST_CASE(bearings_fail_where_one_does_not_balance_or_is_no_balance) 
   // A limit is no reason outside; what missed its tolerance is not among the balanced, and inside it is a failure.
   BOOST_TEST((verdict([](auto&, auto& one) { one.refused_outside = 4, one.limits = 1; }) == Verdict::fail));
   BOOST_TEST((verdict([](auto&, auto& one) { one.refused_outside = 4, one.missed = 1; }) == Verdict::pass));
-  BOOST_TEST((verdict([](auto&, auto& one) { one.refused_outside = 4, one.missed = one.missed_inside = 1; }) == Verdict::fail));
+  BOOST_TEST((verdict([](auto&, auto& one) { one.refused_outside = 4, one.missed = one.missed_inside = 1; }) ==
+              Verdict::fail));
   BOOST_TEST((verdict([](auto&, auto& one) { one.balanced = 985, one.missed = 10; }) == Verdict::fail));
   BOOST_TEST((verdict([](auto&, auto& one) { one.balanced = 0, one.refused_outside = one.tried; }) == Verdict::fail));
   BOOST_TEST((judge_bearings({}).verdict != Verdict::pass));

@@ -31,7 +31,8 @@ ContactSolver synthetic(double share) {
 }
 
 std::vector<BearingResult> run(ContactMemory& memory) {
-  return run_bearing(needle_bearing(), {.laws = {bearing::Law::hertz, bearing::Law::ehd_linear, bearing::Law::ehd}}, memory);
+  return run_bearing(needle_bearing(), {.laws = {bearing::Law::hertz, bearing::Law::ehd_linear, bearing::Law::ehd}},
+                     memory);
 }
 
 const BudgetRow& row_of(const std::vector<BudgetRow>& rows, const std::string& source) {
@@ -78,12 +79,14 @@ BOOST_AUTO_TEST_CASE(the_fits_row_is_the_difference_of_the_two_laws) {
   const BudgetRow& fit = row_of(rows, "fit");
   BOOST_TEST(!fit.bound);
   BOOST_TEST(fit.displacement_m == std::abs(results[1].displacement_m - results[2].displacement_m));
-  BOOST_TEST(fit.largest_force_N == std::abs(results[1].rollers[0].inner.force_N - results[2].rollers[0].inner.force_N));
+  BOOST_TEST(fit.largest_force_N ==
+             std::abs(results[1].rollers[0].inner.force_N - results[2].rollers[0].inner.force_N));
   BOOST_TEST(fit.any_force_N >= fit.largest_force_N);
   BOOST_TEST(std::count_if(rows.begin(), rows.end(), [](const BudgetRow& row) { return row.source == "datum"; }) == 2);
 }
 
-// The line's films are the curve's, whose errors are in its budget; its balance is of the fit's own contacts, which are.
+// The line's films are the curve's, whose errors are in its budget; its balance is of the fit's own contacts, which
+// are.
 BOOST_AUTO_TEST_CASE(the_lines_budget_has_its_films_interpolation_and_its_fits_own_contacts) {
   ContactMemory memory(synthetic(0));
   const auto results = run(memory);
@@ -97,14 +100,16 @@ BOOST_AUTO_TEST_CASE(the_lines_budget_has_its_films_interpolation_and_its_fits_o
   }
   // The thinnest film is under the most loaded roller, far above the lightest solved contact.
   BOOST_REQUIRE(between.smallest_film.has_value());
-  BOOST_TEST((*between.smallest_film == line.curve->inner.errors().interpolation || *between.smallest_film == line.curve->outer.errors().interpolation));
+  BOOST_TEST((*between.smallest_film == line.curve->inner.errors().interpolation ||
+              *between.smallest_film == line.curve->outer.errors().interpolation));
   BOOST_TEST(*between.smallest_film > 0);
   BOOST_TEST(!below.smallest_film.has_value());
   // Ten times the error at the fit's contacts, ten times the bound, whatever the curve's own contacts are known to.
   auto worse = results;
   for (auto* fit : {&worse[1].fit->inner, &worse[1].fit->outer})
     for (bearing::FitPoint& point : fit->points) point.approach_error_m *= 10;
-  const BudgetRow tenfold = row_of(budget_of(needle_bearing(), worse, bearing::Law::ehd_linear, memory), "contact solver");
+  const BudgetRow tenfold =
+      row_of(budget_of(needle_bearing(), worse, bearing::Law::ehd_linear, memory), "contact solver");
   const BudgetRow own = row_of(rows, "contact solver");
   EHD_CHECK(error(tenfold.displacement_m, 10 * own.displacement_m), Tolerance::round_off(100));
   EHD_CHECK(error(tenfold.any_force_N, 10 * own.any_force_N), Tolerance::round_off(100));

@@ -3,16 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "contact/hertz.hpp"
+#include "io/json.hpp"
 #include "tests/check.hpp"
-#include "workflow/case.hpp"
 #include "verification/studies/figures/curves.hpp"
 #include "verification/studies/figures/parts.hpp"
-#include "io/json.hpp"
-#include <nlohmann/json.hpp>
+#include "workflow/case.hpp"
 
 using namespace ehd;
 using namespace ehd::verification;
@@ -152,7 +152,7 @@ BOOST_AUTO_TEST_CASE(no_order_is_declared_of_the_smallest_film_beside_a_spike_or
       if (series["points"].size() < 4) BOOST_TEST(!series.contains("fitted_order"));
     }
   }
-  BOOST_TEST(spiked == 4);    // every solver's own grids
+  BOOST_TEST(spiked == 4);  // every solver's own grids
   BOOST_TEST(declared == 4);
   BOOST_TEST(unfitted >= 4);  // dense solvers stand on three grids here
   BOOST_TEST(fitted >= 1);
@@ -172,7 +172,8 @@ BOOST_AUTO_TEST_CASE(the_bearing_has_three_laws_at_three_clearances_and_the_stat
   BOOST_TEST(made.at("statements").size() == 8);
   BOOST_REQUIRE(made.at("force_law").size() == 18);
   for (const Json& law : made["force_law"]) {
-    const auto delta = law["displacement_m"].get<std::vector<double>>(), force = law["force_N"].get<std::vector<double>>();
+    const auto delta = law["displacement_m"].get<std::vector<double>>(),
+               force = law["force_N"].get<std::vector<double>>();
     BOOST_TEST(delta.size() == force.size());
     BOOST_TEST(std::is_sorted(delta.begin(), delta.end()));
     BOOST_TEST(std::is_sorted(force.begin(), force.end()));

@@ -140,8 +140,10 @@ BOOST_AUTO_TEST_CASE(the_known_agreement_at_20_10_is_in_the_atlas) {
   BOOST_TEST(maps.L.size() == 7U);
   const MapPoint* point = find(maps, AtlasLaws::roelands, 20, 10);
   BOOST_REQUIRE(point);
-  for (const auto& [name, percent] : {std::pair{"Dowson & Higginson 1977", 1.3}, {"Dowson & Higginson 1966", 1.9},
-                                      {"Hamrock & Jacobson 1984", -2.9}, {"Pan & Hamrock 1989", -4.9}}) {
+  for (const auto& [name, percent] : {std::pair{"Dowson & Higginson 1977", 1.3},
+                                      {"Dowson & Higginson 1966", 1.9},
+                                      {"Hamrock & Jacobson 1984", -2.9},
+                                      {"Pan & Hamrock 1989", -4.9}}) {
     const MapFormula* formula = find(*point, name, "film.minimum");
     BOOST_REQUIRE(formula);
     EHD_CHECK(std::abs(100 * formula->deviation - percent),
@@ -159,8 +161,8 @@ BOOST_AUTO_TEST_CASE(the_command_prints_tables_and_leaves_two_files) {
   const auto ended = test::ehd_run(folder, "maps --quantity film.minimum --laws barus --output '" + out.string() + "'");
   BOOST_TEST(ended.exit_code == 0);
   BOOST_TEST(ended.err == "");
-  for (const char* text : {"Pan & Hamrock 1989, film.minimum: deviation in percent", "within 5 % at M =", "30 % or more",
-                           "barus", "Inlet cut at X = -4, film.minimum", "never pass or fail"})
+  for (const char* text : {"Pan & Hamrock 1989, film.minimum: deviation in percent", "within 5 % at M =",
+                           "30 % or more", "barus", "Inlet cut at X = -4, film.minimum", "never pass or fail"})
     BOOST_CHECK_MESSAGE(ended.out.find(text) != std::string::npos, text << " is not in the tables");
   BOOST_TEST(ended.out.find("film.central") == std::string::npos);
   const std::string formulas = test::read(out / "formula_maps.csv"), inlets = test::read(out / "inlet_maps.csv");
@@ -197,8 +199,9 @@ BOOST_AUTO_TEST_CASE(a_damaged_atlas_is_one_line_and_exit_code_2) {
 
 BOOST_AUTO_TEST_CASE(wrong_usage_of_maps_is_one_line) {
   const test::Folder folder;
-  for (const auto& [arguments, says] : {std::pair{"--quantity film.offset", "--quantity = film.offset: is unknown"},
-                                        {"--laws mineral", "--laws = mineral: is unknown; allowed is roelands, barus"}}) {
+  for (const auto& [arguments, says] :
+       {std::pair{"--quantity film.offset", "--quantity = film.offset: is unknown"},
+        {"--laws mineral", "--laws = mineral: is unknown; allowed is roelands, barus"}}) {
     const auto ended = test::ehd_run(folder, std::string("maps ") + arguments);
     BOOST_TEST(ended.exit_code == 2);
     BOOST_TEST(ended.error_lines() == 1);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The judge of the paper's statements, with rollers made by hand: each letter both ways.
+#include "verification/studies/paper_statements.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -8,7 +10,6 @@
 #include "tests/check.hpp"
 #include "tests/made_bearing.hpp"
 #include "workflow/bearing_run.hpp"
-#include "verification/studies/paper_statements.hpp"
 
 namespace ehd::verification {
 
@@ -185,7 +186,7 @@ BOOST_AUTO_TEST_CASE(c_looks_at_the_rollers_that_the_dry_law_loads) {
 BOOST_AUTO_TEST_CASE(d_fails_where_displacements_do_not_concentrate_in_both_models) {
   for (const bool film : {false, true}) {
     Figures top, side;
-    (film ? top.film : top.dry)[2].approach_um[0] = film ? 2.59 : 3.19;   // no longer grows at 0 degrees
+    (film ? top.film : top.dry)[2].approach_um[0] = film ? 2.59 : 3.19;    // no longer grows at 0 degrees
     (film ? side.film : side.dry)[2].approach_um[2] = film ? 0.09 : 0.11;  // no longer falls at 90 degrees
     BOOST_TEST(!judged(top)[3].holds);
     BOOST_TEST(!judged(side)[3].holds);
@@ -224,7 +225,8 @@ BOOST_AUTO_TEST_CASE(the_ends_of_a_range_are_where_the_verdict_turns) {
     std::vector<ClearanceComparison> clearances;
     for (Case one : cases) {
       std::get<BearingCase>(one.body).datum = LengthDatum{x0_m};
-      const auto results = run_bearing(one, {.laws = {bearing::Law::hertz, bearing::Law::ehd_linear}, .explicitly = true}, memory);
+      const auto results =
+          run_bearing(one, {.laws = {bearing::Law::hertz, bearing::Law::ehd_linear}, .explicitly = true}, memory);
       clearances.push_back({std::get<BearingCase>(one.body).geometry.clearance_m, results[0], results[1]});
     }
     for (const PaperStatement& one : judge_paper_statements(clearances))
@@ -241,8 +243,10 @@ BOOST_AUTO_TEST_CASE(the_ends_of_a_range_are_where_the_verdict_turns) {
     for (const auto& [low, high] : ranges) {
       BOOST_TEST(holds_at(low, letter), letter << " at " << low);
       BOOST_TEST(holds_at(high, letter), letter << " at " << high);
-      if (low > scan.lowest_m && ++ends) BOOST_TEST(!holds_at(low / scan.precision, letter), letter << " below " << low);
-      if (high < scan.highest_m && ++ends) BOOST_TEST(!holds_at(high * scan.precision, letter), letter << " above " << high);
+      if (low > scan.lowest_m && ++ends)
+        BOOST_TEST(!holds_at(low / scan.precision, letter), letter << " below " << low);
+      if (high < scan.highest_m && ++ends)
+        BOOST_TEST(!holds_at(high * scan.precision, letter), letter << " above " << high);
     }
   BOOST_TEST(ends >= 3);
   for (const auto& [low, high] : scan.b_m) {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verification/studies/random_bearing.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <variant>
 
 #include "tests/check.hpp"
 #include "verification/studies/bearing_check.hpp"
+#include "verification/studies/random_bearing.hpp"
 #include "workflow/bearing_run.hpp"
 
 namespace ehd::verification {
@@ -17,7 +16,8 @@ using bearing::NoEquilibrium;
 
 namespace {
 
-constexpr bearing::Law dry[] = {bearing::Law::hertz, bearing::Law::iso, bearing::Law::lundberg, bearing::Law::tripp, bearing::Law::houpert};
+constexpr bearing::Law dry[] = {bearing::Law::hertz, bearing::Law::iso, bearing::Law::lundberg, bearing::Law::tripp,
+                                bearing::Law::houpert};
 
 const Tolerance promised = Tolerance::required(bearing::largest_balance_error, "what a balance promises");
 

@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "tests/check.hpp"
-#include "tests/made_bearing.hpp"
-#include "workflow/case.hpp"
 #include "io/case_reader.hpp"
 #include "io/find_case.hpp"
+#include "tests/check.hpp"
+#include "tests/made_bearing.hpp"
 #include "verification/studies/paper_statements.hpp"
+#include "workflow/case.hpp"
 
 namespace ehd::verification {
 
@@ -37,7 +37,8 @@ BOOST_AUTO_TEST_CASE(every_choice_is_judged_and_the_first_row_is_the_case_itself
   const auto rows = study_statements(cases, memory);
   std::vector<ClearanceComparison> clearances;
   for (const Case& one : cases) {
-    const auto results = run_bearing(one, {.laws = {bearing::Law::hertz, bearing::Law::ehd_linear}, .explicitly = true}, memory);
+    const auto results =
+        run_bearing(one, {.laws = {bearing::Law::hertz, bearing::Law::ehd_linear}, .explicitly = true}, memory);
     clearances.push_back({std::get<BearingCase>(one.body).geometry.clearance_m, results[0], results[1]});
   }
   const auto statements = judge_paper_statements(clearances);
@@ -53,11 +54,13 @@ BOOST_AUTO_TEST_CASE(every_choice_is_judged_and_the_first_row_is_the_case_itself
   BOOST_TEST(linear.size() == 9u);
   BOOST_TEST(full.size() == 7u);  // no fit, no letting go
   // "Two choices" are not of the table with one choice changed, and name both.
-  const auto pairs = std::count_if(rows.begin(), rows.end(), [](const StudyRow& row) { return row.factor == "two choices"; });
+  const auto pairs =
+      std::count_if(rows.begin(), rows.end(), [](const StudyRow& row) { return row.factor == "two choices"; });
   BOOST_TEST(pairs == 6);
   for (const StudyRow& row : rows) {
     if (row.factor == "two choices") BOOST_TEST(row.value.find(", x_0 = ") != std::string::npos);
-    BOOST_TEST(row.scan.has_value() == (row.factor != "two choices" && row.factor != "datum" && row.factor != "unloading"));
+    BOOST_TEST(row.scan.has_value() ==
+               (row.factor != "two choices" && row.factor != "datum" && row.factor != "unloading"));
   }
   int of = 0;
   for (const StudySummary& one : summarise(rows)) of += one.letter == 'a' ? one.of : 0;

@@ -13,8 +13,8 @@
 #include "fast/map.hpp"
 #include "fast/multigrid.hpp"
 #include "fast/start.hpp"
-#include "verification/studies/oils.hpp"
 #include "verification/bench/cost_scaling.hpp"
+#include "verification/studies/oils.hpp"
 
 namespace {
 

@@ -3,18 +3,18 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "bearing/force_law.hpp"
-#include "workflow/bearing_run.hpp"
-#include "verification/studies/error_budget.hpp"
 #include "io/bearing_json.hpp"
-#include "verification/studies/figures/parts.hpp"
-#include "workflow/registry.hpp"
-#include "verification/studies/statement_study.hpp"
 #include "io/json.hpp"
-#include <nlohmann/json.hpp>
+#include "verification/studies/error_budget.hpp"
+#include "verification/studies/figures/parts.hpp"
 #include "verification/studies/paper_statements.hpp"
+#include "verification/studies/statement_study.hpp"
+#include "workflow/bearing_run.hpp"
+#include "workflow/registry.hpp"
 
 namespace ehd::verification {
 
@@ -78,7 +78,8 @@ void make(const std::vector<Case>& cases, Made& made) {
     bearing["title"] = one.title;
     put(bearing, "clearance_m", body.geometry.clearance_m);
     put(bearing, "radial_load_N", body.operation.radial_load_N);
-    put(bearing, "speed_rpm", std::max(std::abs(body.operation.inner_speed_rpm), std::abs(body.operation.outer_speed_rpm)));
+    put(bearing, "speed_rpm",
+        std::max(std::abs(body.operation.inner_speed_rpm), std::abs(body.operation.outer_speed_rpm)));
     bearing["laws"] = Json::array();
     const double heaviest = beyond_heaviest * largest_load_N(all.back());
     for (const BearingResult& result : all.back()) {

@@ -4,20 +4,20 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "contact/observables.hpp"
-#include "verification/studies/fits.hpp"
-#include "verification/studies/figures/parts.hpp"
-#include "verification/studies/manufactured_study.hpp"
-#include "workflow/registry.hpp"
-#include "workflow/contact_run.hpp"
-#include "io/json.hpp"
-#include <nlohmann/json.hpp>
 #include "io/case_reader.hpp"
 #include "io/find_case.hpp"
+#include "io/json.hpp"
+#include "verification/studies/figures/parts.hpp"
+#include "verification/studies/fits.hpp"
+#include "verification/studies/manufactured_study.hpp"
+#include "workflow/contact_run.hpp"
+#include "workflow/registry.hpp"
 
 namespace ehd::verification {
 
@@ -253,9 +253,9 @@ std::vector<Series> manufactured_solver(const ManufacturedContact& contact, cons
 std::vector<Series> manufactured_in_h(const ManufacturedContact& contact, int degree) {
   const exact::Manufactured truth = contact.make();
   const std::string name = "collocation/degree-" + std::to_string(degree);
-  Series series = manufactured(name, "reference's collocation, degree " + std::to_string(degree) +
-                                         ": manufactured pressure, " + contact.name,
-                               "reference", contact, "pressure");
+  Series series = manufactured(
+      name, "reference's collocation, degree " + std::to_string(degree) + ": manufactured pressure, " + contact.name,
+      "reference", contact, "pressure");
   series.abscissa = "unknowns";
   series.declared_order = degree + 1;
   for (const int elements : collocation_elements)
@@ -265,9 +265,9 @@ std::vector<Series> manufactured_in_h(const ManufacturedContact& contact, int de
 
 std::vector<Series> manufactured_in_p(const ManufacturedContact& contact) {
   const exact::Manufactured truth = contact.make();
-  Series series = manufactured("collocation/spectral", "reference's collocation on " +
-                                                           std::to_string(collocation_elements_in_p) +
-                                                           " elements: manufactured pressure, " + contact.name,
+  Series series = manufactured("collocation/spectral",
+                               "reference's collocation on " + std::to_string(collocation_elements_in_p) +
+                                   " elements: manufactured pressure, " + contact.name,
                                "reference", contact, "pressure");
   series.abscissa = "degree";
   series.geometric = true;

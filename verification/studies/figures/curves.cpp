@@ -44,8 +44,8 @@ std::vector<std::size_t> divided(const std::vector<double>& X, const std::vector
 
 Thinning thin(const std::vector<double>& X, const std::vector<ThinnedCurve>& curves, std::size_t most) {
   if (X.size() < 2 || most < 2)
-    throw std::invalid_argument("a curve of " + std::to_string(X.size()) + " points thinned to " + std::to_string(most) +
-                                "; required are at least 2 of each");
+    throw std::invalid_argument("a curve of " + std::to_string(X.size()) + " points thinned to " +
+                                std::to_string(most) + "; required are at least 2 of each");
   for (const ThinnedCurve& curve : curves)
     if (curve.values.size() != X.size() || curve.allowed.size() != X.size())
       throw std::invalid_argument("a curve has " + std::to_string(curve.values.size()) + " values and " +

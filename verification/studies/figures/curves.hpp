@@ -26,8 +26,8 @@ struct Thinning {
 
 /// H(X) - H(X*) for X >= X*, where the pressure ends at X* = pressure.last():
 ///   (X^2 - X*^2)/2 - (1/pi) Int P [ln(X - t) - ln(X* - t)] dt,
-/// by a Lobatto rule on each piece of P. Pressure before the profile's first node is left out: its share in a difference
-/// of two logarithms falls like the square of its distance.
+/// by a Lobatto rule on each piece of P. Pressure before the profile's first node is left out: its share in a
+/// difference of two logarithms falls like the square of its distance.
 [[nodiscard]] double gap_behind_exit(const Profile& pressure, double X);
 
 }  // namespace ehd::verification

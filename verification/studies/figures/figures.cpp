@@ -5,18 +5,18 @@
 #include <exception>
 #include <filesystem>
 #include <mutex>
+#include <nlohmann/json.hpp>
 #include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
 
+#include "io/case_reader.hpp"
+#include "io/find_case.hpp"
+#include "io/json.hpp"
 #include "verification/atlas/atlas.hpp"
 #include "verification/studies/figures/parts.hpp"
 #include "workflow/parallel.hpp"
-#include "io/json.hpp"
-#include <nlohmann/json.hpp>
-#include "io/case_reader.hpp"
-#include "io/find_case.hpp"
 
 namespace ehd::verification {
 

@@ -7,8 +7,8 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include "io/json.hpp"
 
+#include "io/json.hpp"
 
 namespace ehd::verification {
 
@@ -23,8 +23,8 @@ struct FiguresRequest {
 };
 
 /// {"threads", "cases", "convergence", "maps", "bearing", "statements", "force_law"}, a key absent where it was not
-/// made; "failed": what threw, a sentence each (absent where nothing did). Times are of cold solves, one a thread, while
-/// `threads` of them share the machine. Throws CaseError for a case that is named and cannot be read.
+/// made; "failed": what threw, a sentence each (absent where nothing did). Times are of cold solves, one a thread,
+/// while `threads` of them share the machine. Throws CaseError for a case that is named and cannot be read.
 [[nodiscard]] Json figures(const FiguresRequest& request);
 
 }  // namespace ehd::verification

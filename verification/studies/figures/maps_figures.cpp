@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Maps over M and L: the atlas's certified films, the formulas beside them, what a cut inlet costs, and fast at 1e-4.
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <system_error>
 
 #include "contact/nondimensional.hpp"
+#include "io/json.hpp"
 #include "verification/studies/figures/parts.hpp"
 #include "verification/studies/film_maps.hpp"
 #include "workflow/registry.hpp"
-#include "io/json.hpp"
-#include <nlohmann/json.hpp>
 
 namespace ehd::verification {
 
@@ -67,10 +67,8 @@ Json point_json(const MapPoint& point) {
   if (point.central_cost) put(json, "inlet_cost_central", point.central_cost->value);
   json["formulas"] = Json::array();
   for (const MapFormula& formula : point.formulas)
-    json["formulas"].push_back({{"name", formula.name},
-                                {"quantity", formula.of},
-                                {"moes", formula.moes},
-                                {"deviation", formula.deviation}});
+    json["formulas"].push_back(
+        {{"name", formula.name}, {"quantity", formula.of}, {"moes", formula.moes}, {"deviation", formula.deviation}});
   return json;
 }
 

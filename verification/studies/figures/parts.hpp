@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "workflow/case.hpp"
 #include "io/json.hpp"
+#include "workflow/case.hpp"
 
 namespace ehd::verification {
 

@@ -4,17 +4,17 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <utility>
 
-#include "verification/studies/figures/curves.hpp"
-#include "verification/studies/figures/parts.hpp"
-#include "workflow/registry.hpp"
-#include "workflow/contact_run.hpp"
 #include "io/contact_json.hpp"
 #include "io/json.hpp"
-#include <nlohmann/json.hpp>
+#include "verification/studies/figures/curves.hpp"
+#include "verification/studies/figures/parts.hpp"
+#include "workflow/contact_run.hpp"
+#include "workflow/registry.hpp"
 
 namespace ehd::verification {
 
@@ -167,13 +167,12 @@ std::optional<Json> difference_json(const ContactRun& reference, const Functions
                {"P", taken(P, thinning)},
                {"H_relative", taken(H, thinning)}};
   std::optional<double> stated;
-  for (const auto& [quantity, key] : {std::pair{Quantity::film_minimum, "film_minimum"},
-                                      std::pair{Quantity::film_central, "film_central"}}) {
+  for (const auto& [quantity, key] :
+       {std::pair{Quantity::film_minimum, "film_minimum"}, std::pair{Quantity::film_central, "film_central"}}) {
     const auto a = reference.solution.observables.find(quantity), b = fast.solution.observables.find(quantity);
     if (a == reference.solution.observables.end() || b == fast.solution.observables.end()) continue;
     put(json, key, b->second.value / a->second.value - 1);
-    if (a->second.error && b->second.error)
-      stated = std::max(stated.value_or(0), *a->second.error + *b->second.error);
+    if (a->second.error && b->second.error) stated = std::max(stated.value_or(0), *a->second.error + *b->second.error);
   }
   put(json, "stated", stated);
   return json;
@@ -233,10 +232,10 @@ FigurePart profile_part(const std::vector<Case>& cases, bool quick) {
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const auto* contact = std::get_if<ContactCase>(&cases[i].body);
     if (!contact || contact->dry() || only_waits(cases[i])) continue;
-    const double M =
-        nondimensionalise(contact->statement, *contact->lubricant, *contact->inlet).problem.groups.M;
+    const double M = nondimensionalise(contact->statement, *contact->lubricant, *contact->inlet).problem.groups.M;
     if (quick && M > moderate_M) continue;
-    part.work.push_back({"profiles of " + cases[i].id, [results, i, one = cases[i]] { (*results)[i] = case_json(one); }});
+    part.work.push_back(
+        {"profiles of " + cases[i].id, [results, i, one = cases[i]] { (*results)[i] = case_json(one); }});
   }
   part.finish = [results](Json& figures) {
     Json list = Json::array();
