@@ -10,7 +10,7 @@
 // l/n has eps P n/l and the residual, relative to the exit's flux,
 //   r_2 = eps (1 + c n), c = max (rho H^3/(eta lambda)) P/(l rho_n H_n),
 // is noise from node to node. Newton stops at max(1e-11, 8 r_2) (fast/newton_krylov.cpp; reference: 1e-12 + 4 r_2), and
-// a residual moves a film by no more than itself (0.24 at most: fast/uniform.cpp). The floor is r_1 + max(1e-11, 8
+// a residual moves a film by no more than itself (0.24 at most: fast/judgement.hpp). The floor is r_1 + max(1e-11, 8
 // r_2): flat to some 1e5 cells, then ~ n. It bounds the line, not the bars: what a solver states contains its rounding,
 // and is held against the truth as it stands.
 //

@@ -30,7 +30,7 @@ using Eigen::Index;
 /// X^2/2.
 constexpr double operations = 10;
 /// What the uniform solvers iterate to, relative to the film at the exit; a film errs by at most 0.24 of that
-/// (fast/uniform.cpp).
+/// (fast/judgement.hpp).
 constexpr double iterated_to[] = {1e-12, 1e-11};
 constexpr double inlet = -4;
 

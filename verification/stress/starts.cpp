@@ -33,7 +33,7 @@ constexpr unsigned seed = 20261124;
 constexpr int intervals = 128;
 constexpr double inlet = -4;
 /// What both uniform Newtons iterate to, relative to the exit's film; what a residual does to a film is at most 0.24 of
-/// it at 96 problems (fast/uniform.cpp), so that 1 covers it.
+/// it at 96 problems (fast/judgement.hpp), so that 1 covers it.
 constexpr double iterated_to = 1e-11, amplification = 1;
 
 struct Contact {
