@@ -75,7 +75,7 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   try {
     return run(argc, argv);
-  } catch (const OutputError& error) {
+  } catch (const ehd::OutputError& error) {
     ehd::cli::complain("ehd: " + std::string(error.what()));
     return ehd::cli::bad_input;
   } catch (const std::bad_alloc&) {

@@ -13,6 +13,7 @@
 #include "contact/nondimensional.hpp"
 #include "contact/text.hpp"
 #include "io/case_reader.hpp"
+#include "io/contact_json.hpp"
 #include "io/find_case.hpp"
 #include "io/output_file.hpp"
 #include "io/profile_csv.hpp"

@@ -9,7 +9,9 @@
 #include <tuple>
 #include <variant>
 
+#include "bearing/build_curve.hpp"
 #include "bearing/film_curve.hpp"
+#include "bearing/solved_contacts.hpp"
 #include "contact/conditions.hpp"
 #include "contact/solver.hpp"
 
