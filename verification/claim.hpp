@@ -3,12 +3,14 @@
 #pragma once
 
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "io/json.hpp"
+#include "verification/report/ladder.hpp"
 #include "verification/tolerance.hpp"
 
 namespace ehd::verification {
@@ -17,7 +19,8 @@ namespace ehd::verification {
 inline constexpr std::string_view rung_names[] = {"inputs",   "kernel",  "operator",  "elasticity",
                                                   "Reynolds", "coupled", "solvers",   "twins",
                                                   "grids",    "regimes", "published", "bearing"};
-inline constexpr int rungs = 12;
+inline constexpr int rungs = report::rungs;
+static_assert(std::size(rung_names) == rungs);
 
 /// What a claim says and of what.
 struct Sentence {

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "contact/nondimensional.hpp"
 #include "tests/check.hpp"
 #include "tests/fast/conformance.hpp"
 #include "tests/fast/problems.hpp"

@@ -18,7 +18,7 @@
 namespace {
 
 /// A room or a part of one, with the rooms that it may include beside itself.
-const std::map<std::string, std::set<std::string>> arrows{
+const std::map<std::string, std::set<std::string>> allowed_includes{
     {"contact", {}},
     {"reference", {"contact"}},
     {"fast", {"contact"}},
@@ -30,10 +30,10 @@ const std::map<std::string, std::set<std::string>> arrows{
     {"cli", {"contact", "bearing", "workflow", "io", "verification/report", "verification"}},
 };
 
-/// The longest name in `arrows` that the path begins with; empty for a header from outside.
+/// The longest name in `allowed_includes` that the path begins with; empty for a header from outside.
 std::string room_of(const std::string& path) {
   std::string room;
-  for (const auto& arrow : arrows)
+  for (const auto& arrow : allowed_includes)
     if (path.starts_with(arrow.first + "/") && arrow.first.size() > room.size()) room = arrow.first;
   return room;
 }
@@ -46,7 +46,7 @@ std::vector<std::string> forbidden(const std::string& room, std::istream& source
     if (!line.starts_with(begin)) continue;
     const std::string header = line.substr(begin.size(), line.rfind('"') - begin.size());
     const std::string other = room_of(header);
-    if (!other.empty() && other != room && !arrows.at(room).contains(other)) found.push_back(header);
+    if (!other.empty() && other != room && !allowed_includes.at(room).contains(other)) found.push_back(header);
   }
   return found;
 }
@@ -72,7 +72,7 @@ BOOST_AUTO_TEST_CASE(an_include_against_the_arrows_is_found) {
 BOOST_AUTO_TEST_CASE(no_room_includes_one_above_it) {
   const std::filesystem::path top(EHD_SOURCE_DIR);
   std::map<std::string, int> files;
-  for (const auto& arrow : arrows)
+  for (const auto& arrow : allowed_includes)
     for (const auto& entry : std::filesystem::recursive_directory_iterator(top / arrow.first)) {
       const std::string name = std::filesystem::relative(entry.path(), top).string();
       if (!is_source(entry.path()) || room_of(name) != arrow.first) continue;
@@ -81,7 +81,7 @@ BOOST_AUTO_TEST_CASE(no_room_includes_one_above_it) {
       for (const std::string& header : forbidden(arrow.first, source))
         BOOST_ERROR(name << " includes " << header << ", which " << arrow.first << "/ must not see");
     }
-  for (const auto& arrow : arrows)
+  for (const auto& arrow : allowed_includes)
     BOOST_CHECK_MESSAGE(files[arrow.first] >= 5,
                         arrow.first << "/ has " << files[arrow.first] << " sources: was it read?");
 }

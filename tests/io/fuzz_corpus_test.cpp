@@ -11,6 +11,7 @@
 #include "tests/files.hpp"
 #include "tests/fuzz/case_promises.hpp"
 
+using namespace ehd;
 using namespace ehd::verification;
 
 namespace {

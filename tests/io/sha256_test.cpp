@@ -5,17 +5,15 @@
 
 #include "tests/check.hpp"
 
-namespace v = ehd::verification;
-
 BOOST_AUTO_TEST_SUITE(sha256)
 
 // The examples of FIPS 180-4: one block, two blocks, many.
 BOOST_AUTO_TEST_CASE(the_standard_s_examples_have_their_digests) {
-  BOOST_TEST(v::sha256("") == "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
-  BOOST_TEST(v::sha256("abc") == "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
-  BOOST_TEST(v::sha256("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq") ==
+  BOOST_TEST(::ehd::sha256("") == "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+  BOOST_TEST(::ehd::sha256("abc") == "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  BOOST_TEST(::ehd::sha256("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq") ==
              "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
-  BOOST_TEST(v::sha256(std::string(1000000, 'a')) ==
+  BOOST_TEST(::ehd::sha256(std::string(1000000, 'a')) ==
              "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
 }
 

@@ -3,6 +3,7 @@
 #include "reference/graded.hpp"
 
 #include "contact/film_formulas.hpp"
+#include "contact/nondimensional.hpp"
 #include "reference/map.hpp"
 #include "tests/check.hpp"
 #include "tests/reference/problems.hpp"

@@ -68,7 +68,7 @@ Solution check_truth(const Truth& truth, double tolerance) {
     check_numbers(solution);
     for (const auto& [quantity, digits] : truth.digits) {
       BOOST_REQUIRE(solution.observables.contains(quantity));
-      const double known = 2 * Tolerance::half_unit(digits);  // a unit of the last digit
+      const double known = 2 * relative_half_unit(digits);  // a unit of the last digit
       const double missed = error(value(solution, quantity), std::stod(digits));
       BOOST_TEST_CONTEXT(to_string(quantity)) {
         EHD_CHECK(missed, Tolerance::discretisation(stated_error(solution, quantity) + known, 1));
@@ -282,7 +282,7 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_done_ends_with_a_reason_and_no_nan) {
         BOOST_TEST(solution.record.film_minimum.total() > *row.request.tolerance);
         EHD_CHECK(error(value(solution, film_minimum), .242348656788),
                   Tolerance::discretisation(
-                      stated_error(solution, film_minimum) + 2 * Tolerance::half_unit(".242348656788"), 1));
+                      stated_error(solution, film_minimum) + 2 * relative_half_unit(".242348656788"), 1));
       }
     }
     ++rows;
@@ -395,7 +395,7 @@ BOOST_AUTO_TEST_CASE(light_isoviscous_contacts_tend_to_martins) {
       BOOST_TEST_MESSAGE("order " << fitted_order(limit.missed) << ", at M = 0.0125 " << limit.missed.back()
                                   << ", extrapolated " << left << ", apart " << apart);
       EHD_CHECK(std::abs(fitted_order(limit.missed) - 2), Tolerance::asymptotic(0.02, "next M^4, 1e-4 at M = 0.1"));
-      EHD_CHECK(left, Tolerance::discretisation(apart / 15 + Tolerance::half_unit(limit.truth) + 4e-10, 1.25));
+      EHD_CHECK(left, Tolerance::discretisation(apart / 15 + relative_half_unit(limit.truth) + 4e-10, 1.25));
     }
     ++rows;
   }

@@ -32,7 +32,7 @@ BOOST_AUTO_TEST_CASE(half_a_unit_of_the_last_digit_is_read_from_the_text) {
                         Row{"577.350", 0.0005 / 577.35}, Row{"8.9959560167e-4", 0.5e-14 / 8.9959560167e-4},
                         Row{"1300", 0.5 / 1300}, Row{"1.3E+3", 50.0 / 1300}, Row{"0.00", 0.005}}) {
     BOOST_TEST_CONTEXT(row.digits) {
-      EHD_CHECK(error(Tolerance::half_unit(row.digits), row.relative), Tolerance::round_off(16));
+      EHD_CHECK(error(relative_half_unit(row.digits), row.relative), Tolerance::round_off(16));
       EHD_CHECK(error(Tolerance::published_digits(row.digits).value(), row.relative), Tolerance::round_off(16));
     }
     ++rows;

@@ -13,6 +13,7 @@
 
 namespace {
 
+using namespace ehd;
 using namespace ehd::verification;
 
 Claim made(const std::string& id, int rung, double error, double tolerance) {

@@ -12,20 +12,21 @@
 #include "contact/hertz.hpp"
 #include "contact/nondimensional.hpp"
 #include "fast/uniform.hpp"
+#include "io/bearing_json.hpp"
 #include "io/json.hpp"
 #include "tests/check.hpp"
 #include "tests/made_bearing.hpp"
-#include "verification/studies/paper_statements.hpp"
 
-namespace ehd::verification {
+namespace ehd {
 
 namespace {
 
-using made::needle_bearing;
+using verification::Tolerance;
+using verification::made::needle_bearing;
 
 BearingCase& body_of(Case& one) { return std::get<BearingCase>(one.body); }
 
-Solution synthetic_contact(const Problem& problem, const Request&) { return made::contact(problem); }
+Solution synthetic_contact(const Problem& problem, const Request&) { return verification::made::contact(problem); }
 
 /// Counts the calls, and keeps every M to show that none comes twice at one raceway.
 struct CountedContacts {
@@ -309,7 +310,7 @@ BOOST_AUTO_TEST_CASE(every_bearing_has_a_line_whatever_its_load) {
 BOOST_AUTO_TEST_CASE(what_another_case_left_in_the_memory_is_not_judged) {
   const auto solver = [](StopReason heavy) {
     return [heavy](const Problem& problem, const Request&) {
-      Solution solution = made::contact(problem);
+      Solution solution = verification::made::contact(problem);
       if (problem.groups.M < 9) return solution;  // 13 kN, above what the light case needs
       solution.record.status = heavy;
       solution.observables[Quantity::film_minimum].error = 5e-3;
@@ -350,7 +351,7 @@ BOOST_AUTO_TEST_CASE(a_contact_that_misses_what_is_asked_for_is_asked_for_what_i
         [&](const Problem& problem, const Request& request) {
           const bool enough = request.tolerance.value() >= needed;
           (enough ? coarse : fine) += 1;
-          Solution solution = made::contact(problem);
+          Solution solution = verification::made::contact(problem);
           if (enough && met) return solution;
           solution.record.status = StopReason::tolerance_not_met;
           solution.observables[Quantity::film_minimum].error = 5e-3;
@@ -460,33 +461,6 @@ BOOST_AUTO_TEST_CASE(the_needle_bearing_of_the_first_balance) {
   }
 }
 
-// Invariant: what is judged of the paper does not depend on the order of the clearances, and needs three of them.
-BOOST_AUTO_TEST_CASE(the_papers_statements_are_judged_from_three_clearances) {
-  CountedContacts contacts;
-  ContactMemory memory(contacts.solver());
-  std::vector<Case> cases;
-  std::vector<ClearanceComparison> clearances;
-  for (const double clearance_m : {10e-6, 0.0, 2.5e-6}) {
-    cases.push_back(needle_bearing(clearance_m));
-    const auto results = run(cases.back(), {bearing::Law::hertz, bearing::Law::ehd_linear}, memory);
-    clearances.push_back({clearance_m, results.at(0), results.at(1)});
-  }
-  BOOST_TEST(differ_only_in_clearance(cases));
-  const auto statements = judge_paper_statements(clearances);
-  BOOST_REQUIRE(statements.size() == 4u);
-  std::reverse(clearances.begin(), clearances.end());
-  const auto reversed = judge_paper_statements(clearances);
-  for (std::size_t k = 0; k < 4; ++k) {
-    BOOST_TEST(statements[k].letter == static_cast<char>('a' + static_cast<int>(k)));
-    BOOST_TEST(statements[k].numbers == reversed[k].numbers);
-    BOOST_TEST(!statements[k].numbers.empty());
-  }
-  clearances.pop_back();
-  BOOST_TEST(judge_paper_statements(clearances).empty());
-  body_of(cases[1]).operation.radial_load_N = 49e3;
-  BOOST_TEST(!differ_only_in_clearance(cases));
-}
-
 BOOST_AUTO_TEST_SUITE_END()
 
-}  // namespace ehd::verification
+}  // namespace ehd

@@ -10,6 +10,7 @@
 
 #include "tests/check.hpp"
 
+using namespace ehd;
 using namespace ehd::verification;
 
 BOOST_AUTO_TEST_SUITE(parallel)

@@ -2,7 +2,7 @@
 #include "verification/report/report.hpp"
 
 #include "contact/text.hpp"
-#include "verification/claim.hpp"
+#include "verification/report/ladder.hpp"
 
 namespace ehd::report {
 
@@ -28,10 +28,10 @@ void require_verdict(const View& judged) {
 }
 
 void require_rung(const View& row) {
-  const std::string allowed = "an integer from 0 to " + std::to_string(verification::rungs - 1);
+  const std::string allowed = "an integer from 0 to " + std::to_string(rungs - 1);
   const View value = required(row, "rung", allowed);
   const double rung = value.number().value_or(-1);
-  for (int one = 0; one < verification::rungs; ++one)
+  for (int one = 0; one < rungs; ++one)
     if (rung == one) return;
   refuse(value.path(), value.cell() + " is no rung; required is " + allowed);
 }

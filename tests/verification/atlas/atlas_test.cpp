@@ -169,7 +169,7 @@ BOOST_AUTO_TEST_CASE(the_uncertainty_covers_the_error_and_the_rounding_of_the_te
     BOOST_REQUIRE(relative * std::abs(text) >= slack * truth_may_be_off);
     BOOST_REQUIRE_MESSAGE(absolute <= 1.11 * truth_may_be_off, known->absolute << " for " << truth_may_be_off);
     BOOST_REQUIRE(relative <= 1);
-    const double half_unit = Tolerance::half_unit(known->text) * std::abs(text);
+    const double half_unit = relative_half_unit(known->text) * std::abs(text);
     constexpr double rounding = 1e-6;  // of half_unit itself
     BOOST_REQUIRE_MESSAGE(error <= half_unit * (1 + rounding), known->text << " from " << value << " +- " << error);
     BOOST_REQUIRE_MESSAGE(error >= 0.0999 * half_unit || count_digits(known->text) >= 15,

@@ -9,6 +9,7 @@
 #include "tests/verification/report/made_results.hpp"
 
 int main(int argc, char** argv) {
+  using namespace ehd;
   using namespace ehd::verification;
   if (argc != 2) {
     std::cerr << "usage: made_report DIR\n";

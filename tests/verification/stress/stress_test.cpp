@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "contact/nondimensional.hpp"
 #include "io/json.hpp"
 #include "tests/check.hpp"
 #include "tests/files.hpp"

@@ -257,6 +257,33 @@ BOOST_AUTO_TEST_CASE(the_ends_of_a_range_are_where_the_verdict_turns) {
   BOOST_TEST(words_of(scan, {{2 * scan.lowest_m, 3 * scan.lowest_m}}).find("scan") == std::string::npos);
 }
 
+// Invariant: what is judged of the paper does not depend on the order of the clearances, and needs three of them.
+BOOST_AUTO_TEST_CASE(the_papers_statements_are_judged_from_three_clearances) {
+  ContactMemory memory([](const Problem& problem, const Request&) { return made::contact(problem); });
+  std::vector<Case> cases;
+  std::vector<ClearanceComparison> clearances;
+  for (const double clearance_m : {10e-6, 0.0, 2.5e-6}) {
+    cases.push_back(made::needle_bearing(clearance_m));
+    const auto results = run_bearing(
+        cases.back(), {.laws = {bearing::Law::hertz, bearing::Law::ehd_linear}, .explicitly = true}, memory);
+    clearances.push_back({clearance_m, results.at(0), results.at(1)});
+  }
+  BOOST_TEST(differ_only_in_clearance(cases));
+  const auto statements = judge_paper_statements(clearances);
+  BOOST_REQUIRE(statements.size() == 4u);
+  std::reverse(clearances.begin(), clearances.end());
+  const auto reversed = judge_paper_statements(clearances);
+  for (std::size_t k = 0; k < 4; ++k) {
+    BOOST_TEST(statements[k].letter == static_cast<char>('a' + static_cast<int>(k)));
+    BOOST_TEST(statements[k].numbers == reversed[k].numbers);
+    BOOST_TEST(!statements[k].numbers.empty());
+  }
+  clearances.pop_back();
+  BOOST_TEST(judge_paper_statements(clearances).empty());
+  std::get<BearingCase>(cases[1].body).operation.radial_load_N = 49e3;
+  BOOST_TEST(!differ_only_in_clearance(cases));
+}
+
 BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace ehd::verification
