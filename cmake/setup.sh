@@ -5,7 +5,7 @@
 set -eu
 
 required="g++ cmake pkg-config libeigen3-dev libfftw3-dev libgsl-dev libboost-test-dev libtomlplusplus-dev \
-nlohmann-json3-dev libcli11-dev"
+nlohmann-json3-dev libcli11-dev libfmt-dev libxxhash-dev"
 # The build is faster with ninja, make kernels needs the benchmark library, a test runs shards by GNU parallel;
 # everything else works without.
 optional="ninja-build libbenchmark-dev parallel"
