@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -12,6 +11,8 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+
+#include "contact/text.hpp"
 
 namespace ehd::bearing {
 
@@ -34,11 +35,7 @@ constexpr std::size_t fewest_points = 3;
 /// Relative, for comparing ratios of forces that were computed in different ways.
 constexpr double rounding_of_a_gap = 1e-9, rounding_of_a_force = 1e-12;
 
-std::string newtons(double force_N) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.4g N", force_N);
-  return text;
-}
+std::string newtons(double force_N) { return plain(force_N, 4) + " N"; }
 
 /// How far a curve is from a solved contact, relative.
 struct Disagreement {

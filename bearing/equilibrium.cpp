@@ -3,20 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "bearing/careful_sum.hpp"
 #include "bearing/ring_search.hpp"
+#include "contact/text.hpp"
 
 namespace ehd::bearing {
 
 namespace {
-
-std::string text(const char* format, double first, double second) {
-  char buffer[240];
-  std::snprintf(buffer, sizeof buffer, format, first, second);
-  return buffer;
-}
 
 Place find_place(Ring& ring, const LawPair& laws, const Loading& loading) {
   if (loading.radial_N > 0)
@@ -96,7 +90,7 @@ std::variant<Equilibrium, NoEquilibrium> balance(const Geometry& geometry, const
                                                  Form form) {
   const double load = loading.radial_N;
   if (!(load >= 0) || !std::isfinite(load))
-    return NoEquilibrium{text("the radial load is %g N; it must be finite and not negative", load, 0)};
+    return NoEquilibrium{"the radial load is " + plain(load) + " N; it must be finite and not negative"};
   Ring ring(geometry, laws, loading, form);
   if (load > 0 && !ring.can_carry())
     return NoEquilibrium{ring.plane()
@@ -107,8 +101,8 @@ std::variant<Equilibrium, NoEquilibrium> balance(const Geometry& geometry, const
   const Place place = find_place(ring, laws, loading);
   Equilibrium result = at_place(ring, place);
   if (place.state.groups.empty() || !is_finite(place.state.force_N))
-    return NoEquilibrium{
-        text("roller forces are not finite at a displacement of %g m (load %g N)", result.displacement_m, load)};
+    return NoEquilibrium{"roller forces are not finite at a displacement of " + plain(result.displacement_m) +
+                         " m (load " + plain(load) + " N)"};
 
   // A result that is returned balances: all rollers, each in its own direction.
   double worst_N = put_rollers(result, ring, place);
@@ -120,8 +114,8 @@ std::variant<Equilibrium, NoEquilibrium> balance(const Geometry& geometry, const
   if (!(result.balance_error <= largest_balance_error)) {
     const bool jump = ring.plane() && (jumps(laws.inner) || jumps(laws.outer));
     return NoEquilibrium{
-        text("the forces balance only to %g of the larger of load and roller forces, %g N", result.balance_error,
-             scale) +
+        "the forces balance only to " + plain(result.balance_error) + " of the larger of load and roller forces, " +
+        plain(scale) + " N" +
         (jump ? "; rollers on the jump of a law that is cut at delta = 0 are balanced in the radial form only" : "")};
   }
   if (const auto refused = refusal_of_a_law(laws, result)) return NoEquilibrium{*refused};

@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <stdexcept>
 
 #include "contact/approach.hpp"
 #include "contact/hertz.hpp"
+#include "contact/text.hpp"
 
 namespace ehd::bearing {
 
@@ -83,9 +83,8 @@ std::variant<LinearFit, SolveFailure> fit_contacts(SolvedContacts& contacts, dou
   for (const double force_N : fit_forces_N(lowest_N, highest_N, points)) {
     const ContactResult& result = contacts.at(force_N);
     if (const auto* failure = std::get_if<SolveFailure>(&result)) {
-      char text[64];
-      std::snprintf(text, sizeof text, "at a contact force of %.4g N: ", force_N);
-      return SolveFailure{.why = text + failure->why, .limit = failure->limit};
+      return SolveFailure{.why = "at a contact force of " + plain(force_N, 4) + " N: " + failure->why,
+                          .limit = failure->limit};
     }
     const auto& contact = std::get<SolvedContact>(result);
     const Conditions conditions = contacts.contact().at(force_N);

@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <stdexcept>
 #include <string>
 
 #include "contact/approach.hpp"
 #include "contact/hertz.hpp"
+#include "contact/text.hpp"
 
 namespace ehd::bearing {
 
@@ -45,12 +45,10 @@ constexpr int rising_samples = 400;
 constexpr double rising_from = 1.0 / 64;
 
 std::string beyond_the_logarithm(double force_N, double heaviest_N) {
-  char text[240];
-  std::snprintf(text, sizeof text,
-                "a contact would carry %g N, beyond the domain of its law: the half width must stay below an eighth of "
-                "the length in the logarithm, allowed is up to %g N",
-                force_N, heaviest_N);
-  return text;
+  return "a contact would carry " + plain(force_N) +
+         " N, beyond the domain of its law: the half width must stay below an eighth of the length in the logarithm, "
+         "allowed is up to " +
+         plain(heaviest_N) + " N";
 }
 
 /// From N and mm: f = c l^(8/9) delta^(10/9).
@@ -159,12 +157,10 @@ CurveLaw::CurveLaw(std::shared_ptr<const FilmCurve> curve, double datum_m)
   for (int k = 0; k <= rising_samples; ++k) {
     const double f = lightest * std::pow(heaviest / lightest, static_cast<double>(k) / rising_samples);
     if (compliance(f) > 0) continue;
-    char text[256];
-    std::snprintf(text, sizeof text,
-                  "the approach does not increase with the contact force at %.4g N (datum x_0 = %.4g m, contact half "
-                  "width %.4g m); state a larger datum.x0_m or another datum.law",
-                  f, datum_m, hertz::half_width_m(curve_->contact().at(f)));
-    throw std::domain_error(text);
+    throw std::domain_error("the approach does not increase with the contact force at " + plain(f, 4) +
+                            " N (datum x_0 = " + plain(datum_m, 4) + " m, contact half width " +
+                            plain(hertz::half_width_m(curve_->contact().at(f)), 4) +
+                            " m); state a larger datum.x0_m or another datum.law");
   }
 }
 

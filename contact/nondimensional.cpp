@@ -2,12 +2,12 @@
 #include "contact/nondimensional.hpp"
 
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 #include "contact/hertz.hpp"
 #include "contact/oil_laws.hpp"
 #include "contact/overloaded.hpp"
+#include "contact/text.hpp"
 
 namespace ehd {
 
@@ -49,12 +49,6 @@ constexpr double highest_usual_pressure_Pa = 4e9;
 /// alpha and z that differ by more than this from Roelands' relation get a note.
 constexpr double exact_relation = 1e-6;
 
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
-}
-
 /// alpha and z as stated in SI, each where it is known.
 struct StatedOil {
   std::optional<double> alpha_per_Pa;
@@ -79,8 +73,8 @@ StatedOil roelands_in_SI(const Lubricant& lubricant, std::optional<double> visco
       const double implied = *lubricant.z * span / lubricant.p0_Pa;
       const double off = *lubricant.alpha_per_Pa / implied - 1;
       if (std::abs(off) > exact_relation)
-        notes.push_back("alpha_per_Pa and z are used as given; alpha is " + number(100 * off) +
-                        " % off alpha = z (ln eta_0 + 9.67)/p_0 = " + number(implied) + " 1/Pa");
+        notes.push_back("alpha_per_Pa and z are used as given; alpha is " + plain(100 * off) +
+                        " % off alpha = z (ln eta_0 + 9.67)/p_0 = " + plain(implied) + " 1/Pa");
     }
     return {*lubricant.alpha_per_Pa, *lubricant.z};
   }
@@ -92,9 +86,8 @@ StatedOil roelands_in_SI(const Lubricant& lubricant, std::optional<double> visco
     need_span("z");
     const double z = *lubricant.alpha_per_Pa * lubricant.p0_Pa / span;
     if (!(z > 0))
-      throw StatementError(
-          "lubricant.alpha_per_Pa",
-          "makes z = " + number(z) + " by alpha = z (ln eta_0 + 9.67)/p_0; " + "roelands needs alpha_per_Pa > 0");
+      throw StatementError("lubricant.alpha_per_Pa", "makes z = " + plain(z) + " by alpha = z (ln eta_0 + 9.67)/p_0; " +
+                                                         "roelands needs alpha_per_Pa > 0");
     return {*lubricant.alpha_per_Pa, z};
   }
   throw StatementError("lubricant.alpha_per_Pa", "is missing; roelands needs alpha_per_Pa, z or both");
@@ -102,9 +95,9 @@ StatedOil roelands_in_SI(const Lubricant& lubricant, std::optional<double> visco
 
 void require_in_range(const Groups& groups) {
   if (!(groups.M >= smallest_M && groups.M <= largest_M))
-    throw StatementError("M", "M = " + number(groups.M) + " is out of range; allowed is 1e-3 to 1e6");
+    throw StatementError("M", "M = " + plain(groups.M) + " is out of range; allowed is 1e-3 to 1e6");
   if (!(groups.L >= 0 && groups.L <= largest_L))
-    throw StatementError("L", "L = " + number(groups.L) + " is out of range; allowed is 0 to 100");
+    throw StatementError("L", "L = " + plain(groups.L) + " is out of range; allowed is 0 to 100");
 }
 
 StatedOil oil_of(const Statement& statement, const Lubricant& lubricant, std::vector<std::string>& notes) {
@@ -172,11 +165,11 @@ Viscosity viscosity_of(const Lubricant& lubricant, const StatedOil& oil, bool in
     const std::string name(law.name);
     if (!lubricant.z && !in_SI)
       throw StatementError("lubricant.z", "is missing; " + name + " needs it where eta_0 is unknown");
-    if (!(oil.z > 0)) throw StatementError("lubricant.z", "z = " + number(oil.z) + "; " + name + " needs z > 0");
+    if (!(oil.z > 0)) throw StatementError("lubricant.z", "z = " + plain(oil.z) + "; " + name + " needs z > 0");
     if (!(lubricant.p0_Pa > 0))
-      throw StatementError("lubricant.p0_Pa", "p_0 = " + number(lubricant.p0_Pa) + " Pa; " + name + " needs p_0 > 0");
+      throw StatementError("lubricant.p0_Pa", "p_0 = " + plain(lubricant.p0_Pa) + " Pa; " + name + " needs p_0 > 0");
     if (!std::isfinite(lubricant.p0_Pa / hertz_pressure_Pa))
-      throw StatementError("L", "L = " + number(groups.L) + " is too small for " + name + "; L = 0 is its limit");
+      throw StatementError("L", "L = " + plain(groups.L) + " is too small for " + name + "; L = 0 is its limit");
     inputs.p0 = lubricant.p0_Pa / hertz_pressure_Pa;
     inputs.z = oil.z;
   }
@@ -224,7 +217,7 @@ Nondimensional nondimensionalise(const Statement& statement, const Lubricant& lu
   if (groups.alpha_p_H > 0) result.problem.viscosity = viscosity_of(lubricant, oil, in_SI, groups, result.scales);
   result.problem.density = density_of(lubricant, result.scales);
   if (result.scales && result.scales->hertz_pressure_Pa > highest_usual_pressure_Pa)
-    result.notes.push_back("p_H = " + number(result.scales->hertz_pressure_Pa / 1e9) +
+    result.notes.push_back("p_H = " + plain(result.scales->hertz_pressure_Pa / 1e9) +
                            " GPa is above 4 GPa: a numerical test, not a contact of steel");
   return result;
 }

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/text.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace ehd {
 
 std::string plain(double value, int digits) {
-  char buffer[40];
-  std::snprintf(buffer, sizeof buffer, "%.*g", digits, value);
-  std::string text = buffer;
+  std::string text = fmt::format("{:.{}g}", value, digits);
   // 1e+06 -> 1e6, 2.2e-08 -> 2.2e-8
   if (const auto e = text.find('e'); e != std::string::npos) {
     std::string exponent = text.substr(e + 1);
@@ -36,18 +35,11 @@ std::string with_absolute_error(double value, std::optional<double> absolute_err
     ++last;
   }
   last = std::max(last, leading - most_digits + 1);
-  char bracket[16];
-  std::snprintf(bracket, sizeof bracket, "(%d)", units);
-  char buffer[64];
   constexpr int widest = 6;  // decimals before the exponent form takes over
-  if (leading >= -3 && leading <= widest && last <= 0) {
-    std::snprintf(buffer, sizeof buffer, "%.*f", -last, value);
-    return std::string(buffer) + bracket;
-  }
-  std::snprintf(buffer, sizeof buffer, "%.*e", std::max(leading - last, 0), value);
-  const std::string text = buffer;
+  if (leading >= -3 && leading <= widest && last <= 0) return fmt::format("{:.{}f}({})", value, -last, units);
+  const std::string text = fmt::format("{:.{}e}", value, std::max(leading - last, 0));
   const auto e = text.find('e');
-  return text.substr(0, e) + bracket + "e" + std::to_string(std::stoi(text.substr(e + 1)));
+  return fmt::format("{}({})e{}", text.substr(0, e), units, std::stoi(text.substr(e + 1)));
 }
 
 std::string with_error(double value, std::optional<double> relative_error) {
@@ -89,7 +81,6 @@ std::size_t utf8_length(std::string_view text) {
 
 std::string one_line(std::string_view text) {
   std::string line;
-  char escape[8];
   for (std::size_t i = 0; i < text.size();) {
     const std::size_t length = utf8_length(text.substr(i));
     const auto byte = static_cast<unsigned char>(text[i]);
@@ -101,8 +92,7 @@ std::string one_line(std::string_view text) {
     } else if (text[i] == '\t') {
       line += ' ';
     } else if (length == 0 || byte < 0x20 || byte == 0x7F) {
-      std::snprintf(escape, sizeof escape, "\\x%02X", byte);
-      line += escape;
+      line += fmt::format("\\x{:02X}", byte);
     } else if (c1 || separator) {
       line += '?';
     } else {

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <string>
 
+#include "contact/text.hpp"
 #include "reference/hp/discretiser.hpp"
 #include "reference/hp/error_report.hpp"
 
@@ -36,12 +36,6 @@ constexpr double unknown = 0.5;
 /// A request's iterations are those of meshes with a thousand nodes; most meshes here have a hundred.
 constexpr int iterations_per_request = 10;
 constexpr double longest_time_s = 1e8;
-
-std::string text_of(double value) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.1e", value);
-  return buffer;
-}
 
 double inlet_cells(const Fields& fields, double film) {
   const double l = std::max(1.0, std::sqrt(2 * film)), zone = l * std::pow(std::min(film, 1.0), 2.0 / 3);
@@ -147,7 +141,7 @@ Solution Solve::within(double tolerance) {
     // 4. The best solution so far stays.
     if (error < last_error) {
       solution = std::move(refined);
-      why = first->last().floor > 0 ? "the fluidity's floor could not be lowered below " + text_of(first->last().floor)
+      why = first->last().floor > 0 ? "the fluidity's floor could not be lowered below " + plain(first->last().floor, 2)
                                     : "the two discretisations differ by more than the tolerance";
       grids_ = {record_of(*first), record_of(*second)};
     }

@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
+
+#include "contact/text.hpp"
 
 namespace ehd::reference::hp {
 
@@ -19,12 +20,6 @@ constexpr double peak_safety = 10;
 constexpr double guide_safety = 1.5;
 /// A peak less certain than this is not reported.
 constexpr double vaguest_peak = 0.05;
-
-std::string text_of(double value) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.1e", value);
-  return buffer;
-}
 
 /// The largest relative differences of two discretisations. Numbers of one solution move together: a small difference
 /// of one of them may be chance, and is no small error.
@@ -94,7 +89,7 @@ Solution report(const Problem& problem, const Discretised& first, const Discreti
   }
   if (floor > 0)
     record.notes.push_back(
-        "the descent ended at a fluidity floor of " + text_of(floor) +
+        "the descent ended at a fluidity floor of " + plain(floor, 2) +
         ": films are extrapolated to floor 0, and their errors include that; profiles are those of the floor");
   return solution;
 }
