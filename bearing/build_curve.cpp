@@ -279,7 +279,7 @@ struct LightEnd {
   bool limit = false;           ///< a contact ran out of iterations or time
 };
 
-/// The points to begin with: the ends of what a fit solves in any case, and two lighter ones.
+/// The first points: the lightest and the heaviest contact of the fit, which are solved anyway, and two lighter ones.
 LightEnd add_first_points(Refinement& refinement, const CurveRequest& request) {
   LightEnd end;
   double lighter = request.heaviest_N / descent;

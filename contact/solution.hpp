@@ -36,7 +36,7 @@ struct Reading {
   std::optional<double> error = {};  ///< estimated, all sources
 };
 
-/// What is unknown or not wanted is absent. Films and offset in Hertz units.
+/// Unknown and unwanted quantities are absent. Films and offset in Hertz units.
 using Observables = std::map<Quantity, Reading>;
 
 enum class StopReason {

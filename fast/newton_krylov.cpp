@@ -20,7 +20,7 @@ constexpr double stalled_below = 1e-3;
 /// The tail is refreshed once the residual is below this, at most so many times.
 constexpr double tail_refreshed_below = 1e-3;
 constexpr int most_tail_refreshes = 20;
-/// GMRES solves to this share of what is left to the target, within these bounds (relative residual).
+/// GMRES reduces the residual to this share of the distance to the target, within these bounds (relative residual).
 constexpr double krylov_share = 0.5, tightest_krylov = 0.1, loosest_krylov = 0.5;
 /// A step changes the pressure at most by this share of its maximum (of max P/2, or of 1 where that is more: Barus'
 /// spike stands at 10 p_H), and the exit at most by this share of X* + 0.2.

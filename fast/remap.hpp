@@ -26,7 +26,7 @@ struct Known {
 /// H at the node nearest to X = 0 of that solution.
 [[nodiscard]] double film_now(const Run& run);
 
-/// From now on the grids of the run are those of the map that Moes' film foretells.
+/// From now on the grids of the run use the map that follows from Moes' film formula.
 void use_first_map(Run& run, const MapRecipe& recipe);
 /// From now on the grids are those of the map that a solution asks for. The solution on n intervals of that map:
 /// pressure by cubic interpolation, H_0 such that the film at X = 0 is kept.

@@ -28,7 +28,7 @@ struct Run {
   Workspace& workspace;
   Limits limits;
   Lengths lengths;
-  Wanted observed;        ///< what each grid is asked for: what the problem wants, and both films
+  Wanted observed;        ///< read from every grid: the wanted quantities, and both films
   double truncation = 0;  ///< relative film error by the cut inlet; 0 where the problem itself cuts
   std::chrono::steady_clock::time_point begin;
   double planning_before = 0;  ///< of the workspace, when the solve began [s]

@@ -44,7 +44,7 @@ double merit(const Evaluation& at) {
                    at.residual[n] * at.residual[n]);
 }
 
-/// Largest residual in units of what counts as solved.
+/// Largest residual over the one at which an equation counts as solved.
 double distance_to_floor(const Evaluation& at) {
   const Index n = at.wedge.size();
   return std::max(
@@ -127,7 +127,7 @@ NewtonResult newton(const Equations& equations, const State& start, const Budget
     }
     run.residuals.push_back(run.at.relative_residual());
     run.iteration_error = film_change * std::min(1.0, merit(run.at) / before);
-    // At the floor the residual no longer falls and the film no longer moves: what is left is rounding.
+    // At the floor the residual no longer falls and the film no longer moves: the rest is rounding.
     if (film_change < film_at_rest && is_solution(run.state, run.at)) {
       run.end = NewtonEnd::solved;
       return run;
@@ -144,7 +144,7 @@ State hertz_start(const Equations& equations, double central_film, double exit) 
   const Index n = X.size() - 1;
   start.P[0] = start.P[n] = 0;
   start.P *= pi / 2 / (exit - equations.grid().inlet) / (hat_integrals(equations.grid().fractions) * start.P).sum();
-  // The gap of a coarse grid is flat to its own accuracy only: its lowest point is what must stay above the surface.
+  // The gap of a coarse grid is flat to its own accuracy only: only its lowest point must stay above the surface.
   start.offset = central_film - equations.film_without_offset(start.P, exit).minCoeff();
   return start;
 }

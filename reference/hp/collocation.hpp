@@ -47,7 +47,7 @@ struct Evaluation {
   VectorOf<Scalar> scale;                 ///< what a residual is to be compared with
   ArrayOf<Scalar> film_by_exit;           ///< dH/dX* at fixed P, rows
   Scalar load_integral{0};                ///< S P
-  Scalar tail_pressure{0}, tail_load{0};  ///< of what lies before the inlet
+  Scalar tail_pressure{0}, tail_load{0};  ///< of the film before the inlet
 };
 
 /// The deflection at X that the pressure 4 lambda/(3 |X'|^3) before the inlet, X' < -x, causes, and its derivative:

@@ -14,7 +14,7 @@ constexpr int most_passes = 40;
 /// Elements are merged up to this pass.
 constexpr int last_merging_pass = 1;
 /// Two elements are merged whose lengths differ by no more than this ratio, whose excess is below the second number,
-/// and whose common polynomial has a tail below the third, each in units of what is allowed.
+/// and whose common polynomial has a tail below the third, each over its allowed value.
 constexpr double largest_merged_ratio = 4.5, merged_excess = 0.05, merged_tail = 0.1;
 /// Below this floor nothing changes: it is less than the rounding of 1/eta anywhere that matters.
 constexpr double lowest_floor = 1e-18;

@@ -23,7 +23,7 @@ struct Resolved {
   std::shared_ptr<const Collocation<double>> equations;
   NewtonRun run;
   double floor = 0;
-  double excess = 0;  ///< largest, in units of what is allowed: <= 1 where the mesh resolves it
+  double excess = 0;  ///< largest, over its allowed value: <= 1 where the mesh resolves it
 };
 
 struct HomotopyLimits {

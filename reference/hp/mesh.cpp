@@ -14,7 +14,7 @@ namespace {
 constexpr double finest_per_inlet_zone = 0.5, widest_per_distance = 0.5;
 /// An element is at most this much wider than wanted at its middle.
 constexpr double largest_overshoot = 1.5;
-/// An element that would take this part of what is left up to the inlet takes all of it.
+/// An element that would fill this part of the remaining length up to the inlet fills all of it.
 constexpr double last_part = 0.75;
 /// Of an element that a new inlet cuts, less than this part is given to its neighbour.
 constexpr double least_part_kept = 0.1;

@@ -60,7 +60,7 @@ BOOST_AUTO_TEST_CASE(martin_constants_by_quadrature) {
   EHD_CHECK(error(mean, logarithm / weight), Tolerance::discretisation(1e-5, 1));  // integrable singularity at g = 0
 }
 
-// Invariant: the offset film is what a film adds to the dry approach, whatever the datum.
+// Invariant: the offset film is the dry approach minus the approach with a film, for every datum.
 BOOST_AUTO_TEST_CASE(the_offset_film_does_not_depend_on_the_datum) {
   const RacewayContact contact = synthetic::contact();
   const double force_N = 4200;

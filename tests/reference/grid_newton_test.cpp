@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rung 6: Newton contracts quadratically, and what is no solution is not called one.
+// Rung 6: Newton contracts quadratically, and a state that is no solution is never returned as one.
 #include "reference/grid_newton.hpp"
 
 #include "tests/check.hpp"

@@ -47,7 +47,7 @@ BOOST_AUTO_TEST_CASE(films_of_one_grid_are_within_their_stated_error) {
 }
 
 BOOST_AUTO_TEST_CASE(a_grid_reports_its_own_film_not_an_extrapolated_one) {
-  // The twin contract: what is reported is what the fields hold.
+  // The twin contract: the reported values are those of the fields.
   const Solution solution = Uniform{}.solve(roelands_problem(20, 10, TruncatedAt{-4}), on_nodes(256));
   const Eigen::Index n = solution.fields.X.size() - 1;
   BOOST_REQUIRE_EQUAL(n, 256);
