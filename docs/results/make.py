@@ -22,6 +22,7 @@ PAGES = ROOT / "docs" / "results"
 README = ROOT / "README.md"
 NUMBERS = re.compile(r"(<!-- numbers: made by make results -->\n).*?(<!-- end -->)", re.DOTALL)
 MADE = "<!-- Made by `make results`: do not edit. -->"
+MADE_SLOWLY = "<!-- Made by `make results-full`: do not edit. -->"
 
 
 def run(ehd, *arguments):
@@ -72,7 +73,8 @@ def without(text, *columns):
 def page(title, commands, text, words=""):
     """A page: a heading, the commands that print the text, a sentence or two, the text."""
     said = "\n".join(f"    {command}" for command in commands)
-    return f"# {title}\n\n{MADE}\n\n{said}\n\n{words + chr(10) * 2 if words else ''}{text.strip(chr(10))}\n"
+    blocks = (f"# {title}", MADE, said, words, text.strip("\n"))
+    return "\n\n".join(block for block in blocks if block) + "\n"
 
 
 def fenced(text):
@@ -108,13 +110,17 @@ def mutants():
 
 
 def mutant_page():
-    rows = sorted(((int(m["rung"]), f"`{m['id']}`", m["what"], f"`{m['file']}`") for m in mutants()), key=lambda r: r[0])
-    return table(("rung", "id", "what is wrong", "where"), [(str(r[0]), *r[1:]) for r in rows])
+    by_rung = sorted(mutants(), key=lambda mutant: int(mutant["rung"]))
+    rows = [(str(m["rung"]), f"`{m['id']}`", m["what"], f"`{m['file']}`") for m in by_rung]
+    return table(("rung", "id", "what is wrong", "where"), rows)
+
+
+def four_tolerances():
+    return [word for tolerance in ("1e-2", "1e-3", "1e-4", "1e-5") for word in ("--tolerance", tolerance)]
 
 
 def compared(ehd):
-    tolerances = [word for tolerance in ("1e-2", "1e-3", "1e-4", "1e-5") for word in ("--tolerance", tolerance)]
-    text = without(run(ehd, "compare", "own-moes-20-10", *tolerances), "time [ms]")
+    text = without(run(ehd, "compare", "own-moes-20-10", *four_tolerances()), "time [ms]")
     return re.sub(r"  +[\d.]+e-1[2-9]", lambda cell: "<1e-11".rjust(len(cell[0])), text)
 
 
@@ -132,77 +138,89 @@ def numbers(comparison, suite):
     judged = re.search(r"^all +(\d+) +(\d+) +(\d+) ", ladder(suite), re.MULTILINE)
     row = re.search(r"^  fast +0.001 +converged +\S+ +(\S+) +(\S+)", comparison, re.MULTILINE)
     digits = re.search(r"^  reference +1e-5 +converged +(\S+)", comparison, re.MULTILINE)[1]
-    atlas = sum(1 for line in (ROOT / "cases/atlas/atlas.csv").open() if re.match(r"atlas-", line))
+    atlas = len(re.findall(r"^atlas-", (ROOT / "cases/atlas/atlas.csv").read_text(), re.MULTILINE))
+    not_standing = int(judged[2]) + int(judged[3])
     return table(("question", "answer", "try it"), [
         ("Do the two solvers agree?",
          f"At M = 20, L = 10 `fast` states an error of {row[1]} and errs by {row[2]}; `reference` finds {digits}",
          "[`ehd compare`](docs/results/compare.md)"),
-        ("Are the results right?", f"{judged[1]} claims hold in the quick suite, {int(judged[2]) + int(judged[3])} do not",
+        ("Are the results right?", f"{judged[1]} claims hold in the quick suite, {not_standing} do not",
          "[`ehd verify --quick`](docs/results/ladder-quick.md)"),
-        ("Would the suite see an error?", f"{len(mutants())} wrong programs are built; each has to fail on its own rung",
+        ("Would the suite see an error?",
+         f"{len(mutants())} wrong programs are built; each has to fail on its own rung",
          "[`make mutants`](docs/results/mutants.md)"),
         ("Over which range?", f"{atlas} contacts over M and L are published with the digits that are known",
          "[`ehd cases --atlas`](cases/atlas/README.md)"),
     ])
 
 
+def readme_with(numbers_table):
+    """The root README with this table between its marks."""
+    text = README.read_text()
+    marks = NUMBERS.search(text)
+    if marks is None:
+        sys.exit("README.md: the marks of its table of numbers are missing")
+    return text.replace(marks[0], marks[1] + numbers_table + "\n" + marks[2])
+
+
 def quick_pages(ehd):
     """Name of each file, from the root of the repository, and its text."""
     suite, comparison = run(ehd, "verify", "--quick", "--trace"), compared(ehd)
-    three = ("na4908", "na4908-2.5um", "na4908-10um")
-    made = {
-        "na4908.md": page("NA4908 at three clearances, dry and with films", ["ehd bearing " + " ".join(three)],
-                          fenced(bearings(ehd, *three)),
-                          "Without balance errors and times. What the statements mean: [docs/statements.md](../statements.md)."),
-        "statements.md": page("The paper's statements, one choice changed at a time", ["ehd statements"],
-                              fenced(run(ehd, "statements")),
-                              "How the columns are read: [docs/statements.md](../statements.md)."),
-        "ladder-quick.md": page("The ladder, quick suite", ["ehd verify --quick"], fenced(ladder(suite)),
-                                "Without worst claims and margins, which rounding may decide. Slow topics count as skipped."),
-        "traceability.md": page("Which claims support which part of the work", ["ehd verify --quick --trace"],
-                                traceability(suite),
-                                "`work/`: the work that this project implements. `readme/`: what the root README says.\n"
-                                "The last column counts claims of the quick suite; a full run fails where a part has none."),
-        "cases.md": page("The benchmark cases", ["ehd cases"], fenced(run(ehd, "cases"))),
-        "compare.md": page("Both solvers at four tolerances", [
-            "ehd compare own-moes-20-10 --tolerance 1e-2 --tolerance 1e-3 --tolerance 1e-4 --tolerance 1e-5"],
+    clearances = ("na4908", "na4908-2.5um", "na4908-10um")
+    examples = fenced(contact_without_cost(ehd)) + "\n\n" + fenced(bearings(ehd, "examples/my-bearing.toml"))
+    return {
+        "README.md": readme_with(numbers(comparison, suite)),
+        "docs/results/na4908.md": page(
+            "NA4908 at three clearances, dry and with films", ["ehd bearing " + " ".join(clearances)],
+            fenced(bearings(ehd, *clearances)),
+            "Without balance errors and times. What the statements mean: [docs/statements.md](../statements.md)."),
+        "docs/results/statements.md": page(
+            "The paper's statements, one choice changed at a time", ["ehd statements"], fenced(run(ehd, "statements")),
+            "How the columns are read: [docs/statements.md](../statements.md)."),
+        "docs/results/ladder-quick.md": page(
+            "The ladder, quick suite", ["ehd verify --quick"], fenced(ladder(suite)),
+            "Without worst claims and margins, which rounding may decide. Slow topics count as skipped."),
+        "docs/results/traceability.md": page(
+            "Which claims support which part of the work", ["ehd verify --quick --trace"], traceability(suite),
+            "`work/`: the work that this project implements. `readme/`: what the root README says.\n"
+            "The last column counts claims of the quick suite; a full run fails where a part has none."),
+        "docs/results/cases.md": page("The benchmark cases", ["ehd cases"], fenced(run(ehd, "cases"))),
+        "docs/results/compare.md": page(
+            "Both solvers at four tolerances", ["ehd compare own-moes-20-10 " + " ".join(four_tolerances())],
             fenced(comparison), "Without times. Errors that rounding decides are printed as `<1e-11`."),
-        "maps.md": page("Film formulas and cut inlets against certified films", ["ehd maps"], fenced(run(ehd, "maps"))),
-        "mutants.md": page("Wrong programs that the suite has to catch", ["make mutants"], mutant_page(),
-                           f"{len(mutants())} of them, from `verification/mutants/mutants.toml`. Rung: where each has to be caught."),
-        "examples.md": page("The contact and the bearing of the root README", [
-            "ehd solve examples/my-contact.toml --tolerance 1e-4", "ehd bearing examples/my-bearing.toml"],
-            fenced(contact_without_cost(ehd)) + "\n\n" + fenced(bearings(ehd, "examples/my-bearing.toml")),
-            "Without costs, balance errors and times."),
+        "docs/results/maps.md": page(
+            "Film formulas and cut inlets against certified films", ["ehd maps"], fenced(run(ehd, "maps"))),
+        "docs/results/mutants.md": page(
+            "Wrong programs that the suite has to catch", ["make mutants"], mutant_page(),
+            f"{len(mutants())} of them, from `verification/mutants/mutants.toml`. "
+            "Rung: where each has to be caught."),
+        "docs/results/examples.md": page(
+            "The contact and the bearing of the root README",
+            ["ehd solve examples/my-contact.toml --tolerance 1e-4", "ehd bearing examples/my-bearing.toml"],
+            examples, "Without costs, balance errors and times."),
     }
-    pages = {f"docs/results/{name}": text for name, text in made.items()}
-    begin_and_end = NUMBERS.search(README.read_text())
-    if begin_and_end is None:
-        sys.exit("README.md: the marks of its table of numbers are missing")
-    new = begin_and_end[1] + numbers(comparison, suite) + "\n" + begin_and_end[2]
-    pages["README.md"] = README.read_text().replace(begin_and_end[0], new)
-    return pages
 
 
 # ---- slow pages ----------------------------------------------------------------------------------------------------
 
 
 def full_pages(ehd):
+    slow = {"verify": ("ladder-full", "The ladder, full suite"),
+            "stress": ("stress", "Numerical stability"),
+            "bench": ("bench", "Time and work against achieved error")}
+    pages = {}
     with tempfile.TemporaryDirectory() as folder:
-        suite = run(ehd, "verify", "--output", folder)
-        return {f"docs/results/{name}": text for name, text in {
-            "ladder-full.md": page("The ladder, full suite", ["ehd verify"], fenced(suite)),
-            "stress.md": page("Numerical stability", ["ehd stress"], fenced(run(ehd, "stress", "--output", folder))),
-            "bench.md": page("Time and work against achieved error", ["ehd bench"],
-                             fenced(run(ehd, "bench", "--output", folder))),
-        }.items()}
+        for command, (name, title) in slow.items():
+            text = fenced(run(ehd, command, "--output", folder))
+            pages[f"docs/results/{name}.md"] = page(title, ["ehd " + command], text).replace(MADE, MADE_SLOWLY)
+    return pages
 
 
 # ---- what a README quotes ------------------------------------------------------------------------------------------
 
 
 def misquoted(readme, pages):
-    """Lines of the README's ```text blocks that no page has, and ```toml blocks that are no file of examples/."""
+    """What the README quotes and should not: ```text that no page has, ```toml that is no file of examples/."""
     known = {line.strip() for name, text in pages.items() if name != "README.md" for line in text.splitlines()}
     files = {path.read_text().strip() for path in (ROOT / "examples").glob("*.toml")}
     for kind, text in re.findall(r"^```(text|toml)\n(.*?)^```$", readme, re.DOTALL | re.MULTILINE):
@@ -216,13 +234,14 @@ def check(pages):
     same = True
     for name, text in pages.items():
         kept = (ROOT / name).read_text() if (ROOT / name).exists() else ""
-        for line in difflib.unified_diff(kept.splitlines(), text.splitlines(), name, name + " (made now)", "", "", 1, ""):
+        versions = kept.splitlines(), text.splitlines(), name, name + " (made now)"
+        for line in difflib.unified_diff(*versions, n=1, lineterm=""):
             print(line)
             same = False
     for line in misquoted(pages["README.md"], pages):
         print(f"README.md quotes what no page of docs/results has: {line}")
         same = False
-    print("docs/results: all pages are as the program makes them" if same else "docs/results differs: make results")
+    print("docs/results is as the program makes it" if same else "docs/results differs; to remake it: make results")
     return same
 
 
