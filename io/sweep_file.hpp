@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A case with lists or ranges for some of its keys: the file as a user writes it, its strict reader, and its rows.
-// README.md lists the file's keys.
+// docs/sweep.md lists the keys of the file.
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // libFuzzer on the case reader, and on everything that a case goes through before a contact is solved. `make fuzz`;
-// tests/README.md tells what becomes of a finding.
+// docs/fuzzing.md tells what becomes of a finding.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

@@ -16,7 +16,7 @@ status=0
   -artifact_prefix="$folder/" "$folder/corpus" tests/fuzz/corpus tests/fuzz/found cases > "$log" 2>&1 || status=$?
 if [ "$status" -ne 0 ]; then
   grep -E "^broken promise|ERROR|SUMMARY|Test unit written" "$log" >&2 || tail -n 20 "$log" >&2
-  echo "fuzzing found an input, kept in $folder (log: $log); tests/README.md says what to do with it" >&2
+  echo "fuzzing found an input, kept in $folder (log: $log); docs/fuzzing.md says what to do with it" >&2
   exit 1
 fi
 echo "fuzz: $(grep '^Done ' "$log" | tail -n 1 | sed 's/^Done //'), no promise broken"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The inputs that fuzzing starts from, those that it once found, and every benchmark case, through the promises that
-// fuzzing checks (tests/README.md).
+// fuzzing checks (docs/fuzzing.md).
 #include <algorithm>
 #include <filesystem>
 #include <string>

@@ -1,0 +1,264 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Makes the pages of docs/results, and the figures of the root README, from the program's own output.
+
+  make.py EHD            the quick pages (a minute): make results
+  make.py --check EHD    the same into a temporary folder; a difference fails: make results-check
+  make.py --full EHD     the slow pages (an hour), which nobody compares: make results-full
+
+Times, and numbers that rounding decides, are left out of the quick pages: another machine has to make the same text.
+Exit code: 0 the pages are there, or are the same; 1 a page differs, or a command failed; 2 wrong usage.
+"""
+import difflib
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import tomllib
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+PAGES = ROOT / "docs" / "results"
+README = ROOT / "README.md"
+NUMBERS = re.compile(r"(<!-- numbers: made by make results -->\n).*?(<!-- end -->)", re.DOTALL)
+MADE = "<!-- Made by `make results`: do not edit. -->"
+MADE_SLOWLY = "<!-- Made by `make results-full`: do not edit. -->"
+
+
+def run(ehd, *arguments):
+    """What the command prints. A command that fails ends the script with its output."""
+    process = subprocess.run([ehd, *arguments], cwd=ROOT, capture_output=True, text=True)
+    if process.returncode != 0:
+        sys.exit(f"{ehd} {' '.join(arguments)}: exit code {process.returncode}\n{process.stdout}{process.stderr}")
+    return process.stdout
+
+
+# ---- text ----------------------------------------------------------------------------------------------------------
+
+
+def spans(rows):
+    """Columns of an aligned table: (begin, end) of each. Two or more blanks in every row separate columns."""
+    width = max(map(len, rows))
+    used = [any(i < len(row) and row[i] != " " for row in rows) for i in range(width)]
+    found = []
+    for i in (i for i in range(width) if used[i]):
+        if found and i - found[-1][1] < 2:
+            found[-1][1] = i + 1
+        else:
+            found.append([i, i + 1])
+    return found
+
+
+def without(text, *columns):
+    """The text with these columns left out of every table whose header names them."""
+    lines, result = text.splitlines(), []
+    while lines:
+        if not any(re.search(rf"(^|  ){re.escape(name)}(  |$)", lines[0]) for name in columns):
+            result.append(lines.pop(0))
+            continue
+        rows = []
+        while lines and lines[0].strip() and not lines[0].lstrip().startswith("achieved:"):
+            rows.append(lines.pop(0))
+        begin = 0
+        cells = [[] for _ in rows]
+        for _, end in spans(rows):
+            if rows[0][begin:end].strip() not in columns:
+                for row, parts in zip(rows, cells):
+                    parts.append(row[begin:end].ljust(end - begin))
+            begin = end
+        result += ["".join(parts).rstrip() for parts in cells]
+    return "\n".join(result) + "\n"
+
+
+def page(title, commands, text, words=""):
+    """A page: a heading, the commands that print the text, a sentence or two, the text."""
+    said = "\n".join(f"    {command}" for command in commands)
+    blocks = (f"# {title}", MADE, said, words, text.strip("\n"))
+    return "\n\n".join(block for block in blocks if block) + "\n"
+
+
+def fenced(text):
+    return "```text\n" + text.strip("\n") + "\n```"
+
+
+def table(header, rows):
+    lines = ["| " + " | ".join(row) + " |" for row in [header, *rows]]
+    return "\n".join([lines[0], "|---" * len(header) + "|", *lines[1:]])
+
+
+# ---- quick pages ---------------------------------------------------------------------------------------------------
+
+
+def ladder(suite):
+    lines = suite.splitlines()
+    first = max(i for i, line in enumerate(lines) if line.startswith("rung  "))
+    last = next(i for i in range(first, len(lines)) if lines[i].startswith("all "))
+    return without("\n".join(lines[first : last + 1]), "worst claim", "margin")
+
+
+def traceability(suite):
+    """A row a part: its words, its claims, and how many of them pass in the quick suite."""
+    parts = re.findall(r"^((?:work|readme)/[a-z-]+): (.*)\n  (.*)$", suite, re.MULTILINE)
+    passed = dict(re.findall(r"^((?:work|readme)/[a-z-]+) +(\d+) ", suite, re.MULTILINE))
+    rows = [(f"`{name}`", what, " ".join(f"`{id}`" for id in claims.split()), passed[name])
+            for name, what, claims in parts]
+    return table(("part", "what is said", "claims that support it", "pass"), rows)
+
+
+def mutants():
+    return tomllib.loads((ROOT / "verification" / "mutants" / "mutants.toml").read_text())["mutant"]
+
+
+def mutant_page():
+    by_rung = sorted(mutants(), key=lambda mutant: int(mutant["rung"]))
+    rows = [(str(m["rung"]), f"`{m['id']}`", m["what"], f"`{m['file']}`") for m in by_rung]
+    return table(("rung", "id", "what is wrong", "where"), rows)
+
+
+def four_tolerances():
+    return [word for tolerance in ("1e-2", "1e-3", "1e-4", "1e-5") for word in ("--tolerance", tolerance)]
+
+
+def compared(ehd):
+    text = without(run(ehd, "compare", "own-moes-20-10", *four_tolerances()), "time [ms]")
+    return re.sub(r"  +[\d.]+e-1[2-9]", lambda cell: "<1e-11".rjust(len(cell[0])), text)
+
+
+def contact_without_cost(ehd):
+    text = run(ehd, "solve", "examples/my-contact.toml", "--tolerance", "1e-4")
+    return "".join(line for line in text.splitlines(True) if not line.startswith("cost "))
+
+
+def bearings(ehd, *cases):
+    return without(run(ehd, "bearing", *cases), "balance error", "time s")
+
+
+def numbers(comparison, suite):
+    """The table of the root README: why the results can be trusted."""
+    judged = re.search(r"^all +(\d+) +(\d+) +(\d+) ", ladder(suite), re.MULTILINE)
+    row = re.search(r"^  fast +0.001 +converged +\S+ +(\S+) +(\S+)", comparison, re.MULTILINE)
+    digits = re.search(r"^  reference +1e-5 +converged +(\S+)", comparison, re.MULTILINE)[1]
+    atlas = len(re.findall(r"^atlas-", (ROOT / "cases/atlas/atlas.csv").read_text(), re.MULTILINE))
+    not_standing = int(judged[2]) + int(judged[3])
+    return table(("question", "answer", "try it"), [
+        ("Do the two solvers agree?",
+         f"At M = 20, L = 10 `fast` states an error of {row[1]} and errs by {row[2]}; `reference` finds {digits}",
+         "[`ehd compare`](docs/results/compare.md)"),
+        ("Are the results right?", f"{judged[1]} claims hold in the quick suite, {not_standing} do not",
+         "[`ehd verify --quick`](docs/results/ladder-quick.md)"),
+        ("Would the suite see an error?",
+         f"{len(mutants())} wrong programs are built; each has to fail on its own rung",
+         "[`make mutants`](docs/results/mutants.md)"),
+        ("Over which range?", f"{atlas} contacts over M and L are published with the digits that are known",
+         "[`ehd cases --atlas`](cases/atlas/README.md)"),
+    ])
+
+
+def readme_with(numbers_table):
+    """The root README with this table between its marks."""
+    text = README.read_text()
+    marks = NUMBERS.search(text)
+    if marks is None:
+        sys.exit("README.md: the marks of its table of numbers are missing")
+    return text.replace(marks[0], marks[1] + numbers_table + "\n" + marks[2])
+
+
+def quick_pages(ehd):
+    """Name of each file, from the root of the repository, and its text."""
+    suite, comparison = run(ehd, "verify", "--quick", "--trace"), compared(ehd)
+    clearances = ("na4908", "na4908-2.5um", "na4908-10um")
+    examples = fenced(contact_without_cost(ehd)) + "\n\n" + fenced(bearings(ehd, "examples/my-bearing.toml"))
+    return {
+        "README.md": readme_with(numbers(comparison, suite)),
+        "docs/results/na4908.md": page(
+            "NA4908 at three clearances, dry and with films", ["ehd bearing " + " ".join(clearances)],
+            fenced(bearings(ehd, *clearances)),
+            "Without balance errors and times. What the statements mean: [docs/statements.md](../statements.md)."),
+        "docs/results/statements.md": page(
+            "The paper's statements, one choice changed at a time", ["ehd statements"], fenced(run(ehd, "statements")),
+            "How the columns are read: [docs/statements.md](../statements.md)."),
+        "docs/results/ladder-quick.md": page(
+            "The ladder, quick suite", ["ehd verify --quick"], fenced(ladder(suite)),
+            "Without worst claims and margins, which rounding may decide. Slow topics count as skipped."),
+        "docs/results/traceability.md": page(
+            "Which claims support which part of the work", ["ehd verify --quick --trace"], traceability(suite),
+            "`work/`: the work that this project implements. `readme/`: what the root README says.\n"
+            "The last column counts claims of the quick suite; a full run fails where a part has none."),
+        "docs/results/cases.md": page("The benchmark cases", ["ehd cases"], fenced(run(ehd, "cases"))),
+        "docs/results/compare.md": page(
+            "Both solvers at four tolerances", ["ehd compare own-moes-20-10 " + " ".join(four_tolerances())],
+            fenced(comparison), "Without times. Errors that rounding decides are printed as `<1e-11`."),
+        "docs/results/maps.md": page(
+            "Film formulas and cut inlets against certified films", ["ehd maps"], fenced(run(ehd, "maps"))),
+        "docs/results/mutants.md": page(
+            "Wrong programs that the suite has to catch", ["make mutants"], mutant_page(),
+            f"{len(mutants())} of them, from `verification/mutants/mutants.toml`. "
+            "Rung: where each has to be caught."),
+        "docs/results/examples.md": page(
+            "The contact and the bearing of the root README",
+            ["ehd solve examples/my-contact.toml --tolerance 1e-4", "ehd bearing examples/my-bearing.toml"],
+            examples, "Without costs, balance errors and times."),
+    }
+
+
+# ---- slow pages ----------------------------------------------------------------------------------------------------
+
+
+def full_pages(ehd):
+    slow = {"verify": ("ladder-full", "The ladder, full suite"),
+            "stress": ("stress", "Numerical stability"),
+            "bench": ("bench", "Time and work against achieved error")}
+    pages = {}
+    with tempfile.TemporaryDirectory() as folder:
+        for command, (name, title) in slow.items():
+            text = fenced(run(ehd, command, "--output", folder))
+            pages[f"docs/results/{name}.md"] = page(title, ["ehd " + command], text).replace(MADE, MADE_SLOWLY)
+    return pages
+
+
+# ---- what a README quotes ------------------------------------------------------------------------------------------
+
+
+def misquoted(readme, pages):
+    """What the README quotes and should not: ```text that no page has, ```toml that is no file of examples/."""
+    known = {line.strip() for name, text in pages.items() if name != "README.md" for line in text.splitlines()}
+    files = {path.read_text().strip() for path in (ROOT / "examples").glob("*.toml")}
+    for kind, text in re.findall(r"^```(text|toml)\n(.*?)^```$", readme, re.DOTALL | re.MULTILINE):
+        if kind == "toml" and text.strip() not in files:
+            yield "a case that is no file of examples/: " + text.splitlines()[0]
+        if kind == "text":
+            yield from (line for line in text.splitlines() if line.strip() not in known | {"", "..."})
+
+
+def check(pages):
+    same = True
+    for name, text in pages.items():
+        kept = (ROOT / name).read_text() if (ROOT / name).exists() else ""
+        versions = kept.splitlines(), text.splitlines(), name, name + " (made now)"
+        for line in difflib.unified_diff(*versions, n=1, lineterm=""):
+            print(line)
+            same = False
+    for line in misquoted(pages["README.md"], pages):
+        print(f"README.md quotes what no page of docs/results has: {line}")
+        same = False
+    print("docs/results is as the program makes it" if same else "docs/results differs; to remake it: make results")
+    return same
+
+
+def main(arguments):
+    mode = arguments.pop(0) if arguments and arguments[0] in ("--check", "--full") else "--quick"
+    if len(arguments) != 1:
+        print(__doc__, file=sys.stderr)
+        return 2
+    ehd = str(pathlib.Path(arguments[0]).resolve())
+    pages = full_pages(ehd) if mode == "--full" else quick_pages(ehd)
+    if mode == "--check":
+        return 0 if check(pages) else 1
+    for name, text in pages.items():
+        (ROOT / name).write_text(text)
+        print(name)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
