@@ -11,6 +11,7 @@
 #include "cli/commands.hpp"
 #include "cli/common.hpp"
 #include "contact/nondimensional.hpp"
+#include "contact/oil_laws.hpp"
 #include "contact/text.hpp"
 #include "io/case_reader.hpp"
 #include "io/contact_json.hpp"
@@ -64,6 +65,13 @@ void require_laws_possible(const SolveOptions& options, const Lubricant& lubrica
     throw option_error("--viscosity", *options.viscosity, "needs Roelands' exponent; required is --z");
 }
 
+template <class Laws>
+std::string names_of(const Laws& laws) {
+  std::string names;
+  for (const auto& law : laws) names += (names.empty() ? "" : ", ") + std::string(law.name);
+  return names;
+}
+
 /// The contact that the options state. Throws UsageError.
 ContactCase contact_from(const SolveOptions& options) {
   ContactCase contact;
@@ -79,14 +87,12 @@ ContactCase contact_from(const SolveOptions& options) {
   if (options.viscosity) {
     const auto law = viscosity_law_from(*options.viscosity);
     if (!law)
-      throw option_error("--viscosity", *options.viscosity, "is unknown; allowed is isoviscous, barus, roelands");
+      throw option_error("--viscosity", *options.viscosity, "is unknown; allowed is " + names_of(viscosity_laws()));
     lubricant.viscosity = *law;
   }
   if (options.density) {
     const auto law = density_law_from(*options.density);
-    if (!law)
-      throw option_error("--density", *options.density,
-                         "is unknown; allowed is incompressible, dowson-higginson, dowson-higginson-1977");
+    if (!law) throw option_error("--density", *options.density, "is unknown; allowed is " + names_of(density_laws()));
     lubricant.density = *law;
   }
   const auto number_within = [](const char* option, const std::string& text, double low, double high) {

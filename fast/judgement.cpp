@@ -3,10 +3,6 @@
 
 namespace ehd::fast {
 
-bool is_absolute(Quantity quantity) { return quantity == Quantity::film_offset || quantity == Quantity::approach; }
-
-bool is_check(Quantity quantity) { return quantity == Quantity::load_error || quantity == Quantity::flux_variation; }
-
 std::vector<double> values_of(const std::vector<GridRecord>& grids, Quantity quantity) {
   std::vector<double> values;
   for (const GridRecord& grid : grids) {

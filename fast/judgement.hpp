@@ -28,11 +28,6 @@ constexpr double spike_safety = 3, vaguest_spike = 0.05;
 /// the discretisation in it.
 constexpr double truncation_of_work = 20, truncation_of_offset = 5;
 
-/// film.offset and approach have absolute errors.
-[[nodiscard]] bool is_absolute(Quantity quantity);
-/// The load's error and the flux's variation are checks of the solve, not results; they have no error.
-[[nodiscard]] bool is_check(Quantity quantity);
-
 /// A quantity on the grids, coarse to fine, without those before a grid that lacks it.
 [[nodiscard]] std::vector<double> values_of(const std::vector<GridRecord>& grids, Quantity quantity);
 

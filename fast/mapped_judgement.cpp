@@ -113,7 +113,7 @@ ErrorBudget budget_of(const MappedClimb& climb, Quantity quantity, const std::op
                       double film) {
   if (quantity == Quantity::film_minimum) return climb.film_minimum;
   if (quantity == Quantity::film_central) return climb.film_central;
-  const bool absolute = is_absolute(quantity);
+  const bool absolute = has_absolute_error(quantity);
   const double scale = absolute ? 1 + std::abs(film) : 1;  // H_0 is the film at X = 0 less a deflection of order one
   ErrorBudget budget = climb.film_central;
   budget.iteration *= scale;
@@ -144,7 +144,7 @@ void judge(const MappedClimb& climb, const Problem& problem, Solution& solution)
       shared(grids) * std::max(climb.film_minimum.discretisation, climb.film_central.discretisation);
   const auto central = limit_on(climb.grids, Quantity::film_central);
   for (auto& [quantity, reading] : observables) {
-    if (is_check(quantity)) continue;
+    if (is_self_check(quantity)) continue;
     const auto limit = limit_on(climb.grids, quantity);
     if (grids > 1 && limit) reading.value = limit->value;
     reading.error = budget_of(climb, quantity, limit, of_films, central ? central->value : 1).total();

@@ -17,7 +17,7 @@ double discretisation_error(const std::vector<GridRecord>& grids, Quantity quant
   const std::vector<double> values = values_of(grids, quantity);
   if (values.empty()) return std::numeric_limits<double>::infinity();
   const GridEstimate judged = estimate(values, Uniform::description.formal_order);
-  return is_absolute(quantity) ? judged.error * std::abs(judged.value) : judged.error;
+  return has_absolute_error(quantity) ? judged.error * std::abs(judged.value) : judged.error;
 }
 
 /// The calibrated film error, where the grids say too little: a lone grid, or one that hardly sees the inlet zone.
@@ -33,13 +33,13 @@ void put_errors(const UniformClimb& climb, const Run& run, const SolveRecord& re
       observables.contains(Quantity::film_central) ? observables.at(Quantity::film_central).value : run.lengths.film;
   const double offset_scale = 1 + film;  // H_0 is the film at X = 0 less a deflection of order one
   for (auto& [quantity, reading] : observables) {
-    if (is_check(quantity)) continue;
+    if (is_self_check(quantity)) continue;
     double error = error_budget(climb, quantity, run.truncation).total();
     if (quantity == Quantity::film_minimum) error = record.film_minimum.total();
     if (quantity == Quantity::film_central) error = record.film_central.total();
     if (least > 0 && quantity == Quantity::film_couette) error = at_least(error, least);
-    if (least > 0 && is_absolute(quantity)) error = at_least(error, least * offset_scale);
-    if (is_absolute(quantity)) error += truncation_of_offset * run.truncation * offset_scale;
+    if (least > 0 && has_absolute_error(quantity)) error = at_least(error, least * offset_scale);
+    if (has_absolute_error(quantity)) error += truncation_of_offset * run.truncation * offset_scale;
     if (std::isfinite(error)) reading.error = error;
   }
 }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/bearing_table.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <variant>
 
 #include "bearing/geometry.hpp"
 #include "contact/text.hpp"
@@ -15,6 +17,8 @@ namespace ehd {
 using bearing::LinearFit;
 
 namespace {
+
+using Rows = std::vector<std::vector<std::string>>;
 
 /// The rollers that a table shows: one of each mirrored pair, with the text of its azimuth.
 std::vector<std::pair<std::size_t, std::string>> shown_rollers(const std::vector<RollerRow>& rollers) {
@@ -32,109 +36,124 @@ std::vector<std::pair<std::size_t, std::string>> shown_rollers(const std::vector
   return shown;
 }
 
-std::string fixed(double value, int decimals) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  return text;
-}
+std::string fixed(double value, int decimals) { return fmt::format("{:.{}f}", value, decimals); }
 
-/// What the ring does, a line a law; and over the cage's positions, where they were asked for.
-std::string human_ring(const std::vector<BearingResult>& results) {
-  std::vector<std::vector<std::string>> ring{
-      {"ring", "lateral um", "load zone deg", "to", "stiffness N/um: xx", "yy", "xy"}};
-  std::vector<std::vector<std::string>> turn{{"cage turning", "positions", "displacement um: mean", "peak to peak",
-                                              "lateral um: mean", "peak to peak", "largest Q_i N"}};
-  for (const BearingResult& result : results) {
-    if (result.rollers.empty()) continue;
-    const std::string law(to_string(result.law));
-    const auto& K = result.stiffness_N_per_m;
-    const auto& zone = result.load_zone_deg;
-    ring.push_back({law, fixed(1e6 * result.displacement_lateral_m, 4), zone ? plain(zone->first, 5) : "-",
-                    zone ? plain(zone->second, 5) : "-", plain(1e-6 * K[0][0], 5), plain(1e-6 * K[1][1], 5),
-                    std::abs(K[0][1]) <= 1e-12 * K[0][0] ? "0" : plain(1e-6 * K[0][1], 5)});
-    if (!result.cage) continue;
-    const auto& along = result.cage->displacement_m;
-    const auto& across = result.cage->displacement_lateral_m;
-    turn.push_back({law, std::to_string(result.cage->positions), fixed(1e6 * along.mean, 4),
-                    plain(1e6 * along.peak_to_peak, 3), fixed(1e6 * across.mean, 4),
-                    plain(1e6 * across.peak_to_peak, 3), fixed(result.cage->largest_force_N, 1)});
-  }
-  std::string text;
-  if (ring.size() > 1) text += "\n" + aligned(ring, 1, "  ");
-  if (turn.size() > 1) text += "\n" + aligned(turn, 1, "  ");
-  return text;
-}
+std::string name_of(const BearingResult& result) { return std::string(to_string(result.law)); }
 
-}  // namespace
+/// The table after an empty line; nothing where it has no row below its head.
+std::string below_line(const Rows& rows) { return rows.size() > 1 ? "\n" + aligned(rows, 1, "  ") : ""; }
 
-std::string human_table(const Case& bearing_case, const std::vector<BearingResult>& results) {
+std::string heading(const Case& bearing_case) {
   const auto& body = std::get<BearingCase>(bearing_case.body);
-  std::string text = bearing_case.id + ": " + bearing_case.title + "\n";
-  text += "  radial load " + plain(body.operation.radial_load_N) + " N, clearance " +
-          micrometre(body.geometry.clearance_m) + ", sum speed " +
-          plain(bearing::sum_speed_m_per_s(geometry_of(body), speeds_of(body)), 4) + " m/s, centrifugal force " +
-          plain(bearing::centrifugal_force_N(geometry_of(body), speeds_of(body)), 4) + " N a roller\n\n";
+  const bearing::Geometry geometry = geometry_of(body);
+  const bearing::Speeds speeds = speeds_of(body);
+  return fmt::format("{}: {}\n  radial load {} N, clearance {}, sum speed {} m/s, centrifugal force {} N a roller\n\n",
+                     bearing_case.id, bearing_case.title, plain(body.operation.radial_load_N),
+                     micrometre(body.geometry.clearance_m), plain(bearing::sum_speed_m_per_s(geometry, speeds), 4),
+                     plain(bearing::centrifugal_force_N(geometry, speeds), 4));
+}
 
-  // Rollers: psi, then Q_i, delta_i and film of every law.
+/// Force, displacement and film at the inner contact of each roller, for every law that has a balance.
+std::string rollers_table(const std::vector<BearingResult>& results) {
   std::vector<std::string> head{"psi"}, units{"deg"};
-  std::vector<const BearingResult*> with_rows;
+  std::vector<const BearingResult*> balanced;
   for (const BearingResult& result : results) {
     if (result.rollers.empty()) continue;
-    with_rows.push_back(&result);
-    head.insert(head.end(), {std::string(to_string(result.law)) + ": Q_i", "delta_i"});
+    balanced.push_back(&result);
+    head.insert(head.end(), {name_of(result) + ": Q_i", "delta_i"});
     units.insert(units.end(), {"N", "um"});
     if (needs_film(result.law)) {
       head.emplace_back("h_i");
       units.emplace_back("um");
     }
   }
-  if (!with_rows.empty()) {
-    std::vector<std::vector<std::string>> rows{head, units};
-    for (const auto& [j, azimuth] : shown_rollers(with_rows.front()->rollers)) {
-      std::vector<std::string> row{azimuth};
-      for (const BearingResult* result : with_rows) {
-        const ContactRow& inner = result->rollers[j].inner;
-        row.push_back(fixed(inner.force_N, 1));
-        row.push_back(fixed(1e6 * inner.displacement_m, 3));
-        if (needs_film(result->law)) row.push_back(inner.film_minimum_m ? fixed(1e6 * *inner.film_minimum_m, 3) : "-");
-      }
-      rows.push_back(row);
+  if (balanced.empty()) return "";
+  Rows rows{head, units};
+  for (const auto& [j, azimuth] : shown_rollers(balanced.front()->rollers)) {
+    std::vector<std::string> row{azimuth};
+    for (const BearingResult* result : balanced) {
+      const ContactRow& inner = result->rollers[j].inner;
+      row.push_back(fixed(inner.force_N, 1));
+      row.push_back(fixed(1e6 * inner.displacement_m, 3));
+      if (needs_film(result->law)) row.push_back(inner.film_minimum_m ? fixed(1e6 * *inner.film_minimum_m, 3) : "-");
     }
-    text += aligned(rows, 1, "  ") + "\n";
+    rows.push_back(row);
   }
+  return aligned(rows, 1, "  ") + "\n";
+}
 
-  std::vector<std::vector<std::string>> summary{
-      {"law", "displacement um", "balance error", "contacts solved", "from memory", "time s"}};
+std::string summary_table(const std::vector<BearingResult>& results) {
+  Rows rows{{"law", "displacement um", "balance error", "contacts solved", "from memory", "time s"}};
   for (const BearingResult& result : results) {
-    const bool fine = !result.rollers.empty();
-    summary.push_back({std::string(to_string(result.law)), fine ? fixed(1e6 * result.displacement_m, 4) : "-",
-                       fine ? plain(result.balance_error, 2) : "-", std::to_string(result.contact_solves),
-                       std::to_string(result.contact_recalls), plain(result.wall_s, 2)});
+    const bool balanced = !result.rollers.empty();
+    rows.push_back({name_of(result), balanced ? fixed(1e6 * result.displacement_m, 4) : "-",
+                    balanced ? plain(result.balance_error, 2) : "-", std::to_string(result.contact_solves),
+                    std::to_string(result.contact_recalls), plain(result.wall_s, 2)});
   }
-  text += aligned(summary, 1, "  ");
+  return aligned(rows, 1, "  ");
+}
 
-  text += human_ring(results);
+/// Lateral displacement, load zone and stiffness of the ring.
+std::string ring_table(const std::vector<BearingResult>& results) {
+  constexpr double negligible = 1e-12;  // of the stiffness along the load: rounding
+  Rows rows{{"ring", "lateral um", "load zone deg", "to", "stiffness N/um: xx", "yy", "xy"}};
+  for (const BearingResult& result : results) {
+    if (result.rollers.empty()) continue;
+    const auto& K = result.stiffness_N_per_m;
+    const auto& zone = result.load_zone_deg;
+    rows.push_back({name_of(result), fixed(1e6 * result.displacement_lateral_m, 4), zone ? plain(zone->first, 5) : "-",
+                    zone ? plain(zone->second, 5) : "-", plain(1e-6 * K[0][0], 5), plain(1e-6 * K[1][1], 5),
+                    std::abs(K[0][1]) <= negligible * K[0][0] ? "0" : plain(1e-6 * K[0][1], 5)});
+  }
+  return below_line(rows);
+}
 
+/// The ring over the positions of the cage, where the request has any.
+std::string cage_table(const std::vector<BearingResult>& results) {
+  Rows rows{{"cage turning", "positions", "displacement um: mean", "peak to peak", "lateral um: mean", "peak to peak",
+             "largest Q_i N"}};
   for (const BearingResult& result : results) {
-    if (!result.fit) continue;
-    std::vector<std::vector<std::string>> fits{
-        {"fit", "K N/m", "dF N", "residual N", "standard deviation N", "of K N/m", "of dF N", "N from", "to"}};
-    const auto add = [&fits](const char* name, const LinearFit& fit) {
-      fits.push_back({name, plain(fit.K_N_per_m, 5), fixed(fit.dF_N, 1), fixed(fit.residual_N, 1),
-                      fixed(fit.standard_deviation_N, 1), plain(fit.K_deviation_N_per_m, 2),
-                      fixed(fit.dF_deviation_N, 1), plain(fit.points.front().force_N, 5),
-                      plain(fit.points.back().force_N, 5)});
-    };
-    add("inner", result.fit->inner);
-    add("outer", result.fit->outer);
-    text += "\n" + aligned(fits, 1, "  ");
+    if (result.rollers.empty() || !result.cage) continue;
+    const auto& along = result.cage->displacement_m;
+    const auto& across = result.cage->displacement_lateral_m;
+    rows.push_back({name_of(result), std::to_string(result.cage->positions), fixed(1e6 * along.mean, 4),
+                    plain(1e6 * along.peak_to_peak, 3), fixed(1e6 * across.mean, 4),
+                    plain(1e6 * across.peak_to_peak, 3), fixed(result.cage->largest_force_N, 1)});
   }
+  return below_line(rows);
+}
+
+/// The straight lines of ehd-linear.
+std::string fit_table(const bearing::BothRaceways<LinearFit>& fits) {
+  Rows rows{{"fit", "K N/m", "dF N", "residual N", "standard deviation N", "of K N/m", "of dF N", "N from", "to"}};
+  const auto add = [&rows](const char* name, const LinearFit& fit) {
+    rows.push_back({name, plain(fit.K_N_per_m, 5), fixed(fit.dF_N, 1), fixed(fit.residual_N, 1),
+                    fixed(fit.standard_deviation_N, 1), plain(fit.K_deviation_N_per_m, 2), fixed(fit.dF_deviation_N, 1),
+                    plain(fit.points.front().force_N, 5), plain(fit.points.back().force_N, 5)});
+  };
+  add("inner", fits.inner);
+  add("outer", fits.outer);
+  return below_line(rows);
+}
+
+std::string remarks(const BearingResult& result) {
+  std::string text;
+  if (!result.why.empty()) text += fmt::format("\n  {}: no balance: {}\n", name_of(result), result.why);
+  if (result.notes.empty()) return text;
+  text += fmt::format("\n  notes on {}\n", name_of(result));
+  for (const std::string& note : result.notes) text += fmt::format("    - {}\n", note);
+  return text;
+}
+
+}  // namespace
+
+std::string human_table(const Case& bearing_case, const std::vector<BearingResult>& results) {
+  std::string text = heading(bearing_case) + rollers_table(results) + summary_table(results) + ring_table(results) +
+                     cage_table(results);
   for (const BearingResult& result : results) {
-    if (!result.why.empty()) text += "\n  " + std::string(to_string(result.law)) + ": no balance: " + result.why + "\n";
-    if (result.notes.empty()) continue;
-    text += "\n  notes on " + std::string(to_string(result.law)) + "\n";
-    for (const std::string& note : result.notes) text += "    - " + note + "\n";
+    if (result.fit) text += fit_table(*result.fit);
   }
+  for (const BearingResult& result : results) text += remarks(result);
   return text;
 }
 

@@ -40,7 +40,7 @@ std::string read_bytes(const std::filesystem::path& file) {
   return bytes;
 }
 
-/// Where TOML is, character by character: the little that is needed to tell a string or comment from the rest.
+/// Follows TOML character by character, as far as needed to tell strings and comments from the rest.
 class Lexer {
  public:
   [[nodiscard]] bool in_text() const { return state_ != State::plain; }
@@ -86,8 +86,8 @@ class Lexer {
   bool multiline_ = false;
 };
 
-/// Whether a line that begins with a bracket goes on with a name, as [table] and [[table]] do. The parser's release
-/// 3.3.0 takes that for granted: "[ = 1" ends the program in an assertion.
+/// Whether a line that begins with a bracket goes on with a name, as [table] and [[table]] do. toml++ 3.3.0 does not
+/// check this: "[ = 1" ends the program in an assertion.
 bool is_header(std::string_view line) {
   std::size_t i = line.starts_with("[[") ? 2 : 1;
   while (i < line.size() && (line[i] == ' ' || line[i] == '\t')) ++i;
@@ -114,7 +114,7 @@ std::vector<std::string> lines_of(std::string_view text) {
 std::string read_case_text(const std::filesystem::path& file) { return checked_case_text(read_bytes(file), file); }
 
 std::string checked_case_text(std::string text, const std::filesystem::path& file) {
-  // Before anything else is said of it: what a picture or a program holds otherwise is of no interest.
+  // First: other faults of a picture or a program are of no interest.
   if (text.find('\0') != std::string::npos) refuse(file, 0, "is binary; allowed is a case file (TOML)");
   if (text.size() > largest_file)
     refuse(file, 0, "is larger than 64 KiB; allowed is a case file (TOML), which is small");

@@ -9,16 +9,16 @@
 
 namespace ehd {
 
-/// The file's text without a byte order mark. Throws CaseError for what cannot be a case at all: missing, a directory
-/// or device, unreadable, larger than 64 KiB, empty, binary (control characters), not UTF-8, non-ASCII characters
-/// outside strings and comments, lines that begin with a bracket but are no table (the parser's release 3.3.0
-/// misbehaves on both), lines longer than 2000 bytes (keys nested by the thousand would exhaust the parser's stack).
+/// The file's text without a byte order mark. Throws CaseError for a file that is missing, a directory or device,
+/// unreadable, larger than 64 KiB, empty, binary (control characters) or not UTF-8. Refuses also: non-ASCII characters
+/// outside strings and comments, and lines that begin with a bracket but are no table (toml++ 3.3.0 misbehaves on
+/// both); lines longer than 2000 bytes (thousands of nested keys would exhaust the parser's stack).
 [[nodiscard]] std::string read_case_text(const std::filesystem::path& file);
 
-/// The same of bytes that are at hand; `file` names them in messages.
+/// The same of bytes in memory; `file` names them in messages.
 [[nodiscard]] std::string checked_case_text(std::string bytes, const std::filesystem::path& file);
 
-/// Its lines, without line ends (LF or CRLF).
+/// The lines of a text, without line ends (LF or CRLF).
 [[nodiscard]] std::vector<std::string> lines_of(std::string_view text);
 
 }  // namespace ehd

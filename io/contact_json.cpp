@@ -3,6 +3,8 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
 
 #include "io/json.hpp"
 
@@ -10,47 +12,51 @@ namespace ehd {
 
 namespace {
 
-std::optional<double> times(std::optional<double> a, std::optional<double> b) {
-  if (!a || !b) return std::nullopt;
-  return *a * *b;
+/// The key of a quantity in SI.
+const char* key_in_SI(SIScale scale) { return scale == SIScale::pressure ? "Pa" : "m"; }
+
+/// Films, the offset and pressures are reported with place and error, the others as numbers alone.
+bool has_place_and_error(const QuantityRow& row) {
+  return row.kind == QuantityKind::film || row.kind == QuantityKind::offset || row.kind == QuantityKind::pressure_peak;
 }
 
-const Reading* find(const ContactRun& run, Quantity quantity) {
-  const auto at = run.solution.observables.find(quantity);
-  return at == run.solution.observables.end() ? nullptr : &at->second;
+Json budget_json(const ErrorBudget& budget) {
+  Json json;
+  put(json, "discretisation", budget.discretisation);
+  put(json, "iteration", budget.iteration);
+  put(json, "truncation", budget.truncation);
+  return json;
 }
 
-void put_film(Json& film, const std::string& key, const ContactRun& run, Quantity quantity) {
-  const Reading* reading = find(run, quantity);
-  if (!reading || !std::isfinite(reading->value)) return;
-  Json entry;
-  put(entry, "hertz", reading->value);
-  if (quantity != Quantity::film_offset) put(entry, "moes", times(reading->value, run.moes_per_hertz_film()));
-  if (quantity != Quantity::film_offset) put(entry, "m", times(reading->value, run.m_per_hertz_film()));
-  put(entry, "x", reading->place);
-  put(entry, "error", reading->error);
-  // Where the relative error of the films that a tolerance speaks of comes from.
-  const SolveRecord& record = run.solution.record;
-  const ErrorBudget* const budget = quantity == Quantity::film_minimum   ? &record.film_minimum
-                                    : quantity == Quantity::film_central ? &record.film_central
-                                                                         : nullptr;
-  if (budget && reading->error) {
-    put(entry["errors"], "discretisation", budget->discretisation);
-    put(entry["errors"], "iteration", budget->iteration);
-    put(entry["errors"], "truncation", budget->truncation);
+Json reading_json(const ContactRun& run, const QuantityRow& row, const Reading& reading) {
+  if (row.json_value.empty()) return reading.value;
+  Json json;
+  put(json, std::string(row.json_value), reading.value);
+  const auto put_scaled = [&](const char* key, std::optional<double> unit) {
+    if (unit) put(json, key, reading.value * *unit);
+  };
+  if (row.in_moes_units) put_scaled("moes", run.moes_per_hertz_film());
+  put_scaled(key_in_SI(row.SI), run.SI_per_hertz(row.SI));
+  if (!has_place_and_error(row)) return json;
+  put(json, "x", reading.place);
+  put(json, "error", reading.error);
+  if (row.budget && reading.error) json["errors"] = budget_json(run.solution.record.*row.budget);
+  return json;
+}
+
+/// json["film"]["minimum"] for the entry "film.minimum".
+Json& entry_at(Json& json, std::string_view entry) {
+  const auto dot = entry.find('.');
+  Json& level = json[std::string(entry.substr(0, dot))];
+  return dot == std::string_view::npos ? level : entry_at(level, entry.substr(dot + 1));
+}
+
+void put_observables(Json& json, const ContactRun& run) {
+  for (const auto& [quantity, reading] : run.solution.observables) {
+    if (!std::isfinite(reading.value)) continue;
+    const QuantityRow& row = row_of(quantity);
+    entry_at(json, row.json_entry) = reading_json(run, row, reading);
   }
-  film[key] = entry;
-}
-
-void put_pressure(Json& pressure, const std::string& key, const ContactRun& run, Quantity quantity) {
-  const Reading* reading = find(run, quantity);
-  if (!reading || !std::isfinite(reading->value)) return;
-  Json entry;
-  put(entry, "hertz", reading->value);
-  if (run.scales) put(entry, "Pa", reading->value * run.scales->hertz_pressure_Pa);
-  put(entry, "x", reading->place);
-  put(entry, "error", reading->error);
-  pressure[key] = entry;
 }
 
 Json groups_json(const ContactRun& run) {
@@ -77,7 +83,7 @@ Json cost_json(const Cost& cost) {
   Json json;
   put(json, "wall_s", cost.wall_s);
   put(json, "planning_s", cost.planning_s);
-  const bool accepted = cost.nodes > 0;  // a work unit is a product on the finest grid accepted
+  const bool accepted = cost.nodes > 0;  // a work unit is a product on the finest accepted grid
   if (accepted) put(json, "work_units", cost.work_units);
   json["convolutions"] = cost.convolutions;
   json["newton_iterations"] = cost.newton_iterations;
@@ -111,33 +117,7 @@ Json to_json(const ContactRun& run) {
   json["status"] = to_string(run.status());
   if (!run.solution.record.reason.empty()) json["reason"] = run.solution.record.reason;
   json["groups"] = groups_json(run);
-
-  Json film = Json::object();
-  put_film(film, "minimum", run, Quantity::film_minimum);
-  put_film(film, "central", run, Quantity::film_central);
-  put_film(film, "couette", run, Quantity::film_couette);
-  put_film(film, "offset", run, Quantity::film_offset);
-  if (!film.empty()) json["film"] = film;
-
-  Json pressure = Json::object();
-  put_pressure(pressure, "maximum", run, Quantity::pressure_maximum);
-  put_pressure(pressure, "spike", run, Quantity::pressure_spike);
-  if (const Reading* exit = find(run, Quantity::pressure_exit)) put(pressure, "exit_x", exit->value);
-  if (!pressure.empty()) json["pressure"] = pressure;
-
-  if (const Reading* approach = find(run, Quantity::approach)) {
-    Json entry = Json::object();
-    put(entry, "hertz", approach->value);
-    put(entry, "m", times(approach->value, run.m_per_hertz_film()));
-    if (!entry.empty()) json["approach"] = entry;
-  }
-  if (const Reading* force = find(run, Quantity::rolling_force)) {
-    Json entry = Json::object();
-    put(entry, "dimensionless", force->value);
-    if (!entry.empty()) json["rolling_force"] = entry;
-  }
-  if (const Reading* load = find(run, Quantity::load_error)) put(json, "load_error", load->value);
-  if (const Reading* flux = find(run, Quantity::flux_variation)) put(json, "flux_variation", flux->value);
+  put_observables(json, run);
   json["cost"] = cost_json(run.solution.record.cost);
   json["plan"] = to_json(run.plan);
   json["notes"] = run.notes;

@@ -35,7 +35,7 @@ std::vector<std::filesystem::path> case_files() {
   return files;
 }
 
-/// The folders in cases/, by name: whole collections, whose ids are as good as those of the folder itself.
+/// The folders in cases/, by name: collections such as cases/atlas. Their cases are found by id as well.
 std::vector<std::filesystem::path> case_subfolders() {
   std::vector<std::filesystem::path> folders;
   std::error_code error, unknown;

@@ -8,7 +8,7 @@
 
 namespace ehd {
 
-/// Where a file cannot be written: what() names it and says why.
+/// A file cannot be written: what() names the file and says why.
 class OutputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -29,7 +29,7 @@ class OutputFile {
   /// Throws OutputError; the old file is then still there.
   void commit(const std::string& text);
 
-  /// The same in pieces, of what would not fit into memory: what is appended shows at commit().
+  /// The same in pieces, for text that does not fit into memory. The file appears at commit().
   void append(const std::string& text);
   void commit();
 

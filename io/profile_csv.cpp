@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/profile_csv.hpp"
 
-#include <algorithm>
+#include <fmt/format.h>
+
 #include <cmath>
-#include <cstdio>
 
 namespace ehd {
 
@@ -20,10 +20,8 @@ std::string profile_csv(const ContactRun& run) {
   if (metres) csv += ",x_m [m],p_Pa [Pa],h_m [m]";
   csv += "\n";
   const auto cell = [&](double value, bool first = false) {
-    char text[32] = "";
-    if (std::isfinite(value)) std::snprintf(text, sizeof text, "%.15g", value);
     if (!first) csv += ',';
-    csv += text;
+    if (std::isfinite(value)) csv += fmt::format("{:.15g}", value);
   };
   for (Eigen::Index i = 0; i < nodes; ++i) {
     cell(fields.X[i], true);

@@ -52,7 +52,7 @@ std::string compiler() {
 Json provenance() {
   Json json;
   json["version"] = EHD_PROJECT_VERSION;
-  // Of the tree when the program was built, not of what has become of it since.
+  // The commit when the program was built, not the present state of the tree.
   if (const std::string commit = EHD_COMMIT; !commit.empty()) {
     json["commit"] = commit;
     json["dirty"] = EHD_COMMIT_DIRTY;

@@ -6,8 +6,8 @@
 
 namespace ehd {
 
-/// {"version", "commit", "dirty", "compiler", "flags", "libraries", "cpu", "cores", "date"}. What cannot be found out
-/// (a source tree without git) is absent.
+/// {"version", "commit", "dirty", "compiler", "flags", "libraries", "cpu", "cores", "date"}. Unknown entries are
+/// absent (the commit in a source tree without git).
 [[nodiscard]] Json provenance();
 
 }  // namespace ehd

@@ -59,7 +59,7 @@ class SweepReader {
     fail(1, key, "is missing; required is " + required);
   }
 
-  /// The first unknown key in the order of the file is the one to name.
+  /// Names the first unknown key in the order of the file.
   void require_known(const toml::table& table, const std::string& of, const std::vector<std::string>& allowed) const {
     const toml::node* first = nullptr;
     std::string first_key;
@@ -306,7 +306,7 @@ Case Sweep::case_of(std::size_t row) const {
     return row_case;
   } catch (const CaseError& error) {
     const std::string what = error.what();
-    // The reader names its key without the table, or the table; the swept key that it speaks of is the line to show.
+    // The case reader names a key without its table, or a table. The message shows the line of the swept key.
     std::string all;
     std::optional<std::size_t> by_key, by_table;
     for (std::size_t k = 0; k < keys.size(); ++k) {

@@ -32,7 +32,7 @@ struct Sweep {
   std::string case_text;
   std::string case_id;
   bool bearing = false;
-  std::vector<bearing::Law> laws;  ///< as asked for; empty: as `ehd bearing` has them
+  std::vector<bearing::Law> laws;  ///< empty: the default laws of `ehd bearing`
   std::string solver = "fast";
   double tolerance = 1e-3;  ///< of the films of a contact case; a bearing's contacts have their own
   Combine combine = Combine::product;
@@ -44,16 +44,16 @@ struct Sweep {
   [[nodiscard]] std::vector<Substitution> values_of(std::size_t row) const;
   /// The row's case, through the reader of case files. Throws CaseError with the sweep's line, the row and its keys.
   [[nodiscard]] Case case_of(std::size_t row) const;
-  /// What run_bearing is asked for.
+  /// The request for run_bearing.
   [[nodiscard]] BearingRequest request_of(const Case& row_case) const;
-  /// {"id", "case", "laws", "solver", "tolerance", "combine", "keys"}: what is not the row's own.
+  /// {"id", "case", "laws", "solver", "tolerance", "combine", "keys"}: common to all rows.
   [[nodiscard]] Json to_json() const;
 };
 
-/// More rows are refused: they are all read before the first is computed.
+/// More rows are refused: all are read before the first is computed.
 inline constexpr std::size_t most_rows = 100000;
 
-/// Reads the file and the case of every row, so that nothing is computed of a sweep that cannot be carried through.
+/// Reads the file and the case of every row, so that every error of the input shows before anything is computed.
 /// Throws CaseError.
 [[nodiscard]] Sweep read_sweep(const std::filesystem::path& file);
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/tables.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cmath>
 
 #include "contact/text.hpp"
 
@@ -10,12 +11,14 @@ namespace ehd {
 
 namespace {
 
+using Rows = std::vector<std::vector<std::string>>;
+
 const Reading* find(const ContactRun& run, Quantity quantity) {
   const auto at = run.solution.observables.find(quantity);
   return at == run.solution.observables.end() ? nullptr : &at->second;
 }
 
-/// Characters, not bytes: columns are aligned by what is seen.
+/// Counts characters, not bytes, so that columns with UTF-8 text are aligned.
 std::size_t width(const std::string& text) {
   return static_cast<std::size_t>(
       std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; }));
@@ -29,14 +32,96 @@ std::string status_text(StopReason status, bool styled) {
   return (status == StopReason::converged ? "\033[32m" : "\033[31m") + text + "\033[0m";
 }
 
-/// The error in a number scaled from a reading, its digits shown as far as known.
-std::string digits(const Reading& reading, double unit, bool absolute) {
+/// A reading times `unit`, with as many digits as its error leaves.
+std::string digits(Quantity quantity, const Reading& reading, double unit) {
   if (!reading.error) return plain(reading.value * unit);
-  if (absolute) return with_absolute_error(reading.value * unit, *reading.error * unit);
+  if (has_absolute_error(quantity)) return with_absolute_error(reading.value * unit, *reading.error * unit);
   return with_error(reading.value * unit, reading.error);
 }
 
 std::string seconds(double s) { return s < 1 ? plain(1e3 * s, 3) + " ms" : plain(s, 3) + " s"; }
+
+std::string heading(const ContactRun& run, const std::string& title, bool styled) {
+  const std::string solver = run.solver.empty() ? "dry, closed form" : run.solver;
+  std::string text =
+      fmt::format("{}\nstatus  {} ({})\n", bold(title, styled), status_text(run.status(), styled), solver);
+  if (!run.solution.record.reason.empty()) text += fmt::format("reason  {}\n", run.solution.record.reason);
+  return text;
+}
+
+std::string groups_table(const ContactRun& run) {
+  Rows rows;
+  const auto add = [&](const char* name, std::optional<double> value) {
+    if (value) rows.push_back({name, plain(*value)});
+  };
+  if (run.groups) {
+    add("M", run.groups->M);
+    add("L", run.groups->L);
+    add("lambda", run.groups->lambda);
+    add("alpha p_H", run.groups->alpha_p_H);
+  }
+  if (run.scales) {
+    add("p_H [Pa]", run.scales->hertz_pressure_Pa);
+    add("b [m]", run.scales->half_width_m);
+    if (run.scales->dowson) {
+      add("W", run.scales->dowson->W);
+      add("U (mean speed)", run.scales->dowson->U_mean);
+      add("G", run.known_G());
+    }
+  }
+  return "\n" + aligned(rows, 1, "  ");
+}
+
+/// A row a quantity; the self checks stand in a line below.
+std::string observables_table(const ContactRun& run) {
+  const auto moes = run.moes_per_hertz_film(), metres = run.m_per_hertz_film();
+  Rows rows{{"", "Hertz", moes ? "Moes" : "", metres ? "m" : "", "at X"}};
+  for (const auto& [quantity, reading] : run.solution.observables) {
+    if (is_self_check(quantity)) continue;
+    const QuantityRow& row = row_of(quantity);
+    rows.push_back({std::string(row.name), digits(quantity, reading, 1),
+                    row.in_moes_units && moes ? digits(quantity, reading, *moes) : "",
+                    row.SI == SIScale::film && metres ? digits(quantity, reading, *metres) : "",
+                    reading.place ? plain(*reading.place) : ""});
+  }
+  return rows.size() > 1 ? "\n" + aligned(rows, 1, "  ") : "";
+}
+
+std::string self_checks(const ContactRun& run) {
+  std::vector<std::string> checks;
+  if (const Reading* load = find(run, Quantity::load_error)) checks.push_back("load error " + plain(load->value, 2));
+  if (const Reading* flux = find(run, Quantity::flux_variation))
+    checks.push_back("flux variation " + plain(flux->value, 2));
+  return checks.empty() ? "" : fmt::format("  {}\n", fmt::join(checks, ", "));
+}
+
+/// The fits beside the result, with their difference from it.
+std::string formulas_table(const ContactRun& run) {
+  const auto moes = run.moes_per_hertz_film();
+  if (run.formulas.empty() || !moes) return "";
+  Rows rows;
+  for (const auto& formula : run.formulas) {
+    const auto quantity = quantity_from(formula.of);
+    const Reading* reading = quantity ? find(run, *quantity) : nullptr;
+    const double film = reading ? reading->value * *moes : 0;
+    rows.push_back({formula.name, formula.of, plain(formula.moes_film, 4),
+                    film > 0 ? plain(100 * (formula.moes_film / film - 1), 2) + " %" : ""});
+  }
+  return fmt::format("\nfilm formulas, Moes units (published fits, for comparison only{})\n{}",
+                     run.known_G() ? "" : "; G = 5000 assumed", aligned(rows, 2, "  "));
+}
+
+std::string cost_line(const ContactRun& run) {
+  if (!run.plan.runs(stage::solve)) return "";
+  const Cost& cost = run.solution.record.cost;
+  const bool accepted = cost.nodes > 0;
+  const std::string grid =
+      accepted ? fmt::format("{} intervals, {} levels", cost.nodes, cost.levels) : "no grid accepted";
+  const std::string work = accepted ? fmt::format(", {} work units", plain(cost.work_units, 3)) : "";
+  return fmt::format("\ncost  {} (FFT planning {}), {}, {} Newton and {} Krylov iterations, {} products{}\n",
+                     seconds(cost.wall_s), seconds(cost.planning_s), grid, cost.newton_iterations,
+                     cost.krylov_iterations, cost.convolutions, work);
+}
 
 }  // namespace
 
@@ -68,75 +153,9 @@ std::string human_plan(const Plan& plan) {
 }
 
 std::string human_table(const ContactRun& run, const std::string& title, bool styled) {
-  std::string text = bold(title, styled) + "\n";
-  text += "status  " + status_text(run.status(), styled) +
-          (run.solver.empty() ? " (dry, closed form)" : " (" + run.solver + ")") + "\n";
-  if (!run.solution.record.reason.empty()) text += "reason  " + run.solution.record.reason + "\n";
-
-  std::vector<std::vector<std::string>> groups;
-  const auto group = [&](const std::string& name, std::optional<double> value) {
-    if (value) groups.push_back({name, plain(*value)});
-  };
-  if (run.groups) {
-    group("M", run.groups->M);
-    group("L", run.groups->L);
-    group("lambda", run.groups->lambda);
-    group("alpha p_H", run.groups->alpha_p_H);
-  }
-  if (run.scales) {
-    group("p_H [Pa]", run.scales->hertz_pressure_Pa);
-    group("b [m]", run.scales->half_width_m);
-    if (run.scales->dowson) {
-      group("W", run.scales->dowson->W);
-      group("U (mean speed)", run.scales->dowson->U_mean);
-      group("G", run.known_G());
-    }
-  }
-  text += "\n" + aligned(groups, 1, "  ");
-
-  const auto moes = run.moes_per_hertz_film();
-  const auto metres = run.m_per_hertz_film();
-  std::vector<std::vector<std::string>> rows{{"", "Hertz", moes ? "Moes" : "", metres ? "m" : "", "at X"}};
-  for (const auto& [quantity, reading] : run.solution.observables) {
-    if (quantity == Quantity::load_error || quantity == Quantity::flux_variation) continue;
-    const std::string name(to_string(quantity));
-    const bool film =
-        quantity == Quantity::film_minimum || quantity == Quantity::film_central || quantity == Quantity::film_couette;
-    const bool absolute = quantity == Quantity::film_offset || quantity == Quantity::approach;
-    rows.push_back({name, digits(reading, 1, absolute), film && moes ? digits(reading, *moes, false) : "",
-                    metres && (film || quantity == Quantity::approach) ? digits(reading, *metres, absolute) : "",
-                    reading.place ? plain(*reading.place) : ""});
-  }
-  if (rows.size() > 1) text += "\n" + aligned(rows, 1, "  ");
-  const Reading* load = find(run, Quantity::load_error);
-  const Reading* flux = find(run, Quantity::flux_variation);
-  if (load) text += "  load error " + plain(load->value, 2) + (flux ? "" : "\n");
-  if (flux) text += (load ? ", " : "  ") + std::string("flux variation ") + plain(flux->value, 2) + "\n";
-
-  if (!run.formulas.empty() && moes) {
-    std::vector<std::vector<std::string>> table;
-    for (const auto& formula : run.formulas) {
-      const auto quantity = quantity_from(formula.of);
-      const Reading* reading = quantity ? find(run, *quantity) : nullptr;
-      const double film = reading ? reading->value * *moes : 0;
-      table.push_back({formula.name, formula.of, plain(formula.moes_film, 4),
-                       film > 0 ? plain(100 * (formula.moes_film / film - 1), 2) + " %" : ""});
-    }
-    text += "\nfilm formulas, Moes units (regressions: plausibility, no verdict" +
-            std::string(run.known_G() ? "" : "; G = 5000 assumed") + ")\n" + aligned(table, 2, "  ");
-  }
-
-  if (run.plan.runs(stage::solve)) {
-    const Cost& cost = run.solution.record.cost;
-    const bool accepted = cost.nodes > 0;
-    text += "\ncost  " + seconds(cost.wall_s) + " (FFT planning " + seconds(cost.planning_s) + "), " +
-            (accepted ? std::to_string(cost.nodes) + " intervals, " + std::to_string(cost.levels) + " levels, "
-                      : std::string("no grid accepted, ")) +
-            std::to_string(cost.newton_iterations) + " Newton and " + std::to_string(cost.krylov_iterations) +
-            " Krylov iterations, " + std::to_string(cost.convolutions) + " products" +
-            (accepted ? ", " + plain(cost.work_units, 3) + " work units" : "") + "\n";
-  }
-  for (const auto& note : run.notes) text += "note  " + note + "\n";
+  std::string text = heading(run, title, styled) + groups_table(run) + observables_table(run) + self_checks(run) +
+                     formulas_table(run) + cost_line(run);
+  for (const auto& note : run.notes) text += fmt::format("note  {}\n", note);
   return text;
 }
 

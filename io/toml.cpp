@@ -68,7 +68,7 @@ toml::table parse_toml(const std::string& text, const std::filesystem::path& fil
       what = what.substr(colon + 2);
     std::string allowed = "allowed is TOML";
     if (what.find("cannot redefine") != std::string::npos) {
-      // The library's own copy of a name in quotation marks is not to be trusted; the line has it.
+      // toml++ 3.3.0 may garble a name in quotation marks in its description; the line shows it correctly.
       what = "is a duplicate (" + what.substr(0, what.find(" '")) + ")";
       allowed = "allowed is each key and each table once";
     } else if (what.find("unescaped control characters") != std::string::npos) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What every reader of a TOML file here needs of the parser: a tree or one clear line, and what stands where. For
-// source files only: the parser's header is large.
+// The TOML parser for all readers: a tree or one clear line, and the line and text of each node. Only source files
+// include this header, because the parser's own header is large.
 #pragma once
 
 #include <toml++/toml.h>
@@ -17,7 +17,7 @@ namespace ehd {
 /// "a table", "a text", "an integer", …
 [[nodiscard]] std::string type_of(const toml::node& node);
 
-/// The line of a node, 1 for one that was made here.
+/// The line of a node; 1 for a node that is not from the file.
 [[nodiscard]] int line_of(const toml::node& node);
 
 /// The value as it stands in the file, its first line, shortened; `lines` as lines_of gives them.

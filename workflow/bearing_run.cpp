@@ -507,31 +507,4 @@ std::optional<LawPair> laws_of(const BearingCase& body, const BearingResult& res
                  CurveLaw(std::make_shared<const FilmCurve>(result.curve->outer), result.datum_m->outer)};
 }
 
-std::optional<double> measure(const std::vector<BearingResult>& results, const Expectation& expectation) {
-  for (const BearingResult& result : results) {
-    if (to_string(result.law) != expectation.law || result.rollers.empty()) continue;
-    const std::string& quantity = expectation.quantity;
-    if (quantity == "displacement") return result.displacement_m;
-    const std::string prefix = "roller.";
-    if (!quantity.starts_with(prefix)) return std::nullopt;
-    std::size_t number = 0, digits = 0;
-    try {
-      number = std::stoul(quantity.substr(prefix.size()), &digits);
-    } catch (const std::exception&) {
-      return std::nullopt;
-    }
-    if (number < 1 || number > result.rollers.size()) return std::nullopt;
-    const RollerRow& row = result.rollers[number - 1];
-    const std::string rest = quantity.substr(prefix.size() + digits);
-    if (rest == ".inner.force") return row.inner.force_N;
-    if (rest == ".outer.force") return row.outer.force_N;
-    if (rest == ".inner.displacement") return row.inner.displacement_m;
-    if (rest == ".outer.displacement") return row.outer.displacement_m;
-    if (rest == ".inner.film.minimum") return row.inner.film_minimum_m;
-    if (rest == ".outer.film.minimum") return row.outer.film_minimum_m;
-    return std::nullopt;
-  }
-  return std::nullopt;
-}
-
 }  // namespace ehd

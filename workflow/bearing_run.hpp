@@ -119,8 +119,4 @@ struct BearingRequest {
 /// The refusals of run_bearing alone.
 void require_possible(const Case& bearing_case, const BearingRequest& request);
 
-/// "displacement" [m] or "roller.N.inner.force" [N] (outer, displacement, film likewise) of the law that the
-/// expectation names; absent where there is none.
-[[nodiscard]] std::optional<double> measure(const std::vector<BearingResult>& results, const Expectation& expectation);
-
 }  // namespace ehd

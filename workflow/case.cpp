@@ -1,9 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "workflow/case.hpp"
 
+#include <algorithm>
+
 #include "contact/text.hpp"
 
 namespace ehd {
+
+namespace {
+
+/// The keys above the first table; every other key without a dot is a table.
+bool is_heading(const std::string& key) { return key == "id" || key == "version" || key == "title" || key == "source"; }
+
+std::string table_text(const std::string& path) {
+  return path.starts_with("expect") ? std::string("[[expect]]") : "[" + path + "]";
+}
+
+template <class Enum, std::size_t count>
+std::optional<Enum> named(const std::array<Enum, count>& all, std::string_view text) {
+  const auto* const at = std::find_if(all.begin(), all.end(), [&](Enum one) { return to_string(one) == text; });
+  if (at == all.end()) return std::nullopt;
+  return *at;
+}
+
+}  // namespace
 
 std::string_view to_string(ExpectationKind kind) {
   switch (kind) {
@@ -15,20 +35,26 @@ std::string_view to_string(ExpectationKind kind) {
   return "";
 }
 
-namespace {
+std::string_view to_string(Scaling scaling) {
+  switch (scaling) {
+    case Scaling::hertz: return "hertz";
+    case Scaling::moes: return "moes";
+    case Scaling::SI: return "SI";
+    case Scaling::kostreva: return "kostreva";
+  }
+  return "";
+}
 
-/// The keys above the first table; every other key without a dot is a table.
-bool is_heading(const std::string& key) { return key == "id" || key == "version" || key == "title" || key == "source"; }
+std::optional<ExpectationKind> expectation_kind_from(std::string_view text) {
+  return named(all_expectation_kinds, text);
+}
 
-}  // namespace
+std::optional<Scaling> scaling_from(std::string_view text) { return named(all_scalings, text); }
 
 CaseError case_error(const Case& where, const std::string& key, const std::string& message) {
   const auto dot = key.rfind('.');
   const std::string table = dot == std::string::npos ? "" : key.substr(0, dot);
   const std::string name = dot == std::string::npos ? key : key.substr(dot + 1);
-  const auto table_text = [](const std::string& path) {
-    return path.starts_with("expect") ? std::string("[[expect]]") : "[" + path + "]";
-  };
 
   std::string subject = key;
   int line = 0;

@@ -3,6 +3,7 @@
 // io/case_reader.hpp reads them from a file. Solvers never see a Case.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -16,21 +17,28 @@
 
 namespace ehd {
 
-/// Their input is wrong: what() is the ONE line "FILE:LINE: key = value: what is wrong; what is allowed".
+/// The user's input is wrong: what() is ONE line, "FILE:LINE: key = value: what is wrong; what is allowed".
 class CaseError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
 enum class ExpectationKind { exact, published, computed, fit };
+inline constexpr std::array all_expectation_kinds{ExpectationKind::exact, ExpectationKind::published,
+                                                  ExpectationKind::computed, ExpectationKind::fit};
 [[nodiscard]] std::string_view to_string(ExpectationKind kind);  ///< "exact", …
-enum class Scaling { hertz, moes, SI, kostreva };
+[[nodiscard]] std::optional<ExpectationKind> expectation_kind_from(std::string_view text);
 
-/// One [[expect]]: a number that somebody vouches for, or one that the case waits for.
+enum class Scaling { hertz, moes, SI, kostreva };
+inline constexpr std::array all_scalings{Scaling::hertz, Scaling::moes, Scaling::SI, Scaling::kostreva};
+[[nodiscard]] std::string_view to_string(Scaling scaling);  ///< "hertz", …
+[[nodiscard]] std::optional<Scaling> scaling_from(std::string_view text);
+
+/// One [[expect]]: a number that a source gives, or one whose source could not be obtained.
 struct Expectation {
   std::string quantity;  ///< "film.minimum", "roller.3.inner.force", …
   std::string law;       ///< bearing cases only
-  bool waiting = false;  ///< status = "waiting": no value
+  bool waiting = false;  ///< status = "waiting": there is no value
   double value = 0;
   std::string digits;  ///< the text of the value
   Scaling scaling = Scaling::hertz;
@@ -75,8 +83,8 @@ struct LengthDatum {
 using Datum = std::variant<PalmgrenDatum, LundbergDatum, LengthDatum>;
 
 struct FitRange {
-  std::optional<std::pair<double, double>> load_N =
-      {};  ///< absent: follows the dry balance (bearing_run, default_fit_from)
+  /// Absent: the range follows from the dry balance (default_fit_from in bearing_run).
+  std::optional<std::pair<double, double>> load_N = {};
   int points = 6;
 };
 
@@ -107,7 +115,7 @@ struct Case {
   std::map<std::string, std::string> texts;  ///< dotted key -> its value as written, for error messages
 };
 
-/// FILE:LINE: message, with the line of `key` or of its table; the way every CaseError is worded.
+/// "FILE:LINE: message", with the line of `key` or of its table. Every message about a key is made here.
 [[nodiscard]] CaseError case_error(const Case& where, const std::string& key, const std::string& message);
 
 }  // namespace ehd

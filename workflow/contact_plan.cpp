@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "workflow/contact_plan.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "contact/nondimensional.hpp"
 #include "contact/text.hpp"
 
 namespace ehd {
 
 std::string stage::observe(Quantity quantity) { return "observe " + std::string(to_string(quantity)); }
-
-bool exists_in_dry_contact(Quantity quantity) {
-  return quantity == Quantity::film_offset || quantity == Quantity::pressure_maximum ||
-         quantity == Quantity::pressure_exit || quantity == Quantity::approach;
-}
 
 Wanted wanted_by(const Plan& plan) {
   Wanted wanted;
@@ -48,12 +47,35 @@ Plan plan_dry(const Wanted& wanted) {
   for (const auto& name : {stage::fft_plan, stage::solve, stage::grids})
     planner.decide(name, "the dry contact is known in closed form (Hertz)");
   for (const Quantity quantity : all_quantities) {
-    planner.decide(stage::observe(quantity), !wanted.count(quantity)            ? "not asked for"
-                                             : !exists_in_dry_contact(quantity) ? "does not exist in a dry contact"
-                                                                                : "");
+    const char* const missing = exists_when_dry(quantity) ? "" : "does not exist in a dry contact";
+    planner.decide(stage::observe(quantity), wanted.count(quantity) ? missing : "not asked for");
   }
   planner.decide(stage::formulas, "a dry contact has no film");
   return std::move(planner).plan();
+}
+
+std::string why_no_viscosity(const Problem& problem) {
+  if (!is_trivial(problem.viscosity)) return "";
+  return problem.groups.L == 0 ? "L = 0: the viscosity does not change, no exponential is evaluated"
+                               : "isoviscous: no exponential is evaluated";
+}
+
+std::string why_no_density(const Problem& problem, const Lubricant& lubricant) {
+  if (!is_trivial(problem.density)) return "";
+  return lubricant.density == DensityLaw::incompressible ? "incompressible: no density is evaluated"
+                                                         : "L = 0: no density is evaluated, since p_H -> 0";
+}
+
+void decide_grids(Planner& planner, const Request& request) {
+  if (request.nodes) {
+    const std::string given = fmt::format("the number of intervals is given, {}", *request.nodes);
+    planner.decide(stage::grids, given);
+    planner.decide(stage::finer, given);
+  } else {
+    planner.decide(stage::grids);
+    planner.decide(stage::finer, fmt::format("film.minimum and film.central are asked for within {}, no better",
+                                             plain(request.tolerance.value_or(0))));
+  }
 }
 
 }  // namespace
@@ -62,37 +84,21 @@ Plan plan_contact(const ContactCase& contact, const RegisteredSolver& solver, co
                   const Wanted& wanted) {
   if (contact.dry()) return plan_dry(wanted);
   const Nondimensional reading = nondimensionalise(contact.statement, *contact.lubricant, *contact.inlet);
-  const Problem& problem = reading.problem;
-  const bool no_pressure = problem.groups.L == 0;
 
   Planner planner;
   planner.decide(stage::groups);
   planner.decide(stage::hertz,
                  reading.scales && reading.scales->half_width_m ? "" : "the statement fixes no length in metres");
   planner.decide(stage::dry, "the contact is lubricated");
-  planner.decide(stage::viscosity, !is_trivial(problem.viscosity) ? ""
-                                   : no_pressure ? "L = 0: the viscosity does not change, no exponential is evaluated"
-                                                 : "isoviscous: no exponential is evaluated");
-  planner.decide(stage::density, !is_trivial(problem.density) ? ""
-                                 : contact.lubricant->density == DensityLaw::incompressible
-                                     ? "incompressible: no density is evaluated"
-                                     : "L = 0: no density is evaluated, since p_H -> 0");
+  planner.decide(stage::viscosity, why_no_viscosity(reading.problem));
+  planner.decide(stage::density, why_no_density(reading.problem, *contact.lubricant));
   planner.decide(stage::fft_plan, solver.uses_fft ? "" : solver.name + " multiplies by a dense matrix");
   planner.decide(stage::solve);
-  if (request.nodes) {
-    planner.decide(stage::grids, "the number of intervals is given, " + std::to_string(*request.nodes));
-    planner.decide(stage::finer, "the number of intervals is given, " + std::to_string(*request.nodes));
-  } else {
-    planner.decide(stage::grids);
-    planner.decide(stage::finer, "film.minimum and film.central are asked for within " +
-                                     plain(request.tolerance.value_or(0)) + ", no better");
-  }
-  for (const Quantity quantity : all_quantities) {
+  decide_grids(planner, request);
+  for (const Quantity quantity : all_quantities)
     planner.decide(stage::observe(quantity), wanted.count(quantity) ? "" : "not asked for");
-  }
-  const bool film = wanted.count(Quantity::film_minimum) || wanted.count(Quantity::film_central) ||
-                    wanted.count(Quantity::film_couette);
-  planner.decide(stage::formulas, film ? "" : "no film is asked for");
+  const bool any_film = std::any_of(wanted.begin(), wanted.end(), is_film);
+  planner.decide(stage::formulas, any_film ? "" : "no film is asked for");
   return std::move(planner).plan();
 }
 

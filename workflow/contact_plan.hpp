@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The plan of one contact: decided before anything runs, from the case and the request alone, and obeyed by
-// run_contact. What a case does not need does not run, and says why.
+// The plan of one contact: which stages run and which are skipped, each with its reason. The plan is made from the case
+// and the request before anything runs, and run_contact follows it.
 #pragma once
 
 #include <string>
@@ -29,12 +29,9 @@ inline constexpr std::string_view formulas = "film formulas beside the result";
 [[nodiscard]] std::string observe(Quantity quantity);
 }  // namespace stage
 
-/// Throws StatementError where the statement makes no problem (a case from read_case always does).
+/// Throws StatementError where the statement makes no problem (a case from read_case always makes one).
 [[nodiscard]] Plan plan_contact(const ContactCase& contact, const RegisteredSolver& solver, const Request& request,
                                 const Wanted& wanted);
-
-/// The quantities that a dry contact has: film.offset, pressure.maximum, pressure.exit, approach.
-[[nodiscard]] bool exists_in_dry_contact(Quantity quantity);
 
 /// The quantities that a plan observes.
 [[nodiscard]] Wanted wanted_by(const Plan& plan);

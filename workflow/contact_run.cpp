@@ -10,7 +10,7 @@ namespace ehd {
 
 namespace {
 
-/// The fields of the dry contact, for a profile: twice the contact's width.
+/// The fields of the dry contact, for a profile, over twice the contact's width.
 Fields dry_fields() {
   constexpr int intervals = 400;
   Fields fields;
@@ -21,17 +21,17 @@ Fields dry_fields() {
   return fields;
 }
 
-/// Everything that a dry contact has, in Hertz units: exact.
+/// The wanted quantities of a dry contact in Hertz units. They are exact.
 Observables dry_observables(const Wanted& wanted) {
   const Observables all{{Quantity::film_offset, {.value = hertz::dry_offset(), .error = 0.0}},
                         {Quantity::pressure_maximum, {.value = 1, .place = 0.0, .error = 0.0}},
                         {Quantity::pressure_exit, {.value = 1, .error = 0.0}},
                         {Quantity::approach, {.value = -hertz::dry_offset(), .error = 0.0}}};
-  Observables asked;
+  Observables observed;
   for (const auto& [quantity, reading] : all) {
-    if (wanted.count(quantity)) asked[quantity] = reading;
+    if (wanted.count(quantity)) observed[quantity] = reading;
   }
-  return asked;
+  return observed;
 }
 
 void run_dry(const ContactCase& contact, ContactRun& run) {
@@ -54,7 +54,7 @@ void run_lubricated(const ContactCase& contact, const RegisteredSolver& solver, 
   run.notes = reading.notes;
   run.solver = solver.name;
   run.solution = solver.solve(problem, request);
-  // What a solver needed for itself beside what was asked for is not reported.
+  // A solver may observe more than the plan wants, for its own use. Only wanted quantities are reported.
   std::erase_if(run.solution.observables, [&](const auto& entry) { return !problem.wanted.count(entry.first); });
   if (run.status() == StopReason::diverged) run.solution.observables.clear();
   const auto& notes = run.solution.record.notes;
@@ -71,9 +71,17 @@ std::optional<double> ContactRun::moes_per_hertz_film() const {
   return moes_film_per_hertz_film(groups->M);
 }
 
-std::optional<double> ContactRun::m_per_hertz_film() const {
+std::optional<double> ContactRun::m_per_hertz_film() const { return SI_per_hertz(SIScale::film); }
+
+std::optional<double> ContactRun::SI_per_hertz(SIScale scale) const {
   if (!scales) return std::nullopt;
-  return scales->film_m_per_hertz_film();
+  switch (scale) {
+    case SIScale::none: return std::nullopt;
+    case SIScale::film: return scales->film_m_per_hertz_film();
+    case SIScale::length: return scales->half_width_m;
+    case SIScale::pressure: return scales->hertz_pressure_Pa;
+  }
+  return std::nullopt;
 }
 
 std::optional<double> ContactRun::known_G() const {
@@ -101,35 +109,37 @@ ContactRun run_contact(const Case& contact_case, const RegisteredSolver& solver,
   return run;
 }
 
+namespace {
+
+/// The factor from Hertz units to a scaling.
+std::optional<double> unit_in(Scaling scaling, const ContactRun& run, const QuantityRow& row) {
+  switch (scaling) {
+    case Scaling::hertz: return 1.0;
+    case Scaling::moes: return run.moes_per_hertz_film();
+    case Scaling::kostreva: return row.kostreva_factor;
+    case Scaling::SI: return run.SI_per_hertz(row.SI);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
 std::optional<Measured> measure(const ContactRun& run, const Expectation& expectation) {
   const auto quantity = quantity_from(expectation.quantity);
   if (!quantity) return std::nullopt;
   const auto at = run.solution.observables.find(*quantity);
   if (at == run.solution.observables.end()) return std::nullopt;
   const Reading& reading = at->second;
-  const bool film = expectation.quantity.starts_with("film.");
-  const bool approach = *quantity == Quantity::approach;
-
-  std::optional<double> unit = 1.0;
-  if (expectation.scaling == Scaling::moes) {
-    unit = run.moes_per_hertz_film();
-  } else if (expectation.scaling == Scaling::kostreva) {
-    unit = film ? 2.0 : 1.0;  // h_K = 2H, k = 2 H_0
-  } else if (expectation.scaling == Scaling::SI) {
-    unit = std::nullopt;
-    if (film || approach) unit = run.m_per_hertz_film();
-    if (*quantity == Quantity::pressure_exit && run.scales) unit = run.scales->half_width_m;
-    if ((*quantity == Quantity::pressure_maximum || *quantity == Quantity::pressure_spike) && run.scales)
-      unit = run.scales->hertz_pressure_Pa;
-  }
+  const auto unit = unit_in(expectation.scaling, run, row_of(*quantity));
   if (!unit) return std::nullopt;
 
   Measured measured{.value = reading.value * *unit};
-  if (reading.error) {
-    const bool absolute = *quantity == Quantity::film_offset || approach;  // see Reading
-    const double size = std::abs(reading.value);
-    if (!absolute) measured.error = *reading.error;
-    if (absolute && size > 0) measured.error = *reading.error / size;
+  if (!reading.error) return measured;
+  const double size = std::abs(reading.value);
+  if (!has_absolute_error(*quantity)) {
+    measured.error = *reading.error;
+  } else if (size > 0) {
+    measured.error = *reading.error / size;
   }
   return measured;
 }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From a contact case to its result: case -> plan -> problem -> solver -> result. The one place where a case and a
-// solver meet.
+// From a contact case to its result: case -> plan -> problem -> solver -> result. Here alone a case meets a solver.
 #pragma once
 
 #include <optional>
@@ -29,15 +28,18 @@ struct ContactRun {
   std::vector<std::string> notes = {};
 
   [[nodiscard]] StopReason status() const { return solution.record.status; }
-  /// What one unit of Hertz film is in Moes units, and in metres where they are known.
+  /// One Hertz unit of film in Moes units; absent for a dry contact.
   [[nodiscard]] std::optional<double> moes_per_hertz_film() const;
+  /// One Hertz unit of film in metres; absent where the statement fixes no metres.
   [[nodiscard]] std::optional<double> m_per_hertz_film() const;
+  /// One Hertz unit of a quantity in SI; absent where the statement leaves the scale open, and for SIScale::none.
+  [[nodiscard]] std::optional<double> SI_per_hertz(SIScale scale) const;
   /// G = alpha E', absent where either is unknown (Scales has 0 where alpha is).
   [[nodiscard]] std::optional<double> known_G() const;
 };
 
-/// Plans and runs one contact; quantities outside `wanted` are neither computed nor returned. A solver's every way to
-/// end is in status(). Throws StatementError where the statement makes no problem (a case from read_case always does).
+/// Plans and runs one contact; quantities outside `wanted` are neither computed nor returned. status() says how the
+/// solver ended. Throws StatementError where the statement makes no problem (a case from read_case always makes one).
 [[nodiscard]] ContactRun run_contact(const ContactCase& contact, const RegisteredSolver& solver, const Request& request,
                                      const Wanted& wanted = want_everything());
 
@@ -51,7 +53,7 @@ struct Measured {
   std::optional<double> error = {};  ///< estimated by the solver, relative to |value|
 };
 
-/// Absent where the quantity was not observed, or its scaling needs what the statement leaves open.
+/// Absent where the quantity was not observed, or where its scaling needs a scale that the statement leaves open.
 [[nodiscard]] std::optional<Measured> measure(const ContactRun& run, const Expectation& expectation);
 
 }  // namespace ehd

@@ -343,6 +343,8 @@ BOOST_AUTO_TEST_CASE(bad_input_is_one_line_that_names_file_line_key_and_what_is_
       {b, 31, "quantity = \"film.minimum\"", 31, "is unknown in a bearing case"},
       {b, 31, "quantity = \"roller.22.inner.force\"", 31, "names a roller that does not exist; allowed is 1 to 21"},
       {b, 31, "quantity = \"roller.0.inner.force\"", 31, "is unknown in a bearing case"},
+      {b, 31, "quantity = \"roller.3.inner.film\"", 31, "is unknown in a bearing case"},
+      {b, 31, "quantity = \"roller.3.inner\"", 31, "is unknown in a bearing case"},
       {b, 32, "", 30, "[[expect]] law: is missing"},
       {b, 32, "law = \"palmgren\"", 32, "is unknown; allowed is \"hertz\""},
       {b, 33, "value = \"8.0\"\nscaling = \"moes\"\nkind = \"exact\"", 34, "does not exist in a bearing case"},

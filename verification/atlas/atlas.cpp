@@ -43,13 +43,14 @@ constexpr std::string_view csv_name = "atlas.csv", digits_name = "digits.txt", r
 struct Column {
   std::string_view name;
   std::optional<Quantity> quantity;  ///< none: where the spike stands, which no case expects
-  bool absolute = false;             ///< its error, in the CSV
+  /// Its error in the CSV.
+  [[nodiscard]] bool absolute() const { return !quantity || has_absolute_error(*quantity); }
 };
 const std::array columns_of_values = {
     Column{"H_min", Quantity::film_minimum},     Column{"H_cen", Quantity::film_central},
     Column{"H_couette", Quantity::film_couette}, Column{"X_exit", Quantity::pressure_exit},
-    Column{"H_0", Quantity::film_offset, true},  Column{"rolling_force", Quantity::rolling_force},
-    Column{"P_spike", Quantity::pressure_spike}, Column{"X_spike", std::nullopt, true},
+    Column{"H_0", Quantity::film_offset},        Column{"rolling_force", Quantity::rolling_force},
+    Column{"P_spike", Quantity::pressure_spike}, Column{"X_spike", std::nullopt},
 };
 std::string error_column(const Column& column) { return std::string(column.name) + "_error"; }
 
@@ -241,7 +242,7 @@ std::map<std::string, AtlasReading> readings_of(const Solution& solution) {
     const auto at = solution.observables.find(*column.quantity);
     if (at == solution.observables.end() || !at->second.error) continue;
     const Reading& reading = at->second;
-    const double error = *reading.error * (column.absolute ? 1 : std::abs(reading.value));
+    const double error = *reading.error * (column.absolute() ? 1 : std::abs(reading.value));
     if (std::isfinite(reading.value) && std::isfinite(error))
       readings[std::string(column.name)] = {reading.value, error};
   }
@@ -431,7 +432,7 @@ std::vector<std::string> atlas_row(const AtlasPoint& point, const AtlasRecord& r
   for (const Column& column : columns_of_values) {
     const auto at = known.find(std::string(column.name));
     cells.push_back(at == known.end() ? "" : at->second.text);
-    cells.push_back(at == known.end() ? "" : column.absolute ? at->second.absolute : at->second.relative);
+    cells.push_back(at == known.end() ? "" : column.absolute() ? at->second.absolute : at->second.relative);
   }
   cells.push_back(plain(record.tolerance));
   cells.push_back(record.nodes > 0 ? std::to_string(record.nodes) : "");
@@ -677,7 +678,7 @@ std::string difference(const std::map<std::string, std::string>& row, const Case
     if (at->scaling != Scaling::hertz || at->kind != ExpectationKind::computed)
       return name + " is not a computed one in Hertz units";
     // Both are rounded up to two digits; of H_0 one is relative, one absolute.
-    const double uncertainty = column.absolute ? at->uncertainty * std::abs(at->value) : at->uncertainty;
+    const double uncertainty = column.absolute() ? at->uncertainty * std::abs(at->value) : at->uncertainty;
     constexpr double two_digits = 0.11;
     if (!(std::abs(uncertainty - std::stod(error)) <= two_digits * uncertainty))
       return "the uncertainty of " + name + " is " + plain(uncertainty) + ", not " + error;

@@ -14,6 +14,7 @@
 #include "contact/text.hpp"
 #include "verification/claims/topics.hpp"
 #include "verification/studies/paper_statements.hpp"
+#include "workflow/bearing_quantities.hpp"
 #include "workflow/bearing_run.hpp"
 #include "workflow/registry.hpp"
 

@@ -277,8 +277,7 @@ void judge_between(Findings& found, const Ends& ends, const Between& one) {
   };
   const auto [first, first_error] = end(ends.cut);
   const auto [second, second_error] = end(ends.flooded);
-  // The offset is a length that may vanish: absolute errors.
-  const double scale = one.quantity == Quantity::film_offset ? 1 : std::abs(one.value);
+  const double scale = has_absolute_error(one.quantity) ? 1 : std::abs(one.value);
   const double low = std::min(first, second), high = std::max(first, second);
   const double outside = std::isfinite(first) && std::isfinite(second)
                              ? std::max({0.0, low - one.value, one.value - high}) / scale

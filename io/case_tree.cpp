@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/case_tree.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include "contact/overloaded.hpp"
+#include "contact/text.hpp"
+#include "io/case_keys.hpp"
+#include "io/case_text.hpp"
+#include "io/toml.hpp"
+
+namespace ehd {
+
+namespace {
+
+constexpr std::size_t longest_text = 60;  // of a key in a message
+
+bool among(const std::vector<std::string>& items, std::string_view item) {
+  return std::find(items.begin(), items.end(), item) != items.end();
+}
+
+CaseNode node_of(const toml::node& node) {
+  CaseNode made{.type = type_of(node)};
+  if (const auto* whole = node.as_integer()) made.content = whole->get();
+  if (const auto* real = node.as_floating_point()) made.content = real->get();
+  if (const auto* text = node.as_string()) made.content = text->get();
+  if (const auto* array = node.as_array()) {
+    std::vector<CaseNode> items;
+    for (const toml::node& item : *array) items.push_back(node_of(item));
+    made.content = std::move(items);
+  }
+  return made;
+}
+
+CaseNode node_of(const TomlValue& value) {
+  return std::visit(Overloaded{[](std::int64_t whole) { return CaseNode{.type = "an integer", .content = whole}; },
+                               [](double real) { return CaseNode{.type = "a number", .content = real}; },
+                               [](const std::string& text) { return CaseNode{.type = "a text", .content = text}; }},
+                    value);
+}
+
+std::vector<std::string> names_of_substitutable_tables() {
+  std::vector<std::string> names;
+  for (const CaseTable& table : case_tables()) {
+    if (is_substitutable(table)) names.emplace_back(table.name);
+  }
+  return names;
+}
+
+/// "table.key" in two parts; the second is empty where there is no dot.
+std::pair<std::string, std::string> parts_of(const std::string& path) {
+  const auto dot = path.find('.');
+  return {path.substr(0, dot), dot == std::string::npos ? "" : path.substr(dot + 1)};
+}
+
+void require_substitutable(const std::string& path) {
+  const auto [table_name, key] = parts_of(path);
+  const CaseTable* table = find_case_table(table_name);
+  if (table && !is_substitutable(*table)) table = nullptr;
+  if (table && among(names_of_keys(*table), key)) return;
+  const std::string allowed = table ? fmt::format("in [{}] {}", table_name, list(names_of_keys(*table)))
+                                    : "table.key with one of the tables " + list(names_of_substitutable_tables());
+  throw CaseError(one_line(fmt::format("{}: is no key of a case that can be given another value; allowed is {}",
+                                       shortened(path, longest_text), allowed)));
+}
+
+}  // namespace
+
+/// Goes through the parser's tree once and puts its nodes into a CaseTree.
+class TreeBuilder {
+ public:
+  TreeBuilder(CaseTree& tree, const std::string& text) : tree_(tree), lines_(lines_of(text)) {}
+
+  void add(const toml::table& root) {
+    std::vector<std::string> allowed;
+    for (const CaseTable& table : case_tables()) {
+      if (table.role == TableRole::heading)
+        allowed = names_of_keys(table);
+      else
+        allowed.emplace_back(table.name);
+    }
+    add_keys(root, "", allowed);
+    for (auto&& [name, node] : root) {
+      const CaseTable* table = find_case_table(name.str());
+      if (!table || table->role == TableRole::heading) continue;
+      if (table->role == TableRole::expectation)
+        add_expectations(node, *table);
+      else
+        add_table(node, *table);
+    }
+  }
+
+ private:
+  void add_table(const toml::node& node, const CaseTable& table) {
+    const std::string name(table.name);
+    if (!node.is_table()) tree_.fail(name, fmt::format("is {}; allowed is a table, [{}]", type_of(node), name));
+    add_keys(*node.as_table(), name, names_of_keys(table));
+  }
+
+  void add_expectations(const toml::node& node, const CaseTable& table) {
+    const std::string name(table.name);
+    const toml::array* array = node.as_array();
+    if (!array || !std::all_of(array->begin(), array->end(), [](const toml::node& n) { return n.is_table(); }))
+      tree_.fail(name, fmt::format("is {}; allowed is [[expect]], a table for each expectation", type_of(node)));
+    for (const toml::node& entry : *array) {
+      const std::string path = fmt::format("{}.{}", name, tree_.expectations_++);
+      put(path, entry);
+      add_keys(*entry.as_table(), path, names_of_keys(table));
+    }
+  }
+
+  void add_keys(const toml::table& table, const std::string& path, const std::vector<std::string>& allowed) {
+    refuse_unknown(table, path, allowed);
+    for (auto&& [key, node] : table) put((path.empty() ? "" : path + ".") + std::string(key.str()), node);
+  }
+
+  void put(const std::string& path, const toml::node& node) {
+    tree_.put(path, node_of(node), line_of(node), node.is_table() ? "" : text_of(node, lines_));
+  }
+
+  /// Names the first unknown key in the order of the file.
+  void refuse_unknown(const toml::table& table, const std::string& path,
+                      const std::vector<std::string>& allowed) const {
+    const toml::node* first = nullptr;
+    std::string key_of_first;
+    for (auto&& [key, node] : table) {
+      if (among(allowed, key.str())) continue;
+      if (!first || line_of(node) < line_of(*first)) {
+        first = &node;
+        key_of_first = std::string(key.str());
+      }
+    }
+    if (!first) return;
+    std::string name = key_of_first;
+    if (!first->is_table()) name += " = " + text_of(*first, lines_);
+    if (first->is_table() && path.empty()) name = "[" + name + "]";
+    const std::string where = path.empty() ? "" : path.starts_with("expect") ? " in [[expect]]" : " in [" + path + "]";
+    throw CaseError(one_line(fmt::format("{}:{}: {}: is unknown{}; allowed is {}", tree_.places_.file.string(),
+                                         line_of(*first), shortened(name, 2 * longest_text), where, list(allowed))));
+  }
+
+  CaseTree& tree_;
+  std::vector<std::string> lines_;
+};
+
+CaseTree::CaseTree(const std::string& text, const std::filesystem::path& file,
+                   const std::vector<Substitution>& substitutions) {
+  places_.file = file;
+  places_.lines[""] = 1;
+  toml::table root = parse_toml(text, file);
+  for (const Substitution& substitution : substitutions) require_substitutable(substitution.key);
+  if (!substitutions.empty()) root.erase("expect");
+  TreeBuilder(*this, text).add(root);
+  for (const Substitution& substitution : substitutions) substitute(substitution);
+}
+
+void CaseTree::put(const std::string& path, CaseNode node, int line, const std::string& text) {
+  const bool is_table = node.type == "a table";
+  nodes_[path] = std::move(node);
+  places_.lines[path] = line;
+  if (!is_table) places_.texts[path] = text;
+}
+
+void CaseTree::substitute(const Substitution& substitution) {
+  const std::string table = parts_of(substitution.key).first;
+  if (!has(table)) put(table, {.type = "a table"}, 1, "");
+  const int line = line_of(has(substitution.key) ? substitution.key : table);
+  put(substitution.key, node_of(substitution.value), line, toml_text(substitution.value));
+}
+
+const CaseNode* CaseTree::find(const std::string& path) const {
+  const auto at = nodes_.find(path);
+  return at == nodes_.end() ? nullptr : &at->second;
+}
+
+void CaseTree::fail(const std::string& path, const std::string& message) const {
+  throw case_error(places_, path, message);
+}
+
+}  // namespace ehd

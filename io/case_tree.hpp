@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A case file as a tree: the nodes of its TOML text by dotted path, with the line of each. Unknown keys are refused
+// here. What the values mean is known to read_contact, read_bearing and expectations.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "io/substitution.hpp"
+#include "workflow/case.hpp"
+
+namespace ehd {
+
+/// One value of the file.
+struct CaseNode {
+  std::string type;  ///< "a table", "an integer", "a text", … for messages
+  /// Empty for a table, a boolean, a date or time: no key of a case holds one.
+  std::variant<std::monostate, std::int64_t, double, std::string, std::vector<CaseNode>> content = {};
+};
+
+class CaseTree {
+ public:
+  /// `text` as checked_case_text leaves it. Substituted values pass every check that the file's own would; messages
+  /// name the line of the value that was replaced, or of its table. With substitutions the file's [[expect]] tables
+  /// are left out, since they hold for the file's own numbers. Throws CaseError for text that is not TOML and for a
+  /// key that io/case_keys does not have.
+  CaseTree(const std::string& text, const std::filesystem::path& file,
+           const std::vector<Substitution>& substitutions = {});
+
+  /// By path: "id", "moes", "moes.M"; the [[expect]] tables are "expect.0", "expect.1", … Null where there is none.
+  [[nodiscard]] const CaseNode* find(const std::string& path) const;
+  [[nodiscard]] bool has(const std::string& path) const { return find(path) != nullptr; }
+  [[nodiscard]] int line_of(const std::string& path) const { return places_.lines.at(path); }
+  /// How many [[expect]] tables there are.
+  [[nodiscard]] std::size_t expectations() const { return expectations_; }
+
+  /// A case with file, lines and texts alone: where each key stands.
+  [[nodiscard]] const Case& places() const { return places_; }
+  /// Throws the CaseError "FILE:LINE: key = value: message".
+  [[noreturn]] void fail(const std::string& path, const std::string& message) const;
+
+ private:
+  void put(const std::string& path, CaseNode node, int line, const std::string& text);
+  void substitute(const Substitution& substitution);
+
+  Case places_;
+  std::map<std::string, CaseNode> nodes_;
+  std::size_t expectations_ = 0;
+  friend class TreeBuilder;
+};
+
+}  // namespace ehd

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/case_values.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <variant>
+
+#include "contact/text.hpp"
+#include "io/case_keys.hpp"
+#include "io/case_tree.hpp"
+
+namespace ehd {
+
+double number(const CaseTree& tree, const std::string& key) {
+  return number_in(tree, key, required(tree, key, text_of(row_of_case_key(key).allowed)), interval_of(key));
+}
+
+std::optional<double> maybe_number(const CaseTree& tree, const std::string& key) {
+  return maybe_number(tree, key, interval_of(key));
+}
+
+std::optional<double> maybe_number(const CaseTree& tree, const std::string& key, const Interval& interval) {
+  const CaseNode* node = tree.find(key);
+  if (!node) return std::nullopt;
+  return number_in(tree, key, *node, interval);
+}
+
+double number_or_standard(const CaseTree& tree, const std::string& key) {
+  return maybe_number(tree, key).value_or(row_of_case_key(key).standard.value());
+}
+
+double number_in(const CaseTree& tree, const std::string& key, const CaseNode& node, const Interval& interval) {
+  double value = 0;
+  if (const auto* whole = std::get_if<std::int64_t>(&node.content)) {
+    value = static_cast<double>(*whole);
+  } else if (const auto* real = std::get_if<double>(&node.content)) {
+    value = *real;
+  } else {
+    tree.fail(key, fmt::format("is {}; allowed is a number, {}", node.type, interval.text()));
+  }
+  if (!std::isfinite(value)) tree.fail(key, "is not finite; allowed is " + interval.text());
+  if (interval.contains(value)) return value;
+  const bool wrong_sign = value < 0 && interval.low >= 0;
+  const bool zero = value == 0 && interval.low > 0;
+  const char* const what = wrong_sign ? "is negative" : zero ? "is zero" : "is out of range";
+  tree.fail(key, fmt::format("{}; allowed is {}", what, interval.text()));
+}
+
+int integer(const CaseTree& tree, const std::string& key) {
+  const CaseKey& row = row_of_case_key(key);
+  const auto& range = std::get<allowed::Integer>(row.allowed);
+  const std::string allowed = text_of(row.allowed);
+  const CaseNode& node = required(tree, key, allowed);
+  const auto* value = std::get_if<std::int64_t>(&node.content);
+  if (!value) tree.fail(key, fmt::format("is {}; allowed is {}", node.type, allowed));
+  if (*value < range.low || *value > range.high) tree.fail(key, "is out of range; allowed is " + allowed);
+  return static_cast<int>(*value);
+}
+
+std::string text(const CaseTree& tree, const std::string& key) {
+  return text(tree, key, text_of(row_of_case_key(key).allowed));
+}
+
+std::string text(const CaseTree& tree, const std::string& key, const std::string& allowed) {
+  const CaseNode& node = required(tree, key, allowed);
+  const auto* content = std::get_if<std::string>(&node.content);
+  if (!content) {
+    const char* const a_text = allowed.starts_with("a text") ? "" : "a text, ";
+    tree.fail(key, fmt::format("is {}; allowed is {}{}", node.type, a_text, allowed));
+  }
+  if (content->find_first_not_of(" \t") == std::string::npos) tree.fail(key, "is empty; allowed is " + allowed);
+  if (one_line(*content) != *content) tree.fail(key, "is not one line of plain text; allowed is " + allowed);
+  return *content;
+}
+
+std::string word(const CaseTree& tree, const std::string& key) {
+  const CaseKey& row = row_of_case_key(key);
+  const std::vector<std::string> words = std::get<allowed::Word>(row.allowed).words();
+  const std::string allowed = text_of(row.allowed);
+  const std::string chosen = text(tree, key, allowed);
+  if (std::find(words.begin(), words.end(), chosen) == words.end()) tree.fail(key, "is unknown; allowed is " + allowed);
+  return chosen;
+}
+
+const CaseNode& required(const CaseTree& tree, const std::string& key, const std::string& allowed) {
+  const CaseNode* node = tree.find(key);
+  if (!node) tree.fail(key, "is missing; required is " + allowed);
+  return *node;
+}
+
+const Interval& interval_of(const std::string& key) { return std::get<Interval>(row_of_case_key(key).allowed); }
+
+}  // namespace ehd

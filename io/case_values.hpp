@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One value of a case, checked against its row in io/case_keys. Each function throws a CaseError that names the key,
+// its line, what is wrong and what is allowed.
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace ehd {
+
+class CaseTree;
+struct CaseNode;
+struct Interval;
+
+/// A number in the interval of the key's row, or in `interval`.
+[[nodiscard]] double number(const CaseTree& tree, const std::string& key);
+[[nodiscard]] std::optional<double> maybe_number(const CaseTree& tree, const std::string& key);
+[[nodiscard]] std::optional<double> maybe_number(const CaseTree& tree, const std::string& key,
+                                                 const Interval& interval);
+/// The default of the row where the file has no such key.
+[[nodiscard]] double number_or_standard(const CaseTree& tree, const std::string& key);
+/// A number that is part of the key's value.
+[[nodiscard]] double number_in(const CaseTree& tree, const std::string& key, const CaseNode& node,
+                               const Interval& interval);
+[[nodiscard]] int integer(const CaseTree& tree, const std::string& key);
+
+/// One line of text without control characters: tables and bibliographies print it.
+[[nodiscard]] std::string text(const CaseTree& tree, const std::string& key);
+/// The same with other words for what is allowed.
+[[nodiscard]] std::string text(const CaseTree& tree, const std::string& key, const std::string& allowed);
+/// One of the words in the key's row.
+[[nodiscard]] std::string word(const CaseTree& tree, const std::string& key);
+
+/// The node of a key that must be there.
+[[nodiscard]] const CaseNode& required(const CaseTree& tree, const std::string& key, const std::string& allowed);
+/// The interval in the key's row.
+[[nodiscard]] const Interval& interval_of(const std::string& key);
+
+}  // namespace ehd
