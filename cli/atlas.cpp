@@ -13,8 +13,8 @@
 #include <string_view>
 #include <system_error>
 
-#include "cli/commands.hpp"
 #include "cli/common.hpp"
+#include "cli/subcommands.hpp"
 #include "contact/text.hpp"
 
 namespace ehd::cli {
@@ -117,22 +117,21 @@ int atlas(const AtlasOptions& options) {
 
 }  // namespace
 
-void add_atlas(CLI::App& app, int& exit_code) {
+void describe_atlas(Command& command) {
   auto options = std::make_shared<AtlasOptions>();
-  CLI::App* command = app.add_subcommand("atlas", "Solve the atlas of line contacts");
-  command->footer(examples);
-  command->add_option("--output", options->output, "folder for atlas.csv, digits.txt and the case files (cases/atlas)")
-      ->type_name("DIR");
+  command.summary("Solve the atlas of line contacts");
+  command.examples(examples);
+  command.text("--output", options->output, "folder for atlas.csv, digits.txt and the case files (cases/atlas)")
+      .called("DIR");
   command
-      ->add_option("--tolerance", options->tolerance,
-                   "relative error allowed in the minimum and central film (1e-10; Barus 1e-7)")
-      ->type_name("T");
-  command->add_option("--time-limit", options->time_limit, "seconds for each solve (30)")->type_name("S");
-  command->add_option("--threads", options->threads, "points solved side by side (as many as there are cores)")
-      ->type_name("N");
-  command->add_option("--only", options->only, "only points with this in their id")->type_name("SUBSTRING");
-  command->add_flag("--fresh", options->fresh, "solve every point again");
-  command->callback([options, &exit_code] { run_guarded(exit_code, [&] { return atlas(*options); }); });
+      .text("--tolerance", options->tolerance,
+            "relative error allowed in the minimum and central film (1e-10; Barus 1e-7)")
+      .called("T");
+  command.text("--time-limit", options->time_limit, "seconds for each solve (30)").called("S");
+  command.text("--threads", options->threads, "points solved side by side (as many as there are cores)").called("N");
+  command.text("--only", options->only, "only points with this in their id").called("SUBSTRING");
+  command.flag("--fresh", options->fresh, "solve every point again");
+  command.runs([options] { return atlas(*options); });
 }
 
 }  // namespace ehd::cli

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "cli/commands.hpp"
 #include "cli/common.hpp"
+#include "cli/subcommands.hpp"
 #include "contact/text.hpp"
 #include "io/bearing_json.hpp"
 #include "io/bearing_table.hpp"
@@ -255,29 +255,26 @@ int bearing(const BearingOptions& options) {
 
 }  // namespace
 
-void add_bearing(CLI::App& app, int& exit_code) {
+void describe_bearing(Command& command) {
   auto options = std::make_shared<BearingOptions>();
-  CLI::App* command = app.add_subcommand("bearing", "Load distribution of a roller bearing, dry and with films");
-  command->footer(examples);
-  command->add_option("CASE", options->cases, "case files (TOML), or ids of benchmark cases")->required();
+  command.summary("Load distribution of a roller bearing, dry and with films");
+  command.examples(examples);
+  command.list("CASE", options->cases, "case files (TOML), or ids of benchmark cases").required();
+  command.list("--law", options->laws,
+               "contact law (repeatable): " + bearing::names_of(bearing::Laws::all) +
+                   " (hertz, ehd-linear, ehd; hertz alone without a lubricant)");
+  command.text("--solver", options->solver, "solver of the EHD contacts, one of " + solver_names()).showing_default();
   command
-      ->add_option("--law", options->laws,
-                   "contact law (repeatable): " + bearing::names_of(bearing::Laws::all) +
-                       " (hertz, ehd-linear, ehd; hertz alone without a lubricant)")
-      ->allow_extra_args(false);
-  command->add_option("--solver", options->solver, "solver of the EHD contacts, one of " + solver_names())
-      ->capture_default_str();
-  command
-      ->add_option("--form", options->form,
-                   "plane: the ring moves along and across the load; radial: along it only, as in the paper")
-      ->capture_default_str();
-  command->add_option("--cage-positions", options->cage_positions,
-                      "also balance at this many positions of the cage over one pitch");
-  options->limits.add_to(*command, false);
-  command->add_option("--json", options->json, "the results as JSON into a file, or - for standard output");
-  command->add_option("--plot", options->plot, "contact forces and displacements over the azimuth as a figure, SVG");
-  command->add_option("--csv", options->csv, "forces, displacements and films, a row a roller");
-  command->callback([options, &exit_code] { run_guarded(exit_code, [&] { return bearing(*options); }); });
+      .text("--form", options->form,
+            "plane: the ring moves along and across the load; radial: along it only, as in the paper")
+      .showing_default();
+  command.text("--cage-positions", options->cage_positions,
+               "also balance at this many positions of the cage over one pitch");
+  options->limits.add_to(command, false);
+  command.text("--json", options->json, "the results as JSON into a file, or - for standard output");
+  command.text("--plot", options->plot, "contact forces and displacements over the azimuth as a figure, SVG");
+  command.text("--csv", options->csv, "forces, displacements and films, a row a roller");
+  command.runs([options] { return bearing(*options); });
 }
 
 }  // namespace ehd::cli

@@ -8,8 +8,8 @@
 #include <thread>
 #include <vector>
 
-#include "cli/commands.hpp"
 #include "cli/common.hpp"
+#include "cli/subcommands.hpp"
 #include "contact/text.hpp"
 #include "io/contact_json.hpp"
 #include "io/json.hpp"
@@ -174,24 +174,19 @@ int bench(const BenchOptions& options) {
 
 }  // namespace
 
-void add_bench(CLI::App& app, int& exit_code) {
+void describe_bench(Command& command) {
   auto options = std::make_shared<BenchOptions>();
-  CLI::App* command = app.add_subcommand("bench", "Run time and work against achieved error; scaling; many contacts");
-  command->footer(examples);
-  command->add_option("--output", options->output, "folder for bench.json, work_precision.csv and scaling.csv")
-      ->type_name("DIR");
-  command->add_option("--part", options->parts, "work-precision, scaling, batch or box (repeatable; all but box)")
-      ->type_name("PART")
-      ->allow_extra_args(false);
-  command->add_option("--case", options->cases, "a contact case for work-precision (repeatable; the benchmark's own)")
-      ->type_name("CASE")
-      ->allow_extra_args(false);
-  command->add_option("--solver", options->solvers, "one of " + solver_names() + " (repeatable; all)")
-      ->type_name("NAME")
-      ->allow_extra_args(false);
-  command->add_option("--time-limit", options->limits.time_limit, "seconds for each solve (30)")->type_name("S");
-  command->add_flag("--quick", options->quick, "a short set of everything");
-  command->callback([options, &exit_code] { run_guarded(exit_code, [&] { return bench(*options); }); });
+  command.summary("Run time and work against achieved error; scaling; many contacts");
+  command.examples(examples);
+  command.text("--output", options->output, "folder for bench.json, work_precision.csv and scaling.csv").called("DIR");
+  command.list("--part", options->parts, "work-precision, scaling, batch or box (repeatable; all but box)")
+      .called("PART");
+  command.list("--case", options->cases, "a contact case for work-precision (repeatable; the benchmark's own)")
+      .called("CASE");
+  command.list("--solver", options->solvers, "one of " + solver_names() + " (repeatable; all)").called("NAME");
+  command.text("--time-limit", options->limits.time_limit, "seconds for each solve (30)").called("S");
+  command.flag("--quick", options->quick, "a short set of everything");
+  command.runs([options] { return bench(*options); });
 }
 
 }  // namespace ehd::cli

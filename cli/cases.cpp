@@ -7,8 +7,8 @@
 #include <variant>
 #include <vector>
 
-#include "cli/commands.hpp"
 #include "cli/common.hpp"
+#include "cli/subcommands.hpp"
 #include "contact/nondimensional.hpp"
 #include "contact/text.hpp"
 #include "io/bibliography.hpp"
@@ -115,18 +115,16 @@ int list(bool bibtex) {
 
 }  // namespace
 
-void add_cases(CLI::App& app, int& exit_code) {
+void describe_cases(Command& command) {
   struct CasesOptions {
     bool bibtex = false, atlas = false;
   };
   auto options = std::make_shared<CasesOptions>();
-  CLI::App* command = app.add_subcommand("cases", "List the benchmark cases and how to cite each");
-  command->footer(examples);
-  auto* bibtex = command->add_flag("--bibtex", options->bibtex, "print the BibTeX entries of all sources");
-  command->add_flag("--atlas", options->atlas, "list the points of the atlas")->excludes(bibtex);
-  command->callback([options, &exit_code] {
-    run_guarded(exit_code, [&] { return options->atlas ? list_atlas() : list(options->bibtex); });
-  });
+  command.summary("List the benchmark cases and how to cite each");
+  command.examples(examples);
+  const Option bibtex = command.flag("--bibtex", options->bibtex, "print the BibTeX entries of all sources");
+  command.flag("--atlas", options->atlas, "list the points of the atlas").excluding(bibtex);
+  command.runs([options] { return options->atlas ? list_atlas() : list(options->bibtex); });
 }
 
 }  // namespace ehd::cli

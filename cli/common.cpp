@@ -39,24 +39,24 @@ UsageError option_error(const std::string& option, const std::string& value, con
   return UsageError(option + " = " + value + ": " + message);
 }
 
-void run_guarded(int& exit_code, const std::function<int()>& body) {
+int run_guarded(const std::function<int()>& body) {
   const auto refuse = [&](const std::string& line) {
     complain(line);
-    exit_code = bad_input;
+    return bad_input;
   };
   try {
-    exit_code = body();
+    return body();
   } catch (const CaseError& error) {
-    refuse(error.what());
+    return refuse(error.what());
   } catch (const UsageError& error) {
-    refuse("ehd: " + std::string(error.what()));
+    return refuse("ehd: " + std::string(error.what()));
   } catch (const OutputError& error) {
-    refuse("ehd: " + std::string(error.what()));
+    return refuse("ehd: " + std::string(error.what()));
   } catch (const StatementError& error) {
-    refuse("ehd: " + error.key() + ": " + error.what());
+    return refuse("ehd: " + error.key() + ": " + error.what());
   } catch (const std::bad_alloc&) {
     complain("ehd: memory is exhausted; a smaller --nodes or a larger --tolerance needs less");
-    exit_code = not_met;
+    return not_met;
   }
 }
 
@@ -84,15 +84,13 @@ int parse_integer(const std::string& option, const std::string& text) {
   return value;
 }
 
-void RequestOptions::add_to(CLI::App& command, bool with_accuracy) {
+void RequestOptions::add_to(Command& command, bool with_accuracy) {
   if (with_accuracy) {
-    command.add_option("--tolerance", tolerance, "relative error allowed in the minimum and central film (1e-3)")
-        ->type_name("T");
-    command.add_option("--nodes", nodes, "intervals on the finest grid instead, inlet to exit, at least 16")
-        ->type_name("N");
+    command.text("--tolerance", tolerance, "relative error allowed in the minimum and central film (1e-3)").called("T");
+    command.text("--nodes", nodes, "intervals on the finest grid instead, inlet to exit, at least 16").called("N");
   }
-  command.add_option("--max-iterations", max_iterations, "Newton iterations over all grids (2000)")->type_name("I");
-  command.add_option("--time-limit", time_limit, "seconds for each solve (300)")->type_name("S");
+  command.text("--max-iterations", max_iterations, "Newton iterations over all grids (2000)").called("I");
+  command.text("--time-limit", time_limit, "seconds for each solve (300)").called("S");
 }
 
 Request RequestOptions::request() const {

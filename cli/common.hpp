@@ -2,7 +2,6 @@
 // What the subcommands share: options of a solve, usage errors, streams.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -10,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/command_line.hpp"
 #include "contact/solver.hpp"
 #include "io/json.hpp"
 #include "io/output_file.hpp"
@@ -28,9 +28,9 @@ class UsageError : public std::runtime_error {
 /// "OPTION = VALUE: message", the way every refused option is worded.
 [[nodiscard]] UsageError option_error(const std::string& option, const std::string& value, const std::string& message);
 
-/// Runs a subcommand's body when it was chosen. Wrong input (CaseError, UsageError, OutputError, StatementError) ends
-/// in one line on standard error and exit code 2, lack of memory in one and exit code 1.
-void run_guarded(int& exit_code, const std::function<int()>& body);
+/// Runs a subcommand's body and returns the exit code. Wrong input (CaseError, UsageError, OutputError, StatementError)
+/// ends in one line on standard error and exit code 2, lack of memory in one line and exit code 1.
+[[nodiscard]] int run_guarded(const std::function<int()>& body);
 
 /// Texts as given on the command line, read strictly: option names the culprit in the UsageError.
 [[nodiscard]] double parse_number(const std::string& option, const std::string& text);
@@ -39,7 +39,7 @@ void run_guarded(int& exit_code, const std::function<int()>& body);
 /// --tolerance | --nodes, --max-iterations, --time-limit, as texts until they are checked.
 struct RequestOptions {
   std::optional<std::string> tolerance, nodes, max_iterations, time_limit;
-  void add_to(CLI::App& command, bool with_accuracy = true);
+  void add_to(Command& command, bool with_accuracy = true);
   /// Throws UsageError: not finite, not positive, fewer than 16 nodes, both tolerance and nodes.
   [[nodiscard]] Request request() const;
 };

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "cli/commands.hpp"
 #include "cli/common.hpp"
+#include "cli/subcommands.hpp"
 #include "contact/text.hpp"
 #include "io/contact_json.hpp"
 #include "io/json.hpp"
@@ -176,18 +176,16 @@ int compare(const CompareOptions& options) {
 
 }  // namespace
 
-void add_compare(CLI::App& app, int& exit_code) {
+void describe_compare(Command& command) {
   auto options = std::make_shared<CompareOptions>();
-  CLI::App* command = app.add_subcommand("compare", "Solvers side by side: time, error, work");
-  command->footer(examples);
-  command->add_option("CASE", options->cases, "case files (TOML), or ids of benchmark cases");
-  command->add_option("--solver", options->solvers, "one of " + solver_names() + " (repeatable; reference and fast)")
-      ->allow_extra_args(false);
-  command->add_option("--tolerance", options->tolerances, "relative error of the films (repeatable; 1e-2, 1e-3, 1e-4)")
-      ->allow_extra_args(false);
-  options->limits.add_to(*command, false);
-  command->add_option("--json", options->json, "the comparison as JSON into a file, or - for standard output");
-  command->callback([options, &exit_code] { run_guarded(exit_code, [&] { return compare(*options); }); });
+  command.summary("Solvers side by side: time, error, work");
+  command.examples(examples);
+  command.list("CASE", options->cases, "case files (TOML), or ids of benchmark cases");
+  command.list("--solver", options->solvers, "one of " + solver_names() + " (repeatable; reference and fast)");
+  command.list("--tolerance", options->tolerances, "relative error of the films (repeatable; 1e-2, 1e-3, 1e-4)");
+  options->limits.add_to(command, false);
+  command.text("--json", options->json, "the comparison as JSON into a file, or - for standard output");
+  command.runs([options] { return compare(*options); });
 }
 
 }  // namespace ehd::cli

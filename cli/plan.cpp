@@ -8,8 +8,8 @@
 #include <variant>
 #include <vector>
 
-#include "cli/commands.hpp"
 #include "cli/common.hpp"
+#include "cli/subcommands.hpp"
 #include "io/case_reader.hpp"
 #include "io/contact_json.hpp"
 #include "io/find_case.hpp"
@@ -81,17 +81,17 @@ int plan(const PlanOptions& options) {
 
 }  // namespace
 
-void add_plan(CLI::App& app, int& exit_code) {
+void describe_plan(Command& command) {
   auto options = std::make_shared<PlanOptions>();
-  CLI::App* command = app.add_subcommand("plan", "Show what would be computed, what is skipped, and why");
-  command->footer(examples);
-  command->add_option("CASE", options->case_name, "a case file (TOML), or the id of a benchmark case")->required();
-  command->add_option("--solver", options->solver, "one of " + solver_names() + " (fast)");
-  options->request.add_to(*command);
-  command->add_option("--quantity", options->quantities, "only this quantity (repeatable)")->allow_extra_args(false);
-  command->add_option("--law", options->laws, "a bearing's law (repeatable)")->allow_extra_args(false);
-  command->add_option("--json", options->json, "the plan as JSON into a file, or - for standard output");
-  command->callback([options, &exit_code] { run_guarded(exit_code, [&] { return plan(*options); }); });
+  command.summary("Show what would be computed, what is skipped, and why");
+  command.examples(examples);
+  command.text("CASE", options->case_name, "a case file (TOML), or the id of a benchmark case").required();
+  command.text("--solver", options->solver, "one of " + solver_names() + " (fast)");
+  options->request.add_to(command);
+  command.list("--quantity", options->quantities, "only this quantity (repeatable)");
+  command.list("--law", options->laws, "a bearing's law (repeatable)");
+  command.text("--json", options->json, "the plan as JSON into a file, or - for standard output");
+  command.runs([options] { return plan(*options); });
 }
 
 }  // namespace ehd::cli

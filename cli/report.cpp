@@ -5,8 +5,8 @@
 #include <memory>
 #include <string>
 
-#include "cli/commands.hpp"
 #include "cli/common.hpp"
+#include "cli/subcommands.hpp"
 #include "io/output_file.hpp"
 
 namespace ehd::cli {
@@ -35,12 +35,12 @@ int report_on(const std::string& folder) {
 
 }  // namespace
 
-void add_report(CLI::App& app, int& exit_code) {
+void describe_report(Command& command) {
   auto folder = std::make_shared<std::string>();
-  CLI::App* command = app.add_subcommand("report", "Results as one self-contained HTML page, DIR/report.html");
-  command->footer(examples);
-  command->add_option("DIR", *folder, "the folder that ehd verify --output has filled")->required();
-  command->callback([folder, &exit_code] { run_guarded(exit_code, [&] { return report_on(*folder); }); });
+  command.summary("Results as one self-contained HTML page, DIR/report.html");
+  command.examples(examples);
+  command.text("DIR", *folder, "the folder that ehd verify --output has filled").required();
+  command.runs([folder] { return report_on(*folder); });
 }
 
 }  // namespace ehd::cli

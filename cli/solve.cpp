@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "cli/commands.hpp"
 #include "cli/common.hpp"
+#include "cli/subcommands.hpp"
 #include "contact/nondimensional.hpp"
 #include "contact/text.hpp"
 #include "io/case_reader.hpp"
@@ -230,29 +230,28 @@ int solve(const SolveOptions& options) {
 
 }  // namespace
 
-void add_solve(CLI::App& app, int& exit_code) {
+void describe_solve(Command& command) {
   auto options = std::make_shared<SolveOptions>();
-  CLI::App* command = app.add_subcommand("solve", "Solve one contact");
-  command->footer(examples);
-  command->add_option("CASE", options->case_name, "a case file (TOML), or the id of a benchmark case");
-  command->add_option("--M", options->M, "Moes load parameter, 1e-3 to 1e6 (instead of a CASE, with --L)");
-  command->add_option("--L", options->L, "Moes material parameter, 0 to 100");
-  command->add_option("--inlet", options->inlet, "flooded, or X = x/b where the domain begins (flooded)");
-  command->add_option("--viscosity", options->viscosity, "isoviscous, barus or roelands (barus)");
-  command->add_option("--density", options->density,
-                      "incompressible, dowson-higginson or dowson-higginson-1977 (incompressible)");
-  command->add_option("--alpha-per-Pa", options->alpha, "pressure coefficient of viscosity; sets p_H");
-  command->add_option("--z", options->z, "Roelands' exponent");
-  command->add_option("--p0-Pa", options->p0, "Roelands' reference pressure (1.9613e8)");
-  command->add_option("--solver", options->solver, "one of " + solver_names())->capture_default_str();
-  options->request.add_to(*command);
-  command->add_option("--quantity", options->quantities, "compute only this quantity (repeatable), e.g. film.minimum")
-      ->allow_extra_args(false);
-  command->add_option("--json", options->json, "the result as JSON into a file, or - for standard output");
-  command->add_option("--profile", options->profile, "pressure, film, density and viscosity over X as CSV");
-  command->add_option("--plot", options->plot, "pressure and film over X as a figure, SVG");
-  command->add_option("--wisdom", options->wisdom, "let FFTW measure its plans, once: kept in FILE for later runs");
-  command->callback([options, &exit_code] { run_guarded(exit_code, [&] { return solve(*options); }); });
+  command.summary("Solve one contact");
+  command.examples(examples);
+  command.text("CASE", options->case_name, "a case file (TOML), or the id of a benchmark case");
+  command.text("--M", options->M, "Moes load parameter, 1e-3 to 1e6 (instead of a CASE, with --L)");
+  command.text("--L", options->L, "Moes material parameter, 0 to 100");
+  command.text("--inlet", options->inlet, "flooded, or X = x/b where the domain begins (flooded)");
+  command.text("--viscosity", options->viscosity, "isoviscous, barus or roelands (barus)");
+  command.text("--density", options->density,
+               "incompressible, dowson-higginson or dowson-higginson-1977 (incompressible)");
+  command.text("--alpha-per-Pa", options->alpha, "pressure coefficient of viscosity; sets p_H");
+  command.text("--z", options->z, "Roelands' exponent");
+  command.text("--p0-Pa", options->p0, "Roelands' reference pressure (1.9613e8)");
+  command.text("--solver", options->solver, "one of " + solver_names()).showing_default();
+  options->request.add_to(command);
+  command.list("--quantity", options->quantities, "compute only this quantity (repeatable), e.g. film.minimum");
+  command.text("--json", options->json, "the result as JSON into a file, or - for standard output");
+  command.text("--profile", options->profile, "pressure, film, density and viscosity over X as CSV");
+  command.text("--plot", options->plot, "pressure and film over X as a figure, SVG");
+  command.text("--wisdom", options->wisdom, "let FFTW measure its plans, once: kept in FILE for later runs");
+  command.runs([options] { return solve(*options); });
 }
 
 }  // namespace ehd::cli

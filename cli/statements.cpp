@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "cli/commands.hpp"
 #include "cli/common.hpp"
+#include "cli/subcommands.hpp"
 #include "io/case_reader.hpp"
 #include "io/contact_json.hpp"
 #include "io/find_case.hpp"
@@ -76,14 +76,13 @@ int statements(const StatementsOptions& options) {
 
 }  // namespace
 
-void add_statements(CLI::App& app, int& exit_code) {
+void describe_statements(Command& command) {
   auto options = std::make_shared<StatementsOptions>();
-  CLI::App* command = app.add_subcommand("statements", "On what the paper's statements about its bearing depend");
-  command->footer(examples);
-  command->add_option("CASE", options->cases,
-                      "one bearing at three or more clearances (na4908, na4908-2.5um, na4908-10um)");
-  command->add_option("--json", options->json, "the study as JSON into a file, or - for standard output");
-  command->callback([options, &exit_code] { run_guarded(exit_code, [&] { return statements(*options); }); });
+  command.summary("On what the paper's statements about its bearing depend");
+  command.examples(examples);
+  command.list("CASE", options->cases, "one bearing at three or more clearances (na4908, na4908-2.5um, na4908-10um)");
+  command.text("--json", options->json, "the study as JSON into a file, or - for standard output");
+  command.runs([options] { return statements(*options); });
 }
 
 }  // namespace ehd::cli

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "cli/commands.hpp"
 #include "cli/common.hpp"
+#include "cli/subcommands.hpp"
 #include "io/contact_json.hpp"
 #include "io/json.hpp"
 #include "io/output_file.hpp"
@@ -95,18 +95,15 @@ int stress(const StressOptions& options) {
 
 }  // namespace
 
-void add_stress(CLI::App& app, int& exit_code) {
+void describe_stress(Command& command) {
   auto options = std::make_shared<StressOptions>();
-  CLI::App* command =
-      app.add_subcommand("stress", "Numerical stability: starts, precision, rounding, condition, extremes");
-  command->footer(examples);
-  command->add_option("--output", options->output, "folder for stress.json")->type_name("DIR");
-  command->add_option("--part", options->parts, "a to i (repeatable; all)")
-      ->type_name("LETTER")
-      ->allow_extra_args(false);
-  command->add_option("--threads", options->threads, "threads (as many as there are cores)")->type_name("N");
-  command->add_flag("--quick", options->quick, "a small form of every part");
-  command->callback([options, &exit_code] { run_guarded(exit_code, [&] { return stress(*options); }); });
+  command.summary("Numerical stability: starts, precision, rounding, condition, extremes");
+  command.examples(examples);
+  command.text("--output", options->output, "folder for stress.json").called("DIR");
+  command.list("--part", options->parts, "a to i (repeatable; all)").called("LETTER");
+  command.text("--threads", options->threads, "threads (as many as there are cores)").called("N");
+  command.flag("--quick", options->quick, "a small form of every part");
+  command.runs([options] { return stress(*options); });
 }
 
 }  // namespace ehd::cli

@@ -12,8 +12,8 @@
 #include <string>
 #include <string_view>
 
-#include "cli/commands.hpp"
 #include "cli/common.hpp"
+#include "cli/subcommands.hpp"
 #include "contact/text.hpp"
 #include "io/sweep_file.hpp"
 #include "io/sweep_run.hpp"
@@ -182,19 +182,18 @@ int sweep(const SweepOptions& options) {
 
 }  // namespace
 
-void add_sweep(CLI::App& app, int& exit_code) {
+void describe_sweep(Command& command) {
   auto options = std::make_shared<SweepOptions>();
-  CLI::App* command = app.add_subcommand("sweep", "A case over lists and ranges of its keys, as CSV and JSON");
-  command->footer(examples);
-  command->add_option("FILE", options->file, "the sweep (TOML)")->required();
-  command->add_option("--output", options->output, "folder for the rows (out/sweep/ID)")->type_name("DIR");
-  command->add_option("--threads", options->threads, "rows computed side by side (as many as there are cores)")
-      ->type_name("N");
-  command->add_option("--shard", options->shard, "compute the K-th of N parts alone")->type_name("K/N");
-  command->add_flag("--merge", options->merge, "put finished shards together");
-  command->add_flag("--fresh", options->fresh, "compute every row again");
-  options->limits.add_to(*command, false);
-  command->callback([options, &exit_code] { run_guarded(exit_code, [&] { return sweep(*options); }); });
+  command.summary("A case over lists and ranges of its keys, as CSV and JSON");
+  command.examples(examples);
+  command.text("FILE", options->file, "the sweep (TOML)").required();
+  command.text("--output", options->output, "folder for the rows (out/sweep/ID)").called("DIR");
+  command.text("--threads", options->threads, "rows computed side by side (as many as there are cores)").called("N");
+  command.text("--shard", options->shard, "compute the K-th of N parts alone").called("K/N");
+  command.flag("--merge", options->merge, "put finished shards together");
+  command.flag("--fresh", options->fresh, "compute every row again");
+  options->limits.add_to(command, false);
+  command.runs([options] { return sweep(*options); });
 }
 
 }  // namespace ehd::cli

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "cli/commands.hpp"
 #include "cli/common.hpp"
+#include "cli/subcommands.hpp"
 #include "io/contact_json.hpp"
 #include "io/json.hpp"
 #include "io/output_file.hpp"
@@ -108,18 +108,18 @@ int verify(const VerifyOptions& options) {
 
 }  // namespace
 
-void add_verify(CLI::App& app, int& exit_code) {
+void describe_verify(Command& command) {
   auto options = std::make_shared<VerifyOptions>();
-  CLI::App* command = app.add_subcommand("verify", "Run the verification suite");
-  command->footer(examples);
-  command->add_option("--rung", options->rung, "one rung of the ladder, 0 to 11");
-  command->add_option("--case", options->case_id, "one case: an id, or a path to a TOML file");
-  command->add_flag("--quick", options->quick, "leave out the slow cases");
-  command->add_flag("--all", options->all, "print every claim, not only those that do not stand");
-  command->add_flag("--trace", options->trace, "print which claims support which part of the work");
-  command->add_option("--random-runs", options->random_runs, "random runs for each law set (10)");
-  command->add_option("--output", options->output, "folder for results.json");
-  command->callback([options, &exit_code] { run_guarded(exit_code, [&] { return verify(*options); }); });
+  command.summary("Run the verification suite");
+  command.examples(examples);
+  command.text("--rung", options->rung, "one rung of the ladder, 0 to 11");
+  command.text("--case", options->case_id, "one case: an id, or a path to a TOML file");
+  command.flag("--quick", options->quick, "leave out the slow cases");
+  command.flag("--all", options->all, "print every claim, not only those that do not stand");
+  command.flag("--trace", options->trace, "print which claims support which part of the work");
+  command.text("--random-runs", options->random_runs, "random runs for each law set (10)");
+  command.text("--output", options->output, "folder for results.json");
+  command.runs([options] { return verify(*options); });
 }
 
 }  // namespace ehd::cli
