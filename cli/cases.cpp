@@ -7,8 +7,9 @@
 #include <variant>
 #include <vector>
 
-#include "cli/common.hpp"
+#include "cli/output.hpp"
 #include "cli/subcommands.hpp"
+#include "cli/usage.hpp"
 #include "contact/nondimensional.hpp"
 #include "contact/text.hpp"
 #include "io/bibliography.hpp"

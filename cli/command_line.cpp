@@ -3,7 +3,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "cli/common.hpp"
+#include "cli/output.hpp"
+#include "cli/usage.hpp"
 
 namespace ehd::cli {
 

@@ -5,8 +5,9 @@
 #include <new>
 #include <string>
 
-#include "cli/common.hpp"
+#include "cli/output.hpp"
 #include "cli/subcommands.hpp"
+#include "cli/usage.hpp"
 #include "io/output_file.hpp"
 
 namespace {

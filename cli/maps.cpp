@@ -4,8 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "cli/common.hpp"
+#include "cli/output.hpp"
 #include "cli/subcommands.hpp"
+#include "cli/usage.hpp"
 #include "io/output_file.hpp"
 #include "verification/atlas/atlas.hpp"
 #include "verification/studies/film_maps.hpp"

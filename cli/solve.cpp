@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ehd solve: one contact, from a case file or from options.
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -8,8 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "cli/common.hpp"
+#include "cli/options.hpp"
+#include "cli/output.hpp"
 #include "cli/subcommands.hpp"
+#include "cli/usage.hpp"
 #include "contact/nondimensional.hpp"
 #include "contact/text.hpp"
 #include "io/case_reader.hpp"
@@ -21,6 +25,7 @@
 #include "verification/report/report.hpp"
 #include "workflow/case.hpp"
 #include "workflow/contact_run.hpp"
+#include "workflow/registry.hpp"
 
 namespace ehd::cli {
 
@@ -164,67 +169,72 @@ std::string plot_of(const ContactRun& run, const std::string& title) {
   return report::draw(figure, report::Place::file);
 }
 
+/// The contact to solve: of a case, or stated by options.
+struct Stated {
+  std::optional<Case> from_case;
+  ContactCase contact;
+  std::string title;
+};
+
+/// Throws UsageError, CaseError.
+Stated stated_by(const SolveOptions& options) {
+  if (!options.case_name)
+    return {.from_case = {},
+            .contact = contact_from(options),
+            .title = fmt::format("M = {}, L = {}", *options.M, *options.L)};
+  Case one = read_case(find_case(*options.case_name));
+  const auto* contact = std::get_if<ContactCase>(&one.body);
+  if (!contact)
+    throw case_error(one, "bearing", "is no contact; allowed is a contact case (ehd bearing solves this one)");
+  return {.from_case = one, .contact = *contact, .title = one.id + ": " + one.title};
+}
+
+/// Why the run is no success, one line.
+std::string failure_of(const ContactRun& run, const std::string& title, const std::string& not_written) {
+  const std::string& reason = run.solution.record.reason;
+  std::string line = fmt::format("ehd: {}: {}", title, to_string(run.status()));
+  if (!reason.empty()) line += ": " + reason;
+  if (!not_written.empty()) line += fmt::format("; there is no solution, and no {} written", not_written);
+  return line;
+}
+
 int solve(const SolveOptions& options) {
   require_one_problem(options);
   const auto& solver = solver_named(options.solver);
   const Request request = options.request.request();
   const Wanted wanted = quantities_named(options.quantities);
+  const Stated stated = stated_by(options);
+  if (!stated.contact.dry()) require_memory(solver, request);
 
-  std::optional<Case> contact_case;
-  ContactCase contact;
-  std::string title;
-  if (options.case_name) {
-    contact_case = read_case(find_case(*options.case_name));
-    if (!std::holds_alternative<ContactCase>(contact_case->body))
-      throw case_error(*contact_case, "bearing",
-                       "is no contact; allowed is a contact case (ehd bearing solves this one)");
-    contact = std::get<ContactCase>(contact_case->body);
-    title = contact_case->id + ": " + contact_case->title;
-  } else {
-    contact = contact_from(options);
-    title = "M = " + *options.M + ", L = " + *options.L;
-  }
-  if (!contact.dry()) require_memory(solver, request);
-  std::vector<NamedFile> inputs, outputs;
-  if (contact_case) inputs.push_back({"the case", contact_case->file});
-  if (options.json) outputs.push_back({"--json", *options.json});
-  if (options.profile) outputs.push_back({"--profile", *options.profile});
-  if (options.plot) outputs.push_back({"--plot", *options.plot});
-  if (options.wisdom) outputs.push_back({"--wisdom", *options.wisdom});
-  require_distinct(inputs, outputs);
+  std::vector<NamedFile> inputs;
+  if (stated.from_case) inputs.push_back({"the case", stated.from_case->file});
+  require_distinct(inputs, {{"--json", options.json.value_or("")},
+                            {"--profile", options.profile.value_or("")},
+                            {"--plot", options.plot.value_or("")},
+                            {"--wisdom", options.wisdom.value_or("")}});
   if (options.wisdom) read_wisdom(*options.wisdom);
   JsonTarget json(options.json);
-  std::optional<OutputFile> wisdom;
-  if (options.wisdom) wisdom.emplace(*options.wisdom);
-  std::optional<OutputFile> profile;
-  if (options.profile) profile.emplace(*options.profile);
-  std::optional<OutputFile> plot;
-  if (options.plot) plot.emplace(*options.plot);
+  std::optional<OutputFile> wisdom = opened(options.wisdom), profile = opened(options.profile),
+                            plot = opened(options.plot);
 
   ContactRun run;
   {
     Progress progress;
-    progress.show("solving " + title + " with " + solver.name + " ...");
-    run = contact_case ? run_contact(*contact_case, solver, request, wanted)
-                       : run_contact(contact, solver, request, wanted);
+    progress.show(fmt::format("solving {} with {} ...", stated.title, solver.name));
+    run = stated.from_case ? run_contact(*stated.from_case, solver, request, wanted)
+                           : run_contact(stated.contact, solver, request, wanted);
   }
   json.write(to_json(run));
   if (wisdom) wisdom->commit(learned_fft_plans());
   const bool solution = run.status() != StopReason::diverged && run.solution.fields.X.size() > 0;
   if (profile && solution) profile->commit(profile_csv(run));
-  if (plot && solution) plot->commit(plot_of(run, title));
-  if (!json.to_standard_output()) print(human_table(run, title, styled_output()));
+  if (plot && solution) plot->commit(plot_of(run, stated.title));
+  if (!json.to_standard_output()) print(human_table(run, stated.title, styled_output()));
   if (run.status() == StopReason::converged) return success;
-  const std::string& reason = run.solution.record.reason;
-  std::string missing;
-  if (!solution && (profile || plot))
-    missing = std::string("; there is no solution, and no ") +
-              (profile && plot ? "profile and no plot is"
-               : profile       ? "profile is"
-                               : "plot is") +
-              " written";
-  complain("ehd: " + title + ": " + std::string(to_string(run.status())) + (reason.empty() ? "" : ": " + reason) +
-           missing);
+  std::string not_written;
+  if (!solution)
+    not_written = profile && plot ? "profile and no plot is" : profile ? "profile is" : plot ? "plot is" : "";
+  complain(failure_of(run, stated.title, not_written));
   return not_met;
 }
 

@@ -6,8 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "cli/common.hpp"
+#include "cli/output.hpp"
 #include "cli/subcommands.hpp"
+#include "cli/usage.hpp"
 #include "io/case_reader.hpp"
 #include "io/contact_json.hpp"
 #include "io/find_case.hpp"
@@ -15,6 +16,7 @@
 #include "verification/studies/paper_statements.hpp"
 #include "verification/studies/statement_study.hpp"
 #include "workflow/case.hpp"
+#include "workflow/registry.hpp"
 
 namespace ehd::cli {
 
@@ -48,10 +50,7 @@ int statements(const StatementsOptions& options) {
     throw UsageError(
         "CASE: the statements are about one bearing at three or more clearances; allowed are cases that "
         "differ in clearance alone");
-  std::vector<NamedFile> inputs, outputs;
-  for (const Case& one : cases) inputs.push_back({"the case " + one.id, one.file});
-  if (options.json) outputs.push_back({"--json", *options.json});
-  require_distinct(inputs, outputs);
+  require_distinct(files_of(cases), {{"--json", options.json.value_or("")}});
   JsonTarget json(options.json);
   ContactMemory memory([solver = find_solver("fast")](const Problem& problem, const Request& request) {
     return solver->solve(problem, request);

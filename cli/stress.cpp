@@ -9,8 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "cli/common.hpp"
+#include "cli/options.hpp"
+#include "cli/output.hpp"
 #include "cli/subcommands.hpp"
+#include "cli/usage.hpp"
 #include "io/contact_json.hpp"
 #include "io/json.hpp"
 #include "io/output_file.hpp"
@@ -49,13 +51,7 @@ int stress(const StressOptions& options) {
     for (const PartEntry& part : parts()) chosen.push_back(&part);
   }
   Scope scope{.quick = options.quick};
-  if (options.threads) {
-    constexpr int most = 1024;
-    const int threads = parse_integer("--threads", *options.threads);
-    if (threads < 1 || threads > most)
-      throw option_error("--threads", *options.threads, "is out of range; allowed is 1 to " + std::to_string(most));
-    scope.threads = static_cast<unsigned>(threads);
-  }
+  scope.threads = thread_count(options.threads);
 
   // Opened before the work begins: a folder that cannot be written is bad input, not a lost run.
   std::optional<OutputFolder> folder;

@@ -7,8 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "cli/common.hpp"
+#include "cli/output.hpp"
 #include "cli/subcommands.hpp"
+#include "cli/usage.hpp"
 #include "io/contact_json.hpp"
 #include "io/json.hpp"
 #include "io/output_file.hpp"
