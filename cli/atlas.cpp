@@ -30,11 +30,11 @@ Examples:
   ehd atlas                                the whole atlas, into cases/atlas
   ehd atlas --output out/atlas             the same elsewhere
   ehd atlas --only roelands-m20-           the points with this in their id; the others stay as they are
-  ehd atlas --only barus --fresh           solved again, whatever an earlier run has left
+  ehd atlas --only barus --fresh           solved again; the results of an earlier run are not used
 
-An interrupted run goes on where it ended: every solved point leaves a record in DIR/.progress, which holds until the
-solver, the tolerance or (for a point that ran out of time) the time limit changes. A point that is not known to 1e-4
-is listed without digits. Exit code: 0 the atlas is written; 1 not one of the points has digits; 2 bad input or usage.)";
+An interrupted run goes on where it ended: every solved point leaves a record in DIR/.progress. The record is used again
+until the solver or the tolerance changes, or the time limit of a point that ran out of time. A point that is not known
+to 1e-4 is listed without digits. Exit code: 0 the atlas is written; 1 no point has digits; 2 bad input or usage.)";
 
 /// One line a point on standard error.
 std::string progress_line(std::size_t done, std::size_t all, const verification::AtlasRecord& record) {

@@ -45,7 +45,7 @@ struct BearingOptions {
 const char* examples = R"(
 Examples:
   ehd bearing na4908                                   dry and EHD laws side by side
-  ehd bearing na4908 na4908-2.5um na4908-10um          three clearances; the paper's statements judged
+  ehd bearing na4908 na4908-2.5um na4908-10um          three clearances; judges the paper's statements
   ehd bearing harris-209 --law hertz --law iso         dry laws only
   ehd bearing na4908 --cage-positions 24               and the displacement while the cage turns by one pitch
   ehd bearing na4908 --law ehd-linear --json -         one result as JSON on standard output
@@ -61,7 +61,7 @@ bearing::Form form_named(const std::string& name) {
   throw option_error("--form", name, "is unknown; allowed is plane or radial");
 }
 
-/// 0 where it is not asked for. Throws UsageError.
+/// 0 without the option. Throws UsageError.
 int positions_asked(const std::optional<std::string>& text) {
   if (!text) return 0;
   constexpr int fewest = 2, most = 10000;
@@ -103,7 +103,7 @@ std::string statements_of(const Computed& computed, ContactMemory& memory, beari
   return text;
 }
 
-/// A row a roller: what the paper's figures show.
+/// One row per roller, with the quantities of the paper's figures.
 std::string csv_of(const Computed& computed) {
   std::string text =
       "case,clearance_m,law,azimuth_deg,inner_force_N,inner_displacement_m,inner_film_minimum_m,inner_hertz_pressure_"
@@ -126,7 +126,7 @@ std::string csv_of(const Computed& computed) {
   return text;
 }
 
-/// Contact forces over the azimuth, a panel a case; absent where nothing balanced.
+/// Contact forces over the azimuth, one panel per case; absent if no law balanced.
 std::optional<std::string> plot_of(const Computed& computed) {
   report::Figure figure{
       .id = "bearing",
@@ -286,7 +286,7 @@ void describe_bearing(Command& command) {
   options->limits.add_to(command, false);
   command.text("--json", options->json, "the results as JSON into a file, or - for standard output");
   command.text("--plot", options->plot, "contact forces and displacements over the azimuth as a figure, SVG");
-  command.text("--csv", options->csv, "forces, displacements and films, a row a roller");
+  command.text("--csv", options->csv, "forces, displacements and films as CSV, one row per roller");
   command.runs([options] { return bearing(*options); });
 }
 

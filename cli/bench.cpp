@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// ehd bench: what the solvers cost. Work against precision, cost against size, many contacts over threads.
+// ehd bench: the cost of the solvers: work against precision, cost against size, many contacts over threads.
 #include <algorithm>
 #include <functional>
 #include <memory>
@@ -46,13 +46,13 @@ Examples:
   ehd bench --part work-precision --case own-moes-20-10 --solver fast --solver reference
   ehd bench --part scaling
   ehd bench --part batch
-  ehd bench --part box --solver fast            232 contacts, with truths: five minutes on two cores
+  ehd bench --part box --solver fast            232 contacts, with true values: five minutes on two cores
 
 Parts: work-precision (run time and work against achieved error), scaling (cost and memory against the number of
-intervals), batch (many contacts over threads), and, where it is asked for, box (times and errors over all loads and
-materials). DIR/bench.json holds the parts of this run; work-precision leaves DIR/work_precision.csv too, scaling
-DIR/scaling.csv, box DIR/box.csv. A solve that fails is a row with its reason. Exit code: 0 the tables
-are there; 1 not one run could be judged, or results depend on the number of threads; 2 wrong usage.)";
+intervals), batch (many contacts over threads), and box (times and errors over all loads and materials), which runs
+only with --part box. DIR/bench.json holds the parts of this run; DIR/work_precision.csv, DIR/scaling.csv and
+DIR/box.csv hold the tables. A solve that fails is a row with its reason. Exit code: 0 the tables are complete; 1 no run
+could be judged, or results depend on the number of threads; 2 wrong usage.)";
 
 constexpr const char* work_precision = "work-precision";
 constexpr const char* scaling = "scaling";

@@ -41,7 +41,7 @@ std::string problem_of(const Case& any) {
   return "M = " + plain(groups.M, digits) + ", L = " + plain(groups.L, digits);
 }
 
-/// What the numbers of a case are worth: "exact", "computed", …, each kind once; those that wait apart.
+/// The kinds of a case's expectations: "exact", "computed", …, each once; values without a source yet are "waiting".
 std::string kinds_in(const Case& any) {
   std::vector<std::string> kinds;
   for (const auto& expectation : any.expectations) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// ehd compare: solvers side by side on each case: time, films, the error that a solver reports and the one that it has.
+// ehd compare: solvers side by side on each case: time, films, reported and achieved errors.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -38,8 +38,9 @@ Examples:
   ehd compare own-moes-20-10 --solver fast --solver reference --tolerance 1e-3
   ehd compare own-barus-3-4-flooded --json comparison.json
 
-The error achieved is held against the case's own expectation where there is one (the most certain), else against the
-run with the smallest error estimate. Exit code: 0 every run converged; 1 not; 2 bad input or usage.)";
+The achieved error is the difference from the case's own expectation (the one with the smallest uncertainty). A case
+without one is compared with the run whose error estimate is smallest. Exit code: 0 every run converged; 1 one did not;
+2 bad input or usage.)";
 
 constexpr Quantity films[] = {Quantity::film_minimum, Quantity::film_central};
 
@@ -55,7 +56,7 @@ const Reading* film_of(const ContactRun& run, Quantity quantity) {
   return at == run.solution.observables.end() ? nullptr : &at->second;
 }
 
-/// The most certain number that somebody vouches for; a regression is none.
+/// The expectation with the smallest uncertainty. Fits and values that still wait for their source do not count.
 const Expectation* truth_of(const Case& contact_case, Quantity quantity) {
   const Expectation* best = nullptr;
   for (const auto& expectation : contact_case.expectations) {
@@ -66,7 +67,7 @@ const Expectation* truth_of(const Case& contact_case, Quantity quantity) {
   return best;
 }
 
-/// Fills the achieved errors of one film; returns what they are held against.
+/// Fills in the achieved errors of one film; returns what the film was compared with.
 std::string judge_film(const Case& contact_case, std::vector<Row>& rows, std::size_t film) {
   const Quantity quantity = films[film];
   if (const Expectation* truth = truth_of(contact_case, quantity)) {

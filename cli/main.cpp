@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program `ehd`: options and exit codes only. What it does lives in the subcommands, a file each.
+// The program `ehd`: its name, help and list of subcommands. Each subcommand is a file of its own.
 #include <exception>
 #include <iostream>
 #include <new>
@@ -18,15 +18,15 @@ Examples:
   ehd solve --M 20 --L 10             the same kind of contact without a file
   ehd compare own-moes-20-10          the solvers side by side
   ehd bearing na4908                  the load distribution of a bearing
-  ehd plan own-moes-20-10             what would be computed, what is skipped, and why
+  ehd plan own-moes-20-10             what would be computed, what is skipped and why
   ehd sweep sweep.toml                a case over lists and ranges of its keys
   ehd cases                           the benchmark cases and how to cite them
   ehd verify                          the verification suite
   ehd bench                           run time against achieved error
   ehd stress                          numerical stability
-  ehd report out/verify               what they left there, as one HTML page
+  ehd report out/verify               the results in that folder as one HTML page
   ehd atlas --only m20-l10-           certified solutions over M and L, with the digits that are known
-  ehd maps                            how far the film formulas are off, over M and L
+  ehd maps                            errors of the film formulas over M and L
 
 Exit code: 0 success; 1 a check failed or a solve did not converge; 2 bad input or usage.)";
 

@@ -25,7 +25,7 @@ Examples:
   ehd maps --quantity film.minimum --laws barus
   ehd maps --output out/maps                    leaves formula_maps.csv and inlet_maps.csv: all films and laws
 
-The films are those of cases/atlas (certified, ehd atlas made them): nothing is solved, and nothing is judged.)";
+The films are the certified ones of cases/atlas, which ehd atlas made. Nothing is solved or judged.)";
 
 int maps(const MapsOptions& options) {
   const std::string quantity = options.quantity.value_or("");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// ehd plan: what would be computed, what is skipped, and why. Nothing is solved.
+// ehd plan: what would be computed, what is skipped and why. Nothing is solved.
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -46,7 +46,7 @@ int plan(const PlanOptions& options) {
   const Wanted wanted = quantities_named(options.quantities);
   const Case any = read_case(find_case(options.case_name));
   require_distinct({{"the case", any.file}}, {{"--json", options.json.value_or("")}});
-  // What the command itself would refuse has no plan.
+  // A request that solve or bearing would refuse is refused here as well.
   Plan made;
   if (const auto* bearing = std::get_if<BearingCase>(&any.body)) {
     if (options.solver || !options.quantities.empty() || options.request.tolerance || options.request.nodes)
@@ -75,7 +75,7 @@ int plan(const PlanOptions& options) {
 
 void describe_plan(Command& command) {
   auto options = std::make_shared<PlanOptions>();
-  command.summary("Show what would be computed, what is skipped, and why");
+  command.summary("Show what would be computed, what is skipped and why");
   command.examples(examples);
   command.text("CASE", options->case_name, "a case file (TOML), or the id of a benchmark case").required();
   command.text("--solver", options->solver, "one of " + solver_names() + " (fast)");

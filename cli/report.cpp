@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// ehd report: what verify, bench and stress left in a folder, as one HTML page.
+// ehd report: the results of verify, bench and stress in a folder, as one HTML page.
 #include "verification/report/report.hpp"
 
 #include <memory>
@@ -19,8 +19,8 @@ Examples:
   ehd verify --output out/verify && ehd report out/verify    leaves out/verify/report.html
   ehd bench --output out/verify; ehd report out/verify       with work-precision diagrams
 
-Reads results.json (required), bench.json and stress.json; solves nothing. Exit code: 0 the page is written; 2 the folder
-or a file in it cannot be used.)";
+Reads results.json (required), bench.json and stress.json; solves nothing. Exit code: 0 the page is written; 2 the
+folder or a file in it cannot be used.)";
 
 int report_on(const std::string& folder) {
   try {

@@ -53,7 +53,7 @@ Examples:
 
 Exit code: 0 converged; 1 not converged (the status says how); 2 bad input or usage.)";
 
-/// What a law needs beside it, in terms of options; nondimensionalise would speak of a file's keys.
+/// What a law needs besides its name, worded in options: nondimensionalise would name the keys of a file.
 void require_laws_possible(const SolveOptions& options, const Lubricant& lubricant) {
   if (lubricant.viscosity == ViscosityLaw::isoviscous)
     throw option_error("--viscosity", *options.viscosity,
@@ -115,7 +115,7 @@ ContactCase contact_from(const SolveOptions& options) {
   }
 
   if (L > 0) require_laws_possible(options, lubricant);
-  (void)nondimensionalise(contact.statement, *contact.lubricant, *contact.inlet);  // the last word on what is possible
+  (void)nondimensionalise(contact.statement, *contact.lubricant, *contact.inlet);  // refuses what is not possible
   return contact;
 }
 
@@ -134,7 +134,7 @@ void require_one_problem(const SolveOptions& options) {
                      " missing; required is a CASE, or --M and --L (ehd solve --help shows examples)");
 }
 
-/// --wisdom FILE: FFTW's measurements of earlier runs, if there were any; new ones are added to it.
+/// --wisdom FILE: what FFTW measured in earlier runs; a new file is allowed. This run adds its own measurements.
 void read_wisdom(const std::string& name) {
   std::string text;
   if (name.empty())
@@ -260,7 +260,8 @@ void describe_solve(Command& command) {
   command.text("--json", options->json, "the result as JSON into a file, or - for standard output");
   command.text("--profile", options->profile, "pressure, film, density and viscosity over X as CSV");
   command.text("--plot", options->plot, "pressure and film over X as a figure, SVG");
-  command.text("--wisdom", options->wisdom, "let FFTW measure its plans, once: kept in FILE for later runs");
+  command.text("--wisdom", options->wisdom,
+               "let FFTW measure its plans, and keep what it learned in this file for later runs");
   command.runs([options] { return solve(*options); });
 }
 

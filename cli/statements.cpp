@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// ehd statements: on what the paper's statements depend.
+// ehd statements: which choices that the paper leaves open change its statements.
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -77,7 +77,7 @@ int statements(const StatementsOptions& options) {
 
 void describe_statements(Command& command) {
   auto options = std::make_shared<StatementsOptions>();
-  command.summary("On what the paper's statements about its bearing depend");
+  command.summary("Which choices that the paper leaves open change its statements");
   command.examples(examples);
   command.list("CASE", options->cases, "one bearing at three or more clearances (na4908, na4908-2.5um, na4908-10um)");
   command.text("--json", options->json, "the study as JSON into a file, or - for standard output");

@@ -36,8 +36,8 @@ Examples:
   ehd verify --output out/verify        leaves out/verify/results.json
 
 Rungs: 0 inputs, 1 kernel, 2 operator, 3 elasticity, 4 Reynolds, 5 coupled, 6 solvers, 7 twins, 8 grids, 9 regimes,
-10 published, 11 bearing. Exit code: 0 every claim stands, or nothing could be
-judged (every row is skipped, with its reason); 1 one fails or is inconclusive; 2 wrong usage.)";
+10 published, 11 bearing. Exit code: 0 every claim passes, or all are skipped, each with its reason; 1 a claim fails or
+is inconclusive; 2 wrong usage.)";
 
 /// "45 s", "3 min"
 std::string time_text(double seconds) {
@@ -64,7 +64,7 @@ int verify(const VerifyOptions& options) {
                          "is out of range; allowed is 1 to " + std::to_string(most_runs));
   }
 
-  // Opened before the work begins: a folder that cannot be written is bad input, not a lost run.
+  // Opened before the work begins: a folder that cannot be written is then bad input, and no result is lost.
   std::optional<OutputFolder> folder;
   std::optional<OutputFile> file;
   if (options.output) {
