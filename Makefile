@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# A thin front for CMake: what a new user types. Variables: BUILD (folder), JOBS, CMAKE_FLAGS (passed to CMake),
-# CTEST_FLAGS (passed to ctest), FUZZ_SECONDS.
+# The commands that a user types; CMake does the work. Variables: BUILD (folder), JOBS, CMAKE_FLAGS (passed to CMake),
+# CTEST_FLAGS (passed to ctest), FUZZ_SECONDS, FILES (for tidy).
 
 BUILD ?= build
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
@@ -16,9 +16,13 @@ SANITIZER_FLAGS = -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=RelWithDebInfo
 
 SANITIZED ?= contact reference fast bearing workflow io verification
 space := $() $()
+# What clang-tidy reads, and what clang-format formats.
+TIDY_ROOMS = contact reference fast bearing workflow
+FORMAT_ROOMS = $(TIDY_ROOMS) io verification cli tests
 
 .DEFAULT_GOAL := help
-.PHONY: help setup configure build verify test fuzz sanitize sanitize-threads bench callgrind kernels mutants stress report browser-test atlas format clean
+.PHONY: help setup configure program build verify verify-full test fuzz sanitize sanitize-threads bench callgrind kernels \
+  mutants stress report browser-test atlas format format-check tidy clean
 
 help:       ## List the targets
 	@sed -n 's/^\([a-z][a-z-]*\):[^#]*## \(.*\)/  make \1\t\2/p' $(firstword $(MAKEFILE_LIST)) | expand -t 25
@@ -31,10 +35,19 @@ configure: setup
 	@cmake -S . -B $(BUILD) $(GENERATOR) $(CMAKE_FLAGS) > $(BUILD)/configure.log 2>&1 \
 	  || { cat $(BUILD)/configure.log >&2; exit 2; }
 
-build: configure  ## Build the program: build/ehd (4 minutes)
+# CMake counts the steps: [done/all] with Ninja, percents with make.
+program: configure
 	@cmake --build $(BUILD) --parallel $(JOBS) --target ehd_program
 
-verify: build  ## Balance the paper's bearing, run the verification suite; results in out/verify/results.json (5 minutes and the build)
+build: program  ## Build the program: build/ehd (4 minutes on two cores)
+	@echo "$(BUILD)/ehd is built. Next: make verify (the paper's bearing and the quick suite), or $(BUILD)/ehd --help"
+
+verify: program  ## Balance the paper's bearing, run the quick suite; results in out/verify/results.json (the build and a minute)
+	@$(BUILD)/ehd bearing na4908
+	@$(BUILD)/ehd verify --quick --output out/verify
+	@echo "Left out: the slow topics of the suite and the paper's statements (make verify-full), the tests (make test)."
+
+verify-full: program  ## The paper's bearing at three clearances, and the whole suite (the build and 5 minutes)
 	@$(BUILD)/ehd bearing na4908 na4908-2.5um na4908-10um
 	@$(BUILD)/ehd verify --output out/verify
 
@@ -42,7 +55,7 @@ test: configure  ## Build and run every test (8 minutes)
 	@cmake --build $(BUILD) --parallel $(JOBS)
 	@ctest --test-dir $(BUILD) --output-on-failure --parallel $(JOBS) $(CTEST_FLAGS)
 
-fuzz:       ## Make up case files for the reader until one breaks a promise, by libFuzzer (needs clang; 3 minutes, 1 of it fuzzing)
+fuzz:       ## Feed the case reader random files, by libFuzzer: it must read or refuse each (needs clang; 3 minutes, 1 of it fuzzing)
 	@sh cmake/setup.sh clang libclang-rt-dev
 	@$(MAKE) --no-print-directory configure BUILD=$(BUILD)-fuzz \
 	  CMAKE_FLAGS="-DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Debug -DEHD_NATIVE=OFF $(CMAKE_FLAGS)"
@@ -67,42 +80,57 @@ sanitize-threads:  ## The tests that use threads, and part of the suite, with Th
 	@ctest --test-dir $(BUILD)-threads --output-on-failure --label-regex '^threads$$' --no-tests=error $(CTEST_FLAGS)
 	@$(BUILD)-threads/ehd verify --quick --rung 7
 
-bench: build  ## Run time and work against achieved error, scaling, batches; results in out/bench (10 minutes)
+bench: program  ## Run time and work against achieved error, scaling, batches; results in out/bench (10 minutes)
 	@$(BUILD)/ehd bench --output out/bench
 
-stress: build  ## Numerical stability: starts, precision, rounding, extremes, random bearings; results in out/stress (half an hour)
+stress: program  ## Numerical stability: starts, precision, rounding, extremes, random bearings; results in out/stress (half an hour)
 	@$(BUILD)/ehd stress --output out/stress
 
-report: build  ## Make out/verify/report.html from what verify, bench and stress left in out/ (2 seconds)
+report: program  ## Make out/verify/report.html from what verify, bench and stress left in out/ (2 seconds)
 	@mkdir -p out/verify
 	@for part in bench stress; do if [ -f out/$$part/$$part.json ]; then cp out/$$part/$$part.json out/verify/; fi; done
 	@$(BUILD)/ehd report out/verify
 
-browser-test: configure  ## Look at the report in headless Chromium, where it is installed (15 s)
+browser-test: configure  ## Open the report in headless Chromium, where it is installed (15 s)
 	@cmake --build $(BUILD) --parallel $(JOBS) --target ehd_program --target made_report
 	@ctest --test-dir $(BUILD) --output-on-failure -R report_browser --no-tests=error
 
-# Without this machine's vector instructions, which valgrind may not know; in a folder of its own for that.
-callgrind:  ## Count instructions of three solves, name the functions that moved (KEEP=1 keeps the counts; 5 minutes)
+# valgrind may not know this machine's vector instructions: built without them, in a folder of its own.
+callgrind:  ## Count instructions of three solves, name the functions whose count changed (KEEP=1 keeps the counts; 5 minutes)
 	@sh cmake/setup.sh valgrind
-	@$(MAKE) --no-print-directory build BUILD=$(BUILD)-callgrind CMAKE_FLAGS="-DEHD_NATIVE=OFF -DBUILD_TESTING=OFF"
+	@$(MAKE) --no-print-directory program BUILD=$(BUILD)-callgrind CMAKE_FLAGS="-DEHD_NATIVE=OFF -DBUILD_TESTING=OFF"
 	@verification/bench/callgrind/count.sh $(if $(KEEP),--keep) $(BUILD)-callgrind/ehd
 
 kernels: configure  ## Time the kernels of fast/ in multiples of one FFT convolution (needs libbenchmark-dev; 1 minute)
 	@cmake --build $(BUILD) --parallel $(JOBS) --target ehd_kernels
 	@$(BUILD)/ehd_kernels
 
-# Built in out/mutants, from a copy of the tree: nothing wrong is left behind.
+# Built in out/mutants, from a copy of the tree: the tree itself is never changed.
 mutants:    ## Build each wrong program of verification/mutants, run the quick suite with it (40 minutes; ONLY=part of an id)
 	@sh cmake/setup.sh python3
 	@python3 verification/mutants/run.py $(if $(ONLY),--only $(ONLY)) --jobs $(JOBS)
 
-atlas: build  ## Solve the atlas of line contacts into cases/atlas (goes on where an earlier run ended; an hour)
+atlas: program  ## Solve the atlas of line contacts into cases/atlas (goes on where an earlier run ended; an hour)
 	@$(BUILD)/ehd atlas
 
-format:     ## Format every source file with clang-format
-	@command -v clang-format > /dev/null || { echo "clang-format is missing: apt-get install clang-format" >&2; exit 2; }
-	@find contact reference fast bearing workflow io verification cli tests -name '*.[ch]pp' -exec clang-format -i {} +
+format:     ## Format every source file with clang-format 14
+	@sh cmake/setup.sh clang-format
+	@find $(FORMAT_ROOMS) -name '*.[ch]pp' -exec clang-format -i {} +
+
+format-check:  ## Name the source files that clang-format 14 would change; fails if there are any (10 s)
+	@sh cmake/setup.sh clang-format
+	@wrong=$$(find $(FORMAT_ROOMS) -name '*.[ch]pp' | sort | while read -r file; do \
+	  clang-format "$$file" | cmp -s - "$$file" || echo "  $$file"; done); \
+	if [ -n "$$wrong" ]; then echo "not formatted (make format does it):"; echo "$$wrong"; exit 1; fi
+
+# Without precompiled headers: clang-tidy cannot read those of gcc. Findings go to standard output; standard error only
+# counts the warnings in system headers.
+tidy:       ## Check the rooms that compute with clang-tidy (FILES="contact/text.cpp": some; 10 minutes)
+	@sh cmake/setup.sh clang clang-tidy
+	@$(MAKE) --no-print-directory configure BUILD=$(BUILD)-tidy \
+	  CMAKE_FLAGS="-DCMAKE_CXX_COMPILER=clang++ -DEHD_PRECOMPILE=OFF -DBUILD_TESTING=OFF $(CMAKE_FLAGS)"
+	@printf '%s\n' $(if $(FILES),$(FILES),$(foreach room,$(TIDY_ROOMS),$(wildcard $(room)/*.cpp $(room)/*/*.cpp))) \
+	  | xargs -P $(JOBS) -n 1 clang-tidy --quiet --warnings-as-errors='*' -p $(BUILD)-tidy 2> /dev/null
 
 clean:      ## Remove the build folder
 	@rm -rf $(BUILD)

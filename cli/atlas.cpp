@@ -2,20 +2,19 @@
 // ehd atlas: the certified solutions over M and L, with the digits that are known.
 #include "verification/atlas/atlas.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <csignal>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <system_error>
 
-#include "cli/commands.hpp"
-#include "cli/common.hpp"
+#include "cli/options.hpp"
+#include "cli/output.hpp"
+#include "cli/subcommands.hpp"
+#include "cli/usage.hpp"
 #include "contact/text.hpp"
+#include "workflow/registry.hpp"
 
 namespace ehd::cli {
 
@@ -31,13 +30,11 @@ Examples:
   ehd atlas                                the whole atlas, into cases/atlas
   ehd atlas --output out/atlas             the same elsewhere
   ehd atlas --only roelands-m20-           the points with this in their id; the others stay as they are
-  ehd atlas --only barus --fresh           solved again, whatever an earlier run has left
+  ehd atlas --only barus --fresh           solved again; the results of an earlier run are not used
 
-An interrupted run goes on where it ended: every solved point leaves a record in DIR/.progress, which holds until the
-solver, the tolerance or (for a point that ran out of time) the time limit changes. A point that is not known to 1e-4
-is listed without digits. Exit code: 0 the atlas is written; 1 not one of the points has digits; 2 bad input or usage.)";
-
-constexpr int most_threads = 1024;
+An interrupted run goes on where it ended: every solved point leaves a record in DIR/.progress. The record is used again
+until the solver or the tolerance changes, or the time limit of a point that ran out of time. A point that is not known
+to 1e-4 is listed without digits. Exit code: 0 the atlas is written; 1 no point has digits; 2 bad input or usage.)";
 
 /// One line a point on standard error.
 std::string progress_line(std::size_t done, std::size_t all, const verification::AtlasRecord& record) {
@@ -50,15 +47,6 @@ std::string progress_line(std::size_t done, std::size_t all, const verification:
   return "[" + std::string(total.size() - std::min(total.size(), counter.size()), ' ') + counter + "/" + total + "] " +
          record.id + ": " + std::string(to_string(record.status)) + ", H_min " + error_of("H_min") + ", H_cen " +
          error_of("H_cen") + ", " + plain(record.wall_s, 3) + " s";
-}
-
-/// Says what an interrupted run leaves, then ends as the signal asks. Only what a signal handler may call.
-extern "C" void tell_interrupted(int signal) {
-  constexpr std::string_view message =
-      "\nehd: atlas: interrupted; the solved points are kept, and the same command goes on from there\n";
-  [[maybe_unused]] const auto written = ::write(STDERR_FILENO, message.data(), message.size());
-  std::signal(signal, SIG_DFL);
-  std::raise(signal);
 }
 
 int atlas(const AtlasOptions& options) {
@@ -78,13 +66,7 @@ int atlas(const AtlasOptions& options) {
           "is too loose for digits; allowed is a number > 0, up to " + plain(verification::atlas_worst_error));
   }
   if (options.time_limit) request.time_limit_s = checked.time_limit_s;
-  if (options.threads) {
-    const int threads = parse_integer("--threads", *options.threads);
-    if (threads < 1 || threads > most_threads)
-      throw option_error("--threads", *options.threads,
-                         "is out of range; allowed is an integer, 1 to " + std::to_string(most_threads));
-    request.threads = static_cast<unsigned>(threads);
-  }
+  request.threads = thread_count(options.threads);
   request.fresh = options.fresh;
   if (verification::selected_points(request).empty())
     throw option_error("--only", request.only,
@@ -102,9 +84,8 @@ int atlas(const AtlasOptions& options) {
     }
     if (!reused) complain(progress_line(done, all, record));
   };
-  for (const int signal : {SIGINT, SIGTERM}) {
-    if (std::signal(signal, tell_interrupted) == SIG_IGN) std::signal(signal, SIG_IGN);  // as nohup asks
-  }
+  say_when_interrupted(
+      "\nehd: atlas: interrupted; the solved points are kept, and the same command goes on from there\n");
   const auto& solver = solver_named("reference");
   const auto result = verification::run_atlas(request, solver);
   print(human_summary(result));
@@ -117,22 +98,21 @@ int atlas(const AtlasOptions& options) {
 
 }  // namespace
 
-void add_atlas(CLI::App& app, int& exit_code) {
+void describe_atlas(Command& command) {
   auto options = std::make_shared<AtlasOptions>();
-  CLI::App* command = app.add_subcommand("atlas", "Solve the atlas of line contacts");
-  command->footer(examples);
-  command->add_option("--output", options->output, "folder for atlas.csv, digits.txt and the case files (cases/atlas)")
-      ->type_name("DIR");
+  command.summary("Solve the atlas of line contacts");
+  command.examples(examples);
+  command.text("--output", options->output, "folder for atlas.csv, digits.txt and the case files (cases/atlas)")
+      .called("DIR");
   command
-      ->add_option("--tolerance", options->tolerance,
-                   "relative error allowed in the minimum and central film (1e-10; Barus 1e-7)")
-      ->type_name("T");
-  command->add_option("--time-limit", options->time_limit, "seconds for each solve (30)")->type_name("S");
-  command->add_option("--threads", options->threads, "points solved side by side (as many as there are cores)")
-      ->type_name("N");
-  command->add_option("--only", options->only, "only points with this in their id")->type_name("SUBSTRING");
-  command->add_flag("--fresh", options->fresh, "solve every point again");
-  command->callback([options, &exit_code] { run_guarded(exit_code, [&] { return atlas(*options); }); });
+      .text("--tolerance", options->tolerance,
+            "relative error allowed in the minimum and central film (1e-10; Barus 1e-7)")
+      .called("T");
+  command.text("--time-limit", options->time_limit, "seconds for each solve (30)").called("S");
+  command.text("--threads", options->threads, "points solved side by side (as many as there are cores)").called("N");
+  command.text("--only", options->only, "only points with this in their id").called("SUBSTRING");
+  command.flag("--fresh", options->fresh, "solve every point again");
+  command.runs([options] { return atlas(*options); });
 }
 
 }  // namespace ehd::cli

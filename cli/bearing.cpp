@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ehd bearing: the load distribution of one or more bearing cases.
-#include <algorithm>
+#include <fmt/format.h>
+
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "cli/commands.hpp"
-#include "cli/common.hpp"
+#include "cli/options.hpp"
+#include "cli/output.hpp"
+#include "cli/subcommands.hpp"
+#include "cli/usage.hpp"
 #include "contact/text.hpp"
 #include "io/bearing_json.hpp"
 #include "io/bearing_table.hpp"
@@ -23,6 +26,7 @@
 #include "verification/studies/paper_statements.hpp"
 #include "workflow/bearing_run.hpp"
 #include "workflow/case.hpp"
+#include "workflow/registry.hpp"
 
 namespace ehd::cli {
 
@@ -41,7 +45,7 @@ struct BearingOptions {
 const char* examples = R"(
 Examples:
   ehd bearing na4908                                   dry and EHD laws side by side
-  ehd bearing na4908 na4908-2.5um na4908-10um          three clearances; the paper's statements judged
+  ehd bearing na4908 na4908-2.5um na4908-10um          three clearances; judges the paper's statements
   ehd bearing harris-209 --law hertz --law iso         dry laws only
   ehd bearing na4908 --cage-positions 24               and the displacement while the cage turns by one pitch
   ehd bearing na4908 --law ehd-linear --json -         one result as JSON on standard output
@@ -50,17 +54,6 @@ Examples:
 
 Exit code: 0 all laws balanced; 1 one did not; 2 bad input or usage.)";
 
-/// The laws in the order given, each once. Throws UsageError.
-std::vector<bearing::Law> laws_named(const std::vector<std::string>& names) {
-  std::vector<bearing::Law> laws;
-  for (const std::string& name : names) {
-    const auto law = bearing::law_from(name);
-    if (!law) throw option_error("--law", name, "is unknown; allowed is " + bearing::names_of(bearing::Laws::all));
-    if (std::find(laws.begin(), laws.end(), *law) == laws.end()) laws.push_back(*law);
-  }
-  return laws;
-}
-
 /// Throws UsageError.
 bearing::Form form_named(const std::string& name) {
   for (const bearing::Form form : {bearing::Form::plane, bearing::Form::radial})
@@ -68,7 +61,7 @@ bearing::Form form_named(const std::string& name) {
   throw option_error("--form", name, "is unknown; allowed is plane or radial");
 }
 
-/// 0 where it is not asked for. Throws UsageError.
+/// 0 without the option. Throws UsageError.
 int positions_asked(const std::optional<std::string>& text) {
   if (!text) return 0;
   constexpr int fewest = 2, most = 10000;
@@ -110,7 +103,7 @@ std::string statements_of(const Computed& computed, ContactMemory& memory, beari
   return text;
 }
 
-/// A row a roller: what the paper's figures show.
+/// One row per roller, with the quantities of the paper's figures.
 std::string csv_of(const Computed& computed) {
   std::string text =
       "case,clearance_m,law,azimuth_deg,inner_force_N,inner_displacement_m,inner_film_minimum_m,inner_hertz_pressure_"
@@ -133,7 +126,7 @@ std::string csv_of(const Computed& computed) {
   return text;
 }
 
-/// Contact forces over the azimuth, a panel a case; absent where nothing balanced.
+/// Contact forces over the azimuth, one panel per case; absent if no law balanced.
 std::optional<std::string> plot_of(const Computed& computed) {
   report::Figure figure{
       .id = "bearing",
@@ -166,38 +159,77 @@ std::optional<std::string> plot_of(const Computed& computed) {
   return any ? std::optional(report::draw(figure, report::Place::file)) : std::nullopt;
 }
 
-int bearing(const BearingOptions& options) {
-  const std::vector<bearing::Law> named = laws_named(options.laws);
-  const bearing::Form form = form_named(options.form);
-  const int positions = positions_asked(options.cage_positions);
-  const RegisteredSolver& solver = solver_named(options.solver);
-  Computed computed;
-  for (const std::string& name : options.cases) {
-    computed.cases.push_back(read_case(find_case(name)));
-    const Case& last = computed.cases.back();
-    if (!std::holds_alternative<BearingCase>(last.body))
-      throw case_error(last, "", "this is a contact; allowed is a bearing case (ehd solve solves this one)");
+/// The cases that were named. Throws UsageError, CaseError.
+std::vector<Case> read_bearings(const std::vector<std::string>& names) {
+  std::vector<Case> cases;
+  for (const std::string& name : names) {
+    cases.push_back(read_case(find_case(name)));
+    if (!std::holds_alternative<BearingCase>(cases.back().body))
+      throw case_error(cases.back(), "", "this is a contact; allowed is a bearing case (ehd solve solves this one)");
   }
-  const auto asked_of = [&](const Case& one) {
-    const auto& body = std::get<BearingCase>(one.body);
-    return BearingRequest{.laws = named.empty() ? default_laws(body) : named,
-                          .explicitly = !named.empty(),
-                          .films = true,
-                          .form = form,
-                          .cage_positions = positions};
-  };
-  for (const Case& one : computed.cases) require_possible(one, asked_of(one));
-  std::vector<NamedFile> inputs, outputs;
-  for (const Case& one : computed.cases) inputs.push_back({"the case " + one.id, one.file});
-  if (options.json) outputs.push_back({"--json", *options.json});
-  if (options.plot) outputs.push_back({"--plot", *options.plot});
-  if (options.csv) outputs.push_back({"--csv", *options.csv});
-  require_distinct(inputs, outputs);
+  return cases;
+}
+
+/// What the options ask of each bearing.
+struct Asked {
+  std::vector<bearing::Law> laws;  ///< empty: the defaults of each case
+  bearing::Form form;
+  int cage_positions;
+
+  explicit Asked(const BearingOptions& options)
+      : laws(laws_named(options.laws)),
+        form(form_named(options.form)),
+        cage_positions(positions_asked(options.cage_positions)) {}
+
+  [[nodiscard]] BearingRequest of(const Case& one) const {
+    return {.laws = laws.empty() ? default_laws(std::get<BearingCase>(one.body)) : laws,
+            .explicitly = !laws.empty(),
+            .films = true,
+            .form = form,
+            .cage_positions = cage_positions};
+  }
+};
+
+/// What is printed and written of the results.
+struct Account {
+  Json list = Json::array();
+  std::string text;
+  std::vector<std::string> complaints;  ///< lines for standard error
+  bool all_balanced = true;
+};
+
+/// Adds one case to the account.
+void add_case(Account& account, const Case& one, const std::vector<BearingResult>& results, const Asked& asked,
+              ContactMemory& memory) {
+  std::string budgets;
+  for (const BearingResult& result : results) {
+    account.list.push_back(to_json(result));
+    const auto budget = budget_of(one, results, result.law, memory);
+    if (!budget.empty()) {
+      account.list.back()["error_budget"] = to_json(budget);
+      budgets += fmt::format("\n  error budget of {}: what may move its balance\n{}", to_string(result.law),
+                             human_budget(budget));
+    }
+    if (result.status == StopReason::converged) continue;
+    account.all_balanced = false;
+    account.complaints.push_back(
+        fmt::format("ehd: {}: {}: {}: {}", one.id, to_string(result.law), to_string(result.status), result.why));
+  }
+  account.text += (account.text.empty() ? "" : "\n") + human_table(one, results) + budgets;
+  if (!std::get<BearingCase>(one.body).lubricant && asked.laws.empty())
+    account.text += "\n  ehd-linear and ehd are skipped: the case has no lubricant\n";
+}
+
+int bearing(const BearingOptions& options) {
+  const Asked asked(options);
+  const RegisteredSolver& solver = solver_named(options.solver);
+  Computed computed{.cases = read_bearings(options.cases), .results = {}};
+  for (const Case& one : computed.cases) require_possible(one, asked.of(one));
+  require_distinct(files_of(computed.cases), {{"--json", options.json.value_or("")},
+                                              {"--plot", options.plot.value_or("")},
+                                              {"--csv", options.csv.value_or("")}});
   JsonTarget json(options.json);
-  std::optional<OutputFile> plot;
-  if (options.plot) plot.emplace(*options.plot);
-  std::optional<OutputFile> csv;
-  if (options.csv) csv.emplace(*options.csv);
+  std::optional<OutputFile> plot = opened(options.plot), csv = opened(options.csv);
 
   const Request limits = options.limits.request();
   Request request = ContactMemory::bearing_request();
@@ -208,76 +240,54 @@ int bearing(const BearingOptions& options) {
   std::string current;
   ContactMemory memory(
       [&](const Problem& problem, const Request& with) {
-        progress.show(current + ": contact " + std::to_string(++solved) + " ...");
+        progress.show(fmt::format("{}: contact {} ...", current, ++solved));
         return solver.solve(problem, with);
       },
       request);
 
-  Json list = Json::array();
-  std::string text;
-  std::vector<std::string> complaints;
-  int exit_code = success;
+  Account account;
   for (const Case& one : computed.cases) {
     current = one.id;
-    const auto& body = std::get<BearingCase>(one.body);
-    computed.results.push_back(run_bearing(one, asked_of(one), memory));
-    std::string budgets;
-    for (const BearingResult& result : computed.results.back()) {
-      list.push_back(to_json(result));
-      const auto budget = budget_of(one, computed.results.back(), result.law, memory);
-      if (!budget.empty()) {
-        list.back()["error_budget"] = to_json(budget);
-        budgets += "\n  error budget of " + std::string(to_string(result.law)) + ": what may move its balance\n" +
-                   human_budget(budget);
-      }
-      if (result.status == StopReason::converged) continue;
-      exit_code = not_met;
-      complaints.push_back("ehd: " + one.id + ": " + std::string(to_string(result.law)) + ": " +
-                           std::string(to_string(result.status)) + ": " + result.why);
-    }
-    text += (text.empty() ? "" : "\n") + human_table(one, computed.results.back()) + budgets;
-    if (!body.lubricant && named.empty()) text += "\n  ehd-linear and ehd are skipped: the case has no lubricant\n";
+    computed.results.push_back(run_bearing(one, asked.of(one), memory));
+    add_case(account, one, computed.results.back(), asked, memory);
   }
-  if (!json.to_standard_output()) text += statements_of(computed, memory, form);
+  if (!json.to_standard_output()) account.text += statements_of(computed, memory, asked.form);
   progress.show("");
-  json.write(list.size() == 1 ? list.front() : list);
+  json.write(account.list.size() == 1 ? account.list.front() : account.list);
   if (csv) csv->commit(csv_of(computed));
   if (plot) {
     if (const auto svg = plot_of(computed))
       plot->commit(*svg);
     else
-      complaints.push_back("ehd: bearing: nothing balanced, and no plot is written");
+      account.complaints.push_back("ehd: bearing: nothing balanced, and no plot is written");
   }
-  if (!json.to_standard_output()) print(text);
-  for (const std::string& complaint : complaints) complain(complaint);
-  return exit_code;
+  if (!json.to_standard_output()) print(account.text);
+  for (const std::string& complaint : account.complaints) complain(complaint);
+  return account.all_balanced ? success : not_met;
 }
 
 }  // namespace
 
-void add_bearing(CLI::App& app, int& exit_code) {
+void describe_bearing(Command& command) {
   auto options = std::make_shared<BearingOptions>();
-  CLI::App* command = app.add_subcommand("bearing", "Load distribution of a roller bearing, dry and with films");
-  command->footer(examples);
-  command->add_option("CASE", options->cases, "case files (TOML), or ids of benchmark cases")->required();
+  command.summary("Load distribution of a roller bearing, dry and with films");
+  command.examples(examples);
+  command.list("CASE", options->cases, "case files (TOML), or ids of benchmark cases").required();
+  command.list("--law", options->laws,
+               "contact law (repeatable): " + bearing::names_of(bearing::Laws::all) +
+                   " (hertz, ehd-linear, ehd; hertz alone without a lubricant)");
+  command.text("--solver", options->solver, "solver of the EHD contacts, one of " + solver_names()).showing_default();
   command
-      ->add_option("--law", options->laws,
-                   "contact law (repeatable): " + bearing::names_of(bearing::Laws::all) +
-                       " (hertz, ehd-linear, ehd; hertz alone without a lubricant)")
-      ->allow_extra_args(false);
-  command->add_option("--solver", options->solver, "solver of the EHD contacts, one of " + solver_names())
-      ->capture_default_str();
-  command
-      ->add_option("--form", options->form,
-                   "plane: the ring moves along and across the load; radial: along it only, as in the paper")
-      ->capture_default_str();
-  command->add_option("--cage-positions", options->cage_positions,
-                      "also balance at this many positions of the cage over one pitch");
-  options->limits.add_to(*command, false);
-  command->add_option("--json", options->json, "the results as JSON into a file, or - for standard output");
-  command->add_option("--plot", options->plot, "contact forces and displacements over the azimuth as a figure, SVG");
-  command->add_option("--csv", options->csv, "forces, displacements and films, a row a roller");
-  command->callback([options, &exit_code] { run_guarded(exit_code, [&] { return bearing(*options); }); });
+      .text("--form", options->form,
+            "plane: the ring moves along and across the load; radial: along it only, as in the paper")
+      .showing_default();
+  command.text("--cage-positions", options->cage_positions,
+               "also balance at this many positions of the cage over one pitch");
+  options->limits.add_to(command, false);
+  command.text("--json", options->json, "the results as JSON into a file, or - for standard output");
+  command.text("--plot", options->plot, "contact forces and displacements over the azimuth as a figure, SVG");
+  command.text("--csv", options->csv, "forces, displacements and films as CSV, one row per roller");
+  command.runs([options] { return bearing(*options); });
 }
 
 }  // namespace ehd::cli

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// ehd bench: what the solvers cost. Work against precision, cost against size, many contacts over threads.
+// ehd bench: the cost of the solvers: work against precision, cost against size, many contacts over threads.
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -8,8 +9,10 @@
 #include <thread>
 #include <vector>
 
-#include "cli/commands.hpp"
-#include "cli/common.hpp"
+#include "cli/options.hpp"
+#include "cli/output.hpp"
+#include "cli/subcommands.hpp"
+#include "cli/usage.hpp"
 #include "contact/text.hpp"
 #include "io/contact_json.hpp"
 #include "io/json.hpp"
@@ -20,6 +23,7 @@
 #include "verification/bench/box_bench.hpp"
 #include "verification/bench/cost_scaling.hpp"
 #include "verification/bench/work_precision.hpp"
+#include "workflow/registry.hpp"
 
 namespace ehd::cli {
 
@@ -42,13 +46,13 @@ Examples:
   ehd bench --part work-precision --case own-moes-20-10 --solver fast --solver reference
   ehd bench --part scaling
   ehd bench --part batch
-  ehd bench --part box --solver fast            232 contacts, with truths: five minutes on two cores
+  ehd bench --part box --solver fast            232 contacts, with true values: five minutes on two cores
 
 Parts: work-precision (run time and work against achieved error), scaling (cost and memory against the number of
-intervals), batch (many contacts over threads), and, where it is asked for, box (times and errors over all loads and
-materials). DIR/bench.json holds the parts of this run; work-precision leaves DIR/work_precision.csv too, scaling
-DIR/scaling.csv, box DIR/box.csv. A solve that fails is a row with its reason. Exit code: 0 the tables
-are there; 1 not one run could be judged, or results depend on the number of threads; 2 wrong usage.)";
+intervals), batch (many contacts over threads), and box (times and errors over all loads and materials), which runs
+only with --part box. DIR/bench.json holds the parts of this run; DIR/work_precision.csv, DIR/scaling.csv and
+DIR/box.csv hold the tables. A solve that fails is a row with its reason. Exit code: 0 the tables are complete; 1 no run
+could be judged, or results depend on the number of threads; 2 wrong usage.)";
 
 constexpr const char* work_precision = "work-precision";
 constexpr const char* scaling = "scaling";
@@ -69,129 +73,166 @@ std::vector<const RegisteredSolver*> chosen_solvers(const std::vector<std::strin
   return chosen;
 }
 
-/// Those that a part is about: a batch of contacts, or a million intervals, is not for dense solvers.
+/// The solvers for scaling, batch and box: many contacts, or a million intervals, take dense solvers too long.
 std::vector<const RegisteredSolver*> with_fft(std::vector<const RegisteredSolver*> solvers) {
   std::erase_if(solvers, [](const RegisteredSolver* solver) { return !solver->uses_fft; });
   return solvers;
 }
 
-int bench(const BenchOptions& options) {
-  std::vector<std::string> parts = options.parts;
-  for (const auto& part : parts) {
-    if (std::find(std::begin(all_parts), std::end(all_parts), part) == std::end(all_parts))
-      throw option_error("--part", part, "is unknown; allowed is work-precision, scaling, batch, box");
+/// Throws UsageError.
+std::vector<std::string> parts_named(const std::vector<std::string>& names) {
+  if (names.empty()) return {std::begin(usual_parts), std::end(usual_parts)};
+  for (const auto& name : names) {
+    if (std::find(std::begin(all_parts), std::end(all_parts), name) == std::end(all_parts))
+      throw option_error("--part", name, "is unknown; allowed is work-precision, scaling, batch, box");
   }
-  if (parts.empty()) parts.assign(std::begin(usual_parts), std::end(usual_parts));
-  const auto asked = [&](const char* part) { return std::find(parts.begin(), parts.end(), part) != parts.end(); };
-  const auto solvers = chosen_solvers(options.solvers);
-  const auto fft_solvers = with_fft(solvers);
+  return names;
+}
+
+/// One run: what the options ask for, the files that receive the results, and the results so far.
+class Bench {
+ public:
+  explicit Bench(const BenchOptions& options);  ///< throws UsageError; opens the files
+  [[nodiscard]] int run();
+
+ private:
+  [[nodiscard]] bool asked(const char* part) const {
+    return std::find(parts_.begin(), parts_.end(), part) != parts_.end();
+  }
+  void require_options_of_parts(const BenchOptions& options) const;
+  void open_files(const std::string& folder);
+  void measure_scaling();
+  void measure_batch();
+  void measure_box();
+  void measure_work_precision();
+  void finish_part(const std::string& table) {
+    progress_.show("");
+    print(table);
+  }
+
+  std::vector<std::string> parts_;
+  std::vector<const RegisteredSolver*> solvers_, fft_solvers_;
+  bool quick_ = false;
+  double time_limit_s_ = usual_time_limit_s;
+  std::vector<Case> cases_;  ///< of work-precision
+  std::optional<OutputFolder> folder_;
+  std::optional<OutputFile> json_file_, work_csv_, scaling_csv_, box_csv_;
+  Progress progress_;
+  std::function<void(const std::string&)> show_ = [this](const std::string& what) { progress_.show("bench " + what); };
+  Json json_;
+  bool sound_ = true;
+};
+
+Bench::Bench(const BenchOptions& options)
+    : parts_(parts_named(options.parts)),
+      solvers_(chosen_solvers(options.solvers)),
+      fft_solvers_(with_fft(solvers_)),
+      quick_(options.quick) {
+  require_options_of_parts(options);
+  const Request limits = options.limits.request();
+  if (options.limits.time_limit) time_limit_s_ = limits.time_limit_s;
+  if (asked(work_precision))
+    cases_ = verification::contacts_named(options.cases.empty() ? verification::work_precision_cases(quick_)
+                                                                : options.cases);
+  if (options.output) open_files(*options.output);
+}
+
+void Bench::require_options_of_parts(const BenchOptions& options) const {
   if (!options.cases.empty() && !asked(work_precision))
     throw option_error("--case", options.cases.front(), "belongs to the part work-precision, which is not run");
-  if (!asked(work_precision) && fft_solvers.empty())
-    throw option_error("--solver", solvers.front()->name,
+  if (!asked(work_precision) && fft_solvers_.empty())
+    throw option_error("--solver", solvers_.front()->name,
                        "uses no FFT; allowed in scaling, batch and box are those that do");
-  Request limits = options.limits.request();
-  if (!options.limits.time_limit) limits.time_limit_s = usual_time_limit_s;
+}
 
-  verification::WorkPrecisionRequest precision{.cases = {}, .solvers = solvers};
-  if (asked(work_precision))
-    precision.cases = verification::contacts_named(
-        options.cases.empty() ? verification::work_precision_cases(options.quick) : options.cases);
+void Bench::open_files(const std::string& folder) {
+  folder_.emplace(folder);
+  json_file_.emplace(folder_->path() / "bench.json");
+  if (asked(work_precision)) work_csv_.emplace(folder_->path() / "work_precision.csv");
+  if (asked(box)) box_csv_.emplace(folder_->path() / "box.csv");
+  if (asked(scaling)) scaling_csv_.emplace(folder_->path() / "scaling.csv");
+}
 
-  // Opened before the work begins: a folder that cannot be written is bad input, not a lost run.
-  std::optional<OutputFolder> folder;
-  std::optional<OutputFile> json_file, work_csv, scaling_csv, box_csv;
-  if (options.output) {
-    folder.emplace(*options.output);
-    json_file.emplace(folder->path() / "bench.json");
-    if (asked(work_precision)) work_csv.emplace(folder->path() / "work_precision.csv");
-    if (asked(box)) box_csv.emplace(folder->path() / "box.csv");
-    if (asked(scaling)) scaling_csv.emplace(folder->path() / "scaling.csv");
-  }
+void Bench::measure_scaling() {
+  auto request = verification::usual_scaling(fft_solvers_, quick_);
+  request.time_limit_s = time_limit_s_;
+  request.progress = show_;
+  const auto rows = run_scaling(request);
+  json_["scaling"] = to_json(rows);
+  if (scaling_csv_) scaling_csv_->commit(verification::scaling_csv(rows));
+  finish_part(human_table(rows));
+}
 
-  Progress progress;
-  const auto show = [&](const std::string& what) { progress.show("bench " + what); };
-  Json json;
-  json["schema"] = schema;
-  json["provenance"] = provenance();
-  json["settings"] = {{"quick", options.quick}, {"time_limit_s", limits.time_limit_s}, {"parts", parts}};
-  bool sound = true;
-  // First, while this process is small: its children begin with what it holds.
-  if (asked(scaling) && !fft_solvers.empty()) {
-    auto request = verification::usual_scaling(fft_solvers, options.quick);
-    request.time_limit_s = limits.time_limit_s;
-    request.progress = show;
-    const auto rows = run_scaling(request);
-    json["scaling"] = to_json(rows);
-    if (scaling_csv) scaling_csv->commit(verification::scaling_csv(rows));
-    progress.show("");
-    print(human_table(rows));
+void Bench::measure_batch() {
+  verification::BatchRequest request{.solvers = fft_solvers_, .problems = verification::batch_problems(quick_)};
+  request.time_limit_s = time_limit_s_;
+  const unsigned cores = std::max(2u, std::thread::hardware_concurrency());
+  for (unsigned threads = 4; threads <= cores; threads *= 2) request.threads.push_back(threads);
+  request.progress = show_;
+  const auto rows = run_batch(request);
+  json_["batch"] = to_json(rows);
+  finish_part(human_table(rows));
+  if (!std::all_of(rows.begin(), rows.end(), [](const auto& row) { return row.same_results; })) {
+    complain("ehd: bench: results depend on the number of threads");
+    sound_ = false;
   }
-  if (asked(batch) && !fft_solvers.empty()) {
-    verification::BatchRequest request{.solvers = fft_solvers, .problems = verification::batch_problems(options.quick)};
-    request.time_limit_s = limits.time_limit_s;
-    const unsigned cores = std::max(2u, std::thread::hardware_concurrency());
-    for (unsigned threads = 4; threads <= cores; threads *= 2) request.threads.push_back(threads);
-    request.progress = show;
-    const auto rows = run_batch(request);
-    json["batch"] = to_json(rows);
-    progress.show("");
-    print(human_table(rows));
-    if (!std::all_of(rows.begin(), rows.end(), [](const auto& row) { return row.same_results; })) {
-      complain("ehd: bench: results depend on the number of threads");
-      sound = false;
-    }
+}
+
+void Bench::measure_box() {
+  verification::BoxRequest request{.solvers = fft_solvers_, .contacts = verification::box_contacts(quick_)};
+  request.truth = find_solver("reference");
+  request.time_limit_s = time_limit_s_;
+  request.threads = std::max(1u, std::thread::hardware_concurrency());
+  request.progress = show_;
+  const auto rows = run_box(request);
+  json_["box"] = to_json(rows);
+  if (box_csv_) box_csv_->commit(verification::box_csv(rows));
+  finish_part(human_table(rows));
+}
+
+void Bench::measure_work_precision() {
+  verification::WorkPrecisionRequest request{.cases = cases_, .solvers = solvers_};
+  request.quick = quick_;
+  request.time_limit_s = time_limit_s_;
+  request.progress = show_;
+  const auto result = run_work_precision(request);
+  json_["work_precision"] = to_json(result);
+  if (work_csv_) work_csv_->commit(verification::work_precision_csv(result));
+  finish_part(human_table(result));
+  if (!result.anything_judged()) {
+    complain("ehd: bench: not one run could be judged");
+    sound_ = false;
   }
-  if (asked(box) && !fft_solvers.empty()) {
-    verification::BoxRequest request{.solvers = fft_solvers, .contacts = verification::box_contacts(options.quick)};
-    request.truth = find_solver("reference");
-    request.time_limit_s = limits.time_limit_s;
-    request.threads = std::max(1u, std::thread::hardware_concurrency());
-    request.progress = show;
-    const auto rows = run_box(request);
-    json["box"] = to_json(rows);
-    if (box_csv) box_csv->commit(verification::box_csv(rows));
-    progress.show("");
-    print(human_table(rows));
-  }
-  if (asked(work_precision)) {
-    precision.quick = options.quick;
-    precision.time_limit_s = limits.time_limit_s;
-    precision.progress = show;
-    const auto result = run_work_precision(precision);
-    json["work_precision"] = to_json(result);
-    if (work_csv) work_csv->commit(verification::work_precision_csv(result));
-    progress.show("");
-    print(human_table(result));
-    if (!result.anything_judged()) {
-      complain("ehd: bench: not one run could be judged");
-      sound = false;
-    }
-  }
-  if (json_file) json_file->commit(json_text(json));
-  return sound ? success : not_met;
+}
+
+int Bench::run() {
+  json_["schema"] = schema;
+  json_["provenance"] = provenance();
+  json_["settings"] = {{"quick", quick_}, {"time_limit_s", time_limit_s_}, {"parts", parts_}};
+  // Scaling runs first, while this process is small: its child processes begin with the memory of this one.
+  if (asked(scaling) && !fft_solvers_.empty()) measure_scaling();
+  if (asked(batch) && !fft_solvers_.empty()) measure_batch();
+  if (asked(box) && !fft_solvers_.empty()) measure_box();
+  if (asked(work_precision)) measure_work_precision();
+  if (json_file_) json_file_->commit(json_text(json_));
+  return sound_ ? success : not_met;
 }
 
 }  // namespace
 
-void add_bench(CLI::App& app, int& exit_code) {
+void describe_bench(Command& command) {
   auto options = std::make_shared<BenchOptions>();
-  CLI::App* command = app.add_subcommand("bench", "Run time and work against achieved error; scaling; many contacts");
-  command->footer(examples);
-  command->add_option("--output", options->output, "folder for bench.json, work_precision.csv and scaling.csv")
-      ->type_name("DIR");
-  command->add_option("--part", options->parts, "work-precision, scaling, batch or box (repeatable; all but box)")
-      ->type_name("PART")
-      ->allow_extra_args(false);
-  command->add_option("--case", options->cases, "a contact case for work-precision (repeatable; the benchmark's own)")
-      ->type_name("CASE")
-      ->allow_extra_args(false);
-  command->add_option("--solver", options->solvers, "one of " + solver_names() + " (repeatable; all)")
-      ->type_name("NAME")
-      ->allow_extra_args(false);
-  command->add_option("--time-limit", options->limits.time_limit, "seconds for each solve (30)")->type_name("S");
-  command->add_flag("--quick", options->quick, "a short set of everything");
-  command->callback([options, &exit_code] { run_guarded(exit_code, [&] { return bench(*options); }); });
+  command.summary("Run time and work against achieved error; scaling; many contacts");
+  command.examples(examples);
+  command.text("--output", options->output, "folder for bench.json, work_precision.csv and scaling.csv").called("DIR");
+  command.list("--part", options->parts, "work-precision, scaling, batch or box (repeatable; all but box)")
+      .called("PART");
+  command.list("--case", options->cases, "a contact case for work-precision (repeatable; the benchmark's own)")
+      .called("CASE");
+  command.list("--solver", options->solvers, "one of " + solver_names() + " (repeatable; all)").called("NAME");
+  command.text("--time-limit", options->limits.time_limit, "seconds for each solve (30)").called("S");
+  command.flag("--quick", options->quick, "a short set of everything");
+  command.runs([options] { return Bench(*options).run(); });
 }
 
 }  // namespace ehd::cli

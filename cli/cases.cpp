@@ -7,8 +7,9 @@
 #include <variant>
 #include <vector>
 
-#include "cli/commands.hpp"
-#include "cli/common.hpp"
+#include "cli/output.hpp"
+#include "cli/subcommands.hpp"
+#include "cli/usage.hpp"
 #include "contact/nondimensional.hpp"
 #include "contact/text.hpp"
 #include "io/bibliography.hpp"
@@ -40,7 +41,7 @@ std::string problem_of(const Case& any) {
   return "M = " + plain(groups.M, digits) + ", L = " + plain(groups.L, digits);
 }
 
-/// What the numbers of a case are worth: "exact", "computed", …, each kind once; those that wait apart.
+/// The kinds of a case's expectations: "exact", "computed", …, each once; values without a source yet are "waiting".
 std::string kinds_in(const Case& any) {
   std::vector<std::string> kinds;
   for (const auto& expectation : any.expectations) {
@@ -115,18 +116,16 @@ int list(bool bibtex) {
 
 }  // namespace
 
-void add_cases(CLI::App& app, int& exit_code) {
+void describe_cases(Command& command) {
   struct CasesOptions {
     bool bibtex = false, atlas = false;
   };
   auto options = std::make_shared<CasesOptions>();
-  CLI::App* command = app.add_subcommand("cases", "List the benchmark cases and how to cite each");
-  command->footer(examples);
-  auto* bibtex = command->add_flag("--bibtex", options->bibtex, "print the BibTeX entries of all sources");
-  command->add_flag("--atlas", options->atlas, "list the points of the atlas")->excludes(bibtex);
-  command->callback([options, &exit_code] {
-    run_guarded(exit_code, [&] { return options->atlas ? list_atlas() : list(options->bibtex); });
-  });
+  command.summary("List the benchmark cases and how to cite each");
+  command.examples(examples);
+  const Option bibtex = command.flag("--bibtex", options->bibtex, "print the BibTeX entries of all sources");
+  command.flag("--atlas", options->atlas, "list the points of the atlas").excluding(bibtex);
+  command.runs([options] { return options->atlas ? list_atlas() : list(options->bibtex); });
 }
 
 }  // namespace ehd::cli

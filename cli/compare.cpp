@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// ehd compare: solvers side by side on each case: time, films, the error that a solver reports and the one that it has.
-#include <algorithm>
+// ehd compare: solvers side by side on each case: time, films, reported and achieved errors.
+#include <fmt/format.h>
+
 #include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -8,8 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "cli/commands.hpp"
-#include "cli/common.hpp"
+#include "cli/options.hpp"
+#include "cli/output.hpp"
+#include "cli/subcommands.hpp"
+#include "cli/usage.hpp"
 #include "contact/text.hpp"
 #include "io/contact_json.hpp"
 #include "io/json.hpp"
@@ -17,6 +20,7 @@
 #include "verification/bench/work_precision.hpp"
 #include "workflow/case.hpp"
 #include "workflow/contact_run.hpp"
+#include "workflow/registry.hpp"
 
 namespace ehd::cli {
 
@@ -34,8 +38,9 @@ Examples:
   ehd compare own-moes-20-10 --solver fast --solver reference --tolerance 1e-3
   ehd compare own-barus-3-4-flooded --json comparison.json
 
-The error achieved is held against the case's own expectation where there is one (the most certain), else against the
-run with the smallest error estimate. Exit code: 0 every run converged; 1 not; 2 bad input or usage.)";
+The achieved error is the difference from the case's own expectation (the one with the smallest uncertainty). A case
+without one is compared with the run whose error estimate is smallest. Exit code: 0 every run converged; 1 one did not;
+2 bad input or usage.)";
 
 constexpr Quantity films[] = {Quantity::film_minimum, Quantity::film_central};
 
@@ -51,7 +56,7 @@ const Reading* film_of(const ContactRun& run, Quantity quantity) {
   return at == run.solution.observables.end() ? nullptr : &at->second;
 }
 
-/// The most certain number that somebody vouches for; a regression is none.
+/// The expectation with the smallest uncertainty. Fits and values that still wait for their source do not count.
 const Expectation* truth_of(const Case& contact_case, Quantity quantity) {
   const Expectation* best = nullptr;
   for (const auto& expectation : contact_case.expectations) {
@@ -62,7 +67,7 @@ const Expectation* truth_of(const Case& contact_case, Quantity quantity) {
   return best;
 }
 
-/// Fills the achieved errors of one film; returns what they are held against.
+/// Fills in the achieved errors of one film; returns what the film was compared with.
 std::string judge_film(const Case& contact_case, std::vector<Row>& rows, std::size_t film) {
   const Quantity quantity = films[film];
   if (const Expectation* truth = truth_of(contact_case, quantity)) {
@@ -89,11 +94,65 @@ std::string judge_film(const Case& contact_case, std::vector<Row>& rows, std::si
 
 std::string cell(const std::optional<double>& value) { return value ? plain(*value, 2) : "-"; }
 
-int compare(const CompareOptions& options) {
-  if (options.cases.empty()) throw UsageError("compare: a CASE is missing; required is at least one");
-  std::vector<const RegisteredSolver*> solvers;
-  for (const auto& name : options.solvers.empty() ? std::vector<std::string>{"reference", "fast"} : options.solvers)
-    solvers.push_back(&solver_named(name));
+/// Every solver at every tolerance, with the errors that they report.
+std::vector<Row> run_all(const Case& contact_case, const std::vector<const RegisteredSolver*>& solvers,
+                         const std::vector<Request>& requests) {
+  std::vector<Row> rows;
+  Progress progress;
+  for (const RegisteredSolver* solver : solvers) {
+    for (const Request& request : requests) {
+      progress.show(fmt::format("{}: {} at {} ...", contact_case.id, solver->name, plain(*request.tolerance)));
+      Row row{.tolerance = *request.tolerance, .run = run_contact(contact_case, *solver, request)};
+      for (std::size_t film = 0; film < 2; ++film) {
+        if (const Reading* reading = film_of(row.run, films[film])) row.reported[film] = reading->error;
+      }
+      rows.push_back(std::move(row));
+    }
+  }
+  return rows;
+}
+
+bool converged(const Row& row) { return row.run.status() == StopReason::converged; }
+
+std::string failure_of(const Case& contact_case, const Row& row) {
+  const std::string& reason = row.run.solution.record.reason;
+  return fmt::format("ehd: {}: {} at {}: {}{}", contact_case.id, row.run.solver, plain(row.tolerance),
+                     to_string(row.run.status()), reason.empty() ? "" : ": " + reason);
+}
+
+std::vector<std::vector<std::string>> table_of(const std::vector<Row>& rows) {
+  std::vector<std::vector<std::string>> table{{"solver", "tolerance", "status", "H_min", "reported", "achieved",
+                                               "H_cen", "reported", "achieved", "time [ms]", "work units",
+                                               "intervals"}};
+  for (const Row& row : rows) {
+    std::vector<std::string> cells{row.run.solver, plain(row.tolerance), std::string(to_string(row.run.status()))};
+    for (std::size_t film = 0; film < 2; ++film) {
+      const Reading* reading = film_of(row.run, films[film]);
+      cells.push_back(reading ? with_error(reading->value, reading->error) : "-");
+      cells.push_back(cell(row.reported[film]));
+      cells.push_back(cell(row.achieved[film]));
+    }
+    const Cost& cost = row.run.solution.record.cost;
+    cells.push_back(plain(1e3 * cost.wall_s, 3));
+    cells.push_back(cost.nodes > 0 ? plain(cost.work_units, 3) : "-");
+    cells.push_back(cost.nodes > 0 ? std::to_string(cost.nodes) : "-");
+    table.push_back(cells);
+  }
+  return table;
+}
+
+Json json_of(const Row& row) {
+  Json entry = to_json(row.run);
+  put(entry, "tolerance", row.tolerance);
+  Json achieved = Json::object();
+  put(achieved, "film.minimum", row.achieved[0]);
+  put(achieved, "film.central", row.achieved[1]);
+  entry["achieved_error"] = achieved;
+  return entry;
+}
+
+/// Throws UsageError.
+std::vector<Request> requests_of(const CompareOptions& options) {
   std::vector<Request> requests;
   for (const auto& tolerance :
        options.tolerances.empty() ? std::vector<std::string>{"1e-2", "1e-3", "1e-4"} : options.tolerances) {
@@ -101,65 +160,30 @@ int compare(const CompareOptions& options) {
     one.tolerance = tolerance;
     requests.push_back(one.request());
   }
+  return requests;
+}
+
+int compare(const CompareOptions& options) {
+  if (options.cases.empty()) throw UsageError("compare: a CASE is missing; required is at least one");
+  std::vector<const RegisteredSolver*> solvers;
+  for (const auto& name : options.solvers.empty() ? std::vector<std::string>{"reference", "fast"} : options.solvers)
+    solvers.push_back(&solver_named(name));
+  const std::vector<Request> requests = requests_of(options);
   // Everything that can be refused is refused before the first solve.
   const std::vector<Case> cases = verification::contacts_named(options.cases);
-  if (options.json) {
-    std::vector<NamedFile> inputs;
-    for (const Case& one : cases) inputs.push_back({"the case " + one.id, one.file});
-    require_distinct(inputs, {{"--json", *options.json}});
-  }
+  require_distinct(files_of(cases), {{"--json", options.json.value_or("")}});
   JsonTarget json(options.json);
 
   Json list = Json::array();
   bool all_converged = true;
   for (const Case& contact_case : cases) {
-    std::vector<Row> rows;
-    {
-      Progress progress;
-      for (const RegisteredSolver* solver : solvers) {
-        for (const Request& request : requests) {
-          progress.show(contact_case.id + ": " + solver->name + " at " + plain(*request.tolerance) + " ...");
-          Row row{.tolerance = *request.tolerance, .run = run_contact(contact_case, *solver, request)};
-          for (std::size_t film = 0; film < 2; ++film) {
-            if (const Reading* reading = film_of(row.run, films[film])) row.reported[film] = reading->error;
-          }
-          rows.push_back(std::move(row));
-        }
-      }
-    }
+    std::vector<Row> rows = run_all(contact_case, solvers, requests);
     const std::string against[2] = {judge_film(contact_case, rows, 0), judge_film(contact_case, rows, 1)};
-
-    std::vector<std::vector<std::string>> table{{"solver", "tolerance", "status", "H_min", "reported", "achieved",
-                                                 "H_cen", "reported", "achieved", "time [ms]", "work units",
-                                                 "intervals"}};
     Json runs = Json::array();
     for (const Row& row : rows) {
-      const bool converged = row.run.status() == StopReason::converged;
-      all_converged = all_converged && converged;
-      if (!converged)
-        complain("ehd: " + contact_case.id + ": " + row.run.solver + " at " + plain(row.tolerance) + ": " +
-                 std::string(to_string(row.run.status())) +
-                 (row.run.solution.record.reason.empty() ? "" : ": " + row.run.solution.record.reason));
-      std::vector<std::string> cells{row.run.solver, plain(row.tolerance), std::string(to_string(row.run.status()))};
-      for (std::size_t film = 0; film < 2; ++film) {
-        const Reading* reading = film_of(row.run, films[film]);
-        cells.push_back(reading ? with_error(reading->value, reading->error) : "-");
-        cells.push_back(cell(row.reported[film]));
-        cells.push_back(cell(row.achieved[film]));
-      }
-      const Cost& cost = row.run.solution.record.cost;
-      cells.push_back(plain(1e3 * cost.wall_s, 3));
-      cells.push_back(cost.nodes > 0 ? plain(cost.work_units, 3) : "-");
-      cells.push_back(cost.nodes > 0 ? std::to_string(cost.nodes) : "-");
-      table.push_back(cells);
-
-      Json entry = to_json(row.run);
-      put(entry, "tolerance", row.tolerance);
-      Json achieved = Json::object();
-      put(achieved, "film.minimum", row.achieved[0]);
-      put(achieved, "film.central", row.achieved[1]);
-      entry["achieved_error"] = achieved;
-      runs.push_back(entry);
+      all_converged = all_converged && converged(row);
+      if (!converged(row)) complain(failure_of(contact_case, row));
+      runs.push_back(json_of(row));
     }
     list.push_back({{"case", contact_case.id},
                     {"version", contact_case.version},
@@ -167,8 +191,8 @@ int compare(const CompareOptions& options) {
                     {"runs", runs}});
     if (json.to_standard_output()) continue;
     constexpr std::size_t names = 3;
-    print(contact_case.id + ": " + contact_case.title + "\n" + aligned(table, names, "  ") +
-          "  achieved: H_min against " + against[0] + "\n            H_cen against " + against[1] + "\n\n");
+    print(fmt::format("{}: {}\n{}  achieved: H_min against {}\n            H_cen against {}\n\n", contact_case.id,
+                      contact_case.title, aligned(table_of(rows), names, "  "), against[0], against[1]));
   }
   json.write(list);
   return all_converged ? success : not_met;
@@ -176,18 +200,16 @@ int compare(const CompareOptions& options) {
 
 }  // namespace
 
-void add_compare(CLI::App& app, int& exit_code) {
+void describe_compare(Command& command) {
   auto options = std::make_shared<CompareOptions>();
-  CLI::App* command = app.add_subcommand("compare", "Solvers side by side: time, error, work");
-  command->footer(examples);
-  command->add_option("CASE", options->cases, "case files (TOML), or ids of benchmark cases");
-  command->add_option("--solver", options->solvers, "one of " + solver_names() + " (repeatable; reference and fast)")
-      ->allow_extra_args(false);
-  command->add_option("--tolerance", options->tolerances, "relative error of the films (repeatable; 1e-2, 1e-3, 1e-4)")
-      ->allow_extra_args(false);
-  options->limits.add_to(*command, false);
-  command->add_option("--json", options->json, "the comparison as JSON into a file, or - for standard output");
-  command->callback([options, &exit_code] { run_guarded(exit_code, [&] { return compare(*options); }); });
+  command.summary("Solvers side by side: time, error, work");
+  command.examples(examples);
+  command.list("CASE", options->cases, "case files (TOML), or ids of benchmark cases");
+  command.list("--solver", options->solvers, "one of " + solver_names() + " (repeatable; reference and fast)");
+  command.list("--tolerance", options->tolerances, "relative error of the films (repeatable; 1e-2, 1e-3, 1e-4)");
+  options->limits.add_to(command, false);
+  command.text("--json", options->json, "the comparison as JSON into a file, or - for standard output");
+  command.runs([options] { return compare(*options); });
 }
 
 }  // namespace ehd::cli

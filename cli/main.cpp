@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program `ehd`: options and exit codes only. What it does lives in the subcommands, a file each.
-#include <CLI/CLI.hpp>
+// The program `ehd`: its name, help and list of subcommands. Each subcommand is a file of its own.
 #include <exception>
 #include <iostream>
 #include <new>
 #include <string>
 
-#include "cli/commands.hpp"
-#include "cli/common.hpp"
+#include "cli/output.hpp"
+#include "cli/subcommands.hpp"
+#include "cli/usage.hpp"
 #include "io/output_file.hpp"
 
 namespace {
@@ -18,63 +18,37 @@ Examples:
   ehd solve --M 20 --L 10             the same kind of contact without a file
   ehd compare own-moes-20-10          the solvers side by side
   ehd bearing na4908                  the load distribution of a bearing
-  ehd plan own-moes-20-10             what would be computed, what is skipped, and why
+  ehd plan own-moes-20-10             what would be computed, what is skipped and why
   ehd sweep sweep.toml                a case over lists and ranges of its keys
   ehd cases                           the benchmark cases and how to cite them
   ehd verify                          the verification suite
   ehd bench                           run time against achieved error
   ehd stress                          numerical stability
-  ehd report out/verify               what they left there, as one HTML page
+  ehd report out/verify               the results in that folder as one HTML page
   ehd atlas --only m20-l10-           certified solutions over M and L, with the digits that are known
-  ehd maps                            how far the film formulas are off, over M and L
+  ehd maps                            errors of the film formulas over M and L
 
 Exit code: 0 success; 1 a check failed or a solve did not converge; 2 bad input or usage.)";
 
-/// Only the first line: what follows it in a parse error is help that nobody asked for.
-std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
-
-int run(int argc, char** argv) {
-  using namespace ehd::cli;
-  int exit_code = success;
-  CLI::App app("Elastohydrodynamic line contacts and the roller bearings that run on them, verified", "ehd");
-  app.set_version_flag("--version", std::string("ehd ") + EHD_VERSION, "Print the version");
-  app.footer(examples);
-  app.require_subcommand(0, 1);
-  add_solve(app, exit_code);
-  add_compare(app, exit_code);
-  add_bearing(app, exit_code);
-  add_cases(app, exit_code);
-  add_plan(app, exit_code);
-  add_verify(app, exit_code);
-  add_bench(app, exit_code);
-  add_stress(app, exit_code);
-  add_report(app, exit_code);
-  add_atlas(app, exit_code);
-  add_maps(app, exit_code);
-  add_statements(app, exit_code);
-  add_sweep(app, exit_code);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::CallForVersion& version) {
-    print(std::string(version.what()) + "\n");
-    return success;
-  } catch (const CLI::Success&) {  // --help, of the program or of a subcommand
-    const auto chosen = app.get_subcommands();
-    print(chosen.empty() ? app.help() : chosen.front()->help("ehd"));
-    return success;
-  } catch (const CLI::ParseError& error) {
-    complain("ehd: " + first_line(error.what()) + "; ehd --help shows what is allowed");
-    return bad_input;
-  }
-  if (app.get_subcommands().empty()) print(app.help());
-  return exit_code;
+ehd::cli::Program ehd_program() {
+  ehd::cli::Program program{
+      .name = "ehd",
+      .version = EHD_VERSION,
+      .summary = "Elastohydrodynamic line contacts and the roller bearings that run on them, verified",
+      .examples = examples,
+      .subcommands = {},
+  };
+#define EHD_ADD(NAME) program.subcommands.push_back({#NAME, ehd::cli::describe_##NAME});
+  EHD_SUBCOMMANDS(EHD_ADD)
+#undef EHD_ADD
+  return program;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   try {
-    return run(argc, argv);
+    return ehd::cli::run_command_line(ehd_program(), argc, argv);
   } catch (const ehd::OutputError& error) {
     ehd::cli::complain("ehd: " + std::string(error.what()));
     return ehd::cli::bad_input;

@@ -4,8 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "cli/commands.hpp"
-#include "cli/common.hpp"
+#include "cli/output.hpp"
+#include "cli/subcommands.hpp"
+#include "cli/usage.hpp"
 #include "io/output_file.hpp"
 #include "verification/atlas/atlas.hpp"
 #include "verification/studies/film_maps.hpp"
@@ -24,7 +25,7 @@ Examples:
   ehd maps --quantity film.minimum --laws barus
   ehd maps --output out/maps                    leaves formula_maps.csv and inlet_maps.csv: all films and laws
 
-The films are those of cases/atlas (certified, ehd atlas made them): nothing is solved, and nothing is judged.)";
+The films are the certified ones of cases/atlas, which ehd atlas made. Nothing is solved or judged.)";
 
 int maps(const MapsOptions& options) {
   const std::string quantity = options.quantity.value_or("");
@@ -54,14 +55,14 @@ int maps(const MapsOptions& options) {
 
 }  // namespace
 
-void add_maps(CLI::App& app, int& exit_code) {
+void describe_maps(Command& command) {
   auto options = std::make_shared<MapsOptions>();
-  CLI::App* command = app.add_subcommand("maps", "Film formulas and cut inlets against certified films, over M and L");
-  command->footer(examples);
-  command->add_option("--output", options->output, "folder for formula_maps.csv and inlet_maps.csv")->type_name("DIR");
-  command->add_option("--quantity", options->quantity, "film.minimum or film.central (both)")->type_name("FILM");
-  command->add_option("--laws", options->laws, "roelands or barus (roelands)")->type_name("LAWS");
-  command->callback([options, &exit_code] { run_guarded(exit_code, [&] { return maps(*options); }); });
+  command.summary("Film formulas and cut inlets against certified films, over M and L");
+  command.examples(examples);
+  command.text("--output", options->output, "folder for formula_maps.csv and inlet_maps.csv").called("DIR");
+  command.text("--quantity", options->quantity, "film.minimum or film.central (both)").called("FILM");
+  command.text("--laws", options->laws, "roelands or barus (roelands)").called("LAWS");
+  command.runs([options] { return maps(*options); });
 }
 
 }  // namespace ehd::cli

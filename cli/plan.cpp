@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// ehd plan: what would be computed, what is skipped, and why. Nothing is solved.
-#include <algorithm>
+// ehd plan: what would be computed, what is skipped and why. Nothing is solved.
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -8,8 +7,10 @@
 #include <variant>
 #include <vector>
 
-#include "cli/commands.hpp"
-#include "cli/common.hpp"
+#include "cli/options.hpp"
+#include "cli/output.hpp"
+#include "cli/subcommands.hpp"
+#include "cli/usage.hpp"
 #include "io/case_reader.hpp"
 #include "io/contact_json.hpp"
 #include "io/find_case.hpp"
@@ -18,6 +19,7 @@
 #include "workflow/bearing_run.hpp"
 #include "workflow/case.hpp"
 #include "workflow/contact_plan.hpp"
+#include "workflow/registry.hpp"
 
 namespace ehd::cli {
 
@@ -38,23 +40,13 @@ Examples:
   ehd plan own-moes-20-10 --quantity film.minimum      nothing else is observed
   ehd plan na4908 --law hertz                          a bearing with dry contacts)";
 
-std::vector<bearing::Law> laws_named(const std::vector<std::string>& names) {
-  std::vector<bearing::Law> laws;
-  for (const auto& name : names) {
-    const auto law = bearing::law_from(name);
-    if (!law) throw option_error("--law", name, "is unknown; allowed is " + bearing::names_of(bearing::Laws::all));
-    if (std::find(laws.begin(), laws.end(), *law) == laws.end()) laws.push_back(*law);
-  }
-  return laws;
-}
-
 int plan(const PlanOptions& options) {
   const auto& solver = solver_named(options.solver.value_or("fast"));
   const Request request = options.request.request();
   const Wanted wanted = quantities_named(options.quantities);
   const Case any = read_case(find_case(options.case_name));
-  if (options.json) require_distinct({{"the case", any.file}}, {{"--json", *options.json}});
-  // What the command itself would refuse has no plan.
+  require_distinct({{"the case", any.file}}, {{"--json", options.json.value_or("")}});
+  // A request that solve or bearing would refuse is refused here as well.
   Plan made;
   if (const auto* bearing = std::get_if<BearingCase>(&any.body)) {
     if (options.solver || !options.quantities.empty() || options.request.tolerance || options.request.nodes)
@@ -81,17 +73,17 @@ int plan(const PlanOptions& options) {
 
 }  // namespace
 
-void add_plan(CLI::App& app, int& exit_code) {
+void describe_plan(Command& command) {
   auto options = std::make_shared<PlanOptions>();
-  CLI::App* command = app.add_subcommand("plan", "Show what would be computed, what is skipped, and why");
-  command->footer(examples);
-  command->add_option("CASE", options->case_name, "a case file (TOML), or the id of a benchmark case")->required();
-  command->add_option("--solver", options->solver, "one of " + solver_names() + " (fast)");
-  options->request.add_to(*command);
-  command->add_option("--quantity", options->quantities, "only this quantity (repeatable)")->allow_extra_args(false);
-  command->add_option("--law", options->laws, "a bearing's law (repeatable)")->allow_extra_args(false);
-  command->add_option("--json", options->json, "the plan as JSON into a file, or - for standard output");
-  command->callback([options, &exit_code] { run_guarded(exit_code, [&] { return plan(*options); }); });
+  command.summary("Show what would be computed, what is skipped and why");
+  command.examples(examples);
+  command.text("CASE", options->case_name, "a case file (TOML), or the id of a benchmark case").required();
+  command.text("--solver", options->solver, "one of " + solver_names() + " (fast)");
+  options->request.add_to(command);
+  command.list("--quantity", options->quantities, "only this quantity (repeatable)");
+  command.list("--law", options->laws, "a bearing's law (repeatable)");
+  command.text("--json", options->json, "the plan as JSON into a file, or - for standard output");
+  command.runs([options] { return plan(*options); });
 }
 
 }  // namespace ehd::cli

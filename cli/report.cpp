@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// ehd report: what verify, bench and stress left in a folder, as one HTML page.
+// ehd report: the results of verify, bench and stress in a folder, as one HTML page.
 #include "verification/report/report.hpp"
 
 #include <memory>
 #include <string>
 
-#include "cli/commands.hpp"
-#include "cli/common.hpp"
+#include "cli/output.hpp"
+#include "cli/subcommands.hpp"
+#include "cli/usage.hpp"
 #include "io/output_file.hpp"
 
 namespace ehd::cli {
@@ -18,8 +19,8 @@ Examples:
   ehd verify --output out/verify && ehd report out/verify    leaves out/verify/report.html
   ehd bench --output out/verify; ehd report out/verify       with work-precision diagrams
 
-Reads results.json (required), bench.json and stress.json; solves nothing. Exit code: 0 the page is written; 2 the folder
-or a file in it cannot be used.)";
+Reads results.json (required), bench.json and stress.json; solves nothing. Exit code: 0 the page is written; 2 the
+folder or a file in it cannot be used.)";
 
 int report_on(const std::string& folder) {
   try {
@@ -35,12 +36,12 @@ int report_on(const std::string& folder) {
 
 }  // namespace
 
-void add_report(CLI::App& app, int& exit_code) {
+void describe_report(Command& command) {
   auto folder = std::make_shared<std::string>();
-  CLI::App* command = app.add_subcommand("report", "Results as one self-contained HTML page, DIR/report.html");
-  command->footer(examples);
-  command->add_option("DIR", *folder, "the folder that ehd verify --output has filled")->required();
-  command->callback([folder, &exit_code] { run_guarded(exit_code, [&] { return report_on(*folder); }); });
+  command.summary("Results as one self-contained HTML page, DIR/report.html");
+  command.examples(examples);
+  command.text("DIR", *folder, "the folder that ehd verify --output has filled").required();
+  command.runs([folder] { return report_on(*folder); });
 }
 
 }  // namespace ehd::cli

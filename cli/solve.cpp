@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ehd solve: one contact, from a case file or from options.
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -8,8 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "cli/commands.hpp"
-#include "cli/common.hpp"
+#include "cli/options.hpp"
+#include "cli/output.hpp"
+#include "cli/subcommands.hpp"
+#include "cli/usage.hpp"
 #include "contact/nondimensional.hpp"
 #include "contact/oil_laws.hpp"
 #include "contact/text.hpp"
@@ -22,6 +26,7 @@
 #include "verification/report/report.hpp"
 #include "workflow/case.hpp"
 #include "workflow/contact_run.hpp"
+#include "workflow/registry.hpp"
 
 namespace ehd::cli {
 
@@ -49,7 +54,7 @@ Examples:
 
 Exit code: 0 converged; 1 not converged (the status says how); 2 bad input or usage.)";
 
-/// What a law needs beside it, in terms of options; nondimensionalise would speak of a file's keys.
+/// What a law needs besides its name, worded in options: nondimensionalise would name the keys of a file.
 void require_laws_possible(const SolveOptions& options, const Lubricant& lubricant) {
   if (lubricant.viscosity == ViscosityLaw::isoviscous)
     throw option_error("--viscosity", *options.viscosity,
@@ -116,7 +121,7 @@ ContactCase contact_from(const SolveOptions& options) {
   }
 
   if (L > 0) require_laws_possible(options, lubricant);
-  (void)nondimensionalise(contact.statement, *contact.lubricant, *contact.inlet);  // the last word on what is possible
+  (void)nondimensionalise(contact.statement, *contact.lubricant, *contact.inlet);  // refuses what is not possible
   return contact;
 }
 
@@ -135,7 +140,7 @@ void require_one_problem(const SolveOptions& options) {
                      " missing; required is a CASE, or --M and --L (ehd solve --help shows examples)");
 }
 
-/// --wisdom FILE: FFTW's measurements of earlier runs, if there were any; new ones are added to it.
+/// --wisdom FILE: what FFTW measured in earlier runs; a new file is allowed. This run adds its own measurements.
 void read_wisdom(const std::string& name) {
   std::string text;
   if (name.empty())
@@ -170,95 +175,100 @@ std::string plot_of(const ContactRun& run, const std::string& title) {
   return report::draw(figure, report::Place::file);
 }
 
+/// The contact to solve: of a case, or stated by options.
+struct Stated {
+  std::optional<Case> from_case;
+  ContactCase contact;
+  std::string title;
+};
+
+/// Throws UsageError, CaseError.
+Stated stated_by(const SolveOptions& options) {
+  if (!options.case_name)
+    return {.from_case = {},
+            .contact = contact_from(options),
+            .title = fmt::format("M = {}, L = {}", *options.M, *options.L)};
+  Case one = read_case(find_case(*options.case_name));
+  const auto* contact = std::get_if<ContactCase>(&one.body);
+  if (!contact)
+    throw case_error(one, "bearing", "is no contact; allowed is a contact case (ehd bearing solves this one)");
+  return {.from_case = one, .contact = *contact, .title = one.id + ": " + one.title};
+}
+
+/// Why the run is no success, one line.
+std::string failure_of(const ContactRun& run, const std::string& title, const std::string& not_written) {
+  const std::string& reason = run.solution.record.reason;
+  std::string line = fmt::format("ehd: {}: {}", title, to_string(run.status()));
+  if (!reason.empty()) line += ": " + reason;
+  if (!not_written.empty()) line += fmt::format("; there is no solution, and no {} written", not_written);
+  return line;
+}
+
 int solve(const SolveOptions& options) {
   require_one_problem(options);
   const auto& solver = solver_named(options.solver);
   const Request request = options.request.request();
   const Wanted wanted = quantities_named(options.quantities);
+  const Stated stated = stated_by(options);
+  if (!stated.contact.dry()) require_memory(solver, request);
 
-  std::optional<Case> contact_case;
-  ContactCase contact;
-  std::string title;
-  if (options.case_name) {
-    contact_case = read_case(find_case(*options.case_name));
-    if (!std::holds_alternative<ContactCase>(contact_case->body))
-      throw case_error(*contact_case, "bearing",
-                       "is no contact; allowed is a contact case (ehd bearing solves this one)");
-    contact = std::get<ContactCase>(contact_case->body);
-    title = contact_case->id + ": " + contact_case->title;
-  } else {
-    contact = contact_from(options);
-    title = "M = " + *options.M + ", L = " + *options.L;
-  }
-  if (!contact.dry()) require_memory(solver, request);
-  std::vector<NamedFile> inputs, outputs;
-  if (contact_case) inputs.push_back({"the case", contact_case->file});
-  if (options.json) outputs.push_back({"--json", *options.json});
-  if (options.profile) outputs.push_back({"--profile", *options.profile});
-  if (options.plot) outputs.push_back({"--plot", *options.plot});
-  if (options.wisdom) outputs.push_back({"--wisdom", *options.wisdom});
-  require_distinct(inputs, outputs);
+  std::vector<NamedFile> inputs;
+  if (stated.from_case) inputs.push_back({"the case", stated.from_case->file});
+  require_distinct(inputs, {{"--json", options.json.value_or("")},
+                            {"--profile", options.profile.value_or("")},
+                            {"--plot", options.plot.value_or("")},
+                            {"--wisdom", options.wisdom.value_or("")}});
   if (options.wisdom) read_wisdom(*options.wisdom);
   JsonTarget json(options.json);
-  std::optional<OutputFile> wisdom;
-  if (options.wisdom) wisdom.emplace(*options.wisdom);
-  std::optional<OutputFile> profile;
-  if (options.profile) profile.emplace(*options.profile);
-  std::optional<OutputFile> plot;
-  if (options.plot) plot.emplace(*options.plot);
+  std::optional<OutputFile> wisdom = opened(options.wisdom), profile = opened(options.profile),
+                            plot = opened(options.plot);
 
   ContactRun run;
   {
     Progress progress;
-    progress.show("solving " + title + " with " + solver.name + " ...");
-    run = contact_case ? run_contact(*contact_case, solver, request, wanted)
-                       : run_contact(contact, solver, request, wanted);
+    progress.show(fmt::format("solving {} with {} ...", stated.title, solver.name));
+    run = stated.from_case ? run_contact(*stated.from_case, solver, request, wanted)
+                           : run_contact(stated.contact, solver, request, wanted);
   }
   json.write(to_json(run));
   if (wisdom) wisdom->commit(learned_fft_plans());
   const bool solution = run.status() != StopReason::diverged && run.solution.fields.X.size() > 0;
   if (profile && solution) profile->commit(profile_csv(run));
-  if (plot && solution) plot->commit(plot_of(run, title));
-  if (!json.to_standard_output()) print(human_table(run, title, styled_output()));
+  if (plot && solution) plot->commit(plot_of(run, stated.title));
+  if (!json.to_standard_output()) print(human_table(run, stated.title, styled_output()));
   if (run.status() == StopReason::converged) return success;
-  const std::string& reason = run.solution.record.reason;
-  std::string missing;
-  if (!solution && (profile || plot))
-    missing = std::string("; there is no solution, and no ") +
-              (profile && plot ? "profile and no plot is"
-               : profile       ? "profile is"
-                               : "plot is") +
-              " written";
-  complain("ehd: " + title + ": " + std::string(to_string(run.status())) + (reason.empty() ? "" : ": " + reason) +
-           missing);
+  std::string not_written;
+  if (!solution)
+    not_written = profile && plot ? "profile and no plot is" : profile ? "profile is" : plot ? "plot is" : "";
+  complain(failure_of(run, stated.title, not_written));
   return not_met;
 }
 
 }  // namespace
 
-void add_solve(CLI::App& app, int& exit_code) {
+void describe_solve(Command& command) {
   auto options = std::make_shared<SolveOptions>();
-  CLI::App* command = app.add_subcommand("solve", "Solve one contact");
-  command->footer(examples);
-  command->add_option("CASE", options->case_name, "a case file (TOML), or the id of a benchmark case");
-  command->add_option("--M", options->M, "Moes load parameter, 1e-3 to 1e6 (instead of a CASE, with --L)");
-  command->add_option("--L", options->L, "Moes material parameter, 0 to 100");
-  command->add_option("--inlet", options->inlet, "flooded, or X = x/b where the domain begins (flooded)");
-  command->add_option("--viscosity", options->viscosity, "isoviscous, barus or roelands (barus)");
-  command->add_option("--density", options->density,
-                      "incompressible, dowson-higginson or dowson-higginson-1977 (incompressible)");
-  command->add_option("--alpha-per-Pa", options->alpha, "pressure coefficient of viscosity; sets p_H");
-  command->add_option("--z", options->z, "Roelands' exponent");
-  command->add_option("--p0-Pa", options->p0, "Roelands' reference pressure (1.9613e8)");
-  command->add_option("--solver", options->solver, "one of " + solver_names())->capture_default_str();
-  options->request.add_to(*command);
-  command->add_option("--quantity", options->quantities, "compute only this quantity (repeatable), e.g. film.minimum")
-      ->allow_extra_args(false);
-  command->add_option("--json", options->json, "the result as JSON into a file, or - for standard output");
-  command->add_option("--profile", options->profile, "pressure, film, density and viscosity over X as CSV");
-  command->add_option("--plot", options->plot, "pressure and film over X as a figure, SVG");
-  command->add_option("--wisdom", options->wisdom, "let FFTW measure its plans, once: kept in FILE for later runs");
-  command->callback([options, &exit_code] { run_guarded(exit_code, [&] { return solve(*options); }); });
+  command.summary("Solve one contact");
+  command.examples(examples);
+  command.text("CASE", options->case_name, "a case file (TOML), or the id of a benchmark case");
+  command.text("--M", options->M, "Moes load parameter, 1e-3 to 1e6 (instead of a CASE, with --L)");
+  command.text("--L", options->L, "Moes material parameter, 0 to 100");
+  command.text("--inlet", options->inlet, "flooded, or X = x/b where the domain begins (flooded)");
+  command.text("--viscosity", options->viscosity, "isoviscous, barus or roelands (barus)");
+  command.text("--density", options->density,
+               "incompressible, dowson-higginson or dowson-higginson-1977 (incompressible)");
+  command.text("--alpha-per-Pa", options->alpha, "pressure coefficient of viscosity; sets p_H");
+  command.text("--z", options->z, "Roelands' exponent");
+  command.text("--p0-Pa", options->p0, "Roelands' reference pressure (1.9613e8)");
+  command.text("--solver", options->solver, "one of " + solver_names()).showing_default();
+  options->request.add_to(command);
+  command.list("--quantity", options->quantities, "compute only this quantity (repeatable), e.g. film.minimum");
+  command.text("--json", options->json, "the result as JSON into a file, or - for standard output");
+  command.text("--profile", options->profile, "pressure, film, density and viscosity over X as CSV");
+  command.text("--plot", options->plot, "pressure and film over X as a figure, SVG");
+  command.text("--wisdom", options->wisdom,
+               "let FFTW measure its plans, and keep what it learned in this file for later runs");
+  command.runs([options] { return solve(*options); });
 }
 
 }  // namespace ehd::cli

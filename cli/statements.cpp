@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// ehd statements: on what the paper's statements depend.
+// ehd statements: which choices that the paper leaves open change its statements.
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "cli/commands.hpp"
-#include "cli/common.hpp"
+#include "cli/output.hpp"
+#include "cli/subcommands.hpp"
+#include "cli/usage.hpp"
 #include "io/case_reader.hpp"
 #include "io/contact_json.hpp"
 #include "io/find_case.hpp"
@@ -15,6 +16,7 @@
 #include "verification/studies/paper_statements.hpp"
 #include "verification/studies/statement_study.hpp"
 #include "workflow/case.hpp"
+#include "workflow/registry.hpp"
 
 namespace ehd::cli {
 
@@ -48,10 +50,7 @@ int statements(const StatementsOptions& options) {
     throw UsageError(
         "CASE: the statements are about one bearing at three or more clearances; allowed are cases that "
         "differ in clearance alone");
-  std::vector<NamedFile> inputs, outputs;
-  for (const Case& one : cases) inputs.push_back({"the case " + one.id, one.file});
-  if (options.json) outputs.push_back({"--json", *options.json});
-  require_distinct(inputs, outputs);
+  require_distinct(files_of(cases), {{"--json", options.json.value_or("")}});
   JsonTarget json(options.json);
   ContactMemory memory([solver = find_solver("fast")](const Problem& problem, const Request& request) {
     return solver->solve(problem, request);
@@ -76,14 +75,13 @@ int statements(const StatementsOptions& options) {
 
 }  // namespace
 
-void add_statements(CLI::App& app, int& exit_code) {
+void describe_statements(Command& command) {
   auto options = std::make_shared<StatementsOptions>();
-  CLI::App* command = app.add_subcommand("statements", "On what the paper's statements about its bearing depend");
-  command->footer(examples);
-  command->add_option("CASE", options->cases,
-                      "one bearing at three or more clearances (na4908, na4908-2.5um, na4908-10um)");
-  command->add_option("--json", options->json, "the study as JSON into a file, or - for standard output");
-  command->callback([options, &exit_code] { run_guarded(exit_code, [&] { return statements(*options); }); });
+  command.summary("Which choices that the paper leaves open change its statements");
+  command.examples(examples);
+  command.list("CASE", options->cases, "one bearing at three or more clearances (na4908, na4908-2.5um, na4908-10um)");
+  command.text("--json", options->json, "the study as JSON into a file, or - for standard output");
+  command.runs([options] { return statements(*options); });
 }
 
 }  // namespace ehd::cli

@@ -9,8 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "cli/commands.hpp"
-#include "cli/common.hpp"
+#include "cli/options.hpp"
+#include "cli/output.hpp"
+#include "cli/subcommands.hpp"
+#include "cli/usage.hpp"
 #include "io/contact_json.hpp"
 #include "io/json.hpp"
 #include "io/output_file.hpp"
@@ -32,10 +34,9 @@ Examples:
   ehd stress --part d --part e       two parts
 
 Parts: a box (every load and material), b starts (random first states), c precision (double against long double and
-34 digits), d rounding (the four rounding modes), e condition (inputs moved by one ulp and by 1e-8), f grids (2^6 to 2^20
-intervals), g extremes (random and impossible inputs, limits), h repeatability (the same bits again),
-i random bearings (every force law). Exit code: 0 every part
-that ran passes; 1 one fails or is inconclusive; 2 wrong usage.)";
+34 digits), d rounding (the four rounding modes), e condition (inputs moved by one ulp and by 1e-8), f grids (2^6 to
+2^20 intervals), g extremes (random and impossible inputs, limits), h repeatability (the same bits again), i random
+bearings (every force law). Exit code: 0 every part that ran passes; 1 one fails or is inconclusive; 2 wrong usage.)";
 
 int stress(const StressOptions& options) {
   using namespace verification::stress;
@@ -49,15 +50,9 @@ int stress(const StressOptions& options) {
     for (const PartEntry& part : parts()) chosen.push_back(&part);
   }
   Scope scope{.quick = options.quick};
-  if (options.threads) {
-    constexpr int most = 1024;
-    const int threads = parse_integer("--threads", *options.threads);
-    if (threads < 1 || threads > most)
-      throw option_error("--threads", *options.threads, "is out of range; allowed is 1 to " + std::to_string(most));
-    scope.threads = static_cast<unsigned>(threads);
-  }
+  scope.threads = thread_count(options.threads);
 
-  // Opened before the work begins: a folder that cannot be written is bad input, not a lost run.
+  // Opened before the work begins: a folder that cannot be written is then bad input, and no result is lost.
   std::optional<OutputFolder> folder;
   std::optional<OutputFile> file;
   if (options.output) {
@@ -95,18 +90,15 @@ int stress(const StressOptions& options) {
 
 }  // namespace
 
-void add_stress(CLI::App& app, int& exit_code) {
+void describe_stress(Command& command) {
   auto options = std::make_shared<StressOptions>();
-  CLI::App* command =
-      app.add_subcommand("stress", "Numerical stability: starts, precision, rounding, condition, extremes");
-  command->footer(examples);
-  command->add_option("--output", options->output, "folder for stress.json")->type_name("DIR");
-  command->add_option("--part", options->parts, "a to i (repeatable; all)")
-      ->type_name("LETTER")
-      ->allow_extra_args(false);
-  command->add_option("--threads", options->threads, "threads (as many as there are cores)")->type_name("N");
-  command->add_flag("--quick", options->quick, "a small form of every part");
-  command->callback([options, &exit_code] { run_guarded(exit_code, [&] { return stress(*options); }); });
+  command.summary("Numerical stability: starts, precision, rounding, condition, extremes");
+  command.examples(examples);
+  command.text("--output", options->output, "folder for stress.json").called("DIR");
+  command.list("--part", options->parts, "a to i (repeatable; all)").called("LETTER");
+  command.text("--threads", options->threads, "threads (as many as there are cores)").called("N");
+  command.flag("--quick", options->quick, "a small form of every part");
+  command.runs([options] { return stress(*options); });
 }
 
 }  // namespace ehd::cli

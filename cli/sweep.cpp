@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <csignal>
 #include <filesystem>
 #include <limits>
 #include <memory>
@@ -12,8 +11,10 @@
 #include <string>
 #include <string_view>
 
-#include "cli/commands.hpp"
-#include "cli/common.hpp"
+#include "cli/options.hpp"
+#include "cli/output.hpp"
+#include "cli/subcommands.hpp"
+#include "cli/usage.hpp"
 #include "contact/text.hpp"
 #include "io/sweep_file.hpp"
 #include "io/sweep_run.hpp"
@@ -49,8 +50,6 @@ Examples:
 Finished rows are kept: the same command goes on where it was interrupted, and a sweep that has grown computes what
 is new.
 Exit code: 0 all rows converged; 1 one did not, its line has the status and the reason; 2 bad input or usage.)";
-
-constexpr int most_threads = 1024;
 
 /// K/N. Throws UsageError.
 Shard shard_from(const std::string& text) {
@@ -103,19 +102,6 @@ class Bar {
   Progress progress_;
 };
 
-/// A bar stands on the line of a terminal.
-volatile std::sig_atomic_t bar_to_end = 0;
-
-/// Says what an interrupted run leaves, then ends as the signal asks. Only what a signal handler may call.
-extern "C" void tell_sweep_interrupted(int signal) {
-  constexpr std::string_view all =
-      "\nehd: sweep: interrupted; the finished rows are kept, and the same command goes on from there\n";
-  const std::string_view message = bar_to_end ? all : all.substr(1);
-  [[maybe_unused]] const auto written = ::write(STDERR_FILENO, message.data(), message.size());
-  std::signal(signal, SIG_DFL);
-  std::raise(signal);
-}
-
 std::string summary(const Sweep& sweep, const SweepCost& cost, const std::string& what) {
   std::string laws;
   for (const bearing::Law law : sweep.laws) laws += (laws.empty() ? ", laws " : ", ") + std::string(to_string(law));
@@ -135,13 +121,7 @@ int sweep(const SweepOptions& options) {
   request.max_iterations = limits.max_iterations;
   request.time_limit_s = limits.time_limit_s;
   request.fresh = options.fresh;
-  if (options.threads) {
-    const int threads = parse_integer("--threads", *options.threads);
-    if (threads < 1 || threads > most_threads)
-      throw option_error("--threads", *options.threads,
-                         "is out of range; allowed is an integer, 1 to " + std::to_string(most_threads));
-    request.threads = static_cast<unsigned>(threads);
-  }
+  request.threads = thread_count(options.threads);
   std::optional<Shard> shard;
   if (options.shard) shard = shard_from(*options.shard);
   if (shard && options.merge) throw UsageError("--shard and --merge exclude each other; allowed is one of them");
@@ -151,10 +131,10 @@ int sweep(const SweepOptions& options) {
   const Sweep asked = read_sweep(options.file);
   const OutputFolder folder(options.output.value_or("out/sweep/" + asked.id));
 
-  bar_to_end = ::isatty(STDERR_FILENO);
-  for (const int signal : {SIGINT, SIGTERM}) {
-    if (std::signal(signal, tell_sweep_interrupted) == SIG_IGN) std::signal(signal, SIG_IGN);  // as nohup asks
-  }
+  constexpr std::string_view interrupted =
+      "\nehd: sweep: interrupted; the finished rows are kept, and the same command goes on from there\n";
+  const bool bar_to_end = ::isatty(STDERR_FILENO);
+  say_when_interrupted(bar_to_end ? interrupted : interrupted.substr(1));
   Bar bar(asked.id);
   request.progress = [&bar](std::size_t known, std::size_t all, std::size_t computed) {
     bar.show(known, all, computed);
@@ -182,19 +162,18 @@ int sweep(const SweepOptions& options) {
 
 }  // namespace
 
-void add_sweep(CLI::App& app, int& exit_code) {
+void describe_sweep(Command& command) {
   auto options = std::make_shared<SweepOptions>();
-  CLI::App* command = app.add_subcommand("sweep", "A case over lists and ranges of its keys, as CSV and JSON");
-  command->footer(examples);
-  command->add_option("FILE", options->file, "the sweep (TOML)")->required();
-  command->add_option("--output", options->output, "folder for the rows (out/sweep/ID)")->type_name("DIR");
-  command->add_option("--threads", options->threads, "rows computed side by side (as many as there are cores)")
-      ->type_name("N");
-  command->add_option("--shard", options->shard, "compute the K-th of N parts alone")->type_name("K/N");
-  command->add_flag("--merge", options->merge, "put finished shards together");
-  command->add_flag("--fresh", options->fresh, "compute every row again");
-  options->limits.add_to(*command, false);
-  command->callback([options, &exit_code] { run_guarded(exit_code, [&] { return sweep(*options); }); });
+  command.summary("A case over lists and ranges of its keys, as CSV and JSON");
+  command.examples(examples);
+  command.text("FILE", options->file, "the sweep (TOML)").required();
+  command.text("--output", options->output, "folder for the rows (out/sweep/ID)").called("DIR");
+  command.text("--threads", options->threads, "rows computed side by side (as many as there are cores)").called("N");
+  command.text("--shard", options->shard, "compute the K-th of N parts alone").called("K/N");
+  command.flag("--merge", options->merge, "put finished shards together");
+  command.flag("--fresh", options->fresh, "compute every row again");
+  options->limits.add_to(command, false);
+  command.runs([options] { return sweep(*options); });
 }
 
 }  // namespace ehd::cli

@@ -7,8 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "cli/commands.hpp"
-#include "cli/common.hpp"
+#include "cli/output.hpp"
+#include "cli/subcommands.hpp"
+#include "cli/usage.hpp"
 #include "io/contact_json.hpp"
 #include "io/json.hpp"
 #include "io/output_file.hpp"
@@ -35,8 +36,8 @@ Examples:
   ehd verify --output out/verify        leaves out/verify/results.json
 
 Rungs: 0 inputs, 1 kernel, 2 operator, 3 elasticity, 4 Reynolds, 5 coupled, 6 solvers, 7 twins, 8 grids, 9 regimes,
-10 published, 11 bearing. Exit code: 0 every claim stands, or nothing could be
-judged (every row is skipped, with its reason); 1 one fails or is inconclusive; 2 wrong usage.)";
+10 published, 11 bearing. Exit code: 0 every claim passes, or all are skipped, each with its reason; 1 a claim fails or
+is inconclusive; 2 wrong usage.)";
 
 /// "45 s", "3 min"
 std::string time_text(double seconds) {
@@ -63,7 +64,7 @@ int verify(const VerifyOptions& options) {
                          "is out of range; allowed is 1 to " + std::to_string(most_runs));
   }
 
-  // Opened before the work begins: a folder that cannot be written is bad input, not a lost run.
+  // Opened before the work begins: a folder that cannot be written is then bad input, and no result is lost.
   std::optional<OutputFolder> folder;
   std::optional<OutputFile> file;
   if (options.output) {
@@ -108,18 +109,18 @@ int verify(const VerifyOptions& options) {
 
 }  // namespace
 
-void add_verify(CLI::App& app, int& exit_code) {
+void describe_verify(Command& command) {
   auto options = std::make_shared<VerifyOptions>();
-  CLI::App* command = app.add_subcommand("verify", "Run the verification suite");
-  command->footer(examples);
-  command->add_option("--rung", options->rung, "one rung of the ladder, 0 to 11");
-  command->add_option("--case", options->case_id, "one case: an id, or a path to a TOML file");
-  command->add_flag("--quick", options->quick, "leave out the slow cases");
-  command->add_flag("--all", options->all, "print every claim, not only those that do not stand");
-  command->add_flag("--trace", options->trace, "print which claims support which part of the work");
-  command->add_option("--random-runs", options->random_runs, "random runs for each law set (10)");
-  command->add_option("--output", options->output, "folder for results.json");
-  command->callback([options, &exit_code] { run_guarded(exit_code, [&] { return verify(*options); }); });
+  command.summary("Run the verification suite");
+  command.examples(examples);
+  command.text("--rung", options->rung, "one rung of the ladder, 0 to 11");
+  command.text("--case", options->case_id, "one case: an id, or a path to a TOML file");
+  command.flag("--quick", options->quick, "leave out the slow cases");
+  command.flag("--all", options->all, "print every claim, not only those that do not stand");
+  command.flag("--trace", options->trace, "print which claims support which part of the work");
+  command.text("--random-runs", options->random_runs, "random runs for each law set (10)");
+  command.text("--output", options->output, "folder for results.json");
+  command.runs([options] { return verify(*options); });
 }
 
 }  // namespace ehd::cli

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # cmake -DSOURCE=folder -DHEADER=file -P commit.cmake: the commit of the tree that is being built, and whether it was
 # changed since; empty outside git. Written only where it differs, so that nothing is built again for nothing.
+cmake_minimum_required(VERSION 3.25)  # policies of its own: it runs apart from the build
+
 function(ask result)
   execute_process(COMMAND git -C ${SOURCE} ${ARGN} OUTPUT_VARIABLE answer ERROR_QUIET RESULT_VARIABLE failed
                   OUTPUT_STRIP_TRAILING_WHITESPACE)

@@ -1,13 +1,35 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Headers that nearly every file of a target reads anyway are parsed once: Eigen and the JSON library take 3 s a file.
-option(EHD_PRECOMPILE "Parse the largest headers once for each target" ON)
-function(ehd_precompile target)
-  if(NOT EHD_PRECOMPILE)
-    return()
-  endif()
-  target_precompile_headers(${target} PRIVATE ${ARGN})
+# What keeps the build short: large headers are parsed once for several targets, and text is compiled at a lower level.
+option(EHD_PRECOMPILE "Parse the largest headers once for several targets" ON)
+
+# Internal.
+function(ehd_precompile_options target)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    # Precompiled, gcc 12 no longer sees that what it warns of is its own library's: strings that are joined (PR 105651).
+    # gcc 12 warns about strings joined by its own library (PR 105651). From a precompiled header it does not know that
+    # the code is the library's, and does not suppress the warning.
     target_compile_options(${target} PRIVATE -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread)
   endif()
+endfunction()
+
+# ehd_precompile(TARGET HEADERS...): the headers are parsed once for all files of the target.
+function(ehd_precompile target)
+  if(EHD_PRECOMPILE)
+    target_precompile_headers(${target} PRIVATE ${ARGN})
+    ehd_precompile_options(${target})
+  endif()
+endfunction()
+
+# ehd_reuse_precompiled(TARGET OWNER): the precompiled headers of OWNER serve TARGET as well. Both must be compiled with
+# the same options and definitions: a definition for one file belongs to that file, not to the target.
+function(ehd_reuse_precompiled target owner)
+  if(EHD_PRECOMPILE)
+    target_precompile_headers(${target} REUSE_FROM ${owner})
+    ehd_precompile_options(${target})
+  endif()
+endfunction()
+
+# ehd_text_only(TARGET): for code that writes text and does not include Eigen. -O1 halves the compile time. A file that
+# includes Eigen must not be compiled so: the linker keeps one copy of each inline function and might keep the slow one.
+function(ehd_text_only target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()

@@ -6,17 +6,19 @@ set -eu
 
 required="g++ cmake pkg-config libeigen3-dev libfftw3-dev libgsl-dev libboost-test-dev libtomlplusplus-dev \
 nlohmann-json3-dev libcli11-dev libfmt-dev libxxhash-dev"
-# The build is faster with ninja, make kernels needs the benchmark library, a test runs shards by GNU parallel;
-# everything else works without.
+# Ninja builds faster, make kernels needs the benchmark library, one test runs shards by GNU parallel. Everything else
+# works without these.
 optional="ninja-build libbenchmark-dev parallel"
 
 command -v dpkg-query > /dev/null 2>&1 || exit 0
 
 is_installed() {
   case "$1" in  # a tool counts wherever it comes from
-    g++ | cmake | pkg-config | valgrind | python3) command -v "$1" > /dev/null 2>&1 && return 0 ;;
+    g++ | cmake | pkg-config | valgrind | python3 | clang-format | clang-tidy)
+      command -v "$1" > /dev/null 2>&1 && return 0 ;;
     clang) command -v clang++ > /dev/null 2>&1 && return 0 ;;
-    libclang-rt-dev) ls "$(clang++ -print-runtime-dir 2> /dev/null)"/libclang_rt.fuzzer-*.a > /dev/null 2>&1 && return 0 ;;
+    libclang-rt-dev)
+      ls "$(clang++ -print-runtime-dir 2> /dev/null)"/libclang_rt.fuzzer-*.a > /dev/null 2>&1 && return 0 ;;
     ninja-build) command -v ninja > /dev/null 2>&1 && return 0 ;;
   esac
   dpkg-query -W -f '${db:Status-Status}\n' "$1" 2> /dev/null | grep -q '^installed$'

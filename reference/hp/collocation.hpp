@@ -118,4 +118,6 @@ class Collocation {
   Vector integrals_;  ///< S
 };
 
+extern template class Collocation<double>;  // compiled once, in collocation.cpp
+
 }  // namespace ehd::reference::hp

@@ -1,64 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the subcommands share: options of a solve, usage errors, streams.
+// What a subcommand writes: standard output, lines on standard error, files and folders.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
-#include <functional>
 #include <optional>
-#include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "contact/solver.hpp"
 #include "io/json.hpp"
 #include "io/output_file.hpp"
-#include "workflow/registry.hpp"
+
+namespace ehd {
+struct Case;
+}
 
 namespace ehd::cli {
-
-enum ExitCode { success = 0, not_met = 1, bad_input = 2 };
-
-/// Wrong usage: what() is the one line for standard error; exit code 2.
-class UsageError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
-/// "OPTION = VALUE: message", the way every refused option is worded.
-[[nodiscard]] UsageError option_error(const std::string& option, const std::string& value, const std::string& message);
-
-/// Runs a subcommand's body when it was chosen. Wrong input (CaseError, UsageError, OutputError, StatementError) ends
-/// in one line on standard error and exit code 2, lack of memory in one and exit code 1.
-void run_guarded(int& exit_code, const std::function<int()>& body);
-
-/// Texts as given on the command line, read strictly: option names the culprit in the UsageError.
-[[nodiscard]] double parse_number(const std::string& option, const std::string& text);
-[[nodiscard]] int parse_integer(const std::string& option, const std::string& text);
-
-/// --tolerance | --nodes, --max-iterations, --time-limit, as texts until they are checked.
-struct RequestOptions {
-  std::optional<std::string> tolerance, nodes, max_iterations, time_limit;
-  void add_to(CLI::App& command, bool with_accuracy = true);
-  /// Throws UsageError: not finite, not positive, fewer than 16 nodes, both tolerance and nodes.
-  [[nodiscard]] Request request() const;
-};
-
-/// Throws UsageError for an unknown name.
-[[nodiscard]] const RegisteredSolver& solver_named(const std::string& name);
-[[nodiscard]] Wanted quantities_named(const std::vector<std::string>& names);
-
-/// Throws UsageError where that many intervals do not fit into memory.
-void require_memory(const RegisteredSolver& solver, const Request& request);
 
 /// One place that a command reads or writes, with how to call it: the option, or "the case".
 struct NamedFile {
   std::string name;
   std::filesystem::path path;
 };
+/// The files of cases, each named "the case ID".
+[[nodiscard]] std::vector<NamedFile> files_of(const std::vector<Case>& cases);
 /// Throws UsageError where an output is an input or another output, however the two are spelled, or is "-", which means
-/// standard output for --json alone. Call before any work.
+/// standard output for --json alone. An output with an empty path is none. Call before any work.
 void require_distinct(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs);
+
+/// Opens the file that an option names, if the option was given. Call before any work: a file that cannot be written is
+/// bad input, not a lost run. Throws OutputError.
+[[nodiscard]] std::optional<OutputFile> opened(const std::optional<std::string>& name);
 
 /// A line on standard error while something runs, on a terminal only; removed at the end.
 class Progress {
@@ -72,6 +44,10 @@ class Progress {
  private:
   std::size_t shown_ = 0;
 };
+
+/// From now on SIGINT and SIGTERM print `message` on standard error, then end the program as they usually do. A signal
+/// that the caller of the program ignores (nohup) stays ignored. The text must live as long as the program.
+void say_when_interrupted(std::string_view message);
 
 /// Standard output is a terminal, NO_COLOR is not set and TERM is not "dumb".
 [[nodiscard]] bool styled_output();

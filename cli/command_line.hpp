@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The command line: a program with subcommands, and the options of each. Built on CLI11, which command_line.cpp alone
+// includes: the library costs 15 s of compile time in every source that does.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace ehd::cli {
+
+/// One option, for what is said about it after its name and help text.
+class Option {
+ public:
+  explicit Option(CLI::Option& option) : option_(option) {}
+
+  Option& called(const std::string& value_name);  ///< the name of its value in the help: "--output DIR"
+  Option& required();
+  Option& showing_default();  ///< the help shows the value that the variable holds now: "TEXT=fast"
+  Option& excluding(const Option& other);
+
+ private:
+  CLI::Option& option_;
+};
+
+/// One subcommand: its options write into variables that must live until the command line has run. A name that begins
+/// with "--" is an option, any other a positional argument.
+class Command {
+ public:
+  /// `exit_code` receives what the work returns.
+  Command(CLI::App& app, int& exit_code) : app_(app), exit_code_(exit_code) {}
+
+  void summary(const std::string& line);   ///< shown in `ehd --help`, and first in the command's own help
+  void examples(const std::string& text);  ///< shown below the options
+
+  Option text(const std::string& name, std::string& value, const std::string& help);
+  Option text(const std::string& name, std::optional<std::string>& value, const std::string& help);
+  /// An option takes one value each time and may be repeated; a positional argument takes all that are there.
+  Option list(const std::string& name, std::vector<std::string>& values, const std::string& help);
+  Option flag(const std::string& name, bool& value, const std::string& help);
+
+  /// The work of the command; returns the exit code of the program. What `body` throws is handled as in run_guarded.
+  void runs(std::function<int()> body);
+
+ private:
+  CLI::App& app_;
+  int& exit_code_;
+};
+
+struct Subcommand {
+  std::string name;
+  std::function<void(Command&)> describe;  ///< says its options and its work
+};
+
+struct Program {
+  std::string name, version, summary, examples;
+  std::vector<Subcommand> subcommands;  ///< in the order of the help
+};
+
+/// Reads the arguments, runs the subcommand that they choose, and returns its exit code. Wrong usage is one line on
+/// standard error and exit code 2; help and version are printed with exit code 0. Throws OutputError.
+[[nodiscard]] int run_command_line(const Program& program, int argc, char** argv);
+
+}  // namespace ehd::cli

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/options.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "cli/usage.hpp"
+#include "contact/text.hpp"
+#include "workflow/registry.hpp"
+
+namespace ehd::cli {
+
+namespace {
+
+constexpr int fewest_nodes = 16;
+constexpr int most_threads = 1024;
+constexpr double longest_time_s = 1e9;  // what a clock can count
+
+}  // namespace
+
+void RequestOptions::add_to(Command& command, bool with_accuracy) {
+  if (with_accuracy) {
+    command.text("--tolerance", tolerance, "relative error allowed in the minimum and central film (1e-3)").called("T");
+    command.text("--nodes", nodes, "intervals on the finest grid instead, inlet to exit, at least 16").called("N");
+  }
+  command.text("--max-iterations", max_iterations, "Newton iterations over all grids (2000)").called("I");
+  command.text("--time-limit", time_limit, "seconds for each solve (300)").called("S");
+}
+
+Request RequestOptions::request() const {
+  Request request;
+  if (tolerance && nodes) throw UsageError("--tolerance and --nodes exclude each other; allowed is one of them");
+  if (tolerance) {
+    request.tolerance = parse_number("--tolerance", *tolerance);
+    if (!(*request.tolerance > 0))
+      throw option_error("--tolerance", *tolerance, "is not positive; allowed is a number > 0");
+  }
+  if (nodes) {
+    request.nodes = parse_integer("--nodes", *nodes);
+    request.tolerance.reset();
+    if (*request.nodes < fewest_nodes)
+      throw option_error("--nodes", *nodes, "is too few; allowed is an integer from " + std::to_string(fewest_nodes));
+  }
+  if (max_iterations) {
+    request.max_iterations = parse_integer("--max-iterations", *max_iterations);
+    if (request.max_iterations < 1)
+      throw option_error("--max-iterations", *max_iterations, "is too few; allowed is an integer from 1");
+  }
+  if (time_limit) {
+    request.time_limit_s = parse_number("--time-limit", *time_limit);
+    if (!(request.time_limit_s > 0 && request.time_limit_s <= longest_time_s))
+      throw option_error("--time-limit", *time_limit,
+                         "is out of range; allowed is more than 0, up to " + plain(longest_time_s) + " seconds");
+  }
+  return request;
+}
+
+const RegisteredSolver& solver_named(const std::string& name) {
+  const auto* solver = find_solver(name);
+  if (!solver) throw option_error("--solver", name, "is unknown; allowed is " + solver_names());
+  return *solver;
+}
+
+Wanted quantities_named(const std::vector<std::string>& names) {
+  if (names.empty()) return want_everything();
+  Wanted wanted;
+  for (const auto& name : names) {
+    const auto quantity = quantity_from(name);
+    if (!quantity) {
+      std::string allowed;
+      for (const Quantity known : all_quantities)
+        allowed += (allowed.empty() ? "" : ", ") + std::string(to_string(known));
+      throw option_error("--quantity", name, "is unknown; allowed is " + allowed);
+    }
+    wanted.insert(*quantity);
+  }
+  return wanted;
+}
+
+std::vector<bearing::Law> laws_named(const std::vector<std::string>& names) {
+  std::vector<bearing::Law> laws;
+  for (const auto& name : names) {
+    const auto law = bearing::law_from(name);
+    if (!law) throw option_error("--law", name, "is unknown; allowed is " + bearing::names_of(bearing::Laws::all));
+    if (std::find(laws.begin(), laws.end(), *law) == laws.end()) laws.push_back(*law);
+  }
+  return laws;
+}
+
+unsigned thread_count(const std::optional<std::string>& text) {
+  if (!text) return 0;
+  const int threads = parse_integer("--threads", *text);
+  if (threads < 1 || threads > most_threads)
+    throw option_error("--threads", *text,
+                       "is out of range; allowed is an integer, 1 to " + std::to_string(most_threads));
+  return static_cast<unsigned>(threads);
+}
+
+void require_memory(const RegisteredSolver& solver, const Request& request) {
+  if (!request.nodes) return;
+  constexpr double gigabyte = 1e9;
+  const double needed = solver.memory_bytes(*request.nodes);
+  const double available = available_memory_bytes();
+  if (needed <= available) return;
+  int fitting = *request.nodes;
+  while (fitting > fewest_nodes && solver.memory_bytes(fitting) > available) fitting /= 2;
+  throw option_error("--nodes", std::to_string(*request.nodes),
+                     "would not fit into memory (" + solver.name + " needs about " + plain(needed / gigabyte, 2) +
+                         " GB, available are " + plain(available / gigabyte, 2) + " GB); allowed is up to about " +
+                         std::to_string(fitting));
+}
+
+}  // namespace ehd::cli

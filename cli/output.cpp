@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/output.hpp"
+
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "cli/usage.hpp"
+#include "contact/text.hpp"
+#include "workflow/case.hpp"
+
+namespace ehd::cli {
+
+void complain(const std::string& line) { std::cerr << one_line(line) << std::endl; }
+
+void print(const std::string& text) {
+  std::cout << text << std::flush;
+  if (!std::cout) throw OutputError("standard output: cannot be written (the device is full or closed)");
+}
+
+std::vector<NamedFile> files_of(const std::vector<Case>& cases) {
+  std::vector<NamedFile> files;
+  for (const Case& one : cases) files.push_back({"the case " + one.id, one.file});
+  return files;
+}
+
+void require_distinct(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs) {
+  const auto whole = [](const std::filesystem::path& path) {
+    std::error_code error;
+    const auto absolute = std::filesystem::absolute(path, error);
+    const auto canonical = std::filesystem::weakly_canonical(absolute, error);
+    return error ? absolute.lexically_normal() : canonical;  // a path that cannot be followed cannot be written either
+  };
+  std::vector<NamedFile> taken;
+  for (const NamedFile& input : inputs) taken.push_back({input.name, whole(input.path)});
+  for (const NamedFile& output : outputs) {
+    if (output.path == "-" && output.name != "--json")
+      throw option_error(output.name, "-", "is no file; allowed is a file's name (only --json knows standard output)");
+    if (output.path.empty() || output.path == "-") continue;  // nothing, standard output
+    const auto path = whole(output.path);
+    for (const NamedFile& other : taken) {
+      if (other.path == path)
+        throw option_error(output.name, output.path.string(),
+                           "is the same file as " + other.name + "; allowed is a file of its own");
+    }
+    taken.push_back({output.name, path});
+  }
+}
+
+std::optional<OutputFile> opened(const std::optional<std::string>& name) {
+  return name ? std::optional<OutputFile>(std::in_place, *name) : std::nullopt;
+}
+
+void Progress::show(const std::string& line) {
+  if (!::isatty(STDERR_FILENO)) return;
+  // Spaces and carriage returns only, so that it needs no terminal codes.
+  constexpr std::size_t widest = 79;
+  const std::string text = shortened(one_line(line), widest - 3);
+  std::cerr << '\r' << text << std::string(shown_ > text.size() ? shown_ - text.size() : 0, ' ') << '\r' << text
+            << std::flush;
+  if (text.empty() && shown_ > 0) std::cerr << '\r' << std::flush;
+  shown_ = text.size();
+}
+
+namespace {
+
+std::string_view interruption_message;  // set before the handler is
+
+/// Calls only what a signal handler may call.
+extern "C" void tell_interrupted(int signal) {
+  [[maybe_unused]] const auto written =
+      ::write(STDERR_FILENO, interruption_message.data(), interruption_message.size());
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+}
+
+}  // namespace
+
+void say_when_interrupted(std::string_view message) {
+  interruption_message = message;
+  for (const int signal : {SIGINT, SIGTERM}) {
+    if (std::signal(signal, tell_interrupted) == SIG_IGN) std::signal(signal, SIG_IGN);
+  }
+}
+
+bool styled_output() {
+  const char* no_color = std::getenv("NO_COLOR");
+  const char* terminal = std::getenv("TERM");
+  const bool dumb = terminal && std::string_view(terminal) == "dumb";
+  return ::isatty(STDOUT_FILENO) && !(no_color && *no_color) && !dumb;
+}
+
+OutputFolder::OutputFolder(const std::string& name) : path_(name) {
+  std::error_code error;
+  const auto whole = std::filesystem::absolute(path_, error).lexically_normal();
+  for (auto above = whole; !above.empty() && !std::filesystem::exists(above, error); above = above.parent_path())
+    made_.push_back(above);
+  std::filesystem::create_directories(path_, error);
+  if (error) {
+    const std::string why = error.message();
+    remove_empty();
+    throw option_error("--output", name, why + "; allowed is a folder");
+  }
+}
+
+void OutputFolder::remove_empty() {
+  std::error_code not_empty;
+  for (const auto& folder : made_) std::filesystem::remove(folder, not_empty);  // the deepest first
+  made_.clear();
+}
+
+JsonTarget::JsonTarget(const std::optional<std::string>& option) : asked_(option.has_value()) {
+  if (option && *option != "-") file_.emplace(*option);
+}
+
+void JsonTarget::write(const Json& json) {
+  const std::string text = json_text(json);
+  if (file_) {
+    file_->commit(text);
+  } else if (asked_) {
+    print(text);
+  }
+}
+
+}  // namespace ehd::cli
