@@ -6,6 +6,7 @@
 #include <chrono>
 #include <fstream>
 #include <memory>
+#include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
@@ -22,8 +23,12 @@
 #include "io/provenance.hpp"
 #include "io/sha256.hpp"
 #include "io/store.hpp"
+#include "workflow/bearing_contact.hpp"
+#include "workflow/contact_cache.hpp"
+#include "workflow/contact_memory.hpp"
 #include "workflow/contact_run.hpp"
 #include "workflow/parallel.hpp"
+#include "workflow/registry.hpp"
 
 namespace ehd {
 
@@ -35,84 +40,6 @@ using Clock = std::chrono::steady_clock;
 double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
 }  // namespace
-
-// ---- Contacts shared by all threads --------------------------------------------------------------------------------
-
-SharedContacts::SharedContacts(const RegisteredSolver& solver, std::size_t most) : solver_(solver), most_(most) {}
-
-SharedContacts::Key SharedContacts::key_of(const Problem& problem) {
-  const auto& [M, L, lambda, alpha_p_H] = problem.groups;
-  Key key{M,
-          L,
-          lambda,
-          alpha_p_H,
-          static_cast<double>(problem.viscosity.index()),
-          static_cast<double>(problem.density.index()),
-          static_cast<double>(problem.inlet.index())};
-  // Structured bindings name every member: a law that gets another one no longer compiles here.
-  if (const auto* barus = std::get_if<Barus>(&problem.viscosity)) {
-    const auto& [alpha] = *barus;
-    key.push_back(alpha);
-  }
-  if (const auto* roelands = std::get_if<Roelands>(&problem.viscosity)) {
-    const auto& [alpha, p0, z] = *roelands;
-    key.insert(key.end(), {alpha, p0, z});
-  }
-  if (const auto* law = std::get_if<DowsonHigginson>(&problem.density)) {
-    const auto& [a, c] = *law;
-    key.insert(key.end(), {a, c});
-  }
-  if (const auto* cut = std::get_if<TruncatedAt>(&problem.inlet)) {
-    const auto& [x] = *cut;
-    key.push_back(x);
-  }
-  for (const Quantity quantity : problem.wanted) key.push_back(static_cast<double>(quantity));
-  return key;
-}
-
-Solution SharedContacts::solve(const Problem& problem, const Request& request) {
-  const auto as_solution = [](const Kept& kept) {
-    Solution solution;
-    solution.observables = kept.observables;
-    solution.record.status = kept.status;
-    solution.record.reason = kept.reason;
-    return solution;
-  };
-  std::promise<Kept> promise;
-  {
-    std::unique_lock lock(mutex_);
-    Key key = key_of(problem);
-    const auto at = known_.find(key);
-    if (at != known_.end()) {
-      ++recalls_;
-      const std::shared_future<Kept> coming = at->second;
-      lock.unlock();
-      return as_solution(coming.get());
-    }
-    ++solves_;
-    if (known_.size() < most_) known_.emplace(std::move(key), promise.get_future().share());
-  }
-  try {
-    const Solution solution = solver_.solve(problem, request);
-    const Kept kept{
-        .status = solution.record.status, .reason = solution.record.reason, .observables = solution.observables};
-    promise.set_value(kept);
-    return as_solution(kept);
-  } catch (...) {
-    promise.set_exception(std::current_exception());
-    throw;
-  }
-}
-
-long SharedContacts::solves() const {
-  const std::lock_guard lock(mutex_);
-  return solves_;
-}
-
-long SharedContacts::recalls() const {
-  const std::lock_guard lock(mutex_);
-  return recalls_;
-}
 
 // ---- What a row is made of -----------------------------------------------------------------------------------------
 
@@ -336,7 +263,7 @@ struct ComputedRow {
 };
 
 ComputedRow compute(const Sweep& sweep, const SweepRequest& request, std::size_t row, const std::string& hash,
-                    SharedContacts& shared) {
+                    const std::shared_ptr<ContactCache>& shared) {
   const Case row_case = sweep.case_of(row);
   ComputedRow computed;
   Json json = Json::object();
@@ -350,8 +277,7 @@ ComputedRow compute(const Sweep& sweep, const SweepRequest& request, std::size_t
     limits.time_limit_s = request.time_limit_s;
     // A memory of the row's own: what it counts, and whether it holds contacts that missed their tolerance, is then of
     // this row. Solves are shared behind it.
-    ContactMemory memory([&shared](const Problem& problem, const Request& with) { return shared.solve(problem, with); },
-                         limits);
+    ContactMemory memory(shared, limits);
     for (const BearingResult& result : run_bearing(row_case, sweep.request_of(row_case), memory))
       json["results"].push_back(to_json(result));
     computed.needed = memory.solves();
@@ -416,7 +342,7 @@ SweepCost compute_missing(const Sweep& sweep, const SweepRequest& request, const
   const std::size_t known = rows.size() - missing.size();
   if (request.progress) request.progress(known, rows.size(), 0);
 
-  SharedContacts shared(*find_solver(sweep.solver));
+  const auto shared = std::make_shared<ContactCache>(with_fallback(find_solver(sweep.solver)->solve));
   std::mutex mutex;
   in_threads(missing.size(), request.threads, [&](std::size_t i) {
     const auto row_begin = Clock::now();
@@ -429,7 +355,7 @@ SweepCost compute_missing(const Sweep& sweep, const SweepRequest& request, const
     ++cost.computed;
     if (request.progress) request.progress(known + cost.computed, rows.size(), cost.computed);
   });
-  cost.solves = sweep.bearing ? shared.solves() : cost.needed;
+  cost.solves = sweep.bearing ? shared->solves() : cost.needed;
   cost.threads = request.threads > 0 ? request.threads : std::max(1u, std::thread::hardware_concurrency());
   cost.wall_s = seconds_since(begin);
   return cost;

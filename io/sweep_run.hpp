@@ -8,49 +8,18 @@
 
 #include <filesystem>
 #include <functional>
-#include <future>
-#include <map>
-#include <mutex>
 #include <string>
 #include <vector>
 
 #include "io/json.hpp"
 #include "io/output_file.hpp"
 #include "io/sweep_file.hpp"
-#include "workflow/registry.hpp"
 
 namespace ehd {
 
 /// A part of a sweep: the rows that shard `number` of `of` computes.
 struct Shard {
   std::size_t number = 1, of = 1;  ///< 1 <= number <= of
-};
-
-/// Solved contacts for all threads: an equal problem is solved once, and whoever asks meanwhile waits for it. What a
-/// film law needs of a solution is kept (status, observables), fields are not.
-class SharedContacts {
- public:
-  /// Beyond `most` contacts further ones are solved and not kept; one takes some 600 bytes.
-  explicit SharedContacts(const RegisteredSolver& solver, std::size_t most = 1000000);
-  /// All calls with the same request.
-  [[nodiscard]] Solution solve(const Problem& problem, const Request& request);
-  [[nodiscard]] long solves() const;   ///< calls of the solver
-  [[nodiscard]] long recalls() const;  ///< answers without one
-
- private:
-  using Key = std::vector<double>;
-  struct Kept {
-    StopReason status = StopReason::diverged;
-    std::string reason;
-    Observables observables;
-  };
-  static Key key_of(const Problem& problem);
-
-  const RegisteredSolver& solver_;
-  std::size_t most_;
-  mutable std::mutex mutex_;
-  std::map<Key, std::shared_future<Kept>> known_;
-  long solves_ = 0, recalls_ = 0;
 };
 
 struct SweepRequest {

@@ -24,7 +24,7 @@ using bearing::LawPair;
 using bearing::LinearFit;
 using bearing::RacewayContact;
 using bearing::SolvedContact;
-using bearing::SolvedContacts;
+using bearing::SolvableContact;
 using bearing::SolveFailure;
 using bearing::Unloading;
 
@@ -190,7 +190,7 @@ class BearingRun {
     }
   }
 
-  [[nodiscard]] SolvedContacts& solved(const RacewayContact& contact) {
+  [[nodiscard]] SolvableContact solved(const RacewayContact& contact) {
     return memory_.of(contact, body_.lubricant->lubricant);
   }
 

@@ -26,7 +26,7 @@
 #include "workflow/bearing_of_case.hpp"
 #include "workflow/bearing_plan.hpp"
 #include "workflow/case.hpp"
-#include "workflow/contact_cache.hpp"
+#include "workflow/contact_memory.hpp"
 
 namespace ehd {
 

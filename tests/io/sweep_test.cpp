@@ -416,51 +416,6 @@ combine = "zip"
   BOOST_TEST(cost.needed == 4 * cost.solves);
 }
 
-BOOST_AUTO_TEST_CASE(a_solved_contact_is_shared_by_equal_problems_alone) {
-  int calls = 0;
-  RegisteredSolver counting{.name = "counting",
-                            .description = {},
-                            .solve =
-                                [&calls](const Problem&, const Request&) {
-                                  Solution solution;
-                                  solution.observables[Quantity::film_minimum].value = ++calls;
-                                  return solution;
-                                },
-                            .uses_fft = false,
-                            .memory_bytes = {}};
-  const Problem one{.groups = {.M = 20, .L = 10, .lambda = 0.01, .alpha_p_H = 18},
-                    .viscosity = Roelands{.alpha = 18, .p0 = 0.2, .z = 0.6},
-                    .density = DowsonHigginson{.a = 0.5, .c = 1.5},
-                    .inlet = TruncatedAt{-4}};
-  std::vector<Problem> different(14, one);
-  different[1].groups.M = 21;
-  different[2].groups.L = 11;
-  different[3].groups.lambda = 0.02;
-  different[4].groups.alpha_p_H = 19;
-  different[5].viscosity = Roelands{.alpha = 19, .p0 = 0.2, .z = 0.6};
-  different[6].viscosity = Roelands{.alpha = 18, .p0 = 0.3, .z = 0.6};
-  different[7].viscosity = Roelands{.alpha = 18, .p0 = 0.2, .z = 0.7};
-  different[8].viscosity = Barus{.alpha = 18};
-  different[9].viscosity = Isoviscous{};
-  different[10].density = Incompressible{};
-  different[11].density = DowsonHigginson{.a = 0.5, .c = 1.6};
-  different[12].inlet = Flooded{};
-  different[13].wanted = {Quantity::film_minimum};
-  SharedContacts shared(counting), forgetful(counting, 3);
-  const auto film = [](SharedContacts& from, const Problem& of) {
-    return static_cast<int>(from.solve(of, {}).observables.at(Quantity::film_minimum).value);
-  };
-  for (int round = 0; round < 2; ++round)
-    for (std::size_t i = 0; i < different.size(); ++i)
-      BOOST_TEST(film(shared, different[i]) == static_cast<int>(i) + 1);
-  BOOST_TEST(shared.solves() == 14);
-  BOOST_TEST(shared.recalls() == 14);
-  // Where memory ends, what comes later is solved again.
-  for (int round = 0; round < 2; ++round)
-    for (const Problem& of : different) (void)film(forgetful, of);
-  BOOST_TEST(forgetful.solves() == 14 + 11);
-}
-
 BOOST_AUTO_TEST_CASE(a_contact_is_swept_as_ehd_solve_solves_it) {
   const Folder folder;
   const auto file = folder.write("s.toml", R"(case = "own-moes-20-10"
