@@ -76,7 +76,7 @@ using Datum = std::variant<PalmgrenDatum, LundbergDatum, LengthDatum>;
 
 struct FitRange {
   std::optional<std::pair<double, double>> load_N =
-      {};  ///< absent: follows the dry balance (bearing_run, default_fit_from)
+      {};  ///< absent: follows the dry balance (bearing_fit, default_fit_from)
   int points = 6;
 };
 
