@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// SHA-256 (FIPS 180-4): names what a result was computed from, and tells a damaged line from a whole one.
+// A hash that tells contents apart: which inputs a result was computed from, and a damaged line from a whole one. It
+// has no security purpose; contents that are made to collide are not its concern.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
 namespace ehd {
 
-/// 64 lower-case hexadecimal digits.
-[[nodiscard]] std::string sha256(std::string_view bytes);
+inline constexpr std::size_t content_hash_digits = 32;
+
+/// XXH3, 128 bits (xxHash), as lower-case hexadecimal digits in the canonical order, high half first.
+[[nodiscard]] std::string content_hash(std::string_view bytes);
 
 }  // namespace ehd

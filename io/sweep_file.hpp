@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A case with lists or ranges for some of its keys: the file as a user writes it, its strict reader, and its rows.
+// A case with lists or ranges for some of its keys: the file as a user writes it, its strict reader (sweep_reader.cpp),
+// and its rows.
 // README.md lists the file's keys.
 #pragma once
 
@@ -12,6 +13,7 @@
 #include "io/json.hpp"
 #include "workflow/bearing_run.hpp"
 #include "workflow/case.hpp"
+#include "workflow/registry.hpp"
 
 namespace ehd {
 
@@ -33,7 +35,7 @@ struct Sweep {
   std::string case_id;
   bool bearing = false;
   std::vector<bearing::Law> laws;  ///< as asked for; empty: as `ehd bearing` has them
-  std::string solver = "fast";
+  std::string solver{default_solver().name};
   double tolerance = 1e-3;  ///< of the films of a contact case; a bearing's contacts have their own
   Combine combine = Combine::product;
   std::vector<SweptKey> keys;  ///< in the order of the file, of which the last turns fastest
