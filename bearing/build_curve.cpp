@@ -64,14 +64,14 @@ Disagreement over_half_the_gap(const Disagreement& over_the_gap) {
 /// The solved contacts that a curve may be made of.
 class Points {
  public:
-  explicit Points(SolvedContacts& contacts) : contacts_(contacts) {}
+  explicit Points(const SolvableContact& contacts) : contacts_(contacts) {}
 
   /// Solves a contact and keeps it, or says why it cannot.
   [[nodiscard]] std::optional<SolveFailure> add(double force_N) {
-    const ContactResult& result = contacts_.at(force_N);
+    const ContactResult result = contacts_.at(force_N);
     if (const auto* failure = std::get_if<SolveFailure>(&result)) return *failure;
     const auto& solved = std::get<SolvedContact>(result);
-    const double F = offset_film_m(contacts_.contact(), force_N, solved);
+    const double F = offset_film_m(contacts_.contact, force_N, solved);
     if (!(F > 0) || !(solved.film_minimum_m > 0)) return SolveFailure{.why = "the solved film is not positive"};
     points_[force_N] = {F, solved.film_minimum_m};
     if (!solved.converged) missed_N_.insert(force_N);
@@ -96,7 +96,7 @@ class Points {
       offsets.push_back(points_.at(force_N).offset);
       minima.push_back(points_.at(force_N).minimum);
     }
-    return {contacts_.contact(), std::move(forces), offsets, minima, std::move(errors)};
+    return {contacts_.contact, std::move(forces), offsets, minima, std::move(errors)};
   }
 
   /// Of a curve at a solved contact that the curve need not contain.
@@ -112,7 +112,7 @@ class Points {
   struct Films {
     double offset = 0, minimum = 0;
   };
-  SolvedContacts& contacts_;
+  const SolvableContact& contacts_;
   std::map<double, Films> points_;
   double solver_offset_film_ = 0, solver_minimum_film_ = 0;
   std::set<double> missed_N_;
@@ -138,7 +138,7 @@ struct Worst {
 /// The points of a curve, and the extra solves that its gaps are judged by.
 class Refinement {
  public:
-  Refinement(SolvedContacts& contacts, CurveRequest request) : points_(contacts), request_(std::move(request)) {}
+  Refinement(const SolvableContact& contacts, CurveRequest request) : points_(contacts), request_(std::move(request)) {}
 
   /// Solves a point of the curve, or says why it cannot.
   [[nodiscard]] std::optional<SolveFailure> add_point(double force_N) {
@@ -346,7 +346,7 @@ CurveRequest as_met(CurveRequest request) {
   return request;
 }
 
-std::variant<FilmCurve, SolveFailure> build_curve(SolvedContacts& contacts, const CurveRequest& asked) {
+std::variant<FilmCurve, SolveFailure> build_curve(const SolvableContact& contacts, const CurveRequest& asked) {
   const CurveRequest request = as_met(asked);
   Refinement refinement(contacts, request);
   const double top = request.heaviest_N;

@@ -42,6 +42,7 @@ struct CurveRequest {
 ///    the gaps on both sides of the point are split.
 /// Extra solves become points of the curve. A failure at the heaviest force, or fewer than three points, is a
 /// SolveFailure.
-[[nodiscard]] std::variant<FilmCurve, SolveFailure> build_curve(SolvedContacts& contacts, const CurveRequest& request);
+[[nodiscard]] std::variant<FilmCurve, SolveFailure> build_curve(const SolvableContact& contacts,
+                                                                const CurveRequest& request);
 
 }  // namespace ehd::bearing

@@ -77,21 +77,21 @@ std::vector<double> fit_forces_N(double lowest_N, double highest_N, int points) 
   return forces;
 }
 
-std::variant<LinearFit, SolveFailure> fit_contacts(SolvedContacts& contacts, double datum_m, double lowest_N,
+std::variant<LinearFit, SolveFailure> fit_contacts(const SolvableContact& contacts, double datum_m, double lowest_N,
                                                    double highest_N, int points) {
   std::vector<FitPoint> solved;
   for (const double force_N : fit_forces_N(lowest_N, highest_N, points)) {
-    const ContactResult& result = contacts.at(force_N);
+    const ContactResult result = contacts.at(force_N);
     if (const auto* failure = std::get_if<SolveFailure>(&result)) {
       return SolveFailure{.why = "at a contact force of " + plain(force_N, 4) + " N: " + failure->why,
                           .limit = failure->limit};
     }
     const auto& contact = std::get<SolvedContact>(result);
-    const Conditions conditions = contacts.contact().at(force_N);
+    const Conditions conditions = contacts.contact.at(force_N);
     const double b = hertz::half_width_m(conditions);
     solved.push_back({.force_N = force_N,
                       .approach_m = approach_m(conditions, contact.offset, datum_m),
-                      .approach_error_m = b * b / contacts.contact().reduced_radius_m * contact.offset_error,
+                      .approach_error_m = b * b / contacts.contact.reduced_radius_m * contact.offset_error,
                       .converged = contact.converged});
   }
   return fit_line(solved);

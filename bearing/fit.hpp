@@ -42,7 +42,7 @@ struct LinearFit {
 [[nodiscard]] std::vector<double> fit_forces_N(double lowest_N, double highest_N, int points);
 
 /// A line through these contacts; each is solved, or remembered, and a failure names its force.
-[[nodiscard]] std::variant<LinearFit, SolveFailure> fit_contacts(SolvedContacts& contacts, double datum_m,
+[[nodiscard]] std::variant<LinearFit, SolveFailure> fit_contacts(const SolvableContact& contacts, double datum_m,
                                                                  double lowest_N, double highest_N, int points);
 
 }  // namespace ehd::bearing

@@ -5,16 +5,6 @@
 
 namespace ehd::bearing {
 
-const ContactResult& SolvedContacts::at(double force_N) {
-  const auto known = results_.find(force_N);
-  if (known != results_.end()) {
-    ++recalls_;
-    return known->second;
-  }
-  ++solves_;
-  return results_.emplace(force_N, solve_(force_N / contact_.length_m)).first->second;
-}
-
 double offset_film_m(const RacewayContact& contact, double force_N, const SolvedContact& solved) {
   const double b = hertz::half_width_m(contact.at(force_N));
   return b * b / contact.reduced_radius_m * (solved.offset - hertz::dry_offset());

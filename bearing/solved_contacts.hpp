@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The contacts of one raceway that an EHD solver has solved. bearing/ knows no solver: the solver is a function that
-// the caller hands in.
+// Solved EHD contacts as film curves and fits take them. bearing/ knows no solver: the caller hands in the function
+// that solves a contact, and that function may remember what it has solved.
 #pragma once
 
 #include <functional>
-#include <map>
 #include <string>
-#include <utility>
 #include <variant>
 
 #include "bearing/geometry.hpp"
@@ -28,31 +26,22 @@ struct SolveFailure {
 };
 using ContactResult = std::variant<SolvedContact, SolveFailure>;
 
-/// Solves the contact at a load [N/m].
+/// Solves the contact at a load [N/m], or remembers it.
 using ContactPoint = std::function<ContactResult(double load_N_per_m)>;
 
-/// The solved contacts of one raceway. Each load is solved once, however many laws and bearings ask for it.
-class SolvedContacts {
- public:
-  SolvedContacts(RacewayContact contact, ContactPoint solve) : contact_(contact), solve_(std::move(solve)) {}
+/// The contact at a raceway, and the function that solves it at a load.
+struct SolvableContact {
+  RacewayContact contact;
+  ContactPoint solve;
 
-  /// The contact at a force [N], solved now or taken from memory.
-  [[nodiscard]] const ContactResult& at(double force_N);
-  [[nodiscard]] const RacewayContact& contact() const { return contact_; }
-  [[nodiscard]] long solves() const { return solves_; }    ///< calls of the solver
-  [[nodiscard]] long recalls() const { return recalls_; }  ///< requests answered from memory
-
- private:
-  RacewayContact contact_;
-  ContactPoint solve_;
-  std::map<double, ContactResult> results_;
-  long solves_ = 0, recalls_ = 0;
+  /// The contact at a force [N].
+  [[nodiscard]] ContactResult at(double force_N) const { return solve(force_N / contact.length_m); }
 };
 
 /// The offset film of a solved contact [m], F = (b^2/R)(H_0 - H_0,dry) = delta_dry - delta (film_curve.hpp).
 [[nodiscard]] double offset_film_m(const RacewayContact& contact, double force_N, const SolvedContact& solved);
 
-/// What offset_error is of the offset film, relative.
+/// The relative error of the offset film.
 [[nodiscard]] double relative_offset_error(const SolvedContact& solved);
 
 }  // namespace ehd::bearing

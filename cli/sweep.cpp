@@ -18,6 +18,7 @@
 #include "contact/text.hpp"
 #include "io/sweep_file.hpp"
 #include "io/sweep_run.hpp"
+#include "io/sweep_shards.hpp"
 
 namespace ehd::cli {
 
@@ -107,7 +108,7 @@ std::string summary(const Sweep& sweep, const SweepCost& cost, const std::string
   for (const bearing::Law law : sweep.laws) laws += (laws.empty() ? ", laws " : ", ") + std::string(to_string(law));
   std::string text = sweep.id + ": " + std::to_string(cost.rows) + " rows of " + sweep.case_id + laws + what + "\n";
   text += "  rows computed " + std::to_string(cost.computed) + ", known before or equal to another " +
-          std::to_string(cost.rows - cost.computed) + ", not converged " + std::to_string(cost.failed) + "\n";
+          std::to_string(cost.rows - cost.computed) + ", not converged " + std::to_string(cost.failures.rows) + "\n";
   if (cost.computed > 0)
     text += "  contact solves made " + std::to_string(cost.solves) + ", saved " + std::to_string(cost.saved()) +
             " (rows that share a contact solve it once)\n  time " + duration(cost.wall_s) + " on " +
@@ -154,9 +155,9 @@ int sweep(const SweepOptions& options) {
   std::string text = summary(asked, cost, what);
   if (!shard) text += "  " + (folder.path() / "rows.csv").string() + ", rows.json\n";
   print(text);
-  if (cost.failed == 0) return success;
-  complain("ehd: sweep: " + std::to_string(cost.failed) + " of " + std::to_string(cost.rows) +
-           " rows did not converge; " + cost.first_failure);
+  if (cost.failures.rows == 0) return success;
+  complain("ehd: sweep: " + std::to_string(cost.failures.rows) + " of " + std::to_string(cost.rows) +
+           " rows did not converge; " + cost.failures.first);
   return not_met;
 }
 

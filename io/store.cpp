@@ -12,21 +12,22 @@
 #include <system_error>
 
 #include "contact/text.hpp"
+#include "io/content_hash.hpp"
 #include "io/json.hpp"
 #include "io/output_file.hpp"
-#include "io/sha256.hpp"
 
 namespace ehd {
 
 namespace {
 
 constexpr const char* name = "journal";
-constexpr const char* schema = "ehd-sweep-journal-1";
-constexpr std::size_t check_digits = 16, hash_digits = 64;
+constexpr const char* schema = "ehd-sweep-journal-2";
+constexpr std::size_t check_digits = 16, hash_digits = content_hash_digits;
 
-/// CHECKSUM CONTENT, where the content of a row is HASH TEXT.
+/// A line of the file: CHECKSUM CONTENT. The content of a row is HASH TEXT. CHECKSUM: the first digits of the content's
+/// hash.
 std::string line_of(const std::string& content) {
-  return sha256(content).substr(0, check_digits) + " " + content + "\n";
+  return content_hash(content).substr(0, check_digits) + " " + content + "\n";
 }
 
 std::string content_of(const JournalHeader& header) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A case with lists or ranges for some of its keys: the file as a user writes it, its strict reader, and its rows.
-// docs/sweep.md lists the keys of the file.
+// A case with lists or ranges for some of its keys: the file as a user writes it, its strict reader (sweep_reader.cpp),
+// and its rows.
+// docs/sweep.md lists the file's keys.
 #pragma once
 
 #include <cstddef>
@@ -12,6 +13,7 @@
 #include "io/json.hpp"
 #include "workflow/bearing_run.hpp"
 #include "workflow/case.hpp"
+#include "workflow/registry.hpp"
 
 namespace ehd {
 
@@ -32,8 +34,8 @@ struct Sweep {
   std::string case_text;
   std::string case_id;
   bool bearing = false;
-  std::vector<bearing::Law> laws;  ///< empty: the default laws of `ehd bearing`
-  std::string solver = "fast";
+  std::vector<bearing::Law> laws;  ///< as asked for; empty: as `ehd bearing` has them
+  std::string solver{default_solver().name};
   double tolerance = 1e-3;  ///< of the films of a contact case; a bearing's contacts have their own
   Combine combine = Combine::product;
   std::vector<SweptKey> keys;  ///< in the order of the file, of which the last turns fastest
@@ -44,16 +46,16 @@ struct Sweep {
   [[nodiscard]] std::vector<Substitution> values_of(std::size_t row) const;
   /// The row's case, through the reader of case files. Throws CaseError with the sweep's line, the row and its keys.
   [[nodiscard]] Case case_of(std::size_t row) const;
-  /// The request for run_bearing.
+  /// What run_bearing is asked for.
   [[nodiscard]] BearingRequest request_of(const Case& row_case) const;
-  /// {"id", "case", "laws", "solver", "tolerance", "combine", "keys"}: common to all rows.
+  /// {"id", "case", "laws", "solver", "tolerance", "combine", "keys"}: what is not the row's own.
   [[nodiscard]] Json to_json() const;
 };
 
-/// More rows are refused: all are read before the first is computed.
+/// More rows are refused: they are all read before the first is computed.
 inline constexpr std::size_t most_rows = 100000;
 
-/// Reads the file and the case of every row, so that every error of the input shows before anything is computed.
+/// Reads the file and the case of every row, so that nothing is computed of a sweep that cannot be carried through.
 /// Throws CaseError.
 [[nodiscard]] Sweep read_sweep(const std::filesystem::path& file);
 

@@ -1,75 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The rows of a sweep: computed over threads and processes, kept as they are finished, written as one table.
-//
-// What a row says depends on the row alone: its contacts are cold solves at loads that follow from its own case. So
-// threads, shards, the order of the rows, and which row solved a shared contact first change no bit of rows.csv and
-// rows.json; what does change (times, who solved what) is in cost.json.
+// The run of a whole sweep: rows computed over threads, kept as they are finished (io/store), written as one table
+// (io/sweep_table). rows.csv and rows.json follow from the rows alone; what depends on the run (times, which row solved
+// a shared contact) stands in cost.json.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
-#include <functional>
-#include <future>
-#include <map>
-#include <mutex>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "io/json.hpp"
-#include "io/output_file.hpp"
+#include "io/store.hpp"
 #include "io/sweep_file.hpp"
-#include "workflow/registry.hpp"
+#include "io/sweep_row.hpp"
+#include "io/sweep_table.hpp"
 
 namespace ehd {
-
-/// A part of a sweep: the rows that shard `number` of `of` computes.
-struct Shard {
-  std::size_t number = 1, of = 1;  ///< 1 <= number <= of
-};
-
-/// Solved contacts for all threads: an equal problem is solved once, and whoever asks meanwhile waits for it. What a
-/// film law needs of a solution is kept (status, observables), fields are not.
-class SharedContacts {
- public:
-  /// Beyond `most` contacts further ones are solved and not kept; one takes some 600 bytes.
-  explicit SharedContacts(const RegisteredSolver& solver, std::size_t most = 1000000);
-  /// All calls with the same request.
-  [[nodiscard]] Solution solve(const Problem& problem, const Request& request);
-  [[nodiscard]] long solves() const;   ///< calls of the solver
-  [[nodiscard]] long recalls() const;  ///< answers without one
-
- private:
-  using Key = std::vector<double>;
-  struct Kept {
-    StopReason status = StopReason::diverged;
-    std::string reason;
-    Observables observables;
-  };
-  static Key key_of(const Problem& problem);
-
-  const RegisteredSolver& solver_;
-  std::size_t most_;
-  mutable std::mutex mutex_;
-  std::map<Key, std::shared_future<Kept>> known_;
-  long solves_ = 0, recalls_ = 0;
-};
-
-struct SweepRequest {
-  int max_iterations = 2000;  ///< of each contact solve
-  double time_limit_s = 300;  ///< likewise; where it ends a solve, a row does depend on the machine
-  unsigned threads = 0;       ///< 0: as many as there are cores
-  bool fresh = false;         ///< rows of an earlier run are computed again
-  /// After every row, one call at a time: rows known so far, of how many, how many of them this run computed.
-  std::function<void(std::size_t known, std::size_t all, std::size_t computed)> progress = {};
-};
 
 /// What a run did.
 struct SweepCost {
   std::size_t rows = 0;      ///< of the sweep, or of its shard
   std::size_t computed = 0;  ///< by this run; the others were known, or equal another
-  std::size_t failed = 0;    ///< rows with a law that did not converge
-  std::string first_failure = {};
+  Failures failures = {};
   long solves = 0;  ///< contact solves of this run
-  long needed = 0;  ///< what its rows would have solved, each for itself
+  long needed = 0;  ///< contacts that its rows would have solved, each for itself
   unsigned threads = 0;
   double wall_s = 0;
   double rows_s = 0;  ///< of that computing rows, over all threads
@@ -77,26 +32,27 @@ struct SweepCost {
 };
 [[nodiscard]] Json to_json(const SweepCost& cost);
 
-/// 64 hexadecimal digits of all that a row's numbers follow from: the case with its values, laws, solver, tolerance,
-/// limits, and the program (its commit; where that does not tell, its own bytes).
-[[nodiscard]] std::string row_hash(const Sweep& sweep, const SweepRequest& request, std::size_t row);
-
-/// The rows of a shard, in increasing order: row = number - 1 modulo `of`.
-[[nodiscard]] std::vector<std::size_t> rows_of(const Sweep& sweep, const Shard& shard);
-
-/// Computes what is not known yet and keeps it in folder/rows, or a shard's in folder/shards/K-of-N; writes
-/// folder/rows.csv, rows.json and cost.json, a shard its cost.json alone. Throws OutputError.
+/// Computes what is not known yet and keeps it in folder/rows; writes folder/rows.csv, rows.json and cost.json. Throws
+/// OutputError.
 [[nodiscard]] SweepCost run_sweep(const Sweep& sweep, const SweepRequest& request, const std::filesystem::path& folder);
-[[nodiscard]] SweepCost run_shard(const Sweep& sweep, const SweepRequest& request, const std::filesystem::path& folder,
-                                  const Shard& shard);
 
-/// The same rows.csv and rows.json from folder/shards, where all shards of one number must be complete; OutputError
-/// says which is not, and why.
-[[nodiscard]] SweepCost merge_shards(const Sweep& sweep, const SweepRequest& request,
-                                     const std::filesystem::path& folder);
+// ---- What run_sweep and run_shard (io/sweep_shards) share
 
-/// The header of rows.csv, and a row's lines, from its object in rows.json.
-[[nodiscard]] std::string csv_header(const Sweep& sweep);
-[[nodiscard]] std::string csv_lines(const Sweep& sweep, const Json& row);
+/// row_hash of every row, and the hash of the sweep, which follows from them.
+struct SweepHashes {
+  SweepHashes(const Sweep& sweep, const SweepRequest& request);
+  /// Those of some rows.
+  [[nodiscard]] std::set<std::string> of(const std::vector<std::size_t>& rows) const;
+
+  std::vector<std::string> of_row;
+  std::string of_sweep;
+};
+
+/// Computes the rows that the journal does not hold, over threads. Equal rows are computed once.
+[[nodiscard]] SweepCost compute_missing(const Sweep& sweep, const SweepRequest& request, const SweepHashes& hashes,
+                                        const std::vector<std::size_t>& rows, SweepJournal& journal);
+
+/// folder/cost.json.
+void write_cost(const SweepCost& cost, const std::filesystem::path& folder);
 
 }  // namespace ehd

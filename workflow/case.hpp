@@ -83,7 +83,7 @@ struct LengthDatum {
 using Datum = std::variant<PalmgrenDatum, LundbergDatum, LengthDatum>;
 
 struct FitRange {
-  /// Absent: the range follows from the dry balance (default_fit_from in bearing_run).
+  /// Absent: the range follows from the dry balance (default_fit_from in bearing_fit).
   std::optional<std::pair<double, double>> load_N = {};
   int points = 6;
 };

@@ -1,52 +1,54 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The solved contacts of raceways, remembered.
+// The one store of solved contacts. ContactMemory (contact_memory.hpp) asks it on behalf of a bearing, and a sweep
+// shares it between rows and threads.
+//
+// The store counts its own solves; what a bearing reports is counted in its ContactMemory. A row of a sweep reports the
+// contacts that it would solve alone, so that its numbers do not depend on the rows that were computed before it.
 #pragma once
 
+#include <cstddef>
 #include <functional>
+#include <future>
 #include <map>
-#include <memory>
-#include <optional>
-#include <tuple>
-#include <variant>
+#include <mutex>
+#include <string>
+#include <vector>
 
-#include "bearing/build_curve.hpp"
-#include "bearing/film_curve.hpp"
-#include "bearing/solved_contacts.hpp"
-#include "contact/conditions.hpp"
 #include "contact/solver.hpp"
 
 namespace ehd {
 
 using ContactSolver = std::function<Solution(const Problem&, const Request&)>;
 
-/// The solved contacts of every raceway seen so far. A contact that agrees in radius, length, modulus, speed and
-/// lubricant is solved once, whichever law or case asks.
-class ContactMemory {
+/// The part of a solution that the cache keeps: no fields.
+struct KeptSolution {
+  StopReason status = StopReason::diverged;
+  std::string reason;
+  Observables observables;
+};
+
+/// Solutions by problem and request. An equal problem with an equal request is solved once; other threads that ask for
+/// it meanwhile wait. Safe to use from several threads.
+class ContactCache {
  public:
-  explicit ContactMemory(ContactSolver solver, Request request = bearing_request());
+  /// Contacts beyond the first `most` are solved but not kept. One contact takes some 600 bytes.
+  explicit ContactCache(ContactSolver solver, std::size_t most = 1000000);
 
-  [[nodiscard]] bearing::SolvedContacts& of(const bearing::RacewayContact& contact, const Lubricant& lubricant);
-  /// The raceway's curve, built once for all laws, clearances and cases that need the same.
-  [[nodiscard]] const std::variant<bearing::FilmCurve, bearing::SolveFailure>& curve(
-      const bearing::RacewayContact& contact, const Lubricant& lubricant, const bearing::CurveRequest& request);
-  [[nodiscard]] long solves() const;   ///< calls of the solver
-  [[nodiscard]] long recalls() const;  ///< contacts taken from memory
-
-  /// Film tolerance 1e-4: an offset film to that accuracy moves a contact force by a few parts in 1e5.
-  [[nodiscard]] static Request bearing_request();
+  /// Throws what the solver throws, now and whenever the same contact is asked for again. A problem with sources
+  /// (manufactured solutions) is solved each time and not kept: sources are functions and cannot be compared.
+  [[nodiscard]] KeptSolution solve(const Problem& problem, const Request& request);
+  [[nodiscard]] long solves() const;   ///< calls of the function
+  [[nodiscard]] long recalls() const;  ///< answers without a call
 
  private:
-  using Key = std::tuple<bearing::RacewayContact, ViscosityLaw, DensityLaw, std::optional<double>,
-                         std::optional<double>, double>;
+  using Key = std::vector<double>;
+  static Key key_of(const Problem& problem, const Request& request);
+
   ContactSolver solver_;
-  Request request_;
-  struct Raceway {
-    std::unique_ptr<bearing::SolvedContacts> contacts;
-    std::map<bearing::CurveRequest, std::variant<bearing::FilmCurve, bearing::SolveFailure>> curves;
-  };
-  [[nodiscard]] Raceway& raceway(const bearing::RacewayContact& contact, const Lubricant& lubricant);
-  std::map<Key, Raceway> raceways_;
-  long curve_recalls_ = 0;
+  std::size_t most_;
+  mutable std::mutex mutex_;
+  std::map<Key, std::shared_future<KeptSolution>> known_;
+  long solves_ = 0, recalls_ = 0;
 };
 
 }  // namespace ehd

@@ -24,26 +24,58 @@ double certified_memory(double N) { return 4 * 8 * 2.25 * N * N; }
 /// Some hundred vectors of doubles on the finest grid, all levels, stages and Krylov directions together.
 double vector_memory(double N) { return 200 * 8 * N; }
 
+struct Traits {
+  double (*memory_bytes)(double intervals);
+  bool uses_fft = false;
+  bool is_default = false;
+  bool certified = false;
+  std::string_view twin_of = {};
+  int look = 0;
+};
+
 template <Solver S>
-RegisteredSolver entry(bool uses_fft, double (*memory_bytes)(double), std::string_view alias = {}) {
-  return {.name = std::string(alias.empty() ? S::description.name : alias),
+RegisteredSolver entry(const Traits& traits) {
+  return {.name = std::string(S::description.name),
           .description = S::description,
           .solve = [](const Problem& problem, const Request& request) { return S().solve(problem, request); },
-          .uses_fft = uses_fft,
-          .memory_bytes = memory_bytes};
+          .uses_fft = traits.uses_fft,
+          .memory_bytes = traits.memory_bytes,
+          .is_default = traits.is_default,
+          .certified = traits.certified,
+          .twin_of = traits.twin_of,
+          .look = traits.look};
+}
+
+/// The one row that has a trait.
+const RegisteredSolver& the_one(bool RegisteredSolver::*trait) {
+  const auto& list = solvers();
+  return *std::find_if(list.begin(), list.end(), [trait](const RegisteredSolver& solver) { return solver.*trait; });
 }
 
 }  // namespace
 
 const std::vector<RegisteredSolver>& solvers() {
   static const std::vector<RegisteredSolver> list{
-      entry<reference::HighOrder>(false, certified_memory),
-      entry<reference::Graded>(false, dense_memory),
-      entry<reference::Uniform>(false, dense_memory),
-      entry<fast::Mapped>(true, vector_memory),
-      entry<fast::Uniform>(true, vector_memory),
+      entry<reference::HighOrder>({.memory_bytes = certified_memory, .certified = true, .look = 1}),
+      entry<reference::Graded>({.memory_bytes = dense_memory, .look = 3}),
+      entry<reference::Uniform>({.memory_bytes = dense_memory, .look = 4}),
+      entry<fast::Mapped>({.memory_bytes = vector_memory, .uses_fft = true, .is_default = true, .look = 2}),
+      entry<fast::Uniform>({.memory_bytes = vector_memory,
+                            .uses_fft = true,
+                            .twin_of = reference::Uniform::description.name,
+                            .look = 5}),
   };
   return list;
+}
+
+const RegisteredSolver& default_solver() { return the_one(&RegisteredSolver::is_default); }
+const RegisteredSolver& certified_solver() { return the_one(&RegisteredSolver::certified); }
+
+std::vector<SolverTwins> solver_twins() {
+  std::vector<SolverTwins> twins;
+  for (const RegisteredSolver& solver : solvers())
+    if (!solver.twin_of.empty()) twins.push_back({&solver, find_solver(solver.twin_of)});
+  return twins;
 }
 
 const RegisteredSolver* find_solver(std::string_view name) {

@@ -12,18 +12,37 @@
 
 namespace ehd {
 
+/// A solver and its traits. Code that needs a solver of some kind asks for the trait, not for a name.
 struct RegisteredSolver {
-  std::string name;  ///< what --solver takes; for an alias, not description.name
+  std::string name;  ///< what --solver takes
   SolverDescription description;
   std::function<Solution(const Problem&, const Request&)> solve;
   bool uses_fft = false;
-  std::function<double(double)> memory_bytes;  ///< what a solve with N intervals, inlet to exit, holds at its largest
+  std::function<double(double)> memory_bytes;  ///< the largest memory of a solve with N intervals, inlet to exit
+  bool is_default = false;                     ///< where nobody names a solver
+  bool certified = false;         ///< its error bars come from a second, independent discretisation; it is the truth
+  std::string_view twin_of = {};  ///< the solver with the same grid and discretisation, of which this is a rewrite
+  int look = 0;                   ///< number of its line style in figures, from 1; each solver has its own
+
+  /// Its kernel is a dense matrix: time ~ n^3, memory ~ n^2.
+  [[nodiscard]] bool dense() const { return !uses_fft; }
 };
 
 [[nodiscard]] const std::vector<RegisteredSolver>& solvers();
 
 /// By name, nullptr where there is none.
 [[nodiscard]] const RegisteredSolver* find_solver(std::string_view name);
+
+/// The solver where nobody names one, and the one that is the truth for the others: one row each.
+[[nodiscard]] const RegisteredSolver& default_solver();
+[[nodiscard]] const RegisteredSolver& certified_solver();
+
+/// A solver and the solver that it is a twin of.
+struct SolverTwins {
+  const RegisteredSolver* solver;
+  const RegisteredSolver* twin;
+};
+[[nodiscard]] std::vector<SolverTwins> solver_twins();
 
 /// "reference, reference.uniform, …" for messages.
 [[nodiscard]] std::string solver_names();

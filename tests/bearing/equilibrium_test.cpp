@@ -35,7 +35,7 @@ Geometry bearing_209(double clearance_m) {
 }
 
 CurveLaw synthetic_curve_law(double datum_m) {
-  SolvedContacts contacts = synthetic::contacts();
+  const SolvableContact contacts = synthetic::contacts();
   const auto built = build_curve(contacts, {.heaviest_N = 2e5});
   BOOST_REQUIRE(std::holds_alternative<FilmCurve>(built));
   return {std::make_shared<const FilmCurve>(std::get<FilmCurve>(built)), datum_m};

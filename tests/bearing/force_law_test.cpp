@@ -20,7 +20,7 @@ using verification::Tolerance;
 namespace {
 
 CurveLaw curve_law(double datum_m) {
-  SolvedContacts contacts = synthetic::contacts();
+  const SolvableContact contacts = synthetic::contacts();
   const auto built = build_curve(contacts, {.heaviest_N = 12e3});
   BOOST_REQUIRE(std::holds_alternative<FilmCurve>(built));
   return {std::make_shared<const FilmCurve>(std::get<FilmCurve>(built)), datum_m};
@@ -211,7 +211,7 @@ BOOST_AUTO_TEST_CASE(the_palmgren_datum_meets_the_law_at_its_load) {
 }
 
 BOOST_AUTO_TEST_CASE(a_datum_shorter_than_the_contact_is_refused) {
-  SolvedContacts contacts = synthetic::contacts();
+  const SolvableContact contacts = synthetic::contacts();
   const auto built = build_curve(contacts, {.heaviest_N = 12e3});
   const auto curve = std::make_shared<const FilmCurve>(std::get<FilmCurve>(built));
   BOOST_CHECK_THROW(CurveLaw(curve, 1e-6), std::domain_error);

@@ -98,7 +98,7 @@ BOOST_AUTO_TEST_CASE(rows_with_films_make_lines_of_fits_and_curves_of_data) {
   BOOST_TEST(std::get<LinearLaw>(lines.inner).K_N_per_m == steep.K_N_per_m);
   BOOST_TEST(std::get<LinearLaw>(lines.outer).K_N_per_m == flat.K_N_per_m);
 
-  SolvedContacts contacts = synthetic::contacts();
+  const SolvableContact contacts = synthetic::contacts();
   const auto built = build_curve(contacts, {.heaviest_N = 12e3});
   const auto curve = std::make_shared<const FilmCurve>(std::get<FilmCurve>(built));
   const FromCurves make = std::get<FromCurves>(row_of(Law::ehd).make);

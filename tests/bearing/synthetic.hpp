@@ -38,7 +38,7 @@ inline SolvedContact solve(double force_N) {
           .film_error = 1e-9};
 }
 
-inline SolvedContacts contacts() {
+inline SolvableContact contacts() {
   return {contact(), [](double load_N_per_m) -> ContactResult { return solve(load_N_per_m * contact().length_m); }};
 }
 

@@ -20,6 +20,7 @@
 #include "io/store.hpp"
 #include "io/sweep_file.hpp"
 #include "io/sweep_run.hpp"
+#include "io/sweep_shards.hpp"
 #include "tests/check.hpp"
 #include "tests/files.hpp"
 #include "tests/process.hpp"
@@ -266,7 +267,7 @@ BOOST_AUTO_TEST_CASE(a_row_of_a_bearing_says_what_ehd_bearing_says_of_that_case)
   const Sweep read = read_sweep(folder.write("s.toml", small_sweep));
   const SweepCost cost = run_sweep(read, {}, folder.path() / "out");
   BOOST_TEST(cost.computed == 6u);
-  BOOST_TEST(cost.failed == 0u);
+  BOOST_TEST(cost.failures.rows == 0u);
   BOOST_TEST(cost.saved() > 0);
   const Json rows = Json::parse(test::read(folder.path() / "out/rows.json"));
   BOOST_TEST(rows["schema"] == "ehd-sweep-1");
@@ -321,7 +322,7 @@ combine = "product"
 [keys]
 "operation.radial_load_N" = [5e3, 7e4]
 )"));
-  BOOST_TEST(run_sweep(read, {}, folder.path() / "out").failed == 0u);
+  BOOST_TEST(run_sweep(read, {}, folder.path() / "out").failures.rows == 0u);
   const auto csv = lines_of_text(test::read(folder.path() / "out/rows.csv"));
   const std::string added =
       "displacement_lateral_m,datum_inner_x0_m,datum_outer_x0_m,fit_used_outside,lambda_ratio_minimum";
@@ -375,7 +376,7 @@ combine = "product"
 "operation.radial_load_N" = [5e3, 7e4]
 "datum.load_N" = [9289.0]
 )"));
-  BOOST_TEST(run_sweep(fixed, {}, folder.path() / "fixed").failed == 0u);
+  BOOST_TEST(run_sweep(fixed, {}, folder.path() / "fixed").failures.rows == 0u);
   const auto lines = lines_of_text(test::read(folder.path() / "fixed/rows.csv"));
   BOOST_TEST(cells_of(lines.at(1))[1] == cells_of(lines.at(2))[1]);
   BOOST_TEST(!cells_of(lines.at(1))[1].empty());
@@ -416,51 +417,6 @@ combine = "zip"
   BOOST_TEST(cost.needed == 4 * cost.solves);
 }
 
-BOOST_AUTO_TEST_CASE(a_solved_contact_is_shared_by_equal_problems_alone) {
-  int calls = 0;
-  RegisteredSolver counting{.name = "counting",
-                            .description = {},
-                            .solve =
-                                [&calls](const Problem&, const Request&) {
-                                  Solution solution;
-                                  solution.observables[Quantity::film_minimum].value = ++calls;
-                                  return solution;
-                                },
-                            .uses_fft = false,
-                            .memory_bytes = {}};
-  const Problem one{.groups = {.M = 20, .L = 10, .lambda = 0.01, .alpha_p_H = 18},
-                    .viscosity = Roelands{.alpha = 18, .p0 = 0.2, .z = 0.6},
-                    .density = DowsonHigginson{.a = 0.5, .c = 1.5},
-                    .inlet = TruncatedAt{-4}};
-  std::vector<Problem> different(14, one);
-  different[1].groups.M = 21;
-  different[2].groups.L = 11;
-  different[3].groups.lambda = 0.02;
-  different[4].groups.alpha_p_H = 19;
-  different[5].viscosity = Roelands{.alpha = 19, .p0 = 0.2, .z = 0.6};
-  different[6].viscosity = Roelands{.alpha = 18, .p0 = 0.3, .z = 0.6};
-  different[7].viscosity = Roelands{.alpha = 18, .p0 = 0.2, .z = 0.7};
-  different[8].viscosity = Barus{.alpha = 18};
-  different[9].viscosity = Isoviscous{};
-  different[10].density = Incompressible{};
-  different[11].density = DowsonHigginson{.a = 0.5, .c = 1.6};
-  different[12].inlet = Flooded{};
-  different[13].wanted = {Quantity::film_minimum};
-  SharedContacts shared(counting), forgetful(counting, 3);
-  const auto film = [](SharedContacts& from, const Problem& of) {
-    return static_cast<int>(from.solve(of, {}).observables.at(Quantity::film_minimum).value);
-  };
-  for (int round = 0; round < 2; ++round)
-    for (std::size_t i = 0; i < different.size(); ++i)
-      BOOST_TEST(film(shared, different[i]) == static_cast<int>(i) + 1);
-  BOOST_TEST(shared.solves() == 14);
-  BOOST_TEST(shared.recalls() == 14);
-  // Where memory ends, what comes later is solved again.
-  for (int round = 0; round < 2; ++round)
-    for (const Problem& of : different) (void)film(forgetful, of);
-  BOOST_TEST(forgetful.solves() == 14 + 11);
-}
-
 BOOST_AUTO_TEST_CASE(a_contact_is_swept_as_ehd_solve_solves_it) {
   const Folder folder;
   const auto file = folder.write("s.toml", R"(case = "own-moes-20-10"
@@ -491,7 +447,7 @@ combine = "product"
 "operation.speed_rpm" = [0.0, 5000.0]
 )")));
   const SweepCost cost = run_sweep(read, {}, folder.path() / "out");
-  BOOST_TEST(cost.failed == 0u);
+  BOOST_TEST(cost.failures.rows == 0u);
   BOOST_TEST(cost.solves == 0);
   const auto csv = lines_of_text(test::read(folder.path() / "out/rows.csv"));
   BOOST_TEST(csv.size() == 3u);
@@ -569,6 +525,23 @@ BOOST_AUTO_TEST_CASE(a_damaged_row_is_computed_again) {
   std::ofstream(out / "rows/journal", std::ios::binary | std::ios::trunc) << journal;
   BOOST_TEST(run_sweep(read, {}, out).computed == 1u);
   BOOST_TEST((Files(out) == before));
+}
+
+// A journal of a version that hashed with SHA-256: its rows are computed again.
+BOOST_AUTO_TEST_CASE(a_journal_of_an_older_version_is_computed_again) {
+  const Folder folder;
+  const Sweep read = read_sweep(folder.write("s.toml", dry_sweep));
+  (void)run_sweep(read, {}, folder.path() / "new");
+  const auto out = folder.path() / "old";
+  std::filesystem::create_directories(out / "rows");
+  std::ofstream(out / "rows/journal", std::ios::binary)
+      << R"(b75049c001e4c984 {"schema":"ehd-sweep-journal-1",)"
+      << R"("sweep":"241a47365650322f1e678965bf74253946eb7e6c460633bf6d265aa2b5be6b3b","shard":1,"of":1})"
+      << "\n03fc809bdfa4a470 02b6a970740a6ac4f6057771f12bccc9c6b4ea391c202a765ae9aa81bbdc96a6 {\"keys\":{}}\n";
+  const SweepCost cost = run_sweep(read, {}, out);
+  BOOST_TEST(cost.computed == read.rows());
+  BOOST_TEST((Files(out) == Files(folder.path() / "new")));
+  BOOST_TEST(test::read(out / "rows/journal").find("ehd-sweep-journal-1") == std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(what_a_row_follows_from_is_in_its_hash) {

@@ -20,6 +20,28 @@ BOOST_AUTO_TEST_CASE(every_solver_is_found_by_its_own_name) {
   for (const char* name : {"reference", "reference.uniform", "fast", "fast.uniform"}) BOOST_CHECK(find_solver(name));
 }
 
+BOOST_AUTO_TEST_CASE(the_traits_tell_the_solvers_apart) {
+  BOOST_TEST(default_solver().name == "fast");
+  BOOST_TEST(certified_solver().name == "reference");
+  std::set<int> looks;
+  int defaults = 0, certified = 0;
+  for (const RegisteredSolver& solver : solvers()) {
+    BOOST_TEST(solver.look > 0);
+    looks.insert(solver.look);
+    defaults += solver.is_default;
+    certified += solver.certified;
+    BOOST_TEST(solver.dense() == solver.name.starts_with("reference"));
+  }
+  BOOST_TEST(looks.size() == solvers().size());
+  BOOST_TEST(defaults == 1);
+  BOOST_TEST(certified == 1);
+  const auto twins = solver_twins();
+  BOOST_REQUIRE(twins.size() == 1u);
+  BOOST_TEST(twins[0].solver->name == "fast.uniform");
+  BOOST_REQUIRE(twins[0].twin != nullptr);
+  BOOST_TEST(twins[0].twin->name == "reference.uniform");
+}
+
 BOOST_AUTO_TEST_CASE(an_unknown_solver_is_absent) {
   BOOST_CHECK(find_solver("") == nullptr);
   BOOST_CHECK(find_solver("Fast") == nullptr);

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The strict reader of sweep files: read_sweep.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "contact/text.hpp"
+#include "io/case_reader.hpp"
+#include "io/case_text.hpp"
+#include "io/find_case.hpp"
+#include "io/sweep_file.hpp"
+#include "io/sweep_source.hpp"
+#include "io/sweep_values.hpp"
+#include "workflow/registry.hpp"
+
+namespace ehd {
+
+namespace {
+
+constexpr double loosest_tolerance = 1;
+
+void read_case_of_sweep(const SweepSource& source, Sweep& sweep) {
+  const std::string allowed = "the id of a case, or a path to its file from the folder of the sweep";
+  const toml::node* node = source.root().get("case");
+  if (!node) source.missing("case", allowed);
+  const std::string name = source.text("case", *node, allowed);
+  if (name.empty()) source.fail("case", *node, "is empty; allowed is " + allowed);
+  const bool path = name.find('/') != std::string::npos || std::filesystem::path(name).extension() == ".toml";
+  try {
+    sweep.case_file = path ? sweep.file.parent_path() / name : find_case(name);
+    sweep.case_text = read_case_text(sweep.case_file);
+    const Case plain_case = read_case(sweep.case_text, sweep.case_file);
+    sweep.case_id = plain_case.id;
+    sweep.bearing = std::holds_alternative<BearingCase>(plain_case.body);
+  } catch (const CaseError& error) {
+    source.fail("case", *node, error.what());
+  }
+}
+
+void read_laws(const SweepSource& source, Sweep& sweep) {
+  const toml::node* node = source.root().get("laws");
+  if (!node) return;
+  const std::string allowed = "a list of laws out of " + bearing::names_of(bearing::Laws::all);
+  if (!sweep.bearing) source.fail("laws", *node, "belongs to the sweep of a bearing; allowed is no laws for a contact");
+  const toml::array* array = node->as_array();
+  if (!array) source.fail_type("laws", *node, allowed);
+  if (array->empty()) source.fail("laws", *node, "is empty; allowed is " + allowed);
+  for (const toml::node& entry : *array) {
+    const auto law = bearing::law_from(source.text("laws", entry, allowed));
+    if (!law) source.fail("laws", entry, "is unknown; allowed is " + allowed);
+    if (std::find(sweep.laws.begin(), sweep.laws.end(), *law) != sweep.laws.end())
+      source.fail("laws", entry, "is a duplicate; allowed is each law once");
+    sweep.laws.push_back(*law);
+  }
+}
+
+void read_solver(const SweepSource& source, Sweep& sweep) {
+  const toml::node* node = source.root().get("solver");
+  if (!node) return;
+  sweep.solver = source.text("solver", *node, "one of " + solver_names());
+  if (!find_solver(sweep.solver)) source.fail("solver", *node, "is unknown; allowed is " + solver_names());
+}
+
+void read_tolerance(const SweepSource& source, Sweep& sweep) {
+  const toml::node* node = source.root().get("tolerance");
+  if (!node) return;
+  if (sweep.bearing)
+    source.fail("tolerance", *node,
+                "belongs to the sweep of a contact; allowed is no tolerance for a bearing, whose contacts are solved "
+                "to " +
+                    plain(*ContactMemory::bearing_request().tolerance));
+  const std::string allowed = "a number, more than 0 and up to " + plain(loosest_tolerance);
+  const auto value = number_of(*node);
+  if (!value) source.fail_type("tolerance", *node, allowed);
+  if (!(*value > 0 && *value <= loosest_tolerance))
+    source.fail("tolerance", *node, "is out of range; allowed is " + allowed);
+  sweep.tolerance = *value;
+}
+
+void read_combine(const SweepSource& source, Sweep& sweep) {
+  const std::vector<std::string> ways{"product", "zip"};
+  const toml::node* node = source.root().get("combine");
+  if (!node) source.missing("combine", quoted(ways));
+  sweep.combine = source.choice("combine", *node, ways) == "zip" ? Combine::zip : Combine::product;
+}
+
+/// The keys in the order of the file: toml++ keeps a table by name.
+std::vector<SweptKey> keys_in_order(const SweepSource& source, const toml::table& table) {
+  std::vector<SweptKey> keys;
+  for (auto&& [key, values] : table) {
+    const std::string name(key.str());
+    // key.with.dots without quotation marks is a table to TOML.
+    if (values.is_table() && name.find('.') == std::string::npos)
+      source.fail(name, values,
+                  "is a table; allowed is the whole key in quotation marks, as \"operation.radial_load_N\"");
+    keys.push_back({.key = name,
+                    .values = swept_values(source, name, values),
+                    .line = line_of(values),
+                    .text = source.written(values)});
+  }
+  const auto place = [&table](const SweptKey& one) {
+    const auto& begin = table.get(one.key)->source().begin;
+    return std::pair{begin.line, begin.column};
+  };
+  std::sort(keys.begin(), keys.end(),
+            [&](const SweptKey& one, const SweptKey& other) { return place(one) < place(other); });
+  return keys;
+}
+
+/// Equal numbers of values for zip, and not too many rows.
+void require_countable(const SweepSource& source, const Sweep& sweep) {
+  const SweptKey& first = sweep.keys.front();
+  std::size_t rows = 1;
+  for (const SweptKey& one : sweep.keys) {
+    const std::string subject = one.key + " = " + one.text;
+    if (sweep.combine == Combine::zip) {
+      if (one.values.size() != first.values.size())
+        source.fail(one.line, subject,
+                    fmt::format("has {} values where {} has {}; allowed with zip are equal numbers", one.values.size(),
+                                first.key, first.values.size()));
+      rows = one.values.size();
+    } else {
+      rows *= one.values.size();
+    }
+    if (rows > most_rows)
+      source.fail(one.line, subject, fmt::format("makes more than {} rows; allowed is up to that many", most_rows));
+  }
+}
+
+void read_keys(const SweepSource& source, Sweep& sweep) {
+  const std::string allowed = "[keys] with a list or a range for at least one key of the case";
+  const toml::node* node = source.root().get("keys");
+  if (!node) source.missing("[keys]", allowed);
+  const toml::table* table = node->as_table();
+  if (!table) source.fail_type("keys", *node, allowed);
+  sweep.keys_line = line_of(*node);
+  if (table->empty()) source.fail(sweep.keys_line, "[keys]", "is empty; allowed is " + allowed);
+  sweep.keys = keys_in_order(source, *table);
+  require_countable(source, sweep);
+}
+
+}  // namespace
+
+Sweep read_sweep(const std::filesystem::path& file) {
+  const SweepSource source(file);
+  Sweep sweep;
+  sweep.file = file;
+  sweep.id = file.stem().string();
+  source.require_known(source.root(), "", {"case", "laws", "solver", "tolerance", "combine", "keys"});
+  read_case_of_sweep(source, sweep);
+  read_laws(source, sweep);
+  read_solver(source, sweep);
+  read_tolerance(source, sweep);
+  read_combine(source, sweep);
+  read_keys(source, sweep);
+  for (std::size_t row = 0; row < sweep.rows(); ++row) (void)sweep.case_of(row);
+  return sweep;
+}
+
+}  // namespace ehd

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/sweep_row.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "io/bearing_json.hpp"
+#include "io/case_reader.hpp"
+#include "io/contact_json.hpp"
+#include "io/content_hash.hpp"
+#include "io/provenance.hpp"
+#include "workflow/contact_memory.hpp"
+#include "workflow/contact_run.hpp"
+#include "workflow/registry.hpp"
+
+namespace ehd {
+
+namespace {
+
+/// Begins the content of every row's hash: another schema, other rows.
+constexpr const char* schema = "ehd-sweep-1";
+
+/// Two builds of a commit with changes on top, or of a tree without git, are told apart by the program's own bytes.
+std::string program_identity() {
+  const Json json = provenance();
+  std::string identity =
+      json.contains("commit") ? json["commit"].get<std::string>() : json["version"].get<std::string>();
+  if (json.contains("commit") && !json["dirty"].get<bool>()) return identity;
+  std::ostringstream bytes;
+  bytes << std::ifstream("/proc/self/exe", std::ios::binary).rdbuf();
+  return identity + " " + content_hash(bytes.str());
+}
+
+/// Times out of a result, at any depth.
+void strip_times(Json& json) {
+  if (json.is_object())
+    for (const char* time : {"wall_s", "planning_s", "stage_s"}) json.erase(time);
+  if (json.is_structured())
+    for (auto& inner : json) strip_times(inner);
+}
+
+/// The shortest text that tells the number from every other.
+std::string number_text(double value) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}
+
+/// The results of a bearing, one a law. The row has a memory of its own, so that the counts are this row's; solutions
+/// are shared behind it.
+long add_bearing_results(Json& results, const Sweep& sweep, const SweepRequest& request, const Case& row_case,
+                         const std::shared_ptr<ContactCache>& cache) {
+  Request limits = ContactMemory::bearing_request();
+  limits.max_iterations = request.max_iterations;
+  limits.time_limit_s = request.time_limit_s;
+  ContactMemory memory(cache, limits);
+  for (const BearingResult& result : run_bearing(row_case, sweep.request_of(row_case), memory))
+    results.push_back(to_json(result));
+  return memory.solves();
+}
+
+long add_contact_result(Json& results, const Sweep& sweep, const SweepRequest& request, const Case& row_case) {
+  Request limits;
+  limits.tolerance = sweep.tolerance;
+  limits.max_iterations = request.max_iterations;
+  limits.time_limit_s = request.time_limit_s;
+  const ContactRun run = run_contact(row_case, *find_solver(sweep.solver), limits);
+  results.push_back(to_json(run));
+  return run.plan.runs(stage::solve) ? 1 : 0;
+}
+
+}  // namespace
+
+std::string row_hash(const Sweep& sweep, const SweepRequest& request, std::size_t row) {
+  static const std::string program = program_identity();
+  const double tolerance = sweep.bearing ? *ContactMemory::bearing_request().tolerance : sweep.tolerance;
+  std::string content = fmt::format("{}\n{}\n{}\n{} {}\n{}\n", schema, program, sweep.solver, request.max_iterations,
+                                    number_text(request.time_limit_s), number_text(tolerance));
+  for (const bearing::Law law : sweep.laws) content += std::string(to_string(law)) + " ";
+  content += "\n" + sweep.case_id + "\n";
+  for (const Substitution& one : sweep.values_of(row)) content += one.key + " = " + toml_text(one.value) + "\n";
+  return content_hash(content + sweep.case_text);
+}
+
+ComputedRow compute_row(const Sweep& sweep, const SweepRequest& request, std::size_t row, const std::string& hash,
+                        const std::shared_ptr<ContactCache>& cache) {
+  const Case row_case = sweep.case_of(row);
+  ComputedRow computed;
+  Json json = Json::object();
+  json["keys"] = Json::object();
+  for (const Substitution& one : sweep.values_of(row)) json["keys"][one.key] = to_json(one.value);
+  json["hash"] = hash;
+  json["results"] = Json::array();
+  computed.needed = sweep.bearing ? add_bearing_results(json["results"], sweep, request, row_case, cache)
+                                  : add_contact_result(json["results"], sweep, request, row_case);
+  strip_times(json["results"]);
+  computed.text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return computed;
+}
+
+std::string numbered_row(std::size_t row, const std::string& kept) {
+  return fmt::format("{{\"row\":{},{}", row, kept.substr(1));
+}
+
+bool converged(const Json& result) { return result["status"] == to_string(StopReason::converged); }
+
+std::string reason_of(const Json& result) {
+  for (const char* key : {"why", "reason"})
+    if (result.contains(key)) return result[key].get<std::string>();
+  if (converged(result) || !result.contains("notes") || result["notes"].empty()) return "";
+  return result["notes"].back().get<std::string>();
+}
+
+std::optional<std::string> failure_of(const Json& row) {
+  for (const Json& result : row["results"]) {
+    if (converged(result)) continue;
+    const std::string law = result.contains("law") ? result["law"].get<std::string>() + ": " : "";
+    const std::string why = reason_of(result);
+    return fmt::format("row {}: {}{}{}", row["row"].dump(), law, result["status"].get<std::string>(),
+                       why.empty() ? "" : ": " + why);
+  }
+  return std::nullopt;
+}
+
+}  // namespace ehd

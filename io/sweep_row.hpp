@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One row of a sweep: its name, its computation, and why it failed.
+//
+// A row depends on its own case alone: its contacts are cold solves at loads that follow from that case. So threads,
+// shards, the order of the rows, and the row that solved a shared contact first change no bit of a row.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "io/json.hpp"
+#include "io/sweep_file.hpp"
+#include "workflow/contact_cache.hpp"
+
+namespace ehd {
+
+struct SweepRequest {
+  int max_iterations = 2000;  ///< of each contact solve
+  double time_limit_s = 300;  ///< likewise; where it ends a solve, a row does depend on the machine
+  unsigned threads = 0;       ///< 0: as many as there are cores
+  bool fresh = false;         ///< rows of an earlier run are computed again
+  /// After every row, one call at a time: rows known so far, of how many, how many of them this run computed.
+  std::function<void(std::size_t known, std::size_t all, std::size_t computed)> progress = {};
+};
+
+/// The content_hash of all that a row's numbers follow from: the case with its values, laws, solver, tolerance, limits,
+/// and the program (its commit; where that does not tell, its own bytes).
+[[nodiscard]] std::string row_hash(const Sweep& sweep, const SweepRequest& request, std::size_t row);
+
+/// A row as it is kept: all of its object in rows.json but its number.
+struct ComputedRow {
+  std::string text;
+  long needed = 0;  ///< contacts that the row would solve alone
+};
+/// `cache`: of the sweep's solver with fallback (workflow/bearing_contact.hpp).
+[[nodiscard]] ComputedRow compute_row(const Sweep& sweep, const SweepRequest& request, std::size_t row,
+                                      const std::string& hash, const std::shared_ptr<ContactCache>& cache);
+/// {"row": 7, …} of a kept row.
+[[nodiscard]] std::string numbered_row(std::size_t row, const std::string& kept);
+
+[[nodiscard]] bool converged(const Json& result);
+/// Why a result did not converge; bearings and contacts name it differently. Empty where the result does not say.
+[[nodiscard]] std::string reason_of(const Json& result);
+/// "row 7: ehd: diverged: why" of the first result of a numbered row that did not converge.
+[[nodiscard]] std::optional<std::string> failure_of(const Json& row);
+
+}  // namespace ehd

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The result of balancing one bearing with one contact force law.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bearing/equilibrium.hpp"
+#include "bearing/film_curve.hpp"
+#include "bearing/fit.hpp"
+#include "bearing/geometry.hpp"
+#include "bearing/law_table.hpp"
+#include "contact/solution.hpp"
+#include "contact/stages.hpp"
+
+namespace ehd {
+
+struct ContactRow {
+  double force_N = 0;
+  double displacement_m = 0;
+  std::optional<double> film_minimum_m = {};
+  std::optional<double> hertz_pressure_Pa = {};  ///< absent at no force
+  std::optional<double> lambda_ratio = {};       ///< minimum film over the composite roughness; absent without either
+};
+struct RollerRow {
+  double azimuth_deg = 0;
+  ContactRow inner, outer;
+};
+
+/// The same law with another rule: what a reader should compare with.
+struct VariantResult {
+  std::string name;
+  double displacement_m = 0;
+  double displacement_lateral_m = 0;
+  double balance_error = 0;
+  std::vector<RollerRow> rollers;
+};
+
+/// The ring while the cage turns by one pitch, 360/Z.
+struct CageTurn {
+  struct Range {
+    double mean = 0, peak_to_peak = 0;
+  };
+  int positions = 0;  ///< equally spaced, the case's own the first
+  Range displacement_m, displacement_lateral_m;
+  double largest_force_N = 0;  ///< of any inner contact at any position
+};
+
+struct BearingResult {
+  std::string case_id;
+  int version = 0;
+  bearing::Law law = bearing::Law::hertz;
+  bearing::Form form = bearing::Form::plane;
+  StopReason status = StopReason::diverged;
+  std::string why;  ///< where status is not converged
+  double displacement_m = 0;
+  double displacement_lateral_m = 0;  ///< towards psi = 90 degrees
+  /// bearing::load_zone_deg; absent where nothing is loaded.
+  std::optional<std::pair<double, double>> load_zone_deg = {};
+  std::array<std::array<double, 2>, 2> stiffness_N_per_m = {};
+  std::optional<CageTurn> cage = {};                                  ///< where the request has cage positions
+  std::vector<RollerRow> rollers;                                     ///< empty where there is no balance
+  std::optional<bearing::BothRaceways<double>> datum_m = {};          ///< x_0
+  std::optional<bearing::BothRaceways<bearing::LinearFit>> fit = {};  ///< ehd-linear
+  /// Of ehd; of ehd-linear the curve that its films are read from.
+  std::optional<bearing::BothRaceways<bearing::FilmCurve>> curve = {};
+  std::vector<VariantResult> variants;
+  double balance_error = 0;
+  double wall_s = 0;
+  long contact_solves = 0;   ///< contacts that this law is the first to need
+  long contact_recalls = 0;  ///< contacts that it took from memory
+  int roller_groups = 0;     ///< rollers that are not another's mirror image
+  long rollers_balanced = 0;
+  int newton_iterations = 0;
+  Plan plan;
+  std::vector<std::string> notes;
+};
+
+}  // namespace ehd

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "workflow/contact_memory.hpp"
+
+#include <utility>
+
+#include "workflow/bearing_contact.hpp"
+
+namespace ehd {
+
+using bearing::FilmCurve;
+using bearing::RacewayContact;
+using bearing::SolvableContact;
+using bearing::SolveFailure;
+
+ContactMemory::ContactMemory(ContactSolver solver, Request request)
+    : ContactMemory(std::make_shared<ContactCache>(with_fallback(std::move(solver))), std::move(request)) {}
+
+ContactMemory::ContactMemory(std::shared_ptr<ContactCache> cache, Request request)
+    : cache_(std::move(cache)), request_(std::move(request)) {}
+
+Request ContactMemory::bearing_request() { return bearing_contact_request(); }
+
+ContactMemory::Key ContactMemory::key_of(const RacewayContact& contact, const Lubricant& lubricant) {
+  // A member that is added to the lubricant does not compile here.
+  const auto& [viscosity, density, alpha_per_Pa, z, p0_Pa] = lubricant;
+  return {contact, viscosity, density, alpha_per_Pa, z, p0_Pa};
+}
+
+SolvableContact ContactMemory::of(const RacewayContact& contact, const Lubricant& lubricant) {
+  Raceway& raceway = raceways_[key_of(contact, lubricant)];  // a map: the reference stays valid
+  return {contact, [this, &raceway, contact, lubricant](double load_N_per_m) {
+            ++(raceway.loads_N_per_m.insert(load_N_per_m).second ? solves_ : recalls_);
+            return solve_bearing_contact(contact, lubricant, load_N_per_m, request_, *cache_);
+          }};
+}
+
+const std::variant<FilmCurve, SolveFailure>& ContactMemory::curve(const RacewayContact& contact,
+                                                                  const Lubricant& lubricant,
+                                                                  const bearing::CurveRequest& request) {
+  auto& curves = raceways_[key_of(contact, lubricant)].curves;
+  const bearing::CurveRequest key = bearing::as_met(request);
+  const auto known = curves.find(key);
+  if (known == curves.end())
+    return curves.emplace(key, bearing::build_curve(of(contact, lubricant), key)).first->second;
+  if (const auto* curve = std::get_if<FilmCurve>(&known->second))
+    recalls_ += static_cast<long>(curve->forces_N().size());
+  return known->second;
+}
+
+}  // namespace ehd

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The raceway contacts and film curves that a run of bearings has used, and how many of them it solved.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <tuple>
+#include <variant>
+
+#include "bearing/build_curve.hpp"
+#include "bearing/film_curve.hpp"
+#include "bearing/solved_contacts.hpp"
+#include "contact/conditions.hpp"
+#include "contact/solver.hpp"
+#include "workflow/contact_cache.hpp"
+
+namespace ehd {
+
+/// The raceways of a run. Raceways that agree in radius, length, modulus, speed and lubricant share contacts and
+/// curves, whichever law or case asks. Solutions stand in a ContactCache; here stand the loads that this run has
+/// asked for, and its curves. Not for several threads at once: each has its own, over one cache.
+class ContactMemory {
+ public:
+  /// With a cache of its own. The solver gets its fallback here (bearing_contact.hpp).
+  explicit ContactMemory(ContactSolver solver, Request request = bearing_request());
+  /// With a cache that others use too, of a solver with fallback.
+  explicit ContactMemory(std::shared_ptr<ContactCache> cache, Request request = bearing_request());
+
+  /// The contact at a raceway; its function counts. It must not outlive this memory.
+  [[nodiscard]] bearing::SolvableContact of(const bearing::RacewayContact& contact, const Lubricant& lubricant);
+  /// The raceway's curve, built once for all laws, clearances and cases that need the same.
+  [[nodiscard]] const std::variant<bearing::FilmCurve, bearing::SolveFailure>& curve(
+      const bearing::RacewayContact& contact, const Lubricant& lubricant, const bearing::CurveRequest& request);
+  /// Contacts that this run asked for the first time. Another run may have solved them in a shared cache.
+  [[nodiscard]] long solves() const { return solves_; }
+  /// Contacts that this run asked for again; a curve used again counts all its points.
+  [[nodiscard]] long recalls() const { return recalls_; }
+
+  /// bearing_contact_request().
+  [[nodiscard]] static Request bearing_request();
+
+ private:
+  using Key = std::tuple<bearing::RacewayContact, ViscosityLaw, DensityLaw, std::optional<double>,
+                         std::optional<double>, double>;
+  struct Raceway {
+    std::set<double> loads_N_per_m;
+    std::map<bearing::CurveRequest, std::variant<bearing::FilmCurve, bearing::SolveFailure>> curves;
+  };
+  [[nodiscard]] static Key key_of(const bearing::RacewayContact& contact, const Lubricant& lubricant);
+
+  std::shared_ptr<ContactCache> cache_;
+  Request request_;
+  std::map<Key, Raceway> raceways_;
+  long solves_ = 0, recalls_ = 0;
+};
+
+}  // namespace ehd
