@@ -143,12 +143,12 @@ int bench(const BenchOptions& options) {
     }
   }
   if (asked(box) && !fft_solvers.empty()) {
-    verification::BoxRequest request{.solvers = fft_solvers, .contacts = verification::box_contacts(options.quick)};
+    verification::BoxRequest request{.solvers = fft_solvers, .contacts = verification::bench_contacts(options.quick)};
     request.truth = find_solver("reference");
     request.time_limit_s = limits.time_limit_s;
     request.threads = std::max(1u, std::thread::hardware_concurrency());
     request.progress = show;
-    const auto rows = run_box(request);
+    const auto rows = verification::run_box_bench(request);
     json["box"] = to_json(rows);
     if (box_csv) box_csv->commit(verification::box_csv(rows));
     progress.show("");
