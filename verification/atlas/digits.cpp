@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "contact/text.hpp"
 
@@ -31,7 +32,7 @@ std::string rounded_up(double size) {
   for (const int place : {leading - 1, leading}) {
     const double units = std::ceil(size / std::pow(10.0, place) * (1 - rounding));
     if (units > 99) continue;
-    return plain(std::stod(fmt::format("{:.0f}e{}", units, place)), 2);
+    return plain(std::strtod(fmt::format("{:.0f}e{}", units, place).c_str(), nullptr), 2);
   }
   return plain(size, 2);
 }
@@ -47,7 +48,7 @@ std::optional<KnownDigits> known_digits(double value, double error) {
   place = std::max(place, leading - most_digits + 1);
   if (place > leading) return std::nullopt;
   KnownDigits known{.text = rounded_text(value, leading, place), .relative = {}, .absolute = {}};
-  const double printed = std::stod(known.text);
+  const double printed = std::strtod(known.text.c_str(), nullptr);
   const double uncertainty = error + std::abs(printed - value);
   known.relative = rounded_up(uncertainty / std::abs(printed));
   known.absolute = rounded_up(uncertainty);
