@@ -179,12 +179,12 @@ void Bench::measure_batch() {
 }
 
 void Bench::measure_box() {
-  verification::BoxRequest request{.solvers = fft_solvers_, .contacts = verification::box_contacts(quick_)};
+  verification::BoxRequest request{.solvers = fft_solvers_, .contacts = verification::bench_contacts(quick_)};
   request.truth = find_solver("reference");
   request.time_limit_s = time_limit_s_;
   request.threads = std::max(1u, std::thread::hardware_concurrency());
   request.progress = show_;
-  const auto rows = run_box(request);
+  const auto rows = verification::run_box_bench(request);
   json_["box"] = to_json(rows);
   if (box_csv_) box_csv_->commit(verification::box_csv(rows));
   finish_part(human_table(rows));

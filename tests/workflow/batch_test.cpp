@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "tests/check.hpp"
-#include "verification/studies/oils.hpp"
+#include "verification/studies/box.hpp"
 
 using namespace ehd;
 using namespace ehd::verification;

@@ -2,31 +2,21 @@
 #include "verification/bench/batch_bench.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <nlohmann/json.hpp>
 
 #include "contact/text.hpp"
 #include "io/json.hpp"
 #include "io/tables.hpp"
 #include "verification/bench/timing.hpp"
-#include "verification/studies/oils.hpp"
+#include "verification/studies/box.hpp"
 #include "workflow/batch.hpp"
 
 namespace ehd::verification {
 
 std::vector<Problem> batch_problems(bool quick) {
-  const std::vector<double> loads =
-      quick ? std::vector<double>{5, 20} : std::vector<double>{2, 5, 10, 20, 50, 100, 200, 500};
-  const std::vector<double> moduli = quick ? std::vector<double>{5, 10} : std::vector<double>{2.5, 5, 10, 15};
+  const Box box = quick ? Box{.M = {5, 20}, .L = {5, 10}} : Box{.M = round_loads(2, 500), .L = {2.5, 5, 10, 15}};
   std::vector<Problem> problems;
-  for (const double M : loads) {
-    for (const double L : moduli) {
-      for (const bool roelands : {true, false}) {
-        problems.push_back(problem_at({M, L}, roelands, TruncatedAt{-4}));
-        problems.push_back(problem_at({M, L}, roelands, Flooded{}));
-      }
-    }
-  }
+  for (const BoxContact& contact : contacts_of(box)) problems.push_back(contact.problem());
   return problems;
 }
 
@@ -47,10 +37,10 @@ std::vector<BatchRow> run_batch(const BatchRequest& request) {
         if (request.progress)
           request.progress(std::to_string(row.problems) + " contacts by " + row.solver + ", " +
                            std::to_string(row.threads) + " threads, round " + std::to_string(round + 1));
-        const auto begin = std::chrono::steady_clock::now();
+        const Stopwatch watch;
         auto solutions = solve_all(*solver, request.problems,
                                    {.tolerance = request.tolerance, .time_limit_s = request.time_limit_s}, row.threads);
-        row.wall_s.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+        row.wall_s.push_back(watch.seconds());
         row.converged = static_cast<std::size_t>(std::count_if(solutions.begin(), solutions.end(), [](const auto& one) {
           return one.record.status == StopReason::converged;
         }));

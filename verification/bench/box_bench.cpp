@@ -7,14 +7,21 @@
 
 #include "contact/film_formulas.hpp"
 #include "contact/text.hpp"
-#include "io/json.hpp"
 #include "io/tables.hpp"
-#include "verification/studies/oils.hpp"
+#include "verification/bench/csv.hpp"
 #include "workflow/batch.hpp"
 
 namespace ehd::verification {
 
 namespace {
+
+constexpr double lightest_cut_M = 0.5;
+/// A cut inlet begins so many lengths sqrt(2 H_cen) from X = 0, and no nearer than X = -4.
+constexpr double cut_in_film_lengths = 4;
+/// An achieved error counts where the truth is known to this share of the reported error.
+constexpr double truth_share = 0.3;
+/// Up to this L the largest error of H_min has a column of its own.
+constexpr double mild_L = 15;
 
 constexpr Quantity films[] = {Quantity::film_minimum, Quantity::film_central};
 
@@ -23,92 +30,79 @@ const Reading* reading_of(const Solution& solution, Quantity quantity) {
   return at == solution.observables.end() ? nullptr : &at->second;
 }
 
-std::string cell(const std::optional<double>& value) { return value ? plain(*value, 2) : "-"; }
+double cut_beyond_the_film(const MoesGroups& moes) {
+  const double film = moes_film_formula(moes) / moes_film_per_hertz_film(moes.M);
+  return -std::max(4.0, cut_in_film_lengths * std::sqrt(2 * film));
+}
+
+std::string inlet_name(const BoxContact& contact) { return contact.flooded() ? "flooded" : "cut"; }
 
 }  // namespace
 
-std::vector<BoxContact> box_contacts(bool quick) {
-  const std::vector<double> loads =
-      quick ? std::vector<double>{0.5, 20, 1000}
-            : std::vector<double>{0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000};
-  const std::vector<double> moduli =
-      quick ? std::vector<double>{2.5, 10} : std::vector<double>{0, 1, 2.5, 5, 10, 15, 20, 30};
-  std::vector<BoxContact> contacts;
-  for (const bool flooded : {false, true}) {
-    for (const double M : loads) {
-      if (!flooded && M < 0.5) continue;
-      for (const double L : moduli) {
-        const double film = moes_film_formula({.M = M, .L = L}) / moes_film_per_hertz_film(M);
-        const double inlet = -std::max(4.0, 4 * std::sqrt(2 * film));
-        contacts.push_back(
-            {.M = M,
-             .L = L,
-             .flooded = flooded,
-             .problem = problem_at({M, L}, true, flooded ? Inlet{Flooded{}} : Inlet{TruncatedAt{inlet}})});
-      }
-    }
+std::vector<BoxContact> bench_contacts(bool quick) {
+  return contacts_of({.M = quick ? std::vector<double>{0.5, 20, 1000} : round_loads(box_lightest_M, box_heaviest_M),
+                      .L = quick ? std::vector<double>{2.5, 10} : std::vector<double>{0, 1, 2.5, 5, 10, 15, 20, 30},
+                      .roelands = {true},
+                      .flooded = {false, true},
+                      .lightest_cut_M = lightest_cut_M,
+                      .cut = cut_beyond_the_film});
+}
+
+std::vector<Setting> box_settings() {
+  return {{.tolerance = 1e-3}, {.tolerance = 1e-5}, {.nodes = 512}, {.nodes = 1024}};
+}
+
+namespace {
+
+std::vector<Solution> truths_of(const BoxRequest& request) {
+  if (!request.truth) return {};
+  if (request.progress) request.progress(std::to_string(request.contacts.size()) + " truths by " + request.truth->name);
+  std::vector<Problem> problems;
+  for (const BoxContact& contact : request.contacts) problems.push_back(contact.problem());
+  return solve_all(*request.truth, problems,
+                   {.tolerance = request.truth_tolerance, .time_limit_s = request.time_limit_s}, request.threads);
+}
+
+/// One contact solved as often as its time needs; `truth` may be absent.
+BoxRow row_of(const RegisteredSolver& solver, const Setting& setting, const BoxContact& contact,
+              const BoxRequest& request, const Solution* truth) {
+  BoxRow row{.setting = setting,
+             .contact = contact,
+             .status = {},
+             .wall_s = {},
+             .reported = {},
+             .achieved = {},
+             .truth_error = {}};
+  const Problem problem = contact.problem();
+  Solution solution;
+  do {
+    solution = solver.solve(problem, setting.request(request.time_limit_s));
+    row.wall_s.push_back(solution.record.cost.wall_s);
+  } while (!request.repetition.satisfied_by(row.wall_s));
+  row.status = to_string(solution.record.status);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Reading* const reading = reading_of(solution, films[k]);
+    if (!reading) continue;
+    row.reported[k] = reading->error;
+    const Reading* const exact = truth ? reading_of(*truth, films[k]) : nullptr;
+    if (!exact || !exact->error) continue;
+    row.truth_error[k] = exact->error;
+    row.achieved[k] = std::abs(reading->value - exact->value) / std::abs(exact->value);
   }
-  return contacts;
+  return row;
 }
 
-std::string BoxSetting::text() const {
-  return tolerance ? plain(*tolerance) : "n = " + std::to_string(nodes.value_or(0));
-}
+}  // namespace
 
-std::vector<BoxSetting> box_settings() {
-  return {{.tolerance = 1e-3, .nodes = {}},
-          {.tolerance = 1e-5, .nodes = {}},
-          {.tolerance = {}, .nodes = 512},
-          {.tolerance = {}, .nodes = 1024}};
-}
-
-std::vector<BoxRow> run_box(const BoxRequest& request) {
-  std::vector<Solution> truths;
-  if (request.truth) {
-    if (request.progress)
-      request.progress(std::to_string(request.contacts.size()) + " truths by " + request.truth->name);
-    std::vector<Problem> problems;
-    for (const BoxContact& contact : request.contacts) problems.push_back(contact.problem);
-    truths = solve_all(*request.truth, problems,
-                       {.tolerance = request.truth_tolerance, .time_limit_s = request.time_limit_s}, request.threads);
-  }
+std::vector<BoxRow> run_box_bench(const BoxRequest& request) {
+  const std::vector<Solution> truths = truths_of(request);
   std::vector<BoxRow> rows;
   for (const RegisteredSolver* solver : request.solvers) {
-    for (const BoxSetting& setting : request.settings) {
+    for (Setting setting : request.settings) {
+      setting.solver = solver->name;
       if (request.progress) request.progress("box by " + solver->name + " at " + setting.text());
-      for (std::size_t i = 0; i < request.contacts.size(); ++i) {
-        const BoxContact& contact = request.contacts[i];
-        BoxRow row{.solver = solver->name,
-                   .setting = setting,
-                   .M = contact.M,
-                   .L = contact.L,
-                   .flooded = contact.flooded,
-                   .status = {},
-                   .wall_s = {},
-                   .reported = {},
-                   .achieved = {},
-                   .truth_error = {}};
-        const Request asked{.tolerance = setting.tolerance,
-                            .nodes = setting.nodes,
-                            .iteration_share = setting.nodes ? std::optional(0.5) : std::nullopt,
-                            .time_limit_s = request.time_limit_s};
-        Solution solution;
-        do {
-          solution = solver->solve(contact.problem, asked);
-          row.wall_s.push_back(solution.record.cost.wall_s);
-        } while (!request.repetition.satisfied_by(row.wall_s));
-        row.status = to_string(solution.record.status);
-        for (std::size_t k = 0; k < 2; ++k) {
-          const Reading* const reading = reading_of(solution, films[k]);
-          if (!reading) continue;
-          row.reported[k] = reading->error;
-          const Reading* const truth = truths.empty() ? nullptr : reading_of(truths[i], films[k]);
-          if (!truth || !truth->error) continue;
-          row.truth_error[k] = truth->error;
-          row.achieved[k] = std::abs(reading->value - truth->value) / std::abs(truth->value);
-        }
-        rows.push_back(std::move(row));
-      }
+      for (std::size_t i = 0; i < request.contacts.size(); ++i)
+        rows.push_back(row_of(*solver, setting, request.contacts[i], request, truths.empty() ? nullptr : &truths[i]));
     }
   }
   return rows;
@@ -117,12 +111,8 @@ std::vector<BoxRow> run_box(const BoxRequest& request) {
 Json to_json(const std::vector<BoxRow>& rows) {
   Json list = Json::array();
   for (const BoxRow& row : rows) {
-    Json json{{"solver", row.solver},
-              {"M", row.M},
-              {"L", row.L},
-              {"inlet", row.flooded ? "flooded" : "cut"},
-              {"status", row.status},
-              {"wall_s", median(row.wall_s)},
+    Json json{{"solver", row.setting.solver},     {"M", row.contact.moes.M}, {"L", row.contact.moes.L},
+              {"inlet", inlet_name(row.contact)}, {"status", row.status},    {"wall_s", median(row.wall_s)},
               {"solves", row.wall_s.size()}};
     if (row.setting.tolerance) json["tolerance"] = *row.setting.tolerance;
     if (row.setting.nodes) json["nodes"] = *row.setting.nodes;
@@ -139,55 +129,87 @@ Json to_json(const std::vector<BoxRow>& rows) {
 }
 
 std::string box_csv(const std::vector<BoxRow>& rows) {
+  constexpr int digits = 6;
   std::string text =
       "solver,tolerance,nodes,M,L,inlet,status,wall_s,H_min_reported,H_min_achieved,H_min_truth_error,H_cen_reported,"
       "H_cen_achieved,H_cen_truth_error\n";
-  const auto number = [](const std::optional<double>& value) { return value ? plain(*value, 6) : std::string(); };
   for (const BoxRow& row : rows) {
-    text += row.solver + "," + number(row.setting.tolerance) + "," +
-            (row.setting.nodes ? std::to_string(*row.setting.nodes) : "") + "," + plain(row.M) + "," + plain(row.L) +
-            "," + (row.flooded ? "flooded" : "cut") + "," + row.status + "," + plain(median(row.wall_s), 6);
-    for (std::size_t k = 0; k < 2; ++k)
-      text += "," + number(row.reported[k]) + "," + number(row.achieved[k]) + "," + number(row.truth_error[k]);
-    text += "\n";
+    const auto& [M, L] = row.contact.moes;
+    std::vector<std::string> cells{row.setting.solver,
+                                   csv_number(row.setting.tolerance, digits),
+                                   row.setting.nodes ? std::to_string(*row.setting.nodes) : "",
+                                   plain(M),
+                                   plain(L),
+                                   inlet_name(row.contact),
+                                   row.status,
+                                   plain(median(row.wall_s), digits)};
+    for (std::size_t k = 0; k < 2; ++k) {
+      for (const auto& error : {row.reported[k], row.achieved[k], row.truth_error[k]})
+        cells.push_back(csv_number(error, digits));
+    }
+    text += csv_line(cells);
   }
   return text;
 }
+
+namespace {
+
+/// Rows of one solver, setting and inlet, added up.
+class Group {
+ public:
+  void add(const BoxRow& row) {
+    converged_ += row.status == to_string(StopReason::converged) ? 1 : 0;
+    times_ms_.push_back(1e3 * median(row.wall_s));
+    for (std::size_t k = 0; k < 2; ++k) {
+      // An error below the truth's own says nothing.
+      if (!row.achieved[k] || !row.reported[k] || !(*row.truth_error[k] < truth_share * *row.reported[k])) continue;
+      ++judged_;
+      covered_ += *row.achieved[k] <= *row.reported[k] + *row.truth_error[k] ? 1 : 0;
+      if (!largest_[k] || *row.achieved[k] > *largest_[k]) {
+        largest_[k] = row.achieved[k];
+        place_[k] = "(" + plain(row.contact.moes.M) + ", " + plain(row.contact.moes.L) + ")";
+      }
+      if (k == 0 && row.contact.moes.L <= mild_L) mild_ = std::max(mild_.value_or(0), *row.achieved[k]);
+    }
+  }
+
+  [[nodiscard]] std::vector<std::string> cells(const BoxRow& any) const {
+    return {any.setting.solver,
+            any.setting.text(),
+            inlet_name(any.contact),
+            std::to_string(converged_) + " of " + std::to_string(times_ms_.size()),
+            plain(median(times_ms_), 3),
+            plain(*std::max_element(times_ms_.begin(), times_ms_.end()), 3),
+            dash(largest_[0], 2),
+            place_[0],
+            dash(mild_, 2),
+            dash(largest_[1], 2),
+            place_[1],
+            std::to_string(covered_) + " of " + std::to_string(judged_)};
+  }
+
+ private:
+  std::vector<double> times_ms_;
+  std::optional<double> largest_[2], mild_;
+  std::string place_[2] = {"-", "-"};
+  long converged_ = 0, judged_ = 0, covered_ = 0;
+};
+
+}  // namespace
 
 std::string human_table(const std::vector<BoxRow>& rows) {
   std::vector<std::vector<std::string>> table{{"solver", "asked", "inlet", "converged", "median [ms]", "slowest [ms]",
                                                "largest error H_min", "at", "H_min, L <= 15", "H_cen", "at",
                                                "within bars"}};
   for (auto first = rows.begin(); first != rows.end();) {
-    const auto same = [&](const BoxRow& row) {
-      return row.solver == first->solver && row.setting.text() == first->setting.text() &&
-             row.flooded == first->flooded;
-    };
-    const auto last = std::find_if_not(first, rows.end(), same);
-    std::vector<double> times;
-    std::optional<double> largest[2], mild;
-    std::string place[2] = {"-", "-"};
-    long converged = 0, judged = 0, covered = 0;
-    for (auto row = first; row != last; ++row) {
-      converged += row->status == to_string(StopReason::converged) ? 1 : 0;
-      times.push_back(1e3 * median(row->wall_s));
-      for (std::size_t k = 0; k < 2; ++k) {
-        // An error below the truth's own says nothing.
-        if (!row->achieved[k] || !row->reported[k] || !(*row->truth_error[k] < 0.3 * *row->reported[k])) continue;
-        ++judged;
-        covered += *row->achieved[k] <= *row->reported[k] + *row->truth_error[k] ? 1 : 0;
-        if (!largest[k] || *row->achieved[k] > *largest[k]) {
-          largest[k] = row->achieved[k];
-          place[k] = "(" + plain(row->M) + ", " + plain(row->L) + ")";
-        }
-        if (k == 0 && row->L <= 15) mild = std::max(mild.value_or(0), *row->achieved[k]);
-      }
-    }
-    table.push_back({first->solver, first->setting.text(), first->flooded ? "flooded" : "cut",
-                     std::to_string(converged) + " of " + std::to_string(last - first), plain(median(times), 3),
-                     plain(*std::max_element(times.begin(), times.end()), 3), cell(largest[0]), place[0], cell(mild),
-                     cell(largest[1]), place[1], std::to_string(covered) + " of " + std::to_string(judged)});
-    first = last;
+    Group group;
+    auto row = first;
+    for (; row != rows.end() && row->setting.solver == first->setting.solver &&
+           row->setting.text() == first->setting.text() && row->contact.flooded() == first->contact.flooded();
+         ++row)
+      group.add(*row);
+    table.push_back(group.cells(*first));
+    first = row;
   }
   return "The box, Roelands compressible: M of 0.5 .. 5000 (flooded from 0.05), L of 0 .. 30\n" +
          aligned(table, 3, "  ") + "\n";

@@ -8,35 +8,23 @@
 #include <vector>
 
 #include "io/json.hpp"
-#include "io/tables.hpp"
+#include "verification/bench/setting.hpp"
 #include "verification/bench/timing.hpp"
+#include "verification/studies/box.hpp"
 #include "workflow/registry.hpp"
 
 namespace ehd::verification {
 
-/// A place of the box, Roelands compressible.
-struct BoxContact {
-  double M = 0, L = 0;
-  bool flooded = false;
-  Problem problem;
-};
-/// M of 0.5 .. 5000 and L of 0 .. 30 with the inlet cut at -max(4, 4 sqrt(2 H_cen)) by Moes' film (104 contacts), the
-/// same flooded from M = 0.05 (128); a few of them when quick.
-[[nodiscard]] std::vector<BoxContact> box_contacts(bool quick);
+/// Roelands, compressible. M of 0.5 ... 5000 and L of 0 ... 30 with the inlet cut at -max(4, 4 sqrt(2 H_cen)), H_cen by
+/// Moes' formula (104 contacts); the same flooded from M = 0.05 (128 contacts); a few of them when quick.
+[[nodiscard]] std::vector<BoxContact> bench_contacts(bool quick);
 
-/// What a solver is asked: a tolerance or a number of intervals (then iterated to half the grid's error).
-struct BoxSetting {
-  std::optional<double> tolerance;
-  std::optional<int> nodes;
-  [[nodiscard]] std::string text() const;
-};
-[[nodiscard]] std::vector<BoxSetting> box_settings();
+/// Two tolerances and two numbers of intervals, for every solver.
+[[nodiscard]] std::vector<Setting> box_settings();
 
 struct BoxRow {
-  std::string solver;
-  BoxSetting setting;
-  double M = 0, L = 0;
-  bool flooded = false;
+  Setting setting;
+  BoxContact contact;
   std::string status;
   std::vector<double> wall_s;  ///< cold solves
   /// Relative, of H_min and H_cen; achieved and the truth's own error only where the truth is known.
@@ -46,19 +34,20 @@ struct BoxRow {
 struct BoxRequest {
   std::vector<const RegisteredSolver*> solvers;
   std::vector<BoxContact> contacts;
-  std::vector<BoxSetting> settings = box_settings();
-  double truth_tolerance = 1e-8;  ///< asked of `truth`; what it then reports counts
-  const RegisteredSolver* truth = nullptr;
+  std::vector<Setting> settings = box_settings();
+  double truth_tolerance = 1e-8;            ///< asked of `truth`; errors count with what `truth` then reports
+  const RegisteredSolver* truth = nullptr;  ///< no errors are achieved without one
   double time_limit_s = 30;
   unsigned threads = 2;  ///< of the truths; times are taken one after another
   Repetition repetition = {.least = 3, .least_s = 0.01};
   std::function<void(const std::string&)> progress = {};
 };
-[[nodiscard]] std::vector<BoxRow> run_box(const BoxRequest& request);
+[[nodiscard]] std::vector<BoxRow> run_box_bench(const BoxRequest& request);
 
 [[nodiscard]] Json to_json(const std::vector<BoxRow>& rows);
 [[nodiscard]] std::string box_csv(const std::vector<BoxRow>& rows);
-/// A line a solver, setting and inlet: how many converged, times, largest errors, how many within their bars.
+/// A line for each solver, setting and inlet: how many converged, times, largest errors, how many achieved errors the
+/// reported ones cover.
 [[nodiscard]] std::string human_table(const std::vector<BoxRow>& rows);
 
 }  // namespace ehd::verification

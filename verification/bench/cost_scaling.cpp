@@ -2,9 +2,9 @@
 #include "verification/bench/cost_scaling.hpp"
 
 #include <fftw3.h>
+#include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <new>
 #include <nlohmann/json.hpp>
@@ -14,13 +14,22 @@
 #include "io/json.hpp"
 #include "io/tables.hpp"
 #include "verification/bench/child.hpp"
-#include "verification/studies/oils.hpp"
+#include "verification/bench/csv.hpp"
+#include "verification/bench/setting.hpp"
+#include "verification/studies/box.hpp"
 
 namespace ehd::verification {
 
 namespace {
 
-constexpr int fewest = 256;
+constexpr int fewest = 256;        ///< intervals of the first size
+constexpr int warm_up_nodes = 64;  ///< of the solve before anything is measured
+constexpr int fewest_to_fit = 3;   ///< sizes that an exponent is fitted to
+/// Sizes that an exponent is fitted from: on fewer intervals, costs that do not grow with n weigh too much.
+constexpr int far_enough = 4096;
+/// Largest sizes: of solvers on uniform grids, of other FFT solvers, of all when quick.
+constexpr int far = 1 << 20, middle = 1 << 14, near = 1 << 12;
+constexpr double trend_repeat_s = 5;  ///< the large sizes are few, and the trend is read from them
 
 bool same(const MoesGroups& a, const MoesGroups& b) { return a.M == b.M && a.L == b.L; }
 
@@ -41,7 +50,7 @@ double convolution_s(int intervals, const Repetition& repetition) {
   Array y = Array::Zero(intervals);
   std::vector<double> seconds;
   do {
-    const auto begin = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     std::copy(x.begin(), x.end(), real);
     std::fill(real + intervals, real + length, 0.0);
     fftw_execute(forward);
@@ -51,7 +60,7 @@ double convolution_s(int intervals, const Repetition& repetition) {
     }
     fftw_execute(backward);
     std::copy(real, real + intervals, y.begin());
-    seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+    seconds.push_back(watch.seconds());
   } while (!repetition.satisfied_by(seconds));
   fftw_destroy_plan(forward);
   fftw_destroy_plan(backward);
@@ -76,9 +85,8 @@ std::optional<double> ScalingRow::ns_per_n_log_n() const {
 }
 
 ScalingRequest usual_scaling(const std::vector<const RegisteredSolver*>& solvers, bool quick) {
-  constexpr int far = 1 << 20, middle = 1 << 14, near = 1 << 12;
   ScalingRequest request;
-  if (!quick) request.repetition.enough_s = 5;  // the large sizes are few, and what a trend is read from
+  if (!quick) request.repetition.enough_s = trend_repeat_s;
   request.contacts = quick ? std::vector<MoesGroups>{{5, 5}} : std::vector<MoesGroups>{{20, 10}, {5, 5}};
   for (const RegisteredSolver* solver : solvers) {
     if (!solver->uses_fft) continue;  // dense solvers: n^3, and memory n^2
@@ -90,11 +98,10 @@ ScalingRequest usual_scaling(const std::vector<const RegisteredSolver*>& solvers
 
 namespace {
 
-/// One size: what the child measures, as the text that comes back from it.
+/// One size, measured in the child.
 Json measured(const RegisteredSolver& solver, const Problem& problem, const Request& asked,
               const Repetition& repetition) {
-  // A small solve first: the pages of the program and its libraries that any solve touches are not the solve's own.
-  constexpr int warm_up_nodes = 64;
+  // A small solve first: it touches the pages of the program and its libraries, which are not the solve's own memory.
   (void)solver.solve(problem, {.tolerance = {}, .nodes = warm_up_nodes, .time_limit_s = asked.time_limit_s});
   return_free_memory();
   const double before = resident_memory_bytes();
@@ -116,7 +123,7 @@ Json measured(const RegisteredSolver& solver, const Problem& problem, const Requ
     if (record.status != StopReason::converged) break;
   }
   json["wall_s"] = seconds;
-  json["convolution_s"] = convolution_s(*asked.nodes, repetition);  // right after, on the same machine in the same mood
+  json["convolution_s"] = convolution_s(*asked.nodes, repetition);  // at once, so that the machine is equally busy
   return json;
 }
 
@@ -137,11 +144,11 @@ void fill(const Json& json, ScalingRow& row) {
 std::vector<ScalingRow> run_scaling(const ScalingRequest& request) {
   std::vector<ScalingRow> rows;
   for (const MoesGroups& contact : request.contacts) {
-    const Problem problem = problem_at(contact, true, TruncatedAt{-4});
+    const Problem problem = problem_at(contact, true, TruncatedAt{usual_cut});
     int most = 0;
     for (const auto& range : request.solvers) most = std::max(most, range.most);
     std::set<std::string> given_up;
-    // Sizes outside, solvers inside: ratios between solvers are of one moment.
+    // Sizes outside, solvers inside: solvers are compared at one moment.
     for (int n = fewest; n <= most; n *= 2) {
       for (const auto& [solver, largest] : request.solvers) {
         if (n > largest) continue;
@@ -152,8 +159,7 @@ std::vector<ScalingRow> run_scaling(const ScalingRequest& request) {
           row.reason = "not run: it would not fit into memory";
         } else {
           if (request.progress) request.progress(name_of(contact) + ": " + solver->name + ", n = " + std::to_string(n));
-          const Request asked{
-              .tolerance = {}, .nodes = n, .iteration_share = 0.5, .time_limit_s = request.time_limit_s};
+          const Request asked = Setting{.solver = solver->name, .nodes = n}.request(request.time_limit_s);
           const ChildEnd end =
               in_child([&, one = solver] { return measured(*one, problem, asked, request.repetition).dump(); });
           if (end.text) {
@@ -179,7 +185,7 @@ std::optional<double> fitted_exponent(const std::vector<ScalingRow>& rows, const
     x.push_back(std::log(row.nodes_used));
     y.push_back(std::log(*row.median_s()));
   }
-  if (x.size() < 3) return std::nullopt;
+  if (x.size() < fewest_to_fit) return std::nullopt;
   const auto count = static_cast<Eigen::Index>(x.size());
   const Array logs = Eigen::Map<const Array>(x.data(), count), times = Eigen::Map<const Array>(y.data(), count);
   const Array from_mean = logs - logs.mean();
@@ -187,15 +193,6 @@ std::optional<double> fitted_exponent(const std::vector<ScalingRow>& rows, const
 }
 
 // -- output -----------------------------------------------------------------------------------------------------
-
-namespace {
-
-constexpr double megabyte = 1e6;
-constexpr int far_enough = 4096;  // below, what does not grow with n counts for too much to fit an exponent
-
-std::string dash(const std::optional<double>& value, int digits) { return value ? plain(*value, digits) : "-"; }
-
-}  // namespace
 
 Json to_json(const std::vector<ScalingRow>& rows) {
   Json list = Json::array();
@@ -223,28 +220,37 @@ Json to_json(const std::vector<ScalingRow>& rows) {
   return list;
 }
 
-std::string scaling_csv(const std::vector<ScalingRow>& rows) {
-  std::vector<std::string> stages;  // of all rows, each once, in order of appearance
+namespace {
+
+/// Stages of all rows, each once, in order of appearance.
+std::vector<std::string> stages_of(const std::vector<ScalingRow>& rows) {
+  std::vector<std::string> stages;
   for (const ScalingRow& row : rows) {
     for (const auto& [stage, seconds] : row.stage_s) {
       if (std::find(stages.begin(), stages.end(), stage) == stages.end()) stages.push_back(stage);
     }
   }
-  std::string csv =
-      "solver,M,L,nodes_asked,status,nodes,wall_s,solves,work_units,newton_iterations,convolution_s,"
-      "time_per_unit,ns_per_n_log2_n,peak_bytes";
-  for (const auto& stage : stages) csv += "," + stage + "_s";
-  csv += "\n";
-  constexpr int digits = 10;
-  const auto number = [](const std::optional<double>& value) { return value ? plain(*value, digits) : std::string(); };
+  return stages;
+}
+
+}  // namespace
+
+std::string scaling_csv(const std::vector<ScalingRow>& rows) {
+  const std::vector<std::string> stages = stages_of(rows);
+  std::vector<std::string> header{
+      "solver",          "M",         "L",          "nodes_asked",       "status",        "nodes",
+      "wall_s",          "solves",    "work_units", "newton_iterations", "convolution_s", "time_per_unit",
+      "ns_per_n_log2_n", "peak_bytes"};
+  for (const auto& stage : stages) header.push_back(stage + "_s");
+  std::string csv = csv_line(header);
   for (const ScalingRow& row : rows) {
     std::vector<std::string> cells{row.solver, plain(row.contact.M), plain(row.contact.L), std::to_string(row.nodes),
                                    row.status ? std::string(to_string(*row.status)) : "not-run"};
     if (row.status) {
       for (const auto& cell :
-           {std::to_string(row.nodes_used), number(row.median_s()), std::to_string(row.wall_s.size()),
-            number(row.work_units), std::to_string(row.newton_iterations), number(row.convolution_s),
-            number(row.per_unit()), number(row.ns_per_n_log_n()), number(row.peak_bytes)})
+           {std::to_string(row.nodes_used), csv_number(row.median_s()), std::to_string(row.wall_s.size()),
+            csv_number(row.work_units), std::to_string(row.newton_iterations), csv_number(row.convolution_s),
+            csv_number(row.per_unit()), csv_number(row.ns_per_n_log_n()), csv_number(row.peak_bytes)})
         cells.push_back(cell);
     } else {
       cells.resize(cells.size() + 9);
@@ -252,20 +258,20 @@ std::string scaling_csv(const std::vector<ScalingRow>& rows) {
     for (const auto& stage : stages) {
       const auto at =
           std::find_if(row.stage_s.begin(), row.stage_s.end(), [&](const auto& one) { return one.first == stage; });
-      cells.push_back(at == row.stage_s.end() ? "" : number(at->second));
+      cells.push_back(at == row.stage_s.end() ? "" : csv_number(at->second));
     }
-    for (std::size_t c = 0; c < cells.size(); ++c) csv += (c > 0 ? "," : "") + cells[c];
-    csv += "\n";
+    csv += csv_line(cells);
   }
   return csv;
 }
 
-std::string human_table(const std::vector<ScalingRow>& rows) {
+namespace {
+
+std::string costs_table(const std::vector<ScalingRow>& rows) {
+  constexpr double megabyte = 1e6;
   std::vector<std::vector<std::string>> table{{"M, L", "solver", "intervals", "status", "time [ms]", "solves",
                                                "work units", "one convolution [ms]", "time/(units x it)",
                                                "ns/(n log2 n)", "peak [MB]", "bytes/n"}};
-  std::vector<std::vector<std::string>> stages, exponents{{"M, L", "solver", "time ~ n^"}};
-  std::string failures;
   for (const ScalingRow& row : rows) {
     const bool ran = row.status.has_value();
     const auto time = row.median_s();
@@ -275,30 +281,49 @@ std::string human_table(const std::vector<ScalingRow>& rows) {
                      ran ? plain(1e3 * row.convolution_s, 3) : "-", dash(row.per_unit(), 3),
                      dash(row.ns_per_n_log_n(), 3), ran ? plain(row.peak_bytes / megabyte, 3) : "-",
                      ran ? plain(row.peak_bytes / row.nodes, 3) : "-"});
+  }
+  return "Cost against the number of intervals, each size in a process of its own\n" + aligned(table, 2, "  ");
+}
+
+std::string reasons_list(const std::vector<ScalingRow>& rows) {
+  std::string text;
+  for (const ScalingRow& row : rows) {
     if (!row.reason.empty())
-      failures += "  " + name_of(row.contact) + ", " + row.solver + ", n = " + std::to_string(row.nodes) + ": " +
-                  row.reason + "\n";
-    if (!row.stage_s.empty() && time) {
-      std::string split;
-      for (const auto& [stage, seconds] : row.stage_s)
-        split += (split.empty() ? "" : ", ") + stage + " " + plain(100 * seconds / row.wall_s.front(), 2) + " %";
-      stages.push_back({name_of(row.contact), row.solver, std::to_string(row.nodes), split});
-    }
-    const bool first_of_its_kind = std::none_of(rows.data(), &row, [&](const ScalingRow& before) {
+      text += fmt::format("  {}, {}, n = {}: {}\n", name_of(row.contact), row.solver, row.nodes, row.reason);
+  }
+  return text.empty() ? "" : "\n" + text;
+}
+
+std::string exponents_table(const std::vector<ScalingRow>& rows) {
+  std::vector<std::vector<std::string>> table{{"M, L", "solver", "time ~ n^"}};
+  for (const ScalingRow& row : rows) {
+    const bool seen = std::any_of(rows.data(), &row, [&](const ScalingRow& before) {
       return before.solver == row.solver && same(before.contact, row.contact);
     });
-    if (first_of_its_kind) {
-      if (const auto exponent = fitted_exponent(rows, row.solver, row.contact, far_enough))
-        exponents.push_back({name_of(row.contact), row.solver, plain(*exponent, 3)});
-    }
+    if (seen) continue;
+    if (const auto exponent = fitted_exponent(rows, row.solver, row.contact, far_enough))
+      table.push_back({name_of(row.contact), row.solver, plain(*exponent, 3)});
   }
-  std::string text =
-      "Cost against the number of intervals, each size in a process of its own\n" + aligned(table, 2, "  ");
-  if (!failures.empty()) text += "\n" + failures;
-  if (exponents.size() > 1)
-    text += "\nfitted from n = " + std::to_string(far_enough) + "\n" + aligned(exponents, 2, "  ");
-  if (!stages.empty()) text += "\nwhere the first solve's time went\n" + aligned(stages, 4, "  ");
-  return text + "\n";
+  if (table.size() == 1) return "";
+  return fmt::format("\nfitted from n = {}\n{}", far_enough, aligned(table, 2, "  "));
+}
+
+std::string stages_table(const std::vector<ScalingRow>& rows) {
+  std::vector<std::vector<std::string>> table;
+  for (const ScalingRow& row : rows) {
+    if (row.stage_s.empty() || row.wall_s.empty()) continue;
+    std::string split;
+    for (const auto& [stage, seconds] : row.stage_s)
+      split += (split.empty() ? "" : ", ") + stage + " " + plain(100 * seconds / row.wall_s.front(), 2) + " %";
+    table.push_back({name_of(row.contact), row.solver, std::to_string(row.nodes), split});
+  }
+  return table.empty() ? "" : "\nwhere the first solve's time went\n" + aligned(table, 4, "  ");
+}
+
+}  // namespace
+
+std::string human_table(const std::vector<ScalingRow>& rows) {
+  return costs_table(rows) + reasons_list(rows) + exponents_table(rows) + stages_table(rows) + "\n";
 }
 
 }  // namespace ehd::verification

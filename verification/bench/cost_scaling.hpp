@@ -17,7 +17,7 @@
 namespace ehd::verification {
 
 /// Seconds of one padded convolution on n intervals: a real FFT of twice the length, a product with a spectrum, and
-/// back; FFTW_ESTIMATE, the median of repetitions. What a work unit would cost if it were nothing else.
+/// back; FFTW_ESTIMATE, the median of repetitions. A work unit counts one such convolution.
 [[nodiscard]] double convolution_s(int intervals, const Repetition& repetition);
 
 struct ScalingRow {
@@ -54,8 +54,8 @@ struct ScalingRequest {
 /// for all of them when quick. (20, 10) and (5, 5); when quick, the second alone.
 [[nodiscard]] ScalingRequest usual_scaling(const std::vector<const RegisteredSolver*>& solvers, bool quick);
 
-/// A size that would not fit into memory, or whose smaller sister reached the time limit, is a row that says so. Call
-/// with no other thread running (see in_child).
+/// A size that would not fit into memory is not run, nor one above a size that reached the time limit: the row says
+/// so. Call with no other thread running (see in_child).
 [[nodiscard]] std::vector<ScalingRow> run_scaling(const ScalingRequest& request);
 
 /// The exponent b of time ~ n^b, by least squares of the logarithms over converged rows of one solver and contact with

@@ -1,15 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How often a time is taken, and what is made of the times.
+// How a time is taken, how often, and the median of the times.
 #pragma once
 
 #include <algorithm>
+#include <chrono>
 #include <numeric>
 #include <stdexcept>
 #include <vector>
 
 namespace ehd::verification {
 
-/// Short runs are repeated at least `least` times and for `least_s` in all; what takes `enough_s` is not.
+/// Wall time since it was made [s].
+class Stopwatch {
+ public:
+  [[nodiscard]] double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+/// Short runs are repeated at least `least` times and for `least_s` in all; a run of `enough_s` is not repeated.
 struct Repetition {
   int least = 5;
   double least_s = 0.05;

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rungs 6, 7 and 8 over the whole box: M 0.05..1000, L 0..25, both law sets, flooded and cut at X = -4. A claim a row
 // of M.
+#include "verification/studies/box.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "contact/text.hpp"
 #include "verification/claims/topics.hpp"
-#include "verification/studies/oils.hpp"
 #include "workflow/registry.hpp"
 
 namespace ehd::verification {
@@ -16,26 +18,21 @@ namespace ehd::verification {
 namespace {
 
 constexpr double all_L[] = {0, 1, 2.5, 5, 10, 15, 20, 25};
-constexpr double all_M[] = {0.05, 0.1, 0.25, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000};
+const std::vector<double> all_M{0.05, 0.1, 0.25, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000};
 constexpr double lightest_cut_M = 0.5;   // below, a cut at -4 lies inside the film's own length
 constexpr double heaviest_twin_M = 200;  // above, 256 uniform cells do not see the inlet zone
 
-struct Row {
-  double M;
-  bool roelands, flooded;
-};
+/// The contacts of one M, law set and inlet, over all L: this one stands for them, at L = 0.
+using Row = BoxContact;
 
-Problem problem_of(const Row& row, double L) {
-  return problem_at({row.M, L}, row.roelands, row.flooded ? Inlet{Flooded{}} : Inlet{TruncatedAt{-4}});
-}
+Problem problem_of(const Row& row, double L) { return problem_at({row.moes.M, L}, row.roelands, row.inlet); }
 
 std::string name_of(const Row& row) {
-  return "M = " + plain(row.M) + (row.roelands ? ", Roelands" : ", Barus") +
-         (row.flooded ? ", flooded" : ", cut at -4");
+  return "M = " + plain(row.moes.M) + ", " + law_name(row.roelands) + (row.flooded() ? ", flooded" : ", cut at -4");
 }
 
 std::string id_of(const Row& row) {
-  return "box/" + plain(row.M) + (row.roelands ? "-roelands" : "-barus") + (row.flooded ? "-flooded" : "-cut");
+  return "box/" + plain(row.moes.M) + (row.roelands ? "-roelands" : "-barus") + (row.flooded() ? "-flooded" : "-cut");
 }
 
 Findings judge_row(const Row& row) {
@@ -112,23 +109,18 @@ Findings judge_twin_row(const Row& row) {
 }  // namespace
 
 std::vector<Topic> box_topics() {
+  std::vector<Row> rows = contacts_of({.M = all_M, .L = {0}, .lightest_cut_M = lightest_cut_M});
+  std::stable_sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) { return a.moes.M < b.moes.M; });
   std::vector<Topic> topics;
-  for (const double M : all_M) {
-    for (const bool roelands : {true, false}) {
-      for (const bool flooded : {true, false}) {
-        if (!flooded && M < lightest_cut_M) continue;
-        const Row row{M, roelands, flooded};
-        topics.push_back({.name = id_of(row),
-                          .rungs = {6, 8},
-                          .slow = true,
-                          .judge = [row] { return judge_row(row); },
-                          .expected_s = 10});
-        if (!flooded && M <= heaviest_twin_M)
-          topics.push_back({.name = "twins, " + id_of(row), .rungs = {7}, .slow = true, .judge = [row] {
-                              return judge_twin_row(row);
-                            }});
-      }
-    }
+  for (const Row& row : rows) {
+    topics.push_back({.name = id_of(row),
+                      .rungs = {6, 8},
+                      .slow = true,
+                      .judge = [row] { return judge_row(row); },
+                      .expected_s = 10});
+    if (!row.flooded() && row.moes.M <= heaviest_twin_M)
+      topics.push_back(
+          {.name = "twins, " + id_of(row), .rungs = {7}, .slow = true, .judge = [row] { return judge_twin_row(row); }});
   }
   return topics;
 }

@@ -10,7 +10,7 @@
 #include "contact/text.hpp"
 #include "verification/claims/topics.hpp"
 #include "verification/studies/grid_study.hpp"
-#include "verification/studies/oils.hpp"
+#include "verification/studies/box.hpp"
 #include "workflow/registry.hpp"
 
 namespace ehd::verification {

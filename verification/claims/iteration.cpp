@@ -20,7 +20,7 @@
 #include "reference/hp/element_newton.hpp"
 #include "verification/claims/topics.hpp"
 #include "verification/studies/fits.hpp"
-#include "verification/studies/oils.hpp"
+#include "verification/studies/box.hpp"
 #include "workflow/registry.hpp"
 
 namespace ehd::verification {

@@ -14,7 +14,7 @@
 #include "contact/text.hpp"
 #include "verification/claims/topics.hpp"
 #include "verification/studies/draw.hpp"
-#include "verification/studies/oils.hpp"
+#include "verification/studies/box.hpp"
 #include "workflow/registry.hpp"
 
 namespace ehd::verification {

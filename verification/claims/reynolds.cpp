@@ -21,7 +21,7 @@
 #include "verification/exact/martin.hpp"
 #include "verification/exact/numerics.hpp"
 #include "verification/studies/fits.hpp"
-#include "verification/studies/oils.hpp"
+#include "verification/studies/box.hpp"
 #include "workflow/registry.hpp"
 
 namespace ehd::verification {

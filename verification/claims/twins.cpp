@@ -5,7 +5,7 @@
 #include <string>
 
 #include "verification/claims/topics.hpp"
-#include "verification/studies/oils.hpp"
+#include "verification/studies/box.hpp"
 #include "workflow/registry.hpp"
 
 namespace ehd::verification {

@@ -2,7 +2,6 @@
 // (i) Ten thousand random bearings: every dry law balances all of them; the laws with films balance those of their
 // domain, and refuse others with a reason. Every balance is looked at by plain bisection.
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <mutex>
@@ -12,9 +11,11 @@
 #include "bearing/equilibrium.hpp"
 #include "contact/hertz.hpp"
 #include "contact/text.hpp"
+#include "verification/bench/timing.hpp"
 #include "verification/claim.hpp"
 #include "verification/stress/parts.hpp"
 #include "verification/studies/bearing_check.hpp"
+#include "verification/studies/draw.hpp"
 #include "verification/studies/random_bearing.hpp"
 #include "workflow/bearing_run.hpp"
 #include "workflow/parallel.hpp"
@@ -24,7 +25,6 @@ namespace ehd::verification::stress {
 namespace {
 
 using std::numbers::pi;
-using Clock = std::chrono::steady_clock;
 
 constexpr unsigned first_seed = 20261122;
 constexpr double thickest_L = 30;  ///< of what the contact solvers are made for
@@ -34,7 +34,7 @@ constexpr std::size_t most_messages = 20;
 RandomBearing moving(RandomBearing drawn, unsigned seed) {
   if (bearing::sum_speed_m_per_s(drawn.geometry, drawn.speeds) > 0) return drawn;
   Draw draw(seed ^ 0x70b17u);
-  drawn.speeds = bearing::speeds_from_rpm(draw.logarithmic(30, 3000), 0);
+  drawn.speeds = bearing::speeds_from_rpm(draw.log_uniform(30, 3000), 0);
   drawn.loading.centrifugal_N = bearing::centrifugal_force_N(drawn.geometry, drawn.speeds);
   return drawn;
 }
@@ -67,7 +67,7 @@ Case case_of(const RandomBearing& drawn, unsigned seed) {
                             bearing::reduced_radius_m(drawn.geometry, bearing::Raceway::outer));
   const auto alpha = [&](double eta) { return z * (std::log(eta) + 9.67) / oil.p0_Pa; };
   const auto L = [&](double eta) { return alpha(eta) * E * std::pow(eta * u / (E * R), 0.25); };
-  double eta = draw.logarithmic(2e-3, 0.2);
+  double eta = draw.log_uniform(2e-3, 0.2);
   const double target = draw.uniform(5, thickest_L);
   if (L(eta) > thickest_L) {
     double low = std::exp(-9.67), high = eta;  // alpha is 0 at the low end
@@ -126,14 +126,12 @@ struct Outcome {
   std::string why, outside;
 };
 
-double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
-
 /// The returned balance once more from the laws, and by bisection.
 void check(Outcome& outcome, const RandomBearing& drawn, const bearing::LawPair& laws,
            std::optional<double> displacement_m) {
-  const auto begin = Clock::now();
+  const Stopwatch watch;
   const auto found = bearing::balance(drawn.geometry, laws, drawn.loading);
-  outcome.wall_s += seconds_since(begin);
+  outcome.wall_s += watch.seconds();
   if (const auto* none = std::get_if<bearing::NoEquilibrium>(&found)) {
     outcome.why = none->why;
     return;

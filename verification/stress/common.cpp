@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <random>
+#include <nlohmann/json.hpp>
 
-#include "contact/text.hpp"
 #include "verification/stress/parts.hpp"
 
 namespace ehd::verification::stress {
@@ -40,27 +38,36 @@ double over_stated_errors(const Ended& one, const Ended& other) {
   return worst;
 }
 
-double hertz_pressure_Pa(const Groups& groups) {
-  constexpr double alpha_per_Pa = 2.2e-8;
-  return groups.alpha_p_H / alpha_per_Pa;
+Tolerance within_stated_errors() {
+  return Tolerance::required(1, "difference of the films over the sum of the errors that both solvers state");
 }
 
-std::string law_name(bool roelands) { return roelands ? "Roelands" : "Barus"; }
-
-std::string contact_name(const MoesGroups& moes, bool roelands) {
-  return "M = " + plain(moes.M) + ", L = " + plain(moes.L) + ", " + law_name(roelands);
+std::vector<BoxContact> cut_contacts(std::vector<BoxContact> contacts) {
+  for (BoxContact& contact : contacts) contact.inlet = TruncatedAt{usual_cut};
+  return contacts;
 }
 
-struct Draw::Engine {
-  std::mt19937 random;
-};
-Draw::Draw(unsigned seed) : engine_(std::make_unique<Engine>(Engine{std::mt19937(seed)})) {}
-Draw::~Draw() = default;
-double Draw::uniform(double from, double to) {
-  constexpr double all = 4294967296.0;
-  return from + (to - from) * (static_cast<double>(engine_->random()) / all);
+Json json_of(const Ended& end) {
+  Json json{
+      {"status", static_cast<int>(end.status)}, {"reason", end.reason}, {"finite", end.finite}, {"wall_s", end.wall_s}};
+  for (std::size_t k = 0; k < 2; ++k) {
+    put(json, "film" + std::to_string(k), end.film[k]);
+    put(json, "error" + std::to_string(k), end.error[k]);
+  }
+  return json;
 }
-double Draw::logarithmic(double from, double to) { return std::exp(uniform(std::log(from), std::log(to))); }
-int Draw::index(int count) { return std::min(count - 1, static_cast<int>(uniform(0, count))); }
+
+Ended ended_from(const Json& json) {
+  Ended end{.status = static_cast<StopReason>(json.at("status").get<int>()),
+            .reason = json.at("reason").get<std::string>(),
+            .wall_s = json.at("wall_s").get<double>(),
+            .finite = json.at("finite").get<bool>()};
+  for (std::size_t k = 0; k < 2; ++k) {
+    const std::string at = std::to_string(k);
+    if (json.contains("film" + at)) end.film[k] = json.at("film" + at).get<double>();
+    if (json.contains("error" + at)) end.error[k] = json.at("error" + at).get<double>();
+  }
+  return end;
+}
 
 }  // namespace ehd::verification::stress

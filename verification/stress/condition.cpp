@@ -7,13 +7,11 @@
 // and what iteration leaves. Divided by the step, it is what a difference of 1e-8 can be wrong by.
 #include <array>
 #include <cmath>
-#include <functional>
 #include <map>
-#include <tuple>
 
 #include "contact/text.hpp"
 #include "verification/stress/parts.hpp"
-#include "verification/studies/oils.hpp"
+#include "verification/stress/stated.hpp"
 #include "workflow/parallel.hpp"
 
 namespace ehd::verification::stress {
@@ -22,56 +20,28 @@ namespace {
 
 constexpr double small_step = 1e-8, large_step = 1e-3;
 constexpr double iterated_to = 1e-11;
-
-/// Everything that a contact is stated by; a quantity is a place in it.
-struct Stated {
-  bool in_SI = false;
-  MoesGroups moes = {};
-  Conditions SI = {};
-  Lubricant lubricant = {};
-  double inlet = -4;
-};
-
-struct Input {
-  std::string name;
-  std::function<double&(Stated&)> of;
-};
-
-std::vector<Input> quantities(const Stated& stated) {
-  std::vector<Input> all;
-  if (stated.in_SI) {
-    all = {{"load", [](Stated& s) -> double& { return s.SI.load_N_per_m; }},
-           {"radius", [](Stated& s) -> double& { return s.SI.reduced_radius_m; }},
-           {"modulus", [](Stated& s) -> double& { return s.SI.reduced_modulus_Pa; }},
-           {"speed", [](Stated& s) -> double& { return *s.SI.speed_sum_m_per_s; }},
-           {"viscosity", [](Stated& s) -> double& { return *s.SI.viscosity_Pa_s; }}};
-  } else {
-    all = {{"M", [](Stated& s) -> double& { return s.moes.M; }}, {"L", [](Stated& s) -> double& { return s.moes.L; }}};
-  }
-  all.push_back({"inlet", [](Stated& s) -> double& { return s.inlet; }});
-  if (stated.lubricant.alpha_per_Pa)
-    all.push_back({"alpha", [](Stated& s) -> double& { return *s.lubricant.alpha_per_Pa; }});
-  if (stated.lubricant.viscosity == ViscosityLaw::roelands) {
-    all.push_back({"z", [](Stated& s) -> double& { return *s.lubricant.z; }});
-    all.push_back({"p0", [](Stated& s) -> double& { return s.lubricant.p0_Pa; }});
-  }
-  return all;
-}
+constexpr double time_limit_s = 60;
+/// Bound of the third derivatives over ln M and ln L: s^2/6 of it is below 10 s^2.
+constexpr double third_derivative = 60;
 
 struct Films {
   double film[2] = {};
   bool converged = false;
 };
 
-/// Films in metres where the statement is in SI, in Moes units else: what M and L alone decide for Barus.
+/// What a film in Hertz units is multiplied with: into metres where the statement is in SI, else into Moes' unit, in
+/// which the films of Barus follow from M and L alone.
+double film_unit(const Stated& stated, const Nondimensional& made) {
+  return stated.in_SI() ? *made.scales->film_m_per_hertz_film() : moes_film_per_hertz_film(made.problem.groups.M);
+}
+
 Films films_of(const Stated& stated, const RegisteredSolver& solver, int intervals) {
-  const auto made = stated.in_SI ? nondimensionalise(stated.SI, stated.lubricant, TruncatedAt{stated.inlet})
-                                 : nondimensionalise(stated.moes, stated.lubricant, TruncatedAt{stated.inlet});
-  const Ended end = ended(solver.solve(made.problem, {.tolerance = {}, .nodes = intervals, .time_limit_s = 60}));
+  const Nondimensional made = stated.made();
+  const Ended end =
+      ended(solver.solve(made.problem, {.tolerance = {}, .nodes = intervals, .time_limit_s = time_limit_s}));
   Films result;
   result.converged = end.status == StopReason::converged && end.film[0] && end.film[1] && end.finite;
-  const double unit =
-      stated.in_SI ? *made.scales->film_m_per_hertz_film() : moes_film_per_hertz_film(made.problem.groups.M);
+  const double unit = film_unit(stated, made);
   for (std::size_t k = 0; k < 2; ++k) result.film[k] = result.converged ? *end.film[k] * unit : std::nan("");
   return result;
 }
@@ -83,21 +53,115 @@ struct Contact {
 
 std::vector<Contact> contacts(bool quick) {
   std::vector<Contact> list;
-  for (const auto& [M, L, roelands] :
-       {std::tuple{20.0, 10.0, true}, {5.0, 5.0, false}, {2.0, 5.0, true}, {100.0, 5.0, true}}) {
-    list.push_back({contact_name({M, L}, roelands), {.moes = {M, L}, .lubricant = oil(roelands)}});
+  for (const BoxContact& one : {BoxContact{{20, 10}, true}, {{5, 5}, false}, {{2, 5}, true}, {{100, 5}, true}}) {
+    list.push_back({one.name(), {.statement = one.moes, .lubricant = oil(one.roelands)}});
     if (quick) break;
   }
-  const Conditions SI{.load_N_per_m = 1.1e5,
-                      .reduced_radius_m = 0.0113,
-                      .reduced_modulus_Pa = 2.26e11,
-                      .speed_sum_m_per_s = 2.9,
-                      .viscosity_Pa_s = 0.021};
-  list.push_back({"SI, Barus", {.in_SI = true, .SI = SI, .lubricant = {.alpha_per_Pa = 1.7e-8}}});
+  list.push_back({"SI, Barus", {.statement = ordinary_conditions(), .lubricant = {.alpha_per_Pa = 1.7e-8}}});
   Lubricant real = oil(true);
   real.alpha_per_Pa = 1.9e-8;
-  if (!quick) list.push_back({"SI, Roelands", {.in_SI = true, .SI = SI, .lubricant = real}});
+  if (!quick) list.push_back({"SI, Roelands", {.statement = ordinary_conditions(), .lubricant = real}});
   return list;
+}
+
+using PerFilm = std::array<double, 2>;
+
+/// One input of one contact, moved up and down, by one solver.
+class Mover {
+ public:
+  Mover(const Stated& stated, const Input& input, const RegisteredSolver& solver, int intervals)
+      : stated_(stated), input_(input.of(stated_)), value_(input_), solver_(solver), intervals_(intervals) {}
+  Mover(const Mover&) = delete;
+  Mover& operator=(const Mover&) = delete;
+
+  [[nodiscard]] double value() const { return value_; }
+  [[nodiscard]] bool converged() const { return converged_; }
+  Films at(double moved) {
+    input_ = moved;
+    const Films found = films_of(stated_, solver_, intervals_);
+    input_ = value_;
+    converged_ = converged_ && found.converged;
+    return found;
+  }
+  /// dln H/dln q by a central difference.
+  PerFilm slope(double step) {
+    const double above = value_ * (1 + step), below = value_ * (1 - step);
+    const Films up = at(above), down = at(below);
+    PerFilm result{};
+    for (std::size_t k = 0; k < 2; ++k) result[k] = std::log(up.film[k] / down.film[k]) / std::log(above / below);
+    return result;
+  }
+
+ private:
+  Stated stated_;
+  double& input_;  // in stated_
+  double value_;
+  const RegisteredSolver& solver_;
+  int intervals_;
+  bool converged_ = true;
+};
+
+/// Slopes of the film over ln M or ln L, of the same contact stated by groups.
+PerFilm slope_of_group(const Groups& groups, double MoesGroups::*group, double cut, const RegisteredSolver& solver,
+                       int intervals) {
+  const MoesGroups centre{groups.M, groups.L};
+  const auto films = [&](double factor) {
+    MoesGroups moved = centre;
+    moved.*group = centre.*group * factor;
+    return films_of({.statement = moved, .lubricant = oil(false), .inlet = cut}, solver, intervals);
+  };
+  const Films high = films(1 + large_step), low = films(1 - large_step);
+  PerFilm slope{};
+  for (std::size_t k = 0; k < 2; ++k)
+    slope[k] = std::log(high.film[k] / low.film[k]) / std::log((1 + large_step) / (1 - large_step));
+  return slope;
+}
+
+/// Barus, incompressible, in SI: h = R U^(1/2) f(M, L), M = W U^(-1/2), L = G U^(1/4), with X_a in half-widths. So the
+/// chain rule gives the amplification from the slopes over M and L.
+void add_chain_rule(const Stated& stated, const RegisteredSolver& solver, int intervals, ConditionRow& row) {
+  struct Powers {
+    double R = 0, U = 0, W = 0, G = 0;
+  };
+  const std::map<std::string, Powers> powers{{"load", {.W = 1}},
+                                             {"radius", {.R = 1, .U = -1, .W = -1}},
+                                             {"modulus", {.U = -1, .W = -1, .G = 1}},
+                                             {"speed", {.U = 1}},
+                                             {"viscosity", {.U = 1}},
+                                             {"alpha", {.G = 1}}};
+  const Groups groups = stated.made().problem.groups;
+  const PerFilm f_M = slope_of_group(groups, &MoesGroups::M, stated.inlet, solver, intervals);
+  const PerFilm f_L = slope_of_group(groups, &MoesGroups::L, stated.inlet, solver, intervals);
+  const Powers& p = powers.at(row.quantity);
+  for (std::size_t k = 0; k < 2; ++k)
+    row.by_groups[k] = p.R + p.U / 2 + f_M[k] * (p.W - p.U / 2) + f_L[k] * (p.G + p.U / 4);
+}
+
+ConditionRow row_of(const Contact& contact, const Input& input, const RegisteredSolver& solver, int intervals) {
+  ConditionRow row;
+  row.contact = contact.name;
+  row.solver = solver.name;
+  row.quantity = input.name;
+  const Stated& stated = contact.stated;
+  Mover mover(stated, input, solver, intervals);
+  const double value = mover.value(), next = std::nextafter(value, 2 * value);
+  const Films here = mover.at(value), up = mover.at(next), down = mover.at(std::nextafter(value, 0));
+  row.ulp = std::abs(next / value - 1);
+  const PerFilm small = mover.slope(small_step), large = mover.slope(large_step), larger = mover.slope(2 * large_step);
+  for (std::size_t k = 0; k < 2; ++k) {
+    row.amplification[k] = small[k];
+    // Central differences err by s^2: the next term cancels between s and 2 s.
+    row.large_step[k] = large[k] + (large[k] - larger[k]) / 3;
+    row.large_step_error[k] = std::abs(large[k] - larger[k]) / 3;
+    row.ulp_move[k] = std::max(std::abs(up.film[k] / here.film[k] - 1), std::abs(down.film[k] / here.film[k] - 1));
+  }
+  row.converged = mover.converged();
+  const double condition = (1 + stated.inlet * stated.inlet / 2) / (here.film[0] / film_unit(stated, stated.made()));
+  const double stages = solver.uses_fft ? 4 * std::log2(2.0 * intervals) + 10 : intervals;
+  row.floor = Tolerance::round_off(stages, condition).value() + iterated_to;
+  if (stated.in_SI() && stated.lubricant.viscosity == ViscosityLaw::barus && row.quantity != "inlet")
+    add_chain_rule(stated, solver, intervals, row);
+  return row;
 }
 
 }  // namespace
@@ -106,88 +170,21 @@ std::vector<ConditionRow> run_condition(const Scope& scope) {
   struct Task {
     const Contact* contact;
     const RegisteredSolver* solver;
-    Input quantity;
+    Input input;
   };
   const auto all = contacts(scope.quick);
   const int intervals = scope.quick ? 128 : 256;
   std::vector<Task> tasks;
   for (const Contact& contact : all) {
     for (const char* solver : {"reference.uniform", "fast.uniform"}) {
-      for (const auto& quantity : quantities(contact.stated))
-        tasks.push_back({&contact, find_solver(solver), quantity});
+      for (const Input& input : inputs_of(contact.stated)) tasks.push_back({&contact, find_solver(solver), input});
     }
   }
   std::vector<ConditionRow> rows(tasks.size());
   scope.show(std::to_string(tasks.size()) + " quantities");
-  in_threads(tasks.size(), scope.threads, [&](std::size_t index) {
-    const Task& task = tasks[index];
-    ConditionRow& row = rows[index];
-    row.contact = task.contact->name;
-    row.solver = task.solver->name;
-    row.quantity = task.quantity.name;
-    Stated stated = task.contact->stated;
-    double& input = task.quantity.of(stated);
-    const double value = input;
-    const auto at = [&](double moved) {
-      input = moved;
-      const Films found = films_of(stated, *task.solver, intervals);
-      input = value;
-      row.converged = row.converged && found.converged;
-      return found;
-    };
-    const auto slope = [&](double step) {
-      const double above = value * (1 + step), below = value * (1 - step);
-      const Films up = at(above), down = at(below);
-      std::array<double, 2> result{};
-      for (std::size_t k = 0; k < 2; ++k) result[k] = std::log(up.film[k] / down.film[k]) / std::log(above / below);
-      return result;
-    };
-    const Films here = at(value), up = at(std::nextafter(value, 2 * value)), down = at(std::nextafter(value, 0));
-    row.ulp = std::abs(std::nextafter(value, 2 * value) / value - 1);
-    const auto small = slope(small_step), large = slope(large_step), larger = slope(2 * large_step);
-    for (std::size_t k = 0; k < 2; ++k) {
-      row.amplification[k] = small[k];
-      // Central differences err by s^2: the next term cancels between s and 2 s.
-      row.large_step[k] = large[k] + (large[k] - larger[k]) / 3;
-      row.large_step_error[k] = std::abs(large[k] - larger[k]) / 3;
-      row.ulp_move[k] = std::max(std::abs(up.film[k] / here.film[k] - 1), std::abs(down.film[k] / here.film[k] - 1));
-    }
-    const auto made = stated.in_SI ? nondimensionalise(stated.SI, stated.lubricant, TruncatedAt{stated.inlet})
-                                   : nondimensionalise(stated.moes, stated.lubricant, TruncatedAt{stated.inlet});
-    const double unit =
-        stated.in_SI ? *made.scales->film_m_per_hertz_film() : moes_film_per_hertz_film(made.problem.groups.M);
-    const double condition = (1 + stated.inlet * stated.inlet / 2) / (here.film[0] / unit);
-    const double stages = task.solver->uses_fft ? 4 * std::log2(2.0 * intervals) + 10 : intervals;
-    row.floor = Tolerance::round_off(stages, condition).value() + iterated_to;
-
-    // Barus, incompressible, in SI: h = R U^(1/2) f(M, L), M = W U^(-1/2), L = G U^(1/4), and X_a in half-widths.
-    if (!stated.in_SI || stated.lubricant.viscosity != ViscosityLaw::barus || row.quantity == "inlet") return;
-    const Groups& groups = made.problem.groups;
-    Stated by_groups{.moes = {groups.M, groups.L}, .lubricant = oil(false), .inlet = stated.inlet};
-    std::array<double, 2> f_M{}, f_L{};
-    for (double* const one : {&by_groups.moes.M, &by_groups.moes.L}) {
-      const double centre = *one;
-      *one = centre * (1 + large_step);
-      const Films high = films_of(by_groups, *task.solver, intervals);
-      *one = centre * (1 - large_step);
-      const Films low = films_of(by_groups, *task.solver, intervals);
-      *one = centre;
-      auto& f = one == &by_groups.moes.M ? f_M : f_L;
-      for (std::size_t k = 0; k < 2; ++k)
-        f[k] = std::log(high.film[k] / low.film[k]) / std::log((1 + large_step) / (1 - large_step));
-    }
-    struct Powers {
-      double R = 0, U = 0, W = 0, G = 0;
-    };
-    const std::map<std::string, Powers> powers{{"load", {.W = 1}},
-                                               {"radius", {.R = 1, .U = -1, .W = -1}},
-                                               {"modulus", {.U = -1, .W = -1, .G = 1}},
-                                               {"speed", {.U = 1}},
-                                               {"viscosity", {.U = 1}},
-                                               {"alpha", {.G = 1}}};
-    const Powers& p = powers.at(row.quantity);
-    for (std::size_t k = 0; k < 2; ++k)
-      row.by_groups[k] = p.R + p.U / 2 + f_M[k] * (p.W - p.U / 2) + f_L[k] * (p.G + p.U / 4);
+  in_threads(tasks.size(), scope.threads, [&](std::size_t i) {
+    const Task& task = tasks[i];
+    rows[i] = row_of(*task.contact, task.input, *task.solver, intervals);
   });
   return rows;
 }
@@ -232,7 +229,7 @@ Part judge_condition(const std::vector<ConditionRow>& rows) {
       worst_ulp = std::max(worst_ulp, row.ulp_move[k] / of_ulp.value());
       if (row.by_groups[k])
         tally.add(std::abs(row.large_step[k] - *row.by_groups[k]), 0,
-                  Tolerance::asymptotic(10 * large_step * large_step,
+                  Tolerance::asymptotic(third_derivative / 6 * large_step * large_step,
                                         "s^2 of the central differences in M and L, third derivatives below 60") +
                       Tolerance::iteration(row.floor, 4 / large_step),
                   film + ", against the chain rule over M and L");

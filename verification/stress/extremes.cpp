@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// (g) Inputs as nobody should give them. Random SI cases over many decades; every number of the interface replaced by
+// (g) Inputs that nobody should give. Random SI cases over many decades; every number of the interface replaced by
 // zero, negative, denormal, huge and not-a-number; limits of time and iterations. Inside the box the answer is right,
 // outside right or refused; never NaN, never a hang. Each batch runs in a process of its own with an alarm, so that a
 // crash or a hang is a row.
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -17,35 +17,39 @@
 #include "contact/text.hpp"
 #include "io/json.hpp"
 #include "verification/bench/child.hpp"
+#include "verification/bench/timing.hpp"
 #include "verification/stress/parts.hpp"
+#include "verification/stress/stated.hpp"
+#include "verification/studies/draw.hpp"
 #include "workflow/parallel.hpp"
 
 namespace ehd::verification::stress {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr unsigned seed = 20261125;
-constexpr double asked = 1e-3, time_limit_s = 5;
-/// Of the random cases inside the box every so many-th is solved by `reference` as well, outside by reference.linear.
+constexpr double asked = 1e-3, time_limit_s = 5, dense_time_limit_s = 30;
+/// Of the cases inside the box, one in 8 is solved by `reference` as well; of those outside, one in 20 by
+/// reference.linear.
 constexpr int inside_a_truth = 8, outside_a_truth = 20;
-/// A limit may be passed by one step that cannot be interrupted: a dense factorisation, a grid's tables; and by other
-/// processes.
+/// By how much a limit may be passed: one step cannot be interrupted (a dense factorisation, a grid's tables), and
+/// other processes take time.
 constexpr double slack_s = 2;
+constexpr unsigned alarm_s = 600;  ///< of a batch; a batch that takes longer hangs
+constexpr const char* limits_kind = "limits";
 
 std::string text_of(const Conditions& c, const Lubricant& l) {
   const auto number = [](const std::optional<double>& value) {
-    return value ? plain(*value, 17) : std::string("absent");
+    constexpr int all_digits = 17;
+    return value ? plain(*value, all_digits) : std::string("absent");
   };
-  return "load " + plain(c.load_N_per_m, 17) + " N/m, R " + plain(c.reduced_radius_m, 17) + " m, E' " +
-         plain(c.reduced_modulus_Pa, 17) + " Pa, u_s " + number(c.speed_sum_m_per_s) + " m/s, eta_0 " +
-         number(c.viscosity_Pa_s) + " Pa s, " + std::string(to_string(l.viscosity)) + ", " +
-         std::string(to_string(l.density)) + ", alpha " + number(l.alpha_per_Pa) + ", z " + number(l.z) + ", p_0 " +
-         plain(l.p0_Pa, 17);
+  return fmt::format("load {} N/m, R {} m, E' {} Pa, u_s {} m/s, eta_0 {} Pa s, {}, {}, alpha {}, z {}, p_0 {}",
+                     number(c.load_N_per_m), number(c.reduced_radius_m), number(c.reduced_modulus_Pa),
+                     number(c.speed_sum_m_per_s), number(c.viscosity_Pa_s), to_string(l.viscosity),
+                     to_string(l.density), number(l.alpha_per_Pa), number(l.z), number(l.p0_Pa));
 }
 
-/// What the box is about, from what is stated; NaN where something is missing.
+/// M, L and p_H from the stated numbers alone; NaN where one is missing.
 struct BoxAxes {
   double M, L, hertz_pressure_Pa;
 };
@@ -75,27 +79,28 @@ bool in_the_box(const Statement& statement, const Lubricant& lubricant, const In
   const auto [M, L, p_H] = axes_of(statement, lubricant);
   const auto* cut = std::get_if<TruncatedAt>(&inlet);
   const double z = lubricant.z.value_or(0.6);
-  return M >= 0.05 && M <= 5000 && L >= 0 && L <= 30 && p_H >= 0 && p_H <= highest_pressure_Pa && z >= 0.1 &&
-         z <= 1.2 && lubricant.p0_Pa >= 1e7 && lubricant.p0_Pa <= 1e10 &&
+  return M >= box_lightest_M && M <= box_heaviest_M && L >= 0 && L <= box_largest_L && p_H >= 0 &&
+         p_H <= highest_pressure_Pa && z >= 0.1 && z <= 1.2 && lubricant.p0_Pa >= 1e7 && lubricant.p0_Pa <= 1e10 &&
          (L == 0 || std::isfinite(lubricant.p0_Pa / p_H)) &&  // else pressures in p_H are no numbers
          (!cut || (M >= 2 && cut->x >= -100 && cut->x <= -2.5));
 }
 
 namespace {
 
-/// What the interface makes of a statement, and the solvers of the problem.
+/// Makes the problem of a statement and solves it: refused, ended, or broken.
 ExtremeRow tried(const std::string& kind, const std::string& what, const Statement& statement,
                  const Lubricant& lubricant, const Inlet& inlet, int number) {
   ExtremeRow row{
       .kind = kind, .what = what, .inside = in_the_box(statement, lubricant, inlet), .time_limit_s = time_limit_s};
-  const auto begin = Clock::now();
+  const Stopwatch watch;
   try {
     const Nondimensional made = nondimensionalise(statement, lubricant, inlet);
     const Request request{.tolerance = asked, .time_limit_s = time_limit_s};
     row.fast = ended(find_solver("fast")->solve(made.problem, request));
-    row.wall_s = std::chrono::duration<double>(Clock::now() - begin).count();
+    row.wall_s = watch.seconds();
     if (row.inside && number % inside_a_truth == 0)
-      row.other = ended(find_solver("reference")->solve(made.problem, {.tolerance = asked, .time_limit_s = 30}));
+      row.other = ended(
+          find_solver("reference")->solve(made.problem, {.tolerance = asked, .time_limit_s = dense_time_limit_s}));
     else if (!row.inside && number % outside_a_truth == 0)
       row.other = ended(
           find_solver("reference.linear")->solve(made.problem, {.tolerance = asked, .time_limit_s = time_limit_s}));
@@ -107,13 +112,13 @@ ExtremeRow tried(const std::string& kind, const std::string& what, const Stateme
   return row;
 }
 
-/// Decades as the task of this part names them: loads nine, speeds nine, viscosities six.
+/// Inputs over many decades: nine of loads, nine of speeds, six of viscosities.
 ExtremeRow random_case(Draw& draw, int number) {
-  const Conditions SI{.load_N_per_m = draw.logarithmic(1e-1, 1e8),
-                      .reduced_radius_m = draw.logarithmic(1e-4, 1),
-                      .reduced_modulus_Pa = draw.logarithmic(1e9, 1e12),
-                      .speed_sum_m_per_s = draw.logarithmic(1e-6, 1e3),
-                      .viscosity_Pa_s = draw.logarithmic(1e-4, 1e2)};
+  const Conditions SI{.load_N_per_m = draw.log_uniform(1e-1, 1e8),
+                      .reduced_radius_m = draw.log_uniform(1e-4, 1),
+                      .reduced_modulus_Pa = draw.log_uniform(1e9, 1e12),
+                      .speed_sum_m_per_s = draw.log_uniform(1e-6, 1e3),
+                      .viscosity_Pa_s = draw.log_uniform(1e-4, 1e2)};
   Lubricant lubricant;
   const int law = draw.index(8);
   lubricant.viscosity = law == 0 ? ViscosityLaw::isoviscous : law < 4 ? ViscosityLaw::barus : ViscosityLaw::roelands;
@@ -123,79 +128,49 @@ ExtremeRow random_case(Draw& draw, int number) {
   return tried("random SI", text_of(SI, lubricant), SI, lubricant, Flooded{}, number);
 }
 
-/// One number of a sound statement replaced by each value that numbers can go wrong with.
-std::vector<ExtremeRow> impossible_inputs(const Scope& scope) {
+/// Values that numbers can go wrong with.
+std::vector<double> wrong_values(bool quick) {
   using limits = std::numeric_limits<double>;
-  std::vector<double> values{0.0,
-                             -0.0,
-                             -1.0,
-                             limits::denorm_min(),
-                             limits::min(),
-                             1e-200,
-                             1e-30,
-                             1e30,
-                             1e200,
-                             limits::max(),
-                             -limits::max(),
-                             limits::infinity(),
-                             -limits::infinity(),
-                             limits::quiet_NaN()};
-  if (scope.quick) values = {0.0, -1.0, limits::denorm_min(), limits::max(), limits::infinity(), limits::quiet_NaN()};
-  struct Stated {
-    Conditions SI{.load_N_per_m = 1.1e5,
-                  .reduced_radius_m = 0.0113,
-                  .reduced_modulus_Pa = 2.26e11,
-                  .speed_sum_m_per_s = 2.9,
-                  .viscosity_Pa_s = 0.021};
-    MoesGroups moes{7, 6};
-    HertzGroups hertz{1.51425, 2.832};
-    Lubricant lubricant{.viscosity = ViscosityLaw::roelands,
-                        .density = DensityLaw::dowson_higginson,
-                        .alpha_per_Pa = 1.9e-8,
-                        .z = 0.68,
-                        .p0_Pa = 1.96e8};
-    double inlet = -4;
-  };
-  struct Place {
-    const char* name;
-    double& (*of)(Stated&);
-  };
-  const Place of_SI[] = {{"load", [](Stated& s) -> double& { return s.SI.load_N_per_m; }},
-                         {"radius", [](Stated& s) -> double& { return s.SI.reduced_radius_m; }},
-                         {"modulus", [](Stated& s) -> double& { return s.SI.reduced_modulus_Pa; }},
-                         {"speed", [](Stated& s) -> double& { return *s.SI.speed_sum_m_per_s; }},
-                         {"viscosity", [](Stated& s) -> double& { return *s.SI.viscosity_Pa_s; }}};
-  const Place of_moes[] = {{"M", [](Stated& s) -> double& { return s.moes.M; }},
-                           {"L", [](Stated& s) -> double& { return s.moes.L; }}};
-  const Place of_hertz[] = {{"lambda", [](Stated& s) -> double& { return s.hertz.lambda; }},
-                            {"alpha_p_H", [](Stated& s) -> double& { return s.hertz.alpha_p_H; }}};
-  const Place of_all[] = {{"alpha", [](Stated& s) -> double& { return *s.lubricant.alpha_per_Pa; }},
-                          {"z", [](Stated& s) -> double& { return *s.lubricant.z; }},
-                          {"p0", [](Stated& s) -> double& { return s.lubricant.p0_Pa; }},
-                          {"inlet", [](Stated& s) -> double& { return s.inlet; }}};
+  if (quick) return {0.0, -1.0, limits::denorm_min(), limits::max(), limits::infinity(), limits::quiet_NaN()};
+  return {0.0,
+          -0.0,
+          -1.0,
+          limits::denorm_min(),
+          limits::min(),
+          1e-200,
+          1e-30,
+          1e30,
+          1e200,
+          limits::max(),
+          -limits::max(),
+          limits::infinity(),
+          -limits::infinity(),
+          limits::quiet_NaN()};
+}
+
+/// One number of a sound statement replaced by each wrong value, in all three ways to state a contact.
+std::vector<ExtremeRow> impossible_inputs(const Scope& scope) {
+  Lubricant lubricant = oil(true);
+  lubricant.alpha_per_Pa = 1.9e-8;
+  const std::pair<std::string, Statement> ways[] = {
+      {"conditions", ordinary_conditions()}, {"moes", MoesGroups{7, 6}}, {"hertz", HertzGroups{1.51425, 2.832}}};
   std::vector<ExtremeRow> rows;
-  for (const char* way : {"conditions", "moes", "hertz"}) {
-    const std::string by = way;
-    std::vector<Place> places(std::begin(of_all), std::end(of_all));
-    if (by == "conditions") places.insert(places.begin(), std::begin(of_SI), std::end(of_SI));
-    if (by == "moes") places.insert(places.begin(), std::begin(of_moes), std::end(of_moes));
-    if (by == "hertz") places.insert(places.begin(), std::begin(of_hertz), std::end(of_hertz));
-    for (const Place& place : places) {
-      for (const double value : values) {
-        Stated stated;
-        place.of(stated) = value;
-        const Statement statement = by == "conditions" ? Statement{stated.SI}
-                                    : by == "moes"     ? Statement{stated.moes}
-                                                       : Statement{stated.hertz};
-        rows.push_back(tried("impossible inputs", by + ", " + place.name + " = " + plain(value, 3), statement,
-                             stated.lubricant, TruncatedAt{stated.inlet}, 0));
+  for (const auto& [way, statement] : ways) {
+    const Stated sound{.statement = statement, .lubricant = lubricant};
+    for (const Input& input : inputs_of(sound)) {
+      for (const double value : wrong_values(scope.quick)) {
+        Stated wrong = sound;
+        input.of(wrong) = value;
+        rows.push_back(tried("impossible inputs", fmt::format("{}, {} = {}", way, input.name, plain(value, 3)),
+                             wrong.statement, wrong.lubricant, TruncatedAt{wrong.inlet}, 0));
       }
     }
   }
   return rows;
 }
 
-/// Every solver with little time or few iterations, on a problem that needs more, and with limits that are no limits.
+/// Every solver with little time or few iterations, on a problem that needs more; and with limits that are not valid
+/// (zero, negative, not a number).
 std::vector<ExtremeRow> hurried(const Scope& scope) {
   const Lubricant oil{.viscosity = ViscosityLaw::barus};
   const Problem hard = nondimensionalise(MoesGroups{1000, 20}, oil, Flooded{}).problem;
@@ -215,18 +190,18 @@ std::vector<ExtremeRow> hurried(const Scope& scope) {
   std::vector<ExtremeRow> rows;
   for (const RegisteredSolver& solver : solvers()) {
     for (const Limit& limit : limits) {
-      ExtremeRow row{.kind = "limits",
+      ExtremeRow row{.kind = limits_kind,
                      .what = solver.name + ", tolerance " + plain(limit.tolerance) + ", " + plain(limit.seconds) +
                              " s, " + std::to_string(limit.iterations) + " iterations"};
       row.time_limit_s = limit.seconds > 0 ? limit.seconds : 0;
-      const auto begin = Clock::now();
+      const Stopwatch watch;
       try {
         row.fast = ended(solver.solve(
             hard, {.tolerance = limit.tolerance, .max_iterations = limit.iterations, .time_limit_s = limit.seconds}));
       } catch (const std::exception& thrown) {
         row.broke = std::string("threw ") + thrown.what();
       }
-      row.wall_s = std::chrono::duration<double>(Clock::now() - begin).count();
+      row.wall_s = watch.seconds();
       rows.push_back(std::move(row));
     }
   }
@@ -235,30 +210,7 @@ std::vector<ExtremeRow> hurried(const Scope& scope) {
 
 // -- to and from the child ----------------------------------------------------------------------------------------
 
-Json json_of(const Ended& end) {
-  Json json{
-      {"status", static_cast<int>(end.status)}, {"reason", end.reason}, {"finite", end.finite}, {"wall_s", end.wall_s}};
-  for (std::size_t k = 0; k < 2; ++k) {
-    put(json, "film" + std::to_string(k), end.film[k]);
-    put(json, "error" + std::to_string(k), end.error[k]);
-  }
-  return json;
-}
-
-Ended end_of(const Json& json) {
-  Ended end{.status = static_cast<StopReason>(json.at("status").get<int>()),
-            .reason = json.at("reason").get<std::string>(),
-            .finite = json.at("finite").get<bool>()};
-  end.wall_s = json.at("wall_s").get<double>();
-  for (std::size_t k = 0; k < 2; ++k) {
-    const std::string at = std::to_string(k);
-    if (json.contains("film" + at)) end.film[k] = json.at("film" + at).get<double>();
-    if (json.contains("error" + at)) end.error[k] = json.at("error" + at).get<double>();
-  }
-  return end;
-}
-
-void in_a_process(const std::string& kind, unsigned alarm_s, const std::function<std::vector<ExtremeRow>()>& work,
+void in_a_process(const std::string& kind, const std::function<std::vector<ExtremeRow>()>& work,
                   std::vector<ExtremeRow>& rows) {
   const ChildEnd child = in_child([&] {
     ::alarm(alarm_s);
@@ -284,8 +236,8 @@ void in_a_process(const std::string& kind, unsigned alarm_s, const std::function
                    .wall_s = one.at("wall_s"),
                    .time_limit_s = one.at("limit"),
                    .broke = one.at("broke")};
-    if (one.contains("fast")) row.fast = end_of(one.at("fast"));
-    if (one.contains("other")) row.other = end_of(one.at("other"));
+    if (one.contains("fast")) row.fast = ended_from(one.at("fast"));
+    if (one.contains("other")) row.other = ended_from(one.at("other"));
     rows.push_back(std::move(row));
   }
 }
@@ -295,11 +247,10 @@ void in_a_process(const std::string& kind, unsigned alarm_s, const std::function
 std::vector<ExtremeRow> run_extremes(const Scope& scope) {
   std::vector<ExtremeRow> rows;
   const int batches = scope.quick ? 1 : 10, batch = scope.quick ? 60 : 300;
-  constexpr unsigned alarm_s = 600;
   for (int b = 0; b < batches; ++b) {
     scope.show("random cases from " + std::to_string(b * batch));
     in_a_process(
-        "random SI, batch " + std::to_string(b), alarm_s,
+        "random SI",
         [&, b] {
           std::vector<ExtremeRow> some(static_cast<std::size_t>(batch));
           in_threads(some.size(), scope.threads, [&](std::size_t i) {
@@ -311,21 +262,111 @@ std::vector<ExtremeRow> run_extremes(const Scope& scope) {
         },
         rows);
   }
-  for (ExtremeRow& row : rows) row.kind = "random SI";
   scope.show("impossible inputs");
   in_a_process(
-      "impossible inputs", alarm_s, [&] { return impossible_inputs(scope); }, rows);
+      "impossible inputs", [&] { return impossible_inputs(scope); }, rows);
   scope.show("limits");
   in_a_process(
-      "limits", alarm_s, [&] { return hurried(scope); }, rows);
+      limits_kind, [&] { return hurried(scope); }, rows);
   return rows;
 }
+
+namespace {
+
+/// Rows of one kind and place, added up.
+struct Sum {
+  double tried = 0, refused = 0, converged = 0, ended = 0, held = 0, worst = 0, over = 0, broke = 0;
+};
+
+/// Sums by kind and place, in order of appearance.
+class Sums {
+ public:
+  Sum& of(const ExtremeRow& row) {
+    const std::pair<std::string, std::string> key{row.kind, row.kind == limits_kind ? ""
+                                                            : row.inside            ? "inside, p_H <= 4 GPa"
+                                                                                    : "outside"};
+    for (auto& [known, sum] : sums_) {
+      if (known == key) return sum;
+    }
+    sums_.push_back({key, {}});
+    return sums_.back().second;
+  }
+  [[nodiscard]] auto begin() const { return sums_.begin(); }
+  [[nodiscard]] auto end() const { return sums_.end(); }
+
+ private:
+  std::vector<std::pair<std::pair<std::string, std::string>, Sum>> sums_;
+};
+
+struct Counts {
+  long right = 0, refused = 0, not_finite = 0, late = 0, broke = 0;
+};
+
+/// How the solve of a row ended: in time, with finite numbers, and inside the box converged.
+void judge_end(const ExtremeRow& row, const std::string& where, Sum& sum, Counts& counts, Tally& tally) {
+  const Ended& end = *row.fast;
+  const bool converged = end.status == StopReason::converged;
+  const std::string status(to_string(end.status));
+  (converged ? sum.converged : sum.ended) += 1;
+  sum.over = std::max(sum.over, row.wall_s - row.time_limit_s);
+  tally.add(row.wall_s, 0,
+            Tolerance::required(row.time_limit_s + slack_s, "the time limit and one step that cannot be interrupted"),
+            where + ", seconds");
+  counts.not_finite += end.finite ? 0 : 1;
+  counts.late += row.wall_s <= row.time_limit_s + slack_s ? 0 : 1;
+  tally.require(end.finite, where + ": a number is not finite (" + status + ")");
+  if (converged) {
+    tally.require(end.has_films() && *end.film[0] > 0 && *end.film[1] > 0,
+                  where + ": converged without a positive film");
+    return;
+  }
+  ++counts.refused;
+  tally.require(!end.reason.empty(), where + ": ended as " + status + " without a reason");
+  if (row.kind != limits_kind) tally.require(!row.inside, where + ": ended as " + status + " inside the box");
+}
+
+void judge_against_other(const ExtremeRow& row, const std::string& where, Sum& sum, Counts& counts, Tally& tally) {
+  if (!row.other || row.other->status != StopReason::converged) {
+    if (row.other && row.inside)
+      tally.add(Verdict::inconclusive,
+                where + ": the other solver ended as " + std::string(to_string(row.other->status)));
+    return;
+  }
+  if (!row.fast->has_films()) return;
+  ++sum.held;
+  const double ratio = over_stated_errors(*row.fast, *row.other);
+  sum.worst = std::max(sum.worst, ratio);
+  const Verdict verdict = tally.add(ratio, 0, within_stated_errors(), where + ", difference over stated errors");
+  counts.right += verdict == Verdict::pass ? 1 : 0;
+}
+
+void judge_row(const ExtremeRow& row, Sum& sum, Counts& counts, Tally& tally) {
+  const std::string where = row.kind + ", " + row.what;
+  ++sum.tried;
+  if (!row.broke.empty()) {
+    ++sum.broke;
+    ++counts.broke;
+    tally.require(false, where + ": " + row.broke);
+  } else if (!row.refused.empty()) {
+    ++sum.refused;
+    ++counts.refused;
+    tally.require(row.refused.find('\n') == std::string::npos, where + ": the refusal has more than one line");
+    tally.require(!row.inside, where + ": refused inside the box: " + row.refused);
+  } else if (!row.fast) {
+    tally.add(Verdict::inconclusive, where + ": nothing came back");
+  } else {
+    judge_end(row, where, sum, counts, tally);
+    judge_against_other(row, where, sum, counts, tally);
+  }
+}
+
+}  // namespace
 
 Part judge_extremes(const std::vector<ExtremeRow>& rows) {
   Part part{.id = "g",
             .name = "extremes",
             .question = "Do extreme, impossible and hurried inputs end in a right answer or a clear refusal?"};
-  part.tolerance = Tolerance::required(1, "difference of the films over the sum of the errors that both solvers state");
+  part.tolerance = within_stated_errors();
   part.settings = {{"seed", seed}, {"tolerance", asked}, {"time_limit_s", time_limit_s}, {"slack_s", slack_s}};
   part.table.columns = {{"kind", ""},
                         {"where", ""},
@@ -338,92 +379,24 @@ Part judge_extremes(const std::vector<ExtremeRow>& rows) {
                         {"over the limit", "s, most"},
                         {"broke", ""}};
   Tally tally;
-  struct Row {
-    double tried = 0, refused = 0, converged = 0, ended = 0, held = 0, worst = 0, over = 0, broke = 0;
-  };
-  std::vector<std::pair<std::pair<std::string, std::string>, Row>> sums;
-  const auto sum_of = [&](const std::string& kind, const std::string& where) -> Row& {
-    for (auto& [key, row] : sums) {
-      if (key == std::pair(kind, where)) return row;
-    }
-    sums.push_back({{kind, where}, {}});
-    return sums.back().second;
-  };
-  long right = 0, refused = 0, not_finite = 0, late = 0, broke = 0;
-  for (const ExtremeRow& row : rows) {
-    Row& sum = sum_of(row.kind, row.kind == "limits" ? "" : row.inside ? "inside, p_H <= 4 GPa" : "outside");
-    ++sum.tried;
-    const std::string where = row.kind + ", " + row.what;
-    if (!row.broke.empty()) {
-      ++sum.broke;
-      ++broke;
-      tally.require(false, where + ": " + row.broke);
-      continue;
-    }
-    if (!row.refused.empty()) {
-      ++sum.refused;
-      ++refused;
-      tally.require(row.refused.find('\n') == std::string::npos, where + ": the refusal has more than one line");
-      tally.require(!row.inside, where + ": refused inside the box: " + row.refused);
-      continue;
-    }
-    if (!row.fast) {
-      tally.add(Verdict::inconclusive, where + ": nothing came back");
-      continue;
-    }
-    const Ended& end = *row.fast;
-    const bool converged = end.status == StopReason::converged;
-    (converged ? sum.converged : sum.ended) += 1;
-    sum.over = std::max(sum.over, row.wall_s - row.time_limit_s);
-    tally.add(row.wall_s, 0,
-              Tolerance::required(row.time_limit_s + slack_s, "the time limit and one step that cannot be interrupted"),
-              where + ", seconds");
-    not_finite += end.finite ? 0 : 1;
-    late += row.wall_s <= row.time_limit_s + slack_s ? 0 : 1;
-    tally.require(end.finite, where + ": a number is not finite (" + std::string(to_string(end.status)) + ")");
-    if (converged) {
-      tally.require(end.has_films() && *end.film[0] > 0 && *end.film[1] > 0,
-                    where + ": converged without a positive film");
-    } else {
-      ++refused;
-      tally.require(!end.reason.empty(),
-                    where + ": ended as " + std::string(to_string(end.status)) + " without a reason");
-      if (row.kind != "limits")
-        tally.require(!row.inside, where + ": ended as " + std::string(to_string(end.status)) + " inside the box");
-    }
-    if (!row.other || row.other->status != StopReason::converged) {
-      if (row.other && row.inside)
-        tally.add(Verdict::inconclusive,
-                  where + ": the other solver ended as " + std::string(to_string(row.other->status)));
-      continue;
-    }
-    if (!end.has_films()) continue;
-    ++sum.held;
-    const double ratio = over_stated_errors(end, *row.other);
-    sum.worst = std::max(sum.worst, ratio);
-    right += tally.add(ratio, 0, *part.tolerance, where + ", difference over stated errors") == Verdict::pass ? 1 : 0;
+  Sums sums;
+  Counts counts;
+  for (const ExtremeRow& row : rows) judge_row(row, sums.of(row), counts, tally);
+  double held = 0, held_inside = 0;
+  for (const auto& [key, sum] : sums) {
+    const auto& [kind, where] = key;
+    held += sum.held;
+    if (where.starts_with("inside")) held_inside += sum.held;
+    part.table.rows.push_back(
+        {kind, where, sum.tried, sum.refused, sum.converged, sum.ended, sum.held, sum.worst, sum.over, sum.broke});
   }
-  double inside = 0, held_inside = 0;
-  for (const auto& [key, row] : sums) {
-    if (key.second.starts_with("inside")) {
-      inside += row.tried;
-      held_inside += row.held;
-    }
-  }
-  if (inside == 0 || held_inside == 0)
-    tally.add(Verdict::inconclusive, "no contact inside the box was held against another solver");
-  for (const auto& [key, row] : sums)
-    part.table.rows.push_back({key.first, key.second, row.tried, row.refused, row.converged, row.ended, row.held,
-                               row.worst, row.over, row.broke});
+  if (held_inside == 0) tally.add(Verdict::inconclusive, "no contact inside the box was held against another solver");
   part.verdict = tally.verdict();
   part.failures = tally.failures();
-  double held = 0;
-  for (const auto& [key, row] : sums) held += row.held;
-  part.summary = std::to_string(rows.size()) + " inputs: " + std::to_string(refused) + " refused, " +
-                 std::to_string(right) + " of " + plain(held) +
-                 " that were held against another solver agree within what both state; " + std::to_string(not_finite) +
-                 " with a number that is not finite, " + std::to_string(late) + " beyond their time, " +
-                 std::to_string(broke) + " crashed";
+  part.summary = fmt::format(
+      "{} inputs: {} refused, {} of {} that were held against another solver agree within what both state; {} with a "
+      "number that is not finite, {} beyond their time, {} crashed",
+      rows.size(), counts.refused, counts.right, plain(held), counts.not_finite, counts.late, counts.broke);
   return part;
 }
 

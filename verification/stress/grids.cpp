@@ -21,6 +21,8 @@
 // How a solve may end. Equal cells: under-resolved below .75 cells in the inlet zone, converged above 3, either between
 // them. Solvers that lay out their grids: converged, or under-resolved or tolerance-not-met with films and errors.
 // Nothing else, and in no case without a result.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -30,40 +32,37 @@
 #include "contact/observables.hpp"
 #include "contact/text.hpp"
 #include "verification/stress/parts.hpp"
-#include "verification/studies/oils.hpp"
 #include "workflow/parallel.hpp"
 
 namespace ehd::verification::stress {
 
 namespace {
 
-constexpr double inlet = -4, truth_tolerance = 1e-10, time_limit_s = 60;
+constexpr double inlet = usual_cut, truth_tolerance = 1e-10, truth_time_limit_s = 120, time_limit_s = 60;
 constexpr double iterated_to = 1e-11;
-/// Solvers say "under-resolved" below 1.5 cells in the inlet zone of their own film, which is off by up to 40 % there;
-/// of the true film's zone that may be half as many or twice.
+/// Cells in the inlet zone of the true film. Solvers say "under-resolved" below 1.5 cells in the inlet zone of their
+/// own film, which errs by up to 40 % there: half of 1.5 cells of the true zone, or twice as many, leave no doubt.
 constexpr double surely_blind = 0.75, surely_seeing = 3;
-/// Errors may lie so far above the line of the declared order through the first grid that sees the zone. The order is
-/// declared for smooth solutions: where there is a spike, which no equal cells resolve, H_min only has to fall from
-/// grid to grid twice as fine.
-constexpr double above_the_line = 4;
-/// A truth so much better than a bar is as good as exact for it.
+/// How many times an error may exceed the line of the declared order through the first grid that sees the zone. The
+/// order is declared for smooth solutions. Equal cells do not resolve a spike: where there is one, the error of H_min
+/// only has to fall from a grid to one twice as fine.
+constexpr double above_the_line = 4, declared_order = 2;
+/// A truth known to this share of a bar counts as exact.
 constexpr double truth_within = 0.1;
+
+/// On equal cells; the other solvers lay out their own grids.
+bool on_equal_cells(const std::string& solver) { return solver.ends_with(".uniform"); }
 
 bool has_bars(const GridRow& row) { return row.error[0] && row.error[1] && row.stated[0] && row.stated[1]; }
 
-/// As the head of this file says; nullopt where the truth cannot tell. An error, a bar or a truth that is not a number
-/// is inconclusive.
+/// Judges a bar by the rule at the head of this file; nullopt where the truth cannot tell. An error, a bar or a truth
+/// that is not a number is inconclusive.
 std::optional<Verdict> judge_bar(double error, double stated, double truth_error) {
   if (!std::isfinite(error) || !std::isfinite(stated) || !std::isfinite(truth_error)) return Verdict::inconclusive;
   if (error - truth_error > stated) return Verdict::fail;
   if (error + truth_error <= stated || (error <= stated && truth_error <= truth_within * stated)) return Verdict::pass;
   return std::nullopt;
 }
-
-struct Contact {
-  MoesGroups moes;
-  bool roelands;
-};
 
 struct Truth {
   Ended films;
@@ -74,7 +73,7 @@ struct Truth {
 
 Truth truth_of(const Problem& problem) {
   const Solution solution =
-      find_solver("reference")->solve(problem, {.tolerance = truth_tolerance, .time_limit_s = 120});
+      find_solver("reference")->solve(problem, {.tolerance = truth_tolerance, .time_limit_s = truth_time_limit_s});
   Truth truth{.films = ended(solution)};
   truth.spike = observe(solution.fields, {Quantity::pressure_spike}).contains(Quantity::pressure_spike);
   const Fields& f = solution.fields;
@@ -86,85 +85,197 @@ Truth truth_of(const Problem& problem) {
   return truth;
 }
 
-}  // namespace
+struct Task {
+  std::size_t contact;
+  const RegisteredSolver* solver;
+  int nodes;
+};
 
-std::vector<GridRow> run_grids(const Scope& scope) {
-  std::vector<Contact> contacts{{{5, 5}, true}, {{1, 0}, false}, {{20, 10}, true}, {{1000, 10}, true}};
-  if (scope.quick) contacts = {contacts[0], contacts[3]};
-  constexpr double eps = std::numeric_limits<double>::epsilon();
-  std::vector<Truth> truths(contacts.size());
-  scope.show(std::to_string(contacts.size()) + " truths by reference");
-  in_threads(contacts.size(), scope.threads, [&](std::size_t i) {
-    truths[i] = truth_of(problem_at(contacts[i].moes, contacts[i].roelands, TruncatedAt{inlet}));
-  });
-  struct Task {
-    std::size_t contact;
-    const RegisteredSolver* solver;
-    int nodes;
-  };
+/// Powers of two from 2^6, every second one of large grids, and odd numbers among them, of which 97 and 1009 are prime.
+std::set<int> sizes_of(const RegisteredSolver& solver, bool quick) {
+  constexpr int sparse_from = 1 << 12;
+  const bool fft = solver.uses_fft, uniform = solver.name == "fast.uniform", high = solver.name == "reference";
+  // Collocation refines to hundreds of nodes by itself: a thousand and more have nothing to resolve.
+  const int far = quick ? (fft ? 1 << 12 : 1 << 8) : uniform ? 1 << 20 : fft ? 1 << 16 : high ? 1 << 9 : 1 << 11;
+  std::set<int> sizes;
+  for (int n = 1 << 6; n <= far; n *= (fft && n >= sparse_from ? 4 : 2)) sizes.insert(n);
+  for (const int odd : {97, 255, 1009, 10007, 100003}) {
+    if (odd <= far) sizes.insert(odd);
+  }
+  return sizes;
+}
+
+/// Every contact, solver and size; large ones first: the others fill the gaps.
+std::vector<Task> tasks_of(std::size_t contacts, bool quick) {
   std::vector<Task> tasks;
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
+  for (std::size_t c = 0; c < contacts; ++c) {
     for (const RegisteredSolver& solver : solvers()) {
-      const bool fft = solver.uses_fft, uniform = solver.name == "fast.uniform", high = solver.name == "reference";
-      // Collocation refines to hundreds of nodes by itself: a thousand and more have nothing to resolve.
-      const int far = scope.quick ? (fft ? 1 << 12 : 1 << 8)
-                      : uniform   ? 1 << 20
-                      : fft       ? 1 << 16
-                      : high      ? 1 << 9
-                                  : 1 << 11;
-      std::set<int> sizes;
-      for (int n = 1 << 6; n <= far; n *= (fft && n >= 1 << 12 ? 4 : 2)) sizes.insert(n);
-      for (const int odd : {97, 255, 1009, 10007, 100003}) {
-        if (odd <= far) sizes.insert(odd);
-      }
-      for (const int n : sizes) tasks.push_back({c, &solver, n});
+      for (const int n : sizes_of(solver, quick)) tasks.push_back({c, &solver, n});
     }
   }
-  // Large ones first: the others fill the gaps.
   std::stable_sort(tasks.begin(), tasks.end(), [](const Task& a, const Task& b) {
     const auto cost = [](const Task& task) { return task.solver->uses_fft ? task.nodes / 100.0 : 1.0 * task.nodes; };
     return cost(a) > cost(b);
   });
+  return tasks;
+}
+
+/// Cells in the inlet zone, and the floor of rounding: the head of this file.
+void predict(const Truth& truth, GridRow& row) {
+  constexpr double eps = std::numeric_limits<double>::epsilon();
+  const double n = row.nodes, H = *truth.films.film[1];
+  const double zone = std::pow(std::min(H, 1.0), 2.0 / 3) * std::max(1.0, std::sqrt(2 * H));
+  row.cells = zone * n / (truth.exit - inlet);
+  const double film = 4 * eps * std::log2(2.0 * n) * (1 + inlet * inlet / 2) / *truth.films.film[0];
+  row.floor = film + std::max(iterated_to, 8 * eps * (1 + truth.by_cell * n));
+}
+
+GridRow row_of(const BoxContact& contact, const Truth& truth, const RegisteredSolver& solver, int n) {
+  GridRow row;
+  row.solver = solver.name;
+  row.contact = contact.name();
+  row.nodes = n;
+  row.spike = truth.spike;
+  if (solver.memory_bytes(n) > available_memory_bytes() / 2) {
+    row.ran = false;
+    row.why = "not run: it would not fit into memory";
+    return row;
+  }
+  const Ended end = ended(solver.solve(contact.problem(), {.tolerance = {}, .nodes = n, .time_limit_s = time_limit_s}));
+  row.status = end.status;
+  row.why = end.finite ? end.reason : "a number is not finite";
+  row.wall_s = end.wall_s;
+  const bool known = truth.films.has_films();
+  if (known && on_equal_cells(solver.name)) predict(truth, row);
+  for (std::size_t k = 0; k < 2; ++k) {
+    row.truth_error[k] = known ? *truth.films.error[k] : std::numeric_limits<double>::infinity();
+    if (!known || !end.film[k]) continue;
+    row.error[k] = end.finite ? std::abs(*end.film[k] / *truth.films.film[k] - 1) : std::nan("");
+    row.stated[k] = end.error[k];
+  }
+  return row;
+}
+
+}  // namespace
+
+std::vector<GridRow> run_grids(const Scope& scope) {
+  std::vector<BoxContact> contacts =
+      cut_contacts({{{5, 5}, true}, {{1000, 10}, true}, {{1, 0}, false}, {{20, 10}, true}});
+  if (scope.quick) contacts.resize(2);
+  std::vector<Truth> truths(contacts.size());
+  scope.show(std::to_string(contacts.size()) + " truths by reference");
+  in_threads(contacts.size(), scope.threads, [&](std::size_t i) { truths[i] = truth_of(contacts[i].problem()); });
+  const std::vector<Task> tasks = tasks_of(contacts.size(), scope.quick);
   std::vector<GridRow> rows(tasks.size());
   scope.show(std::to_string(tasks.size()) + " grids");
   in_threads(tasks.size(), scope.threads, [&](std::size_t i) {
     const auto& [c, solver, n] = tasks[i];
-    const Problem problem = problem_at(contacts[c].moes, contacts[c].roelands, TruncatedAt{inlet});
-    const Truth& truth = truths[c];
-    GridRow& row = rows[i];
-    row.solver = solver->name;
-    row.contact = contact_name(contacts[c].moes, contacts[c].roelands);
-    row.nodes = n;
-    row.spike = truth.spike;
-    if (solver->memory_bytes(n) > available_memory_bytes() / 2) {
-      row.ran = false;
-      row.why = "not run: it would not fit into memory";
-      return;
-    }
-    const Ended end = ended(solver->solve(problem, {.tolerance = {}, .nodes = n, .time_limit_s = time_limit_s}));
-    row.status = end.status;
-    row.why = end.finite ? end.reason : "a number is not finite";
-    row.wall_s = end.wall_s;
-    const bool known = truth.films.has_films();
-    if (known && solver->name.ends_with(".uniform")) {
-      const double H = *truth.films.film[1],
-                   zone = std::pow(std::min(H, 1.0), 2.0 / 3) * std::max(1.0, std::sqrt(2 * H));
-      row.cells = zone * n / (truth.exit - inlet);
-      const double film = 4 * eps * std::log2(2.0 * n) * (1 + inlet * inlet / 2) / *truth.films.film[0];
-      row.floor = film + std::max(iterated_to, 8 * eps * (1 + truth.by_cell * n));
-    }
-    for (std::size_t k = 0; k < 2; ++k) {
-      row.truth_error[k] = known ? *truth.films.error[k] : std::numeric_limits<double>::infinity();
-      if (!known || !end.film[k]) continue;
-      row.error[k] = end.finite ? std::abs(*end.film[k] / *truth.films.film[k] - 1) : std::nan("");
-      row.stated[k] = end.error[k];
-    }
+    rows[i] = row_of(contacts[c], truths[c], *solver, n);
   });
   std::stable_sort(rows.begin(), rows.end(), [](const GridRow& a, const GridRow& b) {
     return std::tie(a.contact, a.solver, a.nodes) < std::tie(b.contact, b.solver, b.nodes);
   });
   return rows;
 }
+
+namespace {
+
+struct Counts {
+  long blind = 0, called = 0, covered = 0, stated = 0, undecided = 0;
+  double lowest = std::numeric_limits<double>::infinity();
+  int finest = 0;
+};
+
+std::string place_of(const GridRow& row) { return fmt::format("{}, {}, n = {}", row.contact, row.solver, row.nodes); }
+
+std::vector<Cell> cells_of(const GridRow& row) {
+  const auto number = [](const std::optional<double>& value) { return value.value_or(std::nan("")); };
+  return {row.contact,
+          row.solver,
+          static_cast<double>(row.nodes),
+          std::string(to_string(row.status)),
+          row.cells > 0 ? row.cells : std::nan(""),
+          number(row.error[0]),
+          number(row.stated[0]),
+          number(row.error[1]),
+          number(row.stated[1]),
+          std::max(row.truth_error[0], row.truth_error[1]),
+          row.floor > 0 ? row.floor : std::nan(""),
+          row.wall_s};
+}
+
+/// How the solve ended: as the head of this file allows, and blind where the grid is blind.
+void judge_end(const GridRow& row, Counts& counts, Tally& tally) {
+  const std::string where = place_of(row), status(to_string(row.status));
+  const std::string end = where + ": " + status + " (" + row.why + ")";
+  const bool converged = row.status == StopReason::converged, under_resolved = row.status == StopReason::under_resolved;
+  const bool equal_cells = on_equal_cells(row.solver);
+  if (!(std::max(row.truth_error[0], row.truth_error[1]) <= truth_tolerance) || (equal_cells && !(row.cells > 0)))
+    tally.add(Verdict::inconclusive, where + ": the truth is not known to what was asked of it");
+  if (equal_cells) {
+    tally.require(converged || under_resolved, end);
+  } else {
+    const bool missed = under_resolved || row.status == StopReason::tolerance_not_met;
+    tally.require(converged || (missed && has_bars(row)),
+                  end + ", " + (has_bars(row) ? "with" : "without") + " films and errors");
+  }
+  if (row.cells > 0 && row.cells < surely_blind) {
+    ++counts.blind;
+    counts.called += under_resolved ? 1 : 0;
+    tally.require(under_resolved, where + ": " + plain(row.cells, 2) + " cells in the inlet zone, but " + status);
+  }
+  if (row.cells > surely_seeing) tally.require(converged, end);
+}
+
+/// No drift: against the first grid of its kind that sees the zone, and where there is a spike against grids at most
+/// half as fine.
+void judge_fall(const std::vector<GridRow>& rows, const GridRow& row, std::size_t k, const std::string& film,
+                Tally& tally) {
+  if (row.cells <= surely_seeing) return;
+  const auto of_its_kind = [&](const GridRow& one) {
+    return one.contact == row.contact && one.solver == row.solver && one.cells > surely_seeing &&
+           one.error[k].has_value();
+  };
+  const Tolerance floor = Tolerance::iteration(row.floor + row.truth_error[k]);
+  if (row.spike && films[k] == Quantity::film_minimum) {
+    double coarser = std::numeric_limits<double>::infinity();
+    for (const GridRow& one : rows) {
+      if (of_its_kind(one) && 2 * one.nodes <= row.nodes) coarser = std::min(coarser, *one.error[k]);
+    }
+    if (std::isfinite(coarser))
+      tally.add(*row.error[k], 0, Tolerance::discretisation(coarser, 1) + floor,
+                film + " against grids at most half as fine");
+    return;
+  }
+  const auto first = std::find_if(rows.begin(), rows.end(), of_its_kind);
+  if (first == rows.end() || first->nodes >= row.nodes) return;
+  const double line = *first->error[k] * std::pow(static_cast<double>(first->nodes) / row.nodes, declared_order);
+  tally.add(*row.error[k], 0, Tolerance::discretisation(line, above_the_line) + floor,
+            film + " against order 2 and the floor");
+}
+
+void judge_film(const std::vector<GridRow>& rows, const GridRow& row, std::size_t k, Counts& counts, Tally& tally) {
+  const bool converged = row.status == StopReason::converged;
+  if (!row.error[k]) {
+    if (converged) tally.add(Verdict::inconclusive, place_of(row) + ": no film, or no truth");
+    return;
+  }
+  const std::string film = place_of(row) + ", " + std::string(to_string(films[k]));
+  if (!row.stated[k]) {
+    tally.require(!converged, film + ": no stated error");
+  } else if (const auto verdict = judge_bar(*row.error[k], *row.stated[k], row.truth_error[k])) {
+    ++counts.stated;
+    counts.covered += *verdict == Verdict::pass ? 1 : 0;
+    tally.add(*verdict, fmt::format("{}: off by {} +- {}, and states {}", film, plain(*row.error[k], 3),
+                                    plain(row.truth_error[k], 2), plain(*row.stated[k], 3)));
+  } else {
+    ++counts.undecided;
+  }
+  if (converged) counts.lowest = std::min(counts.lowest, *row.error[k]);
+  judge_fall(rows, row, k, film, tally);
+}
+
+}  // namespace
 
 Part judge_grids(const std::vector<GridRow>& rows) {
   Part part{
@@ -180,89 +291,24 @@ Part judge_grids(const std::vector<GridRow>& rows) {
                         {"cells", "inlet zone"}, {"H_min off", ""},      {"stated", ""},         {"H_cen off", ""},
                         {"stated", ""},          {"truth known to", ""}, {"floor", "predicted"}, {"time", "s"}};
   Tally tally;
-  long blind = 0, called = 0, covered = 0, stated = 0, undecided = 0;
-  double lowest = std::numeric_limits<double>::infinity();
-  int finest = 0;
+  Counts counts;
   for (const GridRow& row : rows) {
-    const auto number = [](const std::optional<double>& value) { return value.value_or(std::nan("")); };
-    part.table.rows.push_back({row.contact, row.solver, static_cast<double>(row.nodes),
-                               std::string(to_string(row.status)), row.cells > 0 ? row.cells : std::nan(""),
-                               number(row.error[0]), number(row.stated[0]), number(row.error[1]), number(row.stated[1]),
-                               std::max(row.truth_error[0], row.truth_error[1]),
-                               row.floor > 0 ? row.floor : std::nan(""), row.wall_s});
-    const std::string where = row.contact + ", " + row.solver + ", n = " + std::to_string(row.nodes);
-    const bool converged = row.status == StopReason::converged;
-    finest = std::max(finest, converged ? row.nodes : 0);
-    const bool equal_cells = row.solver.ends_with(".uniform");
-    const std::string end = where + ": " + std::string(to_string(row.status)) + " (" + row.why + ")";
+    part.table.rows.push_back(cells_of(row));
+    if (row.status == StopReason::converged) counts.finest = std::max(counts.finest, row.nodes);
     if (!row.ran) {
-      tally.add(Verdict::inconclusive, where + ": " + row.why);
+      tally.add(Verdict::inconclusive, place_of(row) + ": " + row.why);
       continue;
     }
-    if (!(std::max(row.truth_error[0], row.truth_error[1]) <= truth_tolerance) || (equal_cells && !(row.cells > 0)))
-      tally.add(Verdict::inconclusive, where + ": the truth is not known to what was asked of it");
-    if (equal_cells)
-      tally.require(converged || row.status == StopReason::under_resolved, end);
-    else
-      tally.require(
-          converged || ((row.status == StopReason::under_resolved || row.status == StopReason::tolerance_not_met) &&
-                        has_bars(row)),
-          end + ", " + (has_bars(row) ? "with" : "without") + " films and errors");
-    if (row.cells > 0 && row.cells < surely_blind) {
-      ++blind;
-      called += row.status == StopReason::under_resolved ? 1 : 0;
-      tally.require(
-          row.status == StopReason::under_resolved,
-          where + ": " + plain(row.cells, 2) + " cells in the inlet zone, but " + std::string(to_string(row.status)));
-    }
-    if (row.cells > surely_seeing) tally.require(converged, end);
-    for (std::size_t k = 0; k < 2; ++k) {
-      if (!row.error[k]) {
-        if (converged) tally.add(Verdict::inconclusive, where + ": no film, or no truth");
-        continue;
-      }
-      const std::string film = where + ", " + std::string(to_string(films[k]));
-      if (!row.stated[k]) {
-        tally.require(!converged, film + ": no stated error");
-      } else if (const auto verdict = judge_bar(*row.error[k], *row.stated[k], row.truth_error[k])) {
-        ++stated;
-        covered += *verdict == Verdict::pass ? 1 : 0;
-        tally.add(*verdict, film + ": off by " + plain(*row.error[k], 3) + " +- " + plain(row.truth_error[k], 2) +
-                                ", and states " + plain(*row.stated[k], 3));
-      } else {
-        ++undecided;
-      }
-      if (converged) lowest = std::min(lowest, *row.error[k]);
-      // No drift: against the first grid of its kind that sees the zone, and against one half as fine.
-      if (row.cells <= surely_seeing) continue;
-      const auto of_its_kind = [&](const GridRow& one) {
-        return one.contact == row.contact && one.solver == row.solver && one.cells > surely_seeing &&
-               one.error[k].has_value();
-      };
-      const Tolerance floor = Tolerance::iteration(row.floor + row.truth_error[k]);
-      if (row.spike && k == 0) {
-        double coarser = std::numeric_limits<double>::infinity();
-        for (const GridRow& one : rows) {
-          if (of_its_kind(one) && 2 * one.nodes <= row.nodes) coarser = std::min(coarser, *one.error[k]);
-        }
-        if (std::isfinite(coarser))
-          tally.add(*row.error[k], 0, Tolerance::discretisation(coarser, 1) + floor,
-                    film + " against grids at most half as fine");
-        continue;
-      }
-      const auto first = std::find_if(rows.begin(), rows.end(), of_its_kind);
-      if (first == rows.end() || first->nodes >= row.nodes) continue;
-      const double line = *first->error[k] * std::pow(static_cast<double>(first->nodes) / row.nodes, 2);
-      tally.add(*row.error[k], 0, Tolerance::discretisation(line, above_the_line) + floor,
-                film + " against order 2 and the floor");
-    }
+    judge_end(row, counts, tally);
+    for (std::size_t k = 0; k < 2; ++k) judge_film(rows, row, k, counts, tally);
   }
   part.verdict = tally.verdict();
   part.failures = tally.failures();
-  part.summary = std::to_string(called) + " of " + std::to_string(blind) + " blind grids called under-resolved; " +
-                 std::to_string(covered) + " of " + std::to_string(stated) + " stated errors hold (" +
-                 std::to_string(undecided) + " more where the truth cannot tell); errors fall to " + plain(lowest, 2) +
-                 ", up to " + std::to_string(finest) + " intervals";
+  part.summary = fmt::format(
+      "{} of {} blind grids called under-resolved; {} of {} stated errors hold ({} more where the truth cannot tell); "
+      "errors fall to {}, up to {} intervals",
+      counts.called, counts.blind, counts.covered, counts.stated, counts.undecided, plain(counts.lowest, 2),
+      counts.finest);
   return part;
 }
 

@@ -3,13 +3,14 @@
 // so that a verdict can be shown to fail on rows that are wrong.
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "contact/solver.hpp"
+#include "io/json.hpp"
 #include "verification/stress/stress.hpp"
+#include "verification/studies/box.hpp"
 #include "workflow/registry.hpp"
 
 namespace ehd::verification::stress {
@@ -28,28 +29,12 @@ inline constexpr Quantity films[] = {Quantity::film_minimum, Quantity::film_cent
 [[nodiscard]] Ended ended(const Solution& solution);
 /// Largest difference of the two films over the sum of their stated errors; NaN where a film or an error is missing.
 [[nodiscard]] double over_stated_errors(const Ended& one, const Ended& other);
-/// p_H of a contact stated by groups, with the alpha of oil(); 0 at L = 0.
-[[nodiscard]] double hertz_pressure_Pa(const Groups& groups);
-inline constexpr double highest_pressure_Pa = 4e9;  ///< above, a contact is a numerical test
-[[nodiscard]] std::string law_name(bool roelands);
-/// "M = 20, L = 10, Roelands"
-[[nodiscard]] std::string contact_name(const MoesGroups& moes, bool roelands);
-/// Numbers that do not depend on the library, unlike std::uniform_real_distribution.
-class Draw {
- public:
-  explicit Draw(unsigned seed);
-  ~Draw();
-  Draw(const Draw&) = delete;
-  Draw& operator=(const Draw&) = delete;
-  [[nodiscard]] double uniform(double from, double to);
-  [[nodiscard]] double logarithmic(double from, double to);
-  /// 0 … count - 1
-  [[nodiscard]] int index(int count);
-
- private:
-  struct Engine;
-  std::unique_ptr<Engine> engine_;
-};
+[[nodiscard]] Tolerance within_stated_errors();  ///< of that: 1
+/// The same contacts with the inlet cut at `usual_cut`.
+[[nodiscard]] std::vector<BoxContact> cut_contacts(std::vector<BoxContact> contacts);
+/// To and from a child process.
+[[nodiscard]] Json json_of(const Ended& end);
+[[nodiscard]] Ended ended_from(const Json& json);
 
 // (a) -- the box of loads and materials, by both solvers -----------------------------------------------------------
 struct BoxPoint {
@@ -139,10 +124,10 @@ struct ExtremeRow {
   double wall_s = 0, time_limit_s = 0;
   std::string broke = {};  ///< how it broke: another exception, a signal
 };
-/// The box that must be solved: M .05 … 5000, L 0 … 30, p_H <= 4 GPa, z .1 … 1.2, p_0 1e7 … 1e10 Pa, flooded or (M >=
-/// 2) cut at -100 … -2.5. From the stated numbers alone, with u the sum of speeds: M = w/sqrt(eta u E' R), L = alpha E'
-/// (eta u/(E' R))^(1/4), p_H = sqrt(w E'/(2 pi R)); nothing of what makes the problem, so that a refusal does not hide
-/// it.
+/// The box that must be solved: M 0.05 ... 5000, L 0 ... 30, p_H <= 4 GPa, z 0.1 ... 1.2, p_0 1e7 ... 1e10 Pa, flooded
+/// or (M >= 2) cut at -100 ... -2.5. It is read from the stated numbers alone, without nondimensionalise(): a wrong
+/// refusal would else hide a contact that lies inside. With u the sum of speeds: M = w/sqrt(eta u E' R),
+/// L = alpha E' (eta u/(E' R))^(1/4), p_H = sqrt(w E'/(2 pi R)).
 [[nodiscard]] bool in_the_box(const Statement& statement, const Lubricant& lubricant, const Inlet& inlet);
 [[nodiscard]] std::vector<ExtremeRow> run_extremes(const Scope& scope);
 [[nodiscard]] Part judge_extremes(const std::vector<ExtremeRow>& rows);

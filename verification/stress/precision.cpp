@@ -2,10 +2,9 @@
 // (c) The same discrete equations solved in double, in long double and with 34 digits: the differences are rounding and
 // nothing else.
 // - reference: the collocation on the mesh that the solver ended on, a template over the scalar (reference/hp).
-// - reference.uniform and fast.uniform: equal cells. Their code is written in double; so their equations, as README.md
-// of
-//   reference/ states them, are written once more here, for any scalar, sharing only the laws. Two solvers, one truth.
-// In the longer scalars chord steps with an LU in double are enough: the residual decides what is solved.
+// - reference.uniform and fast.uniform: equal cells. Their code is written in double. So their equations (README.md of
+//   reference/) are written once more here, for any scalar; only the laws are shared. Both solvers have one truth.
+// In the longer scalars chord steps with an LU in double are enough: the residual decides the solution.
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -16,7 +15,6 @@
 #include "reference/hp/collocation.ipp"
 #include "verification/quad.hpp"
 #include "verification/stress/parts.hpp"
-#include "verification/studies/oils.hpp"
 #include "workflow/parallel.hpp"
 
 namespace ehd::verification::stress {
@@ -32,7 +30,9 @@ constexpr double operations = 10;
 /// What the uniform solvers iterate to, relative to the film at the exit; a film errs by at most 0.24 of that
 /// (fast/judgement.hpp).
 constexpr double iterated_to[] = {1e-12, 1e-11};
-constexpr double inlet = -4;
+constexpr double inlet = usual_cut;
+constexpr int most_chord_steps = 40;
+constexpr double time_limit_s = 60;  ///< of the solve in double
 
 template <class Scalar>
 double eps_of() {
@@ -144,7 +144,7 @@ UniformSolved<Scalar> uniform_in(const Problem& problem, const Fields& fields) {
   UniformSolved<Scalar> run;
   const double rounding = operations * eps_of<Scalar>() * (1 + inlet * inlet / 2);
   double before = 0;
-  for (int step = 0; step < 40 && !run.solved; ++step) {
+  for (int step = 0; step < most_chord_steps && !run.solved; ++step) {
     const VectorOf<Scalar> r = equations.residual(state);
     const Scalar size = r.cwiseAbs().maxCoeff();
     if (size == Scalar(0)) break;
@@ -188,7 +188,7 @@ std::vector<PrecisionRow> on_equal_cells(const Problem& problem, const std::stri
   const char* const solvers[] = {"reference.uniform", "fast.uniform"};
   for (std::size_t k = 0; k < 2; ++k) {
     const Solution solution =
-        find_solver(solvers[k])->solve(problem, {.tolerance = {}, .nodes = intervals, .time_limit_s = 60});
+        find_solver(solvers[k])->solve(problem, {.tolerance = {}, .nodes = intervals, .time_limit_s = time_limit_s});
     PrecisionRow row{.contact = contact, .arithmetic = "double", .equations = solvers[k], .unknowns = intervals + 1};
     row.minimum = row.central = std::nan("");
     if (solution.record.status == StopReason::converged) {
@@ -251,7 +251,7 @@ Solved<Scalar> collocation_in(const Problem& problem, const Mesh& mesh, const re
                                .exit = Scalar(start.exit)}};
   const double rounding = operations * 1.5 / start.flux * eps_of<Scalar>();
   double before = 0;
-  for (int step = 0; step < 40 && !run.solved; ++step) {
+  for (int step = 0; step < most_chord_steps && !run.solved; ++step) {
     const auto here = equations.evaluate(run.state, Scalar(0));
     // A residual of 1e-30 has to reach the solver with digits: divided by its largest entry.
     const Scalar size = here.residual.cwiseAbs().maxCoeff();
@@ -281,7 +281,8 @@ ArrayOf<Scalar> films_at_nodes(const Problem& problem, const Mesh& mesh, const r
 std::vector<PrecisionRow> on_elements(const Problem& problem, const std::string& contact, double asked) {
   PrecisionRow row{.contact = contact, .arithmetic = "double", .equations = "reference, its mesh"};
   row.minimum = row.central = std::nan("");
-  const Solution solution = find_solver("reference")->solve(problem, {.tolerance = asked, .time_limit_s = 60});
+  const Solution solution =
+      find_solver("reference")->solve(problem, {.tolerance = asked, .time_limit_s = time_limit_s});
   if (solution.record.status != StopReason::converged) return {row};
   const Fields& fields = solution.fields;
   const auto last = fields.X.size() - 1;
@@ -314,19 +315,15 @@ std::vector<PrecisionRow> on_elements(const Problem& problem, const std::string&
 }  // namespace
 
 std::vector<PrecisionRow> run_precision(const Scope& scope) {
-  struct Contact {
-    MoesGroups moes;
-    bool roelands;
-  };
-  std::vector<Contact> contacts{{{5, 5}, true}, {{20, 10}, true}, {{1, 0}, false}, {{10, 5}, false}, {{100, 10}, true}};
-  if (scope.quick) contacts = {contacts[0]};
+  std::vector<BoxContact> contacts =
+      cut_contacts({{{5, 5}, true}, {{20, 10}, true}, {{1, 0}, false}, {{10, 5}, false}, {{100, 10}, true}});
+  if (scope.quick) contacts.resize(1);
   const int intervals = scope.quick ? 64 : 256;
   std::vector<std::vector<PrecisionRow>> found(2 * contacts.size());
   scope.show(std::to_string(found.size()) + " systems with 34 digits");
   in_threads(found.size(), scope.threads, [&](std::size_t i) {
-    const auto& [moes, roelands] = contacts[i / 2];
-    const Problem problem = problem_at(moes, roelands, TruncatedAt{inlet});
-    const std::string contact = contact_name(moes, roelands);
+    const Problem problem = contacts[i / 2].problem();
+    const std::string contact = contacts[i / 2].name();
     found[i] = i % 2 == 0 ? on_equal_cells(problem, contact, intervals)
                           : on_elements(problem, contact, scope.quick ? 1e-4 : 1e-8);
   });

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // (h) The same problem again: in this thread, in two threads, in another process. Every bit but the times is compared.
 #include <algorithm>
-#include <bit>
-#include <cstdint>
 
 #include "contact/text.hpp"
 #include "verification/bench/child.hpp"
 #include "verification/stress/parts.hpp"
-#include "verification/studies/oils.hpp"
+#include "verification/studies/bit_digest.hpp"
 #include "workflow/batch.hpp"
 
 namespace ehd::verification::stress {
@@ -15,43 +13,38 @@ namespace ehd::verification::stress {
 namespace {
 
 constexpr double time_limit_s = 60;
-/// Equal cells need the 2/3 power of the film: the dense solver would have thousands of them at (200, 7.5), and end by
-/// its time, which no two runs do at the same place.
+/// Above this M reference.uniform is not asked for a tolerance. Cells shrink with the 2/3 power of the film: at
+/// (200, 7.5) the dense solver would have thousands and end by its time limit, each run at another place.
 constexpr double heaviest_on_equal_cells = 20;
+constexpr double lightest_cut_M = 2;
+constexpr double heaviest_quick_M = 10;
 
 std::vector<Problem> contacts(bool quick) {
   std::vector<Problem> list;
   for (const auto& [M, L] : {std::pair{0.3, 4.0}, {5.0, 5.0}, {20.0, 10.0}, {200.0, 7.5}}) {
-    for (const bool roelands : {true, false}) {
-      for (const bool flooded : {true, false}) {
-        if (!flooded && M < 2) continue;
-        if (quick && (M > 10 || flooded == roelands)) continue;
-        list.push_back(problem_at({M, L}, roelands, flooded ? Inlet{Flooded{}} : Inlet{TruncatedAt{-4}}));
-      }
+    for (const BoxContact& contact : contacts_of({.M = {M}, .L = {L}, .lightest_cut_M = lightest_cut_M})) {
+      if (quick && (M > heaviest_quick_M || contact.flooded() == contact.roelands)) continue;
+      list.push_back(contact.problem());
     }
   }
   return list;
 }
 
-/// The bits of a solution: numbers that differ anywhere give another text, but for collisions of 64 bits.
+/// A text of the solution's bits: solutions that differ anywhere have another text, but for collisions of 64 bits.
 std::string fingerprint(const Solution& solution) {
-  std::uint64_t hash = 14695981039346656037u;  // FNV-1a
-  const auto add = [&](double value) {
-    auto bits = std::bit_cast<std::uint64_t>(value);
-    for (int byte = 0; byte < 8; ++byte, bits >>= 8) hash = (hash ^ (bits & 0xFF)) * 1099511628211u;
-  };
+  BitDigest digest;
   for (const auto& [quantity, reading] : solution.observables) {
-    add(static_cast<double>(quantity));
-    add(reading.value);
-    add(reading.place.value_or(0));
-    add(reading.error.value_or(0));
+    digest.add(static_cast<double>(quantity));
+    digest.add(reading.value);
+    digest.add(reading.place.value_or(0));
+    digest.add(reading.error.value_or(0));
   }
   const Fields& fields = solution.fields;
   for (const Array* field : {&fields.X, &fields.P, &fields.H, &fields.density, &fields.log_viscosity, &fields.flux})
-    for (const double value : *field) add(value);
-  add(fields.offset);
-  add(static_cast<double>(solution.record.cost.newton_iterations));
-  return std::to_string(hash);
+    for (const double value : *field) digest.add(value);
+  digest.add(fields.offset);
+  digest.add(static_cast<double>(solution.record.cost.newton_iterations));
+  return std::to_string(digest.value());
 }
 
 }  // namespace

@@ -15,16 +15,15 @@
 #include "verification/bench/child.hpp"
 #include "verification/claim.hpp"
 #include "verification/stress/parts.hpp"
-#include "verification/studies/oils.hpp"
 
 namespace ehd::verification::stress {
 
 namespace {
 
-constexpr double inlet = -4;
+constexpr double inlet = usual_cut;
 constexpr int intervals = 256;
 constexpr double iterated_to = 1e-11;
-constexpr double time_limit_s = 60;
+constexpr double time_limit_s = 60, adaptive_tolerance = 1e-5;
 
 struct Mode {
   const char* name;
@@ -32,11 +31,6 @@ struct Mode {
 };
 constexpr Mode modes[] = {
     {"nearest", FE_TONEAREST}, {"up", FE_UPWARD}, {"down", FE_DOWNWARD}, {"to zero", FE_TOWARDZERO}};
-
-struct Contact {
-  MoesGroups moes;
-  bool roelands;
-};
 
 struct Asked {
   std::string solver;
@@ -48,7 +42,7 @@ struct Asked {
 std::vector<Asked> asked_of_all() {
   const double fft_stages = std::log2(2.0 * intervals);
   const Request on_a_grid{.tolerance = {}, .nodes = intervals, .time_limit_s = time_limit_s};
-  const Request to_tolerance{.tolerance = 1e-5, .time_limit_s = time_limit_s};
+  const Request to_tolerance{.tolerance = adaptive_tolerance, .time_limit_s = time_limit_s};
   return {{"reference.uniform", on_a_grid, true, 2.0 * intervals},
           {"fast.uniform", on_a_grid, true, 8 * fft_stages + 20},
           {"reference.linear", to_tolerance, false, 0},
@@ -81,33 +75,36 @@ Json in_mode(int mode, const std::vector<Asked>& all, const std::vector<Problem>
   if (!stayed) throw std::runtime_error("a solver changed the rounding mode");
   Json json = Json::array();
   for (const Ended& end : ends) {
-    Json one{{"status", static_cast<int>(end.status)}, {"finite", end.finite}, {"in_force", in_force}};
-    for (std::size_t k = 0; k < 2; ++k) {
-      put(one, "film" + std::to_string(k), end.film[k]);
-      put(one, "error" + std::to_string(k), end.error[k]);
-    }
+    Json one = json_of(end);
+    one["in_force"] = in_force;
     json.push_back(one);
   }
   return json;
 }
 
-Ended end_of(const Json& json) {
-  Ended end{.status = static_cast<StopReason>(json.at("status").get<int>()), .finite = json.at("finite").get<bool>()};
-  for (std::size_t k = 0; k < 2; ++k) {
-    const std::string at = std::to_string(k);
-    if (json.contains("film" + at)) end.film[k] = json.at("film" + at).get<double>();
-    if (json.contains("error" + at)) end.error[k] = json.at("error" + at).get<double>();
+/// One solve in its mode against the same solve rounded to nearest.
+void compare(const Ended& end, const Ended& nearest, const Asked& asked, RoundingRow& row) {
+  row.status = end.status;
+  if (!end.has_films() || !nearest.has_films() || !end.finite) return;
+  row.minimum = std::abs(*end.film[0] / *nearest.film[0] - 1);
+  row.central = std::abs(*end.film[1] / *nearest.film[1] - 1);
+  if (asked.to_rounding) {
+    const double condition = (1 + inlet * inlet / 2) / *nearest.film[0];
+    row.tolerance = Tolerance::round_off(2 * asked.operations, condition) + Tolerance::iteration(2 * iterated_to);
+  } else {
+    const double stated = std::max(*end.error[0] + *nearest.error[0], *end.error[1] + *nearest.error[1]);
+    row.tolerance = Tolerance::discretisation(stated, 1);
   }
-  return end;
 }
 
 }  // namespace
 
 std::vector<RoundingRow> run_rounding(const Scope& scope) {
-  std::vector<Contact> contacts{{{5, 5}, true}, {{20, 10}, true}, {{1, 0}, false}, {{10, 5}, false}};
-  if (scope.quick) contacts = {contacts[0]};
+  std::vector<BoxContact> contacts =
+      cut_contacts({{{5, 5}, true}, {{20, 10}, true}, {{1, 0}, false}, {{10, 5}, false}});
+  if (scope.quick) contacts.resize(1);
   std::vector<Problem> problems;
-  for (const auto& [moes, roelands] : contacts) problems.push_back(problem_at(moes, roelands, TruncatedAt{inlet}));
+  for (const BoxContact& contact : contacts) problems.push_back(contact.problem());
   const auto all = asked_of_all();
   std::vector<RoundingRow> rows;
   Json nearest;
@@ -118,26 +115,13 @@ std::vector<RoundingRow> run_rounding(const Scope& scope) {
     if (mode == FE_TONEAREST) nearest = json;
     std::size_t index = 0;
     for (const Asked& asked : all) {
-      for (const auto& [moes, roelands] : contacts) {
-        RoundingRow row{.solver = asked.solver,
-                        .contact = contact_name(moes, roelands),
-                        .mode = name,
-                        .to_rounding = asked.to_rounding};
+      for (const BoxContact& contact : contacts) {
+        RoundingRow row{
+            .solver = asked.solver, .contact = contact.name(), .mode = name, .to_rounding = asked.to_rounding};
         row.minimum = row.central = std::nan("");
         if (index < json.size() && index < nearest.size()) {
-          const Ended end = end_of(json[index]), base = end_of(nearest[index]);
-          row.status = end.status;
           row.in_force = json[index].at("in_force").get<bool>();
-          if (end.has_films() && base.has_films() && end.finite) {
-            row.minimum = std::abs(*end.film[0] / *base.film[0] - 1);
-            row.central = std::abs(*end.film[1] / *base.film[1] - 1);
-            const double condition = (1 + inlet * inlet / 2) / *base.film[0];
-            row.tolerance =
-                asked.to_rounding
-                    ? Tolerance::round_off(2 * asked.operations, condition) + Tolerance::iteration(2 * iterated_to)
-                    : Tolerance::discretisation(
-                          std::max(*end.error[0] + *base.error[0], *end.error[1] + *base.error[1]), 1);
-          }
+          compare(ended_from(json[index]), ended_from(nearest[index]), asked, row);
         } else {
           row.why = child.why;
         }
@@ -153,7 +137,7 @@ Part judge_rounding(const std::vector<RoundingRow>& rows) {
   Part part{.id = "d",
             .name = "rounding",
             .question = "Do the films stay where they are when the processor rounds up, down or to zero?"};
-  part.settings = {{"intervals", intervals}, {"tolerance", 1e-5}, {"inlet", inlet}};
+  part.settings = {{"intervals", intervals}, {"tolerance", adaptive_tolerance}, {"inlet", inlet}};
   part.table.columns = {{"solver", ""},      {"contact", ""},     {"mode", ""},  {"status", ""},
                         {"H_min moves", ""}, {"H_cen moves", ""}, {"bound", ""}, {"by", ""}};
   Tally tally;

@@ -19,7 +19,7 @@
 #include "reference/hp/element_newton.hpp"
 #include "verification/claim.hpp"
 #include "verification/stress/parts.hpp"
-#include "verification/studies/oils.hpp"
+#include "verification/studies/draw.hpp"
 #include "workflow/parallel.hpp"
 
 namespace ehd::verification::stress {
@@ -31,15 +31,10 @@ using Clock = std::chrono::steady_clock;
 
 constexpr unsigned seed = 20261124;
 constexpr int intervals = 128;
-constexpr double inlet = -4;
+constexpr double inlet = usual_cut;
 /// What both uniform Newtons iterate to, relative to the exit's film; what a residual does to a film is at most 0.24 of
 /// it at 96 problems (fast/judgement.hpp), so that 1 covers it.
 constexpr double iterated_to = 1e-11, amplification = 1;
-
-struct Contact {
-  MoesGroups moes;
-  bool roelands;
-};
 
 /// A pressure P(X) >= 0, an exit and a smallest film, all drawn.
 struct Start {
@@ -54,7 +49,7 @@ constexpr const char* families[] = {"stretched", "bumps", "rough"};
 /// caller.
 Start drawn(Draw& draw, const std::string& family, double film) {
   const double l = std::max(1.0, std::sqrt(2 * film));
-  Start start{.P = {}, .exit = l * draw.uniform(0.7, 1.4), .film = film * draw.logarithmic(0.25, 4)};
+  Start start{.P = {}, .exit = l * draw.uniform(0.7, 1.4), .film = film * draw.log_uniform(0.25, 4)};
   const double exit = start.exit;
   if (family == "bumps") {
     std::vector<std::array<double, 3>> bumps(static_cast<std::size_t>(1 + draw.index(4)));
@@ -245,9 +240,9 @@ Level of_fast(const Problem& problem) {
 }  // namespace
 
 std::vector<StartRow> run_starts(const Scope& scope) {
-  std::vector<Contact> contacts{{{1, 0}, false}, {{5, 5}, true}, {{20, 10}, true}, {{10, 5}, false}};
-  if (!scope.quick) contacts.push_back({{50, 10}, true});
-  if (scope.quick) contacts = {contacts[0], contacts[1]};
+  std::vector<BoxContact> contacts =
+      cut_contacts({{{1, 0}, false}, {{5, 5}, true}, {{20, 10}, true}, {{10, 5}, false}, {{50, 10}, true}});
+  if (scope.quick) contacts.resize(2);
   const int starts = scope.quick ? 8 : 100;
   using Maker = Level (*)(const Problem&);
   const Maker makers[] = {of_reference_uniform, of_fast_uniform, of_reference, of_fast};
@@ -255,14 +250,12 @@ std::vector<StartRow> run_starts(const Scope& scope) {
   scope.show(std::to_string(rows.size()) + " x " + std::to_string(starts) + " starts");
   in_threads(rows.size(), scope.threads, [&](std::size_t index) {
     const auto family_at = index % std::size(families), maker_at = index / std::size(families) % std::size(makers);
-    const Contact& contact = contacts[index / std::size(families) / std::size(makers)];
-    const Problem problem = problem_at(contact.moes, contact.roelands, TruncatedAt{inlet});
+    const BoxContact& contact = contacts[index / std::size(families) / std::size(makers)];
+    const Problem problem = contact.problem();
     const Level level = makers[maker_at](problem);
     StartRow& row = rows[index];
-    row = {.level = level.name,
-           .contact = contact_name(contact.moes, contact.roelands),
-           .family = families[family_at],
-           .own_solved = level.own_solved};
+    row = {
+        .level = level.name, .contact = contact.name(), .family = families[family_at], .own_solved = level.own_solved};
     if (level.own_solved) row.tolerance = level.tolerance;
     Draw draw(seed + static_cast<unsigned>(family_at));  // the same starts for every level
     for (int i = 0; i < starts; ++i) {

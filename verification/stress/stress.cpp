@@ -2,7 +2,6 @@
 #include "verification/stress/stress.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <exception>
 #include <nlohmann/json.hpp>
@@ -11,6 +10,7 @@
 #include "io/json.hpp"
 #include "io/provenance.hpp"
 #include "io/tables.hpp"
+#include "verification/bench/timing.hpp"
 #include "verification/stress/parts.hpp"
 
 namespace ehd::verification::stress {
@@ -92,8 +92,7 @@ const std::vector<PartEntry>& parts() {
 }
 
 Part run_part(const PartEntry& entry, const Scope& scope) {
-  using Clock = std::chrono::steady_clock;
-  const auto begin = Clock::now();
+  const Stopwatch watch;
   const auto failed = [&](const std::string& message) {
     Part part{.id = entry.id, .name = entry.name, .question = "Does this part run to its end?"};
     part.verdict = Verdict::fail;
@@ -110,7 +109,7 @@ Part run_part(const PartEntry& entry, const Scope& scope) {
       return failed("of unknown kind");
     }
   }();
-  part.wall_s = std::chrono::duration<double>(Clock::now() - begin).count();
+  part.wall_s = watch.seconds();
   part.settings["quick"] = scope.quick;
   return part;
 }

@@ -31,11 +31,11 @@ BOOST_AUTO_TEST_SUITE(bench_box_bench)
 BOOST_AUTO_TEST_CASE(the_box_is_that_of_the_method) {
   int cut = 0, flooded = 0;
   double lightest = 1e9, widest = 0;
-  for (const BoxContact& contact : box_contacts(false)) {
-    (contact.flooded ? flooded : cut) += 1;
-    lightest = std::min(lightest, contact.M);
-    const auto* const inlet = std::get_if<TruncatedAt>(&contact.problem.inlet);
-    BOOST_CHECK_EQUAL(inlet == nullptr, contact.flooded);
+  for (const BoxContact& contact : bench_contacts(false)) {
+    (contact.flooded() ? flooded : cut) += 1;
+    lightest = std::min(lightest, contact.moes.M);
+    const auto* const inlet = std::get_if<TruncatedAt>(&contact.inlet);
+    BOOST_CHECK_EQUAL(inlet == nullptr, contact.flooded());
     if (inlet) {
       BOOST_CHECK_LE(inlet->x, -4);
       widest = std::min(widest, inlet->x);
@@ -50,8 +50,8 @@ BOOST_AUTO_TEST_CASE(the_box_is_that_of_the_method) {
 BOOST_AUTO_TEST_CASE(achieved_errors_are_against_the_truth_and_bars_are_counted) {
   const RegisteredSolver truth = made_solver("truth", 0, 1e-9), good = made_solver("good", 1e-4, 2e-4),
                          proud = made_solver("proud", 1e-4, 5e-5);
-  const auto contacts = box_contacts(true);
-  const auto rows = run_box({.solvers = {&good, &proud}, .contacts = contacts, .truth = &truth});
+  const auto contacts = bench_contacts(true);
+  const auto rows = run_box_bench({.solvers = {&good, &proud}, .contacts = contacts, .truth = &truth});
   BOOST_REQUIRE_EQUAL(rows.size(), 2 * box_settings().size() * contacts.size());
   for (const BoxRow& row : rows) {
     for (std::size_t k = 0; k < 2; ++k) {
@@ -72,7 +72,7 @@ BOOST_AUTO_TEST_CASE(achieved_errors_are_against_the_truth_and_bars_are_counted)
 
 BOOST_AUTO_TEST_CASE(without_a_truth_nothing_is_achieved) {
   const RegisteredSolver good = made_solver("good", 1e-4, 2e-4);
-  const auto rows = run_box({.solvers = {&good}, .contacts = box_contacts(true)});
+  const auto rows = run_box_bench({.solvers = {&good}, .contacts = bench_contacts(true)});
   BOOST_REQUIRE(!rows.empty());
   for (const BoxRow& row : rows) BOOST_CHECK(!row.achieved[0] && !row.achieved[1] && row.reported[0]);
   BOOST_TEST(human_table(rows).find("0 of 0") != std::string::npos);

@@ -14,7 +14,7 @@
 #include "fast/multigrid.hpp"
 #include "fast/start.hpp"
 #include "verification/bench/cost_scaling.hpp"
-#include "verification/studies/oils.hpp"
+#include "verification/studies/box.hpp"
 
 namespace {
 

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Cells of the tables that benchmarks and the atlas write.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ehd::verification {
+
+/// Cells with commas between and a line feed behind; a cell that holds a comma, a quotation mark or a line feed is
+/// quoted.
+[[nodiscard]] std::string csv_line(const std::vector<std::string>& cells);
+/// A number of a CSV; empty where it is unknown or not finite.
+[[nodiscard]] std::string csv_number(const std::optional<double>& value, int digits = 10);
+/// A number of a table for people; "-" where it is unknown.
+[[nodiscard]] std::string dash(const std::optional<double>& value, int digits);
+
+}  // namespace ehd::verification

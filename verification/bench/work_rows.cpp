@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verification/bench/work_rows.hpp"
+
+#include <algorithm>
+
+#include "verification/bench/timing.hpp"
+
+namespace ehd::verification {
+
+namespace {
+
+/// Closer times are a tie. Calibrated on the same solver under two names, on two cores that were busy four times over:
+/// of 201 pairs of medians 168 lay within this.
+constexpr double tie = 1.25;
+
+}  // namespace
+
+std::string_view to_string(Judged judged) {
+  switch (judged) {
+    case Judged::film_minimum: return "film.minimum";
+    case Judged::film_central: return "film.central";
+    case Judged::pressure: return "pressure";
+  }
+  return "";
+}
+
+Covered covered(const AchievedError& error) {
+  if (!error.reported || !error.achieved) return Covered::undecided;
+  if (*error.achieved + error.truth <= *error.reported) return Covered::yes;
+  if (*error.achieved - error.truth > *error.reported) return Covered::no;
+  return Covered::undecided;
+}
+
+const WorkRow* quickest(const std::vector<WorkRow>& rows, const std::string& case_id, const std::string& solver,
+                        Judged judged, double level) {
+  const WorkRow* best = nullptr;
+  for (const WorkRow& row : rows) {
+    if (row.case_id != case_id || row.setting.solver != solver || !row.converged() || row.wall_s.empty()) continue;
+    if (!row.error(judged).within(level)) continue;
+    if (!best || median(row.wall_s) < median(best->wall_s)) best = &row;
+  }
+  return best;
+}
+
+std::vector<Ratio> ratios(const std::vector<WorkRow>& rows, const std::string& case_id, const std::string& solver,
+                          const std::string& over, Judged judged, const std::vector<double>& levels) {
+  std::vector<Ratio> found;
+  for (const double level : levels) {
+    const WorkRow* one = quickest(rows, case_id, solver, judged, level);
+    const WorkRow* other = quickest(rows, case_id, over, judged, level);
+    if (one && other) found.push_back({level, median(one->wall_s) / median(other->wall_s)});
+  }
+  return found;
+}
+
+std::optional<Crossover> crossover(const std::vector<Ratio>& by_level) {
+  const Ratio* before = nullptr;  // the last that is no tie
+  for (const Ratio& at : by_level) {
+    if (at.value < tie && at.value > 1 / tie) continue;
+    if (before && (before->value > 1) != (at.value > 1)) return Crossover{before->level, at.level, at.value > 1};
+    before = &at;
+  }
+  return std::nullopt;
+}
+
+Coverage coverage(const std::vector<WorkRow>& rows, const std::string& solver, Judged judged) {
+  Coverage found{.solver = solver};
+  std::vector<double> excess;
+  for (const WorkRow& row : rows) {
+    const AchievedError& error = row.error(judged);
+    if (row.setting.solver != solver || !error.reported) continue;
+    const Covered verdict = covered(error);
+    if (verdict == Covered::undecided) {
+      ++found.undecided;
+      continue;
+    }
+    ++(verdict == Covered::yes ? found.yes : found.no);
+    // Where the truth is hardly better than the run, the achieved error may be as large as their sum.
+    excess.push_back(*error.reported / std::max(*error.achieved, error.truth));
+  }
+  if (!excess.empty()) {
+    found.median_excess = median(excess);
+    found.worst_excess = *std::min_element(excess.begin(), excess.end());
+  }
+  return found;
+}
+
+}  // namespace ehd::verification
