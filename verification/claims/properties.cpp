@@ -77,12 +77,11 @@ StatedContact in_units(StatedContact contact, double length, double force, doubl
   return contact;
 }
 
-/// Every number that a solver sees.
+/// Every number that a solver sees of a flooded contact: the groups and both laws.
 std::vector<double> numbers_of(const Problem& problem) {
   std::vector<double> numbers{problem.groups.M, problem.groups.L, problem.groups.lambda, problem.groups.alpha_p_H};
-  if (const auto* barus = std::get_if<Barus>(&problem.viscosity)) numbers.push_back(barus->alpha);
-  if (const auto* roelands = std::get_if<Roelands>(&problem.viscosity))
-    numbers.insert(numbers.end(), {roelands->alpha, roelands->p0, roelands->z});
+  for (const std::vector<double>& law : {cache_key(problem.viscosity), cache_key(problem.density)})
+    numbers.insert(numbers.end(), law.begin(), law.end());
   return numbers;
 }
 
