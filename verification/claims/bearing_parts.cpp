@@ -9,8 +9,8 @@
 
 #include "verification/claims/bearing/parts.hpp"
 #include "verification/claims/topics.hpp"
+#include "verification/solution_memory.hpp"
 #include "workflow/contact_cache.hpp"
-#include "workflow/registry.hpp"
 
 namespace ehd::verification {
 
@@ -43,7 +43,7 @@ std::vector<Topic> bearing_part_topics(const std::vector<LoadedCase>& cases) {
   const auto with_memory = [one](auto judge) {
     return [one, judge] {
       ContactMemory memory(
-          [](const Problem& problem, const Request& request) { return find_solver("fast")->solve(problem, request); });
+          [](const Problem& problem, const Request& request) { return remembered("fast").solve(problem, request); });
       return judge(one, memory);
     };
   };

@@ -48,7 +48,8 @@ def read_mutants():
 
 
 def copy_tree(source):
-    listed = subprocess.run(["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"], cwd=TOP, check=True,
+    list_files = ["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"]
+    listed = subprocess.run(list_files, cwd=TOP, check=True,
                             capture_output=True, text=True).stdout
     wanted = {name for name in listed.split("\0") if name and (TOP / name).is_file()}
     for name in sorted(wanted):

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "contact/nondimensional.hpp"
-#include "workflow/registry.hpp"
+#include "verification/solution_memory.hpp"
 
 namespace ehd::verification::bearing_parts {
 
@@ -23,7 +23,7 @@ ByHand by_hand(const BearingCase& body, bool inner) {
   const double raceway =
       inner ? (g.pitch_diameter_m - g.roller_diameter_m) / 2 : (g.pitch_diameter_m + g.roller_diameter_m) / 2;
   const double w_inner = body.operation.inner_speed_rpm * pi / 30, w_outer = body.operation.outer_speed_rpm * pi / 30;
-  // The cage goes as the roller's centre, which is half way between two points that move with the rings.
+  // The cage moves with the centre of a roller, half way between two points that move with the rings.
   const double inner_surface = w_inner * (g.pitch_diameter_m - g.roller_diameter_m) / 2;
   const double outer_surface = w_outer * (g.pitch_diameter_m + g.roller_diameter_m) / 2;
   const double cage = (inner_surface + outer_surface) / g.pitch_diameter_m;
@@ -53,8 +53,8 @@ SolvedByHand solved_by_hand(const BearingCase& body, bool inner, double force_N)
                               .speed_sum_m_per_s = contact.sum_speed_m_per_s,
                               .viscosity_Pa_s = body.lubricant->viscosity_Pa_s};
   const Solution solution =
-      find_solver("reference")
-          ->solve(nondimensionalise(conditions, body.lubricant->lubricant, Flooded{}).problem, {.tolerance = 1e-6});
+      remembered("reference")
+          .solve(nondimensionalise(conditions, body.lubricant->lubricant, Flooded{}).problem, {.tolerance = 1e-6});
   if (solution.record.status != StopReason::converged) return {.offset_film_m = nothing, .film_minimum_m = nothing};
   const double b = half_width_m(contact, force_N), unit = b * b / contact.radius_m;
   constexpr double dry_offset = -0.25 - std::numbers::ln2 / 2;

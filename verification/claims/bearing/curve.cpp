@@ -46,7 +46,7 @@ Findings judge_curve(const Case& bearing_case, ContactMemory& memory) {
         ++judged;
       }
     }
-    // A hundredth of the lightest solved load: what is left of its few per cent there is a thousandth of them.
+    // At a hundredth of the lightest solved load, the few per cent of elasticity there have fallen to a thousandth.
     double rigid_error = nothing;
     if (balanced && results[0].curve) {
       const bearing::FilmCurve& curve = inner ? results[0].curve->inner : results[0].curve->outer;

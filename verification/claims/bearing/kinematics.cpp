@@ -10,8 +10,8 @@
 #include "bearing/geometry.hpp"
 #include "verification/claims/bearing/by_hand.hpp"
 #include "verification/claims/bearing/parts.hpp"
+#include "verification/solution_memory.hpp"
 #include "workflow/bearing_run.hpp"
-#include "workflow/registry.hpp"
 
 namespace ehd::verification::bearing_parts {
 
@@ -23,13 +23,13 @@ constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
-/// What the solver is asked, by contact: groups and lubricant, seen through a solver that writes them down.
+/// The groups of each contact that a bearing solves, recorded by a solver that writes them down.
 Findings judge_contacts_asked(const Case& bearing_case) {
   const auto& body = std::get<BearingCase>(bearing_case.body);
   std::vector<MoesGroups> asked;
   ContactMemory memory([&](const Problem& problem, const Request& request) {
     asked.push_back({problem.groups.M, problem.groups.L});
-    return find_solver("fast")->solve(problem, request);
+    return remembered("fast").solve(problem, request);
   });
   const auto results = run_bearing(bearing_case, {.laws = {bearing::Law::ehd_linear}, .films = false}, memory);
   std::vector<MoesGroups> expected;
@@ -45,7 +45,7 @@ Findings judge_contacts_asked(const Case& bearing_case) {
            body.lubricant->lubricant.alpha_per_Pa.value_or(nothing) * contact.modulus_Pa * std::sqrt(std::sqrt(U))});
     }
   }
-  // Each expected contact once among those asked, whatever the order.
+  // Each expected contact is found among the solved ones, in any order.
   double worst = asked.size() == expected.size() ? 0 : nothing;
   for (const MoesGroups& wanted : expected) {
     double nearest = std::numeric_limits<double>::infinity();

@@ -21,9 +21,9 @@ namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
-/// What a displaced ring has stored in its contacts, rollers balanced, less the work of the centrifugal force. Of a
-/// film's law, which has stored without end at no force, what is stored from the roller's forces in `from` on, a step
-/// away.
+/// The energy stored in the contacts of a displaced ring with balanced rollers, less the work of the centrifugal force.
+/// The law of a film stores infinite energy down to zero force. Its energy is counted from the roller's forces in
+/// `from`, one step away.
 double energy_J(const bearing::Geometry& geometry, const bearing::LawPair& laws, double centrifugal_N, double along_m,
                 double across_m, const std::vector<bearing::RollerState>& from) {
   const auto stored = [](const bearing::ForceLaw& law, const bearing::ContactState& at,

@@ -15,6 +15,8 @@ namespace ehd::verification::bearing_parts {
 [[nodiscard]] Findings judge_plane();
 [[nodiscard]] Findings judge_light_load();
 [[nodiscard]] Findings judge_random_bearings();
+/// Of random bearings.
+[[nodiscard]] Findings judge_bearing_symmetry();
 [[nodiscard]] Findings judge_forms(const Case& bearing_case);
 [[nodiscard]] Findings judge_kinematics(const Case& na4908);
 [[nodiscard]] Findings judge_contacts_asked(const Case& bearing_case);

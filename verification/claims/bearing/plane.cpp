@@ -13,8 +13,8 @@
 #include "verification/claims/bearing/by_hand.hpp"
 #include "verification/claims/bearing/parts.hpp"
 #include "verification/claims/bearing/rings.hpp"
+#include "verification/solution_memory.hpp"
 #include "workflow/bearing_run.hpp"
-#include "workflow/registry.hpp"
 
 namespace ehd::verification::bearing_parts {
 
@@ -24,7 +24,7 @@ namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
-/// Sum f (cos, sin) of a ring that is put somewhere, from the rollers alone.
+/// Sum f (cos, sin) of a ring at a given displacement, from its rollers.
 std::pair<double, double> ring_force_N(const bearing::Geometry& geometry, const bearing::LawPair& laws,
                                        double centrifugal_N, double along_m, double across_m) {
   std::pair<double, double> sum{0, 0};
@@ -40,7 +40,7 @@ std::pair<double, double> ring_force_N(const bearing::Geometry& geometry, const 
   return sum;
 }
 
-/// The stiffness of a bearing against what its rollers and other balances give.
+/// The stiffness of a bearing, compared with differences of its rollers' forces and of other balances.
 void add_stiffness(Findings& found, const std::string& name, const bearing::Geometry& geometry,
                    const bearing::LawPair& laws, double centrifugal_N, double radial_N) {
   const auto ring_of = [&](const bearing::Geometry& of, double load_N) -> std::optional<bearing::Equilibrium> {
@@ -113,7 +113,7 @@ Findings judge_plane() {
   return found;
 }
 
-/// The same of the full relation: energy, slopes, stiffness, under a cage that is not symmetric.
+/// Energy, slopes and stiffness of the full relation, under a cage that is not symmetric.
 Findings judge_full_relation(const Case& bearing_case, ContactMemory& memory) {
   const auto& body = std::get<BearingCase>(bearing_case.body);
   const auto results = run_bearing(bearing_case, {.laws = {bearing::Law::ehd}, .explicitly = true}, memory);
@@ -134,13 +134,13 @@ Findings judge_full_relation(const Case& bearing_case, ContactMemory& memory) {
   return found;
 }
 
-/// Where the cage is symmetric to the load the ring goes along it: the form in two displacements, which then takes the
-/// short cut of the radial one, is asked under a cage that is turned by a billionth of a degree.
+/// Under a cage that is symmetric to the load, the ring moves along the load, and the form in two displacements takes
+/// the short cut of the radial form. So the cage is turned by a billionth of a degree, which avoids the short cut.
 Findings judge_forms(const Case& bearing_case) {
   constexpr double turned_deg = 1e-9;
   const auto& body = std::get<BearingCase>(bearing_case.body);
   ContactMemory memory(
-      [](const Problem& problem, const Request& request) { return find_solver("fast")->solve(problem, request); });
+      [](const Problem& problem, const Request& request) { return remembered("fast").solve(problem, request); });
   std::vector<bearing::Law> possible;
   for (const bearing::Law law : {bearing::Law::hertz, bearing::Law::iso, bearing::Law::lundberg, bearing::Law::tripp,
                                  bearing::Law::houpert, bearing::Law::ehd_linear, bearing::Law::ehd})
