@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One judged sentence of the verification suite, and what was not judged with the reason.
+// A claim: one sentence about the program, with its verdict. A sentence that could not be judged has a reason instead.
 #pragma once
 
 #include <cmath>
@@ -22,7 +22,7 @@ inline constexpr std::string_view rung_names[] = {"inputs",   "kernel",  "operat
 inline constexpr int rungs = report::rungs;
 static_assert(std::size(rung_names) == rungs);
 
-/// What a claim says and of what.
+/// What a claim says, and about which case and solver.
 struct Sentence {
   std::string id;  ///< unique: "own-moes-20-10/fast/film.minimum/expected"
   int rung = 0;
@@ -35,12 +35,12 @@ struct Sentence {
 struct Claim {
   Sentence says;
   std::optional<double> measured = {}, expected = {};  ///< absent where a claim is a yes or a no
-  double error = 0;        ///< what is held against the tolerance; NaN where nothing could be measured
+  double error = 0;        ///< compared with the tolerance; NaN where nothing could be measured
   double uncertainty = 0;  ///< of that error, where the tolerance does not contain it
   Tolerance tolerance;
   Verdict verdict;
   std::string note = {};  ///< numbers or the reason, for a reader
-  bool finding = false;   ///< reports what was computed, whichever way it turned out; always shown
+  bool finding = false;   ///< reports a computed result and does not judge it; always shown
 
   /// 1 - (error + uncertainty)/tolerance: 1 nothing used, 0 just met, negative beyond. 0 or -infinity where the
   /// tolerance is 0.
@@ -55,7 +55,7 @@ struct Claim {
 /// A yes or a no: error 0 or 1 against the tolerance 0.
 [[nodiscard]] Claim claim_fact(Sentence says, bool holds, std::string where, std::string note = {});
 
-/// A statement of somebody else with what was computed: stands once it could be computed.
+/// A statement from the literature beside the computed result. It passes when the result could be computed.
 [[nodiscard]] Claim claim_finding(Sentence says, std::string note);
 
 /// The larger of two errors, and NaN once one is NaN (std::max drops it).
@@ -68,19 +68,19 @@ template <class... More>
   return worse(worse(one, other), third, more...);
 }
 
-/// What would have been judged, had there been something to judge it by.
+/// A sentence that could not be judged, and why.
 struct SkippedClaim {
   Sentence says;
   std::string why;
 };
 
-/// What a topic leaves.
+/// The result of a topic.
 struct Findings {
   std::vector<Claim> claims;
   std::vector<SkippedClaim> skipped;
 };
 
-/// As results.json has it; what is not finite is absent.
+/// The entry in results.json. Numbers that are not finite are left out.
 [[nodiscard]] Json to_json(const Claim& claim);
 [[nodiscard]] Json to_json(const SkippedClaim& skipped);
 

@@ -20,6 +20,7 @@
 #include "io/provenance.hpp"
 #include "io/tables.hpp"
 #include "verification/claims/topics.hpp"
+#include "verification/solution_memory.hpp"
 #include "verification/traceability.hpp"
 #include "workflow/parallel.hpp"
 
@@ -29,12 +30,12 @@ namespace {
 
 constexpr int schema = 2;
 
-/// Claims that may stay inconclusive, with the reason: empty is the aim.
+/// Claims that may stay inconclusive, with the reason. The aim is an empty list.
 const std::map<std::string, std::string> accepted = {};
 
 std::vector<LoadedCase> load_cases(const SuiteRequest& request) {
   std::vector<LoadedCase> cases;
-  if (request.case_id) {  // named: what is wrong with it is the caller's to know
+  if (request.case_id) {  // an error in a case that the caller named goes to the caller
     Case named = read_case(find_case(*request.case_id));
     cases.push_back({named.id, std::move(named)});
     return cases;
@@ -107,7 +108,7 @@ std::string selection(const SuiteRequest& request) {
          (request.rung && request.case_id ? " " : "") + (request.case_id ? "--case " + *request.case_id : "");
 }
 
-/// A short one counts too: the claims of a quick suite are many.
+/// Short topics count too, since a quick suite has many of them.
 double expected_s(const Topic& topic, bool quick) {
   constexpr double short_s = 0.1, slow_s = 2;
   if (quick && topic.slow) return 0;
@@ -116,6 +117,70 @@ double expected_s(const Topic& topic, bool quick) {
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// What each topic found and how long it took, in the order of the topics.
+struct Judged {
+  std::vector<Findings> findings;
+  std::vector<double> took_s;
+};
+
+/// Judges all topics in threads.
+Judged judge_topics(const SuiteRequest& request, const std::vector<Topic>& topics,
+                    std::chrono::steady_clock::time_point start) {
+  // The longest first, so that no thread starts a long topic when the others have nothing left.
+  std::vector<std::size_t> order(topics.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return expected_s(topics[a], request.quick) > expected_s(topics[b], request.quick);
+  });
+  double all_expected = 0, expected_done = 0;
+  for (const Topic& topic : topics) all_expected += expected_s(topic, request.quick);
+
+  Judged judged{.findings = std::vector<Findings>(topics.size()), .took_s = std::vector<double>(topics.size())};
+  std::size_t done = 0;
+  std::mutex reporting;
+  in_threads(topics.size(), request.threads, [&](std::size_t k) {
+    const std::size_t i = order[k];
+    const auto began = std::chrono::steady_clock::now();
+    judged.findings[i] = run_topic(topics[i], request);
+    const std::lock_guard lock(reporting);
+    judged.took_s[i] = seconds_since(began);
+    ++done;
+    expected_done += expected_s(topics[i], request.quick);
+    if (!request.progress) return;
+    const double elapsed = seconds_since(start);
+    request.progress({.done = done,
+                      .all = topics.size(),
+                      .name = topics[i].name,
+                      .elapsed_s = elapsed,
+                      .left_s = expected_done > 0 ? elapsed * (all_expected - expected_done) / expected_done : 0});
+  });
+  return judged;
+}
+
+void fill_in_versions(SuiteResult& result, const std::map<std::string, int>& versions) {
+  const auto fill_in_version = [&](Sentence& says) {
+    if (const auto at = versions.find(says.case_id); at != versions.end()) says.version = at->second;
+  };
+  for (Claim& one : result.claims) fill_in_version(one.says);
+  for (SkippedClaim& one : result.skipped) fill_in_version(one.says);
+}
+
+/// Two claims with one name would hide each other from whoever reads results.json by id. The second one gets a number,
+/// and one more claim, which fails, says so.
+void number_repeated_ids(SuiteResult& result) {
+  Numbered ids, skipped_ids;
+  for (std::size_t i = 0; i < result.claims.size(); ++i) {
+    const Sentence says = result.claims[i].says;
+    result.claims[i].says.id = ids(says.id);
+    if (result.claims[i].says.id == says.id) continue;
+    Sentence unique{.id = ids(says.id + "/unique"), .rung = says.rung, .statement = "one claim is called " + says.id};
+    Claim repeated = claim_fact(std::move(unique), false, "an id names one claim",
+                                "another is now called " + result.claims[i].says.id);
+    result.claims.insert(result.claims.begin() + static_cast<std::ptrdiff_t>(++i), std::move(repeated));
+  }
+  for (SkippedClaim& one : result.skipped) one.says.id = skipped_ids(one.says.id);
 }
 
 /// Case versions where the cases can be read.
@@ -149,58 +214,26 @@ SuiteResult run_suite(const SuiteRequest& request) {
 SuiteResult run_topics(const SuiteRequest& request, std::vector<Topic> topics,
                        const std::map<std::string, int>& versions) {
   const auto start = std::chrono::steady_clock::now();
-  Numbered topic_names;  // before any is left out: a topic has one name whatever was asked for
+  Numbered topic_names;  // all topics, also those left out below, so that a topic always has the same name
   for (Topic& topic : topics) topic.name = topic_names(topic.name);
   std::erase_if(topics, [&](const Topic& topic) {
     return (request.rung && !topic.rungs.contains(*request.rung)) || (request.case_id && topic.case_id.empty());
   });
   if (topics.empty()) throw NothingSelected("there is nothing to verify for " + selection(request));
 
-  // The longest first, so that no thread begins one when the others are at their end.
-  std::vector<std::size_t> order(topics.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return expected_s(topics[a], request.quick) > expected_s(topics[b], request.quick);
-  });
-  double all_expected = 0, expected_done = 0;
-  for (const Topic& topic : topics) all_expected += expected_s(topic, request.quick);
-
-  std::vector<Findings> findings(topics.size());
-  std::vector<double> took(topics.size());
-  std::size_t done = 0;
-  std::mutex reporting;
-  in_threads(topics.size(), request.threads, [&](std::size_t k) {
-    const std::size_t i = order[k];
-    const auto began = std::chrono::steady_clock::now();
-    findings[i] = run_topic(topics[i], request);
-    const std::lock_guard lock(reporting);
-    took[i] = seconds_since(began);
-    ++done;
-    expected_done += expected_s(topics[i], request.quick);
-    if (!request.progress) return;
-    const double elapsed = seconds_since(start);
-    request.progress({.done = done,
-                      .all = topics.size(),
-                      .name = topics[i].name,
-                      .elapsed_s = elapsed,
-                      .left_s = expected_done > 0 ? elapsed * (all_expected - expected_done) / expected_done : 0});
-  });
-
+  run_memory().forget();  // of an earlier run in this program
+  Judged judged = judge_topics(request, topics, start);
   SuiteResult result;
   result.threads = request.threads > 0 ? request.threads : std::max(1U, std::thread::hardware_concurrency());
   result.quick = request.quick;
   result.selection = selection(request);
-  for (std::size_t i = 0; i < topics.size(); ++i) result.topics.push_back({topics[i].name, took[i]});
-  for (auto& found : findings) {
+  for (std::size_t i = 0; i < topics.size(); ++i) result.topics.push_back({topics[i].name, judged.took_s[i]});
+  for (auto& found : judged.findings) {
     std::move(found.claims.begin(), found.claims.end(), std::back_inserter(result.claims));
     std::move(found.skipped.begin(), found.skipped.end(), std::back_inserter(result.skipped));
   }
-  const auto fill_in_version = [&](Sentence& says) {
-    if (const auto at = versions.find(says.case_id); at != versions.end()) says.version = at->second;
-  };
-  for (Claim& one : result.claims) fill_in_version(one.says);
-  for (SkippedClaim& one : result.skipped) fill_in_version(one.says);
-  if (result.selection.empty() && !request.quick) {  // with fewer claims a part may well have none
+  fill_in_versions(result, versions);
+  if (result.selection.empty() && !request.quick) {  // with a selection, a part of the work may have no claim
     for (Claim& one : judge_traceability(trace(traceable_parts(), {result.claims, result.skipped})))
       result.claims.push_back(std::move(one));
   }
@@ -214,19 +247,7 @@ SuiteResult run_topics(const SuiteRequest& request, std::vector<Topic> topics,
   const auto by_rung = [](const auto& a, const auto& b) { return a.says.rung < b.says.rung; };
   std::stable_sort(result.claims.begin(), result.claims.end(), by_rung);
   std::stable_sort(result.skipped.begin(), result.skipped.end(), by_rung);
-  // Two claims with one name would hide each other from whoever reads results.json by id: the second one gets a number,
-  // and a claim that fails says so, beside all the others.
-  Numbered ids, skipped_ids;
-  for (std::size_t i = 0; i < result.claims.size(); ++i) {
-    const Sentence says = result.claims[i].says;
-    result.claims[i].says.id = ids(says.id);
-    if (result.claims[i].says.id == says.id) continue;
-    Sentence unique{.id = ids(says.id + "/unique"), .rung = says.rung, .statement = "one claim is called " + says.id};
-    Claim repeated = claim_fact(std::move(unique), false, "an id names one claim",
-                                "another is now called " + result.claims[i].says.id);
-    result.claims.insert(result.claims.begin() + static_cast<std::ptrdiff_t>(++i), std::move(repeated));
-  }
-  for (SkippedClaim& one : result.skipped) one.says.id = skipped_ids(one.says.id);
+  number_repeated_ids(result);
   result.wall_s = seconds_since(start);
   return result;
 }

@@ -20,7 +20,7 @@ struct SuiteProgress {
   std::size_t done = 0, all = 0;  ///< topics
   std::string name;               ///< of the topic that ended last
   double elapsed_s = 0;
-  double left_s = 0;  ///< by the topics' expected times, scaled by what those that ended took
+  double left_s = 0;  ///< estimated from the topics' expected times and the speed so far
 };
 
 struct SuiteRequest {
@@ -55,7 +55,7 @@ struct SuiteResult {
 /// The reason for which a claim may stay inconclusive; absent where it may not.
 [[nodiscard]] std::optional<std::string> accepted_as_inconclusive(const std::string& claim_id);
 
-/// No claim is left by the filters: what() says which.
+/// The filters leave no claim; what() names the filters.
 class NothingSelected : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -66,12 +66,12 @@ class NothingSelected : public std::runtime_error {
 [[nodiscard]] SuiteResult run_suite(const SuiteRequest& request);
 
 struct Topic;  // claims/topics.hpp
-/// The same of a list of topics; `versions` of the cases by id. Topics, skipped rows and claims that share a name are
-/// numbered ("box", "box 2"); of claims that is one more claim, which fails.
+/// The same for a list of topics; `versions` of the cases by id. Topics, skipped rows and claims that share a name are
+/// numbered ("box", "box 2"). Two claims with one id are an error: one more claim is added, which fails.
 [[nodiscard]] SuiteResult run_topics(const SuiteRequest& request, std::vector<Topic> topics,
                                      const std::map<std::string, int>& versions);
 
-/// One rung in figures.
+/// How many claims of one rung stand.
 struct RungSummary {
   int rung = 0;
   std::size_t pass = 0, fail = 0, inconclusive = 0, skipped = 0;
@@ -83,7 +83,7 @@ struct RungSummary {
 /// All rungs in order.
 [[nodiscard]] std::vector<RungSummary> summarise(const SuiteResult& result);
 
-/// Rungs in order with what failed in full, then a line for each rung. `all`: passing claims too.
+/// For each rung the claims that failed, in full, then a table with a line for each rung. `all`: passing claims too.
 [[nodiscard]] std::string human_summary(const SuiteResult& result, bool all);
 
 /// {"schema", "provenance", "summary", "rungs", "traceability", "claims", "skipped", "topics"}; README.md.

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A tolerance is a number with the reason for it; there is no constructor from double.
+// A tolerance: a number together with its reason. There is no constructor from double.
 #pragma once
 
-#include <cstdio>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -14,12 +13,12 @@ namespace ehd::verification {
 
 class Tolerance {
  public:
-  /// operations * eps * condition: what rounding alone may do.
+  /// operations * eps * condition: a bound of the rounding error.
   [[nodiscard]] static Tolerance round_off(double operations, double condition = 1) {
     return {operations * condition * std::numeric_limits<double>::epsilon(), "round-off",
             text(operations) + " operations, condition " + text(condition)};
   }
-  /// An algebraic residual (relative) that the iteration was stopped at, times what it does to the observable.
+  /// The relative residual at which the iteration stopped, times its effect on the observable.
   [[nodiscard]] static Tolerance iteration(double residual, double amplification = 1) {
     return {residual * amplification, "iteration",
             "stopped at residual " + text(residual) + ", amplification " + text(amplification)};
@@ -58,11 +57,7 @@ class Tolerance {
  private:
   Tolerance(double value, std::string basis, std::string reason)
       : value_(value), basis_(std::move(basis)), reason_(std::move(reason)) {}
-  [[nodiscard]] static std::string text(double value) {
-    char buffer[32];
-    std::snprintf(buffer, sizeof buffer, "%.3g", value);
-    return buffer;
-  }
+  [[nodiscard]] static std::string text(double value) { return plain(value, 3); }
   double value_;
   std::string basis_;
   std::string reason_;

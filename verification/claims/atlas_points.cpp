@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rung 10: the atlas (cases/atlas). Its table and its case files say the same; a sample of its points is met by both
-// solvers at other tolerances than the one it was made with.
+// Rung 10: the atlas (cases/atlas). Its table and its case files agree. Both solvers meet a sample of its points, at
+// other tolerances than the tolerance of the atlas.
 #include <cmath>
 #include <filesystem>
 #include <limits>

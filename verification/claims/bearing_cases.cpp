@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rung 11: the bearing cases. Equilibrium, geometry and the dry laws are checked here from the printed formulas, not by
-// bearing/'s own functions; the paper's statements are reported as computed, whichever way they turn out.
+// Rung 11: the bearing cases. Equilibrium, geometry and the dry laws are checked with the printed formulas, not with
+// bearing/'s own functions. The paper's statements are reported as computed: a statement may hold or not.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,10 +13,10 @@
 
 #include "contact/text.hpp"
 #include "verification/claims/topics.hpp"
+#include "verification/solution_memory.hpp"
 #include "verification/studies/paper_statements.hpp"
 #include "workflow/bearing_quantities.hpp"
 #include "workflow/bearing_run.hpp"
-#include "workflow/registry.hpp"
 
 namespace ehd::verification {
 
@@ -30,7 +30,7 @@ constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 struct SharedMemory {
   std::mutex mutex;
   ContactMemory memory{
-      [](const Problem& problem, const Request& request) { return find_solver("fast")->solve(problem, request); }};
+      [](const Problem& problem, const Request& request) { return remembered("fast").solve(problem, request); }};
 };
 
 /// F_c = m (d_m/2) w_c^2 of a solid roller, from the case's own numbers.
@@ -180,7 +180,7 @@ std::vector<PrintedVerdicts> printed_verdicts() {
       {bearing::Law::ehd, "abd", "c", ends({"1.73", "26.3", "0.119", "0.637", "2.84", "0.0876", "0.149", "0.637"})}};
 }
 
-/// The judge against the printed table: a verdict that turns, or an end that moves, is seen.
+/// Compares the judge with the printed table, so that a changed verdict or a moved end is seen.
 void judge_printed(const PrintedVerdicts& printed, const std::vector<PaperStatement>& statements, const DatumScan& scan,
                    Findings& found) {
   const std::string name(to_string(printed.law)), where = "what docs/results/bearing-measured.md prints";
@@ -212,8 +212,8 @@ void judge_printed(const PrintedVerdicts& printed, const std::vector<PaperStatem
   }
 }
 
-/// What the paper says of its figures, with what was computed: a finding, which stands once it could be computed. That
-/// the judge still says what is printed is a claim.
+/// The paper's statements about its figures, beside the computed results: findings, which pass when they could be
+/// computed. A further claim compares the verdicts with those printed in docs/results/.
 Findings judge_paper(const std::vector<Case>& clearances, SharedMemory& shared) {
   Findings found;
   const std::lock_guard lock(shared.mutex);

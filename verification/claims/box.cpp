@@ -11,6 +11,7 @@
 
 #include "contact/text.hpp"
 #include "verification/claims/topics.hpp"
+#include "verification/solution_memory.hpp"
 #include "workflow/registry.hpp"
 
 namespace ehd::verification {
@@ -43,8 +44,8 @@ Findings judge_row(const Row& row) {
   for (const double L : all_L) {
     ++points;
     const Problem problem = problem_of(row, L);
-    const Solution reference = find_solver("reference")->solve(problem, {.tolerance = tolerance});
-    const Solution fast = find_solver("fast")->solve(problem, {.tolerance = tolerance});
+    const Solution reference = remembered("reference").solve(problem, {.tolerance = tolerance});
+    const Solution fast = remembered("fast").solve(problem, {.tolerance = tolerance});
     if (reference.record.status != StopReason::converged || fast.record.status != StopReason::converged) {
       unsolved += " L = " + plain(L) + " (reference " + std::string(to_string(reference.record.status)) + ", fast " +
                   std::string(to_string(fast.record.status)) + ")";
@@ -84,8 +85,8 @@ Findings judge_twin_row(const Row& row) {
   for (const double L : all_L) {
     const Problem problem = problem_of(row, L);
     const Request request{.tolerance = {}, .nodes = intervals};
-    const Solution one = find_solver("reference.uniform")->solve(problem, request);
-    const Solution two = find_solver("fast.uniform")->solve(problem, request);
+    const Solution one = remembered("reference.uniform").solve(problem, request);
+    const Solution two = remembered("fast.uniform").solve(problem, request);
     double differ = std::numeric_limits<double>::quiet_NaN();
     if (one.fields.X.size() == intervals + 1 && two.fields.X.size() == intervals + 1)
       differ = worse((one.fields.P - two.fields.P).abs().maxCoeff(),

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rung 8: grid studies of the second-order solvers. What the grids show, judged without knowing the answer, is held
-// against the high-order reference; and the reference's flooded inlet against inlets that are cut further and further
-// out.
+// Rung 8: grid studies of the second-order solvers. Limit and error are estimated from the grids and then compared with
+// the high-order reference. The reference's flooded inlet is compared with inlets cut further and further out.
 #include <cmath>
 #include <limits>
 #include <string>
@@ -9,6 +8,7 @@
 
 #include "contact/text.hpp"
 #include "verification/claims/topics.hpp"
+#include "verification/solution_memory.hpp"
 #include "verification/studies/grid_study.hpp"
 #include "verification/studies/box.hpp"
 #include "workflow/registry.hpp"
@@ -32,15 +32,15 @@ Problem problem_of(MoesGroups moes, Inlet inlet) { return problem_at(moes, moes.
 
 Findings judge_study(const Study& study, MoesGroups moes) {
   const Problem problem = problem_of(moes, TruncatedAt{-4});
-  const Solution truth = find_solver("reference")->solve(problem, {.tolerance = 1e-9});
+  const Solution truth = remembered("reference").solve(problem, {.tolerance = 1e-9});
   std::vector<Solution> solutions;
   for (const int cells : study.grids) {
     Request request;
     request.tolerance.reset();
     request.nodes = cells;
-    solutions.push_back(find_solver(study.solver)->solve(problem, request));
+    solutions.push_back(remembered(study.solver).solve(problem, request));
   }
-  const double formal_order = find_solver(study.solver)->description.formal_order;
+  const double formal_order = remembered(study.solver).description.formal_order;
   const std::string point = plain(moes.M) + "-" + plain(moes.L);
   Findings found;
   for (const Quantity film : {Quantity::film_minimum, Quantity::film_central}) {
@@ -109,7 +109,7 @@ Findings judge_study(const Study& study, MoesGroups moes) {
 Findings judge_flooded(MoesGroups moes) {
   constexpr double tolerance = 1e-10;
   constexpr double cuts[] = {160, 320, 640, 1280};
-  const auto& solver = *find_solver("reference");
+  const auto& solver = remembered("reference");
   const Solution flooded = solver.solve(problem_of(moes, Flooded{}), {.tolerance = tolerance});
   std::vector<double> central;
   std::string ended;

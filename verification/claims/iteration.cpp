@@ -181,7 +181,7 @@ Findings judge_jacobians() {
 
 // ---- Newton's method ---------------------------------------------------------------------------------------------
 
-/// One step from beside a solution: what is left is quadratic in how far beside.
+/// One step from a start near a solution: the error left is quadratic in the distance of the start.
 Findings judge_newton() {
   Findings found;
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);

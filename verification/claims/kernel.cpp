@@ -3,9 +3,10 @@
 // and mapped grids against dense ones, and the deflection by Hertz's pressure.
 #include "reference/kernel.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <memory>
 #include <numbers>
@@ -251,13 +252,12 @@ Findings judge_mapped_elasticity() {
     sx += x, sy += minus, sxx += x * x, sxy += x * minus;
   }
   const double n = std::size(sizes), order = (n * sxy - sx * sy) / (n * sxx - sx * sx);
-  char text[96];
-  std::snprintf(text, sizeof text, "128 to 2048 cells, |X| <= 0.9, error %.1e on the last", last);
-  Claim judged = claim({.id = "elasticity/order-mapped",
-                        .rung = 3,
-                        .statement = "on a mapped grid the film of Hertz's contact converges like h^(3/2)"},
-                       std::abs(order - 1.5), 0,
-                       Tolerance::calibrated(0.1, "fitted orders over five grids are read to a tenth"), text);
+  Claim judged =
+      claim({.id = "elasticity/order-mapped",
+             .rung = 3,
+             .statement = "on a mapped grid the film of Hertz's contact converges like h^(3/2)"},
+            std::abs(order - 1.5), 0, Tolerance::calibrated(0.1, "fitted orders over five grids are read to a tenth"),
+            fmt::format("128 to 2048 cells, |X| <= 0.9, error {:.1e} on the last", last));
   judged.measured = order;
   judged.expected = 1.5;
   Findings found;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rung 0: what becomes of SI. Groups, scales and laws of a steel contact, from the printed formulas written out here
-// once more, along other ways than those of contact/; and what a result says in metres and Moes' units.
+// Rung 0: from SI to dimensionless groups and back. Groups, scales and laws of a steel contact are computed here once
+// more from the printed formulas, by other steps than in contact/. The same for a result in metres and Moes units.
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>

@@ -18,8 +18,8 @@
 #include "io/find_case.hpp"
 #include "verification/claims/topics.hpp"
 #include "verification/exact/sjovall.hpp"
+#include "verification/solution_memory.hpp"
 #include "verification/studies/film_maps.hpp"
-#include "workflow/registry.hpp"
 
 namespace ehd::verification {
 
@@ -178,8 +178,8 @@ Findings judge_formulas() {
   const AtlasPoint point{.laws = AtlasLaws::roelands, .M = 20, .L = 10, .inlet = Flooded{}};
   const ContactCase contact = point.contact();
   const Solution solution =
-      find_solver("reference")
-          ->solve(nondimensionalise(contact.statement, *contact.lubricant, *contact.inlet).problem, request);
+      remembered("reference")
+          .solve(nondimensionalise(contact.statement, *contact.lubricant, *contact.inlet).problem, request);
   const auto value = [&](Quantity quantity, bool place) {
     const auto at = solution.observables.find(quantity);
     if (at == solution.observables.end()) return nothing;
@@ -262,7 +262,7 @@ Ends ends_of(MoesGroups moes, const Lubricant& lubricant) {
   Request request;
   request.tolerance = 1e-5;
   const auto solve = [&](const Inlet& inlet) {
-    return find_solver("fast")->solve(nondimensionalise(moes, lubricant, inlet).problem, request);
+    return remembered("fast").solve(nondimensionalise(moes, lubricant, inlet).problem, request);
   };
   return {solve(TruncatedAt{-8}), solve(Flooded{})};
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The reference, and fast, at random points of the box M 0.05..5000, L 0..30, both law sets. Rung 6: does it converge,
-// and where it does not, does it say so? Rung 8: are its error bars honest? Each run is held against a solution of a
-// tolerance a thousand times tighter, whose meshes are others throughout.
+// The reference and fast at random points of the box M 0.05..5000, L 0..30, both law sets. Rung 6: does the solver
+// converge, and does it say so where it does not? Rung 8: do its error bars hold? Each run is compared with a solution
+// of a tolerance a thousand times tighter, which has other meshes.
 #include <algorithm>
 #include <cmath>
 #include <limits>

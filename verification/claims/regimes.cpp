@@ -14,8 +14,8 @@
 #include "verification/exact/blok.hpp"
 #include "verification/exact/ertel_grubin.hpp"
 #include "verification/exact/martin.hpp"
+#include "verification/solution_memory.hpp"
 #include "verification/studies/grid_study.hpp"
-#include "workflow/registry.hpp"
 
 namespace ehd::verification {
 
@@ -42,7 +42,7 @@ Films films_at(const char* solver, MoesGroups moes, double tolerance) {
                             .z = {}};
   Request request;
   request.tolerance = tolerance;
-  const Solution solution = find_solver(solver)->solve(nondimensionalise(moes, lubricant, Flooded{}).problem, request);
+  const Solution solution = remembered(solver).solve(nondimensionalise(moes, lubricant, Flooded{}).problem, request);
   Films films;
   films.ended = std::string(to_string(solution.record.status)) +
                 (solution.record.reason.empty() ? "" : ": " + solution.record.reason);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rung 3: every scheme's own film under a pressure that is given. Rung 4: its Reynolds equation on gaps that do not
-// deform. The scheme is evaluated at P = 0, where its deflection is nothing and sources make the film any gap;
-// isoviscous, its flux is then linear in P, and the pressure follows face by face from its own wedge and mobility.
-// Truths by quadrature.
+// Rung 4: the Reynolds equation of every scheme on gaps that do not deform. The scheme is evaluated at P = 0: its
+// deflection is zero there, and sources give the film any shape. The lubricant is isoviscous, so that the flux is
+// linear in P, and the pressure follows face by face from the scheme's own wedge and mobility. Truths by quadrature.
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
@@ -14,9 +13,9 @@
 #include <utility>
 #include <vector>
 
-#include "fast/discretisation.hpp"
-#include "reference/equations.hpp"
 #include "reference/hp/collocation.hpp"
+#include "verification/claims/films_of_pressure.hpp"
+#include "verification/claims/schemes.hpp"
 #include "verification/claims/topics.hpp"
 #include "verification/exact/martin.hpp"
 #include "verification/exact/numerics.hpp"
@@ -29,11 +28,10 @@ namespace ehd::verification {
 namespace {
 
 namespace hp = reference::hp;
+using namespace schemes;
 using std::numbers::pi;
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-constexpr double M = 3.7;  // any: lambda is a factor of the pressure
-constexpr double inlet = -1.9;
 
 /// A gap over [inlet, exit], and whether the exit is free (P = P' = 0) or a given end where P = 0.
 struct Gap {
@@ -79,78 +77,6 @@ Truth truth_of(const Gap& gap, double lambda) {
   }
   truth.slope = slope_with(truth.flux);
   return truth;
-}
-
-/// What a scheme says of a state: nodes, faces. Empty where its film is not positive.
-struct Scheme {
-  Array X, H, wedge, mobility;
-  Array residual;  ///< flux less that of the exit
-};
-
-std::shared_ptr<const Sources> sources_for(std::function<double(double)> film) {
-  const auto none = [](double) { return std::pair(0.0, 0.0); };
-  return std::make_shared<Sources>(Sources{
-      .film = [film = std::move(film)](double X) { return std::pair(film(X) - X * X / 2, 0.0); }, .balance = none});
-}
-
-Problem rigid_problem(std::function<double(double)> film) {
-  Problem problem = problem_at({M, 0}, false, TruncatedAt{inlet});
-  problem.sources = sources_for(std::move(film));
-  return problem;
-}
-
-enum class Kind { reference_uniform, reference_graded, fast_uniform, fast_mapped };
-struct Named {
-  Kind kind;
-  const char *id, *solver;
-};
-constexpr Named schemes[] = {{Kind::reference_uniform, "reference.uniform", "reference.uniform"},
-                             {Kind::reference_graded, "reference.linear", "reference.linear"},
-                             {Kind::fast_uniform, "fast.uniform", "fast.uniform"},
-                             {Kind::fast_mapped, "fast", "fast"}};
-
-/// Graded towards the right end with the wedge of equal cells; what is judged is the scheme, not who places the nodes.
-reference::Grid graded_grid(int intervals) {
-  reference::Grid grid = reference::uniform_grid(inlet, intervals);
-  const Array s = grid.fractions;
-  grid.fractions = s * (0.6 + 0.4 * s);
-  return grid;
-}
-
-std::shared_ptr<const fast::Map> a_map() {
-  return std::make_shared<const fast::Map>(
-      fast::MapShape{.inlet = inlet, .exit = 0.9, .scale = 1, .inlet_width = 0.3, .spike = 0.4, .spike_width = 0.1});
-}
-
-Scheme evaluated(Kind kind, const Problem& problem, double exit, const Array& P, double offset = 0) {
-  const Eigen::Index n = P.size() - 1;
-  const int intervals = static_cast<int>(n);
-  if (kind == Kind::reference_uniform || kind == Kind::reference_graded) {
-    const reference::Equations equations(
-        problem, kind == Kind::reference_graded ? graded_grid(intervals) : reference::uniform_grid(inlet, intervals));
-    const auto at = equations.evaluate({.P = P, .offset = offset, .exit = exit});
-    return {at.X, at.H, at.wedge, at.mobility, at.residual.head(n)};
-  }
-  fast::Grids grids;
-  if (kind == Kind::fast_mapped) grids.use(a_map());
-  fast::Setting setting;
-  setting.groups = problem.groups;
-  setting.viscosity = problem.viscosity;
-  setting.density = problem.density;
-  setting.inlet = inlet;
-  setting.sources = problem.sources;
-  fast::State state;
-  state.P = P;
-  state.offset = offset;
-  state.exit = exit;
-  fast::Discretisation scheme;
-  fast::Counters counters;
-  if (!scheme.evaluate(setting, state, grids.of(intervals), counters)) return {};
-  return {scheme.nodes.places(inlet), scheme.nodes.H, scheme.faces.flux, scheme.faces.eps, scheme.error.flux};
-}
-
-Scheme at_rest(Kind kind, const Problem& problem, int intervals, double exit) {
-  return evaluated(kind, problem, exit, Array::Zero(intervals + 1));
 }
 
 /// P at the nodes for the flux q, from P = 0 at the inlet.
@@ -255,7 +181,7 @@ Findings judge_scheme(const Named& scheme) {
 Findings judge_reduced_pressure(const Named& scheme) {
   constexpr int intervals = 96;
   constexpr double largest = 0.9;  // of a q
-  constexpr double lifted = 1e3;   // so that the film is positive whatever the pressure does
+  constexpr double lifted = 1e3;   // so that the film stays positive under any pressure
   const Gap gap = gaps_for(0).front();
   const Solved rigid = solved(scheme.kind, gap, intervals);
   double worst = nothing;
@@ -266,7 +192,7 @@ Findings judge_reduced_pressure(const Named& scheme) {
     Problem problem = problem_at({M, 1}, false, TruncatedAt{inlet});
     problem.viscosity = Barus{.alpha = a};
     const Array& X = rigid.scheme.X;
-    // Films that are wanted at the nodes, and only asked for there.
+    // These films are needed, and evaluated, at the nodes only.
     const auto evaluate = [&](const Array& film, double offset) {
       problem.sources = sources_for([&X, film](double place) {
         Eigen::Index nearest = 0;
@@ -380,78 +306,6 @@ Findings judge_half_sommerfeld() {
   return found;
 }
 
-// ---- Films of a given pressure -----------------------------------------------------------------------------------
-
-constexpr double film_exit = 0.9, film_offset = 2.3;
-
-/// A parabola, which lines follow to second order and polynomials to rounding.
-double given_pressure(double X) { return 0.31 * (X - inlet) * (film_exit - X); }
-
-/// H_0 + X^2/2 - (1/pi) Int P ln|X - X'| dX' by quadrature.
-double film_by_quadrature(double X) {
-  const auto part = [X](double from, double to) {
-    constexpr double nothing_there = 1e-13;  // an end node that is not its end to the last digit: P is 0 there
-    return to - from > nothing_there
-               ? exact::integral([X](double s) { return given_pressure(s) * std::log(std::abs(X - s)); }, from, to)
-               : 0.0;
-  };
-  return film_offset + X * X / 2 - (part(inlet, X) + part(X, film_exit)) / pi;
-}
-
-/// Exact for lines, the rule of equal cells is of order 2. The trapezoid rule of mapped cells leaves h^2 ln h where the
-/// pressure ends in a corner, at that end, as this one does; physical pressures end smoothly.
-Findings judge_film(const Named& scheme) {
-  const bool mapped = scheme.kind == Kind::fast_mapped;
-  std::vector<double> x, y;
-  double last = nothing;
-  for (const int intervals : {96, 144, 216, 324}) {
-    const Problem problem = problem_at({M, 0}, false, TruncatedAt{inlet});
-    const Scheme at = evaluated(
-        scheme.kind, problem, film_exit,
-        at_rest(scheme.kind, rigid_problem([](double) { return 1.0; }), intervals, film_exit).X.unaryExpr([](double X) {
-          return given_pressure(X);
-        }),
-        film_offset);
-    double worst = at.X.size() == intervals + 1 ? 0 : nothing;
-    for (Eigen::Index i = 0; i < at.X.size(); ++i)
-      worst = worse(worst, std::abs(at.H[i] - film_by_quadrature(at.X[i])));
-    last = worst;
-    x.push_back(-std::log(intervals));
-    y.push_back(std::log(worst / (mapped ? std::log(intervals) : 1)));
-  }
-  Findings found;
-  found.claims.push_back(order_claim(
-      {.id = "elasticity/" + std::string(scheme.id) + "/film",
-       .rung = 3,
-       .statement = std::string(scheme.id) + " finds the film of a given pressure at every node, like h^2" +
-                    (mapped ? " ln h" : ""),
-       .solver = scheme.solver},
-      slope(x, y), 2, Tolerance::calibrated(0.2, "orders of a largest error, over four grids, are read to a fifth"),
-      "96 to 324 cells, error " + three_digits(last) + " on the last"));
-  return found;
-}
-
-Findings judge_collocation_film() {
-  hp::Mesh mesh{
-      .inlet = inlet, .breakpoints = {inlet - film_exit, -2.1, -1.4, -0.9, -0.3, 0}, .degrees = {3, 4, 6, 5, 2}};
-  const hp::Collocation<double> equations(problem_at({M, 0}, false, TruncatedAt{inlet}), mesh, hp::Points::left_radau);
-  const Array X = equations.node_coordinates(film_exit);
-  const hp::State<double> state{.P = X.unaryExpr([](double place) { return given_pressure(place); }).matrix(),
-                                .offset = film_offset,
-                                .flux = 1,
-                                .exit = film_exit};
-  const auto at = equations.evaluate(state, 0);
-  double worst = 0;
-  for (Eigen::Index i = 0; i < at.X.size(); ++i) worst = worse(worst, std::abs(at.H[i] - film_by_quadrature(at.X[i])));
-  Findings found;
-  found.claims.push_back(claim({.id = "elasticity/collocation/film",
-                                .rung = 3,
-                                .statement = "polynomial elements find the film of a parabolic pressure to rounding",
-                                .solver = "reference"},
-                               worst, 0, Tolerance::discretisation(1e-13, 10), "quadrature is granted 1e-13"));
-  return found;
-}
-
 }  // namespace
 
 std::vector<Topic> reynolds_topics() {
@@ -459,7 +313,7 @@ std::vector<Topic> reynolds_topics() {
   const auto add = [&](std::function<Findings()> judge) {
     topics.push_back({.name = "fixed gaps", .rungs = {4}, .judge = std::move(judge)});
   };
-  for (const Named& scheme : schemes) {
+  for (const Named& scheme : schemes::all) {
     add([&scheme] { return judge_scheme(scheme); });
     add([&scheme] { return judge_reduced_pressure(scheme); });
     topics.push_back(

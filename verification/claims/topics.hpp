@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the suite judges, a file a topic. A new topic is one file here, one line below and one in suite.cpp.
+// The topics of the suite, a file a topic. A new topic is one file here, one line below and one in suite.cpp.
 #pragma once
 
 #include <functional>
@@ -13,17 +13,17 @@
 
 namespace ehd::verification {
 
-/// A piece of work that ends in claims. Topics run side by side in threads: each keeps its own state.
+/// A piece of work that ends in claims. Topics run in threads side by side; each keeps its own state.
 struct Topic {
   std::string name;
   std::set<int> rungs;       ///< that its claims stand on
   std::string case_id = {};  ///< the case that it is about; empty for none
   bool slow = false;         ///< left out with --quick
   std::function<Findings()> judge;
-  double expected_s = 0;  ///< of one core, roughly, where it is more than a second: for order and time left
+  double expected_s = 0;  ///< roughly, on one core, where more than a second; for the order and the time left
 };
 
-/// A case file with what became of reading it.
+/// A case file: the case, or the error that reading gave.
 struct LoadedCase {
   std::string id;  ///< the file's name where it could not be read
   std::variant<Case, CaseError> content;

@@ -9,7 +9,7 @@ namespace ehd::verification::exact {
 /// H_c in Moes units; M, L > 0. The root of the equation above to 1e-12 relative.
 [[nodiscard]] double ertel_grubin_film(double M, double L);
 
-/// Left side over right side of that equation, minus 1, at a film H_c in Moes units: what the root makes vanish.
+/// Left side over right side of that equation, minus 1, at a film H_c in Moes units. The root is where this is 0.
 [[nodiscard]] double ertel_grubin_defect(double M, double L, double moes_film);
 
 }  // namespace ehd::verification::exact

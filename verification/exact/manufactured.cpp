@@ -9,8 +9,10 @@
 #include <limits>
 #include <memory>
 #include <numbers>
+#include <variant>
 
 #include "contact/nondimensional.hpp"
+#include "contact/overloaded.hpp"
 #include "verification/exact/numerics.hpp"
 
 namespace ehd::verification::exact {
@@ -54,29 +56,44 @@ struct Law {
   double value = 0, slope = 0;
 };
 
+/// The laws are written out here once more, so that the formulas of contact/rheology.hpp do not vouch for themselves.
 Law log_viscosity(const Viscosity& law, double P) {
-  if (const auto* barus = std::get_if<Barus>(&law)) return {barus->alpha * P, barus->alpha};
-  if (const auto* roelands = std::get_if<Roelands>(&law)) {
-    const auto [alpha, p0, z] = *roelands;
-    return {alpha * p0 / z * (std::pow(1 + P / p0, z) - 1), alpha * std::pow(1 + P / p0, z - 1)};
-  }
-  return {};
+  return std::visit(
+      Overloaded{[](const Isoviscous&) { return Law{}; },
+                 [P](const Barus& barus) {
+                   return Law{barus.alpha * P, barus.alpha};
+                 },
+                 [P](const Roelands& roelands) {
+                   const auto [alpha, p0, z] = roelands;
+                   return Law{alpha * p0 / z * (std::pow(1 + P / p0, z) - 1), alpha * std::pow(1 + P / p0, z - 1)};
+                 }},
+      law);
 }
 
 Law relative_density(const Density& law, double P) {
-  if (const auto* dh = std::get_if<DowsonHigginson>(&law)) {
-    const double room = 1 + dh->c * P;
-    return {1 + dh->a * P / room, dh->a / (room * room)};
-  }
-  return {1, 0};
+  return std::visit(Overloaded{[](const Incompressible&) { return Law{.value = 1, .slope = 0}; },
+                               [P](const DowsonHigginson& dh) {
+                                 const double room = 1 + dh.c * P;
+                                 return Law{1 + dh.a * P / room, dh.a / (room * room)};
+                               }},
+                    law);
+}
+
+/// The same law with the alpha that follows from L.
+Viscosity with_alpha(const Viscosity& law, double alpha) {
+  return std::visit(Overloaded{[](const Isoviscous& one) -> Viscosity { return one; },
+                               [alpha](const Barus&) -> Viscosity { return Barus{.alpha = alpha}; },
+                               [alpha](Roelands one) -> Viscosity {
+                                 one.alpha = alpha;
+                                 return one;
+                               }},
+                    law);
 }
 
 }  // namespace
 
 Manufactured::Manufactured(const Choice& choice) : choice_(choice), lambda_(3 * pi * pi / (8 * choice.M * choice.M)) {
-  const double alpha_p_H = choice.L * std::sqrt(choice.M / (2 * pi));
-  if (auto* barus = std::get_if<Barus>(&choice_.viscosity)) barus->alpha = alpha_p_H;
-  if (auto* roelands = std::get_if<Roelands>(&choice_.viscosity)) roelands->alpha = alpha_p_H;
+  choice_.viscosity = with_alpha(choice.viscosity, choice.L * std::sqrt(choice.M / (2 * pi)));
   amplitude_ =
       pi / 2 * (1 + choice.load) / integral([this](double X) { return pressure(X).value; }, choice.inlet, choice.exit);
 }
@@ -117,15 +134,12 @@ Manufactured Manufactured::barus() {
 
 Problem Manufactured::problem() const {
   const Groups groups = groups_from(MoesGroups{.M = choice_.M, .L = choice_.L});
-  Viscosity viscosity = choice_.viscosity;
-  if (auto* barus = std::get_if<Barus>(&viscosity)) barus->alpha = groups.alpha_p_H;
-  if (auto* roelands = std::get_if<Roelands>(&viscosity)) roelands->alpha = groups.alpha_p_H;
   const auto sources = std::make_shared<Sources>();
   sources->film = [self = *this](double X) { return self.film_source(X); };
   sources->balance = [self = *this](double X) { return self.balance_source(X); };
   sources->load = choice_.load;
   return {.groups = groups,
-          .viscosity = viscosity,
+          .viscosity = with_alpha(choice_.viscosity, groups.alpha_p_H),
           .density = choice_.density,
           .inlet = TruncatedAt{choice_.inlet},
           .sources = sources};

@@ -27,7 +27,7 @@ void keep_going_on_gsl_errors() { [[maybe_unused]] static const auto once = gsl_
 gsl_function wrap(const Function& f) { return {.function = call, .params = const_cast<Function*>(&f)}; }
 
 double judged(int status, double value, double estimate) {
-  // Rounding stops the adaptive rule short of what it was asked for; what counts is what it reached.
+  // Rounding may stop the adaptive rule before the requested error. The reached error counts.
   const bool ran = status == GSL_SUCCESS || status == GSL_EROUND || status == GSL_EMAXITER;
   return ran && estimate <= granted * std::abs(value) + granted_absolute ? value
                                                                          : std::numeric_limits<double>::quiet_NaN();

@@ -25,8 +25,31 @@ def fail(message):
     sys.exit(2)
 
 
+def read_mutants():
+    """The mutants; ends the program where the old text of one is not found exactly once in its file."""
+    with open(pathlib.Path(__file__).with_name("mutants.toml"), "rb") as file:
+        mutants = tomllib.load(file)["mutant"]
+    ids = [mutant["id"] for mutant in mutants]
+    if len(set(ids)) != len(ids):
+        fail("two mutants have one id")
+    wrong = []
+    for mutant in mutants:
+        path = TOP / mutant["file"]
+        times = path.read_text().count(mutant["find"]) if path.is_file() else None
+        if times is None:
+            wrong.append(f"{mutant['id']}: there is no file {mutant['file']}")
+        elif times != 1:
+            wrong.append(f"{mutant['id']}: its text stands {times} times in {mutant['file']}, not once")
+        if mutant["find"] == mutant["replace"]:
+            wrong.append(f"{mutant['id']} changes nothing")
+    if wrong:
+        fail("\nrun.py: ".join(wrong))
+    return mutants
+
+
 def copy_tree(source):
-    listed = subprocess.run(["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"], cwd=TOP, check=True,
+    list_files = ["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"]
+    listed = subprocess.run(list_files, cwd=TOP, check=True,
                             capture_output=True, text=True).stdout
     wanted = {name for name in listed.split("\0") if name and (TOP / name).is_file()}
     for name in sorted(wanted):
@@ -71,27 +94,23 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--output", type=pathlib.Path, default=TOP / "out" / "mutants", help="folder (out/mutants)")
     parser.add_argument("--only", action="append", default=[], metavar="PART", help="mutants with PART in their id")
+    parser.add_argument("--check", action="store_true",
+                        help="only test that each mutant's text stands once in its file")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--time-limit", type=float, default=300, metavar="S", help="of one run of the suite (300)")
     arguments = parser.parse_args()
 
-    with open(pathlib.Path(__file__).with_name("mutants.toml"), "rb") as file:
-        mutants = tomllib.load(file)["mutant"]
-    ids = [mutant["id"] for mutant in mutants]
-    if len(set(ids)) != len(ids):
-        fail("two mutants have one id")
+    mutants = read_mutants()
+    if arguments.check:
+        print(f"{len(mutants)} mutants: the old text of each stands once in its file")
+        return
     if arguments.only:
+        ids = [mutant["id"] for mutant in mutants]
         mutants = [m for m in mutants if any(part in m["id"] for part in arguments.only)]
         if not mutants:
             fail(f"no mutant has {' or '.join(arguments.only)} in its id; there are {', '.join(ids)}")
-    # Mutants of one file after each other, headers last: what is put right again is built again only once.
+    # Mutants of one file run one after the other, headers last: a restored file is then built only once.
     mutants.sort(key=lambda mutant: (mutant["file"].endswith(".hpp"), mutant["file"]))
-    for mutant in mutants:
-        text = (TOP / mutant["file"]).read_text()
-        if text.count(mutant["find"]) != 1:
-            fail(f"{mutant['id']}: its text is {text.count(mutant['find'])} times in {mutant['file']}, not once")
-        if mutant["find"] == mutant["replace"]:
-            fail(f"{mutant['id']} changes nothing")
 
     source, folder, output = (arguments.output / name for name in ("source", "build", "results"))
     for path in (source, output):

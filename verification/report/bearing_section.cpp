@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The bearing: loads and displacements round it, the paper's figures and statements, force laws.
+// The bearing: loads and displacements round it, as in the paper's figures.
 #include <algorithm>
 #include <cmath>
 #include <map>
 
 #include "contact/text.hpp"
+#include "verification/report/bearing_tables.hpp"
 #include "verification/report/report.hpp"
 
 namespace ehd::report {
 
 namespace {
 
-constexpr double micro = 1e6, milli = 1e3, kilo = 1e-3;
+constexpr double micro = 1e6, kilo = 1e-3;
 constexpr const char* axis_psi = "azimuth *\u03c8* [deg]";
 constexpr const char* axis_force = "contact force *f*_{i} [kN]";
 constexpr const char* axis_displacement = "displacement *\u03b4*_{i} [\u00b5m]";
@@ -113,12 +114,8 @@ Panel clearances_panel(const std::vector<Bearing>& group, const std::string& law
   return panel;
 }
 
-void add_family(Page& page, const std::vector<Bearing>& group) {
-  const Bearing& first = group.front();
-  const std::string what = first.id + (group.size() > 1 ? " and its clearances" : "");
-  page.heading(escaped(what) + (operation(first.view).empty() ? "" : ": " + operation(first.view)));
-  if (!first.title.empty()) page.paragraph(escaped(first.title) + ".");
-  page.begin_figures();
+/// One figure a bearing: f_i over psi, a curve a law.
+void add_forces(Page& page, const std::vector<Bearing>& group) {
   for (const Bearing& bearing : group) {
     Figure figure{.id = "fig-force-" + bearing.id,
                   .title = "Contact forces of " + bearing.id,
@@ -128,6 +125,9 @@ void add_family(Page& page, const std::vector<Bearing>& group) {
                                        "</b>: contact force over azimuth (the paper's figure 2), inner raceway, " +
                                        markup_to_html(clearance_label(bearing.clearance_text)) + ".");
   }
+}
+
+void add_displacements(Page& page, const Bearing& first) {
   Figure displacement{
       .id = "fig-displacement-" + first.id,
       .title = "Displacements of " + first.id,
@@ -138,18 +138,23 @@ void add_family(Page& page, const std::vector<Bearing>& group) {
   page.figure(std::move(displacement),
               "<b>" + escaped(first.id) + "</b>: displacement over azimuth (the paper's figure 3), " +
                   markup_to_html(clearance_label(first.clearance_text)) + "; negative where there is a gap.");
-  if (group.size() > 1) {
-    for (const BearingCurves& law : first.laws) {
-      Figure figure{.id = "fig-clearance-" + first.id + "-" + law.law,
-                    .title = "Displacements at all clearances, " + law.law,
-                    .description = "Displacement of each roller over its azimuth under the law " + law.law +
-                                   ", a curve a clearance."};
-      figure.panels.push_back(clearances_panel(group, law.law));
-      page.figure(std::move(figure), "Displacement over azimuth at all clearances (the paper's figure 4), law <b>" +
-                                         escaped(law.law) + "</b>.");
-    }
+}
+
+/// One figure a law: delta_i over psi, a curve a clearance.
+void add_clearances(Page& page, const std::vector<Bearing>& group) {
+  const Bearing& first = group.front();
+  for (const BearingCurves& law : first.laws) {
+    Figure figure{.id = "fig-clearance-" + first.id + "-" + law.law,
+                  .title = "Displacements at all clearances, " + law.law,
+                  .description = "Displacement of each roller over its azimuth under the law " + law.law +
+                                 ", a curve a clearance."};
+    figure.panels.push_back(clearances_panel(group, law.law));
+    page.figure(std::move(figure), "Displacement over azimuth at all clearances (the paper's figure 4), law <b>" +
+                                       escaped(law.law) + "</b>.");
   }
-  page.end_figures();
+}
+
+void add_polars(Page& page, const std::vector<Bearing>& group) {
   page.begin_figures("polars");
   for (const Bearing& bearing : group) {
     PolarPlot plot{
@@ -173,7 +178,35 @@ void add_family(Page& page, const std::vector<Bearing>& group) {
                 "<b>" + escaped(bearing.id) + "</b>: load distribution; the load points down, towards 0\u00b0.");
   }
   page.end_figures();
+}
 
+/// One row of the table of balances: a law of a bearing.
+std::vector<TableCell> balance_row(const std::string& id, const View& law) {
+  double force = 0, film = std::numeric_limits<double>::infinity();
+  int loaded = 0;
+  for (const View& roller : law.list("rollers")) {
+    const double own = roller["inner"].number("force_N").value_or(0);
+    force = std::max(force, own);
+    loaded += own > 0 ? 1 : 0;
+    if (const auto h = roller["inner"].number("film_minimum_m")) film = std::min(film, *h);
+  }
+  const View fit = law["fit"]["inner"];
+  const auto times = [](const std::optional<double>& value, double factor) {
+    return value ? std::optional(*value * factor) : std::nullopt;
+  };
+  return {words(id),
+          words(law.text("law")),
+          verdict_cell(law.text("status")),
+          number_cell(times(law.number("displacement_m"), micro), 4),
+          number_cell(force * kilo, 4),
+          integer_cell(loaded),
+          number_cell(std::isfinite(film) ? std::optional(film * micro) : std::nullopt, 3),
+          number_cell(times(fit.number("K_N_per_m"), 1 / micro), 5),
+          number_cell(fit.number("dF_N"), 4),
+          number_cell(fit.number("residual_N"), 3)};
+}
+
+void add_balances(Page& page, const std::vector<Bearing>& group) {
   Table table;
   table.caption = "Balance and fit, inner raceway: <i>f</i> = <i>K</i> <i>\u03b4</i> + \u0394<i>F</i>";
   table.columns = {"case",
@@ -186,191 +219,23 @@ void add_family(Page& page, const std::vector<Bearing>& group) {
                    "<i>K</i> [N/\u00b5m]",
                    "\u0394<i>F</i> [N]",
                    "residual [N]"};
-  for (const Bearing& bearing : group) {
-    for (const View& law : bearing.view.list("laws")) {
-      double force = 0, film = std::numeric_limits<double>::infinity();
-      int loaded = 0;
-      for (const View& roller : law.list("rollers")) {
-        const double own = roller["inner"].number("force_N").value_or(0);
-        force = std::max(force, own);
-        loaded += own > 0 ? 1 : 0;
-        if (const auto h = roller["inner"].number("film_minimum_m")) film = std::min(film, *h);
-      }
-      const View fit = law["fit"]["inner"];
-      const auto times = [](const std::optional<double>& value, double factor) {
-        return value ? std::optional(*value * factor) : std::nullopt;
-      };
-      table.rows.push_back({words(bearing.id), words(law.text("law")), verdict_cell(law.text("status")),
-                            number_cell(times(law.number("displacement_m"), micro), 4), number_cell(force * kilo, 4),
-                            integer_cell(loaded),
-                            number_cell(std::isfinite(film) ? std::optional(film * micro) : std::nullopt, 3),
-                            number_cell(times(fit.number("K_N_per_m"), 1 / micro), 5),
-                            number_cell(fit.number("dF_N"), 4), number_cell(fit.number("residual_N"), 3)});
-    }
-  }
+  for (const Bearing& bearing : group)
+    for (const View& law : bearing.view.list("laws")) table.rows.push_back(balance_row(bearing.id, law));
   page.add(table);
 }
 
-void add_statements(Page& page, const std::vector<View>& statements) {
-  page.heading("The paper's statements");
-  if (statements.empty()) {
-    page.absent("The paper's statements with their verdicts are", "ehd verify --output DIR");
-    return;
-  }
-  Table table;
-  table.columns = {"", "law", "statement", "verdict", "in numbers"};
-  for (const View& one : statements) {
-    const auto holds = one.flag("holds");
-    // Not a failure of the program: what was computed, whichever way it turned out.
-    table.rows.push_back({{"(" + escaped(one.text("letter")) + ")", ""},
-                          words(one.text("law")),
-                          {escaped(one.text("statement")), "wide"},
-                          {holds ? (*holds ? "holds" : "<b>does not hold</b>") : "", ""},
-                          {escaped(one.text("numbers")), "wide"}});
-  }
-  page.add(table);
-}
-
-/// What each simplification may move; one table for all bearings that state one.
-void add_budgets(Page& page, const std::vector<View>& bearings) {
-  if (bearings.empty()) return;  // which is said where they would stand
-  Table table;
-  table.caption = "Error budget: what may move a balance (bounds of first order, or differences of two balances)";
-  table.columns = {"case",
-                   "law",
-                   "source",
-                   "of",
-                   "kind",
-                   "ring displacement [\u00b5m]",
-                   "largest force [N]",
-                   "any force [N]",
-                   "thinnest film [%]"};
-  const auto times = [](const std::optional<double>& value, double factor) {
-    return value ? std::optional(*value * factor) : std::nullopt;
-  };
-  for (const View& bearing : bearings)
-    for (const View& law : bearing.list("laws"))
-      for (const View& row : law.list("error_budget"))
-        table.rows.push_back({words(bearing.text("id")), words(law.text("law")), words(row.text("source")),
-                              words(row.text("of")), words(row.text("kind")),
-                              number_cell(times(row.number("displacement_m"), micro), 2),
-                              number_cell(row.number("largest_force_N"), 3), number_cell(row.number("any_force_N"), 3),
-                              number_cell(times(row.number("smallest_film_relative"), 100), 2)});
-  page.heading("Error budget");
-  if (table.rows.empty()) {
-    page.absent("Error budgets are", "ehd verify --output DIR");
-    return;
-  }
-  page.add(table);
-}
-
-/// One choice changed at a time, and what the statements become.
-void add_study(Page& page, const View& study) {
-  page.heading("On what the statements depend");
-  const std::vector<View> rows = study.list("rows");
-  if (rows.empty()) {
-    page.absent("The study of the statements is", "ehd verify --output DIR");
-    return;
-  }
-  Table summary;
-  summary.caption = "Statements over the choices that the paper leaves open";
-  summary.columns = {"", "law", "holds in", "where not, or where alone"};
-  for (const View& one : study.list("summary"))
-    summary.rows.push_back(
-        {{"(" + escaped(one.text("letter")) + ")", ""},
-         words(one.text("law")),
-         words(plain(one.number("holds").value_or(0)) + " of " + plain(one.number("of").value_or(0))),
-         {escaped(one.text("exceptions")), "wide"}});
-  page.add(summary);
-  Table table;
-  table.caption = "One choice changed at a time; changes are EHD against dry at <i>\u03c8</i> = 0";
-  table.columns = {"changed",
-                   "to",
-                   "law",
-                   "(a)",
-                   "force [%]",
-                   "(b)",
-                   "displacement [%]",
-                   "(c)",
-                   "middle, largest clearance [%]",
-                   "(d)",
-                   "<i>x</i><sub>0</sub> [mm] for (a) to (d)"};
-  for (const View& row : rows) {
-    std::map<std::string, View> by_letter;
-    for (const View& one : row.list("statements")) by_letter[one.text("letter")] = one;
-    const auto holds = [&](const char* letter) {
-      const auto flag = by_letter[letter].flag("holds");
-      return TableCell{flag ? (*flag ? "holds" : "<b>no</b>") : "", ""};
-    };
-    const auto percent = [&](const char* letter, const char* name) {
-      const auto value = by_letter[letter]["values"].number(name);
-      return value ? plain(100 * *value, 2) : std::string("-");
-    };
-    std::string ranges;
-    for (const View& range : row.list("x0_all_hold_m")) {
-      const std::vector<double> ends = range.numbers();
-      if (ends.size() != 2) continue;
-      ranges += (ranges.empty() ? "" : ", ") + plain(milli * ends[0], 2) + " to " + plain(milli * ends[1], 2);
-    }
-    if (ranges.empty() && row.has("x0_all_hold_m")) ranges = "nowhere";
-    table.rows.push_back({words(row.text("factor")), words(row.text("value")), words(row.text("law")), holds("a"),
-                          words(percent("a", "change")), holds("b"),
-                          words(percent("b", "least") + " to " + percent("b", "most")), holds("c"),
-                          words(percent("c", "middle") + ", " + percent("c", "largest")), holds("d"), words(ranges)});
-  }
-  page.add(table);
-}
-
-void add_force_laws(Page& page, const std::vector<View>& laws) {
-  page.heading("Contact force laws <i>f</i>(<i>\u03b4</i>)");
-  if (laws.empty()) {
-    page.absent("Contact force laws are", "ehd verify --output DIR");
-    return;
-  }
-  std::vector<std::pair<std::string, std::string>> contacts;  // case, raceway
-  for (const View& one : laws) {
-    const std::pair name{one.text("id"), one.text("raceway")};
-    if (std::find(contacts.begin(), contacts.end(), name) == contacts.end()) contacts.push_back(name);
-  }
+void add_family(Page& page, const std::vector<Bearing>& group) {
+  const Bearing& first = group.front();
+  const std::string what = first.id + (group.size() > 1 ? " and its clearances" : "");
+  page.heading(escaped(what) + (operation(first.view).empty() ? "" : ": " + operation(first.view)));
+  if (!first.title.empty()) page.paragraph(escaped(first.title) + ".");
   page.begin_figures();
-  for (const auto& [id, raceway] : contacts) {
-    Figure figure{.id = "fig-law-" + id + "-" + raceway,
-                  .title = "Contact force laws of " + id + ", " + raceway + " raceway",
-                  .description = "Contact force over displacement, a curve a law; below, the minimum film."};
-    Panel force, film;
-    force.height = 200;
-    film.height = 110;
-    force.y = {.label = "*f* [kN]", .low = 0};
-    film.y = {.label = "*h*_{min} [\u00b5m]", .scale = Scale::logarithmic};
-    for (const View& one : laws) {
-      if (one.text("id") != id || one.text("raceway") != raceway) continue;
-      const Look look = look_of_law(one.text("law"));
-      const auto displacement = scaled(one.numbers("displacement_m"), micro);
-      force.series.push_back({.name = literal(one.text("law")),
-                              .x = displacement,
-                              .y = scaled(one.numbers("force_N"), kilo),
-                              .line = look.line,
-                              .colour = look.colour});
-      if (one.has("film_minimum_m"))
-        film.series.push_back({.x = displacement,
-                               .y = scaled(one.numbers("film_minimum_m"), micro),
-                               .line = look.line,
-                               .colour = look.colour});
-    }
-    std::vector<double> all;
-    for (const Series& series : force.series) all.insert(all.end(), series.x.begin(), series.x.end());
-    const Range range = range_of(all, Scale::linear);
-    force.x.low = film.x.low = range.low;
-    force.x.high = film.x.high = range.high;
-    force.x.label = film.x.label = "displacement *\u03b4* [\u00b5m]";
-    force.x.silent = !film.series.empty();
-    figure.panels.push_back(std::move(force));
-    if (!film.series.empty()) figure.panels.push_back(std::move(film));
-    page.figure(std::move(figure), "<b>" + escaped(id) + "</b>, " + escaped(raceway) +
-                                       " raceway: contact force over displacement" +
-                                       (figure.panels.size() > 1 ? ", and the minimum film below." : "."));
-  }
+  add_forces(page, group);
+  add_displacements(page, first);
+  if (group.size() > 1) add_clearances(page, group);
   page.end_figures();
+  add_polars(page, group);
+  add_balances(page, group);
 }
 
 }  // namespace

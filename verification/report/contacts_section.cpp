@@ -20,7 +20,7 @@ std::vector<double> magnitudes(std::vector<double> values) {
   return values;
 }
 
-/// Three decades below the largest and down to what is stated: below, a difference is none.
+/// Three decades below the largest, or down to the stated error. A smaller difference means nothing.
 std::optional<double> lowest_shown(const std::vector<double>& a, const std::vector<double>& b) {
   double largest = 0;
   for (const auto* values : {&a, &b}) {
@@ -96,7 +96,7 @@ Figure contact_figure(const std::string& id, const std::string& title, const std
   }
   panel.y = {.label = axis_P, .low = 0};
   panel.right = Axis{.label = axis_H, .low = 0};
-  // A film opens far beyond its height in the contact on both sides: what is above four times that is cut off.
+  // Outside the contact the film opens far beyond its height inside. The figure ends at four times that height.
   constexpr double shown_films = 4;
   if (central > 0) {
     double tallest = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The JSON files of a folder as the report reads them: strict about types, easy about what is absent.
+// The JSON files of a folder as the report reads them. A wrong type is an error; an absent entry is not.
 #pragma once
 
 #include <filesystem>
@@ -13,7 +13,7 @@
 
 namespace ehd::report {
 
-/// What cannot be read: what() is one line, "FILE: what is wrong; what is required".
+/// A file that cannot be read. what() is one line: "FILE: the problem; the requirement".
 class ReportError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/report/heat_map.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
-#include <numbers>
 
 namespace ehd::report {
 
 namespace {
+
+constexpr double row_height = 27;  // pixels
 
 using Rgb = std::array<double, 3>;
 
@@ -35,11 +37,8 @@ Rgb diverging(double share) {
 double luminance(const Rgb& colour) { return (0.2126 * colour[0] + 0.7152 * colour[1] + 0.0722 * colour[2]) / 255; }
 
 std::string hex(const Rgb& colour) {
-  char text[8];
-  std::snprintf(text, sizeof text, "#%02x%02x%02x", static_cast<unsigned>(std::lround(colour[0])) & 0xffU,
-                static_cast<unsigned>(std::lround(colour[1])) & 0xffU,
-                static_cast<unsigned>(std::lround(colour[2])) & 0xffU);
-  return text;
+  const auto byte = [](double part) { return static_cast<unsigned>(std::lround(part)) & 0xffU; };
+  return fmt::format("#{:02x}{:02x}{:02x}", byte(colour[0]), byte(colour[1]), byte(colour[2]));
 }
 
 /// The colour of each value, from the range of all.
@@ -120,6 +119,106 @@ std::string contours_svg(const HeatMap& map, const CellGrid& grid) {
   return svg;
 }
 
+/// A cell's number, in dark or white ink, with a rim of the cell's colour: contour lines pass below the numbers.
+std::string number_svg(const Cell& cell, const std::optional<Rgb>& colour, Point centre, double width) {
+  constexpr double dark = 0.45;
+  const bool white = colour && luminance(*colour) < dark;
+  const std::string ink =
+      colour ? std::string(" style=\"fill:") + (white ? "#fff" : "#111") + ";stroke:" + hex(*colour) + "\""
+             : std::string();
+  const double size = std::min(10.5, 10.5 * (width - 3) / std::max(1.0, text_width(literal(cell.text), 10.5)));
+  return text_svg({centre.x, centre.y + 3.6}, literal(cell.text), "middle", "cell-text",
+                  ink + " font-size=\"" + pixels(size) + "\"");
+}
+
+struct Cells {
+  std::string svg;
+  std::string numbers;  ///< drawn over the contour lines
+  bool hatched = false;
+};
+Cells cells_svg(const HeatMap& map, const CellGrid& grid, const std::string& hatch, Place place) {
+  const Palette palette(map);
+  const double w = grid.cell_width(), h = grid.cell_height();
+  Cells drawn;
+  for (std::size_t j = 0; j < map.y.size(); ++j) {
+    for (std::size_t i = 0; i < map.x.size(); ++i) {
+      const std::size_t at = j * map.x.size() + i;
+      if (at >= map.cells.size()) continue;
+      const Cell& cell = map.cells[at];
+      const Point centre = grid.at({static_cast<double>(i), static_cast<double>(j)});
+      const std::string rectangle = "x=\"" + pixels(centre.x - w / 2) + "\" y=\"" + pixels(centre.y - h / 2) +
+                                    "\" width=\"" + pixels(w) + "\" height=\"" + pixels(h) + "\"";
+      const auto colour = palette(cell.value);
+      drawn.svg += "<g class=\"datum\"" +
+                   (place == Place::page ? " data-hint=\"" + escaped(cell.hint) + "\"" : std::string()) + "><rect " +
+                   rectangle + (colour ? " class=\"cell\" fill=\"" + hex(*colour) + "\"" : " class=\"blank\"") + "/>";
+      if (cell.hatched && colour) {
+        drawn.svg += "<rect " + rectangle + " class=\"cell\" fill=\"url(#" + escaped(hatch) + ")\"/>";
+        drawn.hatched = true;
+      }
+      if (!cell.text.empty()) drawn.numbers += number_svg(cell, colour, centre, w);
+      drawn.svg += "</g>\n";
+    }
+  }
+  return drawn;
+}
+
+std::string hatch_svg(const std::string& hatch) {
+  return "<defs><pattern id=\"" + escaped(hatch) +
+         "\" width=\"6\" height=\"6\" patternUnits=\"userSpaceOnUse\" patternTransform=\"rotate(45)\"><path "
+         "d=\"M0 0L0 6\" stroke=\"#000\" stroke-width=\"1.1\" stroke-opacity=\".38\"/></pattern></defs>";
+}
+
+/// Numbers and names along both axes.
+std::string axes_svg(const HeatMap& map, const CellGrid& grid) {
+  const Box& box = grid.box;
+  std::string svg;
+  for (std::size_t i = 0; i < map.x.size(); ++i)
+    svg +=
+        text_svg({grid.at({static_cast<double>(i), 0}).x, box.bottom + 14}, number_markup(map.x[i]), "middle", "small");
+  for (std::size_t j = 0; j < map.y.size(); ++j)
+    svg +=
+        text_svg({box.left - 6, grid.at({0, static_cast<double>(j)}).y + 4}, number_markup(map.y[j]), "end", "small");
+  const double middle = (box.top + box.bottom) / 2;
+  return svg + text_svg({(box.left + box.right) / 2, box.bottom + 31}, map.x_label) +
+         text_svg({16, middle}, map.y_label, "middle", "", " transform=\"rotate(-90 16 " + pixels(middle) + ")\"");
+}
+
+/// What lines and hatching mean, in rows below the map.
+struct Keys {
+  std::string svg;
+  double bottom = 0;
+};
+Keys keys_svg(const HeatMap& map, const CellGrid& grid, const std::string& hatch, bool hatched) {
+  Keys keys{.svg = {}, .bottom = grid.box.bottom + 38};
+  double x = grid.box.left;
+  const auto next = [&](double width) {
+    if (x > grid.box.left && x + width > map.width) {
+      x = grid.box.left;
+      keys.bottom += 17;
+    }
+    const double at = x;
+    x += width;
+    return at;
+  };
+  for (const auto& [line, label] : map.keys) {
+    const double at = next(44 + text_width(label, 12));
+    keys.svg += "<path class=\"axis\" stroke-width=\"1.6\" d=\"" +
+                path_data({{at, keys.bottom + 8}, {at + 26, keys.bottom + 8}}) + "\"" + dash_attribute(line) + "/>" +
+                text_svg({at + 31, keys.bottom + 12}, label, "start");
+  }
+  if (hatched) {
+    const std::string label = "hatched: *p*_{H} > 4 GPa, a numerical test";
+    const double at = next(40 + text_width(label, 12));
+    const std::string place =
+        "x=\"" + pixels(at) + "\" y=\"" + pixels(keys.bottom + 1) + "\" width=\"22\" height=\"13\"";
+    keys.svg += "<rect class=\"blank\" " + place + " style=\"fill:#f4f4f4\"/><rect " + place + " fill=\"url(#" +
+                escaped(hatch) + ")\"/>" + text_svg({at + 27, keys.bottom + 12}, label, "start");
+  }
+  if (hatched || !map.keys.empty()) keys.bottom += 20;
+  return keys;
+}
+
 }  // namespace
 
 std::vector<std::vector<Point>> contour_lines(const std::vector<double>& values, std::size_t columns, std::size_t rows,
@@ -198,173 +297,14 @@ std::string draw(const HeatMap& map, Place place) {
     svg += text_svg({8, 17}, map.heading, "start", "head");
     top = 26;
   }
-  constexpr double row_height = 27;
-  CellGrid grid{{left, top, right, top + row_height * static_cast<double>(map.y.size())}, map.x.size(), map.y.size()};
-  const Palette palette(map);
+  const CellGrid grid{
+      {left, top, right, top + row_height * static_cast<double>(map.y.size())}, map.x.size(), map.y.size()};
   const std::string hatch = map.id + "-hatch";
-  bool hatched = false;
-  std::string cells, texts;
-  for (std::size_t j = 0; j < map.y.size(); ++j) {
-    for (std::size_t i = 0; i < map.x.size(); ++i) {
-      const std::size_t at = j * map.x.size() + i;
-      if (at >= map.cells.size()) continue;
-      const Cell& cell = map.cells[at];
-      const Point centre = grid.at({static_cast<double>(i), static_cast<double>(j)});
-      const double w = grid.cell_width(), h = grid.cell_height();
-      const std::string rectangle = "x=\"" + pixels(centre.x - w / 2) + "\" y=\"" + pixels(centre.y - h / 2) +
-                                    "\" width=\"" + pixels(w) + "\" height=\"" + pixels(h) + "\"";
-      const auto colour = palette(cell.value);
-      cells += "<g class=\"datum\"" +
-               (place == Place::page ? " data-hint=\"" + escaped(cell.hint) + "\"" : std::string()) + "><rect " +
-               rectangle + (colour ? " class=\"cell\" fill=\"" + hex(*colour) + "\"" : " class=\"blank\"") + "/>";
-      if (cell.hatched && colour) {
-        cells += "<rect " + rectangle + " class=\"cell\" fill=\"url(#" + escaped(hatch) + ")\"/>";
-        hatched = true;
-      }
-      if (!cell.text.empty()) {
-        constexpr double dark = 0.45;
-        const bool white = colour && luminance(*colour) < dark;
-        // With a rim of the cell's colour: contour lines pass below the numbers.
-        const std::string ink =
-            colour ? std::string(" style=\"fill:") + (white ? "#fff" : "#111") + ";stroke:" + hex(*colour) + "\""
-                   : std::string();
-        const double size = std::min(10.5, 10.5 * (w - 3) / std::max(1.0, text_width(literal(cell.text), 10.5)));
-        texts += text_svg({centre.x, centre.y + 3.6}, literal(cell.text), "middle", "cell-text",
-                          ink + " font-size=\"" + pixels(size) + "\"");
-      }
-      cells += "</g>\n";
-    }
-  }
-  if (hatched)
-    svg += "<defs><pattern id=\"" + escaped(hatch) +
-           "\" width=\"6\" height=\"6\" patternUnits=\"userSpaceOnUse\" patternTransform=\"rotate(45)\"><path d=\"M0 "
-           "0L0 6\" "
-           "stroke=\"#000\" stroke-width=\"1.1\" stroke-opacity=\".38\"/></pattern></defs>";
-  svg += cells + contours_svg(map, grid) + texts;
-  for (std::size_t i = 0; i < map.x.size(); ++i)
-    svg += text_svg({grid.at({static_cast<double>(i), 0}).x, grid.box.bottom + 14}, number_markup(map.x[i]), "middle",
-                    "small");
-  for (std::size_t j = 0; j < map.y.size(); ++j)
-    svg += text_svg({left - 6, grid.at({0, static_cast<double>(j)}).y + 4}, number_markup(map.y[j]), "end", "small");
-  svg += text_svg({(left + right) / 2, grid.box.bottom + 31}, map.x_label);
-  const double middle = (grid.box.top + grid.box.bottom) / 2;
-  svg += text_svg({16, middle}, map.y_label, "middle", "", " transform=\"rotate(-90 16 " + pixels(middle) + ")\"");
-  double bottom = grid.box.bottom + 38;
-  double x = left;
-  const auto next = [&](double width) {
-    if (x > left && x + width > map.width) {
-      x = left;
-      bottom += 17;
-    }
-    const double at = x;
-    x += width;
-    return at;
-  };
-  for (const auto& [line, label] : map.keys) {
-    const double at = next(44 + text_width(label, 12));
-    svg += "<path class=\"axis\" stroke-width=\"1.6\" d=\"" + path_data({{at, bottom + 8}, {at + 26, bottom + 8}}) +
-           "\"" + dash_attribute(line) + "/>" + text_svg({at + 31, bottom + 12}, label, "start");
-  }
-  if (hatched) {
-    const std::string label = "hatched: *p*_{H} > 4 GPa, a numerical test";
-    const double at = next(40 + text_width(label, 12));
-    svg += "<rect class=\"blank\" x=\"" + pixels(at) + "\" y=\"" + pixels(bottom + 1) +
-           "\" width=\"22\" height=\"13\" style=\"fill:#f4f4f4\"/><rect x=\"" + pixels(at) + "\" y=\"" +
-           pixels(bottom + 1) + "\" width=\"22\" height=\"13\" fill=\"url(#" + escaped(hatch) + ")\"/>" +
-           text_svg({at + 27, bottom + 12}, label, "start");
-  }
-  if (hatched || !map.keys.empty()) bottom += 20;
-  return picture({map.id, map.title, map.description, map.width, bottom}, svg, place);
-}
-
-std::string draw(const PolarPlot& plot, Place place) {
-  std::string svg;
-  double y = 4;
-  if (!plot.heading.empty()) {
-    svg += text_svg({8, y + 13}, plot.heading, "start", "head");
-    y += 20;
-  }
-  double x = 10;
-  for (std::size_t k = 0; k < plot.series.size(); ++k) {
-    const PolarSeries& series = plot.series[k];
-    const double width = 28 + 6 + text_width(series.name, 12) + 14;
-    if (x > 10 && x + width > plot.width) {
-      x = 10;
-      y += 17;
-    }
-    svg += "<g class=\"key s" + std::to_string(series.colour) + "\" data-key=\"" + std::to_string(k) +
-           "\"><path class=\"line\" d=\"" + path_data({{x, y + 7}, {x + 28, y + 7}}) + "\"" +
-           dash_attribute(series.line) + "/>" + marker_svg(series.marker, {x + 14, y + 7}, true) +
-           text_svg({x + 33, y + 11}, series.name, "start") + "</g>\n";
-    x += width;
-  }
-  y += 22 + 14;
-  const double radius = (plot.width - 84) / 2;
-  const Point centre{plot.width / 2, y + radius};
-  std::vector<double> values{0};
-  for (const PolarSeries& series : plot.series) values.insert(values.end(), series.radius.begin(), series.radius.end());
-  Range range = range_of(values, Scale::linear);
-  range.low = 0;
-  if (!(range.high > 0)) range.high = 1;  // no load at all
-  const double step = tick_step(range, 4);
-  const auto ticks = linear_ticks(range, step);
-  const auto at = [&](double angle_deg, double value) {
-    const double angle = angle_deg * std::numbers::pi / 180, r = radius * value / range.high;
-    return Point{centre.x + r * std::sin(angle), centre.y + r * std::cos(angle)};
-  };
-  for (const Tick& tick : ticks) {
-    if (!(tick.value > 0)) continue;
-    svg += "<circle class=\"grid\" cx=\"" + pixels(centre.x) + "\" cy=\"" + pixels(centre.y) + "\" r=\"" +
-           pixels(radius * tick.value / range.high) + "\"/>";
-  }
-  constexpr int spoke_deg = 30;
-  for (int angle = 0; angle < 360; angle += spoke_deg) {
-    svg += "<path class=\"grid\" d=\"" + path_data({centre, at(angle, range.high)}) + "\"/>";
-    const Point label = at(angle, range.high * (1 + 17 / radius));
-    const int shown = angle > 180 ? angle - 360 : angle;
-    svg += text_svg({label.x, label.y + 4}, (shown < 0 ? "\u2212" : "") + std::to_string(std::abs(shown)) + "\u00b0",
-                    "middle", "small soft");
-  }
-  for (std::size_t k = 0; k < plot.series.size(); ++k) {
-    const PolarSeries& series = plot.series[k];
-    struct Spot {
-      double angle;
-      Point at;
-      double value;
-    };
-    std::vector<Spot> spots;
-    for (std::size_t i = 0; i < std::min(series.angle_deg.size(), series.radius.size()); ++i) {
-      const double turned = std::fmod(std::fmod(series.angle_deg[i], 360) + 360, 360);
-      const Point p = at(turned, std::max(0.0, series.radius[i]));
-      if (std::isfinite(p.x + p.y)) spots.push_back({turned, p, series.radius[i]});
-    }
-    std::sort(spots.begin(), spots.end(), [](const Spot& a, const Spot& b) { return a.angle < b.angle; });
-    std::vector<Point> outline;
-    std::string marks;
-    for (const Spot& spot : spots) {
-      outline.push_back(spot.at);
-      char hint[160];
-      std::snprintf(hint, sizeof hint, "%.4g\u00b0: %.5g", spot.angle > 180 ? spot.angle - 360 : spot.angle,
-                    spot.value);
-      marks += "<g class=\"datum\"" +
-               (place == Place::page ? " data-hint=\"" + escaped(markup_to_text(series.name)) + ", " + hint + "\""
-                                     : std::string()) +
-               ">" + marker_svg(series.marker, spot.at, true) + "</g>";
-    }
-    if (!outline.empty()) outline.push_back(outline.front());
-    svg += "<g class=\"series s" + std::to_string(series.colour) + "\" data-key=\"" + std::to_string(k) +
-           "\"><path class=\"line\" d=\"" + path_data(outline) + "\"" + dash_attribute(series.line) + "/>" + marks +
-           "</g>\n";
-  }
-  // The scale last, along a direction between spokes, so that curves do not hide it.
-  for (const Tick& tick : ticks) {
-    if (!(tick.value > 0) || tick.value > range.high * (1 + 1e-9)) continue;
-    const Point label = at(-105, tick.value);
-    svg += text_svg({label.x, label.y + 4}, tick.label, "middle", "small halo");
-  }
-  const double bottom = centre.y + radius + 30;
-  svg += text_svg({plot.width / 2, bottom + 10}, plot.radius_label);
-  return picture({plot.id, plot.title, plot.description, plot.width, bottom + 18}, svg, place);
+  const Cells cells = cells_svg(map, grid, hatch, place);
+  if (cells.hatched) svg += hatch_svg(hatch);
+  svg += cells.svg + contours_svg(map, grid) + cells.numbers + axes_svg(map, grid);
+  const Keys keys = keys_svg(map, grid, hatch, cells.hatched);
+  return picture({map.id, map.title, map.description, map.width, keys.bottom}, svg + keys.svg, place);
 }
 
 }  // namespace ehd::report

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A quantity over two groups as coloured cells with their numbers, contour lines and hatched cells; and loads round a
-// bearing in polar coordinates.
+// A quantity over two groups as coloured cells with their numbers, contour lines and hatched cells.
 #pragma once
 
 #include <optional>
@@ -49,23 +48,5 @@ struct HeatMap {
 /// coordinates (i, j), by marching squares; squares with a value that is not finite have none. `values`: x fastest.
 [[nodiscard]] std::vector<std::vector<Point>> contour_lines(const std::vector<double>& values, std::size_t columns,
                                                             std::size_t rows, double level);
-
-struct PolarSeries {
-  std::string name;  ///< markup
-  std::vector<double> angle_deg, radius;
-  Line line = Line::solid;
-  Marker marker = Marker::circle;
-  int colour = 1;
-};
-/// Angle 0 points down (the load), angles grow counterclockwise; the radius is linear from 0.
-struct PolarPlot {
-  std::string id;
-  std::string title, description;  ///< plain text
-  std::string heading = {};        ///< markup
-  std::string radius_label;        ///< markup, with the unit
-  std::vector<PolarSeries> series;
-  double width = 380;
-};
-[[nodiscard]] std::string draw(const PolarPlot& plot, Place place);
 
 }  // namespace ehd::report

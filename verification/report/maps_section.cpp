@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Maps over the Moes groups M and L: certified films, what formulas make of them, what a cut inlet costs, what `fast`
 // needs.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <functional>
 #include <map>
 
@@ -35,9 +36,8 @@ const View* point_at(const Atlas& atlas, const std::string& laws, double M, doub
 std::string percent(double share) {
   const double value = 100 * share, size = std::abs(value);
   if (!(size >= 0.005)) return "0.00";
-  char text[32];
-  std::snprintf(text, sizeof text, size < 0.0995 ? "%+.2f" : size < 9.95 ? "%+.1f" : "%+.0f", value);
-  std::string result = text;
+  const int decimals = size < 0.0995 ? 2 : size < 9.95 ? 1 : 0;
+  std::string result = fmt::format("{:+.{}f}", value, decimals);
   if (result.front() == '-') result.replace(0, 1, "\u2212");
   return result;
 }

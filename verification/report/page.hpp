@@ -10,6 +10,7 @@
 #include "verification/report/document.hpp"
 #include "verification/report/heat_map.hpp"
 #include "verification/report/plot.hpp"
+#include "verification/report/polar_plot.hpp"
 
 namespace ehd::report {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/report/plot.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <set>
 
 namespace ehd::report {
 
@@ -69,12 +69,6 @@ std::vector<Tick> ticks_for(const Axis& axis, const Range& range, int wanted) {
 
 std::string line_svg(Point from, Point to, const char* css) {
   return "<path class=\"" + std::string(css) + "\" d=\"" + path_data({from, to}) + "\"/>";
-}
-
-std::string digits(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
 }
 
 double tick_label_width(const std::vector<Tick>& ticks) {
@@ -148,7 +142,7 @@ std::string series_svg(const Series& series, std::size_t key, const Mapping& to_
     for (std::size_t k = 0; k < index.size(); k += every) {
       const std::size_t i = index[k];
       values += (values.empty() ? "" : " ") + pixels(points[i].x) + "," + pixels(points[i].y) + "," +
-                digits(series.x[i]) + "," + digits(series.y[i]);
+                fmt::format("{:.6g}", series.x[i]) + "," + fmt::format("{:.6g}", series.y[i]);
     }
     svg += " data-name=\"" + escaped(markup_to_text(series.name)) + "\" data-values=\"" + values + "\"" +
            (series.right ? " data-right=\"1\"" : "");
@@ -181,19 +175,12 @@ std::string triangle_svg(const SlopeTriangle& one, const Mapping& to_x, const Ma
          text_svg({a.x - 4, (a.y + b.y) / 2 + 4}, number_markup(one.order, 3), "end", "small halo");
 }
 
-Drawn draw_panel(const Panel& panel, const Ready& axes, const Margins& margins, double width, double top, Place place,
-                 std::vector<std::string>& names) {
-  const double left = margins.left, right = width - margins.right;
+/// The names of the series in rows above the frame.
+Drawn legend_svg(const Panel& panel, double left, double right, double top, std::vector<std::string>& names) {
+  const auto legend = legend_of(panel, left, right, names);
   std::string svg;
-  double y = top;
-  if (!panel.title.empty()) {
-    y += 16;
-    svg += text_svg({8, y - 3}, panel.title, "start", "head");
-    y += 2;
-  }
-  const auto legend = legend_of(panel, left, width - 6, names);
   for (const LegendEntry& entry : legend) {
-    const double at = y + legend_row * entry.row + 11;
+    const double at = top + legend_row * entry.row + 11;
     const Series& series = *entry.series;
     svg += "<g class=\"key s" + std::to_string(series.colour) + "\" data-key=\"" + std::to_string(entry.key) + "\">";
     const Line line = series.key_line.value_or(series.line);
@@ -203,53 +190,128 @@ Drawn draw_panel(const Panel& panel, const Ready& axes, const Margins& margins, 
     svg += marker_svg(series.marker, {entry.x + sample / 2, at - 4}, series.hollow) +
            text_svg({entry.x + sample + 5, at}, series.name, "start") + "</g>\n";
   }
-  if (!legend.empty()) y += legend_row * (legend.back().row + 1);
-  y += 8;
-  const Box box{left, y, right, y + panel.height};
+  return {svg, legend.empty() ? 0 : legend_row * (legend.back().row + 1)};
+}
 
-  const Mapping to_x(panel.x.scale, axes.x, box.left, box.right),
-      to_y(panel.y.scale, axes.y, panel.y.downward ? box.top : box.bottom, panel.y.downward ? box.bottom : box.top);
-  std::string grid, marks, labels;
-  for (const Tick& tick : axes.x_ticks) {
+/// What stands along the axes of a panel, as path data and texts.
+struct AxisMarks {
+  std::string grid, ticks, labels;
+};
+
+constexpr double major_tick = 5, minor_tick = 3;  // pixels
+constexpr double tick_edge = 0.5;                 // pixels by which a tick may lie outside the frame
+
+void add_x_ticks(AxisMarks& marks, const std::vector<Tick>& ticks, const Mapping& to_x, const Box& box) {
+  for (const Tick& tick : ticks) {
     const double at = to_x(tick.value);
-    if (!(at >= box.left - 0.5 && at <= box.right + 0.5)) continue;
+    if (!(at >= box.left - tick_edge && at <= box.right + tick_edge)) continue;
     const bool major = !tick.label.empty();
-    if (major) grid += path_data({{at, box.top}, {at, box.bottom}});
-    marks += path_data({{at, box.bottom}, {at, box.bottom - (major ? 5.0 : 3.0)}});
-    if (major) labels += text_svg({at, box.bottom + 15}, tick.label, "middle", "small");
+    marks.ticks += path_data({{at, box.bottom}, {at, box.bottom - (major ? major_tick : minor_tick)}});
+    if (!major) continue;
+    marks.grid += path_data({{at, box.top}, {at, box.bottom}});
+    marks.labels += text_svg({at, box.bottom + 15}, tick.label, "middle", "small");
   }
-  for (const Tick& tick : axes.y_ticks) {
+}
+
+void add_y_ticks(AxisMarks& marks, const std::vector<Tick>& ticks, const Mapping& to_y, const Box& box) {
+  for (const Tick& tick : ticks) {
     const double at = to_y(tick.value);
-    if (!(at >= box.top - 0.5 && at <= box.bottom + 0.5)) continue;
+    if (!(at >= box.top - tick_edge && at <= box.bottom + tick_edge)) continue;
     const bool major = !tick.label.empty();
-    if (major) grid += path_data({{box.left, at}, {box.right, at}});
-    marks += path_data({{box.left, at}, {box.left + (major ? 5.0 : 3.0), at}});
-    if (major) labels += text_svg({box.left - 6, at + 4}, tick.label, "end", "small");
+    marks.ticks += path_data({{box.left, at}, {box.left + (major ? major_tick : minor_tick), at}});
+    if (!major) continue;
+    marks.grid += path_data({{box.left, at}, {box.right, at}});
+    marks.labels += text_svg({box.left - 6, at + 4}, tick.label, "end", "small");
   }
-  const Mapping to_right(panel.right ? panel.right->scale : Scale::linear, panel.right ? axes.right : Range{},
-                         box.bottom, box.top);
-  for (const Tick& tick : axes.right_ticks) {
+}
+
+/// The axis on the right has no grid of its own.
+void add_right_ticks(AxisMarks& marks, const std::vector<Tick>& ticks, const Mapping& to_right, const Box& box) {
+  for (const Tick& tick : ticks) {
     const double at = to_right(tick.value);
-    if (!(at >= box.top - 0.5 && at <= box.bottom + 0.5)) continue;
+    if (!(at >= box.top - tick_edge && at <= box.bottom + tick_edge)) continue;
     const bool major = !tick.label.empty();
-    marks += path_data({{box.right, at}, {box.right - (major ? 5.0 : 3.0), at}});
-    if (major) labels += text_svg({box.right + 6, at + 4}, tick.label, "start", "small");
+    marks.ticks += path_data({{box.right, at}, {box.right - (major ? major_tick : minor_tick), at}});
+    if (major) marks.labels += text_svg({box.right + 6, at + 4}, tick.label, "start", "small");
   }
-  svg += "<g class=\"frame\"";
+}
+
+/// The frame with grid, ticks and their labels; in the page with what the read-out needs.
+std::string frame_svg(const Panel& panel, const AxisMarks& marks, const Box& box, Place place) {
+  std::string svg = "<g class=\"frame\"";
   if (place == Place::page) {
     svg += " data-box=\"" + pixels(box.left) + "," + pixels(box.top) + "," + pixels(box.right) + "," +
            pixels(box.bottom) + "\" data-x=\"" + escaped(markup_to_text(panel.x.label)) + "\" data-y=\"" +
            escaped(markup_to_text(panel.y.label)) + "\"" +
            (panel.right ? " data-right=\"" + escaped(markup_to_text(panel.right->label)) + "\"" : "");
   }
-  svg += "><path class=\"grid\" d=\"" + grid + "\"/><path class=\"axis\" d=\"" + marks +
-         "\"/><path class=\"axis\" d=\"" +
-         path_data({{box.left, box.top},
-                    {box.right, box.top},
-                    {box.right, box.bottom},
-                    {box.left, box.bottom},
-                    {box.left, box.top}}) +
-         "\"/>" + labels + "</g>\n";
+  const std::string outline = path_data({{box.left, box.top},
+                                         {box.right, box.top},
+                                         {box.right, box.bottom},
+                                         {box.left, box.bottom},
+                                         {box.left, box.top}});
+  return svg + "><path class=\"grid\" d=\"" + marks.grid + "\"/><path class=\"axis\" d=\"" + marks.ticks +
+         "\"/><path class=\"axis\" d=\"" + outline + "\"/>" + marks.labels + "</g>\n";
+}
+
+/// How values become pixels inside a frame.
+struct Mappings {
+  Mapping x, y, right;
+};
+Mappings mappings_of(const Panel& panel, const Ready& axes, const Box& box) {
+  const double low = panel.y.downward ? box.top : box.bottom, high = panel.y.downward ? box.bottom : box.top;
+  return {.x = Mapping(panel.x.scale, axes.x, box.left, box.right),
+          .y = Mapping(panel.y.scale, axes.y, low, high),
+          .right = Mapping(panel.right ? panel.right->scale : Scale::linear, panel.right ? axes.right : Range{},
+                           box.bottom, box.top)};
+}
+
+/// Rules, slope triangles and curves, and last the labels that no curve may hide.
+std::string contents_svg(const Panel& panel, const Mappings& to, const Box& box, Place place,
+                         const std::vector<std::string>& names) {
+  std::string svg, labels;
+  for (const Rule& rule : panel.rules) {
+    const double at = to.y(rule.y);
+    if (!(at >= box.top && at <= box.bottom)) continue;
+    svg += line_svg({box.left, at}, {box.right, at}, "rule");
+    if (!rule.label.empty())
+      labels += text_svg({box.right - 5, at + (at - box.top > 16 ? -4 : 13)}, rule.label, "end", "small halo");
+  }
+  for (const SlopeTriangle& one : panel.triangles) svg += triangle_svg(one, to.x, to.y);
+  bool drawn = false;
+  for (const Series& series : panel.series) {
+    const auto known = std::find(names.begin(), names.end(), series.name.empty() ? series.of : series.name);
+    const auto key = static_cast<std::size_t>(known - names.begin());
+    svg += series_svg(series, key, to.x, series.right ? to.right : to.y, box, place);
+    drawn = drawn || !series.x.empty();
+  }
+  svg += labels;
+  if (!drawn) svg += text_svg({(box.left + box.right) / 2, (box.top + box.bottom) / 2}, "no data", "middle", "soft");
+  return svg;
+}
+
+Drawn draw_panel(const Panel& panel, const Ready& axes, const Margins& margins, double width, double top, Place place,
+                 std::vector<std::string>& names) {
+  std::string svg;
+  double y = top;
+  if (!panel.title.empty()) {
+    y += 16;
+    svg += text_svg({8, y - 3}, panel.title, "start", "head");
+    y += 2;
+  }
+  const Drawn legend = legend_svg(panel, margins.left, width - 6, y, names);
+  svg += legend.svg;
+  y += legend.height;
+  y += 8;
+  const Box box{margins.left, y, width - margins.right, y + panel.height};
+
+  const Mappings to = mappings_of(panel, axes, box);
+  AxisMarks marks;
+  add_x_ticks(marks, axes.x_ticks, to.x, box);
+  add_y_ticks(marks, axes.y_ticks, to.y, box);
+  add_right_ticks(marks, axes.right_ticks, to.right, box);
+  svg += frame_svg(panel, marks, box, place);
+
   const double middle = (box.top + box.bottom) / 2;
   const auto upright = [&](double at, const std::string& label) {
     return text_svg({at, middle}, label, "middle", "axis-label",
@@ -262,143 +324,10 @@ Drawn draw_panel(const Panel& panel, const Ready& axes, const Margins& margins, 
     svg += text_svg({(box.left + box.right) / 2, box.bottom + 33}, panel.x.label, "middle", "axis-label");
     end = box.bottom + 38;
   }
-
-  std::string over;  // labels, not to be hidden by curves
-  for (const Rule& rule : panel.rules) {
-    const double at = to_y(rule.y);
-    if (!(at >= box.top && at <= box.bottom)) continue;
-    svg += line_svg({box.left, at}, {box.right, at}, "rule");
-    if (!rule.label.empty())
-      over += text_svg({box.right - 5, at + (at - box.top > 16 ? -4 : 13)}, rule.label, "end", "small halo");
-  }
-  for (const SlopeTriangle& one : panel.triangles) svg += triangle_svg(one, to_x, to_y);
-  bool drawn = false;
-  for (const Series& series : panel.series) {
-    const auto known = std::find(names.begin(), names.end(), series.name.empty() ? series.of : series.name);
-    const auto key = static_cast<std::size_t>(known - names.begin());
-    svg += series_svg(series, key, to_x, series.right ? to_right : to_y, box, place);
-    drawn = drawn || !series.x.empty();
-  }
-  svg += over;
-  if (!drawn) svg += text_svg({(box.left + box.right) / 2, middle}, "no data", "middle", "soft");
-  return {svg, end - top};
+  return {svg + contents_svg(panel, to, box, place, names), end - top};
 }
 
 }  // namespace
-
-std::optional<std::pair<Point, Point>> clipped(Point from, Point to, const Box& box) {
-  if (!std::isfinite(from.x + from.y + to.x + to.y)) return std::nullopt;
-  double enter = 0, leave = 1;
-  const double dx = to.x - from.x, dy = to.y - from.y;
-  const auto cut = [&](double direction, double distance) {  // keeps where direction * t <= distance
-    if (direction == 0) return distance >= 0;
-    const double t = distance / direction;
-    if (direction < 0) enter = std::max(enter, t);
-    if (direction > 0) leave = std::min(leave, t);
-    return enter <= leave;
-  };
-  if (!cut(-dx, from.x - box.left) || !cut(dx, box.right - from.x) || !cut(-dy, from.y - box.top) ||
-      !cut(dy, box.bottom - from.y))
-    return std::nullopt;
-  const auto at = [&](double t) { return Point{from.x + t * dx, from.y + t * dy}; };
-  return std::pair{enter == 0 ? from : at(enter), leave == 1 ? to : at(leave)};
-}
-
-std::vector<std::vector<Point>> pieces(const std::vector<Point>& points, const Box& box) {
-  std::vector<std::vector<Point>> result;
-  bool open = false;  // the last piece ends at points[i - 1]
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    const auto inside = clipped(points[i - 1], points[i], box);
-    if (!inside) {
-      open = false;
-      continue;
-    }
-    if (!open) result.push_back({inside->first});
-    result.back().push_back(inside->second);
-    open = inside->second.x == points[i].x && inside->second.y == points[i].y;
-  }
-  return result;
-}
-
-std::vector<Point> simplified(const std::vector<Point>& points, double distance) {
-  if (points.size() < 3) return points;
-  std::vector<bool> keep(points.size(), false);
-  keep.front() = keep.back() = true;
-  std::vector<std::pair<std::size_t, std::size_t>> open{{0, points.size() - 1}};
-  while (!open.empty()) {
-    const auto [first, last] = open.back();
-    open.pop_back();
-    const double dx = points[last].x - points[first].x, dy = points[last].y - points[first].y;
-    const double length = std::hypot(dx, dy);
-    double furthest = distance;
-    std::size_t at = 0;
-    for (std::size_t i = first + 1; i < last; ++i) {
-      const double ax = points[i].x - points[first].x, ay = points[i].y - points[first].y;
-      const double t = length > 0 ? std::clamp((ax * dx + ay * dy) / (length * length), 0.0, 1.0) : 0;
-      const double away = std::hypot(ax - t * dx, ay - t * dy);
-      if (away > furthest) {
-        furthest = away;
-        at = i;
-      }
-    }
-    if (at == 0) continue;
-    keep[at] = true;
-    open.emplace_back(first, at);
-    open.emplace_back(at, last);
-  }
-  std::vector<Point> result;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (keep[i]) result.push_back(points[i]);
-  }
-  return result;
-}
-
-std::string path_data(const std::vector<Point>& points) {
-  if (points.size() < 2) return "";
-  std::string d;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    d += (i == 0 ? "M" : "L") + pixels(points[i].x) + " " + pixels(points[i].y);
-  return d;
-}
-
-std::string marker_svg(Marker marker, Point at, bool hollow) {
-  const std::string css = std::string(" class=\"mark") + (hollow ? " hollow" : "") + "\"";
-  const auto shape = [&](const std::vector<Point>& corners) {
-    return "<path" + css + " d=\"" + path_data(corners) + "Z\"/>";
-  };
-  const auto strokes = [&](Point a, Point b, Point c, Point d) {
-    return "<path" + css + " d=\"" + path_data({a, b}) + path_data({c, d}) + "\"/>";
-  };
-  const double x = at.x, y = at.y;
-  switch (marker) {
-    case Marker::none: return "";
-    case Marker::circle: return "<circle" + css + " cx=\"" + pixels(x) + "\" cy=\"" + pixels(y) + "\" r=\"3.2\"/>";
-    case Marker::square: return shape({{x - 3, y - 3}, {x + 3, y - 3}, {x + 3, y + 3}, {x - 3, y + 3}});
-    case Marker::triangle: return shape({{x, y - 4}, {x + 3.6, y + 2.8}, {x - 3.6, y + 2.8}});
-    case Marker::diamond: return shape({{x, y - 4.2}, {x + 4.2, y}, {x, y + 4.2}, {x - 4.2, y}});
-    case Marker::cross: return strokes({x - 3.2, y - 3.2}, {x + 3.2, y + 3.2}, {x - 3.2, y + 3.2}, {x + 3.2, y - 3.2});
-    case Marker::plus: return strokes({x - 4, y}, {x + 4, y}, {x, y - 4}, {x, y + 4});
-  }
-  return "";
-}
-
-std::string dash_attribute(Line line) {
-  switch (line) {
-    case Line::dashed: return " stroke-dasharray=\"7 4\"";
-    case Line::dotted: return " stroke-dasharray=\"1.8 3\"";
-    case Line::dash_dot: return " stroke-dasharray=\"9 3 2 3\"";
-    case Line::solid:
-    case Line::none: break;
-  }
-  return "";
-}
-
-std::string text_svg(Point at, const std::string& markup, const std::string& anchor, const std::string& css,
-                     const std::string& more) {
-  return "<text x=\"" + pixels(at.x) + "\" y=\"" + pixels(at.y) + "\"" +
-         (anchor == "start" ? "" : " text-anchor=\"" + anchor + "\"") + (css.empty() ? "" : " class=\"" + css + "\"") +
-         more + ">" + markup_to_svg(markup) + "</text>";
-}
 
 std::string draw(const Figure& figure, Place place) {
   Margins margins{.left = 0, .right = 14};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The ladder: what stands, what does not, by how much; where the numbers come from and how to cite them.
+// The ladder: how many claims pass and by which margin; provenance of the numbers, and how to cite them.
 #include <algorithm>
 #include <cmath>
 #include <map>

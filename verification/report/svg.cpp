@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/report/svg.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <stdexcept>
 #include <utility>
@@ -106,9 +107,7 @@ std::string escaped(std::string_view text) {
 
 std::string pixels(double value) {
   if (!std::isfinite(value)) throw std::logic_error("a coordinate of a picture is not finite");
-  char text[64];
-  std::snprintf(text, sizeof text, "%.2f", value);
-  std::string result = text;
+  std::string result = fmt::format("{:.2f}", value);
   result.erase(result.find_last_not_of('0') + 1);
   if (result.back() == '.') result.pop_back();
   return result == "-0" ? "0" : result;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/report/ticks.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 #include "verification/report/svg.hpp"
@@ -16,9 +17,7 @@ constexpr int linear_steps = 5;
 constexpr double slack = 1e-9;  // of a step: ticks at the ends of a range are kept in spite of rounding
 
 std::string fixed(double value, int decimals) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  std::string result = text;
+  std::string result = fmt::format("{:.{}f}", value, decimals);
   if (result.find_first_not_of("-0.") == std::string::npos && result.front() == '-') result.erase(0, 1);
   if (result.front() == '-') result.replace(0, 1, "\u2212");
   return result;

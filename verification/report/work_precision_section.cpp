@@ -45,7 +45,7 @@ Panel precision_panel(const std::vector<View>& rows, const std::vector<std::stri
         continue;
       }
       if (!achieved || !time || !(*time > 0)) continue;
-      // Below what the truth is known to, an achieved error is only a bound: drawn there, hollow.
+      // An achieved error below the error of the truth is only a bound: it is drawn at that error, hollow.
       const double truth = row[quantity.key].number("truth_error").value_or(0);
       const bool bound = row[quantity.key].flag("bound_only").value_or(false);
       runs.push_back({std::max({*achieved, bound ? truth : 0.0, 1e-16}), *time, bound});

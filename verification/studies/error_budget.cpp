@@ -143,7 +143,7 @@ std::vector<BudgetRow> budget_of(const Case& bearing_case, const std::vector<Bea
   const auto curve_of = [&](bool at_inner) -> const FilmCurve& {
     return at_inner ? result->curve->inner : result->curve->outer;
   };
-  // 2. Bounds of what the curve is made of. The films of the line are from the curve too, its balance is not.
+  // 2. Bounds of the errors of the curve. The films of the line come from the curve too, but its balance does not.
   const bool on_curve = law == bearing::Law::ehd;
   {
     BudgetRow between, below;
@@ -178,7 +178,7 @@ std::vector<BudgetRow> budget_of(const Case& bearing_case, const std::vector<Bea
   add(std::move(solver), "contact solver",
       on_curve ? "its own stated errors, at every contact" : "its own stated errors, at the contacts of the fit");
 
-  // 3. The datum is a choice: what another would have given.
+  // 3. The datum is a choice: the difference that another datum makes.
   const auto& body = std::get<BearingCase>(bearing_case.body);
   std::vector<std::pair<std::string, Datum>> data;
   if (!std::holds_alternative<PalmgrenDatum>(body.datum)) data.emplace_back("palmgren", PalmgrenDatum{});

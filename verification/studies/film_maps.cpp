@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/studies/film_maps.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <functional>
 #include <map>
 #include <set>
@@ -251,9 +252,7 @@ std::string known_percent(const MapValue& fraction) {
   // A digit is known where the error is below half of its unit.
   while (decimals > 0 && !(error < 0.5 * std::pow(10.0, -decimals))) --decimals;
   if (size < 0.5 * std::pow(10.0, -decimals)) return "0";
-  char text[32];
-  std::snprintf(text, sizeof text, "%+.*f", decimals, value);
-  return text;
+  return fmt::format("{:+.{}f}", value, decimals);
 }
 
 std::string human_maps(const FilmMaps& maps, std::string_view quantity, AtlasLaws laws) {

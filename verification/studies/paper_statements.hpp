@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the paper says of its figures, statements (a) to (d), judged with computed numbers.
+// The paper's statements (a) to (d) about its figures, judged with computed numbers.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,11 @@ struct ClearanceComparison {
   BearingResult dry, film;
 };
 
-/// A statement of the paper with what was computed.
+/// Inner force and displacement of the roller nearest to psi = 0.
+[[nodiscard]] double top_force_N(const BearingResult& result);
+[[nodiscard]] double top_approach_m(const BearingResult& result);
+
+/// A statement of the paper beside the computed numbers.
 struct PaperStatement {
   char letter = 'a';
   std::string statement;  ///< as judged here, in one sentence
@@ -33,13 +37,13 @@ struct PaperStatement {
 /// "considerably smaller" (b) is smaller by at least the second. The numbers stand beside every verdict.
 inline constexpr double close_load = 0.02, considerably = 0.10;
 /// "Similar" (a): no roller's load changes by more than this fraction of the largest dry load. The paper gives no
-/// number; curves that are further apart than a fifth of a figure's scale are not what a reader of it calls similar.
+/// number; a reader of the figure would not call curves similar that are further apart than a fifth of its scale.
 inline constexpr double similar_load = 0.20;
 
 /// (a)..(d) from at least three clearances of one bearing; absent where a balance is missing.
 [[nodiscard]] std::vector<PaperStatement> judge_paper_statements(std::vector<ClearanceComparison> clearances);
 
-/// One datum and what it makes of the statements; no contact is solved for it, since films do not depend on the datum.
+/// The statements under one datum. Films do not depend on the datum, so no contact is solved for it.
 struct DatumRow {
   std::string datum;
   std::vector<ClearanceComparison> clearances;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/studies/statement_study.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -132,14 +133,11 @@ const PaperStatement* statement(const StudyRow& row, char letter) {
   return nullptr;
 }
 
-std::string percent(const PaperStatement* one, const std::string& name, const char* pattern = "%+.1f") {
+/// A value of a statement in per cent, "-" where the statement has none of that name.
+std::string percent(const PaperStatement* one, const std::string& name, bool with_sign = true) {
   if (one)
     for (const auto& [key, value] : one->values)
-      if (key == name) {
-        char text[32];
-        std::snprintf(text, sizeof text, pattern, 100 * value);
-        return text;
-      }
+      if (key == name) return with_sign ? fmt::format("{:+.1f}", 100 * value) : fmt::format("{:.1f}", 100 * value);
   return "-";
 }
 
@@ -243,7 +241,7 @@ std::string human_study(const std::vector<StudyRow>& rows) {
       };
       const auto word = [&](char letter) { return std::string(statement(row, letter)->holds ? "holds" : "no"); };
       const PaperStatement *a = statement(row, 'a'), *b = statement(row, 'b'), *c = statement(row, 'c');
-      table.push_back({row.factor, row.value, word('a'), percent(a, "change"), percent(a, "apart", "%.1f"), word('b'),
+      table.push_back({row.factor, row.value, word('a'), percent(a, "change"), percent(a, "apart", false), word('b'),
                        percent(b, "least") + ".." + percent(b, "most"), word('c'), percent(c, "middle"),
                        percent(c, "largest"), word('d'), range(row, &DatumScan::all_hold_m),
                        range(row, &DatumScan::sign_of_a_m), range(row, &DatumScan::all_hold_mildly_m)});

@@ -3,8 +3,6 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
-#include <string>
-#include <vector>
 
 #include "contact/hertz.hpp"
 #include "contact/nondimensional.hpp"
@@ -25,21 +23,6 @@ using verification::Tolerance;
 
 const Tolerance by_quadrature = Tolerance::discretisation(1e-13, 10);  // numerics.hpp grants 1e-13
 
-struct Digits {
-  const char* what;
-  double value;
-  std::string printed;
-};
-
-void check_digits(const std::vector<Digits>& rows, std::size_t count) {
-  for (const auto& row : rows) {
-    BOOST_TEST_CONTEXT(row.what) {
-      EHD_CHECK(error(row.value, std::stod(row.printed)), Tolerance::published_digits(row.printed));
-    }
-  }
-  BOOST_TEST(rows.size() == count);
-}
-
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(exact_exact)
@@ -52,21 +35,9 @@ BOOST_AUTO_TEST_CASE(quadrature_and_roots_know_when_they_fail) {
   BOOST_TEST(std::isnan(root([](double x) { return x * x + 2; }, 1, 2)));
 }
 
-BOOST_AUTO_TEST_CASE(martin_has_the_digits_of_the_literature) {
-  const Martin martin;
-  check_digits({{"h_exit/h_0", martin.exit_film, "1.225748441"},
-                {"load, mean speed", martin.load_mean, "4.894968494"},
-                {"load, sum speed", martin.load_sum, "2.447484"},
-                {"p_max", martin.pressure_max, "1.520945584"},
-                {"rolling force", martin.rolling_force, "1.470515"},
-                {"T* M", MartinContact(0.37).rolling_force * 0.37, "1.4475"}},
-               6);
-  // Sixteen digits: the root finder's 4 eps in g_c, magnified by tan.
-  EHD_CHECK(error(martin.exit, 0.4751299200930562), Tolerance::round_off(16));
-  // The printed angle is cut, not rounded: arctan of the X_c above is 25.413791335.
-  EHD_CHECK(error(martin.exit_angle * 180 / pi, std::atan(0.4751299200930562) * 180 / pi), Tolerance::round_off(16));
-  EHD_CHECK(error(martin.exit_angle * 180 / pi, 25.41379133), Tolerance::discretisation(1e-8 / 25.41379133, 1));
-  EHD_CHECK(error(martin.pressure_at_0, martin.pressure_max / 2), Tolerance::round_off(64));
+// Printed digits are judged by the claims exact/ of `ehd verify`, not here.
+
+BOOST_AUTO_TEST_CASE(half_sommerfelds_load_is_four) {
   EHD_CHECK(error(half_sommerfeld_load(), 4), Tolerance::round_off(4));
 }
 
@@ -120,11 +91,6 @@ BOOST_AUTO_TEST_CASE(martins_contact_at_M_satisfies_the_hertz_scaled_equations) 
   EHD_CHECK(error(at_maximum, contact.hertz_pressure_max), by_quadrature);
 }
 
-BOOST_AUTO_TEST_CASE(blok_has_the_digits_of_the_literature) {
-  const Blok blok;
-  check_digits({{"Couette", blok.couette, "1.28667"}, {"minimum", blok.minimum, "1.04970"}}, 2);
-}
-
 BOOST_AUTO_TEST_CASE(at_bloks_film_the_reduced_pressure_reaches_one_over_alpha) {
   // In Hertz units at any M: H = H_m + X^2/2, dq/dX = lambda (H - H_e)/H^3, largest q = 1/(alpha p_H).
   const double M = 41, L = 3.3;
@@ -140,18 +106,6 @@ BOOST_AUTO_TEST_CASE(at_bloks_film_the_reduced_pressure_reaches_one_over_alpha) 
                                   },
                                   1);
   EHD_CHECK(error(q_max, 1 / groups.alpha_p_H), by_quadrature);
-}
-
-BOOST_AUTO_TEST_CASE(ertel_grubin_has_the_digits_of_the_literature) {
-  check_digits({{"(20,10)", ertel_grubin_film(20, 10), "4.8350"},
-                {"(50,10)", ertel_grubin_film(50, 10), "4.4009"},
-                {"(100,10)", ertel_grubin_film(100, 10), "4.0755"},
-                {"(200,10)", ertel_grubin_film(200, 10), "3.7614"},
-                {"(20,5)", ertel_grubin_film(20, 5), "2.9083"},
-                {"(200,15)", ertel_grubin_film(200, 15), "5.0871"},
-                {"(1000,10)", ertel_grubin_film(1000, 10), "3.0984"},
-                {"(1000,20)", ertel_grubin_film(1000, 20), "5.2039"}},
-               8);
 }
 
 BOOST_AUTO_TEST_CASE(ertel_grubin_satisfies_its_inlet_integral_in_X) {

@@ -8,6 +8,7 @@
 
 #include "tests/check.hpp"
 #include "tests/verification/report/markup.hpp"
+#include "verification/report/polar_plot.hpp"
 
 using namespace ehd::report;
 using ehd::verification::Tolerance;

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Numbers of a bearing's contacts from the printed formulas, written out once more, and from contacts that `reference`
+// solves in SI. The claims about the parts of a bearing expect these numbers.
+#pragma once
+
+#include <string>
+
+#include "verification/claim.hpp"
+#include "workflow/case.hpp"
+
+namespace ehd::verification::bearing_parts {
+
+/// One contact of a raceway. The rollers do not slip at either raceway, so that both surfaces run past the contact
+/// point at |w_ring - w_cage| r_ring.
+struct ByHand {
+  double radius_m, modulus_Pa, sum_speed_m_per_s, length_m;
+};
+[[nodiscard]] ByHand by_hand(const BearingCase& body, bool inner);
+
+/// 4w/(pi E').
+[[nodiscard]] double scale_m(const ByHand& contact, double force_N);
+/// b, the half width by Hertz.
+[[nodiscard]] double half_width_m(const ByHand& contact, double force_N);
+/// The dry approach by the logarithmic kernel with the datum x_0.
+[[nodiscard]] double dry_m(const ByHand& contact, double force_N, double datum_m);
+
+/// Film and approach of one roller contact by `reference`, from SI. NaN where the solve does not converge.
+struct SolvedByHand {
+  double offset_film_m;  ///< delta_dry - delta, for any datum
+  double film_minimum_m;
+};
+[[nodiscard]] SolvedByHand solved_by_hand(const BearingCase& body, bool inner, double force_N);
+
+/// "bearing/" + id, on rung 11.
+[[nodiscard]] Sentence sentence(const std::string& id, const std::string& statement);
+
+/// A dozen products, roots and powers of inputs known to half an ulp.
+[[nodiscard]] Tolerance rounding();
+/// Ten times the 1e-4 that a bearing asks of the films of its contacts: an offset film is a film and a bit more.
+[[nodiscard]] Tolerance film_tolerance();
+
+}  // namespace ehd::verification::bearing_parts

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verification/report/bearing_tables.hpp"
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "contact/text.hpp"
+#include "verification/report/report.hpp"
+
+namespace ehd::report {
+
+namespace {
+
+constexpr double micro = 1e6, milli = 1e3, kilo = 1e-3;
+
+std::vector<double> scaled(std::vector<double> values, double factor) {
+  for (double& value : values) value *= factor;
+  return values;
+}
+
+}  // namespace
+
+void add_statements(Page& page, const std::vector<View>& statements) {
+  page.heading("The paper's statements");
+  if (statements.empty()) {
+    page.absent("The paper's statements with their verdicts are", "ehd verify --output DIR");
+    return;
+  }
+  Table table;
+  table.columns = {"", "law", "statement", "verdict", "in numbers"};
+  for (const View& one : statements) {
+    const auto holds = one.flag("holds");
+    // A statement that does not hold is a result, no failure of the program.
+    table.rows.push_back({{"(" + escaped(one.text("letter")) + ")", ""},
+                          words(one.text("law")),
+                          {escaped(one.text("statement")), "wide"},
+                          {holds ? (*holds ? "holds" : "<b>does not hold</b>") : "", ""},
+                          {escaped(one.text("numbers")), "wide"}});
+  }
+  page.add(table);
+}
+
+void add_budgets(Page& page, const std::vector<View>& bearings) {
+  if (bearings.empty()) return;  // which is said where they would stand
+  Table table;
+  table.caption = "Error budget: what may move a balance (bounds of first order, or differences of two balances)";
+  table.columns = {"case",
+                   "law",
+                   "source",
+                   "of",
+                   "kind",
+                   "ring displacement [\u00b5m]",
+                   "largest force [N]",
+                   "any force [N]",
+                   "thinnest film [%]"};
+  const auto times = [](const std::optional<double>& value, double factor) {
+    return value ? std::optional(*value * factor) : std::nullopt;
+  };
+  for (const View& bearing : bearings)
+    for (const View& law : bearing.list("laws"))
+      for (const View& row : law.list("error_budget"))
+        table.rows.push_back({words(bearing.text("id")), words(law.text("law")), words(row.text("source")),
+                              words(row.text("of")), words(row.text("kind")),
+                              number_cell(times(row.number("displacement_m"), micro), 2),
+                              number_cell(row.number("largest_force_N"), 3), number_cell(row.number("any_force_N"), 3),
+                              number_cell(times(row.number("smallest_film_relative"), 100), 2)});
+  page.heading("Error budget");
+  if (table.rows.empty()) {
+    page.absent("Error budgets are", "ehd verify --output DIR");
+    return;
+  }
+  page.add(table);
+}
+
+void add_study(Page& page, const View& study) {
+  page.heading("On what the statements depend");
+  const std::vector<View> rows = study.list("rows");
+  if (rows.empty()) {
+    page.absent("The study of the statements is", "ehd verify --output DIR");
+    return;
+  }
+  Table summary;
+  summary.caption = "Statements over the choices that the paper leaves open";
+  summary.columns = {"", "law", "holds in", "where not, or where alone"};
+  for (const View& one : study.list("summary"))
+    summary.rows.push_back(
+        {{"(" + escaped(one.text("letter")) + ")", ""},
+         words(one.text("law")),
+         words(plain(one.number("holds").value_or(0)) + " of " + plain(one.number("of").value_or(0))),
+         {escaped(one.text("exceptions")), "wide"}});
+  page.add(summary);
+  Table table;
+  table.caption = "One choice changed at a time; changes are EHD against dry at <i>\u03c8</i> = 0";
+  table.columns = {"changed",
+                   "to",
+                   "law",
+                   "(a)",
+                   "force [%]",
+                   "(b)",
+                   "displacement [%]",
+                   "(c)",
+                   "middle, largest clearance [%]",
+                   "(d)",
+                   "<i>x</i><sub>0</sub> [mm] for (a) to (d)"};
+  for (const View& row : rows) {
+    std::map<std::string, View> by_letter;
+    for (const View& one : row.list("statements")) by_letter[one.text("letter")] = one;
+    const auto holds = [&](const char* letter) {
+      const auto flag = by_letter[letter].flag("holds");
+      return TableCell{flag ? (*flag ? "holds" : "<b>no</b>") : "", ""};
+    };
+    const auto percent = [&](const char* letter, const char* name) {
+      const auto value = by_letter[letter]["values"].number(name);
+      return value ? plain(100 * *value, 2) : std::string("-");
+    };
+    std::string ranges;
+    for (const View& range : row.list("x0_all_hold_m")) {
+      const std::vector<double> ends = range.numbers();
+      if (ends.size() != 2) continue;
+      ranges += (ranges.empty() ? "" : ", ") + plain(milli * ends[0], 2) + " to " + plain(milli * ends[1], 2);
+    }
+    if (ranges.empty() && row.has("x0_all_hold_m")) ranges = "nowhere";
+    table.rows.push_back({words(row.text("factor")), words(row.text("value")), words(row.text("law")), holds("a"),
+                          words(percent("a", "change")), holds("b"),
+                          words(percent("b", "least") + " to " + percent("b", "most")), holds("c"),
+                          words(percent("c", "middle") + ", " + percent("c", "largest")), holds("d"), words(ranges)});
+  }
+  page.add(table);
+}
+
+void add_force_laws(Page& page, const std::vector<View>& laws) {
+  page.heading("Contact force laws <i>f</i>(<i>\u03b4</i>)");
+  if (laws.empty()) {
+    page.absent("Contact force laws are", "ehd verify --output DIR");
+    return;
+  }
+  std::vector<std::pair<std::string, std::string>> contacts;  // case, raceway
+  for (const View& one : laws) {
+    const std::pair name{one.text("id"), one.text("raceway")};
+    if (std::find(contacts.begin(), contacts.end(), name) == contacts.end()) contacts.push_back(name);
+  }
+  page.begin_figures();
+  for (const auto& [id, raceway] : contacts) {
+    Figure figure{.id = "fig-law-" + id + "-" + raceway,
+                  .title = "Contact force laws of " + id + ", " + raceway + " raceway",
+                  .description = "Contact force over displacement, a curve a law; below, the minimum film."};
+    Panel force, film;
+    force.height = 200;
+    film.height = 110;
+    force.y = {.label = "*f* [kN]", .low = 0};
+    film.y = {.label = "*h*_{min} [\u00b5m]", .scale = Scale::logarithmic};
+    for (const View& one : laws) {
+      if (one.text("id") != id || one.text("raceway") != raceway) continue;
+      const Look look = look_of_law(one.text("law"));
+      const auto displacement = scaled(one.numbers("displacement_m"), micro);
+      force.series.push_back({.name = literal(one.text("law")),
+                              .x = displacement,
+                              .y = scaled(one.numbers("force_N"), kilo),
+                              .line = look.line,
+                              .colour = look.colour});
+      if (one.has("film_minimum_m"))
+        film.series.push_back({.x = displacement,
+                               .y = scaled(one.numbers("film_minimum_m"), micro),
+                               .line = look.line,
+                               .colour = look.colour});
+    }
+    std::vector<double> all;
+    for (const Series& series : force.series) all.insert(all.end(), series.x.begin(), series.x.end());
+    const Range range = range_of(all, Scale::linear);
+    force.x.low = film.x.low = range.low;
+    force.x.high = film.x.high = range.high;
+    force.x.label = film.x.label = "displacement *\u03b4* [\u00b5m]";
+    force.x.silent = !film.series.empty();
+    figure.panels.push_back(std::move(force));
+    if (!film.series.empty()) figure.panels.push_back(std::move(film));
+    page.figure(std::move(figure), "<b>" + escaped(id) + "</b>, " + escaped(raceway) +
+                                       " raceway: contact force over displacement" +
+                                       (figure.panels.size() > 1 ? ", and the minimum film below." : "."));
+  }
+  page.end_figures();
+}
+
+}  // namespace ehd::report

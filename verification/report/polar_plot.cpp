@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verification/report/polar_plot.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace ehd::report {
+
+namespace {
+
+constexpr int spoke_deg = 30;
+
+/// The circle that the loads are drawn in.
+struct Dial {
+  Point centre;
+  double radius = 0;  ///< pixels
+  double full = 1;    ///< the value at that radius
+
+  [[nodiscard]] Point at(double angle_deg, double value) const {
+    const double angle = angle_deg * std::numbers::pi / 180, r = radius * value / full;
+    return {centre.x + r * std::sin(angle), centre.y + r * std::cos(angle)};
+  }
+};
+
+struct Legend {
+  std::string svg;
+  double bottom = 0;
+};
+Legend legend_svg(const PolarPlot& plot, double top) {
+  Legend legend{.svg = {}, .bottom = top};
+  double& y = legend.bottom;
+  double x = 10;
+  for (std::size_t k = 0; k < plot.series.size(); ++k) {
+    const PolarSeries& series = plot.series[k];
+    const double width = 28 + 6 + text_width(series.name, 12) + 14;
+    if (x > 10 && x + width > plot.width) {
+      x = 10;
+      y += 17;
+    }
+    legend.svg += "<g class=\"key s" + std::to_string(series.colour) + "\" data-key=\"" + std::to_string(k) +
+                  "\"><path class=\"line\" d=\"" + path_data({{x, y + 7}, {x + 28, y + 7}}) + "\"" +
+                  dash_attribute(series.line) + "/>" + marker_svg(series.marker, {x + 14, y + 7}, true) +
+                  text_svg({x + 33, y + 11}, series.name, "start") + "</g>\n";
+    x += width;
+  }
+  return legend;
+}
+
+/// Circles at the ticks, and spokes with their angles.
+std::string grid_svg(const Dial& dial, const std::vector<Tick>& ticks) {
+  std::string svg;
+  for (const Tick& tick : ticks) {
+    if (!(tick.value > 0)) continue;
+    svg += "<circle class=\"grid\" cx=\"" + pixels(dial.centre.x) + "\" cy=\"" + pixels(dial.centre.y) + "\" r=\"" +
+           pixels(dial.radius * tick.value / dial.full) + "\"/>";
+  }
+  for (int angle = 0; angle < 360; angle += spoke_deg) {
+    svg += "<path class=\"grid\" d=\"" + path_data({dial.centre, dial.at(angle, dial.full)}) + "\"/>";
+    const Point label = dial.at(angle, dial.full * (1 + 17 / dial.radius));
+    const int shown = angle > 180 ? angle - 360 : angle;
+    svg += text_svg({label.x, label.y + 4}, (shown < 0 ? "\u2212" : "") + std::to_string(std::abs(shown)) + "\u00b0",
+                    "middle", "small soft");
+  }
+  return svg;
+}
+
+/// A closed curve through the loads of one law, with a marker at each.
+std::string series_svg(const PolarSeries& series, std::size_t key, const Dial& dial, Place place) {
+  struct Spot {
+    double angle;
+    Point at;
+    double value;
+  };
+  std::vector<Spot> spots;
+  for (std::size_t i = 0; i < std::min(series.angle_deg.size(), series.radius.size()); ++i) {
+    const double turned = std::fmod(std::fmod(series.angle_deg[i], 360) + 360, 360);
+    const Point p = dial.at(turned, std::max(0.0, series.radius[i]));
+    if (std::isfinite(p.x + p.y)) spots.push_back({turned, p, series.radius[i]});
+  }
+  std::sort(spots.begin(), spots.end(), [](const Spot& a, const Spot& b) { return a.angle < b.angle; });
+  std::vector<Point> outline;
+  std::string marks;
+  for (const Spot& spot : spots) {
+    outline.push_back(spot.at);
+    const std::string hint =
+        fmt::format("{:.4g}\u00b0: {:.5g}", spot.angle > 180 ? spot.angle - 360 : spot.angle, spot.value);
+    marks += "<g class=\"datum\"" +
+             (place == Place::page ? " data-hint=\"" + escaped(markup_to_text(series.name)) + ", " + hint + "\""
+                                   : std::string()) +
+             ">" + marker_svg(series.marker, spot.at, true) + "</g>";
+  }
+  if (!outline.empty()) outline.push_back(outline.front());
+  return "<g class=\"series s" + std::to_string(series.colour) + "\" data-key=\"" + std::to_string(key) +
+         "\"><path class=\"line\" d=\"" + path_data(outline) + "\"" + dash_attribute(series.line) + "/>" + marks +
+         "</g>\n";
+}
+
+}  // namespace
+
+std::string draw(const PolarPlot& plot, Place place) {
+  std::string svg;
+  double y = 4;
+  if (!plot.heading.empty()) {
+    svg += text_svg({8, y + 13}, plot.heading, "start", "head");
+    y += 20;
+  }
+  const Legend legend = legend_svg(plot, y);
+  svg += legend.svg;
+  y = legend.bottom + (22 + 14);
+  std::vector<double> values{0};
+  for (const PolarSeries& series : plot.series) values.insert(values.end(), series.radius.begin(), series.radius.end());
+  Range range = range_of(values, Scale::linear);
+  range.low = 0;
+  if (!(range.high > 0)) range.high = 1;  // no load at all
+  const auto ticks = linear_ticks(range, tick_step(range, 4));
+  const double radius = (plot.width - 84) / 2;
+  const Dial dial{.centre = {plot.width / 2, y + radius}, .radius = radius, .full = range.high};
+  svg += grid_svg(dial, ticks);
+  for (std::size_t k = 0; k < plot.series.size(); ++k) svg += series_svg(plot.series[k], k, dial, place);
+  // The scale last, along a direction between spokes, so that curves do not hide it.
+  for (const Tick& tick : ticks) {
+    if (!(tick.value > 0) || tick.value > range.high * (1 + 1e-9)) continue;
+    const Point label = dial.at(-105, tick.value);
+    svg += text_svg({label.x, label.y + 4}, tick.label, "middle", "small halo");
+  }
+  const double bottom = dial.centre.y + radius + 30;
+  svg += text_svg({plot.width / 2, bottom + 10}, plot.radius_label);
+  return picture({plot.id, plot.title, plot.description, plot.width, bottom + 18}, svg, place);
+}
+
+}  // namespace ehd::report

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verification/report/shapes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "verification/report/svg.hpp"
+
+namespace ehd::report {
+
+std::optional<std::pair<Point, Point>> clipped(Point from, Point to, const Box& box) {
+  if (!std::isfinite(from.x + from.y + to.x + to.y)) return std::nullopt;
+  double enter = 0, leave = 1;
+  const double dx = to.x - from.x, dy = to.y - from.y;
+  const auto cut = [&](double direction, double distance) {  // keeps where direction * t <= distance
+    if (direction == 0) return distance >= 0;
+    const double t = distance / direction;
+    if (direction < 0) enter = std::max(enter, t);
+    if (direction > 0) leave = std::min(leave, t);
+    return enter <= leave;
+  };
+  if (!cut(-dx, from.x - box.left) || !cut(dx, box.right - from.x) || !cut(-dy, from.y - box.top) ||
+      !cut(dy, box.bottom - from.y))
+    return std::nullopt;
+  const auto at = [&](double t) { return Point{from.x + t * dx, from.y + t * dy}; };
+  return std::pair{enter == 0 ? from : at(enter), leave == 1 ? to : at(leave)};
+}
+
+std::vector<std::vector<Point>> pieces(const std::vector<Point>& points, const Box& box) {
+  std::vector<std::vector<Point>> result;
+  bool open = false;  // the last piece ends at points[i - 1]
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const auto inside = clipped(points[i - 1], points[i], box);
+    if (!inside) {
+      open = false;
+      continue;
+    }
+    if (!open) result.push_back({inside->first});
+    result.back().push_back(inside->second);
+    open = inside->second.x == points[i].x && inside->second.y == points[i].y;
+  }
+  return result;
+}
+
+std::vector<Point> simplified(const std::vector<Point>& points, double distance) {
+  if (points.size() < 3) return points;
+  std::vector<bool> keep(points.size(), false);
+  keep.front() = keep.back() = true;
+  std::vector<std::pair<std::size_t, std::size_t>> open{{0, points.size() - 1}};
+  while (!open.empty()) {
+    const auto [first, last] = open.back();
+    open.pop_back();
+    const double dx = points[last].x - points[first].x, dy = points[last].y - points[first].y;
+    const double length = std::hypot(dx, dy);
+    double furthest = distance;
+    std::size_t at = 0;
+    for (std::size_t i = first + 1; i < last; ++i) {
+      const double ax = points[i].x - points[first].x, ay = points[i].y - points[first].y;
+      const double t = length > 0 ? std::clamp((ax * dx + ay * dy) / (length * length), 0.0, 1.0) : 0;
+      const double away = std::hypot(ax - t * dx, ay - t * dy);
+      if (away > furthest) {
+        furthest = away;
+        at = i;
+      }
+    }
+    if (at == 0) continue;
+    keep[at] = true;
+    open.emplace_back(first, at);
+    open.emplace_back(at, last);
+  }
+  std::vector<Point> result;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (keep[i]) result.push_back(points[i]);
+  }
+  return result;
+}
+
+std::string path_data(const std::vector<Point>& points) {
+  if (points.size() < 2) return "";
+  std::string d;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    d += (i == 0 ? "M" : "L") + pixels(points[i].x) + " " + pixels(points[i].y);
+  return d;
+}
+
+std::string marker_svg(Marker marker, Point at, bool hollow) {
+  const std::string css = std::string(" class=\"mark") + (hollow ? " hollow" : "") + "\"";
+  const auto shape = [&](const std::vector<Point>& corners) {
+    return "<path" + css + " d=\"" + path_data(corners) + "Z\"/>";
+  };
+  const auto strokes = [&](Point a, Point b, Point c, Point d) {
+    return "<path" + css + " d=\"" + path_data({a, b}) + path_data({c, d}) + "\"/>";
+  };
+  const double x = at.x, y = at.y;
+  switch (marker) {
+    case Marker::none: return "";
+    case Marker::circle: return "<circle" + css + " cx=\"" + pixels(x) + "\" cy=\"" + pixels(y) + "\" r=\"3.2\"/>";
+    case Marker::square: return shape({{x - 3, y - 3}, {x + 3, y - 3}, {x + 3, y + 3}, {x - 3, y + 3}});
+    case Marker::triangle: return shape({{x, y - 4}, {x + 3.6, y + 2.8}, {x - 3.6, y + 2.8}});
+    case Marker::diamond: return shape({{x, y - 4.2}, {x + 4.2, y}, {x, y + 4.2}, {x - 4.2, y}});
+    case Marker::cross: return strokes({x - 3.2, y - 3.2}, {x + 3.2, y + 3.2}, {x - 3.2, y + 3.2}, {x + 3.2, y - 3.2});
+    case Marker::plus: return strokes({x - 4, y}, {x + 4, y}, {x, y - 4}, {x, y + 4});
+  }
+  return "";
+}
+
+std::string dash_attribute(Line line) {
+  switch (line) {
+    case Line::dashed: return " stroke-dasharray=\"7 4\"";
+    case Line::dotted: return " stroke-dasharray=\"1.8 3\"";
+    case Line::dash_dot: return " stroke-dasharray=\"9 3 2 3\"";
+    case Line::solid:
+    case Line::none: break;
+  }
+  return "";
+}
+
+std::string text_svg(Point at, const std::string& markup, const std::string& anchor, const std::string& css,
+                     const std::string& more) {
+  return "<text x=\"" + pixels(at.x) + "\" y=\"" + pixels(at.y) + "\"" +
+         (anchor == "start" ? "" : " text-anchor=\"" + anchor + "\"") + (css.empty() ? "" : " class=\"" + css + "\"") +
+         more + ">" + markup_to_svg(markup) + "</text>";
+}
+
+}  // namespace ehd::report
