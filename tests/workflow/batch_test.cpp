@@ -6,8 +6,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "contact/nondimensional.hpp"
 #include "tests/check.hpp"
-#include "verification/studies/box.hpp"
 
 using namespace ehd;
 using namespace ehd::verification;
@@ -16,10 +16,15 @@ namespace {
 
 std::vector<Problem> some_problems() {
   std::vector<Problem> problems;
+  const Lubricant roelands{.viscosity = ViscosityLaw::roelands,
+                           .density = DensityLaw::dowson_higginson,
+                           .alpha_per_Pa = 2.2e-8,
+                           .z = 0.68,
+                           .p0_Pa = 1.96e8};
   for (const double M : {2.0, 7.0, 20.0, 60.0, 150.0}) {
     for (const double L : {3.0, 6.5, 9.0, 12.0}) {
-      problems.push_back(problem_at({M, L}, true, TruncatedAt{-4}));
-      problems.push_back(problem_at({M, L}, false, Flooded{}));
+      problems.push_back(nondimensionalise(MoesGroups{M, L}, roelands, TruncatedAt{-4}).problem);
+      problems.push_back(nondimensionalise(MoesGroups{M, L}, Lubricant{}, Flooded{}).problem);
     }
   }
   return problems;

@@ -10,7 +10,7 @@
 #include "verification/claims/bearing/parts.hpp"
 #include "verification/claims/topics.hpp"
 #include "verification/solution_memory.hpp"
-#include "workflow/contact_cache.hpp"
+#include "workflow/contact_memory.hpp"
 
 namespace ehd::verification {
 

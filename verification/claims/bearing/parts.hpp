@@ -5,7 +5,7 @@
 
 #include "verification/claim.hpp"
 #include "workflow/case.hpp"
-#include "workflow/contact_cache.hpp"
+#include "workflow/contact_memory.hpp"
 
 namespace ehd::verification::bearing_parts {
 
