@@ -22,7 +22,7 @@ FORMAT_ROOMS = $(TIDY_ROOMS) io verification cli tests
 
 .DEFAULT_GOAL := help
 .PHONY: help setup configure program build verify verify-full test fuzz sanitize sanitize-threads bench callgrind kernels \
-  mutants stress report browser-test atlas format format-check tidy clean
+  mutants stress report browser-test atlas results results-check results-full format format-check tidy clean
 
 help:       ## List the targets
 	@sed -n 's/^\([a-z][a-z-]*\):[^#]*## \(.*\)/  make \1\t\2/p' $(firstword $(MAKEFILE_LIST)) | expand -t 25
@@ -112,6 +112,18 @@ mutants:    ## Build each wrong program of verification/mutants, run the quick s
 
 atlas: program  ## Solve the atlas of line contacts into cases/atlas (goes on where an earlier run ended; an hour)
 	@$(BUILD)/ehd atlas
+
+results: program  ## Remake the quick pages of docs/results and the figures of README.md from the program (1 minute)
+	@sh cmake/setup.sh python3
+	@python3 docs/results/make.py $(BUILD)/ehd
+
+results-check: program  ## Fail where a quick page of docs/results is not what the program prints now (1 minute)
+	@sh cmake/setup.sh python3
+	@python3 docs/results/make.py --check $(BUILD)/ehd
+
+results-full: program  ## Make the slow pages of docs/results: ladder, stress, bench (an hour; nobody compares them)
+	@sh cmake/setup.sh python3
+	@python3 docs/results/make.py --full $(BUILD)/ehd
 
 format:     ## Format every source file with clang-format 14
 	@sh cmake/setup.sh clang-format

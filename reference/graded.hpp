@@ -9,7 +9,8 @@ namespace ehd::reference {
 
 /// Dense full Newton as reference.uniform, on the nested grids n, 2n, 4n … of one smooth map (map.hpp) that is fitted
 /// to coarse solutions first.
-/// - Flooded: the map reaches to X_a = -4000 l; the truncation error is estimated from cut inlets and is part of the stated error.
+/// - Flooded: the map reaches to X_a = -4000 l; the truncation error is estimated from cut inlets and is part of the
+/// stated error.
 /// - Request::nodes: that grid with its halves; Request::tolerance: as many as it needs.
 /// - Films are extrapolated where the observed ratio of differences supports order 2, else those of the finest grid.
 class Graded {

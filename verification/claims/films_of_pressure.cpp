@@ -11,8 +11,8 @@
 
 #include "reference/hp/collocation.hpp"
 #include "verification/exact/numerics.hpp"
-#include "verification/studies/fits.hpp"
 #include "verification/studies/box.hpp"
+#include "verification/studies/fits.hpp"
 #include "workflow/registry.hpp"
 
 namespace ehd::verification {

@@ -9,8 +9,8 @@
 #include "contact/text.hpp"
 #include "verification/claims/topics.hpp"
 #include "verification/solution_memory.hpp"
-#include "verification/studies/grid_study.hpp"
 #include "verification/studies/box.hpp"
+#include "verification/studies/grid_study.hpp"
 #include "workflow/registry.hpp"
 
 namespace ehd::verification {

@@ -19,8 +19,8 @@
 #include "reference/grid_newton.hpp"
 #include "reference/hp/element_newton.hpp"
 #include "verification/claims/topics.hpp"
-#include "verification/studies/fits.hpp"
 #include "verification/studies/box.hpp"
+#include "verification/studies/fits.hpp"
 #include "workflow/registry.hpp"
 
 namespace ehd::verification {

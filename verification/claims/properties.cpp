@@ -14,8 +14,8 @@
 #include "verification/claims/bearing/parts.hpp"
 #include "verification/claims/topics.hpp"
 #include "verification/solution_memory.hpp"
-#include "verification/studies/draw.hpp"
 #include "verification/studies/box.hpp"
+#include "verification/studies/draw.hpp"
 #include "workflow/registry.hpp"
 
 namespace ehd::verification {

@@ -9,8 +9,8 @@
 
 #include "contact/text.hpp"
 #include "verification/claims/topics.hpp"
-#include "verification/studies/draw.hpp"
 #include "verification/studies/box.hpp"
+#include "verification/studies/draw.hpp"
 #include "workflow/registry.hpp"
 
 namespace ehd::verification {

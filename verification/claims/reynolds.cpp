@@ -19,8 +19,8 @@
 #include "verification/claims/topics.hpp"
 #include "verification/exact/martin.hpp"
 #include "verification/exact/numerics.hpp"
-#include "verification/studies/fits.hpp"
 #include "verification/studies/box.hpp"
+#include "verification/studies/fits.hpp"
 #include "workflow/registry.hpp"
 
 namespace ehd::verification {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rung 6: Newton's method contracts quadratically to round-off, a state that is no solution is never returned as one, and a state
-// survives the way to another mesh.
+// Rung 6: Newton's method contracts quadratically to round-off, a state that is no solution is never returned as one,
+// and a state survives the way to another mesh.
 #include "reference/hp/element_newton.hpp"
 
 #include <cmath>
