@@ -59,7 +59,7 @@ std::string any_number(std::mt19937& random) {
 
 /// One line of the text drawn twice over, left out, or given another number: what byte mutations rarely hit upon.
 std::string with_another_line(std::string_view text, std::mt19937& random) {
-  std::vector<std::string> lines = lines_of(text);
+  std::vector<std::string> lines = ehd::lines_of(text);
   const std::size_t at = random() % lines.size();
   switch (random() % 8) {
     case 0: lines.insert(lines.begin() + static_cast<std::ptrdiff_t>(random() % lines.size()), lines[at]); break;
