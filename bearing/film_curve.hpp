@@ -22,8 +22,8 @@ namespace ehd::bearing {
 /// Force errors are relative errors of the contact force at a given approach with datum x_0 = l; of the errors of the
 /// curve they take the offset film's.
 struct CurveErrors {
-  /// Between the points: the largest disagreement with an extra solve in a gap, or an eighth of what the curve without
-  /// a point is off by at that point (build_curve.hpp).
+  /// Between the points: the larger of two numbers. One is the largest disagreement with an extra solve in a gap. The
+  /// other: leave one point out, take the curve's error at that point, divide it by eight (build_curve.hpp).
   double interpolation = 0, interpolation_force = 0;
   /// Below the lightest point, at any load: one contact is solved at half the lightest load, and the disagreement is
   /// doubled. Where no lighter contact can be solved: the same of the curve without its lightest octaves, at the

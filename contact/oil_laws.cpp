@@ -20,7 +20,7 @@ constexpr std::array<ViscosityLawRow, sizeof...(Laws)> rows_of(const std::varian
       .law = static_cast<ViscosityLaw>(Places), .name = Laws::name, .keys = Laws::keys, .from = made_from<Laws>}...};
 }
 
-/// One row for each alternative of the variant, made of what the law's struct says about itself.
+/// One row for each alternative of the variant, made from the members of the law's struct.
 constexpr auto viscosity_table =
     rows_of(static_cast<const Viscosity*>(nullptr), std::make_index_sequence<viscosity_law_count>{});
 
