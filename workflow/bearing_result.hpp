@@ -14,7 +14,7 @@
 #include "bearing/geometry.hpp"
 #include "bearing/law_table.hpp"
 #include "contact/solution.hpp"
-#include "contact/stages.hpp"
+#include "workflow/plan.hpp"
 
 namespace ehd {
 
