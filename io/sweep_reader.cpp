@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
 
 #include "contact/text.hpp"
+#include "io/case_keys.hpp"
 #include "io/case_reader.hpp"
 #include "io/case_text.hpp"
 #include "io/find_case.hpp"
@@ -81,7 +81,7 @@ void read_tolerance(const SweepSource& source, Sweep& sweep) {
 void read_combine(const SweepSource& source, Sweep& sweep) {
   const std::vector<std::string> ways{"product", "zip"};
   const toml::node* node = source.root().get("combine");
-  if (!node) source.missing("combine", quoted(ways));
+  if (!node) source.missing("combine", quoted_list(ways));
   sweep.combine = source.choice("combine", *node, ways) == "zip" ? Combine::zip : Combine::product;
 }
 
