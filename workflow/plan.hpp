@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The stages of a run, and the stages that are skipped with the reason. A plan is made before the run; the run follows
-// it, and the plan can be printed without a run.
+// The stages of a run, and the stages that are skipped with the reason. A plan is made before the run, and the run
+// follows it. `ehd plan` prints it without a run.
 #pragma once
 
 #include <algorithm>
@@ -18,6 +18,15 @@ struct SkippedStage {
 struct Plan {
   std::vector<std::string> run;  ///< stages in order
   std::vector<SkippedStage> skipped;
+
+  /// Puts a stage among those that run, or among the skipped ones where there is a reason to skip it.
+  void decide(std::string_view stage, const std::string& why_skipped = "") {
+    if (why_skipped.empty()) {
+      run.emplace_back(stage);
+    } else {
+      skipped.push_back({std::string(stage), why_skipped});
+    }
+  }
   [[nodiscard]] bool runs(std::string_view stage) const {
     return std::find(run.begin(), run.end(), stage) != run.end();
   }
