@@ -30,7 +30,7 @@ constexpr double largest_below_over_at_half = 2;
 constexpr double gain_of_half_the_gap = 8;
 /// Fewer points than this do not predict one another.
 constexpr std::size_t fewest_points_to_predict_one = 5;
-/// Points below which there is no curve.
+/// A curve has at least this many points.
 constexpr std::size_t fewest_points = 3;
 /// Relative, for comparing ratios of forces that were computed in different ways.
 constexpr double rounding_of_a_gap = 1e-9, rounding_of_a_force = 1e-12;
@@ -158,8 +158,8 @@ class Refinement {
     }
   }
 
-  /// The middle of a gap sees nothing where the error changes its sign there. So every point is also predicted by the
-  /// others, and the gaps beside a point that they do not predict are split. Extra solves are points from here on.
+  /// An extra solve shows no error where the error changes its sign. So every point is also predicted by the others,
+  /// and the gaps beside a point that they do not predict are split. Extra solves are points from here on.
   void split_beside_points_that_others_do_not_predict() {
     nodes_.insert(extras_.begin(), extras_.end());
     extras_.clear();

@@ -14,8 +14,8 @@ namespace ehd::bearing {
 /// How far a curve is refined.
 struct CurveRequest {
   double heaviest_N = 0;  ///< the curve reaches at least this force
-  /// Contact forces [N], increasing, that a fit solves in any case: the curve takes them as points and checks where it
-  /// can.
+  /// Contact forces [N], increasing, that a fit solves in any case. The first and the last become points, the others
+  /// extra solves of their gaps.
   std::vector<double> given_N = {};
   /// Allowed relative errors, at an extra solve in each gap and below the lightest point: of the contact force at a
   /// given approach with datum x_0 = l (with a datum of the order of the radii up to twice that), and of the minimum
@@ -28,18 +28,16 @@ struct CurveRequest {
   friend auto operator<=>(const CurveRequest&, const CurveRequest&) = default;
 };
 
-/// The request as build_curve carries it out, so that bearings with a raceway contact in common share solves. The
-/// heaviest force becomes the heaviest given one where that is enough, else the next power of two [N]. Given forces
-/// that are far too heavy are dropped.
+/// The request as build_curve carries it out. It is rounded, so that bearings with equal raceway contacts share solves:
+/// the heaviest force becomes the heaviest given one where that is enough, else the next power of two [N]. Given forces
+/// above four times the heaviest are dropped.
 [[nodiscard]] CurveRequest as_met(CurveRequest request);
 
-/// 1. From the heaviest force down by factors of four, until Martin's films predict a contact of half the lightest
-/// force
-///    within the bounds, or no lighter contact can be solved.
+/// 1. Points go down from the heaviest force by factors of four. They end where Martin's films predict a contact of
+///    half the lightest force within the bounds, or where no lighter contact can be solved.
 /// 2. The gap whose extra solve disagrees most is split there, until all agree.
 /// 3. Each point is predicted by the others, over twice the gap. Where an eighth of the disagreement is beyond the
-/// bounds,
-///    the gaps on both sides of the point are split.
+///    bounds, the gaps on both sides of the point are split.
 /// Extra solves become points of the curve. A failure at the heaviest force, or fewer than three points, is a
 /// SolveFailure.
 [[nodiscard]] std::variant<FilmCurve, SolveFailure> build_curve(const SolvableContact& contacts,

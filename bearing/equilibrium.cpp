@@ -15,7 +15,7 @@ namespace {
 Place find_place(Ring& ring, const LawPair& laws, const Loading& loading) {
   if (loading.radial_N > 0)
     return ring.plane() ? balance_in_the_plane(ring, loading) : balance_along_the_load(ring, laws, loading);
-  // Without a load equally spaced rollers hold the ring in the middle. Where there is room it may stand anywhere near.
+  // Without a load equally spaced rollers hold the ring in the middle; with clearance it may stand anywhere near.
   Place middle;
   middle.state = ring.at(middle.v);
   return middle;

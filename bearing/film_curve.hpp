@@ -19,8 +19,8 @@
 namespace ehd::bearing {
 
 /// What is known of a curve's errors. Film errors are |ln(curve/solved)|, the larger of offset film and minimum film.
-/// Force errors are relative errors of the contact force at a given approach with datum x_0 = l; of the errors of the
-/// curve they take the offset film's.
+/// Force errors are relative errors of the contact force at a given approach with datum x_0 = l. They follow from the
+/// error of the offset film.
 struct CurveErrors {
   /// Between the points: the larger of two numbers. One is the largest disagreement with an extra solve in a gap. The
   /// other: leave one point out, take the curve's error at that point, divide it by eight (build_curve.hpp).
@@ -37,9 +37,8 @@ struct CurveErrors {
 
 /// Offset film and minimum film over the contact force, 0 < f <= heaviest.
 /// - Between solved points: the monotone spline of the logarithms over ln f.
-/// - Below the lightest: Martin's films (martin.hpp) times exp(a t^(3/2) + c t^3), t = f/f_lightest, joined with value
-/// and
-///   slope. The first piezoviscous corrections grow in these powers (alpha p_max ~ f^(3/2)).
+/// - Below the lightest: Martin's films (martin.hpp) times exp(a t^(3/2) + c t^3), t = f/f_lightest. Value and slope
+///   are continuous. The first piezoviscous corrections grow in these powers (alpha p_max ~ f^(3/2)).
 /// - Above the heaviest: the power law of the end. It serves Newton's iterates that stray there and is NOT accurate.
 class FilmCurve {
  public:

@@ -9,19 +9,12 @@
 
 #include "contact/approach.hpp"
 #include "contact/hertz.hpp"
+#include "contact/overloaded.hpp"
 #include "contact/text.hpp"
 
 namespace ehd::bearing {
 
 namespace {
-
-/// One lambda a law: a visit with it does not compile until a new law has its own.
-template <class... OneLaw>
-struct Exhaustive : OneLaw... {
-  using OneLaw::operator()...;
-};
-template <class... OneLaw>
-Exhaustive(OneLaw...) -> Exhaustive<OneLaw...>;
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -220,7 +213,7 @@ double begins_at(const ForceLaw& law) {
 
 std::optional<std::pair<double, double>> domain(const ForceLaw& law) {
   using Domain = std::optional<std::pair<double, double>>;
-  return std::visit(Exhaustive{[](const PowerLaw&) -> Domain { return std::nullopt; },
+  return std::visit(Overloaded{[](const PowerLaw&) -> Domain { return std::nullopt; },
                                [](const LogarithmicLaw& one) -> Domain {
                                  return std::pair{0.0, one.heaviest_N()};
                                },
@@ -233,7 +226,7 @@ std::optional<std::pair<double, double>> domain(const ForceLaw& law) {
 
 std::optional<std::string> refusal(const ForceLaw& law, double force_N) {
   using Refusal = std::optional<std::string>;
-  return std::visit(Exhaustive{[](const PowerLaw&) -> Refusal { return std::nullopt; },
+  return std::visit(Overloaded{[](const PowerLaw&) -> Refusal { return std::nullopt; },
                                [&](const LogarithmicLaw& one) -> Refusal {
                                  if (!(force_N > one.heaviest_N())) return std::nullopt;
                                  return beyond_the_logarithm(force_N, one.heaviest_N());
@@ -245,7 +238,7 @@ std::optional<std::string> refusal(const ForceLaw& law, double force_N) {
 }
 
 bool jumps(const ForceLaw& law) {
-  return std::visit(Exhaustive{[](const PowerLaw&) { return false; }, [](const LogarithmicLaw&) { return false; },
+  return std::visit(Overloaded{[](const PowerLaw&) { return false; }, [](const LogarithmicLaw&) { return false; },
                                [](const LinearLaw& one) { return one.unloading == Unloading::at_zero_approach; },
                                [](const CurveLaw&) { return false; }},
                     law);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Contact force laws f(delta) of one roller contact behind one small interface. Every law is increasing, so it is
-// stated in either direction: force(approach) with its slope, approach(force) with its slope.
+// Contact force laws f(delta) of one roller contact behind one small interface. Every law increases, so it has an
+// inverse: force(approach) and approach(force), each with its slope.
 #pragma once
 
 #include <memory>

@@ -2,6 +2,7 @@
 // A cylindrical roller bearing: where its rollers are, how its raceways curve, how fast the surfaces move.
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "contact/conditions.hpp"
@@ -27,11 +28,14 @@ struct Speeds {
 [[nodiscard]] Speeds speeds_from_rpm(double inner_rpm, double outer_rpm);
 
 enum class Raceway { inner, outer };
+[[nodiscard]] inline std::string_view to_string(Raceway raceway) {
+  return raceway == Raceway::inner ? "inner" : "outer";
+}
 
-/// One of a kind for each raceway.
 template <class T>
 struct BothRaceways {
   T inner, outer;
+  [[nodiscard]] const T& at(Raceway raceway) const { return raceway == Raceway::inner ? inner : outer; }
 };
 
 /// r_i = (d_m - D)/2, r_o = (d_m + D)/2 [m].

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bearing/law_table.hpp"
 
-#include <algorithm>
 #include <array>
 #include <stdexcept>
 #include <vector>
@@ -81,6 +80,7 @@ bool is_one_of(const LawRow& row, Laws which) {
     case Laws::all: return true;
     case Laws::dry: return !row.needs_film();
     case Laws::dry_without_ring_thickness: return !row.needs_film() && !row.needs_ring_thickness;
+    case Laws::from_fits: return std::holds_alternative<FromFits>(row.make);
     case Laws::by_default: return row.is_default;
     case Laws::by_default_dry: return row.is_default && !row.needs_film();
   }

@@ -61,7 +61,7 @@ struct LawRow {
 [[nodiscard]] LawPair dry_laws(Law law, const RollerContact& contact);
 
 /// Choices of laws.
-enum class Laws { all, dry, dry_without_ring_thickness, by_default, by_default_dry };
+enum class Laws { all, dry, dry_without_ring_thickness, from_fits, by_default, by_default_dry };
 [[nodiscard]] std::vector<Law> laws_of(Laws which);
 /// "hertz, iso, lundberg", for messages. `last`: what stands before the last name.
 [[nodiscard]] std::string names_of(Laws which, std::string_view last = ", ");

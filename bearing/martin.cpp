@@ -7,19 +7,16 @@
 
 namespace ehd::bearing {
 
-double martin_film_m(const RacewayContact& contact, double force_N) {
-  constexpr double martin = 2.4474842468;
-  return martin * contact.viscosity_Pa_s * contact.speed_sum_m_per_s * contact.reduced_radius_m * contact.length_m /
-         force_N;
-}
-
 FilmAndExponent martin_film(const RacewayContact& contact, double force_N) {
-  return {martin_film_m(contact, force_N), -1};
+  constexpr double martin = 2.4474842468;
+  return {martin * contact.viscosity_Pa_s * contact.speed_sum_m_per_s * contact.reduced_radius_m * contact.length_m /
+              force_N,
+          -1};
 }
 
 FilmAndExponent martin_offset_film(const RacewayContact& contact, double force_N) {
   constexpr double mean_log_tangent = -0.3284612545;
-  const double film = martin_film_m(contact, force_N);
+  const double film = martin_film(contact, force_N).film;
   const double b = hertz::half_width_m(contact.at(force_N));
   const double deformation = b * b / (2 * contact.reduced_radius_m) / film;  // 4w/(pi E' h), grows as f^2
   const double ratio = deformation * (std::log(std::sqrt(2 * contact.reduced_radius_m * film) / b) + mean_log_tangent -
@@ -28,10 +25,6 @@ FilmAndExponent martin_offset_film(const RacewayContact& contact, double force_N
   // Far beyond its range the ratio is negative; this keeps the film positive.
   const double factor = ratio > 0 ? 1 + ratio : 1 / (1 - ratio);
   return {film * factor, -1 + ratio_slope / (1 + std::abs(ratio))};
-}
-
-double martin_offset_film_m(const RacewayContact& contact, double force_N) {
-  return martin_offset_film(contact, force_N).film;
 }
 
 }  // namespace ehd::bearing

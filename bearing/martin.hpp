@@ -20,8 +20,4 @@ struct FilmAndExponent {
 /// deformation is not small, the value stays positive but has no meaning.
 [[nodiscard]] FilmAndExponent martin_offset_film(const RacewayContact& contact, double force_N);
 
-/// The films alone [m].
-[[nodiscard]] double martin_film_m(const RacewayContact& contact, double force_N);
-[[nodiscard]] double martin_offset_film_m(const RacewayContact& contact, double force_N);
-
 }  // namespace ehd::bearing

@@ -2,7 +2,6 @@
 #include "bearing/ring.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "bearing/careful_sum.hpp"
@@ -11,7 +10,7 @@ namespace ehd::bearing {
 
 namespace {
 
-/// Of the cosine of half the angle between the directions beside the load: a roller this close to 90 degrees multiplies
+/// Smallest cosine of half the angle between the directions beside the load. A roller closer to 90 degrees multiplies
 /// the load by more than a million.
 constexpr double grazing = 1e-6;
 

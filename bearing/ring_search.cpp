@@ -20,7 +20,7 @@ constexpr int most_iterations_on_a_line = 400;
 /// The bracket must shrink to this part in every so many iterations, else it is halved.
 constexpr int stall_period = 4;
 constexpr double shrinks_to = 1.0 / 16;
-/// A bracket narrower than this is a point, where rounding is no measure because it lies at zero.
+/// A bracket narrower than this is a point: at zero, relative rounding is no measure.
 constexpr double narrowest = 1e-30;
 /// Factor by which the search goes further out where there is no bracket yet.
 constexpr double reach_growth = 2;
@@ -43,7 +43,7 @@ constexpr double smallest_reach_m = 1e-6;
 
 bool jump_at_either(const LawPair& laws) { return jumps(laws.inner) || jumps(laws.outer); }
 
-/// The search along one line, v + t direction: where the force along it, less the load's part, is zero.
+/// The search along one line, v + t direction, for the place where the force along it equals the load's part.
 struct Crossing {
   Place best;           ///< of all t that were tried, the one with the least miss along the line
   bool jumped = false;  ///< the bracket closed to nothing, and the force jumps there

@@ -232,7 +232,7 @@ int bearing(const BearingOptions& options) {
   std::optional<OutputFile> plot = opened(options.plot), csv = opened(options.csv);
 
   const Request limits = options.limits.request();
-  Request request = ContactMemory::bearing_request();
+  Request request = bearing_contact_request();
   request.max_iterations = limits.max_iterations;
   request.time_limit_s = limits.time_limit_s;
   Progress progress;

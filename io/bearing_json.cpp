@@ -2,8 +2,12 @@
 #include "io/bearing_json.hpp"
 
 #include <algorithm>
+#include <initializer_list>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
 
+#include "io/bearing_notes.hpp"
 #include "io/contact_json.hpp"
 #include "io/json.hpp"
 
@@ -14,21 +18,25 @@ using bearing::LinearFit;
 
 namespace {
 
-Json to_json(const ContactRow& row) {
+/// An object of those numbers that are known and finite.
+Json numbers(std::initializer_list<std::pair<const char*, std::optional<double>>> entries) {
   Json json = Json::object();
-  put(json, "force_N", row.force_N);
-  put(json, "displacement_m", row.displacement_m);
-  put(json, "film_minimum_m", row.film_minimum_m);
-  put(json, "hertz_pressure_Pa", row.hertz_pressure_Pa);
-  put(json, "lambda_ratio", row.lambda_ratio);
+  for (const auto& [key, value] : entries) put(json, key, value);
   return json;
+}
+
+Json to_json(const ContactRow& row) {
+  return numbers({{"force_N", row.force_N},
+                  {"displacement_m", row.displacement_m},
+                  {"film_minimum_m", row.film_minimum_m},
+                  {"hertz_pressure_Pa", row.hertz_pressure_Pa},
+                  {"lambda_ratio", row.lambda_ratio}});
 }
 
 Json to_json(const std::vector<RollerRow>& rows) {
   Json json = Json::array();
   for (const RollerRow& row : rows) {
-    Json roller = Json::object();
-    put(roller, "azimuth_deg", row.azimuth_deg);
+    Json roller = numbers({{"azimuth_deg", row.azimuth_deg}});
     roller["inner"] = to_json(row.inner);
     roller["outer"] = to_json(row.outer);
     json.push_back(std::move(roller));
@@ -38,10 +46,7 @@ Json to_json(const std::vector<RollerRow>& rows) {
 
 Json to_json(const CageTurn& turn) {
   const auto range = [](const CageTurn::Range& one) {
-    Json json = Json::object();
-    put(json, "mean", one.mean);
-    put(json, "peak_to_peak", one.peak_to_peak);
-    return json;
+    return numbers({{"mean", one.mean}, {"peak_to_peak", one.peak_to_peak}});
   };
   Json json = Json::object();
   json["positions"] = turn.positions;
@@ -52,14 +57,13 @@ Json to_json(const CageTurn& turn) {
 }
 
 Json to_json(const LinearFit& fit) {
-  Json json = Json::object();
-  put(json, "K_N_per_m", fit.K_N_per_m);
-  put(json, "dF_N", fit.dF_N);
-  put(json, "residual_N", fit.residual_N);
-  put(json, "standard_deviation_N", fit.standard_deviation_N);
-  put(json, "K_standard_deviation_N_per_m", fit.K_deviation_N_per_m);
-  put(json, "dF_standard_deviation_N", fit.dF_deviation_N);
-  put(json, "correlation", fit.correlation);
+  Json json = numbers({{"K_N_per_m", fit.K_N_per_m},
+                       {"dF_N", fit.dF_N},
+                       {"residual_N", fit.residual_N},
+                       {"standard_deviation_N", fit.standard_deviation_N},
+                       {"K_standard_deviation_N_per_m", fit.K_deviation_N_per_m},
+                       {"dF_standard_deviation_N", fit.dF_deviation_N},
+                       {"correlation", fit.correlation}});
   json["load_N"] = {fit.points.front().force_N, fit.points.back().force_N};
   json["points"] = fit.points.size();
   return json;
@@ -100,8 +104,7 @@ Json to_json(const BearingResult& result) {
   if (result.curve) json["curve"] = {{"inner", to_json(result.curve->inner)}, {"outer", to_json(result.curve->outer)}};
   if (result.datum_m) json["datum"] = {{"inner_x0_m", result.datum_m->inner}, {"outer_x0_m", result.datum_m->outer}};
   for (const VariantResult& variant : result.variants) {
-    Json one = Json::object();
-    one["name"] = variant.name;
+    Json one{{"name", variant.name}};
     put(one, "displacement_m", variant.displacement_m);
     put(one, "displacement_lateral_m", variant.displacement_lateral_m);
     one["rollers"] = to_json(variant.rollers);
@@ -114,7 +117,7 @@ Json to_json(const BearingResult& result) {
                   {"newton_iterations", result.newton_iterations},
                   {"rollers_balanced", result.rollers_balanced}};
   json["plan"] = to_json(result.plan);
-  json["notes"] = result.notes;
+  json["notes"] = notes_of(result);
   return json;
 }
 

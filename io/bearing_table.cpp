@@ -9,6 +9,7 @@
 
 #include "bearing/geometry.hpp"
 #include "contact/text.hpp"
+#include "io/bearing_notes.hpp"
 #include "io/tables.hpp"
 #include "workflow/bearing_of_case.hpp"
 
@@ -45,7 +46,7 @@ std::string below_line(const Rows& rows) { return rows.size() > 1 ? "\n" + align
 
 std::string heading(const Case& bearing_case) {
   const auto& body = std::get<BearingCase>(bearing_case.body);
-  const bearing::Geometry geometry = geometry_of(body);
+  const bearing::Geometry& geometry = body.geometry;
   const bearing::Speeds speeds = speeds_of(body);
   return fmt::format("{}: {}\n  radial load {} N, clearance {}, sum speed {} m/s, centrifugal force {} N a roller\n\n",
                      bearing_case.id, bearing_case.title, plain(body.operation.radial_load_N),
@@ -138,10 +139,11 @@ std::string fit_table(const bearing::BothRaceways<LinearFit>& fits) {
 
 std::string remarks(const BearingResult& result) {
   std::string text;
-  if (!result.why.empty()) text += fmt::format("\n  {}: no balance: {}\n", name_of(result), result.why);
-  if (result.notes.empty()) return text;
+  if (result.rollers.empty()) text += fmt::format("\n  {}: no balance: {}\n", name_of(result), result.why);
+  const std::vector<std::string> notes = notes_of(result);
+  if (notes.empty()) return text;
   text += fmt::format("\n  notes on {}\n", name_of(result));
-  for (const std::string& note : result.notes) text += fmt::format("    - {}\n", note);
+  for (const std::string& note : notes) text += fmt::format("    - {}\n", note);
   return text;
 }
 

@@ -329,12 +329,6 @@ constexpr std::array tables{
               .keys = expect_keys},
 };
 
-std::string quoted_list(const std::vector<std::string>& words) {
-  std::string quoted;
-  for (const auto& word : words) quoted += (quoted.empty() ? "\"" : ", \"") + word + "\"";
-  return quoted;
-}
-
 }  // namespace
 
 bool Interval::contains(double x) const {
@@ -399,6 +393,12 @@ std::vector<std::string> names_of_companions(bool of_bearing) {
 
 bool is_substitutable(const CaseTable& table) {
   return table.role == TableRole::statement || table.role == TableRole::companion;
+}
+
+std::string quoted_list(const std::vector<std::string>& items) {
+  std::string quoted;
+  for (const auto& item : items) quoted += (quoted.empty() ? "\"" : ", \"") + item + "\"";
+  return quoted;
 }
 
 std::string list(const std::vector<std::string>& items) { return fmt::format("{}", fmt::join(items, ", ")); }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The table of case keys: every table and every key that a case file may have, with unit, allowed values, default and
-// meaning. The reader, its checks for unknown keys, substitutions and messages all iterate over it.
+// meaning. The reader, its checks for unknown keys, substitutions and messages iterate over it.
 //
 // To add a key: a row in case_keys.cpp, and the line that reads it (read_contact, read_bearing or expectations).
 #pragma once
@@ -97,5 +97,7 @@ struct CaseTable {
 
 /// "a, b, c"
 [[nodiscard]] std::string list(const std::vector<std::string>& items);
+/// "\"a\", \"b\""
+[[nodiscard]] std::string quoted_list(const std::vector<std::string>& items);
 
 }  // namespace ehd

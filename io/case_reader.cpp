@@ -27,14 +27,24 @@ void read_heading(const CaseTree& tree, Case& made) {
   made.source = text(tree, "source");
 }
 
-/// The table that states the problem, and tables that do not belong beside it refused.
+/// "exactly one of [moes], [conditions], [hertz] and [bearing]"
+std::string one_statement() {
+  std::vector<std::string> names;
+  for (const CaseTable& table : case_tables())
+    if (table.role == TableRole::statement) names.push_back(fmt::format("[{}]", table.name));
+  const std::string last = names.back();
+  names.pop_back();
+  return fmt::format("exactly one of {} and {}", list(names), last);
+}
+
+/// The table that states the problem. Refuses tables that do not belong beside it.
 const CaseTable& only_statement(const CaseTree& tree) {
   const auto line = [&](const CaseTable* table) { return tree.line_of(std::string(table->name)); };
   std::vector<const CaseTable*> present;
   for (const CaseTable& table : case_tables()) {
     if (table.role == TableRole::statement && tree.has(std::string(table.name))) present.push_back(&table);
   }
-  const std::string allowed = "exactly one of [moes], [conditions], [hertz] and [bearing]";
+  const std::string allowed = one_statement();
   if (present.empty()) tree.fail("", "the problem is missing; required is " + allowed);
   std::stable_sort(present.begin(), present.end(),
                    [&](const CaseTable* one, const CaseTable* other) { return line(one) < line(other); });

@@ -11,8 +11,8 @@
 
 namespace ehd {
 
-/// Reads and checks a case; throws CaseError. Every error that shows without a solve is found here, also M or L out of
-/// range (nondimensionalise is tried).
+/// Reads and checks a case; throws CaseError. Every error that can be found without a solve is found here, M and L out
+/// of range too: nondimensionalise is tried.
 [[nodiscard]] Case read_case(const std::filesystem::path& file);
 
 /// The same of a text in memory. `file` names the text in messages; its stem must be the id.

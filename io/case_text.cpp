@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/case_text.hpp"
 
-#include <cstdio>
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <fstream>
 #include <system_error>
 
@@ -40,7 +42,7 @@ std::string read_bytes(const std::filesystem::path& file) {
   return bytes;
 }
 
-/// Follows TOML character by character, as far as needed to tell strings and comments from the rest.
+/// Follows TOML character by character, to tell strings and comments from the rest.
 class Lexer {
  public:
   [[nodiscard]] bool in_text() const { return state_ != State::plain; }
@@ -114,10 +116,11 @@ std::vector<std::string> lines_of(std::string_view text) {
 std::string read_case_text(const std::filesystem::path& file) { return checked_case_text(read_bytes(file), file); }
 
 std::string checked_case_text(std::string text, const std::filesystem::path& file) {
-  // First: other faults of a picture or a program are of no interest.
+  // Checked first: the other faults of an image or a program do not matter.
   if (text.find('\0') != std::string::npos) refuse(file, 0, "is binary; allowed is a case file (TOML)");
   if (text.size() > largest_file)
-    refuse(file, 0, "is larger than 64 KiB; allowed is a case file (TOML), which is small");
+    refuse(file, 0,
+           fmt::format("is larger than {} KiB; allowed is a case file (TOML), which is small", largest_file / 1024));
   if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
   if (text.find_first_not_of(" \t\r\n") == std::string::npos)
     refuse(file, 0, "is empty; allowed is a case file (TOML)");
@@ -141,7 +144,7 @@ std::string checked_case_text(std::string text, const std::filesystem::path& fil
       refuse(file, line,
              "holds '" + one_line(rest.substr(0, length)) + "' outside a string or comment; allowed is ASCII there");
     if (i - line_begin > longest_line)
-      refuse(file, line, "is a line of more than 2000 bytes; allowed are shorter lines");
+      refuse(file, line, fmt::format("is a line of more than {} bytes; allowed are shorter lines", longest_line));
     const bool begins = blank_so_far && text[i] != ' ' && text[i] != '\t' && !line_end;
     if (begins && text[i] == '[' && !lexer.in_text()) {
       const std::string_view rest_of_line = rest.substr(0, rest.find_first_of("\r\n"));

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <string_view>
 #include <utility>
 
 #include "contact/overloaded.hpp"
@@ -18,10 +17,6 @@ namespace ehd {
 namespace {
 
 constexpr std::size_t longest_text = 60;  // of a key in a message
-
-bool among(const std::vector<std::string>& items, std::string_view item) {
-  return std::find(items.begin(), items.end(), item) != items.end();
-}
 
 CaseNode node_of(const toml::node& node) {
   CaseNode made{.type = type_of(node)};
@@ -61,8 +56,9 @@ void require_substitutable(const std::string& path) {
   const auto [table_name, key] = parts_of(path);
   const CaseTable* table = find_case_table(table_name);
   if (table && !is_substitutable(*table)) table = nullptr;
-  if (table && among(names_of_keys(*table), key)) return;
-  const std::string allowed = table ? fmt::format("in [{}] {}", table_name, list(names_of_keys(*table)))
+  const std::vector<std::string> keys = table ? names_of_keys(*table) : std::vector<std::string>();
+  if (std::find(keys.begin(), keys.end(), key) != keys.end()) return;
+  const std::string allowed = table ? fmt::format("in [{}] {}", table_name, list(keys))
                                     : "table.key with one of the tables " + list(names_of_substitutable_tables());
   throw CaseError(one_line(fmt::format("{}: is no key of a case that can be given another value; allowed is {}",
                                        shortened(path, longest_text), allowed)));
@@ -125,17 +121,8 @@ class TreeBuilder {
   /// Names the first unknown key in the order of the file.
   void refuse_unknown(const toml::table& table, const std::string& path,
                       const std::vector<std::string>& allowed) const {
-    const toml::node* first = nullptr;
-    std::string key_of_first;
-    for (auto&& [key, node] : table) {
-      if (among(allowed, key.str())) continue;
-      if (!first || line_of(node) < line_of(*first)) {
-        first = &node;
-        key_of_first = std::string(key.str());
-      }
-    }
+    auto [name, first] = first_unknown(table, allowed);
     if (!first) return;
-    std::string name = key_of_first;
     if (!first->is_table()) name += " = " + text_of(*first, lines_);
     if (first->is_table() && path.empty()) name = "[" + name + "]";
     const std::string where = path.empty() ? "" : path.starts_with("expect") ? " in [[expect]]" : " in [" + path + "]";
@@ -170,6 +157,12 @@ void CaseTree::substitute(const Substitution& substitution) {
   if (!has(table)) put(table, {.type = "a table"}, 1, "");
   const int line = line_of(has(substitution.key) ? substitution.key : table);
   put(substitution.key, node_of(substitution.value), line, toml_text(substitution.value));
+}
+
+std::optional<double> CaseNode::number() const {
+  if (const auto* whole = std::get_if<std::int64_t>(&content)) return static_cast<double>(*whole);
+  if (const auto* real = std::get_if<double>(&content)) return *real;
+  return std::nullopt;
 }
 
 const CaseNode* CaseTree::find(const std::string& path) const {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -21,6 +22,7 @@ struct CaseNode {
   std::string type;  ///< "a table", "an integer", "a text", … for messages
   /// Empty for a table, a boolean, a date or time: no key of a case holds one.
   std::variant<std::monostate, std::int64_t, double, std::string, std::vector<CaseNode>> content = {};
+  [[nodiscard]] std::optional<double> number() const;  ///< integer or not
 };
 
 class CaseTree {

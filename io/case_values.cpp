@@ -33,14 +33,9 @@ double number_or_standard(const CaseTree& tree, const std::string& key) {
 }
 
 double number_in(const CaseTree& tree, const std::string& key, const CaseNode& node, const Interval& interval) {
-  double value = 0;
-  if (const auto* whole = std::get_if<std::int64_t>(&node.content)) {
-    value = static_cast<double>(*whole);
-  } else if (const auto* real = std::get_if<double>(&node.content)) {
-    value = *real;
-  } else {
-    tree.fail(key, fmt::format("is {}; allowed is a number, {}", node.type, interval.text()));
-  }
+  const auto stated = node.number();
+  if (!stated) tree.fail(key, fmt::format("is {}; allowed is a number, {}", node.type, interval.text()));
+  const double value = *stated;
   if (!std::isfinite(value)) tree.fail(key, "is not finite; allowed is " + interval.text());
   if (interval.contains(value)) return value;
   const bool wrong_sign = value < 0 && interval.low >= 0;

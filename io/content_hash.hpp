@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A hash that tells contents apart: which inputs a result was computed from, and a damaged line from a whole one. It
-// has no security purpose; contents that are made to collide are not its concern.
+// A hash of a text. It tells which inputs a result was computed from, and whether a stored line is damaged. It gives no
+// security: somebody can make two texts with one hash.
 #pragma once
 
 #include <cstddef>

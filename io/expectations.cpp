@@ -144,7 +144,7 @@ std::string bearing_law(const CaseTree& tree, const std::string& key, const Bear
   if (needs_film(law) && !bearing.lubricant)
     tree.fail(key, "needs a lubricant; allowed is a dry law in a case without [lubricant]: " +
                        bearing::names_of(bearing::Laws::dry, " or "));
-  if (needs_ring_thickness(law) && !bearing.geometry.ring_thickness_m)
+  if (needs_ring_thickness(law) && !bearing.ring_thickness_m)
     tree.fail(key, fmt::format("needs bearing.ring_thickness_m; allowed is {} in a case without it",
                                bearing::names_of(bearing::Laws::dry_without_ring_thickness, " or ")));
   return name;

@@ -21,30 +21,13 @@ std::filesystem::path cases_folder() {
 
 namespace {
 
-std::vector<std::filesystem::path> case_files() {
-  std::vector<std::filesystem::path> files;
-  std::error_code error;
+/// What cases/ holds, by name, as far as it can be listed.
+std::vector<std::filesystem::directory_entry> entries_of_cases(std::error_code& error) {
+  std::vector<std::filesystem::directory_entry> entries;
   std::filesystem::directory_iterator entry(cases_folder(), error);
-  for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
-    if (entry->path().extension() == ".toml") files.push_back(entry->path());
-  }
-  if (error)
-    throw CaseError(one_line(cases_folder().string() +
-                             ": the folder of the benchmark cases cannot be listed; EHD_CASES may name another"));
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
-/// The folders in cases/, by name: collections such as cases/atlas. Their cases are found by id as well.
-std::vector<std::filesystem::path> case_subfolders() {
-  std::vector<std::filesystem::path> folders;
-  std::error_code error, unknown;
-  std::filesystem::directory_iterator entry(cases_folder(), error);
-  for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
-    if (entry->is_directory(unknown)) folders.push_back(entry->path());
-  }
-  std::sort(folders.begin(), folders.end());
-  return folders;
+  for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) entries.push_back(*entry);
+  std::sort(entries.begin(), entries.end());
+  return entries;
 }
 
 }  // namespace
@@ -55,8 +38,8 @@ std::filesystem::path find_case(const std::string& path_or_id) {
   if (path_or_id.find('/') != std::string::npos || path.extension() == ".toml") return path;
   const auto in_cases = cases_folder() / (path_or_id + ".toml");
   if (std::filesystem::is_regular_file(std::filesystem::status(in_cases, error))) return in_cases;
-  for (const auto& folder : case_subfolders()) {
-    const auto below = folder / (path_or_id + ".toml");
+  for (const auto& entry : entries_of_cases(error)) {  // collections such as cases/atlas
+    const auto below = entry.path() / (path_or_id + ".toml");
     if (std::filesystem::is_regular_file(std::filesystem::status(below, error))) return below;
   }
   if (std::filesystem::exists(std::filesystem::status(path, error))) return path;
@@ -65,8 +48,14 @@ std::filesystem::path find_case(const std::string& path_or_id) {
 }
 
 std::vector<Case> all_cases() {
+  std::error_code error;
+  const auto entries = entries_of_cases(error);
+  if (error)
+    throw CaseError(one_line(cases_folder().string() +
+                             ": the folder of the benchmark cases cannot be listed; EHD_CASES may name another"));
   std::vector<Case> cases;
-  for (const auto& file : case_files()) cases.push_back(read_case(file));
+  for (const auto& entry : entries)
+    if (entry.path().extension() == ".toml") cases.push_back(read_case(entry.path()));
   return cases;
 }
 

@@ -10,8 +10,8 @@
 
 namespace ehd {
 
-/// A CASE argument: a path to a TOML file (it holds a '/' or ends in .toml), or the id of one in cases/ or a folder in
-/// it (cases/atlas); a file of another name only where no case has it for an id. Throws CaseError.
+/// The file of a CASE argument. With a '/' or the ending .toml the argument is a path. Otherwise it is the id of a case
+/// in cases/ or in a folder of cases/; if there is none, it is a path too. Throws CaseError.
 [[nodiscard]] std::filesystem::path find_case(const std::string& path_or_id);
 
 /// The folder of the benchmark cases: environment EHD_CASES, else the one the program was built from.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A file that is written whole or not at all.
+// A file that appears whole or not at all.
 #pragma once
 
 #include <filesystem>
@@ -14,7 +14,7 @@ class OutputError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A file that appears whole, at commit, or not at all. The constructor already opens a temporary file beside it, so
+/// A file that appears at commit. The constructor already opens a temporary file beside it, so
 /// that a path that cannot be written is refused before anything is computed (OutputError). Devices and pipes
 /// (/dev/stdout) are written directly.
 class OutputFile {

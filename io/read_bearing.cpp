@@ -22,8 +22,8 @@ namespace {
 constexpr double narrowest_fit = 1.01;  // high over low: one load determines no line
 
 /// Rollers may overlap: many of them approach Sjovall's integral.
-BearingGeometry read_geometry(const CaseTree& tree) {
-  BearingGeometry geometry;
+bearing::Geometry read_geometry(const CaseTree& tree) {
+  bearing::Geometry geometry;
   geometry.rollers = integer(tree, "bearing.rollers");
   geometry.pitch_diameter_m = number(tree, "bearing.pitch_diameter_m");
   geometry.roller_diameter_m = number(tree, "bearing.roller_diameter_m");
@@ -35,8 +35,6 @@ BearingGeometry read_geometry(const CaseTree& tree) {
   geometry.clearance_m = number(tree, "bearing.clearance_m");
   geometry.density_kg_per_m3 = number(tree, "bearing.density_kg_per_m3");
   geometry.first_azimuth_deg = number_or_standard(tree, "bearing.first_azimuth_deg");
-  geometry.ring_thickness_m = maybe_number(tree, "bearing.ring_thickness_m");
-  geometry.roughness_m = maybe_number(tree, "bearing.roughness_m");
   return geometry;
 }
 
@@ -114,6 +112,8 @@ FitRange read_fit(const CaseTree& tree) {
 BearingCase read_bearing(const CaseTree& tree) {
   BearingCase bearing;
   bearing.geometry = read_geometry(tree);
+  bearing.ring_thickness_m = maybe_number(tree, "bearing.ring_thickness_m");
+  bearing.roughness_m = maybe_number(tree, "bearing.roughness_m");
   read_speeds(tree, bearing.operation);
   bearing.operation.radial_load_N = number(tree, "operation.radial_load_N");
   bearing.modulus_Pa = number(tree, "material.modulus_Pa");

@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstdint>
 #include <variant>
 
 #include "contact/nondimensional.hpp"
+#include "contact/overloaded.hpp"
 #include "io/case_keys.hpp"
 #include "io/case_tree.hpp"
 #include "io/case_values.hpp"
@@ -26,18 +26,12 @@ Inlet read_inlet(const CaseTree& tree) {
     if (*word == range.word) return Flooded{};
     tree.fail(key, "is unknown" + allowed);
   }
-  double x = 0;
-  if (const auto* whole = std::get_if<std::int64_t>(&node.content)) {
-    x = static_cast<double>(*whole);
-  } else if (const auto* real = std::get_if<double>(&node.content)) {
-    x = *real;
-  } else {
-    tree.fail(key, "is " + node.type + allowed);
-  }
-  if (!std::isfinite(x)) tree.fail(key, "is not finite" + allowed);
-  if (!(x < range.edge)) tree.fail(key, "lies inside or behind the contact" + allowed);
-  if (x < range.farthest) tree.fail(key, "is out of range" + allowed);
-  return TruncatedAt{x};
+  const auto x = node.number();
+  if (!x) tree.fail(key, "is " + node.type + allowed);
+  if (!std::isfinite(*x)) tree.fail(key, "is not finite" + allowed);
+  if (!(*x < range.edge)) tree.fail(key, "lies inside or behind the contact" + allowed);
+  if (*x < range.farthest) tree.fail(key, "is out of range" + allowed);
+  return TruncatedAt{*x};
 }
 
 Conditions read_conditions(const CaseTree& tree, bool dry) {
@@ -83,11 +77,12 @@ void require_tables_of_lubricated(const CaseTree& tree, const std::string& state
 
 /// Groups alone fix no pressure in Pa. A law that needs such pressures needs alpha, which is then a missing key.
 void require_pressure_scale(const CaseTree& tree, const ContactCase& contact) {
-  const auto* moes = std::get_if<MoesGroups>(&contact.statement);
-  const auto* hertz = std::get_if<HertzGroups>(&contact.statement);
-  const bool piezoviscous = (moes && moes->L > 0) || (hertz && hertz->alpha_p_H > 0);
+  const bool without_scale = std::visit(Overloaded{[](const MoesGroups& groups) { return groups.L > 0; },
+                                                   [](const HertzGroups& groups) { return groups.alpha_p_H > 0; },
+                                                   [](const Conditions&) { return false; }},
+                                        contact.statement);
   const Lubricant& lubricant = *contact.lubricant;
-  if (!piezoviscous || lubricant.alpha_per_Pa) return;
+  if (!without_scale || lubricant.alpha_per_Pa) return;
   const bool roelands = lubricant.viscosity == ViscosityLaw::roelands;
   if (!roelands && lubricant.density == DensityLaw::incompressible) return;
   const std::string key = "lubricant.alpha_per_Pa";

@@ -23,6 +23,7 @@ namespace {
 constexpr const char* name = "journal";
 constexpr const char* schema = "ehd-sweep-journal-2";
 constexpr std::size_t check_digits = 16, hash_digits = content_hash_digits;
+constexpr std::size_t before_text = check_digits + 1 + hash_digits + 1;
 
 /// A line of the file: CHECKSUM CONTENT. The content of a row is HASH TEXT. CHECKSUM: the first digits of the content's
 /// hash.
@@ -120,8 +121,7 @@ SweepJournal::Read SweepJournal::read(const std::set<std::string>* wanted) {
       found.whole = false;
       continue;
     }
-    const std::size_t before = check_digits + 1 + hash_digits + 1;
-    rows_[hash] = {.begin = end_ + before, .bytes = line.size() - before};
+    rows_[hash] = {.begin = end_ + before_text, .bytes = line.size() - before_text};
   }
   return found;
 }
@@ -134,8 +134,7 @@ void SweepJournal::rewrite(const std::string& header) {
   if (!rows_.empty()) open_file(O_RDONLY);
   for (const auto& entry : rows_) {
     const std::string content = entry.first + " " + row(entry.first);
-    const std::size_t before = check_digits + 1 + hash_digits + 1;
-    places[entry.first] = {.begin = written + text.size() + before, .bytes = entry.second.bytes};
+    places[entry.first] = {.begin = written + text.size() + before_text, .bytes = entry.second.bytes};
     text += line_of(content);
     constexpr std::size_t enough = 1 << 20;
     if (text.size() < enough) continue;
@@ -172,8 +171,7 @@ void SweepJournal::add(const std::string& hash, const std::string& text) {
     if (put < 0) refuse(file_, std::string("cannot be written (") + std::strerror(errno) + ")");
     done += static_cast<std::size_t>(put);
   }
-  const std::size_t before = check_digits + 1 + hash_digits + 1;
-  rows_[hash] = {.begin = end_ + before, .bytes = text.size()};
+  rows_[hash] = {.begin = end_ + before_text, .bytes = text.size()};
   end_ += line.size();
 }
 

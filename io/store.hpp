@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The rows of a sweep that are known, in a file that only grows: a line a row with its checksum, so that a run that is
-// killed loses no more than the line it was writing.
+// The finished rows of a sweep, in a file that only grows: one line a row, with its checksum. A run that is killed
+// loses no more than the line that it was writing.
 #pragma once
 
 #include <cstddef>
@@ -22,14 +22,13 @@ struct JournalHeader {
 
 class SweepJournal {
  public:
-  /// Opens the journal in `folder` (made where it does not exist) for a run, and keeps what it holds of `wanted` rows
-  /// (their hashes); damaged lines and rows of other sweeps or programs are left out for good. Throws OutputError: the
-  /// folder cannot be written, or another run is at work there.
+  /// Opens the journal in `folder` for a run; makes the folder where there is none. Keeps the rows whose hashes are in
+  /// `wanted`, and removes damaged lines and rows of other sweeps or programs. Throws OutputError where the folder
+  /// cannot be written or another run is at work there.
   SweepJournal(const std::filesystem::path& folder, const JournalHeader& header, const std::set<std::string>& wanted,
                bool fresh);
 
-  /// A finished journal, for merging: every line must be whole, and the header this one, or OutputError says what is
-  /// there instead.
+  /// A finished journal, for merging. Throws OutputError where a line is damaged or the header is another one.
   SweepJournal(const std::filesystem::path& folder, const JournalHeader& header);
 
   ~SweepJournal();

@@ -10,7 +10,6 @@
 #include "contact/text.hpp"
 #include "io/case_reader.hpp"
 #include "io/json.hpp"
-#include "workflow/registry.hpp"
 
 namespace ehd {
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A case with lists or ranges for some of its keys: the file as a user writes it, its strict reader (sweep_reader.cpp),
-// and its rows.
-// docs/sweep.md lists the file's keys.
+// and its rows. docs/sweep.md lists the file's keys.
 #pragma once
 
 #include <cstddef>
@@ -38,7 +37,7 @@ struct Sweep {
   std::string solver{default_solver().name};
   double tolerance = 1e-3;  ///< of the films of a contact case; a bearing's contacts have their own
   Combine combine = Combine::product;
-  std::vector<SweptKey> keys;  ///< in the order of the file, of which the last turns fastest
+  std::vector<SweptKey> keys;  ///< in the order of the file; from row to row the last key changes fastest
   int keys_line = 0;
 
   [[nodiscard]] std::size_t rows() const;
@@ -48,15 +47,15 @@ struct Sweep {
   [[nodiscard]] Case case_of(std::size_t row) const;
   /// What run_bearing is asked for.
   [[nodiscard]] BearingRequest request_of(const Case& row_case) const;
-  /// {"id", "case", "laws", "solver", "tolerance", "combine", "keys"}: what is not the row's own.
+  /// {"id", "case", "laws", "solver", "tolerance", "combine", "keys", "rows"}: what all rows have in common.
   [[nodiscard]] Json to_json() const;
 };
 
-/// More rows are refused: they are all read before the first is computed.
+/// More rows are refused, since all are read before the first is computed.
 inline constexpr std::size_t most_rows = 100000;
 
-/// Reads the file and the case of every row, so that nothing is computed of a sweep that cannot be carried through.
-/// Throws CaseError.
+/// Reads the file and the case of every row, so that a wrong row is found before anything is computed. Throws
+/// CaseError.
 [[nodiscard]] Sweep read_sweep(const std::filesystem::path& file);
 
 [[nodiscard]] Json to_json(const TomlValue& value);

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
 
 #include "contact/text.hpp"
+#include "io/case_keys.hpp"
 #include "io/case_reader.hpp"
 #include "io/case_text.hpp"
 #include "io/find_case.hpp"
@@ -69,7 +69,7 @@ void read_tolerance(const SweepSource& source, Sweep& sweep) {
     source.fail("tolerance", *node,
                 "belongs to the sweep of a contact; allowed is no tolerance for a bearing, whose contacts are solved "
                 "to " +
-                    plain(*ContactMemory::bearing_request().tolerance));
+                    plain(*bearing_contact_request().tolerance));
   const std::string allowed = "a number, more than 0 and up to " + plain(loosest_tolerance);
   const auto value = number_of(*node);
   if (!value) source.fail_type("tolerance", *node, allowed);
@@ -81,7 +81,7 @@ void read_tolerance(const SweepSource& source, Sweep& sweep) {
 void read_combine(const SweepSource& source, Sweep& sweep) {
   const std::vector<std::string> ways{"product", "zip"};
   const toml::node* node = source.root().get("combine");
-  if (!node) source.missing("combine", quoted(ways));
+  if (!node) source.missing("combine", quoted_list(ways));
   sweep.combine = source.choice("combine", *node, ways) == "zip" ? Combine::zip : Combine::product;
 }
 

@@ -9,7 +9,6 @@
 #include <sstream>
 
 #include "io/bearing_json.hpp"
-#include "io/case_reader.hpp"
 #include "io/contact_json.hpp"
 #include "io/content_hash.hpp"
 #include "io/provenance.hpp"
@@ -21,7 +20,7 @@ namespace ehd {
 
 namespace {
 
-/// Begins the content of every row's hash: another schema, other rows.
+/// Hashed with every row, so that rows of another schema are not taken for these.
 constexpr const char* schema = "ehd-sweep-1";
 
 /// Two builds of a commit with changes on top, or of a tree without git, are told apart by the program's own bytes.
@@ -53,7 +52,7 @@ std::string number_text(double value) {
 /// are shared behind it.
 long add_bearing_results(Json& results, const Sweep& sweep, const SweepRequest& request, const Case& row_case,
                          const std::shared_ptr<ContactCache>& cache) {
-  Request limits = ContactMemory::bearing_request();
+  Request limits = bearing_contact_request();
   limits.max_iterations = request.max_iterations;
   limits.time_limit_s = request.time_limit_s;
   ContactMemory memory(cache, limits);
@@ -76,7 +75,7 @@ long add_contact_result(Json& results, const Sweep& sweep, const SweepRequest& r
 
 std::string row_hash(const Sweep& sweep, const SweepRequest& request, std::size_t row) {
   static const std::string program = program_identity();
-  const double tolerance = sweep.bearing ? *ContactMemory::bearing_request().tolerance : sweep.tolerance;
+  const double tolerance = sweep.bearing ? *bearing_contact_request().tolerance : sweep.tolerance;
   std::string content = fmt::format("{}\n{}\n{}\n{} {}\n{}\n", schema, program, sweep.solver, request.max_iterations,
                                     number_text(request.time_limit_s), number_text(tolerance));
   for (const bearing::Law law : sweep.laws) content += std::string(to_string(law)) + " ";

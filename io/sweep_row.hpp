@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One row of a sweep: its name, its computation, and why it failed.
 //
-// A row depends on its own case alone: its contacts are cold solves at loads that follow from that case. So threads,
-// shards, the order of the rows, and the row that solved a shared contact first change no bit of a row.
+// A row depends on its own case alone: its contacts are cold solves at loads that follow from that case. So no bit of a
+// row depends on threads, shards, the order of the rows, or which row solved a shared contact first.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@ namespace ehd {
 
 struct SweepRequest {
   int max_iterations = 2000;  ///< of each contact solve
-  double time_limit_s = 300;  ///< likewise; where it ends a solve, a row does depend on the machine
+  double time_limit_s = 300;  ///< likewise; where it ends a solve, the row depends on the machine
   unsigned threads = 0;       ///< 0: as many as there are cores
   bool fresh = false;         ///< rows of an earlier run are computed again
   /// After every row, one call at a time: rows known so far, of how many, how many of them this run computed.
@@ -27,7 +27,7 @@ struct SweepRequest {
 };
 
 /// The content_hash of all that a row's numbers follow from: the case with its values, laws, solver, tolerance, limits,
-/// and the program (its commit; where that does not tell, its own bytes).
+/// and the program (its commit, or its own bytes where the commit does not identify the build).
 [[nodiscard]] std::string row_hash(const Sweep& sweep, const SweepRequest& request, std::size_t row);
 
 /// A row as it is kept: all of its object in rows.json but its number.

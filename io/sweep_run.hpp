@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The run of a whole sweep: rows computed over threads, kept as they are finished (io/store), written as one table
-// (io/sweep_table). rows.csv and rows.json follow from the rows alone; what depends on the run (times, which row solved
+// The run of a whole sweep: rows are computed over threads, kept as they finish (io/store), and written as one table
+// (io/sweep_table). rows.csv and rows.json follow from the rows alone. What depends on the run (times, which row solved
 // a shared contact) stands in cost.json.
 #pragma once
 

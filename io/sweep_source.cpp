@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "contact/text.hpp"
+#include "io/case_keys.hpp"
 #include "io/case_text.hpp"
 #include "workflow/case.hpp"
 
@@ -16,12 +17,6 @@ namespace {
 constexpr std::size_t longest_key = 60;  // of an unknown key in a message
 
 }  // namespace
-
-std::string quoted(const std::vector<std::string>& items) {
-  std::string text;
-  for (const auto& item : items) text += (text.empty() ? "\"" : ", \"") + item + "\"";
-  return text;
-}
 
 std::optional<double> number_of(const toml::node& node) {
   if (const auto* whole = node.as_integer()) return static_cast<double>(whole->get());
@@ -52,17 +47,8 @@ void SweepSource::missing(const std::string& key, const std::string& required) c
 
 void SweepSource::require_known(const toml::table& table, const std::string& of,
                                 const std::vector<std::string>& allowed) const {
-  const toml::node* first = nullptr;
-  std::string first_key;
-  for (auto&& [key, node] : table) {
-    if (std::find(allowed.begin(), allowed.end(), key.str()) != allowed.end()) continue;
-    if (first && line_of(*first) <= line_of(node)) continue;
-    first = &node;
-    first_key = std::string(key.str());
-  }
-  if (first)
-    fail(shortened(first_key, longest_key), *first,
-         fmt::format("is unknown{}; allowed is {}", of, fmt::join(allowed, ", ")));
+  const auto [key, node] = first_unknown(table, allowed);
+  if (node) fail(shortened(key, longest_key), *node, fmt::format("is unknown{}; allowed is {}", of, list(allowed)));
 }
 
 std::string SweepSource::text(const std::string& key, const toml::node& node, const std::string& allowed) const {
@@ -73,9 +59,9 @@ std::string SweepSource::text(const std::string& key, const toml::node& node, co
 
 std::string SweepSource::choice(const std::string& key, const toml::node& node,
                                 const std::vector<std::string>& allowed) const {
-  std::string chosen = text(key, node, quoted(allowed));
+  std::string chosen = text(key, node, quoted_list(allowed));
   if (std::find(allowed.begin(), allowed.end(), chosen) == allowed.end())
-    fail(key, node, "is unknown; allowed is " + quoted(allowed));
+    fail(key, node, "is unknown; allowed is " + quoted_list(allowed));
   return chosen;
 }
 

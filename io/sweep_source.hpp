@@ -11,9 +11,6 @@
 
 namespace ehd {
 
-/// "\"linear\", \"logarithmic\"" for messages.
-[[nodiscard]] std::string quoted(const std::vector<std::string>& items);
-
 /// A sweep file as read. All messages are CaseErrors with the file and a line.
 class SweepSource {
  public:

@@ -18,7 +18,7 @@ namespace ehd {
 namespace {
 
 constexpr const char* schema = "ehd-sweep-1";
-/// The table is made of this many rows at a time: over threads, and no more of them in memory.
+/// So many rows are made at a time, over threads. This bounds the memory.
 constexpr std::size_t block = 256;
 
 std::string csv_cell(const std::string& text) {
@@ -139,7 +139,7 @@ std::string loaded_rollers(const Json& result) {
                                       [](const Json& roller) { return roller["inner"]["force_N"].get<double>() > 0; }));
 }
 
-/// Contacts of both raceways that carry a force outside the range of their fit; of ehd-linear alone.
+/// Contacts of both raceways that carry a force outside the range of their fit; empty for a law without a fit.
 std::string fit_used_outside(const Json& result) {
   if (!result.contains("fit") || rollers_of(result).empty()) return "";
   std::size_t outside = 0;
@@ -152,7 +152,7 @@ std::string fit_used_outside(const Json& result) {
   return std::to_string(outside);
 }
 
-/// Columns that came later stand behind the reason, so that older ones keep their places.
+/// Columns that were added later stand after `reason`, so that older columns keep their places.
 Columns bearing_columns() {
   return {at_path("law", "law"),
           at_path("status", "status"),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The two tables of a sweep: rows.csv, whose columns stand in a list of their own, and rows.json.
+// The two tables of a sweep: rows.csv and rows.json.
 #pragma once
 
 #include <cstddef>

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "contact/text.hpp"
+#include "io/case_keys.hpp"
 #include "io/sweep_file.hpp"
 
 namespace ehd {
@@ -76,7 +77,7 @@ class RangeReader {
 
   [[nodiscard]] bool is_logarithmic(const End& from, const End& to) const {
     const std::vector<std::string> spacings{"linear", "logarithmic"};
-    const toml::node& node = required("spacing", quoted(spacings));
+    const toml::node& node = required("spacing", quoted_list(spacings));
     const bool logarithmic = source_.choice(named("spacing"), node, spacings) == "logarithmic";
     const bool through_zero = from.value == 0 || to.value == 0 || (from.value < 0) != (to.value < 0);
     if (logarithmic && through_zero)

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "io/case_reader.hpp"
+#include "io/substitution.hpp"
 #include "io/sweep_source.hpp"
 
 namespace ehd {

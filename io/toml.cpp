@@ -30,6 +30,16 @@ std::string trimmed(std::string_view line) {
 
 }  // namespace
 
+std::pair<std::string, const toml::node*> first_unknown(const toml::table& table,
+                                                        const std::vector<std::string>& allowed) {
+  std::pair<std::string, const toml::node*> first;
+  for (auto&& [key, node] : table) {
+    if (std::find(allowed.begin(), allowed.end(), key.str()) != allowed.end()) continue;
+    if (!first.second || line_of(node) < line_of(*first.second)) first = {std::string(key.str()), &node};
+  }
+  return first;
+}
+
 std::string type_of(const toml::node& node) {
   switch (node.type()) {
     case toml::node_type::table: return "a table";

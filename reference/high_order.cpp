@@ -107,7 +107,7 @@ Solution Solve::on_intervals(int intervals, double layout) {
   if (second) grids_.push_back(record_of(*second));
   Solution solution = reported(*first, second ? *second : *guide, &*guide);
   if (grids_.front().inlet_cells >= fewest_inlet_cells) return ended(std::move(solution), StopReason::converged, "");
-  return ended(std::move(solution), StopReason::under_resolved, "the inlet zone is narrower than two intervals");
+  return ended(std::move(solution), StopReason::under_resolved, "the inlet zone is narrower than 1.5 intervals");
 }
 
 /// Two discretisations that resolve below the tolerance; finer ones where they differ by more.

@@ -10,6 +10,7 @@
 #include "contact/film_formulas.hpp"
 #include "contact/nondimensional.hpp"
 #include "contact/observables.hpp"
+#include "contact/text.hpp"
 
 namespace ehd::reference {
 
@@ -303,13 +304,14 @@ std::vector<int> halved_sizes(int n, const std::function<bool(int)>& useful) {
 
 namespace {
 
+std::string inlet_zone_is_narrow() { return "the inlet zone is narrower than " + plain(fewest_inlet_cells) + " cells"; }
+
 /// Why a study has no film; `cells` are those of its finest grid in the inlet zone of the expected film.
 Solution no_grid_solved(const Study& study, double cells, const std::string& finest, bool out_of_time) {
   if (out_of_time) return study.without_film(StopReason::limit_reached, "no grid was solved within the limits");
   if (cells < fewest_inlet_cells)
-    return study.without_film(
-        StopReason::under_resolved,
-        "the inlet zone is narrower than two cells and no positive film solves the equations of " + finest);
+    return study.without_film(StopReason::under_resolved,
+                              inlet_zone_is_narrow() + " and no positive film solves the equations of " + finest);
   return study.without_film(StopReason::diverged, "no positive film was found on up to " + finest);
 }
 
@@ -356,7 +358,7 @@ Solution solve_grids(Study& study, const std::function<Grid(int)>& grid_of, cons
     solution.record.reason = "the estimated errors of the films exceed the tolerance on " + finest;
   } else if (levels.back().cells_in_inlet_zone() < fewest_inlet_cells) {
     solution.record.status = StopReason::under_resolved;
-    solution.record.reason = "the inlet zone is narrower than two cells";
+    solution.record.reason = inlet_zone_is_narrow();
   }
   return solution;
 }

@@ -8,9 +8,9 @@
 
 namespace ehd {
 
-/// The solutions in the order of the problems. Work is handed out as threads come free (0: as many as there are cores);
-/// no solve knows of another, so that nothing but the times in a record depends on the number of threads. What a solver
-/// throws is thrown again. Where a time limit ends a solve, that is no longer so.
+/// The solutions in the order of the problems. `threads`: 0 takes one per core. Solves are independent of each other:
+/// only the times in a record depend on the number of threads, unless a time limit ends a solve. What a solver throws
+/// is thrown again.
 [[nodiscard]] std::vector<Solution> solve_all(const RegisteredSolver& solver, const std::vector<Problem>& problems,
                                               const Request& request, unsigned threads);
 

@@ -8,7 +8,7 @@
 
 #include "bearing/approach_formulas.hpp"
 #include "contact/hertz.hpp"
-#include "workflow/bearing_notes.hpp"
+#include "contact/nondimensional.hpp"
 #include "workflow/bearing_of_case.hpp"
 
 namespace ehd {
@@ -48,7 +48,8 @@ CageTurn turn_of(const std::vector<Equilibrium>& positions) {
   return turn;
 }
 
-/// The smallest share of the load that counts as loaded: a law from curves pushes at every roller, others let go.
+/// A roller with at least this share of the largest force counts as loaded. With a law from curves every roller carries
+/// something; with the others a roller may carry nothing.
 double load_zone_share_of(bearing::Law law) {
   const bool always_pushes = std::holds_alternative<bearing::FromCurves>(bearing::row_of(law).make);
   return always_pushes ? bearing::load_zone_share : 0;
@@ -66,16 +67,15 @@ BearingSetup::BearingSetup(const BearingCase& of, bearing::Form balance_form, in
     : body(of),
       form(balance_form),
       cage_positions(positions),
-      geometry(geometry_of(of)),
       contacts(contacts_of(of)),
-      loading{of.operation.radial_load_N, bearing::centrifugal_force_N(geometry, speeds_of(of))} {}
+      loading{of.operation.radial_load_N, bearing::centrifugal_force_N(of.geometry, speeds_of(of))} {}
 
 std::vector<Equilibrium> balance_all_positions(const BearingSetup& setup, const LawPair& laws) {
   std::vector<Equilibrium> positions;
   const int count = std::max(1, setup.cage_positions);
   for (int k = 0; k < count; ++k) {
-    bearing::Geometry turned = setup.geometry;
-    turned.first_azimuth_deg += 360.0 / setup.geometry.rollers * k / count;
+    bearing::Geometry turned = setup.body.geometry;
+    turned.first_azimuth_deg += 360.0 / setup.body.geometry.rollers * k / count;
     positions.push_back(balanced(setup, laws, turned));
   }
   return positions;
@@ -84,7 +84,7 @@ std::vector<Equilibrium> balance_all_positions(const BearingSetup& setup, const 
 double largest_dry_force_N(const BearingSetup& setup) {
   const LawPair hertz = bearing::dry_laws(bearing::Law::hertz, roller_contact_of(setup.body));
   double largest = 0;
-  for (const bearing::RollerState& roller : balanced(setup, hertz, setup.geometry).rollers)
+  for (const bearing::RollerState& roller : balanced(setup, hertz, setup.body.geometry).rollers)
     largest = std::max(largest, roller.inner.force_N);
   return largest;
 }
@@ -111,7 +111,16 @@ void fill_balance(BearingResult& result, const BearingSetup& setup, const std::v
   if (setup.cage_positions > 0) result.cage = turn_of(positions);
   const double lateral = std::abs(ring.lateral_force_N);
   if (setup.form == bearing::Form::radial && lateral > negligible_lateral_force * setup.loading.radial_N)
-    result.notes.push_back(note::lateral_force(ring.lateral_force_N));
+    result.notes.push_back(note::LateralForce{ring.lateral_force_N});
+}
+
+void note_oil(BearingResult& result, const BearingSetup& setup) {
+  const Conditions mean = setup.contacts.inner.at(setup.loading.radial_N / setup.body.geometry.rollers);
+  try {
+    for (const std::string& remark : nondimensionalise(mean, setup.body.lubricant->lubricant, Flooded{}).notes)
+      if (remark.find("GPa") == std::string::npos) result.notes.push_back(note::Oil{remark});
+  } catch (const StatementError&) {  // a mean load out of range says nothing about the rollers' own
+  }
 }
 
 }  // namespace ehd

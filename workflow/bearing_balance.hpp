@@ -15,7 +15,7 @@
 
 namespace ehd {
 
-/// A law could not be carried through; the sentence says where.
+/// There is no balance with a law; what() says why.
 class LawFailure : public std::runtime_error {
  public:
   explicit LawFailure(const std::string& why) : std::runtime_error(why) {}
@@ -34,7 +34,6 @@ struct BearingSetup {
   const BearingCase& body;
   bearing::Form form;
   int cage_positions;  ///< BearingRequest::cage_positions
-  bearing::Geometry geometry;
   bearing::BothRaceways<bearing::RacewayContact> contacts;
   bearing::Loading loading;
 };
@@ -51,5 +50,9 @@ struct BearingSetup {
 
 /// Writes the ring, its rollers and the turn of the cage into the result of a law.
 void fill_balance(BearingResult& result, const BearingSetup& setup, const std::vector<bearing::Equilibrium>& positions);
+
+/// Notes what nondimensionalise remarks about the oil at the mean load. Remarks about the pressure are left out: a
+/// result notes the highest pressure of its own rollers.
+void note_oil(BearingResult& result, const BearingSetup& setup);
 
 }  // namespace ehd

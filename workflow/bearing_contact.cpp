@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 #include "contact/approach.hpp"
@@ -56,7 +55,8 @@ Request bearing_contact_request() {
   return request;
 }
 
-// On finer and finer grids a spike that meets X = 0 only blurs what a coarser one knew.
+// A pressure spike near X = 0 disturbs the central film. The finer grids of the first tolerance may then give larger
+// errors than the coarser ones of the second.
 ContactSolver with_fallback(ContactSolver solver) {
   return [solver = std::move(solver)](const Problem& problem, const Request& request) {
     Solution solution = solver(problem, request);

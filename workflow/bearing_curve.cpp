@@ -10,7 +10,6 @@
 
 #include "bearing/film_curve.hpp"
 #include "bearing/fit.hpp"
-#include "workflow/bearing_notes.hpp"
 
 namespace ehd {
 
@@ -59,6 +58,13 @@ double largest_force_N(const std::vector<Equilibrium>& positions) {
   return largest;
 }
 
+void note_curve(BearingResult& result, bearing::Raceway raceway) {
+  const double lightest_N = result.curve->at(raceway).lightest_N();
+  const auto below = std::count_if(result.rollers.begin(), result.rollers.end(),
+                                   [&](const RollerRow& row) { return row.at(raceway).force_N < lightest_N; });
+  result.notes.push_back(note::Curve{.raceway = raceway, .contacts_below = below});
+}
+
 }  // namespace
 
 double force_at_M_1_N(const RacewayContact& contact) {
@@ -99,9 +105,9 @@ void run_curve_law(BearingResult& result, const BearingSetup& setup, bearing::Fr
     }
     fill_balance(result, setup, positions);
     fill_films(result, curves);
-    result.notes.push_back(note::curve(*curves.inner, result.rollers, &RollerRow::inner, "inner"));
-    result.notes.push_back(note::curve(*curves.outer, result.rollers, &RollerRow::outer, "outer"));
-    note::add_lubricant(result.notes, setup);
+    note_curve(result, bearing::Raceway::inner);
+    note_curve(result, bearing::Raceway::outer);
+    note_oil(result, setup);
     return;
   }
   throw LawFailure("the roller loads grow beyond every solved contact; the datum or the load is out of reach");

@@ -6,7 +6,6 @@
 #include "bearing/approach_formulas.hpp"
 #include "bearing/force_law.hpp"
 #include "contact/approach.hpp"
-#include "workflow/bearing_notes.hpp"
 
 namespace ehd {
 
@@ -21,25 +20,24 @@ struct DatumFrom {
   double largest_dry_N;
 
   [[nodiscard]] DatumOfCase operator()(const LengthDatum& given) const {
-    return with_note("x_0 given", {given.x0_m, given.x0_m});
+    return {{given.x0_m, given.x0_m}, {note::Datum::From::stated}};
   }
-  [[nodiscard]] DatumOfCase operator()(const LundbergDatum&) const { return with_note("lundberg, x_0 = l", lengths()); }
+  [[nodiscard]] DatumOfCase operator()(const LundbergDatum&) const {
+    return {lengths(), {note::Datum::From::lundberg}};
+  }
   [[nodiscard]] DatumOfCase operator()(const PalmgrenDatum& palmgren) const {
     // Without a radial load the dry rollers press on the outer ring alone.
     const double load_N = palmgren.load_N.value_or(largest_dry_N > 0 ? largest_dry_N : setup.loading.centrifugal_N);
-    if (!(load_N > 0)) return with_note(note::no_force_for_palmgren, lengths());  // the datum has no effect
+    if (!(load_N > 0)) return {lengths(), {note::Datum::From::without_a_force}};
     const auto at = [load_N](const RacewayContact& contact) {
       return datum_from_dry_approach_m(contact.at(load_N), bearing::palmgren_law(contact.length_m).approach(load_N));
     };
-    return with_note(note::palmgren_at(load_N), {at(setup.contacts.inner), at(setup.contacts.outer)});
+    return {{at(setup.contacts.inner), at(setup.contacts.outer)}, {note::Datum::From::palmgren, load_N}};
   }
 
  private:
   [[nodiscard]] BothRaceways<double> lengths() const {
     return {setup.contacts.inner.length_m, setup.contacts.outer.length_m};
-  }
-  [[nodiscard]] static DatumOfCase with_note(const std::string& name, const BothRaceways<double>& x0_m) {
-    return {x0_m, note::datum(name, x0_m)};
   }
 };
 

@@ -2,17 +2,16 @@
 // The datum x_0 of the approach at the raceways of a case.
 #pragma once
 
-#include <string>
-
 #include "bearing/geometry.hpp"
 #include "workflow/bearing_balance.hpp"
+#include "workflow/bearing_notes.hpp"
 
 namespace ehd {
 
-/// The datum at both raceways [m], and the note that says where it comes from.
+/// The datum at both raceways [m], and where it comes from.
 struct DatumOfCase {
   bearing::BothRaceways<double> x0_m;
-  std::string note;
+  note::Datum note;
 };
 
 /// `largest_dry_N`: largest_dry_force_N, used where the datum of the case follows from the dry balance.

@@ -2,13 +2,13 @@
 #include "workflow/bearing_fit.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 #include <variant>
 
 #include "bearing/fit.hpp"
 #include "workflow/bearing_curve.hpp"
-#include "workflow/bearing_notes.hpp"
 #include "workflow/bearing_plan.hpp"
 
 namespace ehd {
@@ -23,16 +23,17 @@ using bearing::Unloading;
 namespace {
 
 /// The line of one raceway. `dry_N`: the largest force on it that the dry balance knows.
-LinearFit fitted(BearingResult& result, const BearingSetup& setup, const RacewayContact& contact, double datum_m,
-                 double dry_N, const char* raceway, ContactMemory& memory) {
+LinearFit fitted(BearingResult& result, const BearingSetup& setup, bearing::Raceway raceway, double dry_N,
+                 ContactMemory& memory) {
   const FitRange& stated = setup.body.fit;
+  const RacewayContact& contact = setup.contacts.at(raceway);
   const double from_N = std::max(dry_N, lightest_fit_M * force_at_M_1_N(contact) / default_fit_from);
   const auto [low, high] = stated.load_N.value_or(std::pair{default_fit_from * from_N, default_fit_to * from_N});
   if (!stated.load_N && from_N > dry_N)
-    result.notes.push_back(note::raised_fit(lightest_fit_M, raceway, low, default_fit_from, default_fit_from * dry_N));
+    result.notes.push_back(note::RaisedFit{.raceway = raceway, .from_N = low, .unraised_N = default_fit_from * dry_N});
   try {
-    auto fit =
-        bearing::fit_contacts(memory.of(contact, setup.body.lubricant->lubricant), datum_m, low, high, stated.points);
+    auto fit = bearing::fit_contacts(memory.of(contact, setup.body.lubricant->lubricant), result.datum_m->at(raceway),
+                                     low, high, stated.points);
     if (const auto* failure = std::get_if<bearing::SolveFailure>(&fit)) throw LawFailure(*failure);
     return std::get<LinearFit>(std::move(fit));
   } catch (const std::invalid_argument& error) {
@@ -47,8 +48,21 @@ void fill_films_of_fit(BearingResult& result, const BearingSetup& setup, double 
   try {
     fill_films(result, curves_of(setup, reach_N, memory));
   } catch (const LawFailure& failure) {
-    result.notes.push_back(note::no_films(failure.what()));
+    result.notes.push_back(note::NoFilms{failure.what()});
   }
+}
+
+void note_outside_fit(BearingResult& result, bearing::Raceway raceway) {
+  const auto& points = result.fit->at(raceway).points;
+  note::OutsideFit outside{.raceway = raceway, .lightest_N = std::numeric_limits<double>::infinity()};
+  for (const RollerRow& row : result.rollers) {
+    const double f = row.at(raceway).force_N;
+    if (!(f > 0) || (f >= points.front().force_N && f <= points.back().force_N)) continue;
+    ++outside.contacts;
+    outside.lightest_N = std::min(outside.lightest_N, f);
+    outside.heaviest_N = std::max(outside.heaviest_N, f);
+  }
+  if (outside.contacts > 0) result.notes.push_back(outside);
 }
 
 /// The balance with lines that are cut at delta = 0. Where the rollers of the plane form stand on the jump of the law
@@ -56,14 +70,14 @@ void fill_films_of_fit(BearingResult& result, const BearingSetup& setup, double 
 void add_cut_variant(BearingResult& result, const BearingSetup& setup) {
   const LawPair cut{result.fit->inner.law(Unloading::at_zero_approach),
                     result.fit->outer.law(Unloading::at_zero_approach)};
-  auto found = bearing::balance(setup.geometry, cut, setup.loading, setup.form);
+  auto found = bearing::balance(setup.body.geometry, cut, setup.loading, setup.form);
   bool radial = false;
   if (std::holds_alternative<bearing::NoEquilibrium>(found) && setup.form == bearing::Form::plane) {
-    found = bearing::balance(setup.geometry, cut, setup.loading, bearing::Form::radial);
+    found = bearing::balance(setup.body.geometry, cut, setup.loading, bearing::Form::radial);
     radial = true;
   }
   if (const auto* failure = std::get_if<bearing::NoEquilibrium>(&found)) {
-    result.notes.push_back(note::no_variant(failure->why));
+    result.notes.push_back(note::NoVariant{failure->why});
     return;
   }
   const auto& ring = std::get<Equilibrium>(found);
@@ -74,7 +88,7 @@ void add_cut_variant(BearingResult& result, const BearingSetup& setup) {
                         .rollers = rows_of(setup, ring)};
   const bool on_jump = std::any_of(ring.rollers.begin(), ring.rollers.end(),
                                    [](const bearing::RollerState& roller) { return roller.at_jump; });
-  result.notes.push_back(note::variant(variant, result.rollers, on_jump, radial));
+  result.notes.push_back(note::CutVariant{.on_jump = on_jump, .radial = radial});
   result.variants.push_back(std::move(variant));
 }
 
@@ -83,15 +97,15 @@ void add_cut_variant(BearingResult& result, const BearingSetup& setup) {
 void run_linear_law(BearingResult& result, const BearingSetup& setup, bearing::FromFits make, double largest_dry_N,
                     ContactMemory& memory, bool with_films) {
   const double inner_N = largest_dry_N, outer_N = std::max(inner_N, setup.loading.centrifugal_N);
-  auto inner = fitted(result, setup, setup.contacts.inner, result.datum_m->inner, inner_N, "inner", memory);
-  auto outer = fitted(result, setup, setup.contacts.outer, result.datum_m->outer, outer_N, "outer", memory);
+  auto inner = fitted(result, setup, bearing::Raceway::inner, inner_N, memory);
+  auto outer = fitted(result, setup, bearing::Raceway::outer, outer_N, memory);
   result.fit = BothRaceways<LinearFit>{std::move(inner), std::move(outer)};
-  note::add_lubricant(result.notes, setup);
+  note_oil(result, setup);
   fill_balance(result, setup, balance_all_positions(setup, make(*result.fit)));
   if (!with_films || !result.plan.runs(bearing_stage::film(result.law))) return;
   fill_films_of_fit(result, setup, largest_dry_N, memory);
-  note::add_fit_range(result.notes, result.fit->inner, result.rollers, &RollerRow::inner, "inner");
-  note::add_fit_range(result.notes, result.fit->outer, result.rollers, &RollerRow::outer, "outer");
+  note_outside_fit(result, bearing::Raceway::inner);
+  note_outside_fit(result, bearing::Raceway::outer);
   if (result.plan.runs(bearing_stage::variant)) add_cut_variant(result, setup);
 }
 

@@ -10,11 +10,10 @@
 
 namespace ehd {
 
-/// Where a case states no fit.load_N, the line of a raceway is fitted over these parts of the largest force on it that
-/// the dry balance knows: the largest roller load, or at the outer raceway the centrifugal force where that is larger.
-/// The range begins no lighter than lightest_fit_M at that raceway, ten times the lightest contact that is solved at
-/// all, so that every bearing has a line: down there the film goes as 1/f (Martin's rigid cylinder), and no line
-/// follows it any better.
+/// Where a case states no fit.load_N, the line of a raceway is fitted over these parts of the largest force on it in
+/// the dry balance: the largest roller load, or at the outer raceway the centrifugal force if that is larger. The range
+/// begins at lightest_fit_M or above, ten times the smallest M that is solved at all. So every bearing has a line.
+/// Lighter contacts would not improve the line: there the film goes as 1/f (Martin's rigid cylinder).
 inline constexpr double default_fit_from = 0.2, default_fit_to = 1.2, lightest_fit_M = 10 * smallest_M;
 
 /// Fits the lines, balances with their laws, and fills in balance, fits and notes; where `with_films` also the films

@@ -1,45 +1,75 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The notes of a bearing result: every sentence that a reader of a result should know, with its numbers.
+// The notes of a bearing result: which note, and the numbers that stand nowhere else in the result.
+// io/bearing_notes.hpp words them.
 #pragma once
 
 #include <string>
-#include <vector>
+#include <variant>
 
-#include "bearing/film_curve.hpp"
-#include "bearing/fit.hpp"
 #include "bearing/geometry.hpp"
-#include "workflow/bearing_balance.hpp"
-#include "workflow/bearing_result.hpp"
 
 namespace ehd::note {
 
-using Notes = std::vector<std::string>;
-
-[[nodiscard]] std::string datum(const std::string& name, const bearing::BothRaceways<double>& x0_m);
-[[nodiscard]] std::string palmgren_at(double load_N);  ///< the name of a datum
-inline constexpr const char* no_force_for_palmgren =
-    "x_0 = l, since the dry rollers carry nothing that palmgren's law could be met at";
-
-[[nodiscard]] std::string lateral_force(double force_N);
-/// `unraised_N`: where the range would begin without the limit M.
-[[nodiscard]] std::string raised_fit(double M, const char* raceway, double from_N, double part_of_dry,
-                                     double unraised_N);
-[[nodiscard]] std::string no_films(const std::string& why);
-[[nodiscard]] std::string no_variant(const std::string& why);
-/// `rollers`: of the law without the cut. `on_jump`: rollers stand on the jump of the cut law. `radial`: the variant
-/// is balanced in the radial form, for want of a balance in the plane.
-[[nodiscard]] std::string variant(const VariantResult& cut, const std::vector<RollerRow>& rollers, bool on_jump,
-                                  bool radial);
-[[nodiscard]] std::string curve(const bearing::FilmCurve& curve, const std::vector<RollerRow>& rollers,
-                                ContactRow RollerRow::*raceway, const char* name);
-[[nodiscard]] std::string missed_contacts(std::size_t count);
-
-/// The remarks of nondimensionalise at the mean load but those on pressure, which are made of each roller's own.
-void add_lubricant(Notes& notes, const BearingSetup& setup);
-/// Where contacts carry a force outside the range of their fit.
-void add_fit_range(Notes& notes, const bearing::LinearFit& fit, const std::vector<RollerRow>& rollers,
-                   ContactRow RollerRow::*raceway, const char* name);
-/// Where the highest pressure is above what steel bears, or a film thinner than the roughness.
-void add_limits(Notes& notes, const std::vector<RollerRow>& rollers);
+/// Where the datum x_0 comes from.
+struct Datum {
+  enum class From {
+    stated,           ///< the case states x_0
+    lundberg,         ///< x_0 = l
+    palmgren,         ///< delta_dry meets the hertz law at `met_at_N`
+    without_a_force,  ///< palmgren, but the dry rollers carry nothing: x_0 = l, without effect
+  };
+  From from = From::stated;
+  double met_at_N = 0;
+};
+/// The force across the load that holds the ring in the radial form.
+struct LateralForce {
+  double force_N = 0;
+};
+/// The fit of a raceway begins at lightest_fit_M (bearing_fit.hpp), not where the dry balance would have it begin.
+struct RaisedFit {
+  bearing::Raceway raceway = bearing::Raceway::inner;
+  double from_N = 0, unraised_N = 0;
+};
+/// Contacts with a force outside the range of their fit.
+struct OutsideFit {
+  bearing::Raceway raceway = bearing::Raceway::inner;
+  int contacts = 0;
+  double lightest_N = 0, heaviest_N = 0;
+};
+struct Curve {
+  bearing::Raceway raceway = bearing::Raceway::inner;
+  long contacts_below = 0;  ///< with a force below the lightest solved one
+};
+/// What nondimensionalise remarks about the oil.
+struct Oil {
+  std::string remark;
+};
+/// BearingResult::variants has the variant. Without a balance in the plane it is balanced in the radial form.
+struct CutVariant {
+  bool on_jump = false;  ///< rollers stand on the jump of the cut law
+  bool radial = false;
+};
+struct NoVariant {
+  std::string why;
+};
+struct NoFilms {
+  std::string why;
+};
+/// The highest pressure is above what steel bears.
+struct HighPressure {
+  double p_H_Pa = 0;
+};
+/// A film is thinner than the roughness.
+struct ThinFilm {
+  double lambda_ratio = 0;
+};
 
 }  // namespace ehd::note
+
+namespace ehd {
+
+using BearingNote =
+    std::variant<note::Datum, note::LateralForce, note::RaisedFit, note::OutsideFit, note::Curve, note::Oil,
+                 note::CutVariant, note::NoVariant, note::NoFilms, note::HighPressure, note::ThinFilm>;
+
+}  // namespace ehd

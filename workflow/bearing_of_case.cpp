@@ -7,16 +7,6 @@ namespace ehd {
 
 using bearing::RacewayContact;
 
-bearing::Geometry geometry_of(const BearingCase& body) {
-  return {.rollers = body.geometry.rollers,
-          .pitch_diameter_m = body.geometry.pitch_diameter_m,
-          .roller_diameter_m = body.geometry.roller_diameter_m,
-          .length_m = body.geometry.length_m,
-          .clearance_m = body.geometry.clearance_m,
-          .density_kg_per_m3 = body.geometry.density_kg_per_m3,
-          .first_azimuth_deg = body.geometry.first_azimuth_deg};
-}
-
 bearing::RollerContact roller_contact_of(const BearingCase& body) {
   return {.force_N = 0,
           .length_m = body.geometry.length_m,
@@ -24,7 +14,7 @@ bearing::RollerContact roller_contact_of(const BearingCase& body) {
           .pitch_diameter_m = body.geometry.pitch_diameter_m,
           .modulus_Pa = body.modulus_Pa,
           .poisson = body.poisson,
-          .ring_thickness_m = body.geometry.ring_thickness_m.value_or(std::numeric_limits<double>::quiet_NaN())};
+          .ring_thickness_m = body.ring_thickness_m.value_or(std::numeric_limits<double>::quiet_NaN())};
 }
 
 bearing::Speeds speeds_of(const BearingCase& body) {
@@ -34,7 +24,7 @@ bearing::Speeds speeds_of(const BearingCase& body) {
 namespace {
 
 RacewayContact contact_of(const BearingCase& body, bearing::Raceway raceway) {
-  const bearing::Geometry geometry = geometry_of(body);
+  const bearing::Geometry& geometry = body.geometry;
   return {.length_m = geometry.length_m,
           .reduced_radius_m = bearing::reduced_radius_m(geometry, raceway),
           .reduced_modulus_Pa = bearing::reduced_modulus_Pa(body.modulus_Pa, body.poisson),
@@ -48,7 +38,7 @@ bearing::BothRaceways<RacewayContact> contacts_of(const BearingCase& body) {
   return {contact_of(body, bearing::Raceway::inner), contact_of(body, bearing::Raceway::outer)};
 }
 
-bool at_rest(const BearingCase& body) { return !(bearing::sum_speed_m_per_s(geometry_of(body), speeds_of(body)) > 0); }
+bool at_rest(const BearingCase& body) { return !(bearing::sum_speed_m_per_s(body.geometry, speeds_of(body)) > 0); }
 
 bool datum_from_dry(const BearingCase& body) {
   const auto* palmgren = std::get_if<PalmgrenDatum>(&body.datum);

@@ -8,7 +8,6 @@
 
 namespace ehd {
 
-[[nodiscard]] bearing::Geometry geometry_of(const BearingCase& body);
 [[nodiscard]] bearing::RollerContact roller_contact_of(const BearingCase& body);
 [[nodiscard]] bearing::Speeds speeds_of(const BearingCase& body);
 /// The contact of a roller with each raceway; its viscosity is 0 where the case has no lubricant.

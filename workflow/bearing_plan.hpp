@@ -8,8 +8,8 @@
 
 #include "bearing/equilibrium.hpp"
 #include "bearing/law_table.hpp"
-#include "contact/stages.hpp"
 #include "workflow/case.hpp"
+#include "workflow/plan.hpp"
 
 namespace ehd {
 

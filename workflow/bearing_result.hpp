@@ -14,7 +14,8 @@
 #include "bearing/geometry.hpp"
 #include "bearing/law_table.hpp"
 #include "contact/solution.hpp"
-#include "contact/stages.hpp"
+#include "workflow/bearing_notes.hpp"
+#include "workflow/plan.hpp"
 
 namespace ehd {
 
@@ -28,9 +29,12 @@ struct ContactRow {
 struct RollerRow {
   double azimuth_deg = 0;
   ContactRow inner, outer;
+  [[nodiscard]] const ContactRow& at(bearing::Raceway raceway) const {
+    return raceway == bearing::Raceway::inner ? inner : outer;
+  }
 };
 
-/// The same law with another rule: what a reader should compare with.
+/// The balance with a variant of the law, for comparison.
 struct VariantResult {
   std::string name;
   double displacement_m = 0;
@@ -55,7 +59,7 @@ struct BearingResult {
   bearing::Law law = bearing::Law::hertz;
   bearing::Form form = bearing::Form::plane;
   StopReason status = StopReason::diverged;
-  std::string why;  ///< where status is not converged
+  std::string why;  ///< where status is not converged: why there is no balance, or which accuracy was missed
   double displacement_m = 0;
   double displacement_lateral_m = 0;  ///< towards psi = 90 degrees
   /// bearing::load_zone_deg; absent where nothing is loaded.
@@ -64,8 +68,8 @@ struct BearingResult {
   std::optional<CageTurn> cage = {};                                  ///< where the request has cage positions
   std::vector<RollerRow> rollers;                                     ///< empty where there is no balance
   std::optional<bearing::BothRaceways<double>> datum_m = {};          ///< x_0
-  std::optional<bearing::BothRaceways<bearing::LinearFit>> fit = {};  ///< ehd-linear
-  /// Of ehd; of ehd-linear the curve that its films are read from.
+  std::optional<bearing::BothRaceways<bearing::LinearFit>> fit = {};  ///< of a law made from fits
+  /// The films are read from it; a law made from curves follows it.
   std::optional<bearing::BothRaceways<bearing::FilmCurve>> curve = {};
   std::vector<VariantResult> variants;
   double balance_error = 0;
@@ -76,7 +80,7 @@ struct BearingResult {
   long rollers_balanced = 0;
   int newton_iterations = 0;
   Plan plan;
-  std::vector<std::string> notes;
+  std::vector<BearingNote> notes;
 };
 
 }  // namespace ehd

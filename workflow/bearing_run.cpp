@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "workflow/bearing_run.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <chrono>
+#include <limits>
 #include <memory>
 #include <set>
 #include <variant>
@@ -13,7 +17,6 @@
 #include "workflow/bearing_curve.hpp"
 #include "workflow/bearing_datum.hpp"
 #include "workflow/bearing_fit.hpp"
-#include "workflow/bearing_notes.hpp"
 #include "workflow/bearing_of_case.hpp"
 
 namespace ehd {
@@ -28,7 +31,10 @@ std::vector<bearing::Law> default_laws(const BearingCase& body) {
 
 namespace {
 
-/// Carries one law through, by how its row of bearing/law_table makes it: a new way does not compile until it has a
+/// Above this Hertz pressure a result is a numerical test: no steel bears it.
+constexpr double steel_limit_Pa = 4e9;
+
+/// Balances with one law, in the way that its row of bearing/law_table names: a new way does not compile until it has a
 /// line here.
 struct RunOfLaw {
   BearingResult& result;
@@ -52,9 +58,9 @@ struct RunOfLaw {
   /// What every law with films needs first: the dry balance, where the plan has it, and the datum.
   [[nodiscard]] double prepare() const {
     const double largest_dry_N = result.plan.runs(bearing_stage::dry) ? largest_dry_force_N(setup) : 0;
-    DatumOfCase datum = datum_of(setup, largest_dry_N);
+    const DatumOfCase datum = datum_of(setup, largest_dry_N);
     result.datum_m = datum.x0_m;
-    result.notes.push_back(std::move(datum.note));
+    result.notes.emplace_back(datum.note);
     return largest_dry_N;
   }
 };
@@ -63,7 +69,18 @@ void fill_lambda_ratios(BearingResult& result, const BearingCase& body) {
   if (!result.plan.runs(bearing_stage::lambda)) return;
   for (RollerRow& row : result.rollers)
     for (ContactRow* at : {&row.inner, &row.outer})
-      if (at->film_minimum_m) at->lambda_ratio = *at->film_minimum_m / *body.geometry.roughness_m;
+      if (at->film_minimum_m) at->lambda_ratio = *at->film_minimum_m / *body.roughness_m;
+}
+
+void note_limits(BearingResult& result) {
+  double highest_Pa = 0, smallest_ratio = std::numeric_limits<double>::infinity();
+  for (const RollerRow& row : result.rollers)
+    for (const ContactRow* at : {&row.inner, &row.outer}) {
+      highest_Pa = std::max(highest_Pa, at->hertz_pressure_Pa.value_or(0));
+      smallest_ratio = std::min(smallest_ratio, at->lambda_ratio.value_or(smallest_ratio));
+    }
+  if (highest_Pa > steel_limit_Pa) result.notes.push_back(note::HighPressure{highest_Pa});
+  if (smallest_ratio < 1) result.notes.push_back(note::ThinFilm{smallest_ratio});
 }
 
 /// The contacts of one raceway that missed their tolerance, among those that this law's curve and fit are made of.
@@ -76,16 +93,15 @@ std::size_t missed_contacts(const FilmCurve* curve, const bearing::LinearFit* fi
   return missed_N.size();
 }
 
-/// A balance is no better than the contacts that its law and films are made of. Other contacts in the memory belong to
-/// other laws and cases.
+/// A balance is no better than the contacts that its law and films are made of. The memory holds contacts of other laws
+/// and cases too; they do not count.
 void judge_contacts(BearingResult& result) {
   const std::size_t missed =
       missed_contacts(result.curve ? &result.curve->inner : nullptr, result.fit ? &result.fit->inner : nullptr) +
       missed_contacts(result.curve ? &result.curve->outer : nullptr, result.fit ? &result.fit->outer : nullptr);
   if (missed == 0) return;
   result.status = StopReason::tolerance_not_met;
-  result.why = note::missed_contacts(missed);
-  result.notes.push_back(result.why);
+  result.why = fmt::format("{} of the raceways' solved contacts have an estimated film error above 1e-3", missed);
 }
 
 void carry_through(BearingResult& result, const BearingSetup& setup, bool with_films, ContactMemory& memory) {
@@ -93,7 +109,7 @@ void carry_through(BearingResult& result, const BearingSetup& setup, bool with_f
     std::visit(RunOfLaw{result, setup, with_films, memory}, bearing::row_of(result.law).make);
     result.status = StopReason::converged;
     fill_lambda_ratios(result, setup.body);
-    note::add_limits(result.notes, result.rollers);
+    note_limits(result);
     judge_contacts(result);
   } catch (const LawFailure& failure) {
     result.status = failure.limit() ? StopReason::limit_reached : StopReason::diverged;
@@ -124,7 +140,7 @@ BearingResult run_law(const Case& bearing_case, const BearingRequest& request, c
 void require_possible(const Case& bearing_case, const BearingRequest& request) {
   const auto& body = std::get<BearingCase>(bearing_case.body);
   for (const bearing::Law law : request.laws) {
-    if (needs_ring_thickness(law) && !body.geometry.ring_thickness_m)
+    if (needs_ring_thickness(law) && !body.ring_thickness_m)
       throw case_error(bearing_case, "bearing.ring_thickness_m",
                        "is missing; law " + std::string(to_string(law)) +
                            " needs it at the outer raceway (allowed without: " +

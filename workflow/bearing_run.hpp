@@ -17,7 +17,7 @@
 
 namespace ehd {
 
-/// hertz, ehd-linear, ehd; hertz alone where the case has no lubricant.
+/// The laws that bearing/law_table marks as default; without a lubricant the dry ones of them.
 [[nodiscard]] std::vector<bearing::Law> default_laws(const BearingCase& body);
 
 struct BearingRequest {
@@ -28,6 +28,7 @@ struct BearingRequest {
   /// The ring is also balanced at this many positions of the cage over one pitch; 0: none.
   int cage_positions = 0;
 };
+
 /// The laws that a result was balanced with; absent where it has none (no balance).
 [[nodiscard]] std::optional<bearing::LawPair> laws_of(const BearingCase& body, const BearingResult& result);
 
@@ -36,7 +37,7 @@ struct BearingRequest {
 /// that it needs, before anything is solved.
 [[nodiscard]] std::vector<BearingResult> run_bearing(const Case& bearing_case, const BearingRequest& request,
                                                      ContactMemory& memory);
-/// The refusals of run_bearing alone.
+/// Throws what run_bearing throws before it solves anything.
 void require_possible(const Case& bearing_case, const BearingRequest& request);
 
 }  // namespace ehd

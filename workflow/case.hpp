@@ -13,6 +13,7 @@
 #include <variant>
 #include <vector>
 
+#include "bearing/geometry.hpp"
 #include "contact/conditions.hpp"
 
 namespace ehd {
@@ -55,18 +56,6 @@ struct ContactCase {
   [[nodiscard]] bool dry() const { return !lubricant; }
 };
 
-struct BearingGeometry {
-  int rollers = 0;
-  double pitch_diameter_m = 0;
-  double roller_diameter_m = 0;
-  double length_m = 0;     ///< effective contact length
-  double clearance_m = 0;  ///< diametral; negative: preload
-  double density_kg_per_m3 = 0;
-  double first_azimuth_deg = 0;
-  std::optional<double> ring_thickness_m = {};
-  std::optional<double> roughness_m = {};
-};
-
 struct BearingOperation {
   double inner_speed_rpm = 0;
   double outer_speed_rpm = 0;
@@ -94,7 +83,9 @@ struct BearingLubricant {
 };
 
 struct BearingCase {
-  BearingGeometry geometry;
+  bearing::Geometry geometry;
+  std::optional<double> ring_thickness_m = {};  ///< of the outer ring
+  std::optional<double> roughness_m = {};       ///< composite
   BearingOperation operation;
   double modulus_Pa = 0;
   double poisson = 0;

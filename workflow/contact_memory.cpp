@@ -3,8 +3,6 @@
 
 #include <utility>
 
-#include "workflow/bearing_contact.hpp"
-
 namespace ehd {
 
 using bearing::FilmCurve;
@@ -17,8 +15,6 @@ ContactMemory::ContactMemory(ContactSolver solver, Request request)
 
 ContactMemory::ContactMemory(std::shared_ptr<ContactCache> cache, Request request)
     : cache_(std::move(cache)), request_(std::move(request)) {}
-
-Request ContactMemory::bearing_request() { return bearing_contact_request(); }
 
 ContactMemory::Key ContactMemory::key_of(const RacewayContact& contact, const Lubricant& lubricant) {
   // A member that is added to the lubricant does not compile here.

@@ -14,19 +14,20 @@
 #include "bearing/solved_contacts.hpp"
 #include "contact/conditions.hpp"
 #include "contact/solver.hpp"
+#include "workflow/bearing_contact.hpp"
 #include "workflow/contact_cache.hpp"
 
 namespace ehd {
 
 /// The raceways of a run. Raceways that agree in radius, length, modulus, speed and lubricant share contacts and
-/// curves, whichever law or case asks. Solutions stand in a ContactCache; here stand the loads that this run has
-/// asked for, and its curves. Not for several threads at once: each has its own, over one cache.
+/// curves, whichever law or case asks. The ContactCache holds the solutions; this class holds the curves, and the loads
+/// that this run has asked for. Not for several threads at once: each thread has its own memory, over one cache.
 class ContactMemory {
  public:
   /// With a cache of its own. The solver gets its fallback here (bearing_contact.hpp).
-  explicit ContactMemory(ContactSolver solver, Request request = bearing_request());
+  explicit ContactMemory(ContactSolver solver, Request request = bearing_contact_request());
   /// With a cache that others use too, of a solver with fallback.
-  explicit ContactMemory(std::shared_ptr<ContactCache> cache, Request request = bearing_request());
+  explicit ContactMemory(std::shared_ptr<ContactCache> cache, Request request = bearing_contact_request());
 
   /// The contact at a raceway; its function counts. It must not outlive this memory.
   [[nodiscard]] bearing::SolvableContact of(const bearing::RacewayContact& contact, const Lubricant& lubricant);
@@ -37,9 +38,6 @@ class ContactMemory {
   [[nodiscard]] long solves() const { return solves_; }
   /// Contacts that this run asked for again; a curve used again counts all its points.
   [[nodiscard]] long recalls() const { return recalls_; }
-
-  /// bearing_contact_request().
-  [[nodiscard]] static Request bearing_request();
 
  private:
   using Key = std::tuple<bearing::RacewayContact, ViscosityLaw, DensityLaw, std::optional<double>,

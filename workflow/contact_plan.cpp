@@ -22,36 +22,20 @@ Wanted wanted_by(const Plan& plan) {
 
 namespace {
 
-class Planner {
- public:
-  /// Runs the stage, unless there is a reason to skip it.
-  void decide(std::string_view stage, const std::string& why_skipped = "") {
-    if (why_skipped.empty()) {
-      plan_.run.emplace_back(stage);
-    } else {
-      plan_.skipped.push_back({std::string(stage), why_skipped});
-    }
-  }
-  [[nodiscard]] Plan plan() && { return std::move(plan_); }
-
- private:
-  Plan plan_;
-};
-
 Plan plan_dry(const Wanted& wanted) {
-  Planner planner;
-  planner.decide(stage::hertz);
-  planner.decide(stage::dry);
-  planner.decide(stage::groups, "a dry contact has no speed and no viscosity: M and L do not exist");
-  for (const auto& name : {stage::viscosity, stage::density}) planner.decide(name, "a dry contact has no lubricant");
+  Plan plan;
+  plan.decide(stage::hertz);
+  plan.decide(stage::dry);
+  plan.decide(stage::groups, "a dry contact has no speed and no viscosity: M and L do not exist");
+  for (const auto& name : {stage::viscosity, stage::density}) plan.decide(name, "a dry contact has no lubricant");
   for (const auto& name : {stage::fft_plan, stage::solve, stage::grids})
-    planner.decide(name, "the dry contact is known in closed form (Hertz)");
+    plan.decide(name, "the dry contact is known in closed form (Hertz)");
   for (const Quantity quantity : all_quantities) {
     const char* const missing = exists_when_dry(quantity) ? "" : "does not exist in a dry contact";
-    planner.decide(stage::observe(quantity), wanted.count(quantity) ? missing : "not asked for");
+    plan.decide(stage::observe(quantity), wanted.count(quantity) ? missing : "not asked for");
   }
-  planner.decide(stage::formulas, "a dry contact has no film");
-  return std::move(planner).plan();
+  plan.decide(stage::formulas, "a dry contact has no film");
+  return plan;
 }
 
 std::string why_no_viscosity(const Problem& problem) {
@@ -66,15 +50,15 @@ std::string why_no_density(const Problem& problem, const Lubricant& lubricant) {
                                                          : "L = 0: no density is evaluated, since p_H -> 0";
 }
 
-void decide_grids(Planner& planner, const Request& request) {
+void decide_grids(Plan& plan, const Request& request) {
   if (request.nodes) {
     const std::string given = fmt::format("the number of intervals is given, {}", *request.nodes);
-    planner.decide(stage::grids, given);
-    planner.decide(stage::finer, given);
+    plan.decide(stage::grids, given);
+    plan.decide(stage::finer, given);
   } else {
-    planner.decide(stage::grids);
-    planner.decide(stage::finer, fmt::format("film.minimum and film.central are asked for within {}, no better",
-                                             plain(request.tolerance.value_or(0))));
+    plan.decide(stage::grids);
+    plan.decide(stage::finer, fmt::format("film.minimum and film.central are asked for within {}, no better",
+                                          plain(request.tolerance.value_or(0))));
   }
 }
 
@@ -85,21 +69,21 @@ Plan plan_contact(const ContactCase& contact, const RegisteredSolver& solver, co
   if (contact.dry()) return plan_dry(wanted);
   const Nondimensional reading = nondimensionalise(contact.statement, *contact.lubricant, *contact.inlet);
 
-  Planner planner;
-  planner.decide(stage::groups);
-  planner.decide(stage::hertz,
-                 reading.scales && reading.scales->half_width_m ? "" : "the statement fixes no length in metres");
-  planner.decide(stage::dry, "the contact is lubricated");
-  planner.decide(stage::viscosity, why_no_viscosity(reading.problem));
-  planner.decide(stage::density, why_no_density(reading.problem, *contact.lubricant));
-  planner.decide(stage::fft_plan, solver.uses_fft ? "" : solver.name + " multiplies by a dense matrix");
-  planner.decide(stage::solve);
-  decide_grids(planner, request);
+  Plan plan;
+  plan.decide(stage::groups);
+  plan.decide(stage::hertz,
+              reading.scales && reading.scales->half_width_m ? "" : "the statement fixes no length in metres");
+  plan.decide(stage::dry, "the contact is lubricated");
+  plan.decide(stage::viscosity, why_no_viscosity(reading.problem));
+  plan.decide(stage::density, why_no_density(reading.problem, *contact.lubricant));
+  plan.decide(stage::fft_plan, solver.uses_fft ? "" : solver.name + " multiplies by a dense matrix");
+  plan.decide(stage::solve);
+  decide_grids(plan, request);
   for (const Quantity quantity : all_quantities)
-    planner.decide(stage::observe(quantity), wanted.count(quantity) ? "" : "not asked for");
+    plan.decide(stage::observe(quantity), wanted.count(quantity) ? "" : "not asked for");
   const bool any_film = std::any_of(wanted.begin(), wanted.end(), is_film);
-  planner.decide(stage::formulas, any_film ? "" : "no film is asked for");
-  return std::move(planner).plan();
+  plan.decide(stage::formulas, any_film ? "" : "no film is asked for");
+  return plan;
 }
 
 }  // namespace ehd

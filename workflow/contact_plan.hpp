@@ -8,8 +8,8 @@
 
 #include "contact/problem.hpp"
 #include "contact/solver.hpp"
-#include "contact/stages.hpp"
 #include "workflow/case.hpp"
+#include "workflow/plan.hpp"
 #include "workflow/registry.hpp"
 
 namespace ehd {

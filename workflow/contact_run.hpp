@@ -9,9 +9,9 @@
 #include "contact/film_formulas.hpp"
 #include "contact/nondimensional.hpp"
 #include "contact/solution.hpp"
-#include "contact/stages.hpp"
 #include "workflow/case.hpp"
 #include "workflow/contact_plan.hpp"
+#include "workflow/plan.hpp"
 #include "workflow/registry.hpp"
 
 namespace ehd {

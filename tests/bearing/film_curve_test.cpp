@@ -50,13 +50,13 @@ BOOST_AUTO_TEST_CASE(martin_constants_by_quadrature) {
   }
   const RacewayContact contact = synthetic::contact();
   const double force_N = 3.0, b = hertz::half_width_m(contact.at(force_N)), R = contact.reduced_radius_m;
-  const double film = martin_film_m(contact, force_N);
+  const double film = martin_film(contact, force_N).film;
   const double midpoint = 1e-8;  // (width)^2, and |log| at one cell about g = 0
   EHD_CHECK(
       error(film * force_N / (contact.viscosity_Pa_s * contact.speed_sum_m_per_s * R * contact.length_m), 12 * weight),
       Tolerance::discretisation(midpoint, 10));
   const double deformation = b * b / (2 * R);
-  const double mean = (martin_offset_film_m(contact, force_N) - film) / deformation + 2 * hertz::dry_offset() -
+  const double mean = (martin_offset_film(contact, force_N).film - film) / deformation + 2 * hertz::dry_offset() -
                       std::log(std::sqrt(2 * R * film) / b);
   EHD_CHECK(error(mean, logarithm / weight), Tolerance::discretisation(1e-5, 1));  // integrable singularity at g = 0
 }
@@ -124,7 +124,7 @@ BOOST_AUTO_TEST_CASE(the_lightest_contact_is_held_apart_by_martins_film) {
   const FilmCurve curve = built(contacts);
   const double f = 1e-5 * curve.lightest_N();
   const double approach_m = dry_approach_m(curve.contact().at(f), 0.02) - curve.offset_film(f).value;
-  EHD_CHECK(error(approach_m, -martin_film_m(curve.contact(), f)),
+  EHD_CHECK(error(approach_m, -martin_film(curve.contact(), f).film),
             Tolerance::asymptotic(1e-5, "remainder of the order of the load ratio to the lightest solved one"));
 }
 

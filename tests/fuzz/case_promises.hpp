@@ -161,7 +161,7 @@ inline std::string broken_by_contact(const Case& read, const ContactCase& contac
 
 /// Geometry, kinematics, and the balance by the dry law: the part that needs no contact solve.
 inline std::string broken_by_bearing(const Case& read, const BearingCase& body) {
-  const bearing::Geometry geometry = geometry_of(body);
+  const bearing::Geometry& geometry = body.geometry;
   for (const auto raceway : {bearing::Raceway::inner, bearing::Raceway::outer}) {
     if (!positive(bearing::reduced_radius_m(geometry, raceway)))
       return "a reduced radius is " + plain(bearing::reduced_radius_m(geometry, raceway)) + " m";

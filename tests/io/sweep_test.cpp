@@ -119,7 +119,7 @@ BOOST_AUTO_TEST_CASE(zip_takes_the_values_side_by_side) {
   const auto body = std::get<BearingCase>(read.case_of(1).body);
   BOOST_TEST(body.geometry.rollers == 22);
   BOOST_TEST((body.lubricant->lubricant.density == DensityLaw::incompressible));
-  BOOST_TEST(body.geometry.roughness_m.value() == 1e-7);  // a key that the case itself does not have
+  BOOST_TEST(body.roughness_m.value() == 1e-7);  // a key that the case itself does not have
 }
 
 BOOST_AUTO_TEST_CASE(a_range_ends_where_it_says_and_is_spaced_as_it_says) {

@@ -46,14 +46,8 @@ Case case_of(const RandomBearing& drawn, unsigned seed) {
   oil.viscosity = draw.index(4) == 0 ? ViscosityLaw::barus : ViscosityLaw::roelands;
   oil.density = draw.index(2) == 0 ? DensityLaw::incompressible : DensityLaw::dowson_higginson;
   BearingCase body;
-  body.geometry = {.rollers = drawn.geometry.rollers,
-                   .pitch_diameter_m = drawn.geometry.pitch_diameter_m,
-                   .roller_diameter_m = drawn.geometry.roller_diameter_m,
-                   .length_m = drawn.geometry.length_m,
-                   .clearance_m = drawn.geometry.clearance_m,
-                   .density_kg_per_m3 = drawn.geometry.density_kg_per_m3,
-                   .first_azimuth_deg = drawn.geometry.first_azimuth_deg,
-                   .ring_thickness_m = drawn.contact.ring_thickness_m};
+  body.geometry = drawn.geometry;
+  body.ring_thickness_m = drawn.contact.ring_thickness_m;
   constexpr double rpm_per_rad_per_s = 30 / pi;
   body.operation = {.inner_speed_rpm = drawn.speeds.inner_rad_per_s * rpm_per_rad_per_s,
                     .outer_speed_rpm = drawn.speeds.outer_rad_per_s * rpm_per_rad_per_s,
@@ -159,7 +153,7 @@ std::vector<Outcome> of_films(const RandomBearing& at_any_speed, unsigned seed) 
   drawn.speeds = bearing::speeds_from_rpm(body.operation.inner_speed_rpm, body.operation.outer_speed_rpm);
   drawn.loading.centrifugal_N = bearing::centrifugal_force_N(drawn.geometry, drawn.speeds);
   std::vector<Outcome> outcomes(2);
-  Request request = ContactMemory::bearing_request();
+  Request request = bearing_contact_request();
   request.time_limit_s = 20;
   ContactMemory memory([solver = find_solver("fast")](const Problem& problem,
                                                       const Request& with) { return solver->solve(problem, with); },

@@ -204,9 +204,9 @@ bool differ_only_in_clearance(const std::vector<Case>& cases) {
       return std::tuple(body.datum.index(), palmgren ? palmgren->load_N : std::nullopt, length ? length->x0_m : 0.0);
     };
     const auto bearing = [](const BearingCase& body) {
-      const BearingGeometry& of = body.geometry;
+      const bearing::Geometry& of = body.geometry;
       return std::tuple(of.rollers, of.pitch_diameter_m, of.roller_diameter_m, of.length_m, of.density_kg_per_m3,
-                        of.first_azimuth_deg, of.ring_thickness_m, body.operation.inner_speed_rpm,
+                        of.first_azimuth_deg, body.ring_thickness_m, body.operation.inner_speed_rpm,
                         body.operation.outer_speed_rpm, body.operation.radial_load_N, body.modulus_Pa, body.poisson);
     };
     return bearing(one) == bearing(other) && lubricant(one) == lubricant(other) && datum(one) == datum(other) &&

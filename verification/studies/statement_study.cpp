@@ -57,7 +57,7 @@ std::vector<Choice> choices(const BearingCase& body) {
           [range, share](BearingCase& one) { one.datum = PalmgrenDatum{range->second * share}; });
   }
   add("datum", "lundberg, x_0 = l", [](BearingCase& one) { one.datum = LundbergDatum{}; });
-  const double radius_m = bearing::reduced_radius_m(geometry_of(body), bearing::Raceway::inner);
+  const double radius_m = bearing::reduced_radius_m(body.geometry, bearing::Raceway::inner);
   add("datum", "x_0 = R_i = " + number(1e3 * radius_m, "mm"),
       [radius_m](BearingCase& one) { one.datum = LengthDatum{radius_m}; });
   add("datum", "x_0 = R_i/4", [radius_m](BearingCase& one) { one.datum = LengthDatum{radius_m / 4}; });

@@ -73,7 +73,7 @@ Findings judge_kinematics(const Case& na4908) {
     found.claims.push_back(claim_value(sentence("kinematics/" + id, statement + " " + digits), value, std::stod(digits),
                                        0, Tolerance::published_digits(digits)));
   };
-  const bearing::Geometry geometry = geometry_of(body);
+  const bearing::Geometry& geometry = body.geometry;
   printed("na4908/inner-radius", "the inner contacts of NA4908 have R [mm] =",
           1e3 * bearing::reduced_radius_m(geometry, bearing::Raceway::inner), "2.264");
   printed("na4908/outer-radius", "the outer contacts of NA4908 have R [mm] =",

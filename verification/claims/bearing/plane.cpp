@@ -124,7 +124,7 @@ Findings judge_full_relation(const Case& bearing_case, ContactMemory& memory) {
         claim_fact(sentence("energy/ehd", "the full relation has a balance"), false, "a law to judge", "no balance"));
     return found;
   }
-  bearing::Geometry geometry = geometry_of(body);
+  bearing::Geometry geometry = body.geometry;
   geometry.first_azimuth_deg = 4.3;
   geometry.clearance_m = 7e-6;
   constexpr double centrifugal_N = 31, radial_N = 43e3;
@@ -152,7 +152,7 @@ Findings judge_forms(const Case& bearing_case) {
     double worst = laws ? 0 : nothing, bound = 0;
     for (const double of_pitch : {0.0, 0.5}) {
       if (!laws) break;
-      bearing::Geometry geometry = geometry_of(body);
+      bearing::Geometry geometry = body.geometry;
       geometry.first_azimuth_deg = of_pitch * 360 / geometry.rollers;
       const bearing::Loading loading{
           .radial_N = body.operation.radial_load_N,

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/bearing_notes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <variant>
+
+#include "contact/text.hpp"
+#include "workflow/bearing_fit.hpp"
+#include "workflow/bearing_plan.hpp"
+
+namespace ehd {
+
+namespace {
+
+long loaded(const std::vector<RollerRow>& rollers) {
+  return std::count_if(rollers.begin(), rollers.end(), [](const RollerRow& row) { return row.inner.force_N > 0; });
+}
+
+std::string source_of(const note::Datum& datum) {
+  switch (datum.from) {
+    case note::Datum::From::stated: return "x_0 given";
+    case note::Datum::From::lundberg: return "lundberg, x_0 = l";
+    case note::Datum::From::palmgren:
+      return fmt::format("palmgren, the hertz law met at a contact force of {} N", plain(datum.met_at_N));
+    case note::Datum::From::without_a_force:
+      return "x_0 = l, since the dry rollers carry no force at which palmgren's law could be met";
+  }
+  return "";
+}
+
+/// A visit: a new note does not compile until it has words.
+struct Words {
+  const BearingResult& result;
+
+  std::string operator()(const note::Datum& datum) const {
+    return fmt::format("datum: {}; x_0 = {} (inner), {} (outer)", source_of(datum), millimetre(result.datum_m->inner),
+                       millimetre(result.datum_m->outer));
+  }
+  std::string operator()(const note::LateralForce& lateral) const {
+    return fmt::format(
+        "radial form: the cage position is not symmetric to the load, and the ring, which moves along the load only, "
+        "needs a lateral force of {} N",
+        plain(lateral.force_N, 4));
+  }
+  std::string operator()(const note::RaisedFit& fit) const {
+    return fmt::format(
+        "fit raised to M = {} at the {} raceway: from {} N, where {} times the largest dry force would be {} N",
+        plain(lightest_fit_M), to_string(fit.raceway), plain(fit.from_N, 4), plain(default_fit_from),
+        plain(fit.unraised_N, 3));
+  }
+  std::string operator()(const note::OutsideFit& outside) const {
+    const auto& points = result.fit->at(outside.raceway).points;
+    return fmt::format("fit used outside its range: {} {} contacts carry {} to {} N, fitted from {} to {} N",
+                       outside.contacts, to_string(outside.raceway), plain(outside.lightest_N, 4),
+                       plain(outside.heaviest_N, 4), plain(points.front().force_N), plain(points.back().force_N));
+  }
+  std::string operator()(const note::Curve& note) const {
+    const bearing::FilmCurve& curve = result.curve->at(note.raceway);
+    const bearing::CurveErrors& errors = curve.errors();
+    return fmt::format(
+        "{} curve: {} solved contacts from {} to {} N, relative errors of film and force: interpolation {}, {}; rigid "
+        "limit below {}, {}; solver's own {} ({}); {} contacts lie below it",
+        to_string(note.raceway), curve.forces_N().size(), plain(curve.lightest_N(), 4), plain(curve.heaviest_N(), 4),
+        plain(errors.interpolation, 2), plain(errors.interpolation_force, 2), plain(errors.joint, 2),
+        plain(errors.joint_force, 2), plain(errors.solver_offset_film, 2), errors.lightest_because,
+        note.contacts_below);
+  }
+  std::string operator()(const note::Oil& oil) const { return oil.remark; }
+  std::string operator()(const note::CutVariant& note) const {
+    const VariantResult& cut = result.variants.front();
+    return fmt::format(
+        "variant {}: {} loaded rollers instead of {}, roller 1 carries {} N instead of {} N{}{}", cut.name,
+        loaded(cut.rollers), loaded(result.rollers), plain(cut.rollers[0].inner.force_N),
+        plain(result.rollers[0].inner.force_N),
+        note.on_jump ? "; the outermost sit on the jump of the law at delta = 0" : "",
+        note.radial ? "; balanced in the radial form, since in the plane rollers stand on that jump" : "");
+  }
+  std::string operator()(const note::NoVariant& none) const {
+    return fmt::format("variant {}: no balance, {}", bearing_stage::variant, none.why);
+  }
+  std::string operator()(const note::NoFilms& none) const { return "no films: " + none.why; }
+  std::string operator()(const note::HighPressure& high) const {
+    return fmt::format("p_H = {} GPa is above 4 GPa: a numerical test, physically not steel",
+                       plain(1e-9 * high.p_H_Pa, 4));
+  }
+  std::string operator()(const note::ThinFilm& thin) const {
+    return fmt::format(
+        "lambda ratio {} is below 1: the film is thinner than the roughness, but the surfaces are computed as smooth",
+        plain(thin.lambda_ratio, 3));
+  }
+};
+
+}  // namespace
+
+std::vector<std::string> notes_of(const BearingResult& result) {
+  std::vector<std::string> texts;
+  for (const BearingNote& note : result.notes) texts.push_back(std::visit(Words{result}, note));
+  if (!result.rollers.empty() && !result.why.empty()) texts.push_back(result.why);
+  return texts;
+}
+
+}  // namespace ehd

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The notes of a bearing result in words, as JSON and tables have them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "workflow/bearing_result.hpp"
+
+namespace ehd {
+
+/// One line a note. The last one says which accuracy was missed, where one was.
+[[nodiscard]] std::vector<std::string> notes_of(const BearingResult& result);
+
+}  // namespace ehd
