@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The bearing: loads and displacements round it, as in the paper's figures.
+// The bearing: loads and displacements over the azimuth, as in the paper's figures.
 #include <algorithm>
 #include <cmath>
 #include <map>

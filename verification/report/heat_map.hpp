@@ -16,7 +16,7 @@ enum class Colours {
 };
 
 struct Cell {
-  std::optional<double> value = {};  ///< what the colour shows; absent: blank
+  std::optional<double> value = {};  ///< shown by the colour; absent: blank
   std::string text = {};             ///< plain, inside the cell
   std::string hint = {};             ///< plain, for the read-out
   bool hatched = false;

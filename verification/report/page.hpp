@@ -37,7 +37,7 @@ struct Table {
 };
 [[nodiscard]] std::string html(const Table& table);
 
-/// Collects the page; figures get ids that stand once.
+/// Collects the page. Every section and figure gets an id of its own.
 class Page {
  public:
   void section(const std::string& id, const std::string& title);

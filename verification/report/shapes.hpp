@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What curves are drawn with: lines clipped to a frame, markers, dashes, texts.
+// Elements of figures: lines clipped to a frame, markers, dashes, texts, legend rows.
 #pragma once
 
 #include <optional>

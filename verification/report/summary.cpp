@@ -11,7 +11,7 @@ namespace ehd::report {
 
 namespace {
 
-/// A claim's id, which may be broken behind its slashes.
+/// A claim's id, with possible line breaks after its slashes.
 std::string identifier(const std::string& id) {
   std::string result = "<code>";
   for (const char c : escaped(id)) result += c == '/' ? std::string("/<wbr>") : std::string(1, c);

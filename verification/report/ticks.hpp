@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Axes: where the ticks stand and what they say.
+// Axes: places and labels of the ticks.
 #pragma once
 
 #include <optional>
