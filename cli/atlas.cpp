@@ -7,7 +7,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <system_error>
 
 #include "cli/options.hpp"
 #include "cli/output.hpp"
@@ -32,21 +31,21 @@ Examples:
   ehd atlas --only roelands-m20-           the points with this in their id; the others stay as they are
   ehd atlas --only barus --fresh           solved again; the results of an earlier run are not used
 
-An interrupted run goes on where it ended: every solved point leaves a record in DIR/.progress. The record is used again
+An interrupted run continues where it ended: every solved point leaves a record in DIR/.progress. The record is valid
 until the solver or the tolerance changes, or the time limit of a point that ran out of time. A point that is not known
 to 1e-4 is listed without digits. Exit code: 0 the atlas is written; 1 no point has digits; 2 bad input or usage.)";
 
 /// One line a point on standard error.
 std::string progress_line(std::size_t done, std::size_t all, const verification::AtlasRecord& record) {
-  const auto error_of = [&](const char* name) -> std::string {
+  const auto known = [&](const char* name) -> std::string {
     const auto at = record.readings.find(name);
     if (at == record.readings.end()) return "none";
     return with_absolute_error(at->second.value, at->second.error);
   };
   const std::string counter = std::to_string(done), total = std::to_string(all);
   return "[" + std::string(total.size() - std::min(total.size(), counter.size()), ' ') + counter + "/" + total + "] " +
-         record.id + ": " + std::string(to_string(record.status)) + ", H_min " + error_of("H_min") + ", H_cen " +
-         error_of("H_cen") + ", " + plain(record.wall_s, 3) + " s";
+         record.id + ": " + std::string(to_string(record.status)) + ", H_min " + known("H_min") + ", H_cen " +
+         known("H_cen") + ", " + plain(record.wall_s, 3) + " s";
 }
 
 int atlas(const AtlasOptions& options) {
@@ -86,8 +85,7 @@ int atlas(const AtlasOptions& options) {
   };
   say_when_interrupted(
       "\nehd: atlas: interrupted; the solved points are kept, and the same command goes on from there\n");
-  const auto& solver = solver_named("reference");
-  const auto result = verification::run_atlas(request, solver);
+  const auto result = verification::run_atlas(request, certified_solver());
   print(human_summary(result));
   const bool any = std::any_of(result.entries.begin(), result.entries.end(),
                                [](const auto& entry) { return entry.record.has_digits(); });

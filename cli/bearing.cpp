@@ -37,7 +37,7 @@ using namespace verification;
 struct BearingOptions {
   std::vector<std::string> cases, laws;
   std::optional<std::string> json, plot, csv;
-  std::string solver = "fast", form = "plane";
+  std::string solver = default_solver().name, form = "plane";
   std::optional<std::string> cage_positions;
   RequestOptions limits;
 };
@@ -73,7 +73,7 @@ int positions_asked(const std::optional<std::string>& text) {
   return positions;
 }
 
-/// The cases that were read, and what was computed of each.
+/// The cases and their results.
 struct Computed {
   std::vector<Case> cases;
   std::vector<std::vector<BearingResult>> results;
@@ -106,9 +106,8 @@ std::string statements_of(const Computed& computed, ContactMemory& memory, beari
 /// One row per roller, with the quantities of the paper's figures.
 std::string csv_of(const Computed& computed) {
   std::string text =
-      "case,clearance_m,law,azimuth_deg,inner_force_N,inner_displacement_m,inner_film_minimum_m,inner_hertz_pressure_"
-      "Pa,"
-      "outer_force_N,outer_displacement_m,outer_film_minimum_m,outer_hertz_pressure_Pa\n";
+      "case,clearance_m,law,azimuth_deg,inner_force_N,inner_displacement_m,inner_film_minimum_m,"
+      "inner_hertz_pressure_Pa,outer_force_N,outer_displacement_m,outer_film_minimum_m,outer_hertz_pressure_Pa\n";
   const auto cell = [](const std::optional<double>& value) {
     return "," + (value ? plain(*value, 17) : std::string());
   };
@@ -126,7 +125,7 @@ std::string csv_of(const Computed& computed) {
   return text;
 }
 
-/// Contact forces over the azimuth, one panel per case; absent if no law balanced.
+/// Contact forces and displacements over the azimuth, two panels a case; absent if no law balanced.
 std::optional<std::string> plot_of(const Computed& computed) {
   report::Figure figure{
       .id = "bearing",
@@ -170,7 +169,7 @@ std::vector<Case> read_bearings(const std::vector<std::string>& names) {
   return cases;
 }
 
-/// What the options ask of each bearing.
+/// The options, and the request of each bearing.
 struct Asked {
   std::vector<bearing::Law> laws;  ///< empty: the defaults of each case
   bearing::Form form;
@@ -190,7 +189,7 @@ struct Asked {
   }
 };
 
-/// What is printed and written of the results.
+/// Texts and JSON of all results, for output at the end.
 struct Account {
   Json list = Json::array();
   std::string text;
@@ -274,8 +273,9 @@ void describe_bearing(Command& command) {
   command.examples(examples);
   command.list("CASE", options->cases, "case files (TOML), or ids of benchmark cases").required();
   command.list("--law", options->laws,
-               "contact law (repeatable): " + bearing::names_of(bearing::Laws::all) +
-                   " (hertz, ehd-linear, ehd; hertz alone without a lubricant)");
+               "contact law (repeatable): " + bearing::names_of(bearing::Laws::all) + " (" +
+                   bearing::names_of(bearing::Laws::by_default) + "; " +
+                   bearing::names_of(bearing::Laws::by_default_dry) + " alone without a lubricant)");
   command.text("--solver", options->solver, "solver of the EHD contacts, one of " + solver_names()).showing_default();
   command
       .text("--form", options->form,

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ehd bench: the cost of the solvers: work against precision, cost against size, many contacts over threads.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <functional>
 #include <memory>
@@ -13,12 +15,8 @@
 #include "cli/output.hpp"
 #include "cli/subcommands.hpp"
 #include "cli/usage.hpp"
-#include "contact/text.hpp"
-#include "io/contact_json.hpp"
 #include "io/json.hpp"
-#include "io/output_file.hpp"
 #include "io/provenance.hpp"
-#include "io/tables.hpp"
 #include "verification/bench/batch_bench.hpp"
 #include "verification/bench/box_bench.hpp"
 #include "verification/bench/cost_scaling.hpp"
@@ -73,9 +71,9 @@ std::vector<const RegisteredSolver*> chosen_solvers(const std::vector<std::strin
   return chosen;
 }
 
-/// The solvers for scaling, batch and box: many contacts, or a million intervals, take dense solvers too long.
+/// The solvers for scaling, batch and box. Many contacts, or a million intervals, would take dense solvers too long.
 std::vector<const RegisteredSolver*> with_fft(std::vector<const RegisteredSolver*> solvers) {
-  std::erase_if(solvers, [](const RegisteredSolver* solver) { return !solver->uses_fft; });
+  std::erase_if(solvers, [](const RegisteredSolver* solver) { return solver->dense(); });
   return solvers;
 }
 
@@ -84,139 +82,128 @@ std::vector<std::string> parts_named(const std::vector<std::string>& names) {
   if (names.empty()) return {std::begin(usual_parts), std::end(usual_parts)};
   for (const auto& name : names) {
     if (std::find(std::begin(all_parts), std::end(all_parts), name) == std::end(all_parts))
-      throw option_error("--part", name, "is unknown; allowed is work-precision, scaling, batch, box");
+      throw option_error("--part", name, fmt::format("is unknown; allowed is {}", fmt::join(all_parts, ", ")));
   }
   return names;
 }
 
-/// One run: what the options ask for, the files that receive the results, and the results so far.
+/// One run: its options, its files and its results so far.
 class Bench {
  public:
-  explicit Bench(const BenchOptions& options);  ///< throws UsageError; opens the files
-  [[nodiscard]] int run();
+  /// Throws UsageError; opens the files.
+  explicit Bench(const BenchOptions& options)
+      : parts_(parts_named(options.parts)),
+        solvers_(chosen_solvers(options.solvers)),
+        fft_solvers_(with_fft(solvers_)),
+        quick_(options.quick) {
+    require_options_of_parts(options);
+    const Request limits = options.limits.request();
+    if (options.limits.time_limit) time_limit_s_ = limits.time_limit_s;
+    if (asked(work_precision))
+      cases_ = verification::contacts_named(options.cases.empty() ? verification::work_precision_cases(quick_)
+                                                                  : options.cases);
+    folder_.emplace(options.output);
+    folder_->open({"bench.json"});
+    if (asked(work_precision)) folder_->open({"work_precision.csv"});
+    if (asked(box)) folder_->open({"box.csv"});
+    if (asked(scaling)) folder_->open({"scaling.csv"});
+  }
+
+  [[nodiscard]] int run() {
+    json_["schema"] = schema;
+    json_["provenance"] = provenance();
+    for (const RegisteredSolver& solver : solvers()) json_["looks"][solver.name] = solver.look;
+    json_["settings"] = {{"quick", quick_}, {"time_limit_s", time_limit_s_}, {"parts", parts_}};
+    // Scaling runs first, while this process is small: its child processes begin with the memory of this one.
+    if (asked(scaling) && !fft_solvers_.empty()) measure_scaling();
+    if (asked(batch) && !fft_solvers_.empty()) measure_batch();
+    if (asked(box) && !fft_solvers_.empty()) measure_box();
+    if (asked(work_precision)) measure_work_precision();
+    folder_->write("bench.json", json_text(json_));
+    return sound_ ? success : not_met;
+  }
 
  private:
   [[nodiscard]] bool asked(const char* part) const {
     return std::find(parts_.begin(), parts_.end(), part) != parts_.end();
   }
-  void require_options_of_parts(const BenchOptions& options) const;
-  void open_files(const std::string& folder);
-  void measure_scaling();
-  void measure_batch();
-  void measure_box();
-  void measure_work_precision();
+
+  void require_options_of_parts(const BenchOptions& options) const {
+    if (!options.cases.empty() && !asked(work_precision))
+      throw option_error("--case", options.cases.front(), "belongs to the part work-precision, which is not run");
+    if (!asked(work_precision) && fft_solvers_.empty())
+      throw option_error("--solver", solvers_.front()->name,
+                         "uses no FFT; allowed in scaling, batch and box are those that do");
+  }
+
   void finish_part(const std::string& table) {
     progress_.show("");
     print(table);
+  }
+
+  void measure_scaling() {
+    auto request = verification::usual_scaling(fft_solvers_, quick_);
+    request.time_limit_s = time_limit_s_;
+    request.progress = show_;
+    const auto rows = run_scaling(request);
+    json_["scaling"] = to_json(rows);
+    folder_->write("scaling.csv", verification::scaling_csv(rows));
+    finish_part(human_table(rows));
+  }
+
+  void measure_batch() {
+    verification::BatchRequest request{.solvers = fft_solvers_, .problems = verification::batch_problems(quick_)};
+    request.time_limit_s = time_limit_s_;
+    const unsigned cores = std::max(2u, std::thread::hardware_concurrency());
+    for (unsigned threads = 4; threads <= cores; threads *= 2) request.threads.push_back(threads);
+    request.progress = show_;
+    const auto rows = run_batch(request);
+    json_["batch"] = to_json(rows);
+    finish_part(human_table(rows));
+    if (!std::all_of(rows.begin(), rows.end(), [](const auto& row) { return row.same_results; })) {
+      complain("ehd: bench: results depend on the number of threads");
+      sound_ = false;
+    }
+  }
+
+  void measure_box() {
+    verification::BoxRequest request{.solvers = fft_solvers_, .contacts = verification::bench_contacts(quick_)};
+    request.truth = &certified_solver();
+    request.time_limit_s = time_limit_s_;
+    request.threads = std::max(1u, std::thread::hardware_concurrency());
+    request.progress = show_;
+    const auto rows = verification::run_box_bench(request);
+    json_["box"] = to_json(rows);
+    folder_->write("box.csv", verification::box_csv(rows));
+    finish_part(human_table(rows));
+  }
+
+  void measure_work_precision() {
+    verification::WorkPrecisionRequest request{.cases = cases_, .solvers = solvers_};
+    request.quick = quick_;
+    request.time_limit_s = time_limit_s_;
+    request.progress = show_;
+    const auto result = run_work_precision(request);
+    json_["work_precision"] = to_json(result);
+    folder_->write("work_precision.csv", verification::work_precision_csv(result));
+    finish_part(human_table(result));
+    if (!result.anything_judged()) {
+      complain("ehd: bench: not one run could be judged");
+      sound_ = false;
+    }
   }
 
   std::vector<std::string> parts_;
   std::vector<const RegisteredSolver*> solvers_, fft_solvers_;
   bool quick_ = false;
   double time_limit_s_ = usual_time_limit_s;
-  std::vector<Case> cases_;  ///< of work-precision
-  std::optional<OutputFolder> folder_;
-  std::optional<OutputFile> json_file_, work_csv_, scaling_csv_, box_csv_;
+  std::vector<Case> cases_;             ///< of work-precision
+  std::optional<OutputFolder> folder_;  ///< made after all options are checked
   Progress progress_;
   std::function<void(const std::string&)> show_ = [this](const std::string& what) { progress_.show("bench " + what); };
   Json json_;
   bool sound_ = true;
 };
-
-Bench::Bench(const BenchOptions& options)
-    : parts_(parts_named(options.parts)),
-      solvers_(chosen_solvers(options.solvers)),
-      fft_solvers_(with_fft(solvers_)),
-      quick_(options.quick) {
-  require_options_of_parts(options);
-  const Request limits = options.limits.request();
-  if (options.limits.time_limit) time_limit_s_ = limits.time_limit_s;
-  if (asked(work_precision))
-    cases_ = verification::contacts_named(options.cases.empty() ? verification::work_precision_cases(quick_)
-                                                                : options.cases);
-  if (options.output) open_files(*options.output);
-}
-
-void Bench::require_options_of_parts(const BenchOptions& options) const {
-  if (!options.cases.empty() && !asked(work_precision))
-    throw option_error("--case", options.cases.front(), "belongs to the part work-precision, which is not run");
-  if (!asked(work_precision) && fft_solvers_.empty())
-    throw option_error("--solver", solvers_.front()->name,
-                       "uses no FFT; allowed in scaling, batch and box are those that do");
-}
-
-void Bench::open_files(const std::string& folder) {
-  folder_.emplace(folder);
-  json_file_.emplace(folder_->path() / "bench.json");
-  if (asked(work_precision)) work_csv_.emplace(folder_->path() / "work_precision.csv");
-  if (asked(box)) box_csv_.emplace(folder_->path() / "box.csv");
-  if (asked(scaling)) scaling_csv_.emplace(folder_->path() / "scaling.csv");
-}
-
-void Bench::measure_scaling() {
-  auto request = verification::usual_scaling(fft_solvers_, quick_);
-  request.time_limit_s = time_limit_s_;
-  request.progress = show_;
-  const auto rows = run_scaling(request);
-  json_["scaling"] = to_json(rows);
-  if (scaling_csv_) scaling_csv_->commit(verification::scaling_csv(rows));
-  finish_part(human_table(rows));
-}
-
-void Bench::measure_batch() {
-  verification::BatchRequest request{.solvers = fft_solvers_, .problems = verification::batch_problems(quick_)};
-  request.time_limit_s = time_limit_s_;
-  const unsigned cores = std::max(2u, std::thread::hardware_concurrency());
-  for (unsigned threads = 4; threads <= cores; threads *= 2) request.threads.push_back(threads);
-  request.progress = show_;
-  const auto rows = run_batch(request);
-  json_["batch"] = to_json(rows);
-  finish_part(human_table(rows));
-  if (!std::all_of(rows.begin(), rows.end(), [](const auto& row) { return row.same_results; })) {
-    complain("ehd: bench: results depend on the number of threads");
-    sound_ = false;
-  }
-}
-
-void Bench::measure_box() {
-  verification::BoxRequest request{.solvers = fft_solvers_, .contacts = verification::bench_contacts(quick_)};
-  request.truth = find_solver("reference");
-  request.time_limit_s = time_limit_s_;
-  request.threads = std::max(1u, std::thread::hardware_concurrency());
-  request.progress = show_;
-  const auto rows = verification::run_box_bench(request);
-  json_["box"] = to_json(rows);
-  if (box_csv_) box_csv_->commit(verification::box_csv(rows));
-  finish_part(human_table(rows));
-}
-
-void Bench::measure_work_precision() {
-  verification::WorkPrecisionRequest request{.cases = cases_, .solvers = solvers_};
-  request.quick = quick_;
-  request.time_limit_s = time_limit_s_;
-  request.progress = show_;
-  const auto result = run_work_precision(request);
-  json_["work_precision"] = to_json(result);
-  if (work_csv_) work_csv_->commit(verification::work_precision_csv(result));
-  finish_part(human_table(result));
-  if (!result.anything_judged()) {
-    complain("ehd: bench: not one run could be judged");
-    sound_ = false;
-  }
-}
-
-int Bench::run() {
-  json_["schema"] = schema;
-  json_["provenance"] = provenance();
-  json_["settings"] = {{"quick", quick_}, {"time_limit_s", time_limit_s_}, {"parts", parts_}};
-  // Scaling runs first, while this process is small: its child processes begin with the memory of this one.
-  if (asked(scaling) && !fft_solvers_.empty()) measure_scaling();
-  if (asked(batch) && !fft_solvers_.empty()) measure_batch();
-  if (asked(box) && !fft_solvers_.empty()) measure_box();
-  if (asked(work_precision)) measure_work_precision();
-  if (json_file_) json_file_->commit(json_text(json_));
-  return sound_ ? success : not_met;
-}
 
 }  // namespace
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ehd cases: the benchmark cases, with how to cite each.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <memory>
 #include <set>
@@ -48,9 +50,7 @@ std::string kinds_in(const Case& any) {
     const std::string kind = expectation.waiting ? "waiting" : std::string(to_string(expectation.kind));
     if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) kinds.push_back(kind);
   }
-  std::string text;
-  for (const auto& kind : kinds) text += (text.empty() ? "" : ", ") + kind;
-  return text.empty() ? "-" : text;
+  return kinds.empty() ? "-" : fmt::format("{}", fmt::join(kinds, ", "));
 }
 
 std::string expected_in(const Case& any) {
@@ -86,7 +86,7 @@ int list(bool bibtex) {
   std::set<std::string> keys;
   for (const auto& any : cases) keys.insert(bibliography_key(any.source));
 
-  if (bibtex) {  // all of references.bib: claims cite sources that are no case
+  if (bibtex) {  // all of references.bib: claims cite sources without a case
     std::string text;
     for (const auto& [key, entry] : bibliography) text += (text.empty() ? "" : "\n") + entry.text;
     print(text);

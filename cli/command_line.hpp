@@ -15,7 +15,7 @@ class Option;
 
 namespace ehd::cli {
 
-/// One option, for what is said about it after its name and help text.
+/// One option, for settings besides its name and help text.
 class Option {
  public:
   explicit Option(CLI::Option& option) : option_(option) {}
@@ -55,7 +55,7 @@ class Command {
 
 struct Subcommand {
   std::string name;
-  std::function<void(Command&)> describe;  ///< says its options and its work
+  std::function<void(Command&)> describe;  ///< defines its options and its work
 };
 
 struct Program {

@@ -17,6 +17,7 @@
 #include "io/contact_json.hpp"
 #include "io/json.hpp"
 #include "io/tables.hpp"
+#include "verification/bench/csv.hpp"
 #include "verification/bench/work_precision.hpp"
 #include "workflow/case.hpp"
 #include "workflow/contact_run.hpp"
@@ -51,11 +52,6 @@ struct Row {
   std::optional<double> achieved[2] = {};
 };
 
-const Reading* film_of(const ContactRun& run, Quantity quantity) {
-  const auto at = run.solution.observables.find(quantity);
-  return at == run.solution.observables.end() ? nullptr : &at->second;
-}
-
 /// The expectation with the smallest uncertainty. Fits and values that still wait for their source do not count.
 const Expectation* truth_of(const Case& contact_case, Quantity quantity) {
   const Expectation* best = nullptr;
@@ -84,15 +80,13 @@ std::string judge_film(const Case& contact_case, std::vector<Row>& rows, std::si
     if (!tightest || *row.reported[film] < *tightest->reported[film]) tightest = &row;
   }
   if (!tightest) return "nothing: no expectation, and no run converged";
-  const double value = film_of(tightest->run, quantity)->value;
+  const double value = verification::reading_of(tightest->run.solution, quantity)->value;
   for (Row& row : rows) {
-    const Reading* reading = film_of(row.run, quantity);
+    const Reading* reading = verification::reading_of(row.run.solution, quantity);
     if (reading && &row != tightest) row.achieved[film] = std::abs(reading->value - value) / std::abs(value);
   }
   return "the tightest run, " + tightest->run.solver + " at " + plain(tightest->tolerance);
 }
-
-std::string cell(const std::optional<double>& value) { return value ? plain(*value, 2) : "-"; }
 
 /// Every solver at every tolerance, with the errors that they report.
 std::vector<Row> run_all(const Case& contact_case, const std::vector<const RegisteredSolver*>& solvers,
@@ -104,7 +98,8 @@ std::vector<Row> run_all(const Case& contact_case, const std::vector<const Regis
       progress.show(fmt::format("{}: {} at {} ...", contact_case.id, solver->name, plain(*request.tolerance)));
       Row row{.tolerance = *request.tolerance, .run = run_contact(contact_case, *solver, request)};
       for (std::size_t film = 0; film < 2; ++film) {
-        if (const Reading* reading = film_of(row.run, films[film])) row.reported[film] = reading->error;
+        if (const Reading* reading = verification::reading_of(row.run.solution, films[film]))
+          row.reported[film] = reading->error;
       }
       rows.push_back(std::move(row));
     }
@@ -127,10 +122,10 @@ std::vector<std::vector<std::string>> table_of(const std::vector<Row>& rows) {
   for (const Row& row : rows) {
     std::vector<std::string> cells{row.run.solver, plain(row.tolerance), std::string(to_string(row.run.status()))};
     for (std::size_t film = 0; film < 2; ++film) {
-      const Reading* reading = film_of(row.run, films[film]);
+      const Reading* reading = verification::reading_of(row.run.solution, films[film]);
       cells.push_back(reading ? with_error(reading->value, reading->error) : "-");
-      cells.push_back(cell(row.reported[film]));
-      cells.push_back(cell(row.achieved[film]));
+      cells.push_back(verification::dash(row.reported[film], 2));
+      cells.push_back(verification::dash(row.achieved[film], 2));
     }
     const Cost& cost = row.run.solution.record.cost;
     cells.push_back(plain(1e3 * cost.wall_s, 3));
@@ -145,8 +140,7 @@ Json json_of(const Row& row) {
   Json entry = to_json(row.run);
   put(entry, "tolerance", row.tolerance);
   Json achieved = Json::object();
-  put(achieved, "film.minimum", row.achieved[0]);
-  put(achieved, "film.central", row.achieved[1]);
+  for (std::size_t film = 0; film < 2; ++film) put(achieved, std::string(to_string(films[film])), row.achieved[film]);
   entry["achieved_error"] = achieved;
   return entry;
 }
@@ -166,8 +160,8 @@ std::vector<Request> requests_of(const CompareOptions& options) {
 int compare(const CompareOptions& options) {
   if (options.cases.empty()) throw UsageError("compare: a CASE is missing; required is at least one");
   std::vector<const RegisteredSolver*> solvers;
-  for (const auto& name : options.solvers.empty() ? std::vector<std::string>{"reference", "fast"} : options.solvers)
-    solvers.push_back(&solver_named(name));
+  for (const auto& name : options.solvers) solvers.push_back(&solver_named(name));
+  if (solvers.empty()) solvers = {&certified_solver(), &default_solver()};
   const std::vector<Request> requests = requests_of(options);
   // Everything that can be refused is refused before the first solve.
   const std::vector<Case> cases = verification::contacts_named(options.cases);
@@ -205,7 +199,9 @@ void describe_compare(Command& command) {
   command.summary("Solvers side by side: time, error, work");
   command.examples(examples);
   command.list("CASE", options->cases, "case files (TOML), or ids of benchmark cases");
-  command.list("--solver", options->solvers, "one of " + solver_names() + " (repeatable; reference and fast)");
+  command.list(
+      "--solver", options->solvers,
+      fmt::format("one of {} (repeatable; {} and {})", solver_names(), certified_solver().name, default_solver().name));
   command.list("--tolerance", options->tolerances, "relative error of the films (repeatable; 1e-2, 1e-3, 1e-4)");
   options->limits.add_to(command, false);
   command.text("--json", options->json, "the comparison as JSON into a file, or - for standard output");

@@ -7,7 +7,6 @@
 #include "cli/output.hpp"
 #include "cli/subcommands.hpp"
 #include "cli/usage.hpp"
-#include "io/output_file.hpp"
 #include "verification/atlas/atlas.hpp"
 #include "verification/studies/film_maps.hpp"
 
@@ -16,7 +15,8 @@ namespace ehd::cli {
 namespace {
 
 struct MapsOptions {
-  std::optional<std::string> output, quantity, laws;
+  std::optional<std::string> output, quantity;
+  std::string laws = "roelands";
 };
 
 const char* examples = R"(
@@ -31,25 +31,15 @@ int maps(const MapsOptions& options) {
   const std::string quantity = options.quantity.value_or("");
   if (options.quantity && quantity != "film.minimum" && quantity != "film.central")
     throw option_error("--quantity", quantity, "is unknown; allowed is film.minimum, film.central");
-  auto laws = verification::AtlasLaws::roelands;
-  if (options.laws) {
-    if (*options.laws == "barus") {
-      laws = verification::AtlasLaws::barus;
-    } else if (*options.laws != "roelands") {
-      throw option_error("--laws", *options.laws, "is unknown; allowed is roelands, barus");
-    }
-  }
+  const auto laws = verification::atlas_laws_from(options.laws);
+  if (!laws || *laws == verification::AtlasLaws::isoviscous)  // L = 0 is a row of both maps
+    throw option_error("--laws", options.laws, "is unknown; allowed is roelands, barus");
   const auto all = verification::film_maps(verification::atlas_folder());
-  std::optional<OutputFolder> folder;
-  std::optional<OutputFile> formulas, inlets;
-  if (options.output) {
-    folder.emplace(*options.output);
-    formulas.emplace(folder->path() / "formula_maps.csv");
-    inlets.emplace(folder->path() / "inlet_maps.csv");
-    formulas->commit(formula_maps_csv(all));
-    inlets->commit(inlet_maps_csv(all));
-  }
-  print(human_maps(all, quantity, laws));
+  OutputFolder folder(options.output);
+  folder.open({"formula_maps.csv", "inlet_maps.csv"});
+  folder.write("formula_maps.csv", formula_maps_csv(all));
+  folder.write("inlet_maps.csv", inlet_maps_csv(all));
+  print(human_maps(all, quantity, *laws));
   return success;
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int fewest_nodes = 16;
 constexpr int most_threads = 1024;
-constexpr double longest_time_s = 1e9;  // what a clock can count
+constexpr double longest_time_s = 1e9;  // longer times overflow the clock
 
 }  // namespace
 
@@ -67,12 +67,9 @@ Wanted quantities_named(const std::vector<std::string>& names) {
   Wanted wanted;
   for (const auto& name : names) {
     const auto quantity = quantity_from(name);
-    if (!quantity) {
-      std::string allowed;
-      for (const Quantity known : all_quantities)
-        allowed += (allowed.empty() ? "" : ", ") + std::string(to_string(known));
-      throw option_error("--quantity", name, "is unknown; allowed is " + allowed);
-    }
+    if (!quantity)
+      throw option_error("--quantity", name,
+                         "is unknown; allowed is " + names_of_quantities([](Quantity) { return true; }));
     wanted.insert(*quantity);
   }
   return wanted;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Values of options that several subcommands share, from text to checked value. All throw UsageError.
+// Options that several subcommands share: from text to checked value. All throw UsageError.
 #pragma once
 
 #include <optional>

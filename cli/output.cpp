@@ -94,7 +94,14 @@ bool styled_output() {
   return ::isatty(STDOUT_FILENO) && !(no_color && *no_color) && !dumb;
 }
 
-OutputFolder::OutputFolder(const std::string& name) : path_(name) {
+std::string duration(double seconds) {
+  if (seconds < 100) return plain(seconds, 2) + " s";
+  const double minutes = seconds / 60;
+  return minutes < 100 ? plain(minutes, 2) + " min" : plain(minutes / 60, 2) + " h";
+}
+
+OutputFolder::OutputFolder(const std::optional<std::string>& option) : path_(option.value_or("")) {
+  if (!option) return;
   std::error_code error;
   const auto whole = std::filesystem::absolute(path_, error).lexically_normal();
   for (auto above = whole; !above.empty() && !std::filesystem::exists(above, error); above = above.parent_path())
@@ -103,8 +110,22 @@ OutputFolder::OutputFolder(const std::string& name) : path_(name) {
   if (error) {
     const std::string why = error.message();
     remove_empty();
-    throw option_error("--output", name, why + "; allowed is a folder");
+    throw option_error("--output", *option, why + "; allowed is a folder");
   }
+}
+
+OutputFolder::~OutputFolder() {
+  files_.clear();  // their temporary files are in the folder
+  remove_empty();
+}
+
+void OutputFolder::open(const std::vector<std::string>& names) {
+  if (path_.empty()) return;
+  for (const std::string& name : names) files_.try_emplace(name, path_ / name);
+}
+
+void OutputFolder::write(const std::string& name, const std::string& text) {
+  if (const auto file = files_.find(name); file != files_.end()) file->second.commit(text);
 }
 
 void OutputFolder::remove_empty() {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,15 +18,15 @@ struct Case;
 
 namespace ehd::cli {
 
-/// One place that a command reads or writes, with how to call it: the option, or "the case".
+/// A file that a command reads or writes, and its name in messages: the option, or "the case".
 struct NamedFile {
   std::string name;
   std::filesystem::path path;
 };
 /// The files of cases, each named "the case ID".
 [[nodiscard]] std::vector<NamedFile> files_of(const std::vector<Case>& cases);
-/// Throws UsageError where an output is an input or another output, however the two are spelled, or is "-", which means
-/// standard output for --json alone. An output with an empty path is none. Call before any work.
+/// Throws UsageError where an output is the same file as an input or as another output, also by another path, and where
+/// an output other than --json is "-". Outputs with an empty path are left out. Call before any work.
 void require_distinct(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs);
 
 /// Opens the file that an option names, if the option was given. Call before any work: a file that cannot be written is
@@ -57,20 +58,30 @@ void print(const std::string& text);
 /// One line on standard error.
 void complain(const std::string& line);
 
-/// --output DIR: a folder with those above it, made where they do not exist. What is still empty at the end goes again,
-/// so that a refused call leaves nothing.
+/// "45 s", "3.1 min", "2 h"
+[[nodiscard]] std::string duration(double seconds);
+
+/// --output DIR: a folder and its files. The folder and those above it are made where they do not exist, and removed at
+/// the end where they are still empty, so that a refused call leaves nothing. Without the option, nothing is written.
 class OutputFolder {
  public:
-  explicit OutputFolder(const std::string& name);  ///< throws UsageError
-  ~OutputFolder() { remove_empty(); }
+  explicit OutputFolder(const std::optional<std::string>& option);  ///< throws UsageError
+  ~OutputFolder();
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
+  /// Opens files before the work begins: a folder that cannot be written is then bad input, and no result is lost.
+  /// Throws OutputError.
+  void open(const std::vector<std::string>& names);
+  /// Writes a file that was opened. Throws OutputError.
+  void write(const std::string& name, const std::string& text);
+
  private:
   void remove_empty();
-  std::filesystem::path path_;
+  std::filesystem::path path_;  ///< empty without the option
   std::vector<std::filesystem::path> made_;
+  std::map<std::string, OutputFile> files_;
 };
 
 /// --json FILE|-: opens the file before the work begins.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// ehd plan: what would be computed, what is skipped and why. Nothing is solved.
+// ehd plan: the stages of a run, and the skipped ones with the reason. Nothing is solved.
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -41,7 +41,7 @@ Examples:
   ehd plan na4908 --law hertz                          a bearing with dry contacts)";
 
 int plan(const PlanOptions& options) {
-  const auto& solver = solver_named(options.solver.value_or("fast"));
+  const auto& solver = solver_named(options.solver.value_or(default_solver().name));
   const Request request = options.request.request();
   const Wanted wanted = quantities_named(options.quantities);
   const Case any = read_case(find_case(options.case_name));
@@ -78,7 +78,7 @@ void describe_plan(Command& command) {
   command.summary("Show what would be computed, what is skipped and why");
   command.examples(examples);
   command.text("CASE", options->case_name, "a case file (TOML), or the id of a benchmark case").required();
-  command.text("--solver", options->solver, "one of " + solver_names() + " (fast)");
+  command.text("--solver", options->solver, "one of " + solver_names() + " (" + default_solver().name + ")");
   options->request.add_to(command);
   command.list("--quantity", options->quantities, "only this quantity (repeatable)");
   command.list("--law", options->laws, "a bearing's law (repeatable)");

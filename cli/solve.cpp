@@ -35,7 +35,7 @@ namespace {
 struct SolveOptions {
   std::optional<std::string> case_name;
   std::optional<std::string> M, L, inlet, viscosity, density, alpha, z, p0;
-  std::string solver = "fast";
+  std::string solver = default_solver().name;
   std::vector<std::string> quantities;
   std::optional<std::string> json, profile, plot, wisdom;
   RequestOptions request;
@@ -54,7 +54,7 @@ Examples:
 
 Exit code: 0 converged; 1 not converged (the status says how); 2 bad input or usage.)";
 
-/// What a law needs besides its name, worded in options: nondimensionalise would name the keys of a file.
+/// Checks the inputs of the laws. The messages name options; those of nondimensionalise would name the keys of a file.
 void require_laws_possible(const SolveOptions& options, const Lubricant& lubricant) {
   if (lubricant.viscosity == ViscosityLaw::isoviscous)
     throw option_error("--viscosity", *options.viscosity,
@@ -140,7 +140,7 @@ void require_one_problem(const SolveOptions& options) {
                      " missing; required is a CASE, or --M and --L (ehd solve --help shows examples)");
 }
 
-/// --wisdom FILE: what FFTW measured in earlier runs; a new file is allowed. This run adds its own measurements.
+/// --wisdom FILE: the measurements of FFTW in earlier runs, or a new file. This run adds its own measurements.
 void read_wisdom(const std::string& name) {
   std::string text;
   if (name.empty())
@@ -195,7 +195,7 @@ Stated stated_by(const SolveOptions& options) {
   return {.from_case = one, .contact = *contact, .title = one.id + ": " + one.title};
 }
 
-/// Why the run is no success, one line.
+/// The failure of a run in one line.
 std::string failure_of(const ContactRun& run, const std::string& title, const std::string& not_written) {
   const std::string& reason = run.solution.record.reason;
   std::string line = fmt::format("ehd: {}: {}", title, to_string(run.status()));
@@ -254,9 +254,8 @@ void describe_solve(Command& command) {
   command.text("--M", options->M, "Moes load parameter, 1e-3 to 1e6 (instead of a CASE, with --L)");
   command.text("--L", options->L, "Moes material parameter, 0 to 100");
   command.text("--inlet", options->inlet, "flooded, or X = x/b where the domain begins (flooded)");
-  command.text("--viscosity", options->viscosity, "isoviscous, barus or roelands (barus)");
-  command.text("--density", options->density,
-               "incompressible, dowson-higginson or dowson-higginson-1977 (incompressible)");
+  command.text("--viscosity", options->viscosity, names_of(viscosity_laws()) + " (barus)");
+  command.text("--density", options->density, names_of(density_laws()) + " (incompressible)");
   command.text("--alpha-per-Pa", options->alpha, "pressure coefficient of viscosity; sets p_H");
   command.text("--z", options->z, "Roelands' exponent");
   command.text("--p0-Pa", options->p0, "Roelands' reference pressure (1.9613e8)");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// ehd statements: which choices that the paper leaves open change its statements.
+// ehd statements: the paper's statements under the choices that the paper leaves open.
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -10,7 +10,6 @@
 #include "cli/subcommands.hpp"
 #include "cli/usage.hpp"
 #include "io/case_reader.hpp"
-#include "io/contact_json.hpp"
 #include "io/find_case.hpp"
 #include "io/json.hpp"
 #include "verification/studies/paper_statements.hpp"
@@ -52,9 +51,7 @@ int statements(const StatementsOptions& options) {
         "differ in clearance alone");
   require_distinct(files_of(cases), {{"--json", options.json.value_or("")}});
   JsonTarget json(options.json);
-  ContactMemory memory([solver = find_solver("fast")](const Problem& problem, const Request& request) {
-    return solver->solve(problem, request);
-  });
+  ContactMemory memory(default_solver().solve);
   const auto rows = study_statements(cases, memory);
   Json result = to_json(rows);
   result["contact_solves"] = memory.solves();

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// ehd stress: numerical stability.
+// ehd stress: numerical stability under starts, precision, rounding, condition and extreme inputs.
 #include "verification/stress/stress.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,9 +12,8 @@
 #include "cli/output.hpp"
 #include "cli/subcommands.hpp"
 #include "cli/usage.hpp"
-#include "io/contact_json.hpp"
 #include "io/json.hpp"
-#include "io/output_file.hpp"
+#include "verification/bench/timing.hpp"
 
 namespace ehd::cli {
 
@@ -52,19 +50,9 @@ int stress(const StressOptions& options) {
   Scope scope{.quick = options.quick};
   scope.threads = thread_count(options.threads);
 
-  // Opened before the work begins: a folder that cannot be written is then bad input, and no result is lost.
-  std::optional<OutputFolder> folder;
-  std::optional<OutputFile> file;
-  if (options.output) {
-    folder.emplace(*options.output);
-    file.emplace(folder->path() / "stress.json");
-  }
-
-  using Clock = std::chrono::steady_clock;
-  const auto seconds_since = [](Clock::time_point begin) {
-    return std::chrono::duration<double>(Clock::now() - begin).count();
-  };
-  const auto begin = Clock::now();
+  OutputFolder folder(options.output);
+  folder.open({"stress.json"});
+  const verification::Stopwatch watch;
   std::vector<Part> results;
   Progress progress;
   for (const PartEntry* entry : chosen) {
@@ -78,7 +66,7 @@ int stress(const StressOptions& options) {
     results.push_back(std::move(part));
   }
   if (results.size() > 1) print(human_summary(results));
-  if (file) file->commit(json_text(to_json(results, seconds_since(begin))));
+  folder.write("stress.json", json_text(to_json(results, watch.seconds())));
   if (all_passed(results)) return success;
   std::string open;
   for (const Part& part : results) {

@@ -15,7 +15,6 @@
 #include "cli/output.hpp"
 #include "cli/subcommands.hpp"
 #include "cli/usage.hpp"
-#include "contact/text.hpp"
 #include "io/sweep_file.hpp"
 #include "io/sweep_run.hpp"
 #include "io/sweep_shards.hpp"
@@ -69,13 +68,7 @@ Shard shard_from(const std::string& text) {
   return {static_cast<std::size_t>(number), static_cast<std::size_t>(of)};
 }
 
-std::string duration(double seconds) {
-  if (seconds < 100) return plain(seconds, 2) + " s";
-  const double minutes = seconds / 60;
-  return minutes < 100 ? plain(minutes, 2) + " min" : plain(minutes / 60, 2) + " h";
-}
-
-/// A bar with the time left, from the rows of this run.
+/// A progress bar with the time left, estimated from the rows computed in this run.
 class Bar {
  public:
   explicit Bar(std::string name) : name_(std::move(name)), begin_(Clock::now()), shown_(begin_) {}

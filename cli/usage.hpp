@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Wrong usage: how it is worded, and the exit code that it leads to.
+// Wrong usage: messages and exit codes.
 #pragma once
 
 #include <functional>
@@ -16,14 +16,14 @@ class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// "OPTION = VALUE: message", the way every refused option is worded.
+/// "OPTION = VALUE: message", for every refused option.
 [[nodiscard]] UsageError option_error(const std::string& option, const std::string& value, const std::string& message);
 
 /// Runs a subcommand's body and returns the exit code. Wrong input (CaseError, UsageError, OutputError, StatementError)
 /// ends in one line on standard error and exit code 2, lack of memory in one line and exit code 1.
 [[nodiscard]] int run_guarded(const std::function<int()>& body);
 
-/// Texts as given on the command line, read strictly: option names the culprit in the UsageError.
+/// A number of the command line: the whole text must be one. `option` is named in the UsageError.
 [[nodiscard]] double parse_number(const std::string& option, const std::string& text);
 [[nodiscard]] int parse_integer(const std::string& option, const std::string& text);
 

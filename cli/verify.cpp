@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ehd verify: the verification suite.
-#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -10,9 +9,7 @@
 #include "cli/output.hpp"
 #include "cli/subcommands.hpp"
 #include "cli/usage.hpp"
-#include "io/contact_json.hpp"
 #include "io/json.hpp"
-#include "io/output_file.hpp"
 #include "verification/studies/figures/figures.hpp"
 #include "verification/suite.hpp"
 #include "verification/traceability.hpp"
@@ -39,13 +36,6 @@ Rungs: 0 inputs, 1 kernel, 2 operator, 3 elasticity, 4 Reynolds, 5 coupled, 6 so
 10 published, 11 bearing. Exit code: 0 every claim passes, or all are skipped, each with its reason; 1 a claim fails or
 is inconclusive; 2 wrong usage.)";
 
-/// "45 s", "3 min"
-std::string time_text(double seconds) {
-  constexpr double minute = 60, minutes_from = 100;
-  const bool in_minutes = seconds >= minutes_from;
-  return std::to_string(std::lround(in_minutes ? seconds / minute : seconds)) + (in_minutes ? " min" : " s");
-}
-
 int verify(const VerifyOptions& options) {
   verification::SuiteRequest request;
   if (options.rung) {
@@ -64,24 +54,18 @@ int verify(const VerifyOptions& options) {
                          "is out of range; allowed is 1 to " + std::to_string(most_runs));
   }
 
-  // Opened before the work begins: a folder that cannot be written is then bad input, and no result is lost.
-  std::optional<OutputFolder> folder;
-  std::optional<OutputFile> file;
-  if (options.output) {
-    folder.emplace(*options.output);
-    file.emplace(folder->path() / "results.json");
-  }
-
+  OutputFolder folder(options.output);
+  folder.open({"results.json"});
   verification::SuiteResult result;
   Json figures;
   try {
     Progress progress;
     request.progress = [&](const verification::SuiteProgress& now) {
       progress.show("verify " + std::to_string(now.done) + "/" + std::to_string(now.all) + ", " +
-                    time_text(now.elapsed_s) + ", about " + time_text(now.left_s) + " left: " + now.name);
+                    duration(now.elapsed_s) + ", about " + duration(now.left_s) + " left: " + now.name);
     };
     result = verification::run_suite(request);
-    if (file) {
+    if (options.output) {
       verification::FiguresRequest pictures{
           .rung = request.rung, .case_id = request.case_id, .quick = request.quick, .threads = request.threads};
       pictures.progress = [&](std::size_t done, std::size_t all, const std::string& name) {
@@ -92,10 +76,10 @@ int verify(const VerifyOptions& options) {
   } catch (const verification::NothingSelected& nothing) {
     throw UsageError(nothing.what());
   }
-  if (file) {
+  if (options.output) {
     Json json = to_json(result);
     json["figures"] = std::move(figures);
-    file->commit(json_text(json));
+    folder.write("results.json", json_text(json));
   }
   print(human_summary(result, options.all));
   if (options.trace) print("\n" + human_trace(trace(verification::traceable_parts(), {result.claims, result.skipped})));

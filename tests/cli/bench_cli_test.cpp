@@ -30,6 +30,7 @@ BOOST_AUTO_TEST_CASE(a_quick_bench_prints_its_tables_and_leaves_its_files) {
   const json bench = json::parse(test::read(out / "bench.json"));
   BOOST_TEST(bench["schema"] == 1);
   BOOST_TEST(bench["provenance"].contains("compiler"));
+  BOOST_TEST(bench["looks"]["fast"] != bench["looks"]["reference"]);  // line styles of the report
   for (const char* part : {"work_precision", "scaling", "batch"}) BOOST_TEST(bench.contains(part));
   BOOST_TEST(!bench["work_precision"]["rows"].empty());
   for (const json& row : bench["work_precision"]["rows"]) {

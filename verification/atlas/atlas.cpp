@@ -30,7 +30,8 @@ void make_folder(const std::filesystem::path& folder) {
                                "); allowed is a folder that exists or can be made"));
 }
 
-/// The record of an earlier run: same point, solver and tolerance; absent where more time may give more digits.
+/// The record of an earlier run with the same point, solver and tolerance. Absent where a longer time limit may give
+/// more digits.
 std::optional<AtlasRecord> earlier(const std::filesystem::path& file, const AtlasRecord& asked) {
   const auto text = text_of_file(file);
   auto record = text ? record_from(*text) : std::nullopt;
@@ -41,7 +42,7 @@ std::optional<AtlasRecord> earlier(const std::filesystem::path& file, const Atla
   return record;
 }
 
-/// The case file of a point, with the next version where a number of the old one changes.
+/// The case file of a point. Where it differs from the old file, it has the next version.
 std::string versioned_text(const std::filesystem::path& file, const AtlasPoint& point, const AtlasRecord& record) {
   const auto old_text = text_of_file(file);
   if (!old_text) return case_text_of(point, record);
@@ -114,7 +115,7 @@ void solve_missing(std::vector<Entry>& entries, const AtlasRequest& request, con
   });
 }
 
-/// Rows in the order of the request; behind them the rows of `before` that no point replaces.
+/// Rows in the order of the request, then the rows of `before` that belong to no point of the request.
 AtlasTable merged(const AtlasRequest& request, const std::vector<Entry>& entries, const AtlasTable& before) {
   std::map<std::string, AtlasRow> rows;
   for (const AtlasRow& row : before.rows) rows[row.at("id")] = row;
@@ -132,7 +133,7 @@ AtlasTable merged(const AtlasRequest& request, const std::vector<Entry>& entries
   return table;
 }
 
-/// Each file is replaced whole. Where a run ends between two of them, the next run writes the rest.
+/// Each file is replaced whole. A run that is interrupted between two files is completed by the next run.
 void write_files(const std::filesystem::path& folder, const std::vector<Entry>& entries, const AtlasTable& table) {
   std::map<std::string, std::string> files;
   for (const Entry& entry : entries) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The atlas: line contacts over a grid of M and L, solved to the digits that the reference solver vouches for, as
-// atlas.csv, digits.txt and one case file a point. cases/atlas/README.md explains the columns.
+// The atlas: line contacts over a grid of M and L, solved by the certified solver, as atlas.csv, digits.txt and one
+// case file a point. cases/atlas/README.md explains the columns.
 #pragma once
 
 #include <cstddef>
@@ -25,8 +25,8 @@ struct AtlasRequest {
   std::optional<double> tolerance = {};  ///< instead of each point's usual one
   double time_limit_s = 30;
   unsigned threads = 0;  ///< 0: as many as there are cores
-  bool fresh = false;    ///< do not believe records of an earlier run
-  /// After each point, one thread at a time; reused ones come first, save for what the threads overlap.
+  bool fresh = false;    ///< solve every point again, whatever an earlier run has recorded
+  /// Called after each point, one thread at a time. Reused points come first, apart from overlaps between threads.
   std::function<void(std::size_t done, std::size_t all, const AtlasRecord& record, bool reused)> progress = {};
 };
 
@@ -43,13 +43,13 @@ struct AtlasResult {
 
 [[nodiscard]] std::vector<AtlasPoint> selected_points(const AtlasRequest& request);
 
-/// Solves what no record answers, the heaviest first; a record is written as soon as its point is solved. Then
-/// atlas.csv, digits.txt and the case files are written, each whole or not at all. A case in which a number changes
-/// gets the next version. Throws OutputError where the folder cannot be written, CaseError where `only` should keep
-/// rows of an atlas.csv that is none.
+/// Solves the points without a valid record, the heaviest first, and writes each record at once. Then writes atlas.csv,
+/// digits.txt and the case files, each whole or not at all. A case in which a number changes gets the next version.
+/// Throws OutputError where the folder cannot be written; CaseError where `only` has to keep the rows of an atlas.csv
+/// that cannot be read.
 [[nodiscard]] AtlasResult run_atlas(const AtlasRequest& request, const RegisteredSolver& solver);
 
-/// Points, digits, the slowest, and what is not known, for a terminal.
+/// For a terminal: numbers of points and digits, the slowest points, and those without digits.
 [[nodiscard]] std::string human_summary(const AtlasResult& result);
 
 }  // namespace ehd::verification

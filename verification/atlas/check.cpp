@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// atlas.csv held against the case files beside it.
+// Comparison of atlas.csv with the case files beside it.
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -31,8 +31,8 @@ std::vector<std::filesystem::path> atlas_files(const std::filesystem::path& fold
 namespace {
 
 constexpr std::size_t columns_of_the_point = 7;  ///< id ... numerical_test: they follow from the point alone
-/// Uncertainties of the table and of the case are both rounded up to two digits, one relative and the other absolute
-/// for H_0: they may differ by so much, relative.
+/// Uncertainties of the table and of the case are both rounded up to two digits; of H_0 one is absolute and the other
+/// relative. They may differ by this share.
 constexpr double two_digits = 0.11;
 
 bool same_lubricant(const Lubricant& a, const Lubricant& b) {
@@ -61,17 +61,16 @@ std::string difference(const AtlasRow& row, const Case& read) {
   const auto* contact = std::get_if<ContactCase>(&read.body);
   const auto* moes = contact ? std::get_if<MoesGroups>(&contact->statement) : nullptr;
   if (!moes || contact->dry()) return "states no lubricated contact by M and L";
-  const auto laws = std::find_if(std::begin(all_atlas_laws), std::end(all_atlas_laws),
-                                 [&](AtlasLaws one) { return row.at("laws") == to_string(one); });
-  const bool known_laws = laws != std::end(all_atlas_laws);
-  const AtlasPoint point{
-      .laws = known_laws ? *laws : AtlasLaws{}, .M = moes->M, .L = moes->L, .inlet = *contact->inlet};
+  const AtlasPoint point{.laws = atlas_laws_from(row.at("laws")).value_or(AtlasLaws{}),
+                         .M = moes->M,
+                         .L = moes->L,
+                         .inlet = *contact->inlet};
   const auto as_row = atlas_row(point, {});
   for (std::size_t i = 0; i < columns_of_the_point; ++i) {
     if (as_row[i] != row.at(atlas_columns()[i]))
       return atlas_columns()[i] + " is " + as_row[i] + ", not " + row.at(atlas_columns()[i]);
   }
-  if (!known_laws || !same_lubricant(*contact->lubricant, point.contact().lubricant.value()))
+  if (!same_lubricant(*contact->lubricant, point.contact().lubricant.value()))
     return "has another lubricant than " + row.at("laws");
   if (read.title != point.title()) return "is called " + read.title;
   std::size_t compared = 0;

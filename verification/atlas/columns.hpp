@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The numbers of the atlas: columns of atlas.csv, expectations of the case files.
+// The quantities of the atlas: columns of atlas.csv and expectations of the case files.
 #pragma once
 
 #include <array>
@@ -11,11 +11,11 @@
 
 namespace ehd::verification {
 
-/// The column NAME_error follows it.
+/// A column; NAME_error follows it.
 struct AtlasColumn {
   std::string_view name;
   std::optional<Quantity> quantity;  ///< none for the place of the spike, which no case expects
-  bool absolute = false;             ///< its error, in the CSV
+  bool absolute = false;             ///< NAME_error is absolute
 
   [[nodiscard]] std::string error_name() const { return std::string(name) + "_error"; }
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Digits printed = digits known.
+// Decimal texts with as many digits as are known.
 #pragma once
 
 #include <optional>
@@ -15,8 +15,8 @@ struct KnownDigits {
   std::string absolute;
 };
 
-/// As many digits as leave `error` (absolute) below half a unit of the last one, at most 15; absent where not even the
-/// first one is known, the value is 0, either is not finite, or the error is not positive.
+/// So many digits that `error` (absolute) is below half a unit of the last one, at most 15. Absent where no digit is
+/// known, the value is 0, value or error is not finite, or the error is not positive.
 [[nodiscard]] std::optional<KnownDigits> known_digits(double value, double error);
 
 /// Significant digits in a decimal text.

@@ -8,7 +8,7 @@ namespace ehd::verification {
 
 namespace {
 
-constexpr double lightest_cut_M = 2;  ///< of a lighter contact, X = -4 lies inside the film's own length
+constexpr double lightest_cut_M = 2;  ///< in a lighter contact, X = -4 lies inside the inlet zone
 /// Measured at (20, 10): 1e-8 costs Barus, whose spike has no bound, three times as much; at (1000, 15) it is not met.
 constexpr double tolerance = 1e-10, barus_tolerance = 1e-7;
 
@@ -26,6 +26,12 @@ std::string_view to_string(AtlasLaws laws) {
     case AtlasLaws::roelands: return "roelands";
   }
   return "";
+}
+
+std::optional<AtlasLaws> atlas_laws_from(std::string_view text) {
+  for (const AtlasLaws laws : all_atlas_laws)
+    if (text == to_string(laws)) return laws;
+  return std::nullopt;
 }
 
 std::string AtlasPoint::id() const {

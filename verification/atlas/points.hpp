@@ -2,6 +2,7 @@
 // The points of the atlas: law sets, loads M, materials L, inlets.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,7 @@ enum class AtlasLaws {
 };
 inline constexpr AtlasLaws all_atlas_laws[] = {AtlasLaws::isoviscous, AtlasLaws::barus, AtlasLaws::roelands};
 [[nodiscard]] std::string_view to_string(AtlasLaws laws);
+[[nodiscard]] std::optional<AtlasLaws> atlas_laws_from(std::string_view text);
 
 struct AtlasPoint {
   AtlasLaws laws = AtlasLaws::isoviscous;

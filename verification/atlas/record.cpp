@@ -32,9 +32,8 @@ double film_error(const AtlasRecord& record) {
   return std::max(relative_error(record, "H_min"), relative_error(record, "H_cen"));
 }
 
-/// The solver states no error of the place of the spike. Taken is the difference of the two discretisations, times
-/// `safety`, plus the effect of the error of its height: that relative error times the distance from the exit, times
-/// `steepness`.
+/// The solver states no error of the spike's place. The error is estimated as `safety` times the difference of the two
+/// discretisations, plus `steepness` times the relative error of the height times the distance from the exit.
 std::optional<AtlasReading> place_of_spike(const Solution& solution) {
   const auto at = solution.observables.find(Quantity::pressure_spike);
   const auto exit = solution.observables.find(Quantity::pressure_exit);
@@ -153,7 +152,7 @@ AtlasRecord solve_point(const AtlasPoint& point, const RegisteredSolver& solver,
 }
 
 std::string atlas_solver_version(const RegisteredSolver& solver) {
-  BitDigest digest;  // of everything that a change of the method would move
+  BitDigest digest;
   const AtlasPoint probes[] = {{AtlasLaws::isoviscous, 0.7, 0, Flooded{}},
                                {AtlasLaws::barus, 7, 3, TruncatedAt{usual_cut}},
                                {AtlasLaws::roelands, 15, 7, Flooded{}}};

@@ -20,11 +20,11 @@ struct AtlasReading {
   double error = 0;
 };
 
-/// The result of one point, kept on disk so that an interrupted run can go on. Names of readings are columns of the
-/// CSV.
+/// The result of one point. It is kept on disk, so that an interrupted run can continue. Names of readings are columns
+/// of the CSV.
 struct AtlasRecord {
   std::string id;
-  std::string solver;       ///< name, version and how it solved the probes: atlas_solver_version()
+  std::string solver;       ///< atlas_solver_version()
   double tolerance = 0;     ///< asked for
   double time_limit_s = 0;  ///< of each solve
   StopReason status = StopReason::diverged;
@@ -41,13 +41,13 @@ struct AtlasRecord {
 /// Absent where the text is no record: a file of another program, or a damaged one.
 [[nodiscard]] std::optional<AtlasRecord> record_from(const std::string& json);
 
-/// Solves a point. Where that leaves H_min or H_cen unknown to 1e-4, looser tolerances follow: 1000 times each, up to
-/// 1e-4, that one at once where time ran out. Tolerance, status and reason stay those of the first solve, except that
-/// one without a film, where a looser one has found digits, is called tolerance-not-met.
+/// Solves a point. If H_min or H_cen is then not known to 1e-4, solves follow at 1000 times the tolerance, up to 1e-4;
+/// after a solve that ran out of time, at 1e-4 at once. Tolerance, status and reason stay those of the first solve. One
+/// exception: if the first solve found no film and a looser one found digits, the status is tolerance-not-met.
 [[nodiscard]] AtlasRecord solve_point(const AtlasPoint& point, const RegisteredSolver& solver, double tolerance,
                                       double time_limit_s);
 
-/// Changes when the solver does: version, and a digest of three short solves to the last bit.
+/// The solver's name and a digest of three short solves, to the last bit: it changes when the solver changes.
 [[nodiscard]] std::string atlas_solver_version(const RegisteredSolver& solver);
 
 }  // namespace ehd::verification

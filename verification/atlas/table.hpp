@@ -32,8 +32,8 @@ struct AtlasTable {
   std::vector<AtlasRow> rows;
 };
 [[nodiscard]] std::string csv_text(const AtlasTable& table);
-/// Throws CaseError, "FILE:LINE: column = value: what is wrong; what is allowed", where `ehd atlas` did not write the
-/// file: every number must be finite and in its range, every law known.
+/// Throws CaseError, "FILE:LINE: column = value: the fault; the allowed values", for a file that `ehd atlas` did not
+/// write: every number must be finite and in its range, every law known.
 [[nodiscard]] AtlasTable read_atlas_table(const std::filesystem::path& csv);
 
 /// Numbers of digits known of H_min and H_cen over M and L, a table for each law set and inlet.
@@ -44,8 +44,8 @@ struct AtlasTable {
 /// atlas-*.toml of a folder, by name; none where there is no such folder.
 [[nodiscard]] std::vector<std::filesystem::path> atlas_files(const std::filesystem::path& folder);
 
-/// What differs between atlas.csv and the case files beside it, a sentence each: problem, values, uncertainties; points
-/// that only one of them has.
+/// Differences between atlas.csv and the case files beside it, a sentence each: problem, values, uncertainties, and
+/// points that only one of the two has.
 [[nodiscard]] std::vector<std::string> atlas_disagreements(const std::filesystem::path& folder);
 
 /// A whole file; absent where it cannot be read.

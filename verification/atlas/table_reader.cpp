@@ -37,7 +37,7 @@ std::vector<std::string> split(const std::string& line) {
   return cells;
 }
 
-/// What a cell may hold.
+/// The values that a cell may have.
 struct Allowed {
   bool empty = false;
   double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
@@ -56,7 +56,7 @@ Allowed allowed_in(std::string_view column) {
   return positive;  // films, forces, pressures, and every uncertainty
 }
 
-/// What is wrong with a number's cell; empty where nothing is.
+/// The fault of a number's cell; empty where there is none.
 std::string wrong_with(const std::string& cell, const Allowed& allowed) {
   if (cell.empty()) return allowed.empty ? "" : "is missing";
   double value = 0;
@@ -90,11 +90,9 @@ std::optional<WrongCell> wrong_cell(const AtlasRow& row) {
       return WrongCell{error, row.at(error).empty() ? "is missing" : "has no value before it",
                        "a number and its uncertainty, or neither"};
   }
-  const std::string& laws = row.at("laws");
-  const auto is_law = [&](AtlasLaws one) { return laws == to_string(one); };
-  if (std::none_of(std::begin(all_atlas_laws), std::end(all_atlas_laws), is_law))
-    return WrongCell{"laws", "is unknown", "isoviscous, barus, roelands"};
-  if (is_law(AtlasLaws::isoviscous) != (std::stod(row.at("L")) == 0))
+  const auto laws = atlas_laws_from(row.at("laws"));
+  if (!laws) return WrongCell{"laws", "is unknown", "isoviscous, barus, roelands"};
+  if ((*laws == AtlasLaws::isoviscous) != (std::stod(row.at("L")) == 0))
     return WrongCell{"laws", "does not go with L = " + row.at("L"), "isoviscous at L = 0, barus or roelands above"};
   const Allowed cut{.high = -1, .what = "flooded, or a number up to -1"};
   const std::string& inlet = row.at("inlet");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Many contacts over threads: how much quicker, and whether the results stay what they are.
+// Many contacts over threads: the speed-up, and whether the results stay the same.
 #pragma once
 
 #include <functional>
@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "io/json.hpp"
-#include "io/tables.hpp"
 #include "workflow/registry.hpp"
 
 namespace ehd::verification {
@@ -30,7 +29,7 @@ struct BatchRequest {
   std::vector<Problem> problems;
   double tolerance = 1e-3;
   double time_limit_s = 30;
-  std::vector<unsigned> threads = {1, 2};  ///< the first is what the others are held against
+  std::vector<unsigned> threads = {1, 2};  ///< the others are compared with the first
   int rounds = 3;                          ///< the numbers of threads take turns
   std::function<void(const std::string&)> progress = {};
 };

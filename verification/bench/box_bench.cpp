@@ -16,7 +16,7 @@ namespace ehd::verification {
 namespace {
 
 constexpr double lightest_cut_M = 0.5;
-/// A cut inlet begins so many lengths sqrt(2 H_cen) from X = 0, and no nearer than X = -4.
+/// X of a cut inlet: this many lengths sqrt(2 H_cen) before X = 0, and at least 4.
 constexpr double cut_in_film_lengths = 4;
 /// An achieved error counts where the truth is known to this share of the reported error.
 constexpr double truth_share = 0.3;
@@ -24,11 +24,6 @@ constexpr double truth_share = 0.3;
 constexpr double mild_L = 15;
 
 constexpr Quantity films[] = {Quantity::film_minimum, Quantity::film_central};
-
-const Reading* reading_of(const Solution& solution, Quantity quantity) {
-  const auto at = solution.observables.find(quantity);
-  return at == solution.observables.end() ? nullptr : &at->second;
-}
 
 double cut_beyond_the_film(const MoesGroups& moes) {
   const double film = moes_film_formula(moes) / moes_film_per_hertz_film(moes.M);
@@ -66,13 +61,7 @@ std::vector<Solution> truths_of(const BoxRequest& request) {
 /// One contact solved as often as its time needs; `truth` may be absent.
 BoxRow row_of(const RegisteredSolver& solver, const Setting& setting, const BoxContact& contact,
               const BoxRequest& request, const Solution* truth) {
-  BoxRow row{.setting = setting,
-             .contact = contact,
-             .status = {},
-             .wall_s = {},
-             .reported = {},
-             .achieved = {},
-             .truth_error = {}};
+  BoxRow row{.setting = setting, .contact = contact};
   const Problem problem = contact.problem();
   Solution solution;
   do {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The whole box of loads and materials by one solver: time, error achieved, error reported, at fixed settings.
+// The whole box of loads and materials at fixed settings: time, achieved error and reported error of each solver.
 #pragma once
 
 #include <functional>
@@ -25,18 +25,18 @@ namespace ehd::verification {
 struct BoxRow {
   Setting setting;
   BoxContact contact;
-  std::string status;
-  std::vector<double> wall_s;  ///< cold solves
-  /// Relative, of H_min and H_cen; achieved and the truth's own error only where the truth is known.
-  std::optional<double> reported[2], achieved[2], truth_error[2];
+  std::string status = {};
+  std::vector<double> wall_s = {};  ///< cold solves
+  /// Relative, of H_min and H_cen; `achieved` and `truth_error` (of the truth itself) only where the truth is known.
+  std::optional<double> reported[2] = {}, achieved[2] = {}, truth_error[2] = {};
 };
 
 struct BoxRequest {
   std::vector<const RegisteredSolver*> solvers;
   std::vector<BoxContact> contacts;
   std::vector<Setting> settings = box_settings();
-  double truth_tolerance = 1e-8;            ///< asked of `truth`; errors count with what `truth` then reports
-  const RegisteredSolver* truth = nullptr;  ///< no errors are achieved without one
+  double truth_tolerance = 1e-8;            ///< asked of `truth`
+  const RegisteredSolver* truth = nullptr;  ///< without one, no errors are judged
   double time_limit_s = 30;
   unsigned threads = 2;  ///< of the truths; times are taken one after another
   Repetition repetition = {.least = 3, .least_s = 0.01};
@@ -46,8 +46,8 @@ struct BoxRequest {
 
 [[nodiscard]] Json to_json(const std::vector<BoxRow>& rows);
 [[nodiscard]] std::string box_csv(const std::vector<BoxRow>& rows);
-/// A line for each solver, setting and inlet: how many converged, times, largest errors, how many achieved errors the
-/// reported ones cover.
+/// A line for each solver, setting and inlet: converged solves, times, largest errors, and how many achieved errors are
+/// within the reported ones.
 [[nodiscard]] std::string human_table(const std::vector<BoxRow>& rows);
 
 }  // namespace ehd::verification

@@ -41,7 +41,7 @@ std::string read_all(int pipe) {
 }  // namespace
 
 ChildEnd in_child(const std::function<std::string()>& work) {
-  return_free_memory();  // else the child would use them without growing
+  return_free_memory();  // the child would use free pages without growing
   int ends[2];
   if (::pipe(ends) != 0) return {{}, std::string("no pipe: ") + std::strerror(errno)};
   const pid_t child = ::fork();
@@ -64,7 +64,7 @@ ChildEnd in_child(const std::function<std::string()>& work) {
       code = threw;
     }
     if (!write_all(ends[1], text)) code = could_not_write;
-    ::_exit(code);  // what the parent had buffered is the parent's to write
+    ::_exit(code);  // not exit(): it would write the parent's buffered output a second time
   }
   ::close(ends[1]);
   std::string text = read_all(ends[0]);

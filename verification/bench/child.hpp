@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Work in a process of its own, whose memory can be told from ours.
+// Work in a process of its own, so that its memory is measured apart from ours.
 #pragma once
 
 #include <functional>
@@ -13,15 +13,16 @@ struct ChildEnd {
   std::string why;                  ///< where there is no text: how the child ended
 };
 
-/// Calls `work` in a forked child and brings its text back. The caller may have no other thread running, since those
-/// do not come along (a lock that one of them held would stay locked).
+/// Calls `work` in a forked child and returns its text. No other thread may run: a fork does not copy it, and a lock
+/// that it held would stay locked.
 [[nodiscard]] ChildEnd in_child(const std::function<std::string()>& work);
 
-/// The most memory that this process ever held (a forked one begins with what it inherits), and what it holds now.
+/// The largest memory that this process has held (a forked one begins with its parent's), and the memory that it holds
+/// now.
 [[nodiscard]] double peak_memory_bytes();
 [[nodiscard]] double resident_memory_bytes();
 
-/// Gives pages that were freed back to the system, so that using them again counts.
+/// Returns freed pages to the system, so that their next use counts as growth.
 void return_free_memory();
 
 }  // namespace ehd::verification

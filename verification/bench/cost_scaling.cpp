@@ -29,7 +29,7 @@ constexpr int fewest_to_fit = 3;   ///< sizes that an exponent is fitted to
 constexpr int far_enough = 4096;
 /// Largest sizes: of solvers on uniform grids, of other FFT solvers, of all when quick.
 constexpr int far = 1 << 20, middle = 1 << 14, near = 1 << 12;
-constexpr double trend_repeat_s = 5;  ///< the large sizes are few, and the trend is read from them
+constexpr double trend_repeat_s = 5;  ///< longer than usual, since the trend is read from few large sizes
 
 bool same(const MoesGroups& a, const MoesGroups& b) { return a.M == b.M && a.L == b.L; }
 
@@ -101,7 +101,7 @@ namespace {
 /// One size, measured in the child.
 Json measured(const RegisteredSolver& solver, const Problem& problem, const Request& asked,
               const Repetition& repetition) {
-  // A small solve first: it touches the pages of the program and its libraries, which are not the solve's own memory.
+  // A small solve first loads the pages of the program and its libraries, which do not belong to the measured solve.
   (void)solver.solve(problem, {.tolerance = {}, .nodes = warm_up_nodes, .time_limit_s = asked.time_limit_s});
   return_free_memory();
   const double before = resident_memory_bytes();
@@ -148,7 +148,7 @@ std::vector<ScalingRow> run_scaling(const ScalingRequest& request) {
     int most = 0;
     for (const auto& range : request.solvers) most = std::max(most, range.most);
     std::set<std::string> given_up;
-    // Sizes outside, solvers inside: solvers are compared at one moment.
+    // Sizes outside, solvers inside: solvers are compared at about the same time.
     for (int n = fewest; n <= most; n *= 2) {
       for (const auto& [solver, largest] : request.solvers) {
         if (n > largest) continue;
@@ -201,7 +201,7 @@ Json to_json(const std::vector<ScalingRow>& rows) {
               {"M", row.contact.M},
               {"L", row.contact.L},
               {"nodes_asked", row.nodes},
-              {"status", row.status ? std::string(to_string(*row.status)) : "not-run"}};
+              {"status", status_cell(row.status)}};
     if (!row.reason.empty()) json["reason"] = row.reason;
     if (row.status) {
       json["nodes"] = row.nodes_used;
@@ -245,7 +245,7 @@ std::string scaling_csv(const std::vector<ScalingRow>& rows) {
   std::string csv = csv_line(header);
   for (const ScalingRow& row : rows) {
     std::vector<std::string> cells{row.solver, plain(row.contact.M), plain(row.contact.L), std::to_string(row.nodes),
-                                   row.status ? std::string(to_string(*row.status)) : "not-run"};
+                                   status_cell(row.status)};
     if (row.status) {
       for (const auto& cell :
            {std::to_string(row.nodes_used), csv_number(row.median_s()), std::to_string(row.wall_s.size()),

@@ -10,14 +10,13 @@
 
 #include "contact/conditions.hpp"
 #include "io/json.hpp"
-#include "io/tables.hpp"
 #include "verification/bench/timing.hpp"
 #include "workflow/registry.hpp"
 
 namespace ehd::verification {
 
-/// Seconds of one padded convolution on n intervals: a real FFT of twice the length, a product with a spectrum, and
-/// back; FFTW_ESTIMATE, the median of repetitions. A work unit counts one such convolution.
+/// Seconds of one padded convolution on n intervals: a real FFT of twice the length, a product with a spectrum, the
+/// inverse FFT. FFTW_ESTIMATE; the median of repetitions. A work unit counts one such convolution.
 [[nodiscard]] double convolution_s(int intervals, const Repetition& repetition);
 
 struct ScalingRow {
@@ -28,7 +27,7 @@ struct ScalingRow {
   std::string reason = {};
   std::vector<double> wall_s = {};  ///< of each cold solve
   double convolution_s = 0;
-  double peak_bytes = 0;  ///< held at most by the first solve, above what was held after one on 64 intervals
+  double peak_bytes = 0;  ///< largest memory of the first solve, less the memory held after a solve on 64 intervals
   int nodes_used = 0;
   double work_units = 0;
   long newton_iterations = 0;
@@ -54,7 +53,7 @@ struct ScalingRequest {
 /// for all of them when quick. (20, 10) and (5, 5); when quick, the second alone.
 [[nodiscard]] ScalingRequest usual_scaling(const std::vector<const RegisteredSolver*>& solvers, bool quick);
 
-/// A size that would not fit into memory is not run, nor one above a size that reached the time limit: the row says
+/// A size is not run where it would not fit into memory, or where a smaller one reached the time limit; its row says
 /// so. Call with no other thread running (see in_child).
 [[nodiscard]] std::vector<ScalingRow> run_scaling(const ScalingRequest& request);
 

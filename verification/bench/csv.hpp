@@ -6,13 +6,16 @@
 #include <string>
 #include <vector>
 
+#include "contact/solution.hpp"
+
 namespace ehd::verification {
 
-/// Cells with commas between and a line feed behind; a cell that holds a comma, a quotation mark or a line feed is
-/// quoted.
+/// Cells separated by commas, and a line feed; a cell with a comma, a quotation mark or a line feed is quoted.
 [[nodiscard]] std::string csv_line(const std::vector<std::string>& cells);
 /// A number of a CSV; empty where it is unknown or not finite.
 [[nodiscard]] std::string csv_number(const std::optional<double>& value, int digits = 10);
+/// "converged", ...; "not-run" without a status.
+[[nodiscard]] std::string status_cell(const std::optional<StopReason>& status);
 /// A number of a table for people; "-" where it is unknown.
 [[nodiscard]] std::string dash(const std::optional<double>& value, int digits);
 

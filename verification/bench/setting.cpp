@@ -1,16 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/bench/setting.hpp"
 
+#include <cmath>
+
 #include "contact/text.hpp"
 
 namespace ehd::verification {
 
 namespace {
 
-/// Of the grid's own error: iterating further makes a run on a given grid dearer, not better.
+/// Share of the grid's error. Further iteration costs time and does not make the films on that grid more accurate.
 constexpr double iteration_share_on_grids = 0.5;
 
 }  // namespace
+
+const Reading* reading_of(const Solution& solution, Quantity quantity) {
+  const auto at = solution.observables.find(quantity);
+  return at == solution.observables.end() || !std::isfinite(at->second.value) ? nullptr : &at->second;
+}
 
 std::string Setting::text() const { return tolerance ? plain(*tolerance) : "n = " + std::to_string(nodes.value_or(0)); }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A solver, with what is asked of it: a tolerance, or a number of intervals.
+// A solver with a tolerance or a number of intervals.
 #pragma once
 
 #include <optional>
@@ -17,5 +17,8 @@ struct Setting {
   /// A solve on a given number of intervals is iterated to half the error of that grid.
   [[nodiscard]] Request request(double time_limit_s) const;
 };
+
+/// An observed quantity; null where there is none, or where it is not finite.
+[[nodiscard]] const Reading* reading_of(const Solution& solution, Quantity quantity);
 
 }  // namespace ehd::verification

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a time is taken, how often, and the median of the times.
+// A stopwatch, the number of repetitions, and the median of the times.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace ehd::verification {
 
-/// Wall time since it was made [s].
+/// Wall time since construction [s].
 class Stopwatch {
  public:
   [[nodiscard]] double seconds() const {
@@ -21,7 +21,8 @@ class Stopwatch {
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
-/// Short runs are repeated at least `least` times and for `least_s` in all; a run of `enough_s` is not repeated.
+/// Short runs are repeated at least `least` times and for `least_s` in all. No run follows after `enough_s` in all
+/// or `most` runs.
 struct Repetition {
   int least = 5;
   double least_s = 0.05;
@@ -34,7 +35,7 @@ struct Repetition {
   }
 };
 
-/// The middle one; the mean of the middle two. Throws std::invalid_argument for none.
+/// The middle value, or the mean of the middle two. Throws std::invalid_argument where there is none.
 [[nodiscard]] inline double median(std::vector<double> values) {
   if (values.empty()) throw std::invalid_argument("a median of no values; required is at least one");
   std::sort(values.begin(), values.end());

@@ -19,7 +19,7 @@ Json setting_json(const Setting& setting) {
 }
 
 Json truth_json(const Truth& truth) {
-  Json json{{"case", truth.case_id}, {"solver", truth_solver}, {"tolerance", truth.tolerance}};
+  Json json{{"case", truth.case_id}, {"solver", truth.solver}, {"tolerance", truth.tolerance}};
   if (truth.status) json["status"] = to_string(*truth.status);
   if (!truth.reason.empty()) json["reason"] = truth.reason;
   put(json, "wall_s", truth.wall_s);
@@ -41,7 +41,7 @@ Json truth_json(const Truth& truth) {
 Json row_json(const WorkRow& row) {
   Json json{{"case", row.case_id}};
   json.update(setting_json(row.setting));
-  json["status"] = row.status ? std::string(to_string(*row.status)) : "not-run";
+  json["status"] = status_cell(row.status);
   if (!row.reason.empty()) json["reason"] = row.reason;
   if (!row.status) return json;
   const auto [fastest, slowest] = std::minmax_element(row.wall_s.begin(), row.wall_s.end());
@@ -86,7 +86,7 @@ Json at_equal_error(const WorkPrecisionResult& result, Judged judged, const std:
       one["wall_s"] = median(best->wall_s);
       entry["quickest"].push_back(one);
     }
-    for (const ComparedSolvers& pair : compared_solvers) {
+    for (const ComparedSolvers& pair : compared_solvers()) {
       const auto at = ratios(result.rows, case_id, pair.solver, pair.over, judged, {level});
       if (!at.empty()) entry["ratios"][pair.name()] = at.front().value;
     }
@@ -97,7 +97,7 @@ Json at_equal_error(const WorkPrecisionResult& result, Judged judged, const std:
 
 Json crossovers(const WorkPrecisionResult& result, Judged judged, const std::string& case_id) {
   Json list = Json::array();
-  for (const ComparedSolvers& pair : compared_solvers) {
+  for (const ComparedSolvers& pair : compared_solvers()) {
     const auto by_level = ratios(result.rows, case_id, pair.solver, pair.over, judged, error_levels(judged));
     if (const auto at = crossover(by_level))
       list.push_back({{"quantity", to_string(judged)},
@@ -154,7 +154,7 @@ std::vector<std::string> csv_cells(const WorkRow& row) {
                                  row.setting.solver,
                                  csv_number(row.setting.tolerance),
                                  row.setting.nodes ? std::to_string(*row.setting.nodes) : "",
-                                 row.status ? std::string(to_string(*row.status)) : "not-run",
+                                 status_cell(row.status),
                                  row.reason};
   if (row.status) {
     const auto [fastest, slowest] = std::minmax_element(row.wall_s.begin(), row.wall_s.end());

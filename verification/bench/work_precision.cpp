@@ -20,8 +20,8 @@ namespace ehd::verification {
 
 namespace {
 
-/// The tightest that `reference` reaches on these cases, and its second run, which its pressure is compared with. Films
-/// that are printed as truths state errors of 1e-12 ... 1e-9.
+/// The tightest tolerance that the certified solver reaches on these cases, and that of its second run, with which its
+/// pressure is compared. The films printed as truths state errors of 1e-12 ... 1e-9.
 constexpr double truth_tolerance = 1e-10, second_truth_tolerance = 1e-9;
 constexpr double quick_truth_tolerance = 1e-9, quick_second_truth_tolerance = 1e-8;
 constexpr double truth_time_limit_s = 300;
@@ -50,17 +50,15 @@ std::vector<std::string> work_precision_cases(bool quick) {
 }
 
 std::vector<Setting> settings_of(const RegisteredSolver& solver, bool quick) {
-  const bool dense = solver.description.work_exponent > 2;
-  const bool certified = solver.name == truth_solver;  // it reaches tighter tolerances than the others
   // Second-order dense solvers beyond 1e-6 would take minutes and gigabytes.
   std::vector<double> tolerances{1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6};
-  if (certified) tolerances.insert(tolerances.end(), {1e-7, 1e-8, 1e-9});
+  if (solver.certified) tolerances.insert(tolerances.end(), {1e-7, 1e-8, 1e-9});
   std::vector<int> nodes;
-  for (int n = dense ? 128 : 64; n <= (dense ? 1024 : 65536); n *= 2) nodes.push_back(n);
+  for (int n = solver.dense() ? 128 : 64; n <= (solver.dense() ? 1024 : 65536); n *= 2) nodes.push_back(n);
   if (quick) {
     tolerances = {1e-2, 1e-3, 1e-4};
-    nodes = dense ? std::vector<int>{128, 256} : std::vector<int>{256, 1024, 4096};
-    if (certified) tolerances.push_back(1e-6);
+    nodes = solver.dense() ? std::vector<int>{128, 256} : std::vector<int>{256, 1024, 4096};
+    if (solver.certified) tolerances.push_back(1e-6);
   }
   std::vector<Setting> settings;
   for (const double tolerance : tolerances) settings.push_back({.solver = solver.name, .tolerance = tolerance});
@@ -81,34 +79,28 @@ bool WorkPrecisionResult::anything_judged() const {
 
 namespace {
 
-/// A truth with the solution that it stands for.
+/// A truth with its solution.
 struct SolvedTruth {
   Truth stated;
-  Solution solution;
-  std::optional<Profile> pressure;
-  std::string solver;
+  Solution solution = {};
+  std::optional<Profile> pressure = {};
 };
 
-const Reading* film(const Solution& solution, std::size_t which) {
-  const auto at = solution.observables.find(quantity_of[which]);
-  return at == solution.observables.end() || !std::isfinite(at->second.value) ? nullptr : &at->second;
-}
-
-/// Larger of the stated film errors; infinite where the solution cannot be a truth. A solution that missed its
-/// tolerance can: its error is as honest.
+/// The larger of the two film errors that the solution states; infinite where the solution cannot be a truth. One that
+/// missed its tolerance can be: its error estimate is as good.
 double stated_error(const Solution& solution) {
   double worst = 0;
   const bool ended =
       solution.record.status == StopReason::converged || solution.record.status == StopReason::tolerance_not_met;
   for (std::size_t which = 0; which < 2; ++which) {
-    const Reading* reading = film(solution, which);
+    const Reading* reading = reading_of(solution, quantity_of[which]);
     if (!ended || !reading || !reading->error) return std::numeric_limits<double>::infinity();
     worst = std::max(worst, *reading->error);
   }
   return worst;
 }
 
-/// How far the truth is from the first printed digits of a film that the case has, where it has some.
+/// The difference of the truth from the first value that the case itself expects of a film, where there is one.
 void compare_with_digits(const Case& contact_case, const ContactRun& run, std::size_t which, Truth& stated) {
   for (const Expectation& expectation : contact_case.expectations) {
     if (expectation.waiting || expectation.kind == ExpectationKind::fit || expectation.value == 0) continue;
@@ -121,10 +113,10 @@ void compare_with_digits(const Case& contact_case, const ContactRun& run, std::s
   }
 }
 
-/// Two runs of `reference`; the truth is the one that states the smaller errors. The solver states no error of the
-/// pressure as a function: the difference of the two runs is taken, or the error of the films where that is larger.
+/// Two runs of the certified solver; the truth is the run that states the smaller errors. The solver states no error of
+/// the pressure as a function. This error is taken as the difference of the two runs, or the film error if larger.
 SolvedTruth solve_truth(const Case& contact_case, bool quick) {
-  const RegisteredSolver& solver = *find_solver(truth_solver);
+  const RegisteredSolver& solver = certified_solver();
   double tolerances[] = {truth_tolerance, second_truth_tolerance};
   if (quick) tolerances[0] = quick_truth_tolerance, tolerances[1] = quick_second_truth_tolerance;
   ContactRun runs[2];
@@ -133,22 +125,20 @@ SolvedTruth solve_truth(const Case& contact_case, bool quick) {
   const double errors[2] = {stated_error(runs[0].solution), stated_error(runs[1].solution)};
   const int best = errors[1] < errors[0] ? 1 : 0;
 
-  SolvedTruth truth{.stated = {}, .solution = runs[best].solution, .pressure = {}, .solver = solver.name};
+  SolvedTruth truth{.stated = {.case_id = contact_case.id, .solver = solver.name, .tolerance = tolerances[best]},
+                    .solution = runs[best].solution};
   Truth& stated = truth.stated;
-  stated.case_id = contact_case.id;
-  stated.title = contact_case.title;
-  stated.tolerance = tolerances[best];
   const SolveRecord& record = truth.solution.record;
   stated.reason = record.reason;
   stated.wall_s = record.cost.wall_s;
   if (!std::isfinite(errors[best])) {
-    stated.reason = "reference ended " + std::string(to_string(record.status)) + ": " + record.reason;
+    stated.reason = solver.name + " ended " + std::string(to_string(record.status)) + ": " + record.reason;
     return truth;
   }
   stated.status = record.status;
   for (std::size_t which = 0; which < 2; ++which) {
-    stated.value[which] = film(truth.solution, which)->value;
-    stated.error[which] = *film(truth.solution, which)->error;
+    stated.value[which] = reading_of(truth.solution, quantity_of[which])->value;
+    stated.error[which] = *reading_of(truth.solution, quantity_of[which])->error;
     compare_with_digits(contact_case, runs[best], which, stated);
   }
   if (std::isfinite(errors[1 - best])) {
@@ -169,11 +159,11 @@ bool same_mesh(const Fields& one, const Fields& other) {
 /// Fills the errors of a row: reported and achieved.
 void judge(const Solution& solution, const SolvedTruth& truth, WorkRow& row) {
   for (std::size_t which = 0; which < 2; ++which) {
-    if (const Reading* reading = film(solution, which)) row.errors[which].reported = reading->error;
+    if (const Reading* reading = reading_of(solution, quantity_of[which])) row.errors[which].reported = reading->error;
   }
   if (!truth.stated.status) return;
-  // No run is the truth of itself, nor of one that ended with the very same unknowns.
-  if (row.setting.solver == truth.solver &&
+  // A run that is the truth, or that ended with the same unknowns, cannot be judged by it.
+  if (row.setting.solver == truth.stated.solver &&
       (row.setting.tolerance == truth.stated.tolerance || same_mesh(solution.fields, truth.solution.fields))) {
     row.reason = "not judged: this run ends on the mesh of the truth";
     return;
@@ -181,7 +171,7 @@ void judge(const Solution& solution, const SolvedTruth& truth, WorkRow& row) {
   for (std::size_t which = 0; which < 2; ++which) {
     AchievedError& error = row.errors[which];
     error.truth = truth.stated.error[which];
-    if (const Reading* reading = film(solution, which))
+    if (const Reading* reading = reading_of(solution, quantity_of[which]))
       error.achieved = std::abs(reading->value / truth.stated.value[which] - 1);
   }
   AchievedError& pressure = row.error(Judged::pressure);
@@ -198,7 +188,7 @@ double growth(const RegisteredSolver& solver, const Setting& setting) {
   return setting.nodes ? std::pow(2.0, exponent) : std::pow(10.0, exponent / solver.description.formal_order);
 }
 
-/// The rows of one case, in rounds: every row once, then those again that want repeating.
+/// The rows of one case, in rounds: first every row, then those whose time needs repetition.
 class Rounds {
  public:
   Rounds(const Case& contact_case, const SolvedTruth& truth, const WorkPrecisionRequest& request)
@@ -239,7 +229,8 @@ class Rounds {
     wanted_[i] = row.converged() && !request_.repetition.satisfied_by(row.wall_s);
   }
 
-  /// A solver's tolerances, or its grids: once one takes too long, the rest of the series is not run.
+  /// The tolerances of a solver are a series, and so are its grids. Once a run of a series takes too long, the rest is
+  /// not run.
   [[nodiscard]] static std::string series(const Setting& setting) {
     return setting.solver + (setting.nodes ? " on grids" : " within tolerances");
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Work against precision: what each solver takes for the error that it achieves, held against a truth that is known
-// at least ten times better.
+// Work against precision: time and work of each solver over the error that it achieves, which is measured against a
+// truth at least ten times more accurate.
 #pragma once
 
 #include <functional>
@@ -26,7 +26,7 @@ struct WorkPrecisionRequest {
 
 /// The cases of a full run, and of a quick one.
 [[nodiscard]] std::vector<std::string> work_precision_cases(bool quick);
-/// What is asked of a solver: tolerances, then grids.
+/// The settings of a solver: tolerances, then grids.
 [[nodiscard]] std::vector<Setting> settings_of(const RegisteredSolver& solver, bool quick);
 /// The error levels at which times are compared, falling.
 [[nodiscard]] std::vector<double> error_levels(Judged judged);
@@ -35,8 +35,8 @@ struct WorkPrecisionResult {
   std::vector<Truth> truths;
   std::vector<WorkRow> rows;
   std::vector<std::string> solvers;
-  /// CPU time over wall time of the whole run, which is one thread: well below 1, others were at work and the times are
-  /// too long by an unknown factor.
+  /// CPU time over wall time of the whole run, which is one thread. Well below 1, other processes took time, and the
+  /// measured times are too long by an unknown factor.
   double cpu_share = 1;
   [[nodiscard]] bool anything_judged() const;
 };
@@ -44,7 +44,7 @@ struct WorkPrecisionResult {
 /// Reads cases by id or file; throws CaseError for one that cannot be read or is no lubricated contact.
 [[nodiscard]] std::vector<Case> contacts_named(const std::vector<std::string>& names);
 
-/// One thread. The rows of a case take turns, so that a machine that slows down does so for all of them.
+/// One thread. The rows of a case take turns, so that a slower machine slows all of them.
 [[nodiscard]] WorkPrecisionResult run_work_precision(const WorkPrecisionRequest& request);
 
 [[nodiscard]] Json to_json(const WorkPrecisionResult& result);

@@ -4,16 +4,25 @@
 #include <algorithm>
 
 #include "verification/bench/timing.hpp"
+#include "workflow/registry.hpp"
 
 namespace ehd::verification {
 
 namespace {
 
-/// Closer times are a tie. Calibrated on the same solver under two names, on two cores that were busy four times over:
-/// of 201 pairs of medians 168 lay within this.
+/// Times within this factor are a tie. Calibrated on one solver under two names, on two cores with a fourfold load: of
+/// 201 pairs of medians 168 lay within this factor.
 constexpr double tie = 1.25;
 
 }  // namespace
+
+std::vector<ComparedSolvers> compared_solvers() {
+  std::vector<ComparedSolvers> pairs;
+  for (const RegisteredSolver& solver : solvers())
+    if (!solver.is_default && (solver.certified || solver.uses_fft))
+      pairs.push_back({solver.name, default_solver().name});
+  return pairs;
+}
 
 std::string_view to_string(Judged judged) {
   switch (judged) {
@@ -75,7 +84,7 @@ Coverage coverage(const std::vector<WorkRow>& rows, const std::string& solver, J
       continue;
     }
     ++(verdict == Covered::yes ? found.yes : found.no);
-    // Where the truth is hardly better than the run, the achieved error may be as large as their sum.
+    // An achieved error below that of the truth is not known: the error of the truth stands for it.
     excess.push_back(*error.reported / std::max(*error.achieved, error.truth));
   }
   if (!excess.empty()) {

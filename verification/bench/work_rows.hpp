@@ -14,19 +14,17 @@
 
 namespace ehd::verification {
 
-/// Whose solutions are the truths.
-inline constexpr const char* truth_solver = "reference";
-/// An achieved error is a number where it is this many times the error of the truth; below it is a bound.
+/// From this many times the error of the truth on, an achieved error is a number; below, it is a bound.
 inline constexpr double truth_margin = 10;
 /// Two solvers whose times are divided at equal error.
 struct ComparedSolvers {
-  const char* solver;
-  const char* over;
-  [[nodiscard]] std::string name() const { return std::string(solver) + "/" + over; }
+  std::string solver, over;
+  [[nodiscard]] std::string name() const { return solver + "/" + over; }
 };
-inline constexpr ComparedSolvers compared_solvers[] = {{"reference", "fast"}, {"fast.uniform", "fast"}};
+/// The certified solver and every other FFT solver, each over the default solver.
+[[nodiscard]] std::vector<ComparedSolvers> compared_solvers();
 
-/// What is judged: the films, and the pressure as a function (L2, relative, over the interval that both cover).
+/// Judged are the films, and the pressure as a function (L2, relative, over the interval that both cover).
 enum class Judged { film_minimum, film_central, pressure };
 inline constexpr Judged all_judged[] = {Judged::film_minimum, Judged::film_central, Judged::pressure};
 [[nodiscard]] std::string_view to_string(Judged judged);  ///< "film.minimum", "film.central", "pressure"
@@ -35,8 +33,8 @@ inline constexpr Judged all_judged[] = {Judged::film_minimum, Judged::film_centr
 struct AchievedError {
   std::optional<double> reported = {};  ///< by the solver; none of the pressure
   std::optional<double> achieved = {};  ///< against the truth, relative
-  double truth = 0;                     ///< stated error of the truth, relative
-  /// Known to be at most `level`.
+  double truth = 0;                     ///< error that the truth states, relative
+  /// The error is at most `level`, even with the error of the truth.
   [[nodiscard]] bool within(double level) const { return achieved && *achieved + truth <= level; }
 };
 
@@ -48,7 +46,7 @@ struct WorkRow {
   std::string case_id;
   Setting setting;
   std::optional<StopReason> status = {};     ///< none: not run
-  std::string reason = {};                   ///< where it did not run, or did not end as converged
+  std::string reason = {};                   ///< why it did not run, or did not converge
   std::vector<double> wall_s = {};           ///< of each cold solve
   Cost cost = {};                            ///< of the first
   std::array<AchievedError, 3> errors = {};  ///< by Judged
@@ -57,11 +55,11 @@ struct WorkRow {
   [[nodiscard]] AchievedError& error(Judged judged) { return errors[static_cast<std::size_t>(judged)]; }
 };
 
-/// What a case is judged by.
+/// The solution that the runs of a case are judged by.
 struct Truth {
   std::string case_id;
-  std::string title;
-  double tolerance = 0;                   ///< asked of `reference`
+  std::string solver;
+  double tolerance = 0;                   ///< asked of the solver
   std::optional<StopReason> status = {};  ///< none: no usable solution
   std::string reason = {};
   std::array<double, 2> value = {};  ///< films, Hertz units
@@ -93,7 +91,7 @@ struct Crossover {
 };
 [[nodiscard]] std::optional<Crossover> crossover(const std::vector<Ratio>& by_level);
 
-/// Errors reported against achieved: of every row of one solver that reports one, whether it met its tolerance or not.
+/// Errors reported against errors achieved, of all rows of one solver that report an error, converged or not.
 struct Coverage {
   std::string solver;
   int yes = 0, no = 0, undecided = 0;

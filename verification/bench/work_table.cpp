@@ -16,15 +16,14 @@ namespace ehd::verification {
 
 namespace {
 
-/// Below this share of a core other processes were at work, and the times are too long.
+/// Below this share of a core, other processes took time and the measured times are too long.
 constexpr double undisturbed_share = 0.9;
 
 std::string milliseconds(double seconds) { return plain(1e3 * seconds, 3); }
 
 std::string crossover_text(const Crossover& at, const ComparedSolvers& pair) {
-  const char* tight = at.rises ? pair.over : pair.solver;
-  const char* loose = at.rises ? pair.solver : pair.over;
-  return std::string(loose) + " is ahead down to " + plain(at.looser) + ", " + tight + " from " + plain(at.tighter);
+  const std::string &tight = at.rises ? pair.over : pair.solver, &loose = at.rises ? pair.solver : pair.over;
+  return loose + " is ahead down to " + plain(at.looser) + ", " + tight + " from " + plain(at.tighter);
 }
 
 double geometric_mean(const std::vector<double>& values) {
@@ -48,7 +47,7 @@ std::string truths_table(const WorkPrecisionResult& result) {
                      pressure > 0 ? plain(pressure, 2) : "-", dash(truth.from_digits[0], 2),
                      dash(truth.from_digits[1], 2), plain(truth.wall_s, 3)});
   }
-  return "The truths: " + std::string(truth_solver) + ", with the errors that it states\n" + aligned(table, 2, "  ");
+  return "The truths: " + certified_solver().name + ", with the errors that it states\n" + aligned(table, 2, "  ");
 }
 
 std::string rows_table(const WorkPrecisionResult& result) {
@@ -81,7 +80,7 @@ std::string rows_table(const WorkPrecisionResult& result) {
 std::string crossovers_list(const WorkPrecisionResult& result, Judged judged) {
   std::string text;
   for (const Truth& truth : result.truths) {
-    for (const ComparedSolvers& pair : compared_solvers) {
+    for (const ComparedSolvers& pair : compared_solvers()) {
       const auto by_level = ratios(result.rows, truth.case_id, pair.solver, pair.over, judged, error_levels(judged));
       if (const auto at = crossover(by_level)) text += "  " + truth.case_id + ": " + crossover_text(*at, pair) + "\n";
     }
@@ -93,7 +92,7 @@ std::string crossovers_list(const WorkPrecisionResult& result, Judged judged) {
 std::string means_table(const WorkPrecisionResult& result, Judged judged) {
   std::map<std::string, std::map<double, std::vector<double>, std::greater<>>> by_pair;
   for (const Truth& truth : result.truths) {
-    for (const ComparedSolvers& pair : compared_solvers) {
+    for (const ComparedSolvers& pair : compared_solvers()) {
       for (const Ratio& at : ratios(result.rows, truth.case_id, pair.solver, pair.over, judged, error_levels(judged)))
         by_pair[pair.name()][at.level].push_back(at.value);
     }
@@ -113,7 +112,7 @@ std::string equal_error_table(const WorkPrecisionResult& result, Judged judged) 
   std::vector<std::vector<std::string>> table{{"case", "error"}};
   std::vector<std::string>& header = table.front();
   header.insert(header.end(), result.solvers.begin(), result.solvers.end());
-  for (const ComparedSolvers& pair : compared_solvers) header.push_back(pair.name());
+  for (const ComparedSolvers& pair : compared_solvers()) header.push_back(pair.name());
   for (const Truth& truth : result.truths) {
     for (const double level : error_levels(judged)) {
       std::vector<std::string> cells{truth.case_id, plain(level)};
@@ -121,7 +120,7 @@ std::string equal_error_table(const WorkPrecisionResult& result, Judged judged) 
         const WorkRow* best = quickest(result.rows, truth.case_id, solver, judged, level);
         cells.push_back(best ? milliseconds(median(best->wall_s)) + " (" + best->setting.text() + ")" : "-");
       }
-      for (const ComparedSolvers& pair : compared_solvers) {
+      for (const ComparedSolvers& pair : compared_solvers()) {
         const auto at = ratios(result.rows, truth.case_id, pair.solver, pair.over, judged, {level});
         cells.push_back(at.empty() ? "-" : plain(at.front().value, 3));
       }
@@ -146,7 +145,7 @@ std::string coverage_table(const WorkPrecisionResult& result) {
   return "Errors reported against achieved, of every run that reports one\n" + aligned(table, 2, "  ");
 }
 
-/// Neighbouring rows of one solver with the same end are one line.
+/// Neighbouring rows of one solver with the same status and reason share a line.
 std::string failures_list(const WorkPrecisionResult& result) {
   std::vector<std::pair<std::string, std::string>> lines;  // what, and how it ended
   std::string last;

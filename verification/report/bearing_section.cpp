@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The bearing: loads and displacements round it, as in the paper's figures.
+// The bearing: loads and displacements over the azimuth, as in the paper's figures.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -16,11 +16,6 @@ constexpr double micro = 1e6, kilo = 1e-3;
 constexpr const char* axis_psi = "azimuth *\u03c8* [deg]";
 constexpr const char* axis_force = "contact force *f*_{i} [kN]";
 constexpr const char* axis_displacement = "displacement *\u03b4*_{i} [\u00b5m]";
-
-std::vector<double> scaled(std::vector<double> values, double factor) {
-  for (double& value : values) value *= factor;
-  return values;
-}
 
 struct Bearing {
   std::string id, title, clearance_text;
@@ -58,7 +53,7 @@ std::vector<Bearing> bearings_of(const View& figures) {
 
 std::string clearance_label(const std::string& micrometres) { return "*P*_{d} = " + micrometres + " \u00b5m"; }
 
-/// The bearings that differ in clearance alone stand together: same rollers, load and speed.
+/// Groups of bearings with the same rollers, load and speed, which differ in clearance alone.
 std::vector<std::vector<Bearing>> families(const std::vector<Bearing>& bearings) {
   std::vector<std::vector<Bearing>> groups;
   for (const Bearing& one : bearings) {
@@ -92,8 +87,6 @@ std::string operation(const View& bearing) {
 
 /// delta_i over psi of one law at all clearances.
 Panel clearances_panel(const std::vector<Bearing>& group, const std::string& law) {
-  static constexpr Line lines[] = {Line::solid, Line::dashed, Line::dash_dot, Line::dotted};
-  static constexpr Marker markers[] = {Marker::circle, Marker::square, Marker::triangle, Marker::diamond};
   std::vector<BearingCurves> curves;
   std::vector<std::string> names;
   for (const Bearing& bearing : group) {
@@ -106,10 +99,11 @@ Panel clearances_panel(const std::vector<Bearing>& group, const std::string& law
   Panel panel = azimuth_panel(OverAzimuth::displacement, literal(law), curves);
   for (std::size_t k = 0; k < panel.series.size(); ++k) {
     Series& series = panel.series[k];
+    const Look look = look_of_curve(k);
     series.name = names[k];
-    series.line = lines[k % 4];
-    series.marker = markers[k % 4];
-    series.colour = 1 + static_cast<int>(k % 6);
+    series.line = look.line;
+    series.marker = look.marker;
+    series.colour = look.colour;
   }
   return panel;
 }
@@ -191,17 +185,14 @@ std::vector<TableCell> balance_row(const std::string& id, const View& law) {
     if (const auto h = roller["inner"].number("film_minimum_m")) film = std::min(film, *h);
   }
   const View fit = law["fit"]["inner"];
-  const auto times = [](const std::optional<double>& value, double factor) {
-    return value ? std::optional(*value * factor) : std::nullopt;
-  };
   return {words(id),
           words(law.text("law")),
           verdict_cell(law.text("status")),
-          number_cell(times(law.number("displacement_m"), micro), 4),
+          number_cell(scaled(law.number("displacement_m"), micro), 4),
           number_cell(force * kilo, 4),
           integer_cell(loaded),
-          number_cell(std::isfinite(film) ? std::optional(film * micro) : std::nullopt, 3),
-          number_cell(times(fit.number("K_N_per_m"), 1 / micro), 5),
+          number_cell(film * micro, 3),
+          number_cell(scaled(fit.number("K_N_per_m"), 1 / micro), 5),
           number_cell(fit.number("dF_N"), 4),
           number_cell(fit.number("residual_N"), 3)};
 }
@@ -238,11 +229,7 @@ void add_family(Page& page, const std::vector<Bearing>& group) {
   add_balances(page, group);
 }
 
-}  // namespace
-
-namespace {
-
-/// -180 < psi <= 180, rounded: azimuths that differ by rounding are one roller's.
+/// -180 < psi <= 180, rounded, so that azimuths of one roller are equal.
 double wrapped_azimuth(double psi_deg) {
   constexpr double same = 1e4;
   double psi = std::remainder(std::round(psi_deg * same) / same, 360);
@@ -278,7 +265,7 @@ Panel azimuth_panel(OverAzimuth quantity, const std::string& title_markup, const
       if (std::isfinite(law.azimuth_deg[i])) rollers.emplace(wrapped_azimuth(law.azimuth_deg[i]), values[i]);
     all.push_back(std::move(rollers));
   }
-  // One half says everything where the other is its mirror image: not so for a cage that stands askew.
+  // One half is enough where the other is its mirror image. It is not where the cage stands askew.
   const bool half = std::all_of(all.begin(), all.end(), mirrored);
   if (!half) panel.x = {.label = axis_psi, .low = -180, .high = 180, .step = 60};
   for (std::size_t k = 0; k < laws.size(); ++k) {

@@ -15,11 +15,6 @@ namespace {
 
 constexpr double micro = 1e6, milli = 1e3, kilo = 1e-3;
 
-std::vector<double> scaled(std::vector<double> values, double factor) {
-  for (double& value : values) value *= factor;
-  return values;
-}
-
 }  // namespace
 
 void add_statements(Page& page, const std::vector<View>& statements) {
@@ -32,7 +27,7 @@ void add_statements(Page& page, const std::vector<View>& statements) {
   table.columns = {"", "law", "statement", "verdict", "in numbers"};
   for (const View& one : statements) {
     const auto holds = one.flag("holds");
-    // A statement that does not hold is a result, no failure of the program.
+    // A statement that does not hold is a result, not a failure of the program.
     table.rows.push_back({{"(" + escaped(one.text("letter")) + ")", ""},
                           words(one.text("law")),
                           {escaped(one.text("statement")), "wide"},
@@ -43,7 +38,7 @@ void add_statements(Page& page, const std::vector<View>& statements) {
 }
 
 void add_budgets(Page& page, const std::vector<View>& bearings) {
-  if (bearings.empty()) return;  // which is said where they would stand
+  if (bearings.empty()) return;  // the section has said so
   Table table;
   table.caption = "Error budget: what may move a balance (bounds of first order, or differences of two balances)";
   table.columns = {"case",
@@ -55,17 +50,14 @@ void add_budgets(Page& page, const std::vector<View>& bearings) {
                    "largest force [N]",
                    "any force [N]",
                    "thinnest film [%]"};
-  const auto times = [](const std::optional<double>& value, double factor) {
-    return value ? std::optional(*value * factor) : std::nullopt;
-  };
   for (const View& bearing : bearings)
     for (const View& law : bearing.list("laws"))
       for (const View& row : law.list("error_budget"))
         table.rows.push_back({words(bearing.text("id")), words(law.text("law")), words(row.text("source")),
                               words(row.text("of")), words(row.text("kind")),
-                              number_cell(times(row.number("displacement_m"), micro), 2),
+                              number_cell(scaled(row.number("displacement_m"), micro), 2),
                               number_cell(row.number("largest_force_N"), 3), number_cell(row.number("any_force_N"), 3),
-                              number_cell(times(row.number("smallest_film_relative"), 100), 2)});
+                              number_cell(scaled(row.number("smallest_film_relative"), 100), 2)});
   page.heading("Error budget");
   if (table.rows.empty()) {
     page.absent("Error budgets are", "ehd verify --output DIR");

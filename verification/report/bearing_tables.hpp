@@ -8,10 +8,10 @@
 
 namespace ehd::report {
 
-/// What each simplification may move; one table for all bearings that state one.
+/// By how much each simplification may move a balance: one table for all bearings.
 void add_budgets(Page& page, const std::vector<View>& bearings);
 void add_statements(Page& page, const std::vector<View>& statements);
-/// One choice changed at a time, and what the statements become.
+/// The statements where one choice at a time is changed.
 void add_study(Page& page, const View& study);
 /// f(delta) and the minimum film, a curve a law.
 void add_force_laws(Page& page, const std::vector<View>& laws);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pressure and film of each case, both solvers overlaid, their difference on its own axis.
+// Pressure and film of each case by two solvers, and their difference on an axis of its own.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -72,7 +72,7 @@ Figure contact_figure(const std::string& id, const std::string& title, const std
                 .title = title,
                 .description = "Pressure P = p/p_H (left axis) and film H = h R/b^2 (right axis) over X = x/b."};
   Panel panel;
-  // The contact and what leads to it: from where the pressure is felt to where the film has opened again.
+  // From where the pressure begins to where it has ended, with a margin on both sides.
   constexpr double felt = 0.02, margin = 0.15;
   double low = std::numeric_limits<double>::infinity(), high = -low, first = low, last = -low, central = 0;
   for (const ContactCurves& one : curves) {
@@ -113,8 +113,7 @@ Figure contact_figure(const std::string& id, const std::string& title, const std
   }
   for (const ContactCurves& one : curves) {
     const std::string name = literal(one.name);
-    // Alone, a solver's curves are told apart by solid and dashed; two solvers lie on each other, and each needs two
-    // dashes.
+    // One solver: P solid, H dashed. The curves of two solvers lie on each other: each curve has a dash of its own.
     const bool alone = curves.size() == 1, upper = &one == &curves.front();
     panel.series.push_back({.name = "*P* " + name,
                             .x = one.X,
@@ -161,17 +160,15 @@ void add_contacts(Page& page, const View& results) {
         const auto value = film[which].number("hertz");
         return TableCell{value ? escaped(with_error(*value, film[which].number("error"))) : "", "number"};
       };
-      const auto time = solver.number("wall_s");
-      const std::string status = solver.text("status");
       table.rows.push_back({{escaped(id), ""},
                             words(solver.text("solver")),
                             {escaped(solver.cell("tolerance", 3)), "number"},
-                            verdict_cell(status),
+                            verdict_cell(solver.text("status")),
                             known("minimum"),
                             known("central"),
                             integer_cell(solver.number("nodes")),
                             number_cell(solver.number("work_units"), 3),
-                            number_cell(time ? std::optional(1e3 * *time) : std::nullopt, 3)});
+                            number_cell(scaled(solver.number("wall_s"), 1e3), 3)});
       curves.push_back({.name = solver.text("solver"),
                         .X = solver.numbers("X"),
                         .P = solver.numbers("P"),

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Convergence: error over intervals, degree or unknowns, with the order that a scheme declares and the one fitted.
+// Convergence: error over intervals, degree or unknowns, with declared and fitted orders.
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "contact/text.hpp"
 #include "verification/report/report.hpp"
 
 namespace ehd::report {
@@ -43,7 +42,7 @@ std::vector<Study> studies_of(const std::vector<View>& entries) {
   return studies;
 }
 
-/// At the middle of the first curve, below all of them.
+/// A triangle at the middle of the first curve, below all curves.
 std::optional<SlopeTriangle> triangle_below(const std::vector<Series>& curves, double order) {
   const auto& x = curves.front().x;
   if (x.size() < 2) return std::nullopt;
@@ -53,7 +52,7 @@ std::optional<SlopeTriangle> triangle_below(const std::vector<Series>& curves, d
   double lowest = std::numeric_limits<double>::infinity();
   for (const Series& curve : curves) {
     for (std::size_t i = 0; i < curve.x.size(); ++i) {
-      // The side falls with the order from (x_k, y): every point near it says how high it may stand there.
+      // The long side falls with the order from (x_k, y). Each curve point near the triangle bounds y from above.
       if (curve.x[i] < x[k] / factor || curve.x[i] > x[k + 1] * factor || !(curve.y[i] > 0)) continue;
       lowest = std::min(lowest, curve.y[i] * std::pow(std::clamp(curve.x[i] / x[k], 1.0, factor), order));
     }
@@ -69,6 +68,72 @@ std::string abscissa_label(const std::string& abscissa) {
   return literal(abscissa);
 }
 
+/// Error over n. Hollow points: the solve did not converge, or the error is below three uncertainties of the truth.
+Series curve_of(const View& entry, bool geometric, std::size_t number) {
+  const Look look = look_of_curve(number);
+  Series series{.line = look.line, .marker = look.marker, .colour = look.colour};
+  for (const View& point : entry.list("points")) {
+    const auto n = point.number("n"), error = point.number("error");
+    if (!n || !error) continue;
+    series.x.push_back(*n);
+    series.y.push_back(*error);
+    constexpr double clearly = 3;
+    const std::string status = point.text("status");
+    series.hollow_at.push_back(!(*error > clearly * point.number("uncertainty").value_or(0)) ||
+                               !(status.empty() || status == "converged"));
+  }
+  const auto fitted = entry.number("fitted_order");
+  series.name = literal(entry.text("quantity").empty() ? entry.text("title") : entry.text("quantity"));
+  if (geometric) series.name += ": geometric";
+  if (!geometric && fitted) series.name += ": fitted " + number_markup(*fitted, 3);
+  return series;
+}
+
+std::vector<TableCell> orders_row(const Study& study, const View& entry, const Series& curve) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const double error : curve.y)
+    if (error > 0) smallest = std::min(smallest, error);
+  const auto order = [&](const char* key, int digits) {
+    return study.geometric ? words("") : number_cell(entry.number(key), digits);
+  };
+  return {{escaped(entry.text("title").empty() ? entry.text("id") : entry.text("title")), ""},
+          words(study.solver),
+          words(study.where),
+          words(entry.text("quantity")),
+          words(entry.text("kind")),
+          order("declared_order", 3),
+          order("fitted_order", 4),
+          integer_cell(static_cast<double>(entry.list("points").size())),
+          number_cell(smallest, 2)};
+}
+
+void add_study(Page& page, const Study& study, Table& table) {
+  const View& first = study.entries.front();
+  std::string where = study.solver;
+  if (!study.where.empty()) where += (where.empty() ? "" : ", ") + study.where;
+  const bool manufactured = first.text("id").starts_with("manufactured");
+  Figure figure{.id = "fig-convergence-" + study.solver + "-" + study.where + "-" + study.abscissa,
+                .title = "Convergence: " + where,
+                .description = (manufactured ? "Absolute error over " : "Relative error over ") + study.abscissa +
+                               ", with declared and fitted orders."};
+  Panel panel;
+  panel.title = literal(where);
+  panel.x = {.label = abscissa_label(study.abscissa), .scale = study.geometric ? Scale::linear : Scale::logarithmic};
+  panel.y = {.label = manufactured ? "error [Hertz units]" : "relative error", .scale = Scale::logarithmic};
+  std::string caption;
+  for (const View& entry : study.entries) {
+    panel.series.push_back(curve_of(entry, study.geometric, panel.series.size()));
+    table.rows.push_back(orders_row(study, entry, panel.series.back()));
+    if (const auto title = entry.text("title"); !title.empty())
+      caption += (caption.empty() ? "" : "; ") + escaped(title);
+  }
+  if (const auto order = first.number("declared_order"); !study.geometric && order && *order > 0) {
+    if (const auto triangle = triangle_below(panel.series, *order)) panel.triangles.push_back(*triangle);
+  }
+  figure.panels.push_back(std::move(panel));
+  page.figure(std::move(figure), caption + ".");
+}
+
 }  // namespace
 
 void add_convergence(Page& page, const View& results) {
@@ -79,71 +144,16 @@ void add_convergence(Page& page, const View& results) {
     return;
   }
   page.paragraph(
-      "Errors against a truth that is known better, over the size of the grid. A triangle shows the order that the "
-      "scheme declares; the legend the order fitted to the last four points that stand clear of the truth's "
-      "uncertainty "
-      "and of rounding. Filled marks are of converged solves that stand clear of the uncertainty of the truth, hollow "
-      "ones are not. Errors are relative; against a manufactured solution they are absolute, in Hertz units.");
+      "Errors against a more accurate solution, over the size of the grid. A triangle shows the order that the scheme "
+      "declares. The legend gives the order fitted to the last four points that are clear of the truth's uncertainty "
+      "and of rounding. Filled marks: the solve converged, and its error is clear of that uncertainty. Hollow marks: "
+      "one of the two is not so. Errors are relative; against a manufactured solution they are absolute, in Hertz "
+      "units.");
   Table table;
   table.caption = "Orders, declared and fitted";
   table.columns = {"study", "solver", "case", "quantity", "kind", "declared", "fitted", "points", "smallest error"};
   page.begin_figures();
-  for (const Study& study : studies_of(entries)) {
-    std::string where = study.solver;
-    if (!study.where.empty()) where += (where.empty() ? "" : ", ") + study.where;
-    const bool manufactured = study.entries.front().text("id").starts_with("manufactured");
-    Figure figure{.id = "fig-convergence-" + study.solver + "-" + study.where + "-" + study.abscissa,
-                  .title = "Convergence: " + where,
-                  .description = (manufactured ? "Absolute error over " : "Relative error over ") + study.abscissa +
-                                 ", with declared and fitted orders."};
-    Panel panel;
-    panel.title = literal(where);
-    panel.x = {.label = abscissa_label(study.abscissa), .scale = study.geometric ? Scale::linear : Scale::logarithmic};
-    panel.y = {.label = manufactured ? "error [Hertz units]" : "relative error", .scale = Scale::logarithmic};
-    int colour = 0;
-    static constexpr Line lines[] = {Line::solid, Line::dashed, Line::dash_dot, Line::dotted};
-    static constexpr Marker markers[] = {Marker::circle, Marker::square, Marker::triangle, Marker::diamond};
-    std::string caption;
-    for (const View& entry : study.entries) {
-      const auto style = static_cast<std::size_t>(colour % 4);
-      Series series{.line = lines[style], .marker = markers[style], .colour = 1 + colour % 6};
-      ++colour;
-      const auto points = entry.list("points");
-      double smallest = std::numeric_limits<double>::infinity();
-      for (const View& point : points) {
-        const auto n = point.number("n"), error = point.number("error");
-        if (!n || !error) continue;
-        series.x.push_back(*n);
-        series.y.push_back(*error);
-        constexpr double clearly = 3;
-        const std::string status = point.text("status");
-        series.hollow_at.push_back(!(*error > clearly * point.number("uncertainty").value_or(0)) ||
-                                   !(status.empty() || status == "converged"));
-        if (*error > 0) smallest = std::min(smallest, *error);
-      }
-      const auto declared = entry.number("declared_order"), fitted = entry.number("fitted_order");
-      series.name = literal(entry.text("quantity").empty() ? entry.text("title") : entry.text("quantity"));
-      if (study.geometric) series.name += ": geometric";
-      if (!study.geometric && fitted) series.name += ": fitted " + number_markup(*fitted, 3);
-      panel.series.push_back(series);
-      table.rows.push_back({{escaped(entry.text("title").empty() ? entry.text("id") : entry.text("title")), ""},
-                            words(study.solver),
-                            words(study.where),
-                            words(entry.text("quantity")),
-                            words(entry.text("kind")),
-                            study.geometric ? words("") : number_cell(declared, 3),
-                            study.geometric ? words("") : number_cell(fitted, 4),
-                            integer_cell(static_cast<double>(points.size())),
-                            number_cell(std::isfinite(smallest) ? std::optional(smallest) : std::nullopt, 2)});
-      if (const auto title = entry.text("title"); !title.empty())
-        caption += (caption.empty() ? "" : "; ") + escaped(title);
-    }
-    if (const auto order = study.entries.front().number("declared_order"); !study.geometric && order && *order > 0) {
-      if (const auto triangle = triangle_below(panel.series, *order)) panel.triangles.push_back(*triangle);
-    }
-    figure.panels.push_back(std::move(panel));
-    page.figure(std::move(figure), caption + ".");
-  }
+  for (const Study& study : studies_of(entries)) add_study(page, study, table);
   page.end_figures();
   page.add(table);
 }

@@ -19,15 +19,15 @@ class ReportError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A value with the way to it, for messages. What is absent (or null) is a View of nothing, whose members are absent
-/// too; a value of another type than the one asked for throws ReportError.
+/// A JSON value and its path, which messages name. An absent or null value is an empty View, and so are its members. A
+/// value of another type than the one asked for throws ReportError.
 class View {
  public:
   View() = default;
   View(const Json& json, std::string path) : json_(json.is_null() ? nullptr : &json), path_(std::move(path)) {}
 
   [[nodiscard]] bool exists() const { return json_ != nullptr; }
-  /// "results.json: claims[3]: verdict"; empty for nothing.
+  /// "results.json: claims[3]: verdict"; empty for an empty View.
   [[nodiscard]] const std::string& path() const { return path_; }
   [[nodiscard]] bool has(const std::string& key) const { return (*this)[key].exists(); }
   [[nodiscard]] View operator[](const std::string& key) const;  ///< of an object
@@ -38,10 +38,10 @@ class View {
   [[nodiscard]] std::string text() const;
   /// Numbers of a list; NaN for null.
   [[nodiscard]] std::vector<double> numbers() const;
-  /// A string as it is, a number to `digits` digits, yes or no: what a table's cell says (plain text).
+  /// Plain text for a table: a string itself, a number to `digits` digits, "yes" or "no".
   [[nodiscard]] std::string cell(int digits = 6) const;
 
-  // Of a member: the shorter way to write it.
+  // The same of a member.
   [[nodiscard]] std::vector<View> list(const std::string& key) const { return (*this)[key].list(); }
   [[nodiscard]] std::optional<double> number(const std::string& key) const { return (*this)[key].number(); }
   [[nodiscard]] std::optional<bool> flag(const std::string& key) const { return (*this)[key].flag(); }
@@ -55,14 +55,14 @@ class View {
   std::string path_;
 };
 
-/// results.json is required, bench.json and stress.json are read where they are.
+/// results.json is required; bench.json and stress.json are optional.
 struct Documents {
   Json results;
   Json bench, stress;  ///< null where absent
 };
 inline constexpr int results_schema = 2, bench_schema = 1, stress_schema = 1;
 
-/// Throws ReportError: no folder, no results.json, a file that is no JSON object, another schema.
+/// Throws ReportError: no such folder, no results.json, a file that is no JSON object, another schema.
 [[nodiscard]] Documents read_documents(const std::filesystem::path& folder);
 
 }  // namespace ehd::report

@@ -28,7 +28,7 @@ Rgb sequential(double share) {
   return share < 0.5 ? between(light, middle, 2 * share) : between(middle, dark, 2 * share - 1);
 }
 
-/// Blue below, orange above; in grey the two sides look alike, and the sign stands in the cell.
+/// Blue below, orange above. In grey the two look alike; the sign stands in the cell.
 Rgb diverging(double share) {
   constexpr Rgb below{34, 92, 160}, middle{250, 250, 250}, above{176, 78, 10};
   return share < 0 ? between(middle, below, -share) : between(middle, above, share);
@@ -71,7 +71,7 @@ class Palette {
   double low_ = std::numeric_limits<double>::infinity(), high_ = -low_;
 };
 
-/// From index coordinates (fractional, as contour_lines has them) to pixels: cell centres are evenly spaced.
+/// From the indices (i, j) of contour_lines, which may be fractions, to pixels: cell centres are evenly spaced.
 struct CellGrid {
   Box box;
   std::size_t columns = 0, rows = 0;
@@ -106,7 +106,7 @@ std::string contours_svg(const HeatMap& map, const CellGrid& grid) {
     svg += "<path class=\"contour-halo\" stroke-width=\"4\" d=\"" + d +
            "\"/><path class=\"contour\" stroke-width=\"1.6\" d=\"" + d + "\"" + dash_attribute(level.line) + "/>";
     if (level.label.empty()) continue;
-    // At the end furthest to the right, outside the cells: a label on the map would hide a number.
+    // The label stands right of the map, at the line's rightmost end: on the map it would hide a number.
     const Point end = *std::max_element(ends.begin(), ends.end(), [](Point a, Point b) { return a.x < b.x; });
     if (grid.box.right - end.x > grid.cell_width()) continue;
     const Point place{grid.box.right + 5, end.y + 4};
@@ -119,7 +119,7 @@ std::string contours_svg(const HeatMap& map, const CellGrid& grid) {
   return svg;
 }
 
-/// A cell's number, in dark or white ink, with a rim of the cell's colour: contour lines pass below the numbers.
+/// A cell's number in dark or white ink. Its rim has the cell's colour, so that contour lines do not cross the number.
 std::string number_svg(const Cell& cell, const std::optional<Rgb>& colour, Point centre, double width) {
   constexpr double dark = 0.45;
   const bool white = colour && luminance(*colour) < dark;
@@ -184,39 +184,27 @@ std::string axes_svg(const HeatMap& map, const CellGrid& grid) {
          text_svg({16, middle}, map.y_label, "middle", "", " transform=\"rotate(-90 16 " + pixels(middle) + ")\"");
 }
 
-/// What lines and hatching mean, in rows below the map.
+/// The legend of lines and hatching, in rows below the map.
 struct Keys {
   std::string svg;
   double bottom = 0;
 };
 Keys keys_svg(const HeatMap& map, const CellGrid& grid, const std::string& hatch, bool hatched) {
-  Keys keys{.svg = {}, .bottom = grid.box.bottom + 38};
-  double x = grid.box.left;
-  const auto next = [&](double width) {
-    if (x > grid.box.left && x + width > map.width) {
-      x = grid.box.left;
-      keys.bottom += 17;
-    }
-    const double at = x;
-    x += width;
-    return at;
-  };
+  LegendRows rows(grid.box.left, map.width, grid.box.bottom + 38);
+  std::string svg;
   for (const auto& [line, label] : map.keys) {
-    const double at = next(44 + text_width(label, 12));
-    keys.svg += "<path class=\"axis\" stroke-width=\"1.6\" d=\"" +
-                path_data({{at, keys.bottom + 8}, {at + 26, keys.bottom + 8}}) + "\"" + dash_attribute(line) + "/>" +
-                text_svg({at + 31, keys.bottom + 12}, label, "start");
+    const auto [x, y] = rows.next(44 + text_width(label, 12));
+    svg += "<path class=\"axis\" stroke-width=\"1.6\" d=\"" + path_data({{x, y + 8}, {x + 26, y + 8}}) + "\"" +
+           dash_attribute(line) + "/>" + text_svg({x + 31, y + 12}, label, "start");
   }
   if (hatched) {
     const std::string label = "hatched: *p*_{H} > 4 GPa, a numerical test";
-    const double at = next(40 + text_width(label, 12));
-    const std::string place =
-        "x=\"" + pixels(at) + "\" y=\"" + pixels(keys.bottom + 1) + "\" width=\"22\" height=\"13\"";
-    keys.svg += "<rect class=\"blank\" " + place + " style=\"fill:#f4f4f4\"/><rect " + place + " fill=\"url(#" +
-                escaped(hatch) + ")\"/>" + text_svg({at + 27, keys.bottom + 12}, label, "start");
+    const auto [x, y] = rows.next(40 + text_width(label, 12));
+    const std::string place = "x=\"" + pixels(x) + "\" y=\"" + pixels(y + 1) + "\" width=\"22\" height=\"13\"";
+    svg += "<rect class=\"blank\" " + place + " style=\"fill:#f4f4f4\"/><rect " + place + " fill=\"url(#" +
+           escaped(hatch) + ")\"/>" + text_svg({x + 27, y + 12}, label, "start");
   }
-  if (hatched || !map.keys.empty()) keys.bottom += 20;
-  return keys;
+  return {svg, rows.last_top() + (svg.empty() ? 0 : 20)};
 }
 
 }  // namespace
@@ -224,7 +212,8 @@ Keys keys_svg(const HeatMap& map, const CellGrid& grid, const std::string& hatch
 std::vector<std::vector<Point>> contour_lines(const std::vector<double>& values, std::size_t columns, std::size_t rows,
                                               double level) {
   if (columns < 2 || rows < 2 || values.size() != columns * rows) return {};
-  // Crossings live on grid edges; an edge is named by its lower node and direction, so that squares share them exactly.
+  // Each crossing lies on a grid edge. An edge is named by its lower node and its direction, so that the two squares
+  // beside the edge name the same crossing.
   struct Segment {
     std::size_t from, to;  // edges
     bool used = false;
@@ -245,7 +234,7 @@ std::vector<std::vector<Point>> contour_lines(const std::vector<double>& values,
       if (above_c != above_d) crossed.push_back(high);
       if (above_d != above_a) crossed.push_back(left);
       if (crossed.size() == 2) segments.push_back({crossed[0], crossed[1]});
-      if (crossed.size() == 4) {  // a saddle: the middle decides which corners are joined
+      if (crossed.size() == 4) {  // a saddle: the mean value decides which corners are joined
         const bool middle = (a + b + c + d) / 4 > level;
         if (middle == above_a) {
           segments.push_back({low, right});

@@ -16,7 +16,7 @@ enum class Colours {
 };
 
 struct Cell {
-  std::optional<double> value = {};  ///< what the colour shows; absent: blank
+  std::optional<double> value = {};  ///< shown by the colour; absent: blank
   std::string text = {};             ///< plain, inside the cell
   std::string hint = {};             ///< plain, for the read-out
   bool hatched = false;
@@ -44,8 +44,8 @@ struct HeatMap {
 };
 [[nodiscard]] std::string draw(const HeatMap& map, Place place);
 
-/// Where the bilinear surface through values at (x_i, y_j) has the value `level`: polylines in the indices' own
-/// coordinates (i, j), by marching squares; squares with a value that is not finite have none. `values`: x fastest.
+/// Lines of the value `level` through values at the nodes (i, j), by marching squares: polylines in the coordinates
+/// (i, j). A square with a value that is not finite has no line. `values`: x fastest.
 [[nodiscard]] std::vector<std::vector<Point>> contour_lines(const std::vector<double>& values, std::size_t columns,
                                                             std::size_t rows, double level);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Maps over the Moes groups M and L: certified films, what formulas make of them, what a cut inlet costs, what `fast`
-// needs.
+// Maps over the Moes groups M and L: certified films, deviations of the film formulas, the cost of a cut inlet,
+// iterations and cost of `fast`.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,7 +18,14 @@ namespace {
 struct Atlas {
   std::vector<double> M, L;
   std::vector<View> points;
+  std::vector<std::string> law_sets;
 };
+
+/// A film, and its name at the beginning of a heading.
+struct Film {
+  std::string name, heading;
+};
+const Film films[] = {{"minimum", "Minimum"}, {"central", "Central"}};
 
 /// The point of a law set at (M, L); L = 0 has one contact for all law sets.
 const View* point_at(const Atlas& atlas, const std::string& laws, double M, double L) {
@@ -32,7 +39,7 @@ const View* point_at(const Atlas& atlas, const std::string& laws, double M, doub
   return nullptr;
 }
 
-/// In per cent with a sign, as many decimals as a cell has room for.
+/// In per cent with a sign, with as many decimals as fit into a cell.
 std::string percent(double share) {
   const double value = 100 * share, size = std::abs(value);
   if (!(size >= 0.005)) return "0.00";
@@ -44,12 +51,22 @@ std::string percent(double share) {
 
 std::string percent_hint(double share) { return plain(100 * share, 3) + " %"; }
 
-using Value = std::function<std::optional<double>(const View&)>;
-using Text = std::function<std::string(double)>;
+std::string lawful(const std::string& laws) {
+  if (laws == "roelands") return "Roelands, compressible";
+  if (laws == "barus") return "Barus, incompressible";
+  return laws;
+}
 
-/// A map of one quantity; nothing is drawn where no point has it.
-std::optional<HeatMap> map_of(const Atlas& atlas, const std::string& laws, const Value& value, const Text& text,
-                              const Text& hint) {
+/// A quantity as maps, one a law set. The law set follows id, title and heading.
+struct Shown {
+  std::string id, title, description, heading, caption;
+  std::function<std::optional<double>(const View& point)> value;
+  std::function<std::string(double)> text, hint;  ///< of a value: in its cell, in the read-out
+  std::function<void(HeatMap&)> style = {};
+};
+
+/// The map of one law set; absent where no point has the quantity.
+std::optional<HeatMap> map_of(const Atlas& atlas, const std::string& laws, const Shown& shown) {
   HeatMap map;
   map.x = atlas.M;
   map.y = atlas.L;
@@ -62,13 +79,13 @@ std::optional<HeatMap> map_of(const Atlas& atlas, const std::string& laws, const
       Cell cell;
       cell.hint = "M = " + plain(M) + ", L = " + plain(L) + ": ";
       if (point) {
-        cell.value = value(*point);
+        cell.value = shown.value(*point);
         cell.hatched = point->flag("numerical_test").value_or(false);
       }
       if (cell.value && std::isfinite(*cell.value)) {
         any = true;
-        cell.text = text(*cell.value);
-        cell.hint += hint(*cell.value);
+        cell.text = shown.text(*cell.value);
+        cell.hint += shown.hint(*cell.value);
         if (const auto pressure = point->number("p_H_Pa")) cell.hint += ", p_H = " + plain(*pressure / 1e9, 3) + " GPa";
       } else {
         cell.hint += "not known";
@@ -76,13 +93,28 @@ std::optional<HeatMap> map_of(const Atlas& atlas, const std::string& laws, const
       map.cells.push_back(std::move(cell));
     }
   }
-  return any ? std::optional(map) : std::nullopt;
+  if (!any) return std::nullopt;
+  map.id = shown.id + "-" + laws;
+  map.title = shown.title + ", " + lawful(laws);
+  map.description = shown.description;
+  map.heading = shown.heading + ", " + lawful(laws);
+  if (shown.style) shown.style(map);
+  return map;
 }
 
-std::string lawful(const std::string& laws) {
-  if (laws == "roelands") return "Roelands, compressible";
-  if (laws == "barus") return "Barus, incompressible";
-  return laws;
+/// `seen` is called with each map and its law set.
+void add_maps_of(Page& page, const Atlas& atlas, const Shown& shown,
+                 const std::function<void(const HeatMap&, const std::string&)>& seen = {}) {
+  for (const std::string& laws : atlas.law_sets) {
+    auto map = map_of(atlas, laws, shown);
+    if (!map) continue;
+    if (seen) seen(*map, laws);
+    page.figure(std::move(*map), shown.caption);
+  }
+}
+
+bool any_point(const Atlas& atlas, const std::function<bool(const View&)>& has) {
+  return std::any_of(atlas.points.begin(), atlas.points.end(), has);
 }
 
 /// 1, 2, 5, 10, ... between the extreme values.
@@ -105,33 +137,32 @@ std::vector<ContourLevel> decade_levels(const HeatMap& map) {
   return levels;
 }
 
-void add_films(Page& page, const Atlas& atlas, const std::vector<std::string>& sets) {
+void draw_decades(HeatMap& map) {
+  map.logarithmic = true;
+  map.contours = decade_levels(map);
+}
+
+void add_films(Page& page, const Atlas& atlas) {
   page.heading("Certified film");
   page.begin_figures("maps");
-  for (const char* which : {"minimum", "central"}) {
-    for (const std::string& laws : sets) {
-      auto map = map_of(
-          atlas, laws, [&](const View& point) { return point.number(std::string("film_") + which + "_moes"); },
-          [](double value) { return plain(value, 3); }, [](double value) { return "H_Moes = " + plain(value, 8); });
-      if (!map) continue;
-      map->id = std::string("fig-film-") + which + "-" + laws;
-      map->title = std::string("Certified ") + which + " film over M and L, " + lawful(laws);
-      map->description = "Film in Moes units, flooded, a number a cell, with contour lines.";
-      map->heading =
-          std::string(which == std::string("minimum") ? "Minimum" : "Central") + " film *H*_{Moes}, " + lawful(laws);
-      map->logarithmic = true;
-      map->contours = decade_levels(*map);
-      page.figure(std::move(*map),
-                  "<i>H</i><sub>Moes</sub> = (<i>h</i>/<i>R</i>) <i>U</i><sub>s</sub><sup>\u22121/2</sup>, flooded, by "
-                  "<code>reference</code>; contour lines at 1, 2, 5 \u2026.");
-    }
-  }
+  for (const Film& film : films)
+    add_maps_of(page, atlas,
+                {.id = "fig-film-" + film.name,
+                 .title = "Certified " + film.name + " film over M and L",
+                 .description = "Film in Moes units, flooded, a number a cell, with contour lines.",
+                 .heading = film.heading + " film *H*_{Moes}",
+                 .caption = "<i>H</i><sub>Moes</sub> = (<i>h</i>/<i>R</i>) <i>U</i><sub>s</sub><sup>\u22121/2</sup>, "
+                            "flooded, by <code>reference</code>; contour lines at 1, 2, 5 \u2026.",
+                 .value = [&](const View& point) { return point.number("film_" + film.name + "_moes"); },
+                 .text = [](double value) { return plain(value, 3); },
+                 .hint = [](double value) { return "H_Moes = " + plain(value, 8); },
+                 .style = draw_decades});
   page.end_figures();
 }
 
 constexpr double good = 0.05, poor = 0.30;
 
-void add_percent_contours(HeatMap& map) {
+void draw_percents(HeatMap& map) {
   map.colours = Colours::diverging;
   map.limit = 0.5;
   for (const double sign : {-1.0, 1.0}) {
@@ -141,7 +172,30 @@ void add_percent_contours(HeatMap& map) {
   map.keys = {{Line::solid, "\u00b15 %"}, {Line::dashed, "\u00b130 %"}};
 }
 
-void add_formulas(Page& page, const Atlas& atlas, const std::vector<std::string>& sets) {
+/// One row of the table of formulas: the points of a map below 4 GPa.
+std::vector<TableCell> formula_row(const std::string& name, const std::string& quantity, const std::string& laws,
+                                   const HeatMap& map) {
+  double lowest = 0, highest = 0;
+  int points = 0, near = 0, fair = 0;
+  for (const Cell& cell : map.cells) {
+    if (!cell.value || !std::isfinite(*cell.value) || cell.hatched) continue;
+    ++points;
+    near += std::abs(*cell.value) <= good ? 1 : 0;
+    fair += std::abs(*cell.value) <= poor ? 1 : 0;
+    lowest = std::min(lowest, *cell.value);
+    highest = std::max(highest, *cell.value);
+  }
+  return {words(name),
+          words(quantity),
+          words(lawful(laws)),
+          integer_cell(points),
+          integer_cell(near),
+          integer_cell(fair),
+          {percent(lowest) + " %", "number"},
+          {percent(highest) + " %", "number"}};
+}
+
+void add_formulas(Page& page, const Atlas& atlas) {
   std::vector<std::pair<std::string, std::string>> formulas;
   for (const View& point : atlas.points) {
     for (const View& formula : point.list("formulas")) {
@@ -153,102 +207,82 @@ void add_formulas(Page& page, const Atlas& atlas, const std::vector<std::string>
   page.heading("Film formulas: deviation from the certified film, in %");
   page.paragraph(
       "Formula over certified film, less 1. Between the solid lines a formula is within 5\u2009%, beyond the dashed "
-      "ones it is more than 30\u2009% off. "
-      "Formulas are regressions, never a verdict here.");
+      "ones it is more than 30\u2009% off. The formulas are published fits, for comparison only.");
   Table table;
   table.caption = "Where the formulas hold, of all points below 4 GPa";
   table.columns = {"formula", "film", "laws", "points", "within 5 %", "within 30 %", "largest below", "largest above"};
   page.begin_figures("maps");
-  for (const auto& [name, quantity] : formulas) {
-    for (const std::string& laws : sets) {
-      const auto deviation = [&, &name = name, &quantity = quantity](const View& point) -> std::optional<double> {
-        for (const View& formula : point.list("formulas")) {
-          if (formula.text("name") == name && formula.text("quantity") == quantity) return formula.number("deviation");
-        }
-        return std::nullopt;
-      };
-      auto map = map_of(atlas, laws, deviation, percent, percent_hint);
-      if (!map) continue;
-      double lowest = 0, highest = 0;
-      int points = 0, near = 0, fair = 0;
-      for (const Cell& cell : map->cells) {
-        if (!cell.value || !std::isfinite(*cell.value) || cell.hatched) continue;
-        ++points;
-        near += std::abs(*cell.value) <= good ? 1 : 0;
-        fair += std::abs(*cell.value) <= poor ? 1 : 0;
-        lowest = std::min(lowest, *cell.value);
-        highest = std::max(highest, *cell.value);
-      }
-      table.rows.push_back({words(name),
-                            words(quantity),
-                            words(lawful(laws)),
-                            integer_cell(points),
-                            integer_cell(near),
-                            integer_cell(fair),
-                            {percent(lowest) + " %", "number"},
-                            {percent(highest) + " %", "number"}});
-      map->id = "fig-formula-" + name + "-" + quantity + "-" + laws;
-      map->title = name + " against the certified " + quantity + ", " + lawful(laws);
-      map->description = "Deviation in per cent, a number a cell; contour lines at 5 and 30 per cent.";
-      map->heading = literal(name) + ", " + literal(quantity) + ", " + lawful(laws);
-      add_percent_contours(*map);
-      page.figure(std::move(*map), "<b>" + escaped(name) + "</b>: deviation of its " + escaped(quantity) + " [%].");
-    }
+  for (const auto& formula : formulas) {
+    const auto& [name, quantity] = formula;
+    const auto deviation = [&formula](const View& point) -> std::optional<double> {
+      for (const View& one : point.list("formulas"))
+        if (one.text("name") == formula.first && one.text("quantity") == formula.second) return one.number("deviation");
+      return std::nullopt;
+    };
+    add_maps_of(page, atlas,
+                {.id = "fig-formula-" + name + "-" + quantity,
+                 .title = name + " against the certified " + quantity,
+                 .description = "Deviation in per cent, a number a cell; contour lines at 5 and 30 per cent.",
+                 .heading = literal(name) + ", " + literal(quantity),
+                 .caption = "<b>" + escaped(name) + "</b>: deviation of its " + escaped(quantity) + " [%].",
+                 .value = deviation,
+                 .text = percent,
+                 .hint = percent_hint,
+                 .style = draw_percents},
+                [&](const HeatMap& map, const std::string& laws) {
+                  table.rows.push_back(formula_row(formula.first, formula.second, laws, map));
+                });
   }
   page.end_figures();
   page.add(table);
 }
 
-void add_inlet(Page& page, const Atlas& atlas, const std::vector<std::string>& sets) {
-  bool any = false;
-  for (const View& point : atlas.points)
-    any = any || point.has("inlet_cost_minimum") || point.has("inlet_cost_central");
-  if (!any) return;
-  page.heading("What an inlet cut at <i>X</i> = \u22124 costs, in %");
+void draw_inlet_cost(HeatMap& map) {
+  map.colours = Colours::diverging;
+  map.limit = 0.5;
+  map.contours = {{-0.01, Line::dotted, ""}, {-0.05, Line::solid, ""}, {-0.30, Line::dashed, ""}};
+  map.keys = {{Line::dotted, "\u22121 %"}, {Line::solid, "\u22125 %"}, {Line::dashed, "\u221230 %"}};
+}
+
+void add_inlet(Page& page, const Atlas& atlas) {
+  if (!any_point(atlas,
+                 [](const View& point) { return point.has("inlet_cost_minimum") || point.has("inlet_cost_central"); }))
+    return;
+  page.heading("Cost of an inlet cut at <i>X</i> = \u22124, in %");
   page.paragraph(
-      "From <i>M</i> = 2 on: below, the oil that the film is made of begins to be felt before <i>X</i> = \u22124, and "
-      "such an "
-      "inlet is not one that only truncates.");
+      "From <i>M</i> = 2 on. In a lighter contact the inlet zone begins before <i>X</i> = \u22124: such an inlet would "
+      "cut the zone itself.");
   page.begin_figures("maps");
-  for (const char* which : {"minimum", "central"}) {
-    for (const std::string& laws : sets) {
-      auto map = map_of(
-          atlas, laws, [&](const View& point) { return point.number(std::string("inlet_cost_") + which); }, percent,
-          percent_hint);
-      if (!map) continue;
-      map->id = std::string("fig-inlet-") + which + "-" + laws;
-      map->title = std::string("Cost of an inlet cut at X = -4: ") + which + " film, " + lawful(laws);
-      map->description =
-          "Film of the cut contact over that of the flooded one, less 1, in per cent; contour lines at 1, 5 and 30 per "
-          "cent.";
-      map->heading = std::string(which == std::string("minimum") ? "Minimum" : "Central") +
-                     " film, cut over flooded, " + lawful(laws);
-      map->colours = Colours::diverging;
-      map->limit = 0.5;
-      map->contours = {{-0.01, Line::dotted, ""}, {-0.05, Line::solid, ""}, {-0.30, Line::dashed, ""}};
-      map->keys = {{Line::dotted, "\u22121 %"}, {Line::solid, "\u22125 %"}, {Line::dashed, "\u221230 %"}};
-      page.figure(std::move(*map), "Film with the inlet cut at <i>X</i> = \u22124 over the flooded film, less 1 [%].");
-    }
-  }
+  for (const Film& film : films)
+    add_maps_of(page, atlas,
+                {.id = "fig-inlet-" + film.name,
+                 .title = "Cost of an inlet cut at X = -4: " + film.name + " film",
+                 .description =
+                     "Film of the cut contact over that of the flooded one, less 1, in per cent; contour lines at 1, "
+                     "5 and 30 per cent.",
+                 .heading = film.heading + " film, cut over flooded",
+                 .caption = "Film with the inlet cut at <i>X</i> = \u22124 over the flooded film, less 1 [%].",
+                 .value = [&](const View& point) { return point.number("inlet_cost_" + film.name); },
+                 .text = percent,
+                 .hint = percent_hint,
+                 .style = draw_inlet_cost});
   page.end_figures();
 }
 
-void add_fast(Page& page, const Atlas& atlas, const std::vector<std::string>& sets) {
-  bool any = false;
-  for (const View& point : atlas.points) any = any || point.has("fast");
-  if (!any) return;
-  struct Shown {
-    const char* key;
-    const char* heading;
-    const char* unit;
-    double factor;
-    int digits;
-  };
-  constexpr Shown shown[] = {{"newton_iterations", "Newton iterations", "", 1, 6},
-                             {"krylov_iterations", "Krylov iterations", "", 1, 6},
-                             {"work_units", "Work units", "", 1, 3},
-                             {"wall_s", "Time [ms]", " ms", 1e3, 2},
-                             {"nodes", "Intervals on the finest grid", "", 1, 6}};
+/// A number that `fast` records of its solves.
+struct Counted {
+  std::string key, heading, unit;
+  double factor;
+  int digits;
+};
+const Counted counted[] = {{"newton_iterations", "Newton iterations", "", 1, 6},
+                           {"krylov_iterations", "Krylov iterations", "", 1, 6},
+                           {"work_units", "Work units", "", 1, 3},
+                           {"wall_s", "Time [ms]", " ms", 1e3, 2},
+                           {"nodes", "Intervals on the finest grid", "", 1, 6}};
+
+void add_fast(Page& page, const Atlas& atlas) {
+  if (!any_point(atlas, [](const View& point) { return point.has("fast"); })) return;
   std::string tolerance;
   std::map<std::string, int> endings;
   for (const View& point : atlas.points) {
@@ -264,47 +298,32 @@ void add_fast(Page& page, const Atlas& atlas, const std::vector<std::string>& se
                (tolerance.empty() ? std::string() : " at tolerance " + escaped(tolerance)));
   page.paragraph("Of all points: " + summary + ".");
   page.begin_figures("maps");
-  for (const Shown& one : shown) {
-    for (const std::string& laws : sets) {
-      const auto text = [&](double value) { return plain(value, one.digits); };
-      auto map = map_of(
-          atlas, laws,
-          [&](const View& point) {
-            const auto value = point["fast"].number(one.key);
-            return value ? std::optional(one.factor * *value) : std::nullopt;
-          },
-          text, [&](double value) { return plain(value, 4) + one.unit; });
-      if (!map) continue;
-      map->id = std::string("fig-fast-") + one.key + "-" + laws;
-      map->title = std::string(one.heading) + " of fast over M and L, " + lawful(laws);
-      map->description = std::string(one.heading) + ", a number a cell, with contour lines.";
-      map->heading = std::string(one.heading) + ", " + lawful(laws);
-      map->logarithmic = true;
-      map->contours = decade_levels(*map);
-      page.figure(std::move(*map),
-                  std::string(one.heading) + " of <code>fast</code>; contour lines at 1, 2, 5 \u2026.");
-    }
-  }
-  for (const char* which : {"minimum", "central"}) {
-    for (const std::string& laws : sets) {
-      auto map = map_of(
-          atlas, laws,
-          [&](const View& point) {
-            const auto value = point["fast"].number(std::string("deviation_") + which);
-            return value ? std::optional(std::max(std::abs(*value), 1e-16)) : std::nullopt;
-          },
-          [](double value) { return plain(value, 1); },
-          [](double value) { return "|fast/certified - 1| = " + plain(value, 3); });
-      if (!map) continue;
-      map->id = std::string("fig-fast-deviation-") + which + "-" + laws;
-      map->title = std::string("Achieved error of fast, ") + which + " film, " + lawful(laws);
-      map->description = "Magnitude of the relative difference from the certified film, a number a cell.";
-      map->heading = std::string("Achieved error, ") + which + " film, " + lawful(laws);
-      map->logarithmic = true;
-      page.figure(std::move(*map),
-                  std::string("|<code>fast</code>/certified \u2212 1| of the ") + which + " film, flooded.");
-    }
-  }
+  for (const Counted& one : counted)
+    add_maps_of(page, atlas,
+                {.id = "fig-fast-" + one.key,
+                 .title = one.heading + " of fast over M and L",
+                 .description = one.heading + ", a number a cell, with contour lines.",
+                 .heading = one.heading,
+                 .caption = one.heading + " of <code>fast</code>; contour lines at 1, 2, 5 \u2026.",
+                 .value = [&](const View& point) { return scaled(point["fast"].number(one.key), one.factor); },
+                 .text = [&](double value) { return plain(value, one.digits); },
+                 .hint = [&](double value) { return plain(value, 4) + one.unit; },
+                 .style = draw_decades});
+  const auto achieved = [](const View& point, const Film& film) -> std::optional<double> {
+    const auto value = point["fast"].number("deviation_" + film.name);
+    return value ? std::optional(std::max(std::abs(*value), 1e-16)) : std::nullopt;
+  };
+  for (const Film& film : films)
+    add_maps_of(page, atlas,
+                {.id = "fig-fast-deviation-" + film.name,
+                 .title = "Achieved error of fast, " + film.name + " film",
+                 .description = "Magnitude of the relative difference from the certified film, a number a cell.",
+                 .heading = "Achieved error, " + film.name + " film",
+                 .caption = "|<code>fast</code>/certified \u2212 1| of the " + film.name + " film, flooded.",
+                 .value = [&](const View& point) { return achieved(point, film); },
+                 .text = [](double value) { return plain(value, 1); },
+                 .hint = [](double value) { return "|fast/certified - 1| = " + plain(value, 3); },
+                 .style = [](HeatMap& map) { map.logarithmic = true; }});
   page.end_figures();
 }
 
@@ -313,7 +332,7 @@ void add_fast(Page& page, const Atlas& atlas, const std::vector<std::string>& se
 void add_maps(Page& page, const View& results) {
   page.section("maps", "Maps over M and L");
   const View maps = results["figures"]["maps"];
-  Atlas atlas{.M = maps.numbers("M"), .L = maps.numbers("L"), .points = maps.list("points")};
+  Atlas atlas{.M = maps.numbers("M"), .L = maps.numbers("L"), .points = maps.list("points"), .law_sets = {}};
   for (auto* axis : {&atlas.M, &atlas.L}) {
     std::erase_if(*axis, [](double value) { return !std::isfinite(value); });
     std::sort(axis->begin(), axis->end());
@@ -322,18 +341,16 @@ void add_maps(Page& page, const View& results) {
     page.absent("Maps over (M, L) are", "ehd verify --output DIR");
     return;
   }
-  std::vector<std::string> sets;
-  for (const char* laws : {"roelands", "barus", "isoviscous"}) {
-    bool own = false;
-    for (const View& point : atlas.points) own = own || point.text("laws") == laws;
+  for (const std::string laws : {"roelands", "barus", "isoviscous"}) {
+    const bool own = any_point(atlas, [&](const View& point) { return point.text("laws") == laws; });
     // The isoviscous row, L = 0, is part of the other sets where there are any.
-    if (own && (std::string(laws) != "isoviscous" || sets.empty())) sets.push_back(laws);
+    if (own && (laws != "isoviscous" || atlas.law_sets.empty())) atlas.law_sets.push_back(laws);
   }
   if (const auto source = maps.text("source"); !source.empty()) page.paragraph("Points: " + escaped(source) + ".");
-  add_films(page, atlas, sets);
-  add_formulas(page, atlas, sets);
-  add_inlet(page, atlas, sets);
-  add_fast(page, atlas, sets);
+  add_films(page, atlas);
+  add_formulas(page, atlas);
+  add_inlet(page, atlas);
+  add_fast(page, atlas);
 }
 
 }  // namespace ehd::report

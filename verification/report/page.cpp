@@ -4,8 +4,6 @@
 #include <cctype>
 #include <cmath>
 
-#include "contact/text.hpp"
-
 namespace ehd::report {
 
 TableCell words(std::string_view text) {
@@ -21,15 +19,24 @@ TableCell number_cell(const std::optional<double>& value, int digits) {
 
 TableCell integer_cell(const std::optional<double>& value) {
   constexpr int all_digits = 15;
-  if (!value || !std::isfinite(*value)) return {"", "number"};
-  return {markup_to_html(number_markup(*value, all_digits)), "number"};
+  return number_cell(value, all_digits);
 }
 
 TableCell verdict_cell(const std::string& verdict) { return {escaped(verdict), slug(verdict)}; }
 
+std::vector<double> scaled(std::vector<double> values, double factor) {
+  for (double& value : values) value *= factor;
+  return values;
+}
+
+std::optional<double> scaled(std::optional<double> value, double factor) {
+  if (value) *value *= factor;
+  return value;
+}
+
 std::string html(const Table& table) {
-  std::string text = "<div class=\"scroll\"" + std::string(" tabindex=\"0\"") + "><table" +
-                     (table.css.empty() ? "" : " class=\"" + table.css + "\"") + ">";
+  std::string text =
+      "<div class=\"scroll\" tabindex=\"0\"><table" + (table.css.empty() ? "" : " class=\"" + table.css + "\"") + ">";
   if (!table.caption.empty()) text += "<caption>" + table.caption + "</caption>";
   text += "<thead><tr>";
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
@@ -83,6 +90,10 @@ void Page::heading(const std::string& title) { body_ += "<h3>" + title + "</h3>\
 
 void Page::paragraph(const std::string& html, const std::string& css) {
   body_ += (css.empty() ? "<p>" : "<p class=\"" + css + "\">") + html + "</p>\n";
+}
+
+void Page::add_folded(const std::string& summary, const Table& table) {
+  body_ += "<details><summary>" + summary + "</summary>\n" + html(table) + "</details>\n";
 }
 
 void Page::absent(const std::string& what, const std::string& command) {

@@ -24,6 +24,10 @@ struct TableCell {
 [[nodiscard]] TableCell integer_cell(const std::optional<double>& value);
 [[nodiscard]] TableCell verdict_cell(const std::string& verdict);
 
+/// Values in another unit.
+[[nodiscard]] std::vector<double> scaled(std::vector<double> values, double factor);
+[[nodiscard]] std::optional<double> scaled(std::optional<double> value, double factor);
+
 struct Table {
   std::string caption = {};               ///< HTML
   std::vector<std::string> columns = {};  ///< HTML
@@ -33,7 +37,7 @@ struct Table {
 };
 [[nodiscard]] std::string html(const Table& table);
 
-/// Collects the page; figures get ids that stand once.
+/// Collects the page. Every section and figure gets an id of its own.
 class Page {
  public:
   void section(const std::string& id, const std::string& title);
@@ -41,7 +45,8 @@ class Page {
   void paragraph(const std::string& html, const std::string& css = "");
   void add(const std::string& html) { body_ += html; }
   void add(const Table& table) { body_ += html(table); }
-  /// What is absent, and the command that makes it.
+  void add_folded(const std::string& summary, const Table& table);  ///< shown where the reader opens it
+  /// A line that names an absent part and the command that makes it.
   void absent(const std::string& what, const std::string& command);
 
   /// Figures between begin_figures and end_figures stand side by side where there is room.

@@ -8,12 +8,15 @@ namespace {
 
 constexpr const char* style = R"css(
 :root{--pass:#1d7a3a;--fail:#b3261e;--warn:#8a5a00;--panel:#f5f6f8}
-@media screen and (prefers-color-scheme:dark){:root:not([data-theme=light]){--pass:#6fd08c;--fail:#ff8a80;--warn:#f0c060;--panel:#1e2329;color-scheme:dark}}
+@media screen and (prefers-color-scheme:dark){
+:root:not([data-theme=light]){--pass:#6fd08c;--fail:#ff8a80;--warn:#f0c060;--panel:#1e2329;color-scheme:dark}
+}
 @media screen{:root[data-theme=dark]{--pass:#6fd08c;--fail:#ff8a80;--warn:#f0c060;--panel:#1e2329;color-scheme:dark}}
 :root[data-theme=light]{color-scheme:light}
 *{box-sizing:border-box}
 html{-webkit-text-size-adjust:100%}
-body{margin:0;background:var(--paper);color:var(--ink);font:16px/1.5 system-ui,-apple-system,"Segoe UI",Helvetica,Arial,sans-serif}
+body{margin:0;background:var(--paper);color:var(--ink);
+font:16px/1.5 system-ui,-apple-system,"Segoe UI",Helvetica,Arial,sans-serif}
 header,main{max-width:1180px;margin:0 auto;padding:0 20px}
 header{padding-top:18px}
 h1{font-size:1.7rem;line-height:1.2;margin:0 0 8px}
@@ -23,8 +26,10 @@ p{max-width:80ch;margin:8px 0}
 a{color:var(--s1)}
 nav{display:flex;flex-wrap:wrap;gap:4px 16px;align-items:center}
 code{font:0.9em ui-monospace,Menlo,Consolas,monospace;overflow-wrap:break-word}
-pre{white-space:pre-wrap;overflow-wrap:anywhere;background:var(--panel);padding:10px 12px;font:0.85rem ui-monospace,Menlo,Consolas,monospace}
-button,input,select{font:inherit;color:var(--ink);background:var(--panel);border:1px solid var(--soft);border-radius:4px;padding:3px 10px}
+pre{white-space:pre-wrap;overflow-wrap:anywhere;background:var(--panel);padding:10px 12px;
+font:0.85rem ui-monospace,Menlo,Consolas,monospace}
+button,input,select{font:inherit;color:var(--ink);background:var(--panel);border:1px solid var(--soft);
+border-radius:4px;padding:3px 10px}
 input{min-width:0;max-width:100%}
 .verdict{font-size:1.1rem;border-left:6px solid var(--pass);padding:8px 14px;background:var(--panel);max-width:none}
 .verdict.fail{border-color:var(--fail)}
@@ -47,7 +52,8 @@ td.inconclusive,td.tolerance-not-met,td.limit-reached,td.under-resolved{color:va
 .claim{border-left:4px solid var(--fail);padding:4px 14px;margin:12px 0;background:var(--panel)}
 .claim.inconclusive{border-color:var(--warn)}
 .claim p{margin:4px 0;overflow-wrap:anywhere}
-.figures{display:grid;grid-template-columns:repeat(auto-fill,minmax(min(100%,440px),1fr));gap:22px 26px;align-items:start}
+.figures{display:grid;grid-template-columns:repeat(auto-fill,minmax(min(100%,440px),1fr));
+gap:22px 26px;align-items:start}
 .figures.wide-figure{grid-template-columns:1fr}
 .figures.maps{grid-template-columns:repeat(auto-fill,minmax(min(100%,540px),1fr))}
 .figures.polars{grid-template-columns:repeat(auto-fill,minmax(min(100%,340px),1fr))}
@@ -65,7 +71,9 @@ summary{cursor:pointer;font-weight:600}
 .js .key{cursor:pointer}
 .key.off{opacity:.35}
 .series.off{display:none}
-.readout{position:fixed;z-index:5;pointer-events:none;background:var(--paper);color:var(--ink);border:1px solid var(--soft);border-radius:4px;padding:3px 8px;font-size:0.82rem;line-height:1.35;max-width:min(90vw,340px);white-space:pre-line}
+.readout{position:fixed;z-index:5;pointer-events:none;background:var(--paper);color:var(--ink);
+border:1px solid var(--soft);border-radius:4px;padding:3px 8px;font-size:0.82rem;line-height:1.35;
+max-width:min(90vw,340px);white-space:pre-line}
 dl{display:grid;grid-template-columns:max-content 1fr;gap:2px 16px;margin:8px 0}
 dt{color:var(--soft)}
 dd{margin:0;overflow-wrap:anywhere;min-width:0}
@@ -99,7 +107,7 @@ constexpr const char* script = R"js("use strict";
   var root = document.documentElement;
   root.classList.add("js");
 
-  // Light, dark, or as the system has it.
+  // The theme: light, dark, or that of the system.
   var theme = document.createElement("button");
   var themes = ["auto", "light", "dark"], chosen = 0;
   theme.type = "button";
@@ -113,7 +121,7 @@ constexpr const char* script = R"js("use strict";
   name();
   document.querySelector("nav").appendChild(theme);
 
-  // A legend's entry shows and hides its series, in all panels of the picture.
+  // A click on a legend entry shows or hides its series in all panels of the picture.
   document.querySelectorAll("svg.plot .key").forEach(function (key) {
     var svg = key.closest("svg"), number = key.getAttribute("data-key");
     key.setAttribute("role", "button");
@@ -121,7 +129,9 @@ constexpr const char* script = R"js("use strict";
     key.setAttribute("aria-pressed", "true");
     function toggle() {
       var off = !key.classList.contains("off");
-      svg.querySelectorAll("[data-key=\"" + number + "\"]").forEach(function (one) { one.classList.toggle("off", off); });
+      svg.querySelectorAll("[data-key=\"" + number + "\"]").forEach(function (one) {
+        one.classList.toggle("off", off);
+      });
       key.setAttribute("aria-pressed", String(!off));
     }
     key.addEventListener("click", toggle);
@@ -130,7 +140,7 @@ constexpr const char* script = R"js("use strict";
     });
   });
 
-  // The read-out: the nearest point of the shown curves, or what a cell says.
+  // The read-out: the nearest point of the visible curves, or the text of a cell.
   var readout = document.createElement("div");
   readout.className = "readout";
   readout.setAttribute("role", "status");
@@ -141,7 +151,8 @@ constexpr const char* script = R"js("use strict";
     readout.hidden = false;
     var width = readout.offsetWidth, height = readout.offsetHeight;
     readout.style.left = Math.max(4, Math.min(event.clientX + 14, window.innerWidth - width - 6)) + "px";
-    readout.style.top = (event.clientY + 18 + height > window.innerHeight ? event.clientY - height - 12 : event.clientY + 18) + "px";
+    var below = event.clientY + 18, above = event.clientY - height - 12;
+    readout.style.top = (below + height > window.innerHeight ? above : below) + "px";
   }
   function hide() { readout.hidden = true; }
   function points(series) {
@@ -173,9 +184,9 @@ constexpr const char* script = R"js("use strict";
       });
     });
     if (!best) { hide(); return; }
-    var label = best.series.hasAttribute("data-right") ? frame.getAttribute("data-right") : frame.getAttribute("data-y");
-    show((best.series.getAttribute("data-name") || "") + "\n" + plain(frame.getAttribute("data-x")) + ": " + best.point[2] +
-      "\n" + plain(label) + ": " + best.point[3], event);
+    var label = frame.getAttribute(best.series.hasAttribute("data-right") ? "data-right" : "data-y");
+    show((best.series.getAttribute("data-name") || "") + "\n" + plain(frame.getAttribute("data-x")) + ": " +
+      best.point[2] + "\n" + plain(label) + ": " + best.point[3], event);
   }
   document.querySelectorAll("svg.plot").forEach(function (svg) {
     svg.addEventListener("pointermove", read);
@@ -184,9 +195,10 @@ constexpr const char* script = R"js("use strict";
   });
   window.addEventListener("scroll", hide, { passive: true });
 
-  // The table of all claims: words that a row must have, its verdict, its rung.
+  // Filters of the table of all claims: words in the row, rung, verdict.
   document.querySelectorAll(".controls").forEach(function (controls) {
-    var rows = Array.prototype.slice.call(document.getElementById(controls.getAttribute("data-for")).querySelectorAll("tbody tr"));
+    var table = document.getElementById(controls.getAttribute("data-for"));
+    var rows = Array.prototype.slice.call(table.querySelectorAll("tbody tr"));
     var shown = controls.querySelector("output");
     function filter() {
       var words = controls.querySelector("input").value.toLowerCase().split(/\s+/).filter(Boolean);
@@ -205,12 +217,17 @@ constexpr const char* script = R"js("use strict";
     filter();
   });
 
-  // Browsers that print closed details as they are.
+  // Some browsers print closed details closed: all are opened for printing.
   window.addEventListener("beforeprint", function () {
-    document.querySelectorAll("details").forEach(function (one) { if (!one.open) { one.open = true; one.setAttribute("data-closed", ""); } });
+    document.querySelectorAll("details").forEach(function (one) {
+      if (!one.open) { one.open = true; one.setAttribute("data-closed", ""); }
+    });
   });
   window.addEventListener("afterprint", function () {
-    document.querySelectorAll("details[data-closed]").forEach(function (one) { one.open = false; one.removeAttribute("data-closed"); });
+    document.querySelectorAll("details[data-closed]").forEach(function (one) {
+      one.open = false;
+      one.removeAttribute("data-closed");
+    });
   });
 })();
 )js";

@@ -11,34 +11,8 @@ namespace ehd::report {
 namespace {
 
 constexpr double font = 12, small_font = 11;
-constexpr double legend_row = 17, sample = 28;
+constexpr double sample = 28;      // length of a line in the legend
 constexpr double drawn_to = 0.08;  // pixels by which a simplified line may leave the curve
-
-struct LegendEntry {
-  const Series* series = nullptr;
-  std::size_t key = 0;  ///< series of one name share it
-  double x = 0;
-  int row = 0;
-};
-
-std::vector<LegendEntry> legend_of(const Panel& panel, double left, double right, std::vector<std::string>& names) {
-  std::vector<LegendEntry> entries;
-  double x = left;
-  int row = 0;
-  for (const Series& series : panel.series) {
-    if (series.name.empty()) continue;
-    auto known = std::find(names.begin(), names.end(), series.name);
-    if (known == names.end()) known = names.insert(names.end(), series.name);
-    const double width = sample + 6 + text_width(series.name, font) + 16;
-    if (x > left && x + width > right) {
-      x = left;
-      ++row;
-    }
-    entries.push_back({&series, static_cast<std::size_t>(known - names.begin()), x, row});
-    x += width;
-  }
-  return entries;
-}
 
 std::vector<double> values_on(const Panel& panel, bool right) {
   std::vector<double> values;
@@ -102,7 +76,7 @@ Ready ready(const Panel& panel) {
   axes.x = range_for(panel.x, xs);
   axes.y = range_for(panel.y, values_on(panel, false));
   axes.x_ticks = ticks_for(panel.x, axes.x, 6);
-  // Six: what range_of widens to whole steps is then whole steps of the ticks.
+  // Six, so that the whole steps to which range_of widens are steps of the ticks.
   const int wanted = panel.height < 150 ? 3 : 6;
   axes.y_ticks = ticks_for(panel.y, axes.y, wanted);
   if (panel.right) {
@@ -131,7 +105,7 @@ std::string series_svg(const Series& series, std::size_t key, const Mapping& to_
   std::string svg =
       "<g class=\"series s" + std::to_string(series.colour) + "\" data-key=\"" + std::to_string(key) + "\"";
   if (place == Place::page) {
-    // What the read-out shows: points of the curve with the places where they are drawn.
+    // For the read-out: points of the curve, in pixels and as values.
     std::string values;
     std::vector<std::size_t> index;
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -175,25 +149,27 @@ std::string triangle_svg(const SlopeTriangle& one, const Mapping& to_x, const Ma
          text_svg({a.x - 4, (a.y + b.y) / 2 + 4}, number_markup(one.order, 3), "end", "small halo");
 }
 
-/// The names of the series in rows above the frame.
+/// The names of the series in rows above the frame. Series of one name share a key: the name's place in `names`.
 Drawn legend_svg(const Panel& panel, double left, double right, double top, std::vector<std::string>& names) {
-  const auto legend = legend_of(panel, left, right, names);
+  LegendRows rows(left, right, top);
   std::string svg;
-  for (const LegendEntry& entry : legend) {
-    const double at = top + legend_row * entry.row + 11;
-    const Series& series = *entry.series;
-    svg += "<g class=\"key s" + std::to_string(series.colour) + "\" data-key=\"" + std::to_string(entry.key) + "\">";
+  for (const Series& series : panel.series) {
+    if (series.name.empty()) continue;
+    auto known = std::find(names.begin(), names.end(), series.name);
+    if (known == names.end()) known = names.insert(names.end(), series.name);
+    const Point corner = rows.next(sample + 6 + text_width(series.name, font) + 16);
+    const double x = corner.x, y = corner.y + 7;
+    svg += fmt::format("<g class=\"key s{}\" data-key=\"{}\">", series.colour, known - names.begin());
     const Line line = series.key_line.value_or(series.line);
     if (line != Line::none)
-      svg += "<path class=\"line\" d=\"" + path_data({{entry.x, at - 4}, {entry.x + sample, at - 4}}) + "\"" +
-             dash_attribute(line) + "/>";
-    svg += marker_svg(series.marker, {entry.x + sample / 2, at - 4}, series.hollow) +
-           text_svg({entry.x + sample + 5, at}, series.name, "start") + "</g>\n";
+      svg += "<path class=\"line\" d=\"" + path_data({{x, y}, {x + sample, y}}) + "\"" + dash_attribute(line) + "/>";
+    svg += marker_svg(series.marker, {x + sample / 2, y}, series.hollow) +
+           text_svg({x + sample + 5, y + 4}, series.name, "start") + "</g>\n";
   }
-  return {svg, legend.empty() ? 0 : legend_row * (legend.back().row + 1)};
+  return {svg, svg.empty() ? 0 : rows.last_top() + LegendRows::height - top};
 }
 
-/// What stands along the axes of a panel, as path data and texts.
+/// Grid, ticks and labels of a panel, as path data and texts.
 struct AxisMarks {
   std::string grid, ticks, labels;
 };
@@ -213,30 +189,21 @@ void add_x_ticks(AxisMarks& marks, const std::vector<Tick>& ticks, const Mapping
   }
 }
 
-void add_y_ticks(AxisMarks& marks, const std::vector<Tick>& ticks, const Mapping& to_y, const Box& box) {
+/// The axis on the right has no grid of its own.
+void add_y_ticks(AxisMarks& marks, const std::vector<Tick>& ticks, const Mapping& to_y, const Box& box, bool right) {
+  const double edge = right ? box.right : box.left, inwards = right ? -1 : 1;
   for (const Tick& tick : ticks) {
     const double at = to_y(tick.value);
     if (!(at >= box.top - tick_edge && at <= box.bottom + tick_edge)) continue;
     const bool major = !tick.label.empty();
-    marks.ticks += path_data({{box.left, at}, {box.left + (major ? major_tick : minor_tick), at}});
+    marks.ticks += path_data({{edge, at}, {edge + inwards * (major ? major_tick : minor_tick), at}});
     if (!major) continue;
-    marks.grid += path_data({{box.left, at}, {box.right, at}});
-    marks.labels += text_svg({box.left - 6, at + 4}, tick.label, "end", "small");
+    if (!right) marks.grid += path_data({{box.left, at}, {box.right, at}});
+    marks.labels += text_svg({edge - 6 * inwards, at + 4}, tick.label, right ? "start" : "end", "small");
   }
 }
 
-/// The axis on the right has no grid of its own.
-void add_right_ticks(AxisMarks& marks, const std::vector<Tick>& ticks, const Mapping& to_right, const Box& box) {
-  for (const Tick& tick : ticks) {
-    const double at = to_right(tick.value);
-    if (!(at >= box.top - tick_edge && at <= box.bottom + tick_edge)) continue;
-    const bool major = !tick.label.empty();
-    marks.ticks += path_data({{box.right, at}, {box.right - (major ? major_tick : minor_tick), at}});
-    if (major) marks.labels += text_svg({box.right + 6, at + 4}, tick.label, "start", "small");
-  }
-}
-
-/// The frame with grid, ticks and their labels; in the page with what the read-out needs.
+/// The frame with grid, ticks and their labels; in the page also the attributes that the read-out needs.
 std::string frame_svg(const Panel& panel, const AxisMarks& marks, const Box& box, Place place) {
   std::string svg = "<g class=\"frame\"";
   if (place == Place::page) {
@@ -308,8 +275,8 @@ Drawn draw_panel(const Panel& panel, const Ready& axes, const Margins& margins, 
   const Mappings to = mappings_of(panel, axes, box);
   AxisMarks marks;
   add_x_ticks(marks, axes.x_ticks, to.x, box);
-  add_y_ticks(marks, axes.y_ticks, to.y, box);
-  add_right_ticks(marks, axes.right_ticks, to.right, box);
+  add_y_ticks(marks, axes.y_ticks, to.y, box, false);
+  add_y_ticks(marks, axes.right_ticks, to.right, box, true);
   svg += frame_svg(panel, marks, box, place);
 
   const double middle = (box.top + box.bottom) / 2;

@@ -15,17 +15,17 @@
 namespace ehd::report {
 
 struct Series {
-  std::string name = {};  ///< markup; the legend's text, nothing for a series without an entry
+  std::string name = {};  ///< markup, for the legend; empty: no entry
   std::vector<double> x = {}, y = {};
   Line line = Line::solid;
   Marker marker = Marker::none;
-  int colour = 1;                    ///< 1 to 6
-  bool right = false;                ///< belongs to the axis on the right
-  bool hollow = false;               ///< markers
-  std::vector<bool> hollow_at = {};  ///< of single points, where given
-  std::string end = {};              ///< markup; a label at the last point
-  std::string of = {};  ///< without a name: the name of the series whose entry in the legend stands for both
-  std::optional<Line> key_line = {};  ///< in the legend, where the line belongs to another series
+  int colour = 1;                     ///< 1 to 6
+  bool right = false;                 ///< belongs to the axis on the right
+  bool hollow = false;                ///< markers
+  std::vector<bool> hollow_at = {};   ///< of single points, where given
+  std::string end = {};               ///< markup; a label at the last point
+  std::string of = {};                ///< of a series without a name: the series whose legend entry stands for both
+  std::optional<Line> key_line = {};  ///< line of the legend entry, where another series draws the line
 };
 
 /// A dashed line across the panel at a value of y.
@@ -49,7 +49,7 @@ struct Panel {
   double height = 240;  ///< of the frame, pixels
 };
 
-/// Panels share the legend of the figure where it has one: entries of the same name are shown once.
+/// Panels one above another. Series of one name in several panels share their legend key.
 struct Figure {
   std::string id;
   std::string title, description;  ///< plain text

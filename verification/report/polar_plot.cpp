@@ -25,28 +25,17 @@ struct Dial {
   }
 };
 
-struct Legend {
+std::string legend_svg(const PolarPlot& plot, LegendRows& rows) {
   std::string svg;
-  double bottom = 0;
-};
-Legend legend_svg(const PolarPlot& plot, double top) {
-  Legend legend{.svg = {}, .bottom = top};
-  double& y = legend.bottom;
-  double x = 10;
   for (std::size_t k = 0; k < plot.series.size(); ++k) {
     const PolarSeries& series = plot.series[k];
-    const double width = 28 + 6 + text_width(series.name, 12) + 14;
-    if (x > 10 && x + width > plot.width) {
-      x = 10;
-      y += 17;
-    }
-    legend.svg += "<g class=\"key s" + std::to_string(series.colour) + "\" data-key=\"" + std::to_string(k) +
-                  "\"><path class=\"line\" d=\"" + path_data({{x, y + 7}, {x + 28, y + 7}}) + "\"" +
-                  dash_attribute(series.line) + "/>" + marker_svg(series.marker, {x + 14, y + 7}, true) +
-                  text_svg({x + 33, y + 11}, series.name, "start") + "</g>\n";
-    x += width;
+    const auto [x, y] = rows.next(28 + 6 + text_width(series.name, 12) + 14);
+    svg += "<g class=\"key s" + std::to_string(series.colour) + "\" data-key=\"" + std::to_string(k) +
+           "\"><path class=\"line\" d=\"" + path_data({{x, y + 7}, {x + 28, y + 7}}) + "\"" +
+           dash_attribute(series.line) + "/>" + marker_svg(series.marker, {x + 14, y + 7}, true) +
+           text_svg({x + 33, y + 11}, series.name, "start") + "</g>\n";
   }
-  return legend;
+  return svg;
 }
 
 /// Circles at the ticks, and spokes with their angles.
@@ -107,9 +96,9 @@ std::string draw(const PolarPlot& plot, Place place) {
     svg += text_svg({8, y + 13}, plot.heading, "start", "head");
     y += 20;
   }
-  const Legend legend = legend_svg(plot, y);
-  svg += legend.svg;
-  y = legend.bottom + (22 + 14);
+  LegendRows legend(10, plot.width, y);
+  svg += legend_svg(plot, legend);
+  y = legend.last_top() + (22 + 14);
   std::vector<double> values{0};
   for (const PolarSeries& series : plot.series) values.insert(values.end(), series.radius.begin(), series.radius.end());
   Range range = range_of(values, Scale::linear);
@@ -120,7 +109,7 @@ std::string draw(const PolarPlot& plot, Place place) {
   const Dial dial{.centre = {plot.width / 2, y + radius}, .radius = radius, .full = range.high};
   svg += grid_svg(dial, ticks);
   for (std::size_t k = 0; k < plot.series.size(); ++k) svg += series_svg(plot.series[k], k, dial, place);
-  // The scale last, along a direction between spokes, so that curves do not hide it.
+  // The scale is drawn last and between two spokes, so that no curve hides it.
   for (const Tick& tick : ticks) {
     if (!(tick.value > 0) || tick.value > range.high * (1 + 1e-9)) continue;
     const Point label = dial.at(-105, tick.value);

@@ -36,7 +36,7 @@ void require_rung(const View& row) {
   refuse(value.path(), value.cell() + " is no rung; required is " + allowed);
 }
 
-/// A page about claims that are not there, or that nobody can place, would look like one about none that fail.
+/// Without this check, a page that lost its claims would look like a page on which no claim fails.
 void require_whole(const View& results) {
   const std::string written = "what ehd verify --output wrote";
   const View claims = required(results, "claims", written);
@@ -85,13 +85,23 @@ Look look_of_law(const std::string& law) {
   return {Line::dotted, Marker::plus, 5};
 }
 
-Look look_of_solver(const std::string& solver) {
-  if (solver == "reference") return {Line::solid, Marker::circle, 1};
-  if (solver == "fast") return {Line::dashed, Marker::square, 2};
-  if (solver == "reference.linear") return {Line::dotted, Marker::diamond, 3};
-  if (solver == "reference.uniform") return {Line::dash_dot, Marker::triangle, 4};
-  if (solver == "fast.uniform") return {Line::dotted, Marker::plus, 5};
+Look look_of_solver(const View& bench, const std::string& solver) {
+  static constexpr Look looks[] = {{Line::solid, Marker::circle, 1},
+                                   {Line::dashed, Marker::square, 2},
+                                   {Line::dotted, Marker::diamond, 3},
+                                   {Line::dash_dot, Marker::triangle, 4},
+                                   {Line::dotted, Marker::plus, 5}};
+  const double number = bench["looks"].number(solver).value_or(0);
+  for (const Look& look : looks)
+    if (number == look.colour) return look;
   return {Line::dashed, Marker::cross, 6};
+}
+
+Look look_of_curve(std::size_t k) {
+  static constexpr Line lines[] = {Line::solid, Line::dashed, Line::dash_dot, Line::dotted};
+  static constexpr Marker markers[] = {Marker::circle,  Marker::square, Marker::triangle,
+                                       Marker::diamond, Marker::plus,   Marker::cross};
+  return {lines[k % 4], markers[k % 6], 1 + static_cast<int>(k % 6)};
 }
 
 }  // namespace ehd::report

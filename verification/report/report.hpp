@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `ehd report`: results -> one self-contained HTML page. A pure function of the JSON files: nothing is solved here, and
-// what they lack is a line that names the command that makes it.
+// `ehd report`: results -> one self-contained HTML page, a pure function of the JSON files. Nothing is solved here. A
+// line names each absent part and the command that makes it.
 #pragma once
 
 #include <string>
@@ -11,10 +11,10 @@
 namespace ehd::report {
 
 /// Throws ReportError where a value has the wrong type, where results.json lacks claims, summary or provenance, and
-/// where a verdict or a rung is none.
+/// where a verdict or a rung is unknown.
 [[nodiscard]] std::string report_html(const Documents& documents);
 
-/// A claim passes, or is inconclusive and listed with a reason: what lets the suite succeed.
+/// The claim passes, or it is inconclusive and accepted with a reason.
 [[nodiscard]] bool stands(const View& claim);
 
 // The sections, in this order.
@@ -34,7 +34,7 @@ struct ContactCurves {
   std::string name;  ///< plain: the solver
   std::vector<double> X, P, H;
 };
-/// Curves over the region where something happens; `difference` panels are the caller's.
+/// One panel: P and H over the contact, the inlet zone and the exit.
 [[nodiscard]] Figure contact_figure(const std::string& id, const std::string& title,
                                     const std::vector<ContactCurves>& curves);
 
@@ -49,13 +49,17 @@ enum class OverAzimuth { force, displacement };
 [[nodiscard]] Panel azimuth_panel(OverAzimuth quantity, const std::string& title_markup,
                                   const std::vector<BearingCurves>& laws);
 
-/// A law's line, marker and colour: the same in every figure.
+/// A curve's line, marker and colour.
 struct Look {
   Line line = Line::solid;
   Marker marker = Marker::circle;
   int colour = 1;
 };
+/// A contact force law looks the same in every figure.
 [[nodiscard]] Look look_of_law(const std::string& law);
-[[nodiscard]] Look look_of_solver(const std::string& solver);
+/// So does a solver: bench.json gives each its number, from 1.
+[[nodiscard]] Look look_of_solver(const View& bench, const std::string& solver);
+/// The k-th of other curves, from 0.
+[[nodiscard]] Look look_of_curve(std::size_t k);
 
 }  // namespace ehd::report

@@ -122,4 +122,11 @@ std::string text_svg(Point at, const std::string& markup, const std::string& anc
          more + ">" + markup_to_svg(markup) + "</text>";
 }
 
+Point LegendRows::next(double width) {
+  if (place_.x > left_ && place_.x + width > right_) place_ = {left_, place_.y + height};
+  const Point corner = place_;
+  place_.x += width;
+  return corner;
+}
+
 }  // namespace ehd::report

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What curves are drawn with: lines clipped to a frame, markers, dashes, texts.
+// Elements of figures: lines clipped to a frame, markers, dashes, texts, legend rows.
 #pragma once
 
 #include <optional>
@@ -25,7 +25,7 @@ struct Box {
 /// Unbroken pieces of a polyline inside the box; a point that is not finite breaks it.
 [[nodiscard]] std::vector<std::vector<Point>> pieces(const std::vector<Point>& points, const Box& box);
 
-/// Fewer points, none of the old ones further than `distance` from the new line (Douglas and Peucker).
+/// Fewer points; every old one lies within `distance` of the new line (Douglas and Peucker).
 [[nodiscard]] std::vector<Point> simplified(const std::vector<Point>& points, double distance);
 
 /// "M1 2L3 4", nothing for fewer than two points.
@@ -38,5 +38,19 @@ struct Box {
 /// A <text>; `anchor`: start, middle, end.
 [[nodiscard]] std::string text_svg(Point at, const std::string& markup, const std::string& anchor = "middle",
                                    const std::string& css = "", const std::string& more = "");
+
+/// Places for legend entries: rows from left to right, a new row where an entry would pass the right end.
+class LegendRows {
+ public:
+  static constexpr double height = 17;  ///< of a row, pixels
+  LegendRows(double left, double right, double top) : left_(left), right_(right), place_{left, top} {}
+  /// The upper left corner of the next entry.
+  [[nodiscard]] Point next(double width);
+  [[nodiscard]] double last_top() const { return place_.y; }  ///< of the last row
+
+ private:
+  double left_, right_;
+  Point place_;
+};
 
 }  // namespace ehd::report

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What `ehd stress` left: a table and a verdict for each part.
-#include "contact/text.hpp"
+// The results of `ehd stress`: a table and a verdict for each part.
 #include "verification/report/report.hpp"
 
 namespace ehd::report {
@@ -49,12 +48,11 @@ void add_stress(Page& page, const View& stress) {
       }
       table.rows.push_back(std::move(cells));
     }
-    if (table.rows.empty()) continue;
     constexpr std::size_t short_table = 40;
-    const bool fold = rows.size() > short_table;
-    if (fold) page.add("<details><summary>" + std::to_string(rows.size()) + " rows</summary>\n");
-    page.add(table);
-    if (fold) page.add("</details>\n");
+    if (rows.size() > short_table)
+      page.add_folded(std::to_string(rows.size()) + " rows", table);
+    else if (!rows.empty())
+      page.add(table);
   }
 }
 

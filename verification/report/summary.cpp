@@ -11,14 +11,12 @@ namespace ehd::report {
 
 namespace {
 
-/// A claim's id, which may be broken behind its slashes.
+/// A claim's id, with possible line breaks after its slashes.
 std::string identifier(const std::string& id) {
   std::string result = "<code>";
   for (const char c : escaped(id)) result += c == '/' ? std::string("/<wbr>") : std::string(1, c);
   return result + "</code>";
 }
-
-std::string count_of(const View& object, const std::string& key) { return object.cell(key, 15); }
 
 std::string percent(const std::optional<double>& share) {
   return share && std::isfinite(*share) ? markup_to_html(number_markup(100 * *share, 3)) + "\u2009%" : "";
@@ -65,7 +63,7 @@ void add_claim_in_full(Page& page, const View& claim) {
 
 /// Every claim as a point: how much of its tolerance error and uncertainty use.
 void add_margins(Page& page, const std::vector<View>& claims) {
-  constexpr double least = 1e-4;  // below, the distance to the tolerance says nothing more
+  constexpr double least = 1e-4;  // smaller values stand at the left edge
   struct Kind {
     const char* verdict;
     const char* name;
@@ -91,7 +89,7 @@ void add_margins(Page& page, const std::vector<View>& claims) {
       if (claim.text("verdict") != kind.verdict || !margin || !rung ||
           !(claim["tolerance"].number("value").value_or(0) > 0))
         continue;
-      // Side by side where they would cover each other: seven lanes a rung, in turn.
+      // Seven lanes a rung in turn, so that marks do not cover each other.
       constexpr int lanes = 7;
       const int lane = at_rung[static_cast<int>(*rung)]++ % lanes - lanes / 2;
       series.x.push_back(std::clamp(1 - *margin, least, 4.0));
@@ -111,25 +109,26 @@ void add_margins(Page& page, const std::vector<View>& claims) {
   page.end_figures();
 }
 
+/// A number of claims; `css` follows the class where there are any.
+TableCell count_cell(const View& row, const std::string& key, const std::string& css) {
+  return {escaped(row.cell(key, 15)), "number" + (row.number(key).value_or(0) > 0 ? css : "")};
+}
+
 void add_ladder(Page& page, const View& results, const std::map<std::string, View>& by_id) {
   Table table;
   table.caption = "The ladder: each rung assumes the one above it in this table";
   table.columns = {"rung", "what", "pass", "fail", "inconclusive", "skipped", "tightest margin", "its claim"};
   for (const View& rung : results.list("rungs")) {
-    const auto count = [&](const char* key, const char* css) {
-      const auto value = rung.number(key);
-      return TableCell{escaped(rung.cell(key, 15)), value.value_or(0) > 0 ? std::string("number ") + css : "number"};
-    };
     const std::string worst = rung.text("worst_claim");
     const auto claim = by_id.find(worst);
     std::string text = worst.empty() ? "" : identifier(worst);
     if (claim != by_id.end()) text = escaped(claim->second.text("statement")) + "<br>" + text;
     table.rows.push_back({{escaped(rung.cell("rung")), ""},
                           words(rung.text("name")),
-                          count("pass", ""),
-                          count("fail", "fail"),
-                          count("inconclusive", "inconclusive"),
-                          count("skipped", ""),
+                          count_cell(rung, "pass", ""),
+                          count_cell(rung, "fail", " fail"),
+                          count_cell(rung, "inconclusive", " inconclusive"),
+                          count_cell(rung, "skipped", ""),
                           {percent(rung.number("worst_margin")), "number"},
                           {text, "wide"}});
   }
@@ -172,7 +171,6 @@ void add_all_claims(Page& page, const View& results, const std::vector<View>& cl
   }
   const auto skipped = results.list("skipped");
   if (skipped.empty()) return;
-  page.add("<details><summary>" + std::to_string(skipped.size()) + " skipped, with the reason</summary>\n");
   Table table;
   table.css = "claims";
   table.columns = {"row", "rung", "statement", "why"};
@@ -181,11 +179,10 @@ void add_all_claims(Page& page, const View& results, const std::vector<View>& cl
                           {escaped(one.cell("rung")), ""},
                           words(one.text("statement")),
                           words(one.text("why"))});
-  page.add(table);
-  page.add("</details>\n");
+  page.add_folded(std::to_string(skipped.size()) + " skipped, with the reason", table);
 }
 
-/// What the suite's time went into.
+/// The topics that took the suite's time.
 void add_topics(Page& page, std::vector<View> topics) {
   if (topics.empty()) return;
   std::stable_sort(topics.begin(), topics.end(), [](const View& a, const View& b) {
@@ -194,13 +191,11 @@ void add_topics(Page& page, std::vector<View> topics) {
   constexpr std::size_t most = 20;
   const std::size_t all = topics.size();
   topics.resize(std::min(all, most));
-  page.add("<details><summary>The slowest of " + std::to_string(all) + " topics</summary>\n");
   Table table;
   table.columns = {"topic", "time [s]"};
   for (const View& topic : topics)
     table.rows.push_back({words(topic.text("name")), number_cell(topic.number("wall_s"), 3)});
-  page.add(table);
-  page.add("</details>\n");
+  page.add_folded("The slowest of " + std::to_string(all) + " topics", table);
 }
 
 void add_traceability(Page& page, const View& results) {
@@ -215,16 +210,15 @@ void add_traceability(Page& page, const View& results) {
   for (const View& row : rows) {
     std::string ids;
     for (const View& id : row.list("ids")) ids += (ids.empty() ? "" : "<br>") + identifier(id.text());
-    table.rows.push_back(
-        {{escaped(row.text("text")), "wide"},
-         words(row.text("part")),
-         {escaped(count_of(row, "claims")), row.number("claims").value_or(0) > 0 ? "number" : "number fail"},
-         {escaped(count_of(row, "pass")), "number"},
-         {escaped(count_of(row, "fail")), row.number("fail").value_or(0) > 0 ? "number fail" : "number"},
-         {escaped(count_of(row, "inconclusive")),
-          row.number("inconclusive").value_or(0) > 0 ? "number inconclusive" : "number"},
-         {escaped(count_of(row, "skipped")), "number"},
-         {ids, "wide"}});
+    const TableCell claims = count_cell(row, "claims", "");
+    table.rows.push_back({{escaped(row.text("text")), "wide"},
+                          words(row.text("part")),
+                          {claims.html, row.number("claims").value_or(0) > 0 ? "number" : "number fail"},
+                          count_cell(row, "pass", ""),
+                          count_cell(row, "fail", " fail"),
+                          count_cell(row, "inconclusive", " inconclusive"),
+                          count_cell(row, "skipped", ""),
+                          {ids, "wide"}});
   }
   page.add(table);
 }
@@ -263,7 +257,7 @@ void add_summary(Page& page, const View& results) {
   std::map<std::string, View> by_id;
   for (const View& claim : claims) by_id.emplace(claim.text("id"), claim);
 
-  // From the claims themselves: a summary that says otherwise is not believed.
+  // Counted from the claims themselves, not read from the summary.
   const bool success = !claims.empty() && std::all_of(claims.begin(), claims.end(), stands);
   const auto count = [&](const char* kind) {
     return std::to_string(

@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* minus_sign = "\u2212";
 
-/// One stretch of a label: how it is set.
+/// A part of a label with one style.
 struct Run {
   std::string text;
   bool italic = false;
@@ -141,16 +141,12 @@ std::string markup_to_svg(std::string_view markup) {
   int level = 0;
   for (const Run& run : runs_of(markup)) {
     std::string attributes;
-    // dy, not baseline-shift: the second is not drawn everywhere. It moves what follows, too.
+    // dy, because not every program draws baseline-shift. It moves the following text too.
     if (run.level != level) {
-      const double from = level < 0   ? 0.22
-                          : level > 0 ? -0.36
-                                      : 0,
-                   to = run.level < 0   ? 0.22
-                        : run.level > 0 ? -0.36
-                                        : 0;
-      constexpr double small = 0.75;  // dy counts in the run's own size
-      attributes += " dy=\"" + pixels((to - from) / (run.level == 0 ? 1 : small)) + "em\"";
+      constexpr double shift_em[] = {0.22, 0, -0.36};  // below, on, above the line
+      constexpr double small = 0.75;                   // dy counts in the run's own size
+      const double dy = shift_em[run.level + 1] - shift_em[level + 1];
+      attributes += " dy=\"" + pixels(dy / (run.level == 0 ? 1 : small)) + "em\"";
     }
     if (run.level != 0) attributes += " font-size=\"75%\"";
     if (run.italic) attributes += " font-style=\"italic\"";
@@ -240,7 +236,7 @@ std::string picture_style() {
   return style;
 }
 
-std::string picture(const Picture& frame, const std::string& content, Place place, const std::string& attributes) {
+std::string picture(const Picture& frame, const std::string& content, Place place) {
   const std::string id = escaped(frame.id), width = pixels(frame.width), height = pixels(frame.height);
   std::string result = "<svg class=\"plot\" id=\"" + id + "\" role=\"img\" viewBox=\"0 0 " + width + " " + height +
                        "\" aria-labelledby=\"" + id + "-title " + id + "-desc\"";
@@ -248,7 +244,7 @@ std::string picture(const Picture& frame, const std::string& content, Place plac
     result = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + result +
              " xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width + "\" height=\"" + height + "\"";
   } else {
-    result += " style=\"max-width:" + pixels(1.2 * frame.width) + "px\"" + attributes;
+    result += " style=\"max-width:" + pixels(1.2 * frame.width) + "px\"";
   }
   result += ">\n<title id=\"" + id + "-title\">" + escaped(frame.title) + "</title><desc id=\"" + id + "-desc\">" +
             escaped(frame.description) + "</desc>\n";

@@ -18,18 +18,18 @@ namespace ehd::report {
 /// A number as people read it: `digits` significant ones, a true minus sign, powers of ten as 10^{-5} (markup).
 [[nodiscard]] std::string number_markup(double value, int digits = 4);
 
-/// The markup of labels: *P* in italics, _{H} and ^{-3} below and above the line, a backslash before * _ ^ \ takes it
-/// literally. Text that comes from a file goes through literal() first.
+/// The markup of labels: *P* in italics, _{H} and ^{-3} below and above the line; a backslash before * _ ^ \ keeps the
+/// character. Text from a file goes through literal() first.
 [[nodiscard]] std::string literal(std::string_view text);
 [[nodiscard]] std::string markup_to_svg(std::string_view markup);   ///< content of a <text>
 [[nodiscard]] std::string markup_to_html(std::string_view markup);  ///< <i>, <sub>, <sup>
 [[nodiscard]] std::string markup_to_text(std::string_view markup);  ///< for titles and read-outs, not escaped
 
-/// The width of a label in a sans-serif type of that size, within about 10 %: for legends, which must not overlap.
+/// The width of a label in a sans-serif type of that size, within about 10 %, so that legend entries do not overlap.
 [[nodiscard]] double text_width(std::string_view markup, double size);
 
-/// Where a picture stands: in the page, whose style sheet it uses and whose script reads its values; or alone in a file
-/// of its own, white, with its style inside.
+/// Where a picture stands: in the page, with the page's style sheet and read-out; or in a file of its own, white, with
+/// its style inside.
 enum class Place { page, file };
 
 /// A whole picture: the <svg> element around `content`, with title and description for those who cannot see it. In
@@ -39,10 +39,9 @@ struct Picture {
   std::string title, description;  ///< plain text
   double width = 0, height = 0;    ///< pixels at full size
 };
-[[nodiscard]] std::string picture(const Picture& frame, const std::string& content, Place place,
-                                  const std::string& attributes = "");
+[[nodiscard]] std::string picture(const Picture& frame, const std::string& content, Place place);
 
-/// Rules for what is inside pictures, in CSS variables; the page puts it into its style sheet.
+/// CSS rules of pictures, in CSS variables; the page puts them into its style sheet.
 [[nodiscard]] std::string picture_style();
 /// The variables: light, and dark.
 [[nodiscard]] std::string light_colours();

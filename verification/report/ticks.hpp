@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Axes: where the ticks stand and what they say.
+// Axes: places and labels of the ticks.
 #pragma once
 
 #include <optional>
@@ -49,8 +49,6 @@ class Mapping {
   Mapping(Scale scale, Range range, double from_pixel, double to_pixel);
   /// NaN where the value has no place on the axis (not finite; not positive on a logarithmic one).
   [[nodiscard]] double operator()(double value) const;
-  [[nodiscard]] const Range& range() const { return range_; }
-  [[nodiscard]] Scale scale() const { return scale_; }
 
  private:
   Scale scale_;

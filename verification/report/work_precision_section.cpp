@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What `ehd bench` left: time against achieved error, ratios at equal error, scaling, batches.
+// The results of `ehd bench`: time against achieved error, ratios at equal error, scaling, batches.
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 
-#include "contact/text.hpp"
 #include "verification/report/report.hpp"
 
 namespace ehd::report {
@@ -19,19 +18,15 @@ struct Quantity {
 constexpr Quantity quantities[] = {
     {"film.minimum", "error of *H*_{min}"}, {"film.central", "error of *H*_{cen}"}, {"pressure", "error of *P* (L2)"}};
 
-std::string title_of(const View& truth) {
-  const auto id = truth.text("case");
-  return id;
-}
-
-/// Time over achieved error of one case and quantity, a curve a solver: by tolerance and by grid together, along the
-/// lower left edge that no other run of the solver undercuts.
-Panel precision_panel(const std::vector<View>& rows, const std::vector<std::string>& solvers, const std::string& id,
-                      const Quantity& quantity, std::size_t& failed) {
+/// Time over achieved error of one case and quantity. Each run by tolerance or by grid is a mark; a line a solver joins
+/// the runs that no other run of the solver beats in both time and error.
+Panel precision_panel(const View& bench, const std::vector<View>& rows, const std::string& id, const Quantity& quantity,
+                      std::size_t& failed) {
   Panel panel;
   panel.x = {.label = quantity.label + std::string(", relative"), .scale = Scale::logarithmic};
   panel.y = {.label = "time [s]", .scale = Scale::logarithmic};
-  for (const std::string& solver : solvers) {
+  for (const View& named : bench["work_precision"].list("solvers")) {
+    const std::string solver = named.text();
     struct Run {
       double error, time;
       bool bound;
@@ -45,14 +40,13 @@ Panel precision_panel(const std::vector<View>& rows, const std::vector<std::stri
         continue;
       }
       if (!achieved || !time || !(*time > 0)) continue;
-      // An achieved error below the error of the truth is only a bound: it is drawn at that error, hollow.
+      // An achieved error that is only a bound is drawn hollow, not below the error of the truth.
       const double truth = row[quantity.key].number("truth_error").value_or(0);
       const bool bound = row[quantity.key].flag("bound_only").value_or(false);
       runs.push_back({std::max({*achieved, bound ? truth : 0.0, 1e-16}), *time, bound});
     }
     std::sort(runs.begin(), runs.end(), [](const Run& a, const Run& b) { return a.error > b.error; });
-    // The line joins what is worth running: less error costs more.
-    const Look look = look_of_solver(solver);
+    const Look look = look_of_solver(bench, solver);
     Series line{.line = look.line, .marker = Marker::none, .colour = look.colour, .of = literal(solver)};
     Series marks{.name = literal(solver),
                  .line = Line::none,
@@ -88,10 +82,7 @@ void add_failed(Page& page, const std::vector<View>& rows) {
                           verdict_cell(row.text("status")),
                           {escaped(row.text("reason")), "wide"}});
   }
-  if (table.rows.empty()) return;
-  page.add("<details><summary>" + std::to_string(table.rows.size()) + " not converged, or not run</summary>\n");
-  page.add(table);
-  page.add("</details>\n");
+  if (!table.rows.empty()) page.add_folded(std::to_string(table.rows.size()) + " not converged, or not run", table);
 }
 
 void add_ratios(Page& page, const View& result) {
@@ -106,9 +97,6 @@ void add_ratios(Page& page, const View& result) {
   if (names.empty()) return;
   page.heading("Times at equal achieved error");
   page.begin_figures();
-  static constexpr Line lines[] = {Line::solid, Line::dashed, Line::dash_dot, Line::dotted};
-  static constexpr Marker markers[] = {Marker::circle,  Marker::square, Marker::triangle,
-                                       Marker::diamond, Marker::plus,   Marker::cross};
   for (const std::string& name : names) {
     for (const Quantity& quantity : quantities) {
       Figure figure{
@@ -120,20 +108,16 @@ void add_ratios(Page& page, const View& result) {
       panel.title = literal(name);
       panel.x = {.label = quantity.label + std::string(" achieved by both"), .scale = Scale::logarithmic};
       panel.y = {.label = "ratio of times", .scale = Scale::logarithmic};
-      std::size_t style = 0;
-      for (const std::string& id : cases) {
-        Series series{.name = literal(id),
-                      .line = lines[style % 4],
-                      .marker = markers[style % 6],
-                      .colour = 1 + static_cast<int>(style % 6)};
+      for (std::size_t k = 0; k < cases.size(); ++k) {
+        const Look look = look_of_curve(k);
+        Series series{.name = literal(cases[k]), .line = look.line, .marker = look.marker, .colour = look.colour};
         for (const View& entry : equal) {
-          if (entry.text("case") != id || entry.text("quantity") != quantity.key) continue;
+          if (entry.text("case") != cases[k] || entry.text("quantity") != quantity.key) continue;
           const auto ratio = entry["ratios"].number(name), level = entry.number("level");
           if (!ratio || !level) continue;
           series.x.push_back(*level);
           series.y.push_back(*ratio);
         }
-        ++style;
         if (!series.x.empty()) panel.series.push_back(std::move(series));
       }
       if (panel.series.empty()) continue;
@@ -156,9 +140,7 @@ void add_ratios(Page& page, const View& result) {
     for (const auto& name : names) row.push_back(number_cell(entry["ratios"].number(name), 3));
     table.rows.push_back(std::move(row));
   }
-  page.add("<details><summary>All ratios as a table</summary>\n");
-  page.add(table);
-  page.add("</details>\n");
+  page.add_folded("All ratios as a table", table);
 }
 
 void add_coverage(Page& page, const View& result) {
@@ -180,8 +162,12 @@ void add_coverage(Page& page, const View& result) {
   page.add(table);
 }
 
-void add_scaling(Page& page, const std::vector<View>& rows) {
-  if (rows.empty()) return;
+void add_scaling(Page& page, const View& bench) {
+  const auto rows = bench.list("scaling");
+  if (rows.empty()) {
+    page.absent("Scaling is", "ehd bench --part scaling --output DIR");
+    return;
+  }
   page.heading("Scaling");
   struct Shown {
     const char* key;
@@ -210,7 +196,7 @@ void add_scaling(Page& page, const std::vector<View>& rows) {
       if (!n || !value || row.text("status") != "converged") continue;
       const std::string name = row.text("solver") + ", M = " + row.cell("M") + ", L = " + row.cell("L");
       if (!at.contains(name)) {
-        Look look = look_of_solver(row.text("solver"));
+        Look look = look_of_solver(bench, row.text("solver"));
         if (of_solver[row.text("solver")]++ > 0) look.line = Line::solid;
         at[name] = panel.series.size();
         panel.series.push_back({.name = literal(name),
@@ -266,19 +252,17 @@ void add_work_precision(Page& page, const View& bench) {
       note += " The process had " + markup_to_html(number_markup(100 * *share, 3)) + "\u2009% of a core.";
     page.paragraph(note);
     const auto rows = result.list("rows");
-    std::vector<std::string> solvers;
-    for (const View& solver : result.list("solvers")) solvers.push_back(solver.text());
     page.begin_figures();
     for (const View& truth : result.list("truths")) {
       for (const Quantity& quantity : quantities) {
         std::size_t failed = 0;
         Figure figure{.id = "fig-work-" + truth.text("case") + "-" + quantity.key,
-                      .title = "Work and precision: " + title_of(truth) + ", " + quantity.key,
+                      .title = "Work and precision: " + truth.text("case") + ", " + quantity.key,
                       .description =
                           "Time of a solve over its achieved relative error, a curve a solver, both axes logarithmic."};
-        Panel panel = precision_panel(rows, solvers, truth.text("case"), quantity, failed);
+        Panel panel = precision_panel(bench, rows, truth.text("case"), quantity, failed);
         if (panel.series.empty()) continue;
-        panel.title = literal(title_of(truth));
+        panel.title = literal(truth.text("case"));
         figure.panels.push_back(std::move(panel));
         page.figure(
             std::move(figure),
@@ -301,9 +285,7 @@ void add_work_precision(Page& page, const View& bench) {
   } else {
     page.absent("Work against precision is", "ehd bench --part work-precision --output DIR");
   }
-  const auto scaling = bench.list("scaling");
-  if (scaling.empty()) page.absent("Scaling is", "ehd bench --part scaling --output DIR");
-  add_scaling(page, scaling);
+  add_scaling(page, bench);
   add_batch(page, bench.list("batch"));
 }
 

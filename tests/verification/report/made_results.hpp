@@ -299,6 +299,7 @@ inline Json bearing(const std::string& id, double clearance_m) {
                        {"peak_bytes", 1e3 * nodes}});
   return {{"schema", 1},
           {"provenance", made::provenance()},
+          {"looks", {{"reference", 1}, {"fast", 2}}},
           {"work_precision",
            {{"solvers", {"reference", "fast"}},
             {"cpu_share", 0.99},

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the kernels of fast/ cost, by Google Benchmark. The counter `convolutions` is the time of one call in multiples
-// of one bare FFT convolution on as many intervals, timed right after.
+// Times of the kernels of fast/, by Google Benchmark. The counter `convolutions` is the time of one call over that of
+// one bare FFT convolution on as many intervals, measured right after.
 #include <benchmark/benchmark.h>
 
 #include <ctime>
@@ -40,7 +40,7 @@ struct Iterate {
   Jacobian jacobian;
 };
 
-/// Of this thread: what others do on the machine does not count.
+/// CPU time of this thread, which other processes on the machine do not change.
 double cpu_s() {
   timespec now{};
   ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
@@ -102,7 +102,7 @@ void jacobian_product(benchmark::State& run) {
   timed(run, [&] { benchmark::DoNotOptimize(at.jacobian.apply(step, at.counters).load); });
 }
 
-/// Both kernels work on a fresh copy, whose copying counts: what is solved again and again would end in denormals.
+/// Both kernels work on a fresh copy, and its copying counts: repeated solves of one vector would end in denormals.
 Banded diagonal_band(int n) {
   Banded band;
   band.resize(n);
