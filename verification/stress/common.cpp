@@ -42,6 +42,10 @@ Tolerance within_stated_errors() {
   return Tolerance::required(1, "difference of the films over the sum of the errors that both solvers state");
 }
 
+void keep_larger(std::optional<Tolerance>& largest, const Tolerance& one) {
+  if (!largest || one.value() > largest->value()) largest = one;
+}
+
 std::vector<BoxContact> cut_contacts(std::vector<BoxContact> contacts) {
   for (BoxContact& contact : contacts) contact.inlet = TruncatedAt{usual_cut};
   return contacts;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// (e) Inputs moved by one ulp and by 1e-8: the amplification dln H/dln q is the condition number. It must be that of a
-// step of 1e-3, and where films follow from M and L alone, that of the chain rule; one ulp moves a film by no more than
-// condition x ulp and two roundings of a film.
+// (e) Inputs moved by one ulp and by 1e-8. The amplification dln H/dln q is the condition number. With a step of 1e-8
+// it must equal that with 1e-3, and, where films follow from M and L alone, that of the chain rule. One ulp must move a
+// film by no more than condition x ulp and two roundings of a film.
 //
 // Rounding of a film on n equal cells from X_a: terms of size 1 + X_a^2/2 in a sum of n products, relative to the film,
-// and what iteration leaves. Divided by the step, it is what a difference of 1e-8 can be wrong by.
+// plus what the iteration leaves. This rounding over the step bounds the error of a difference quotient.
 #include <array>
 #include <cmath>
 #include <map>
@@ -12,6 +12,7 @@
 #include "contact/text.hpp"
 #include "verification/stress/parts.hpp"
 #include "verification/stress/stated.hpp"
+#include "verification/studies/solver_lists.hpp"
 #include "workflow/parallel.hpp"
 
 namespace ehd::verification::stress {
@@ -21,7 +22,7 @@ namespace {
 constexpr double small_step = 1e-8, large_step = 1e-3;
 constexpr double iterated_to = 1e-11;
 constexpr double time_limit_s = 60;
-/// Bound of the third derivatives over ln M and ln L: s^2/6 of it is below 10 s^2.
+/// Bound of the third derivatives in ln M and ln L. A central difference errs by s^2/6 of it, 10 s^2.
 constexpr double third_derivative = 60;
 
 struct Films {
@@ -29,8 +30,8 @@ struct Films {
   bool converged = false;
 };
 
-/// What a film in Hertz units is multiplied with: into metres where the statement is in SI, else into Moes' unit, in
-/// which the films of Barus follow from M and L alone.
+/// The factor from Hertz units to metres where the statement is in SI, else to Moes' unit, in which films with Barus'
+/// law follow from M and L alone.
 double film_unit(const Stated& stated, const Nondimensional& made) {
   return stated.in_SI() ? *made.scales->film_m_per_hertz_film() : moes_film_per_hertz_film(made.problem.groups.M);
 }
@@ -150,7 +151,7 @@ ConditionRow row_of(const Contact& contact, const Input& input, const Registered
   const PerFilm small = mover.slope(small_step), large = mover.slope(large_step), larger = mover.slope(2 * large_step);
   for (std::size_t k = 0; k < 2; ++k) {
     row.amplification[k] = small[k];
-    // Central differences err by s^2: the next term cancels between s and 2 s.
+    // The error of a central difference is ~ s^2: extrapolated from s and 2 s.
     row.large_step[k] = large[k] + (large[k] - larger[k]) / 3;
     row.large_step_error[k] = std::abs(large[k] - larger[k]) / 3;
     row.ulp_move[k] = std::max(std::abs(up.film[k] / here.film[k] - 1), std::abs(down.film[k] / here.film[k] - 1));
@@ -176,8 +177,9 @@ std::vector<ConditionRow> run_condition(const Scope& scope) {
   const int intervals = scope.quick ? 128 : 256;
   std::vector<Task> tasks;
   for (const Contact& contact : all) {
-    for (const char* solver : {"reference.uniform", "fast.uniform"}) {
-      for (const Input& input : inputs_of(contact.stated)) tasks.push_back({&contact, find_solver(solver), input});
+    for (const RegisteredSolver* solver : second_order_solvers()) {
+      if (!on_equal_cells(*solver)) continue;
+      for (const Input& input : inputs_of(contact.stated)) tasks.push_back({&contact, solver, input});
     }
   }
   std::vector<ConditionRow> rows(tasks.size());
@@ -194,29 +196,21 @@ Part judge_condition(const std::vector<ConditionRow>& rows) {
             .name = "condition",
             .question = "By how much do the films move where an input moves by one ulp or by 1e-8?"};
   part.settings = {{"small_step", small_step}, {"large_step", large_step}};
-  part.table.columns = {{"contact", ""},
-                        {"solver", ""},
-                        {"input", ""},
-                        {"dlnH_min/dln", "1e-8"},
-                        {"dlnH_min/dln", "1e-3"},
-                        {"dlnH_cen/dln", "1e-8"},
-                        {"dlnH_cen/dln", "1e-3"},
-                        {"by groups", "H_cen"},
-                        {"ulp moves H_min", ""},
-                        {"H_cen", ""},
-                        {"rounding of a film", ""}};
+  part.table.columns = columns_of(
+      "contact | solver | input | dlnH_min/dln [1e-8] | dlnH_min/dln [1e-3] | dlnH_cen/dln [1e-8] | dlnH_cen/dln "
+      "[1e-3] | by groups [H_cen] | ulp moves H_min | H_cen | rounding of a film");
   Tally tally;
   double largest = 0, worst_slope = 0, worst_ulp = 0;
   for (const ConditionRow& row : rows) {
     const std::string where = row.contact + ", " + row.solver + ", " + row.quantity;
     part.table.rows.push_back({row.contact, row.solver, row.quantity, row.amplification[0], row.large_step[0],
-                               row.amplification[1], row.large_step[1], row.by_groups[1].value_or(std::nan("")),
-                               row.ulp_move[0], row.ulp_move[1], row.floor});
+                               row.amplification[1], row.large_step[1], row.by_groups[1], row.ulp_move[0],
+                               row.ulp_move[1], row.floor});
     tally.require(row.converged, where + ": a solve did not converge");
     for (std::size_t k = 0; k < 2; ++k) {
       const std::string film = where + ", " + std::string(to_string(films[k]));
       const double condition = std::abs(row.large_step[k]);
-      // Two films, each known to the floor, over twice the step.
+      // The rounding of two films over twice the step.
       const Tolerance of_slope =
           Tolerance::iteration(row.floor, 1 / small_step) +
           Tolerance::asymptotic(row.large_step_error[k], "what extrapolating the large step moved");
@@ -234,11 +228,10 @@ Part judge_condition(const std::vector<ConditionRow>& rows) {
                       Tolerance::iteration(row.floor, 4 / large_step),
                   film + ", against the chain rule over M and L");
       largest = std::max(largest, std::abs(row.amplification[k]));
-      if (!part.tolerance || of_slope.value() > part.tolerance->value()) part.tolerance = of_slope;
+      keep_larger(part.tolerance, of_slope);
     }
   }
-  part.verdict = tally.verdict();
-  part.failures = tally.failures();
+  tally.close(part);
   part.summary = "largest amplification " + plain(largest, 3) + "; 1e-8 and 1e-3 agree within " +
                  plain(worst_slope, 2) + " of what rounding allows, one ulp moves films by at most " +
                  plain(worst_ulp, 2) + " of condition x ulp + rounding";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The parts of ehd stress: what each measures (run_…) and how that is judged (judge_…). Measuring and judging are apart
-// so that a verdict can be shown to fail on rows that are wrong.
+// The parts of ehd stress. run_… measures, judge_… judges: they are apart, so that tests can show each verdict to fail
+// on wrong rows.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,8 @@
 
 namespace ehd::verification::stress {
 
-/// What is kept of a solve: the two films (Hertz units) that a tolerance is about, with their stated relative errors.
+/// A solve in short: how it ended, the two films that a tolerance is about (Hertz units), and their stated relative
+/// errors.
 struct Ended {
   StopReason status = StopReason::diverged;
   std::string reason = {};
@@ -29,7 +30,9 @@ inline constexpr Quantity films[] = {Quantity::film_minimum, Quantity::film_cent
 [[nodiscard]] Ended ended(const Solution& solution);
 /// Largest difference of the two films over the sum of their stated errors; NaN where a film or an error is missing.
 [[nodiscard]] double over_stated_errors(const Ended& one, const Ended& other);
-[[nodiscard]] Tolerance within_stated_errors();  ///< of that: 1
+[[nodiscard]] Tolerance within_stated_errors();  ///< over_stated_errors() at most 1
+/// The largest tolerance of the rows stands for a part; each row is held to its own.
+void keep_larger(std::optional<Tolerance>& largest, const Tolerance& one);
 /// The same contacts with the inlet cut at `usual_cut`.
 [[nodiscard]] std::vector<BoxContact> cut_contacts(std::vector<BoxContact> contacts);
 /// To and from a child process.
@@ -40,7 +43,7 @@ inline constexpr Quantity films[] = {Quantity::film_minimum, Quantity::film_cent
 struct BoxPoint {
   bool roelands = false;
   double M = 0, L = 0, p_H_Pa = 0;
-  std::string dense = {};  ///< the solver that fast is held against
+  std::string dense = {};  ///< the solver behind `reference`
   Ended reference = {}, fast = {};
 };
 [[nodiscard]] std::vector<BoxPoint> run_box(const Scope& scope);
@@ -49,9 +52,9 @@ struct BoxPoint {
 // (b) -- random first states ---------------------------------------------------------------------------------------
 struct StartRow {
   std::string level = {}, contact = {}, family = {};
-  long starts = 0, converged = 0, dishonest = 0;  ///< dishonest: a number that is not finite in what is called solved
+  long starts = 0, converged = 0, dishonest = 0;  ///< dishonest: called solved, but a number is not finite
   bool own_solved = false;                        ///< from the start that the solver makes itself
-  double worst = 0;                         ///< largest relative difference of a film from that start's; NaN stays
+  double worst = 0;                         ///< largest relative difference from the film of that start; NaN stays
   std::optional<Tolerance> tolerance = {};  ///< of that; absent where the own start was not solved
 };
 [[nodiscard]] std::vector<StartRow> run_starts(const Scope& scope);
@@ -61,8 +64,8 @@ struct StartRow {
 struct PrecisionRow {
   std::string contact = {}, arithmetic = {}, equations = {};
   long unknowns = 0;
-  double minimum = 0, central = 0, pressure = 0;  ///< from 34 digits; films relative, pressure over its maximum
-  double condition = 0;                           ///< (1 + X_a^2/2)/H_min: size of the terms of a film over the film
+  double minimum = 0, central = 0, pressure = 0;  ///< error against 34 digits, relative; pressure over its maximum
+  double condition = 0;                           ///< (1 + X_a^2/2)/H_min: the terms of a film over the film
   double contraction = 0;                         ///< of the iteration in 34 digits
   std::optional<Tolerance> tolerance = {};        ///< of the films
 };
@@ -72,10 +75,10 @@ struct PrecisionRow {
 // (d) -- the four rounding modes -----------------------------------------------------------------------------------
 struct RoundingRow {
   std::string solver = {}, contact = {}, mode = {};
-  bool in_force = false;  ///< the process that solved had this mode, and modes change what a division gives there
+  bool in_force = false;  ///< the solving process had this mode, and a division there gave another result
   StopReason status = StopReason::diverged;
   double minimum = 0, central = 0;  ///< relative moves against rounding to nearest
-  bool to_rounding = false;         ///< else the solver adapts grids, and its stated errors bound the move
+  bool to_rounding = false;         ///< false: the solver adapts its grid, and its stated errors bound the move
   std::optional<Tolerance> tolerance = {};
   std::string why = {};  ///< where there is no result
 };
@@ -87,11 +90,12 @@ struct ConditionRow {
   std::string contact = {}, solver = {}, quantity = {};
   double amplification[2] = {};     ///< dln H/dln q of H_min and H_cen by a central difference of 1e-8
   double large_step[2] = {};        ///< by 1e-3, extrapolated
-  double large_step_error[2] = {};  ///< what extrapolation moved it by
+  double large_step_error[2] = {};  ///< its change by the extrapolation
   double ulp_move[2] = {};          ///< relative move of the films for one ulp of the input, the larger of both sides
   double ulp = 0;                   ///< relative
-  double floor = 0;                 ///< rounding of one film, relative, predicted
-  std::optional<double> by_groups[2] = {};  ///< from the sensitivities to M and L, where the films follow from them
+  double floor = 0;                 ///< predicted rounding of one film, relative
+  /// By the chain rule from the sensitivities to M and L, where the films follow from these alone.
+  std::optional<double> by_groups[2] = {};
   bool converged = true;
 };
 [[nodiscard]] std::vector<ConditionRow> run_condition(const Scope& scope);
@@ -101,11 +105,11 @@ struct ConditionRow {
 struct GridRow {
   std::string solver = {}, contact = {};
   int nodes = 0;
-  bool ran = true;  ///< false: not tried, `why` says why
+  bool ran = true;  ///< false: not tried; `why` gives the reason
   StopReason status = StopReason::diverged;
-  bool spike = false;  ///< the truth has one: no order is declared of H_min
+  bool spike = false;  ///< of the true pressure: H_min then has no declared order
   double cells = 0;    ///< equal cells in the inlet zone of the true film; 0 on other grids
-  std::optional<double> error[2] = {}, stated[2] = {};  ///< relative, H_min and H_cen; achieved against the truth
+  std::optional<double> error[2] = {}, stated[2] = {};  ///< of H_min and H_cen, relative; error: against the truth
   double truth_error[2] = {};
   double floor = 0;  ///< predicted for this n
   double wall_s = 0;
@@ -117,7 +121,7 @@ struct GridRow {
 // (g) -- extreme, impossible and hurried --------------------------------------------------------------------------
 struct ExtremeRow {
   std::string kind = {};                       ///< what was tried: "random SI", "impossible inputs", "limits"
-  std::string what = {};                       ///< the inputs, to be repeated
+  std::string what = {};                       ///< the inputs, with the digits to repeat the run
   bool inside = false;                         ///< in_the_box()
   std::string refused = {};                    ///< the message of a refusal before any solve
   std::optional<Ended> fast = {}, other = {};  ///< other: an independent solver, on some
@@ -125,8 +129,8 @@ struct ExtremeRow {
   std::string broke = {};  ///< how it broke: another exception, a signal
 };
 /// The box that must be solved: M 0.05 ... 5000, L 0 ... 30, p_H <= 4 GPa, z 0.1 ... 1.2, p_0 1e7 ... 1e10 Pa, flooded
-/// or (M >= 2) cut at -100 ... -2.5. It is read from the stated numbers alone, without nondimensionalise(): a wrong
-/// refusal would else hide a contact that lies inside. With u the sum of speeds: M = w/sqrt(eta u E' R),
+/// or (M >= 2) cut at -100 ... -2.5. Computed from the stated numbers alone, without nondimensionalise(), whose wrong
+/// refusal would hide a contact inside. With u the sum of speeds: M = w/sqrt(eta u E' R),
 /// L = alpha E' (eta u/(E' R))^(1/4), p_H = sqrt(w E'/(2 pi R)).
 [[nodiscard]] bool in_the_box(const Statement& statement, const Lubricant& lubricant, const Inlet& inlet);
 [[nodiscard]] std::vector<ExtremeRow> run_extremes(const Scope& scope);
@@ -148,17 +152,16 @@ struct RepeatRow {
 struct BearingRow {
   std::string law = {};
   long tried = 0;
-  long balanced = 0;                   ///< on contacts that all met their tolerance
-  long missed = 0, missed_inside = 0;  ///< balanced on others; and those of them inside the domain
-  long limits = 0;                     ///< refused since a solve came to its limit, inside or outside
-  long refused_outside = 0;            ///< outside the stated domain of the law, judged without the refusal
-  long refused_inside = 0;
-  double worst_balance = 0;    ///< balance_error; NaN stays
-  double worst_bisection = 0;  ///< worst_bisection_error; NaN stays
+  long balanced = 0;                   ///< every contact met its tolerance
+  long missed = 0, missed_inside = 0;  ///< balanced, but a contact missed its tolerance; those inside the law's domain
+  long limits = 0;                     ///< refused because a solve came to its limit, inside or outside the domain
+  long refused_outside = 0, refused_inside = 0;  ///< other refusals; the domain is computed from the stated numbers
+  double worst_balance = 0;                      ///< balance_error; NaN stays
+  double worst_bisection = 0;                    ///< worst_bisection_error; NaN stays
   long contact_solves = 0;
   double wall_s = 0, slowest_s = 0;
-  std::vector<std::string> inside = {};   ///< seeds and reasons of what no domain excuses
-  std::vector<std::string> reasons = {};  ///< why outside, each kind once, with the first refusal's words
+  std::vector<std::string> inside = {};   ///< refusals and misses that no domain excuses: seed and reason
+  std::vector<std::string> reasons = {};  ///< each kind of refusal outside, with the first seed and its message
 };
 [[nodiscard]] std::vector<BearingRow> run_bearings(const Scope& scope);
 [[nodiscard]] Part judge_bearings(const std::vector<BearingRow>& rows);

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// (c) The same discrete equations solved in double, in long double and with 34 digits: the differences are rounding and
-// nothing else.
-// - reference: the collocation on the mesh that the solver ended on, a template over the scalar (reference/hp).
-// - reference.uniform and fast.uniform: equal cells. Their code is written in double. So their equations (README.md of
-//   reference/) are written once more here, for any scalar; only the laws are shared. Both solvers have one truth.
-// In the longer scalars chord steps with an LU in double are enough: the residual decides the solution.
+// (c) The same discrete equations solved in double, in long double and with 34 digits: they differ by rounding alone.
+// - reference: the collocation on the solver's last mesh, a template over the scalar (reference/hp).
+// - reference.uniform and fast.uniform: equal cells. Their code is written in double, so their equations (README.md of
+//   reference/) are written again here for any scalar; only the laws are shared. Both solvers have one truth.
+// In the longer scalars chord steps with an LU in double are enough, because the residual decides the solution.
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -15,6 +14,7 @@
 #include "reference/hp/collocation.ipp"
 #include "verification/quad.hpp"
 #include "verification/stress/parts.hpp"
+#include "verification/studies/solver_lists.hpp"
 #include "workflow/parallel.hpp"
 
 namespace ehd::verification::stress {
@@ -24,12 +24,12 @@ namespace {
 using namespace reference::hp;
 using Eigen::Index;
 
-/// rounding_of in reference/high_order.cpp, of which the solver makes its errors: ten operations on terms of size 1 +
-/// X^2/2.
+/// As in rounding_of of reference/high_order.cpp, from which that solver states its errors: ten operations on terms of
+/// size 1 + X^2/2.
 constexpr double operations = 10;
-/// What the uniform solvers iterate to, relative to the film at the exit; a film errs by at most 0.24 of that
+/// What the solvers on equal cells iterate to, relative to the film at the exit; a film errs by at most 0.24 of that
 /// (fast/judgement.hpp).
-constexpr double iterated_to[] = {1e-12, 1e-11};
+constexpr double iterated_to_dense = 1e-12, iterated_to_fft = 1e-11;
 constexpr double inlet = usual_cut;
 constexpr int most_chord_steps = 40;
 constexpr double time_limit_s = 60;  ///< of the solve in double
@@ -46,6 +46,47 @@ VectorOf<To> converted(const VectorOf<From>& from) {
   return to;
 }
 
+/// A Jacobian in double, its rows scaled, and its factors: one instantiation for all scalars.
+class Factors {
+ public:
+  Factors(const MatrixOf<double>& jacobian, VectorOf<double> rows)
+      : rows_(std::move(rows)), lu_(MatrixOf<double>(rows_.asDiagonal() * jacobian)) {}
+  [[nodiscard]] VectorOf<double> step(const VectorOf<double>& residual) const {
+    return lu_.solve(VectorOf<double>(-rows_.cwiseProduct(residual)));
+  }
+
+ private:
+  VectorOf<double> rows_;
+  Eigen::PartialPivLU<MatrixOf<double>> lu_;
+};
+
+struct ChordRun {
+  double contraction = 0;
+  bool solved = false;
+};
+
+/// Chord steps until one is below `rounding`, relative to `unit`. residual() is that of the present state;
+/// take(size, step) adds size x step to it and returns the largest change of the unknowns that are no pressures, over
+/// size.
+template <class Scalar, class Residual, class Take>
+ChordRun chord_steps(const Factors& factors, double rounding, double unit, Residual residual, Take take) {
+  using std::abs;
+  ChordRun run;
+  double before = 0;
+  for (int k = 0; k < most_chord_steps && !run.solved; ++k) {
+    const VectorOf<Scalar> r = residual();
+    // Divided by its largest entry: a residual of 1e-30 has to reach the factors with its digits.
+    const Scalar size = r.cwiseAbs().maxCoeff();
+    if (size == Scalar(0)) break;
+    const VectorOf<double> step = factors.step(converted<double, Scalar>(VectorOf<Scalar>(r / size)));
+    const double moved = static_cast<double>(size) * take(size, step) / unit;
+    run.solved = moved <= rounding;
+    if (before > 0 && !run.solved) run.contraction = std::max(run.contraction, moved / before);
+    before = moved;
+  }
+  return run;
+}
+
 // -- equal cells ------------------------------------------------------------------------------------------------
 
 /// Unknowns P_1 … P_(n-1), H_0, X*. Terms as in reference/README.md, section 1, k = 0.
@@ -55,8 +96,8 @@ class UniformEquations {
   UniformEquations(const Problem& problem, int intervals) : problem_(problem), n_(intervals), weights_(intervals + 1) {
     using std::abs;
     using std::log;
-    // Int hat(t) ln|k - t| dt = G(k+1) - 2 G(k) + G(k-1), G = u^2 ln|u|/2 - 3u^2/4: with 34 digits n^2 ln n of them may
-    // cancel.
+    // Int hat(t) ln|k - t| dt = G(k+1) - 2 G(k) + G(k-1), G = u^2 ln|u|/2 - 3u^2/4. Terms of size n^2 ln n cancel: 34
+    // digits are enough.
     const auto G = [](int k) {
       const Quad u(k);
       return k == 0 ? Quad(0) : Quad(u * u * (log(abs(u)) / 2 - Quad(3) / 4));
@@ -123,46 +164,35 @@ class UniformEquations {
 };
 
 template <class Scalar>
-struct UniformSolved {
+struct UniformSolved : ChordRun {
   ArrayOf<Scalar> H, P;
-  double contraction = 0;
-  bool solved = false;
 };
 
-/// From the state that double left, until a step is below ten roundings of the film.
+/// From the solution in double, until a step is below ten roundings of the film.
 template <class Scalar>
 UniformSolved<Scalar> uniform_in(const Problem& problem, const Fields& fields) {
-  using std::abs;
   const auto n = static_cast<int>(fields.X.size()) - 1;
   const reference::Equations in_double(problem, reference::uniform_grid(inlet, n));
   const reference::State start{.P = fields.P, .offset = fields.offset, .exit = fields.X[n]};
-  const Eigen::PartialPivLU<Eigen::MatrixXd> lu(in_double.jacobian(start, in_double.evaluate(start)));
+  const Factors factors(in_double.jacobian(start, in_double.evaluate(start)), VectorOf<double>::Ones(n + 1));
   const UniformEquations<Scalar> equations(problem, n);
   typename UniformEquations<Scalar>::State state{.P = converted<Scalar, double>(fields.P.matrix()).array(),
                                                  .offset = Scalar(start.offset),
                                                  .exit = Scalar(start.exit)};
-  UniformSolved<Scalar> run;
   const double rounding = operations * eps_of<Scalar>() * (1 + inlet * inlet / 2);
-  double before = 0;
-  for (int step = 0; step < most_chord_steps && !run.solved; ++step) {
-    const VectorOf<Scalar> r = equations.residual(state);
-    const Scalar size = r.cwiseAbs().maxCoeff();
-    if (size == Scalar(0)) break;
-    const Eigen::VectorXd change = lu.solve(-converted<double, Scalar>(VectorOf<Scalar>(r / size)));
-    for (int i = 1; i < n; ++i) state.P[i] += size * Scalar(change[i - 1]);
-    state.offset += size * Scalar(change[n - 1]);
-    state.exit += size * Scalar(change[n]);
-    const double moved = static_cast<double>(size) * change.tail(2).cwiseAbs().maxCoeff();
-    run.solved = moved <= rounding;
-    if (before > 0 && !run.solved) run.contraction = std::max(run.contraction, moved / before);
-    before = moved;
-  }
-  run.H = equations.film(state);
-  run.P = state.P;
-  return run;
+  const ChordRun run = chord_steps<Scalar>(
+      factors, rounding, 1, [&] { return equations.residual(state); },
+      [&](const Scalar& size, const VectorOf<double>& step) {
+        for (int i = 1; i < n; ++i) state.P[i] += size * Scalar(step[i - 1]);
+        state.offset += size * Scalar(step[n - 1]);
+        state.exit += size * Scalar(step[n]);
+        return step.tail(2).cwiseAbs().maxCoeff();
+      });
+  return {run, equations.film(state), state.P};
 }
 
-/// Largest relative difference of the films at the nodes where the truth is smallest, and next to X = 0.
+/// Relative difference of the films at the node where the truth is smallest and at the node next to X = 0; the largest
+/// difference of the pressures over their maximum.
 template <class One>
 void compare(const One& H, const ArrayOf<Quad>& P_truth, const ArrayOf<Quad>& truth, const Array& X, const One& P,
              PrecisionRow& row) {
@@ -183,28 +213,33 @@ void compare(const One& H, const ArrayOf<Quad>& P_truth, const ArrayOf<Quad>& tr
   row.pressure = static_cast<double>(Quad(differ / largest));
 }
 
-std::vector<PrecisionRow> on_equal_cells(const Problem& problem, const std::string& contact, int intervals) {
+PrecisionRow in_long_double(PrecisionRow row) {
+  row.arithmetic = "long double";
+  row.tolerance = Tolerance::calibrated(operations * row.condition * eps_of<long double>(),
+                                        "10 operations x condition x eps of long double");
+  return row;
+}
+
+std::vector<PrecisionRow> rows_on_equal_cells(const Problem& problem, const std::string& contact, int intervals) {
   std::vector<PrecisionRow> rows;
-  const char* const solvers[] = {"reference.uniform", "fast.uniform"};
-  for (std::size_t k = 0; k < 2; ++k) {
+  for (const RegisteredSolver* solver : second_order_solvers()) {
+    if (!on_equal_cells(*solver)) continue;
     const Solution solution =
-        find_solver(solvers[k])->solve(problem, {.tolerance = {}, .nodes = intervals, .time_limit_s = time_limit_s});
-    PrecisionRow row{.contact = contact, .arithmetic = "double", .equations = solvers[k], .unknowns = intervals + 1};
+        solver->solve(problem, {.tolerance = {}, .nodes = intervals, .time_limit_s = time_limit_s});
+    PrecisionRow row{.contact = contact, .arithmetic = "double", .equations = solver->name, .unknowns = intervals + 1};
     row.minimum = row.central = std::nan("");
     if (solution.record.status == StopReason::converged) {
       const Fields& fields = solution.fields;
       const auto truth = uniform_in<Quad>(problem, fields);
       row.contraction = truth.contraction;
       row.condition = (1 + inlet * inlet / 2) / fields.H.minCoeff();
-      row.tolerance = Tolerance::round_off(operations, row.condition) + Tolerance::iteration(iterated_to[k]);
+      row.tolerance = Tolerance::round_off(operations, row.condition) +
+                      Tolerance::iteration(solver->dense() ? iterated_to_dense : iterated_to_fft);
       if (truth.solved) compare(fields.H, truth.P, truth.H, fields.X, fields.P, row);
-      if (k == 0 && truth.solved) {
-        PrecisionRow longer = row;
-        longer.arithmetic = "long double";
+      if (solver->dense() && truth.solved) {
+        PrecisionRow longer = in_long_double(row);
         longer.equations = "the same equations";
         const auto middle = uniform_in<long double>(problem, fields);
-        longer.tolerance = Tolerance::calibrated(operations * row.condition * eps_of<long double>(),
-                                                 "10 operations x condition x eps of long double");
         longer.minimum = longer.central = std::nan("");
         if (middle.solved) compare(middle.H, truth.P, truth.H, fields.X, middle.P, longer);
         rows.push_back(longer);
@@ -217,7 +252,7 @@ std::vector<PrecisionRow> on_equal_cells(const Problem& problem, const std::stri
 
 // -- collocation ------------------------------------------------------------------------------------------------
 
-/// The mesh that a solution of `reference` lies on, from its nodes: xi = X - X*, unstretched.
+/// The mesh of a solution of `reference`, from its nodes: xi = X - X*, unstretched.
 Mesh mesh_of(const Fields& fields) {
   Mesh mesh{.inlet = fields.X[0], .breakpoints = {}, .degrees = {}};
   const double exit = fields.X[fields.X.size() - 1];
@@ -230,45 +265,32 @@ Mesh mesh_of(const Fields& fields) {
 }
 
 template <class Scalar>
-struct Solved {
+struct Solved : ChordRun {
   reference::hp::State<Scalar> state;
-  double contraction = 0;
-  bool solved = false;
 };
 
 template <class Scalar>
 Solved<Scalar> collocation_in(const Problem& problem, const Mesh& mesh, const reference::hp::State<double>& start) {
-  using std::abs;
   const Collocation<double> in_double(problem, mesh, Points::left_radau);
   const Collocation<Scalar> equations(problem, mesh, Points::left_radau);
   const int n = equations.intervals();
   const auto at = in_double.evaluate(start, 0);
-  const VectorOf<double> rows = at.scale.cwiseInverse();
-  const Eigen::PartialPivLU<MatrixOf<double>> lu(rows.asDiagonal() * in_double.jacobian(start, at));
-  Solved<Scalar> run{.state = {.P = converted<Scalar, double>(start.P),
-                               .offset = Scalar(start.offset),
-                               .flux = Scalar(start.flux),
-                               .exit = Scalar(start.exit)}};
+  const Factors factors(in_double.jacobian(start, at), at.scale.cwiseInverse());
+  reference::hp::State<Scalar> state{.P = converted<Scalar, double>(start.P),
+                                     .offset = Scalar(start.offset),
+                                     .flux = Scalar(start.flux),
+                                     .exit = Scalar(start.exit)};
   const double rounding = operations * 1.5 / start.flux * eps_of<Scalar>();
-  double before = 0;
-  for (int step = 0; step < most_chord_steps && !run.solved; ++step) {
-    const auto here = equations.evaluate(run.state, Scalar(0));
-    // A residual of 1e-30 has to reach the solver with digits: divided by its largest entry.
-    const Scalar size = here.residual.cwiseAbs().maxCoeff();
-    if (size == Scalar(0)) break;
-    const VectorOf<double> right =
-        -rows.cwiseProduct(converted<double, Scalar>(VectorOf<Scalar>(here.residual / size)));
-    const VectorOf<double> change = lu.solve(right);
-    for (int i = 0; i < n; ++i) run.state.P[i] += size * Scalar(change[i]);
-    run.state.offset += size * Scalar(change[n]);
-    run.state.flux += size * Scalar(change[n + 1]);
-    run.state.exit += size * Scalar(change[n + 2]);
-    const double moved = static_cast<double>(size) * change.tail(3).cwiseAbs().maxCoeff() / start.flux;
-    run.solved = moved <= rounding;
-    if (before > 0 && !run.solved) run.contraction = std::max(run.contraction, moved / before);
-    before = moved;
-  }
-  return run;
+  const ChordRun run = chord_steps<Scalar>(
+      factors, rounding, start.flux, [&] { return equations.evaluate(state, Scalar(0)).residual; },
+      [&](const Scalar& size, const VectorOf<double>& step) {
+        for (int i = 0; i < n; ++i) state.P[i] += size * Scalar(step[i]);
+        state.offset += size * Scalar(step[n]);
+        state.flux += size * Scalar(step[n + 1]);
+        state.exit += size * Scalar(step[n + 2]);
+        return step.tail(3).cwiseAbs().maxCoeff();
+      });
+  return {run, std::move(state)};
 }
 
 template <class Scalar>
@@ -278,17 +300,17 @@ ArrayOf<Scalar> films_at_nodes(const Problem& problem, const Mesh& mesh, const r
   return equations.film(state, places, equations.kernel_rows(places));
 }
 
-std::vector<PrecisionRow> on_elements(const Problem& problem, const std::string& contact, double asked) {
+std::vector<PrecisionRow> rows_on_elements(const Problem& problem, const std::string& contact, double asked) {
   PrecisionRow row{.contact = contact, .arithmetic = "double", .equations = "reference, its mesh"};
   row.minimum = row.central = std::nan("");
-  const Solution solution =
-      find_solver("reference")->solve(problem, {.tolerance = asked, .time_limit_s = time_limit_s});
+  const Solution solution = certified_solver().solve(problem, {.tolerance = asked, .time_limit_s = time_limit_s});
   if (solution.record.status != StopReason::converged) return {row};
   const Fields& fields = solution.fields;
   const auto last = fields.X.size() - 1;
   const Mesh mesh = mesh_of(fields);
   row.unknowns = last + 3;
-  // Its own equations on the mesh rebuilt: breakpoints moved in their last digit, so Newton's last step is taken again.
+  // The mesh is rebuilt from the nodes, and its breakpoints may differ in the last digit. So double is solved again
+  // too.
   const reference::hp::State<double> given{.P = fields.P.matrix(),
                                            .offset = fields.offset,
                                            .flux = fields.density[last] * fields.H[last],
@@ -299,10 +321,7 @@ std::vector<PrecisionRow> on_elements(const Problem& problem, const std::string&
   row.contraction = truth.contraction;
   row.condition = 1.5 / given.flux;
   row.tolerance = Tolerance::round_off(operations, row.condition);
-  PrecisionRow longer = row;
-  longer.arithmetic = "long double";
-  longer.tolerance = Tolerance::calibrated(operations * row.condition * eps_of<long double>(),
-                                           "10 operations x condition x eps of long double");
+  PrecisionRow longer = in_long_double(row);
   if (here.solved && middle.solved && truth.solved) {
     const ArrayOf<Quad> H = films_at_nodes(problem, mesh, truth.state), P = truth.state.P.array();
     compare(films_at_nodes(problem, mesh, here.state), P, H, fields.X, Array(here.state.P.array()), row);
@@ -324,8 +343,8 @@ std::vector<PrecisionRow> run_precision(const Scope& scope) {
   in_threads(found.size(), scope.threads, [&](std::size_t i) {
     const Problem problem = contacts[i / 2].problem();
     const std::string contact = contacts[i / 2].name();
-    found[i] = i % 2 == 0 ? on_equal_cells(problem, contact, intervals)
-                          : on_elements(problem, contact, scope.quick ? 1e-4 : 1e-8);
+    found[i] = i % 2 == 0 ? rows_on_equal_cells(problem, contact, intervals)
+                          : rows_on_elements(problem, contact, scope.quick ? 1e-4 : 1e-8);
   });
   std::vector<PrecisionRow> rows;
   for (const auto& some : found) rows.insert(rows.end(), some.begin(), some.end());
@@ -337,16 +356,14 @@ Part judge_precision(const std::vector<PrecisionRow>& rows) {
             .name = "precision",
             .question = "What does double precision do to the solution of the same discrete equations?"};
   part.settings = {{"operations", operations}, {"inlet", inlet}, {"digits", 34}};
-  part.table.columns = {{"contact", ""},   {"equations", ""},  {"arithmetic", ""}, {"unknowns", ""},
-                        {"condition", ""}, {"H_min off", ""},  {"H_cen off", ""},  {"P off", ""},
-                        {"bound", ""},     {"contraction", ""}};
+  part.table.columns = columns_of(
+      "contact | equations | arithmetic | unknowns | condition | H_min off | H_cen off | P off | bound | contraction");
   Tally tally;
   double worst = 0, largest = 0;
   for (const PrecisionRow& row : rows) {
     const std::string where = row.contact + ", " + row.equations + ", " + row.arithmetic;
-    part.table.rows.push_back({row.contact, row.equations, row.arithmetic, static_cast<double>(row.unknowns),
-                               row.condition, row.minimum, row.central, row.pressure,
-                               row.tolerance ? row.tolerance->value() : std::nan(""), row.contraction});
+    part.table.rows.push_back({row.contact, row.equations, row.arithmetic, row.unknowns, row.condition, row.minimum,
+                               row.central, row.pressure, row.tolerance, row.contraction});
     if (!row.tolerance) {
       tally.add(Verdict::inconclusive, where + ": not solved");
       continue;
@@ -356,11 +373,9 @@ Part judge_precision(const std::vector<PrecisionRow>& rows) {
       worst = std::max(worst, error / row.tolerance->value());
       if (row.arithmetic == "double") largest = std::max(largest, error);
     }
-    if (row.arithmetic == "double" && (!part.tolerance || row.tolerance->value() > part.tolerance->value()))
-      part.tolerance = row.tolerance;
+    if (row.arithmetic == "double") keep_larger(part.tolerance, *row.tolerance);
   }
-  part.verdict = tally.verdict();
-  part.failures = tally.failures();
+  tally.close(part);
   part.summary = "films in double are at most " + plain(largest, 2) + " from those of 34 digits, every row within " +
                  plain(worst, 2) + " of its bound";
   return part;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// (h) The same problem again: in this thread, in two threads, in another process. Every bit but the times is compared.
+// (h) The same problem again: in this thread, in two threads, in another process. Every bit is compared, except times.
 #include <algorithm>
 
 #include "contact/text.hpp"
 #include "verification/bench/child.hpp"
 #include "verification/stress/parts.hpp"
 #include "verification/studies/bit_digest.hpp"
+#include "verification/studies/solver_lists.hpp"
 #include "workflow/batch.hpp"
 
 namespace ehd::verification::stress {
@@ -13,8 +14,8 @@ namespace ehd::verification::stress {
 namespace {
 
 constexpr double time_limit_s = 60;
-/// Above this M reference.uniform is not asked for a tolerance. Cells shrink with the 2/3 power of the film: at
-/// (200, 7.5) the dense solver would have thousands and end by its time limit, each run at another place.
+/// Above this M the dense solver on equal cells is not asked for a tolerance. Cells shrink with the 2/3 power of the
+/// film: at (200, 7.5) there would be thousands, and each run would meet the time limit at another place.
 constexpr double heaviest_on_equal_cells = 20;
 constexpr double lightest_cut_M = 2;
 constexpr double heaviest_quick_M = 10;
@@ -30,7 +31,7 @@ std::vector<Problem> contacts(bool quick) {
   return list;
 }
 
-/// A text of the solution's bits: solutions that differ anywhere have another text, but for collisions of 64 bits.
+/// A text of the solution's bits. Solutions that differ have other texts, except for collisions of 64 bits.
 std::string fingerprint(const Solution& solution) {
   BitDigest digest;
   for (const auto& [quantity, reading] : solution.observables) {
@@ -63,10 +64,10 @@ std::vector<RepeatRow> run_repeats(const Scope& scope) {
       const std::string& text = asked.text;
       const Request& request = asked.request;
       std::vector<Problem> problems = all_problems;
-      if (solver.name == "reference.uniform" && request.tolerance)
+      if (solver.dense() && on_equal_cells(solver) && request.tolerance)
         std::erase_if(problems, [](const Problem& problem) { return problem.groups.M > heaviest_on_equal_cells; });
       scope.show(solver.name + ", " + text);
-      // The other process first, while this one has no thread but its own.
+      // The other process first, while this one has a single thread.
       const ChildEnd child = in_child([&] {
         std::string prints;
         for (const Solution& solution : solve_all(solver, problems, request, 1)) prints += fingerprint(solution) + "\n";
@@ -100,15 +101,13 @@ Part judge_repeats(const std::vector<RepeatRow>& rows) {
       Tolerance::required(0, "solutions that differ in any bit; plans are estimated, no solve knows of another");
   part.settings = {
       {"threads", {1, 2}}, {"time_limit_s", time_limit_s}, {"heaviest_on_equal_cells", heaviest_on_equal_cells}};
-  part.table.columns = {{"solver", ""},         {"asked", ""},      {"contacts", ""},
-                        {"converged", ""},      {"same again", ""}, {"same in 2 threads", ""},
-                        {"same in a child", ""}};
+  part.table.columns =
+      columns_of("solver | asked | contacts | converged | same again | same in 2 threads | same in a child");
   Tally tally;
   long solves = 0, same = 0;
   for (const RepeatRow& row : rows) {
-    part.table.rows.push_back({row.solver, row.request, static_cast<double>(row.contacts),
-                               static_cast<double>(row.converged), static_cast<double>(row.same_again),
-                               static_cast<double>(row.same_in_two), static_cast<double>(row.same_in_process)});
+    part.table.rows.push_back(
+        {row.solver, row.request, row.contacts, row.converged, row.same_again, row.same_in_two, row.same_in_process});
     const std::string where = row.solver + ", " + row.request + ": ";
     if (row.contacts == 0 || row.converged == 0) {
       tally.add(Verdict::inconclusive, where + "no contact was solved");
@@ -127,8 +126,7 @@ Part judge_repeats(const std::vector<RepeatRow>& rows) {
       same += count;
     }
   }
-  part.verdict = tally.verdict();
-  part.failures = tally.failures();
+  tally.close(part);
   part.summary = std::to_string(same) + " of " + std::to_string(solves) +
                  " repeated solves are the same bit for bit, every solver";
   return part;

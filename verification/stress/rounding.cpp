@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// (d) The solvers, with FFTW, Eigen and libm under them, in the four rounding modes, each in a process of its own.
+// (d) Every solver, with FFTW, Eigen and libm, in the four rounding modes, each mode in a process of its own.
 //
-// A film is X^2/2 + H_0 less a sum of kernel products: terms of size 1 + X_a^2/2, in which a directed mode errs by up
-// to one eps an operation, always to the same side, so that errors of n terms add up to n eps at the worst; an FFT adds
-// them in log2 2n stages, 4 eps each (rung 2). Twice that, since the mode and rounding to nearest both err. What
-// iteration leaves comes on top. Solvers that lay out their grids by the solution may lay out another one: their films
-// move within what both runs state.
+// A film is X^2/2 + H_0 less a sum of kernel products. Its terms have the size 1 + X_a^2/2. A directed mode errs by up
+// to one eps in each operation, always to the same side: n terms err by up to n eps. An FFT adds them in log2 2n stages
+// of 4 eps each (rung 2). The bound is twice that, because the mode and rounding to nearest both err, plus what the
+// iteration leaves. Solvers that fit their grids to the solution may choose another grid: their films may move by the
+// sum of the errors that both runs state.
 #include <cfenv>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -15,6 +15,7 @@
 #include "verification/bench/child.hpp"
 #include "verification/claim.hpp"
 #include "verification/stress/parts.hpp"
+#include "verification/studies/solver_lists.hpp"
 
 namespace ehd::verification::stress {
 
@@ -33,7 +34,7 @@ constexpr Mode modes[] = {
     {"nearest", FE_TONEAREST}, {"up", FE_UPWARD}, {"down", FE_DOWNWARD}, {"to zero", FE_TOWARDZERO}};
 
 struct Asked {
-  std::string solver;
+  const RegisteredSolver* solver;
   Request request;
   bool to_rounding;
   double operations;
@@ -43,16 +44,19 @@ std::vector<Asked> asked_of_all() {
   const double fft_stages = std::log2(2.0 * intervals);
   const Request on_a_grid{.tolerance = {}, .nodes = intervals, .time_limit_s = time_limit_s};
   const Request to_tolerance{.tolerance = adaptive_tolerance, .time_limit_s = time_limit_s};
-  return {{"reference.uniform", on_a_grid, true, 2.0 * intervals},
-          {"fast.uniform", on_a_grid, true, 8 * fft_stages + 20},
-          {"reference.linear", to_tolerance, false, 0},
-          {"fast", to_tolerance, false, 0},
-          {"reference", to_tolerance, false, 0}};
+  std::vector<Asked> all;
+  for (const RegisteredSolver* solver : second_order_solvers())
+    if (on_equal_cells(*solver))
+      all.push_back({solver, on_a_grid, true, solver->dense() ? 2.0 * intervals : 8 * fft_stages + 20});
+  for (const RegisteredSolver* solver : second_order_solvers())
+    if (!on_equal_cells(*solver)) all.push_back({solver, to_tolerance, false, 0});
+  all.push_back({&certified_solver(), to_tolerance, false, 0});
+  return all;
 }
 
-/// The processor obeys: a third is not the same rounded up and rounded down. Without it films that stay say nothing.
+/// True where 1/3 rounded up differs from 1/3 rounded down. If not, the modes have no effect and nothing is tested.
 bool modes_act() {
-  volatile double one = 1, three = 3;  // else the compiler divides
+  volatile double one = 1, three = 3;  // volatile: the compiler must not divide
   const int before = std::fegetround();
   if (std::fesetround(FE_UPWARD) != 0) return false;
   volatile double up = one / three;
@@ -67,11 +71,10 @@ Json in_mode(int mode, const std::vector<Asked>& all, const std::vector<Problem>
   if (std::fesetround(mode) != 0) throw std::runtime_error("this rounding mode cannot be set");
   const bool in_force = act && std::fegetround() == mode;
   for (const Asked& asked : all) {
-    for (const Problem& problem : problems)
-      ends.push_back(ended(find_solver(asked.solver)->solve(problem, asked.request)));
+    for (const Problem& problem : problems) ends.push_back(ended(asked.solver->solve(problem, asked.request)));
   }
   const bool stayed = std::fegetround() == mode;
-  std::fesetround(FE_TONEAREST);  // numbers are written as they are read
+  std::fesetround(FE_TONEAREST);  // for the text of the numbers, which is read in this mode
   if (!stayed) throw std::runtime_error("a solver changed the rounding mode");
   Json json = Json::array();
   for (const Ended& end : ends) {
@@ -117,7 +120,7 @@ std::vector<RoundingRow> run_rounding(const Scope& scope) {
     for (const Asked& asked : all) {
       for (const BoxContact& contact : contacts) {
         RoundingRow row{
-            .solver = asked.solver, .contact = contact.name(), .mode = name, .to_rounding = asked.to_rounding};
+            .solver = asked.solver->name, .contact = contact.name(), .mode = name, .to_rounding = asked.to_rounding};
         row.minimum = row.central = std::nan("");
         if (index < json.size() && index < nearest.size()) {
           row.in_force = json[index].at("in_force").get<bool>();
@@ -138,8 +141,7 @@ Part judge_rounding(const std::vector<RoundingRow>& rows) {
             .name = "rounding",
             .question = "Do the films stay where they are when the processor rounds up, down or to zero?"};
   part.settings = {{"intervals", intervals}, {"tolerance", adaptive_tolerance}, {"inlet", inlet}};
-  part.table.columns = {{"solver", ""},      {"contact", ""},     {"mode", ""},  {"status", ""},
-                        {"H_min moves", ""}, {"H_cen moves", ""}, {"bound", ""}, {"by", ""}};
+  part.table.columns = columns_of("solver | contact | mode | status | H_min moves | H_cen moves | bound | by");
   Tally tally;
   double worst = 0, farthest = 0;
   long converged = 0, directed = 0, moved = 0;
@@ -148,9 +150,8 @@ Part judge_rounding(const std::vector<RoundingRow>& rows) {
     directed += is_directed ? 1 : 0;
     moved += is_directed && (row.minimum != 0 || row.central != 0) ? 1 : 0;
     const std::string where = row.solver + ", " + row.contact + ", " + row.mode;
-    part.table.rows.push_back({row.solver, row.contact, row.mode, std::string(to_string(row.status)), row.minimum,
-                               row.central, row.tolerance ? row.tolerance->value() : std::nan(""),
-                               std::string(row.to_rounding ? "operations x condition" : "stated errors")});
+    part.table.rows.push_back({row.solver, row.contact, row.mode, to_string(row.status), row.minimum, row.central,
+                               row.tolerance, row.to_rounding ? "operations x condition" : "stated errors"});
     tally.require(row.status == StopReason::converged,
                   where + ": " + (row.why.empty() ? std::string(to_string(row.status)) : row.why));
     converged += row.status == StopReason::converged ? 1 : 0;
@@ -165,13 +166,11 @@ Part judge_rounding(const std::vector<RoundingRow>& rows) {
       worst = worse(worst, move / row.tolerance->value());
       if (row.to_rounding) farthest = worse(farthest, move);
     }
-    if (row.to_rounding && (!part.tolerance || row.tolerance->value() > part.tolerance->value()))
-      part.tolerance = row.tolerance;
+    if (row.to_rounding) keep_larger(part.tolerance, *row.tolerance);
   }
   if (directed == 0 || moved == 0)
     tally.add(Verdict::inconclusive, "not one bit of one film moves in a directed mode: it cannot have been in force");
-  part.verdict = tally.verdict();
-  part.failures = tally.failures();
+  tally.close(part);
   part.summary = std::to_string(converged) + " of " + std::to_string(rows.size()) +
                  " solves converge; films on fixed grids move by at most " + plain(farthest, 2) +
                  ", every film by at most " + plain(worst, 2) + " of its bound";

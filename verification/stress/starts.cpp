@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// (b) Random admissible pressures and offsets end in the same solution, or in an honest failure. The contract of a
-// solver takes no start, but for fast's neighbour; so Newton's method of each is started directly:
-// - reference.uniform and fast.uniform: Newton on 128 equal cells, inlet cut at -4;
-// - reference: Newton of its collocation on one mesh at the fluidity's floor 1e-2, where the solver itself begins;
-// - fast: the neighbour of a warm start is made up, the answer must still be that of a cold start within the stated
-// errors.
+// (b) Random admissible pressures and offsets lead to the same solution, or to an honest failure. solve() takes no
+// start (except a neighbour's solution in fast), so the Newton's methods are started directly:
+// - reference.uniform and fast.uniform: on 128 equal cells, inlet cut at -4;
+// - reference: its collocation on one mesh, with 1e-2 as the floor of the fluidity, where the solver itself begins;
+// - fast: from a made-up neighbour. The films must be those of a cold start within the stated errors.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -32,11 +31,11 @@ using Clock = std::chrono::steady_clock;
 constexpr unsigned seed = 20261124;
 constexpr int intervals = 128;
 constexpr double inlet = usual_cut;
-/// What both uniform Newtons iterate to, relative to the exit's film; what a residual does to a film is at most 0.24 of
-/// it at 96 problems (fast/judgement.hpp), so that 1 covers it.
+/// What Newton's method on equal cells iterates to, relative to the exit's film. A residual changes a film by at most
+/// 0.24 of itself in 96 problems (fast/judgement.hpp): 1 covers it.
 constexpr double iterated_to = 1e-11, amplification = 1;
 
-/// A pressure P(X) >= 0, an exit and a smallest film, all drawn.
+/// A random pressure P(X) >= 0, exit and smallest film.
 struct Start {
   std::function<double(double)> P;
   double exit = 1, film = 0;
@@ -44,9 +43,8 @@ struct Start {
 
 constexpr const char* families[] = {"stretched", "bumps", "rough"};
 
-/// stretched: a half ellipse of half to one and a half times the width, moved; bumps: one to four; rough: each value
-/// drawn for itself under an ellipse. Films of a quarter to four times the expected one. Scaled to the load by the
-/// caller.
+/// stretched: a moved half ellipse, 0.5 to 1.5 times as wide as the contact. bumps: one to four. rough: random values
+/// under an ellipse. Films are 0.25 to 4 times the expected one. The caller scales the pressure to the load.
 Start drawn(Draw& draw, const std::string& family, double film) {
   const double l = std::max(1.0, std::sqrt(2 * film));
   Start start{.P = {}, .exit = l * draw.uniform(0.7, 1.4), .film = film * draw.log_uniform(0.25, 4)};
@@ -88,7 +86,7 @@ double largest_difference(const Array& film, const Array& truth) {
   return (film / truth - 1).abs().maxCoeff<Eigen::PropagateNaN>();
 }
 
-/// What rounding does to a film on n cells from X_a on: terms of size 1 + X_a^2/2, relative to the film.
+/// Rounding of a film: terms of size 1 + X_a^2/2, relative to the film.
 Tolerance rounding(double film) { return Tolerance::round_off(10, (1 + inlet * inlet / 2) / film); }
 
 struct Outcome {
@@ -99,7 +97,7 @@ using Attempt = std::function<Outcome(const Start&)>;
 
 struct Level {
   std::string name;
-  bool own_solved;  ///< from the start that the solver makes itself; without it there is nothing to hold a film against
+  bool own_solved;  ///< from the start that the solver makes itself; its film is the truth of the level
   Tolerance tolerance;
   Attempt attempt;
 };
@@ -143,13 +141,12 @@ Level of_fast_uniform(const Problem& problem) {
   const fast::Setting setting{
       .groups = problem.groups, .viscosity = problem.viscosity, .density = problem.density, .inlet = inlet};
   const auto solve = [=](fast::State& state) {
-    fast::Grid& grid = kept->workspace.grids.of(intervals);
-    static_cast<void>(grid);
+    static_cast<void>(kept->workspace.grids.of(intervals));  // the grid of now()
     return fast::newton(setting, state, {.residual = iterated_to}, 60,
                         {.newton_iterations = 100000000, .deadline = Clock::now() + std::chrono::seconds(20)},
                         kept->workspace, kept->counters);
   };
-  // As fast::succeeded: P >= 0 and a film that opens at the exit.
+  // As in fast::succeeded: P >= 0, and the film opens at the exit.
   const auto admissible = [=](const fast::NewtonResult& result, const fast::State& state) {
     const auto& at = kept->workspace.now().nodes;
     return result.end == fast::NewtonEnd::converged && state.P.minCoeff() >= -1e-3 &&
@@ -274,39 +271,30 @@ Part judge_starts(const std::vector<StartRow>& rows) {
   Part part{
       .id = "b", .name = "starts", .question = "Do random admissible pressures and offsets end in the same solution?"};
   part.settings = {{"seed", seed}, {"intervals", intervals}, {"inlet", inlet}};
-  part.table.columns = {{"level", ""},    {"contact", ""},   {"family", ""},
-                        {"starts", ""},   {"converged", ""}, {"largest difference", ""},
-                        {"tolerance", ""}};
+  part.table.columns = columns_of("level | contact | family | starts | converged | largest difference | tolerance");
   Tally tally;
   long starts = 0, converged = 0;
   double worst = 0;
   for (const StartRow& row : rows) {
-    const double tolerance = row.tolerance ? row.tolerance->value() : std::nan("");
-    part.table.rows.push_back({row.level, row.contact, row.family, static_cast<double>(row.starts),
-                               static_cast<double>(row.converged), row.worst, tolerance});
+    part.table.rows.push_back(
+        {row.level, row.contact, row.family, row.starts, row.converged, row.worst, row.tolerance});
     const std::string where = row.level + ", " + row.contact + ", " + row.family;
     starts += row.starts;
     converged += row.converged;
     tally.require(row.dishonest == 0, where + ": numbers that are not finite in what is called solved");
-    // Every contact here lies in the box and is resolved: from its own start a solver has to converge.
+    // All contacts lie in the box and are resolved, so a solver has to converge from its own start.
     tally.require(row.own_solved, where + ": not solved from the solver's own start");
-    if (row.starts == 0 || row.converged == 0 || !std::isfinite(tolerance)) {
+    if (row.starts == 0 || row.converged == 0 || !row.tolerance || !std::isfinite(row.tolerance->value())) {
       tally.add(Verdict::inconclusive, where + (row.starts == 0      ? ": nothing ran"
                                                 : row.converged == 0 ? ": not one start converged"
                                                                      : ": no finite tolerance"));
     } else {
       tally.add(row.worst, 0, *row.tolerance, where + ", difference from the own start's film");
-      worst = worse(worst, row.worst / tolerance);
+      worst = worse(worst, row.worst / row.tolerance->value());
     }
+    if (row.tolerance && row.level.ends_with("Newton")) keep_larger(part.tolerance, *row.tolerance);
   }
-  // The largest of the rows' tolerances stands for them; each row is held to its own.
-  for (const StartRow& row : rows) {
-    if (row.tolerance && row.level.ends_with("Newton") &&
-        (!part.tolerance || row.tolerance->value() > part.tolerance->value()))
-      part.tolerance = row.tolerance;
-  }
-  part.verdict = tally.verdict();
-  part.failures = tally.failures();
+  tally.close(part);
   part.summary = std::to_string(converged) + " of " + std::to_string(starts) +
                  " random starts converge, to the same solution (at most " + plain(worst, 2) +
                  " of the tolerance); the others fail honestly";

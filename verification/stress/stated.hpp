@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A contact as it is stated, with every number of the statement by name: what parts (e) and (g) move and replace.
+// A stated contact with every number of its statement by name: part (e) moves these numbers, part (g) replaces them.
 #pragma once
 
 #include <functional>
@@ -14,7 +14,7 @@ namespace ehd::verification::stress {
 struct Stated {
   Statement statement;
   Lubricant lubricant = {};
-  double inlet = usual_cut;  ///< X where it is cut
+  double inlet = usual_cut;  ///< X of the cut
 
   [[nodiscard]] bool in_SI() const { return std::holds_alternative<Conditions>(statement); }
   [[nodiscard]] Nondimensional made() const { return nondimensionalise(statement, lubricant, TruncatedAt{inlet}); }

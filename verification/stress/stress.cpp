@@ -32,11 +32,12 @@ Json to_json(const Table& table) {
   for (const auto& row : table.rows) {
     Json cells = Json::array();
     for (const Cell& cell : row) {
-      const auto* number = std::get_if<double>(&cell);
-      if (number && std::isfinite(*number))
-        cells.push_back(*number);
-      else
-        cells.push_back(number ? "" : std::get<std::string>(cell));
+      if (const auto* text = std::get_if<std::string>(&cell)) {
+        cells.push_back(*text);
+      } else {
+        const double number = std::get<double>(cell);
+        cells.push_back(std::isfinite(number) ? Json(number) : Json(""));
+      }
     }
     json["rows"].push_back(cells);
   }
@@ -44,6 +45,19 @@ Json to_json(const Table& table) {
 }
 
 }  // namespace
+
+std::vector<Column> columns_of(std::string_view header) {
+  constexpr std::string_view bar = " | ";
+  std::vector<Column> columns;
+  for (std::size_t from = 0, to = 0; to < header.size(); from = to + bar.size()) {
+    to = std::min(header.find(bar, from), header.size());
+    const std::string_view text = header.substr(from, to - from);
+    const std::size_t bracket = std::min(text.find(" ["), text.size());
+    const std::string_view unit = bracket < text.size() ? text.substr(bracket + 2, text.size() - bracket - 3) : "";
+    columns.push_back({std::string(text.substr(0, bracket)), std::string(unit)});
+  }
+  return columns;
+}
 
 Verdict Tally::add(Verdict verdict, const std::string& what) {
   if (verdict == Verdict::pass) {
@@ -74,6 +88,11 @@ std::vector<std::string> Tally::failures() const {
   if (not_passed_.size() > most_failures)
     some.push_back("and " + std::to_string(not_passed_.size() - most_failures) + " more");
   return some;
+}
+
+void Tally::close(Part& part) const {
+  part.verdict = verdict();
+  part.failures = failures();
 }
 
 const std::vector<PartEntry>& parts() {

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// ehd stress: what arithmetic, starts, threads and extreme inputs do to the solvers. Each part is a table and a
+// ehd stress: the solvers under other arithmetic, starts, threads and extreme inputs. Each part is a table and a
 // verdict.
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -18,8 +21,18 @@ namespace ehd::verification::stress {
 struct Column {
   std::string name, unit;
 };
-/// A number that is not finite is unknown, and shown as an empty cell.
-using Cell = std::variant<std::string, double>;
+/// "contact | time [s]": names with or without a unit.
+[[nodiscard]] std::vector<Column> columns_of(std::string_view header);
+/// A text or a number. A number that is absent or not finite is not known: its cell is shown empty.
+struct Cell : std::variant<std::string, double> {
+  Cell(std::string_view text) : variant(std::string(text)) {}
+  Cell(const std::string& text) : variant(text) {}
+  Cell(const char* text) : variant(std::string(text)) {}
+  template <class Number>
+  requires std::is_arithmetic_v<Number> Cell(Number number) : variant(static_cast<double>(number)) {}
+  Cell(const std::optional<double>& number) : variant(number.value_or(std::nan(""))) {}
+  Cell(const std::optional<Tolerance>& bound) : variant(bound ? bound->value() : std::nan("")) {}
+};
 struct Table {
   std::vector<Column> columns = {};
   std::vector<std::vector<Cell>> rows = {};
@@ -34,14 +47,14 @@ struct Part {
   std::string summary = {};  ///< one sentence, with the numbers
   std::optional<Tolerance> tolerance = {};
   Table table = {};
-  std::optional<Table> points = {};  ///< every single run, where the table sums them up; not printed
+  std::optional<Table> points = {};  ///< every run, where the table adds runs up; not printed
   std::vector<std::string> failures = {};
   double wall_s = 0;
   Json settings = Json::object();
 };
 
-/// Verdicts of single rows, added up: one failure fails the whole, else one inconclusive row leaves it open. Nothing
-/// judged: inconclusive.
+/// The verdict of a part from those of its rows: fail if a row fails, else inconclusive if a row is, or if there is
+/// none.
 class Tally {
  public:
   /// error + uncertainty against the tolerance; NaN is inconclusive and never passes. `what` names a row that does not
@@ -55,13 +68,15 @@ class Tally {
   [[nodiscard]] long passed() const { return passed_; }
   /// At most twenty sentences, and how many more there are.
   [[nodiscard]] std::vector<std::string> failures() const;
+  /// Writes the verdict and the failures into the part.
+  void close(Part& part) const;
 
  private:
   long passed_ = 0, failed_ = 0, open_ = 0;
   std::vector<std::string> not_passed_;
 };
 
-/// How large a run is made.
+/// The size of a run.
 struct Scope {
   bool quick = false;
   unsigned threads = 0;  ///< 0: as many as there are cores
@@ -77,8 +92,7 @@ struct PartEntry {
   std::function<Part(const Scope&)> run;
 };
 [[nodiscard]] const std::vector<PartEntry>& parts();
-/// The part, timed. One that throws is a part that fails with the message: the others still run, and the file is
-/// written.
+/// Runs and times a part. A part that throws fails with the message: the others still run, and the file is written.
 [[nodiscard]] Part run_part(const PartEntry& entry, const Scope& scope);
 /// By id or name; nullptr where there is none.
 [[nodiscard]] const PartEntry* find_part(const std::string& text);
@@ -87,7 +101,7 @@ struct PartEntry {
 [[nodiscard]] Json to_json(const std::vector<Part>& parts, double wall_s);
 [[nodiscard]] bool all_passed(const std::vector<Part>& parts);
 [[nodiscard]] std::string human_text(const Part& part);
-/// A line a part.
+/// A line for each part.
 [[nodiscard]] std::string human_summary(const std::vector<Part>& parts);
 
 }  // namespace ehd::verification::stress

@@ -28,18 +28,21 @@ QuadVector direction(double degrees) {
   return {cos(angle), sin(angle)};
 }
 
-/// The length of the line that is cut off [m]; 0 of any other law.
-double cut_off_m(const bearing::ForceLaw& law) {
-  const auto* line = std::get_if<bearing::LinearLaw>(&law);
-  return line && line->unloading == bearing::Unloading::at_zero_approach ? std::max(0.0, line->dF_N / line->K_N_per_m)
-                                                                         : 0;
-}
+/// A line that lets go at zero approach is cut there: the length [m] of the part below. Other laws have none.
+struct CutOff {
+  double operator()(const bearing::PowerLaw&) const { return 0; }
+  double operator()(const bearing::LogarithmicLaw&) const { return 0; }
+  double operator()(const bearing::CurveLaw&) const { return 0; }
+  double operator()(const bearing::LinearLaw& line) const {
+    return bearing::jumps(line) ? std::max(0.0, line.dF_N / line.K_N_per_m) : 0;
+  }
+};
 
-/// One roller: the approach that its forces need, over its inner force.
+/// One roller: the approach of both its contacts as a function of its inner force.
 struct Roller {
   const bearing::LawPair& laws;
-  double centrifugal_N, origin_m;  ///< the total approach at which it begins to carry
-  bool begins;
+  double centrifugal_N, origin_m;  ///< origin: the total approach at which it begins to carry
+  bool begins;                     ///< false: it carries at every approach, and origin_m is 0
 
   Roller(const bearing::LawPair& both, double thrown_N)
       : laws(both),
@@ -52,7 +55,7 @@ struct Roller {
     return begins ? bearing::rise(laws.inner, 0, f) + bearing::rise(laws.outer, centrifugal_N, f)
                   : bearing::approach(laws.inner, f) + bearing::approach(laws.outer, f + centrifugal_N);
   }
-  /// The force with needs_m(f) = s, to the last bit that bisection sees.
+  /// The force f with needs_m(f) = s, to the last bit.
   [[nodiscard]] double force_N(double s) const {
     if (begins && !(s > 0)) return 0;
     double low = 1, high = 1;
@@ -74,13 +77,13 @@ double worst_bisection_error(const bearing::Geometry& geometry, const bearing::L
                              const bearing::Equilibrium& equilibrium) {
   const auto count = static_cast<std::size_t>(geometry.rollers);
   if (equilibrium.rollers.size() != count || equilibrium.azimuths_deg.size() != count) return nothing;
-  constexpr double rounding_deg = 1e-11;  // of an azimuth, and a hundred times that
+  constexpr double rounding_deg = 1e-11;  // a hundred times the rounding of an azimuth
   for (std::size_t j = 0; j < count; ++j) {
     const double psi = geometry.first_azimuth_deg + 360.0 * static_cast<double>(j) / geometry.rollers;
     if (!(std::abs(std::remainder(psi - equilibrium.azimuths_deg[j], 360.0)) <= rounding_deg)) return nothing;
   }
 
-  // Where the ring stands: at the touch of two directions, from their two equations, and beyond.
+  // The ring: rollers in two directions touch there, which gives two linear equations; then the returned step beyond.
   const Roller roller(laws, loading.centrifugal_N);
   const Quad gap = Quad(geometry.clearance_m) / 2 + roller.origin_m;
   QuadVector ring{0, 0};
@@ -103,7 +106,7 @@ double worst_bisection_error(const bearing::Geometry& geometry, const bearing::L
                   static_cast<double>(abs(ring.y - equilibrium.lateral_displacement_m) / size));
   }
 
-  const double cut_m = cut_off_m(laws.inner) + cut_off_m(laws.outer);
+  const double cut_m = std::visit(CutOff{}, laws.inner) + std::visit(CutOff{}, laws.outer);
   Quad along = 0, across = 0, outer = 0;
   std::vector<double> apart_N;
   for (std::size_t j = 0; j < count; ++j) {
@@ -112,7 +115,7 @@ double worst_bisection_error(const bearing::Geometry& geometry, const bearing::L
     const auto s = static_cast<double>(dot(ring, n) - gap);
     double f = roller.force_N(s);
     if (cut_m > 0) {
-      // On the vertical part of its law a roller carries anything between the forces on either side.
+      // On the jump of its law a roller carries any force between those on either side.
       const double slack = 4 * std::numeric_limits<double>::epsilon() * (static_cast<double>(size) + cut_m);
       const double least = roller.force_N(s - slack), most = roller.force_N(s + slack);
       f = returned.inner.force_N < least ? least : returned.inner.force_N > most ? most : returned.inner.force_N;

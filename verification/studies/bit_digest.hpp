@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// 64 bits that change with any bit of the numbers added: FNV-1a.
+// A hash of numbers, 64 bits, FNV-1a: it changes with any bit of any of them.
 #pragma once
 
 #include <bit>

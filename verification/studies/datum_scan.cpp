@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <map>
 #include <numbers>
 
@@ -18,20 +17,13 @@ namespace ehd::verification {
 
 namespace {
 
-const BearingResult* of_law(const std::vector<BearingResult>& results, bearing::Law law) {
-  for (const BearingResult& result : results) {
-    if (result.law == law && !result.rollers.empty()) return &result;
-  }
-  return nullptr;
-}
-
 /// The dry balances: the datum does not change them. Empty where one is missing.
 std::vector<BearingResult> dry_balances(const std::vector<Case>& cases, ContactMemory& memory, bearing::Form form) {
   std::vector<BearingResult> dry;
   for (const Case& one : cases) {
     const auto results =
         run_bearing(one, {.laws = {bearing::Law::hertz}, .explicitly = true, .films = false, .form = form}, memory);
-    const BearingResult* const found = of_law(results, bearing::Law::hertz);
+    const BearingResult* const found = balance_by(bearing::Law::hertz, results);
     if (!found) return {};
     dry.push_back(*found);
   }
@@ -49,7 +41,7 @@ std::vector<ClearanceComparison> with_datum(const std::vector<Case>& cases, cons
     auto& body = std::get<BearingCase>(one.body);
     body.datum = datum;
     const auto results = run_bearing(one, {.laws = {law}, .explicitly = true, .films = false, .form = form}, memory);
-    const BearingResult* const film = of_law(results, law);
+    const BearingResult* const film = balance_by(law, results);
     if (!film) return {};
     clearances.push_back({body.geometry.clearance_m, dry[k], *film});
   }
@@ -57,31 +49,8 @@ std::vector<ClearanceComparison> with_datum(const std::vector<Case>& cases, cons
 }
 
 bool holds(const std::vector<PaperStatement>& statements, char letter) {
-  for (const PaperStatement& statement : statements) {
-    if (statement.letter == letter) return statement.holds;
-  }
-  return false;
-}
-
-/// One half of a statement.
-bool part_holds(const std::vector<PaperStatement>& statements, char letter, const std::string& part) {
-  for (const PaperStatement& statement : statements) {
-    if (statement.letter != letter) continue;
-    for (const auto& [name, yes] : statement.parts) {
-      if (name == part) return yes;
-    }
-  }
-  return false;
-}
-
-double value_of(const std::vector<PaperStatement>& statements, char letter, const std::string& wanted) {
-  for (const PaperStatement& statement : statements) {
-    if (statement.letter != letter) continue;
-    for (const auto& [name, value] : statement.values) {
-      if (name == wanted) return value;
-    }
-  }
-  return std::numeric_limits<double>::quiet_NaN();
+  const PaperStatement* const one = find_statement(statements, letter);
+  return one && one->holds;
 }
 
 /// The half width of the heaviest dry contact of all balances, b = 2 f/(pi l p_H); 0 where nothing is loaded.
@@ -98,9 +67,8 @@ double heaviest_half_width_m(const std::vector<BearingResult>& dry, double lengt
 using Judged = std::vector<PaperStatement>;  ///< empty where a balance is missing
 using Reading = std::function<bool(const Judged&)>;
 
-/// The lengths at which a reading holds. Between two scanned lengths with different answers the end is found by
-/// bisection. The end is the last length at which the reading was found to hold, so that a range never claims more than
-/// was judged.
+/// The lengths at which a reading holds. Between two scanned lengths with different answers bisection finds the end:
+/// the last length at which the reading was found to hold, so that a range never claims more than was judged.
 DatumScan::Ranges ranges_of(const Reading& reading, const std::vector<double>& scanned,
                             const std::function<const Judged&(double)>& judged, double precision) {
   const auto yes = [&](double x) { return reading(judged(x)); };
@@ -170,7 +138,10 @@ DatumScan scan_datum(const std::vector<Case>& cases, bearing::Law law, ContactMe
     };
   };
   const auto part = [](char letter, const char* name) {
-    return [letter, name](const Judged& of) { return part_holds(of, letter, name); };
+    return [letter, name](const Judged& of) {
+      const PaperStatement* const one = find_statement(of, letter);
+      return one && one->part(name).value();
+    };
   };
   const auto both = [](const Reading& one, const Reading& other) {
     return [one, other](const Judged& of) { return one(of) && other(of); };
@@ -190,7 +161,7 @@ DatumScan scan_datum(const std::vector<Case>& cases, bearing::Law law, ContactMe
   scan.sign_of_a_m = find(by_sign);
   for (const auto& [x, of] : known) {
     if (!by_sign(of)) continue;
-    const double share = value_of(of, 'a', "apart");
+    const double share = find_statement(of, 'a')->value("apart").value();
     auto& range = scan.apart_there;
     range = range ? std::pair(std::min(range->first, share), std::max(range->second, share)) : std::pair(share, share);
   }
@@ -229,7 +200,7 @@ std::string human_data(const std::vector<DatumRow>& rows, const DatumScan& scan)
         cells.push_back(fmt::format("{:.0f}/{:.0f}", top_force_N(at.dry), top_force_N(at.film)));
         cells.push_back(fmt::format("{:.2f}/{:.2f}", 1e6 * top_approach_m(at.dry), 1e6 * top_approach_m(at.film)));
       }
-      for (const char letter : {'a', 'b', 'c', 'd'}) cells.emplace_back(holds(row.statements, letter) ? "holds" : "no");
+      for (const char letter : statement_letters) cells.emplace_back(holds(row.statements, letter) ? "holds" : "no");
       table.push_back(std::move(cells));
     }
     text += aligned(table, 1, "  ") + "\n";

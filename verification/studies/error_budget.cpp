@@ -14,18 +14,13 @@
 #include "contact/text.hpp"
 #include "io/json.hpp"
 #include "io/tables.hpp"
+#include "verification/studies/paper_statements.hpp"
 
 namespace ehd::verification {
 
 using bearing::FilmCurve;
 
 namespace {
-
-const BearingResult* of_law(const std::vector<BearingResult>& results, bearing::Law law) {
-  for (const BearingResult& result : results)
-    if (result.law == law && !result.rollers.empty()) return &result;
-  return nullptr;
-}
 
 std::size_t most_loaded(const BearingResult& result) {
   const auto heavier = [](const RollerRow& one, const RollerRow& other) {
@@ -35,7 +30,7 @@ std::size_t most_loaded(const BearingResult& result) {
                                   result.rollers.begin());
 }
 
-/// The thinnest film of a balance, where it is.
+/// The thinnest film of a balance, with its contact.
 struct Thinnest {
   double film_m = 0, force_N = 0;
   bool inner = true;
@@ -49,7 +44,7 @@ std::optional<Thinnest> thinnest_film(const BearingResult& result) {
   return thinnest;
 }
 
-/// The rollers' exact stiffnesses at a balance, and how errors of the contacts' approaches move it.
+/// A balance linearised with the rollers' exact stiffnesses: how errors of the contacts' approaches change it.
 class Linearised {
  public:
   Linearised(const BearingResult& result, const bearing::ForceLaw& inner, const bearing::ForceLaw& outer)
@@ -122,7 +117,7 @@ BudgetRow difference(const BearingResult& one, const BearingResult& other) {
 
 std::vector<BudgetRow> budget_of(const Case& bearing_case, const std::vector<BearingResult>& results, bearing::Law law,
                                  ContactMemory& memory) {
-  const BearingResult* const result = of_law(results, law);
+  const BearingResult* const result = balance_by(law, results);
   if (!result || !needs_film(law) || !result->curve || !result->datum_m) return {};
   if (law == bearing::Law::ehd_linear && !result->fit) return {};
   const auto laws = laws_of(std::get<BearingCase>(bearing_case.body), *result);
@@ -134,8 +129,8 @@ std::vector<BudgetRow> budget_of(const Case& bearing_case, const std::vector<Bea
     rows.push_back(std::move(row));
   };
 
-  // 1. Differences: the fit against the full relation; another datum.
-  const BearingResult* const full = of_law(results, bearing::Law::ehd);
+  // 1. The fit: the difference from the full relation.
+  const BearingResult* const full = balance_by(bearing::Law::ehd, results);
   if (law == bearing::Law::ehd_linear && full) add(difference(*result, *full), "fit", "ehd-linear against ehd");
 
   const auto thinnest = thinnest_film(*result);
@@ -143,7 +138,7 @@ std::vector<BudgetRow> budget_of(const Case& bearing_case, const std::vector<Bea
   const auto curve_of = [&](bool at_inner) -> const FilmCurve& {
     return at_inner ? result->curve->inner : result->curve->outer;
   };
-  // 2. Bounds of the errors of the curve. The films of the line come from the curve too, but its balance does not.
+  // 2. The curve: bounds of its errors. ehd-linear takes its films from the curve, but not its balance.
   const bool on_curve = law == bearing::Law::ehd;
   {
     BudgetRow between, below;
@@ -178,18 +173,20 @@ std::vector<BudgetRow> budget_of(const Case& bearing_case, const std::vector<Bea
   add(std::move(solver), "contact solver",
       on_curve ? "its own stated errors, at every contact" : "its own stated errors, at the contacts of the fit");
 
-  // 3. The datum is a choice: the difference that another datum makes.
+  // 3. The datum, which is a choice: the differences that other data make.
   const auto& body = std::get<BearingCase>(bearing_case.body);
-  std::vector<std::pair<std::string, Datum>> data;
-  if (!std::holds_alternative<PalmgrenDatum>(body.datum)) data.emplace_back("palmgren", PalmgrenDatum{});
-  if (!std::holds_alternative<LundbergDatum>(body.datum)) data.emplace_back("lundberg", LundbergDatum{});
-  data.emplace_back("x_0 twice that of the inner raceway", LengthDatum{2 * result->datum_m->inner});
+  const std::pair<const char*, Datum> data[] = {
+      {"palmgren", PalmgrenDatum{}},
+      {"lundberg", LundbergDatum{}},
+      {"x_0 twice that of the inner raceway", LengthDatum{2 * result->datum_m->inner}}};
   for (const auto& [name, datum] : data) {
+    const bool own = datum.index() == body.datum.index() && !std::holds_alternative<LengthDatum>(datum);
+    if (own) continue;
     Case other = bearing_case;
     std::get<BearingCase>(other.body).datum = datum;
     const auto again =
         run_bearing(other, {.laws = {law}, .explicitly = true, .films = true, .form = result->form}, memory);
-    if (const BearingResult* const moved = of_law(again, law)) add(difference(*moved, *result), "datum", name);
+    if (const BearingResult* const moved = balance_by(law, again)) add(difference(*moved, *result), "datum", name);
   }
   return rows;
 }

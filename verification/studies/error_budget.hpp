@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What each simplification on the way to a load distribution costs: of one law's balance, what fit, interpolation,
-// rigid limit, contact solver and datum may move.
+// The error budget of a load distribution: how much fit, interpolation, rigid limit, contact solver and datum may
+// change the balance of one law.
 //
-// Bounds are of first order: at fixed forces an error of a contact's approach is g; with the rollers' stiffnesses k and
-// directions n the ring gives way by du = K^(-1) Sum k g n, K = Sum k n n', and a roller's force changes by k (n du -
-// g). Errors of different contacts add up in their sizes, whatever their signs. Differences are of two full balances.
+// Bounds are of first order. Let g be the error of a contact's approach at a fixed force, k and n the stiffness and the
+// direction of a roller. The ring then moves by du = K^(-1) Sum k g n, K = Sum k n n', and the roller's force changes
+// by k (n du - g). The sizes of the contacts' errors are added, whatever their signs. A difference is that of two
+// balances.
 #pragma once
 
 #include <optional>
@@ -19,16 +20,16 @@ namespace ehd::verification {
 struct BudgetRow {
   std::string source;                        ///< "fit", "interpolation", "rigid limit", "contact solver", "datum"
   std::string of;                            ///< what was compared, or bounded, in words
-  bool bound = false;                        ///< a first-order bound; else the size of a difference
+  bool bound = false;                        ///< false: the size of a difference
   double displacement_m = 0;                 ///< of the ring, along the load
   double largest_force_N = 0;                ///< of the most loaded roller, inner raceway
-  double any_force_N = 0;                    ///< of the roller that is moved most
+  double any_force_N = 0;                    ///< of the roller whose force changes most
   std::optional<double> smallest_film = {};  ///< relative, of the thinnest minimum film at any contact
 };
 
 /// The rows of one EHD law among the results of a case; empty for a dry law, and where a balance is missing. "fit"
-/// needs both EHD laws among the results. The data compared are the others of palmgren, lundberg and x_0 = twice the
-/// case's; contacts are taken from the memory, which the datum does not change.
+/// needs both EHD laws among the results. The case's datum is compared with palmgren, lundberg (where it is not that
+/// itself) and twice its x_0. The datum does not change the contacts: they are taken from the memory.
 [[nodiscard]] std::vector<BudgetRow> budget_of(const Case& bearing_case, const std::vector<BearingResult>& results,
                                                bearing::Law law, ContactMemory& memory);
 

@@ -22,7 +22,7 @@ namespace {
 
 using Row = std::map<std::string, std::string>;
 
-/// Films in Hertz units as the table has them, by the quantity that a formula is for.
+/// A film of the table, in Hertz units.
 std::optional<MapValue> film_in(const Row& row, const std::string& column) {
   const std::string &value = row.at(column), &error = row.at(column + "_error");
   if (value.empty() || error.empty()) return std::nullopt;
@@ -43,7 +43,7 @@ std::optional<MapValue> cost_of(const std::optional<MapValue>& cut, const std::o
 
 AtlasPoint point_of(const Row& row) {
   AtlasPoint point;
-  for (const AtlasLaws laws : {AtlasLaws::isoviscous, AtlasLaws::barus, AtlasLaws::roelands})
+  for (const AtlasLaws laws : all_atlas_laws)
     if (row.at("laws") == to_string(laws)) point.laws = laws;
   point.M = std::stod(row.at("M"));
   point.L = std::stod(row.at("L"));
@@ -102,7 +102,7 @@ namespace {
 
 constexpr int most_digits = 15;
 
-/// One number a point, its error absolute; absent where nothing is known.
+/// A number of each point, its error absolute; absent where it is not known.
 using Field = std::function<std::optional<MapValue>(const MapPoint&)>;
 
 /// The middle of sorted values: of an even number the mean of both middle ones, with the larger of their errors.
@@ -148,7 +148,7 @@ std::string percent_table(const FilmMaps& maps, const std::vector<const MapPoint
   return aligned(rows, 1, "    ");
 }
 
-/// "0.5 ... 20, 200": runs of neighbouring M of the table where `holds`; what is not known ends a run.
+/// "0.5 ... 20, 200": runs of neighbouring M of the table where `holds`. A point that is not known ends a run.
 std::string runs_of_M(const FilmMaps& maps, const std::vector<const MapPoint*>& points, double L, const Field& field,
                       const std::function<bool(double)>& holds) {
   std::string text;
@@ -205,8 +205,8 @@ Field deviation_of(const NamedFormula& formula) {
 bool is_close(double deviation) { return std::abs(deviation) <= close_formula; }
 bool is_poor(double deviation) { return std::abs(deviation) >= poor_formula; }
 
-/// A line a formula: points within 5 %, 30 % or more off, the median and the worst; then the same at M >= 2 and
-/// p_H <= 4 GPa, which is where bearings run.
+/// A line for each formula: how many points are within 5 %, and 30 % or more off; then the same at M >= 2 and
+/// p_H <= 4 GPa, where bearings run, with the median and the extremes.
 std::string overview(const std::vector<NamedFormula>& formulas, const std::vector<const MapPoint*>& points) {
   constexpr double bearings_M = 2;
   std::vector<std::vector<std::string>> rows{{"formula", "film", "points", "within 5 %", "30 % off",
@@ -261,7 +261,7 @@ std::string human_maps(const FilmMaps& maps, std::string_view quantity, AtlasLaw
   std::string text = "Film formulas against the certified films of " + maps.source + ", " +
                      std::string(to_string(laws)) +
                      (laws == AtlasLaws::roelands ? " (z = 0.68, Dowson-Higginson density)" : ", incompressible") +
-                     ", flooded\nRegressions: plausibility, never pass or fail. Power laws with G = " + plain(usual_G) +
+                     ", flooded\nPublished fits, for comparison only. Power laws with G = " + plain(usual_G) +
                      ", mean speed in U.\nPercent = 100 (formula/film - 1), as many digits as are known, 0 where "
                      "it is within its own error; * p_H above 4 GPa; - not known; L = 0 is "
                      "isoviscous and incompressible.\n\n" +

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the atlas says of the film formulas, and of inlets cut at X = -4, over M and L. Read from cases/atlas/atlas.csv;
-// nothing is solved. Formulas are regressions: a deviation is shown, never judged.
+// Film formulas, and inlets cut at X = -4, against the certified films of the atlas, over M and L. The films are read
+// from cases/atlas/atlas.csv; nothing is solved. The formulas are published fits: for comparison only, never judged.
 #pragma once
 
 #include <filesystem>
@@ -13,7 +13,7 @@
 
 namespace ehd::verification {
 
-/// A number with its uncertainty: of a film relative, of a ratio absolute.
+/// A number with its uncertainty: relative for a film, absolute for a ratio.
 struct MapValue {
   double value = 0;
   double error = 0;
@@ -27,7 +27,7 @@ struct MapFormula {
   double deviation = 0;  ///< formula/certified - 1
 };
 
-/// M, L and laws, flooded, with the same point cut at X = -4 beside it.
+/// M, L and laws, flooded and with the inlet cut at X = -4.
 struct MapPoint {
   AtlasPoint at;
   std::optional<MapValue> minimum, central, couette;   ///< certified, flooded, Moes units; absent: not known to 1e-4
@@ -43,7 +43,7 @@ struct FilmMaps {
   std::vector<MapPoint> points;
 };
 
-/// The power laws of U, W, G need a G where M and L alone are given: usual_G of contact/film_formulas.hpp.
+/// The power laws of U, W and G need a G besides M and L: usual_G of contact/film_formulas.hpp.
 [[nodiscard]] FilmMaps film_maps(const AtlasTable& table);
 /// The same from a folder; throws CaseError where there is no atlas.csv, or one of another kind.
 [[nodiscard]] FilmMaps film_maps(const std::filesystem::path& folder);
@@ -51,18 +51,18 @@ struct FilmMaps {
 inline constexpr double close_formula = 0.05;  ///< "within 5 %"
 inline constexpr double poor_formula = 0.30;   ///< "30 % or more off"
 
-/// In percent, two digits (none below 0.01) and no more than are known: "+1.3"; "0" where the value is within its own
+/// In percent: two digits, fewer where fewer are known, none below 0.01: "+1.3". "0" where the value is within its own
 /// (absolute) error.
 [[nodiscard]] std::string known_percent(const MapValue& fraction);
 
-/// Deviations in percent over M and L of every formula of `quantity` ("film.minimum"; "film.central", which has the
-/// Couette film with it), for each L the M where it is close and where it is poor, then what an inlet at -4 costs.
-/// Empty quantity: both. `laws`: barus or roelands; L = 0 is isoviscous in both.
+/// For every formula of `quantity` the deviations in percent over M and L, and for each L the M where it is close and
+/// where it is poor; then what an inlet cut at -4 costs. `quantity`: "film.minimum"; "film.central", with the Couette
+/// film; empty: both. `laws`: barus or roelands; L = 0 is isoviscous in both.
 [[nodiscard]] std::string human_maps(const FilmMaps& maps, std::string_view quantity, AtlasLaws laws);
 
-/// A line a formula and point, a header line first; all quantities and laws.
+/// A line for each formula and point, after a header line; all quantities and laws.
 [[nodiscard]] std::string formula_maps_csv(const FilmMaps& maps);
-/// A line a film and point with a cut inlet beside it.
+/// A line for each film and point that has a cut inlet too.
 [[nodiscard]] std::string inlet_maps_csv(const FilmMaps& maps);
 
 }  // namespace ehd::verification

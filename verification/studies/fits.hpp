@@ -2,11 +2,7 @@
 // Orders fitted to errors, and the claim that one is as declared.
 #pragma once
 
-#include <cmath>
-#include <cstdio>
-#include <limits>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "verification/claim.hpp"
@@ -14,24 +10,11 @@
 namespace ehd::verification {
 
 /// The slope of y over x by least squares; NaN where a y is not finite.
-inline double slope(const std::vector<double>& x, const std::vector<double>& y) {
-  double sx = 0, sy = 0, sxx = 0, sxy = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) sx += x[i], sy += y[i], sxx += x[i] * x[i], sxy += x[i] * y[i];
-  const double n = static_cast<double>(x.size()), fitted = (n * sxy - sx * sy) / (n * sxx - sx * sx);
-  return std::isfinite(fitted) ? fitted : std::numeric_limits<double>::quiet_NaN();
-}
+[[nodiscard]] double slope(const std::vector<double>& x, const std::vector<double>& y);
 
-inline Claim order_claim(Sentence says, double fitted, double declared, Tolerance tolerance, std::string note) {
-  Claim judged = claim(std::move(says), std::abs(fitted - declared), 0, std::move(tolerance), std::move(note));
-  judged.measured = fitted;
-  judged.expected = declared;
-  return judged;
-}
+/// |fitted - declared| against the tolerance.
+[[nodiscard]] Claim order_claim(Sentence says, double fitted, double declared, Tolerance tolerance, std::string note);
 
-inline std::string three_digits(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2e", value);
-  return text;
-}
+[[nodiscard]] std::string three_digits(double value);  ///< "1.23e-05"
 
 }  // namespace ehd::verification

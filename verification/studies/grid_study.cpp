@@ -56,18 +56,18 @@ GridStudy study_grids(const std::vector<GridValue>& values, double formal_order,
   const double half_range = (std::max({f1, f2, f3}) - std::min({f1, f2, f3})) / 2;
 
   GridStudy study;
-  const double heard = 2 * noise * size;  // by a difference of two values
-  if (std::abs(last) <= heard && std::abs(before) <= heard) {
+  const double of_two = 2 * noise * size;  // noise of a difference of two values
+  if (std::abs(last) <= of_two && std::abs(before) <= of_two) {
     study.trend = Trend::stalled;
     study.uncertainty = std::max(half_range / size, noise);
     return study;
   }
   study.uncertainty = std::numeric_limits<double>::infinity();
   if (last * before <= 0) {
-    // Against equal differences for equal factors of refinement.
+    // Differences fall if the last is smaller; each is compared per logarithm of its factor of refinement.
     if (!(std::abs(last) * std::log(n2 / n3) < std::abs(before) * std::log(n1 / n2))) return study;
     study.trend = Trend::oscillatory;
-    study.uncertainty = half_range / size;  // more than the noise, which the difference before exceeds
+    study.uncertainty = half_range / size;  // above the noise, because the difference before is
     return study;
   }
   study.observed_order = order_of(n1, n2, n3, last / before);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a sequence of grids shows of a number: its trend first, and only then an order, an extrapolation and an
-// uncertainty.
+// Convergence of a number over a sequence of grids: first its trend, then what the trend allows to state: an order, an
+// extrapolation, an uncertainty.
 #pragma once
 
 #include <optional>
@@ -10,10 +10,10 @@
 namespace ehd::verification {
 
 enum class Trend {
-  asymptotic,   ///< differences fall at the formal order, twice running
+  asymptotic,   ///< differences fall at the formal order, twice in a row
   monotone,     ///< differences of one sign fall, not (or not shown to be) at the formal order
   oscillatory,  ///< differences change their sign and fall
-  stalled,      ///< the last two differences are at the noise: finer grids say no more
+  stalled,      ///< the last two differences are not above the noise: finer grids add nothing
   divergent,    ///< differences do not fall
 };
 [[nodiscard]] std::string_view to_string(Trend trend);
@@ -28,11 +28,12 @@ struct GridStudy {
   std::optional<double> observed_order = {};  ///< of the last three grids; none where differences change sign or stall
   std::optional<double> extrapolated = {};    ///< asymptotic alone
   double uncertainty = 0;                     ///< relative, of the finest value: the GCI; infinite where divergent
-  double safety = 0;                          ///< F_s in it; 0 where it is none
+  double safety = 0;                          ///< F_s of the GCI; 0 where there is none
 };
 
-/// Three grids or more, from coarse to fine, any ratios above 1; `noise`: relative error of each value that is not the
-/// grid's. Throws std::invalid_argument for fewer, for cells that do not grow, and for what is not finite.
+/// Three grids or more, from coarse to fine, any ratios above 1. `noise`: the relative error of each value from other
+/// sources than the grid. Throws std::invalid_argument for fewer grids, cells that do not grow, and values that are not
+/// finite.
 /// - Order p of three grids with ratios r21 = n1/n2 (1 the finest), r32, R = (f2 - f1)/(f3 - f2):
 ///   R = (1 - r21^-p)/(r32^p - 1), by bisection (Roache 1998, eq. 5.10.6.1, which iterates).
 /// - asymptotic: p of the last three and of the three before both within 10 % of the formal order (four grids or more).

@@ -17,10 +17,7 @@ namespace hp = reference::hp;
 ManufacturedErrors errors_of_solver(const RegisteredSolver& solver, const Manufactured& truth, int intervals) {
   Problem problem = truth.problem();
   problem.wanted = {Quantity::film_offset};
-  Request request;
-  request.tolerance.reset();
-  request.nodes = intervals;
-  const Solution solution = solver.solve(problem, request);
+  const Solution solution = solver.solve(problem, {.tolerance = {}, .nodes = intervals});
   const Fields& at = solution.fields;
   if (solution.record.status != StopReason::converged || at.X.size() != intervals + 1) return {};
   const Manufactured::Choice& chosen = truth.choice();
@@ -67,10 +64,10 @@ ManufacturedErrors errors_of_collocation(const Manufactured& truth, int elements
           worse(errors.pressure, std::abs(equations.interpolate(run.state.P, e, t) - truth.pressure(X).value));
     }
   }
-  // At the rounding floor the residual goes up and down, and the iteration does not always see that it is there. What
-  // it leaves must be nothing beside the error that is read.
-  constexpr double rounding_floor = 1e-11, nothing_beside = 1e-3;
-  if (!(run.residual <= std::max(rounding_floor, nothing_beside * errors.pressure))) return {};
+  // Newton's method does not always notice that the residual has reached rounding. So the residual itself decides: it
+  // has to be at rounding, or far below the error that is measured.
+  constexpr double rounding_floor = 1e-11, far_below = 1e-3;
+  if (!(run.residual <= std::max(rounding_floor, far_below * errors.pressure))) return {};
   return errors;
 }
 

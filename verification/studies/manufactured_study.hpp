@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Errors of the schemes against a manufactured solution, grid by grid: what rung 5 fits orders to, and the convergence
-// figures show. Second-order schemes are asked through their public solve(), from their own starts, for the fields of
-// the grid (fast extrapolates films and the like, never fields); the collocation on polynomial elements through its
-// Newton's method from the exact state, since its solver adapts meshes, which fits no order.
+// Errors of the schemes against a manufactured solution, grid by grid. Rung 5 fits orders to them, and the convergence
+// figures show them. Solvers of second order run through their public solve() from their own starts; their errors are
+// those of the grid's fields, which no solver extrapolates. The certified solver adapts its meshes, which gives no
+// order in h or p: its collocation is solved on given meshes instead, by its Newton's method from the exact state.
 #pragma once
 
 #include <limits>
@@ -15,8 +15,8 @@
 
 namespace ehd::verification {
 
-/// Absolute errors in Hertz units: largest over the nodes (collocation: over 21 points an element), and the three
-/// numbers that belong to no node. NaN where the solve did not end as converged.
+/// Absolute errors in Hertz units. Pressure: the largest over the nodes (collocation: over 21 points of each element).
+/// NaN where the solve did not converge.
 struct ManufacturedErrors {
   static constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
   double pressure = nothing, offset = nothing, flux = nothing, exit = nothing;
@@ -43,8 +43,8 @@ inline constexpr int collocation_elements_in_p = 5;
                                                   int intervals);
 /// `elements` equal elements from the inlet to the exit.
 [[nodiscard]] ManufacturedErrors errors_of_collocation(const exact::Manufactured& truth, int elements, int degree);
-/// The factor a degree by which the error in p falls: the sum of the half axes of the largest ellipse about an
-/// element's ends without the pole, the smallest of all elements (Bernstein).
+/// The factor by which the error in p falls with each degree (Bernstein): the sum of the half axes of the largest
+/// ellipse about an element's ends that does not contain the pole; the smallest of all elements.
 [[nodiscard]] double bernstein_factor(const exact::Manufactured& truth, int elements);
 
 }  // namespace ehd::verification

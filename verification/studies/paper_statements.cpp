@@ -22,7 +22,36 @@ const RollerRow& roller_at(const BearingResult& result, double azimuth_deg) {
       });
 }
 
+/// The value of a name among pairs.
+template <class Value>
+std::optional<Value> named(const std::vector<std::pair<std::string, Value>>& pairs, std::string_view name) {
+  for (const auto& [key, value] : pairs)
+    if (key == name) return value;
+  return std::nullopt;
+}
+
 }  // namespace
+
+std::vector<bearing::Law> film_laws() {
+  std::vector<bearing::Law> laws = laws_of(bearing::Laws::all);
+  std::erase_if(laws, [](bearing::Law law) { return !needs_film(law); });
+  return laws;
+}
+
+const BearingResult* balance_by(bearing::Law law, const std::vector<BearingResult>& results) {
+  for (const BearingResult& result : results)
+    if (result.law == law && !result.rollers.empty()) return &result;
+  return nullptr;
+}
+
+std::optional<bool> PaperStatement::part(std::string_view name) const { return named(parts, name); }
+std::optional<double> PaperStatement::value(std::string_view name) const { return named(values, name); }
+
+const PaperStatement* find_statement(const std::vector<PaperStatement>& statements, char letter) {
+  for (const PaperStatement& statement : statements)
+    if (statement.letter == letter) return &statement;
+  return nullptr;
+}
 
 double top_force_N(const BearingResult& result) { return roller_at(result, 0).inner.force_N; }
 double top_approach_m(const BearingResult& result) { return roller_at(result, 0).inner.displacement_m; }
@@ -38,7 +67,7 @@ double largest_force_N(const BearingResult& result) {
   return largest;
 }
 
-/// `ehd` unloads nothing: a roller counts as loaded that carries more than a hundredth of the most loaded one.
+/// With `ehd` every roller carries something. Loaded are those above a hundredth of the most loaded one.
 bool is_loaded(const RollerRow& roller, double largest_N) {
   return roller.inner.force_N > bearing::load_zone_share * largest_N;
 }
@@ -49,8 +78,8 @@ int loaded_rollers(const BearingResult& result) {
                                         [&](const RollerRow& roller) { return is_loaded(roller, largest_N); }));
 }
 
-/// How the film changes the rollers that the dry law loads, without those nearest to psi = 0. Rollers that the dry law
-/// leaves empty are not counted: a film always pushes, so they can only gain.
+/// How the film changes the loads of the rollers that the dry law loads, without those nearest to psi = 0. Rollers that
+/// the dry law does not load are not counted: a film always pushes, so their load can only grow.
 struct FurtherOut {
   double change_N = 0;    ///< sum of f_film - f_dry
   int lower = 0, of = 0;  ///< how many of them carry less with the film
@@ -191,23 +220,29 @@ std::vector<PaperStatement> judge_paper_statements(std::vector<ClearanceComparis
 }
 
 bool differ_only_in_clearance(const std::vector<Case>& cases) {
+  // Structs are taken apart by all their members: a new one does not compile until it is compared too.
   const auto same = [](const BearingCase& one, const BearingCase& other) {
     const auto lubricant = [](const BearingCase& body) {
       const BearingLubricant empty{};
-      const BearingLubricant& of = body.lubricant ? *body.lubricant : empty;
-      return std::tuple(body.lubricant.has_value(), of.viscosity_Pa_s, of.lubricant.viscosity, of.lubricant.density,
-                        of.lubricant.alpha_per_Pa, of.lubricant.z, of.lubricant.p0_Pa);
+      const auto& [oil, viscosity_Pa_s] = body.lubricant ? *body.lubricant : empty;
+      const auto& [viscosity, density, alpha, z, p0_Pa] = oil;
+      return std::tuple(body.lubricant.has_value(), viscosity_Pa_s, viscosity, density, alpha, z, p0_Pa);
+    };
+    struct StatedNumber {
+      using Number = std::optional<double>;
+      Number operator()(const PalmgrenDatum& of) const { return of.load_N; }
+      Number operator()(const LundbergDatum&) const { return std::nullopt; }
+      Number operator()(const LengthDatum& of) const { return of.x0_m; }
     };
     const auto datum = [](const BearingCase& body) {
-      const auto* palmgren = std::get_if<PalmgrenDatum>(&body.datum);
-      const auto* length = std::get_if<LengthDatum>(&body.datum);
-      return std::tuple(body.datum.index(), palmgren ? palmgren->load_N : std::nullopt, length ? length->x0_m : 0.0);
+      return std::pair(body.datum.index(), std::visit(StatedNumber{}, body.datum));
     };
     const auto bearing = [](const BearingCase& body) {
-      const bearing::Geometry& of = body.geometry;
-      return std::tuple(of.rollers, of.pitch_diameter_m, of.roller_diameter_m, of.length_m, of.density_kg_per_m3,
-                        of.first_azimuth_deg, body.ring_thickness_m, body.operation.inner_speed_rpm,
-                        body.operation.outer_speed_rpm, body.operation.radial_load_N, body.modulus_Pa, body.poisson);
+      [[maybe_unused]] const auto& [rollers, pitch_m, roller_m, length_m, clearance_m, density, azimuth_deg] =
+          body.geometry;
+      const auto& [inner_rpm, outer_rpm, load_N] = body.operation;
+      return std::tuple(rollers, pitch_m, roller_m, length_m, density, azimuth_deg, body.ring_thickness_m,
+                        body.roughness_m, inner_rpm, outer_rpm, load_N, body.modulus_Pa, body.poisson);
     };
     return bearing(one) == bearing(other) && lubricant(one) == lubricant(other) && datum(one) == datum(other) &&
            one.fit.load_N == other.fit.load_N && one.fit.points == other.fit.points;

@@ -4,12 +4,19 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "workflow/bearing_run.hpp"
 
 namespace ehd::verification {
+
+/// The laws with films: each is compared with Hertz' dry law.
+[[nodiscard]] std::vector<bearing::Law> film_laws();
+
+/// The balance by a law; nullptr where the results have none.
+[[nodiscard]] const BearingResult* balance_by(bearing::Law law, const std::vector<BearingResult>& results);
 
 /// The same bearing at one clearance with the dry law and an EHD law.
 struct ClearanceComparison {
@@ -31,16 +38,23 @@ struct PaperStatement {
   /// Relative changes (EHD against dry) at psi = 0: "change" of (a), "least" and "most" of (b), "middle" and "largest"
   /// clearance of (c). "apart" of (a): the largest change of any roller's load over the largest dry load.
   std::vector<std::pair<std::string, double>> values = {};
-};
 
-/// Readings of words: "EHD is close to Hertz" (c) is within this fraction of the roller load at psi = 0, and
-/// "considerably smaller" (b) is smaller by at least the second. The numbers stand beside every verdict.
+  /// By name; absent where the statement has none of that name.
+  [[nodiscard]] std::optional<bool> part(std::string_view name) const;
+  [[nodiscard]] std::optional<double> value(std::string_view name) const;
+};
+inline constexpr char statement_letters[] = {'a', 'b', 'c', 'd'};
+/// By letter; nullptr where it was not judged.
+[[nodiscard]] const PaperStatement* find_statement(const std::vector<PaperStatement>& statements, char letter);
+
+/// The paper's words as numbers. "EHD is close to Hertz" (c): the roller load at psi = 0 changes by at most this
+/// fraction. "Considerably smaller" (b): smaller by at least this fraction.
 inline constexpr double close_load = 0.02, considerably = 0.10;
 /// "Similar" (a): no roller's load changes by more than this fraction of the largest dry load. The paper gives no
-/// number; a reader of the figure would not call curves similar that are further apart than a fifth of its scale.
+/// number. Curves further apart than a fifth of the figure's scale would not look similar.
 inline constexpr double similar_load = 0.20;
 
-/// (a)..(d) from at least three clearances of one bearing; absent where a balance is missing.
+/// (a)..(d) from at least three clearances of one bearing; empty where a balance is missing.
 [[nodiscard]] std::vector<PaperStatement> judge_paper_statements(std::vector<ClearanceComparison> clearances);
 
 /// The statements under one datum. Films do not depend on the datum, so no contact is solved for it.
@@ -53,10 +67,9 @@ struct DatumRow {
 [[nodiscard]] std::vector<DatumRow> compare_data(const std::vector<Case>& cases, bearing::Law law,
                                                  ContactMemory& memory, bearing::Form form = bearing::Form::plane);
 
-/// The lengths x_0 for which the statements hold, scanned from `lowest_m` to `highest_m` in steps of a factor `step`,
-/// each end refined by bisection until it is known to a factor `precision`: lists of closed ranges, empty where there
-/// is none. What is narrower than a step may be missed. No scan (half_width_m = 0) where the dry law has no balance or
-/// no load.
+/// The lengths x_0 for which the statements hold, as lists of closed ranges. x_0 is scanned from `lowest_m` to
+/// `highest_m` in steps of a factor `step`, and each end of a range is found by bisection to a factor `precision`.
+/// Ranges narrower than a step may be missed. No scan (half_width_m = 0) where the dry law has no balance or no load.
 struct DatumScan {
   double half_width_m = 0;  ///< of the heaviest dry contact; below about half of it there is no law
   double lowest_m = 0, highest_m = 0, step = 0, precision = 0;
@@ -67,13 +80,12 @@ struct DatumScan {
   Ranges c_close_m, c_opposite_m;  ///< the two halves of (c)
   Ranges abc_m;                    ///< (a), (b) and (c)
   Ranges all_hold_m;               ///< (a) to (d)
-  Ranges sign_of_a_m;              ///< (b), (c), (d) and the second half of (a): its threshold is this project's
-  /// Least and largest of what "similar" is judged by over the lengths judged in sign_of_a_m: what its threshold
-  /// decides.
+  Ranges sign_of_a_m;              ///< (b), (c), (d) and the second half of (a), without the threshold `similar_load`
+  /// Least and largest "apart" of (a) at the judged lengths in sign_of_a_m, to compare with `similar_load`.
   std::optional<std::pair<double, double>> apart_there = {};
   Ranges all_hold_mildly_m;  ///< (a) to (d), "close" in (c) read as closer than at the other two clearances
 };
-/// "0.15 to 0.61 mm", with a word where an end is the scan's own or the law's; "nowhere".
+/// "0.15 to 0.61 mm", with a note where the scan ends or the law has no balance beyond; "nowhere".
 [[nodiscard]] std::string words_of(const DatumScan& scan, const DatumScan::Ranges& ranges, int digits = 3);
 [[nodiscard]] DatumScan scan_datum(const std::vector<Case>& cases, bearing::Law law, ContactMemory& memory,
                                    bearing::Form form = bearing::Form::plane);

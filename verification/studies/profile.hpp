@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A field as a function of X, and how far two of them are apart.
+// A field as a function of X, and the distance of two fields.
 #pragma once
 
 #include <vector>
@@ -32,8 +32,8 @@ class Profile {
 
 [[nodiscard]] inline Profile pressure_profile(const Fields& fields) { return {fields.X, fields.P, fields.elements}; }
 
-/// ||profile - truth|| / ||truth|| in L2 over the interval that both cover, integrated exactly (to rounding) on the
-/// pieces that the ends of both cut. NaN where they have no interval in common, or the truth vanishes on it.
+/// ||profile - truth|| / ||truth|| in L2 over the interval that both cover, integrated exactly (to rounding) between
+/// neighbouring ends of the pieces of both. NaN where they have no interval in common, or the truth vanishes on it.
 [[nodiscard]] double relative_l2_error(const Profile& profile, const Profile& truth);
 
 }  // namespace ehd::verification

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bearings drawn over the ranges that a balance is made for: the same from the same seed on every machine.
+// Random bearings over the ranges that a balance is made for. A seed gives the same bearing on every machine.
 #pragma once
 
 #include "bearing/equilibrium.hpp"
 
 namespace ehd::verification {
 
-/// Z 3..400, rollers side by side; clearance -20..+200 um; load from none to p_H = 4 GPa on the roller that carries
-/// most; either ring or both turning, to 30,000 rpm; the cage anywhere, symmetric to the load, or nearly so. Preload
-/// and speed go no further than 4 GPa at the contacts either: with small rollers -20 um and 30,000 rpm would.
+/// Z 3..400, rollers side by side; clearance -20..+200 um; load from none to p_H = 4 GPa on the most loaded roller;
+/// either ring or both turning, to 30,000 rpm; the cage anywhere, symmetric to the load, or nearly so. Preload and
+/// speed are limited to 4 GPa at the contacts too: with small rollers, -20 um or 30,000 rpm would give more.
 struct RandomBearing {
   bearing::Geometry geometry;
   bearing::Speeds speeds;

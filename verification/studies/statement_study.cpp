@@ -18,7 +18,7 @@ namespace ehd::verification {
 
 namespace {
 
-/// A choice: how it changes a case, and what of a result it looks at.
+/// A choice: how it changes a case, and which balance of a result it judges.
 struct Choice {
   std::string factor, value;
   std::function<void(BearingCase&)> change;
@@ -87,13 +87,7 @@ std::vector<Choice> choices(const BearingCase& body) {
   return all;
 }
 
-const BearingResult* of_law(const std::vector<BearingResult>& results, bearing::Law law) {
-  for (const BearingResult& result : results)
-    if (result.law == law && !result.rollers.empty()) return &result;
-  return nullptr;
-}
-
-/// A result as its variant has it.
+/// The balance of a result's variant, in the place of the result's own.
 std::optional<BearingResult> cut_of(const BearingResult& result) {
   if (result.variants.empty()) return std::nullopt;
   BearingResult cut = result;
@@ -111,7 +105,7 @@ StudyRow judged(const Choice& choice, const std::vector<Case>& cases, bearing::L
     choice.change(body);
     const auto results =
         run_bearing(one, {.laws = {bearing::Law::hertz, law}, .explicitly = true, .films = choice.cut}, memory);
-    const BearingResult *dry = of_law(results, bearing::Law::hertz), *film = of_law(results, law);
+    const BearingResult *dry = balance_by(bearing::Law::hertz, results), *film = balance_by(law, results);
     std::optional<BearingResult> cut;
     if (choice.cut && film) cut = cut_of(*film);
     if (!dry || !film || (choice.cut && !cut)) {
@@ -127,18 +121,9 @@ StudyRow judged(const Choice& choice, const std::vector<Case>& cases, bearing::L
   return row;
 }
 
-const PaperStatement* statement(const StudyRow& row, char letter) {
-  for (const PaperStatement& one : row.statements)
-    if (one.letter == letter) return &one;
-  return nullptr;
-}
-
-/// A value of a statement in per cent, "-" where the statement has none of that name.
-std::string percent(const PaperStatement* one, const std::string& name, bool with_sign = true) {
-  if (one)
-    for (const auto& [key, value] : one->values)
-      if (key == name) return with_sign ? fmt::format("{:+.1f}", 100 * value) : fmt::format("{:.1f}", 100 * value);
-  return "-";
+/// A value of a statement in per cent.
+std::string percent(const PaperStatement& one, std::string_view name) {
+  return fmt::format("{:+.1f}", 100 * one.value(name).value());
 }
 
 std::string name_of(const StudyRow& row) { return row.value.empty() ? row.factor : row.factor + " " + row.value; }
@@ -150,9 +135,9 @@ std::vector<StudyRow> study_statements(const std::vector<Case>& cases, ContactMe
   if (!differ_only_in_clearance(cases) || cases.size() < 3) return rows;
   const auto& body = std::get<BearingCase>(cases.front().body);
   if (!body.lubricant) return rows;
-  for (const bearing::Law law : {bearing::Law::ehd_linear, bearing::Law::ehd})
+  for (const bearing::Law law : film_laws())
     for (const Choice& choice : choices(body)) {
-      // The full relation knows neither a fit nor a force at which it lets go.
+      // The full relation has no fit, and does not let go at a finite force.
       if (law == bearing::Law::ehd && (choice.cut || choice.factor == "fit range")) continue;
       rows.push_back(judged(choice, cases, law, memory));
     }
@@ -161,12 +146,12 @@ std::vector<StudyRow> study_statements(const std::vector<Case>& cases, ContactMe
 
 std::vector<StudySummary> summarise(const std::vector<StudyRow>& rows) {
   std::vector<StudySummary> summaries;
-  for (const bearing::Law law : {bearing::Law::ehd_linear, bearing::Law::ehd})
-    for (const char letter : {'a', 'b', 'c', 'd'}) {
+  for (const bearing::Law law : film_laws())
+    for (const char letter : statement_letters) {
       StudySummary summary{.law = law, .letter = letter, .holds = 0, .of = 0, .exceptions = ""};
       std::string yes, no;
       for (const StudyRow& row : rows) {
-        const PaperStatement* const one = statement(row, letter);
+        const PaperStatement* const one = find_statement(row.statements, letter);
         if (row.law != law || !one || row.factor == two_choices) continue;
         ++summary.of;
         summary.holds += one->holds;
@@ -226,7 +211,7 @@ Json to_json(const std::vector<StudyRow>& rows) {
 
 std::string human_study(const std::vector<StudyRow>& rows) {
   std::string text;
-  for (const bearing::Law law : {bearing::Law::ehd_linear, bearing::Law::ehd}) {
+  for (const bearing::Law law : film_laws()) {
     std::vector<std::vector<std::string>> table{{"changed", "to", "(a)", "Q(0) %", "apart %", "(b)", "delta_i %", "(c)",
                                                  "middle %", "largest %", "(d)", "x_0 for (a)..(d)",
                                                  "by the sign of (a)", "by the mild (c)"}};
@@ -239,23 +224,25 @@ std::string human_study(const std::vector<StudyRow>& rows) {
       const auto range = [](const StudyRow& of, DatumScan::Ranges DatumScan::*which) {
         return of.scan ? words_of(*of.scan, (*of.scan).*which, 2) : std::string();
       };
-      const auto word = [&](char letter) { return std::string(statement(row, letter)->holds ? "holds" : "no"); };
-      const PaperStatement *a = statement(row, 'a'), *b = statement(row, 'b'), *c = statement(row, 'c');
-      table.push_back({row.factor, row.value, word('a'), percent(a, "change"), percent(a, "apart", false), word('b'),
+      const auto of = [&](char letter) -> const PaperStatement& { return *find_statement(row.statements, letter); };
+      const auto word = [&](char letter) { return of(letter).holds ? "holds" : "no"; };
+      const PaperStatement &a = of('a'), &b = of('b'), &c = of('c');
+      table.push_back({row.factor, row.value, word('a'), percent(a, "change"),
+                       fmt::format("{:.1f}", 100 * a.value("apart").value()), word('b'),
                        percent(b, "least") + ".." + percent(b, "most"), word('c'), percent(c, "middle"),
                        percent(c, "largest"), word('d'), range(row, &DatumScan::all_hold_m),
                        range(row, &DatumScan::sign_of_a_m), range(row, &DatumScan::all_hold_mildly_m)});
     }
     if (table.size() == 1) continue;
-    text += (text.empty() ? "" : "\n") + std::string("hertz against ") + std::string(to_string(law)) +
-            ": changes of the roller load and of delta_i at psi = 0, the largest of any roller's load\n" +
-            aligned(table, 2, "  ");
+    text += fmt::format(
+        "{}hertz against {}: changes of the roller load and of delta_i at psi = 0, the largest of any "
+        "roller's load\n{}",
+        text.empty() ? "" : "\n", to_string(law), aligned(table, 2, "  "));
   }
   text += "\n";
   for (const StudySummary& one : summarise(rows))
-    text += std::string("  (") + one.letter + "), " + std::string(to_string(one.law)) + ": holds in " +
-            std::to_string(one.holds) + " of " + std::to_string(one.of) +
-            (one.exceptions.empty() ? "" : ", " + one.exceptions) + "\n";
+    text += fmt::format("  ({}), {}: holds in {} of {}{}{}\n", one.letter, to_string(one.law), one.holds, one.of,
+                        one.exceptions.empty() ? "" : ", ", one.exceptions);
   return text;
 }
 

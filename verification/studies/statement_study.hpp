@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// On what the paper's statements (a)..(d) depend: the same bearing with one of the choices that the paper leaves open
-// changed at a time, judged each time. Films do not depend on the datum, so a datum costs no contact solve.
+// What the paper's statements (a)..(d) depend on. The paper leaves choices open: one at a time is changed, and the
+// statements are judged again. Films do not depend on the datum, so another datum costs no contact solve.
 #pragma once
 
 #include <optional>
@@ -13,15 +13,15 @@
 
 namespace ehd::verification {
 
-/// One choice changed, and what it makes of the statements.
+/// One choice changed, and the statements judged with it.
 struct StudyRow {
   /// "as the case", "viscosity", "alpha", "fit range", "datum", "rotating ring", "unloading", "length"; "two choices"
   std::string factor;
   std::string value;  ///< with its unit
   bearing::Law law = bearing::Law::ehd_linear;
   std::vector<PaperStatement> statements;  ///< empty where a balance is missing
-  std::string why;                         ///< why it is
-  std::optional<DatumScan> scan = {};      ///< of the rows that leave the datum to it
+  std::string why;                         ///< why a balance is missing
+  std::optional<DatumScan> scan = {};      ///< of the rows that do not change the datum
 };
 
 /// `cases`: one bearing at three or more clearances (differ_only_in_clearance) with a lubricant. For both EHD laws:
@@ -32,12 +32,12 @@ struct StudyRow {
 /// with a short x_0.
 [[nodiscard]] std::vector<StudyRow> study_statements(const std::vector<Case>& cases, ContactMemory& memory);
 
-/// How many of a law's rows with one choice changed a statement holds in, and where it does not.
+/// In how many of a law's rows with one choice changed a statement holds.
 struct StudySummary {
   bearing::Law law = bearing::Law::ehd_linear;
   char letter = 'a';
   int holds = 0, of = 0;
-  std::string exceptions;  ///< where the fewer rows are: those that fail, or those that hold
+  std::string exceptions;  ///< the minority: the rows in which it fails, or those in which it holds
 };
 [[nodiscard]] std::vector<StudySummary> summarise(const std::vector<StudyRow>& rows);
 

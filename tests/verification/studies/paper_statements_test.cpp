@@ -213,6 +213,7 @@ BOOST_AUTO_TEST_CASE(cases_with_another_datum_or_fit_do_not_differ_in_clearance_
   BOOST_TEST(!pair([](BearingCase& one, BearingCase&) { one.fit.load_N = std::pair{1000.0, 12000.0}; }));
   BOOST_TEST(!pair([](BearingCase& one, BearingCase&) { one.fit.load_N.reset(); }));
   BOOST_TEST(!pair([](BearingCase& one, BearingCase&) { one.ring_thickness_m = 0.004; }));
+  BOOST_TEST(!pair([](BearingCase& one, BearingCase&) { one.roughness_m = 1e-7; }));
 }
 
 // Invariant: an end of a range holds, and a factor `precision` beyond it does not, judged anew from the cases.

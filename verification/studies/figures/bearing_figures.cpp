@@ -22,7 +22,7 @@ namespace {
 
 constexpr int curve_points = 80;
 constexpr double beyond_heaviest = 1.1;  ///< of the largest roller load of any law
-constexpr double lightest_share = 1e-3;  ///< of it: where the curves begin
+constexpr double lightest_share = 1e-3;  ///< the curves begin at this share of it
 
 struct Made {
   Json bearings = Json::array(), laws = Json::array(), statements = Json::array(), study = Json::object();
@@ -43,14 +43,14 @@ double largest_load_N(const std::vector<BearingResult>& results) {
   return largest;
 }
 
-/// Displacement over contact force, geometrically spaced; the film only where the law has one of its own.
+/// Displacement over contact force, geometrically spaced; the film too where the law is a film curve.
 Json curve_json(const bearing::ForceLaw& law, double heaviest_N) {
   std::vector<double> displacement, force, film;
   const auto* own = std::get_if<bearing::CurveLaw>(&law);
   for (int i = 0; i < curve_points; ++i) {
     const double share = std::pow(lightest_share, 1 - static_cast<double>(i) / (curve_points - 1));
     const double f = heaviest_N * share;
-    if (own && f > own->curve().heaviest_N()) break;  // not vouched for
+    if (own && f > own->curve().heaviest_N()) break;  // beyond the solved contacts
     const double delta = bearing::approach(law, f);
     if (!std::isfinite(delta)) continue;
     force.push_back(f);
@@ -63,8 +63,7 @@ Json curve_json(const bearing::ForceLaw& law, double heaviest_N) {
 }
 
 void make(const std::vector<Case>& cases, Made& made) {
-  ContactMemory memory(
-      [](const Problem& problem, const Request& request) { return find_solver("fast")->solve(problem, request); });
+  ContactMemory memory(default_solver().solve);
   std::vector<std::vector<BearingResult>> all;
   for (const Case& one : cases) {
     const auto& body = std::get<BearingCase>(one.body);
@@ -99,16 +98,14 @@ void make(const std::vector<Case>& cases, Made& made) {
   }
   if (cases.size() < 3 || !differ_only_in_clearance(cases)) return;
   if (const auto study = study_statements(cases, memory); !study.empty()) made.study = to_json(study);
-  for (const bearing::Law law : {bearing::Law::ehd_linear, bearing::Law::ehd}) {
+  for (const bearing::Law law : film_laws()) {
     std::vector<ClearanceComparison> rows;
     for (std::size_t k = 0; k < cases.size(); ++k) {
-      const auto of = [&](bearing::Law wanted) {
-        return std::find_if(all[k].begin(), all[k].end(), [&](const auto& one) { return one.law == wanted; });
-      };
-      const auto dry = of(bearing::Law::hertz), film = of(law);
-      if (dry == all[k].end() || film == all[k].end()) continue;
+      const BearingResult *dry = balance_by(bearing::Law::hertz, all[k]), *film = balance_by(law, all[k]);
+      if (!dry || !film) break;
       rows.push_back({std::get<BearingCase>(cases[k].body).geometry.clearance_m, *dry, *film});
     }
+    if (rows.size() < cases.size()) continue;  // a balance is missing
     for (const PaperStatement& one : judge_paper_statements(rows))
       made.statements.push_back({{"letter", std::string(1, one.letter)},
                                  {"law", to_string(law)},

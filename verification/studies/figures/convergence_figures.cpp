@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How errors fall: grids against the certified digits of cases, and every scheme against the manufactured solutions of
-// rung 5. Orders are fitted here and declared by the solvers; rungs 5 and 8 judge them.
+// How errors fall with the grid: films of cases against their certified digits, and every scheme against the
+// manufactured solutions of rung 5. Orders are fitted here; solvers declare theirs, and rungs 5 and 8 judge them.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -16,6 +18,7 @@
 #include "verification/studies/figures/parts.hpp"
 #include "verification/studies/fits.hpp"
 #include "verification/studies/manufactured_study.hpp"
+#include "verification/studies/solver_lists.hpp"
 #include "workflow/contact_run.hpp"
 #include "workflow/registry.hpp"
 
@@ -24,21 +27,21 @@ namespace ehd::verification {
 namespace {
 
 struct SeriesPoint {
-  double n = 0, error = 0, uncertainty = 0;  ///< relative error and its uncertainty; manufactured: absolute
+  double n = 0, error = 0, uncertainty = 0;  ///< relative; for manufactured solutions absolute
   StopReason status = StopReason::converged;
 };
 
 struct Series {
   std::string id, title, solver, contact_case, quantity;
   std::string abscissa = "intervals";
-  std::optional<double> declared_order;   ///< algebraic
-  std::optional<double> declared_factor;  ///< geometric in the degree
+  std::optional<double> declared_order = {};   ///< algebraic
+  std::optional<double> declared_factor = {};  ///< geometric in the degree
   bool geometric = false;
-  std::vector<SeriesPoint> points;
+  std::vector<SeriesPoint> points = {};
 };
 
-/// The last four converged points whose error stands ten times above what it is known to, and above the accuracy to
-/// which a grid is iterated; a geometric study as its claim has it, by every degree.
+/// The last four converged points whose error is above ten times its uncertainty and above what the iteration leaves.
+/// Of a geometric study every converged point, as in its claim.
 std::vector<SeriesPoint> fitted_points(const Series& series) {
   constexpr std::size_t most = 4;
   constexpr double clear_of = 10, iterated_to = 1e-10;
@@ -63,7 +66,7 @@ Json to_json(const Series& series) {
   put(json, "declared_order", series.declared_order);
   put(json, "declared_factor", series.declared_factor);
   const auto fitted = fitted_points(series);
-  constexpr std::size_t least = 4;  // an order is read over four grids
+  constexpr std::size_t least = 4;  // an order is fitted to at least four grids
   if (fitted.size() >= least) {
     std::vector<double> x, y;
     for (const SeriesPoint& point : fitted) {
@@ -89,9 +92,6 @@ Json to_json(const Series& series) {
 
 // -- grids against certified digits ---------------------------------------------------------------------------------
 
-constexpr std::pair<Quantity, const char*> films[] = {{Quantity::film_minimum, "film.minimum"},
-                                                      {Quantity::film_central, "film.central"}};
-
 /// The expectation with the most digits.
 const Expectation* certified(const Case& one, const std::string& quantity) {
   const Expectation* best = nullptr;
@@ -113,21 +113,18 @@ void add_point(Series& series, const ContactRun& run, const Expectation& truth, 
 
 std::vector<Series> film_series(const Case& one, const std::string& solver, const std::string& title) {
   std::vector<Series> list;
-  for (const auto& film : films)
-    list.push_back({.id = "grids/" + one.id + "/" + solver + "/" + film.second,
-                    .title = title + std::string(film.second) + " of " + one.id,
+  for (const Quantity quantity : {Quantity::film_minimum, Quantity::film_central}) {
+    const std::string film(to_string(quantity));
+    list.push_back({.id = "grids/" + one.id + "/" + solver + "/" + film,
+                    .title = title + film + " of " + one.id,
                     .solver = solver,
                     .contact_case = one.id,
-                    .quantity = film.second,
-                    .abscissa = "intervals",
-                    .declared_order = {},
-                    .declared_factor = {},
-                    .geometric = false,
-                    .points = {}});
+                    .quantity = film});
+  }
   return list;
 }
 
-/// The film of the finest grid itself, where a solver reports an extrapolated one; Hertz units.
+/// The film on the finest grid in Hertz units. The reported film may be an extrapolation.
 std::optional<double> own_film(const ContactRun& run, const std::string& quantity) {
   const auto& grids = run.solution.record.grids;
   const auto name = quantity_from(quantity);
@@ -136,7 +133,7 @@ std::optional<double> own_film(const ContactRun& run, const std::string& quantit
   return at == grids.back().observed.end() ? std::nullopt : std::optional(at->second.value);
 }
 
-/// An order is declared for smooth solutions: with a spike, which no equal cells resolve, there is none of H_min.
+/// Orders are declared for smooth solutions. Equal cells do not resolve a spike, so beside one H_min has no order.
 bool has_spike(const Case& one, const ContactRun& run) {
   const auto* contact = std::get_if<ContactCase>(&one.body);
   return contact && contact->lubricant && contact->lubricant->viscosity != ViscosityLaw::isoviscous &&
@@ -144,18 +141,15 @@ bool has_spike(const Case& one, const ContactRun& run) {
          observe(run.solution.fields, {Quantity::pressure_spike}).contains(Quantity::pressure_spike);
 }
 
-/// Films as reported, and, where they are extrapolated, those of the grids beside them: the declared order is that of a
-/// grid.
+/// The reported films. Where they are extrapolated, the films of the grids are added, to which the declared order
+/// belongs.
 std::vector<Series> grid_series(const Case& one, const RegisteredSolver& solver, const std::vector<int>& grids) {
   auto reported = film_series(one, solver.name, solver.name + ": ");
   auto own = film_series(one, solver.name, solver.name + ", each grid's own: ");
   bool extrapolated = false, spike = false;
   for (const int intervals : grids) {
-    Request request;
-    request.tolerance.reset();
-    request.nodes = intervals;
-    const ContactRun run = run_contact(one, solver, request);
-    if (run.status() == StopReason::converged) spike = has_spike(one, run);  // the finest grid knows it best
+    const ContactRun run = run_contact(one, solver, {.tolerance = {}, .nodes = intervals});
+    if (run.status() == StopReason::converged) spike = has_spike(one, run);  // the finest grid decides
     for (std::size_t i = 0; i < reported.size(); ++i) {
       const Expectation* truth = certified(one, reported[i].quantity);
       if (!truth) continue;
@@ -184,23 +178,21 @@ std::vector<Series> grid_series(const Case& one, const RegisteredSolver& solver,
   return reported;
 }
 
-/// The certified solver asked for more and more digits: meshes and degrees adapt, so that no order is declared.
+/// The certified solver with tighter and tighter tolerances. Its meshes and degrees adapt: no order is declared.
 std::vector<Series> tolerance_series(const Case& one, const std::vector<double>& tolerances) {
-  const RegisteredSolver& solver = *find_solver("reference");
-  auto list = film_series(one, solver.name, "reference, asked for more and more digits: ");
+  const RegisteredSolver& solver = certified_solver();
+  auto list = film_series(one, solver.name, solver.name + ", asked for more and more digits: ");
   for (Series& series : list) {
     series.abscissa = "unknowns";
     series.geometric = true;
   }
   for (const double tolerance : tolerances) {
-    Request request;
-    request.tolerance = tolerance;
-    const ContactRun run = run_contact(one, solver, request);
+    const ContactRun run = run_contact(one, solver, {.tolerance = tolerance});
     for (Series& series : list)
       if (const Expectation* truth = certified(one, series.quantity))
         add_point(series, run, *truth, run.solution.record.cost.nodes);
   }
-  // Two tolerances may end on one mesh: the tighter one stands.
+  // Two tolerances may end on one mesh: the tighter one is kept.
   for (Series& series : list) {
     std::vector<SeriesPoint> points;
     for (const SeriesPoint& point : series.points) {
@@ -220,26 +212,20 @@ Series manufactured(const std::string& id, const std::string& title, const std::
           .title = title,
           .solver = solver,
           .contact_case = "manufactured, " + contact.name,
-          .quantity = quantity,
-          .abscissa = "intervals",
-          .declared_order = {},
-          .declared_factor = {},
-          .geometric = false,
-          .points = {}};
+          .quantity = quantity};
 }
 
 void add_error(Series& series, double n, double error) {
   if (std::isfinite(error)) series.points.push_back({.n = n, .error = error});
 }
 
-std::vector<Series> manufactured_solver(const ManufacturedContact& contact, const std::string& name) {
+std::vector<Series> manufactured_solver(const ManufacturedContact& contact, const RegisteredSolver& solver) {
   const exact::Manufactured truth = contact.make();
-  const RegisteredSolver& solver = *find_solver(name);
   std::vector<Series> list;
-  for (const auto& quantity : manufactured_quantities) {
-    list.push_back(manufactured(name + "/" + quantity.first,
-                                name + ": manufactured " + quantity.first + ", " + contact.name, name, contact,
-                                quantity.first));
+  for (const auto& [quantity, member] : manufactured_quantities) {
+    list.push_back(manufactured(solver.name + "/" + quantity,
+                                solver.name + ": manufactured " + quantity + ", " + contact.name, solver.name, contact,
+                                quantity));
     list.back().declared_order = solver.description.formal_order;
   }
   for (const int intervals : manufactured_grids) {
@@ -252,10 +238,11 @@ std::vector<Series> manufactured_solver(const ManufacturedContact& contact, cons
 
 std::vector<Series> manufactured_in_h(const ManufacturedContact& contact, int degree) {
   const exact::Manufactured truth = contact.make();
-  const std::string name = "collocation/degree-" + std::to_string(degree);
-  Series series = manufactured(
-      name, "reference's collocation, degree " + std::to_string(degree) + ": manufactured pressure, " + contact.name,
-      "reference", contact, "pressure");
+  const std::string& name = certified_solver().name;
+  Series series =
+      manufactured(fmt::format("collocation/degree-{}", degree),
+                   fmt::format("{}'s collocation, degree {}: manufactured pressure, {}", name, degree, contact.name),
+                   name, contact, "pressure");
   series.abscissa = "unknowns";
   series.declared_order = degree + 1;
   for (const int elements : collocation_elements)
@@ -265,16 +252,26 @@ std::vector<Series> manufactured_in_h(const ManufacturedContact& contact, int de
 
 std::vector<Series> manufactured_in_p(const ManufacturedContact& contact) {
   const exact::Manufactured truth = contact.make();
+  const std::string& name = certified_solver().name;
   Series series = manufactured("collocation/spectral",
-                               "reference's collocation on " + std::to_string(collocation_elements_in_p) +
-                                   " elements: manufactured pressure, " + contact.name,
-                               "reference", contact, "pressure");
+                               fmt::format("{}'s collocation on {} elements: manufactured pressure, {}", name,
+                                           collocation_elements_in_p, contact.name),
+                               name, contact, "pressure");
   series.abscissa = "degree";
   series.geometric = true;
   series.declared_factor = bernstein_factor(truth, collocation_elements_in_p);
   for (const int degree : collocation_degrees)
     add_error(series, degree, errors_of_collocation(truth, collocation_elements_in_p, degree).pressure);
   return {series};
+}
+
+/// Intervals of a study, each twice those before. Equal cells need more to resolve the inlet.
+std::vector<int> grids_of(const RegisteredSolver& solver, bool quick) {
+  const int first = solver.uses_fft && on_equal_cells(solver) ? 128 : 64;
+  const int last = first * (solver.dense() ? (quick ? 4 : 16) : (quick ? 16 : 128));
+  std::vector<int> grids;
+  for (int intervals = first; intervals <= last; intervals *= 2) grids.push_back(intervals);
+  return grids;
 }
 
 }  // namespace
@@ -291,37 +288,25 @@ FigurePart convergence_part(bool with_manufactured, bool with_grids, bool quick)
   if (with_grids) {
     std::vector<std::string> ids{"own-moes-20-10"};
     if (!quick) ids.insert(ids.end(), {"own-moes-5-5", "own-barus-20-5", "own-moes-200-15"});
-    struct Study {
-      const char* solver;
-      std::vector<int> grids;
-    };
-    const std::vector<Study> studies =
-        quick ? std::vector<Study>{{"reference.uniform", {64, 128, 256}},
-                                   {"reference.linear", {64, 128, 256}},
-                                   {"fast.uniform", {128, 256, 512, 1024, 2048}},
-                                   {"fast", {64, 128, 256, 512, 1024}}}
-              : std::vector<Study>{{"reference.uniform", {64, 128, 256, 512, 1024}},
-                                   {"reference.linear", {64, 128, 256, 512, 1024}},
-                                   {"fast.uniform", {128, 256, 512, 1024, 2048, 4096, 8192, 16384}},
-                                   {"fast", {64, 128, 256, 512, 1024, 2048, 4096, 8192}}};
-    const std::vector<double> tolerances = quick ? std::vector<double>{1e-1, 1e-2, 1e-3, 1e-4}
-                                                 : std::vector<double>{1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8};
+    std::vector<double> tolerances{1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8};
+    if (quick) tolerances.resize(4);
     for (const std::string& id : ids) {
       const std::filesystem::path file = cases_folder() / (id + ".toml");
       std::error_code missing;
       if (!std::filesystem::exists(file, missing)) continue;  // another folder of cases
-      for (const Study& study : studies)
-        add(std::string(study.solver) + " on " + id,
-            [file, study] { return grid_series(read_case(file), *find_solver(study.solver), study.grids); });
-      add("reference on " + id, [file, tolerances] { return tolerance_series(read_case(file), tolerances); });
+      for (const RegisteredSolver* solver : second_order_solvers())
+        add(solver->name + " on " + id,
+            [file, solver, grids = grids_of(*solver, quick)] { return grid_series(read_case(file), *solver, grids); });
+      add(certified_solver().name + " on " + id,
+          [file, tolerances] { return tolerance_series(read_case(file), tolerances); });
     }
   }
   if (with_manufactured) {
     for (const ManufacturedContact& contact : manufactured_contacts) {
       if (quick && contact.name != manufactured_contacts[0].name) continue;
-      for (const std::string name : {"reference.uniform", "reference.linear", "fast.uniform", "fast"}) {
-        if (quick && !find_solver(name)->uses_fft) continue;  // dense grids take seconds
-        add(name + ", manufactured", [&contact, name] { return manufactured_solver(contact, name); });
+      for (const RegisteredSolver* solver : second_order_solvers()) {
+        if (quick && solver->dense()) continue;  // dense grids take seconds
+        add(solver->name + ", manufactured", [&contact, solver] { return manufactured_solver(contact, *solver); });
       }
       if (!quick)
         for (const int degree : {2, 3})

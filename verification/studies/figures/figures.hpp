@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The data behind the figures: profiles of the cases, convergence, maps over M and L, the bearing. Computed beside the
-// suite and written into results.json, so that making a report never runs a solver. Nothing here is judged.
+// The data of the figures: profiles of the cases, convergence, maps over M and L, the bearing. They are computed beside
+// the suite and written into results.json, so that making a report runs no solver. Nothing here is judged.
 #pragma once
 
 #include <cstddef>
@@ -16,15 +16,16 @@ struct FiguresRequest {
   /// 5: manufactured solutions; 8: grids; 10: cases and maps; 11: bearing; others: none; absent: all.
   std::optional<int> rung = {};
   std::optional<std::string> case_id = {};  ///< profiles (or the bearing) of this case alone
-  bool quick = false;                       ///< a few grids, points of the maps and light cases
+  bool quick = false;                       ///< few grids, few points of the maps, light cases
   unsigned threads = 0;                     ///< 0: as many as there are cores
   /// Called after each piece of work, one thread at a time.
   std::function<void(std::size_t done, std::size_t all, const std::string& name)> progress = {};
 };
 
-/// {"threads", "cases", "convergence", "maps", "bearing", "statements", "force_law"}, a key absent where it was not
-/// made; "failed": what threw, a sentence each (absent where nothing did). Times are of cold solves, one a thread,
-/// while `threads` of them share the machine. Throws CaseError for a case that is named and cannot be read.
+/// {"threads", "cases", "convergence", "maps", "bearing", "statements", "statement_study", "force_law"}; a key is
+/// absent where its part was not made. "failed": a sentence for each piece that threw (absent where none did). Times
+/// are of cold solves, one in a thread, while `threads` of them share the machine. Throws CaseError for a named case
+/// that cannot be read.
 [[nodiscard]] Json figures(const FiguresRequest& request);
 
 }  // namespace ehd::verification

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Maps over M and L: the atlas's certified films, the formulas beside them, what a cut inlet costs, and fast at 1e-4.
+// Maps over M and L: the atlas's certified films, the formulas, the cost of a cut inlet, and the default solver at
+// 1e-4.
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -23,10 +24,7 @@ Json fast_json(const MapPoint& point) {
   const ContactCase contact = point.at.contact();
   Problem problem = nondimensionalise(contact.statement, *contact.lubricant, *contact.inlet).problem;
   problem.wanted = {Quantity::film_minimum, Quantity::film_central};
-  Request request;
-  request.tolerance = tolerance;
-  request.time_limit_s = time_limit_s;
-  const Solution solution = find_solver("fast")->solve(problem, request);
+  const Solution solution = default_solver().solve(problem, {.tolerance = tolerance, .time_limit_s = time_limit_s});
   const Cost& cost = solution.record.cost;
   Json json = {{"status", to_string(solution.record.status)},
                {"tolerance", tolerance},
@@ -81,12 +79,9 @@ bool in_quick_run(const AtlasPoint& point) {
 }  // namespace
 
 FigurePart map_part(const std::filesystem::path& folder, bool quick) {
-  FigurePart part;
   std::error_code missing;
-  if (!std::filesystem::exists(folder / "atlas.csv", missing)) {
-    part.finish = [](Json&) {};
-    return part;
-  }
+  if (!std::filesystem::exists(folder / "atlas.csv", missing)) return {.work = {}, .finish = [](Json&) {}};
+  FigurePart part;
   struct Maps {
     FilmMaps films;
     std::vector<Json> fast;

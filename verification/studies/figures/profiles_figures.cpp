@@ -22,9 +22,9 @@ namespace {
 
 constexpr double tolerance = 1e-4;
 constexpr double time_limit_s = 60;
-constexpr double chord_error = 1e-3;  ///< of the largest pressure, and of the film where it stands
+constexpr double chord_error = 1e-3;  ///< of a drawn chord: share of the largest pressure, and of the local film
 constexpr std::size_t most_points = 400;
-constexpr double moderate_M = 60;  ///< above, reference takes seconds: not with --quick
+constexpr double moderate_M = 60;  ///< above it `reference` takes seconds: left out with --quick
 
 bool only_waits(const Case& one) {
   return !one.expectations.empty() && std::all_of(one.expectations.begin(), one.expectations.end(),
@@ -54,7 +54,7 @@ std::optional<Functions> functions_of(const ContactRun& run) {
   return Functions(fields);
 }
 
-/// From where the pressure is a hundredth of its maximum (at most -2, at least the inlet) to a third of the contact
+/// The drawn part of X: from a hundredth of the largest pressure (at most -2, at least the inlet) to 0.3 max(1, X*)
 /// behind the exit.
 struct Region {
   double left = 0, right = 0;
@@ -68,7 +68,7 @@ Region region_of(const Fields& fields) {
   return {std::max(fields.X[0], std::min(usual_left, fields.X[first])), exit + behind * std::max(1.0, exit)};
 }
 
-/// Abscissae close enough that what lies between them is a chord to any eye: the nodes, and points within elements.
+/// Abscissae so close that curves look straight between them: the nodes, and points within elements.
 std::vector<double> dense_places(const Fields& fields, double left) {
   std::vector<double> places;
   const Eigen::Index last = fields.X.size() - 1;
@@ -141,8 +141,8 @@ Json solver_json(const ContactRun& run) {
   return json;
 }
 
-/// fast - reference on the nodes of fast between the later inlet and the earlier exit: no interpolation but by the
-/// reference's own polynomials.
+/// fast - reference on the nodes of fast, between the later inlet and the earlier exit. Only the reference is
+/// interpolated, by its own polynomials.
 std::optional<Json> difference_json(const ContactRun& reference, const Functions& truth, const ContactRun& fast) {
   const Fields& fields = fast.solution.fields;
   const double left = region_of(reference.solution.fields).left;
@@ -158,11 +158,11 @@ std::optional<Json> difference_json(const ContactRun& reference, const Functions
   const auto curve = [](const std::vector<double>& values) {
     double largest = std::numeric_limits<double>::min();
     for (const double value : values) largest = std::max(largest, std::abs(value));
-    constexpr double share = 0.01;  // a difference is looked at for its size and place
+    constexpr double share = 0.01;  // a difference is drawn for its size and place
     return ThinnedCurve{.values = values, .allowed = std::vector<double>(values.size(), share * largest)};
   };
   const Thinning thinning = thin(X, {curve(P), curve(H)}, most_points);
-  Json json = {{"of", "fast - reference"},
+  Json json = {{"of", fast.solver + " - " + reference.solver},
                {"X", taken(X, thinning)},
                {"P", taken(P, thinning)},
                {"H_relative", taken(H, thinning)}};
@@ -178,7 +178,7 @@ std::optional<Json> difference_json(const ContactRun& reference, const Functions
   return json;
 }
 
-/// A string as the case file has it, without its quotation marks.
+/// A string of a case file without its quotation marks.
 std::string unquoted(const std::string& text) {
   const bool quoted = text.size() >= 2 && (text.front() == '"' || text.front() == '\'') && text.back() == text.front();
   return quoted ? text.substr(1, text.size() - 2) : text;
@@ -186,11 +186,9 @@ std::string unquoted(const std::string& text) {
 
 Json case_json(const Case& one) {
   const auto& contact = std::get<ContactCase>(one.body);
-  Request request;
-  request.tolerance = tolerance;
-  request.time_limit_s = time_limit_s;
-  const ContactRun reference = run_contact(one, *find_solver("reference"), request),
-                   fast = run_contact(one, *find_solver("fast"), request);
+  const Request request{.tolerance = tolerance, .time_limit_s = time_limit_s};
+  const ContactRun reference = run_contact(one, certified_solver(), request),
+                   fast = run_contact(one, default_solver(), request);
   Json json = Json::object();
   json["id"] = one.id;
   json["version"] = one.version;
@@ -198,11 +196,8 @@ Json case_json(const Case& one) {
   json["source"] = one.source;
   json["viscosity"] = unquoted(one.texts.at("lubricant.viscosity"));
   json["density"] = unquoted(one.texts.at("lubricant.density"));
-  if (const auto* cut = std::get_if<TruncatedAt>(&*contact.inlet)) {
-    json["inlet"] = cut->x;
-  } else {
-    json["inlet"] = "flooded";
-  }
+  const auto* cut = std::get_if<TruncatedAt>(&*contact.inlet);
+  json["inlet"] = cut ? Json(cut->x) : Json("flooded");
   if (reference.groups) {
     put(json, "M", reference.groups->M);
     put(json, "L", reference.groups->L);
