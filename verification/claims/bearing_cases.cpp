@@ -174,8 +174,8 @@ std::vector<PrintedVerdicts> printed_verdicts() {
         {"(c) holds up to", "c/to", mm[3], &Scan::c_m, false},
         {"the second half of (c) holds up to", "c-opposite/to", mm[4], &Scan::c_opposite_m, false},
         {"(d) holds from", "d/from", mm[5], &Scan::d_m, true},
-        {"by the sign of (a) all hold from", "sign/from", mm[6], &Scan::sign_of_a_m, true},
-        {"by the sign of (a) all hold up to", "sign/to", mm[7], &Scan::sign_of_a_m, false}};
+        {"without \"similar\" in (a) all hold from", "sign/from", mm[6], &Scan::sign_of_a_m, true},
+        {"without \"similar\" in (a) all hold up to", "sign/to", mm[7], &Scan::sign_of_a_m, false}};
   };
   return {
       {bearing::Law::ehd_linear, "abd", "c",
@@ -251,7 +251,7 @@ Findings judge_paper(const std::vector<Case>& clearances, SharedMemory& shared) 
          .rung = 11,
          .statement = "the datum x_0 with which (a) to (d) all hold, law " + name + ": " +
                       words_of(scan, scan.all_hold_m) +
-                      "; by the sign of (a) alone: " + words_of(scan, scan.sign_of_a_m),
+                      "; without \"similar\" in (a): " + words_of(scan, scan.sign_of_a_m),
          .case_id = "na4908"},
         "scanned from " + plain(1e3 * scan.lowest_m, 3) + " to " + plain(1e3 * scan.highest_m, 3) +
             " mm in steps of a factor " + plain(scan.step, 4) + ", ends to a factor " + plain(scan.precision, 4)));

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rung 0: the same physics in other units, and in other groups, gives the same dimensionless problem.
-#include <algorithm>
 #include <cmath>
 
 #include "contact/nondimensional.hpp"

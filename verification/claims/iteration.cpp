@@ -2,7 +2,6 @@
 // Rung 6: how the solvers iterate. Jacobians are derivatives, Newton's method contracts quadratically, the rate of a
 // multigrid cycle does not depend on the number of intervals, and iteration counts stay as recorded.
 #include <Eigen/Dense>
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <memory>

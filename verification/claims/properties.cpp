@@ -7,7 +7,6 @@
 #include <map>
 #include <numbers>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "contact/text.hpp"

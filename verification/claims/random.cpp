@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "contact/text.hpp"
 #include "verification/claims/shared.hpp"
@@ -146,9 +147,12 @@ struct Ends {
       slowest_at = name_of(run);
     }
   }
-  /// Share of the points up to 4 GPa that did not converge; NaN where there were none.
-  [[nodiscard]] double physical_missed() const {
-    return physical > 0 ? 1 - physical_converged / static_cast<double>(physical) : nothing;
+  /// Two claims: enough points up to 4 GPa converged, and no solve broke a rule.
+  void judge(Findings& found, Sentence converges, const Tolerance& missed, Sentence honest) const {
+    const double share = physical > 0 ? 1 - physical_converged / static_cast<double>(physical) : nothing;
+    found.claims.push_back(claim(std::move(converges), share, 0, missed, text()));
+    found.claims.push_back(
+        claim_fact(std::move(honest), dishonest.empty(), "of every solve", dishonest.empty() ? text() : dishonest));
   }
   [[nodiscard]] std::string text() const {
     return std::to_string(converged) + " of " + std::to_string(solves) + " converged, " +
@@ -179,19 +183,17 @@ Findings judge_box(int runs) {
     ends.add(run, problem, solver.solve(problem, {.tolerance = tolerance, .time_limit_s = 60}));
   }
   Findings found;
-  found.claims.push_back(claim({.id = "random-box/converged",
-                                .rung = 6,
-                                .statement = "the reference converges to 1e-5 at " + std::to_string(2 * runs) +
-                                             " random flooded points of both law sets where p_H is up to 4 GPa",
-                                .solver = solver.name},
-                               ends.physical_missed(), 0, Tolerance::required(0.03, "at least 97 points in 100"),
-                               ends.text()));
-  found.claims.push_back(
-      claim_fact({.id = "random-box/honest",
-                  .rung = 6,
-                  .statement = "every one of these points ends converged within its error, or says why not",
-                  .solver = solver.name},
-                 ends.dishonest.empty(), "of every solve", ends.dishonest.empty() ? ends.text() : ends.dishonest));
+  ends.judge(found,
+             {.id = "random-box/converged",
+              .rung = 6,
+              .statement = "the reference converges to 1e-5 at " + std::to_string(2 * runs) +
+                           " random flooded points of both law sets where p_H is up to 4 GPa",
+              .solver = solver.name},
+             Tolerance::required(0.03, "at least 97 points in 100"),
+             {.id = "random-box/honest",
+              .rung = 6,
+              .statement = "every one of these points ends converged within its error, or says why not",
+              .solver = solver.name});
   return found;
 }
 
@@ -232,19 +234,18 @@ Findings judge_fast(double tolerance, int runs) {
   }
   const std::string at = plain(tolerance), id = "random-fast/" + at;
   Findings found;
-  found.claims.push_back(claim({.id = id + "/converged",
-                                .rung = 6,
-                                .statement = "fast converges to " + at + " at " + std::to_string(points) +
-                                             " random flooded points of both law sets where p_H is up to 4 GPa",
-                                .solver = fast.name},
-                               ends.physical_missed(), 0, Tolerance::required(0.01, "at least 99 points in 100"),
-                               ends.text()));
-  found.claims.push_back(claim_fact(
+  ends.judge(
+      found,
+      {.id = id + "/converged",
+       .rung = 6,
+       .statement = "fast converges to " + at + " at " + std::to_string(points) +
+                    " random flooded points of both law sets where p_H is up to 4 GPa",
+       .solver = fast.name},
+      Tolerance::required(0.01, "at least 99 points in 100"),
       {.id = id + "/honest",
        .rung = 6,
        .statement = "fast ends every one of these points converged within its error, or says why not (" + at + ")",
-       .solver = fast.name},
-      ends.dishonest.empty(), "of every solve", ends.dishonest.empty() ? ends.text() : ends.dishonest));
+       .solver = fast.name});
   found.claims.push_back(
       claim({.id = id + "/covered",
              .rung = 8,

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rung 9: the corners of Moes' diagram, approached.
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
