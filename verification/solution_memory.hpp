@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Solutions of one run of the suite: a problem that several topics give to one solver is solved once.
 //
-// Do not use it where a claim is about repeated solves, about counters or times of a solver, or about random points,
-// which never repeat.
+// Do not use it for claims about repeated solves, about counters or times of a solver, or about random points, which
+// never repeat.
 #pragma once
 
 #include <map>
@@ -21,7 +21,7 @@ namespace ehd::verification {
 /// time both solve it.
 class SolutionMemory {
  public:
-  /// `most_bytes`: of fields, beyond which no further solution is kept.
+  /// No further solution is kept once the fields take `most_bytes`.
   explicit SolutionMemory(double most_bytes) : most_bytes_(most_bytes) {}
 
   /// The solution from memory, or a new one. Not kept are problems with sources, which are functions, and solves that
@@ -43,7 +43,7 @@ class SolutionMemory {
 /// The memory of the suite's run.
 [[nodiscard]] SolutionMemory& run_memory();
 
-/// A solver of workflow/registry, by name, with that memory in front.
+/// A solver of workflow/registry by name, whose solve() asks that memory first.
 [[nodiscard]] const RegisteredSolver& remembered(std::string_view name);
 
 }  // namespace ehd::verification

@@ -70,7 +70,7 @@ std::vector<Topic> topics_of(const SuiteRequest& request, const std::vector<Load
   return topics;
 }
 
-/// Texts that repeat get a number: "box", "box 2", ...
+/// Makes repeated texts distinct: "box", "box 2", ...
 class Numbered {
  public:
   [[nodiscard]] std::string operator()(const std::string& text) {
@@ -108,7 +108,7 @@ std::string selection(const SuiteRequest& request) {
          (request.rung && request.case_id ? " " : "") + (request.case_id ? "--case " + *request.case_id : "");
 }
 
-/// Short topics count too, since a quick suite has many of them.
+/// Short topics count too: a quick suite has many of them.
 double expected_s(const Topic& topic, bool quick) {
   constexpr double short_s = 0.1, slow_s = 2;
   if (quick && topic.slow) return 0;
@@ -128,7 +128,7 @@ struct Judged {
 /// Judges all topics in threads.
 Judged judge_topics(const SuiteRequest& request, const std::vector<Topic>& topics,
                     std::chrono::steady_clock::time_point start) {
-  // The longest first, so that no thread starts a long topic when the others have nothing left.
+  // The longest first, so that no thread starts a long topic when the others are done.
   std::vector<std::size_t> order(topics.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -167,8 +167,8 @@ void fill_in_versions(SuiteResult& result, const std::map<std::string, int>& ver
   for (SkippedClaim& one : result.skipped) fill_in_version(one.says);
 }
 
-/// Two claims with one name would hide each other from whoever reads results.json by id. The second one gets a number,
-/// and one more claim, which fails, says so.
+/// Two claims with one id hide each other from readers of results.json. The second one gets a number, and one more
+/// claim, which fails, reports it.
 void number_repeated_ids(SuiteResult& result) {
   Numbered ids, skipped_ids;
   for (std::size_t i = 0; i < result.claims.size(); ++i) {
@@ -214,14 +214,14 @@ SuiteResult run_suite(const SuiteRequest& request) {
 SuiteResult run_topics(const SuiteRequest& request, std::vector<Topic> topics,
                        const std::map<std::string, int>& versions) {
   const auto start = std::chrono::steady_clock::now();
-  Numbered topic_names;  // all topics, also those left out below, so that a topic always has the same name
+  Numbered topic_names;  // of all topics, also of those left out below, so that a topic always has the same name
   for (Topic& topic : topics) topic.name = topic_names(topic.name);
   std::erase_if(topics, [&](const Topic& topic) {
     return (request.rung && !topic.rungs.contains(*request.rung)) || (request.case_id && topic.case_id.empty());
   });
   if (topics.empty()) throw NothingSelected("there is nothing to verify for " + selection(request));
 
-  run_memory().forget();  // of an earlier run in this program
+  run_memory().forget();  // the solutions of an earlier run in this program
   Judged judged = judge_topics(request, topics, start);
   SuiteResult result;
   result.threads = request.threads > 0 ? request.threads : std::max(1U, std::thread::hardware_concurrency());
@@ -233,7 +233,7 @@ SuiteResult run_topics(const SuiteRequest& request, std::vector<Topic> topics,
     std::move(found.skipped.begin(), found.skipped.end(), std::back_inserter(result.skipped));
   }
   fill_in_versions(result, versions);
-  if (result.selection.empty() && !request.quick) {  // with a selection, a part of the work may have no claim
+  if (result.selection.empty() && !request.quick) {  // in a selection, a part of the work may have no claim
     for (Claim& one : judge_traceability(trace(traceable_parts(), {result.claims, result.skipped})))
       result.claims.push_back(std::move(one));
   }

@@ -33,7 +33,6 @@ struct SuiteRequest {
   std::function<void(const SuiteProgress&)> progress = {};
 };
 
-/// What one topic took.
 struct TopicTime {
   std::string name;
   double wall_s = 0;
@@ -47,8 +46,8 @@ struct SuiteResult {
   unsigned threads = 0;
   bool quick = false;
   std::string selection;  ///< "--rung 7", or empty for everything
-  /// No claim fails, every inconclusive one is listed with a reason, and there are claims or skipped rows that say why
-  /// there are none.
+  /// No claim fails, every inconclusive one is accepted with a reason, and there is a claim, or a skipped row that says
+  /// why there is none.
   [[nodiscard]] bool success() const;
 };
 
@@ -71,12 +70,11 @@ struct Topic;  // claims/topics.hpp
 [[nodiscard]] SuiteResult run_topics(const SuiteRequest& request, std::vector<Topic> topics,
                                      const std::map<std::string, int>& versions);
 
-/// How many claims of one rung stand.
+/// The verdicts on one rung.
 struct RungSummary {
   int rung = 0;
   std::size_t pass = 0, fail = 0, inconclusive = 0, skipped = 0;
-  /// The smallest margin of a claim with a positive tolerance that is no finding, and its id; absent where there is
-  /// none.
+  /// The smallest margin and the id of its claim, among claims with a positive tolerance that are no findings.
   std::optional<double> worst_margin = {};
   std::string worst_claim = {};
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From what is promised to what is judged: the parts of the work and the sentences of README.md, each with the claims
-// that support it. A full run of the suite fails where a part has no claim that was judged.
+// Which claims support which promise: the parts of the work and the sentences of README.md, each with its claims. A
+// full run of the suite fails where no claim of a part was judged.
 #pragma once
 
 #include <string>
@@ -11,14 +11,14 @@
 
 namespace ehd::verification {
 
-/// One thing that somebody relies on.
+/// One promise that users rely on.
 struct TraceablePart {
   std::string id;                     ///< "work/force-law"
   std::string text;                   ///< one sentence
-  std::vector<std::string> patterns;  ///< of claim ids; * stands for anything, as in a shell
+  std::vector<std::string> patterns;  ///< of claim ids; * stands for any text, as in a shell
 };
 
-/// The work restated (work/…), then what README.md says (readme/…).
+/// The parts of the work (work/…), then the sentences of README.md (readme/…).
 [[nodiscard]] const std::vector<TraceablePart>& traceable_parts();
 
 struct TraceRow {
@@ -31,8 +31,7 @@ struct TraceRow {
 
 [[nodiscard]] std::vector<TraceRow> trace(const std::vector<TraceablePart>& parts, const Findings& findings);
 
-/// A claim for each part, on rung 0: it is supported by a claim that was judged, and none of its patterns is a dead
-/// letter.
+/// A claim for each part, on rung 0: a claim that supports it was judged, and each of its patterns matches a claim.
 [[nodiscard]] std::vector<Claim> judge_traceability(const std::vector<TraceRow>& rows);
 
 [[nodiscard]] std::string human_trace(const std::vector<TraceRow>& rows);

@@ -40,18 +40,17 @@ std::vector<Topic> bearing_part_topics(const std::vector<LoadedCase>& cases) {
   const Case one = std::get<Case>(na4908->content);
   add("kinematics", [one] { return judge_kinematics(one); });
   add("contacts of a bearing", [one] { return judge_contacts_asked(one); });
-  const auto with_memory = [one](auto judge) {
-    return [one, judge] {
-      ContactMemory memory(
-          [](const Problem& problem, const Request& request) { return remembered("fast").solve(problem, request); });
+  const auto add_with_memory = [&](const std::string& name, Findings (*judge)(const Case&, ContactMemory&)) {
+    add(name, [one, judge] {
+      ContactMemory memory(remembered(default_solver().name).solve);
       return judge(one, memory);
-    };
+    });
   };
-  add("datum", with_memory([](const Case& c, ContactMemory& m) { return judge_datum(c, m); }));
-  add("fit", with_memory([](const Case& c, ContactMemory& m) { return judge_fit(c, m); }));
-  add("curve", with_memory([](const Case& c, ContactMemory& m) { return judge_curve(c, m); }));
-  add("full relation", with_memory([](const Case& c, ContactMemory& m) { return judge_full_relation(c, m); }));
-  add("zero speed", with_memory([](const Case& c, ContactMemory& m) { return judge_zero_speed(c, m); }));
+  add_with_memory("datum", judge_datum);
+  add_with_memory("fit", judge_fit);
+  add_with_memory("curve", judge_curve);
+  add_with_memory("full relation", judge_full_relation);
+  add_with_memory("zero speed", judge_zero_speed);
   return topics;
 }
 

@@ -10,6 +10,7 @@
 
 #include "contact/estimate.hpp"
 #include "contact/text.hpp"
+#include "verification/claims/shared.hpp"
 #include "verification/claims/topics.hpp"
 #include "verification/solution_memory.hpp"
 #include "workflow/contact_run.hpp"
@@ -19,37 +20,21 @@ namespace ehd::verification {
 namespace {
 
 constexpr double asked_tolerance = 1e-3;
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-constexpr std::array compared_solvers = {"reference", "fast"};
 constexpr std::array films = {Quantity::film_minimum, Quantity::film_central};
 
-bool converged(const ContactRun& run) { return run.status() == StopReason::converged; }
-
-const Reading* reading(const ContactRun& run, Quantity quantity) {
-  if (!converged(run)) return nullptr;  // an unconverged run measures nothing
-  const auto at = run.solution.observables.find(quantity);
-  return at == run.solution.observables.end() ? nullptr : &at->second;
-}
-
-std::string how_it_ended(const ContactRun& run) {
-  const auto& record = run.solution.record;
-  return std::string(to_string(record.status)) + (record.reason.empty() ? "" : ": " + record.reason);
-}
-
-/// The error that a solver reports; where it reports none, the one that its own grids show, with the truncation that
-/// it reports for the central film. Relative.
+/// The relative error that a solver reports. Where it reports none: the error that its own grids show, and the
+/// truncation that it reports for the central film.
 struct SolverError {
   std::optional<double> value;
   std::string from;
 };
 
-SolverError error_of(const ContactRun& run, Quantity quantity, const Measured& measured, double formal_order) {
+SolverError stated_or_shown_error(const ContactRun& run, Quantity quantity, const Measured& measured,
+                                  double formal_order) {
   if (measured.error) return {measured.error, "reported"};
   std::vector<double> values;
-  for (const auto& grid : run.solution.record.grids) {
-    const auto at = grid.observed.find(quantity);
-    if (at != grid.observed.end()) values.push_back(at->second.value);
-  }
+  for (const auto& grid : run.solution.record.grids)
+    if (const Reading* seen = observed(grid.observed, quantity)) values.push_back(seen->value);
   if (values.size() < 2) return {std::nullopt, "neither reported nor seen on two grids"};
   const double shown = estimate(values, formal_order).error;
   return {shown + run.solution.record.film_central.truncation, "of the solver's own grids"};
@@ -71,17 +56,17 @@ Findings judge_expectations(const Case& contact_case, const ContactRun& run, con
       found.skipped.push_back({says, "the source's number is not available here"});
       continue;
     }
-    const auto measured = converged(run) ? measure(run, expectation) : std::nullopt;
+    const auto measured = converged(run.solution) ? measure(run, expectation) : std::nullopt;
     if (expectation.kind == ExpectationKind::fit) {
       says.statement = name + " beside the regression " + expectation.quantity + " = " + expectation.digits;
       found.skipped.push_back(
           {says, measured ? "a regression neither passes nor fails; computed " + plain(measured->value) + ", " +
                                 plain(100 * (measured->value / expectation.value - 1), 2) + " % off"
-                          : "a regression neither passes nor fails; not computed: " + how_it_ended(run)});
+                          : "a regression neither passes nor fails; not computed: " + how_it_ended(run.solution)});
       continue;
     }
     const auto quantity = quantity_from(expectation.quantity);
-    if (!measured && converged(run) && quantity == Quantity::pressure_spike) {
+    if (!measured && converged(run.solution) && quantity == Quantity::pressure_spike) {
       found.skipped.push_back(
           {says, name + " reports no spike: its height is reported with its uncertainty or not at all"});
       continue;
@@ -89,11 +74,12 @@ Findings judge_expectations(const Case& contact_case, const ContactRun& run, con
     if (!measured || !quantity) {
       found.claims.push_back(claim_value(says, nothing, expectation.value, 0,
                                          Tolerance::required(asked_tolerance, "nothing was measured"),
-                                         how_it_ended(run)));
+                                         how_it_ended(run.solution)));
       continue;
     }
-    const SolverError error =
-        solver ? error_of(run, *quantity, *measured, solver->description.formal_order) : SolverError{0.0, "exact"};
+    const SolverError error = solver
+                                  ? stated_or_shown_error(run, *quantity, *measured, solver->description.formal_order)
+                                  : SolverError{0.0, "exact"};
     if (!error.value) {
       found.claims.push_back(claim_value(says, measured->value, expectation.value, nothing,
                                          Tolerance::discretisation(0, 1), "error " + error.from));
@@ -121,31 +107,25 @@ void judge_end(Findings& found, const Case& contact_case, const ContactRun& run)
                     .case_id = contact_case.id,
                     .solver = run.solver};
   };
-  found.claims.push_back(claim_fact(says("converged", "ends converged at tolerance 1e-3"), converged(run),
-                                    "a solve at --tolerance 1e-3 ends converged", how_it_ended(run)));
-  for (const Quantity film : films) {
-    const Reading* seen = reading(run, film);
+  found.claims.push_back(claim_fact(says("converged", "ends converged at tolerance 1e-3"), converged(run.solution),
+                                    "a solve at --tolerance 1e-3 ends converged", how_it_ended(run.solution)));
+  for (const Quantity film : films)
     found.claims.push_back(claim(says(std::string(to_string(film)) + "/error",
                                       "reports an error of " + std::string(to_string(film)) + " within 1e-3"),
-                                 seen && seen->error ? *seen->error : nothing, 0,
+                                 error_of(reading(run.solution, film)), 0,
                                  Tolerance::required(asked_tolerance, "--tolerance 1e-3 asks for it")));
-  }
-  // A load or flux that is off by the tolerance would move the film by less: film ~ load^-0.1, film ~ flux.
+  // The tolerance of the films serves for load and flux too: film ~ load^-0.1, film ~ flux.
   for (const auto& [quantity, what] :
-       {std::pair{Quantity::load_error, "carries the load"}, std::pair{Quantity::flux_variation, "keeps the flux"}}) {
-    const Reading* seen = reading(run, quantity);
+       {std::pair{Quantity::load_error, "carries the load"}, std::pair{Quantity::flux_variation, "keeps the flux"}})
     found.claims.push_back(claim(says(std::string(to_string(quantity)), std::string(what) + " to 1e-3"),
-                                 seen ? seen->value : nothing, 0,
+                                 value_of(reading(run.solution, quantity)), 0,
                                  Tolerance::required(asked_tolerance, "the accuracy asked of the films")));
-  }
 }
 
 void judge_agreement(Findings& found, const Case& contact_case, const ContactRun& one, const ContactRun& two) {
   for (const Quantity film : films) {
-    const Reading* a = reading(one, film);
-    const Reading* b = reading(two, film);
+    const Reading *a = reading(one.solution, film), *b = reading(two.solution, film);
     const bool known = a && b && a->error && b->error;
-    const double expected = a ? a->value : nothing;
     found.claims.push_back(
         claim_value({.id = contact_case.id + "/" + one.solver + "-" + two.solver + "/" + std::string(to_string(film)),
                      .rung = 8,
@@ -153,32 +133,24 @@ void judge_agreement(Findings& found, const Case& contact_case, const ContactRun
                                   " of " + contact_case.id + " within the errors that they report",
                      .case_id = contact_case.id,
                      .solver = one.solver + ", " + two.solver},
-                    b ? b->value : nothing, expected, 0,
+                    value_of(b), value_of(a), 0,
                     Tolerance::discretisation(known ? *a->error + *b->error * std::abs(b->value / a->value) : 0, 1),
-                    known ? "" : how_it_ended(one) + "; " + how_it_ended(two)));
+                    known ? "" : how_it_ended(one.solution) + "; " + how_it_ended(two.solution)));
   }
 }
 
 Findings judge_contact(const Case& contact_case) {
+  const RegisteredSolver &certified = remembered(certified_solver().name), &usual = remembered(default_solver().name);
+  if (std::get<ContactCase>(contact_case.body).dry())
+    return judge_expectations(contact_case, run_contact(contact_case, certified, Request{}), nullptr);
+  const auto& expected = contact_case.expectations;
+  // Where every expectation waits for its number, the case's parameters are placeholders: there is nothing to solve.
+  if (!expected.empty() && std::all_of(expected.begin(), expected.end(), [](const auto& one) { return one.waiting; }))
+    return judge_expectations(contact_case, {}, &certified);
   Findings found;
-  if (std::get<ContactCase>(contact_case.body).dry()) {
-    const ContactRun run = run_contact(contact_case, remembered(compared_solvers[0]), Request{});
-    append(found, judge_expectations(contact_case, run, nullptr));
-    return found;
-  }
-  bool all_waiting = !contact_case.expectations.empty();
-  for (const auto& expectation : contact_case.expectations) all_waiting = all_waiting && expectation.waiting;
-  if (all_waiting) {  // its parameters are placeholders: nothing to solve
-    append(found, judge_expectations(contact_case, {}, &remembered(compared_solvers[0])));
-    return found;
-  }
-  Wanted wanted = want_everything();
-  Request request;
-  request.tolerance = asked_tolerance;
   std::vector<ContactRun> runs;
-  for (const char* name : compared_solvers) {
-    const RegisteredSolver* solver = &remembered(name);
-    runs.push_back(run_contact(contact_case, *solver, request, wanted));
+  for (const RegisteredSolver* solver : {&certified, &usual}) {
+    runs.push_back(run_contact(contact_case, *solver, {.tolerance = asked_tolerance}));
     judge_end(found, contact_case, runs.back());
     append(found, judge_expectations(contact_case, runs.back(), solver));
   }
@@ -194,29 +166,29 @@ double finest_digits(const Case& contact_case) {
   return finest;
 }
 
-/// Cases with more digits than 1e-3 can feel are solved once more by the reference, as far as it is said to go: films
-/// to ten digits (half a unit of the tenth, 5e-11), by Barus' law, whose spike is narrower, and spikes to seven.
+/// A case with more digits than the tolerance 1e-3 can test is solved again by the reference, to the digits that it
+/// declares: films to ten digits (half a unit of the tenth, 5e-11); spikes, and films by Barus' law, whose spike is
+/// narrower, to seven.
 Findings judge_certified(const Case& contact_case) {
-  const RegisteredSolver* solver = &remembered("reference");
+  const RegisteredSolver& solver = remembered(certified_solver().name);
   const auto& contact = std::get<ContactCase>(contact_case.body);
   const bool barus = contact.lubricant->viscosity == ViscosityLaw::barus;
   const double tolerance = barus ? 1e-7 : 5e-11, asked = barus ? 1e-8 : tolerance, spike_tolerance = 1e-7;
-  constexpr double spike_digits = 1e-6;  // fewer: a spike narrower than its coordinates can resolve
-  const ContactRun run = run_contact(contact_case, *solver, {.tolerance = asked}, want_everything());
-  Findings found = judge_expectations(contact_case, run, solver);
+  constexpr double spike_digits = 1e-6;  // a spike with fewer digits is narrower than its coordinates can resolve
+  const ContactRun run = run_contact(contact_case, solver, {.tolerance = asked});
+  Findings found = judge_expectations(contact_case, run, &solver);
   for (auto& claim : found.claims) claim.says.id += "/certified";
   for (auto& row : found.skipped) row.says.id += "/certified";
   const auto within = [&](Quantity quantity, double bound) {
-    const Reading* seen = reading(run, quantity);
     found.claims.push_back(claim({.id = contact_case.id + "/certified/" + std::string(to_string(quantity)),
                                   .rung = 6,
-                                  .statement = "reference knows " + std::string(to_string(quantity)) + " of " +
+                                  .statement = solver.name + " knows " + std::string(to_string(quantity)) + " of " +
                                                contact_case.id + " to " + plain(bound),
                                   .case_id = contact_case.id,
-                                  .solver = "reference"},
-                                 seen && seen->error ? *seen->error : nothing, 0,
+                                  .solver = solver.name},
+                                 error_of(reading(run.solution, quantity)), 0,
                                  Tolerance::required(bound, "the digits that README.md says of `reference`"),
-                                 how_it_ended(run)));
+                                 how_it_ended(run.solution)));
   };
   for (const Quantity film : films) within(film, tolerance);
   for (const Expectation& expectation : contact_case.expectations)
@@ -225,8 +197,8 @@ Findings judge_certified(const Case& contact_case) {
   return found;
 }
 
-/// That the errors which a solver states hold the case's films: of one grid for solvers that the suite does not ask for
-/// every case, and of a rough tolerance for both main ones.
+/// One solve whose stated errors must hold the case's films: on one grid for solvers that judge_contact does not run,
+/// at a rough tolerance for both main ones.
 struct BarRun {
   const char* solver;
   std::optional<double> tolerance;
@@ -246,38 +218,35 @@ constexpr BarRun bar_runs[] = {{"fast.uniform", {}, 1024},
 Findings judge_stated_errors(const Case& contact_case) {
   Findings found;
   for (const BarRun& asked : bar_runs) {
-    const ContactRun run = run_contact(contact_case, remembered(asked.solver),
-                                       {.tolerance = asked.tolerance, .nodes = asked.nodes}, want_everything());
-    if (asked.solver == std::string("reference")) {
-      const auto film = run.solution.observables.find(Quantity::film_minimum);
+    const RegisteredSolver& solver = remembered(asked.solver);
+    const ContactRun run = run_contact(contact_case, solver, {.tolerance = asked.tolerance, .nodes = asked.nodes});
+    if (solver.certified) {
       const double stated = run.solution.record.film_minimum.iteration;
       // At X = 0 a film is a difference of terms of size 1.
-      const double rounding = film == run.solution.observables.end()
-                                  ? nothing
-                                  : std::numeric_limits<double>::epsilon() / film->second.value;
-      found.claims.push_back(
-          claim_fact({.id = contact_case.id + "/reference/stated/rounding",
-                      .rung = 8,
-                      .statement = "the iteration error that reference states of " + contact_case.id +
-                                   " is no smaller than what rounding does to a film",
-                      .case_id = contact_case.id,
-                      .solver = "reference"},
-                     stated >= rounding, "eps/H_min", plain(stated, 2) + " against " + plain(rounding, 2)));
+      const double by_rounding =
+          std::numeric_limits<double>::epsilon() / value_of(observed(run.solution, Quantity::film_minimum));
+      found.claims.push_back(claim_fact({.id = contact_case.id + "/" + solver.name + "/stated/rounding",
+                                         .rung = 8,
+                                         .statement = "the iteration error that " + solver.name + " states of " +
+                                                      contact_case.id + " is at least the rounding error of a film",
+                                         .case_id = contact_case.id,
+                                         .solver = solver.name},
+                                        stated >= by_rounding, "eps/H_min",
+                                        plain(stated, 2) + " against " + plain(by_rounding, 2)));
     }
     for (const Expectation& expectation : contact_case.expectations) {
-      const bool film = expectation.quantity == "film.minimum" || expectation.quantity == "film.central";
-      if (!film || expectation.waiting || expectation.kind == ExpectationKind::fit) continue;
-      const auto measured =
-          measure(run, expectation);  // also of a run that did not converge: its stated error must hold
+      if (!is_judged_film(expectation) || expectation.waiting || expectation.kind == ExpectationKind::fit) continue;
+      // Also the stated error of a run that did not converge must hold.
+      const auto measured = measure(run, expectation);
       const double stated = measured && measured->error ? *measured->error : nothing;
-      const Sentence says{.id = contact_case.id + "/" + asked.solver + "/stated" +
+      const Sentence says{.id = contact_case.id + "/" + solver.name + "/stated" +
                                 (asked.tolerance ? "-" + plain(*asked.tolerance) : "") + "/" + expectation.quantity +
                                 "/" + expectation.digits,
                           .rung = 8,
-                          .statement = std::string(asked.solver) + asked.how() + " states an error that holds " +
+                          .statement = solver.name + asked.how() + " states an error that holds " +
                                        expectation.quantity + " of " + contact_case.id,
                           .case_id = contact_case.id,
-                          .solver = asked.solver};
+                          .solver = solver.name};
       if (!measured && run.status() == StopReason::under_resolved) {
         found.skipped.push_back({says, "under-resolved, and no film is stated"});
         continue;
@@ -290,7 +259,7 @@ Findings judge_stated_errors(const Case& contact_case) {
   return found;
 }
 
-/// Cases at high M: the dense solver needs more than about a second.
+/// At high M the dense solver needs more than about a second.
 bool is_slow(const Case& contact_case) {
   constexpr double moderate_M = 60;
   const auto& contact = std::get<ContactCase>(contact_case.body);

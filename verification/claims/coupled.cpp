@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rung 5: the coupled equations against a manufactured solution: real deflection, both laws, full film
+// Rung 5: the coupled equations against manufactured solutions with real deflection, both laws and full film
 // (verification/studies/manufactured_study.hpp). Orders are fitted over four grids.
 #include <cmath>
 #include <functional>
 #include <string>
 
+#include "verification/claims/shared.hpp"
 #include "verification/claims/topics.hpp"
 #include "verification/studies/fits.hpp"
 #include "verification/studies/manufactured_study.hpp"
@@ -17,9 +18,8 @@ using exact::Manufactured;
 using Contact = ManufacturedContact;
 using Errors = ManufacturedErrors;
 
-Findings judge_solver(const Contact& contact, const std::string& name) {
+Findings judge_solver(const Contact& contact, const RegisteredSolver& solver) {
   const Manufactured truth = contact.make();
-  const RegisteredSolver& solver = *find_solver(name);
   constexpr auto& grids = manufactured_grids;
   std::vector<Errors> errors;
   std::vector<double> x;
@@ -32,20 +32,20 @@ Findings judge_solver(const Contact& contact, const std::string& name) {
     std::vector<double> y;
     for (const Errors& one : errors) y.push_back(std::log(one.*member));
     found.claims.push_back(order_claim(
-        {.id = "manufactured/" + contact.name + "/" + name + "/" + what,
+        {.id = "manufactured/" + contact.name + "/" + solver.name + "/" + what,
          .rung = 5,
-         .statement = name + " reaches the manufactured " + what + " (" + contact.name + ") with its declared order",
-         .solver = name},
-        slope(x, y), solver.description.formal_order,
-        Tolerance::calibrated(0.1, "fitted orders over four grids are read to a tenth"),
+         .statement =
+             solver.name + " reaches the manufactured " + what + " (" + contact.name + ") with its declared order",
+         .solver = solver.name},
+        slope(x, y), solver.description.formal_order, order_over_four_grids(),
         "error " + three_digits(errors.back().*member) + " on " + std::to_string(grids[3]) + " cells"));
   }
   return found;
 }
 
-/// In h: continuous piecewise polynomials of degree p that satisfy a first-order equation at the zeros of a polynomial
-/// orthogonal to a constant (p >= 2 Radau points) have order p + 1 everywhere (de Boor & Swartz 1973, SIAM
-/// J. Numer. Anal. 10, 582). Numbers that are integrals converge faster, and are not judged.
+/// Order in h. Continuous piecewise polynomials of degree p that satisfy a first-order equation at p >= 2 Radau points
+/// have order p + 1 everywhere (de Boor & Swartz 1973, SIAM J. Numer. Anal. 10, 582). Integrals converge faster; they
+/// are not judged.
 Findings judge_collocation_in_h(const Contact& contact) {
   const Manufactured truth = contact.make();
   Findings found;
@@ -60,14 +60,14 @@ Findings judge_collocation_in_h(const Contact& contact) {
          .rung = 5,
          .statement = "collocation of degree " + std::to_string(degree) + " reaches the manufactured pressure (" +
                       contact.name + ") with order " + std::to_string(degree + 1),
-         .solver = "reference"},
-        slope(x, y), degree + 1, Tolerance::calibrated(0.1, "fitted orders over four grids are read to a tenth"),
+         .solver = certified_solver().name},
+        slope(x, y), degree + 1, order_over_four_grids(),
         "error " + three_digits(std::exp(y.back())) + " on 162 elements"));
   }
   return found;
 }
 
-/// In p: geometric, at Bernstein's factor a degree.
+/// In p the convergence is geometric. Each degree divides the error by Bernstein's factor.
 Findings judge_collocation_in_p(const Contact& contact) {
   const Manufactured truth = contact.make();
   const double ellipse = bernstein_factor(truth, collocation_elements_in_p);
@@ -82,7 +82,7 @@ Findings judge_collocation_in_p(const Contact& contact) {
                    .rung = 5,
                    .statement = "collocation reaches the manufactured pressure (" + contact.name +
                                 ") geometrically in the degree, at the rate of its pole",
-                   .solver = "reference"},
+                   .solver = certified_solver().name},
                   std::exp(-slope(x, y)), ellipse,
                   Tolerance::calibrated(0.1 * ellipse,
                                         "the factor a degree, fitted over seven degrees, is read to a tenth of itself"),
@@ -98,8 +98,8 @@ std::vector<Topic> coupled_topics() {
     topics.push_back({.name = "manufactured solutions", .rungs = {5}, .judge = std::move(judge)});
   };
   for (const Contact& contact : manufactured_contacts) {
-    for (const std::string name : {"reference.uniform", "reference.linear", "fast.uniform", "fast"})
-      add([&contact, name] { return judge_solver(contact, name); });
+    for (const RegisteredSolver& solver : solvers())
+      if (!solver.certified) add([&contact, &solver] { return judge_solver(contact, solver); });
     add([&contact] { return judge_collocation_in_h(contact); });
     add([&contact] { return judge_collocation_in_p(contact); });
   }

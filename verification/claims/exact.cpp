@@ -56,8 +56,8 @@ Findings judge_exact() {
       {.id = "exact/martin-pressure-at-0", .rung = 4, .statement = "Martin's pressure at x = 0 is half of the largest"},
       martin.pressure_at_0, martin.pressure_max / 2, 0, Tolerance::round_off(64)));
   digits(found, "martin-rolling-force-moes", "Martin's T* M", exact::MartinContact(1).rolling_force, "1.4475");
-  // Full Sommerfeld: with h_exit = 4/3 h_0 the pressure comes back to zero far behind, so it is odd and carries
-  // nothing.
+  // Full Sommerfeld: with h_exit = 4/3 h_0 the pressure goes back to zero far behind the contact. So it is odd and
+  // carries nothing.
   const auto sommerfeld = [](double X) {
     const double H = 1 + X * X;
     return 12 * (H - 4.0 / 3) / (H * H * H);

@@ -2,11 +2,11 @@
 // Rung 8: grid studies of the second-order solvers. Limit and error are estimated from the grids and then compared with
 // the high-order reference. The reference's flooded inlet is compared with inlets cut further and further out.
 #include <cmath>
-#include <limits>
 #include <string>
 #include <vector>
 
 #include "contact/text.hpp"
+#include "verification/claims/shared.hpp"
 #include "verification/claims/topics.hpp"
 #include "verification/solution_memory.hpp"
 #include "verification/studies/box.hpp"
@@ -16,8 +16,6 @@
 namespace ehd::verification {
 
 namespace {
-
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 struct Study {
   const char* solver;
@@ -32,70 +30,61 @@ Problem problem_of(MoesGroups moes, Inlet inlet) { return problem_at(moes, moes.
 
 Findings judge_study(const Study& study, MoesGroups moes) {
   const Problem problem = problem_of(moes, TruncatedAt{-4});
-  const Solution truth = remembered("reference").solve(problem, {.tolerance = 1e-9});
+  const Solution truth = remembered(certified_solver().name).solve(problem, {.tolerance = 1e-9});
+  const RegisteredSolver& solver = remembered(study.solver);
   std::vector<Solution> solutions;
-  for (const int cells : study.grids) {
-    Request request;
-    request.tolerance.reset();
-    request.nodes = cells;
-    solutions.push_back(remembered(study.solver).solve(problem, request));
-  }
-  const double formal_order = remembered(study.solver).description.formal_order;
+  for (const int cells : study.grids) solutions.push_back(solver.solve(problem, {.tolerance = {}, .nodes = cells}));
   const std::string point = plain(moes.M) + "-" + plain(moes.L);
   Findings found;
   for (const Quantity film : {Quantity::film_minimum, Quantity::film_central}) {
     const auto says = [&](const std::string& what, const std::string& statement) {
-      return Sentence{
-          .id = "grids/" + std::string(study.solver) + "/" + point + "/" + std::string(to_string(film)) + "/" + what,
-          .rung = 8,
-          .statement = statement,
-          .solver = study.solver};
+      return Sentence{.id = "grids/" + solver.name + "/" + point + "/" + std::string(to_string(film)) + "/" + what,
+                      .rung = 8,
+                      .statement = statement,
+                      .solver = solver.name};
     };
-    const std::string of =
-        " of " + std::string(study.solver) + "'s " + std::string(to_string(film)) + " at M-L = " + point;
+    const std::string of = " of " + solver.name + "'s " + std::string(to_string(film)) + " at M-L = " + point;
     std::vector<GridValue> values;
     std::string unsolved;
     for (std::size_t i = 0; i < solutions.size(); ++i) {
       const StopReason status = solutions[i].record.status;
-      const auto at = solutions[i].observables.find(film);
-      if (at != solutions[i].observables.end() &&
-          (status == StopReason::converged || status == StopReason::tolerance_not_met)) {
-        values.push_back({static_cast<double>(study.grids[i]), at->second.value});
+      const Reading* seen = observed(solutions[i], film);
+      if (seen && (status == StopReason::converged || status == StopReason::tolerance_not_met)) {
+        values.push_back({static_cast<double>(study.grids[i]), seen->value});
       } else if (!values.empty()) {
         unsolved = plain(study.grids[i]) + " cells: " + std::string(to_string(status));
       }
     }
-    const auto exact = truth.observables.find(film);
-    if (values.size() < 3 || !unsolved.empty() || exact == truth.observables.end() ||
-        truth.record.status != StopReason::converged) {
+    const Reading* exact = reading(truth, film);
+    if (values.size() < 3 || !unsolved.empty() || !exact) {
       found.claims.push_back(claim(says("covered", "the grid study" + of + " covers its error"), nothing, 0,
                                    Tolerance::required(1, "error over uncertainty"), "not solved; " + unsolved));
       continue;
     }
     constexpr double iterated_to = 1e-9;  // relative, of the films on a given grid
-    const GridStudy seen = study_grids(values, formal_order, iterated_to);
-    const double off = std::abs(values.back().value / exact->second.value - 1);
+    const GridStudy seen = study_grids(values, solver.description.formal_order, iterated_to);
+    const double off = std::abs(values.back().value / exact->value - 1);
     const std::string note = std::string(to_string(seen.trend)) +
                              (seen.observed_order ? ", order " + plain(*seen.observed_order, 3) : "") +
                              ", uncertainty " + plain(seen.uncertainty, 2) + ", error " + plain(off, 2) + " on " +
                              plain(values.back().cells) + " cells" +
                              (values.size() < study.grids.size() ? ", without under-resolved grids" : "");
     if (!std::isfinite(seen.uncertainty)) {
-      // Differences that grow from grid to grid: a study that has no answer, on grids chosen because they have one.
+      // Differences that grow from grid to grid have no limit. These grids were chosen because their study has one.
       found.claims.push_back(claim(says("covered", "the grid study" + of + " covers its error"), nothing, 0,
                                    Tolerance::required(1, "error over uncertainty"), note));
       continue;
     }
     found.claims.push_back(
         claim(says("covered", "the uncertainty that the grid study" + of + " states covers its error"),
-              off / seen.uncertainty, exact->second.error.value() / seen.uncertainty,
+              off / seen.uncertainty, exact->error.value() / seen.uncertainty,
               Tolerance::required(1, "error over uncertainty"), note));
     if (seen.extrapolated) {
-      const double extrapolated = std::abs(*seen.extrapolated / exact->second.value - 1);
+      const double extrapolated = std::abs(*seen.extrapolated / exact->value - 1);
       found.claims.push_back(
           claim(says("extrapolated",
                      "where the grid study" + of + " is asymptotic, the extrapolated value is nearer to the truth"),
-                extrapolated / off, exact->second.error.value() / off,
+                extrapolated / off, exact->error.value() / off,
                 Tolerance::required(1, "its error over that of the finest grid"),
                 note + ", extrapolated " + plain(extrapolated, 2)));
     }
@@ -103,45 +92,45 @@ Findings judge_study(const Study& study, MoesGroups moes) {
   return found;
 }
 
-/// The pressure at a cut X_a is 4 lambda/(3 |X_a|^3) too small and the load before it is missing: films come to that of
-/// the flooded contact with |X_a|^-2, and with higher powers that a longer series of the gap brings. Three of them are
-/// taken away.
+/// At a cut X_a the pressure is 4 lambda/(3 |X_a|^3) too small, and the load before it is missing. So films come to
+/// that of the flooded contact like |X_a|^-2, and like higher powers from further terms of the gap's series. The
+/// extrapolation removes three powers.
 Findings judge_flooded(MoesGroups moes) {
   constexpr double tolerance = 1e-10;
   constexpr double cuts[] = {160, 320, 640, 1280};
-  const auto& solver = remembered("reference");
-  const Solution flooded = solver.solve(problem_of(moes, Flooded{}), {.tolerance = tolerance});
+  const RegisteredSolver& solver = remembered(certified_solver().name);
   std::vector<double> central;
   std::string ended;
   double error = 0;
-  const auto take = [&](const Solution& solution, double cut) {
-    const auto at = solution.observables.find(Quantity::film_central);
-    if (solution.record.status != StopReason::converged || at == solution.observables.end()) {
+  const auto central_film = [&](const Inlet& inlet, double cut) {
+    const Solution solution = solver.solve(problem_of(moes, inlet), {.tolerance = tolerance});
+    const Reading* seen = reading(solution, Quantity::film_central);
+    if (!seen) {
       ended += "cut " + plain(cut) + " " + std::string(to_string(solution.record.status)) + "; ";
       return nothing;
     }
-    error = worse(error, at->second.error.value());
-    return at->second.value;
+    error = worse(error, seen->error.value());
+    return seen->value;
   };
-  const double truth = take(flooded, 0);
-  for (const double cut : cuts)
-    central.push_back(take(solver.solve(problem_of(moes, TruncatedAt{-cut}), {.tolerance = tolerance}), cut));
+  const double truth = central_film(Flooded{}, 0);
+  for (const double cut : cuts) central.push_back(central_film(TruncatedAt{-cut}, cut));
   std::string note = "below the flooded film by";
   for (const double film : central) note += " " + plain(1 - film / truth, 3);
   for (const double factor : {4.0, 8.0, 16.0}) {
     for (std::size_t i = central.size() - 1; i > 0; --i) central[i] += (central[i] - central[i - 1]) / (factor - 1);
     central.erase(central.begin());
   }
-  Findings found;
-  found.claims.push_back(claim_value(
-      {.id = "flooded/" + plain(moes.M) + "-" + plain(moes.L),
-       .rung = 8,
-       .statement = "cut at -160 ... -1280 and carried on to infinity, the reference's central film at M-L = " +
-                    plain(moes.M) + "-" + plain(moes.L) + " is its flooded one",
-       .solver = "reference"},
-      central.back(), truth, 2 * error, Tolerance::required(1e-9, "flooded inlets to 1e-9 of the central film"),
-      note + "; " + ended));
-  return found;
+  const std::string point = plain(moes.M) + "-" + plain(moes.L);
+  return {
+      {claim_value(
+          {.id = "flooded/" + point,
+           .rung = 8,
+           .statement = "cut at -160 ... -1280 and extrapolated to infinity, the reference's central film at M-L = " +
+                        point + " is its flooded one",
+           .solver = solver.name},
+          central.back(), truth, 2 * error, Tolerance::required(1e-9, "flooded inlets to 1e-9 of the central film"),
+          note + "; " + ended)},
+      {}};
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rung 0: the same physics in other units, and in other groups, gives the same dimensionless problem.
-#include <algorithm>
 #include <cmath>
 
 #include "contact/nondimensional.hpp"
+#include "verification/claims/shared.hpp"
 #include "verification/claims/topics.hpp"
 
 namespace ehd::verification {
@@ -35,9 +35,6 @@ double apart(const Problem& a, const Problem& b) {
                apart(a.groups.alpha_p_H, b.groups.alpha_p_H), apart(one.alpha, two.alpha), apart(one.p0, two.p0),
                apart(one.z, two.z));
 }
-
-// A dozen products, roots and powers of inputs known to half an ulp.
-Tolerance rounding() { return Tolerance::round_off(64); }
 
 Findings judge_inputs() {
   Findings found;

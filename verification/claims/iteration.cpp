@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rung 6: how the solvers iterate. Jacobians are derivatives, Newton's method contracts quadratically, multigrid's
-// cycle does not care about the number of intervals, and iteration counts stay where they were.
+// Rung 6: how the solvers iterate. Jacobians are derivatives, Newton's method contracts quadratically, the rate of a
+// multigrid cycle does not depend on the number of intervals, and iteration counts stay as recorded.
 #include <Eigen/Dense>
-#include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -18,6 +16,7 @@
 #include "fast/multigrid.hpp"
 #include "reference/grid_newton.hpp"
 #include "reference/hp/element_newton.hpp"
+#include "verification/claims/shared.hpp"
 #include "verification/claims/topics.hpp"
 #include "verification/studies/box.hpp"
 #include "verification/studies/fits.hpp"
@@ -29,15 +28,14 @@ namespace {
 
 namespace hp = reference::hp;
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 constexpr double inlet = -3;
 constexpr double shares[] = {8e-3, 4e-3, 2e-3, 1e-3};  ///< of the perturbation
 
-/// Smooth, positive inside, zero at the ends (nearly): no solution of anything.
+/// Smooth, positive inside, nearly zero at the ends. It solves no contact.
 double some_pressure(double X, double exit) {
   return 0.7 * std::exp(-2 * (X + 0.1) * (X + 0.1)) * (1 - std::exp(-4 * (exit - X)));
 }
-/// A direction in which everything moves.
+/// A direction of the pressure that moves every node.
 double some_change(double X, double exit) {
   return 0.4 * std::sin(1.3 + 2 * X) * std::exp(-X * X) * (1 - std::exp(-4 * (exit - X)));
 }
@@ -98,19 +96,14 @@ Claim judge_matrix_free_jacobian(bool mapped) {
   if (mapped)
     grids.use(std::make_shared<const fast::Map>(fast::MapShape{
         .inlet = inlet, .exit = some_exit, .scale = 1, .inlet_width = 0.3, .spike = 0.8, .spike_width = 0.1}));
-  const Problem problem = some_problem();
-  fast::Setting setting;
-  setting.groups = problem.groups;
-  setting.viscosity = problem.viscosity;
-  setting.density = problem.density;
-  setting.inlet = inlet;
+  const fast::Setting setting = setting_of(some_problem(), inlet);
   fast::Grid& grid = grids.of(n);
   fast::Counters counters;
   const Array X = inlet + (some_exit - inlet) * grid.place;
-  fast::State at;
-  at.P = X.unaryExpr([](double x) { return some_pressure(x, some_exit); });
-  at.offset = some_offset;
-  at.exit = some_exit;
+  fast::State at{.P = X.unaryExpr([](double x) { return some_pressure(x, some_exit); }),
+                 .offset = some_offset,
+                 .exit = some_exit,
+                 .tail = {}};
   fast::Step step{.P = X.unaryExpr([](double x) { return some_change(x, some_exit); }),
                   .offset = offset_change,
                   .exit = exit_change};
@@ -138,10 +131,9 @@ Claim judge_matrix_free_jacobian(bool mapped) {
 }
 
 hp::Mesh some_mesh() {
-  hp::Mesh mesh{.inlet = inlet,
-                .breakpoints = {inlet - some_exit, -2.5, -1.7, -1.1, -0.6, -0.2, 0},
-                .degrees = {5, 6, 7, 8, 7, 6}};
-  return mesh;
+  return {.inlet = inlet,
+          .breakpoints = {inlet - some_exit, -2.5, -1.7, -1.1, -0.6, -0.2, 0},
+          .degrees = {5, 6, 7, 8, 7, 6}};
 }
 
 Claim judge_collocation_jacobian() {
@@ -173,15 +165,14 @@ Claim judge_collocation_jacobian() {
 }
 
 Findings judge_jacobians() {
-  Findings found;
-  found.claims = {judge_dense_jacobian(false), judge_dense_jacobian(true), judge_matrix_free_jacobian(false),
-                  judge_matrix_free_jacobian(true), judge_collocation_jacobian()};
-  return found;
+  return {{judge_dense_jacobian(false), judge_dense_jacobian(true), judge_matrix_free_jacobian(false),
+           judge_matrix_free_jacobian(true), judge_collocation_jacobian()},
+          {}};
 }
 
 // ---- Newton's method ---------------------------------------------------------------------------------------------
 
-/// One step from a start near a solution: the error left is quadratic in the distance of the start.
+/// One step from a start near a solution leaves an error that is quadratic in the distance of the start.
 Findings judge_newton() {
   Findings found;
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
@@ -234,19 +225,14 @@ Findings judge_newton() {
 
 // ---- Multigrid ---------------------------------------------------------------------------------------------------
 
-/// What a cycle leaves of the linear residual, in the geometric mean of the cycles 5 to 12, at the solution of a grid.
+/// The part of the linear residual that a cycle leaves, in the geometric mean of the cycles 5 to 12, at the solution of
+/// a grid.
 double contraction(MoesGroups moes, int n) {
-  const Problem problem = problem_at(moes, true, TruncatedAt{-4});
+  const Problem problem = problem_at(moes, true, TruncatedAt{usual_cut});
   const Solution solution = find_solver("fast.uniform")->solve(problem, {.tolerance = {}, .nodes = n});
   if (solution.fields.X.size() != n + 1) return nothing;
-  fast::Setting setting;
-  setting.groups = problem.groups;
-  setting.viscosity = problem.viscosity;
-  setting.density = problem.density;
-  fast::State state;
-  state.P = solution.fields.P;
-  state.offset = solution.fields.offset;
-  state.exit = solution.fields.X[n];
+  const fast::Setting setting = setting_of(problem, usual_cut);
+  fast::State state{.P = solution.fields.P, .offset = solution.fields.offset, .exit = solution.fields.X[n], .tail = {}};
   fast::Grids grids;
   fast::Counters counters;
   fast::Discretisation scheme;
@@ -283,25 +269,23 @@ Findings judge_multigrid(MoesGroups moes) {
   double worst = 0;
   for (const double rate : rates) worst = worse(worst, rate);
   const std::string point = plain(moes.M) + "-" + plain(moes.L);
-  found.claims.push_back(claim(
-      {.id = "iteration/fast.uniform/multigrid-rate/" + point,
-       .rung = 6,
-       .statement =
-           "a cycle leaves a bounded share of the linear residual at (" + plain(moes.M) + "," + plain(moes.L) + ")",
-       .solver = "fast.uniform"},
-      worst, 0,
-      Tolerance::calibrated(moes.M < 100 ? 0.25 : 0.8,
-                            "twice the largest seen up to (20,10), .12; .62 was seen at (200,15)"),
-      "256 to 4096 cells: " + text));
-  found.claims.push_back(claim(
-      {.id = "iteration/fast.uniform/multigrid-independent/" + point,
-       .rung = 6,
-       .statement =
-           "that share does not grow with the number of cells at (" + plain(moes.M) + "," + plain(moes.L) + ")",
-       .solver = "fast.uniform"},
-      worse(0, slope(x, rates)), 0,
-      Tolerance::calibrated(0.05, "growth a doubling: a rate that grows by .05 each time would be lost after ten"),
-      text));
+  const std::string at = " at (" + plain(moes.M) + "," + plain(moes.L) + ")";
+  found.claims.push_back(
+      claim({.id = "iteration/fast.uniform/multigrid-rate/" + point,
+             .rung = 6,
+             .statement = "a cycle leaves a bounded share of the linear residual" + at,
+             .solver = "fast.uniform"},
+            worst, 0,
+            Tolerance::calibrated(moes.M < 100 ? 0.25 : 0.8,
+                                  "twice the largest seen up to (20,10), .12; .62 was seen at (200,15)"),
+            "256 to 4096 cells: " + text));
+  found.claims.push_back(
+      claim({.id = "iteration/fast.uniform/multigrid-independent/" + point,
+             .rung = 6,
+             .statement = "that share does not grow with the number of cells" + at,
+             .solver = "fast.uniform"},
+            worse(0, slope(x, rates)), 0,
+            Tolerance::calibrated(0.05, "growth a doubling: after ten of .05 each, a rate is .5 larger"), text));
   return found;
 }
 
@@ -324,20 +308,17 @@ const Count counts[] = {
 };
 
 Findings judge_counts(const Count& recorded) {
-  const Solution solution = find_solver(recorded.solver)
-                                ->solve(problem_at(recorded.moes, true, TruncatedAt{-4}),
-                                        {.tolerance = recorded.tolerance, .nodes = recorded.nodes});
+  const std::string solver = recorded.solver, M = plain(recorded.moes.M), L = plain(recorded.moes.L);
+  const Solution solution = find_solver(solver)->solve(problem_at(recorded.moes, true, TruncatedAt{usual_cut}),
+                                                       {.tolerance = recorded.tolerance, .nodes = recorded.nodes});
   const Cost& cost = solution.record.cost;
   Findings found;
   const auto add = [&](const std::string& what, double now, double then) {
-    const bool ended = solution.record.status == StopReason::converged;
-    Claim judged = claim({.id = "iteration/" + std::string(recorded.solver) + "/" + what + "/" +
-                                plain(recorded.moes.M) + "-" + plain(recorded.moes.L),
+    Claim judged = claim({.id = "iteration/" + solver + "/" + what + "/" + M + "-" + L,
                           .rung = 6,
-                          .statement = std::string(recorded.solver) + " needs as many " + what + " at (" +
-                                       plain(recorded.moes.M) + "," + plain(recorded.moes.L) + ") as it did",
-                          .solver = recorded.solver},
-                         ended ? std::abs(std::log(now / then)) : nothing, 0,
+                          .statement = solver + " needs as many " + what + " at (" + M + "," + L + ") as recorded",
+                          .solver = solver},
+                         converged(solution) ? std::abs(std::log(now / then)) : nothing, 0,
                          Tolerance::calibrated(std::log(1.5), "a factor 1.5 either way of the count recorded"));
     judged.measured = now;
     judged.expected = then;
@@ -349,19 +330,19 @@ Findings judge_counts(const Count& recorded) {
   return found;
 }
 
-/// A uniform grid whose cells are wider than the inlet zone says so: (1000,10), 128 intervals, 40 % off or worse.
+/// A uniform solver reports cells that are wider than the inlet zone. At (1000,10), 128 intervals err by 40 % or more.
 Findings judge_blind_grids() {
   Findings found;
-  for (const char* solver : {"reference.uniform", "fast.uniform"}) {
-    const Solution solution =
-        find_solver(solver)->solve(problem_at({1000, 10}, true, TruncatedAt{-4}), {.tolerance = {}, .nodes = 128});
-    found.claims.push_back(claim_fact(
-        {.id = "iteration/" + std::string(solver) + "/under-resolved",
-         .rung = 6,
-         .statement = std::string(solver) + " calls 128 intervals at (1000,10) under-resolved",
-         .solver = solver},
-        solution.record.status == StopReason::under_resolved,
-        "a grid that cannot see the inlet zone is never converged", std::string(to_string(solution.record.status))));
+  for (const std::string solver : {"reference.uniform", "fast.uniform"}) {
+    const Solution solution = find_solver(solver)->solve(problem_at({1000, 10}, true, TruncatedAt{usual_cut}),
+                                                         {.tolerance = {}, .nodes = 128});
+    found.claims.push_back(claim_fact({.id = "iteration/" + solver + "/under-resolved",
+                                       .rung = 6,
+                                       .statement = solver + " calls 128 intervals at (1000,10) under-resolved",
+                                       .solver = solver},
+                                      solution.record.status == StopReason::under_resolved,
+                                      "a grid that cannot see the inlet zone is never converged",
+                                      std::string(to_string(solution.record.status))));
   }
   return found;
 }

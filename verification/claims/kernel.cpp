@@ -15,9 +15,11 @@
 #include "contact/hertz.hpp"
 #include "fast/convolution.hpp"
 #include "fast/grid.hpp"
+#include "verification/claims/shared.hpp"
 #include "verification/claims/topics.hpp"
 #include "verification/exact/hertz_gap.hpp"
 #include "verification/exact/numerics.hpp"
+#include "verification/studies/fits.hpp"
 
 namespace ehd::verification {
 
@@ -25,13 +27,13 @@ namespace {
 
 using std::numbers::pi;
 
-/// Int_0^1 (1 - s) ln|k + s| ds by quadrature: the half of a hat that lies beyond node k, k of either sign.
+/// Int_0^1 (1 - s) ln|k + s| ds by quadrature: the half of a hat function beyond node k; k may be negative.
 double half_hat_by_quadrature(int k) {
   return exact::integral([k](double s) { return (1 - s) * std::log(std::abs(k + s)); }, 0, 1);
 }
 
-/// Int_-1^1 (1 or t) ln|v - t| dt by quadrature, the singular point being an end point. Outside the element ln|v| is
-/// split off, whose first moment vanishes, so that the quadrature does not have to find a small number among large.
+/// Int_-1^1 (1 or t) ln|v - t| dt by quadrature, split so that the singular point is an end point. Outside the element
+/// ln|v| is split off, whose first moment vanishes: the quadrature need not find a small number among large ones.
 double moment_by_quadrature(double v, bool first) {
   const auto beyond = [=](double t) { return (first ? t : 1.0) * std::log1p(-t / v); };
   if (v <= -1 || v >= 1) return exact::integral(beyond, -1, 1) + (first ? 0 : 2 * std::log(std::abs(v)));
@@ -67,8 +69,8 @@ Findings judge_weights() {
                                 .statement = "the weights of the hat function in fast/ equal adaptive quadrature"},
                                worst, 0, Tolerance::discretisation(1.1e-13, 2)));
 
-  // Two codes for one integral: K_ij = h (g_|i-j| + ln h) on equal cells. h is a power of two, so that the nodes are
-  // exact.
+  // Both codes compute one integral: K_ij = h (g_|i-j| + ln h) on equal cells. h is a power of two, so that the nodes
+  // are exact.
   constexpr int intervals = 200;
   constexpr double h = 1.0 / 32;
   const Array nodes = Array::LinSpaced(intervals + 1, intervals * h, 0.0);
@@ -97,7 +99,7 @@ Findings judge_operator() {
   Findings found;
   for (const int intervals : {64, 256, 1024}) {
     fast::Convolution convolution(intervals);
-    std::mt19937 generator(20240917);  // any seed; fixed, so that two runs say the same
+    std::mt19937 generator(20240917);  // any fixed seed
     std::uniform_real_distribution<double> anything(-1, 1);
     Array x(intervals + 1), dense = Array::Zero(intervals + 1), y(intervals + 1);
     for (double& value : x) value = anything(generator);
@@ -146,8 +148,8 @@ DenseProduct dense_product(const fast::Map& map, const Array& X, const Array& P)
   return result;
 }
 
-/// The mapped operator: up to 128 cells the smooth remainder is whole, and rounding all there is; beyond, eight-point
-/// interpolation out of a table of 128 or 256 cells.
+/// The mapped operator. Up to 128 cells the smooth remainder is computed whole, and the only error is rounding. On more
+/// cells it is interpolated with eight points from a table of 128 or 256 cells.
 Findings judge_mapped_operator() {
   // A map as at (M, L) = (60, 10) with H_cen = 0.02.
   constexpr double film = 0.02;
@@ -165,7 +167,7 @@ Findings judge_mapped_operator() {
     const DenseProduct dense = dense_product(*map, X, P);
     const double apart = (y - dense.y).abs().maxCoeff();
     const bool whole = intervals <= 128;
-    // Three transforms and a product, as above, and two sums; nearby places cancel: eps over the smallest spacing.
+    // Three transforms and a product, as above, and two sums. Differences of near places cancel: eps/smallest spacing.
     const double nearest = (X.tail(intervals) - X.head(intervals)).minCoeff() / length;
     found.claims.push_back(claim(
         {.id = "operator/mapped-" + std::to_string(intervals),
@@ -181,7 +183,7 @@ Findings judge_mapped_operator() {
   return found;
 }
 
-/// max over the nodes in |X| <= inside of |film - flat| for Hertz's pressure on n equal cells of [-1, 1].
+/// |film - flat| for Hertz's pressure on equal cells of [-1, 1]: at the centre, or the largest of all nodes.
 double flatness_error(int intervals, bool centre_only) {
   const Array nodes = Array::LinSpaced(intervals + 1, 1.0, -1.0);
   const Array deflection = (reference::log_kernel(nodes) * hertz::pressure(nodes).matrix()).array() / pi;
@@ -202,39 +204,33 @@ Findings judge_elasticity() {
                                 .statement = "Hertz's pressure leaves a flat gap inside, and the printed one outside"},
                                worst, 0, Tolerance::discretisation(1e-12, 1), "closed form against quadrature"));
 
-  // At the centre ln|0 -+ 1| = 0 hides the ends, and the second order of linear interpolation shows. Over the whole
-  // contact the root of the pressure at an end leaves out a load of order h^(3/2), which at that end counts with ln h.
-  constexpr int grids[] = {64, 128, 256, 512};
+  // At the centre the ends have the weight ln|0 -+ 1| = 0, so that the second order of linear interpolation shows. Over
+  // the whole contact, the square root in the pressure at an end costs a load of order h^(3/2), there with weight ln h.
   for (const bool centre : {true, false}) {
     const double declared = centre ? 2.0 : 1.5;
-    double sx = 0, sy = 0, sxx = 0, sxy = 0;
-    for (const int intervals : grids) {
+    std::vector<double> x, y;
+    for (const int intervals : {64, 128, 256, 512}) {
       const double logarithm = centre ? 1 : std::log(intervals / 2.0);
-      const double x = std::log2(intervals), y = -std::log2(flatness_error(intervals, centre) / logarithm);
-      sx += x, sy += y, sxx += x * x, sxy += x * y;
+      x.push_back(std::log2(intervals));
+      y.push_back(-std::log2(flatness_error(intervals, centre) / logarithm));
     }
-    const double n = std::size(grids), order = (n * sxy - sx * sy) / (n * sxx - sx * sx);
-    Claim judged = claim(
-        {.id = centre ? "elasticity/order-centre" : "elasticity/order-contact",
-         .rung = 3,
-         .statement = std::string("on piecewise linear pressure the film of Hertz's contact converges ") +
-                      (centre ? "like h^2 at the centre" : "like h^(3/2) ln h over the whole contact")},
-        std::abs(order - declared), 0, Tolerance::calibrated(0.1, "fitted orders over four grids are read to a tenth"),
-        "64 to 512 cells on [-1, 1]");
-    judged.measured = order;
-    judged.expected = declared;
-    found.claims.push_back(judged);
+    found.claims.push_back(
+        order_claim({.id = centre ? "elasticity/order-centre" : "elasticity/order-contact",
+                     .rung = 3,
+                     .statement = std::string("on piecewise linear pressure the film of Hertz's contact converges ") +
+                                  (centre ? "like h^2 at the centre" : "like h^(3/2) ln h over the whole contact")},
+                    slope(x, y), declared, order_over_four_grids(), "64 to 512 cells on [-1, 1]"));
   }
   return found;
 }
 
 Findings judge_mapped_elasticity() {
-  // On a map both edges are nodes, where the root of the pressure leaves zeta(-1/2) h^(3/2) (Navot 1961).
+  // On a map both edges are nodes. The pressure's square root there leaves zeta(-1/2) h^(3/2) (Navot 1961).
   const auto map = std::make_shared<const fast::Map>(
       fast::MapShape{.inlet = -1, .exit = 1, .scale = 1, .inlet_width = 0.2, .spike = 0.9, .spike_width = 0.1});
-  double sx = 0, sy = 0, sxx = 0, sxy = 0, last = 0;
-  constexpr int sizes[] = {128, 256, 512, 1024, 2048};
-  for (const int intervals : sizes) {
+  std::vector<double> x, minus;
+  double last = 0;
+  for (const int intervals : {128, 256, 512, 1024, 2048}) {
     fast::Grids grids;
     grids.use(map);
     const Array X = map->nodes(intervals);
@@ -248,21 +244,16 @@ Findings judge_mapped_elasticity() {
       const double deflection = length / pi * (y[i] + std::log(length) * load);
       last = worse(last, std::abs(X[i] * X[i] / 2 - deflection + hertz::dry_offset()));
     }
-    const double x = std::log2(intervals), minus = -std::log2(last);
-    sx += x, sy += minus, sxx += x * x, sxy += x * minus;
+    x.push_back(std::log2(intervals));
+    minus.push_back(-std::log2(last));
   }
-  const double n = std::size(sizes), order = (n * sxy - sx * sy) / (n * sxx - sx * sx);
-  Claim judged =
-      claim({.id = "elasticity/order-mapped",
-             .rung = 3,
-             .statement = "on a mapped grid the film of Hertz's contact converges like h^(3/2)"},
-            std::abs(order - 1.5), 0, Tolerance::calibrated(0.1, "fitted orders over five grids are read to a tenth"),
-            fmt::format("128 to 2048 cells, |X| <= 0.9, error {:.1e} on the last", last));
-  judged.measured = order;
-  judged.expected = 1.5;
-  Findings found;
-  found.claims.push_back(std::move(judged));
-  return found;
+  return {{order_claim({.id = "elasticity/order-mapped",
+                        .rung = 3,
+                        .statement = "on a mapped grid the film of Hertz's contact converges like h^(3/2)"},
+                       slope(x, minus), 1.5,
+                       Tolerance::calibrated(0.1, "fitted orders over five grids are read to a tenth"),
+                       fmt::format("128 to 2048 cells, |X| <= 0.9, error {:.1e} on the last", last))},
+          {}};
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rung 0: from SI to dimensionless groups and back. Groups, scales and laws of a steel contact are computed here once
-// more from the printed formulas, by other steps than in contact/. The same for a result in metres and Moes units.
+// Rung 0: from SI to dimensionless groups and back. Groups, scales and laws of a steel contact are computed here again
+// from the printed formulas, by other steps than in contact/. So are a result's metres and Moes units.
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -10,6 +10,7 @@
 #include "contact/observables.hpp"
 #include "io/contact_json.hpp"
 #include "io/json.hpp"
+#include "verification/claims/shared.hpp"
 #include "verification/claims/topics.hpp"
 #include "workflow/contact_run.hpp"
 #include "workflow/registry.hpp"
@@ -31,7 +32,7 @@ Conditions contact() {
           .viscosity_Pa_s = viscosity};
 }
 
-/// alpha is left out: it follows from z and eta_0.
+/// By Roelands' law alpha is absent: it follows from z and eta_0.
 Lubricant oil_of(ViscosityLaw law, DensityLaw density) {
   Lubricant oil;
   oil.viscosity = law;
@@ -41,9 +42,6 @@ Lubricant oil_of(ViscosityLaw law, DensityLaw density) {
   if (law == ViscosityLaw::barus) oil.alpha_per_Pa = 1.9e-8;
   return oil;
 }
-
-// A dozen products, roots and powers of inputs known to half an ulp.
-Tolerance rounding() { return Tolerance::round_off(64); }
 
 void add(Findings& found, const std::string& id, const std::string& statement, double value, double expected) {
   found.claims.push_back(
@@ -89,7 +87,7 @@ Findings judge_laws() {
     const double exponent = (std::log(viscosity) + 9.67) * (-1 + std::pow(1 + p / p0, z));
     const auto eta = at(first.problem.viscosity, p);
     worst_roelands = worse(worst_roelands, std::abs(eta.value[0] / exponent - 1));
-    // The slope by central differences: 1e-5 p either way leaves 1e-10 of the third derivative, 1e-11 of rounding.
+    // Slopes by central differences. Steps of 1e-5 p err by 1e-10 (third derivative) and 1e-11 (rounding).
     const double step = 1e-5 * p;
     const double slope =
         (at(first.problem.viscosity, p + step).value[0] - at(first.problem.viscosity, p - step).value[0]) /
@@ -130,13 +128,13 @@ Findings judge_laws() {
   return found;
 }
 
-/// A result in Hertz, Moes' and SI units is one film.
+/// The films of a result in Hertz, Moes' and SI units are the same films.
 Findings judge_units_of_a_result() {
   ContactCase stated;
   stated.statement = contact();
   stated.lubricant = oil_of(ViscosityLaw::roelands, DensityLaw::dowson_higginson);
   stated.inlet = Flooded{};
-  const ContactRun run = run_contact(stated, *find_solver("fast"), {.tolerance = 1e-3});
+  const ContactRun run = run_contact(stated, default_solver(), {.tolerance = 1e-3});
   const Json json = to_json(run);
   const double pressure = std::sqrt(load * modulus / (2 * pi * radius)), half_width = 4 * radius * pressure / modulus;
   const double metres = half_width * half_width / radius;
@@ -166,7 +164,7 @@ Findings judge_units_of_a_result() {
   return found;
 }
 
-/// What is read off fields that are made up: every number is known beforehand.
+/// The quantities of made-up fields, each of which is known beforehand.
 Findings judge_observed() {
   constexpr int n = 400;
   Fields fields;
@@ -182,22 +180,18 @@ Findings judge_observed() {
   fields.offset = -0.31;
   const Observables seen = observe(fields, want_everything());
   Findings found;
-  const auto read = [&](Quantity quantity, bool place = false) {
-    const auto at = seen.find(quantity);
-    if (at == seen.end()) return std::nan("");
-    return place ? at->second.place.value_or(std::nan("")) : at->second.value;
-  };
+  const auto read = [&](Quantity quantity) { return value_of(observed(seen, quantity)); };
   const auto add_with = [&](const std::string& id, const std::string& statement, double value, double expected,
                             Tolerance tolerance) {
     found.claims.push_back(claim_value({.id = "inputs/observed/" + id, .rung = 0, .statement = statement}, value,
                                        expected, 0, std::move(tolerance)));
   };
-  // Parabolas are met by parabolas through nodes; the search for a minimum ends within the root of rounding.
+  // Parabolas through nodes reproduce a parabola. The search for a minimum ends within the square root of rounding.
   const Tolerance sharp = Tolerance::round_off(1e3), place = Tolerance::discretisation(1e-7, 10);
   // P = (3 - 2X)(X + 3)/12: largest at -3/4, 27/32. Int P dX = 81/32; P' = (-4X - 3)/12.
   constexpr double h = 4.5 / n, integral = 81.0 / 32;
   add_with("minimum", "the smallest film of a parabola is its vertex", read(Quantity::film_minimum), 0.2, sharp);
-  add_with("minimum-place", "and stands where it is", read(Quantity::film_minimum, true), 0.4, place);
+  add_with("minimum-place", "and stands where it is", place_of(observed(seen, Quantity::film_minimum)), 0.4, place);
   add_with("central", "the central film is the one at X = 0", read(Quantity::film_central), 0.2 + 0.3 * 0.16, sharp);
   add_with("couette", "the Couette film is the flux at the exit", read(Quantity::film_couette), 0.2 + 0.3 * 1.21,
            sharp);
@@ -205,8 +199,9 @@ Findings judge_observed() {
   add_with("approach", "the approach is minus the offset", read(Quantity::approach), 0.31, sharp);
   add_with("pressure", "the largest pressure of a parabola is its vertex", read(Quantity::pressure_maximum), 27.0 / 32,
            sharp);
-  add_with("pressure-place", "and stands where it is", read(Quantity::pressure_maximum, true), -0.75, place);
-  // The trapezoid rule is off by h^2/12 times the change of the slope, -4.5/3.
+  add_with("pressure-place", "and stands where it is", place_of(observed(seen, Quantity::pressure_maximum)), -0.75,
+           place);
+  // The trapezoid rule errs by h^2/12 times the change of the slope, -4.5/3.
   add_with("load-error", "the load's error is 2/pi Int P dX less 1", read(Quantity::load_error),
            2 / pi * (integral - h * h / 12 * 1.5) - 1, Tolerance::round_off(1e4));
   add_with("flux-variation", "the flux's variation is its largest distance from the exit's",

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rungs 10 and 11: numbers of the literature that are no case: formulas evaluated, tables, and computed films whose
-// inlet is known only to lie "at -8 or wider". cases/README.md says where each item of the literature is judged.
+// Rungs 10 and 11: numbers of the literature that make no case: values of formulas, tables, and computed films whose
+// inlet is only known to lie "at -8 or wider". cases/README.md says where each item of the literature is judged.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
-#include <optional>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -16,16 +14,16 @@
 #include "contact/film_formulas.hpp"
 #include "contact/text.hpp"
 #include "io/find_case.hpp"
+#include "verification/claims/shared.hpp"
 #include "verification/claims/topics.hpp"
 #include "verification/exact/sjovall.hpp"
 #include "verification/solution_memory.hpp"
+#include "verification/studies/box.hpp"
 #include "verification/studies/film_maps.hpp"
 
 namespace ehd::verification {
 
 namespace {
-
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 Claim digits_claim(int rung, const std::string& id, const std::string& what, double value, const std::string& printed) {
   return claim_value({.id = id, .rung = rung, .statement = what + " has the digits " + printed}, value,
@@ -113,7 +111,7 @@ constexpr PrintedPower printed_powers[] = {
     {"Pan & Hamrock 1989", "spike place", "1.111", "0.077", "-0.021", "0.606"},
     {"Pan & Hamrock 1989", "place of the smallest film", "1.439", "0.026", "-0.011", "0.548"}};
 
-/// Every power law against its printed digits, at two points so that an exponent cannot hide in a constant.
+/// Every power law against its printed digits, at three points, so that no wrong exponent hides in a constant.
 Findings judge_printed_powers() {
   Findings found;
   for (const PrintedPower& printed : printed_powers) {
@@ -148,7 +146,7 @@ Findings judge_printed_powers() {
   return found;
 }
 
-/// A formula is a regression and its film is never judged; that it is evaluated as printed is.
+/// A formula is a fit: its film is never judged. Judged is only that the formula is evaluated as printed.
 Findings judge_formulas() {
   Findings found;
   constexpr double computed = 3.784, half_digit = 0.0005;  // of the film, Moes units, and of the percentages below
@@ -173,26 +171,17 @@ Findings judge_formulas() {
     found.claims.push_back(std::move(judged));
   }
   const auto spike = pan_hamrock_spike({.M = 20, .L = 10}, usual_G);
-  Request request;
-  request.tolerance = 1e-4;
-  const AtlasPoint point{.laws = AtlasLaws::roelands, .M = 20, .L = 10, .inlet = Flooded{}};
-  const ContactCase contact = point.contact();
   const Solution solution =
-      remembered("reference")
-          .solve(nondimensionalise(contact.statement, *contact.lubricant, *contact.inlet).problem, request);
-  const auto value = [&](Quantity quantity, bool place) {
-    const auto at = solution.observables.find(quantity);
-    if (at == solution.observables.end()) return nothing;
-    return place ? at->second.place.value_or(nothing) : at->second.value;
-  };
+      remembered(certified_solver().name).solve(problem_at({20, 10}, true, Flooded{}), {.tolerance = 1e-4});
+  const Reading *highest = observed(solution, Quantity::pressure_spike),
+                *thinnest = observed(solution, Quantity::film_minimum);
   struct Row {
     const char *id, *what;
     double formula, computed;
   };
-  for (const Row& row :
-       {Row{"spike", "spike P", spike.height, value(Quantity::pressure_spike, false)},
-        Row{"spike-place", "place X of the spike", spike.place, value(Quantity::pressure_spike, true)},
-        Row{"minimum-place", "place X of the smallest film", spike.minimum_place, value(Quantity::film_minimum, true)}})
+  for (const Row& row : {Row{"spike", "spike P", spike.height, value_of(highest)},
+                         Row{"spike-place", "place X of the spike", spike.place, place_of(highest)},
+                         Row{"minimum-place", "place X of the smallest film", spike.minimum_place, place_of(thinnest)}})
     found.skipped.push_back({{.id = std::string("formulas/pan-hamrock/") + row.id,
                               .rung = 10,
                               .statement = std::string("Pan & Hamrock's ") + row.what + " at (20,10), flooded"},
@@ -201,7 +190,8 @@ Findings judge_formulas() {
   return found;
 }
 
-/// "Within 5 % of computed Barus incompressible films for M >= 2": what the atlas says.
+/// The literature says of Moes' formula: "within 5 % of computed Barus incompressible films for M >= 2". The atlas
+/// decides.
 Findings judge_moes_statement() {
   const auto folder = atlas_folder();
   const Sentence says{.id = "formulas/moes-within-5-percent",
@@ -243,15 +233,15 @@ Findings judge_moes_statement() {
 
 // -- films with an inlet "at -8 or wider" ---------------------------------------------------------------------------
 
-/// One number: a film goes up with its inlet, so that what was computed with an inlet at -8 or wider lies between the
-/// film cut at -8 and the flooded one, within the uncertainty that is given with it.
+/// A number that was computed with an inlet at -8 or wider. Films grow with the inlet's length, so that the number lies
+/// between that of the contact cut at -8 and that of the flooded one, within its own uncertainty.
 struct Between {
   std::string id, what;
   Quantity quantity;
-  double value = 0;        ///< as given
-  double unit = 1;         ///< of the solvers' value
-  double uncertainty = 0;  ///< relative; film.offset: absolute
-  bool place = false;      ///< X where the quantity is found, of which solvers state no error
+  double value = 0;        ///< in the source
+  double unit = 1;         ///< the source's value over the solvers' value
+  double uncertainty = 0;  ///< relative; absolute for film.offset
+  bool place = false;      ///< the number is the X of the quantity, for which solvers state no error
 };
 
 struct Ends {
@@ -259,21 +249,19 @@ struct Ends {
 };
 
 Ends ends_of(MoesGroups moes, const Lubricant& lubricant) {
-  Request request;
-  request.tolerance = 1e-5;
   const auto solve = [&](const Inlet& inlet) {
-    return remembered("fast").solve(nondimensionalise(moes, lubricant, inlet).problem, request);
+    return remembered(default_solver().name)
+        .solve(nondimensionalise(moes, lubricant, inlet).problem, {.tolerance = 1e-5});
   };
   return {solve(TruncatedAt{-8}), solve(Flooded{})};
 }
 
 void judge_between(Findings& found, const Ends& ends, const Between& one) {
   const auto end = [&](const Solution& solution) -> std::pair<double, double> {
-    const auto at = solution.observables.find(one.quantity);
-    if (solution.record.status != StopReason::converged || at == solution.observables.end() || !at->second.error)
-      return {nothing, nothing};
-    if (one.place) return {at->second.place.value_or(nothing), 0};
-    return {at->second.value * one.unit, *at->second.error};
+    const Reading* seen = reading(solution, one.quantity);
+    if (!seen || !seen->error) return {nothing, nothing};
+    if (one.place) return {place_of(seen), 0};
+    return {seen->value * one.unit, *seen->error};
   };
   const auto [first, first_error] = end(ends.cut);
   const auto [second, second_error] = end(ends.flooded);
@@ -287,7 +275,7 @@ void judge_between(Findings& found, const Ends& ends, const Between& one) {
              .rung = 10,
              .statement = one.what + ", computed with an inlet at -8 or wider, lies between cut at -8 and flooded",
              .case_id = {},
-             .solver = "fast"},
+             .solver = default_solver().name},
             outside, 0, Tolerance::discretisation(one.uncertainty + std::max(first_error, second_error), 1),
             "cut at -8 " + plain(first, 6) + ", flooded " + plain(second, 6));
   judged.measured = one.value < low ? low : std::min(one.value, high);
@@ -309,7 +297,7 @@ constexpr BarusRow barus_films[] = {
     {100, 0, "0.7963", "1.0014"}, {100, 10, "3.2715", "4.3716"}, {100, 15, "4.3111", "5.7503"},
     {200, 5, "1.9277", "2.5810"}, {200, 10, "2.9981", "4.0108"}, {200, 15, "3.9596", "5.2933"}};
 
-/// 0.1 % for M <= 20, 0.3 % at 200 (and, since nothing is said between, above 20).
+/// The source gives 0.1 % for M <= 20 and 0.3 % at 200. It says nothing between; 0.3 % is taken there.
 double uncertainty_at(double M) {
   constexpr double light = 1e-3, heavy = 3e-3, moderate_M = 20;
   return M <= moderate_M ? light : heavy;
@@ -318,11 +306,7 @@ double uncertainty_at(double M) {
 Findings judge_barus_films() {
   Findings found;
   for (const BarusRow& row : barus_films) {
-    const Lubricant lubricant{.viscosity = row.L > 0 ? ViscosityLaw::barus : ViscosityLaw::isoviscous,
-                              .density = DensityLaw::incompressible,
-                              .alpha_per_Pa = {},
-                              .z = {}};
-    const Ends ends = ends_of({row.M, row.L}, lubricant);
+    const Ends ends = ends_of({row.M, row.L}, oil(false));
     const std::string point = plain(row.M) + "-" + plain(row.L);
     for (const auto& [quantity, text] :
          {std::pair{Quantity::film_minimum, row.minimum}, {Quantity::film_central, row.central}})
@@ -340,13 +324,9 @@ Findings judge_barus_films() {
 /// M = 20, L = 10 in Hertz units, three fluids, and the rolling force T* M^(3/2).
 Findings judge_three_fluids() {
   constexpr MoesGroups moes{20, 10};
-  const Lubricant barus{}, roelands{.viscosity = ViscosityLaw::roelands,
-                                    .density = DensityLaw::incompressible,
-                                    .alpha_per_Pa = 2.2e-8,
-                                    .z = 0.68,
-                                    .p0_Pa = 1.96e8};
-  Lubricant compressible = roelands;
-  compressible.density = DensityLaw::dowson_higginson;
+  const Lubricant barus = oil(false), compressible = oil(true);
+  Lubricant roelands = compressible;
+  roelands.density = DensityLaw::incompressible;
   struct Number {
     Quantity quantity;
     const char* text;
@@ -370,7 +350,7 @@ Findings judge_three_fluids() {
   for (const Fluid& fluid : fluids) {
     const Ends ends = ends_of(moes, fluid.lubricant);
     for (const Number& number : fluid.numbers) {
-      // Digits round further than 0.1 % only where few are printed.
+      // Few printed digits may be rounded by more than 0.1 %.
       const double digits = relative_half_unit(number.text);
       judge_between(
           found, ends,

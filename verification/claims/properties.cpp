@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What must hold for any numbers: units, similarity, monotony, scaling laws, conservation. Inputs are drawn from fixed
-// seeds, over the range in which bearings and gears run. No truth is needed, so no solver vouches for another.
+// Properties that hold for any inputs: units, similarity, monotony, scaling laws, conservation. Inputs are drawn from
+// fixed seeds, over the range in which bearings and gears run. These claims need no other solver's solution.
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <numbers>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "contact/text.hpp"
 #include "verification/claims/bearing/parts.hpp"
+#include "verification/claims/shared.hpp"
 #include "verification/claims/topics.hpp"
 #include "verification/solution_memory.hpp"
 #include "verification/studies/box.hpp"
@@ -22,7 +22,6 @@ namespace ehd::verification {
 
 namespace {
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 constexpr unsigned unit_seed = 20261124, similar_seed = 20261125, line_seed = 20261126, flux_seed = 20261127;
 
 struct StatedContact {
@@ -53,18 +52,17 @@ StatedContact drawn_contact(Draw& draw, ViscosityLaw viscosity) {
   }
 }
 
+/// A film with its error; null where the solver does not state both.
 const Reading* film_of(const Solution& solution, Quantity film) {
-  const auto at = solution.observables.find(film);
-  const bool known = solution.record.status == StopReason::converged && at != solution.observables.end() &&
-                     at->second.error && std::isfinite(at->second.value);
-  return known ? &at->second : nullptr;
+  const Reading* seen = reading(solution, film);
+  return seen && seen->error && std::isfinite(seen->value) ? seen : nullptr;
 }
 
 constexpr Quantity films[] = {Quantity::film_minimum, Quantity::film_central};
 
 // ---- Rung 0: units ------------------------------------------------------------------------------------------------
 
-/// The same contact where the metre, the newton and the second are called 1/length, 1/force and 1/time.
+/// The same contact in other units: one metre is `length` of the new units, likewise newton and second.
 StatedContact in_units(StatedContact contact, double length, double force, double time) {
   const double pressure = force / (length * length);
   contact.conditions.load_N_per_m *= force / length;
@@ -77,7 +75,7 @@ StatedContact in_units(StatedContact contact, double length, double force, doubl
   return contact;
 }
 
-/// Every number that a solver sees of a flooded contact: the groups and both laws.
+/// All numbers of a flooded problem: the groups and both laws.
 std::vector<double> numbers_of(const Problem& problem) {
   std::vector<double> numbers{problem.groups.M, problem.groups.L, problem.groups.lambda, problem.groups.alpha_p_H};
   for (const std::vector<double>& law : {cache_key(problem.viscosity), cache_key(problem.density)})
@@ -85,7 +83,7 @@ std::vector<double> numbers_of(const Problem& problem) {
   return numbers;
 }
 
-/// Powers of two change no digit. Lengths go by powers of four: b holds the square root of one.
+/// Units that differ by powers of two change no digit; lengths by powers of four, because b holds their square root.
 Findings judge_units() {
   constexpr int contacts = 200, solved = 4;
   Draw draw(unit_seed);
@@ -99,7 +97,7 @@ Findings judge_units() {
     const Problem in_others = nondimensionalise(other.conditions, other.lubricant, Flooded{}).problem;
     same += numbers_of(in_SI) == numbers_of(in_others) ? 1 : 0;
     if (i >= solved) continue;
-    const Solution a = find_solver("fast")->solve(in_SI, {}), b = find_solver("fast")->solve(in_others, {});
+    const Solution a = default_solver().solve(in_SI, {}), b = default_solver().solve(in_others, {});
     for (const Quantity film : films) {
       const Reading *x = film_of(a, film), *y = film_of(b, film);
       ++films_seen;
@@ -118,7 +116,7 @@ Findings judge_units() {
       {.id = "properties/units/films",
        .rung = 0,
        .statement = "and " + std::to_string(solved) + " of them have films and errors that are the same bit for bit",
-       .solver = "fast"},
+       .solver = default_solver().name},
       films_same == films_seen && films_seen > 0, "a solver sees groups alone",
       std::to_string(films_same) + " of " + std::to_string(films_seen) + " films"));
   return found;
@@ -160,17 +158,16 @@ Findings judge_similarity() {
     const StatedContact one = drawn_contact(draw, ViscosityLaw::barus);
     const StatedContact other = similar_to(one, draw);
     double film[2][2], error[2][2];
-    int k = 0;
-    for (const StatedContact& contact : {one, other}) {
-      const Nondimensional reading = nondimensionalise(contact.conditions, contact.lubricant, Flooded{});
-      const Solution solution = find_solver("fast")->solve(reading.problem, {.tolerance = tolerance});
+    for (int k = 0; k < 2; ++k) {
+      const StatedContact& contact = k == 0 ? one : other;
+      const Nondimensional made = nondimensionalise(contact.conditions, contact.lubricant, Flooded{});
+      const Solution solution = default_solver().solve(made.problem, {.tolerance = tolerance});
       for (int j = 0; j < 2; ++j) {
         const Reading* seen = film_of(solution, films[j]);
-        const double unit_m = reading.scales->film_m_per_hertz_film().value_or(nothing);
+        const double unit_m = made.scales->film_m_per_hertz_film().value_or(nothing);
         film[k][j] = seen ? moes_film(contact.conditions, seen->value * unit_m) : nothing;
-        error[k][j] = seen ? *seen->error : nothing;
+        error[k][j] = error_of(seen);
       }
-      ++k;
     }
     for (int j = 0; j < 2; ++j) {
       const double apart = std::abs(film[1][j] / film[0][j] - 1), ratio = apart / (error[0][j] + error[1][j]);
@@ -184,7 +181,7 @@ Findings judge_similarity() {
              .rung = 9,
              .statement = "Moes films of Barus contacts depend on M and L alone: " + std::to_string(pairs) +
                           " random pairs that differ in E', R, eta_0, u, w and alpha",
-             .solver = "fast"},
+             .solver = default_solver().name},
             worst, 0, Tolerance::required(1, "difference over the sum of the stated errors"),
             "largest relative difference " + plain(difference, 2)));
   return found;
@@ -198,13 +195,13 @@ Findings judge_rigid() {
     const char *id, *says;
     double M_after, expected;
   };
-  const Solution before = find_solver("fast")->solve(problem_at({M, 0}, false, Flooded{}), {.tolerance = tolerance});
+  const Solution before = default_solver().solve(problem_at({M, 0}, false, Flooded{}), {.tolerance = tolerance});
   Findings found;
   for (const Change& change :
        {Change{"speed", "doubling the speed doubles", M / std::numbers::sqrt2, std::numbers::sqrt2},
         Change{"load", "doubling the load halves", 2 * M, 0.5}}) {
     const Solution after =
-        find_solver("fast")->solve(problem_at({change.M_after, 0}, false, Flooded{}), {.tolerance = tolerance});
+        default_solver().solve(problem_at({change.M_after, 0}, false, Flooded{}), {.tolerance = tolerance});
     const Reading *a = film_of(before, Quantity::film_minimum), *b = film_of(after, Quantity::film_minimum);
     const double measured =
         a && b ? b->value * moes_film_per_hertz_film(change.M_after) / (a->value * moes_film_per_hertz_film(M))
@@ -214,28 +211,26 @@ Findings judge_rigid() {
         {.id = std::string("properties/scaling/rigid-") + change.id,
          .rung = 9,
          .statement = std::string(change.says) + " an isoviscous film between surfaces that stay rigid",
-         .solver = "fast"},
+         .solver = default_solver().name},
         measured, change.expected, a && b ? *a->error + *b->error : nothing,
         Tolerance::asymptotic(heavier * heavier, "elastic remainder of order M^2, at M = " + plain(heavier))));
   }
   return found;
 }
 
-/// A film with its error; the Couette film, for which a solver need not state one, is as good as the central film,
-/// being the same flux.
 struct FilmAndError {
   double value = nothing, error = nothing;
 };
+/// A solver need not state an error of the Couette film. That of the central film serves, because both are one flux.
 FilmAndError film_or_flux(const Solution& solution, Quantity film) {
   const Reading* seen = film_of(solution, film == Quantity::film_couette ? Quantity::film_central : film);
-  const auto at = solution.observables.find(film);
-  if (!seen || at == solution.observables.end()) return {};
-  return {at->second.value, *seen->error};
+  const Reading* own = observed(solution, film);
+  return seen && own ? FilmAndError{own->value, *seen->error} : FilmAndError{};
 }
 
-/// Along lines through the box in steps of a factor of two, one contact: speed alone, or load alone. Minimum film and
-/// flux: the film at X = 0 is no such quantity, it grows with the load where the contact's plateau forms (reference,
-/// Barus, L = 9: 5.3596, 5.5751, 6.2535 Moes units at M = 1, 1.4, 1.9, and falls from there).
+/// Along lines through the box, in steps of a factor of two of the speed alone or of the load alone. Judged are minimum
+/// film and flux. The film at X = 0 is not monotone: it grows with the load where the contact's plateau forms
+/// (reference, Barus, L = 9: 5.3596, 5.5751, 6.2535 Moes units at M = 1, 1.4, 1.9), and falls at heavier loads.
 Findings judge_lines(bool roelands) {
   constexpr int lines = 8, steps = 4;
   constexpr double tolerance = 1e-3, lightest = 0.05, heaviest = 2000, largest_step_L = 25;
@@ -258,7 +253,7 @@ Findings judge_lines(bool roelands) {
         const MoesGroups at = speed ? MoesGroups{from.M / std::sqrt(factor), from.L * std::pow(factor, 0.25)}
                                     : MoesGroups{from.M * factor, from.L};
         if (at.M < lightest || at.M > heaviest || at.L > largest_step_L) continue;
-        Solution now = find_solver("fast")->solve(problem_at(at, roelands, Flooded{}), {.tolerance = tolerance});
+        Solution now = default_solver().solve(problem_at(at, roelands, Flooded{}), {.tolerance = tolerance});
         for (const Quantity film : {Quantity::film_minimum, Quantity::film_couette}) {
           if (!before) break;
           const FilmAndError a = film_or_flux(*before, film), b = film_or_flux(now, film);
@@ -290,8 +285,8 @@ Findings judge_lines(bool roelands) {
          .rung = 9,
          .statement = std::string("minimum film and flux ") + (speed ? "grow with the speed" : "shrink with the load") +
                       " beyond the stated errors, at " + std::to_string(lines) + " random contacts in steps of two, " +
-                      (roelands ? "Roelands" : "Barus"),
-         .solver = "fast"},
+                      law_name(roelands),
+         .solver = default_solver().name},
         all > 0 && count.right == all, "every step of two is decided and has that direction",
         std::to_string(count.right) + " of " + std::to_string(all) + " steps, " + std::to_string(count.undecided) +
             " within the errors, " + std::to_string(count.unsolved) + " without films; smallest change " +
@@ -314,16 +309,14 @@ Findings judge_flux() {
     for (int i = 0; i < contacts; ++i) {
       const MoesGroups at{draw.logarithmic(0.2, 1000), draw.uniform(0, 20)};
       const bool roelands = i % 2 == 0, flooded = at.M < 2 || i % 4 < 2;
-      const Solution solution = remembered("fast").solve(
-          problem_at(at, roelands, flooded ? Inlet{Flooded{}} : Inlet{TruncatedAt{-4}}), {.tolerance = tolerance});
-      const auto seen = solution.observables.find(quantity);
-      const double value = solution.record.status == StopReason::converged && seen != solution.observables.end()
-                               ? seen->second.value
-                               : nothing;
+      const Inlet inlet = flooded ? Inlet{Flooded{}} : Inlet{TruncatedAt{usual_cut}};
+      const Solution solution =
+          remembered(default_solver().name).solve(problem_at(at, roelands, inlet), {.tolerance = tolerance});
+      const double value = value_of(reading(solution, quantity));
       if (!(value <= worst) && !std::isnan(worst)) {
         worst = value;
-        worst_at = "worst at M = " + plain(at.M, 4) + ", L = " + plain(at.L, 4) +
-                   (roelands ? ", Roelands" : ", Barus") + (flooded ? ", flooded" : ", cut at -4");
+        worst_at = "worst at M = " + plain(at.M, 4) + ", L = " + plain(at.L, 4) + ", " + law_name(roelands) +
+                   (flooded ? ", flooded" : ", cut at -4");
       }
     }
     const bool flux = quantity == Quantity::flux_variation;
@@ -332,7 +325,7 @@ Findings judge_flux() {
          .rung = 6,
          .statement = std::string(flux ? "the flux is the same at every face" : "the pressure carries the load") +
                       " of " + std::to_string(contacts) + " random contacts, within the accuracy asked of the films",
-         .solver = "fast"},
+         .solver = default_solver().name},
         worst, 0, Tolerance::required(tolerance, "the accuracy asked of the films"), worst_at));
   }
   return found;

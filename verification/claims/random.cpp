@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The reference and fast at random points of the box M 0.05..5000, L 0..30, both law sets. Rung 6: does the solver
-// converge, and does it say so where it does not? Rung 8: do its error bars hold? Each run is compared with a solution
-// of a tolerance a thousand times tighter, which has other meshes.
+// Rungs 6 and 8: both main solvers at random points of the box M 0.05..5000, L 0..30, both law sets. Rung 6: the solver
+// converges, or says why it does not. Rung 8: its error bars hold. Runs of the reference are compared with its own
+// solution at a tolerance a thousand times tighter, which has other meshes; runs of fast with the reference.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
+#include <utility>
 
 #include "contact/text.hpp"
+#include "verification/claims/shared.hpp"
 #include "verification/claims/topics.hpp"
 #include "verification/studies/box.hpp"
 #include "verification/studies/draw.hpp"
@@ -17,15 +18,14 @@ namespace ehd::verification {
 
 namespace {
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 constexpr unsigned bar_seed = 20261121, box_seed = 20261122, fast_seed = 20261123;
-/// fast takes milliseconds: so many points of each law set for each random run; every tenth is held against the
-/// reference.
+/// fast takes milliseconds, so that it solves five points of each law set for each random run. Every tenth of them is
+/// compared with the reference.
 constexpr int fast_points_a_run = 5, points_a_truth = 10;
-/// Draws for each run that is judged, at most: some tolerances are met so far that no truth is tighter.
+/// At most so many draws for each run that is judged. Some runs are so far within their tolerance that no solution is
+/// tight enough to judge them.
 constexpr int most_draws = 3;
-constexpr double highest_pressure_Pa = 4e9, alpha_per_Pa = 2.2e-8;
-/// Truth is good enough to judge a bar by where its own bar is so much smaller.
+/// The truth can judge a bar where its own bar is at most this part of it.
 constexpr double truth_within = 0.1;
 
 struct Run {
@@ -37,12 +37,12 @@ struct Run {
 
 std::string name_of(const Run& run) {
   const auto* cut = std::get_if<TruncatedAt>(&run.inlet);
-  return "M = " + plain(run.moes.M) + ", L = " + plain(run.moes.L) + (run.roelands ? ", Roelands, " : ", Barus, ") +
+  return "M = " + plain(run.moes.M) + ", L = " + plain(run.moes.L) + ", " + law_name(run.roelands) + ", " +
          (cut ? "inlet " + plain(cut->x) : "flooded") + ", tolerance " + plain(run.tolerance);
 }
 
-/// The tolerance 1e-3..1e-8 (Barus 1e-5: truth ends before) equally likely in its logarithm; half of the runs flooded,
-/// the other half, from M = 2 on, cut at -2.5..-10.
+/// The tolerance is drawn from 1e-3..1e-8 by its logarithm; by Barus' law from 1e-3..1e-5, because the truth has fewer
+/// digits there. Half of the runs with M >= 2 are cut at -2.5..-10, all others are flooded.
 Run drawn(Draw& draw, bool roelands) {
   Run run;
   run.roelands = roelands;
@@ -55,14 +55,14 @@ Run drawn(Draw& draw, bool roelands) {
 
 Problem problem_of(const Run& run) { return problem_at(run.moes, run.roelands, run.inlet); }
 
-/// A truth that is not ten times tighter than a bar says nothing, unless the bar misses by more than the truth's own
-/// error: a bar that is far too small is wrong, however small it is.
+/// A truth that is not ten times tighter than the bar decides nothing. The exception: the bar misses the truth by more
+/// than the truth's own error. Such a bar is wrong, however small it is.
 bool undecided(double difference, double bar, double truth_error) {
   return !(truth_error <= truth_within * bar) && !(difference - truth_error > bar);
 }
 
 Findings judge_bars(bool roelands, int runs) {
-  const auto& solver = *find_solver("reference");
+  const RegisteredSolver& solver = certified_solver();
   int judged = 0, covered = 0, drawn_runs = 0, without_film = 0;
   std::vector<double> ratios;  // reported over true, a film each
   std::string beyond;
@@ -72,7 +72,7 @@ Findings judge_bars(bool roelands, int runs) {
     ++drawn_runs;
     const Problem problem = problem_of(run);
     const Solution asked = solver.solve(problem, {.tolerance = run.tolerance, .time_limit_s = 20});
-    if (!asked.observables.contains(Quantity::film_minimum)) {  // what did not converge reports its errors too
+    if (!observed(asked, Quantity::film_minimum)) {  // a run that did not converge may report a film with its error
       ++without_film;
       continue;
     }
@@ -81,10 +81,10 @@ Findings judge_bars(bool roelands, int runs) {
     bool known = false, inside = true;
     double worst = 0;
     for (const Quantity film : {Quantity::film_minimum, Quantity::film_central}) {
-      const auto a = asked.observables.find(film), b = truth.observables.find(film);
-      if (a == asked.observables.end() || b == truth.observables.end()) continue;
-      const double bar = a->second.error.value(), difference = std::abs(a->second.value / b->second.value - 1);
-      if (undecided(difference, bar, b->second.error.value())) continue;
+      const Reading *a = observed(asked, film), *b = observed(truth, film);
+      if (!a || !b) continue;
+      const double bar = a->error.value(), difference = std::abs(a->value / b->value - 1);
+      if (undecided(difference, bar, b->error.value())) continue;
       known = true;
       worst = worse(worst, difference / bar);
       inside = inside && difference <= bar;
@@ -97,7 +97,7 @@ Findings judge_bars(bool roelands, int runs) {
   }
   std::sort(ratios.begin(), ratios.end());
   const double median = ratios.empty() ? nothing : ratios[ratios.size() / 2];
-  const std::string law = roelands ? "Roelands" : "Barus", id = "bars/" + std::string(roelands ? "roelands" : "barus");
+  const std::string law = law_name(roelands), id = "bars/" + std::string(roelands ? "roelands" : "barus");
   const std::string counts = std::to_string(covered) + " of " + std::to_string(judged) + " runs covered, " +
                              std::to_string(drawn_runs - judged) + " more drawn without a truth ten times tighter (" +
                              std::to_string(without_film) + " of them without a film); median of bar over error " +
@@ -109,26 +109,27 @@ Findings judge_bars(bool roelands, int runs) {
              .rung = 8,
              .statement = "the reference's error bars hold the films of a solution a thousand times tighter at " +
                           std::to_string(runs) + " random runs, " + law,
-             .solver = "reference"},
+             .solver = solver.name},
             judged == runs ? 1 - covered / static_cast<double>(judged) : nothing, 0, promised, counts));
   found.claims.push_back(
       claim({.id = id + "/tight",
              .rung = 8,
              .statement = "in the median the reference's error bars are not more than 30 times the error, " + law,
-             .solver = "reference"},
+             .solver = solver.name},
             median, 0, Tolerance::required(30, "an error bar that is far too long says little"), counts));
   return found;
 }
 
-/// Solves at random points of the box, one after another: how they ended, and what no solve may do.
+/// How solves at random points of the box ended, and those that broke a rule: a converged solve keeps its tolerance and
+/// has a finite film, and every other one gives a reason.
 struct Ends {
   int solves = 0, converged = 0, physical = 0, physical_converged = 0;
   double slowest_s = 0;
   std::string slowest_at, dishonest, unsolved;
 
   void add(const Run& run, const Problem& problem, const Solution& solution) {
-    const bool ended = solution.record.status == StopReason::converged;
-    const bool of_oil = problem.groups.alpha_p_H / alpha_per_Pa <= highest_pressure_Pa;
+    const bool ended = ehd::verification::converged(solution);
+    const bool of_oil = hertz_pressure_Pa(problem.groups) <= highest_pressure_Pa;
     ++solves;
     converged += ended ? 1 : 0;
     physical += of_oil ? 1 : 0;
@@ -146,9 +147,12 @@ struct Ends {
       slowest_at = name_of(run);
     }
   }
-  /// Share of the points up to 4 GPa that did not converge; NaN where there were none.
-  [[nodiscard]] double physical_missed() const {
-    return physical > 0 ? 1 - physical_converged / static_cast<double>(physical) : nothing;
+  /// Two claims: enough points up to 4 GPa converged, and no solve broke a rule.
+  void judge(Findings& found, Sentence converges, const Tolerance& missed, Sentence honest) const {
+    const double share = physical > 0 ? 1 - physical_converged / static_cast<double>(physical) : nothing;
+    found.claims.push_back(claim(std::move(converges), share, 0, missed, text()));
+    found.claims.push_back(
+        claim_fact(std::move(honest), dishonest.empty(), "of every solve", dishonest.empty() ? text() : dishonest));
   }
   [[nodiscard]] std::string text() const {
     return std::to_string(converged) + " of " + std::to_string(solves) + " converged, " +
@@ -169,7 +173,7 @@ Run next_run(Draw& draw, MoesGroups& point, int i, double tolerance) {
 
 Findings judge_box(int runs) {
   constexpr double tolerance = 1e-5;
-  const auto& solver = *find_solver("reference");
+  const RegisteredSolver& solver = certified_solver();
   Ends ends;
   Draw draw(box_seed);
   MoesGroups point;
@@ -179,24 +183,22 @@ Findings judge_box(int runs) {
     ends.add(run, problem, solver.solve(problem, {.tolerance = tolerance, .time_limit_s = 60}));
   }
   Findings found;
-  found.claims.push_back(claim({.id = "random-box/converged",
-                                .rung = 6,
-                                .statement = "the reference converges to 1e-5 at " + std::to_string(2 * runs) +
-                                             " random flooded points of both law sets where p_H is up to 4 GPa",
-                                .solver = "reference"},
-                               ends.physical_missed(), 0, Tolerance::required(0.03, "at least 97 points in 100"),
-                               ends.text()));
-  found.claims.push_back(
-      claim_fact({.id = "random-box/honest",
-                  .rung = 6,
-                  .statement = "every one of these points ends converged within its error, or says why not",
-                  .solver = "reference"},
-                 ends.dishonest.empty(), "of every solve", ends.dishonest.empty() ? ends.text() : ends.dishonest));
+  ends.judge(found,
+             {.id = "random-box/converged",
+              .rung = 6,
+              .statement = "the reference converges to 1e-5 at " + std::to_string(2 * runs) +
+                           " random flooded points of both law sets where p_H is up to 4 GPa",
+              .solver = solver.name},
+             Tolerance::required(0.03, "at least 97 points in 100"),
+             {.id = "random-box/honest",
+              .rung = 6,
+              .statement = "every one of these points ends converged within its error, or says why not",
+              .solver = solver.name});
   return found;
 }
 
 Findings judge_fast(double tolerance, int runs) {
-  const auto &fast = *find_solver("fast"), &reference = *find_solver("reference");
+  const RegisteredSolver &fast = default_solver(), &reference = certified_solver();
   const int points = 2 * fast_points_a_run * runs;
   Ends ends;
   int judged = 0, covered = 0, without_truth = 0;
@@ -215,12 +217,12 @@ Findings judge_fast(double tolerance, int runs) {
         reference.solve(problem, {.tolerance = std::max(1e-2 * tolerance, 1e-9), .time_limit_s = 20});
     bool known = false, inside = true;
     for (const Quantity film : {Quantity::film_minimum, Quantity::film_central}) {
-      const auto a = solution.observables.find(film), b = truth.observables.find(film);
-      if (a == solution.observables.end() || b == truth.observables.end() || !a->second.error) continue;
-      const double difference = std::abs(a->second.value / b->second.value - 1);
-      if (undecided(difference, *a->second.error, b->second.error.value())) continue;
+      const Reading *a = observed(solution, film), *b = observed(truth, film);
+      if (!a || !b || !a->error) continue;
+      const double difference = std::abs(a->value / b->value - 1);
+      if (undecided(difference, *a->error, b->error.value())) continue;
       known = true;
-      const double ratio = difference / *a->second.error;
+      const double ratio = difference / *a->error;
       if (ratio > 1)
         beyond += " " + name_of(run) + ", " + std::string(to_string(film)) + ": " + plain(ratio, 3) + " bars off;";
       inside = inside && ratio <= 1;
@@ -232,24 +234,23 @@ Findings judge_fast(double tolerance, int runs) {
   }
   const std::string at = plain(tolerance), id = "random-fast/" + at;
   Findings found;
-  found.claims.push_back(claim({.id = id + "/converged",
-                                .rung = 6,
-                                .statement = "fast converges to " + at + " at " + std::to_string(points) +
-                                             " random flooded points of both law sets where p_H is up to 4 GPa",
-                                .solver = "fast"},
-                               ends.physical_missed(), 0, Tolerance::required(0.01, "at least 99 points in 100"),
-                               ends.text()));
-  found.claims.push_back(claim_fact(
+  ends.judge(
+      found,
+      {.id = id + "/converged",
+       .rung = 6,
+       .statement = "fast converges to " + at + " at " + std::to_string(points) +
+                    " random flooded points of both law sets where p_H is up to 4 GPa",
+       .solver = fast.name},
+      Tolerance::required(0.01, "at least 99 points in 100"),
       {.id = id + "/honest",
        .rung = 6,
        .statement = "fast ends every one of these points converged within its error, or says why not (" + at + ")",
-       .solver = "fast"},
-      ends.dishonest.empty(), "of every solve", ends.dishonest.empty() ? ends.text() : ends.dishonest));
+       .solver = fast.name});
   found.claims.push_back(
       claim({.id = id + "/covered",
              .rung = 8,
              .statement = "fast's error bars at " + at + " hold the reference's films at every tenth of these points",
-             .solver = "fast, reference"},
+             .solver = fast.name + ", " + reference.name},
             judged > 0 ? 1 - covered / static_cast<double>(judged) : nothing, 0,
             Tolerance::required(0.03, "at least 97 points in 100"),
             std::to_string(covered) + " of " + std::to_string(judged) + " points, " + std::to_string(without_truth) +
@@ -263,7 +264,7 @@ Findings judge_fast(double tolerance, int runs) {
 std::vector<Topic> random_topics(int runs) {
   std::vector<Topic> topics;
   for (const bool roelands : {false, true})
-    topics.push_back({.name = std::string("honest bars, ") + (roelands ? "Roelands" : "Barus"),
+    topics.push_back({.name = "honest bars, " + law_name(roelands),
                       .rungs = {8},
                       .slow = true,
                       .judge = [=] { return judge_bars(roelands, runs); },

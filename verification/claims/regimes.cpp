@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rung 9: the corners of Moes' diagram, approached.
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -10,18 +8,18 @@
 
 #include "contact/nondimensional.hpp"
 #include "contact/text.hpp"
+#include "verification/claims/shared.hpp"
 #include "verification/claims/topics.hpp"
 #include "verification/exact/blok.hpp"
 #include "verification/exact/ertel_grubin.hpp"
 #include "verification/exact/martin.hpp"
 #include "verification/solution_memory.hpp"
+#include "verification/studies/box.hpp"
 #include "verification/studies/grid_study.hpp"
 
 namespace ehd::verification {
 
 namespace {
-
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 /// A film in Moes units with the solver's own relative error; NaN where the solve did not end as converged.
 struct Film {
@@ -34,36 +32,25 @@ struct Films {
   std::string ended;
 };
 
-/// Barus (or isoviscous at L = 0), incompressible, flooded.
-Films films_at(const char* solver, MoesGroups moes, double tolerance) {
-  const Lubricant lubricant{.viscosity = moes.L > 0 ? ViscosityLaw::barus : ViscosityLaw::isoviscous,
-                            .density = DensityLaw::incompressible,
-                            .alpha_per_Pa = {},
-                            .z = {}};
-  Request request;
-  request.tolerance = tolerance;
-  const Solution solution = remembered(solver).solve(nondimensionalise(moes, lubricant, Flooded{}).problem, request);
-  Films films;
-  films.ended = std::string(to_string(solution.record.status)) +
-                (solution.record.reason.empty() ? "" : ": " + solution.record.reason);
-  if (solution.record.status != StopReason::converged) return films;
+/// Barus (isoviscous at L = 0), incompressible, flooded.
+Films films_at(const RegisteredSolver& solver, MoesGroups moes, double tolerance) {
+  const Solution solution = remembered(solver.name).solve(problem_at(moes, false, Flooded{}), {.tolerance = tolerance});
   const double unit = moes_film_per_hertz_film(moes.M);
-  // A solver need not state an error of the Couette film; it is as good as the central one, being the same flux.
+  // A solver need not state an error of the Couette film. That of the central film serves, because both are one flux.
   const double central_error = solution.record.film_central.total();
   const auto film = [&](Quantity quantity) {
-    const auto at = solution.observables.find(quantity);
-    if (at == solution.observables.end()) return Film{};
-    return Film{at->second.value * unit, at->second.error.value_or(central_error)};
+    const Reading* seen = reading(solution, quantity);
+    return seen ? Film{seen->value * unit, seen->error.value_or(central_error)} : Film{};
   };
-  films.minimum = film(Quantity::film_minimum);
-  films.central = film(Quantity::film_central);
-  films.couette = film(Quantity::film_couette);
-  return films;
+  return {.minimum = film(Quantity::film_minimum),
+          .central = film(Quantity::film_central),
+          .couette = film(Quantity::film_couette),
+          .ended = how_it_ended(solution)};
 }
 
-/// Rigid isoviscous: deformation by a pressure of given load and shape is a fixed length, at most one in Hertz units;
-/// Martin's film is .96/M^2 there. So the departure is c1 M^2 + c2 M^4 + ..., and none of the c is above one.
-Findings judge_martin(const char* solver) {
+/// Rigid and isoviscous. A pressure of given load and shape deforms by a fixed length, at most one Hertz unit of film;
+/// Martin's film is .96/M^2 in that unit. So the film departs from Martin's by c1 M^2 + c2 M^4 + ..., all |c| <= 1.
+Findings judge_martin(const RegisteredSolver& solver) {
   constexpr double heavier = 0.2, lighter = 0.1, tolerance = 1e-5;
   const Films films[] = {films_at(solver, {heavier, 0}, tolerance), films_at(solver, {lighter, 0}, tolerance)};
   const auto departure = [&](int i, double M) {
@@ -74,29 +61,27 @@ Findings judge_martin(const char* solver) {
   const std::string note = "departures " + plain(far, 4) + " at M = 0.2, " + plain(near, 4) + " at 0.1; " +
                            films[0].ended + ", " + films[1].ended;
   const auto says = [&](const std::string& what, const std::string& statement) {
-    return Sentence{.id = "regimes/martin/" + std::string(solver) + "/" + what,
+    return Sentence{.id = "regimes/martin/" + solver.name + "/" + what,
                     .rung = 9,
-                    .statement = statement,
-                    .solver = solver};
+                    .statement = solver.name + "'s " + statement,
+                    .solver = solver.name};
   };
   Findings found;
-  found.claims.push_back(
-      claim_value(says("limit", std::string(solver) + "'s minimum film over Martin's goes to 1 as M vanishes"),
-                  1 + (4 * near - far) / 3, 1, uncertainty,
-                  Tolerance::asymptotic(heavier * heavier * lighter * lighter,
-                                        "extrapolated from M = 0.2 and 0.1, which leaves at most (0.2 x 0.1)^2"),
-                  note));
   found.claims.push_back(claim_value(
-      says("order", std::string(solver) + "'s minimum film departs from Martin's like M^2"), std::log2(far / near), 2,
+      says("limit", "minimum film over Martin's goes to 1 as M vanishes"), 1 + (4 * near - far) / 3, 1, uncertainty,
+      Tolerance::asymptotic(heavier * heavier * lighter * lighter,
+                            "extrapolated from M = 0.2 and 0.1, which leaves at most (0.2 x 0.1)^2"),
+      note));
+  found.claims.push_back(claim_value(
+      says("order", "minimum film departs from Martin's like M^2"), std::log2(far / near), 2,
       (films[0].minimum.error / std::abs(far) + films[1].minimum.error / std::abs(near)) / std::numbers::ln2 / 2,
       Tolerance::asymptotic(4 * heavier * heavier, "the next term: M^2 of the first, times its own constant over c1"),
       note));
   // rho H at the exit over the smallest film is 1.2257 for the rigid contact.
-  found.claims.push_back(claim_value(
-      says("couette",
-           std::string(solver) + "'s Couette film at M = 0.1 is Martin's 3/M, within the departure of the minimum"),
-      films[1].couette.moes, 3 / lighter, films[1].couette.error,
-      Tolerance::asymptotic(lighter * lighter, "the departure: M^2 at most"), note));
+  found.claims.push_back(
+      claim_value(says("couette", "Couette film at M = 0.1 is Martin's 3/M, within the departure of the minimum"),
+                  films[1].couette.moes, 3 / lighter, films[1].couette.error,
+                  Tolerance::asymptotic(lighter * lighter, "the departure: M^2 at most"), note));
   return found;
 }
 
@@ -108,14 +93,14 @@ Findings judge_ertel_grubin() {
   };
   Findings found;
   for (const Row row : {Row{20, 5, "21"}, Row{20, 10, "9"}, Row{200, 10, "7"}, Row{200, 15, "4"}}) {
-    const Films films = films_at("fast", {row.M, row.L}, 1e-3);
+    const Films films = films_at(default_solver(), {row.M, row.L}, 1e-3);
     const double above = 100 * (films.central.moes / exact::ertel_grubin_film(row.M, row.L) - 1);
     const std::string point = plain(row.M) + "-" + plain(row.L);
     Claim judged = claim(
         {.id = "regimes/ertel-grubin/" + point,
          .rung = 9,
          .statement = "the central film at M-L = " + point + " lies " + row.percent + " % above Ertel and Grubin's",
-         .solver = "fast"},
+         .solver = default_solver().name},
         std::abs(above - std::stod(row.percent)), 100 * films.central.error,
         Tolerance::calibrated(0.5, "half a unit of the literature's percentage"), films.ended);
     judged.measured = above;
@@ -125,8 +110,8 @@ Findings judge_ertel_grubin() {
   return found;
 }
 
-/// Isoviscous elastic: films times M^(1/5), computed by another program, which is good to 0.1 % up to M = 20 and to 0.3
-/// % at 200 (more digits are printed; of 400 nothing is said, and 200's is taken).
+/// Isoviscous elastic: films times M^(1/5) that another program computed. It states 0.1 % up to M = 20 and 0.3 % at
+/// 200, which is also taken at 400. It prints more digits.
 Findings judge_isoviscous_elastic() {
   struct Row {
     double M, couette, minimum, uncertainty;
@@ -134,7 +119,7 @@ Findings judge_isoviscous_elastic() {
   Findings found;
   for (const Row row : {Row{20, 2.584, 2.048, 1e-3}, Row{50, 2.534, 2.013, 3e-3}, Row{100, 2.514, 2.000, 3e-3},
                         Row{200, 2.5045, 1.994, 3e-3}, Row{400, 2.498, 1.991, 3e-3}}) {
-    const Films films = films_at("fast", {row.M, 0}, 1e-4);
+    const Films films = films_at(default_solver(), {row.M, 0}, 1e-4);
     const double scale = std::pow(row.M, 0.2);
     for (const bool minimum : {false, true}) {
       const Film& film = minimum ? films.minimum : films.couette;
@@ -145,7 +130,7 @@ Findings judge_isoviscous_elastic() {
                        .rung = 9,
                        .statement = "the isoviscous elastic " + name + " film times M^(1/5) at M = " + plain(row.M) +
                                     " is " + plain(expected),
-                       .solver = "fast"},
+                       .solver = default_solver().name},
                       film.moes * scale, expected, 0, Tolerance::discretisation(film.error + row.uncertainty, 1),
                       "tolerance = reported error " + plain(film.error, 2) +
                           " + the uncertainty of the computed films; " + films.ended));
@@ -154,17 +139,16 @@ Findings judge_isoviscous_elastic() {
   return found;
 }
 
-/// A film along a sequence of contacts that goes to a limit: the parameter that grows, the film over what it is
-/// expected to grow like, and its relative error.
+/// A film along a sequence of contacts that goes to a limit.
 struct Approach {
-  std::vector<GridValue> values;
-  double error = 0;
-  std::string ended;  ///< of the solves that did not converge
+  std::vector<GridValue> values;  ///< the parameter that grows, and the film over its expected power
+  double error = 0;               ///< relative, the largest
+  std::string ended;              ///< of the solves that did not converge
 };
 
-/// What is left of the remainder after its leading power is taken away, by the last two values (and the two before).
-/// The next power is not known, and a slow one leaves as much as the last move: twice that, and what the solves' own
-/// errors grow to.
+/// The limit, extrapolated by the remainder's leading power from the last two values. Its error: the next power is not
+/// known, and a slow one leaves as much as the last change of the limit. The bound is twice that change, and the
+/// solves' own errors as the extrapolation enlarges them.
 struct Limit {
   double value = nothing, error = nothing, order = nothing;
 };
@@ -182,13 +166,13 @@ Limit limit_of(const Approach& approach, double order) {
   return {by(m - 1), 2 * std::abs(by(m - 1) / by(m - 2) - 1) + noise, *study.observed_order};
 }
 
-/// M -> infinity at L = 0: films x M^(1/5), the remainder falling like the length of the inlet
-/// zone over the contact's, M^(-4/5).
+/// M -> infinity at L = 0: films x M^(1/5). The remainder falls like the length of the inlet zone over that of the
+/// contact, M^(-4/5).
 Findings judge_isoviscous_elastic_limit() {
   constexpr double remainder = 0.8, tolerance = 1e-9;
   Approach couette, minimum, central;
   for (const double M : {250, 500, 1000, 2000, 4000, 8000, 16000}) {
-    const Films films = films_at("reference", {M, 0}, tolerance);
+    const Films films = films_at(certified_solver(), {M, 0}, tolerance);
     const double scale = std::pow(M, 0.2);
     for (auto [approach, film] :
          {std::pair{&couette, films.couette}, {&minimum, films.minimum}, {&central, films.central}}) {
@@ -213,7 +197,7 @@ Findings judge_isoviscous_elastic_limit() {
       return Sentence{.id = "regimes/isoviscous-elastic-limit/" + std::string(row.name) + "/" + what,
                       .rung = 9,
                       .statement = statement,
-                      .solver = "reference"};
+                      .solver = certified_solver().name};
     };
     const std::string film = "isoviscous elastic " + std::string(row.name) + " film times M^(1/5)";
     found.claims.push_back(claim_value(
@@ -233,14 +217,14 @@ Findings judge_isoviscous_elastic_limit() {
   found.claims.push_back(claim_value({.id = "regimes/isoviscous-elastic-limit/central",
                                       .rung = 9,
                                       .statement = "central and Couette film have one limit as M grows",
-                                      .solver = "reference"},
+                                      .solver = certified_solver().name},
                                      middle.value, flux.value, middle.error + flux.error,
                                      Tolerance::required(5e-6, "half a unit of the fifth digit"), ""));
   return found;
 }
 
-/// At a fixed load M = 1 the film grows with L like Blok's, and with it the gap against the deflection: a remainder
-/// that falls like 1/film, L^(-2/3). (M -> 0 first is Martin's limit.)
+/// At a fixed load M = 1 the film grows with L like Blok's. The deflection stays, so that the remainder falls like
+/// 1/film, L^(-2/3). (M -> 0 first is Martin's limit.)
 Findings judge_blok() {
   constexpr double M = 1, tolerance = 1e-4;
   const exact::Blok blok;
@@ -249,7 +233,7 @@ Findings judge_blok() {
   double error = 0;
   std::string ended;
   for (const double stiff : {25.0, 35.0, 50.0, 70.0}) {
-    const Films films = films_at("reference", {M, stiff}, tolerance);
+    const Films films = films_at(certified_solver(), {M, stiff}, tolerance);
     if (!std::isfinite(films.couette.moes)) ended += "L = " + plain(stiff) + " " + films.ended + "; ";
     const double scale = std::pow(stiff, -2.0 / 3);
     L.push_back(stiff);
@@ -271,7 +255,7 @@ Findings judge_blok() {
     found.claims.push_back(claim_fact({.id = "regimes/blok/" + name,
                                        .rung = 9,
                                        .statement = "at M = 1 the " + name + " film comes down to Blok's as L grows",
-                                       .solver = "reference"},
+                                       .solver = certified_solver().name},
                                       falls && ended.empty(), "the rigid piezoviscous limit", note));
     if (smallest) continue;
     const double limit = above[3] + (above[3] - above[1]) / std::expm1(2.0 / 3 * std::log(L[3] / L[1]));
@@ -280,7 +264,7 @@ Findings judge_blok() {
         claim_value({.id = "regimes/blok/limit",
                      .rung = 9,
                      .statement = "at M = 1 the Couette film over Blok's goes to 1 as L grows",
-                     .solver = "reference"},
+                     .solver = certified_solver().name},
                     1 + limit, 1, 3 * error,
                     Tolerance::asymptotic(next,
                                           "extrapolated from L = 35 and 70 by s = L^(-2/3), which leaves c s_1 s_2 of "
@@ -290,7 +274,7 @@ Findings judge_blok() {
   return found;
 }
 
-/// Ertel and Grubin from above, as a trend: the remainder of the central film falls with M and with L.
+/// The central film lies above Ertel and Grubin's, by a remainder that falls with M and with L.
 Findings judge_ertel_grubin_trend() {
   constexpr double tolerance = 1e-4;
   const double all_M[] = {20, 50, 200, 1000}, all_L[] = {5, 10, 20};
@@ -298,7 +282,7 @@ Findings judge_ertel_grubin_trend() {
   std::string note = "above by", ended;
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 4; ++j) {
-      const Films films = films_at("reference", {all_M[j], all_L[i]}, tolerance);
+      const Films films = films_at(certified_solver(), {all_M[j], all_L[i]}, tolerance);
       above[i][j] = films.central.moes / exact::ertel_grubin_film(all_M[j], all_L[i]) - 1;
       if (!std::isfinite(above[i][j]))
         ended += "M = " + plain(all_M[j]) + ", L = " + plain(all_L[i]) + " " + films.ended + "; ";
@@ -318,21 +302,24 @@ Findings judge_ertel_grubin_trend() {
   note += " at M = 20, 50, 200, 1000 for L = 5; 10; 20. " + ended;
   Findings found;
   const auto fact = [&](const std::string& what, const std::string& statement, bool holds) {
-    found.claims.push_back(claim_fact(
-        {.id = "regimes/ertel-grubin-trend/" + what, .rung = 9, .statement = statement, .solver = "reference"},
-        holds && ended.empty(), "the inlet model's limit of heavy loads and steep viscosities", note));
+    found.claims.push_back(claim_fact({.id = "regimes/ertel-grubin-trend/" + what,
+                                       .rung = 9,
+                                       .statement = statement,
+                                       .solver = certified_solver().name},
+                                      holds && ended.empty(),
+                                      "the inlet model's limit of heavy loads and steep viscosities", note));
   };
   fact("above", "central films lie above Ertel and Grubin's", positive);
-  fact("load", "what a central film lies above Ertel and Grubin's falls as M grows", with_M);
-  fact("viscosity", "what a central film lies above Ertel and Grubin's falls as L grows", with_L);
+  fact("load", "the excess of a central film over Ertel and Grubin's falls as M grows", with_M);
+  fact("viscosity", "the excess of a central film over Ertel and Grubin's falls as L grows", with_L);
   return found;
 }
 
 }  // namespace
 
 std::vector<Topic> regime_topics() {
-  return {{.name = "Martin limit", .rungs = {9}, .judge = [] { return judge_martin("reference"); }},
-          {.name = "Martin limit", .rungs = {9}, .judge = [] { return judge_martin("fast"); }},
+  return {{.name = "Martin limit", .rungs = {9}, .judge = [] { return judge_martin(certified_solver()); }},
+          {.name = "Martin limit", .rungs = {9}, .judge = [] { return judge_martin(default_solver()); }},
           {.name = "Ertel-Grubin", .rungs = {9}, .judge = judge_ertel_grubin},
           {.name = "Ertel-Grubin", .rungs = {9}, .slow = true, .judge = judge_ertel_grubin_trend, .expected_s = 12},
           {.name = "Blok limit", .rungs = {9}, .slow = true, .judge = judge_blok},

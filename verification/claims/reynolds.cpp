@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rung 4: the Reynolds equation of every scheme on gaps that do not deform. The scheme is evaluated at P = 0: its
-// deflection is zero there, and sources give the film any shape. The lubricant is isoviscous, so that the flux is
-// linear in P, and the pressure follows face by face from the scheme's own wedge and mobility. Truths by quadrature.
+// Rung 4: the Reynolds equation of every scheme on gaps that do not deform. The scheme is evaluated at P = 0, where
+// nothing deflects, and sources give the film any shape. The lubricant is isoviscous, so that the flux is linear in P.
+// The pressure then follows face by face from the scheme's own wedge and mobility. Truths by quadrature.
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
-#include <memory>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -16,6 +14,7 @@
 #include "reference/hp/collocation.hpp"
 #include "verification/claims/films_of_pressure.hpp"
 #include "verification/claims/schemes.hpp"
+#include "verification/claims/shared.hpp"
 #include "verification/claims/topics.hpp"
 #include "verification/exact/martin.hpp"
 #include "verification/exact/numerics.hpp"
@@ -30,8 +29,6 @@ namespace {
 namespace hp = reference::hp;
 using namespace schemes;
 using std::numbers::pi;
-
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 /// A gap over [inlet, exit], and whether the exit is free (P = P' = 0) or a given end where P = 0.
 struct Gap {
@@ -56,14 +53,8 @@ struct Truth {
 
 Truth truth_of(const Gap& gap, double lambda) {
   const auto film = gap.film;
-  const auto slope_with = [=](double q) {
-    return [=](double X) {
-      const double H = film(X);
-      return lambda * (H - q) / (H * H * H);
-    };
-  };
   Truth truth{.flux = 0, .exit = gap.exit, .slope = {}, .jump = gap.jump};
-  // Int H^-2 and Int H^-3 from the inlet: both positive, so that their quadrature knows its digits.
+  // Int H^-2 and Int H^-3 from the inlet. Both integrands are positive: their quadrature cancels nothing.
   const auto moment = [&](int power, double to) {
     const Truth part{
         .flux = 0, .exit = to, .slope = [=](double X) { return std::pow(film(X), -power); }, .jump = gap.jump};
@@ -75,7 +66,10 @@ Truth truth_of(const Gap& gap, double lambda) {
   } else {
     truth.flux = moment(2, gap.exit) / moment(3, gap.exit);
   }
-  truth.slope = slope_with(truth.flux);
+  truth.slope = [film, lambda, q = truth.flux](double X) {
+    const double H = film(X);
+    return lambda * (H - q) / (H * H * H);
+  };
   return truth;
 }
 
@@ -144,13 +138,14 @@ std::vector<Gap> gaps_for(double jump) {
 
 Findings judge_scheme(const Named& scheme) {
   Findings found;
+  const RegisteredSolver& solver = *find_solver(scheme.solver);
   const double lambda = rigid_problem({}).groups.lambda;
-  // The step lies on the node in the middle of every grid. Where the film jumps within a cell its mean is off by a part
-  // of the jump, over one cell: first order.
+  // The step lies on the node in the middle of every grid. The film of the face beside it errs by a part of the jump,
+  // over one cell: first order.
   const double middle = at_rest(scheme.kind, rigid_problem([](double) { return 1.0; }), 64, 0.9).X[32];
   for (const Gap& gap : gaps_for(middle)) {
     const Truth truth = truth_of(gap, lambda);
-    const double declared = std::isnan(gap.jump) ? find_solver(scheme.solver)->description.formal_order : 1;
+    const double declared = std::isnan(gap.jump) ? solver.description.formal_order : 1;
     std::vector<double> x, pressure, flux, exit;
     for (const int intervals : {64, 96, 144, 216}) {
       const Solved at = solved(scheme.kind, gap, intervals);
@@ -161,10 +156,10 @@ Findings judge_scheme(const Named& scheme) {
     }
     const auto add = [&](const std::string& what, const std::vector<double>& y) {
       found.claims.push_back(order_claim(
-          {.id = "reynolds/" + std::string(scheme.id) + "/" + gap.name + "/" + what,
+          {.id = "reynolds/" + solver.name + "/" + gap.name + "/" + what,
            .rung = 4,
-           .statement = std::string(scheme.id) + " reaches the " + what + " of " + gap.sentence + " with its order",
-           .solver = scheme.solver},
+           .statement = solver.name + " reaches the " + what + " of " + gap.sentence + " with its order",
+           .solver = solver.name},
           slope(x, y), declared,
           Tolerance::calibrated(0.2, "fitted orders of one face after another, over four grids, are read to a fifth"),
           "64 to 216 cells, error " + three_digits(std::exp(y.back())) + " on the last"));
@@ -176,8 +171,8 @@ Findings judge_scheme(const Named& scheme) {
   return found;
 }
 
-/// On a gap that does not deform, Barus' pressure is the isoviscous one in the reduced pressure q = (1 - e^(-a P))/a;
-/// with the logarithmic mean of the fluidity the discrete equation keeps that to rounding.
+/// On a gap that does not deform, the reduced pressure q = (1 - e^(-a P))/a of Barus' law is the isoviscous pressure.
+/// With the logarithmic mean of the fluidity this also holds for the discrete equation, to rounding.
 Findings judge_reduced_pressure(const Named& scheme) {
   constexpr int intervals = 96;
   constexpr double largest = 0.9;  // of a q
@@ -192,7 +187,7 @@ Findings judge_reduced_pressure(const Named& scheme) {
     Problem problem = problem_at({M, 1}, false, TruncatedAt{inlet});
     problem.viscosity = Barus{.alpha = a};
     const Array& X = rigid.scheme.X;
-    // These films are needed, and evaluated, at the nodes only.
+    // The scheme evaluates these films at its nodes only.
     const auto evaluate = [&](const Array& film, double offset) {
       problem.sources = sources_for([&X, film](double place) {
         Eigen::Index nearest = 0;
@@ -209,18 +204,17 @@ Findings judge_reduced_pressure(const Named& scheme) {
       if (straight.X.size() == intervals + 1) worst = straight.residual.abs().maxCoeff() / rigid.flux;
     }
   }
-  Findings found;
-  // Lifting the film costs 1e3 eps, a q = 0.9 makes the last digits of P ten times coarser, and P/dX is n times P.
-  found.claims.push_back(claim(
-      {.id = "reynolds/" + std::string(scheme.id) + "/barus",
-       .rung = 4,
-       .statement = std::string(scheme.id) + " keeps the reduced pressure of Barus' law on a gap that does not deform",
-       .solver = scheme.solver},
-      worst, 0, Tolerance::round_off(10 * (lifted + 10 * intervals)), "flux error over the flux, 96 cells"));
-  return found;
+  const std::string solver = scheme.solver;
+  // The lifted film has an error of 1e3 eps, a q = 0.9 that of P times ten, and dP/dX that of P times n.
+  return {{claim({.id = "reynolds/" + solver + "/barus",
+                  .rung = 4,
+                  .statement = solver + " keeps the reduced pressure of Barus' law on a gap that does not deform",
+                  .solver = solver},
+                 worst, 0, Tolerance::round_off(10 * (lifted + 10 * intervals)), "flux error over the flux, 96 cells")},
+          {}};
 }
 
-/// Collocation on polynomial elements: P' from its own film and mobility at the collocation points.
+/// Largest error of collocation on polynomial elements. P' follows from its own film and mobility at its points.
 double collocated_error(const Gap& gap, const Truth& truth, int elements, int degree) {
   const double exit = truth.exit, length = exit - inlet;
   hp::Mesh mesh{
@@ -266,7 +260,7 @@ Findings judge_collocation() {
   Findings found;
   const double lambda = rigid_problem({}).groups.lambda;
   for (const Gap& gap : gaps_for(inlet + (0.9 - inlet) / 2)) {
-    if (!std::isnan(gap.jump)) continue;  // elements end where a film jumps: a matter of the mesh, not of the scheme
+    if (!std::isnan(gap.jump)) continue;  // a mesh would end an element at the jump: nothing is left for the scheme
     const Truth truth = truth_of(gap, lambda);
     for (const int degree : {2, 3}) {
       std::vector<double> x, y;
@@ -274,14 +268,14 @@ Findings judge_collocation() {
         x.push_back(-std::log(elements));
         y.push_back(std::log(collocated_error(gap, truth, elements, degree)));
       }
-      found.claims.push_back(order_claim(
-          {.id = "reynolds/collocation/" + gap.name + "/degree-" + std::to_string(degree),
-           .rung = 4,
-           .statement = "collocation of degree " + std::to_string(degree) + " reaches the pressure of " + gap.sentence +
-                        " with order " + std::to_string(degree + 1),
-           .solver = "reference"},
-          slope(x, y), degree + 1, Tolerance::calibrated(0.1, "fitted orders over four grids are read to a tenth"),
-          "error " + three_digits(std::exp(y.back())) + " on 162 elements"));
+      found.claims.push_back(
+          order_claim({.id = "reynolds/collocation/" + gap.name + "/degree-" + std::to_string(degree),
+                       .rung = 4,
+                       .statement = "collocation of degree " + std::to_string(degree) + " reaches the pressure of " +
+                                    gap.sentence + " with order " + std::to_string(degree + 1),
+                       .solver = certified_solver().name},
+                      slope(x, y), degree + 1, order_over_four_grids(),
+                      "error " + three_digits(std::exp(y.back())) + " on 162 elements"));
     }
   }
   return found;
@@ -297,13 +291,11 @@ Findings judge_half_sommerfeld() {
         return X * 12 * (H - 4.0 / 3) / (H * H * H);
       },
       0);
-  Findings found;
-  found.claims.push_back(
-      claim({.id = "exact/half-sommerfeld",
-             .rung = 4,
-             .statement = "the half-Sommerfeld load h_0 w/(eta u_m R) is the quadrature of its pressure"},
-            std::abs(2 * load / exact::half_sommerfeld_load() - 1), 0, Tolerance::discretisation(1e-13, 10)));
-  return found;
+  return {{claim({.id = "exact/half-sommerfeld",
+                  .rung = 4,
+                  .statement = "the half-Sommerfeld load h_0 w/(eta u_m R) is the quadrature of its pressure"},
+                 std::abs(2 * load / exact::half_sommerfeld_load() - 1), 0, Tolerance::discretisation(1e-13, 10))},
+          {}};
 }
 
 }  // namespace

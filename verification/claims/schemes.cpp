@@ -5,6 +5,7 @@
 
 #include "fast/discretisation.hpp"
 #include "reference/equations.hpp"
+#include "verification/claims/shared.hpp"
 #include "verification/studies/box.hpp"
 
 namespace ehd::verification::schemes {
@@ -19,7 +20,7 @@ reference::Grid graded_grid(int intervals) {
   return grid;
 }
 
-std::shared_ptr<const fast::Map> a_map() {
+std::shared_ptr<const fast::Map> some_map() {
   return std::make_shared<const fast::Map>(
       fast::MapShape{.inlet = inlet, .exit = 0.9, .scale = 1, .inlet_width = 0.3, .spike = 0.4, .spike_width = 0.1});
 }
@@ -48,20 +49,11 @@ Scheme evaluated(Kind kind, const Problem& problem, double exit, const Array& P,
     return {at.X, at.H, at.wedge, at.mobility, at.residual.head(n)};
   }
   fast::Grids grids;
-  if (kind == Kind::fast_mapped) grids.use(a_map());
-  fast::Setting setting;
-  setting.groups = problem.groups;
-  setting.viscosity = problem.viscosity;
-  setting.density = problem.density;
-  setting.inlet = inlet;
-  setting.sources = problem.sources;
-  fast::State state;
-  state.P = P;
-  state.offset = offset;
-  state.exit = exit;
+  if (kind == Kind::fast_mapped) grids.use(some_map());
+  fast::State state{.P = P, .offset = offset, .exit = exit, .tail = {}};
   fast::Discretisation scheme;
   fast::Counters counters;
-  if (!scheme.evaluate(setting, state, grids.of(intervals), counters)) return {};
+  if (!scheme.evaluate(setting_of(problem, inlet), state, grids.of(intervals), counters)) return {};
   return {scheme.nodes.places(inlet), scheme.nodes.H, scheme.faces.flux, scheme.faces.eps, scheme.error.flux};
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The discretisation of each second-order solver, evaluated at a state of the caller's: what rungs 3 and 4 judge.
+// The discretisation of each second-order solver, evaluated at a state that the caller gives. Rungs 3 and 4 judge it.
 #pragma once
 
 #include <functional>
@@ -27,12 +27,12 @@ struct Scheme {
 enum class Kind { reference_uniform, reference_graded, fast_uniform, fast_mapped };
 struct Named {
   Kind kind;
-  const char *id, *solver;
+  const char* solver;
 };
-inline constexpr Named all[] = {{Kind::reference_uniform, "reference.uniform", "reference.uniform"},
-                                {Kind::reference_graded, "reference.linear", "reference.linear"},
-                                {Kind::fast_uniform, "fast.uniform", "fast.uniform"},
-                                {Kind::fast_mapped, "fast", "fast"}};
+inline constexpr Named all[] = {{Kind::reference_uniform, "reference.uniform"},
+                                {Kind::reference_graded, "reference.linear"},
+                                {Kind::fast_uniform, "fast.uniform"},
+                                {Kind::fast_mapped, "fast"}};
 
 [[nodiscard]] Scheme evaluated(Kind kind, const Problem& problem, double exit, const Array& P, double offset = 0);
 /// At P = 0.

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rung 7: fast.uniform and reference.uniform solve the same discrete equations, each with its own code.
-#include <cmath>
-#include <limits>
+// Rung 7: twins (fast.uniform and reference.uniform) solve the same discrete equations, each with its own code.
 #include <string>
+#include <utility>
 
+#include "contact/text.hpp"
+#include "verification/claims/shared.hpp"
 #include "verification/claims/topics.hpp"
 #include "verification/solution_memory.hpp"
 #include "verification/studies/box.hpp"
@@ -13,8 +14,6 @@ namespace ehd::verification {
 
 namespace {
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-
 /// Both solved their discrete equations. The grid itself may be too coarse.
 bool solved(const Solution& solution) {
   const StopReason status = solution.record.status;
@@ -23,31 +22,26 @@ bool solved(const Solution& solution) {
 }
 
 double value(const Solution& solution, Quantity quantity) {
-  const auto at = solution.observables.find(quantity);
-  return solved(solution) && at != solution.observables.end() ? at->second.value : nothing;
+  return solved(solution) ? value_of(observed(solution, quantity)) : nothing;
 }
 
-Findings judge_twins(MoesGroups moes, int intervals) {
-  const Problem problem = problem_at(moes, true, TruncatedAt{-4});
-  Request request;
-  request.tolerance.reset();
-  request.nodes = intervals;
-  const Solution one = remembered("reference.uniform").solve(problem, request);
-  const Solution two = remembered("fast.uniform").solve(problem, request);
+Findings judge_twins(const SolverTwins& twins, MoesGroups moes, int intervals) {
+  const Problem problem = problem_at(moes, true, TruncatedAt{usual_cut});
+  const Request request{.tolerance = {}, .nodes = intervals};
+  const std::string &first = twins.twin->name, &second = twins.solver->name;
+  const Solution one = remembered(first).solve(problem, request), two = remembered(second).solve(problem, request);
 
   Findings found;
-  const std::string point = "(" + std::to_string(static_cast<int>(moes.M)) + "," +
-                            std::to_string(static_cast<int>(moes.L)) + "), " + std::to_string(intervals) + " cells";
-  const std::string prefix = "twins/" + std::to_string(static_cast<int>(moes.M)) + "-" +
-                             std::to_string(static_cast<int>(moes.L)) + "/" + std::to_string(intervals) + "/";
+  const std::string M = plain(moes.M), L = plain(moes.L), cells = std::to_string(intervals);
   const Tolerance bound = Tolerance::required(1e-8, "what both iterate to, required of the twins");
   const auto says = [&](const std::string& what) {
-    return Sentence{.id = prefix + what,
-                    .rung = 7,
-                    .statement = "fast.uniform equals reference.uniform in " + what + " at " + point,
-                    .solver = "reference.uniform, fast.uniform"};
+    return Sentence{
+        .id = "twins/" + M + "-" + L + "/" + cells + "/" + what,
+        .rung = 7,
+        .statement = second + " equals " + first + " in " + what + " at (" + M + "," + L + "), " + cells + " cells",
+        .solver = first + ", " + second};
   };
-  const std::string ends = "reference.uniform " + std::string(to_string(one.record.status)) + ", fast.uniform " +
+  const std::string ends = first + " " + std::string(to_string(one.record.status)) + ", " + second + " " +
                            std::string(to_string(two.record.status));
   for (const Quantity quantity : {Quantity::film_minimum, Quantity::film_central, Quantity::pressure_exit}) {
     found.claims.push_back(claim_value(says(std::string(to_string(quantity))), value(two, quantity),
@@ -69,9 +63,11 @@ std::vector<Topic> twin_topics() {
   std::vector<Topic> topics;
   const std::pair<MoesGroups, int> grids[] = {{{5, 5}, 256},    {{5, 5}, 512},    {{20, 10}, 256},  {{20, 10}, 512},
                                               {{20, 10}, 1024}, {{200, 10}, 256}, {{200, 10}, 512}, {{200, 15}, 1024}};
-  for (const auto& grid : grids) {
-    topics.push_back({.name = "twins", .rungs = {7}, .judge = [grid] { return judge_twins(grid.first, grid.second); }});
-  }
+  for (const SolverTwins& twins : solver_twins())
+    for (const auto& grid : grids)
+      topics.push_back({.name = "twins", .rungs = {7}, .judge = [twins, grid] {
+                          return judge_twins(twins, grid.first, grid.second);
+                        }});
   return topics;
 }
 

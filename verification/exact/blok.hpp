@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rigid cylinder on a plane, Barus viscosity, load -> infinity (Blok).
 //
-// The reduced pressure q = (1 - e^(-alpha p))/alpha obeys the isoviscous equation, so it is Martin's pressure, and p
-// becomes infinite where the largest q reaches 1/alpha: the film at which a rigid contact carries any load.
+// The reduced pressure q = (1 - e^(-alpha p))/alpha obeys the isoviscous equation, so it is Martin's pressure. Where
+// the largest q reaches 1/alpha, p becomes infinite: at that film a rigid contact carries any load.
 #pragma once
 
 namespace ehd::verification::exact {

@@ -14,7 +14,7 @@ namespace {
 /// Hertz gap at X = -cosh t: (sinh 2t - 2t)/4.
 double gap_at(double t) {
   if (t > 0.2) return (std::sinh(2 * t) - 2 * t) / 4;
-  const double s = 4 * t * t;  // the series, where the difference would cancel; next term 1e-19 at t = 0.2
+  const double s = 4 * t * t;  // a series, because the difference would cancel; its next term is 1e-19 at t = 0.2
   return t * t * t / 3 * (1 + s / 20 * (1 + s / 42 * (1 + s / 72 * (1 + s / 110 * (1 + s / 156 * (1 + s / 210))))));
 }
 
@@ -35,8 +35,8 @@ double ertel_grubin_defect(double M, double L, double moes_film) {
 }
 
 double ertel_grubin_film(double M, double L) {
-  // The reduced pressure falls from infinity to 0 with the film. Blok's rigid film and a hundredth of it bracket what
-  // an elastic contact can have up to M = 1e6; the wider, the safer.
+  // The reduced pressure falls from infinity to 0 as the film grows. Films of elastic contacts up to M = 1e6 lie
+  // between Blok's rigid film and a hundredth of it; this bracket is wider.
   const double rigid = std::pow(L, 2.0 / 3);
   return root([&](double film) { return ertel_grubin_defect(M, L, film); }, 1e-3 * rigid, 1e2 * rigid);
 }

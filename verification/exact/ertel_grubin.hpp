@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Ertel-Grubin inlet: the film of a Hertzian contact whose inlet pumps the reduced pressure up to 1/alpha at X = -1.
 //   Int_-infinity^-1 lambda gap/(H_c + gap)^3 dX = 1/(alpha p_H),  gap the Hertz gap outside the contact.
-// Exact for that model, which full solutions approach from above at high M and L.
+// The film is exact for that model. Full solutions approach it from above at high M and L.
 #pragma once
 
 namespace ehd::verification::exact {

@@ -11,8 +11,8 @@ namespace ehd::verification::exact {
 using std::numbers::pi;
 
 double hertz_film_by_quadrature(double X) {
-  // t = X + s u, u > 0, on either side of X: the logarithm is singular at an end point only, where the adaptive rule
-  // extrapolates.
+  // t = X +- u, u > 0, on either side of X, so that the logarithm is singular at an end point only. There the adaptive
+  // rule extrapolates.
   const auto side = [X](double direction, double from, double to) {
     if (to <= from) return 0.0;
     return integral(

@@ -44,7 +44,7 @@ double log_integral(const Function& f, double a, double b, LogAt end) {
   return status == GSL_SUCCESS && estimate <= granted ? value : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// J[f](X). Beyond the exit f goes on to X, and what lies beyond the exit is taken away again, so that the logarithm is
+/// J[f](X). Beyond the exit the integral goes on to X, and the part beyond the exit is subtracted: so the logarithm is
 /// singular at an end point only.
 double log_potential(const Function& f, double inlet, double exit, double X) {
   if (X <= exit) return log_integral(f, inlet, X, LogAt::right) + log_integral(f, X, exit, LogAt::left);
@@ -56,7 +56,7 @@ struct Law {
   double value = 0, slope = 0;
 };
 
-/// The laws are written out here once more, so that the formulas of contact/rheology.hpp do not vouch for themselves.
+/// The laws are written out here again, so that the formulas of contact/rheology.hpp are not checked by themselves.
 Law log_viscosity(const Viscosity& law, double P) {
   return std::visit(
       Overloaded{[](const Isoviscous&) { return Law{}; },

@@ -9,8 +9,9 @@
 //   film'(X)   = H' - X + (1/pi) J[P'](X),                 since P vanishes at both ends,
 //   balance(X) = m P' - rho H + C,                         m = rho H^3/(eta lambda),
 //   balance'(X) = m P'' + m P' (3 H'/H + (rho'/rho - (ln eta)') P') - rho' P' H - rho H',
-// with rho' and (ln eta)' to pressure. C and H_0 are free: no two of the film's, the balance's and the load's source
-// vanish together anywhere. Full film throughout; beyond X* all formulas go on, since the solver's X* is another one.
+// with rho' and (ln eta)' by pressure. C and H_0 are free; they are chosen so that no two of the three sources (film,
+// balance, load) vanish at the same place. The film is full throughout. All formulas go on beyond X*, because a
+// solver's X* is another one.
 //
 // The laws, lambda = 3 pi^2/(8 M^2) and alpha p_H = L sqrt(M/(2 pi)) are written here a second time, on purpose.
 #pragma once

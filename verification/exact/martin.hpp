@@ -9,7 +9,7 @@
 
 namespace ehd::verification::exact {
 
-/// What does not depend on the load; computed from the exit equation, nothing is a stored digit.
+/// The numbers that do not depend on the load, computed from the exit equation.
 struct Martin {
   Martin();
 

@@ -21,7 +21,7 @@ constexpr std::size_t intervals = 1000;
 
 double call(double x, void* function) { return (*static_cast<const Function*>(function))(x); }
 
-/// GSL's default is to abort the program; every status is looked at here instead.
+/// By default GSL aborts the program. Here every status is checked instead.
 void keep_going_on_gsl_errors() { [[maybe_unused]] static const auto once = gsl_set_error_handler_off(); }
 
 gsl_function wrap(const Function& f) { return {.function = call, .params = const_cast<Function*>(&f)}; }

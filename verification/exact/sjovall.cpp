@@ -20,8 +20,8 @@ struct Integrand {
   double eps, exponent, limit;
 };
 
-/// On psi = psi_l (1 - s^2): the zero of power n at the edge of the load zone becomes one of power 2n + 1, which the
-/// quadrature does not see as a singularity.
+/// With psi = psi_l (1 - s^2) the zero of power n at the edge of the load zone becomes one of power 2n + 1, which is
+/// smooth enough for the quadrature.
 double integrand(double s, void* parameters) {
   const auto& of = *static_cast<const Integrand*>(parameters);
   const double psi = of.limit * (1 - s * s), half = std::sin(psi / 2);
@@ -43,7 +43,7 @@ double SjovallIntegral::operator()(double eps) const {
   const int status =
       gsl_integration_qag(&function, 0, 1, 0, 1e-13, intervals, GSL_INTEG_GAUSS61, workspace.get(), &value, &estimated);
   gsl_set_error_handler(before);
-  // At large eps the integral is a small difference; GSL then reports round-off beside a good value.
+  // At large eps the integral is a small difference. GSL then reports round-off with a good value.
   if (status != GSL_SUCCESS && !(estimated <= 1e-12 * std::abs(value)))
     throw std::runtime_error(std::string("Sjovall integral: ") + gsl_strerror(status));
   return value / pi;

@@ -2,7 +2,6 @@
 #include "verification/claims/bearing/by_hand.hpp"
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "contact/nondimensional.hpp"
@@ -11,12 +10,6 @@
 namespace ehd::verification::bearing_parts {
 
 using std::numbers::pi;
-
-namespace {
-
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-
-}  // namespace
 
 ByHand by_hand(const BearingCase& body, bool inner) {
   const auto& g = body.geometry;
@@ -53,9 +46,9 @@ SolvedByHand solved_by_hand(const BearingCase& body, bool inner, double force_N)
                               .speed_sum_m_per_s = contact.sum_speed_m_per_s,
                               .viscosity_Pa_s = body.lubricant->viscosity_Pa_s};
   const Solution solution =
-      remembered("reference")
+      remembered(certified_solver().name)
           .solve(nondimensionalise(conditions, body.lubricant->lubricant, Flooded{}).problem, {.tolerance = 1e-6});
-  if (solution.record.status != StopReason::converged) return {.offset_film_m = nothing, .film_minimum_m = nothing};
+  if (!converged(solution)) return {.offset_film_m = nothing, .film_minimum_m = nothing};
   const double b = half_width_m(contact, force_N), unit = b * b / contact.radius_m;
   constexpr double dry_offset = -0.25 - std::numbers::ln2 / 2;
   return {.offset_film_m = unit * (solution.observables.at(Quantity::film_offset).value - dry_offset),
@@ -65,8 +58,6 @@ SolvedByHand solved_by_hand(const BearingCase& body, bool inner, double force_N)
 Sentence sentence(const std::string& id, const std::string& statement) {
   return {.id = "bearing/" + id, .rung = 11, .statement = statement};
 }
-
-Tolerance rounding() { return Tolerance::round_off(64); }
 
 Tolerance film_tolerance() {
   return Tolerance::required(1e-3, "ten times the 1e-4 that a bearing asks of its contacts");

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers of a bearing's contacts from the printed formulas, written out once more, and from contacts that `reference`
+// Numbers of a bearing's contacts from the printed formulas, written out again, and from contacts that `reference`
 // solves in SI. The claims about the parts of a bearing expect these numbers.
 #pragma once
 
 #include <string>
 
-#include "verification/claim.hpp"
+#include "verification/claims/shared.hpp"
 #include "workflow/case.hpp"
 
 namespace ehd::verification::bearing_parts {
 
-/// One contact of a raceway. The rollers do not slip at either raceway, so that both surfaces run past the contact
-/// point at |w_ring - w_cage| r_ring.
+/// One contact of a raceway. The rollers slip at neither raceway: both surfaces move past the contact point with
+/// |w_ring - w_cage| r_ring.
 struct ByHand {
   double radius_m, modulus_Pa, sum_speed_m_per_s, length_m;
 };
@@ -34,8 +34,13 @@ struct SolvedByHand {
 /// "bearing/" + id, on rung 11.
 [[nodiscard]] Sentence sentence(const std::string& id, const std::string& statement);
 
-/// A dozen products, roots and powers of inputs known to half an ulp.
-[[nodiscard]] Tolerance rounding();
+[[nodiscard]] inline std::string raceway_name(bool inner) { return inner ? "inner" : "outer"; }
+/// The inner or the outer one of anything that has both.
+template <class Both>
+[[nodiscard]] const auto& one_of(const Both& both, bool inner) {
+  return inner ? both.inner : both.outer;
+}
+
 /// Ten times the 1e-4 that a bearing asks of the films of its contacts: an offset film is a film and a bit more.
 [[nodiscard]] Tolerance film_tolerance();
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rung 11: the datum x_0 of the approach, by each way to state it.
+// Rung 11: the datum x_0 of the approach, for each way to state it.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -14,8 +13,6 @@
 namespace ehd::verification::bearing_parts {
 
 namespace {
-
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 /// f in N and delta in m by Palmgren, as rounded in print.
 double palmgren_m(double force_N, double length_m) {
@@ -34,14 +31,14 @@ Findings judge_datum(const Case& bearing_case, ContactMemory& memory) {
   const auto& body = std::get<BearingCase>(bearing_case.body);
   const auto datum_of = [](const std::vector<BearingResult>& results, bool inner) {
     if (results.size() != 2 || !results[1].datum_m) return nothing;
-    return inner ? results[1].datum_m->inner : results[1].datum_m->outer;
+    return one_of(*results[1].datum_m, inner);
   };
   constexpr double named_N = 7300, length_m = 0.0173;
   const auto by_default = run(PalmgrenDatum{}), named = run(PalmgrenDatum{named_N}), lundberg = run(LundbergDatum{}),
              stated = run(LengthDatum{length_m});
   for (const bool inner : {true, false}) {
     const ByHand contact = by_hand(body, inner);
-    const std::string raceway = inner ? "inner" : "outer";
+    const std::string raceway = raceway_name(inner), at = ", " + raceway + " raceway";
     double largest = nothing;
     if (!by_default.empty() && !by_default[0].rollers.empty()) {
       largest = 0;
@@ -53,16 +50,15 @@ Findings judge_datum(const Case& bearing_case, ContactMemory& memory) {
           sentence(std::string("datum/") + name + "/" + raceway,
                    "with Palmgren's datum the dry log kernel has Palmgren's approach at the " +
                        std::string(name == std::string("palmgren") ? "largest dry roller load" : "load that is named") +
-                       ", " + raceway + " raceway"),
+                       at),
           dry_m(contact, force, datum_of(*results, inner)), palmgren_m(force, contact.length_m), 0,
           Tolerance::round_off(64, 20), "the datum is the exponential of twenty"));
     }
-    found.claims.push_back(claim_value(
-        sentence("datum/lundberg/" + raceway, "Lundberg's datum is the length of the roller, " + raceway + " raceway"),
-        datum_of(lundberg, inner), contact.length_m, 0, rounding()));
     found.claims.push_back(
-        claim_value(sentence("datum/x0/" + raceway, "a datum that is stated is used, " + raceway + " raceway"),
-                    datum_of(stated, inner), length_m, 0, rounding()));
+        claim_value(sentence("datum/lundberg/" + raceway, "Lundberg's datum is the length of the roller" + at),
+                    datum_of(lundberg, inner), contact.length_m, 0, rounding()));
+    found.claims.push_back(claim_value(sentence("datum/x0/" + raceway, "a datum that is stated is used" + at),
+                                       datum_of(stated, inner), length_m, 0, rounding()));
   }
   return found;
 }

@@ -2,54 +2,50 @@
 // Rung 11: the straight line of the law ehd-linear, its points, and the rollers balanced with it.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
+#include <numeric>
 #include <string>
 #include <vector>
 
 #include "verification/claims/bearing/by_hand.hpp"
 #include "verification/claims/bearing/parts.hpp"
+#include "verification/studies/fits.hpp"
 #include "workflow/bearing_run.hpp"
 
 namespace ehd::verification::bearing_parts {
 
 using std::numbers::pi;
 
-namespace {
-
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-
-}  // namespace
-
 Findings judge_fit(const Case& bearing_case, ContactMemory& memory) {
   const auto& body = std::get<BearingCase>(bearing_case.body);
   const auto results = run_bearing(bearing_case, {.laws = {bearing::Law::ehd_linear}, .films = true}, memory);
   Findings found;
   for (const bool inner : {true, false}) {
-    const std::string raceway = inner ? "inner" : "outer";
+    const std::string id = "fit/" + bearing_case.id + "/" + raceway_name(inner);
+    const std::string at = ", " + raceway_name(inner) + " raceway";
     const ByHand contact = by_hand(body, inner);
     const bool fitted = results.size() == 1 && results[0].fit && results[0].datum_m;
-    double points_error = fitted ? 0 : nothing, line_error = nothing, K = nothing, dF = nothing, spread_error = nothing;
+    double points_error = fitted ? 0 : nothing, line_error = nothing, spread_error = nothing;
     int solved = 0;
     if (fitted) {
-      const auto& fit = inner ? results[0].fit->inner : results[0].fit->outer;
-      const double datum = inner ? results[0].datum_m->inner : results[0].datum_m->outer;
-      K = fit.K_N_per_m;
-      dF = fit.dF_N;
-      double sx = 0, sy = 0, sxx = 0, sxy = 0;
+      const bearing::LinearFit& fit = one_of(*results[0].fit, inner);
+      const double datum = one_of(*results[0].datum_m, inner);
+      std::vector<double> approaches_m, forces_N;
       for (const auto& point : fit.points) {
-        sx += point.approach_m, sy += point.force_N, sxx += point.approach_m * point.approach_m,
-            sxy += point.approach_m * point.force_N;
+        approaches_m.push_back(point.approach_m);
+        forces_N.push_back(point.force_N);
         const double film = solved_by_hand(body, inner, point.force_N).offset_film_m;
         points_error =
             worse(points_error, std::abs((dry_m(contact, point.force_N, datum) - point.approach_m) / film - 1));
         ++solved;
       }
-      const double n = static_cast<double>(fit.points.size()), slope = (n * sxy - sx * sy) / (n * sxx - sx * sx);
-      line_error = worse(std::abs(K / slope - 1), std::abs(dF / ((sy - slope * sx) / n) - 1));
+      const auto sum = [](const std::vector<double>& of) { return std::accumulate(of.begin(), of.end(), 0.0); };
+      const double n = static_cast<double>(solved), K = slope(approaches_m, forces_N),
+                   dF = (sum(forces_N) - K * sum(approaches_m)) / n;
+      line_error = worse(std::abs(fit.K_N_per_m / K - 1), std::abs(fit.dF_N / dF - 1));
       double largest = 0, squares = 0;
       for (const auto& point : fit.points) {
-        const double off = point.force_N - (slope * point.approach_m + (sy - slope * sx) / n);
+        const double off = point.force_N - (K * point.approach_m + dF);
         largest = std::max(largest, std::abs(off));
         squares += off * off;
       }
@@ -57,24 +53,22 @@ Findings judge_fit(const Case& bearing_case, ContactMemory& memory) {
                            std::abs(fit.standard_deviation_N / std::sqrt(squares / (n - 2)) - 1));
     }
     found.claims.push_back(
-        claim(sentence("fit/" + bearing_case.id + "/" + raceway + "/points",
-                       "the points of the fit are delta_dry less the film that `reference` finds at their loads, " +
-                           raceway + " raceway"),
+        claim(sentence(id + "/points",
+                       "the points of the fit are delta_dry less the film that `reference` finds at their loads" + at),
               points_error, 0, film_tolerance(), std::to_string(solved) + " contacts, relative to the offset film"));
     found.claims.push_back(
-        claim(sentence("fit/" + bearing_case.id + "/" + raceway + "/line",
-                       "K and dF are the least squares of f on delta through them, " + raceway + " raceway"),
-              line_error, 0, Tolerance::round_off(64, 1e4), "sums of six products; n Sxx - Sx^2 cancels two digits"));
-    found.claims.push_back(claim(sentence("fit/" + bearing_case.id + "/" + raceway + "/spread",
+        claim(sentence(id + "/line", "K and dF are the least squares of f on delta through them" + at), line_error, 0,
+              Tolerance::round_off(64, 1e4), "sums of six products; n Sxx - Sx^2 cancels two digits"));
+    found.claims.push_back(claim(sentence(id + "/spread",
                                           "the residual is the largest distance from the line, the deviation that of "
-                                          "points - 2 degrees of freedom, " +
-                                              raceway + " raceway"),
+                                          "points - 2 degrees of freedom" +
+                                              at),
                                  spread_error, 0, Tolerance::round_off(64, 1e6),
                                  "a distance is a hundredth of the force"));
     double pressure_error = fitted && !results[0].rollers.empty() ? 0 : nothing, film_error = pressure_error;
     int loaded = 0;
     for (const RollerRow& roller : fitted ? results[0].rollers : std::vector<RollerRow>{}) {
-      const ContactRow& row = inner ? roller.inner : roller.outer;
+      const ContactRow& row = one_of(roller, inner);
       if (!(row.force_N > 2000) || roller.azimuth_deg < 0) continue;  // where the line was fitted, one of each pair
       pressure_error = worse(pressure_error, std::abs(row.hertz_pressure_Pa.value_or(nothing) /
                                                           std::sqrt(row.force_N / contact.length_m *
@@ -85,13 +79,11 @@ Findings judge_fit(const Case& bearing_case, ContactMemory& memory) {
           std::abs(row.film_minimum_m.value_or(nothing) / solved_by_hand(body, inner, row.force_N).film_minimum_m - 1));
       ++loaded;
     }
-    found.claims.push_back(claim(sentence("fit/" + bearing_case.id + "/" + raceway + "/pressure",
-                                          "the rollers' p_H are sqrt(f E'/(2 pi R l)), " + raceway + " raceway"),
+    found.claims.push_back(claim(sentence(id + "/pressure", "the rollers' p_H are sqrt(f E'/(2 pi R l))" + at),
                                  loaded > 0 ? pressure_error : nothing, 0, rounding()));
     found.claims.push_back(
-        claim(sentence("fit/" + bearing_case.id + "/" + raceway + "/film",
-                       "the rollers' films by `ehd-linear` are those that `reference` finds at their loads, " +
-                           raceway + " raceway"),
+        claim(sentence(id + "/film",
+                       "the rollers' films by `ehd-linear` are those that `reference` finds at their loads" + at),
               loaded > 0 ? film_error : nothing, 0, film_tolerance(), std::to_string(loaded) + " rollers"));
   }
   return found;

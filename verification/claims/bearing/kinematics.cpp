@@ -17,19 +17,13 @@ namespace ehd::verification::bearing_parts {
 
 using std::numbers::pi;
 
-namespace {
-
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-
-}  // namespace
-
-/// The groups of each contact that a bearing solves, recorded by a solver that writes them down.
+/// The groups of each contact that a bearing solves. The solver of its memory records them.
 Findings judge_contacts_asked(const Case& bearing_case) {
   const auto& body = std::get<BearingCase>(bearing_case.body);
   std::vector<MoesGroups> asked;
   ContactMemory memory([&](const Problem& problem, const Request& request) {
     asked.push_back({problem.groups.M, problem.groups.L});
-    return remembered("fast").solve(problem, request);
+    return remembered(default_solver().name).solve(problem, request);
   });
   const auto results = run_bearing(bearing_case, {.laws = {bearing::Law::ehd_linear}, .films = false}, memory);
   std::vector<MoesGroups> expected;
@@ -45,7 +39,7 @@ Findings judge_contacts_asked(const Case& bearing_case) {
            body.lubricant->lubricant.alpha_per_Pa.value_or(nothing) * contact.modulus_Pa * std::sqrt(std::sqrt(U))});
     }
   }
-  // Each expected contact is found among the solved ones, in any order.
+  // Each expected contact is among the solved ones, in any order.
   double worst = asked.size() == expected.size() ? 0 : nothing;
   for (const MoesGroups& wanted : expected) {
     double nearest = std::numeric_limits<double>::infinity();
@@ -93,9 +87,8 @@ Findings judge_kinematics(const Case& na4908) {
                                               : ring == "against" ? "rings turning against each other"
                                                                   : "the " + ring + " ring turning";
     for (const bool inner : {true, false})
-      add(ring + (inner ? "/inner" : "/outer") + "/speed",
-          std::string("rolling without slip gives the sum speed at the ") + (inner ? "inner" : "outer") + " raceway, " +
-              who,
+      add(ring + "/" + raceway_name(inner) + "/speed",
+          "rolling without slip gives the sum speed at the " + raceway_name(inner) + " raceway, " + who,
           bearing::sum_speed_m_per_s(geometry, speeds), by_hand(turned, inner).sum_speed_m_per_s);
     const double cage =
         (turn.inner_rpm * 48 + turn.outer_rpm * 58) / 106 * pi / 30;  // r_i : r_o = 48 : 58, d_m = 53 mm

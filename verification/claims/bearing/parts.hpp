@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rung 11, the parts of a bearing, a file a part. Expected values come from the printed formulas, written out once more
-// in by_hand.hpp, and from contacts that `reference` solves in SI, never from bearing/'s own functions.
+// Rung 11, the parts of a bearing, a file a part. Expected values come from the printed formulas, written out again in
+// by_hand.hpp, and from contacts that `reference` solves in SI, never from bearing/'s own functions.
 #pragma once
 
 #include "verification/claim.hpp"

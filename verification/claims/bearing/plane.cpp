@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rung 11: the ring in two displacements: its stiffness, the full relation in it, and its agreement with the radial
-// form.
+// Rung 11: the ring that moves along and across the load: its stiffness, the full relation in it, and its agreement
+// with the radial form.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -22,20 +21,13 @@ using std::numbers::pi;
 
 namespace {
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-
 /// Sum f (cos, sin) of a ring at a given displacement, from its rollers.
 std::pair<double, double> ring_force_N(const bearing::Geometry& geometry, const bearing::LawPair& laws,
                                        double centrifugal_N, double along_m, double across_m) {
   std::pair<double, double> sum{0, 0};
-  for (int j = 0; j < geometry.rollers; ++j) {
-    const double psi = (geometry.first_azimuth_deg + 360.0 * j / geometry.rollers) * pi / 180;
-    const double f =
-        bearing::balance_roller(laws, centrifugal_N,
-                                along_m * std::cos(psi) + across_m * std::sin(psi) - geometry.clearance_m / 2)
-            .inner.force_N;
-    sum.first += f * std::cos(psi);
-    sum.second += f * std::sin(psi);
+  for (const auto& [psi, roller] : rollers_at(geometry, laws, centrifugal_N, along_m, across_m)) {
+    sum.first += roller.inner.force_N * std::cos(psi);
+    sum.second += roller.inner.force_N * std::sin(psi);
   }
   return sum;
 }
@@ -61,7 +53,8 @@ void add_stiffness(Findings& found, const std::string& name, const bearing::Geom
     forces_error = worse(worse(std::abs(along.first - K[0][0]), std::abs(along.second - K[1][0])),
                          worse(std::abs(across.first - K[0][1]), std::abs(across.second - K[1][1]))) /
                    K[0][0];
-    // The inverse, by other balances: a load along changed by 1e-5, and as much across, which is the cage turned back.
+    // The inverse, by other balances: the load changed by 1e-5 along, and by as much across. A load with a part across
+    // is a load along a cage that is turned back.
     constexpr double part = 1e-5;
     const auto more = ring_of(geometry, radial_N * (1 + part)), less = ring_of(geometry, radial_N * (1 - part));
     const auto with_lateral = [&](double part_across) {
@@ -81,7 +74,7 @@ void add_stiffness(Findings& found, const std::string& name, const bearing::Geom
       reciprocity = std::abs((with_lateral(part) - with_lateral(-part)) / load - gives_across) / unit;
     }
   }
-  // (h/x)^2 with a third derivative of order a thousand: a roller near the edge of the load zone has a steep one.
+  // (h/x)^2 times a third derivative of order a thousand, which a roller near the edge of the load zone has.
   const Tolerance differences = Tolerance::discretisation(1e-10, 1e3);
   const std::string of = ", law " + name;
   found.claims.push_back(
@@ -89,7 +82,7 @@ void add_stiffness(Findings& found, const std::string& name, const bearing::Geom
                      "the stiffness of the bearing is the derivative of the rollers' forces along and across" + of),
             forces_error, 0, differences));
   found.claims.push_back(claim(
-      sentence("stiffness/" + name + "/balances", "its inverse is what other balances give way, along and across" + of),
+      sentence("stiffness/" + name + "/balances", "its inverse is how other balances give way, along and across" + of),
       balances_error, 0, differences));
   found.claims.push_back(claim(sentence("stiffness/" + name + "/reciprocal",
                                         "a load across moves the ring along as a load along moves it across" + of),
@@ -108,7 +101,7 @@ Findings judge_plane() {
                                    .density_kg_per_m3 = 7790,
                                    .first_azimuth_deg = 8.3};
   Findings found;
-  for (const bearing::Law law : printed_laws)
+  for (const bearing::Law law : bearing::laws_of(bearing::Laws::dry))
     add_stiffness(found, std::string(to_string(law)), geometry, dry_laws(law, contact), 57, 7.7e3);
   return found;
 }
@@ -135,15 +128,13 @@ Findings judge_full_relation(const Case& bearing_case, ContactMemory& memory) {
 }
 
 /// Under a cage that is symmetric to the load, the ring moves along the load, and the form in two displacements takes
-/// the short cut of the radial form. So the cage is turned by a billionth of a degree, which avoids the short cut.
+/// the radial form as a short cut. Turning the cage by 1e-9 degrees avoids the short cut.
 Findings judge_forms(const Case& bearing_case) {
   constexpr double turned_deg = 1e-9;
   const auto& body = std::get<BearingCase>(bearing_case.body);
-  ContactMemory memory(
-      [](const Problem& problem, const Request& request) { return remembered("fast").solve(problem, request); });
+  ContactMemory memory(remembered(default_solver().name).solve);
   std::vector<bearing::Law> possible;
-  for (const bearing::Law law : {bearing::Law::hertz, bearing::Law::iso, bearing::Law::lundberg, bearing::Law::tripp,
-                                 bearing::Law::houpert, bearing::Law::ehd_linear, bearing::Law::ehd})
+  for (const bearing::Law law : bearing::laws_of(bearing::Laws::all))
     if (plan_bearing(body, {law}).runs(bearing_stage::balance(law))) possible.push_back(law);
   Findings found;
   for (const BearingResult& result :
@@ -176,8 +167,8 @@ Findings judge_forms(const Case& bearing_case) {
       for (std::size_t j = 0; j < one->rollers.size(); ++j)
         worst = worse(worst, std::abs(other->rollers[j].inner.force_N - one->rollers[j].inner.force_N) / scale_N,
                       std::abs(other->rollers[j].outer.force_N - one->rollers[j].outer.force_N) / scale_N);
-      // Turned by t, a roller is moved by t x, and pushes the ring by K t x at most; a balance that is off by its
-      // largest error moves the ring by that over K.
+      // A turn by t moves a roller by t x, which pushes the ring by K t x at most. A balance with its largest error
+      // moves the ring by that error over K.
       const auto& K = one->stiffness_N_per_m;
       const double stiffest = K[0][0] + K[1][1], softest = std::min(K[0][0], K[1][1]);
       const double turn = turned_deg * pi / 180,

@@ -3,7 +3,6 @@
 #include "verification/claims/bearing/rings.hpp"
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -20,12 +19,6 @@ namespace ehd::verification::bearing_parts {
 
 using std::numbers::pi;
 
-namespace {
-
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-
-}  // namespace
-
 bearing::RollerContact some_contact() {
   return {.force_N = 0,
           .length_m = 0.017,
@@ -36,8 +29,19 @@ bearing::RollerContact some_contact() {
           .ring_thickness_m = 0.0064};
 }
 
-/// With room, a light load rests on the two rollers beside it, whose forces are F sin(b)/sin(a + b) and F sin(a)/sin(a
-/// + b).
+std::vector<PlacedRoller> rollers_at(const bearing::Geometry& geometry, const bearing::LawPair& laws,
+                                     double centrifugal_N, double along_m, double across_m) {
+  std::vector<PlacedRoller> rollers;
+  for (int j = 0; j < geometry.rollers; ++j) {
+    const double psi = (geometry.first_azimuth_deg + 360.0 * j / geometry.rollers) * pi / 180;
+    const double room_m = along_m * std::cos(psi) + across_m * std::sin(psi) - geometry.clearance_m / 2;
+    rollers.push_back({psi, bearing::balance_roller(laws, centrifugal_N, room_m)});
+  }
+  return rollers;
+}
+
+/// With clearance, a light load rests on the two rollers beside it. Their forces are F sin(b)/sin(a + b) and
+/// F sin(a)/sin(a + b).
 Findings judge_light_load() {
   const bearing::RollerContact contact = some_contact();
   double worst = 0;
@@ -69,11 +73,11 @@ Findings judge_light_load() {
   return found;
 }
 
-/// Bearings over the whole ranges, each balance looked at by bisection.
+/// Bearings over the whole ranges; bisection checks each balance.
 Findings judge_random_bearings() {
   constexpr unsigned bearings = 150;
   Findings found;
-  for (const bearing::Law law : printed_laws) {
+  for (const bearing::Law law : bearing::laws_of(bearing::Laws::dry)) {
     double worst = 0;
     unsigned worst_seed = 0;
     for (unsigned seed = 1; seed <= bearings; ++seed) {
@@ -99,10 +103,8 @@ Findings judge_random_bearings() {
   return found;
 }
 
-// ---- Many rollers ------------------------------------------------------------------------------------------------
-
-/// F_r/(Z Q_max) goes to Sjovall's integral. The rollers sum a periodic function whose corner, at the edge of the load
-/// zone, is of power n = 10/9: the largest error over the cage's positions falls like Z^-(n + 1).
+/// F_r/(Z Q_max) goes to Sjovall's integral as Z grows. The rollers sum a periodic function that has a corner of power
+/// n = 10/9 at the edge of the load zone: the largest error over the cage's positions falls like Z^-(n + 1).
 Findings judge_many_rollers() {
   constexpr double length_m = 0.012, clearance_m = 5e-6;
   const bearing::PowerLaw law = bearing::palmgren_law(length_m);

@@ -1,22 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rung 11: what must hold for any bearing: symmetry of the cage, a law of powers, rings that change places. Bearings
-// are drawn from a fixed seed, and no other solution is needed.
+// Rung 11: properties of any bearing: symmetry of the cage, displacement as a power of the load, rings that change
+// places. Bearings are drawn from a fixed seed. These claims need no other solution.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <utility>
 #include <variant>
 
 #include "bearing/equilibrium.hpp"
 #include "verification/claims/bearing/parts.hpp"
+#include "verification/claims/shared.hpp"
 #include "verification/studies/draw.hpp"
 
 namespace ehd::verification::bearing_parts {
 
 namespace {
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 constexpr unsigned bearing_seed = 20261128;
 
 struct DrawnBearing {
@@ -101,11 +100,11 @@ Findings judge_bearing_symmetry() {
     keep(both_rings, std::abs(sum_speed(rpm + cage, cage) / sum_speed(rpm, 0) - 1));
   }
   const std::string of = " of " + std::to_string(bearings) + " random bearings";
-  // A ring that is out of balance by 1e-12 of the load moves no roller's force by more.
+  // A balance error of 1e-12 of the load changes no roller's force by more.
   const Tolerance balanced =
       Tolerance::required(2 * bearing::largest_balance_error, "two balances, each to 1e-12 of the load");
-  // Some ten operations; what both rings share cancels with a condition of (rpm + 2 |cage|)/rpm, at most 61.
-  const Tolerance rounding = Tolerance::round_off(16), cancelling = Tolerance::round_off(16, 61);
+  // Some ten operations. The speed that both rings share cancels with a condition of (rpm + 2 |cage|)/rpm, at most 61.
+  const Tolerance ten_operations = Tolerance::round_off(16), cancelling = Tolerance::round_off(16, 61);
   const auto says = [](const char* id, std::string statement) {
     return Sentence{.id = std::string("properties/bearing/") + id, .rung = 11, .statement = std::move(statement)};
   };
@@ -118,7 +117,7 @@ Findings judge_bearing_symmetry() {
   found.claims.push_back(claim(says("load-power", "displacement ~ load^(9/10) by a dry law without clearance" + of),
                                displaced, 0, balanced));
   found.claims.push_back(
-      claim(says("other-ring", "the sum speed is the same whichever ring turns" + of), other_ring, 0, rounding));
+      claim(says("other-ring", "the sum speed is the same whichever ring turns" + of), other_ring, 0, ten_operations));
   found.claims.push_back(
       claim(says("both-rings", "the sum speed does not change when both rings turn faster alike" + of), both_rings, 0,
             cancelling));

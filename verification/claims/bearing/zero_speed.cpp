@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rung 11: towards rest the film goes, and the full relation becomes a dry law.
+// Rung 11: the film vanishes as the speed does, and the full relation becomes a dry law.
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -16,13 +15,7 @@ namespace ehd::verification::bearing_parts {
 
 using std::numbers::pi;
 
-namespace {
-
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-
-}  // namespace
-
-/// Towards rest the film goes, and with Lundberg's datum the full relation becomes Lundberg's law: x_0 = l is that law.
+/// With Lundberg's datum, x_0 = l, the full relation without a film is Lundberg's law.
 Findings judge_zero_speed(const Case& bearing_case, ContactMemory& memory) {
   std::vector<std::pair<double, double>> by_speed;  // rpm, relative difference of the displacement
   double bound = nothing;
@@ -38,8 +31,8 @@ Findings judge_zero_speed(const Case& bearing_case, ContactMemory& memory) {
     if (results.size() != 2 || results[0].rollers.empty() || results[1].rollers.empty() || !results[1].curve) continue;
     const double dry = results[0].displacement_m;
     by_speed.emplace_back(rpm, std::abs(results[1].displacement_m / dry - 1));
-    // An approach that is off by g at the same force moves the ring by Sum k g cos/Sum k cos^2, at most the largest
-    // g/cos.
+    // Approaches that change by g at the same forces move the ring by Sum k g cos/Sum k cos^2. That is at most the
+    // largest g/cos.
     bound = 0;
     for (const RollerRow& roller : results[1].rollers) {
       if (roller.inner.force_N < bearing::load_zone_share * results[1].rollers.front().inner.force_N) continue;
