@@ -30,6 +30,7 @@ endfunction()
 
 # ehd_text_only(TARGET): for code that writes text and does not include Eigen. -O1 halves the compile time. A file that
 # includes Eigen must not be compiled so: the linker keeps one copy of each inline function and might keep the slow one.
+# The tests may: tests/CMakeLists.txt makes the linker keep the copy of the rooms.
 function(ehd_text_only target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A needle bearing and contacts in closed form: what the composition of bearing and films is tested with, without a
-// solver.
+// A needle bearing and contacts in closed form. They test the composition of bearing and films without a solver.
 #pragma once
 
 #include <cmath>

@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 
 #include <algorithm>
+#include <boost/test/unit_test.hpp>
 #include <cstdlib>
 #include <string>
 
@@ -26,6 +27,17 @@ struct Ended {
   const int status = std::system(command.c_str());
   Ended ended{.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1, .out = read(out), .err = read(err)};
   return ended;
+}
+
+/// Wrong usage ends with exit code 2, with one line on standard error, which says `phrase`, and with nothing else.
+inline void check_refused(const Folder& folder, const std::string& arguments, const std::string& phrase) {
+  const Ended ended = ehd_run(folder, arguments);
+  BOOST_TEST_CONTEXT("ehd " << arguments) {
+    BOOST_TEST(ended.exit_code == 2);
+    BOOST_TEST(ended.out == "");
+    BOOST_CHECK_MESSAGE(ended.error_lines() == 1, "not one line: " << ended.err);
+    BOOST_CHECK_MESSAGE(ended.err.find(phrase) != std::string::npos, phrase << " is not in: " << ended.err);
+  }
 }
 
 }  // namespace ehd::verification::test

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "bearing/build_curve.hpp"
+#include "bearing/law_table.hpp"
 #include "contact/approach.hpp"
 #include "tests/bearing/synthetic.hpp"
 #include "tests/check.hpp"
@@ -51,16 +52,14 @@ RollerContact needle_contact() {
           .ring_thickness_m = 0.003};
 }
 
-/// Every kind of law, one after the other.
-std::vector<std::pair<std::string, LawPair>> laws_of_every_kind() {
-  const RollerContact contact = needle_contact();
-  using enum Raceway;
-  return {{"hertz", both(palmgren_law(0.05))},
-          {"lundberg", {lundberg_law(contact, inner), lundberg_law(contact, outer)}},
-          {"tripp", {tripp_law(contact, inner), tripp_law(contact, outer)}},
-          {"houpert", {houpert_law(contact, inner), houpert_law(contact, outer)}},
-          {"ehd-linear", {LinearLaw{.K_N_per_m = 2.9e9, .dF_N = 900}, LinearLaw{.K_N_per_m = 3.1e9, .dF_N = 1040}}},
-          {"ehd", {synthetic_curve_law(0.02), synthetic_curve_law(0.03)}}};
+/// Every law, one after the other.
+std::vector<std::pair<std::string, LawPair>> every_law() {
+  std::vector<std::pair<std::string, LawPair>> laws;
+  for (const Law law : laws_of(Laws::dry)) laws.emplace_back(to_string(law), dry_laws(law, needle_contact()));
+  laws.emplace_back("ehd-linear", LawPair{LinearLaw{.K_N_per_m = 2.9e9, .dF_N = 900},  //
+                                          LinearLaw{.K_N_per_m = 3.1e9, .dF_N = 1040}});
+  laws.emplace_back("ehd", LawPair{synthetic_curve_law(0.02), synthetic_curve_law(0.03)});
+  return laws;
 }
 
 Geometry needle_bearing(double clearance_m) {
@@ -90,57 +89,14 @@ double work(const ForceLaw& law, double from_m, double to_m) {
 
 BOOST_AUTO_TEST_SUITE(equilibrium)
 
-// Exact evaluation of Harris's 209 bearing at rest (literature.md), to the digits given.
-BOOST_AUTO_TEST_CASE(the_209_bearing_without_clearance) {
-  const Equilibrium at_rest = balanced(bearing_209(0), both(palmgren_law(0.0096)), {.radial_N = 4450});
-  EHD_CHECK(error(1e6 * at_rest.displacement_m, 7.9743), Tolerance::published_digits("7.9743"));
-  EHD_CHECK(error(at_rest.rollers[0].inner.force_N, 1298.8), Tolerance::published_digits("1298.8"));
-  EHD_CHECK(error(at_rest.rollers[1].inner.force_N, 1156.7), Tolerance::published_digits("1156.7"));
-  EHD_CHECK(error(at_rest.rollers[2].inner.force_N, 768.4), Tolerance::published_digits("768.4"));
-  EHD_CHECK(error(at_rest.rollers[3].inner.force_N, 244.6), Tolerance::published_digits("244.6"));
-}
-
-BOOST_AUTO_TEST_CASE(the_209_bearing_with_clearance) {
-  const Equilibrium at_rest = balanced(bearing_209(41e-6), both(palmgren_law(0.0096)), {.radial_N = 4450});
-  EHD_CHECK(error(1e6 * at_rest.displacement_m, 32.087), Tolerance::published_digits("32.087"));
-  EHD_CHECK(error(at_rest.rollers[0].inner.force_N, 1967.3), Tolerance::published_digits("1967.3"));
-  EHD_CHECK(error(at_rest.rollers[1].inner.force_N, 1377.8), Tolerance::published_digits("1377.8"));
-  BOOST_TEST(at_rest.rollers[2].inner.force_N == 0);
-}
-
-// Exact: 1000/(2 cos 30 deg) on the two rollers under the load (literature.md).
-BOOST_AUTO_TEST_CASE(six_rollers_with_the_iso_constant) {
-  const Geometry geometry{.rollers = 6,
-                          .pitch_diameter_m = 0.0435,
-                          .roller_diameter_m = 0.009,
-                          .length_m = 0.0136,
-                          .first_azimuth_deg = 30};
-  const Equilibrium six = balanced(geometry, both(iso_law(0.0136)), {.radial_N = 1000});
-  EHD_CHECK(error(1e6 * six.displacement_m, 3.47397), Tolerance::published_digits("3.47397"));
-  EHD_CHECK(error(six.rollers[0].inner.force_N, 577.350), Tolerance::published_digits("577.350"));
-  EHD_CHECK(error(six.rollers[5].inner.force_N, 577.350), Tolerance::published_digits("577.350"));
-}
-
-// Published by two independent open programs (literature.md).
-BOOST_AUTO_TEST_CASE(twenty_rollers_with_the_iso_constant) {
-  const auto largest_N = [](double clearance_m) {
-    const Geometry geometry{.rollers = 20,
-                            .pitch_diameter_m = 0.08,
-                            .roller_diameter_m = 0.008,
-                            .length_m = 0.008,
-                            .clearance_m = clearance_m};
-    return balanced(geometry, both(iso_law(0.008)), {.radial_N = 8000}).rollers[0].inner.force_N;
-  };
-  EHD_CHECK(error(largest_N(0), 1633.82), Tolerance::published_digits("1633.82"));
-  EHD_CHECK(error(largest_N(10e-6), 1823.95), Tolerance::published_digits("1823.95"));
-  EHD_CHECK(error(largest_N(20e-6), 1969.35), Tolerance::published_digits("1969.35"));
-}
+// Bearings of the literature, light loads and the stiffness of the ring are judged by the claims harris-209*, iso-*,
+// bearing/statics and bearing/stiffness/* (cases/, verification/claims).
 
 // Invariant, from light load to heavy and from preload to a wide gap.
 BOOST_AUTO_TEST_CASE(forces_balance_at_every_load_and_clearance) {
   int balances = 0;
   double worst = 0;
-  for (const auto& [name, laws] : laws_of_every_kind())
+  for (const auto& [name, laws] : every_law())
     for (const double load_N : {1e-3, 0.1, 10.0, 1e3, 5e4, 4e5})
       for (const double clearance_m : {-20e-6, -2e-6, 0.0, 2.5e-6, 10e-6, 60e-6, 200e-6})
         for (const double centrifugal_N : {0.0, 28.0, 900.0}) {
@@ -162,7 +118,7 @@ BOOST_AUTO_TEST_CASE(forces_balance_at_every_load_and_clearance) {
           worst = std::max({worst, ring.balance_error, std::abs(sum - load_N) / scale, std::abs(across) / scale});
           ++balances;
         }
-  BOOST_TEST(balances == 6 * 6 * 7 * 3);
+  BOOST_TEST(balances == 7 * 6 * 7 * 3);
   BOOST_TEST_MESSAGE("worst balance error of " << balances << " bearings: " << worst);
   EHD_CHECK(worst, Tolerance::required(1e-12, "what a balance promises"));
 }
@@ -170,7 +126,7 @@ BOOST_AUTO_TEST_CASE(forces_balance_at_every_load_and_clearance) {
 // Invariant: the approaches of a loaded roller follow from its forces by its laws.
 BOOST_AUTO_TEST_CASE(approaches_are_compatible_with_the_ring_and_the_laws) {
   const Geometry geometry = needle_bearing(10e-6);
-  for (const auto& [name, laws] : laws_of_every_kind()) {
+  for (const auto& [name, laws] : every_law()) {
     const Equilibrium ring = balanced(geometry, laws, {.radial_N = 5e4, .centrifugal_N = 28});
     int loaded = 0;
     for (std::size_t j = 0; j < ring.rollers.size(); ++j) {
@@ -192,7 +148,7 @@ BOOST_AUTO_TEST_CASE(approaches_are_compatible_with_the_ring_and_the_laws) {
 
 // Invariant.
 BOOST_AUTO_TEST_CASE(mirrored_rollers_are_balanced_once_and_equal) {
-  for (const auto& [name, laws] : laws_of_every_kind()) {
+  for (const auto& [name, laws] : every_law()) {
     const Equilibrium ring = balanced(needle_bearing(2.5e-6), laws, {.radial_N = 5e4, .centrifugal_N = 28});
     BOOST_TEST(ring.groups == 12);
     BOOST_TEST(ring.rollers_balanced == 12 * ring.newton_iterations);
@@ -206,7 +162,7 @@ BOOST_AUTO_TEST_CASE(mirrored_rollers_are_balanced_once_and_equal) {
 BOOST_AUTO_TEST_CASE(the_load_is_the_gradient_of_the_energy) {
   const Geometry geometry = needle_bearing(2.5e-6);
   constexpr double load_N = 3e4, centrifugal_N = 40, difference = 1e-3;
-  for (const auto& named : laws_of_every_kind()) {
+  for (const auto& named : every_law()) {
     const LawPair& laws = named.second;
     const auto energy_change = [&](const Equilibrium& from, const Equilibrium& to) {
       double energy = 0;
@@ -228,7 +184,7 @@ BOOST_AUTO_TEST_CASE(the_load_is_the_gradient_of_the_energy) {
 
 // Invariant: tangent stiffness of ring and roller by central differences.
 BOOST_AUTO_TEST_CASE(stiffness_of_a_roller_is_the_derivative_of_its_force) {
-  for (const auto& [name, laws] : laws_of_every_kind())
+  for (const auto& [name, laws] : every_law())
     for (const double total_m : {1.1e-6, 4.3e-6, 9e-6}) {
       const double step = 1e-4 * total_m;
       const double slope = (balance_roller(laws, 33, total_m + step).inner.force_N -
@@ -296,7 +252,7 @@ BOOST_AUTO_TEST_CASE(the_plane_form_balances_an_asymmetric_cage) {
 
 // Exact: under a symmetric cage both forms give the same balance, to the bit.
 BOOST_AUTO_TEST_CASE(both_forms_are_one_where_the_cage_is_symmetric) {
-  for (const auto& [name, laws] : laws_of_every_kind())
+  for (const auto& [name, laws] : every_law())
     for (const double first_deg : {0.0, 180.0 / 22}) {
       Geometry geometry = needle_bearing(10e-6);
       geometry.first_azimuth_deg = first_deg;
@@ -311,7 +267,7 @@ BOOST_AUTO_TEST_CASE(both_forms_are_one_where_the_cage_is_symmetric) {
 
 // Limit: the search in the plane meets the one along the load as the cage becomes symmetric. 1e-7 degrees are 2e-9 rad.
 BOOST_AUTO_TEST_CASE(the_plane_form_goes_to_the_radial_one) {
-  for (const auto& [name, laws] : laws_of_every_kind())
+  for (const auto& [name, laws] : every_law())
     for (const double load_N : {3.0, 5e4})
       for (const double clearance_m : {-5e-6, 0.0, 30e-6})
         BOOST_TEST_CONTEXT(name << " " << load_N << " N " << clearance_m << " m") {
@@ -332,7 +288,7 @@ BOOST_AUTO_TEST_CASE(the_plane_form_goes_to_the_radial_one) {
 // Counter: Newton with exact slopes contracts quadratically. From an estimate that is right to a factor of two, five
 // steps reach 1e-16. Five more find the edge of the load zone, where slopes have corners.
 BOOST_AUTO_TEST_CASE(newton_in_the_plane_takes_ten_positions) {
-  for (const auto& [name, laws] : laws_of_every_kind())
+  for (const auto& [name, laws] : every_law())
     for (const double first_deg : {1.0, 5.5})
       for (const double clearance_m : {-5e-6, 10e-6})
         BOOST_TEST_CONTEXT(name << ", " << first_deg << " deg, " << clearance_m << " m") {
@@ -345,7 +301,7 @@ BOOST_AUTO_TEST_CASE(newton_in_the_plane_takes_ten_positions) {
 // Invariant: a cage turned by a pitch carries the same forces, one roller on. A mirrored cage carries the mirrored
 // forces.
 BOOST_AUTO_TEST_CASE(turning_by_a_pitch_and_mirroring_change_nothing) {
-  for (const auto& [name, laws] : laws_of_every_kind())
+  for (const auto& [name, laws] : every_law())
     for (const double clearance_m : {-5e-6, 30e-6}) {
       Geometry geometry = needle_bearing(clearance_m);
       geometry.first_azimuth_deg = 3.3;
@@ -366,92 +322,6 @@ BOOST_AUTO_TEST_CASE(turning_by_a_pitch_and_mirroring_change_nothing) {
         EHD_CHECK(std::abs(mirrored.rollers[j].inner.force_N - here.rollers[(22 - j) % 22].inner.force_N) / 2e4,
                   rounding);
       }
-    }
-}
-
-// Exact: at light load a dry ring with room rests on the two rollers beside the load line, whose forces statics gives.
-BOOST_AUTO_TEST_CASE(a_light_load_rests_on_two_rollers) {
-  for (const int rollers : {3, 4, 22, 400})
-    for (const double part : {1e-6, 0.11, 0.47, 0.93})  // of a pitch, from the load line to the first roller
-      for (const double load_N : {1e-9, 1e-3})
-        BOOST_TEST_CONTEXT(rollers << " rollers, " << part << " of a pitch, " << load_N << " N") {
-          Geometry geometry = needle_bearing(200e-6);
-          geometry.rollers = rollers;
-          const double pitch_deg = 360.0 / rollers, degree = std::acos(-1) / 180;
-          geometry.first_azimuth_deg = part * pitch_deg;
-          const Equilibrium ring = balanced(geometry, both(palmgren_law(0.05)), {load_N, 28});
-          const double ahead = part * pitch_deg * degree, behind = pitch_deg * degree - ahead;
-          const double first = load_N * std::sin(behind) / std::sin(ahead + behind);
-          const double last = load_N * std::sin(ahead) / std::sin(ahead + behind);
-          // The sines' condition, cot(pitch) of an azimuth of 1e-16: below 100 at 400 rollers.
-          EHD_CHECK(std::abs(ring.rollers.front().inner.force_N - first) / load_N, Tolerance::round_off(20, 100));
-          EHD_CHECK(std::abs(ring.rollers.back().inner.force_N - last) / load_N, Tolerance::round_off(20, 100));
-          for (std::size_t j = 1; j + 1 < ring.rollers.size(); ++j) BOOST_TEST(ring.rollers[j].inner.force_N == 0);
-          EHD_CHECK(
-              std::abs(std::hypot(ring.displacement_m, ring.lateral_displacement_m) * std::cos(pitch_deg * degree / 2) -
-                       100e-6 - approach(palmgren_law(0.05), 28)) /
-                  100e-6,
-              Tolerance::asymptotic(1e-6, "the contacts give less than 1e-10 m"));
-        }
-}
-
-/// Sum f (cos psi, sin psi) of a ring that is put at a displacement, roller by roller.
-std::pair<double, double> ring_force(const Geometry& geometry, const LawPair& laws, double centrifugal_N, double x,
-                                     double y) {
-  std::pair<double, double> sum{0, 0};
-  for (const double psi : azimuths_deg(geometry)) {
-    const double c = std::cos(psi * std::acos(-1) / 180), s = std::sin(psi * std::acos(-1) / 180);
-    const double f = balance_roller(laws, centrifugal_N, x * c + y * s - geometry.clearance_m / 2).inner.force_N;
-    sum.first += f * c;
-    sum.second += f * s;
-  }
-  return sum;
-}
-
-// Invariant: the stiffness is the derivative of the forces, and its inverse that of the displacement to the load, in
-// both components; what a load along does across, a load across does along.
-BOOST_AUTO_TEST_CASE(the_stiffness_matrix_is_the_derivative_of_forces_and_of_balances) {
-  Geometry geometry = needle_bearing(5e-6);
-  geometry.rollers = 9;
-  geometry.first_azimuth_deg = 11;
-  constexpr double load_N = 2e4, centrifugal_N = 33;
-  for (const auto& named : laws_of_every_kind()) BOOST_TEST_CONTEXT(named.first) {
-      const LawPair& laws = named.second;
-      const Equilibrium ring = balanced(geometry, laws, {load_N, centrifugal_N});
-      const auto& K = ring.stiffness_N_per_m;
-      BOOST_TEST(K[0][1] == K[1][0]);
-      BOOST_TEST(std::abs(K[0][1]) > 1e-3 * K[0][0]);  // the cage is not symmetric, and it shows
-      const double x = ring.displacement_m, y = ring.lateral_displacement_m, h = 1e-5 * x;
-      // (h/x)^2, a third derivative of order ten, no roller within h of its edge; twice that through the inverse.
-      const Tolerance differences = Tolerance::discretisation(1e-10, 1e3);
-      const auto force_at = [&](double dx, double dy) {
-        return ring_force(geometry, laws, centrifugal_N, x + dx, y + dy);
-      };
-      const auto ahead = force_at(h, 0), back = force_at(-h, 0), left = force_at(0, h), right = force_at(0, -h);
-      EHD_CHECK(std::abs((ahead.first - back.first) / (2 * h) - K[0][0]) / K[0][0], differences);
-      EHD_CHECK(std::abs((ahead.second - back.second) / (2 * h) - K[1][0]) / K[0][0], differences);
-      EHD_CHECK(std::abs((left.first - right.first) / (2 * h) - K[0][1]) / K[0][0], differences);
-      EHD_CHECK(std::abs((left.second - right.second) / (2 * h) - K[1][1]) / K[0][0], differences);
-
-      const double determinant = K[0][0] * K[1][1] - K[0][1] * K[0][1], part = 1e-5;
-      const Equilibrium more = balanced(geometry, laws, {load_N * (1 + part), centrifugal_N});
-      const Equilibrium less = balanced(geometry, laws, {load_N * (1 - part), centrifugal_N});
-      const double d_load = 2 * part * load_N, unit = K[1][1] / determinant;
-      const double along = (more.displacement_m - less.displacement_m) / d_load;
-      const double across = (more.lateral_displacement_m - less.lateral_displacement_m) / d_load;
-      EHD_CHECK(std::abs(along - K[1][1] / determinant) / unit, differences);
-      EHD_CHECK(std::abs(across + K[0][1] / determinant) / unit, differences);
-
-      // A load across: the load turned by a little, which is the cage turned back, seen from the load.
-      const auto with_lateral = [&](double part_across) {
-        const double angle = std::atan(part_across);
-        Geometry turned = geometry;
-        turned.first_azimuth_deg -= angle * 180 / std::acos(-1);
-        const Equilibrium seen = balanced(turned, laws, {load_N / std::cos(angle), centrifugal_N});
-        return seen.displacement_m * std::cos(angle) - seen.lateral_displacement_m * std::sin(angle);
-      };
-      const double reciprocal = (with_lateral(part) - with_lateral(-part)) / d_load;
-      EHD_CHECK(std::abs(reciprocal - across) / unit, differences);
     }
 }
 

@@ -8,6 +8,7 @@
 
 #include "bearing/build_curve.hpp"
 #include "bearing/fit.hpp"
+#include "bearing/law_table.hpp"
 #include "contact/approach.hpp"
 #include "contact/hertz.hpp"
 #include "tests/bearing/synthetic.hpp"
@@ -15,42 +16,23 @@
 
 namespace ehd::bearing {
 
+using synthetic::roller;
 using verification::Tolerance;
 
 namespace {
-
-CurveLaw curve_law(double datum_m) {
-  const SolvableContact contacts = synthetic::contacts();
-  const auto built = build_curve(contacts, {.heaviest_N = 12e3});
-  BOOST_REQUIRE(std::holds_alternative<FilmCurve>(built));
-  return {std::make_shared<const FilmCurve>(std::get<FilmCurve>(built)), datum_m};
-}
-
-RollerContact roller() {
-  return {.force_N = 0,
-          .length_m = 0.021,
-          .roller_diameter_m = 0.013,
-          .pitch_diameter_m = 0.087,
-          .modulus_Pa = 2.07e11,
-          .poisson = 0.29,
-          .ring_thickness_m = 0.0071};
-}
 
 struct NamedLaw {
   std::string name;
   ForceLaw law;
 };
-/// Every dry law that is printed as an approach, at both raceways.
-std::vector<NamedLaw> printed_laws() {
-  using enum Raceway;
-  return {{"lundberg, inner", lundberg_law(roller(), inner)}, {"lundberg, outer", lundberg_law(roller(), outer)},
-          {"tripp, inner", tripp_law(roller(), inner)},       {"tripp, outer", tripp_law(roller(), outer)},
-          {"houpert, inner", houpert_law(roller(), inner)},   {"houpert, outer", houpert_law(roller(), outer)}};
-}
-std::vector<NamedLaw> dry_laws() {
-  auto laws = printed_laws();
-  laws.push_back({"hertz", palmgren_law(0.021)});
-  laws.push_back({"iso", iso_law(0.021)});
+/// Every dry law of the table, at both raceways.
+std::vector<NamedLaw> every_dry_law() {
+  std::vector<NamedLaw> laws;
+  for (const Law law : laws_of(Laws::dry)) {
+    const LawPair pair = dry_laws(law, roller());
+    laws.push_back({std::string(to_string(law)) + ", inner", pair.inner});
+    laws.push_back({std::string(to_string(law)) + ", outer", pair.outer});
+  }
   return laws;
 }
 
@@ -64,6 +46,9 @@ double integral_of_compliance(const ForceLaw& law, double from_N, double by_N) {
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(force_law)
+
+// Printed approaches and slopes are judged by the claims approach/*, bearing/datum/* and bearing/laws/*/slopes
+// (verification/claims).
 
 // Exact: a law is the printed approach.
 BOOST_AUTO_TEST_CASE(the_laws_are_the_printed_approaches) {
@@ -82,10 +67,24 @@ BOOST_AUTO_TEST_CASE(the_laws_are_the_printed_approaches) {
   }
 }
 
-// Invariant: over eleven decades of force, force(approach(f)) = f and both slopes are reciprocal, to rounding; the
-// compliance is the derivative of the approach.
-BOOST_AUTO_TEST_CASE(dry_laws_are_inverse_to_rounding_and_their_slopes_fit) {
-  for (const auto& [name, law] : dry_laws()) {
+// Exact: Lundberg's formula is the log kernel with x_0 = l.
+BOOST_AUTO_TEST_CASE(lundberg_is_the_dry_approach_with_the_length_as_datum) {
+  RollerContact contact = roller();
+  contact.force_N = 9100;
+  const Geometry geometry{
+      .rollers = 1, .pitch_diameter_m = contact.pitch_diameter_m, .roller_diameter_m = contact.roller_diameter_m};
+  for (const Raceway raceway : {Raceway::inner, Raceway::outer}) {
+    const Conditions conditions{.load_N_per_m = contact.force_N / contact.length_m,
+                                .reduced_radius_m = reduced_radius_m(geometry, raceway),
+                                .reduced_modulus_Pa = reduced_modulus_Pa(contact.modulus_Pa, contact.poisson)};
+    EHD_CHECK(error(dry_approach_m(conditions, contact.length_m), lundberg_approach_m(contact, raceway)),
+              Tolerance::round_off(50));
+  }
+}
+
+// Invariant: over eleven decades of force, force(approach(f)) = f and both slopes are reciprocal, to rounding.
+BOOST_AUTO_TEST_CASE(dry_laws_are_inverse_to_rounding) {
+  for (const auto& [name, law] : every_dry_law()) {
     BOOST_TEST_CONTEXT(name) {
       // A logarithmic law is good to an ulp or two, times L/(L - 1) < 1.4; a power to its exponent's rounding times
       // ln(f/coefficient), below 50 here.
@@ -95,12 +94,6 @@ BOOST_AUTO_TEST_CASE(dry_laws_are_inverse_to_rounding_and_their_slopes_fit) {
         const double delta = approach(law, f);
         EHD_CHECK(error(force(law, delta), f), ulps);
         EHD_CHECK(error(stiffness(law, delta) * compliance(law, f), 1), Tolerance::round_off(10, 10));
-        const double step = 1e-4 * f;
-        const double slope = (approach(law, f + step) - approach(law, f - step)) / (2 * step);
-        EHD_CHECK(error(compliance(law, f), slope), Tolerance::discretisation(1e-8, 1));  // (step/f)^2
-        const double shift = 1e-4 * delta;
-        const double rate = (force(law, delta + shift) - force(law, delta - shift)) / (2 * shift);
-        EHD_CHECK(error(stiffness(law, delta), rate), Tolerance::discretisation(1e-8, 1));
       }
       BOOST_TEST(force(law, 0) == 0);
       BOOST_TEST(force(law, -1e-6) == 0);
@@ -113,7 +106,7 @@ BOOST_AUTO_TEST_CASE(dry_laws_are_inverse_to_rounding_and_their_slopes_fit) {
 
 // Invariant: what a force adds to the approach is the integral of the compliance, however little it adds.
 BOOST_AUTO_TEST_CASE(a_small_rise_of_the_approach_keeps_its_digits) {
-  auto laws = dry_laws();
+  auto laws = every_dry_law();
   laws.push_back({"ehd-linear", LinearLaw{.K_N_per_m = 2.9e9, .dF_N = 900}});
   for (const auto& [name, law] : laws)
     for (const double from : {0.7, 320.0, 71e3})
@@ -174,40 +167,11 @@ BOOST_AUTO_TEST_CASE(a_rise_over_the_end_of_a_logarithm_ends) {
   BOOST_TEST(rounds_up > 10);
 }
 
-// Exact: the rounded constant itself, in N and mm.
-BOOST_AUTO_TEST_CASE(palmgren_law_is_its_printed_constant) {
-  const double expected = 8.06e4 * std::pow(30.0, 8.0 / 9.0) * std::pow(0.010, 10.0 / 9.0);
-  EHD_CHECK(error(palmgren_law(0.030).force(10e-6), expected), Tolerance::round_off(50));
-}
-
 // Exact: two contacts of the `iso` law in series are c_L = 35948 l^(8/9).
 BOOST_AUTO_TEST_CASE(two_iso_contacts_in_series_are_the_iso_constant) {
   const double total_mm = 0.013;
   const double expected = 35948 * std::pow(13.6, 8.0 / 9.0) * std::pow(total_mm, 10.0 / 9.0);
   EHD_CHECK(error(iso_law(0.0136).force(1e-3 * total_mm / 2), expected), Tolerance::round_off(50));
-}
-
-// Invariant: inverse and slopes of every law.
-BOOST_AUTO_TEST_CASE(force_and_approach_are_inverse_and_their_slopes_fit) {
-  for (const ForceLaw& law :
-       {ForceLaw{palmgren_law(0.05)}, ForceLaw{LinearLaw{.K_N_per_m = 2.9e9, .dF_N = 900}}, ForceLaw{curve_law(0.02)}})
-    for (const double f : {3.7, 61.0, 940.0, 7300.0}) {
-      const double delta = approach(law, f);
-      EHD_CHECK(error(force(law, delta), f), Tolerance::round_off(100, 20));
-      EHD_CHECK(error(stiffness(law, delta) * compliance(law, f), 1), Tolerance::round_off(100, 20));
-      const double step = 1e-4 * f;
-      const double slope = (approach(law, f + step) - approach(law, f - step)) / (2 * step);
-      EHD_CHECK(error(compliance(law, f), slope), Tolerance::discretisation(1e-8, 10));  // (step/f)^2
-    }
-}
-
-// Exact: the default datum meets the `hertz` law at its load.
-BOOST_AUTO_TEST_CASE(the_palmgren_datum_meets_the_law_at_its_load) {
-  const RacewayContact contact = synthetic::contact();
-  const PowerLaw law = palmgren_law(contact.length_m);
-  const Conditions conditions = contact.at(9300);
-  const double datum = datum_from_dry_approach_m(conditions, law.approach(9300));
-  EHD_CHECK(error(dry_approach_m(conditions, datum), law.approach(9300)), Tolerance::round_off(20));
 }
 
 BOOST_AUTO_TEST_CASE(a_datum_shorter_than_the_contact_is_refused) {

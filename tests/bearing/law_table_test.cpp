@@ -15,19 +15,7 @@
 
 namespace ehd::bearing {
 
-namespace {
-
-RollerContact roller() {
-  return {.force_N = 0,
-          .length_m = 0.021,
-          .roller_diameter_m = 0.013,
-          .pitch_diameter_m = 0.087,
-          .modulus_Pa = 2.07e11,
-          .poisson = 0.29,
-          .ring_thickness_m = 0.0071};
-}
-
-}  // namespace
+using synthetic::roller;
 
 BOOST_AUTO_TEST_SUITE(law_table)
 
@@ -48,7 +36,7 @@ BOOST_AUTO_TEST_CASE(every_law_has_one_row_and_is_found_by_its_name) {
   BOOST_CHECK_THROW((void)row_of(static_cast<Law>(names.size())), std::logic_error);
 }
 
-// What people write, read and script against: a change here changes cases and results.
+// Cases, results and scripts hold these names: a change here changes them.
 BOOST_AUTO_TEST_CASE(names_and_needs_are_these) {
   BOOST_TEST(names_of(Laws::all) == "hertz, iso, lundberg, tripp, houpert, ehd-linear, ehd");
   BOOST_TEST(names_of(Laws::dry, " or ") == "hertz, iso, lundberg, tripp or houpert");
@@ -62,7 +50,7 @@ BOOST_AUTO_TEST_CASE(names_and_needs_are_these) {
   BOOST_TEST(!needs_ring_thickness(Law::lundberg));
 }
 
-// The thickness of the ring counts in the laws that say so, and in no other.
+// The ring's thickness changes the laws that ask for it, and no other.
 BOOST_AUTO_TEST_CASE(a_law_needs_the_ring_thickness_where_it_changes_the_law) {
   RollerContact thicker = roller();
   thicker.ring_thickness_m *= 1.5;

@@ -47,7 +47,7 @@ BOOST_AUTO_TEST_CASE(the_second_derivative_is_continuous) {
   const std::vector<double> x = uneven();
   const MonotoneSpline spline = through(x, [](double at) { return std::exp(at); });
   const auto second = [&](double at, double h) {
-    // A hair inside the piece, so that the point itself belongs to it.
+    // Just inside the piece: the point itself belongs to two pieces.
     const double from = at + 1e-9 * h;
     return (-3 * spline.at(from).slope + 4 * spline.at(from + h).slope - spline.at(from + 2 * h).slope) / (2 * h);
   };

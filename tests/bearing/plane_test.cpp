@@ -15,7 +15,7 @@ using verification::Tolerance;
 
 namespace {
 
-/// Of both signs, nearly round, nearly singular, and with entries of very different size.
+/// Matrices of both signs, with nearly equal eigenvalues, nearly singular, and with entries of very different size.
 std::vector<Symmetric2> matrices() {
   std::vector<Symmetric2> all;
   for (const double xx : {1.7, 3.1e9, -2.4, 1e-12})

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A contact that has Martin's films at vanishing load and nearly load-independent ones at high load, in closed form:
-// what the EHD laws are tested with, without a solver.
+// A contact in closed form, with Martin's films at vanishing load and nearly load-independent ones at high load. It
+// tests the EHD laws without a solver.
 #pragma once
 
 #include <cmath>
 
+#include "bearing/approach_formulas.hpp"
 #include "bearing/martin.hpp"
 #include "bearing/solved_contacts.hpp"
 #include "contact/hertz.hpp"
@@ -17,6 +18,17 @@ inline RacewayContact contact() {
           .reduced_modulus_Pa = 2.2e11,
           .speed_sum_m_per_s = 11.0,
           .viscosity_Pa_s = 0.017};
+}
+
+/// A roller of steel, as the dry laws need it.
+inline RollerContact roller() {
+  return {.force_N = 0,
+          .length_m = 0.021,
+          .roller_diameter_m = 0.013,
+          .pitch_diameter_m = 0.087,
+          .modulus_Pa = 2.07e11,
+          .poisson = 0.29,
+          .ring_thickness_m = 0.0071};
 }
 
 inline constexpr double knee_N = 180;  ///< where piezoviscosity takes over

@@ -66,11 +66,7 @@ BOOST_AUTO_TEST_CASE(wrong_usage_is_one_line_and_leaves_nothing) {
            {"--part scaling --solver reference", "uses no FFT"},
            {"--time-limit 0", "--time-limit = 0: is out of range"},
            {"extra", "ehd --help"}}) {
-    const auto refused = test::ehd_run(folder, "bench --quick --output '" + out + "' " + arguments);
-    BOOST_TEST(refused.exit_code == 2, arguments);
-    BOOST_TEST(refused.error_lines() == 1, refused.err);
-    BOOST_TEST(refused.err.find(says) != std::string::npos, refused.err);
-    BOOST_TEST(refused.out == "");
+    test::check_refused(folder, "bench --quick --output '" + out + "' " + arguments, says);
     BOOST_TEST(!std::filesystem::exists(out), arguments);
   }
   BOOST_TEST(test::ehd_run(folder, "bench --quick --output '" + file + "'").exit_code == 2);

@@ -70,18 +70,4 @@ BOOST_AUTO_TEST_CASE(a_film_moves_the_bodies_by_the_same_amount_whatever_the_dat
   BOOST_TEST(rows == 2);
 }
 
-BOOST_AUTO_TEST_CASE(lundbergs_approach_is_the_length_as_datum) {
-  // literature: D = 20, l = 30, d_m = 60 mm, E = 2.031e5 N/mm^2, nu = .3, Q = 10 kN: 12.231/11.572 micrometre at the
-  // inner/outer raceway. 1/R = 2/D + 2/(d_m -+ D).
-  const double length = 0.030, D = 0.020, d_m = 0.060, load = 1e4;
-  const double reduced_modulus = 2.031e11 / (1 - 0.3 * 0.3);
-  const auto lundberg_micrometre = [&](double curvature) {
-    const Conditions c{
-        .load_N_per_m = load / length, .reduced_radius_m = 1 / curvature, .reduced_modulus_Pa = reduced_modulus};
-    return 1e6 * dry_approach_m(c, length);
-  };
-  EHD_CHECK(error(lundberg_micrometre(2 / D + 2 / (d_m - D)), 12.231), Tolerance::published_digits("12.231"));
-  EHD_CHECK(error(lundberg_micrometre(2 / D - 2 / (d_m + D)), 11.572), Tolerance::published_digits("11.572"));
-}
-
 BOOST_AUTO_TEST_SUITE_END()

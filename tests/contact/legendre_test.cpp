@@ -2,32 +2,21 @@
 // Legendre polynomials and the Lobatto nodes, in double and with 34 digits: errors are in units of either type's eps.
 #include "contact/legendre.hpp"
 
-#include <boost/mpl/list.hpp>
-
 #include "tests/check.hpp"
 #include "tests/quad.hpp"
 
 namespace {
 
 using namespace ehd;
-using ehd::testing::as_in_double;
-using ehd::testing::Quad;
+using namespace ehd::testing;
 using verification::Tolerance;
 
-using Scalars = boost::mpl::list<double, Quad>;
 constexpr int largest_degree = 20;
 
 /// Int_-1^1 t^k dt.
 template <class Scalar>
 Scalar integral_of_power(int k) {
   return k % 2 == 0 ? Scalar(2) / Scalar(k + 1) : Scalar(0);
-}
-
-template <class Scalar>
-Scalar power(const Scalar& t, int k) {
-  Scalar value(1);
-  for (int i = 0; i < k; ++i) value *= t;
-  return value;
 }
 
 }  // namespace

@@ -87,7 +87,9 @@ BOOST_AUTO_TEST_CASE(every_law_has_one_row_and_its_name_is_read_back) {
   BOOST_TEST(viscosity_laws().size() == 3);
   BOOST_TEST(density_laws().size() == 3);
   BOOST_TEST(!viscosity_law_from("dowson-higginson"));
+  BOOST_TEST(!viscosity_law_from("Barus"));
   BOOST_TEST(!density_law_from("barus"));
+  BOOST_TEST(!density_law_from(""));
 }
 
 BOOST_AUTO_TEST_CASE(a_viscosity_law_is_made_from_the_keys_that_it_names) {

@@ -5,7 +5,6 @@
 #include <numbers>
 #include <random>
 
-#include "contact/hertz.hpp"
 #include "fast/jacobian.hpp"
 #include "fast/start.hpp"
 #include "tests/check.hpp"
@@ -25,45 +24,6 @@ Setting setting_of_seven_and_six() {
           .inlet = -3.7};
 }
 
-}  // namespace
-
-BOOST_AUTO_TEST_SUITE(discretisation)
-
-BOOST_AUTO_TEST_CASE(hertz_pressure_leaves_a_flat_gap_with_the_declared_order) {
-  // Centre deflection under Hertz' pressure: the gap at X = 0 equals H_0 - H_0,dry; order 2 at the centre, fitted over
-  // four grids whose nodes hold the contact's edges at the same place.
-  Setting setting = setting_of_seven_and_six();
-  setting.viscosity = Isoviscous{};
-  setting.density = Incompressible{};
-  setting.inlet = -2;
-  std::vector<double> logs_h, logs_e;
-  for (const int n : {128, 256, 512, 1024}) {
-    Grids grids;
-    Grid& grid = grids.of(n);
-    Counters counters;
-    Discretisation scheme;
-    State state;
-    state.P = hertz::pressure(Array::LinSpaced(n + 1, -2.0, 2.0));
-    state.offset = hertz::dry_offset() + 0.25;
-    state.exit = 2;
-    BOOST_REQUIRE(scheme.evaluate(setting, state, grid, counters));
-    logs_h.push_back(std::log(scheme.nodes.length / n));
-    logs_e.push_back(std::log(std::abs(scheme.nodes.H[n / 2] - 0.25)));
-  }
-  BOOST_REQUIRE_EQUAL(logs_h.size(), 4u);
-  double sx = 0, sy = 0, sxx = 0, sxy = 0;
-  for (std::size_t i = 0; i < 4; ++i) {
-    sx += logs_h[i], sy += logs_e[i], sxx += logs_h[i] * logs_h[i], sxy += logs_h[i] * logs_e[i];
-  }
-  const double order = (4 * sxy - sx * sy) / (4 * sxx - sx * sx);
-  // Hertz' square roots leave h^(3/2) at the edges and order 2 at the centre (physics of the scheme, not a
-  // measurement).
-  EHD_CHECK(std::abs(order - 2.0),
-            Tolerance::asymptotic(0.3, "edges that pass between grids move pairwise orders by 0.3"));
-}
-
-namespace {
-
 struct JacobianCase {
   const char* name;
   bool sourced, mapped, robust_wedge, with_tail;
@@ -80,6 +40,8 @@ std::shared_ptr<const Map> map_from(double inlet) {
 }
 
 }  // namespace
+
+BOOST_AUTO_TEST_SUITE(discretisation)
 
 BOOST_AUTO_TEST_CASE(jacobian_product_is_the_derivative_of_the_residual) {
   const Sources sources{.film = [](double X) { return std::pair(0.07 * X * X * X, 0.21 * X * X); },

@@ -9,8 +9,10 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 
 #include "bearing/geometry.hpp"
+#include "bearing/law_table.hpp"
 #include "contact/nondimensional.hpp"
 #include "contact/text.hpp"
 #include "io/case_reader.hpp"
@@ -132,7 +134,7 @@ inline std::string broken_by_plan(const Plan& plan) {
 }
 
 /// The way of a contact, up to the solve and after one that gave nothing.
-inline std::string broken_by_contact(const Case& read, const ContactCase& contact) {
+inline std::string broken_by_body(const Case& read, const ContactCase& contact) {
   const RegisteredSolver solver{.name = "fast",
                                 .description = {},
                                 .solve = [](const Problem&, const Request&) { return Solution{}; },
@@ -159,8 +161,8 @@ inline std::string broken_by_contact(const Case& read, const ContactCase& contac
   return "";
 }
 
-/// Geometry, kinematics, and the balance by the dry law: the part that needs no contact solve.
-inline std::string broken_by_bearing(const Case& read, const BearingCase& body) {
+/// Geometry, kinematics, and the balance by the dry laws: the part that needs no contact solve.
+inline std::string broken_by_body(const Case& read, const BearingCase& body) {
   const bearing::Geometry& geometry = body.geometry;
   for (const auto raceway : {bearing::Raceway::inner, bearing::Raceway::outer}) {
     if (!positive(bearing::reduced_radius_m(geometry, raceway)))
@@ -176,7 +178,7 @@ inline std::string broken_by_bearing(const Case& read, const BearingCase& body) 
   if (auto broken = broken_by_plan(plan_bearing(body, default_laws(body))); !broken.empty()) return broken;
 
   ContactMemory memory([](const Problem&, const Request&) { return Solution{}; });
-  for (const bearing::Law law : {bearing::Law::hertz, bearing::Law::iso, bearing::Law::lundberg}) {
+  for (const bearing::Law law : bearing::laws_of(bearing::Laws::dry_without_ring_thickness)) {
     const auto results = run_bearing(read, {.laws = {law}, .explicitly = true, .films = false}, memory);
     if (results.size() != 1) return "one law gives " + std::to_string(results.size()) + " results";
     const BearingResult& result = results.front();
@@ -213,8 +215,7 @@ inline std::string broken(std::string_view bytes) {
     if (!std::isfinite(expectation.value) || !(expectation.uncertainty >= 0) || !std::isfinite(expectation.uncertainty))
       return expectation.quantity + " = " + plain(expectation.value) + " +- " + plain(expectation.uncertainty);
   }
-  if (const auto* contact = std::get_if<ContactCase>(&read.body)) return broken_by_contact(read, *contact);
-  return broken_by_bearing(read, std::get<BearingCase>(read.body));
+  return std::visit([&](const auto& body) { return broken_by_body(read, body); }, read.body);
 }
 
 }  // namespace ehd::verification::promises

@@ -57,7 +57,7 @@ std::string any_number(std::mt19937& random) {
   return (random() % 8 == 0 ? "-" : "") + std::to_string(digits) + "e" + std::to_string(exponent);
 }
 
-/// One line of the text drawn twice over, left out, or given another number: what byte mutations rarely hit upon.
+/// Doubles a line, leaves one out, or gives it another number. Mutations of bytes rarely do so.
 std::string with_another_line(std::string_view text, std::mt19937& random) {
   std::vector<std::string> lines = ehd::lines_of(text);
   const std::size_t at = random() % lines.size();

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# tests/fuzz/run.sh PROGRAM SECONDS [FOLDER]: fuzzes from the kept inputs and the benchmark cases. FOLDER (out/fuzz) keeps
-# what reached new code, for the next run, and what was found. Exit code 0: no promise was broken; 1: one was.
+# tests/fuzz/run.sh PROGRAM SECONDS [FOLDER]: fuzzes from the kept inputs and the benchmark cases. FOLDER (out/fuzz)
+# keeps what reached new code, for the next run, and what was found. Exit code 0: no promise was broken; 1: one was.
 set -eu
 cd "$(dirname "$0")/../.."
 program=$1

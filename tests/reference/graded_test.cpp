@@ -135,7 +135,7 @@ BOOST_AUTO_TEST_CASE(flooded_is_the_limit_of_far_inlets_within_the_stated_trunca
 }
 
 BOOST_AUTO_TEST_CASE(light_loads_with_a_close_inlet_are_solved) {
-  // At M = 0.5, L = 20 the film's own length sqrt(2 H) is beyond the inlet at -4: nothing but a solution is asked.
+  // At M = 0.5, L = 20 the film's own length sqrt(2 H) is beyond the inlet at -4: only a solution is required.
   const Solution solution = Graded{}.solve(barus_problem(0.5, 20, TruncatedAt{-4}), within(1e-3));
   BOOST_TEST((solution.record.status == StopReason::converged));
 }

@@ -185,7 +185,8 @@ BOOST_AUTO_TEST_CASE(far_inlets_tend_to_the_flooded_contact_with_the_square_of_t
         films.push_back(value(cut, film));
         missed.push_back(error(films.back(), value(flooded, film)));
       }
-      // Without X^-2 between two cuts; of the X^-3 that is left, 8 - 1 parts lie between one such limit and the next.
+      // Two cuts without their X^-2 give a limit. Its X^-3 falls by 8 from one limit to the next: they differ by 7
+      // times what is left.
       const auto limit = [&](std::size_t k) { return films[k] + (films[k] - films[k - 1]) / 3; };
       const double apart = error(limit(4), limit(3));
       BOOST_TEST_CONTEXT(name(endless) << ' ' << to_string(film)) {
@@ -388,7 +389,8 @@ BOOST_AUTO_TEST_CASE(light_isoviscous_contacts_tend_to_martins) {
   int rows = 0;
   for (Limit& limit : limits) {
     for (const double at : limit.values) limit.missed.push_back(error(at, std::stod(limit.truth)));
-    // Without M^2; of the M^4 that is left, 16 - 1 parts lie between one extrapolation and the next.
+    // Two loads without their M^2 give a limit. Its M^4 falls by 16 from one limit to the next: they differ by 15 times
+    // what is left.
     const auto without = [&](std::size_t k) { return limit.values[k] + (limit.values[k] - limit.values[k - 1]) / 3; };
     const double apart = error(without(4), without(3)), left = error(without(4), std::stod(limit.truth));
     BOOST_TEST_CONTEXT("limit " << limit.truth) {

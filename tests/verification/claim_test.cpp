@@ -102,7 +102,7 @@ BOOST_AUTO_TEST_CASE(a_value_is_judged_relative_to_what_is_expected) {
   EHD_CHECK(error(near.margin(), 1 - 0.82), Tolerance::round_off(8, 1000));
   BOOST_TEST((claim_value(sentence("undecided"), 0.2518, 0.25, 0.005, percent).verdict == Verdict::inconclusive));
   BOOST_TEST((claim_value(sentence("far"), 0.26, 0.25, 0.001, percent).verdict == Verdict::fail));
-  // Relative turns absolute where 0 is expected.
+  // The error is absolute where 0 is expected.
   EHD_CHECK(error(claim_value(sentence("zero"), -0.003, 0, 0, percent).error, 0.003), Tolerance::round_off(2));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a case does not need does not run: proved by the counters in Cost, not by time.
+// A stage that a case does not need does not run. The counters in Cost show this, not the time.
 #include "workflow/contact_plan.hpp"
 
 #include "tests/check.hpp"

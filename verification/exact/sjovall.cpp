@@ -49,8 +49,4 @@ double SjovallIntegral::operator()(double eps) const {
   return value / pi;
 }
 
-double load_zone_parameter(double displacement_m, double clearance_m) {
-  return (1 - clearance_m / (2 * displacement_m)) / 2;
-}
-
 }  // namespace ehd::verification::exact

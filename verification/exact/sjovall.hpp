@@ -15,7 +15,4 @@ struct SjovallIntegral {
   [[nodiscard]] double operator()(double eps) const;
 };
 
-/// eps of a ring displaced by delta_r under a diametral clearance P_d.
-[[nodiscard]] double load_zone_parameter(double displacement_m, double clearance_m);
-
 }  // namespace ehd::verification::exact

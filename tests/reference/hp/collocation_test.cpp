@@ -9,8 +9,8 @@
 #include "contact/hertz.hpp"
 #include "tests/check.hpp"
 #include "tests/quad.hpp"
+#include "tests/quadrature.hpp"
 #include "tests/reference/hp/meshes.hpp"
-#include "tests/reference/hp/quadrature.hpp"
 
 namespace {
 

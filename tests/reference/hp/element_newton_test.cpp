@@ -145,7 +145,7 @@ BOOST_AUTO_TEST_CASE(newton_stops_at_either_limit_and_counts_what_it_spent) {
     BOOST_TEST((run.state.P.array() == start.P.array()).all());
   }
   {
-    // None of these was the reason that there is no solution.
+    // The same start is solved where nothing is spoilt.
     Meter meter = generous();
     BOOST_TEST(ehd::reference::hp::newton(equations, start, 1e-2, {}, meter).solved);
   }

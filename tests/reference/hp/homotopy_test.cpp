@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rung 6: the way from a floor of the fluidity down to the physics, and what is carried on to 0 where it ends before.
+// Rung 6: the descent from a floor of the fluidity to the physics, and the extrapolation to floor 0 where the descent
+// ends earlier.
 #include "reference/hp/homotopy.hpp"
 
 #include <algorithm>
@@ -220,7 +221,7 @@ BOOST_AUTO_TEST_CASE(limits_end_the_adaption_and_the_descent) {
   const Problem problem = roelands_problem(20, 10, TruncatedAt{-4});
   const Resolved top = coarse_top(problem, 0.0856, 1e-2, 0.0856);
   {
-    // Finer than 200 intervals is not to be had: the best such mesh, and it says that it resolves too little.
+    // At most 200 intervals are allowed: the best such mesh is returned and says that it resolves too little.
     Meter meter = generous();
     HomotopyLimits few = limits;
     few.largest_intervals = 200;

@@ -23,7 +23,7 @@ std::vector<double> lengths(const Mesh& mesh) {
   return out;
 }
 
-/// Of neighbours, from element `first` on.
+/// The largest ratio of neighbouring lengths, from element `first` on.
 double largest_ratio(const Mesh& mesh, std::size_t first) {
   const auto length = lengths(mesh);
   double ratio = 1;

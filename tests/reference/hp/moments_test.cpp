@@ -7,7 +7,7 @@
 
 #include "tests/check.hpp"
 #include "tests/quad.hpp"
-#include "tests/reference/hp/quadrature.hpp"
+#include "tests/quadrature.hpp"
 
 namespace {
 
@@ -35,7 +35,7 @@ double by_quadrature(int k, double u) {
   return ehd::testing::log_integral([k](double t) { return legendre(k, t)[k]; }, -1, 1, u);
 }
 
-/// What moments are compared with inside the element: m_0 is of size 1, and m_k at the ends is -2/(k(k+1)).
+/// The size of a moment inside the element: m_0 is of size 1, and m_k at the ends is -2/(k(k+1)).
 double size_of_moment(int k) { return k == 0 ? 1 : 2.0 / (k * (k + 1)); }
 
 /// Near an end, `distance` from it, m_k is a difference of Q's of size Q_0 = ln(2/distance)/2, divided by k + 1/2, and

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rung 2: what rounding does. The collocation equations of one adapted mesh, solved in double, in long double and with
+// Rung 2: rounding. The collocation equations of one adapted mesh, solved in double, in long double and with
 // 34 digits: the differences are double's rounding and nothing else.
 #include <Eigen/LU>
 

@@ -2,8 +2,6 @@
 // Collocation points and the element's matrices, in double and with 34 digits.
 #include "reference/hp/reference_element.hpp"
 
-#include <boost/mpl/list.hpp>
-
 #include "tests/check.hpp"
 #include "tests/quad.hpp"
 
@@ -11,19 +9,10 @@ namespace {
 
 using namespace ehd;
 using namespace ehd::reference::hp;
-using ehd::testing::as_in_double;
-using ehd::testing::Quad;
+using namespace ehd::testing;
 using verification::Tolerance;
 
-using Scalars = boost::mpl::list<double, Quad>;
 constexpr int largest_degree = 20;
-
-template <class Scalar>
-Scalar power(const Scalar& t, int k) {
-  Scalar value(1);
-  for (int i = 0; i < k; ++i) value *= t;
-  return value;
-}
 
 /// The weights that make the points a quadrature rule (Radau's with its fixed point at -1, or Gauss').
 template <class Scalar>

@@ -743,13 +743,7 @@ BOOST_AUTO_TEST_CASE(wrong_usage_of_the_command_is_one_line_and_exit_code_2) {
   };
   for (const auto& [arguments, phrase] : rows) {
     const std::string here = arguments.find("--output") == std::string::npos ? " --output " + damaged : "";
-    const auto ended = test::ehd_run(folder, "atlas " + arguments + here);
-    BOOST_TEST_CONTEXT("ehd atlas " << arguments) {
-      BOOST_TEST(ended.exit_code == 2);
-      BOOST_TEST(ended.out == "");
-      BOOST_TEST(ended.error_lines() == 1, ended.err);
-      BOOST_TEST(ended.err.find(phrase) != std::string::npos, ended.err);
-    }
+    test::check_refused(folder, "atlas " + arguments + here, phrase);
   }
 }
 

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs behind the report's own script and writes what it sees into the page (in a frame: into the page around it), a line
-// each, "error: ..." where something is wrong.
+// Runs behind the report's own script and writes what it sees into the page (in a frame: into the page around it), a
+// line each, "error: ..." where something is wrong.
 "use strict";
 (function () {
   var seen = window.seen;
   function attempt(name, look) {
     try { seen.push(name + ": " + look()); } catch (thrown) { seen.push("error: " + name + ": " + thrown); }
   }
+  function complain(svg, what) { seen.push("error: " + svg.id + " " + what); }
+  function verdict(works, otherwise) { return works ? "works" : "does not work: " + otherwise; }
   function pointer(svg, element, x, y) {
     element.dispatchEvent(new PointerEvent("pointermove", { clientX: x, clientY: y, bubbles: true }));
     var readout = document.querySelector(".readout"), text = readout.hidden ? "" : readout.textContent;
@@ -30,29 +32,34 @@
     var pictures = document.querySelectorAll("svg.plot");
     pictures.forEach(function (svg) {
       var box = svg.getBoundingClientRect();
-      if (!(box.width > 100 && box.height > 80)) { seen.push("error: " + svg.id + " is " + box.width + " x " + box.height); }
+      if (!(box.width > 100 && box.height > 80)) { complain(svg, "is " + box.width + " x " + box.height); }
       // Data: a curve that has a length, marks, or coloured cells.
       var data = 0;
-      svg.querySelectorAll(".series path.line").forEach(function (path) { data += path.getTotalLength() > 1 ? 1 : 0; });
+      svg.querySelectorAll(".series path.line").forEach(function (path) {
+        data += path.getTotalLength() > 1 ? 1 : 0;
+      });
       data += svg.querySelectorAll(".series .mark, rect.cell").length;
-      if (data === 0) { seen.push("error: " + svg.id + " has no data"); }
-      if (!svg.querySelector("title").textContent || !svg.querySelector("desc").textContent) { seen.push("error: " + svg.id + " has no title"); }
-      if (/NaN|undefined|Infinity/.test(svg.innerHTML)) { seen.push("error: " + svg.id + " has numbers that are none"); }
+      if (data === 0) { complain(svg, "has no data"); }
+      if (!svg.querySelector("title").textContent || !svg.querySelector("desc").textContent) {
+        complain(svg, "has no title");
+      }
+      if (/NaN|undefined|Infinity/.test(svg.innerHTML)) { complain(svg, "has numbers that are none"); }
       // Numbers, names of axes and the legend must not touch: their boxes, in the page.
-      var texts = Array.prototype.slice.call(svg.querySelectorAll(".frame text, .axis-label, .key text")).map(function (text) {
+      var labels = svg.querySelectorAll(".frame text, .axis-label, .key text");
+      var texts = Array.prototype.slice.call(labels).map(function (text) {
         return { box: text.getBoundingClientRect(), says: text.textContent };
       });
       texts.forEach(function (a, i) {
         texts.slice(i + 1).forEach(function (b) {
           var across = Math.min(a.box.right, b.box.right) - Math.max(a.box.left, b.box.left);
           var down = Math.min(a.box.bottom, b.box.bottom) - Math.max(a.box.top, b.box.top);
-          if (across > 1 && down > 3) { seen.push("error: " + svg.id + ": \"" + a.says + "\" and \"" + b.says + "\" overlap"); }
+          if (across > 1 && down > 3) { complain(svg, ": \"" + a.says + "\" and \"" + b.says + "\" overlap"); }
         });
       });
       svg.querySelectorAll("text").forEach(function (text) {
         var t = text.getBoundingClientRect(), s = svg.getBoundingClientRect();
         if (t.left < s.left - 2 || t.right > s.right + 2 || t.bottom > s.bottom + 2) {
-          seen.push("error: " + svg.id + ": \"" + text.textContent + "\" sticks out of the picture");
+          complain(svg, ": \"" + text.textContent + "\" sticks out of the picture");
         }
       });
     });
@@ -63,24 +70,31 @@
     return;
   }
   attempt("toggle", function () {
-    var svg = document.getElementById("fig-case-made-20-10"), key = svg.querySelector(".key"), number = key.getAttribute("data-key");
+    var svg = document.getElementById("fig-case-made-20-10"), key = svg.querySelector(".key");
+    var number = key.getAttribute("data-key");
     var series = svg.querySelector(".series[data-key=\"" + number + "\"]");
     key.dispatchEvent(new MouseEvent("click", { bubbles: true }));
     var hidden = getComputedStyle(series).display === "none" && key.getAttribute("aria-pressed") === "false";
     key.dispatchEvent(new MouseEvent("click", { bubbles: true }));
-    return hidden && getComputedStyle(series).display !== "none" ? "works" : "does not work";
+    return verdict(hidden && getComputedStyle(series).display !== "none", "hidden " + hidden);
   });
   attempt("read-out", function () {
-    var svg = document.getElementById("fig-case-made-20-10"), box = svg.querySelector(".frame path.axis:last-of-type").getBoundingClientRect();
+    var svg = document.getElementById("fig-case-made-20-10");
+    var box = svg.querySelector(".frame path.axis:last-of-type").getBoundingClientRect();
     // Half a circle on -2 ... 1.2 cut at what is shown: its top is at P = 1.
-    var text = "";
-    for (var i = 1; i < 40 && !/P = p\/pH: (1|0\.9\d*)$/.test(text); ++i) { text = pointer(svg, svg, box.left + box.width * i / 40, box.top + box.height * 0.04) || text; }
-    for (var j = 1; j < 40 && !/P = p\/pH: (1|0\.9\d*)$/.test(text); ++j) { text = pointer(svg, svg, box.left + box.width * j / 40, box.top + box.height * 0.2) || text; }
-    return /^P reference\nX = x\/b: -?[\d.e-]+\nP = p\/pH: (1|0\.9\d*)$/.test(text) || /^P fast\n/.test(text) ? "works" : "does not work: " + text.replace(/\n/g, " | ");
+    var text = "", top = /P = p\/pH: (1|0\.9\d*)$/;
+    [0.04, 0.2].forEach(function (down) {
+      for (var i = 1; i < 40 && !top.test(text); ++i) {
+        text = pointer(svg, svg, box.left + box.width * i / 40, box.top + box.height * down) || text;
+      }
+    });
+    var at_top = /^P reference\nX = x\/b: -?[\d.e-]+\nP = p\/pH: (1|0\.9\d*)$/;
+    return verdict(at_top.test(text) || /^P fast\n/.test(text), text.replace(/\n/g, " | "));
   });
   attempt("cell", function () {
-    var svg = document.getElementById("fig-film-minimum-roelands"), cell = svg.querySelector("[data-hint] rect"), box = cell.getBoundingClientRect();
-    return /^M = .*H_Moes = [\d.]+/.test(pointer(svg, cell, box.left + 3, box.top + 3)) ? "works" : "does not work";
+    var svg = document.getElementById("fig-film-minimum-roelands"), cell = svg.querySelector("[data-hint] rect");
+    var box = cell.getBoundingClientRect(), text = pointer(svg, cell, box.left + 3, box.top + 3);
+    return verdict(/^M = .*H_Moes = [\d.]+/.test(text), text);
   });
   attempt("filter", function () {
     var controls = document.querySelector(".controls"), input = controls.querySelector("input");
@@ -89,12 +103,13 @@
     var some = controls.querySelector("output").textContent;
     input.value = "";
     input.dispatchEvent(new Event("input", { bubbles: true }));
-    return some === "1 of 4" && controls.querySelector("output").textContent === "4 of 4" ? "works" : "does not work: " + some;
+    return verdict(some === "1 of 4" && controls.querySelector("output").textContent === "4 of 4", some);
   });
   attempt("theme", function () {
-    var button = document.querySelector("button.theme"), before = getComputedStyle(document.body).backgroundColor, colours = [];
-    for (var i = 0; i < 3; ++i) { button.click(); colours.push(getComputedStyle(document.body).backgroundColor); }
-    return colours[0] === "rgb(255, 255, 255)" && colours[1] === "rgb(21, 24, 28)" && colours[2] === before ? "works" : "does not work: " + colours.join(" ");
+    var button = document.querySelector("button.theme"), colours = [];
+    var paper = function () { return getComputedStyle(document.body).backgroundColor; }, before = paper();
+    for (var i = 0; i < 3; ++i) { button.click(); colours.push(paper()); }
+    return verdict(colours.join(";") === "rgb(255, 255, 255);rgb(21, 24, 28);" + before, colours.join(" "));
   });
   finish();
 })();

@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# browser_test.sh EHD MADE_REPORT: the report of made results in headless Chromium: no console message, every figure with
-# its data, light and dark, a phone's width without sideways scrolling, the script's switches. Exit code: 0 all is well, 1 something
-# is not (a line each), 77 no browser is installed.
+# browser_test.sh EHD MADE_REPORT: the report of made results in headless Chromium: no console message, every figure
+# with its data, light and dark, a phone's width without sideways scrolling, the script's switches. Exit code: 0 all is
+# well, 1 something is not (a line each), 77 no browser is installed.
 set -eu
 ehd=$1
 made_report=$2
@@ -25,7 +25,8 @@ trap 'rm -rf "$folder"' EXIT
 # A page with the probe: a script in front that catches errors, one behind that looks and writes down what it saw.
 with_probe() {
   sed '/<meta charset/q' "$1"
-  echo '<script>window.seen = []; window.addEventListener("error", function (e) { window.seen.push("error: " + e.message); });</script>'
+  echo '<script>window.seen = [];'
+  echo 'window.addEventListener("error", function (e) { window.seen.push("error: " + e.message); });</script>'
   sed '1,/<meta charset/d; /<\/body>/d' "$1"
   echo '<script>'
   cat "$here/browser_probe.js"
@@ -57,7 +58,8 @@ complain() {
 look() {
   name=$1
   timeout 120 "$browser" --headless --no-sandbox --disable-gpu --hide-scrollbars --user-data-dir="$folder/profile" \
-    --enable-logging=stderr --v=0 --virtual-time-budget=10000 --window-size=1200,900 --blink-settings=preferredColorScheme="$3" --dump-dom "file://$folder/$2" \
+    --enable-logging=stderr --v=0 --virtual-time-budget=10000 --window-size=1200,900 \
+    --blink-settings=preferredColorScheme="$3" --dump-dom "file://$folder/$2" \
     > "$folder/$name.dom.html" 2> "$folder/$name.log" || complain "$name: the browser ended with exit code $?"
   if grep "CONSOLE" "$folder/$name.log"; then complain "$name: the page wrote to the console"; fi
   sed -n '/<pre id="probe">$/,/^<\/pre>/p' "$folder/$name.dom.html" | sed '/pre/d' > "$folder/$name.txt"
@@ -92,8 +94,8 @@ for seen in "toggle: works" "read-out: works" "cell: works" "filter: works" "the
   for run in light dark phone; do says "$run" "$seen"; done
 done
 
-timeout 120 "$browser" --headless --no-sandbox --disable-gpu --user-data-dir="$folder/profile" --print-to-pdf="$folder/report.pdf" \
-  "file://$folder/report.html" > /dev/null 2>&1 || complain "print: exit code $?"
+timeout 120 "$browser" --headless --no-sandbox --disable-gpu --user-data-dir="$folder/profile" \
+  --print-to-pdf="$folder/report.pdf" "file://$folder/report.html" > /dev/null 2>&1 || complain "print: exit code $?"
 [ -s "$folder/report.pdf" ] || complain "print: nothing came out"
 
 [ "$failed" -eq 0 ] && echo "$figures figures: light, dark, on a phone, without the script, in print"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// GSL's adaptive quadrature for smooth functions, for end singularities and for those with a logarithm.
+// GSL's adaptive quadrature for smooth functions, for end singularities, for those with a logarithm and to infinity.
 #pragma once
 
 #include <gsl/gsl_errno.h>
@@ -46,6 +46,13 @@ inline double smooth_integral(const Function& f, double a, double b) {
 inline double singular_integral(const Function& f, double a, double b) {
   return detail::integrated(f, [&](auto* g, auto* workspace, auto* value, auto* uncertainty) {
     return gsl_integration_qags(g, a, b, 1e-15, asked_of_quadrature, 2000, workspace, value, uncertainty);
+  });
+}
+
+/// Int_a^infinity f to a relative accuracy.
+inline double integral_to_infinity(const Function& f, double a, double accuracy) {
+  return detail::integrated(f, [&](auto* g, auto* workspace, auto* value, auto* uncertainty) {
+    return gsl_integration_qagiu(g, a, 0, accuracy, 2000, workspace, value, uncertainty);
   });
 }
 
