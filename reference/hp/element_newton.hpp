@@ -3,6 +3,7 @@
 #pragma once
 
 #include <chrono>
+#include <limits>
 
 #include "reference/hp/collocation.hpp"
 
@@ -29,7 +30,7 @@ struct NewtonRun {
   State<double> state;
   Evaluation<double> at;
   int iterations = 0;
-  double residual = 0;         ///< largest, each in units of its scale
+  double residual = std::numeric_limits<double>::quiet_NaN();  ///< largest, each in units of its scale
   double iteration_error = 0;  ///< relative, of the flux: what a further step would still move
 };
 
