@@ -24,7 +24,7 @@ struct AtlasOptions {
   bool fresh = false;
 };
 
-const char* examples = R"(
+const char* const atlas_examples = R"(
 Examples:
   ehd atlas                                the whole atlas, into cases/atlas
   ehd atlas --output out/atlas             the same elsewhere
@@ -99,7 +99,7 @@ int atlas(const AtlasOptions& options) {
 void describe_atlas(Command& command) {
   auto options = std::make_shared<AtlasOptions>();
   command.summary("Solve the atlas of line contacts");
-  command.examples(examples);
+  command.examples(atlas_examples);
   command.text("--output", options->output, "folder for atlas.csv, digits.txt and the case files (cases/atlas)")
       .called("DIR");
   command

@@ -42,7 +42,7 @@ struct BearingOptions {
   RequestOptions limits;
 };
 
-const char* examples = R"(
+const char* const bearing_examples = R"(
 Examples:
   ehd bearing na4908                                   dry and EHD laws side by side
   ehd bearing na4908 na4908-2.5um na4908-10um          three clearances; judges the paper's statements
@@ -270,7 +270,7 @@ int bearing(const BearingOptions& options) {
 void describe_bearing(Command& command) {
   auto options = std::make_shared<BearingOptions>();
   command.summary("Load distribution of a roller bearing, dry and with films");
-  command.examples(examples);
+  command.examples(bearing_examples);
   command.list("CASE", options->cases, "case files (TOML), or ids of benchmark cases").required();
   command.list("--law", options->laws,
                "contact law (repeatable): " + bearing::names_of(bearing::Laws::all) + " (" +

@@ -37,7 +37,7 @@ struct BenchOptions {
   bool quick = false;
 };
 
-const char* examples = R"(
+const char* const bench_examples = R"(
 Examples:
   ehd bench --output out/bench                  every part, in a quarter of an hour
   ehd bench --quick                             a short set of each, in under a minute
@@ -210,7 +210,7 @@ class Bench {
 void describe_bench(Command& command) {
   auto options = std::make_shared<BenchOptions>();
   command.summary("Run time and work against achieved error; scaling; many contacts");
-  command.examples(examples);
+  command.examples(bench_examples);
   command.text("--output", options->output, "folder for bench.json, work_precision.csv and scaling.csv").called("DIR");
   command.list("--part", options->parts, "work-precision, scaling, batch or box (repeatable; all but box)")
       .called("PART");

@@ -25,7 +25,7 @@ namespace ehd::cli {
 
 namespace {
 
-const char* examples = R"(
+const char* const cases_examples = R"(
 Examples:
   ehd cases                          id, problem, title and source of every case
   ehd cases --bibtex > ehd.bib       the sources of all cases and claims, for a bibliography
@@ -122,7 +122,7 @@ void describe_cases(Command& command) {
   };
   auto options = std::make_shared<CasesOptions>();
   command.summary("List the benchmark cases and how to cite each");
-  command.examples(examples);
+  command.examples(cases_examples);
   const Option bibtex = command.flag("--bibtex", options->bibtex, "print the BibTeX entries of all sources");
   command.flag("--atlas", options->atlas, "list the points of the atlas").excluding(bibtex);
   command.runs([options] { return options->atlas ? list_atlas() : list(options->bibtex); });

@@ -33,7 +33,7 @@ struct CompareOptions {
   RequestOptions limits;
 };
 
-const char* examples = R"(
+const char* const compare_examples = R"(
 Examples:
   ehd compare own-moes-20-10 own-moes-100-10
   ehd compare own-moes-20-10 --solver fast --solver reference --tolerance 1e-3
@@ -42,8 +42,6 @@ Examples:
 The achieved error is the difference from the case's own expectation (the one with the smallest uncertainty). A case
 without one is compared with the run whose error estimate is smallest. Exit code: 0 every run converged; 1 one did not;
 2 bad input or usage.)";
-
-constexpr Quantity films[] = {Quantity::film_minimum, Quantity::film_central};
 
 struct Row {
   double tolerance = 0;
@@ -65,7 +63,7 @@ const Expectation* truth_of(const Case& contact_case, Quantity quantity) {
 
 /// Fills in the achieved errors of one film; returns what the film was compared with.
 std::string judge_film(const Case& contact_case, std::vector<Row>& rows, std::size_t film) {
-  const Quantity quantity = films[film];
+  const Quantity quantity = judged_films[film];
   if (const Expectation* truth = truth_of(contact_case, quantity)) {
     for (Row& row : rows) {
       const auto measured = measure(row.run, *truth);
@@ -98,7 +96,7 @@ std::vector<Row> run_all(const Case& contact_case, const std::vector<const Regis
       progress.show(fmt::format("{}: {} at {} ...", contact_case.id, solver->name, plain(*request.tolerance)));
       Row row{.tolerance = *request.tolerance, .run = run_contact(contact_case, *solver, request)};
       for (std::size_t film = 0; film < 2; ++film) {
-        if (const Reading* reading = verification::reading_of(row.run.solution, films[film]))
+        if (const Reading* reading = verification::reading_of(row.run.solution, judged_films[film]))
           row.reported[film] = reading->error;
       }
       rows.push_back(std::move(row));
@@ -122,7 +120,7 @@ std::vector<std::vector<std::string>> table_of(const std::vector<Row>& rows) {
   for (const Row& row : rows) {
     std::vector<std::string> cells{row.run.solver, plain(row.tolerance), std::string(to_string(row.run.status()))};
     for (std::size_t film = 0; film < 2; ++film) {
-      const Reading* reading = verification::reading_of(row.run.solution, films[film]);
+      const Reading* reading = verification::reading_of(row.run.solution, judged_films[film]);
       cells.push_back(reading ? with_error(reading->value, reading->error) : "-");
       cells.push_back(verification::dash(row.reported[film], 2));
       cells.push_back(verification::dash(row.achieved[film], 2));
@@ -140,7 +138,8 @@ Json json_of(const Row& row) {
   Json entry = to_json(row.run);
   put(entry, "tolerance", row.tolerance);
   Json achieved = Json::object();
-  for (std::size_t film = 0; film < 2; ++film) put(achieved, std::string(to_string(films[film])), row.achieved[film]);
+  for (std::size_t film = 0; film < 2; ++film)
+    put(achieved, std::string(to_string(judged_films[film])), row.achieved[film]);
   entry["achieved_error"] = achieved;
   return entry;
 }
@@ -197,7 +196,7 @@ int compare(const CompareOptions& options) {
 void describe_compare(Command& command) {
   auto options = std::make_shared<CompareOptions>();
   command.summary("Solvers side by side: time, error, work");
-  command.examples(examples);
+  command.examples(compare_examples);
   command.list("CASE", options->cases, "case files (TOML), or ids of benchmark cases");
   command.list(
       "--solver", options->solvers,

@@ -19,7 +19,7 @@ struct MapsOptions {
   std::string laws = "roelands";
 };
 
-const char* examples = R"(
+const char* const maps_examples = R"(
 Examples:
   ehd maps                                      every formula, Roelands and compressible
   ehd maps --quantity film.minimum --laws barus
@@ -48,7 +48,7 @@ int maps(const MapsOptions& options) {
 void describe_maps(Command& command) {
   auto options = std::make_shared<MapsOptions>();
   command.summary("Film formulas and cut inlets against certified films, over M and L");
-  command.examples(examples);
+  command.examples(maps_examples);
   command.text("--output", options->output, "folder for formula_maps.csv and inlet_maps.csv").called("DIR");
   command.text("--quantity", options->quantity, "film.minimum or film.central (both)").called("FILM");
   command.text("--laws", options->laws, "roelands or barus (roelands)").called("LAWS");

@@ -33,7 +33,7 @@ struct PlanOptions {
   RequestOptions request;
 };
 
-const char* examples = R"(
+const char* const plan_examples = R"(
 Examples:
   ehd plan own-moes-20-10                              the stages of a contact
   ehd plan own-isoviscous-10-0 --solver reference      no viscosity law, no FFT
@@ -76,7 +76,7 @@ int plan(const PlanOptions& options) {
 void describe_plan(Command& command) {
   auto options = std::make_shared<PlanOptions>();
   command.summary("Show what would be computed, what is skipped and why");
-  command.examples(examples);
+  command.examples(plan_examples);
   command.text("CASE", options->case_name, "a case file (TOML), or the id of a benchmark case").required();
   command.text("--solver", options->solver, "one of " + solver_names() + " (" + default_solver().name + ")");
   options->request.add_to(command);

@@ -14,7 +14,7 @@ namespace ehd::cli {
 
 namespace {
 
-const char* examples = R"(
+const char* const report_examples = R"(
 Examples:
   ehd verify --output out/verify && ehd report out/verify    leaves out/verify/report.html
   ehd bench --output out/verify; ehd report out/verify       with work-precision diagrams
@@ -39,7 +39,7 @@ int report_on(const std::string& folder) {
 void describe_report(Command& command) {
   auto folder = std::make_shared<std::string>();
   command.summary("Results as one self-contained HTML page, DIR/report.html");
-  command.examples(examples);
+  command.examples(report_examples);
   command.text("DIR", *folder, "the folder that ehd verify --output has filled").required();
   command.runs([folder] { return report_on(*folder); });
 }

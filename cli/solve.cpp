@@ -41,7 +41,7 @@ struct SolveOptions {
   RequestOptions request;
 };
 
-const char* examples = R"(
+const char* const solve_examples = R"(
 Examples:
   ehd solve own-moes-20-10                              a benchmark case by its id
   ehd solve my-contact.toml --tolerance 1e-4            a case file
@@ -249,7 +249,7 @@ int solve(const SolveOptions& options) {
 void describe_solve(Command& command) {
   auto options = std::make_shared<SolveOptions>();
   command.summary("Solve one contact");
-  command.examples(examples);
+  command.examples(solve_examples);
   command.text("CASE", options->case_name, "a case file (TOML), or the id of a benchmark case");
   command.text("--M", options->M, "Moes load parameter, 1e-3 to 1e6 (instead of a CASE, with --L)");
   command.text("--L", options->L, "Moes material parameter, 0 to 100");

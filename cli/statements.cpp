@@ -28,7 +28,7 @@ struct StatementsOptions {
   std::optional<std::string> json;
 };
 
-const char* examples = R"(
+const char* const statements_examples = R"(
 Examples:
   ehd statements                        the paper's bearing at its three clearances
   ehd statements --json study.json
@@ -75,7 +75,7 @@ int statements(const StatementsOptions& options) {
 void describe_statements(Command& command) {
   auto options = std::make_shared<StatementsOptions>();
   command.summary("Which choices that the paper leaves open change its statements");
-  command.examples(examples);
+  command.examples(statements_examples);
   command.list("CASE", options->cases, "one bearing at three or more clearances (na4908, na4908-2.5um, na4908-10um)");
   command.text("--json", options->json, "the study as JSON into a file, or - for standard output");
   command.runs([options] { return statements(*options); });

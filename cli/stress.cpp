@@ -25,7 +25,7 @@ struct StressOptions {
   bool quick = false;
 };
 
-const char* examples = R"(
+const char* const stress_examples = R"(
 Examples:
   ehd stress --output out/stress     every part, in half an hour; leaves out/stress/stress.json
   ehd stress --quick                 a small form of each, in under a minute
@@ -81,7 +81,7 @@ int stress(const StressOptions& options) {
 void describe_stress(Command& command) {
   auto options = std::make_shared<StressOptions>();
   command.summary("Numerical stability: starts, precision, rounding, condition, extremes");
-  command.examples(examples);
+  command.examples(stress_examples);
   command.text("--output", options->output, "folder for stress.json").called("DIR");
   command.list("--part", options->parts, "a to i (repeatable; all)").called("LETTER");
   command.text("--threads", options->threads, "threads (as many as there are cores)").called("N");

@@ -30,7 +30,7 @@ struct SweepOptions {
   RequestOptions limits;
 };
 
-const char* examples = R"(
+const char* const sweep_examples = R"(
 A sweep file:
   case = "na4908"                     # an id, or a path from the folder of this file
   laws = ["hertz", "ehd"]             # of a bearing; a contact has solver = "fast", tolerance = 1e-3
@@ -159,7 +159,7 @@ int sweep(const SweepOptions& options) {
 void describe_sweep(Command& command) {
   auto options = std::make_shared<SweepOptions>();
   command.summary("A case over lists and ranges of its keys, as CSV and JSON");
-  command.examples(examples);
+  command.examples(sweep_examples);
   command.text("FILE", options->file, "the sweep (TOML)").required();
   command.text("--output", options->output, "folder for the rows (out/sweep/ID)").called("DIR");
   command.text("--threads", options->threads, "rows computed side by side (as many as there are cores)").called("N");

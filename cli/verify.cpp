@@ -23,7 +23,7 @@ struct VerifyOptions {
   bool quick = false, all = false, trace = false;
 };
 
-const char* examples = R"(
+const char* const verify_examples = R"(
 Examples:
   ehd verify                            every rung, every case
   ehd verify --quick                    without the slow cases, in half a minute
@@ -96,7 +96,7 @@ int verify(const VerifyOptions& options) {
 void describe_verify(Command& command) {
   auto options = std::make_shared<VerifyOptions>();
   command.summary("Run the verification suite");
-  command.examples(examples);
+  command.examples(verify_examples);
   command.text("--rung", options->rung, "one rung of the ladder, 0 to 11");
   command.text("--case", options->case_id, "one case: an id, or a path to a TOML file");
   command.flag("--quick", options->quick, "leave out the slow cases");

@@ -98,6 +98,9 @@ struct QuantityRow {
 /// The names of all quantities for which `holds`, separated by commas: for messages that list what is allowed.
 [[nodiscard]] std::string names_of_quantities(bool (*holds)(Quantity));
 
+/// The two films that a tolerance is about. Every solver states their errors.
+inline constexpr std::array judged_films{Quantity::film_minimum, Quantity::film_central};
+
 /// The quantities that a caller asks for. All others are not computed.
 using Wanted = std::set<Quantity>;
 [[nodiscard]] Wanted want_everything();

@@ -89,7 +89,7 @@ class Climber {
       return error_of_inlet_cells(cells(n, run_.has_state ? run_.state.exit : first_exit_)) / calibrated_over_next;
     double least = std::numeric_limits<double>::infinity();
     const Observables &before = grids[grids.size() - 2].observed, &last = grids.back().observed;
-    for (const Quantity film : {Quantity::film_minimum, Quantity::film_central}) {
+    for (const Quantity film : judged_films) {
       if (!before.contains(film) || !last.contains(film)) continue;
       least = std::min(least, std::abs(1 - before.at(film).value / last.at(film).value) / difference_over_next);
     }

@@ -20,7 +20,7 @@ namespace ehd {
 
 namespace {
 
-constexpr const char* name = "journal";
+constexpr const char* journal_name = "journal";
 constexpr const char* schema = "ehd-sweep-journal-2";
 constexpr std::size_t check_digits = 16, hash_digits = content_hash_digits;
 constexpr std::size_t before_text = check_digits + 1 + hash_digits + 1;
@@ -43,7 +43,7 @@ std::string content_of(const JournalHeader& header) {
 
 SweepJournal::SweepJournal(const std::filesystem::path& folder, const JournalHeader& header,
                            const std::set<std::string>& wanted, bool fresh)
-    : folder_(folder), file_(folder / name) {
+    : folder_(folder), file_(folder / journal_name) {
   std::error_code error;
   std::filesystem::create_directories(folder_, error);
   if (error) refuse(folder_, "cannot be made (" + error.message() + "); allowed is a folder that may be written");
@@ -66,7 +66,7 @@ SweepJournal::SweepJournal(const std::filesystem::path& folder, const JournalHea
 }
 
 SweepJournal::SweepJournal(const std::filesystem::path& folder, const JournalHeader& header)
-    : folder_(folder), file_(folder / name) {
+    : folder_(folder), file_(folder / journal_name) {
   const std::string again = "; run again --shard " + std::to_string(header.shard) + "/" + std::to_string(header.of);
   std::error_code error;
   if (!std::filesystem::is_regular_file(file_, error)) refuse(file_, "the shard is missing" + again);

@@ -23,8 +23,6 @@ constexpr double truth_share = 0.3;
 /// Up to this L the largest error of H_min has a column of its own.
 constexpr double mild_L = 15;
 
-constexpr Quantity films[] = {Quantity::film_minimum, Quantity::film_central};
-
 double cut_beyond_the_film(const MoesGroups& moes) {
   const double film = moes_film_formula(moes) / moes_film_per_hertz_film(moes.M);
   return -std::max(4.0, cut_in_film_lengths * std::sqrt(2 * film));
@@ -70,10 +68,10 @@ BoxRow row_of(const RegisteredSolver& solver, const Setting& setting, const BoxC
   } while (!request.repetition.satisfied_by(row.wall_s));
   row.status = to_string(solution.record.status);
   for (std::size_t k = 0; k < 2; ++k) {
-    const Reading* const reading = reading_of(solution, films[k]);
+    const Reading* const reading = reading_of(solution, judged_films[k]);
     if (!reading) continue;
     row.reported[k] = reading->error;
-    const Reading* const exact = truth ? reading_of(*truth, films[k]) : nullptr;
+    const Reading* const exact = truth ? reading_of(*truth, judged_films[k]) : nullptr;
     if (!exact || !exact->error) continue;
     row.truth_error[k] = exact->error;
     row.achieved[k] = std::abs(reading->value - exact->value) / std::abs(exact->value);
@@ -106,7 +104,7 @@ Json to_json(const std::vector<BoxRow>& rows) {
     if (row.setting.tolerance) json["tolerance"] = *row.setting.tolerance;
     if (row.setting.nodes) json["nodes"] = *row.setting.nodes;
     for (std::size_t k = 0; k < 2; ++k) {
-      Json& film = json[std::string(to_string(films[k]))];
+      Json& film = json[std::string(to_string(judged_films[k]))];
       film = Json::object();
       put(film, "reported", row.reported[k]);
       put(film, "achieved", row.achieved[k]);

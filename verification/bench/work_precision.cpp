@@ -26,8 +26,6 @@ constexpr double truth_tolerance = 1e-10, second_truth_tolerance = 1e-9;
 constexpr double quick_truth_tolerance = 1e-9, quick_second_truth_tolerance = 1e-8;
 constexpr double truth_time_limit_s = 300;
 
-constexpr Quantity quantity_of[] = {Quantity::film_minimum, Quantity::film_central};
-
 }  // namespace
 
 std::vector<std::string> work_precision_cases(bool quick) {
@@ -93,7 +91,7 @@ double stated_error(const Solution& solution) {
   const bool ended =
       solution.record.status == StopReason::converged || solution.record.status == StopReason::tolerance_not_met;
   for (std::size_t which = 0; which < 2; ++which) {
-    const Reading* reading = reading_of(solution, quantity_of[which]);
+    const Reading* reading = reading_of(solution, judged_films[which]);
     if (!ended || !reading || !reading->error) return std::numeric_limits<double>::infinity();
     worst = std::max(worst, *reading->error);
   }
@@ -104,7 +102,7 @@ double stated_error(const Solution& solution) {
 void compare_with_digits(const Case& contact_case, const ContactRun& run, std::size_t which, Truth& stated) {
   for (const Expectation& expectation : contact_case.expectations) {
     if (expectation.waiting || expectation.kind == ExpectationKind::fit || expectation.value == 0) continue;
-    if (expectation.quantity != to_string(quantity_of[which])) continue;
+    if (expectation.quantity != to_string(judged_films[which])) continue;
     const auto measured = measure(run, expectation);
     if (!measured) continue;
     stated.from_digits[which] = std::abs(measured->value / expectation.value - 1);
@@ -137,8 +135,8 @@ SolvedTruth solve_truth(const Case& contact_case, bool quick) {
   }
   stated.status = record.status;
   for (std::size_t which = 0; which < 2; ++which) {
-    stated.value[which] = reading_of(truth.solution, quantity_of[which])->value;
-    stated.error[which] = *reading_of(truth.solution, quantity_of[which])->error;
+    stated.value[which] = reading_of(truth.solution, judged_films[which])->value;
+    stated.error[which] = *reading_of(truth.solution, judged_films[which])->error;
     compare_with_digits(contact_case, runs[best], which, stated);
   }
   if (std::isfinite(errors[1 - best])) {
@@ -159,7 +157,7 @@ bool same_mesh(const Fields& one, const Fields& other) {
 /// Fills the errors of a row: reported and achieved.
 void judge(const Solution& solution, const SolvedTruth& truth, WorkRow& row) {
   for (std::size_t which = 0; which < 2; ++which) {
-    if (const Reading* reading = reading_of(solution, quantity_of[which])) row.errors[which].reported = reading->error;
+    if (const Reading* reading = reading_of(solution, judged_films[which])) row.errors[which].reported = reading->error;
   }
   if (!truth.stated.status) return;
   // A run that is the truth, or that ended with the same unknowns, cannot be judged by it.
@@ -171,7 +169,7 @@ void judge(const Solution& solution, const SolvedTruth& truth, WorkRow& row) {
   for (std::size_t which = 0; which < 2; ++which) {
     AchievedError& error = row.errors[which];
     error.truth = truth.stated.error[which];
-    if (const Reading* reading = reading_of(solution, quantity_of[which]))
+    if (const Reading* reading = reading_of(solution, judged_films[which]))
       error.achieved = std::abs(reading->value / truth.stated.value[which] - 1);
   }
   AchievedError& pressure = row.error(Judged::pressure);

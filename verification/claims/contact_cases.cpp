@@ -20,7 +20,6 @@ namespace ehd::verification {
 namespace {
 
 constexpr double asked_tolerance = 1e-3;
-constexpr std::array films = {Quantity::film_minimum, Quantity::film_central};
 
 /// The relative error that a solver reports. Where it reports none: the error that its own grids show, and the
 /// truncation that it reports for the central film.
@@ -109,7 +108,7 @@ void judge_end(Findings& found, const Case& contact_case, const ContactRun& run)
   };
   found.claims.push_back(claim_fact(says("converged", "ends converged at tolerance 1e-3"), converged(run.solution),
                                     "a solve at --tolerance 1e-3 ends converged", how_it_ended(run.solution)));
-  for (const Quantity film : films)
+  for (const Quantity film : judged_films)
     found.claims.push_back(claim(says(std::string(to_string(film)) + "/error",
                                       "reports an error of " + std::string(to_string(film)) + " within 1e-3"),
                                  error_of(reading(run.solution, film)), 0,
@@ -123,7 +122,7 @@ void judge_end(Findings& found, const Case& contact_case, const ContactRun& run)
 }
 
 void judge_agreement(Findings& found, const Case& contact_case, const ContactRun& one, const ContactRun& two) {
-  for (const Quantity film : films) {
+  for (const Quantity film : judged_films) {
     const Reading *a = reading(one.solution, film), *b = reading(two.solution, film);
     const bool known = a && b && a->error && b->error;
     found.claims.push_back(
@@ -190,7 +189,7 @@ Findings judge_certified(const Case& contact_case) {
                                  Tolerance::required(bound, "the digits that README.md says of `reference`"),
                                  how_it_ended(run.solution)));
   };
-  for (const Quantity film : films) within(film, tolerance);
+  for (const Quantity film : judged_films) within(film, tolerance);
   for (const Expectation& expectation : contact_case.expectations)
     if (expectation.quantity == to_string(Quantity::pressure_spike) && expectation.uncertainty < spike_digits)
       within(Quantity::pressure_spike, spike_tolerance);

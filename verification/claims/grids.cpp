@@ -24,7 +24,7 @@ struct Study {
 const Study studies[] = {{"reference.uniform", {128, 256, 512, 1024}},
                          {"reference.linear", {128, 256, 512, 1024}},
                          {"fast.uniform", {512, 1024, 2048, 4096, 8192}}};
-constexpr MoesGroups points[] = {{2, 0}, {5, 5}, {20, 5}, {20, 10}, {100, 10}};
+constexpr MoesGroups study_points[] = {{2, 0}, {5, 5}, {20, 5}, {20, 10}, {100, 10}};
 
 Problem problem_of(MoesGroups moes, Inlet inlet) { return problem_at(moes, moes.L > 0, inlet); }
 
@@ -36,7 +36,7 @@ Findings judge_study(const Study& study, MoesGroups moes) {
   for (const int cells : study.grids) solutions.push_back(solver.solve(problem, {.tolerance = {}, .nodes = cells}));
   const std::string point = plain(moes.M) + "-" + plain(moes.L);
   Findings found;
-  for (const Quantity film : {Quantity::film_minimum, Quantity::film_central}) {
+  for (const Quantity film : judged_films) {
     const auto says = [&](const std::string& what, const std::string& statement) {
       return Sentence{.id = "grids/" + solver.name + "/" + point + "/" + std::string(to_string(film)) + "/" + what,
                       .rung = 8,
@@ -138,7 +138,7 @@ Findings judge_flooded(MoesGroups moes) {
 std::vector<Topic> grid_topics() {
   std::vector<Topic> topics;
   for (const Study& study : studies) {
-    for (const MoesGroups& moes : points)
+    for (const MoesGroups& moes : study_points)
       topics.push_back({.name = "grid studies", .rungs = {8}, .slow = true, .judge = [&study, moes] {
                           return judge_study(study, moes);
                         }});

@@ -18,7 +18,7 @@ Conditions steel() {
           .viscosity_Pa_s = 0.031};
 }
 
-Lubricant oil() {
+Lubricant mineral_oil() {
   return {.viscosity = ViscosityLaw::roelands,
           .density = DensityLaw::incompressible,  // the density laws' constants are in Pa, whatever the units
           .alpha_per_Pa = 2.1e-8,
@@ -38,7 +38,7 @@ double apart(const Problem& a, const Problem& b) {
 
 Findings judge_inputs() {
   Findings found;
-  const Problem in_SI = nondimensionalise(steel(), oil(), Flooded{}).problem;
+  const Problem in_SI = nondimensionalise(steel(), mineral_oil(), Flooded{}).problem;
 
   // inch, pound-force, minute
   const double length = 0.0254, force = 4.4482216152605, time = 60, pressure = force / (length * length);
@@ -48,7 +48,7 @@ Findings judge_inputs() {
   conditions.reduced_modulus_Pa /= pressure;
   *conditions.speed_sum_m_per_s /= length / time;
   *conditions.viscosity_Pa_s /= pressure * time;
-  Lubricant lubricant = oil();
+  Lubricant lubricant = mineral_oil();
   *lubricant.alpha_per_Pa *= pressure;
   lubricant.p0_Pa /= pressure;
   found.claims.push_back(
@@ -66,13 +66,13 @@ Findings judge_inputs() {
                .rung = 0,
                .statement = std::string("a contact stated by ") + (is_moes ? "M and L" : "lambda and alpha p_H") +
                             " is the same dimensionless problem as in SI"},
-              apart(nondimensionalise(statement, oil(), Flooded{}).problem, in_SI), 0, rounding()));
+              apart(nondimensionalise(statement, mineral_oil(), Flooded{}).problem, in_SI), 0, rounding()));
   }
 
   const DowsonGroups mean{.W = steel().load_N_per_m / (steel().reduced_modulus_Pa * steel().reduced_radius_m),
                           .U_mean = *steel().viscosity_Pa_s * (*steel().speed_sum_m_per_s / 2) /
                                     (steel().reduced_modulus_Pa * steel().reduced_radius_m),
-                          .G = *oil().alpha_per_Pa * steel().reduced_modulus_Pa};
+                          .G = *mineral_oil().alpha_per_Pa * steel().reduced_modulus_Pa};
   const MoesGroups from_mean = moes_from(mean);
   found.claims.push_back(
       claim({.id = "inputs/mean-speed",

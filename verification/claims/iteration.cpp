@@ -28,7 +28,7 @@ namespace {
 
 namespace hp = reference::hp;
 
-constexpr double inlet = -3;
+constexpr double cut_X = -3;
 constexpr double shares[] = {8e-3, 4e-3, 2e-3, 1e-3};  ///< of the perturbation
 
 /// Smooth, positive inside, nearly zero at the ends. It solves no contact.
@@ -41,7 +41,7 @@ double some_change(double X, double exit) {
 }
 constexpr double some_offset = 0.6, some_exit = 1.07, offset_change = 0.11, exit_change = 0.07;
 
-Problem some_problem() { return problem_at({4.3, 5.2}, true, TruncatedAt{inlet}); }
+Problem some_problem() { return problem_at({4.3, 5.2}, true, TruncatedAt{cut_X}); }
 
 Claim quadratic(const std::string& id, const std::string& statement, const std::string& solver,
                 const std::vector<double>& left) {
@@ -58,7 +58,7 @@ Claim quadratic(const std::string& id, const std::string& statement, const std::
 // ---- Jacobians ---------------------------------------------------------------------------------------------------
 
 reference::Grid dense_grid(bool graded, int intervals) {
-  reference::Grid grid = reference::uniform_grid(inlet, intervals);
+  reference::Grid grid = reference::uniform_grid(cut_X, intervals);
   if (!graded) return grid;
   const Array s = grid.fractions;
   grid.fractions = s * (0.5 + 0.5 * s);
@@ -95,11 +95,11 @@ Claim judge_matrix_free_jacobian(bool mapped) {
   fast::Grids grids;
   if (mapped)
     grids.use(std::make_shared<const fast::Map>(fast::MapShape{
-        .inlet = inlet, .exit = some_exit, .scale = 1, .inlet_width = 0.3, .spike = 0.8, .spike_width = 0.1}));
-  const fast::Setting setting = setting_of(some_problem(), inlet);
+        .inlet = cut_X, .exit = some_exit, .scale = 1, .inlet_width = 0.3, .spike = 0.8, .spike_width = 0.1}));
+  const fast::Setting setting = setting_of(some_problem(), cut_X);
   fast::Grid& grid = grids.of(n);
   fast::Counters counters;
-  const Array X = inlet + (some_exit - inlet) * grid.place;
+  const Array X = cut_X + (some_exit - cut_X) * grid.place;
   fast::State at{.P = X.unaryExpr([](double x) { return some_pressure(x, some_exit); }),
                  .offset = some_offset,
                  .exit = some_exit,
@@ -131,8 +131,8 @@ Claim judge_matrix_free_jacobian(bool mapped) {
 }
 
 hp::Mesh some_mesh() {
-  return {.inlet = inlet,
-          .breakpoints = {inlet - some_exit, -2.5, -1.7, -1.1, -0.6, -0.2, 0},
+  return {.inlet = cut_X,
+          .breakpoints = {cut_X - some_exit, -2.5, -1.7, -1.1, -0.6, -0.2, 0},
           .degrees = {5, 6, 7, 8, 7, 6}};
 }
 

@@ -58,8 +58,6 @@ const Reading* film_of(const Solution& solution, Quantity film) {
   return seen && seen->error && std::isfinite(seen->value) ? seen : nullptr;
 }
 
-constexpr Quantity films[] = {Quantity::film_minimum, Quantity::film_central};
-
 // ---- Rung 0: units ------------------------------------------------------------------------------------------------
 
 /// The same contact in other units: one metre is `length` of the new units, likewise newton and second.
@@ -98,7 +96,7 @@ Findings judge_units() {
     same += numbers_of(in_SI) == numbers_of(in_others) ? 1 : 0;
     if (i >= solved) continue;
     const Solution a = default_solver().solve(in_SI, {}), b = default_solver().solve(in_others, {});
-    for (const Quantity film : films) {
+    for (const Quantity film : judged_films) {
       const Reading *x = film_of(a, film), *y = film_of(b, film);
       ++films_seen;
       films_same += x && y && x->value == y->value && *x->error == *y->error ? 1 : 0;
@@ -163,7 +161,7 @@ Findings judge_similarity() {
       const Nondimensional made = nondimensionalise(contact.conditions, contact.lubricant, Flooded{});
       const Solution solution = default_solver().solve(made.problem, {.tolerance = tolerance});
       for (int j = 0; j < 2; ++j) {
-        const Reading* seen = film_of(solution, films[j]);
+        const Reading* seen = film_of(solution, judged_films[j]);
         const double unit_m = made.scales->film_m_per_hertz_film().value_or(nothing);
         film[k][j] = seen ? moes_film(contact.conditions, seen->value * unit_m) : nothing;
         error[k][j] = error_of(seen);

@@ -80,7 +80,7 @@ Findings judge_bars(bool roelands, int runs) {
         solver.solve(problem, {.tolerance = std::max(1e-3 * run.tolerance, 1e-11), .time_limit_s = 20});
     bool known = false, inside = true;
     double worst = 0;
-    for (const Quantity film : {Quantity::film_minimum, Quantity::film_central}) {
+    for (const Quantity film : judged_films) {
       const Reading *a = observed(asked, film), *b = observed(truth, film);
       if (!a || !b) continue;
       const double bar = a->error.value(), difference = std::abs(a->value / b->value - 1);
@@ -216,7 +216,7 @@ Findings judge_fast(double tolerance, int runs) {
     const Solution truth =
         reference.solve(problem, {.tolerance = std::max(1e-2 * tolerance, 1e-9), .time_limit_s = 20});
     bool known = false, inside = true;
-    for (const Quantity film : {Quantity::film_minimum, Quantity::film_central}) {
+    for (const Quantity film : judged_films) {
       const Reading *a = observed(solution, film), *b = observed(truth, film);
       if (!a || !b || !a->error) continue;
       const double difference = std::abs(a->value / b->value - 1);

@@ -2,6 +2,7 @@
 // What several topics need: numbers read off a solution, how a solve ended, and tolerances with one reason.
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <string>
 #include <utility>
@@ -46,8 +47,8 @@ inline constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 /// A film for which every solver states an error.
 [[nodiscard]] inline bool is_judged_film(const Expectation& expectation) {
-  return expectation.quantity == to_string(Quantity::film_minimum) ||
-         expectation.quantity == to_string(Quantity::film_central);
+  return std::any_of(judged_films.begin(), judged_films.end(),
+                     [&](Quantity film) { return expectation.quantity == to_string(film); });
 }
 
 /// A dozen products, roots and powers of inputs that are known to half a unit of their last bit.

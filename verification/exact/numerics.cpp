@@ -16,8 +16,8 @@ namespace {
 using Function = std::function<double(double)>;
 
 constexpr double asked = 2e-14,  // GSL refuses less than 50 eps
-    granted = 1e-13, granted_absolute = 1e-15;
-constexpr std::size_t intervals = 1000;
+    granted_relative = 1e-13, granted_absolute = 1e-15;
+constexpr std::size_t most_intervals = 1000;
 
 double call(double x, void* function) { return (*static_cast<const Function*>(function))(x); }
 
@@ -29,13 +29,14 @@ gsl_function wrap(const Function& f) { return {.function = call, .params = const
 double judged(int status, double value, double estimate) {
   // Rounding may stop the adaptive rule before the requested error. The reached error counts.
   const bool ran = status == GSL_SUCCESS || status == GSL_EROUND || status == GSL_EMAXITER;
-  return ran && estimate <= granted * std::abs(value) + granted_absolute ? value
-                                                                         : std::numeric_limits<double>::quiet_NaN();
+  return ran && estimate <= granted_relative * std::abs(value) + granted_absolute
+             ? value
+             : std::numeric_limits<double>::quiet_NaN();
 }
 
 using Workspace = std::unique_ptr<gsl_integration_workspace, decltype(&gsl_integration_workspace_free)>;
 
-Workspace workspace() { return {gsl_integration_workspace_alloc(intervals), gsl_integration_workspace_free}; }
+Workspace workspace() { return {gsl_integration_workspace_alloc(most_intervals), gsl_integration_workspace_free}; }
 
 }  // namespace
 
@@ -44,7 +45,7 @@ double integral(const Function& f, double a, double b) {
   gsl_function integrand = wrap(f);
   const Workspace space = workspace();
   double value = 0, estimate = 0;
-  const int status = gsl_integration_qags(&integrand, a, b, 0, asked, intervals, space.get(), &value, &estimate);
+  const int status = gsl_integration_qags(&integrand, a, b, 0, asked, most_intervals, space.get(), &value, &estimate);
   return judged(status, value, estimate);
 }
 
@@ -53,7 +54,7 @@ double integral_to_infinity(const Function& f, double a) {
   gsl_function integrand = wrap(f);
   const Workspace space = workspace();
   double value = 0, estimate = 0;
-  const int status = gsl_integration_qagiu(&integrand, a, 0, asked, intervals, space.get(), &value, &estimate);
+  const int status = gsl_integration_qagiu(&integrand, a, 0, asked, most_intervals, space.get(), &value, &estimate);
   return judged(status, value, estimate);
 }
 

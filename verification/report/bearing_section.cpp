@@ -12,7 +12,6 @@ namespace ehd::report {
 
 namespace {
 
-constexpr double micro = 1e6, kilo = 1e-3;
 constexpr const char* axis_psi = "azimuth *\u03c8* [deg]";
 constexpr const char* axis_force = "contact force *f*_{i} [kN]";
 constexpr const char* axis_displacement = "displacement *\u03b4*_{i} [\u00b5m]";

@@ -11,12 +11,6 @@
 
 namespace ehd::report {
 
-namespace {
-
-constexpr double micro = 1e6, milli = 1e3, kilo = 1e-3;
-
-}  // namespace
-
 void add_statements(Page& page, const std::vector<View>& statements) {
   page.heading("The paper's statements");
   if (statements.empty()) {

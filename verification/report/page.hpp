@@ -24,6 +24,8 @@ struct TableCell {
 [[nodiscard]] TableCell integer_cell(const std::optional<double>& value);
 [[nodiscard]] TableCell verdict_cell(const std::string& verdict);
 
+/// From SI to the units of the page: um, mm, kN.
+inline constexpr double micro = 1e6, milli = 1e3, kilo = 1e-3;
 /// Values in another unit.
 [[nodiscard]] std::vector<double> scaled(std::vector<double> values, double factor);
 [[nodiscard]] std::optional<double> scaled(std::optional<double> value, double factor);

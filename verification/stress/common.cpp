@@ -19,7 +19,7 @@ Ended ended(const Solution& solution) {
   for (const Array* field : {&fields.X, &fields.P, &fields.H, &fields.density, &fields.log_viscosity, &fields.flux})
     end.finite = end.finite && field->allFinite();
   for (std::size_t k = 0; k < 2; ++k) {
-    const auto at = solution.observables.find(films[k]);
+    const auto at = solution.observables.find(judged_films[k]);
     if (at == solution.observables.end()) continue;
     end.film[k] = at->second.value;
     end.error[k] = at->second.error;

@@ -208,7 +208,7 @@ Part judge_condition(const std::vector<ConditionRow>& rows) {
                                row.ulp_move[1], row.floor});
     tally.require(row.converged, where + ": a solve did not converge");
     for (std::size_t k = 0; k < 2; ++k) {
-      const std::string film = where + ", " + std::string(to_string(films[k]));
+      const std::string film = where + ", " + std::string(to_string(judged_films[k]));
       const double condition = std::abs(row.large_step[k]);
       // The rounding of two films over twice the step.
       const Tolerance of_slope =

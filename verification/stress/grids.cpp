@@ -237,7 +237,7 @@ void judge_fall(const std::vector<GridRow>& rows, const GridRow& row, std::size_
            one.error[k].has_value();
   };
   const Tolerance floor = Tolerance::iteration(row.floor + row.truth_error[k]);
-  if (row.spike && films[k] == Quantity::film_minimum) {
+  if (row.spike && judged_films[k] == Quantity::film_minimum) {
     double coarser = std::numeric_limits<double>::infinity();
     for (const GridRow& one : rows) {
       if (of_its_kind(one) && 2 * one.nodes <= row.nodes) coarser = std::min(coarser, *one.error[k]);
@@ -260,7 +260,7 @@ void judge_film(const std::vector<GridRow>& rows, const GridRow& row, std::size_
     if (converged) tally.add(Verdict::inconclusive, place_of(row) + ": no film, or no truth");
     return;
   }
-  const std::string film = place_of(row) + ", " + std::string(to_string(films[k]));
+  const std::string film = place_of(row) + ", " + std::string(to_string(judged_films[k]));
   if (!row.stated[k]) {
     tally.require(!converged, film + ": no stated error");
   } else if (const auto verdict = judge_bar(*row.error[k], *row.stated[k], row.truth_error[k])) {

@@ -26,7 +26,6 @@ struct Ended {
   std::optional<double> film[2] = {}, error[2] = {};
   [[nodiscard]] bool has_films() const { return film[0] && film[1] && error[0] && error[1]; }
 };
-inline constexpr Quantity films[] = {Quantity::film_minimum, Quantity::film_central};
 [[nodiscard]] Ended ended(const Solution& solution);
 /// Largest difference of the two films over the sum of their stated errors; NaN where a film or an error is missing.
 [[nodiscard]] double over_stated_errors(const Ended& one, const Ended& other);

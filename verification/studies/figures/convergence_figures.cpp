@@ -113,7 +113,7 @@ void add_point(Series& series, const ContactRun& run, const Expectation& truth, 
 
 std::vector<Series> film_series(const Case& one, const std::string& solver, const std::string& title) {
   std::vector<Series> list;
-  for (const Quantity quantity : {Quantity::film_minimum, Quantity::film_central}) {
+  for (const Quantity quantity : judged_films) {
     const std::string film(to_string(quantity));
     list.push_back({.id = "grids/" + one.id + "/" + solver + "/" + film,
                     .title = title + film + " of " + one.id,

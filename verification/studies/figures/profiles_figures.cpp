@@ -20,8 +20,7 @@ namespace ehd::verification {
 
 namespace {
 
-constexpr double tolerance = 1e-4;
-constexpr double time_limit_s = 60;
+constexpr Request profile_request{.tolerance = 1e-4, .time_limit_s = 60};
 constexpr double chord_error = 1e-3;  ///< of a drawn chord: share of the largest pressure, and of the local film
 constexpr std::size_t most_points = 400;
 constexpr double moderate_M = 60;  ///< above it `reference` takes seconds: left out with --quick
@@ -125,7 +124,7 @@ void put_curves(Json& json, const Fields& fields, const Functions& functions) {
 Json solver_json(const ContactRun& run) {
   Json whole = to_json(run), json = Json::object();
   json["solver"] = run.solver;
-  json["tolerance"] = tolerance;
+  json["tolerance"] = *profile_request.tolerance;
   json["status"] = to_string(run.status());
   if (!run.solution.record.reason.empty()) json["reason"] = run.solution.record.reason;
   const Cost& cost = run.solution.record.cost;
@@ -186,9 +185,8 @@ std::string unquoted(const std::string& text) {
 
 Json case_json(const Case& one) {
   const auto& contact = std::get<ContactCase>(one.body);
-  const Request request{.tolerance = tolerance, .time_limit_s = time_limit_s};
-  const ContactRun reference = run_contact(one, certified_solver(), request),
-                   fast = run_contact(one, default_solver(), request);
+  const ContactRun reference = run_contact(one, certified_solver(), profile_request),
+                   fast = run_contact(one, default_solver(), profile_request);
   Json json = Json::object();
   json["id"] = one.id;
   json["version"] = one.version;

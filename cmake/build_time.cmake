@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What keeps the build short: large headers are parsed once for several targets, and text is compiled at a lower level.
+# What keeps the build short: large headers are parsed once for several targets, several files are compiled at once, and
+# text is compiled at a lower level.
 option(EHD_PRECOMPILE "Parse the largest headers once for several targets" ON)
+option(EHD_UNITY "Compile several files of a room at once" ON)
 
 # Internal.
 function(ehd_precompile_options target)
@@ -33,4 +35,13 @@ endfunction()
 # The tests may: tests/CMakeLists.txt makes the linker keep the copy of the rooms.
 function(ehd_text_only target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()
+
+# ehd_unity(TARGET BATCH): the compiler gets BATCH files of the target at once, and makes what they share once: a third of
+# the time. Names in their anonymous namespaces must then differ. For the rooms of many small files that use the same
+# large headers. The rooms that compute are compiled file by file.
+function(ehd_unity target batch)
+  if(EHD_UNITY)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${batch})
+  endif()
 endfunction()
