@@ -106,7 +106,7 @@ kernels: configure  ## Time the kernels of fast/ in multiples of one FFT convolu
 	@$(BUILD)/ehd_kernels
 
 # Built in out/mutants, from a copy of the tree: the tree itself is never changed.
-mutants:    ## Build each wrong program of verification/mutants, run the quick suite with it (40 minutes; ONLY=part of an id)
+mutants:    ## Build each wrong program of verification/mutants, run its rung of the quick suite (half an hour; ONLY=part of an id)
 	@sh cmake/setup.sh python3
 	@python3 verification/mutants/run.py $(if $(ONLY),--only $(ONLY)) --jobs $(JOBS)
 

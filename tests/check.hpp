@@ -5,8 +5,14 @@
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <limits>
 
 #include "verification/tolerance.hpp"
+
+namespace ehd::testing {
+inline constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+}  // namespace ehd::testing
 
 namespace ehd {
 

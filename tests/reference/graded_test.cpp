@@ -17,26 +17,21 @@ static_assert(Solver<Graded>);
 
 namespace {
 
-struct Truth {
+struct TrueFilms {
   double M, L, minimum, central;
 };
-const std::vector<Truth> truncated_at_4 = {
+const std::vector<TrueFilms> truncated_at_4 = {
     {5, 5, .242348656788, .300522502074},         {20, 10, .0741426753998, .0856067317967},
     {100, 10, .0121609125334, .013493910275},     {200, 15, .0072455216009, .0078653033017},
     {1000, 10, 8.9959560167e-4, 9.6476425613e-4}, {1000, 20, 1.436646952e-3, 1.537475954e-3}};
-const std::vector<Truth> flooded = {{5, 5, .244974049968, .304553206653},
-                                    {20, 10, .074327072817, .085869387723},
-                                    {100, 10, .0121636414018, .013497647172},
-                                    {200, 15, .0072463876853, .0078664543505},
-                                    {1000, 10, 8.996019841e-4, 9.647726835e-4}};
-
-double value(const Solution& solution, Quantity quantity) { return solution.observables.at(quantity).value; }
-double stated_error(const Solution& solution, Quantity quantity) {
-  return solution.observables.at(quantity).error.value();
-}
+const std::vector<TrueFilms> flooded = {{5, 5, .244974049968, .304553206653},
+                                        {20, 10, .074327072817, .085869387723},
+                                        {100, 10, .0121636414018, .013497647172},
+                                        {200, 15, .0072463876853, .0078664543505},
+                                        {1000, 10, 8.996019841e-4, 9.647726835e-4}};
 
 /// Converged, within the tolerance, and within the stated error.
-void check_films(const Solution& solution, const Truth& truth, double tolerance, double truth_digits = 1e-9) {
+void check_films(const Solution& solution, const TrueFilms& truth, double tolerance, double truth_digits = 1e-9) {
   BOOST_TEST_CONTEXT("M = " << truth.M << ", L = " << truth.L << ", tolerance " << tolerance) {
     BOOST_REQUIRE(solution.record.status == StopReason::converged);
     for (const auto& [quantity, film] :
@@ -54,17 +49,17 @@ void check_films(const Solution& solution, const Truth& truth, double tolerance,
 BOOST_AUTO_TEST_SUITE(graded)
 
 BOOST_AUTO_TEST_CASE(films_of_the_table_within_a_thousandth) {
-  for (const Truth& truth : truncated_at_4)
+  for (const TrueFilms& truth : truncated_at_4)
     check_films(Graded{}.solve(roelands_problem(truth.M, truth.L, TruncatedAt{-4}), within(1e-3)), truth, 1e-3);
-  for (const Truth& truth : flooded)
+  for (const TrueFilms& truth : flooded)
     check_films(Graded{}.solve(roelands_problem(truth.M, truth.L, Flooded{}), within(1e-3)), truth, 1e-3);
 }
 
 BOOST_AUTO_TEST_CASE(films_of_moderate_contacts_within_a_hundred_thousandth) {
   for (const std::size_t k : {0u, 1u, 2u}) {
-    const Truth& cut = truncated_at_4.at(k);
+    const TrueFilms& cut = truncated_at_4.at(k);
     check_films(Graded{}.solve(roelands_problem(cut.M, cut.L, TruncatedAt{-4}), within(1e-5)), cut, 1e-5);
-    const Truth& full = flooded.at(k);
+    const TrueFilms& full = flooded.at(k);
     check_films(Graded{}.solve(roelands_problem(full.M, full.L, Flooded{}), within(1e-5)), full, 1e-5);
   }
 }

@@ -35,11 +35,6 @@ struct Truth {
   std::vector<std::pair<Quantity, std::string>> digits;
 };
 
-double value(const Solution& solution, Quantity quantity) { return solution.observables.at(quantity).value; }
-double stated_error(const Solution& solution, Quantity quantity) {
-  return solution.observables.at(quantity).error.value();
-}
-
 std::string name(const Problem& problem) {
   std::ostringstream out;
   out << "M = " << problem.groups.M << ", L = " << problem.groups.L

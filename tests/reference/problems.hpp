@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The problems that the tests of this folder solve.
+// The problems that the tests of this folder solve, and what they read off a solution.
 #pragma once
 
 #include <cmath>
@@ -31,6 +31,13 @@ inline Problem distinct_problem(double M, double L, Inlet inlet) {
 /// Barus and incompressible; isoviscous where L = 0.
 inline Problem barus_problem(double M, double L, Inlet inlet) {
   return nondimensionalise(MoesGroups{M, L}, Lubricant{}, inlet).problem;
+}
+
+[[nodiscard]] inline double value(const Solution& solution, Quantity quantity) {
+  return solution.observables.at(quantity).value;
+}
+[[nodiscard]] inline double stated_error(const Solution& solution, Quantity quantity) {
+  return solution.observables.at(quantity).error.value();
 }
 
 /// Request of one grid.

@@ -14,11 +14,6 @@ static_assert(Solver<Uniform>);
 
 namespace {
 
-double value(const Solution& solution, Quantity quantity) { return solution.observables.at(quantity).value; }
-double stated_error(const Solution& solution, Quantity quantity) {
-  return solution.observables.at(quantity).error.value();
-}
-
 /// Both films within the error that the solution states for itself.
 void check_stated_errors(const Solution& solution, double minimum, double central) {
   EHD_CHECK(error(value(solution, Quantity::film_minimum), minimum),

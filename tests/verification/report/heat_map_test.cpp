@@ -11,13 +11,12 @@
 #include "verification/report/polar_plot.hpp"
 
 using namespace ehd::report;
+using namespace ehd::testing;
 using ehd::verification::Tolerance;
 using ehd::verification::test::count_of;
 using ehd::verification::test::unbalanced;
 
 namespace {
-
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<double> values_of(std::size_t columns, std::size_t rows, const std::function<double(double, double)>& f) {
   std::vector<double> values;

@@ -10,13 +10,12 @@
 #include "verification/report/report.hpp"
 
 using namespace ehd::report;
+using namespace ehd::testing;
 using ehd::verification::test::count_of;
 using ehd::verification::test::unbalanced;
 
 namespace {
 
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN(),
-                 infinity = std::numeric_limits<double>::infinity();
 const ehd::verification::Tolerance rounding = ehd::verification::Tolerance::round_off(8, 10);
 
 Figure figure_of(const std::vector<double>& x, const std::vector<double>& y, Scale scale = Scale::linear) {

@@ -8,11 +8,9 @@
 #include "tests/check.hpp"
 
 using namespace ehd::report;
+using namespace ehd::testing;
 
 namespace {
-
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN(),
-                 infinity = std::numeric_limits<double>::infinity();
 
 std::vector<std::string> labels(const std::vector<Tick>& ticks) {
   std::vector<std::string> result;
