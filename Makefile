@@ -135,12 +135,13 @@ format-check:  ## Name the source files that clang-format 14 would change; fails
 	  clang-format "$$file" | cmp -s - "$$file" || echo "  $$file"; done); \
 	if [ -n "$$wrong" ]; then echo "not formatted (make format does it):"; echo "$$wrong"; exit 1; fi
 
-# Without precompiled headers: clang-tidy cannot read those of gcc. Findings go to standard output; standard error only
+# Without precompiled headers, because clang-tidy cannot read those of gcc; file by file, because it looks each file up
+# in compile_commands.json. Findings go to standard output; standard error only
 # counts the warnings in system headers.
 tidy:       ## Check the rooms that compute with clang-tidy (FILES="contact/text.cpp": some; 10 minutes)
 	@sh cmake/setup.sh clang clang-tidy
 	@$(MAKE) --no-print-directory configure BUILD=$(BUILD)-tidy \
-	  CMAKE_FLAGS="-DCMAKE_CXX_COMPILER=clang++ -DEHD_PRECOMPILE=OFF -DBUILD_TESTING=OFF $(CMAKE_FLAGS)"
+	  CMAKE_FLAGS="-DCMAKE_CXX_COMPILER=clang++ -DEHD_PRECOMPILE=OFF -DEHD_UNITY=OFF -DBUILD_TESTING=OFF $(CMAKE_FLAGS)"
 	@printf '%s\n' $(if $(FILES),$(FILES),$(foreach room,$(TIDY_ROOMS),$(wildcard $(room)/*.cpp $(room)/*/*.cpp))) \
 	  | xargs -P $(JOBS) -n 1 clang-tidy --quiet --warnings-as-errors='*' -p $(BUILD)-tidy 2> /dev/null
 

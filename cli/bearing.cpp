@@ -82,7 +82,7 @@ struct Computed {
 std::string statements_of(const Computed& computed, ContactMemory& memory, bearing::Form form) {
   if (computed.cases.size() < 3 || !differ_only_in_clearance(computed.cases)) return "";
   std::string text;
-  for (const bearing::Law law : {bearing::Law::ehd_linear, bearing::Law::ehd}) {
+  for (const bearing::Law law : film_laws()) {
     std::vector<ClearanceComparison> clearances;
     for (std::size_t k = 0; k < computed.cases.size(); ++k) {
       const BearingResult *dry = nullptr, *film = nullptr;

@@ -37,9 +37,10 @@ function(ehd_text_only target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
 
-# ehd_unity(TARGET BATCH): the compiler gets BATCH files of the target at once, and makes what they share once: a third of
-# the time. Names in their anonymous namespaces must then differ. For the rooms of many small files that use the same
-# large headers. The rooms that compute are compiled file by file.
+# ehd_unity(TARGET BATCH): the compiler gets BATCH files of the target at once, and makes what they share once, which
+# halves the time. Names in their anonymous namespaces must then differ. For the rooms of many small files that use the
+# same large headers. The rooms that compute are compiled file by file. Tools that look for each file in
+# compile_commands.json need EHD_UNITY=OFF.
 function(ehd_unity target batch)
   if(EHD_UNITY)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${batch})

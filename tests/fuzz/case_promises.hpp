@@ -54,8 +54,8 @@ inline bool names_no_number(std::string_view text) {
   return false;
 }
 
-/// What is wrong with a refusal, "" where nothing is: one printable line, "FILE: …" or "FILE:LINE: …" with a line that
-/// exists, ending in what is allowed or required.
+/// What is wrong with a refusal, "" where nothing is: one printable line, "FILE: ..." or "FILE:LINE: ..." with a line
+/// that exists, ending in what is allowed or required.
 inline std::string broken_by_refusal(const std::string& message, const std::string& file, std::string_view bytes) {
   constexpr std::size_t longest_message = 1000;  // a screen of it; the reader shortens what it quotes
   if (one_line(message) != message) return "the refusal is not one line of printable text: " + one_line(message);

@@ -221,7 +221,7 @@ void judge_printed(const PrintedVerdicts& printed, const std::vector<PaperStatem
 Findings judge_paper(const std::vector<Case>& clearances, SharedMemory& shared) {
   Findings found;
   const std::lock_guard lock(shared.mutex);
-  for (const bearing::Law law : {bearing::Law::ehd_linear, bearing::Law::ehd}) {
+  for (const bearing::Law law : film_laws()) {
     std::vector<ClearanceComparison> rows;
     for (const Case& one : clearances) {
       const auto results =

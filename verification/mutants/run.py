@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Builds every wrong program of mutants.toml and runs its rung of `ehd verify --quick` with it.
 
-A mutant is caught where a claim on its own rung does not stand; the other rungs are not run. Works on a copy of the tracked files in OUT/source, so
-that an interrupted run leaves nothing wrong behind. Exit code 0: every mutant is caught on its rung; 1: one is not;
-2: wrong usage, a text that is not found exactly once, or a suite that fails without any mutant.
+A mutant is caught where a claim on its own rung does not stand; the other rungs are not run. Works on
+a copy of the tracked files in OUT/source, so that an interrupted run leaves nothing wrong behind. Exit code 0: every
+mutant is caught on its rung; 1: one is not; 2: wrong usage, a text that is not found exactly once, or a suite that
+fails without any mutant.
 """
 
 import argparse
@@ -144,7 +145,8 @@ def main():
         seen = f"{len(broken)}, {broken[0]}" if broken else ended
         print(f"{mutant['id']:{width}}  {mutant['rung']:4}  {'yes' if broken else 'NO':6}  {seen}", flush=True)
         rows.append({"id": mutant["id"], "what": mutant["what"], "file": mutant["file"], "rung": mutant["rung"],
-                     "caught": bool(broken), "ended": ended, "broken": broken, "wall_s": round(time.monotonic() - begin, 1)})
+                     "caught": bool(broken), "ended": ended, "broken": broken,
+                     "wall_s": round(time.monotonic() - begin, 1)})
         (arguments.output / "mutants.json").write_text(json.dumps({"schema": 1, "mutants": rows}, indent=2) + "\n")
     print(f"{len(mutants) - wrong} of {len(mutants)} mutants are caught on their rung")
     if wrong:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The parts of ehd stress. run_… measures, judge_… judges: they are apart, so that tests can show each verdict to fail
+// The parts of ehd stress. run_* measures, judge_* judges: they are apart, so that tests can show each verdict to fail
 // on wrong rows.
 #pragma once
 
