@@ -100,7 +100,8 @@ class Pressures {
 
   void drop(Quantity quantity, const char* why) {
     if (seen_.erase(quantity) > 0 && wanted_.contains(quantity))
-      notes_.push_back(std::string(to_string(quantity)) + " is left out: " + why);
+      notes_.push_back(std::string(to_string(quantity)) + " omitted: " + why +
+                       ". Try a smaller tolerance, or more nodes.");
   }
 
   Observables& seen_;

@@ -51,11 +51,12 @@ void judge_spike(const Wanted& wanted, Observables& observables, std::vector<std
   if (spike->second.error) *spike->second.error *= spike_safety;
   if (spike->second.error.value_or(1) < vaguest_spike) return;
   if (wanted.contains(Quantity::pressure_spike))
-    notes.push_back("pressure.spike is left out: its height is not known to 5 %");
+    notes.push_back("pressure.spike omitted: its height is not known to 5 %. Try a smaller tolerance, or more nodes.");
   const auto maximum = observables.find(Quantity::pressure_maximum);
   if (maximum != observables.end() && maximum->second.place == spike->second.place) {
     observables.erase(maximum);
-    if (wanted.contains(Quantity::pressure_maximum)) notes.push_back("pressure.maximum is left out: it is the spike");
+    if (wanted.contains(Quantity::pressure_maximum))
+      notes.push_back("pressure.maximum omitted: it is the spike. Try a smaller tolerance, or more nodes.");
   }
   observables.erase(spike);
 }

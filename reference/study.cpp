@@ -259,7 +259,7 @@ Solution Study::report(const std::vector<Level>& levels, bool extrapolate,
       if (quantity == Quantity::pressure_spike && !(judged.settles && judged.error <= vaguest_spike)) {
         if (wanted)
           solution.record.notes.push_back(
-              "pressure.spike omitted: its height is not known to 5 %. Try a smaller tolerance.");
+              "pressure.spike omitted: its height is not known to 5 %. Try a smaller tolerance, or more nodes.");
         continue;
       }
       reading.value = judged.value;
@@ -273,7 +273,7 @@ Solution Study::report(const std::vector<Level>& levels, bool extrapolate,
   if (maximum_is_spike(finest.seen) && !solution.observables.contains(Quantity::pressure_spike) &&
       solution.observables.erase(Quantity::pressure_maximum) > 0)
     solution.record.notes.push_back(
-        "pressure.maximum omitted: it is the spike, which is not resolved. Try a smaller tolerance.");
+        "pressure.maximum omitted: it is the spike, which is not resolved. Try a smaller tolerance, or more nodes.");
   solution.record.status = StopReason::converged;
   solution.record.cost = cost(finest.grid.intervals());
   solution.record.grids = grids_;

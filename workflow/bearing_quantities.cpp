@@ -18,7 +18,7 @@ namespace {
 using OfRing = BearingQuantityRow::OfRing;
 using OfContact = BearingQuantityRow::OfContact;
 
-constexpr std::array<BearingQuantityRow, 4> table{{
+constexpr std::array<BearingQuantityRow, 4> quantity_rows{{
     {.name = "displacement",
      .meaning = "of the inner ring along the load",
      .unit = "m",
@@ -39,10 +39,10 @@ constexpr std::array<BearingQuantityRow, 4> table{{
 constexpr std::string_view roller_prefix = "roller.";
 
 const BearingQuantityRow* find(std::string_view name, bool of_contact) {
-  const auto* const at = std::find_if(table.begin(), table.end(), [&](const BearingQuantityRow& row) {
+  const auto* const at = std::find_if(quantity_rows.begin(), quantity_rows.end(), [&](const BearingQuantityRow& row) {
     return row.of_contact() == of_contact && row.name == name;
   });
-  return at == table.end() ? nullptr : at;
+  return at == quantity_rows.end() ? nullptr : at;
 }
 
 /// Removes `prefix` from the beginning of `text`; false where the text begins otherwise.
@@ -75,7 +75,7 @@ std::optional<double> value_in(const BearingResult& result, const BearingQuantit
 
 }  // namespace
 
-std::span<const BearingQuantityRow> bearing_quantities() { return table; }
+std::span<const BearingQuantityRow> bearing_quantities() { return quantity_rows; }
 
 std::optional<BearingQuantity> bearing_quantity_from(std::string_view name) {
   if (const auto* row = find(name, false)) return BearingQuantity{.row = row};
@@ -97,7 +97,7 @@ std::string names_of_bearing_quantities() {
     names += name;
   };
   const char* explained = " (N from 1)";  // once, at the first N
-  for (const BearingQuantityRow& row : table) {
+  for (const BearingQuantityRow& row : quantity_rows) {
     if (!row.of_contact()) {
       add(std::string(row.name));
       continue;

@@ -57,8 +57,9 @@ void decide_grids(Plan& plan, const Request& request) {
     plan.decide(stage::finer, given);
   } else {
     plan.decide(stage::grids);
-    plan.decide(stage::finer, fmt::format("film.minimum and film.central are asked for within {}, no better",
-                                          plain(request.tolerance.value_or(0))));
+    plan.decide(stage::finer,
+                fmt::format("a coarser grid already meets the tolerance of film.minimum and film.central, {}",
+                            plain(request.tolerance.value_or(0))));
   }
 }
 

@@ -80,7 +80,7 @@ Solution report(const Problem& problem, const Discretised& first, const Discreti
     if (is_pressure_peak(quantity) && (on_a_floor || !(budget.total() <= vaguest_peak))) {
       if (problem.wanted.contains(quantity))
         record.notes.push_back(std::string(to_string(quantity)) +
-                               " omitted: the spike is not resolved. Try a smaller tolerance.");
+                               " omitted: the spike is not resolved. Try a smaller tolerance, or more nodes.");
       continue;
     }
     reading.error = budget.total();

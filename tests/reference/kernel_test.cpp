@@ -16,7 +16,7 @@ using verification::Tolerance;
 namespace {
 
 // QAWS and QAG have a tolerance of 1e-13; the moments are of size 1.
-const Tolerance quadrature = Tolerance::round_off(500);
+const Tolerance to_quadrature = Tolerance::round_off(500);
 
 }  // namespace
 
@@ -28,7 +28,7 @@ BOOST_AUTO_TEST_CASE(moments_do_not_cancel_a_million_elements_away) {
     const LogMoments moments = log_moments(v);
     BOOST_TEST_CONTEXT("v = " << v) {
       const double first = smooth_integral([&](double t) { return t * std::log1p(-t / v); }, -1, 1);
-      EHD_CHECK(error(moments.first, first), quadrature);
+      EHD_CHECK(error(moments.first, first), to_quadrature);
       const double small = smooth_integral([&](double t) { return std::log1p(-t / v) + t / v; }, -1, 1);
       EHD_CHECK(std::abs(moments.zeroth - 2 * std::log(std::abs(v)) - small) / std::log(std::abs(v)),
                 Tolerance::round_off(4));

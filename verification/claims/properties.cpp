@@ -160,7 +160,7 @@ Findings judge_similarity() {
       const StatedContact& contact = k == 0 ? one : other;
       const Nondimensional made = nondimensionalise(contact.conditions, contact.lubricant, Flooded{});
       const Solution solution = default_solver().solve(made.problem, {.tolerance = tolerance});
-      for (int j = 0; j < 2; ++j) {
+      for (std::size_t j = 0; j < 2; ++j) {
         const Reading* seen = film_of(solution, judged_films[j]);
         const double unit_m = made.scales->film_m_per_hertz_film().value_or(nothing);
         film[k][j] = seen ? moes_film(contact.conditions, seen->value * unit_m) : nothing;

@@ -214,7 +214,7 @@ std::string human_study(const std::vector<StudyRow>& rows) {
   for (const bearing::Law law : film_laws()) {
     std::vector<std::vector<std::string>> table{{"changed", "to", "(a)", "Q(0) %", "apart %", "(b)", "delta_i %", "(c)",
                                                  "middle %", "largest %", "(d)", "x_0 for (a)..(d)",
-                                                 "by the sign of (a)", "by the mild (c)"}};
+                                                 "without \"similar\"", "with a mild (c)"}};
     for (const StudyRow& row : rows) {
       if (row.law != law) continue;
       if (row.statements.empty()) {
