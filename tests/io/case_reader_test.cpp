@@ -144,7 +144,7 @@ void check_refused(const std::vector<std::string>& base, const std::vector<BadLi
       BOOST_CHECK_MESSAGE(message.find_first_of("\n\r") == std::string::npos, "more than one line: " << message);
       BOOST_CHECK_MESSAGE(
           says("allowed") || says("required") || says("needs it") || says("roelands needs") || says("barus needs"),
-          "what is allowed is not said: " << message);
+          "the message does not say what is allowed: " << message);
     }
   }
 }
