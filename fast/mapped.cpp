@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fast/mapped.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -57,13 +58,23 @@ MappedClimb best_climb(Run& run, const Request& request, const Solution* from, i
   const Care care = care_for(request, run.problem.groups.L);
   MappedClimb best;
   if (from && usable(*from)) best = climb_mapped(run, request, recipes[0], from, care);
-  for (const Recipe& recipe : recipes) {
-    if (best.complete || run.limit_reached) break;
-    MappedClimb climb = climb_mapped(run, request, recipe, nullptr, care);
-    if (climb.complete || climb.grids.size() > best.grids.size()) best = std::move(climb);
+  const auto attempt = [&](int fineness) {
+    for (Recipe recipe : recipes) {
+      if (best.complete || run.limit_reached) return;
+      recipe.fineness = fineness;
+      MappedClimb climb = climb_mapped(run, request, recipe, nullptr, care);
+      if (climb.complete || climb.grids.size() > best.grids.size()) best = std::move(climb);
+    }
+  };
+  const bool thin = run.lengths.film < thin_film;
+  if (thin) {
+    std::ranges::for_each(finer_grids, attempt);
+  } else {
+    attempt(1);
   }
   if (best.grids.empty() && !run.limit_reached && !run.problem.sources && neighbours < most_neighbours)
     best = climb_from_milder(run, request, neighbours);
+  if (!thin) std::ranges::for_each(finer_grids, attempt);
   return best;
 }
 

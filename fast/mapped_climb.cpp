@@ -33,9 +33,10 @@ class Climber {
   MappedClimb operator()(const Recipe& recipe, const Solution* from, Care care) {
     std::optional<double> film = start(run_, recipe, from, care);
     if (!film) return std::move(climb_);
-    const GridPlan plan = request_.nodes
-                              ? GridPlan::down_from(*request_.nodes, [](int n) { return n >= 2 * fewest_halved; })
-                              : GridPlan::doubling(first_mapped_nodes, Mapped::largest_nodes);
+    const int fineness = recipe.fineness;
+    const GridPlan plan =
+        request_.nodes ? GridPlan::down_from(*request_.nodes, [&](int n) { return n >= 2 * fineness * fewest_halved; })
+                       : GridPlan::doubling(fineness * first_mapped_nodes, Mapped::largest_nodes);
     for (std::optional<int> n = plan.first; n && !met(climb_, request_); n = plan.after(*n)) {
       const Target wanted = target();
       const long newton_before = run_.counters.newton;

@@ -60,21 +60,22 @@ std::optional<double> start(Run& run, const Recipe& recipe, const Solution* from
   if (from && care == Care::full) {
     const Known known = known_of(from->fields);
     const InletTail tail = run.setting.with_tail ? first_tail(run.setting, run.lengths.film) : InletTail{};
-    run.state = on_new_map(run, known, tail, recipe.map, 2 * first_mapped_nodes);
+    run.state = on_new_map(run, known, tail, recipe.map, 2 * recipe.fineness * first_mapped_nodes);
     const State before = run.state;
     if (!solve_on(run, known.film, for_maps).succeeded) return std::nullopt;
     if (was_near(run, before)) grids = {};
   } else {
     use_first_map(run, recipe.map);
-    if (!cold_start(run, grid_of(run, recipe.first), for_maps).succeeded) return std::nullopt;
+    if (!cold_start(run, grid_of(run, recipe.fineness * recipe.first), for_maps).succeeded) return std::nullopt;
   }
   for (const int n : grids) {
     const Known known = known_now(run);
-    run.state = on_new_map(run, known, run.state.tail, recipe.map, n);
+    run.state = on_new_map(run, known, run.state.tail, recipe.map, recipe.fineness * n);
     if (!solve_on(run, known.film, for_maps).succeeded) return std::nullopt;
   }
   const Known known = known_now(run);
-  if (recipe.remaps) run.state = on_new_map(run, known, run.state.tail, recipe.map, first_mapped_nodes);
+  if (recipe.remaps)
+    run.state = on_new_map(run, known, run.state.tail, recipe.map, recipe.fineness * first_mapped_nodes);
   return known.film;
 }
 

@@ -39,6 +39,7 @@ struct LoadedCase {
 [[nodiscard]] std::vector<Topic> iteration_topics();
 [[nodiscard]] std::vector<Topic> twin_topics();
 [[nodiscard]] std::vector<Topic> box_topics();
+[[nodiscard]] std::vector<Topic> heavy_topics();
 /// `runs` random runs for each law set and question; of fast five times as many points.
 [[nodiscard]] std::vector<Topic> random_topics(int runs);
 [[nodiscard]] std::vector<Topic> grid_topics();
