@@ -56,17 +56,17 @@ Exit code: 0 converged; 1 not converged (the status says how); 2 bad input or us
 
 /// Checks the inputs of the laws. The messages name options; those of nondimensionalise would name the keys of a file.
 void require_laws_possible(const SolveOptions& options, const Lubricant& lubricant) {
-  if (lubricant.viscosity == ViscosityLaw::isoviscous)
+  const LawKeys keys = row_of(lubricant.viscosity).keys;
+  if (!keys.alpha_per_Pa)
     throw option_error("--viscosity", *options.viscosity,
-                       "contradicts --L = " + *options.L + "; allowed is barus or roelands, or --L 0");
-  const bool roelands = lubricant.viscosity == ViscosityLaw::roelands;
+                       "contradicts --L = " + *options.L + "; allowed is " + piezoviscous_names() + ", or --L 0");
   if (!lubricant.alpha_per_Pa) {
     constexpr const char* needs =
         "needs pressures in Pa, which the groups alone leave open; required is --alpha-per-Pa";
-    if (roelands) throw option_error("--viscosity", *options.viscosity, needs);
+    if (keys.p0_Pa) throw option_error("--viscosity", *options.viscosity, needs);
     if (lubricant.density != DensityLaw::incompressible) throw option_error("--density", *options.density, needs);
   }
-  if (roelands && !lubricant.z)
+  if (keys.z && !lubricant.z)
     throw option_error("--viscosity", *options.viscosity, "needs Roelands' exponent; required is --z");
 }
 

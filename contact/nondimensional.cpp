@@ -160,7 +160,7 @@ Viscosity viscosity_of(const Lubricant& lubricant, const StatedOil& oil, bool in
                        const std::optional<Scales>& scales) {
   const ViscosityLawRow& law = row_of(lubricant.viscosity);
   LawInputs inputs{.alpha = groups.alpha_p_H};
-  if (law.keys.z) {
+  if (law.keys.p0_Pa) {
     const double hertz_pressure_Pa = known_hertz_pressure_Pa(scales, "lubricant.viscosity", law.name);
     const std::string name(law.name);
     if (!lubricant.z && !in_SI)
@@ -207,7 +207,9 @@ Nondimensional nondimensionalise(const Statement& statement, const Lubricant& lu
     return result;
   }
   if (groups.alpha_p_H != 0 && !piezoviscous)
-    throw StatementError("lubricant.viscosity", "isoviscous contradicts L > 0; allowed is barus or roelands, or L = 0");
+    throw StatementError("lubricant.viscosity", std::string(to_string(lubricant.viscosity)) +
+                                                    " contradicts L > 0; allowed is " + piezoviscous_names() +
+                                                    ", or L = 0");
 
   // 3. p_H from alpha where groups alone are stated: p_H = alpha p_H/alpha.
   if (!result.scales && oil.alpha_per_Pa && *oil.alpha_per_Pa > 0)

@@ -62,6 +62,14 @@ const std::array<DensityLawRow, density_law_count>& density_laws() { return dens
 const ViscosityLawRow& row_of(ViscosityLaw law) { return viscosity_table[static_cast<std::size_t>(law)]; }
 const DensityLawRow& row_of(DensityLaw law) { return density_table[static_cast<std::size_t>(law)]; }
 
+std::string piezoviscous_names() {
+  std::string names;
+  for (const ViscosityLawRow& row : viscosity_table) {
+    if (row.keys.alpha_per_Pa) names += (names.empty() ? "" : " or ") + std::string(row.name);
+  }
+  return names;
+}
+
 std::string_view to_string(ViscosityLaw law) { return row_of(law).name; }
 std::string_view to_string(DensityLaw law) { return row_of(law).name; }
 

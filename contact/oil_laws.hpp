@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <string_view>
 #include <variant>
 
@@ -34,5 +35,8 @@ inline constexpr std::size_t density_law_count = 3;
 [[nodiscard]] const std::array<DensityLawRow, density_law_count>& density_laws();
 [[nodiscard]] const ViscosityLawRow& row_of(ViscosityLaw law);
 [[nodiscard]] const DensityLawRow& row_of(DensityLaw law);
+
+/// "barus or roelands": the laws whose viscosity depends on pressure, for messages.
+[[nodiscard]] std::string piezoviscous_names();
 
 }  // namespace ehd

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "contact/nondimensional.hpp"
+#include "contact/oil_laws.hpp"
 #include "contact/overloaded.hpp"
 #include "io/case_keys.hpp"
 #include "io/case_tree.hpp"
@@ -83,12 +84,12 @@ void require_pressure_scale(const CaseTree& tree, const ContactCase& contact) {
                                         contact.statement);
   const Lubricant& lubricant = *contact.lubricant;
   if (!without_scale || lubricant.alpha_per_Pa) return;
-  const bool roelands = lubricant.viscosity == ViscosityLaw::roelands;
-  if (!roelands && lubricant.density == DensityLaw::incompressible) return;
+  const ViscosityLawRow& law = row_of(lubricant.viscosity);
+  if (!law.keys.p0_Pa && lubricant.density == DensityLaw::incompressible) return;
   const std::string key = "lubricant.alpha_per_Pa";
   tree.fail(key, fmt::format("is missing; required is {}, since {} needs pressures in Pa",
                              text_of(row_of_case_key(key).allowed),
-                             roelands ? to_string(lubricant.viscosity) : to_string(lubricant.density)));
+                             law.keys.p0_Pa ? law.name : to_string(lubricant.density)));
 }
 
 /// Where M or L follows from other keys: the key that sets the group, else the table that the group follows from.
