@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a user states: the contact in one of three ways, the lubricant, and where the inlet begins. Only this file and
-// nondimensionalise() use SI; the names carry the unit.
+// What a user states: the contact in one of three ways, the lubricant, and where the inlet begins. Names of
+// numbers in SI carry the unit. Solvers see none of them (nondimensional.hpp).
 #pragma once
 
 #include <optional>
