@@ -9,7 +9,7 @@ import tempfile
 from dataclasses import dataclass
 
 LONGEST_S = 10  # for a refusal; most take 0.02 s
-MEMORY_BYTES = 4 << 30  # so that a file without end fails here and does not stop the machine
+MEMORY_BYTES = 1 << 30  # so that a file without end fails here and does not stop the machine
 
 
 class Skipped(Exception):
@@ -77,12 +77,12 @@ class Room:
     def files(self):
         return sorted(str(file.relative_to(self.path)) for file in self.path.rglob("*"))
 
-    def run(self, *arguments, stdin=b"", user=None, seconds=LONGEST_S):
-        """`ehd ARGUMENTS`. user: what Program.other_user returned."""
+    def run(self, *arguments, stdin=b"", user=None, seconds=LONGEST_S, environment=None):
+        """`ehd ARGUMENTS`. user: what Program.other_user returned; environment: variables beside the usual ones."""
         command = [*self.program.limit, self.program.path, *map(str, arguments)]
         try:
             ended = subprocess.run(command, input=stdin, capture_output=True, cwd=self.path, timeout=seconds,
-                                   check=False, **(user or {}))
+                                   check=False, env={**os.environ, **(environment or {})}, **(user or {}))
         except subprocess.TimeoutExpired as late:
             return Ended(0, (late.stdout or b"").decode(errors="replace"),
                          (late.stderr or b"").decode(errors="replace"), late=True)
