@@ -122,7 +122,10 @@ toml::table parse_toml(const std::string& text, const std::filesystem::path& fil
       what = "the file ends in the middle (" + what + ")";
       while (line > 1 && content_of(line).empty()) --line;
     }
-    const std::string source = shortened(content_of(line), longest_text);
+    // A line that is neither a key nor a table is not repeated: the file may be none of ours.
+    const std::string content = content_of(line);
+    const bool ours = content.find('=') != std::string::npos || content.starts_with('[');
+    const std::string source = ours ? shortened(content, longest_text) : "";
     throw CaseError(one_line(file.string() + ":" + std::to_string(line) + (source.empty() ? "" : ": " + source) + ": " +
                              shortened(what, 200) + "; " + allowed));
   }

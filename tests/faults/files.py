@@ -160,12 +160,23 @@ def in_file(arguments):
     return attack
 
 
+def foreign(command):
+    """A file that is no TOML: the message names the line and does not repeat it."""
+    def attack(room):
+        room.write("foreign", "a secret line\n")
+        wrong = room.refused(command, "foreign", says=["foreign:1: "])
+        return wrong or ("prints the file" if "secret" in room.run(command, "foreign").err else None)
+    return attack
+
+
 def inputs():
     for reader, (name, arguments, kinds) in READERS.items():
         for kind in kinds:
             yield f"{reader} is {kind.__name__}", reading(name, arguments, kind)
     for command in ("solve", "bearing", "plan", "compare", "sweep", "report"):
         yield f"{command}: a name of {len(LONG_NAME)} characters", in_long_name([command])
+    for command in ("solve", "bearing", "plan", "compare", "sweep"):
+        yield f"{command}: a file that is no TOML", foreign(command)
     for output, arguments in OUTPUTS.items():
         yield f"{output}: a name of {len(LONG_NAME)} characters", in_long_name(arguments)
         yield f"{output} in a folder without permission to write", in_closed_folder(arguments)
