@@ -64,13 +64,7 @@ bearing::Form form_named(const std::string& name) {
 /// 0 without the option. Throws UsageError.
 int positions_asked(const std::optional<std::string>& text) {
   if (!text) return 0;
-  constexpr int fewest = 2, most = 10000;
-  const int positions = parse_integer("--cage-positions", *text);
-  if (positions < fewest || positions > most)
-    throw option_error(
-        "--cage-positions", *text,
-        "is out of range; allowed is an integer from " + std::to_string(fewest) + " to " + std::to_string(most));
-  return positions;
+  return parse_integer("--cage-positions", *text, {.low = 2, .high = 10000});
 }
 
 /// The cases and their results.

@@ -2,6 +2,9 @@
 #include "cli/command_line.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <numeric>
+#include <utility>
 
 #include "cli/output.hpp"
 #include "cli/usage.hpp"
@@ -12,6 +15,53 @@ namespace {
 
 /// CLI11 adds its help to some messages: only the first line is wanted.
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+/// Characters to insert, remove or replace until one text is the other.
+std::size_t distance(const std::string& from, const std::string& to) {
+  std::vector<std::size_t> row(to.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    std::size_t diagonal = std::exchange(row[0], i + 1);
+    for (std::size_t j = 0; j < to.size(); ++j) {
+      const std::size_t replaced = diagonal + (from[i] == to[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({row[j] + 1, row[j + 1] + 1, replaced});
+    }
+  }
+  return row.back();
+}
+
+/// The name that somebody may have meant: at most two characters are different, and fewer than half. Empty: none.
+std::string near_miss(const std::string& word, const std::vector<std::string>& names) {
+  std::string nearest;
+  std::size_t least = std::min<std::size_t>(3, (word.size() + 1) / 2);
+  for (const std::string& name : names) {
+    const std::size_t apart = distance(word, name);
+    if (apart < least) std::tie(least, nearest) = std::pair(apart, name);
+  }
+  return nearest;
+}
+
+/// What may stand where an unknown word stands: options for one that begins with a dash, else subcommands.
+std::vector<std::string> names_like(const std::string& word, CLI::App& app) {
+  std::vector<std::string> names;
+  if (word.starts_with('-')) {
+    for (const CLI::Option* option : app.get_options())
+      if (!option->get_positional()) names.push_back(option->get_name());
+  } else {
+    for (const CLI::App* subcommand : app.get_subcommands({})) names.push_back(subcommand->get_name());
+  }
+  return names;
+}
+
+/// "--tolerence: unknown; did you mean --tolerance? ..." `command`: "ehd solve", whose help shows what is allowed.
+std::string unknown_word(CLI::App& app, const std::string& command) {
+  const std::string given = app.remaining().front();
+  const std::string word = given.substr(0, given.starts_with("--") ? given.find('=') : std::string::npos);
+  const std::string meant = near_miss(word, names_like(word, app));
+  return word + ": unknown; " + (meant.empty() ? "" : "did you mean " + meant + "? ") + command +
+         " --help shows what is allowed";
+}
 
 }  // namespace
 
@@ -71,18 +121,30 @@ int run_command_line(const Program& program, int argc, char** argv) {
     Command command(*app.add_subcommand(subcommand.name), exit_code);
     subcommand.describe(command);
   }
+  const auto chosen = [&]() -> CLI::App& {
+    const auto subcommands = app.get_subcommands();
+    return subcommands.empty() ? app : *subcommands.front();
+  };
+  const auto refuse = [&](const CLI::ParseError* error) {
+    const std::string command = program.name + (&chosen() == &app ? "" : " " + chosen().get_name());
+    complain(program.name + ": " +
+             (error ? first_line(error->what()) + "; " + command + " --help shows what is allowed"
+                    : unknown_word(chosen(), command)));
+    return bad_input;
+  };
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForVersion& version) {
     print(std::string(version.what()) + "\n");
     return success;
   } catch (const CLI::Success&) {  // --help, of the program or of a subcommand
-    const auto chosen = app.get_subcommands();
-    print(chosen.empty() ? app.help() : chosen.front()->help(program.name));
+    if (&chosen() == &app && !app.remaining().empty()) return refuse(nullptr);  // ehd frobnicate --help
+    print(&chosen() == &app ? app.help() : chosen().help(program.name));
     return success;
+  } catch (const CLI::ExtrasError&) {
+    return refuse(nullptr);
   } catch (const CLI::ParseError& error) {
-    complain(program.name + ": " + first_line(error.what()) + "; " + program.name + " --help shows what is allowed");
-    return bad_input;
+    return refuse(&error);
   }
   if (app.get_subcommands().empty()) print(app.help());
   return exit_code;

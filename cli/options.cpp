@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "cli/usage.hpp"
 #include "contact/text.hpp"
@@ -14,8 +15,11 @@ namespace ehd::cli {
 namespace {
 
 constexpr int fewest_nodes = 16;
-constexpr int most_threads = 1024;
-constexpr double longest_time_s = 1e9;  // longer times overflow the clock
+constexpr allowed::Integer node_counts{.low = fewest_nodes, .high = std::numeric_limits<int>::max()};
+constexpr allowed::Integer iteration_counts{.low = 1, .high = std::numeric_limits<int>::max()};
+constexpr allowed::Integer thread_counts{.low = 1, .high = 1024};
+constexpr Interval tolerances{.low = 0, .high = loosest_tolerance, .open_low = true};
+constexpr Interval times_s{.low = 0, .high = 1e9, .open_low = true};  // longer times overflow the clock
 
 }  // namespace
 
@@ -31,28 +35,13 @@ void RequestOptions::add_to(Command& command, bool with_accuracy) {
 Request RequestOptions::request() const {
   Request request;
   if (tolerance && nodes) throw UsageError("--tolerance and --nodes exclude each other; allowed is one of them");
-  if (tolerance) {
-    request.tolerance = parse_number("--tolerance", *tolerance);
-    if (!(*request.tolerance > 0))
-      throw option_error("--tolerance", *tolerance, "is not positive; allowed is a number > 0");
-  }
+  if (tolerance) request.tolerance = parse_number("--tolerance", *tolerance, tolerances);
   if (nodes) {
-    request.nodes = parse_integer("--nodes", *nodes);
+    request.nodes = parse_integer("--nodes", *nodes, node_counts);
     request.tolerance.reset();
-    if (*request.nodes < fewest_nodes)
-      throw option_error("--nodes", *nodes, "is too few; allowed is an integer from " + std::to_string(fewest_nodes));
   }
-  if (max_iterations) {
-    request.max_iterations = parse_integer("--max-iterations", *max_iterations);
-    if (request.max_iterations < 1)
-      throw option_error("--max-iterations", *max_iterations, "is too few; allowed is an integer from 1");
-  }
-  if (time_limit) {
-    request.time_limit_s = parse_number("--time-limit", *time_limit);
-    if (!(request.time_limit_s > 0 && request.time_limit_s <= longest_time_s))
-      throw option_error("--time-limit", *time_limit,
-                         "is out of range; allowed is more than 0, up to " + plain(longest_time_s) + " seconds");
-  }
+  if (max_iterations) request.max_iterations = parse_integer("--max-iterations", *max_iterations, iteration_counts);
+  if (time_limit) request.time_limit_s = parse_number("--time-limit", *time_limit, times_s);
   return request;
 }
 
@@ -87,11 +76,7 @@ std::vector<bearing::Law> laws_named(const std::vector<std::string>& names) {
 
 unsigned thread_count(const std::optional<std::string>& text) {
   if (!text) return 0;
-  const int threads = parse_integer("--threads", *text);
-  if (threads < 1 || threads > most_threads)
-    throw option_error("--threads", *text,
-                       "is out of range; allowed is an integer, 1 to " + std::to_string(most_threads));
-  return static_cast<unsigned>(threads);
+  return static_cast<unsigned>(parse_integer("--threads", *text, thread_counts));
 }
 
 void require_memory(const RegisteredSolver& solver, const Request& request) {

@@ -21,7 +21,7 @@ namespace ehd::cli {
 struct RequestOptions {
   std::optional<std::string> tolerance, nodes, max_iterations, time_limit;
   void add_to(Command& command, bool with_accuracy = true);
-  /// Throws UsageError: not finite, not positive, fewer than 16 nodes, both tolerance and nodes.
+  /// Throws UsageError: out of range, fewer than 16 nodes, both tolerance and nodes.
   [[nodiscard]] Request request() const;
 };
 

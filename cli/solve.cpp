@@ -2,11 +2,9 @@
 // ehd solve: one contact, from a case file or from options.
 #include <fmt/format.h>
 
-#include <filesystem>
-#include <fstream>
+#include <limits>
 #include <memory>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -17,8 +15,10 @@
 #include "contact/nondimensional.hpp"
 #include "contact/oil_laws.hpp"
 #include "contact/text.hpp"
+#include "io/case_keys.hpp"
 #include "io/case_reader.hpp"
 #include "io/contact_json.hpp"
+#include "io/file_text.hpp"
 #include "io/find_case.hpp"
 #include "io/output_file.hpp"
 #include "io/profile_csv.hpp"
@@ -61,13 +61,14 @@ void require_laws_possible(const SolveOptions& options, const Lubricant& lubrica
     throw option_error("--viscosity", *options.viscosity,
                        "contradicts --L = " + *options.L + "; allowed is " + piezoviscous_names() + ", or --L 0");
   if (!lubricant.alpha_per_Pa) {
-    constexpr const char* needs =
-        "needs pressures in Pa, which the groups alone leave open; required is --alpha-per-Pa";
+    const std::string needs = "needs pressures in Pa, which the groups alone leave open; required is --alpha-per-Pa, " +
+                              text_of(row_of_case_key("lubricant.alpha_per_Pa").allowed);
     if (keys.p0_Pa) throw option_error("--viscosity", *options.viscosity, needs);
     if (lubricant.density != DensityLaw::incompressible) throw option_error("--density", *options.density, needs);
   }
   if (keys.z && !lubricant.z)
-    throw option_error("--viscosity", *options.viscosity, "needs Roelands' exponent; required is --z");
+    throw option_error("--viscosity", *options.viscosity,
+                       "needs Roelands' exponent; required is --z, " + text_of(row_of_case_key("lubricant.z").allowed));
 }
 
 template <class Laws>
@@ -80,12 +81,11 @@ std::string names_of(const Laws& laws) {
 /// The contact that the options state. Throws UsageError.
 ContactCase contact_from(const SolveOptions& options) {
   ContactCase contact;
-  const double M = parse_number("--M", *options.M), L = parse_number("--L", *options.L);
-  if (!(M >= smallest_M && M <= largest_M))
-    throw option_error("--M", *options.M, "is out of range; allowed is 1e-3 to 1e6");
-  constexpr double smallest_L = 1e-12;  // below it p_H in Pa leaves the range of numbers
-  if (!(L == 0 || (L >= smallest_L && L <= largest_L)))
-    throw option_error("--L", *options.L, "is out of range; allowed is 0, or 1e-12 to 100");
+  // Each option has the range of a key of case files.
+  const auto number_like = [](const char* option, const std::string& text, const char* key) {
+    return parse_number(option, text, std::get<Interval>(row_of_case_key(key).allowed));
+  };
+  const double M = number_like("--M", *options.M, "moes.M"), L = number_like("--L", *options.L, "moes.L");
   contact.statement = MoesGroups{.M = M, .L = L};
 
   Lubricant lubricant;
@@ -100,23 +100,30 @@ ContactCase contact_from(const SolveOptions& options) {
     if (!law) throw option_error("--density", *options.density, "is unknown; allowed is " + names_of(density_laws()));
     lubricant.density = *law;
   }
-  const auto number_within = [](const char* option, const std::string& text, double low, double high) {
-    const double value = parse_number(option, text);
-    if (!(value >= low && value <= high))
-      throw option_error(option, text, "is out of range; allowed is " + plain(low) + " to " + plain(high));
-    return value;
-  };
-  if (options.alpha) lubricant.alpha_per_Pa = number_within("--alpha-per-Pa", *options.alpha, 1e-15, 1e-3);
-  if (options.z) lubricant.z = number_within("--z", *options.z, 1e-3, 10);
-  if (options.p0) lubricant.p0_Pa = number_within("--p0-Pa", *options.p0, 1e3, 1e15);
+  if (options.alpha) {  // it sets p_H, which 0 cannot
+    Interval range = std::get<Interval>(row_of_case_key("lubricant.alpha_per_Pa").allowed);
+    range.or_zero = false;
+    lubricant.alpha_per_Pa = parse_number("--alpha-per-Pa", *options.alpha, range);
+  }
+  if (options.z) lubricant.z = number_like("--z", *options.z, "lubricant.z");
+  if (options.p0) lubricant.p0_Pa = number_like("--p0-Pa", *options.p0, "lubricant.p0_Pa");
   contact.lubricant = lubricant;
 
   contact.inlet = Flooded{};
   if (options.inlet && *options.inlet != "flooded") {
-    const double x = parse_number("--inlet", *options.inlet);
-    if (!(x < -1 && x >= -1e6))
-      throw option_error("--inlet", *options.inlet,
-                         "does not lie before the contact; allowed is flooded, or X = x/b from -1e6 to less than -1");
+    const CaseKey& row = row_of_case_key("domain.inlet");
+    const auto& range = std::get<allowed::Inlet>(row.allowed);
+    constexpr double any = std::numeric_limits<double>::max();
+    const auto refuse = [&](const char* what) {
+      return option_error("--inlet", *options.inlet, std::string(what) + "; allowed is " + text_of(row.allowed));
+    };
+    double x = 0;
+    try {
+      x = parse_number("--inlet", *options.inlet, {.low = -any, .high = any});
+    } catch (const UsageError&) {
+      throw refuse("is unknown");
+    }
+    if (!(x < range.edge && x >= range.farthest)) throw refuse("does not lie before the contact");
     contact.inlet = TruncatedAt{x};
   }
 
@@ -142,21 +149,13 @@ void require_one_problem(const SolveOptions& options) {
 
 /// --wisdom FILE: the measurements of FFTW in earlier runs, or a new file. This run adds its own measurements.
 void read_wisdom(const std::string& name) {
-  std::string text;
-  if (name.empty())
-    throw UsageError("--wisdom names no file; allowed is a file that an earlier run wrote, or a new one");
-  if (std::filesystem::exists(name)) {
-    if (!std::filesystem::is_regular_file(name))
-      throw option_error("--wisdom", name, "is no file; allowed is a file that an earlier run wrote, or a new one");
-    std::ifstream file(name);
-    std::ostringstream content;
-    if (!(content << file.rdbuf()))
-      throw option_error("--wisdom", name, "cannot be read; allowed is a file that an earlier run wrote, or a new one");
-    text = content.str();
-  }
-  if (!measure_fft_plans(text))
-    throw option_error("--wisdom", name,
-                       "is no FFTW wisdom; allowed is a file that an earlier run wrote, or a new one");
+  // What one run learns has a few KiB.
+  constexpr FileKind kind{.name = "a file that an earlier run wrote, or a new one", .most_bytes = 16 << 20};
+  const std::string allowed = "; allowed is " + std::string(kind.name);
+  if (name.empty()) throw UsageError("--wisdom names no file" + allowed);
+  const std::string text = text_if_there(name, kind).value_or("");
+  const bool whole = text.find('\0') == std::string::npos;  // FFTW would read up to there
+  if (!whole || !measure_fft_plans(text)) throw option_error("--wisdom", name, "is no FFTW wisdom" + allowed);
 }
 
 /// Pressure and film over X, as a picture of its own.

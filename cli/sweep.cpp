@@ -58,13 +58,13 @@ Shard shard_from(const std::string& text) {
   if (slash == std::string::npos) throw option_error("--shard", text, std::string("is no part; allowed is ") + allowed);
   int number = 0, of = 0;
   try {
-    number = parse_integer("--shard", text.substr(0, slash));
-    of = parse_integer("--shard", text.substr(slash + 1));
+    constexpr ehd::allowed::Integer any{.low = 1, .high = std::numeric_limits<int>::max()};
+    number = parse_integer("--shard", text.substr(0, slash), any);
+    of = parse_integer("--shard", text.substr(slash + 1), any);
   } catch (const UsageError&) {
     throw option_error("--shard", text, std::string("is no part; allowed is ") + allowed);
   }
-  if (number < 1 || of < 1 || number > of)
-    throw option_error("--shard", text, std::string("is out of range; allowed is ") + allowed);
+  if (number > of) throw option_error("--shard", text, std::string("is out of range; allowed is ") + allowed);
   return {static_cast<std::size_t>(number), static_cast<std::size_t>(of)};
 }
 

@@ -3,7 +3,6 @@
 
 #include <charconv>
 #include <cmath>
-#include <limits>
 #include <new>
 #include <system_error>
 
@@ -12,6 +11,12 @@
 #include "workflow/case.hpp"
 
 namespace ehd::cli {
+
+namespace {
+
+std::string allowed_is(const Allowed& range) { return "; allowed is " + text_of(range); }
+
+}  // namespace
 
 UsageError option_error(const std::string& option, const std::string& value, const std::string& message) {
   return UsageError(option + " = " + value + ": " + message);
@@ -38,27 +43,27 @@ int run_guarded(const std::function<int()>& body) {
   }
 }
 
-double parse_number(const std::string& option, const std::string& text) {
+double parse_number(const std::string& option, const std::string& text, const Interval& range) {
+  const auto refuse = [&](const char* what) { return option_error(option, text, what + allowed_is(range)); };
   double value = 0;
   const char* begin = text.data() + (text.starts_with('+') ? 1 : 0);
   const char* end = text.data() + text.size();
   const auto parsed = std::from_chars(begin, end, value);
-  if (parsed.ec == std::errc::result_out_of_range)
-    throw option_error(option, text, "is out of range; allowed is a number");
-  if (parsed.ec != std::errc() || parsed.ptr != end)
-    throw option_error(option, text, "is not a number; allowed is a number");
-  if (!std::isfinite(value)) throw option_error(option, text, "is not finite; allowed is a finite number");
+  const bool whole = parsed.ptr == end && parsed.ec != std::errc::invalid_argument;
+  if (!whole) throw refuse("is not a number");
+  if (parsed.ec == std::errc() && !std::isfinite(value)) throw refuse("is not finite");
+  if (parsed.ec != std::errc() || !range.contains(value)) throw refuse("is out of range");
   return value;
 }
 
-int parse_integer(const std::string& option, const std::string& text) {
+int parse_integer(const std::string& option, const std::string& text, const allowed::Integer& range) {
+  const auto refuse = [&](const char* what) { return option_error(option, text, what + allowed_is(range)); };
   int value = 0;
   const char* end = text.data() + text.size();
   const auto parsed = std::from_chars(text.data(), end, value);
-  if (parsed.ec != std::errc() || parsed.ptr != end)
-    throw option_error(
-        option, text,
-        "is not an integer; allowed is an integer up to " + std::to_string(std::numeric_limits<int>::max()));
+  const bool whole = parsed.ptr == end && parsed.ec != std::errc::invalid_argument;
+  if (!whole) throw refuse("is not an integer");
+  if (parsed.ec != std::errc() || value < range.low || value > range.high) throw refuse("is out of range");
   return value;
 }
 

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "io/case_keys.hpp"
+
 namespace ehd::cli {
 
 enum ExitCode { success = 0, not_met = 1, bad_input = 2 };
@@ -23,8 +25,9 @@ class UsageError : public std::runtime_error {
 /// ends in one line on standard error and exit code 2, lack of memory in one line and exit code 1.
 [[nodiscard]] int run_guarded(const std::function<int()>& body);
 
-/// A number of the command line: the whole text must be one. `option` is named in the UsageError.
-[[nodiscard]] double parse_number(const std::string& option, const std::string& text);
-[[nodiscard]] int parse_integer(const std::string& option, const std::string& text);
+/// A number of the command line: the whole text must be one, inside the range. The UsageError names the option and what
+/// is allowed.
+[[nodiscard]] double parse_number(const std::string& option, const std::string& text, const Interval& range);
+[[nodiscard]] int parse_integer(const std::string& option, const std::string& text, const allowed::Integer& range);
 
 }  // namespace ehd::cli

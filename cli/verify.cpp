@@ -39,20 +39,12 @@ is inconclusive; 2 wrong usage.)";
 int verify(const VerifyOptions& options) {
   verification::SuiteRequest request;
   if (options.rung) {
-    request.rung = parse_integer("--rung", *options.rung);
-    if (*request.rung < 0 || *request.rung >= verification::rungs)
-      throw option_error("--rung", *options.rung,
-                         "is unknown; allowed is 0 to " + std::to_string(verification::rungs - 1));
+    request.rung = parse_integer("--rung", *options.rung, {.low = 0, .high = verification::rungs - 1});
   }
   request.case_id = options.case_id;
   request.quick = options.quick;
-  if (options.random_runs) {
-    constexpr int most_runs = 10000;
-    request.random_runs = parse_integer("--random-runs", *options.random_runs);
-    if (request.random_runs < 1 || request.random_runs > most_runs)
-      throw option_error("--random-runs", *options.random_runs,
-                         "is out of range; allowed is 1 to " + std::to_string(most_runs));
-  }
+  if (options.random_runs)
+    request.random_runs = parse_integer("--random-runs", *options.random_runs, {.low = 1, .high = 10000});
 
   OutputFolder folder(options.output);
   folder.open({"results.json"});

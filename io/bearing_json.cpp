@@ -2,6 +2,7 @@
 #include "io/bearing_json.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -64,7 +65,7 @@ Json to_json(const LinearFit& fit) {
                        {"K_standard_deviation_N_per_m", fit.K_deviation_N_per_m},
                        {"dF_standard_deviation_N", fit.dF_deviation_N},
                        {"correlation", fit.correlation}});
-  json["load_N"] = {fit.points.front().force_N, fit.points.back().force_N};
+  put(json, "load_N", {fit.points.front().force_N, fit.points.back().force_N});
   json["points"] = fit.points.size();
   return json;
 }
@@ -72,7 +73,7 @@ Json to_json(const LinearFit& fit) {
 Json to_json(const FilmCurve& curve) {
   Json json = Json::object();
   json["points"] = curve.forces_N().size();
-  json["load_N"] = {curve.lightest_N(), curve.heaviest_N()};
+  put(json, "load_N", {curve.lightest_N(), curve.heaviest_N()});
   put(json, "interpolation_error", curve.errors().interpolation);
   put(json, "joint_error", curve.errors().joint);
   put(json, "force_error", std::max(curve.errors().interpolation_force, curve.errors().joint_force));
@@ -92,8 +93,9 @@ Json to_json(const BearingResult& result) {
   if (!result.rollers.empty()) {
     put(json, "displacement_m", result.displacement_m);
     put(json, "displacement_lateral_m", result.displacement_lateral_m);
-    if (result.load_zone_deg) json["load_zone_deg"] = {result.load_zone_deg->first, result.load_zone_deg->second};
-    json["stiffness_N_per_m"] = result.stiffness_N_per_m;
+    if (result.load_zone_deg) put(json, "load_zone_deg", {result.load_zone_deg->first, result.load_zone_deg->second});
+    if (const auto& K = result.stiffness_N_per_m; std::isfinite(K[0][0] + K[0][1] + K[1][0] + K[1][1]))
+      json["stiffness_N_per_m"] = K;
     if (result.cage) json["cage"] = to_json(*result.cage);
     json["rollers"] = to_json(result.rollers);
     put(json, "balance_error", result.balance_error);
@@ -102,7 +104,8 @@ Json to_json(const BearingResult& result) {
   }
   if (result.fit) json["fit"] = {{"inner", to_json(result.fit->inner)}, {"outer", to_json(result.fit->outer)}};
   if (result.curve) json["curve"] = {{"inner", to_json(result.curve->inner)}, {"outer", to_json(result.curve->outer)}};
-  if (result.datum_m) json["datum"] = {{"inner_x0_m", result.datum_m->inner}, {"outer_x0_m", result.datum_m->outer}};
+  if (result.datum_m)
+    json["datum"] = numbers({{"inner_x0_m", result.datum_m->inner}, {"outer_x0_m", result.datum_m->outer}});
   for (const VariantResult& variant : result.variants) {
     Json one{{"name", variant.name}};
     put(one, "displacement_m", variant.displacement_m);

@@ -2,9 +2,10 @@
 #include "io/bibliography.hpp"
 
 #include <algorithm>
-#include <fstream>
+#include <sstream>
 
 #include "contact/text.hpp"
+#include "io/file_text.hpp"
 #include "workflow/case.hpp"
 
 namespace ehd {
@@ -44,8 +45,8 @@ std::string BibliographyEntry::citation() const {
 }
 
 Bibliography read_bibliography(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  if (!stream) throw CaseError(one_line(file.string() + ": the bibliography of the cases cannot be read"));
+  constexpr FileKind kind{.name = "the bibliography of the cases (BibTeX)", .most_bytes = 1 << 20};
+  std::istringstream stream(text_of_file(file, kind));
   Bibliography bibliography;
   BibliographyEntry entry;
   std::string line;

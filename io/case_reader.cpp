@@ -19,7 +19,7 @@ namespace ehd {
 namespace {
 
 void read_heading(const CaseTree& tree, Case& made) {
-  const std::string stem = made.file.stem().string();
+  const std::string stem = id_of_file(made.file);
   made.id = text(tree, "id");
   if (made.id != stem) tree.fail("id", fmt::format("differs from the file's name; allowed is \"{}\"", stem));
   made.version = integer(tree, "version");

@@ -4,42 +4,28 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <system_error>
 
 #include "contact/text.hpp"
+#include "io/file_text.hpp"
 #include "workflow/case.hpp"
 
 namespace ehd {
 
 namespace {
 
-constexpr std::uintmax_t largest_file = 64 * 1024;
+constexpr std::uintmax_t largest_file = 64 * 1024;  // a case has about 1 KiB, a sweep with long lists a few
 constexpr std::size_t longest_line = 2000;
 constexpr std::size_t longest_quote = 60;  // of a line in a message
+
+FileKind kind_of(TomlFile what) {
+  return {
+      .name = what == TomlFile::of_case ? "a case file (TOML), or the id of a benchmark case" : "a sweep file (TOML)",
+      .most_bytes = largest_file};
+}
 
 [[noreturn]] void refuse(const std::filesystem::path& file, int line, const std::string& what) {
   const std::string place = file.string() + (line > 0 ? ":" + std::to_string(line) : "");
   throw CaseError(one_line(place + ": " + what));
-}
-
-std::string read_bytes(const std::filesystem::path& file) {
-  std::error_code error;
-  const auto status = std::filesystem::status(file, error);
-  if (!std::filesystem::exists(status))
-    refuse(file, 0, "there is no such file; allowed is a case file (TOML), or the id of a benchmark case");
-  if (std::filesystem::is_directory(status)) refuse(file, 0, "is a directory; allowed is a case file (TOML)");
-  if (!std::filesystem::is_regular_file(status))
-    refuse(file, 0, "is not a regular file; allowed is a case file (TOML)");
-  std::ifstream stream(file, std::ios::binary);
-  std::string bytes;
-  if (stream) {
-    bytes.resize(largest_file + 1);
-    stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    bytes.resize(static_cast<std::size_t>(stream.gcount()));
-  }
-  if (!stream.is_open() || stream.bad()) refuse(file, 0, "cannot be read; allowed is a readable case file (TOML)");
-  return bytes;
 }
 
 /// Follows TOML character by character, to tell strings and comments from the rest.
@@ -113,17 +99,27 @@ std::vector<std::string> lines_of(std::string_view text) {
   return lines;
 }
 
-std::string read_case_text(const std::filesystem::path& file) { return checked_case_text(read_bytes(file), file); }
+std::string read_case_text(const std::filesystem::path& file, TomlFile what) {
+  return checked_case_text(text_of_file(file, kind_of(what)), file, what);
+}
 
-std::string checked_case_text(std::string text, const std::filesystem::path& file) {
+std::string id_of_file(const std::filesystem::path& file) {
+  const std::string id = file.stem().string();
+  const auto begins = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); };
+  const auto belongs = [&](char c) { return begins(c) || c == '.' || c == '-' || c == '_'; };
+  if (!id.empty() && begins(id.front()) && std::all_of(id.begin(), id.end(), belongs)) return id;
+  refuse(file, 0,
+         "the file's name without .toml is no id; allowed is letters, digits, dot, dash and underscore, beginning with "
+         "a letter or a digit");
+}
+
+std::string checked_case_text(std::string text, const std::filesystem::path& file, TomlFile what) {
+  const std::string allowed = fmt::format("; allowed is {}", kind_of(what).name);
   // Checked first: the other faults of an image or a program do not matter.
-  if (text.find('\0') != std::string::npos) refuse(file, 0, "is binary; allowed is a case file (TOML)");
-  if (text.size() > largest_file)
-    refuse(file, 0,
-           fmt::format("is larger than {} KiB; allowed is a case file (TOML), which is small", largest_file / 1024));
+  if (text.find('\0') != std::string::npos) refuse(file, 0, "is binary" + allowed);
+  if (text.size() > largest_file) refuse(file, 0, fmt::format("is larger than {} KiB", largest_file / 1024) + allowed);
   if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
-  if (text.find_first_not_of(" \t\r\n") == std::string::npos)
-    refuse(file, 0, "is empty; allowed is a case file (TOML)");
+  if (text.find_first_not_of(" \t\r\n") == std::string::npos) refuse(file, 0, "is empty" + allowed);
 
   int line = 1;
   std::size_t line_begin = 0;

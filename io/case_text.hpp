@@ -9,14 +9,22 @@
 
 namespace ehd {
 
+/// What a TOML file is for, in messages.
+enum class TomlFile { of_case, of_sweep };
+
 /// The file's text without a byte order mark. Throws CaseError for a file that is missing, a directory or device,
 /// unreadable, larger than 64 KiB, empty, binary (control characters) or not UTF-8. Refuses also: non-ASCII characters
 /// outside strings and comments, and lines that begin with a bracket but are no table (toml++ 3.3.0 misbehaves on
 /// both); lines longer than 2000 bytes (thousands of nested keys would exhaust the parser's stack).
-[[nodiscard]] std::string read_case_text(const std::filesystem::path& file);
+[[nodiscard]] std::string read_case_text(const std::filesystem::path& file, TomlFile what = TomlFile::of_case);
 
 /// The same of bytes in memory; `file` names them in messages.
-[[nodiscard]] std::string checked_case_text(std::string bytes, const std::filesystem::path& file);
+[[nodiscard]] std::string checked_case_text(std::string bytes, const std::filesystem::path& file,
+                                            TomlFile what = TomlFile::of_case);
+
+/// The name of a file without .toml is an id: letters, digits, dot, dash and underscore, beginning with a letter or a
+/// digit, so that every file system, shell and table takes it. Throws CaseError for another name.
+[[nodiscard]] std::string id_of_file(const std::filesystem::path& file);
 
 /// The lines of a text, without line ends (LF or CRLF).
 [[nodiscard]] std::vector<std::string> lines_of(std::string_view text);

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <variant>
 
+#include "contact/nondimensional.hpp"
 #include "contact/text.hpp"
 #include "io/case_keys.hpp"
 #include "io/case_tree.hpp"
@@ -84,6 +85,12 @@ const CaseNode& required(const CaseTree& tree, const std::string& key, const std
   const CaseNode* node = tree.find(key);
   if (!node) tree.fail(key, "is missing; required is " + allowed);
   return *node;
+}
+
+void fail_statement(const CaseTree& tree, const std::string& key, const StatementError& error) {
+  const std::string what = error.what();
+  if (what.find("allowed is") != std::string::npos || key.find('.') == std::string::npos) tree.fail(key, what);
+  tree.fail(key, what + "; allowed is " + text_of(row_of_case_key(key).allowed));
 }
 
 const Interval& interval_of(const std::string& key) { return std::get<Interval>(row_of_case_key(key).allowed); }

@@ -11,6 +11,7 @@ namespace ehd {
 class CaseTree;
 struct CaseNode;
 struct Interval;
+class StatementError;
 
 /// A number in the interval of the key's row, or in `interval`.
 [[nodiscard]] double number(const CaseTree& tree, const std::string& key);
@@ -33,6 +34,8 @@ struct Interval;
 
 /// The node of a key that must be there.
 [[nodiscard]] const CaseNode& required(const CaseTree& tree, const std::string& key, const std::string& allowed);
+/// Refuses the key for what nondimensionalise says of it, and adds what is allowed where the sentence does not say so.
+[[noreturn]] void fail_statement(const CaseTree& tree, const std::string& key, const StatementError& error);
 /// The interval in the key's row.
 [[nodiscard]] const Interval& interval_of(const std::string& key);
 

@@ -101,6 +101,14 @@ Json cost_json(const Cost& cost) {
 
 }  // namespace
 
+std::optional<StopReason> stop_reason_from(std::string_view text) {
+  for (const StopReason reason : {StopReason::converged, StopReason::tolerance_not_met, StopReason::under_resolved,
+                                  StopReason::limit_reached, StopReason::diverged}) {
+    if (text == to_string(reason)) return reason;
+  }
+  return std::nullopt;
+}
+
 Json to_json(const Plan& plan) {
   Json json;
   json["run"] = plan.run;

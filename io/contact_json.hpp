@@ -2,6 +2,9 @@
 // The result of one contact as JSON: the object that `ehd solve --json` writes.
 #pragma once
 
+#include <optional>
+#include <string_view>
+
 #include "io/json.hpp"
 #include "workflow/contact_run.hpp"
 
@@ -10,5 +13,8 @@ namespace ehd {
 /// The result object of `ehd solve`. Numbers are finite; a quantity that is unknown or was not requested is absent.
 [[nodiscard]] Json to_json(const ContactRun& run);
 [[nodiscard]] Json to_json(const Plan& plan);
+
+/// The status of a result, read back; nothing for a word that is none.
+[[nodiscard]] std::optional<StopReason> stop_reason_from(std::string_view text);
 
 }  // namespace ehd

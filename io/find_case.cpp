@@ -33,6 +33,8 @@ std::vector<std::filesystem::directory_entry> entries_of_cases(std::error_code& 
 }  // namespace
 
 std::filesystem::path find_case(const std::string& path_or_id) {
+  if (path_or_id.empty())
+    throw CaseError("\"\": a CASE has a name; allowed is a path to a case file, or an id that `ehd cases` lists");
   std::error_code error;
   const std::filesystem::path path(path_or_id);
   if (path_or_id.find('/') != std::string::npos || path.extension() == ".toml") return path;

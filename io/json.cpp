@@ -1,10 +1,43 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/json.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 namespace ehd {
+
+namespace {
+
+constexpr int most_levels = 64;           // results have up to 8; Json's own destructor and dump recurse
+constexpr std::size_t most_keys = 10000;  // results have up to 200; Json looks a key up in linear time
+
+/// What Json's parser accepts and this project never writes.
+class StrictParse {
+ public:
+  bool operator()(int depth, Json::parse_event_t event, Json& parsed) {
+    if (depth > most_levels) throw JsonError(fmt::format("has more than {} levels", most_levels));
+    if (event == Json::parse_event_t::object_start) keys_.emplace_back();
+    if (event == Json::parse_event_t::object_end) keys_.pop_back();
+    if (event == Json::parse_event_t::key) add(parsed.get_ref<const std::string&>());
+    return true;
+  }
+
+ private:
+  void add(const std::string& key) {
+    std::vector<std::string>& keys = keys_.back();
+    if (std::find(keys.begin(), keys.end(), key) != keys.end()) throw JsonError("has a key twice: " + key);
+    if (keys.size() == most_keys) throw JsonError(fmt::format("has an object of more than {} keys", most_keys));
+    keys.push_back(key);
+  }
+
+  std::vector<std::vector<std::string>> keys_;  ///< of the objects that are open
+};
+
+}  // namespace
 
 void put(Json& object, const std::string& key, double value) {
   if (std::isfinite(value)) object[key] = value;
@@ -12,6 +45,23 @@ void put(Json& object, const std::string& key, double value) {
 
 void put(Json& object, const std::string& key, const std::optional<double>& value) {
   if (value) put(object, key, *value);
+}
+
+void put(Json& object, const std::string& key, std::initializer_list<double> values) {
+  if (std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); }))
+    object[key] = std::vector<double>(values);
+}
+
+Json json_from(std::string_view text) {
+  StrictParse strict;
+  try {
+    return Json::parse(
+        text, [&strict](int depth, Json::parse_event_t event, Json& parsed) { return strict(depth, event, parsed); });
+  } catch (const Json::parse_error& broken) {
+    throw JsonError(fmt::format("is no JSON (it breaks at byte {})", broken.byte));
+  } catch (const Json::out_of_range&) {
+    throw JsonError("holds a number that is out of range");
+  }
 }
 
 std::string json_text(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// JSON as this project writes it: keys in the order in which they were put, numbers finite, nothing null.
+// JSON as this project writes it: keys in the order in which they were put, numbers finite, nothing null. And its
+// strict reader.
 #pragma once
 
+#include <initializer_list>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace ehd {
 
@@ -17,5 +21,17 @@ using Json = nlohmann::ordered_json;
 /// object[key] = value, where value is finite.
 void put(Json& object, const std::string& key, double value);
 void put(Json& object, const std::string& key, const std::optional<double>& value);
+/// object[key] = [values], where all are finite.
+void put(Json& object, const std::string& key, std::initializer_list<double> values);
+
+/// A text is no JSON that this project would write: what() says why, "breaks at byte 17".
+class JsonError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// One JSON value: each key of an object once and at most 10000 of them, numbers that a double holds, at most 64
+/// levels. Throws JsonError.
+[[nodiscard]] Json json_from(std::string_view text);
 
 }  // namespace ehd

@@ -26,6 +26,7 @@ OutputFile::OutputFile(std::filesystem::path path) : path_(std::move(path)) {
   const auto status = std::filesystem::status(path_, error);
   if (path_.empty()) cannot_write(path_, "the name is empty");
   if (std::filesystem::is_directory(status)) cannot_write(path_, "it is a directory");
+  if (status.type() == std::filesystem::file_type::none) cannot_write(path_, error.message());  // a loop of links
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
     if (!std::ofstream(path_)) cannot_write(path_, std::strerror(errno));
     return;

@@ -70,7 +70,7 @@ void check_lubricant(const CaseTree& tree, const BearingCase& bearing) {
   try {
     (void)nondimensionalise(any, bearing.lubricant->lubricant, Flooded{});
   } catch (const StatementError& error) {
-    if (error.key().starts_with("lubricant.")) tree.fail(error.key(), error.what());
+    if (error.key().starts_with("lubricant.")) fail_statement(tree, error.key(), error);
   }
 }
 

@@ -124,7 +124,7 @@ ContactCase read_contact(const CaseTree& tree, const std::string& statement) {
   try {
     (void)nondimensionalise(contact.statement, *contact.lubricant, *contact.inlet);
   } catch (const StatementError& error) {
-    tree.fail(key_at_fault(error.key(), statement), error.what());
+    fail_statement(tree, key_at_fault(error.key(), statement), error);
   }
   return contact;
 }

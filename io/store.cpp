@@ -13,6 +13,7 @@
 
 #include "contact/text.hpp"
 #include "io/content_hash.hpp"
+#include "io/file_text.hpp"
 #include "io/json.hpp"
 #include "io/output_file.hpp"
 
@@ -21,18 +22,18 @@ namespace ehd {
 namespace {
 
 constexpr const char* journal_name = "journal";
-constexpr const char* schema = "ehd-sweep-journal-2";
+constexpr const char* journal_schema = "ehd-sweep-journal-2";
 constexpr std::size_t check_digits = 16, hash_digits = content_hash_digits;
 constexpr std::size_t before_text = check_digits + 1 + hash_digits + 1;
 
 /// A line of the file: CHECKSUM CONTENT. The content of a row is HASH TEXT. CHECKSUM: the first digits of the content's
 /// hash.
-std::string line_of(const std::string& content) {
+std::string journal_line(const std::string& content) {
   return content_hash(content).substr(0, check_digits) + " " + content + "\n";
 }
 
 std::string content_of(const JournalHeader& header) {
-  return Json{{"schema", schema}, {"sweep", header.sweep}, {"shard", header.shard}, {"of", header.of}}.dump();
+  return Json{{"schema", journal_schema}, {"sweep", header.sweep}, {"shard", header.shard}, {"of", header.of}}.dump();
 }
 
 [[noreturn]] void refuse(const std::filesystem::path& where, const std::string& what) {
@@ -55,6 +56,7 @@ SweepJournal::SweepJournal(const std::filesystem::path& folder, const JournalHea
   }
   try {
     if (fresh) std::filesystem::remove(file_, error);
+    require_file_or_none();
     const std::string first = content_of(header);
     const Read found = read(&wanted);
     if (!found.whole || found.header != first) rewrite(first);
@@ -67,9 +69,10 @@ SweepJournal::SweepJournal(const std::filesystem::path& folder, const JournalHea
 
 SweepJournal::SweepJournal(const std::filesystem::path& folder, const JournalHeader& header)
     : folder_(folder), file_(folder / journal_name) {
-  const std::string again = "; run again --shard " + std::to_string(header.shard) + "/" + std::to_string(header.of);
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(file_, error)) refuse(file_, "the shard is missing" + again);
+  const std::string again =
+      "; required is to run again --shard " + std::to_string(header.shard) + "/" + std::to_string(header.of);
+  require_file_or_none();
+  if (!fault_of_file(file_).empty()) refuse(file_, "the shard is missing" + again);
   const Read found = read(nullptr);
   if (found.bad_line > 0) refuse(file_, "the shard is damaged at line " + std::to_string(found.bad_line) + again);
   if (found.header != content_of(header)) {
@@ -85,6 +88,14 @@ SweepJournal::SweepJournal(const std::filesystem::path& folder, const JournalHea
 SweepJournal::~SweepJournal() {
   if (descriptor_ >= 0) ::close(descriptor_);
   if (lock_ >= 0) ::close(lock_);
+}
+
+/// What is read to its end must have one.
+void SweepJournal::require_file_or_none() const {
+  std::error_code error;
+  if (std::filesystem::symlink_status(file_, error).type() == std::filesystem::file_type::not_found) return;
+  if (const std::string fault = fault_of_file(file_); !fault.empty())
+    refuse(file_, fault + "; allowed is a journal of finished rows, or none");
 }
 
 void SweepJournal::open_file(int flags) {
@@ -106,7 +117,7 @@ SweepJournal::Read SweepJournal::read(const std::set<std::string>* wanted) {
     ++number;
     const bool ended = !stream.eof();  // the last line may have been cut
     const std::string content = line.size() > check_digits ? line.substr(check_digits + 1) : "";
-    if (!ended || line.size() <= check_digits || line_of(content) != line + "\n") {
+    if (!ended || line.size() <= check_digits || journal_line(content) != line + "\n") {
       found.whole = false;
       if (found.bad_line == 0) found.bad_line = number;
       continue;
@@ -129,13 +140,13 @@ SweepJournal::Read SweepJournal::read(const std::set<std::string>* wanted) {
 void SweepJournal::rewrite(const std::string& header) {
   OutputFile file(file_);
   std::map<std::string, Place> places;
-  std::string text = line_of(header);
+  std::string text = journal_line(header);
   std::size_t written = 0;
   if (!rows_.empty()) open_file(O_RDONLY);
   for (const auto& entry : rows_) {
     const std::string content = entry.first + " " + row(entry.first);
     places[entry.first] = {.begin = written + text.size() + before_text, .bytes = entry.second.bytes};
-    text += line_of(content);
+    text += journal_line(content);
     constexpr std::size_t enough = 1 << 20;
     if (text.size() < enough) continue;
     file.append(text);
@@ -164,7 +175,7 @@ std::string SweepJournal::row(const std::string& hash) const {
 }
 
 void SweepJournal::add(const std::string& hash, const std::string& text) {
-  const std::string line = line_of(hash + " " + text);
+  const std::string line = journal_line(hash + " " + text);
   for (std::size_t done = 0; done < line.size();) {
     const ssize_t put = ::write(descriptor_, line.data() + done, line.size() - done);
     if (put < 0 && errno == EINTR) continue;

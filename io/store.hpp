@@ -24,7 +24,7 @@ class SweepJournal {
  public:
   /// Opens the journal in `folder` for a run; makes the folder where there is none. Keeps the rows whose hashes are in
   /// `wanted`, and removes damaged lines and rows of other sweeps or programs. Throws OutputError where the folder
-  /// cannot be written or another run is at work there.
+  /// cannot be written, its journal is no regular file, or another run is at work there.
   SweepJournal(const std::filesystem::path& folder, const JournalHeader& header, const std::set<std::string>& wanted,
                bool fresh);
 
@@ -35,9 +35,12 @@ class SweepJournal {
   SweepJournal(const SweepJournal&) = delete;
   SweepJournal& operator=(const SweepJournal&) = delete;
 
+  [[nodiscard]] const std::filesystem::path& file() const { return file_; }
   [[nodiscard]] bool holds(const std::string& hash) const { return rows_.contains(hash); }
   /// The row's text as it was added. Throws OutputError where the file has changed meanwhile.
   [[nodiscard]] std::string row(const std::string& hash) const;
+  /// The row is computed again. Its line stays; of two lines with one hash the last one counts.
+  void forget(const std::string& hash) { rows_.erase(hash); }
   /// One line without line feeds. Throws OutputError. Not from several threads at once.
   void add(const std::string& hash, const std::string& text);
 
@@ -53,6 +56,7 @@ class SweepJournal {
   Read read(const std::set<std::string>* wanted);
   void rewrite(const std::string& header);
   void open_file(int flags);
+  void require_file_or_none() const;
 
   std::filesystem::path folder_, file_;
   int lock_ = -1, descriptor_ = -1;

@@ -18,8 +18,6 @@ namespace ehd {
 
 namespace {
 
-constexpr double loosest_tolerance = 1;
-
 void read_case_of_sweep(const SweepSource& source, Sweep& sweep) {
   const std::string allowed = "the id of a case, or a path to its file from the folder of the sweep";
   const toml::node* node = source.root().get("case");
@@ -146,7 +144,7 @@ Sweep read_sweep(const std::filesystem::path& file) {
   const SweepSource source(file);
   Sweep sweep;
   sweep.file = file;
-  sweep.id = file.stem().string();
+  sweep.id = id_of_file(file);
   source.require_known(source.root(), "", {"case", "laws", "solver", "tolerance", "combine", "keys"});
   read_case_of_sweep(source, sweep);
   read_laws(source, sweep);

@@ -21,7 +21,7 @@ namespace ehd {
 namespace {
 
 /// Hashed with every row, so that rows of another schema are not taken for these.
-constexpr const char* schema = "ehd-sweep-1";
+constexpr const char* row_schema = "ehd-sweep-1";
 
 /// Two builds of a commit with changes on top, or of a tree without git, are told apart by the program's own bytes.
 std::string program_identity() {
@@ -76,8 +76,8 @@ long add_contact_result(Json& results, const Sweep& sweep, const SweepRequest& r
 std::string row_hash(const Sweep& sweep, const SweepRequest& request, std::size_t row) {
   static const std::string program = program_identity();
   const double tolerance = sweep.bearing ? *bearing_contact_request().tolerance : sweep.tolerance;
-  std::string content = fmt::format("{}\n{}\n{}\n{} {}\n{}\n", schema, program, sweep.solver, request.max_iterations,
-                                    number_text(request.time_limit_s), number_text(tolerance));
+  std::string content = fmt::format("{}\n{}\n{}\n{} {}\n{}\n", row_schema, program, sweep.solver,
+                                    request.max_iterations, number_text(request.time_limit_s), number_text(tolerance));
   for (const bearing::Law law : sweep.laws) content += std::string(to_string(law)) + " ";
   content += "\n" + sweep.case_id + "\n";
   for (const Substitution& one : sweep.values_of(row)) content += one.key + " = " + toml_text(one.value) + "\n";
@@ -98,10 +98,6 @@ ComputedRow compute_row(const Sweep& sweep, const SweepRequest& request, std::si
   strip_times(json["results"]);
   computed.text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
   return computed;
-}
-
-std::string numbered_row(std::size_t row, const std::string& kept) {
-  return fmt::format("{{\"row\":{},{}", row, kept.substr(1));
 }
 
 bool converged(const Json& result) { return result["status"] == to_string(StopReason::converged); }

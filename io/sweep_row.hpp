@@ -30,7 +30,7 @@ struct SweepRequest {
 /// and the program (its commit, or its own bytes where the commit does not identify the build).
 [[nodiscard]] std::string row_hash(const Sweep& sweep, const SweepRequest& request, std::size_t row);
 
-/// A row as it is kept: all of its object in rows.json but its number.
+/// A row as it is kept: all of its object in rows.json but its number. io/stored_row reads it back.
 struct ComputedRow {
   std::string text;
   long needed = 0;  ///< contacts that the row would solve alone
@@ -38,9 +38,6 @@ struct ComputedRow {
 /// `cache`: of the sweep's solver with fallback (workflow/bearing_contact.hpp).
 [[nodiscard]] ComputedRow compute_row(const Sweep& sweep, const SweepRequest& request, std::size_t row,
                                       const std::string& hash, const std::shared_ptr<ContactCache>& cache);
-/// {"row": 7, …} of a kept row.
-[[nodiscard]] std::string numbered_row(std::size_t row, const std::string& kept);
-
 [[nodiscard]] bool converged(const Json& result);
 /// Why a result did not converge; bearings and contacts name it differently. Empty where the result does not say.
 [[nodiscard]] std::string reason_of(const Json& result);

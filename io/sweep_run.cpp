@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/sweep_run.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <memory>
@@ -9,6 +11,7 @@
 #include <numeric>
 #include <thread>
 
+#include "contact/text.hpp"
 #include "io/content_hash.hpp"
 #include "io/output_file.hpp"
 #include "io/provenance.hpp"
@@ -23,6 +26,24 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
+
+/// Rows of an earlier run that are not what this program writes: they are computed again.
+void forget_wrong_rows(const Sweep& sweep, const SweepHashes& hashes, const std::vector<std::size_t>& rows,
+                       unsigned threads, SweepJournal& journal) {
+  std::mutex mutex;
+  std::vector<std::string> wrong;
+  in_threads(rows.size(), threads, [&](std::size_t i) {
+    const std::string& hash = hashes.of_row[rows[i]];
+    if (!journal.holds(hash)) return;
+    try {
+      (void)read_stored_row(sweep, rows[i], hash, journal.row(hash));
+    } catch (const StoredRowError&) {
+      const std::lock_guard lock(mutex);
+      wrong.push_back(hash);
+    }
+  });
+  for (const std::string& hash : wrong) journal.forget(hash);
+}
 
 }  // namespace
 
@@ -45,6 +66,7 @@ SweepCost compute_missing(const Sweep& sweep, const SweepRequest& request, const
                           const std::vector<std::size_t>& rows, SweepJournal& journal) {
   const auto begin = Clock::now();
   SweepCost cost{.rows = rows.size()};
+  forget_wrong_rows(sweep, hashes, rows, request.threads, journal);
   std::set<std::string> taken;
   std::vector<std::size_t> missing;
   for (const std::size_t row : rows)
@@ -70,6 +92,16 @@ SweepCost compute_missing(const Sweep& sweep, const SweepRequest& request, const
   cost.threads = request.threads > 0 ? request.threads : std::max(1u, std::thread::hardware_concurrency());
   cost.wall_s = seconds_since(begin);
   return cost;
+}
+
+StoredRow kept_row(const Sweep& sweep, std::size_t row, const std::string& hash, const SweepJournal& journal,
+                   const std::string& again) {
+  try {
+    return read_stored_row(sweep, row, hash, journal.row(hash));
+  } catch (const StoredRowError& wrong) {
+    throw OutputError(
+        one_line(fmt::format("{}: row {} is damaged: {}; {}", journal.file().string(), row, wrong.what(), again)));
+  }
 }
 
 void write_cost(const SweepCost& cost, const std::filesystem::path& folder) {
@@ -101,7 +133,10 @@ SweepCost run_sweep(const Sweep& sweep, const SweepRequest& request, const std::
   const auto begin = Clock::now();
   SweepCost cost = compute_missing(sweep, request, hashes, rows, journal);
   cost.failures = write_table(
-      sweep, hashes.of_sweep, folder, [&](std::size_t row) { return journal.row(hashes.of_row[row]); },
+      sweep, hashes.of_sweep, folder,
+      [&](std::size_t row) {
+        return kept_row(sweep, row, hashes.of_row[row], journal, "required is the same run again");
+      },
       request.threads);
   cost.wall_s = seconds_since(begin);
   write_cost(cost, folder);

@@ -12,6 +12,7 @@
 
 #include "io/json.hpp"
 #include "io/store.hpp"
+#include "io/stored_row.hpp"
 #include "io/sweep_file.hpp"
 #include "io/sweep_row.hpp"
 #include "io/sweep_table.hpp"
@@ -48,9 +49,14 @@ struct SweepHashes {
   std::string of_sweep;
 };
 
-/// Computes the rows that the journal does not hold, over threads. Equal rows are computed once.
+/// Computes the rows that the journal does not hold, or holds in a wrong form, over threads. Equal rows are computed
+/// once.
 [[nodiscard]] SweepCost compute_missing(const Sweep& sweep, const SweepRequest& request, const SweepHashes& hashes,
                                         const std::vector<std::size_t>& rows, SweepJournal& journal);
+
+/// A row of a journal, read back. `again`: what a user does about a wrong one, for the message of the OutputError.
+[[nodiscard]] StoredRow kept_row(const Sweep& sweep, std::size_t row, const std::string& hash,
+                                 const SweepJournal& journal, const std::string& again);
 
 /// folder/cost.json.
 void write_cost(const SweepCost& cost, const std::filesystem::path& folder);

@@ -45,14 +45,19 @@ std::size_t shards_in(const std::filesystem::path& folder) {
   for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error))
     if (const std::size_t of = of_in_name(entry->path().filename().string()); of > 0) numbers.insert(of);
   if (numbers.empty())
-    throw OutputError(one_line(folder.string() + ": there are no shards to merge; run --shard 1/N to N/N with the same "
-                                                 "--output before"));
+    throw OutputError(one_line(folder.string() +
+                               ": there are no shards to merge; required is --shard 1/N to N/N with the same "
+                               "--output before"));
   if (numbers.size() > 1)
     throw OutputError(
         one_line(fmt::format("{}: shards of {} and of {} stand side by side; allowed is one division, "
                              "and the folders of the other must go",
                              folder.string(), *numbers.begin(), *numbers.rbegin())));
   return *numbers.begin();
+}
+
+std::string run_again(const Shard& shard) {
+  return fmt::format("required is to run again --shard {}/{}", shard.number, shard.of);
 }
 
 /// The journal of a shard, with every row of the shard, or OutputError.
@@ -65,9 +70,8 @@ std::unique_ptr<SweepJournal> finished_journal(const Sweep& sweep, const SweepHa
   const std::vector<std::size_t> rows = rows_of(sweep, shard);
   for (const std::size_t row : rows) known += journal->holds(hashes.of_row[row]);
   if (known < rows.size())
-    throw OutputError(
-        one_line(fmt::format("{}: the shard is not finished, it holds {} of {} rows; run again --shard {}/{}",
-                             (own / "journal").string(), known, rows.size(), shard.number, shard.of)));
+    throw OutputError(one_line(fmt::format("{}: the shard is not finished, it holds {} of {} rows; {}",
+                                           journal->file().string(), known, rows.size(), run_again(shard))));
   return journal;
 }
 
@@ -88,7 +92,7 @@ SweepCost run_shard(const Sweep& sweep, const SweepRequest& request, const std::
                        request.fresh);
   SweepCost cost = compute_missing(sweep, request, hashes, rows, journal);
   for (const std::size_t row : rows)
-    cost.failures.add(failure_of(Json::parse(numbered_row(row, journal.row(hashes.of_row[row])))));
+    cost.failures.add(failure_of(kept_row(sweep, row, hashes.of_row[row], journal, run_again(shard)).json));
   write_cost(cost, own);
   return cost;
 }
@@ -102,7 +106,10 @@ SweepCost merge_shards(const Sweep& sweep, const SweepRequest& request, const st
     journals.push_back(finished_journal(sweep, hashes, folder, {number, of}));
   SweepCost cost{.rows = sweep.rows()};
   cost.failures = write_table(
-      sweep, hashes.of_sweep, folder, [&](std::size_t row) { return journals[row % of]->row(hashes.of_row[row]); },
+      sweep, hashes.of_sweep, folder,
+      [&](std::size_t row) {
+        return kept_row(sweep, row, hashes.of_row[row], *journals[row % of], run_again({row % of + 1, of}));
+      },
       request.threads);
   cost.wall_s = std::chrono::duration<double>(Clock::now() - begin).count();
   return cost;

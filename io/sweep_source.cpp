@@ -25,7 +25,10 @@ std::optional<double> number_of(const toml::node& node) {
 }
 
 SweepSource::SweepSource(const std::filesystem::path& file)
-    : file_(file), text_(read_case_text(file)), lines_(lines_of(text_)), root_(parse_toml(text_, file)) {}
+    : file_(file),
+      text_(read_case_text(file, TomlFile::of_sweep)),
+      lines_(lines_of(text_)),
+      root_(parse_toml(text_, file)) {}
 
 void SweepSource::fail(int line, const std::string& subject, const std::string& message) const {
   throw CaseError(

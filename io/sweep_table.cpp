@@ -8,6 +8,7 @@
 
 #include "contact/quantities.hpp"
 #include "contact/text.hpp"
+#include "io/csv.hpp"
 #include "io/output_file.hpp"
 #include "io/provenance.hpp"
 #include "io/sweep_row.hpp"
@@ -17,29 +18,26 @@ namespace ehd {
 
 namespace {
 
-constexpr const char* schema = "ehd-sweep-1";
+constexpr const char* table_schema = "ehd-sweep-1";
 /// So many rows are made at a time, over threads. This bounds the memory.
 constexpr std::size_t block = 256;
 
-std::string csv_cell(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string{c};
-  return quoted + "\"";
-}
-
 std::string number_cell(const std::optional<double>& value) { return value ? Json(*value).dump() : ""; }
 
-/// The value at a path of an object, "film.minimum.hertz"; empty where there is none.
-std::string value_at(const Json& json, std::string_view path) {
+/// The entry at a path of an object, "film.minimum.hertz": a null pointer where there is none, and JSON's null, which
+/// is neither text nor number, where something on the way is no object.
+const Json* entry_at(const Json& json, std::string_view path) {
+  static const Json no_entry;
   const Json* at = &json;
   while (!path.empty()) {
     const std::string key(path.substr(0, path.find('.')));
     path.remove_prefix(std::min(path.size(), key.size() + 1));
-    if (!at->is_object() || !at->contains(key)) return "";
-    at = &(*at)[key];
+    if (!at->is_object()) return &no_entry;
+    const auto found = at->find(key);
+    if (found == at->end()) return nullptr;
+    at = &*found;
   }
-  return at->is_string() ? csv_cell(at->get<std::string>()) : at->is_number() ? at->dump() : "";
+  return at;
 }
 
 std::string reason_cell(const Json& result) { return csv_cell(one_line(converged(result) ? "" : reason_of(result))); }
@@ -48,11 +46,25 @@ std::string reason_cell(const Json& result) { return csv_cell(one_line(converged
 struct Column {
   std::string name;
   std::function<std::string(const Json& result)> cell;
+  std::string path = {};  ///< where the cell is an entry of the result
+  bool text = false;      ///< that entry is a text, else a number
 };
 using Columns = std::vector<Column>;
 
-Column at_path(std::string name, std::string path) {
-  return {std::move(name), [path = std::move(path)](const Json& result) { return value_at(result, path); }};
+Column at_path(std::string name, const std::string& path) {
+  const auto cell = [path](const Json& result) {
+    const Json* entry = entry_at(result, path);
+    return entry ? entry->dump() : "";
+  };
+  return {.name = std::move(name), .cell = cell, .path = path};
+}
+
+Column text_at(const std::string& path) {
+  const auto cell = [path](const Json& result) {
+    const Json* entry = entry_at(result, path);
+    return entry ? csv_cell(entry->get<std::string>()) : "";
+  };
+  return {.name = path, .cell = cell, .path = path, .text = true};
 }
 
 // ---- Columns of a contact
@@ -74,8 +86,8 @@ const std::vector<QuantityColumns>& quantities() {
 }
 
 Columns contact_columns() {
-  Columns columns{at_path("solver", "solver"), at_path("status", "status"), at_path("M", "groups.M"),
-                  at_path("L", "groups.L"), at_path("hertz_pressure_Pa", "groups.hertz_pressure_Pa")};
+  Columns columns{text_at("solver"), text_at("status"), at_path("M", "groups.M"), at_path("L", "groups.L"),
+                  at_path("hertz_pressure_Pa", "groups.hertz_pressure_Pa")};
   for (const auto& [quantity, values] : quantities())
     for (const std::string_view value : values) {
       const std::string path =
@@ -85,7 +97,7 @@ Columns contact_columns() {
       columns.push_back(at_path(std::move(name), path));
     }
   columns.push_back(at_path("nodes", "cost.nodes"));
-  columns.push_back({"reason", reason_cell});
+  columns.push_back({.name = "reason", .cell = reason_cell});
   return columns;
 }
 
@@ -107,7 +119,7 @@ const Json* most_loaded(const Json& result) {
 /// The extreme of a key over all contacts that have it.
 template <class Choose>
 Column extreme(std::string name, const char* key, Choose choose) {
-  return {std::move(name), [key, choose](const Json& result) {
+  return {.name = std::move(name), .cell = [key, choose](const Json& result) {
             std::optional<double> found;
             for (const Json& roller : rollers_of(result))
               for (const char* raceway : {"inner", "outer"}) {
@@ -154,21 +166,21 @@ std::string fit_used_outside(const Json& result) {
 
 /// Columns that were added later stand after `reason`, so that older columns keep their places.
 Columns bearing_columns() {
-  return {at_path("law", "law"),
-          at_path("status", "status"),
+  return {text_at("law"),
+          text_at("status"),
           at_path("displacement_m", "displacement_m"),
-          {"largest_force_N", largest_force},
-          {"largest_force_azimuth_deg", azimuth_of_largest_force},
+          {.name = "largest_force_N", .cell = largest_force},
+          {.name = "largest_force_azimuth_deg", .cell = azimuth_of_largest_force},
           extreme("film_minimum_m", "film_minimum_m", smaller),
           extreme("hertz_pressure_maximum_Pa", "hertz_pressure_Pa", larger),
-          {"loaded_rollers", loaded_rollers},
+          {.name = "loaded_rollers", .cell = loaded_rollers},
           at_path("balance_error", "balance_error"),
           at_path("contacts", "cost.contact_solves"),
-          {"reason", reason_cell},
+          {.name = "reason", .cell = reason_cell},
           at_path("displacement_lateral_m", "displacement_lateral_m"),
           at_path("datum_inner_x0_m", "datum.inner_x0_m"),
           at_path("datum_outer_x0_m", "datum.outer_x0_m"),
-          {"fit_used_outside", fit_used_outside},
+          {.name = "fit_used_outside", .cell = fit_used_outside},
           extreme("lambda_ratio_minimum", "lambda_ratio", smaller)};
 }
 
@@ -187,7 +199,7 @@ Json build_provenance() {
 std::string head_of_json(const Sweep& sweep, const std::string& sweep_hash) {
   Json stated = sweep.to_json();
   stated["hash"] = sweep_hash;
-  return "{\"schema\":" + Json(schema).dump() + ",\n\"provenance\":" + build_provenance().dump() +
+  return "{\"schema\":" + Json(table_schema).dump() + ",\n\"provenance\":" + build_provenance().dump() +
          ",\n\"sweep\":" + stated.dump(-1, ' ', false, Json::error_handler_t::replace) + ",\n\"rows\":[";
 }
 
@@ -215,13 +227,22 @@ std::string csv_lines(const Sweep& sweep, const Json& row) {
   return lines;
 }
 
+std::string wrong_csv_entry(const Sweep& sweep, const Json& result) {
+  for (const Column& column : columns_of(sweep)) {
+    const Json* entry = column.path.empty() ? nullptr : entry_at(result, column.path);
+    if (entry && !(column.text ? entry->is_string() : entry->is_number()))
+      return column.path + (column.text ? " is no text" : " is no number");
+  }
+  return "";
+}
+
 void Failures::add(const std::optional<std::string>& failure) {
   if (!failure) return;
   if (++rows == 1) first = *failure;
 }
 
 Failures write_table(const Sweep& sweep, const std::string& sweep_hash, const std::filesystem::path& folder,
-                     const std::function<std::string(std::size_t row)>& row_of, unsigned threads) {
+                     const std::function<StoredRow(std::size_t row)>& row_of, unsigned threads) {
   OutputFile csv(folder / "rows.csv"), json(folder / "rows.json");
   json.append(head_of_json(sweep, sweep_hash));
   csv.append(csv_header(sweep));
@@ -233,10 +254,10 @@ Failures write_table(const Sweep& sweep, const std::string& sweep_hash, const st
   for (std::size_t first = 0; first < sweep.rows(); first += block) {
     std::vector<Written> rows(std::min(block, sweep.rows() - first));
     in_threads(rows.size(), threads, [&](std::size_t i) {
-      rows[i].object = numbered_row(first + i, row_of(first + i));
-      const Json parsed = Json::parse(rows[i].object);
-      rows[i].failure = failure_of(parsed);
-      rows[i].lines = csv_lines(sweep, parsed);
+      StoredRow row = row_of(first + i);
+      rows[i].object = std::move(row.text);
+      rows[i].failure = failure_of(row.json);
+      rows[i].lines = csv_lines(sweep, row.json);
     });
     std::string objects, lines;
     for (const Written& row : rows) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "io/json.hpp"
+#include "io/stored_row.hpp"
 #include "io/sweep_file.hpp"
 
 namespace ehd {
@@ -17,6 +18,9 @@ namespace ehd {
 /// The header of rows.csv, and a row's lines, from its object in rows.json.
 [[nodiscard]] std::string csv_header(const Sweep& sweep);
 [[nodiscard]] std::string csv_lines(const Sweep& sweep, const Json& row);
+
+/// What is wrong with the entries that rows.csv shows of a result, by their types; empty where nothing is.
+[[nodiscard]] std::string wrong_csv_entry(const Sweep& sweep, const Json& result);
 
 /// Rows with a law that did not converge.
 struct Failures {
@@ -26,10 +30,10 @@ struct Failures {
   void add(const std::optional<std::string>& failure);
 };
 
-/// Writes rows.csv and rows.json into the folder. `row_of`: a kept row; called from up to `threads` threads.
+/// Writes rows.csv and rows.json into the folder. `row_of` is called from up to `threads` threads.
 /// `sweep_hash` names the whole sweep. Throws OutputError.
 [[nodiscard]] Failures write_table(const Sweep& sweep, const std::string& sweep_hash,
                                    const std::filesystem::path& folder,
-                                   const std::function<std::string(std::size_t row)>& row_of, unsigned threads);
+                                   const std::function<StoredRow(std::size_t row)>& row_of, unsigned threads);
 
 }  // namespace ehd

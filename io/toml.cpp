@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/toml.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <limits>
 #include <string_view>
 
 #include "contact/text.hpp"
@@ -26,6 +29,39 @@ std::string trimmed(std::string_view line) {
   const auto begin = line.find_first_not_of(" \t");
   if (begin == std::string_view::npos) return "";
   return std::string(line.substr(begin, line.find_last_not_of(" \t") - begin + 1));
+}
+
+std::string sizes_of_numbers() {
+  using Limits = std::numeric_limits<double>;
+  return "a size of " + plain(Limits::min(), 2) + " to " + plain(Limits::max(), 2);
+}
+
+/// The value as it stands in the file, as far as its first line has it.
+std::string source_of(const toml::node& node, const std::vector<std::string>& lines) {
+  const auto& region = node.source();
+  const auto first = static_cast<std::size_t>(region.begin.line);
+  if (first < 1 || first > lines.size()) return "";
+  const std::string& line = lines[first - 1];
+  const std::size_t begin = byte_of_column(line, region.begin.column);
+  const bool one = region.end.line == region.begin.line;
+  const std::size_t end = one ? byte_of_column(line, region.end.column) : line.size();
+  return line.substr(begin, std::max(begin, end) - begin);
+}
+
+/// toml++ reads 1e-400 as 0. A number that is 0 has no digit but 0 before its exponent.
+void require_representable(const std::string& key, const toml::node& node, const std::vector<std::string>& lines,
+                           const std::filesystem::path& file) {
+  if (const auto* array = node.as_array())
+    for (const toml::node& item : *array) require_representable(key, item, lines, file);
+  if (const auto* table = node.as_table())
+    for (auto&& [name, item] : *table) require_representable(std::string(name.str()), item, lines, file);
+  const auto* number = node.as_floating_point();
+  if (!number || number->get() != 0) return;
+  const std::string source = source_of(node, lines);
+  if (source.substr(0, source.find_first_of("eE")).find_first_of("123456789") == std::string::npos) return;
+  throw CaseError(one_line(fmt::format("{}:{}: {} = {}: is too small for a number; allowed is 0, or {}", file.string(),
+                                       line_of(node), shortened(key, longest_text), shortened(source, longest_text),
+                                       sizes_of_numbers())));
 }
 
 }  // namespace
@@ -55,19 +91,16 @@ std::string type_of(const toml::node& node) {
 int line_of(const toml::node& node) { return std::max(1, static_cast<int>(node.source().begin.line)); }
 
 std::string text_of(const toml::node& node, const std::vector<std::string>& lines) {
-  const auto& region = node.source();
-  const auto first = static_cast<std::size_t>(region.begin.line);
-  if (first < 1 || first > lines.size()) return "";
-  const std::string& line = lines[first - 1];
-  const std::size_t begin = byte_of_column(line, region.begin.column);
-  const bool one = region.end.line == region.begin.line;
-  const std::size_t end = one ? byte_of_column(line, region.end.column) : line.size();
-  return shortened(line.substr(begin, std::max(begin, end) - begin), longest_text) + (one ? "" : "...");
+  if (line_of(node) > static_cast<int>(lines.size())) return "";
+  const bool one = node.source().end.line == node.source().begin.line;
+  return shortened(source_of(node, lines), longest_text) + (one ? "" : "...");
 }
 
 toml::table parse_toml(const std::string& text, const std::filesystem::path& file) {
   try {
-    return toml::parse(std::string_view(text));
+    toml::table root = toml::parse(std::string_view(text));
+    require_representable("", root, lines_of(text), file);
+    return root;
   } catch (const toml::parse_error& error) {
     const std::vector<std::string> lines = lines_of(text);
     const auto content_of = [&](int line) { return trimmed(lines[static_cast<std::size_t>(line - 1)]); };
@@ -83,11 +116,16 @@ toml::table parse_toml(const std::string& text, const std::filesystem::path& fil
       allowed = "allowed is each key and each table once";
     } else if (what.find("unescaped control characters") != std::string::npos) {
       what = "a text is not closed on its line";
+    } else if (what.find("could not be interpreted as a value") != std::string::npos) {
+      allowed += ", where a number has " + sizes_of_numbers();
     } else if (what.find("encountered end-of-file") != std::string::npos) {
       what = "the file ends in the middle (" + what + ")";
       while (line > 1 && content_of(line).empty()) --line;
     }
-    const std::string source = shortened(content_of(line), longest_text);
+    // A line that is neither a key nor a table is not repeated: the file may be none of ours.
+    const std::string content = content_of(line);
+    const bool ours = content.find('=') != std::string::npos || content.starts_with('[');
+    const std::string source = ours ? shortened(content, longest_text) : "";
     throw CaseError(one_line(file.string() + ":" + std::to_string(line) + (source.empty() ? "" : ": " + source) + ": " +
                              shortened(what, 200) + "; " + allowed));
   }

@@ -103,6 +103,13 @@ Findings run_topic(const Topic& topic, const SuiteRequest& request) {
   }
 }
 
+/// The rungs that any of the topics may judge, "6 to 9" or "8, 10, 11".
+std::string rungs_of(const std::vector<Topic>& topics) {
+  std::set<int> all;
+  for (const Topic& topic : topics) all.insert(topic.rungs.begin(), topic.rungs.end());
+  return fmt::format("{}", fmt::join(all, ", "));
+}
+
 std::string selection(const SuiteRequest& request) {
   return (request.rung ? "--rung " + std::to_string(*request.rung) : "") +
          (request.rung && request.case_id ? " " : "") + (request.case_id ? "--case " + *request.case_id : "");
@@ -216,10 +223,14 @@ SuiteResult run_topics(const SuiteRequest& request, std::vector<Topic> topics,
   const auto start = std::chrono::steady_clock::now();
   Numbered topic_names;  // of all topics, also of those left out below, so that a topic always has the same name
   for (Topic& topic : topics) topic.name = topic_names(topic.name);
-  std::erase_if(topics, [&](const Topic& topic) {
-    return (request.rung && !topic.rungs.contains(*request.rung)) || (request.case_id && topic.case_id.empty());
-  });
-  if (topics.empty()) throw NothingSelected("there is nothing to verify for " + selection(request));
+  std::erase_if(topics, [&](const Topic& topic) { return request.case_id && topic.case_id.empty(); });
+  const std::string allowed_rungs = rungs_of(topics);
+  const auto nothing = [&] {
+    return NothingSelected("there is nothing to verify for " + selection(request) + "; allowed here is --rung " +
+                           allowed_rungs);
+  };
+  std::erase_if(topics, [&](const Topic& topic) { return request.rung && !topic.rungs.contains(*request.rung); });
+  if (topics.empty()) throw nothing();
 
   run_memory().forget();  // the solutions of an earlier run in this program
   Judged judged = judge_topics(request, topics, start);
@@ -241,8 +252,7 @@ SuiteResult run_topics(const SuiteRequest& request, std::vector<Topic> topics,
     const auto elsewhere = [&](const auto& one) { return one.says.rung != *request.rung; };
     std::erase_if(result.claims, elsewhere);
     std::erase_if(result.skipped, elsewhere);
-    if (result.claims.empty() && result.skipped.empty())
-      throw NothingSelected("there is nothing to verify for " + selection(request));
+    if (result.claims.empty() && result.skipped.empty()) throw nothing();
   }
   const auto by_rung = [](const auto& a, const auto& b) { return a.says.rung < b.says.rung; };
   std::stable_sort(result.claims.begin(), result.claims.end(), by_rung);

@@ -47,6 +47,9 @@ struct SolverTwins {
 /// "reference, reference.uniform, …" for messages.
 [[nodiscard]] std::string solver_names();
 
+/// The loosest relative error of a film that a solve may be asked for.
+inline constexpr double loosest_tolerance = 1;
+
 /// Memory that this process may still take: the machine's available memory, or what its control group leaves.
 [[nodiscard]] double available_memory_bytes();
 

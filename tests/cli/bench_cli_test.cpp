@@ -65,7 +65,7 @@ BOOST_AUTO_TEST_CASE(wrong_usage_is_one_line_and_leaves_nothing) {
            {"--part batch --case own-moes-5-5", "belongs to the part work-precision"},
            {"--part scaling --solver reference", "uses no FFT"},
            {"--time-limit 0", "--time-limit = 0: is out of range"},
-           {"extra", "ehd --help"}}) {
+           {"extra", "ehd bench --help"}}) {
     test::check_refused(folder, "bench --quick --output '" + out + "' " + arguments, says);
     BOOST_TEST(!std::filesystem::exists(out), arguments);
   }

@@ -149,7 +149,13 @@ BOOST_AUTO_TEST_CASE(a_wrong_command_line_is_refused) {
       {"solve " + folder.path().string(), "is a directory"},
       {"solve own-moes-5-5 own-moes-20-10", "own-moes-20-10"},
       {"solve own-moes-5-5 --M 3 --L 4", "exclude each other"},
-      {"solve own-moes-5-5 --frobnicate", "frobnicate"},
+      {"solve own-moes-5-5 --frobnicate", "ehd: --frobnicate: unknown; ehd solve --help shows what is allowed"},
+      {"solve own-moes-5-5 --tolerence 1e-3", "ehd: --tolerence: unknown; did you mean --tolerance?"},
+      {"solve own-moes-5-5 --tolerence=1e-3", "ehd: --tolerence: unknown; did you mean --tolerance?"},
+      {"solv own-moes-5-5", "ehd: solv: unknown; did you mean solve?"},
+      {"frobnicate --help", "ehd: frobnicate: unknown; ehd --help shows what is allowed"},
+      {"solve ''", "a CASE has a name; allowed is"},
+      {"verify --case na4908 --rung 1", "nothing to verify for --rung 1 --case na4908; allowed here is --rung "},
       {"solve own-moes-5-5 --tolerance 1e-3 --nodes 64", "exclude each other"},
   };
   check_refused(folder, rows);
@@ -159,19 +165,22 @@ BOOST_AUTO_TEST_CASE(an_option_outside_its_range_is_refused) {
   const test::Folder folder;
   const Rows rows{
       {"solve own-moes-5-5 --solver magic", "is unknown; allowed is reference"},
-      {"solve own-moes-5-5 --tolerance 0", "is not positive"},
-      {"solve own-moes-5-5 --tolerance -1e-3", "is not positive"},
+      {"solve own-moes-5-5 --tolerance 0", "is out of range; allowed is a number, more than 0 to 1"},
+      {"solve own-moes-5-5 --tolerance -1e-3", "is out of range"},
+      {"solve own-moes-5-5 --tolerance 1.5", "is out of range; allowed is a number, more than 0 to 1"},
+      {"compare own-moes-5-5 --tolerance 1.5", "is out of range; allowed is a number, more than 0 to 1"},
+      {"solve own-moes-5-5 --tolerance abc", "is not a number; allowed is a number, more than 0 to 1"},
       {"solve own-moes-5-5 --tolerance nan", "is not finite"},
       {"solve own-moes-5-5 --tolerance inf", "is not finite"},
       {"solve own-moes-5-5 --tolerance 1e999", "is out of range"},
       {"solve own-moes-5-5 --tolerance", "--tolerance"},
       {"solve own-moes-5-5 --tolerance 1e-3 --tolerance 1e-4", "--tolerance"},
-      {"solve own-moes-5-5 --nodes 15", "is too few; allowed is an integer from 16"},
+      {"solve own-moes-5-5 --nodes 15", "is out of range; allowed is an integer, 16 to 2147483647"},
       {"solve own-moes-5-5 --nodes 64.5", "is not an integer"},
-      {"solve own-moes-5-5 --nodes 99999999999", "is not an integer"},
+      {"solve own-moes-5-5 --nodes 99999999999", "is out of range; allowed is an integer, 16 to 2147483647"},
       {"solve own-moes-5-5 --nodes 2000000000 --solver reference", "would not fit into memory"},
       {"solve own-moes-5-5 --quantity film.maximum", "is unknown; allowed is film.minimum"},
-      {"solve own-moes-5-5 --max-iterations 0", "is too few"},
+      {"solve own-moes-5-5 --max-iterations 0", "is out of range"},
       {"solve own-moes-5-5 --time-limit 0", "is out of range"},
   };
   check_refused(folder, rows);
@@ -211,14 +220,14 @@ BOOST_AUTO_TEST_CASE(a_contact_stated_by_options_is_refused_like_a_case) {
       {"solve --L 20", "--M is missing"},
       {"solve --M twenty --L 10", "is not a number"},
       {"solve --M 1e308 --L 10", "is out of range"},
-      {"solve --M -5 --L 10", "ehd: --M = -5: is out of range; allowed is 1e-3 to 1e6"},
+      {"solve --M -5 --L 10", "ehd: --M = -5: is out of range; allowed is a number, 0.001 to 1e6"},
       {"solve --M 20 --L 5e-324", "is out of range"},
       {"solve --M 20 --L 10 --inlet 0.5", "does not lie before the contact"},
       {"solve --M 20 --L 10 --viscosity magic", "is unknown; allowed is isoviscous"},
       {"solve --M 20 --L 10 --viscosity isoviscous", "--viscosity = isoviscous: contradicts --L = 10; allowed"},
       {"solve --M 20 --L 10 --viscosity roelands", "--viscosity = roelands: needs pressures in Pa"},
       {"solve --M 20 --L 10 --viscosity roelands", "required is --alpha-per-Pa"},
-      {"solve --M 20 --L 10 --viscosity roelands --alpha-per-Pa 2e-8", "required is --z"},
+      {"solve --M 20 --L 10 --viscosity roelands --alpha-per-Pa 2e-8", "required is --z, a number, 0.001 to 10"},
       {"solve --M 20 --L 10 --density dowson-higginson", "--density = dowson-higginson: needs pressures in Pa"},
   };
   check_refused(folder, rows);
@@ -231,7 +240,7 @@ BOOST_AUTO_TEST_CASE(wrong_usage_of_other_subcommands_is_refused) {
       {"compare own-moes-5-5 no-such-case", "there is no such case"},
       {"compare dry-steel", "is a dry contact"},
       {"compare own-moes-5-5 --solver magic", "is unknown"},
-      {"verify --random-runs 0", "--random-runs = 0: is out of range; allowed is 1 to 10000"},
+      {"verify --random-runs 0", "--random-runs = 0: is out of range; allowed is an integer, 1 to 10000"},
       {"compare own-moes-5-5 --tolerance x", "is not a number"},
       {"cases extra", "extra"},
   };
@@ -264,7 +273,7 @@ BOOST_AUTO_TEST_CASE(a_bearing_or_a_plan_that_lacks_something_is_refused) {
       {"plan na4908 --law houpert", "allowed without: hertz, iso, lundberg"},
       {"bearing na4908 --law hertz --form cubic", "--form = cubic: is unknown; allowed is plane or radial"},
       {"bearing na4908 --law hertz --cage-positions 1",
-       "--cage-positions = 1: is out of range; allowed is an integer from 2"},
+       "--cage-positions = 1: is out of range; allowed is an integer, 2 to 10000"},
       {"plan own-moes-5-5 --nodes 2000000000 --solver reference", "would not fit into memory"},
   };
   check_refused(folder, rows);
@@ -296,6 +305,20 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_judged_is_skipped_with_a_reason_and_exit_cod
       BOOST_TEST(ended.out.find("nothing could be judged: ") != std::string::npos);
     }
   }
+}
+
+// x_0 of the default datum is not finite there. ehd_run finds null in any JSON.
+BOOST_AUTO_TEST_CASE(a_datum_that_is_not_finite_is_absent) {
+  const test::Folder folder;
+  const std::string na4908 = test::read(std::string(EHD_SOURCE_DIR) + "/cases/na4908.toml");
+  std::string stiff = na4908;
+  const std::string modulus = "modulus_Pa = 2.06e11";
+  BOOST_REQUIRE(stiff.find(modulus) != std::string::npos);
+  stiff.replace(stiff.find(modulus), modulus.size(), "modulus_Pa = 1e15");
+  const auto ended =
+      test::ehd_run(folder, "bearing " + folder.write("na4908.toml", stiff).string() + " --law ehd --json -");
+  const json result = json::parse(ended.out);
+  BOOST_TEST(result["law"] == "ehd");
 }
 
 BOOST_AUTO_TEST_CASE(a_refused_verify_leaves_no_folder) {

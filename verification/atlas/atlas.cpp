@@ -25,7 +25,7 @@ constexpr std::string_view records_name = ".progress";
 void make_folder(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (error || !std::filesystem::is_directory(folder))
+  if (error || !std::filesystem::is_directory(folder, error))
     throw OutputError(one_line(folder.string() + ": cannot be made (" + (error ? error.message() : "it is no folder") +
                                "); allowed is a folder that exists or can be made"));
 }
@@ -33,7 +33,7 @@ void make_folder(const std::filesystem::path& folder) {
 /// The record of an earlier run with the same point, solver and tolerance. Absent where a longer time limit may give
 /// more digits.
 std::optional<AtlasRecord> earlier(const std::filesystem::path& file, const AtlasRecord& asked) {
-  const auto text = text_of_file(file);
+  const auto text = atlas_text(file);
   auto record = text ? record_from(*text) : std::nullopt;
   if (!record || record->id != asked.id || record->solver != asked.solver || record->tolerance != asked.tolerance)
     return std::nullopt;
@@ -44,7 +44,7 @@ std::optional<AtlasRecord> earlier(const std::filesystem::path& file, const Atla
 
 /// The case file of a point. Where it differs from the old file, it has the next version.
 std::string versioned_text(const std::filesystem::path& file, const AtlasPoint& point, const AtlasRecord& record) {
-  const auto old_text = text_of_file(file);
+  const auto old_text = atlas_text(file);
   if (!old_text) return case_text_of(point, record);
   try {
     const int old = read_case(file).version;
@@ -143,7 +143,7 @@ void write_files(const std::filesystem::path& folder, const std::vector<Entry>& 
   files[std::string(atlas_digits_name)] = digits_text(table);
   files[std::string(atlas_csv_name)] = csv_text(table);
   for (const auto& [name, text] : files) {
-    if (text_of_file(folder / name) != text) OutputFile(folder / name).commit(text);
+    if (atlas_text(folder / name) != text) OutputFile(folder / name).commit(text);
   }
 }
 
@@ -154,8 +154,7 @@ AtlasResult run_atlas(const AtlasRequest& request, const RegisteredSolver& solve
   const auto records = request.folder / records_name;
   const auto csv = request.folder / atlas_csv_name;
   AtlasTable before;
-  std::error_code error;
-  if (!request.only.empty() && std::filesystem::exists(csv, error)) before = read_atlas_table(csv);
+  if (!request.only.empty() && atlas_text(csv)) before = read_atlas_table(csv);
   make_folder(request.folder);
   make_folder(records);
   { const OutputFile writable(csv); }  // refused before anything is computed

@@ -8,6 +8,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "io/contact_json.hpp"
 #include "io/json.hpp"
 #include "verification/atlas/columns.hpp"
 #include "verification/studies/bit_digest.hpp"
@@ -66,14 +67,6 @@ std::map<std::string, AtlasReading> readings_of(const Solution& solution) {
   return readings;
 }
 
-std::optional<StopReason> stop_reason_from(const std::string& text) {
-  for (const StopReason reason : {StopReason::converged, StopReason::tolerance_not_met, StopReason::under_resolved,
-                                  StopReason::limit_reached, StopReason::diverged}) {
-    if (text == to_string(reason)) return reason;
-  }
-  return std::nullopt;
-}
-
 }  // namespace
 
 bool AtlasRecord::has_digits() const { return film_error(*this) <= atlas_worst_error; }
@@ -98,7 +91,7 @@ std::string json_of(const AtlasRecord& record) {
 
 std::optional<AtlasRecord> record_from(const std::string& text) {
   try {
-    const Json json = Json::parse(text);
+    const Json json = json_from(text);
     if (json.at("schema") != record_schema) return std::nullopt;
     AtlasRecord record;
     record.id = json.at("id").get<std::string>();
@@ -115,6 +108,8 @@ std::optional<AtlasRecord> record_from(const std::string& text) {
       record.readings[name] = {reading.at("value").get<double>(), reading.at("absolute_error").get<double>()};
     return record;
   } catch (const Json::exception&) {
+    return std::nullopt;
+  } catch (const JsonError&) {
     return std::nullopt;
   }
 }

@@ -48,7 +48,7 @@ struct AtlasTable {
 /// points that only one of the two has.
 [[nodiscard]] std::vector<std::string> atlas_disagreements(const std::filesystem::path& folder);
 
-/// A whole file; absent where it cannot be read.
-[[nodiscard]] std::optional<std::string> text_of_file(const std::filesystem::path& file);
+/// A file that `ehd atlas` wrote; nothing where there is none. Throws CaseError.
+[[nodiscard]] std::optional<std::string> atlas_text(const std::filesystem::path& file);
 
 }  // namespace ehd::verification

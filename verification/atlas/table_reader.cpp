@@ -106,11 +106,11 @@ std::optional<WrongCell> wrong_cell(const AtlasRow& row) {
 }  // namespace
 
 AtlasTable read_atlas_table(const std::filesystem::path& csv) {
-  const auto text = text_of_file(csv);
+  const auto text = atlas_text(csv);
   const auto refuse = [&](int line, const std::string& what) {
     return CaseError(one_line(csv.string() + (line > 0 ? ":" + std::to_string(line) : "") + ": " + what));
   };
-  if (!text) throw refuse(0, "cannot be read; required is the table that `ehd atlas` writes");
+  if (!text) throw refuse(0, "there is no such file; required is the table that `ehd atlas` writes");
   AtlasTable table;
   std::istringstream lines(*text);
   int number = 0;

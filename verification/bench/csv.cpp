@@ -7,23 +7,6 @@
 
 namespace ehd::verification {
 
-namespace {
-
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string result = "\"";
-  for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return result + "\"";
-}
-
-}  // namespace
-
-std::string csv_line(const std::vector<std::string>& cells) {
-  std::string line;
-  for (std::size_t c = 0; c < cells.size(); ++c) line += (c > 0 ? "," : "") + quoted(cells[c]);
-  return line + "\n";
-}
-
 std::string csv_number(const std::optional<double>& value, int digits) {
   return value && std::isfinite(*value) ? plain(*value, digits) : "";
 }

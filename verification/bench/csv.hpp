@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cells of the tables that benchmarks and the atlas write.
+// Cells (io/csv) of the tables that benchmarks and the atlas write.
 #pragma once
 
 #include <optional>
@@ -7,11 +7,10 @@
 #include <vector>
 
 #include "contact/solution.hpp"
+#include "io/csv.hpp"
 
 namespace ehd::verification {
 
-/// Cells separated by commas, and a line feed; a cell with a comma, a quotation mark or a line feed is quoted.
-[[nodiscard]] std::string csv_line(const std::vector<std::string>& cells);
 /// A number of a CSV; empty where it is unknown or not finite.
 [[nodiscard]] std::string csv_number(const std::optional<double>& value, int digits = 10);
 /// "converged", ...; "not-run" without a status.

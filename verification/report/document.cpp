@@ -2,13 +2,12 @@
 #include "verification/report/document.hpp"
 
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <system_error>
 
 #include "contact/text.hpp"
+#include "io/file_text.hpp"
 #include "io/json.hpp"
 
 namespace ehd::report {
@@ -79,20 +78,16 @@ std::string View::cell(int digits) const {
 
 namespace {
 
+/// The results of the whole suite, with figures, have 3.4 MB.
+constexpr std::uintmax_t most_bytes = 64 << 20;
+
 Json read_object(const std::filesystem::path& file, int schema, const char* made_by) {
-  std::error_code error;
-  if (std::filesystem::is_directory(file, error))
-    throw ReportError(file.string() + ": is a folder; required is a file that " + made_by + " wrote");
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  if (!stream || !(text << stream.rdbuf()))
-    throw ReportError(file.string() + ": cannot be read; required is a file that " + made_by + " wrote");
+  const std::string kind = std::string("a file that ") + made_by + " wrote";
   Json json;
   try {
-    json = Json::parse(text.str());
-  } catch (const Json::parse_error& broken) {
-    throw ReportError(file.string() + ": is no JSON (it breaks at byte " + std::to_string(broken.byte) +
-                      "); required is a file that " + made_by + " wrote");
+    json = json_from(text_of_file(file, {.name = kind, .most_bytes = most_bytes}));
+  } catch (const JsonError& wrong) {
+    throw ReportError(file.string() + ": " + one_line(wrong.what()) + "; required is " + kind);
   }
   if (!json.is_object())
     throw ReportError(file.string() + ": is no JSON object; required is a file that " + made_by + " wrote");
@@ -112,9 +107,13 @@ Documents read_documents(const std::filesystem::path& folder) {
   std::error_code error;
   if (!std::filesystem::is_directory(folder, error))
     throw ReportError(folder.string() + ": is no folder; required is one that ehd verify --output has filled");
-  const auto there = [&](const char* name) { return std::filesystem::exists(folder / name, error); };
+  // A file that is there and cannot be read is not "absent".
+  const auto there = [&](const char* name) {
+    return std::filesystem::status(folder / name, error).type() != std::filesystem::file_type::not_found;
+  };
   if (!there("results.json"))
-    throw ReportError(folder.string() + ": has no results.json; ehd verify --output " + folder.string() + " makes it");
+    throw ReportError(folder.string() + ": has no results.json; required is one that ehd verify --output " +
+                      folder.string() + " makes");
   Documents documents;
   documents.results = read_object(folder / "results.json", results_schema, "ehd verify --output");
   if (there("bench.json")) documents.bench = read_object(folder / "bench.json", bench_schema, "ehd bench --output");

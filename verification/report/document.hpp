@@ -62,7 +62,8 @@ struct Documents {
 };
 inline constexpr int results_schema = 2, bench_schema = 1, stress_schema = 1;
 
-/// Throws ReportError: no such folder, no results.json, a file that is no JSON object, another schema.
+/// Throws ReportError: no such folder, no results.json, a file that is no JSON object, another schema; and CaseError
+/// for what text_of_file refuses.
 [[nodiscard]] Documents read_documents(const std::filesystem::path& folder);
 
 }  // namespace ehd::report

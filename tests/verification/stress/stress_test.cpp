@@ -459,7 +459,7 @@ BOOST_AUTO_TEST_CASE(wrong_usage_is_one_line_and_leaves_nothing) {
   for (const auto& [arguments, says] : std::initializer_list<std::pair<std::string, std::string>>{
            {"--part z", "--part = z: is unknown; allowed is a to i"},
            {"--threads 0", "--threads = 0: is out of range"},
-           {"extra", "ehd --help"}}) {
+           {"extra", "ehd stress --help"}}) {
     test::check_refused(folder, "stress --quick --output '" + out + "' " + arguments, says);
     BOOST_TEST(!std::filesystem::exists(out), arguments);
   }

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Cells and lines of the CSV files that the program writes.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace ehd {
+
+/// A cell with a comma, a quotation mark or a line feed is quoted. A text that begins with = + - or @ and is no number
+/// gets a leading apostrophe, so that no spreadsheet runs it.
+[[nodiscard]] std::string csv_cell(const std::string& text);
+
+/// Cells separated by commas, and a line feed.
+[[nodiscard]] std::string csv_line(const std::vector<std::string>& cells);
+
+}  // namespace ehd
