@@ -17,6 +17,14 @@ constexpr int fewest_nodes = 16;
 constexpr int most_threads = 1024;
 constexpr double longest_time_s = 1e9;  // longer times overflow the clock
 
+double seconds_from(const std::string& option, const std::string& text) {
+  const double seconds = parse_number(option, text);
+  if (!(seconds > 0 && seconds <= longest_time_s))
+    throw option_error(option, text,
+                       "is out of range; allowed is more than 0, up to " + plain(longest_time_s) + " seconds");
+  return seconds;
+}
+
 }  // namespace
 
 void RequestOptions::add_to(Command& command, bool with_accuracy) {
@@ -48,10 +56,7 @@ Request RequestOptions::request() const {
       throw option_error("--max-iterations", *max_iterations, "is too few; allowed is an integer from 1");
   }
   if (time_limit) {
-    request.time_limit_s = parse_number("--time-limit", *time_limit);
-    if (!(request.time_limit_s > 0 && request.time_limit_s <= longest_time_s))
-      throw option_error("--time-limit", *time_limit,
-                         "is out of range; allowed is more than 0, up to " + plain(longest_time_s) + " seconds");
+    request.time_limit_s = seconds_from("--time-limit", *time_limit);
   }
   return request;
 }
@@ -92,6 +97,15 @@ unsigned thread_count(const std::optional<std::string>& text) {
     throw option_error("--threads", *text,
                        "is out of range; allowed is an integer, 1 to " + std::to_string(most_threads));
   return static_cast<unsigned>(threads);
+}
+
+void add_time_limit_total(Command& command, std::optional<std::string>& text) {
+  command.text("--time-limit-total", text, "seconds for everything; what is not finished then is said to be so (none)")
+      .called("S");
+}
+
+Deadline deadline_in(const std::optional<std::string>& text) {
+  return text ? Deadline(seconds_from("--time-limit-total", *text)) : Deadline();
 }
 
 void require_memory(const RegisteredSolver& solver, const Request& request) {

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/sweep_run.hpp"
 
-#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <numeric>
-#include <thread>
 
 #include "io/content_hash.hpp"
 #include "io/output_file.hpp"
@@ -47,18 +45,24 @@ SweepCost compute_missing(const Sweep& sweep, const SweepRequest& request, const
   SweepCost cost{.rows = rows.size()};
   std::set<std::string> taken;
   std::vector<std::size_t> missing;
+  const auto known_already = [&](const std::string& hash) {
+    return journal.holds(hash) && (request.keep_limits || !lacked_time_or_memory(journal.row(hash)));
+  };
   for (const std::size_t row : rows)
-    if (!journal.holds(hashes.of_row[row]) && taken.insert(hashes.of_row[row]).second) missing.push_back(row);
+    if (!known_already(hashes.of_row[row]) && taken.insert(hashes.of_row[row]).second) missing.push_back(row);
   const std::size_t known = rows.size() - missing.size();
   if (request.progress) request.progress(known, rows.size(), 0);
 
-  const auto cache = std::make_shared<ContactCache>(with_fallback(find_solver(sweep.solver)->solve));
+  const auto cache =
+      std::make_shared<ContactCache>(with_fallback(request.deadline.limiting(find_solver(sweep.solver)->solve)));
   std::mutex mutex;
-  in_threads(missing.size(), request.threads, [&](std::size_t i) {
+  const std::size_t threads = in_threads(missing.size(), request.threads, [&](std::size_t i) {
+    if (request.deadline.passed()) return;
     const auto row_begin = Clock::now();
     const std::string& hash = hashes.of_row[missing[i]];
     const ComputedRow computed = compute_row(sweep, request, missing[i], hash, cache);
     const double row_s = seconds_since(row_begin);
+    if (request.deadline.passed() && lacked_time_or_memory(computed.text)) return;
     const std::lock_guard lock(mutex);
     journal.add(hash, computed.text);
     cost.rows_s += row_s;
@@ -67,9 +71,14 @@ SweepCost compute_missing(const Sweep& sweep, const SweepRequest& request, const
     if (request.progress) request.progress(known + cost.computed, rows.size(), cost.computed);
   });
   cost.solves = sweep.bearing ? cache->solves() : cost.needed;
-  cost.threads = request.threads > 0 ? request.threads : std::max(1u, std::thread::hardware_concurrency());
+  cost.threads = static_cast<unsigned>(threads);
   cost.wall_s = seconds_since(begin);
   return cost;
+}
+
+std::string kept_row(const Sweep& sweep, const SweepHashes& hashes, const SweepJournal& journal, std::size_t row) {
+  const std::string& hash = hashes.of_row[row];
+  return journal.holds(hash) ? journal.row(hash) : row_not_computed(sweep, row, hash, Deadline::not_run).text;
 }
 
 void write_cost(const SweepCost& cost, const std::filesystem::path& folder) {
@@ -101,7 +110,7 @@ SweepCost run_sweep(const Sweep& sweep, const SweepRequest& request, const std::
   const auto begin = Clock::now();
   SweepCost cost = compute_missing(sweep, request, hashes, rows, journal);
   cost.failures = write_table(
-      sweep, hashes.of_sweep, folder, [&](std::size_t row) { return journal.row(hashes.of_row[row]); },
+      sweep, hashes.of_sweep, folder, [&](std::size_t row) { return kept_row(sweep, hashes, journal, row); },
       request.threads);
   cost.wall_s = seconds_since(begin);
   write_cost(cost, folder);

@@ -48,9 +48,14 @@ struct SweepHashes {
   std::string of_sweep;
 };
 
-/// Computes the rows that the journal does not hold, over threads. Equal rows are computed once.
+/// Computes the rows that the journal does not hold, and those that lacked time or memory, over threads. Equal rows are
+/// computed once. Rows that the deadline left out, or ended in the middle, stay out of the journal.
 [[nodiscard]] SweepCost compute_missing(const Sweep& sweep, const SweepRequest& request, const SweepHashes& hashes,
                                         const std::vector<std::size_t>& rows, SweepJournal& journal);
+
+/// The row as the journal holds it. Where a deadline left it out, it says so.
+[[nodiscard]] std::string kept_row(const Sweep& sweep, const SweepHashes& hashes, const SweepJournal& journal,
+                                   std::size_t row);
 
 /// folder/cost.json.
 void write_cost(const SweepCost& cost, const std::filesystem::path& folder);

@@ -88,7 +88,7 @@ SweepCost run_shard(const Sweep& sweep, const SweepRequest& request, const std::
                        request.fresh);
   SweepCost cost = compute_missing(sweep, request, hashes, rows, journal);
   for (const std::size_t row : rows)
-    cost.failures.add(failure_of(Json::parse(numbered_row(row, journal.row(hashes.of_row[row])))));
+    cost.failures.add(failure_of(Json::parse(numbered_row(row, kept_row(sweep, hashes, journal, row)))));
   write_cost(cost, own);
   return cost;
 }
