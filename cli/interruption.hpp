@@ -10,8 +10,8 @@ namespace ehd::cli {
 void say_when_interrupted(const char* message);
 
 /// For main: every command says that it was interrupted. A file that grows beyond the limit of the shell (ulimit -f) is
-/// an error of the write, not a signal. Lack of memory is one line and exit code 1 even where there is none left for the
-/// exception itself.
+/// an error of the write, not a signal. Lack of memory is one line and exit code 1 even where there is none left for
+/// the exception itself.
 void handle_signals();
 
 }  // namespace ehd::cli

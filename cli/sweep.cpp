@@ -164,7 +164,8 @@ void describe_sweep(Command& command) {
   command.text("--shard", options->shard, "compute the K-th of N parts alone").called("K/N");
   command.flag("--merge", options->merge, "put finished shards together");
   command.flag("--fresh", options->fresh, "compute every row again");
-  command.flag("--keep-limits", options->keep_limits, "do not try again the rows that lacked time or memory in an earlier run");
+  command.flag("--keep-limits", options->keep_limits,
+               "do not try again the rows that lacked time or memory in an earlier run");
   options->limits.add_to(command, false);
   add_time_limit_total(command, options->time_limit_total);
   command.runs([options] { return sweep(*options); });
