@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "cli/interruption.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/subcommands.hpp"
@@ -83,8 +84,7 @@ int atlas(const AtlasOptions& options) {
     }
     if (!reused) complain(progress_line(done, all, record));
   };
-  say_when_interrupted(
-      "\nehd: atlas: interrupted; the solved points are kept, and the same command goes on from there\n");
+  say_when_interrupted("ehd: atlas: interrupted; the solved points are kept, and the same command goes on from there");
   const auto result = verification::run_atlas(request, certified_solver());
   print(human_summary(result));
   const bool any = std::any_of(result.entries.begin(), result.entries.end(),

@@ -38,7 +38,7 @@ struct BearingOptions {
   std::vector<std::string> cases, laws;
   std::optional<std::string> json, plot, csv;
   std::string solver = default_solver().name, form = "plane";
-  std::optional<std::string> cage_positions;
+  std::optional<std::string> cage_positions, time_limit_total;
   RequestOptions limits;
 };
 
@@ -228,13 +228,14 @@ int bearing(const BearingOptions& options) {
   Request request = bearing_contact_request();
   request.max_iterations = limits.max_iterations;
   request.time_limit_s = limits.time_limit_s;
+  const ContactSolver solve = deadline_in(options.time_limit_total).limiting(solver.solve);
   Progress progress;
   long solved = 0;
   std::string current;
   ContactMemory memory(
       [&](const Problem& problem, const Request& with) {
         progress.show(fmt::format("{}: contact {} ...", current, ++solved));
-        return solver.solve(problem, with);
+        return solve(problem, with);
       },
       request);
 
@@ -246,14 +247,14 @@ int bearing(const BearingOptions& options) {
   }
   if (!json.to_standard_output()) account.text += statements_of(computed, memory, asked.form);
   progress.show("");
-  json.write(account.list.size() == 1 ? account.list.front() : account.list);
-  if (csv) csv->commit(csv_of(computed));
+  if (csv) csv->append(csv_of(computed));
   if (plot) {
     if (const auto svg = plot_of(computed))
-      plot->commit(*svg);
+      plot->append(*svg);
     else
       account.complaints.push_back("ehd: bearing: nothing balanced, and no plot is written");
   }
+  json.commit(account.list.size() == 1 ? account.list.front() : account.list, {address_of(csv), address_of(plot)});
   if (!json.to_standard_output()) print(account.text);
   for (const std::string& complaint : account.complaints) complain(complaint);
   return account.all_balanced ? success : not_met;
@@ -278,6 +279,7 @@ void describe_bearing(Command& command) {
   command.text("--cage-positions", options->cage_positions,
                "also balance at this many positions of the cage over one pitch");
   options->limits.add_to(command, false);
+  add_time_limit_total(command, options->time_limit_total);
   command.text("--json", options->json, "the results as JSON into a file, or - for standard output");
   command.text("--plot", options->plot, "contact forces and displacements over the azimuth as a figure, SVG");
   command.text("--csv", options->csv, "forces, displacements and films as CSV, one row per roller");

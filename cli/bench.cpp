@@ -120,6 +120,7 @@ class Bench {
     if (asked(box) && !fft_solvers_.empty()) measure_box();
     if (asked(work_precision)) measure_work_precision();
     folder_->write("bench.json", json_text(json_));
+    folder_->commit();
     return sound_ ? success : not_met;
   }
 
@@ -149,6 +150,10 @@ class Bench {
     json_["scaling"] = to_json(rows);
     folder_->write("scaling.csv", verification::scaling_csv(rows));
     finish_part(human_table(rows));
+    if (std::none_of(rows.begin(), rows.end(), [](const auto& row) { return row.status.has_value(); })) {
+      complain("ehd: bench: not one size was measured: " + (rows.empty() ? "there is none" : rows.front().reason));
+      sound_ = false;
+    }
   }
 
   void measure_batch() {

@@ -187,7 +187,7 @@ int compare(const CompareOptions& options) {
     print(fmt::format("{}: {}\n{}  achieved: H_min against {}\n            H_cen against {}\n\n", contact_case.id,
                       contact_case.title, aligned(table_of(rows), names, "  "), against[0], against[1]));
   }
-  json.write(list);
+  json.commit(list);
   return all_converged ? success : not_met;
 }
 

@@ -5,6 +5,7 @@
 #include <new>
 #include <string>
 
+#include "cli/interruption.hpp"
 #include "cli/output.hpp"
 #include "cli/subcommands.hpp"
 #include "cli/usage.hpp"
@@ -48,6 +49,7 @@ ehd::cli::Program ehd_program() {
 
 int main(int argc, char** argv) {
   try {
+    ehd::cli::handle_signals();
     return ehd::cli::run_command_line(ehd_program(), argc, argv);
   } catch (const ehd::OutputError& error) {
     ehd::cli::complain("ehd: " + std::string(error.what()));

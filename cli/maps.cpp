@@ -39,6 +39,7 @@ int maps(const MapsOptions& options) {
   folder.open({"formula_maps.csv", "inlet_maps.csv"});
   folder.write("formula_maps.csv", formula_maps_csv(all));
   folder.write("inlet_maps.csv", inlet_maps_csv(all));
+  folder.commit();
   print(human_maps(all, quantity, *laws));
   return success;
 }

@@ -79,6 +79,15 @@ unsigned thread_count(const std::optional<std::string>& text) {
   return static_cast<unsigned>(parse_integer("--threads", *text, thread_counts));
 }
 
+void add_time_limit_total(Command& command, std::optional<std::string>& text) {
+  command.text("--time-limit-total", text, "seconds for everything; what is not finished then is said to be so (none)")
+      .called("S");
+}
+
+Deadline deadline_in(const std::optional<std::string>& text) {
+  return text ? Deadline(parse_number("--time-limit-total", *text, times_s)) : Deadline();
+}
+
 void require_memory(const RegisteredSolver& solver, const Request& request) {
   if (!request.nodes) return;
   constexpr double gigabyte = 1e9;

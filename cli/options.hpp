@@ -9,6 +9,7 @@
 #include "bearing/law_table.hpp"
 #include "cli/command_line.hpp"
 #include "contact/quantities.hpp"
+#include "workflow/deadline.hpp"
 
 namespace ehd {
 struct RegisteredSolver;
@@ -32,6 +33,10 @@ struct RequestOptions {
 [[nodiscard]] std::vector<bearing::Law> laws_named(const std::vector<std::string>& names);
 /// --threads N, 1 to 1024. Without the option 0: as many as there are cores.
 [[nodiscard]] unsigned thread_count(const std::optional<std::string>& text);
+
+/// --time-limit-total S, and the deadline that it sets from now on; without the option none.
+void add_time_limit_total(Command& command, std::optional<std::string>& text);
+[[nodiscard]] Deadline deadline_in(const std::optional<std::string>& text);
 
 /// Throws UsageError where that many intervals do not fit into memory.
 void require_memory(const RegisteredSolver& solver, const Request& request);

@@ -3,7 +3,6 @@
 
 #include <unistd.h>
 
-#include <csignal>
 #include <cstdlib>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -66,27 +65,6 @@ void Progress::show(const std::string& line) {
   shown_ = text.size();
 }
 
-namespace {
-
-std::string_view interruption_message;  // set before the handler is
-
-/// Calls only what a signal handler may call.
-extern "C" void tell_interrupted(int signal) {
-  [[maybe_unused]] const auto written =
-      ::write(STDERR_FILENO, interruption_message.data(), interruption_message.size());
-  std::signal(signal, SIG_DFL);
-  std::raise(signal);
-}
-
-}  // namespace
-
-void say_when_interrupted(std::string_view message) {
-  interruption_message = message;
-  for (const int signal : {SIGINT, SIGTERM}) {
-    if (std::signal(signal, tell_interrupted) == SIG_IGN) std::signal(signal, SIG_IGN);
-  }
-}
-
 bool styled_output() {
   const char* no_color = std::getenv("NO_COLOR");
   const char* terminal = std::getenv("TERM");
@@ -125,7 +103,13 @@ void OutputFolder::open(const std::vector<std::string>& names) {
 }
 
 void OutputFolder::write(const std::string& name, const std::string& text) {
-  if (const auto file = files_.find(name); file != files_.end()) file->second.commit(text);
+  if (const auto file = files_.find(name); file != files_.end()) file->second.append(text);
+}
+
+void OutputFolder::commit() {
+  std::vector<OutputFile*> all;
+  for (auto& file : files_) all.push_back(&file.second);
+  commit_together(all);
 }
 
 void OutputFolder::remove_empty() {
@@ -138,13 +122,16 @@ JsonTarget::JsonTarget(const std::optional<std::string>& option) : asked_(option
   if (option && *option != "-") file_.emplace(*option);
 }
 
-void JsonTarget::write(const Json& json) {
+void JsonTarget::commit(const Json& json, const std::vector<OutputFile*>& others) {
   const std::string text = json_text(json);
   if (file_) {
-    file_->commit(text);
+    file_->append(text);
   } else if (asked_) {
     print(text);
   }
+  std::vector<OutputFile*> all = others;
+  if (file_) all.push_back(&*file_);
+  commit_together(all);
 }
 
 }  // namespace ehd::cli

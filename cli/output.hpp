@@ -6,7 +6,6 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "io/json.hpp"
@@ -32,6 +31,8 @@ void require_distinct(const std::vector<NamedFile>& inputs, const std::vector<Na
 /// Opens the file that an option names, if the option was given. Call before any work: a file that cannot be written is
 /// bad input, not a lost run. Throws OutputError.
 [[nodiscard]] std::optional<OutputFile> opened(const std::optional<std::string>& name);
+/// Null where there is no file.
+[[nodiscard]] inline OutputFile* address_of(std::optional<OutputFile>& file) { return file ? &*file : nullptr; }
 
 /// A line on standard error while something runs, on a terminal only; removed at the end.
 class Progress {
@@ -45,10 +46,6 @@ class Progress {
  private:
   std::size_t shown_ = 0;
 };
-
-/// From now on SIGINT and SIGTERM print `message` on standard error, then end the program as they usually do. A signal
-/// that the caller of the program ignores (nohup) stays ignored. The text must live as long as the program.
-void say_when_interrupted(std::string_view message);
 
 /// Standard output is a terminal, NO_COLOR is not set and TERM is not "dumb".
 [[nodiscard]] bool styled_output();
@@ -74,8 +71,10 @@ class OutputFolder {
   /// Opens files before the work begins: a folder that cannot be written is then bad input, and no result is lost.
   /// Throws OutputError.
   void open(const std::vector<std::string>& names);
-  /// Writes a file that was opened. Throws OutputError.
+  /// The text of a file that was opened. Throws OutputError.
   void write(const std::string& name, const std::string& text);
+  /// The files that have a text appear, together. Throws OutputError.
+  void commit();
 
  private:
   void remove_empty();
@@ -90,7 +89,8 @@ class JsonTarget {
   explicit JsonTarget(const std::optional<std::string>& option);
   [[nodiscard]] bool asked() const { return asked_; }
   [[nodiscard]] bool to_standard_output() const { return asked_ && !file_; }
-  void write(const Json& json);
+  /// The JSON appears, together with the other files that have a text. Throws OutputError.
+  void commit(const Json& json, const std::vector<OutputFile*>& others = {});
 
  private:
   bool asked_ = false;

@@ -66,7 +66,7 @@ int plan(const PlanOptions& options) {
   }
   JsonTarget json(options.json);
   Json object = {{"case", any.id}, {"version", any.version}, {"plan", to_json(made)}};
-  json.write(object);
+  json.commit(object);
   if (!json.to_standard_output()) print(any.id + ": " + any.title + "\n" + human_plan(made));
   return success;
 }

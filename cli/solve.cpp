@@ -229,11 +229,11 @@ int solve(const SolveOptions& options) {
     run = stated.from_case ? run_contact(*stated.from_case, solver, request, wanted)
                            : run_contact(stated.contact, solver, request, wanted);
   }
-  json.write(to_json(run));
-  if (wisdom) wisdom->commit(learned_fft_plans());
+  if (wisdom) wisdom->append(learned_fft_plans());
   const bool solution = run.status() != StopReason::diverged && run.solution.fields.X.size() > 0;
-  if (profile && solution) profile->commit(profile_csv(run));
-  if (plot && solution) plot->commit(plot_of(run, stated.title));
+  if (profile && solution) profile->append(profile_csv(run));
+  if (plot && solution) plot->append(plot_of(run, stated.title));
+  json.commit(to_json(run), {address_of(wisdom), address_of(profile), address_of(plot)});
   if (!json.to_standard_output()) print(human_table(run, stated.title, styled_output()));
   if (run.status() == StopReason::converged) return success;
   std::string not_written;

@@ -56,7 +56,7 @@ int statements(const StatementsOptions& options) {
   Json result = to_json(rows);
   result["contact_solves"] = memory.solves();
   result["contacts_from_memory"] = memory.recalls();
-  json.write(result);
+  json.commit(result);
   if (!json.to_standard_output())
     print(human_study(rows) + "\n  " + std::to_string(memory.solves()) + " contacts solved, " +
           std::to_string(memory.recalls()) + " taken from memory\n");

@@ -67,6 +67,7 @@ int stress(const StressOptions& options) {
   }
   if (results.size() > 1) print(human_summary(results));
   folder.write("stress.json", json_text(to_json(results, watch.seconds())));
+  folder.commit();
   if (all_passed(results)) return success;
   std::string open;
   for (const Part& part : results) {

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ehd sweep: a case over lists and ranges of its keys.
-#include <unistd.h>
-
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
@@ -9,8 +7,8 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 
+#include "cli/interruption.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/subcommands.hpp"
@@ -26,7 +24,8 @@ namespace {
 struct SweepOptions {
   std::string file;
   std::optional<std::string> output, threads, shard;
-  bool fresh = false, merge = false;
+  std::optional<std::string> time_limit_total;
+  bool fresh = false, merge = false, keep_limits = false;
   RequestOptions limits;
 };
 
@@ -48,7 +47,7 @@ Examples:
   parallel ehd sweep FILE --output DIR --shard {}/8 ::: 1 2 3 4 5 6 7 8
 
 Finished rows are kept: the same command goes on where it was interrupted, and a sweep that has grown computes what
-is new.
+is new. A row that lacked time or memory is tried again, unless --keep-limits is given.
 Exit code: 0 all rows converged; 1 one did not, its line has the status and the reason; 2 bad input or usage.)";
 
 /// K/N. Throws UsageError.
@@ -115,6 +114,7 @@ int sweep(const SweepOptions& options) {
   request.max_iterations = limits.max_iterations;
   request.time_limit_s = limits.time_limit_s;
   request.fresh = options.fresh;
+  request.keep_limits = options.keep_limits;
   request.threads = thread_count(options.threads);
   std::optional<Shard> shard;
   if (options.shard) shard = shard_from(*options.shard);
@@ -125,14 +125,12 @@ int sweep(const SweepOptions& options) {
   const Sweep asked = read_sweep(options.file);
   const OutputFolder folder(options.output.value_or("out/sweep/" + asked.id));
 
-  constexpr std::string_view interrupted =
-      "\nehd: sweep: interrupted; the finished rows are kept, and the same command goes on from there\n";
-  const bool bar_to_end = ::isatty(STDERR_FILENO);
-  say_when_interrupted(bar_to_end ? interrupted : interrupted.substr(1));
+  say_when_interrupted("ehd: sweep: interrupted; the finished rows are kept, and the same command goes on from there");
   Bar bar(asked.id);
   request.progress = [&bar](std::size_t known, std::size_t all, std::size_t computed) {
     bar.show(known, all, computed);
   };
+  request.deadline = deadline_in(options.time_limit_total);
   SweepCost cost;
   std::string what;
   if (options.merge) {
@@ -166,7 +164,10 @@ void describe_sweep(Command& command) {
   command.text("--shard", options->shard, "compute the K-th of N parts alone").called("K/N");
   command.flag("--merge", options->merge, "put finished shards together");
   command.flag("--fresh", options->fresh, "compute every row again");
+  command.flag("--keep-limits", options->keep_limits,
+               "do not try again the rows that lacked time or memory in an earlier run");
   options->limits.add_to(command, false);
+  add_time_limit_total(command, options->time_limit_total);
   command.runs([options] { return sweep(*options); });
 }
 

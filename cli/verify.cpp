@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/subcommands.hpp"
 #include "cli/usage.hpp"
@@ -19,7 +20,7 @@ namespace ehd::cli {
 namespace {
 
 struct VerifyOptions {
-  std::optional<std::string> rung, case_id, output, random_runs;
+  std::optional<std::string> rung, case_id, output, random_runs, time_limit_total;
   bool quick = false, all = false, trace = false;
 };
 
@@ -46,6 +47,7 @@ int verify(const VerifyOptions& options) {
   if (options.random_runs)
     request.random_runs = parse_integer("--random-runs", *options.random_runs, {.low = 1, .high = 10000});
 
+  request.deadline = deadline_in(options.time_limit_total);
   OutputFolder folder(options.output);
   folder.open({"results.json"});
   verification::SuiteResult result;
@@ -57,7 +59,7 @@ int verify(const VerifyOptions& options) {
                     duration(now.elapsed_s) + ", about " + duration(now.left_s) + " left: " + now.name);
     };
     result = verification::run_suite(request);
-    if (options.output) {
+    if (options.output && !request.deadline.passed()) {
       verification::FiguresRequest pictures{
           .rung = request.rung, .case_id = request.case_id, .quick = request.quick, .threads = request.threads};
       pictures.progress = [&](std::size_t done, std::size_t all, const std::string& name) {
@@ -70,12 +72,18 @@ int verify(const VerifyOptions& options) {
   }
   if (options.output) {
     Json json = to_json(result);
-    json["figures"] = std::move(figures);
+    if (!figures.is_null()) json["figures"] = std::move(figures);
     folder.write("results.json", json_text(json));
+    folder.commit();
   }
   print(human_summary(result, options.all));
   if (options.trace) print("\n" + human_trace(trace(verification::traceable_parts(), {result.claims, result.skipped})));
   if (result.success()) return success;
+  if (result.not_run > 0) {
+    complain("ehd: verify: the time for everything has passed; " + std::to_string(result.not_run) +
+             " topics were not run");
+    return not_met;
+  }
   std::size_t standing = 0;
   for (const auto& claim : result.claims) standing += claim.verdict == verification::Verdict::pass ? 1 : 0;
   complain("ehd: verify: " + std::to_string(result.claims.size() - standing) + " of " +
@@ -96,6 +104,7 @@ void describe_verify(Command& command) {
   command.flag("--trace", options->trace, "print which claims support which part of the work");
   command.text("--random-runs", options->random_runs, "random runs for each law set (10)");
   command.text("--output", options->output, "folder for results.json");
+  add_time_limit_total(command, options->time_limit_total);
   command.runs([options] { return verify(*options); });
 }
 

@@ -36,6 +36,10 @@ enum class Rule {
 /// The wisdom of this process: plans that FFTW has measured, and those it was given.
 [[nodiscard]] std::string measured_plans();
 
+/// Throws std::bad_alloc where FFTW could not plan a forward and a backward transform of this length: FFTW itself ends
+/// the process when it gets no memory. Call before planning.
+void require_plan_memory(int length);
+
 /// y_i = Sum_j g_|i-j| x_j for i, j = 0..n, where x_n = 0 (the exit). Holds its FFTW plans; not copyable, one thread
 /// at a time. Plans are made with FFTW_ESTIMATE, so that two runs do the same arithmetic, unless measure_plans was
 /// called.

@@ -5,6 +5,9 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <vector>
+
+#include "io/temporary_files.hpp"
 
 namespace ehd {
 
@@ -14,9 +17,10 @@ class OutputError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A file that appears at commit. The constructor already opens a temporary file beside it, so
-/// that a path that cannot be written is refused before anything is computed (OutputError). Devices and pipes
-/// (/dev/stdout) are written directly.
+/// A file that appears at commit, with the mode of the file that it replaces. The constructor already opens a temporary
+/// file beside it, so that a path that cannot be written is refused before anything is computed (OutputError). It also
+/// removes temporary files of the same output whose writer was killed. Devices and pipes (/dev/stdout) are written
+/// directly.
 class OutputFile {
  public:
   explicit OutputFile(std::filesystem::path path);
@@ -26,16 +30,30 @@ class OutputFile {
   OutputFile(OutputFile&& other) noexcept;
   OutputFile& operator=(OutputFile&&) = delete;
 
-  /// Throws OutputError; the old file is then still there.
-  void commit(const std::string& text);
-
-  /// The same in pieces, for text that does not fit into memory. The file appears at commit().
+  /// Writes the next piece of the text. Throws OutputError; the old file is then still there.
   void append(const std::string& text);
+  /// The file is on the disk when this returns. Throws OutputError.
   void commit();
+  void commit(const std::string& text) {
+    append(text);
+    commit();
+  }
 
  private:
+  friend void commit_together(const std::vector<OutputFile*>& files);
+  void open_temporary();
+  void settle();  ///< the text is on the disk
+  void appear();  ///< under its name
+
   std::filesystem::path path_;
   std::filesystem::path temporary_;  ///< empty when done, or for a device
+  TemporaryNote note_;
+  int descriptor_ = -1;
+  bool written_ = false;
 };
+
+/// Commits those of the files that have a text: all texts are on the disk before the first file appears, and SIGINT and
+/// SIGTERM wait until the last one has. A null pointer is no file. Throws OutputError.
+void commit_together(const std::vector<OutputFile*>& files);
 
 }  // namespace ehd

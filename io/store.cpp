@@ -24,6 +24,8 @@ namespace {
 constexpr const char* journal_name = "journal";
 constexpr const char* journal_schema = "ehd-sweep-journal-2";
 constexpr std::size_t check_digits = 16, hash_digits = content_hash_digits;
+/// Between two calls of fdatasync, so that a million quick rows do not wait for the disk a million times.
+constexpr std::chrono::milliseconds sync_pause{200};
 constexpr std::size_t before_text = check_digits + 1 + hash_digits + 1;
 
 /// A line of the file: CHECKSUM CONTENT. The content of a row is HASH TEXT. CHECKSUM: the first digits of the content's
@@ -86,6 +88,7 @@ SweepJournal::SweepJournal(const std::filesystem::path& folder, const JournalHea
 }
 
 SweepJournal::~SweepJournal() {
+  if (unsynced_) ::fdatasync(descriptor_);
   if (descriptor_ >= 0) ::close(descriptor_);
   if (lock_ >= 0) ::close(lock_);
 }
@@ -184,6 +187,15 @@ void SweepJournal::add(const std::string& hash, const std::string& text) {
   }
   rows_[hash] = {.begin = end_ + before_text, .bytes = text.size()};
   end_ += line.size();
+  unsynced_ = true;
+  if (std::chrono::steady_clock::now() - synced_ >= sync_pause) sync();
+}
+
+void SweepJournal::sync() {
+  if (::fdatasync(descriptor_) != 0 && errno != EINVAL)
+    refuse(file_, std::string("cannot be written (") + std::strerror(errno) + ")");
+  synced_ = std::chrono::steady_clock::now();
+  unsynced_ = false;
 }
 
 }  // namespace ehd

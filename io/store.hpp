@@ -3,6 +3,7 @@
 // loses no more than the line that it was writing.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <filesystem>
 #include <map>
@@ -41,7 +42,9 @@ class SweepJournal {
   [[nodiscard]] std::string row(const std::string& hash) const;
   /// The row is computed again. Its line stays; of two lines with one hash the last one counts.
   void forget(const std::string& hash) { rows_.erase(hash); }
-  /// One line without line feeds. Throws OutputError. Not from several threads at once.
+  /// One line without line feeds. Throws OutputError. Not from several threads at once. The line survives the end of
+  /// the process at once; a power failure may take the lines of the last fifth of a second, and the last line of all
+  /// until this object ends.
   void add(const std::string& hash, const std::string& text);
 
  private:
@@ -57,11 +60,14 @@ class SweepJournal {
   void rewrite(const std::string& header);
   void open_file(int flags);
   void require_file_or_none() const;
+  void sync();
 
   std::filesystem::path folder_, file_;
   int lock_ = -1, descriptor_ = -1;
   std::size_t end_ = 0;
   std::map<std::string, Place> rows_;
+  std::chrono::steady_clock::time_point synced_ = {};
+  bool unsynced_ = false;  ///< a line may not be on the disk yet
 };
 
 }  // namespace ehd

@@ -5,6 +5,7 @@
 
 #include <charconv>
 #include <fstream>
+#include <new>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -22,6 +23,7 @@ namespace {
 
 /// Hashed with every row, so that rows of another schema are not taken for these.
 constexpr const char* row_schema = "ehd-sweep-1";
+constexpr const char* out_of_memory = "memory is exhausted";
 
 /// Two builds of a commit with changes on top, or of a tree without git, are told apart by the program's own bytes.
 std::string program_identity() {
@@ -66,9 +68,51 @@ long add_contact_result(Json& results, const Sweep& sweep, const SweepRequest& r
   limits.tolerance = sweep.tolerance;
   limits.max_iterations = request.max_iterations;
   limits.time_limit_s = request.time_limit_s;
-  const ContactRun run = run_contact(row_case, *find_solver(sweep.solver), limits);
+  RegisteredSolver solver = *find_solver(sweep.solver);
+  solver.solve = request.deadline.limiting(solver.solve);
+  const ContactRun run = run_contact(row_case, solver, limits);
   results.push_back(to_json(run));
   return run.plan.runs(stage::solve) ? 1 : 0;
+}
+
+Json not_computed(const Sweep& sweep, const Case& row_case, const std::string& why) {
+  Json results = Json::array();
+  if (!sweep.bearing) {
+    const RegisteredSolver& solver = *find_solver(sweep.solver);
+    ContactRun run;
+    run.case_id = row_case.id;
+    run.version = row_case.version;
+    run.solver = solver.name;
+    run.plan = plan_contact(std::get<ContactCase>(row_case.body), solver, {}, want_everything());
+    run.solution.record.status = StopReason::limit_reached;
+    run.solution.record.reason = why;
+    results.push_back(to_json(run));
+    return results;
+  }
+  const BearingRequest asked = sweep.request_of(row_case);
+  for (const bearing::Law law : asked.laws) {
+    BearingResult result;
+    result.case_id = row_case.id;
+    result.version = row_case.version;
+    result.law = law;
+    result.form = asked.form;
+    result.status = StopReason::limit_reached;
+    result.why = why;
+    result.plan = plan_bearing(std::get<BearingCase>(row_case.body), {law}, asked.form, asked.cage_positions);
+    results.push_back(to_json(result));
+  }
+  return results;
+}
+
+/// The row's object in rows.json but its number.
+std::string kept_text(const Sweep& sweep, std::size_t row, const std::string& hash, Json results) {
+  Json json = Json::object();
+  json["keys"] = Json::object();
+  for (const Substitution& one : sweep.values_of(row)) json["keys"][one.key] = to_json(one.value);
+  json["hash"] = hash;
+  strip_times(results);
+  json["results"] = std::move(results);
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace
@@ -88,16 +132,27 @@ ComputedRow compute_row(const Sweep& sweep, const SweepRequest& request, std::si
                         const std::shared_ptr<ContactCache>& cache) {
   const Case row_case = sweep.case_of(row);
   ComputedRow computed;
-  Json json = Json::object();
-  json["keys"] = Json::object();
-  for (const Substitution& one : sweep.values_of(row)) json["keys"][one.key] = to_json(one.value);
-  json["hash"] = hash;
-  json["results"] = Json::array();
-  computed.needed = sweep.bearing ? add_bearing_results(json["results"], sweep, request, row_case, cache)
-                                  : add_contact_result(json["results"], sweep, request, row_case);
-  strip_times(json["results"]);
-  computed.text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  try {
+    Json results = Json::array();
+    computed.needed = sweep.bearing ? add_bearing_results(results, sweep, request, row_case, cache)
+                                    : add_contact_result(results, sweep, request, row_case);
+    computed.text = kept_text(sweep, row, hash, std::move(results));
+  } catch (const std::bad_alloc&) {
+    return row_not_computed(sweep, row, hash, out_of_memory);
+  }
   return computed;
+}
+
+ComputedRow row_not_computed(const Sweep& sweep, std::size_t row, const std::string& hash, const std::string& why) {
+  return {.text = kept_text(sweep, row, hash, not_computed(sweep, sweep.case_of(row), why))};
+}
+
+bool lacked_time_or_memory(const std::string& kept) {
+  // Inside a text of the row the quotation marks would be escaped.
+  static const std::string status = "\"status\":\"" + std::string(to_string(StopReason::limit_reached)) + "\"";
+  const auto says = [&](const char* why) { return kept.find(why) != std::string::npos; };
+  return kept.find(status) != std::string::npos &&
+         (says(Deadline::out_of_time) || says(Deadline::not_run) || says(out_of_memory));
 }
 
 bool converged(const Json& result) { return result["status"] == to_string(StopReason::converged); }

@@ -14,6 +14,7 @@
 #include "io/json.hpp"
 #include "io/sweep_file.hpp"
 #include "workflow/contact_cache.hpp"
+#include "workflow/deadline.hpp"
 
 namespace ehd {
 
@@ -22,6 +23,8 @@ struct SweepRequest {
   double time_limit_s = 300;  ///< likewise; where it ends a solve, the row depends on the machine
   unsigned threads = 0;       ///< 0: as many as there are cores
   bool fresh = false;         ///< rows of an earlier run are computed again
+  bool keep_limits = false;   ///< so are, without this, rows of an earlier run that lacked time or memory
+  Deadline deadline = {};     ///< of all rows; those after it are not run, and not kept
   /// After every row, one call at a time: rows known so far, of how many, how many of them this run computed.
   std::function<void(std::size_t known, std::size_t all, std::size_t computed)> progress = {};
 };
@@ -38,6 +41,12 @@ struct ComputedRow {
 /// `cache`: of the sweep's solver with fallback (workflow/bearing_contact.hpp).
 [[nodiscard]] ComputedRow compute_row(const Sweep& sweep, const SweepRequest& request, std::size_t row,
                                       const std::string& hash, const std::shared_ptr<ContactCache>& cache);
+/// A row that could not be computed: each result is `limit-reached` with this reason.
+[[nodiscard]] ComputedRow row_not_computed(const Sweep& sweep, std::size_t row, const std::string& hash,
+                                           const std::string& why);
+/// A result of the kept row lacked time or memory, and another run may get further.
+[[nodiscard]] bool lacked_time_or_memory(const std::string& kept);
+
 [[nodiscard]] bool converged(const Json& result);
 /// Why a result did not converge; bearings and contacts name it differently. Empty where the result does not say.
 [[nodiscard]] std::string reason_of(const Json& result);

@@ -9,7 +9,6 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <numeric>
-#include <thread>
 
 #include "contact/text.hpp"
 #include "io/content_hash.hpp"
@@ -69,18 +68,24 @@ SweepCost compute_missing(const Sweep& sweep, const SweepRequest& request, const
   forget_wrong_rows(sweep, hashes, rows, request.threads, journal);
   std::set<std::string> taken;
   std::vector<std::size_t> missing;
+  const auto known_already = [&](const std::string& hash) {
+    return journal.holds(hash) && (request.keep_limits || !lacked_time_or_memory(journal.row(hash)));
+  };
   for (const std::size_t row : rows)
-    if (!journal.holds(hashes.of_row[row]) && taken.insert(hashes.of_row[row]).second) missing.push_back(row);
+    if (!known_already(hashes.of_row[row]) && taken.insert(hashes.of_row[row]).second) missing.push_back(row);
   const std::size_t known = rows.size() - missing.size();
   if (request.progress) request.progress(known, rows.size(), 0);
 
-  const auto cache = std::make_shared<ContactCache>(with_fallback(find_solver(sweep.solver)->solve));
+  const auto cache =
+      std::make_shared<ContactCache>(with_fallback(request.deadline.limiting(find_solver(sweep.solver)->solve)));
   std::mutex mutex;
-  in_threads(missing.size(), request.threads, [&](std::size_t i) {
+  const std::size_t threads = in_threads(missing.size(), request.threads, [&](std::size_t i) {
+    if (request.deadline.passed()) return;
     const auto row_begin = Clock::now();
     const std::string& hash = hashes.of_row[missing[i]];
     const ComputedRow computed = compute_row(sweep, request, missing[i], hash, cache);
     const double row_s = seconds_since(row_begin);
+    if (request.deadline.passed() && lacked_time_or_memory(computed.text)) return;
     const std::lock_guard lock(mutex);
     journal.add(hash, computed.text);
     cost.rows_s += row_s;
@@ -89,13 +94,15 @@ SweepCost compute_missing(const Sweep& sweep, const SweepRequest& request, const
     if (request.progress) request.progress(known + cost.computed, rows.size(), cost.computed);
   });
   cost.solves = sweep.bearing ? cache->solves() : cost.needed;
-  cost.threads = request.threads > 0 ? request.threads : std::max(1u, std::thread::hardware_concurrency());
+  cost.threads = static_cast<unsigned>(threads);
   cost.wall_s = seconds_since(begin);
   return cost;
 }
 
 StoredRow kept_row(const Sweep& sweep, std::size_t row, const std::string& hash, const SweepJournal& journal,
                    const std::string& again) {
+  if (!journal.holds(hash))
+    return read_stored_row(sweep, row, hash, row_not_computed(sweep, row, hash, Deadline::not_run).text);
   try {
     return read_stored_row(sweep, row, hash, journal.row(hash));
   } catch (const StoredRowError& wrong) {

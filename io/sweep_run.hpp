@@ -49,12 +49,14 @@ struct SweepHashes {
   std::string of_sweep;
 };
 
-/// Computes the rows that the journal does not hold, or holds in a wrong form, over threads. Equal rows are computed
-/// once.
+/// Computes the rows that the journal does not hold, or holds in a wrong form, and those that lacked time or memory,
+/// over threads. Equal rows are computed once. Rows that the deadline left out, or ended in the middle, stay out of the
+/// journal.
 [[nodiscard]] SweepCost compute_missing(const Sweep& sweep, const SweepRequest& request, const SweepHashes& hashes,
                                         const std::vector<std::size_t>& rows, SweepJournal& journal);
 
-/// A row of a journal, read back. `again`: what a user does about a wrong one, for the message of the OutputError.
+/// A row of a journal, read back; where a deadline left it out, it says so. `again`: what a user does about a wrong
+/// one, for the message of the OutputError.
 [[nodiscard]] StoredRow kept_row(const Sweep& sweep, std::size_t row, const std::string& hash,
                                  const SweepJournal& journal, const std::string& again);
 

@@ -269,8 +269,7 @@ Failures write_table(const Sweep& sweep, const std::string& sweep_hash, const st
     csv.append(lines);
   }
   json.append("\n]}\n");
-  json.commit();
-  csv.commit();
+  commit_together({&json, &csv});
   return failures;
 }
 

@@ -89,6 +89,7 @@ Findings run_topic(const Topic& topic, const SuiteRequest& request) {
                        .statement = topic.name,
                        .case_id = topic.case_id};
   if (request.quick && topic.slow) return {.claims = {}, .skipped = {{whole, "slow, and --quick was asked for"}}};
+  if (request.deadline.passed()) return {.claims = {}, .skipped = {{whole, Deadline::not_run}}};
   try {
     Findings found = topic.judge();
     if (found.claims.empty() && found.skipped.empty())
@@ -210,7 +211,7 @@ bool SuiteResult::success() const {
     return claim.verdict == Verdict::pass ||
            (claim.verdict == Verdict::inconclusive && accepted_as_inconclusive(claim.says.id));
   };
-  return !(claims.empty() && skipped.empty()) && std::all_of(claims.begin(), claims.end(), stands);
+  return not_run == 0 && !(claims.empty() && skipped.empty()) && std::all_of(claims.begin(), claims.end(), stands);
 }
 
 SuiteResult run_suite(const SuiteRequest& request) {
@@ -244,7 +245,10 @@ SuiteResult run_topics(const SuiteRequest& request, std::vector<Topic> topics,
     std::move(found.skipped.begin(), found.skipped.end(), std::back_inserter(result.skipped));
   }
   fill_in_versions(result, versions);
-  if (result.selection.empty() && !request.quick) {  // in a selection, a part of the work may have no claim
+  result.not_run = static_cast<std::size_t>(std::count_if(
+      result.skipped.begin(), result.skipped.end(), [](const auto& one) { return one.why == Deadline::not_run; }));
+  if (result.selection.empty() && !request.quick &&
+      result.not_run == 0) {  // in a selection, a part of the work may have no claim
     for (Claim& one : judge_traceability(trace(traceable_parts(), {result.claims, result.skipped})))
       result.claims.push_back(std::move(one));
   }
@@ -370,6 +374,7 @@ Json to_json(const SuiteResult& result) {
                      {"selection", result.selection},
                      {"threads", result.threads},
                      {"wall_s", result.wall_s}};
+  if (result.not_run > 0) json["summary"]["not_run"] = result.not_run;
   Json rung_rows = Json::array(), traced = Json::array(), topics = Json::array();
   for (const RungSummary& summary : summarise(result)) {
     Json row = {{"rung", summary.rung}, {"name", rung_names[summary.rung]},     {"pass", summary.pass},

@@ -12,6 +12,7 @@
 
 #include "io/json.hpp"
 #include "verification/claim.hpp"
+#include "workflow/deadline.hpp"
 
 namespace ehd::verification {
 
@@ -29,6 +30,7 @@ struct SuiteRequest {
   int random_runs = 10;                     ///< for each law set, of the claims about random points
   bool quick = false;                       ///< slow topics are skipped, each with a line that says so
   unsigned threads = 0;                     ///< 0: as many as there are cores
+  Deadline deadline = {};                   ///< topics that have not begun by then are not run
   /// Called after each topic, one thread at a time.
   std::function<void(const SuiteProgress&)> progress = {};
 };
@@ -45,9 +47,10 @@ struct SuiteResult {
   double wall_s = 0;
   unsigned threads = 0;
   bool quick = false;
-  std::string selection;  ///< "--rung 7", or empty for everything
-  /// No claim fails, every inconclusive one is accepted with a reason, and there is a claim, or a skipped row that says
-  /// why there is none.
+  std::size_t not_run = 0;  ///< topics that the deadline left out
+  std::string selection;    ///< "--rung 7", or empty for everything
+  /// Every topic ran, no claim fails, every inconclusive one is accepted with a reason, and there is a claim, or a
+  /// skipped row that says why there is none.
   [[nodiscard]] bool success() const;
 };
 

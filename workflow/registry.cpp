@@ -2,6 +2,7 @@
 #include "workflow/registry.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <fstream>
 #include <limits>
 #include <string>
@@ -12,6 +13,7 @@
 #include "reference/graded.hpp"
 #include "reference/high_order.hpp"
 #include "reference/uniform.hpp"
+#include "workflow/deadline.hpp"
 
 namespace ehd {
 
@@ -33,11 +35,23 @@ struct Traits {
   int look = 0;
 };
 
+/// Iterations end at the same place on every machine, a time limit does not: the reason says which of them it was.
+template <Solver S>
+Solution solve_with(const Problem& problem, const Request& request) {
+  const auto begin = std::chrono::steady_clock::now();
+  Solution solution = S().solve(problem, request);
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
+  SolveRecord& record = solution.record;
+  if (record.status == StopReason::limit_reached && passed.count() >= request.time_limit_s)
+    record.reason += (record.reason.empty() ? "" : "; ") + std::string(Deadline::out_of_time);
+  return solution;
+}
+
 template <Solver S>
 RegisteredSolver entry(const Traits& traits) {
   return {.name = std::string(S::description.name),
           .description = S::description,
-          .solve = [](const Problem& problem, const Request& request) { return S().solve(problem, request); },
+          .solve = solve_with<S>,
           .uses_fft = traits.uses_fft,
           .memory_bytes = traits.memory_bytes,
           .is_default = traits.is_default,

@@ -182,6 +182,8 @@ BOOST_AUTO_TEST_CASE(an_option_outside_its_range_is_refused) {
       {"solve own-moes-5-5 --quantity film.maximum", "is unknown; allowed is film.minimum"},
       {"solve own-moes-5-5 --max-iterations 0", "is out of range"},
       {"solve own-moes-5-5 --time-limit 0", "is out of range"},
+      {"bearing na4908 --time-limit-total 0", "is out of range; allowed is more than 0"},
+      {"verify --time-limit-total x", "is not a number"},
   };
   check_refused(folder, rows);
 }
@@ -319,6 +321,23 @@ BOOST_AUTO_TEST_CASE(a_datum_that_is_not_finite_is_absent) {
       test::ehd_run(folder, "bearing " + folder.write("na4908.toml", stiff).string() + " --law ehd --json -");
   const json result = json::parse(ended.out);
   BOOST_TEST(result["law"] == "ehd");
+}
+
+BOOST_AUTO_TEST_CASE(without_time_for_everything_what_is_finished_is_kept_and_the_rest_is_named) {
+  const test::Folder folder;
+  const auto bearing = test::ehd_run(folder, "bearing na4908 --law hertz --law ehd --time-limit-total 1e-6 --json -");
+  BOOST_TEST(bearing.exit_code == 1);
+  BOOST_TEST(bearing.error_lines() == 1, bearing.err);
+  const json laws = json::parse(bearing.out);
+  BOOST_TEST(laws[0]["status"] == "converged");
+  BOOST_TEST(laws[1]["status"] == "limit-reached");
+  const std::string output = (folder.path() / "out").string();
+  const auto verify = test::ehd_run(folder, "verify --quick --rung 1 --time-limit-total 1e-6 --output " + output);
+  BOOST_TEST(verify.exit_code == 1);
+  BOOST_TEST(verify.error_lines() == 1, verify.err);
+  BOOST_TEST(verify.err.find("topics were not run") != std::string::npos, verify.err);
+  BOOST_TEST(json::parse(test::read(output + "/results.json"))["summary"]["not_run"] > 0);
+  BOOST_TEST(test::ehd_run(folder, "report " + output).exit_code == 0);
 }
 
 BOOST_AUTO_TEST_CASE(a_refused_verify_leaves_no_folder) {

@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fast/convolution.hpp"
 
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <cmath>
+#include <cstddef>
+#include <exception>
+#include <limits>
+#include <new>
 #include <random>
 
 #include "tests/check.hpp"
@@ -9,6 +16,9 @@
 
 using namespace ehd;
 using verification::Tolerance;
+
+/// FFTW's own allocation, which its planner calls.
+extern "C" void* fftw_malloc_plain(std::size_t bytes);
 
 namespace {
 
@@ -64,6 +74,26 @@ BOOST_AUTO_TEST_CASE(fft_product_equals_the_dense_sum) {
     ++rows;
   }
   BOOST_REQUIRE_EQUAL(rows, 6);
+}
+
+BOOST_AUTO_TEST_CASE(a_plan_without_memory_is_an_exception) {
+  BOOST_CHECK_THROW(fast::require_plan_memory(std::numeric_limits<int>::max()), std::bad_alloc);
+}
+
+/// In a child, since nothing else may follow.
+BOOST_AUTO_TEST_CASE(fftw_without_memory_ends_in_terminate_and_not_in_abort) {
+  constexpr int terminated = 7;
+  const pid_t child = ::fork();
+  BOOST_REQUIRE(child >= 0);
+  if (child == 0) {
+    std::set_terminate([] { ::_exit(terminated); });
+    (void)fftw_malloc_plain(std::size_t{1} << 60);
+    ::_exit(0);
+  }
+  int status = 0;
+  BOOST_REQUIRE(::waitpid(child, &status, 0) == child);
+  BOOST_TEST(WIFEXITED(status));
+  BOOST_TEST(WEXITSTATUS(status) == terminated);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

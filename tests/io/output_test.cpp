@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 #include "contact/text.hpp"
@@ -170,6 +171,69 @@ BOOST_AUTO_TEST_CASE(a_file_appears_whole_or_not_at_all) {
   BOOST_TEST(test::read(file) == "new");
   const auto entries = std::distance(std::filesystem::directory_iterator(folder.path()), {});
   BOOST_TEST(entries == 1);  // no temporary file stays
+}
+
+BOOST_AUTO_TEST_CASE(a_file_keeps_its_mode) {
+  namespace fs = std::filesystem;
+  const test::Folder folder;
+  const auto file = folder.write("result.json", "old");
+  for (const auto mode : {fs::perms(0600), fs::perms(0664), fs::perms(0755)}) {
+    fs::permissions(file, mode);
+    OutputFile(file).commit("new");
+    BOOST_TEST((fs::status(file).permissions() == mode));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_name_of_a_temporary_file_is_not_the_same_again) {
+  const test::Folder folder;
+  std::set<std::string> names;
+  constexpr std::size_t files = 8;
+  for (std::size_t i = 0; i < files; ++i) {
+    const OutputFile file(folder.path() / "result.json");
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path())) names.insert(entry.path().string());
+  }
+  BOOST_TEST(names.size() == files);
+}
+
+BOOST_AUTO_TEST_CASE(what_a_killed_run_left_is_removed_and_what_a_living_one_writes_is_not) {
+  const test::Folder folder;
+  const auto left = folder.write("result.json.partial-0123456789abcdef", "half");
+  const auto other = folder.write("result.json.partial-notes", "a user's own file");
+  const auto neighbour = folder.write("other.json.partial-0123456789abcdef", "half");
+  OutputFile living(folder.path() / "result.json");
+  BOOST_TEST(!std::filesystem::exists(left));
+  BOOST_TEST(std::filesystem::exists(other));
+  BOOST_TEST(std::filesystem::exists(neighbour));
+  OutputFile(folder.path() / "result.json").commit("second");
+  living.commit("first");
+  BOOST_TEST(test::read(folder.path() / "result.json") == "first");
+}
+
+BOOST_AUTO_TEST_CASE(a_name_as_long_as_the_system_allows_can_be_written) {
+  const test::Folder folder;
+  constexpr std::size_t longest = 255;
+  const auto file = folder.path() / std::string(longest, 'n');
+  OutputFile(file).commit("text");
+  BOOST_TEST(test::read(file) == "text");
+}
+
+BOOST_AUTO_TEST_CASE(files_appear_together_or_not_at_all) {
+  const test::Folder folder;
+  const auto csv = folder.write("a.csv", "old"), json = folder.write("a.json", "old");
+  {
+    OutputFile one(csv), full("/dev/full");
+    one.append("new");
+    BOOST_CHECK_THROW(full.append("new"), OutputError);
+  }
+  BOOST_TEST(test::read(csv) == "old");
+  OutputFile one(csv), two(json), without_text(folder.path() / "b.json");
+  one.append("new");
+  BOOST_TEST(test::read(csv) == "old");
+  two.append("new");
+  commit_together({&one, &two, &without_text, nullptr});
+  BOOST_TEST(test::read(csv) == "new");
+  BOOST_TEST(test::read(json) == "new");
+  BOOST_TEST(!std::filesystem::exists(folder.path() / "b.json"));
 }
 
 BOOST_AUTO_TEST_CASE(a_path_that_cannot_be_written_is_refused_at_once) {

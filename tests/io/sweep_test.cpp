@@ -477,6 +477,56 @@ BOOST_AUTO_TEST_CASE(a_row_that_does_not_converge_is_a_row_with_its_reason) {
   BOOST_TEST(again.out.find("rows computed 0") != std::string::npos);
 }
 
+/// The cheapest sweep of contacts.
+const char* contact_sweep = R"(case = "own-moes-20-10"
+combine = "product"
+tolerance = 1e-2
+[keys]
+"moes.M" = [10.0, 20.0, 30.0]
+)";
+
+BOOST_AUTO_TEST_CASE(a_row_that_lacked_time_is_tried_again_unless_it_is_to_be_kept) {
+  const Folder folder;
+  const Sweep read = read_sweep(folder.write("s.toml", contact_sweep));
+  const auto out = folder.path() / "out";
+  constexpr double too_short_s = 1e-9;
+  const auto again = [&](bool keep) {
+    return run_sweep(read, {.time_limit_s = too_short_s, .keep_limits = keep}, out);
+  };
+  BOOST_TEST(again(false).failures.rows == 3u);
+  BOOST_TEST(again(false).computed == 3u);
+  BOOST_TEST(again(true).computed == 0u);
+}
+
+BOOST_AUTO_TEST_CASE(rows_after_the_deadline_are_named_and_run_by_the_next_run) {
+  const Folder folder;
+  const Sweep read = read_sweep(folder.write("s.toml", contact_sweep));
+  const auto out = folder.path() / "out";
+  constexpr double passed_s = -1;
+  const SweepCost cut = run_sweep(read, {.deadline = Deadline(passed_s)}, out);
+  BOOST_TEST(cut.computed == 0u);
+  BOOST_TEST(cut.failures.rows == 3u);
+  BOOST_TEST(cut.failures.first == "row 0: limit-reached: " + std::string(Deadline::not_run));
+  BOOST_TEST(lines_of_text(test::read(out / "rows.csv")).size() == 4u);
+  const SweepCost whole = run_sweep(read, {}, out);
+  BOOST_TEST(whole.computed == 3u);
+  BOOST_TEST(whole.failures.rows == 0u);
+  (void)run_sweep(read, {}, folder.path() / "at once");
+  BOOST_TEST((Files(out) == Files(folder.path() / "at once")));
+}
+
+BOOST_AUTO_TEST_CASE(a_row_without_memory_fails_alone) {
+  const Folder folder;
+  const Sweep read = read_sweep(folder.write("s.toml", small_sweep));
+  const auto cache =
+      std::make_shared<ContactCache>([](const Problem&, const Request&) -> Solution { throw std::bad_alloc(); });
+  const ComputedRow row = compute_row(read, {}, 0, std::string(32, '0'), cache);
+  BOOST_TEST(lacked_time_or_memory(row.text));
+  const Json json = Json::parse("{\"row\":0," + row.text.substr(1));
+  BOOST_TEST(json["results"].size() == 3u);
+  BOOST_TEST(failure_of(json).value_or("") == "row 0: hertz: limit-reached: memory is exhausted");
+}
+
 // ---- interrupted ----------------------------------------------------------------------------------------------------
 
 BOOST_AUTO_TEST_CASE(a_killed_run_goes_on_where_it_was_and_ends_in_the_same_files) {

@@ -230,6 +230,19 @@ BOOST_AUTO_TEST_CASE(names_that_repeat_are_numbered_and_no_claim_is_lost) {
   BOOST_TEST(short_one.topics.at(2).name == "box 3");
 }
 
+BOOST_AUTO_TEST_CASE(topics_after_the_deadline_are_skipped_and_the_suite_does_not_succeed) {
+  const auto judge = [] { return Findings{.claims = {claim_fact(sentence("one"), true, "here")}, .skipped = {}}; };
+  const std::vector<Topic> topics{{.name = "early", .rungs = {6}, .slow = false, .judge = judge}};
+  constexpr double passed_s = -1;
+  const SuiteResult late = run_topics({.rung = 6, .threads = 1, .deadline = Deadline(passed_s)}, topics, {});
+  BOOST_TEST(late.claims.empty());
+  BOOST_REQUIRE(late.skipped.size() == 1U);
+  BOOST_TEST(late.skipped[0].why == Deadline::not_run);
+  BOOST_TEST(late.not_run == 1U);
+  BOOST_TEST(!late.success());
+  BOOST_TEST(run_topics({.rung = 6, .threads = 1}, topics, {}).success());
+}
+
 BOOST_AUTO_TEST_CASE(filters_that_leave_nothing_are_refused) {
   const CaseFolder folder;
   folder.write("good", dry_case("good", "-0.5965736"));

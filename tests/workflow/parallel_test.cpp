@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "workflow/parallel.hpp"
 
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <atomic>
 #include <chrono>
 #include <set>
@@ -51,6 +55,29 @@ BOOST_AUTO_TEST_CASE(as_many_threads_work_as_were_asked_for) {
     if (i == 0) most = inside;
   });
   BOOST_TEST(most == 3);
+}
+
+/// Does the work in a child that may start no thread. A limit on processes does not hold for root.
+BOOST_AUTO_TEST_CASE(refused_threads_leave_the_work_to_those_there_are) {
+  const pid_t child = ::fork();
+  BOOST_REQUIRE(child >= 0);
+  if (child == 0) {
+    constexpr uid_t nobody = 65534;
+    const rlimit none{0, 0};
+    if (::geteuid() == 0 && ::setuid(nobody) != 0) ::_exit(2);
+    if (::setrlimit(RLIMIT_NPROC, &none) != 0) ::_exit(2);
+    try {
+      int done = 0;
+      const std::size_t threads = in_threads(5, 3, [&](std::size_t) { ++done; });
+      ::_exit(done == 5 && threads == 1 ? 0 : 3);
+    } catch (...) {
+      ::_exit(4);
+    }
+  }
+  int status = 0;
+  BOOST_REQUIRE(::waitpid(child, &status, 0) == child);
+  BOOST_TEST(WIFEXITED(status));
+  BOOST_TEST(WEXITSTATUS(status) == 0);
 }
 
 BOOST_AUTO_TEST_CASE(what_a_piece_throws_reaches_the_caller_and_ends_the_work) {

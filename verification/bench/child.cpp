@@ -43,13 +43,13 @@ std::string read_all(int pipe) {
 ChildEnd in_child(const std::function<std::string()>& work) {
   return_free_memory();  // the child would use free pages without growing
   int ends[2];
-  if (::pipe(ends) != 0) return {{}, std::string("no pipe: ") + std::strerror(errno)};
+  if (::pipe(ends) != 0) throw Refused(std::string("no pipe: ") + std::strerror(errno));
   const pid_t child = ::fork();
   if (child < 0) {
     const std::string why = std::string("no process: ") + std::strerror(errno);
     ::close(ends[0]);
     ::close(ends[1]);
-    return {{}, why};
+    throw Refused(why);
   }
   if (child == 0) {
     ::close(ends[0]);

@@ -11,6 +11,7 @@
 #include <set>
 
 #include "contact/text.hpp"
+#include "fast/convolution.hpp"
 #include "io/json.hpp"
 #include "io/tables.hpp"
 #include "verification/bench/child.hpp"
@@ -43,6 +44,7 @@ double convolution_s(int intervals, const Repetition& repetition) {
   double* const real = fftw_alloc_real(static_cast<std::size_t>(length));
   fftw_complex* const spectrum = fftw_alloc_complex(static_cast<std::size_t>(modes));
   if (!real || !spectrum) throw std::bad_alloc();
+  fast::require_plan_memory(length);
   const fftw_plan forward = fftw_plan_dft_r2c_1d(length, real, spectrum, FFTW_ESTIMATE);
   const fftw_plan backward = fftw_plan_dft_c2r_1d(length, spectrum, real, FFTW_ESTIMATE);
   const Array kernel = Array::LinSpaced(modes, 1, 2) / length;
@@ -160,8 +162,13 @@ std::vector<ScalingRow> run_scaling(const ScalingRequest& request) {
         } else {
           if (request.progress) request.progress(name_of(contact) + ": " + solver->name + ", n = " + std::to_string(n));
           const Request asked = Setting{.solver = solver->name, .nodes = n}.request(request.time_limit_s);
-          const ChildEnd end =
-              in_child([&, one = solver] { return measured(*one, problem, asked, request.repetition).dump(); });
+          const ChildEnd end = [&, one = solver]() -> ChildEnd {
+            try {
+              return in_child([&] { return measured(*one, problem, asked, request.repetition).dump(); });
+            } catch (const Refused& refused) {
+              return {{}, refused.what()};
+            }
+          }();
           if (end.text) {
             fill(Json::parse(*end.text), row);
           } else {

@@ -8,6 +8,7 @@
 #include "verification/studies/bit_digest.hpp"
 #include "verification/studies/solver_lists.hpp"
 #include "workflow/batch.hpp"
+#include "workflow/parallel.hpp"
 
 namespace ehd::verification::stress {
 
@@ -74,6 +75,7 @@ std::vector<RepeatRow> run_repeats(const Scope& scope) {
         return prints;
       });
       const auto first = solve_all(solver, problems, request, 1), again = solve_all(solver, problems, request, 1);
+      if (in_threads(2, 2, [](std::size_t) {}) < 2) throw Refused("no second thread");
       const auto in_two = solve_all(solver, problems, request, 2);
       RepeatRow row{.solver = solver.name, .request = text, .contacts = static_cast<long>(problems.size())};
       std::string rest = child.text.value_or("");

@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <new>
 #include <nlohmann/json.hpp>
 
 #include "contact/text.hpp"
 #include "io/json.hpp"
 #include "io/provenance.hpp"
 #include "io/tables.hpp"
+#include "verification/bench/child.hpp"
 #include "verification/bench/timing.hpp"
 #include "verification/stress/parts.hpp"
 
@@ -112,20 +114,24 @@ const std::vector<PartEntry>& parts() {
 
 Part run_part(const PartEntry& entry, const Scope& scope) {
   const Stopwatch watch;
-  const auto failed = [&](const std::string& message) {
+  const auto ended = [&](Verdict verdict, const std::string& message) {
     Part part{.id = entry.id, .name = entry.name, .question = "Does this part run to its end?"};
-    part.verdict = Verdict::fail;
-    part.summary = "ended by an exception: " + one_line(message);
-    part.failures = {"fail: " + part.summary};
+    part.verdict = verdict;
+    part.summary = "ended early: " + one_line(message);
+    part.failures = {std::string(to_string(verdict)) + ": " + part.summary};
     return part;
   };
   Part part = [&] {
     try {
       return entry.run(scope);
+    } catch (const Refused& refused) {  // the system's fault: nothing is known of the solvers
+      return ended(Verdict::inconclusive, refused.what());
+    } catch (const std::bad_alloc&) {
+      return ended(Verdict::inconclusive, "memory is exhausted");
     } catch (const std::exception& thrown) {
-      return failed(thrown.what());
+      return ended(Verdict::fail, std::string("by an exception: ") + thrown.what());
     } catch (...) {
-      return failed("of unknown kind");
+      return ended(Verdict::fail, "by an exception of unknown kind");
     }
   }();
   part.wall_s = watch.seconds();

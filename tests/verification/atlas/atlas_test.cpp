@@ -755,7 +755,7 @@ BOOST_AUTO_TEST_CASE(an_interrupted_command_says_what_it_leaves) {
                               ".out' 2> '" + err + "'";
   BOOST_TEST(std::system(command.c_str()) != 0);
   BOOST_TEST(test::read(err) ==
-             "\nehd: atlas: interrupted; the solved points are kept, and the same command goes on from there\n");
+             "ehd: atlas: interrupted; the solved points are kept, and the same command goes on from there\n");
   BOOST_TEST(!std::filesystem::exists(output + "/atlas.csv"));
   BOOST_TEST(test::read(output + ".out") == "");
 }

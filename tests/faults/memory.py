@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Limits on the address space (ulimit -v), a ladder of them for every command."""
+
+import functools
+import resource
+import subprocess
+
+from room import Ended, Skipped, wrong_with
+
+TITLE = "little memory: a ladder of ulimit -v over the commands"
+KB = 1024
+LOADER_FAILED = 127  # the dynamic loader could not map a library; the program has not begun
+TIME_S = 30
+
+SWEEP = 'case = "own-moes-20-10"\ncombine = "product"\n[keys]\n"moes.M" = [10.0, 20.0, 30.0]\n'
+BIG = ["solve", "--M", "20", "--L", "10", "--solver", "fast.uniform", "--nodes"]
+# Command, then the steps of the ladder in kB above the smallest limit at which --version runs.
+LADDERS = {
+    "cases": (["cases"], (0, 500, 1000, 2000)),
+    "plan": (["plan", "na4908"], (0, 500, 1000, 2000)),
+    "solve": (["solve", "--M", "20", "--L", "10", "--json", "a.json"], (0, 500, 1000, 1500, 2000, 3000, 5000)),
+    "solve, FFT of 1e5": ([*BIG, "50000"], tuple(range(0, 30000, 2000))),
+    "solve, FFT of 1e6": ([*BIG, "500000"], (*range(24000, 40000, 800), 80000)),
+    "solve, dense": (["solve", "--M", "20", "--L", "10", "--solver", "reference"], (0, 1000, 3000, 10000)),
+    "bearing": (["bearing", "na4908", "--law", "ehd-linear"], (0, 500, 1000, 2000, 4000)),
+    "sweep": (["sweep", "s.toml", "--output", "out", "--threads", "2"], (0, 1000, 2000, 4000, 8000, 80000)),
+    "verify": (["verify", "--quick", "--rung", "1", "--output", "out"], (0, 2000, 8000)),
+    "maps": (["maps", "--output", "out"], (0, 1000, 4000)),
+    "report": (["report", "."], (0, 1000)),
+}
+
+
+def run_with(program, kilobytes, *arguments, folder=None):
+    def limit():
+        resource.setrlimit(resource.RLIMIT_AS, (kilobytes * KB, kilobytes * KB))
+        resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+    try:
+        ended = subprocess.run([program.path, *arguments], capture_output=True, cwd=folder, preexec_fn=limit,
+                               timeout=TIME_S, check=False)
+    except subprocess.TimeoutExpired:
+        return Ended(0, "", "", late=True)
+    return Ended(ended.returncode, ended.stdout.decode(errors="replace"), ended.stderr.decode(errors="replace"))
+
+
+@functools.cache
+def smallest(program):
+    """The smallest limit [kB] at which the program begins."""
+    few, enough = 1000, 4000000
+    if run_with(program, enough, "--version").code != 0:
+        raise Skipped("the program needs more addresses than 4 GB (a sanitizer does)")
+    while enough - few > 100:
+        middle = (few + enough) // 2
+        if run_with(program, middle, "--version").code == 0:
+            enough = middle
+        else:
+            few = middle
+    return enough
+
+
+def ladder(arguments, step):
+    def attack(room):
+        room.write("s.toml", SWEEP)
+        limit = smallest(room.program) + step
+        ended = run_with(room.program, limit, *arguments, folder=room.path)
+        if ended.late:
+            return None  # it computes: no fault of the memory
+        if ended.code in (0, LOADER_FAILED):
+            return None
+        wrong = wrong_with(ended, (1, 2)) if ended.err.count("\n") <= 1 else []
+        if ended.code < 0:
+            wrong = [f"ended by signal {-ended.code}"]
+        if "internal error" in ended.err:
+            wrong.append("says internal error")
+        left = [file for file in room.files() if ".partial-" in file]
+        if left:
+            wrong.append(f"leaves {left}")
+        return f"ulimit -v {limit}: {'; '.join(wrong)}: {ended.err[:200]!r}" if wrong else None
+    return attack
+
+
+def inputs():
+    for name, (arguments, steps) in LADDERS.items():
+        for step in steps:
+            yield f"{name}, {step} kB more than it needs to begin", ladder(arguments, step)

@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Signals in the middle of the work of every command that takes a while."""
+
+import signal
+import subprocess
+import time
+
+TITLE = "SIGINT and SIGTERM in the middle, leftovers of SIGKILL"
+PATIENCE_S = 10  # until the temporary files are there, and until the program has ended
+
+# Commands that take some seconds, with an output each.
+SWEEP = 'case = "own-moes-20-10"\nsolver = "reference"\ncombine = "product"\n[keys]\n"moes.M" = { from = 5.0, to = 60.0, points = 200, spacing = "linear" }\n'
+COMMANDS = {
+    "solve": ["solve", "--M", "20", "--L", "10", "--solver", "reference.uniform", "--nodes", "3000",
+              "--json", "a.json", "--profile", "a.csv"],
+    "compare": ["compare", "own-moes-100-10", "--solver", "reference.uniform", "--tolerance", "1e-6", "--json", "a.json"],
+    "bearing": ["bearing", "na4908", "--solver", "reference", "--json", "a.json", "--csv", "a.csv"],
+    "verify": ["verify", "--output", "out"],
+    "bench": ["bench", "--output", "out"],
+    "stress": ["stress", "--part", "a", "--output", "out"],
+    "statements": ["statements", "--json", "a.json"],
+    "sweep": ["sweep", "s.toml", "--output", "out", "--threads", "1"],
+    "atlas": ["atlas", "--output", "out", "--threads", "1", "--only", "roelands-m5000-l30"],
+}
+
+
+class TooEarly(Exception):
+    """The command ended before the signal: the test has to give it more to do."""
+
+
+def started(room, arguments, ready):
+    room.write("s.toml", SWEEP)
+    process = subprocess.Popen([room.program.path, *arguments], cwd=room.path, stdout=subprocess.PIPE,
+                               stderr=subprocess.PIPE)
+    end = time.monotonic() + PATIENCE_S
+    while not ready() and process.poll() is None and time.monotonic() < end:
+        time.sleep(0.01)
+    time.sleep(0.1)
+    if process.poll() is not None:
+        raise TooEarly(process.communicate()[1].decode(errors="replace"))
+    return process
+
+
+def partial(room):
+    return [file for file in room.files() if ".partial-" in file]
+
+
+def interrupted(command, number):
+    def attack(room):
+        at_work = {"sweep": lambda: "out/rows/journal" in room.files(),
+                   "atlas": lambda: "out/.progress" in room.files()}.get(command, lambda: partial(room))
+        try:
+            process = started(room, COMMANDS[command], at_work)
+        except TooEarly as early:
+            return f"the command ended before the signal: {early}"
+        process.send_signal(number)
+        try:
+            _, err = process.communicate(timeout=PATIENCE_S)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            process.communicate()
+            return "did not end in time"
+        text = err.decode(errors="replace")
+        last = text.strip().split("\n")[-1]
+        if process.returncode != -number:
+            return f"did not end by signal {number}, but with {process.returncode}: {text!r}"
+        if "interrupted" not in last or text.count("interrupted") != 1:
+            return f"not one line says that it was interrupted: {text!r}"
+        if partial(room):
+            return f"leaves {partial(room)}"
+        if command == "sweep" and "out/rows/journal" not in room.files():
+            return "the finished rows are not kept"
+        return None
+    return attack
+
+
+def killed(room):
+    arguments = COMMANDS["solve"]
+    process = started(room, arguments, lambda: partial(room))
+    process.kill()
+    process.communicate()
+    left = partial(room)
+    if not left:
+        return "the test is wrong: SIGKILL left nothing"
+    short = ["--M", "20", "--L", "10", "--json", "a.json", "--profile", "a.csv"]
+    ended = room.run("solve", *short)
+    if ended.code != 0 or partial(room):
+        return f"the next run ended with {ended.code} and left {partial(room)}: {ended.err!r}"
+    return None
+
+
+def two_at_once(room):
+    """The files of a run that is still at work are no leftovers."""
+    process = started(room, COMMANDS["solve"], lambda: partial(room))
+    before = partial(room)
+    room.run("solve", "--M", "20", "--L", "10", "--json", "a.json")
+    lost = [file for file in before if file not in room.files()]
+    process.kill()
+    process.communicate()
+    return f"removed {lost} of a living run" if lost else None
+
+
+def ignored(room):
+    """nohup: a signal that the caller ignores stays ignored."""
+    arguments = ["solve", "--M", "20", "--L", "10", "--solver", "reference.uniform", "--nodes", "500", "--json", "a.json"]
+    process = subprocess.Popen([room.program.path, *arguments], cwd=room.path, stdout=subprocess.DEVNULL,
+                               stderr=subprocess.PIPE, preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN))
+    time.sleep(0.1)
+    process.send_signal(signal.SIGHUP)
+    process.communicate(timeout=PATIENCE_S)
+    return None if process.returncode in (0, 1) else f"ended with {process.returncode}"
+
+
+def inputs():
+    for command in COMMANDS:
+        for number in (signal.SIGINT, signal.SIGTERM):
+            yield f"{command}, {number.name}", interrupted(command, number)
+    yield "solve, SIGKILL and again", killed
+    yield "two runs at once", two_at_once
+    yield "SIGHUP ignored by the caller", ignored
