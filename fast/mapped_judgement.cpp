@@ -161,7 +161,8 @@ Ending ending_of(const MappedClimb& climb, const Run& run, const Request& reques
   if (!climb.complete)
     return {.status = StopReason::tolerance_not_met,
             .reason = "Newton does not converge beyond " + std::to_string(climb.grids.back().nodes) + " intervals"};
-  if (!request.nodes && !met(climb, request)) return tolerance_ending();
+  if (request.nodes) return given_grid_ending(climb.film_minimum, climb.film_central);
+  if (!met(climb, request)) return tolerance_ending();
   return {.status = StopReason::converged};
 }
 

@@ -37,6 +37,36 @@ Solution reported(double minimum, double central) {
 
 BOOST_AUTO_TEST_SUITE(stated_error)
 
+BOOST_AUTO_TEST_CASE(a_grid_is_fine_enough_where_both_films_are_known_to_less_than_ten_percent) {
+  using testing::infinity, testing::not_a_number;
+  const ErrorBudget fine{.discretisation = 0.06, .iteration = 0.02, .truncation = 0.0199}, exact{};
+  BOOST_TEST(!too_coarse(fine, fine).has_value());
+  BOOST_TEST(!too_coarse(exact, exact).has_value());
+  for (const double off : {0.1, 1.29, infinity, not_a_number}) {
+    const ErrorBudget coarse{.discretisation = off};
+    BOOST_TEST(too_coarse(coarse, exact).has_value());
+    BOOST_TEST(too_coarse(exact, coarse).has_value());
+  }
+  const ErrorBudget sum{.discretisation = 0.04, .iteration = 0.04, .truncation = 0.04};
+  BOOST_TEST(too_coarse(exact, sum).value() ==
+             "the grid is too coarse: the stated error of the films is 12 %, not below 10 %");
+}
+
+BOOST_AUTO_TEST_CASE(a_grid_is_solved_where_fields_are_left_however_coarse_it_is) {
+  Solution solution = on_a_grid();
+  for (const auto& [status, solved] : {std::pair{StopReason::converged, true},
+                                       {StopReason::tolerance_not_met, true},
+                                       {StopReason::under_resolved, true},
+                                       {StopReason::limit_reached, false},
+                                       {StopReason::diverged, false}}) {
+    solution.record.status = status;
+    BOOST_TEST(solved_on_its_grid(solution) == solved);
+  }
+  solution.fields = {};
+  solution.record.status = StopReason::under_resolved;
+  BOOST_TEST(!solved_on_its_grid(solution));
+}
+
 BOOST_AUTO_TEST_CASE(fields_err_by_their_distance_from_the_reported_film_and_by_its_error) {
   // The film in the fields is 1/0.96 of the reported one, or 1/1.05; the other film is the reported one itself.
   const Tolerance rounding = Tolerance::round_off(100, 1 / 0.04);
