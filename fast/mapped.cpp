@@ -71,8 +71,8 @@ MappedClimb best_climb(Run& run, const Request& request, const Solution* from, i
 Solution solve_mapped(const Problem& problem, const Request& request, Workspace& workspace, const Solution* from,
                       int neighbours) {
   Run run = begin_run(problem, request, workspace, flooded_inlet);
-  // The pressure maximum may be the spike.
-  if (run.observed.contains(Quantity::pressure_maximum)) run.observed.insert(Quantity::pressure_spike);
+  // The error of the smallest film depends on whether there is a spike, which may be the pressure maximum as well.
+  run.observed.insert(Quantity::pressure_spike);
   MappedClimb climb = best_climb(run, request, from, neighbours);
 
   Solution solution;

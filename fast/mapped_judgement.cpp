@@ -33,11 +33,17 @@ constexpr std::size_t fewest_for_spike = 3;
 /// An unknown spike grows with the grids; half as high again was met.
 constexpr double unknown_spike_growth = 0.5;
 
+/// On any grid; a finer one may have it between its nodes.
+bool has_spike(const std::vector<GridRecord>& grids) {
+  return std::any_of(grids.begin(), grids.end(),
+                     [](const GridRecord& grid) { return grid.observed.contains(Quantity::pressure_spike); });
+}
+
 /// The limit of a quantity; empty where the finest grid lacks it.
 std::optional<Limit> limit_on(const std::vector<GridRecord>& grids, Quantity quantity) {
   const std::vector<double> values = values_of(grids, quantity);
   if (values.empty()) return std::nullopt;
-  Limit limit = limit_of(values);
+  Limit limit = limit_of(values, quantity == Quantity::film_minimum && has_spike(grids));
   // A spike passes between nodes, so that its height does not follow the films' expansion: at least the last move.
   const std::size_t m = values.size();
   const bool pressure = quantity == Quantity::pressure_maximum || quantity == Quantity::pressure_spike;
