@@ -32,7 +32,7 @@ Examples:
   ehd stress --part d --part e       two parts
 
 Parts: a box (every load and material), b starts (random first states), c precision (double against long double and
-34 digits), d rounding (the four rounding modes), e condition (inputs moved by one ulp and by 1e-8), f grids (2^6 to
+34 digits), d rounding (the four rounding modes), e condition (inputs moved by one ulp and by 1e-8), f grids (2^4 to
 2^20 intervals), g extremes (random and impossible inputs, limits), h repeatability (the same bits again), i random
 bearings (every force law). Exit code: 0 every part that ran passes; 1 one fails or is inconclusive; 2 wrong usage.)";
 

@@ -18,10 +18,16 @@ struct Limit {
 ///   m >= 4, the last ratio (from m = 5 the last two) r_(k-1)/r_k between 6 and 11 (8 for smooth solutions):
 ///     max(2 |S_m - S_(m-1)|, |r_m|/4), m = 4: |r_m|
 ///   else max(1.5 |r_m|, 1.5 |r_(m-1)|/6, .. over four moves, |S_m - S_(m-1)|): a spike passes through the grids.
-/// Calibrated on 464 problems (16 M of 0.05..5000, 8 L of 0..30, Roelands compressible and Barus, cut and flooded),
-/// grids of 64 to 8192, truth from the reference: with what `shared` adds it covers 98.5 % .. 100 % of the errors of
-/// the smallest film and 99.5 % of the central film's, at a median of 5 to 400 times the true one.
-[[nodiscard]] Limit limit_of(const std::vector<double>& values);
+/// `spike`: a pressure spike moves the quantity. From m = 4 on it then counts as irregular, with 2 for 1.5: grids that
+/// do not see the spike agree in a regular way on a wrong limit. Calibrated on 464 problems (16 M of 0.05..5000, 8 L of
+/// 0..30, Roelands compressible and Barus, cut and flooded), grids of 64 to 8192, truth from the reference: with what
+/// `shared` adds it covers 98.5 % .. 100 % of the errors of the smallest film and 99.5 % of the central film's, at a
+/// median of 5 to 400 times the true one. `spike` was calibrated on 64 problems (29 of M = 0.05..5000, L = 0..30, 35 of
+/// M = 20..5000, L = 8..30, drawn at random), all grids of 8 solves each to tolerances of 1e-2..1e-5 and on 8192
+/// intervals: of 1789 stated errors of the smallest film 1789 hold, at a median of 24 times the true one; without
+/// `spike` 1773 of 1780, at 18 times. On 36 other problems of the second kind 1038 of 1039 hold. The nodes that
+/// tolerances need grow by 0 % at 1e-3 and 27 % at 1e-4.
+[[nodiscard]] Limit limit_of(const std::vector<double>& values, bool spike = false);
 
 /// A single move may be small by chance: each error is at least this share of the largest relative error of the films.
 [[nodiscard]] constexpr double shared(std::size_t grids) { return grids > 3 ? 0.1 : 0.8; }

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fast/judgement.hpp"
 
+#include <utility>
+
+#include "contact/stated_error.hpp"
+
 namespace ehd::fast {
 
 std::vector<double> values_of(const std::vector<GridRecord>& grids, Quantity quantity) {
@@ -35,6 +39,12 @@ Ending diverged_ending() {
 Ending tolerance_ending() {
   return {.status = StopReason::tolerance_not_met,
           .reason = "the finest grid's estimated error is above the tolerance"};
+}
+
+Ending given_grid_ending(const ErrorBudget& minimum, const ErrorBudget& central) {
+  if (auto reason = too_coarse(minimum, central))
+    return {.status = StopReason::under_resolved, .reason = std::move(*reason)};
+  return {.status = StopReason::converged};
 }
 
 }  // namespace ehd::fast

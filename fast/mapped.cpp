@@ -14,6 +14,7 @@ namespace ehd::fast {
 
 namespace {
 
+/// Reach 16 leaves at most 5.8e-9 at the points of uniform.cpp.
 constexpr FloodedInlet flooded_inlet{.reach = 16, .truncation = 1e-8};
 /// Milder neighbours, each reached from the next, before a solve gives up.
 constexpr int most_neighbours = 5;
@@ -81,8 +82,8 @@ MappedClimb best_climb(Run& run, const Request& request, const Solution* from, i
 Solution solve_mapped(const Problem& problem, const Request& request, Workspace& workspace, const Solution* from,
                       int neighbours) {
   Run run = begin_run(problem, request, workspace, flooded_inlet);
-  // The pressure maximum may be the spike.
-  if (run.observed.contains(Quantity::pressure_maximum)) run.observed.insert(Quantity::pressure_spike);
+  // The error of the smallest film depends on whether there is a spike, which may be the pressure maximum as well.
+  run.observed.insert(Quantity::pressure_spike);
   MappedClimb climb = best_climb(run, request, from, neighbours);
 
   Solution solution;

@@ -33,11 +33,17 @@ constexpr std::size_t fewest_for_spike = 3;
 /// An unknown spike grows with the grids; half as high again was met.
 constexpr double unknown_spike_growth = 0.5;
 
+/// On any grid; a finer one may have it between its nodes.
+bool has_spike(const std::vector<GridRecord>& grids) {
+  return std::any_of(grids.begin(), grids.end(),
+                     [](const GridRecord& grid) { return grid.observed.contains(Quantity::pressure_spike); });
+}
+
 /// The limit of a quantity; empty where the finest grid lacks it.
 std::optional<Limit> limit_on(const std::vector<GridRecord>& grids, Quantity quantity) {
   const std::vector<double> values = values_of(grids, quantity);
   if (values.empty()) return std::nullopt;
-  Limit limit = limit_of(values);
+  Limit limit = limit_of(values, quantity == Quantity::film_minimum && has_spike(grids));
   // A spike passes between nodes, so that its height does not follow the films' expansion: at least the last move.
   const std::size_t m = values.size();
   const bool pressure = quantity == Quantity::pressure_maximum || quantity == Quantity::pressure_spike;
@@ -161,7 +167,8 @@ Ending ending_of(const MappedClimb& climb, const Run& run, const Request& reques
   if (!climb.complete)
     return {.status = StopReason::tolerance_not_met,
             .reason = "Newton does not converge beyond " + std::to_string(climb.grids.back().nodes) + " intervals"};
-  if (!request.nodes && !met(climb, request)) return tolerance_ending();
+  if (request.nodes) return given_grid_ending(climb.film_minimum, climb.film_central);
+  if (!met(climb, request)) return tolerance_ending();
   return {.status = StopReason::converged};
 }
 

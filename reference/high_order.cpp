@@ -7,6 +7,7 @@
 #include <limits>
 #include <string>
 
+#include "contact/stated_error.hpp"
 #include "contact/text.hpp"
 #include "reference/hp/discretiser.hpp"
 #include "reference/hp/error_report.hpp"
@@ -106,8 +107,11 @@ Solution Solve::on_intervals(int intervals, double layout) {
   grids_.push_back(record_of(*first));
   if (second) grids_.push_back(record_of(*second));
   Solution solution = reported(*first, second ? *second : *guide, &*guide);
-  if (grids_.front().inlet_cells >= fewest_inlet_cells) return ended(std::move(solution), StopReason::converged, "");
-  return ended(std::move(solution), StopReason::under_resolved, "the inlet zone is narrower than 1.5 intervals");
+  if (grids_.front().inlet_cells < fewest_inlet_cells)
+    return ended(std::move(solution), StopReason::under_resolved, "the inlet zone is narrower than 1.5 intervals");
+  if (const auto why = too_coarse(solution.record.film_minimum, solution.record.film_central))
+    return ended(std::move(solution), StopReason::under_resolved, *why);
+  return ended(std::move(solution), StopReason::converged, "");
 }
 
 /// Two discretisations that resolve below the tolerance; finer ones where they differ by more.

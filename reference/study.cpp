@@ -10,6 +10,7 @@
 #include "contact/film_formulas.hpp"
 #include "contact/nondimensional.hpp"
 #include "contact/observables.hpp"
+#include "contact/stated_error.hpp"
 #include "contact/text.hpp"
 
 namespace ehd::reference {
@@ -359,6 +360,9 @@ Solution solve_grids(Study& study, const std::function<Grid(int)>& grid_of, cons
   } else if (levels.back().cells_in_inlet_zone() < fewest_inlet_cells) {
     solution.record.status = StopReason::under_resolved;
     solution.record.reason = inlet_zone_is_narrow();
+  } else if (const auto why = too_coarse(solution.record.film_minimum, solution.record.film_central)) {
+    solution.record.status = StopReason::under_resolved;
+    solution.record.reason = *why;
   }
   return solution;
 }

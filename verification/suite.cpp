@@ -61,10 +61,27 @@ std::vector<LoadedCase> load_cases(const SuiteRequest& request) {
 
 std::vector<Topic> topics_of(const SuiteRequest& request, const std::vector<LoadedCase>& cases) {
   std::vector<Topic> topics;
-  for (auto& list : {input_topics(), law_topics(), property_topics(), kernel_topics(), exact_topics(),
-                     reynolds_topics(), coupled_topics(), iteration_topics(), contact_topics(cases), twin_topics(),
-                     box_topics(), heavy_topics(), random_topics(request.random_runs), grid_topics(), regime_topics(),
-                     atlas_topics(), literature_topics(), bearing_topics(cases), bearing_part_topics(cases)}) {
+  for (auto& list : {input_topics(),
+                     law_topics(),
+                     property_topics(),
+                     kernel_topics(),
+                     exact_topics(),
+                     reynolds_topics(),
+                     coupled_topics(),
+                     iteration_topics(),
+                     contact_topics(cases),
+                     twin_topics(),
+                     box_topics(),
+                     heavy_topics(),
+                     random_topics(request.random_runs),
+                     grid_topics(),
+                     truncation_topics(),
+                     stated_error_topics(),
+                     regime_topics(),
+                     atlas_topics(),
+                     literature_topics(),
+                     bearing_topics(cases),
+                     bearing_part_topics(cases)}) {
     topics.insert(topics.end(), list.begin(), list.end());
   }
   return topics;

@@ -99,7 +99,8 @@ BOOST_AUTO_TEST_CASE(any_number_of_intervals_from_sixteen_on_works) {
     for (const int n : {16, 31, 64, 97, 333, 1000, 1001, 2048}) {
       BOOST_TEST_CONTEXT(name_of(truth) << " n " << n) {
         const Solution solution = fast::Mapped{}.solve(problem_of(truth), {.tolerance = {}, .nodes = n});
-        BOOST_CHECK(solution.record.status == StopReason::converged);
+        // Alone, a grid of 57 intervals or fewer states 10 % and more.
+        BOOST_CHECK(solution.record.status == (n < 58 ? StopReason::under_resolved : StopReason::converged));
         BOOST_CHECK_EQUAL(solution.fields.X.size(), n + 1);
         // Second-order films: 16 cells see an inlet zone of d <= 1.
         EHD_CHECK(error(film(solution, Quantity::film_central), truth.central) * n * n,

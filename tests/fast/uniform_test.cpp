@@ -99,7 +99,8 @@ BOOST_AUTO_TEST_CASE(any_number_of_intervals_works) {
     const Solution solution =
         fast::Uniform{}.solve(roelands_problem(20, 10, TruncatedAt{-4}), {.tolerance = {}, .nodes = n});
     BOOST_TEST_CONTEXT("n " << n) {
-      BOOST_REQUIRE(solution.record.status == StopReason::converged);
+      // 97 intervals state an error of H_min of more than 10 %.
+      BOOST_REQUIRE(solution.record.status == (n == 97 ? StopReason::under_resolved : StopReason::converged));
       BOOST_CHECK_EQUAL(solution.fields.X.size(), n + 1);
       EHD_CHECK(error(film(solution, Quantity::film_central), .0856067317967),
                 Tolerance::discretisation(reported(solution, Quantity::film_central), 1));

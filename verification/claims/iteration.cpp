@@ -347,6 +347,23 @@ Findings judge_blind_grids() {
   return found;
 }
 
+/// 16 intervals see neither contact: `fast` errs by 41 % of H_min and 32 % of H_cen at (200,15).
+Findings judge_coarsest_grid(const BoxContact& contact, const std::string& point) {
+  Findings found;
+  for (const RegisteredSolver& solver : solvers()) {
+    const Solution solution = solver.solve(contact.problem(), {.tolerance = {}, .nodes = 16});
+    found.claims.push_back(claim_fact(
+        {.id = "iteration/" + std::string(solver.name) + "/16-intervals/" + point,
+         .rung = 6,
+         .statement =
+             std::string(solver.name) + " calls 16 intervals at " + contact.name() + ", flooded, under-resolved",
+         .solver = solver.name},
+        solution.record.status == StopReason::under_resolved,
+        "a given grid is converged only where the stated error of both films is below 10 %", how_it_ended(solution)));
+  }
+  return found;
+}
+
 }  // namespace
 
 std::vector<Topic> iteration_topics() {
@@ -357,6 +374,8 @@ std::vector<Topic> iteration_topics() {
   add(judge_jacobians);
   add(judge_newton);
   add(judge_blind_grids);
+  add([] { return judge_coarsest_grid({.moes = {200, 15}, .roelands = true}, "200-15"); });
+  add([] { return judge_coarsest_grid({.moes = {100, 10}, .roelands = false}, "100-10"); });
   for (const MoesGroups moes : {MoesGroups{5, 5}, MoesGroups{20, 10}, MoesGroups{200, 15}})
     add([moes] { return judge_multigrid(moes); });
   for (const Count& recorded : counts) add([&recorded] { return judge_counts(recorded); });

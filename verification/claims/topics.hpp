@@ -43,6 +43,8 @@ struct LoadedCase {
 /// `runs` random runs for each law set and question; of fast five times as many points.
 [[nodiscard]] std::vector<Topic> random_topics(int runs);
 [[nodiscard]] std::vector<Topic> grid_topics();
+[[nodiscard]] std::vector<Topic> truncation_topics();
+[[nodiscard]] std::vector<Topic> stated_error_topics();
 [[nodiscard]] std::vector<Topic> regime_topics();
 [[nodiscard]] std::vector<Topic> atlas_topics();
 [[nodiscard]] std::vector<Topic> literature_topics();

@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+#include "contact/stated_error.hpp"
 #include "contact/text.hpp"
 #include "verification/claims/shared.hpp"
 #include "verification/claims/topics.hpp"
@@ -14,15 +15,8 @@ namespace ehd::verification {
 
 namespace {
 
-/// Both solved their discrete equations. The grid itself may be too coarse.
-bool solved(const Solution& solution) {
-  const StopReason status = solution.record.status;
-  return status == StopReason::converged || status == StopReason::tolerance_not_met ||
-         status == StopReason::under_resolved;
-}
-
 double value(const Solution& solution, Quantity quantity) {
-  return solved(solution) ? value_of(observed(solution, quantity)) : nothing;
+  return solved_on_its_grid(solution) ? value_of(observed(solution, quantity)) : nothing;
 }
 
 Findings judge_twins(const SolverTwins& twins, MoesGroups moes, int intervals) {
@@ -47,8 +41,8 @@ Findings judge_twins(const SolverTwins& twins, MoesGroups moes, int intervals) {
     found.claims.push_back(claim_value(says(std::string(to_string(quantity))), value(two, quantity),
                                        value(one, quantity), 0, bound, ends));
   }
-  const bool comparable =
-      solved(one) && solved(two) && one.fields.X.size() == two.fields.X.size() && one.fields.X.size() == intervals + 1;
+  const bool comparable = solved_on_its_grid(one) && solved_on_its_grid(two) &&
+                          one.fields.X.size() == two.fields.X.size() && one.fields.X.size() == intervals + 1;
   found.claims.push_back(claim(says("pressure profile"),
                                comparable ? (one.fields.P - two.fields.P).abs().maxCoeff() : nothing, 0, bound, ends));
   found.claims.push_back(claim(says("film profile"),

@@ -100,7 +100,7 @@ struct ConditionRow {
 [[nodiscard]] std::vector<ConditionRow> run_condition(const Scope& scope);
 [[nodiscard]] Part judge_condition(const std::vector<ConditionRow>& rows);
 
-// (f) -- from 2^6 to 2^20 intervals --------------------------------------------------------------------------------
+// (f) -- from 2^4 to 2^20 intervals --------------------------------------------------------------------------------
 struct GridRow {
   std::string solver = {}, contact = {};
   int nodes = 0;

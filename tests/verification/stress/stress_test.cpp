@@ -321,19 +321,26 @@ BOOST_AUTO_TEST_CASE(grids_fail_where_a_blind_grid_converges_an_error_is_hidden_
   auto zero = grid_rows();
   zero[4].stated[1] = 0;
   BOOST_TEST(judge_grids(zero).verdict == Verdict::fail);
+  auto vague = grid_rows();  // sees the zone, but states 10 %
+  vague[3].stated[0] = 0.1;
+  BOOST_TEST(judge_grids(vague).verdict == Verdict::fail);
+  vague[3].status = StopReason::under_resolved;
+  BOOST_TEST(judge_grids(vague).verdict == Verdict::pass);
+  vague[3].stated[0] = 0.09;
+  BOOST_TEST(judge_grids(vague).verdict == Verdict::fail);
   auto unsure = grid_rows();  // of a coarse truth, nothing can be said
   for (auto& row : unsure) row.truth_error[0] = 1e-3;
   BOOST_TEST(judge_grids(unsure).verdict == Verdict::inconclusive);
   auto drifting = grid_rows();  // no smaller than on the grid before, and honest about it
   drifting[4].error[1] = drifting[3].error[1];
-  drifting[4].stated[1] = 1;
+  drifting[4].stated[1] = 0.09;
   BOOST_TEST(judge_grids(drifting).verdict == Verdict::pass);  // a factor 4 is within the line's allowance
   drifting[4].error[1] = drifting[2].error[1];
   BOOST_TEST(judge_grids(drifting).verdict == Verdict::fail);
   auto spiky = grid_rows();  // with a spike no order is declared of H_min, but it has to fall
   for (auto& row : spiky) row.spike = true;
   spiky[4].error[0] = 0.9 * *spiky[3].error[0];
-  spiky[4].stated[0] = 1;
+  spiky[4].stated[0] = 0.09;
   BOOST_TEST(judge_grids(spiky).verdict == Verdict::pass);
   spiky[4].error[0] = 1.1 * *spiky[3].error[0];
   BOOST_TEST(judge_grids(spiky).verdict == Verdict::fail);
@@ -363,6 +370,9 @@ BOOST_AUTO_TEST_CASE(a_grid_that_ends_without_a_result_fails) {
                  r.solver = solver, r.status = StopReason::tolerance_not_met;
                }) == Verdict::pass);
   }
+  BOOST_TEST(spoilt(mapped, judge_grids, [&](GridRow& r) {
+               r.nodes = 16, r.status = StopReason::under_resolved, without_films(r);
+             }) == Verdict::pass);
   auto between = grid_rows();  // 2 cells: may be called blind, may not run out of time
   between[1].status = StopReason::limit_reached;
   without_films(between[1]);

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Rung 8: the errors that the solvers state, against the films of the certified solver at 1e-7. Every solver runs with
+// several tolerances and on several given grids: at contacts where a stated error was once too small, in which every
+// one has to hold, and at random contacts, in which 98 of 100 have to.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "contact/text.hpp"
+#include "verification/claims/shared.hpp"
+#include "verification/claims/topics.hpp"
+#include "verification/studies/box.hpp"
+#include "verification/studies/draw.hpp"
+#include "workflow/registry.hpp"
+
+namespace ehd::verification {
+
+namespace {
+
+struct StatedRun {
+  const char* solver;
+  std::optional<double> tolerance;
+  std::optional<int> nodes = {};
+
+  [[nodiscard]] std::string how() const {
+    return nodes ? std::to_string(*nodes) + " intervals" : "tolerance " + plain(*tolerance);
+  }
+};
+const StatedRun stated_runs[] = {{"fast", 1e-2},
+                                 {"fast", 1e-3},
+                                 {"fast", 5e-4},
+                                 {"fast", 1e-4},
+                                 {"fast", 1e-5},
+                                 {"fast", {}, 128},
+                                 {"fast", {}, 512},
+                                 {"fast", {}, 2048},
+                                 {"fast.uniform", {}, 256},
+                                 {"fast.uniform", {}, 1024},
+                                 {"reference.uniform", {}, 128},
+                                 {"reference.uniform", {}, 256},
+                                 {"reference.linear", 1e-3},
+                                 {"reference.linear", {}, 100},
+                                 {"reference.linear", {}, 256},
+                                 {"reference", 1e-3},
+                                 {"reference", {}, 64},
+                                 {"reference", {}, 128}};
+constexpr double stated_truth_tolerance = 1e-7;
+/// Moderate to heavy loads with thin and sharp spikes: here a smooth sequence of grids agreed on a wrong H_min.
+const BoxContact once_too_small[] = {
+    {{281.2, 30}, true}, {{1494.27, 17.747}, true}, {{346.248, 27.4164}, true}, {{100, 10}, false}};
+constexpr int quick_contacts = 2;  ///< the first ones; each takes some 10 s
+constexpr unsigned stated_seed = 20261130;
+constexpr int random_contacts_a_law = 10;
+
+/// What the stated errors of one solver are worth.
+struct StatedCount {
+  int films = 0;  ///< that the solver reported
+  int judged = 0, held = 0, undecided = 0;
+  double worst = 0, worst_truth = 0;  ///< error over stated error where that is largest; the truth's own, likewise
+  std::string worst_at = {};
+  std::vector<double> inflation = {};  ///< stated over true
+
+  /// A stated error is wrong where the film misses the truth by more than it and the truth's own error. It holds where
+  /// both are within it, or where the truth is ten times better. Else it is undecided.
+  void add(double error, double stated, double truth_error, const std::string& where) {
+    const bool wrong = !(error - truth_error <= stated);
+    if (!wrong && !(error + truth_error <= stated) && !(error <= stated && truth_error <= stated / 10)) {
+      ++undecided;
+      return;
+    }
+    ++judged;
+    held += wrong ? 0 : 1;
+    inflation.push_back(stated / std::max(error, 1e-300));
+    if (const double ratio = error / stated; !(ratio <= worst)) {
+      worst = ratio;
+      worst_truth = truth_error / stated;
+      worst_at = where;
+    }
+  }
+  [[nodiscard]] std::string text() const {
+    std::vector<double> sorted = inflation;
+    std::sort(sorted.begin(), sorted.end());
+    return std::to_string(held) + " of " + std::to_string(judged) + " stated errors hold, " +
+           std::to_string(undecided) + " more where the truth cannot tell; stated over true " +
+           (sorted.empty() ? "unknown" : plain(sorted[sorted.size() / 2], 2)) + " in the median; largest error " +
+           plain(worst, 3) + " of the stated one, " + worst_at;
+  }
+};
+using StatedCounts = std::map<std::string, StatedCount>;  ///< by solver
+
+void count_stated_errors(const BoxContact& contact, StatedCounts& counts) {
+  const Problem problem = contact.problem();
+  const Solution truth = certified_solver().solve(problem, {.tolerance = stated_truth_tolerance});
+  for (const StatedRun& run : stated_runs) {
+    const Solution solution =
+        find_solver(run.solver)->solve(problem, {.tolerance = run.tolerance, .nodes = run.nodes, .time_limit_s = 60});
+    for (const Quantity film : judged_films) {
+      const Reading *seen = observed(solution, film), *exact = reading(truth, film);
+      if (seen) ++counts[run.solver].films;
+      if (!seen || !seen->error || !exact) continue;
+      counts[run.solver].add(std::abs(seen->value / exact->value - 1), *seen->error, error_of(exact),
+                             contact.name() + ", " + (contact.flooded() ? "flooded" : "cut") + ", " + run.how() + ", " +
+                                 std::string(to_string(film)));
+    }
+  }
+}
+
+Findings judge_contact_once_too_small(const BoxContact& contact) {
+  StatedCounts counts;
+  count_stated_errors(contact, counts);
+  Findings found;
+  for (const RegisteredSolver& solver : solvers()) {
+    const StatedCount& count = counts[solver.name];
+    const Sentence says{
+        .id = "stated-errors/" + plain(contact.moes.M) + "-" + plain(contact.moes.L) + "/" + solver.name,
+        .rung = 8,
+        .statement = "every error of a film that " + solver.name + " states at " + contact.name() +
+                     ", flooded, holds, for several tolerances and grids",
+        .solver = solver.name};
+    if (count.films == 0)
+      found.skipped.push_back({says, "no film is reported: its grids are too coarse for this contact"});
+    else
+      found.claims.push_back(claim(says, count.judged > 0 ? count.worst : nothing, count.worst_truth,
+                                   Tolerance::required(1, "error over stated error"), count.text()));
+  }
+  return found;
+}
+
+/// M 0.05 ... 5000, L 0 ... 30; half of the contacts with M >= 2 cut at -2.5 ... -10.
+Findings judge_random_stated_errors(bool roelands) {
+  StatedCounts counts;
+  Draw draw(stated_seed);
+  for (int i = 0; i < random_contacts_a_law; ++i) {
+    BoxContact contact{.moes = draw.point(), .roelands = roelands};
+    const double cut = draw.uniform(-10, -2.5), choice = draw.uniform(0, 1);
+    if (choice < 0.5 && contact.moes.M >= 2) contact.inlet = TruncatedAt{cut};
+    count_stated_errors(contact, counts);
+  }
+  Findings found;
+  for (const RegisteredSolver& solver : solvers()) {
+    const StatedCount& count = counts[solver.name];
+    found.claims.push_back(
+        claim({.id = "stated-errors/random/" + std::string(roelands ? "roelands" : "barus") + "/" + solver.name,
+               .rung = 8,
+               .statement = "the errors of films that " + solver.name + " states at " +
+                            std::to_string(random_contacts_a_law) + " random contacts hold, " + law_name(roelands),
+               .solver = solver.name},
+              count.judged > 0 ? 1 - count.held / static_cast<double>(count.judged) : nothing, 0,
+              Tolerance::required(0.02, "at least 98 in 100"), count.text()));
+  }
+  return found;
+}
+
+}  // namespace
+
+std::vector<Topic> stated_error_topics() {
+  std::vector<Topic> topics;
+  for (const BoxContact& contact : once_too_small)
+    topics.push_back({.name = "stated errors",
+                      .rungs = {8},
+                      .slow = &contact - once_too_small >= quick_contacts,
+                      .judge = [&contact] { return judge_contact_once_too_small(contact); },
+                      .expected_s = 8});
+  for (const bool roelands : {false, true})
+    topics.push_back({.name = "stated errors, random, " + law_name(roelands),
+                      .rungs = {8},
+                      .slow = true,
+                      .judge = [roelands] { return judge_random_stated_errors(roelands); },
+                      .expected_s = 80});
+  return topics;
+}
+
+}  // namespace ehd::verification
