@@ -212,6 +212,10 @@ void judge_end(const GridRow& row, Counts& counts, Tally& tally) {
   const bool equal_cells = on_equal_cells(*find_solver(row.solver));
   if (!(std::max(row.truth_error[0], row.truth_error[1]) <= truth_tolerance) || (equal_cells && !(row.cells > 0)))
     tally.add(Verdict::inconclusive, where + ": the truth is not known to what was asked of it");
+  if (out_of_time(row.status, row.wall_s, time_limit_s)) {
+    tally.add(Verdict::inconclusive, end);
+    return;
+  }
   if (equal_cells) {
     tally.require(converged || under_resolved, end);
   } else {
