@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "bearing/fit_of.hpp"
 #include "bearing/force_law.hpp"
 #include "bearing/solved_contacts.hpp"
 
@@ -26,6 +27,7 @@ struct LinearFit {
   double dF_deviation_N = 0;
   double correlation = 0;  ///< of K and dF
   std::vector<FitPoint> points;
+  FitOf of = FitOf::force;
 
   /// First-order bound of the line's error of the approach at a force [m], from the points' approach_error_m with any
   /// signs.
@@ -34,15 +36,16 @@ struct LinearFit {
   [[nodiscard]] LinearLaw law(Unloading unloading = Unloading::at_zero_force) const;
 };
 
-/// Unweighted least squares of f on delta (GSL). Throws std::invalid_argument for fewer than two points, equal
-/// approaches or a slope that is not positive.
-[[nodiscard]] LinearFit fit_line(const std::vector<FitPoint>& points);
+/// Unweighted least squares (GSL). Throws std::invalid_argument for fewer than two points, equal approaches or forces,
+/// or a slope that is not positive. Deviations of K and dF of a fit of delta on f are of first order.
+[[nodiscard]] LinearFit fit_line(const std::vector<FitPoint>& points, FitOf of = FitOf::force);
 
 /// The contact forces of a fit [N]: `points` equally spaced ones from `lowest_N` to `highest_N`.
 [[nodiscard]] std::vector<double> fit_forces_N(double lowest_N, double highest_N, int points);
 
 /// A line through these contacts; each is solved, or remembered, and a failure names its force.
 [[nodiscard]] std::variant<LinearFit, SolveFailure> fit_contacts(const SolvableContact& contacts, double datum_m,
-                                                                 double lowest_N, double highest_N, int points);
+                                                                 double lowest_N, double highest_N, int points,
+                                                                 FitOf of = FitOf::force);
 
 }  // namespace ehd::bearing

@@ -2,7 +2,7 @@
 // ehd compare: solvers side by side on each case: time, films, reported and achieved errors.
 #include <fmt/format.h>
 
-#include <cmath>
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -18,6 +18,7 @@
 #include "io/json.hpp"
 #include "io/tables.hpp"
 #include "verification/bench/csv.hpp"
+#include "verification/bench/film_truth.hpp"
 #include "verification/bench/work_precision.hpp"
 #include "workflow/case.hpp"
 #include "workflow/contact_run.hpp"
@@ -39,52 +40,15 @@ Examples:
   ehd compare own-moes-20-10 --solver fast --solver reference --tolerance 1e-3
   ehd compare own-barus-3-4-flooded --json comparison.json
 
-The achieved error is the difference from the case's own expectation (the one with the smallest uncertainty). A case
-without one is compared with the run whose error estimate is smallest. Exit code: 0 every run converged; 1 one did not;
-2 bad input or usage.)";
+The achieved error is the difference from one truth for both films: the case's own digits where it has some of both,
+else the solution that states the smallest error among these runs and one more run of the certified solver, which is
+asked for a hundredth of the tightest tolerance. No run is judged by itself. Where the truth is not ten times more
+accurate than an error, a bound is printed (<). Exit code: 0 every run converged; 1 one did not; 2 bad input or usage.)";
 
-struct Row {
-  double tolerance = 0;
-  ContactRun run;
-  std::optional<double> reported[2] = {};  ///< of each film, relative
-  std::optional<double> achieved[2] = {};
-};
+using Row = verification::JudgedRun;
 
-/// The expectation with the smallest uncertainty. Fits and values that still wait for their source do not count.
-const Expectation* truth_of(const Case& contact_case, Quantity quantity) {
-  const Expectation* best = nullptr;
-  for (const auto& expectation : contact_case.expectations) {
-    if (expectation.waiting || expectation.kind == ExpectationKind::fit) continue;
-    if (expectation.quantity != to_string(quantity)) continue;
-    if (!best || expectation.uncertainty < best->uncertainty) best = &expectation;
-  }
-  return best;
-}
-
-/// Fills in the achieved errors of one film; returns what the film was compared with.
-std::string judge_film(const Case& contact_case, std::vector<Row>& rows, std::size_t film) {
-  const Quantity quantity = judged_films[film];
-  if (const Expectation* truth = truth_of(contact_case, quantity)) {
-    for (Row& row : rows) {
-      const auto measured = measure(row.run, *truth);
-      if (measured && truth->value != 0)
-        row.achieved[film] = std::abs(measured->value - truth->value) / std::abs(truth->value);
-    }
-    return "the case's " + truth->digits + " (relative uncertainty " + plain(truth->uncertainty, 2) + ")";
-  }
-  const Row* tightest = nullptr;
-  for (const Row& row : rows) {
-    if (row.run.status() != StopReason::converged || !row.reported[film]) continue;
-    if (!tightest || *row.reported[film] < *tightest->reported[film]) tightest = &row;
-  }
-  if (!tightest) return "nothing: no expectation, and no run converged";
-  const double value = verification::reading_of(tightest->run.solution, quantity)->value;
-  for (Row& row : rows) {
-    const Reading* reading = verification::reading_of(row.run.solution, quantity);
-    if (reading && &row != tightest) row.achieved[film] = std::abs(reading->value - value) / std::abs(value);
-  }
-  return "the tightest run, " + tightest->run.solver + " at " + plain(tightest->tolerance);
-}
+/// The further run is asked for this part of the tightest tolerance, and for no less than `reference` reaches anywhere.
+constexpr double truth_over_tightest = 1e-2, tightest_truth = 1e-10;
 
 /// Every solver at every tolerance, with the errors that they report.
 std::vector<Row> run_all(const Case& contact_case, const std::vector<const RegisteredSolver*>& solvers,
@@ -97,12 +61,26 @@ std::vector<Row> run_all(const Case& contact_case, const std::vector<const Regis
       Row row{.tolerance = *request.tolerance, .run = run_contact(contact_case, *solver, request)};
       for (std::size_t film = 0; film < 2; ++film) {
         if (const Reading* reading = verification::reading_of(row.run.solution, judged_films[film]))
-          row.reported[film] = reading->error;
+          row.films[film].reported = reading->error;
       }
       rows.push_back(std::move(row));
     }
   }
   return rows;
+}
+
+/// A run of the certified solver that is tighter than all of `requests`.
+Row one_more(const Case& contact_case, const std::vector<Request>& requests) {
+  Request request = requests.front();
+  for (const Request& other : requests) request.tolerance = std::min(*request.tolerance, *other.tolerance);
+  request.tolerance = std::max(truth_over_tightest * *request.tolerance, std::min(tightest_truth, *request.tolerance));
+  Progress progress;
+  progress.show(
+      fmt::format("{}: the truth, {} at {} ...", contact_case.id, certified_solver().name, plain(*request.tolerance)));
+  Row row;
+  row.tolerance = *request.tolerance;
+  row.run = run_contact(contact_case, certified_solver(), request);
+  return row;
 }
 
 bool converged(const Row& row) { return row.run.status() == StopReason::converged; }
@@ -122,8 +100,8 @@ std::vector<std::vector<std::string>> table_of(const std::vector<Row>& rows) {
     for (std::size_t film = 0; film < 2; ++film) {
       const Reading* reading = verification::reading_of(row.run.solution, judged_films[film]);
       cells.push_back(reading ? with_error(reading->value, reading->error) : "-");
-      cells.push_back(verification::dash(row.reported[film], 2));
-      cells.push_back(verification::dash(row.achieved[film], 2));
+      cells.push_back(verification::dash(row.films[film].reported, 2));
+      cells.push_back(row.films[film].words());
     }
     const Cost& cost = row.run.solution.record.cost;
     cells.push_back(plain(1e3 * cost.wall_s, 3));
@@ -137,10 +115,13 @@ std::vector<std::vector<std::string>> table_of(const std::vector<Row>& rows) {
 Json json_of(const Row& row) {
   Json entry = to_json(row.run);
   put(entry, "tolerance", row.tolerance);
-  Json achieved = Json::object();
-  for (std::size_t film = 0; film < 2; ++film)
-    put(achieved, std::string(to_string(judged_films[film])), row.achieved[film]);
-  entry["achieved_error"] = achieved;
+  Json known = Json::object(), below = Json::object();
+  for (std::size_t film = 0; film < 2; ++film) {
+    put(known, std::string(to_string(judged_films[film])), row.films[film].known());
+    put(below, std::string(to_string(judged_films[film])), row.films[film].bound());
+  }
+  entry["achieved_error"] = known;
+  if (!below.empty()) entry["achieved_error_below"] = below;
   return entry;
 }
 
@@ -171,7 +152,11 @@ int compare(const CompareOptions& options) {
   bool all_converged = true;
   for (const Case& contact_case : cases) {
     std::vector<Row> rows = run_all(contact_case, solvers, requests);
-    const std::string against[2] = {judge_film(contact_case, rows, 0), judge_film(contact_case, rows, 1)};
+    const auto truth = verification::film_truth(contact_case, rows, [&] { return one_more(contact_case, requests); });
+    for (Row& row : rows)
+      if (truth) verification::judge(row, *truth);
+    const std::string none = "nothing: the case has no digits of both films, and no run has films with errors";
+    const std::string against[2] = {truth ? truth->words[0] : none, truth ? truth->words[1] : none};
     Json runs = Json::array();
     for (const Row& row : rows) {
       all_converged = all_converged && converged(row);

@@ -27,6 +27,7 @@
 #include "workflow/case.hpp"
 #include "workflow/contact_run.hpp"
 #include "workflow/registry.hpp"
+#include "workflow/shown_pressure.hpp"
 
 namespace ehd::cli {
 
@@ -161,11 +162,15 @@ void read_wisdom(const std::string& name) {
 /// Pressure and film over X, as a picture of its own.
 std::string plot_of(const ContactRun& run, const std::string& title) {
   const Fields& fields = run.solution.fields;
+  const std::optional<double> cut = pressure_cut(run.solution);
+  Array P = fields.P;
+  if (cut) P = P.min(*cut);
   const auto values = [](const auto& field) { return std::vector<double>(field.begin(), field.end()); };
   const report::ContactCurves curves{.name = run.solver.empty() ? "Hertz" : run.solver,
                                      .X = values(fields.X),
-                                     .P = values(fields.P),
-                                     .H = values(fields.H)};
+                                     .P = values(P),
+                                     .H = values(fields.H),
+                                     .P_cut = cut};
   report::Figure figure = report::contact_figure("contact", title, {curves});
   constexpr std::size_t fits = 80;
   figure.width = 560;

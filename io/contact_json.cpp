@@ -6,7 +6,9 @@
 #include <string>
 #include <string_view>
 
+#include "contact/stated_error.hpp"
 #include "io/json.hpp"
+#include "workflow/shown_pressure.hpp"
 
 namespace ehd {
 
@@ -99,6 +101,14 @@ Json cost_json(const Cost& cost) {
   return json;
 }
 
+/// What is known of the fields themselves, which --profile writes. Films above may be extrapolated, and then know more.
+Json fields_json(const Solution& solution) {
+  Json json;
+  put(json, "film_error", field_error(solution));
+  json["pressure_resolved"] = !pressure_cut(solution);
+  return json;
+}
+
 }  // namespace
 
 std::optional<StopReason> stop_reason_from(std::string_view text) {
@@ -126,6 +136,8 @@ Json to_json(const ContactRun& run) {
   if (!run.solution.record.reason.empty()) json["reason"] = run.solution.record.reason;
   json["groups"] = groups_json(run);
   put_observables(json, run);
+  if (run.status() != StopReason::diverged && run.solution.fields.X.size() > 0)
+    json["fields"] = fields_json(run.solution);
   json["cost"] = cost_json(run.solution.record.cost);
   json["plan"] = to_json(run.plan);
   json["notes"] = run.notes;

@@ -33,7 +33,7 @@ LinearFit fitted(BearingResult& result, const BearingSetup& setup, bearing::Race
     result.notes.push_back(note::RaisedFit{.raceway = raceway, .from_N = low, .unraised_N = default_fit_from * dry_N});
   try {
     auto fit = bearing::fit_contacts(memory.of(contact, setup.body.lubricant->lubricant), result.datum_m->at(raceway),
-                                     low, high, stated.points);
+                                     low, high, stated.points, stated.of);
     if (const auto* failure = std::get_if<bearing::SolveFailure>(&fit)) throw LawFailure(*failure);
     return std::get<LinearFit>(std::move(fit));
   } catch (const std::invalid_argument& error) {

@@ -13,6 +13,7 @@
 #include <variant>
 #include <vector>
 
+#include "bearing/fit_of.hpp"
 #include "bearing/geometry.hpp"
 #include "contact/conditions.hpp"
 
@@ -75,6 +76,7 @@ struct FitRange {
   /// Absent: the range follows from the dry balance (default_fit_from in bearing_fit).
   std::optional<std::pair<double, double>> load_N = {};
   int points = 6;
+  bearing::FitOf of = bearing::FitOf::force;  ///< no case file states it; the paper's statements are judged with both
 };
 
 struct BearingLubricant {

@@ -209,32 +209,58 @@ BOOST_AUTO_TEST_CASE(least_squares_recovers_a_line) {
   EHD_CHECK(error(disturbed.K_deviation_N_per_m, std::sqrt(residuals / 4 / squares)), Tolerance::round_off(100, 100));
 }
 
+// Exact: the line of delta on f is the textbook's with the axes exchanged. Its product of slopes with the line of f on
+// delta is the squared correlation of the points, so that it is the steeper one.
+BOOST_AUTO_TEST_CASE(a_fit_of_the_approach_exchanges_the_axes) {
+  std::vector<FitPoint> points, exchanged;
+  for (const double f : {500.0, 1700.0, 2900.0, 5300.0, 9100.0}) {
+    points.push_back({.force_N = f, .approach_m = 1e-9 * std::pow(f, 0.7)});
+    exchanged.push_back({.force_N = 1e-9 * std::pow(f, 0.7), .approach_m = f});
+  }
+  const LinearFit fit = fit_line(points, FitOf::approach), of_force = fit_line(points), axes = fit_line(exchanged);
+  EHD_CHECK(error(fit.K_N_per_m, 1 / axes.K_N_per_m), Tolerance::round_off(10));
+  EHD_CHECK(error(fit.dF_N, -axes.dF_N / axes.K_N_per_m), Tolerance::round_off(10));
+  EHD_CHECK(error(fit.standard_deviation_N, axes.standard_deviation_N / axes.K_N_per_m), Tolerance::round_off(10));
+  EHD_CHECK(error(fit.K_deviation_N_per_m / fit.K_N_per_m, axes.K_deviation_N_per_m / axes.K_N_per_m),
+            Tolerance::round_off(10));
+  // Constants at the centre of the points do not correlate with slopes: there both fits pass, and the deviations of dF
+  // and K are those of one straight line.
+  double mean_m = 0;
+  for (const FitPoint& point : points) mean_m += point.approach_m / 5;
+  const double at_centre = std::pow(fit.dF_deviation_N, 2) + std::pow(mean_m * fit.K_deviation_N_per_m, 2) +
+                           2 * mean_m * fit.correlation * fit.dF_deviation_N * fit.K_deviation_N_per_m;
+  EHD_CHECK(error(std::sqrt(at_centre), fit.standard_deviation_N / std::sqrt(5.0)), Tolerance::round_off(1000, 10));
+  BOOST_TEST(fit.K_N_per_m > of_force.K_N_per_m);
+}
+
 // Derivative: the bound of an approach on the line is the sum of what each point's error moves it by, by differences.
 BOOST_AUTO_TEST_CASE(the_error_of_a_line_is_that_of_its_points) {
   std::vector<FitPoint> points;  // far from a line, so that every term counts
   for (const double f : {500.0, 1700.0, 2900.0, 5300.0, 9100.0})
     points.push_back(
         {.force_N = f, .approach_m = 1e-9 * std::pow(f, 0.7), .approach_error_m = 1e-10 * std::sqrt(f / 100)});
-  const LinearFit fit = fit_line(points);
-  const auto approach = [](const LinearFit& line, double f) { return (f - line.dF_N) / line.K_N_per_m; };
-  for (const double f : {0.0, 500.0, 3000.0, 20000.0}) {
-    double sum_m = 0;
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      constexpr double step = 1e-4;  // of the error: central differences are then exact to 1e-8 and rounding
-      auto up = points, down = points;
-      up[k].approach_m += step * points[k].approach_error_m;
-      down[k].approach_m -= step * points[k].approach_error_m;
-      sum_m += std::abs(approach(fit_line(up), f) - approach(fit_line(down), f)) / (2 * step);
-    }
-    EHD_CHECK(error(fit.approach_error_m(f), sum_m), Tolerance::round_off(100, 1e6));
-  }
-  // The mean of the approaches moves with all of them alike: at the points' centre nothing else counts.
   double mean_N = 0, mean_error_m = 0;
   for (const FitPoint& point : points) {
     mean_N += point.force_N / 5;
     mean_error_m += point.approach_error_m / 5;
   }
-  EHD_CHECK(error(fit.approach_error_m(mean_N), mean_error_m), Tolerance::round_off(100, 10));
+  const auto approach = [](const LinearFit& line, double f) { return (f - line.dF_N) / line.K_N_per_m; };
+  for (const FitOf of : {FitOf::force, FitOf::approach}) {
+    const LinearFit fit = fit_line(points, of);
+    for (const double f : {0.0, 500.0, 3000.0, 20000.0}) {
+      double sum_m = 0;
+      for (std::size_t k = 0; k < points.size(); ++k) {
+        constexpr double step = 1e-4;  // of the error: central differences are then exact to 1e-8 and rounding
+        auto up = points, down = points;
+        up[k].approach_m += step * points[k].approach_error_m;
+        down[k].approach_m -= step * points[k].approach_error_m;
+        sum_m += std::abs(approach(fit_line(up, of), f) - approach(fit_line(down, of), f)) / (2 * step);
+      }
+      EHD_CHECK(error(fit.approach_error_m(f), sum_m), Tolerance::round_off(100, 1e6));
+    }
+    // The mean of the approaches moves with all of them alike: at the points' centre nothing else counts.
+    EHD_CHECK(error(fit.approach_error_m(mean_N), mean_error_m), Tolerance::round_off(100, 10));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(points_without_a_rising_line_are_refused) {

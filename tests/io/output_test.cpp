@@ -138,6 +138,48 @@ BOOST_AUTO_TEST_CASE(a_profile_has_a_column_for_each_field_and_si_where_it_is_kn
   BOOST_TEST(profile_csv(groups_only).find("x_m") == std::string::npos);
 }
 
+// A spike that no solver can state the height of would flatten the dome of every figure drawn from the profile.
+BOOST_AUTO_TEST_CASE(a_spike_of_unknown_height_is_cut_in_the_profile) {
+  ContactRun run = made_run();
+  run.solution.fields.P[1] = 17;
+  std::istringstream csv(profile_csv(run));
+  std::string header, row, spike;
+  std::getline(csv, header);
+  std::getline(csv, row);
+  std::getline(csv, spike);
+  BOOST_TEST(header.ends_with(",h_m [m],P_unresolved [1: cut at 1.5]"));
+  BOOST_TEST(row == "-4,0,7.7,1,1,-0.0008,0,3.08e-05,0");
+  BOOST_TEST(spike == "0.5,1.5,0.08,,,0.0001,1200000000,3.2e-07,1");
+  BOOST_TEST(to_json(run)["fields"]["pressure_resolved"] == false);
+  BOOST_TEST(to_json(made_run())["fields"]["pressure_resolved"] == true);
+  run.solution.observables[Quantity::pressure_maximum] = {.value = 17, .error = 0.01};  // known: shown as it is
+  BOOST_TEST(profile_csv(run).find("unresolved") == std::string::npos);
+  BOOST_TEST(profile_csv(run).find("0.5,17,") != std::string::npos);
+  BOOST_TEST(to_json(run)["fields"]["pressure_resolved"] == true);
+}
+
+// The films of a result may be extrapolated over grids; those of the fields err by more.
+BOOST_AUTO_TEST_CASE(fields_state_the_error_of_their_own_film) {
+  ContactRun run = made_run();
+  run.solution.fields.X = Array::LinSpaced(7, -4, 2);
+  run.solution.fields.P = Array::Constant(7, 0.3);
+  run.solution.fields.H = 0.08 + 0.5 * run.solution.fields.X.square();
+  run.solution.fields.density = Array::Constant(7, 1);
+  run.solution.fields.log_viscosity = Array::Constant(7, 0);
+  run.solution.observables[Quantity::film_minimum] = {.value = 0.0792, .error = 1e-4};
+  run.solution.observables[Quantity::film_central] = {.value = 0.08, .error = 1e-4};
+  const double expected = 0.08 / 0.0792 - 1 + 1e-4;
+  EHD_CHECK(error(to_json(run)["fields"]["film_error"], expected), Tolerance::round_off(100, 100));
+  std::istringstream csv(profile_csv(run));
+  std::string header, row;
+  std::getline(csv, header);
+  std::getline(csv, row);
+  BOOST_TEST(header.ends_with(",H_error [relative]"));
+  EHD_CHECK(error(std::stod(row.substr(row.rfind(',') + 1)), expected), Tolerance::round_off(100, 100));
+  run.solution.observables.erase(Quantity::film_central);
+  BOOST_TEST(!to_json(run)["fields"].contains("film_error"));
+}
+
 BOOST_AUTO_TEST_CASE(digits_printed_are_digits_known) {
   BOOST_TEST(with_error(0.0741427, 2e-4) == "0.07414(2)");
   BOOST_TEST(with_error(3.9760, 5e-5) == "3.9760(2)");

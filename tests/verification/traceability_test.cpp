@@ -16,13 +16,14 @@ namespace {
 using namespace ehd;
 using namespace ehd::verification;
 
-Claim made(const std::string& id, int rung, double error, double tolerance) {
+Claim made_claim(const std::string& id, int rung, double error, double tolerance) {
   return claim({.id = id, .rung = rung, .statement = "something holds"}, error, 0,
                Tolerance::required(tolerance, "here"));
 }
 
 Findings some_findings() {
-  return {.claims = {made("a/one", 0, 0.1, 1), made("a/two", 0, 2, 1), made("b/x/one", 3, std::nan(""), 1)},
+  return {.claims = {made_claim("a/one", 0, 0.1, 1), made_claim("a/two", 0, 2, 1),
+                     made_claim("b/x/one", 3, std::nan(""), 1)},
           .skipped = {{{.id = "a/three", .rung = 0, .statement = "something else"}, "not now"}}};
 }
 
@@ -70,7 +71,7 @@ BOOST_AUTO_TEST_CASE(a_rung_is_summed_up_with_its_worst_claim) {
   SuiteResult result;
   result.claims = findings.claims;
   result.skipped = findings.skipped;
-  result.claims.push_back(made("b/narrow", 3, 0.9, 1));
+  result.claims.push_back(made_claim("b/narrow", 3, 0.9, 1));
   result.claims.push_back(claim_finding({.id = "b/finding", .rung = 3, .statement = "found"}, "note"));
   const auto rungs_of = summarise(result);
   BOOST_REQUIRE(rungs_of.size() == static_cast<std::size_t>(rungs));

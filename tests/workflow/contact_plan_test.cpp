@@ -148,4 +148,11 @@ BOOST_AUTO_TEST_CASE(a_number_of_nodes_switches_the_search_for_a_grid_off) {
   BOOST_TEST(run.solution.record.cost.nodes == 512);
 }
 
+// The table of quantities says which of them a dry contact has.
+BOOST_AUTO_TEST_CASE(a_dry_contact_has_the_quantities_that_the_table_gives_it) {
+  const ContactRun run = run_contact(dry_contact(), default_solver(), Request{});
+  for (const Quantity quantity : all_quantities)
+    BOOST_TEST(run.solution.observables.contains(quantity) == exists_when_dry(quantity), to_string(quantity));
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/bench/setting.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "contact/text.hpp"
 
@@ -26,6 +28,18 @@ Request Setting::request(double time_limit_s) const {
           .nodes = nodes,
           .iteration_share = nodes ? std::optional(iteration_share_on_grids) : std::nullopt,
           .time_limit_s = time_limit_s};
+}
+
+double stated_error(const Solution& solution) {
+  double worst = 0;
+  const bool ended =
+      solution.record.status == StopReason::converged || solution.record.status == StopReason::tolerance_not_met;
+  for (std::size_t which = 0; which < 2; ++which) {
+    const Reading* reading = reading_of(solution, judged_films[which]);
+    if (!ended || !reading || !reading->error) return std::numeric_limits<double>::infinity();
+    worst = std::max(worst, *reading->error);
+  }
+  return worst;
 }
 
 }  // namespace ehd::verification

@@ -21,4 +21,8 @@ struct Setting {
 /// An observed quantity; null where there is none, or where it is not finite.
 [[nodiscard]] const Reading* reading_of(const Solution& solution, Quantity quantity);
 
+/// The larger of the two film errors that the solution states; infinite where the solution cannot be a truth. One that
+/// missed its tolerance can be: its error estimate is as good.
+[[nodiscard]] double stated_error(const Solution& solution);
+
 }  // namespace ehd::verification

@@ -84,20 +84,6 @@ struct SolvedTruth {
   std::optional<Profile> pressure = {};
 };
 
-/// The larger of the two film errors that the solution states; infinite where the solution cannot be a truth. One that
-/// missed its tolerance can be: its error estimate is as good.
-double stated_error(const Solution& solution) {
-  double worst = 0;
-  const bool ended =
-      solution.record.status == StopReason::converged || solution.record.status == StopReason::tolerance_not_met;
-  for (std::size_t which = 0; which < 2; ++which) {
-    const Reading* reading = reading_of(solution, judged_films[which]);
-    if (!ended || !reading || !reading->error) return std::numeric_limits<double>::infinity();
-    worst = std::max(worst, *reading->error);
-  }
-  return worst;
-}
-
 /// The difference of the truth from the first value that the case itself expects of a film, where there is one.
 void compare_with_digits(const Case& contact_case, const ContactRun& run, std::size_t which, Truth& stated) {
   for (const Expectation& expectation : contact_case.expectations) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "contact/text.hpp"
 #include "verification/bench/timing.hpp"
 #include "workflow/registry.hpp"
 
@@ -31,6 +32,11 @@ std::string_view to_string(Judged judged) {
     case Judged::pressure: return "pressure";
   }
   return "";
+}
+
+std::string AchievedError::words() const {
+  if (!achieved) return "-";
+  return known() ? plain(*achieved, 2) : "<" + plain(*bound(), 2);
 }
 
 Covered covered(const AchievedError& error) {

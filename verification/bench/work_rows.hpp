@@ -36,6 +36,14 @@ struct AchievedError {
   double truth = 0;                     ///< error that the truth states, relative
   /// The error is at most `level`, even with the error of the truth.
   [[nodiscard]] bool within(double level) const { return achieved && *achieved + truth <= level; }
+  /// The achieved error as a number, where the truth is known well enough; else its upper bound.
+  [[nodiscard]] std::optional<double> known() const {
+    return achieved && *achieved >= truth_margin * truth ? achieved : std::nullopt;
+  }
+  [[nodiscard]] std::optional<double> bound() const {
+    return achieved && !known() ? std::optional(*achieved + truth) : std::nullopt;
+  }
+  [[nodiscard]] std::string words() const;  ///< "2.1e-6", "<6.7e-6", "-"
 };
 
 /// undecided: nothing is reported or judged, or the truth is not known well enough.

@@ -64,10 +64,7 @@ std::string rows_table(const WorkPrecisionResult& result) {
     for (const Judged judged : all_judged) {
       const AchievedError& error = row.error(judged);
       if (judged != Judged::pressure) cells.push_back(dash(error.reported, 2));
-      // Below ten times the truth's error only a bound is known.
-      cells.push_back(!error.achieved                                ? "-"
-                      : *error.achieved < truth_margin * error.truth ? "<" + plain(*error.achieved + error.truth, 2)
-                                                                     : plain(*error.achieved, 2));
+      cells.push_back(error.words());
     }
     table.push_back(cells);
   }

@@ -155,13 +155,14 @@ Findings judge_bearing(const Case& bearing_case, SharedMemory& shared) {
 
 /// Numbers that docs/results/bearing-measured.md prints of NA4908: verdicts, and ends of the ranges of x_0 in mm.
 struct PrintedEnd {
-  const char *what, *id, *mm;
+  const char *what, *id, *mm;  ///< mm empty: the statement holds nowhere
   DatumScan::Ranges DatumScan::*ranges;
   bool low;
 };
 struct PrintedVerdicts {
   bearing::Law law;
-  std::string hold, do_not;  ///< letters
+  std::string hold, do_not;  ///< letters, by every roller
+  std::string hold_at_top;   ///< letters of (a), (b) and (c) that hold at psi = 0 alone
   std::vector<PrintedEnd> ends;
 };
 std::vector<PrintedVerdicts> printed_verdicts() {
@@ -169,18 +170,25 @@ std::vector<PrintedVerdicts> printed_verdicts() {
     using Scan = DatumScan;
     return std::vector<PrintedEnd>{
         {"(a) holds from", "a/from", mm[0], &Scan::a_m, true},
-        {"(b) holds up to", "b/to", mm[1], &Scan::b_m, false},
-        {"(c) holds from", "c/from", mm[2], &Scan::c_m, true},
-        {"(c) holds up to", "c/to", mm[3], &Scan::c_m, false},
+        {"(b) at psi = 0 alone holds up to", "b/to", mm[1], &Scan::b_at_top_m, false},
+        {"(c) at psi = 0 alone holds from", "c/from", mm[2], &Scan::c_at_top_m, true},
+        {"(c) at psi = 0 alone holds up to", "c/to", mm[3], &Scan::c_at_top_m, false},
         {"the second half of (c) holds up to", "c-opposite/to", mm[4], &Scan::c_opposite_m, false},
         {"(d) holds from", "d/from", mm[5], &Scan::d_m, true},
-        {"without \"similar\" in (a) all hold from", "sign/from", mm[6], &Scan::sign_of_a_m, true},
-        {"without \"similar\" in (a) all hold up to", "sign/to", mm[7], &Scan::sign_of_a_m, false}};
+        {"at psi = 0 alone all hold from", "sign/from", mm[6], &Scan::at_top_m, true},
+        {"at psi = 0 alone all hold up to", "sign/to", mm[7], &Scan::at_top_m, false}};
   };
-  return {
-      {bearing::Law::ehd_linear, "abd", "c",
-       ends({"1.36", "26.9", "0.0573", "0.178", "2.15", "0.085", "0.102", "0.178"})},
-      {bearing::Law::ehd, "abd", "c", ends({"1.73", "26.3", "0.119", "0.637", "2.84", "0.0876", "0.149", "0.637"})}};
+  std::vector<PrintedVerdicts> all{{bearing::Law::ehd_linear, "abd", "c", "ab",
+                                    ends({"1.36", "26.9", "0.0573", "0.178", "2.15", "0.085", "0.102", "0.178"})},
+                                   {bearing::Law::ehd, "abd", "c", "ab",
+                                    ends({"1.73", "26.3", "0.119", "0.637", "2.84", "0.0876", "0.149", "0.637"})}};
+  // By every roller; (c) by `ehd` holds nowhere.
+  all[0].ends.push_back({"(b) holds up to", "b-all/to", "25.9", &DatumScan::b_m, false});
+  all[0].ends.push_back({"(c) holds from", "c-all/from", "0.0811", &DatumScan::c_m, true});
+  all[0].ends.push_back({"(c) holds up to", "c-all/to", "0.155", &DatumScan::c_m, false});
+  all[1].ends.push_back({"(b) holds up to", "b-all/to", "21.8", &DatumScan::b_m, false});
+  all[1].ends.push_back({"(c) holds nowhere", "c-all/nowhere", "", &DatumScan::c_m, true});
+  return all;
 }
 
 /// Compares the judge with the printed table, so that a changed verdict or a moved end is seen.
@@ -201,11 +209,24 @@ void judge_printed(const PrintedVerdicts& printed, const std::vector<PaperStatem
                                         one != statements.end() && one->holds == expected, where,
                                         one == statements.end() ? "not judged" : one->numbers));
     }
+  for (const char letter : {'a', 'b', 'c'}) {
+    const PaperStatement* const one = find_statement(statements, letter);
+    const bool expected = printed.hold_at_top.find(letter) != std::string::npos;
+    found.claims.push_back(claim_fact(says(std::string("verdict-at-psi-0/") + letter,
+                                           std::string("at psi = 0 alone the paper's (") + letter + ") " +
+                                               (expected ? "holds" : "does not hold") + " for NA4908, as printed"),
+                                      one && one->holds_at_top == expected, where, one ? one->numbers : "not judged"));
+  }
   found.claims.push_back(claim_fact(says("x0/nowhere", "(a), (b), (c) and (d) hold together with no x_0, as printed"),
                                     scan.half_width_m > 0 && scan.all_hold_m.empty(), where,
                                     words_of(scan, scan.all_hold_m)));
   for (const PrintedEnd& end : printed.ends) {
     const auto& ranges = scan.*end.ranges;
+    if (*end.mm == '\0') {
+      found.claims.push_back(claim_fact(says(std::string("x0/") + end.id, std::string(end.what) + ", as printed"),
+                                        scan.half_width_m > 0 && ranges.empty(), where, words_of(scan, ranges)));
+      continue;
+    }
     const double x0_m = ranges.size() != 1 ? nothing : end.low ? ranges.front().first : ranges.front().second;
     found.claims.push_back(
         claim_value(says(std::string("x0/") + end.id, std::string(end.what) + " x_0 = " + end.mm + " mm"), 1e3 * x0_m,
@@ -237,13 +258,12 @@ Findings judge_paper(const std::vector<Case>& clearances, SharedMemory& shared) 
                                        .case_id = "na4908"},
                                       statements.size() == 4, "a judgement for each statement"));
     for (const PaperStatement& one : statements) {
-      found.claims.push_back(
-          claim_finding({.id = "paper/" + name + "/" + one.letter,
-                         .rung = 11,
-                         .statement = std::string("paper's (") + one.letter + "), law " + name + ": " + one.statement +
-                                      ": computed: " + (one.holds ? "holds" : "does not hold"),
-                         .case_id = "na4908"},
-                        one.numbers));
+      found.claims.push_back(claim_finding({.id = "paper/" + name + "/" + one.letter,
+                                            .rung = 11,
+                                            .statement = std::string("paper's (") + one.letter + "), law " + name +
+                                                         ": " + one.statement + ": computed: " + verdict_of(one),
+                                            .case_id = "na4908"},
+                                           one.numbers));
     }
     const DatumScan scan = scan_datum(clearances, law, shared.memory);
     found.claims.push_back(claim_finding(
@@ -251,7 +271,7 @@ Findings judge_paper(const std::vector<Case>& clearances, SharedMemory& shared) 
          .rung = 11,
          .statement = "the datum x_0 with which (a) to (d) all hold, law " + name + ": " +
                       words_of(scan, scan.all_hold_m) +
-                      "; without \"similar\" in (a): " + words_of(scan, scan.sign_of_a_m),
+                      "; each judged at psi = 0 alone: " + words_of(scan, scan.at_top_m),
          .case_id = "na4908"},
         "scanned from " + plain(1e3 * scan.lowest_m, 3) + " to " + plain(1e3 * scan.highest_m, 3) +
             " mm in steps of a factor " + plain(scan.step, 4) + ", ends to a factor " + plain(scan.precision, 4)));

@@ -21,11 +21,16 @@ void add_statements(Page& page, const std::vector<View>& statements) {
   table.columns = {"", "law", "statement", "verdict", "in numbers"};
   for (const View& one : statements) {
     const auto holds = one.flag("holds");
+    const bool at_top_alone = !holds.value_or(true) && one.flag("holds_at_psi_0").value_or(false);
     // A statement that does not hold is a result, not a failure of the program.
     table.rows.push_back({{"(" + escaped(one.text("letter")) + ")", ""},
                           words(one.text("law")),
                           {escaped(one.text("statement")), "wide"},
-                          {holds ? (*holds ? "holds" : "<b>does not hold</b>") : "", ""},
+                          {holds ? (*holds         ? "holds"
+                                    : at_top_alone ? "<b>does not hold</b>; at <i>\u03c8</i> = 0 alone it does"
+                                                   : "<b>does not hold</b>")
+                                 : "",
+                           ""},
                           {escaped(one.text("numbers")), "wide"}});
   }
   page.add(table);
@@ -69,25 +74,29 @@ void add_study(Page& page, const View& study) {
   }
   Table summary;
   summary.caption = "Statements over the choices that the paper leaves open";
-  summary.columns = {"", "law", "holds in", "where not, or where alone"};
+  summary.columns = {"", "law", "holds in", "where not, or where alone", "at <i>\u03c8</i> = 0 alone also"};
   for (const View& one : study.list("summary"))
     summary.rows.push_back(
         {{"(" + escaped(one.text("letter")) + ")", ""},
          words(one.text("law")),
          words(plain(one.number("holds").value_or(0)) + " of " + plain(one.number("of").value_or(0))),
-         {escaped(one.text("exceptions")), "wide"}});
+         {escaped(one.text("exceptions")), "wide"},
+         {escaped(one.text("at_psi_0_alone")), "wide"}});
   page.add(summary);
   Table table;
-  table.caption = "One choice changed at a time; changes are EHD against dry at <i>\u03c8</i> = 0";
+  table.caption =
+      "One choice changed at a time; changes are EHD against dry at <i>\u03c8</i> = 0; \"apart\" is the largest change "
+      "of "
+      "any roller's force over the largest dry force";
   table.columns = {"changed",
                    "to",
                    "law",
                    "(a)",
-                   "force [%]",
+                   "force, apart [%]",
                    "(b)",
                    "displacement [%]",
                    "(c)",
-                   "middle, largest clearance [%]",
+                   "middle (apart), largest clearance [%]",
                    "(d)",
                    "<i>x</i><sub>0</sub> [mm] for (a) to (d)"};
   for (const View& row : rows) {
@@ -95,7 +104,8 @@ void add_study(Page& page, const View& study) {
     for (const View& one : row.list("statements")) by_letter[one.text("letter")] = one;
     const auto holds = [&](const char* letter) {
       const auto flag = by_letter[letter].flag("holds");
-      return TableCell{flag ? (*flag ? "holds" : "<b>no</b>") : "", ""};
+      const bool at_top_alone = by_letter[letter].flag("holds_at_psi_0").value_or(false);
+      return TableCell{flag ? (*flag ? "holds" : at_top_alone ? "<b>at 0</b>" : "<b>no</b>") : "", ""};
     };
     const auto percent = [&](const char* letter, const char* name) {
       const auto value = by_letter[letter]["values"].number(name);
@@ -108,10 +118,12 @@ void add_study(Page& page, const View& study) {
       ranges += (ranges.empty() ? "" : ", ") + plain(milli * ends[0], 2) + " to " + plain(milli * ends[1], 2);
     }
     if (ranges.empty() && row.has("x0_all_hold_m")) ranges = "nowhere";
-    table.rows.push_back({words(row.text("factor")), words(row.text("value")), words(row.text("law")), holds("a"),
-                          words(percent("a", "change")), holds("b"),
-                          words(percent("b", "least") + " to " + percent("b", "most")), holds("c"),
-                          words(percent("c", "middle") + ", " + percent("c", "largest")), holds("d"), words(ranges)});
+    table.rows.push_back(
+        {words(row.text("factor")), words(row.text("value")), words(row.text("law")), holds("a"),
+         words(percent("a", "change") + ", " + percent("a", "apart")), holds("b"),
+         words(percent("b", "least") + " to " + percent("b", "most")), holds("c"),
+         words(percent("c", "middle") + " (" + percent("c", "apart") + "), " + percent("c", "largest")), holds("d"),
+         words(ranges)});
   }
   page.add(table);
 }

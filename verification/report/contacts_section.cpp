@@ -111,6 +111,8 @@ Figure contact_figure(const std::string& id, const std::string& title, const std
         range_of({0, central > no_film * tallest ? std::min(tallest, shown_films * central) : tallest}, Scale::linear)
             .high;
   }
+  for (const ContactCurves& one : curves)
+    if (one.P_cut && panel.rules.empty()) panel.rules.push_back({*one.P_cut, "above: unresolved"});
   for (const ContactCurves& one : curves) {
     const std::string name = literal(one.name);
     // One solver: P solid, H dashed. The curves of two solvers lie on each other: each curve has a dash of its own.
@@ -144,13 +146,14 @@ void add_contacts(Page& page, const View& results) {
       "Each case by both solvers; the lower panel shows how far they are apart (magnitudes). The dashed rule is the "
       "sum "
       "of the errors that they state of the smallest and the central film. These are extrapolated over the grids; the "
-      "fields are those of the finest one, and lie further apart, by its second order. "
-      "Films above the frame are cut off.");
+      "fields are those of the finest one, and lie further apart, by its second order: the table has the error of the "
+      "films in them. Where the height of a pressure spike is not known, curves end at 1.5 <i>p</i><sub>H</sub>, "
+      "unresolved above. Films above the frame are cut off.");
   page.begin_figures();
   Table table;
   table.caption = "Films of the cases (Hertz units, with the error that the solver states)";
-  table.columns = {"case",  "solver",     "asked",    "status", "<i>H</i><sub>min</sub>", "<i>H</i><sub>cen</sub>",
-                   "nodes", "work units", "time [ms]"};
+  table.columns = {"case",       "solver", "asked",      "status",   "<i>H</i><sub>min</sub>", "<i>H</i><sub>cen</sub>",
+                   "fields [%]", "nodes",  "work units", "time [ms]"};
   for (const View& one : cases) {
     const std::string id = one.text("id"), title = one.text("title");
     std::vector<ContactCurves> curves;
@@ -166,13 +169,15 @@ void add_contacts(Page& page, const View& results) {
                             verdict_cell(solver.text("status")),
                             known("minimum"),
                             known("central"),
+                            number_cell(scaled(solver.number("field_error"), 100), 2),
                             integer_cell(solver.number("nodes")),
                             number_cell(solver.number("work_units"), 3),
                             number_cell(scaled(solver.number("wall_s"), 1e3), 3)});
       curves.push_back({.name = solver.text("solver"),
                         .X = solver.numbers("X"),
                         .P = solver.numbers("P"),
-                        .H = solver.numbers("H")});
+                        .H = solver.numbers("H"),
+                        .P_cut = solver.number("pressure_cut")});
     }
     Figure figure = contact_figure("fig-case-" + id, "Pressure and film of " + id, curves);
     figure.panels.front().height = 220;

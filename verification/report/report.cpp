@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/report/report.hpp"
 
+#include <algorithm>
+#include <numeric>
+#include <string_view>
+#include <vector>
+
+#include "bearing/law_table.hpp"
 #include "contact/text.hpp"
 #include "verification/report/ladder.hpp"
 
@@ -63,7 +69,7 @@ std::string report_html(const Documents& documents) {
   require_whole(results);
   for (const View& part : stress.list("parts")) require_verdict(part);
   Page page;
-  add_summary(page, results);
+  add_summary(page, results, bench, stress);
   add_contacts(page, results);
   add_convergence(page, results);
   add_work_precision(page, bench);
@@ -72,17 +78,6 @@ std::string report_html(const Documents& documents) {
   add_bearing(page, results);
   add_origin(page, results, bench, stress);
   return page.document("ehd: verification report");
-}
-
-Look look_of_law(const std::string& law) {
-  if (law == "hertz") return {Line::dashed, Marker::circle, 1};
-  if (law == "ehd-linear") return {Line::dash_dot, Marker::square, 2};
-  if (law == "ehd") return {Line::solid, Marker::triangle, 3};
-  if (law == "iso") return {Line::dotted, Marker::diamond, 4};
-  if (law == "lundberg") return {Line::dashed, Marker::plus, 5};
-  if (law == "tripp") return {Line::dash_dot, Marker::cross, 6};
-  if (law == "houpert") return {Line::dotted, Marker::square, 6};
-  return {Line::dotted, Marker::plus, 5};
 }
 
 Look look_of_solver(const View& bench, const std::string& solver) {
@@ -102,6 +97,18 @@ Look look_of_curve(std::size_t k) {
   static constexpr Marker markers[] = {Marker::circle,  Marker::square, Marker::triangle,
                                        Marker::diamond, Marker::plus,   Marker::cross};
   return {lines[k % 4], markers[k % 6], 1 + static_cast<int>(k % 6)};
+}
+
+Look look_of_law(const std::string& law) {
+  // Laws that are balanced by default first: they stand in most figures, and nearby places differ most.
+  std::vector<std::string_view> names;
+  for (const bool by_default : {true, false})
+    for (const bearing::LawRow& row : bearing::law_rows())
+      if (row.is_default == by_default) names.push_back(row.name);
+  const auto place = static_cast<std::size_t>(std::find(names.begin(), names.end(), law) - names.begin());
+  // A law that only another version of the program knows: its look depends on its name alone.
+  if (place == names.size()) return look_of_curve(std::accumulate(law.begin(), law.end(), place));
+  return look_of_curve(place);
 }
 
 }  // namespace ehd::report

@@ -18,7 +18,7 @@ namespace ehd::report {
 [[nodiscard]] bool stands(const View& claim);
 
 // The sections, in this order.
-void add_summary(Page& page, const View& results);
+void add_summary(Page& page, const View& results, const View& bench, const View& stress);
 void add_contacts(Page& page, const View& results);
 void add_convergence(Page& page, const View& results);
 void add_work_precision(Page& page, const View& bench);
@@ -33,6 +33,7 @@ void add_origin(Page& page, const View& results, const View& bench, const View& 
 struct ContactCurves {
   std::string name;  ///< plain: the solver
   std::vector<double> X, P, H;
+  std::optional<double> P_cut = {};  ///< P ends here: the spike is higher, by an unknown amount
 };
 /// One panel: P and H over the contact, the inlet zone and the exit.
 [[nodiscard]] Figure contact_figure(const std::string& id, const std::string& title,
@@ -55,11 +56,11 @@ struct Look {
   Marker marker = Marker::circle;
   int colour = 1;
 };
-/// A contact force law looks the same in every figure.
+/// A contact force law looks the same in every figure: as its place in bearing/law_table.hpp has it.
 [[nodiscard]] Look look_of_law(const std::string& law);
 /// So does a solver: bench.json gives each its number, from 1.
 [[nodiscard]] Look look_of_solver(const View& bench, const std::string& solver);
-/// The k-th of other curves, from 0.
+/// The k-th of other curves, from 0. Twelve looks, then the first again.
 [[nodiscard]] Look look_of_curve(std::size_t k);
 
 }  // namespace ehd::report

@@ -250,22 +250,43 @@ void add_provenance(Page& page, const std::string& title, const View& provenance
 
 }  // namespace
 
-void add_summary(Page& page, const View& results) {
-  page.section("summary", "Summary");
+namespace {
+
+/// What the page shows beside claims, and what of it does not stand: parts of the stress, stated errors of the
+/// benchmark.
+struct Beside {
+  std::size_t parts = 0;
+  std::vector<std::string> open;  ///< HTML, one entry each
+
+  Beside(const View& bench, const View& stress) {
+    for (const View& part : stress.list("parts")) {
+      ++parts;
+      if (const std::string verdict = part.text("verdict"); verdict != "pass")
+        open.push_back("<a href=\"#stress\">stress (" + escaped(part.text("id")) + ") " + escaped(part.text("name")) +
+                       "</a>: " + escaped(verdict));
+    }
+    for (const View& one : bench["work_precision"].list("coverage"))
+      if (const double missed = one.number("missed").value_or(0); missed > 0)
+        open.push_back("<a href=\"#work-precision\">benchmark</a>: " + plain(missed) + " stated errors of " +
+                       escaped(one.text("solver")) + " do not cover the true one (" + escaped(one.text("quantity")) +
+                       ")");
+  }
+};
+
+/// Everything that is judged on the page in one sentence. Counted from the claims themselves, not read from the
+/// summary.
+void add_headline(Page& page, const View& results, const Beside& beside) {
   const auto claims = results.list("claims");
   const View summary = results["summary"];
-  std::map<std::string, View> by_id;
-  for (const View& claim : claims) by_id.emplace(claim.text("id"), claim);
-
-  // Counted from the claims themselves, not read from the summary.
-  const bool success = !claims.empty() && std::all_of(claims.begin(), claims.end(), stands);
+  const bool all_stand = !claims.empty() && std::all_of(claims.begin(), claims.end(), stands);
   const auto count = [&](const char* kind) {
     return std::to_string(
         std::count_if(claims.begin(), claims.end(), [&](const View& claim) { return claim.text("verdict") == kind; }));
   };
-  std::string verdict = success          ? "<b>Every claim stands.</b> "
-                        : claims.empty() ? "<b>No claim was judged.</b> "
-                                         : "<b>Not every claim stands.</b> ";
+  std::string verdict = claims.empty()        ? "<b>No claim was judged.</b> "
+                        : !all_stand          ? "<b>Not every claim stands.</b> "
+                        : beside.open.empty() ? "<b>Every claim stands.</b> "
+                                              : "<b>Every claim stands, but not everything on this page does.</b> ";
   verdict += count("pass") + " pass, " + count("fail") + " fail, " + count("inconclusive") + " inconclusive, " +
              std::to_string(results.list("skipped").size()) + " skipped";
   if (summary.has("wall_s")) verdict += "; " + escaped(seconds(summary.number("wall_s")));
@@ -273,7 +294,22 @@ void add_summary(Page& page, const View& results) {
   if (summary.flag("quick").value_or(false)) verdict += "; the quick suite: slow topics are skipped";
   if (const auto selection = summary.text("selection"); !selection.empty())
     verdict += "; only <code>" + escaped(selection) + "</code>";
-  page.paragraph(verdict + ".", success ? "verdict pass" : "verdict fail");
+  verdict += ".";
+  if (beside.parts > 0 && beside.open.empty())
+    verdict += " All " + std::to_string(beside.parts) + " parts of the <a href=\"#stress\">stress</a> pass.";
+  for (const std::string& one : beside.open) verdict += " " + one + ".";
+  page.paragraph(verdict, all_stand && beside.open.empty() ? "verdict pass" : "verdict fail");
+}
+
+}  // namespace
+
+void add_summary(Page& page, const View& results, const View& bench, const View& stress) {
+  page.section("summary", "Summary");
+  const auto claims = results.list("claims");
+  std::map<std::string, View> by_id;
+  for (const View& claim : claims) by_id.emplace(claim.text("id"), claim);
+
+  add_headline(page, results, Beside(bench, stress));
   page.paragraph(
       "A claim is a sentence with a number and a tolerance that carries its reason. It passes where error + "
       "uncertainty is within the "

@@ -116,6 +116,7 @@ struct Outcome {
   bool balanced = false;
   bool missed = false;  ///< balanced, but a contact missed its tolerance
   bool limit = false;   ///< refused because a solve came to its limit, which no domain excuses
+  bool late = false;    ///< it was the time limit
   double balance = 0, bisection = 0, wall_s = 0;
   long solves = 0;
   std::string why, outside;
@@ -158,6 +159,7 @@ std::vector<Outcome> of_films(const RandomBearing& at_any_speed, unsigned seed) 
     if (results.empty() || results[0].rollers.empty()) {
       outcome.why = results.empty() ? "no result" : results[0].why;
       outcome.limit = !results.empty() && results[0].status == StopReason::limit_reached;
+      outcome.late = outcome.limit && out_of_time(results[0].status, results[0].wall_s, request.time_limit_s);
       continue;
     }
     outcome.missed = results[0].status != StopReason::converged;
@@ -190,6 +192,7 @@ void add(BearingRow& row, const Outcome& outcome, const std::string& name) {
   }
   if (outcome.limit) {
     ++row.limits;
+    row.late += outcome.late ? 1 : 0;
     tell();
   } else if (outcome.outside.empty()) {
     ++row.refused_inside;
@@ -264,7 +267,8 @@ Part judge_bearings(const std::vector<BearingRow>& rows) {
                     row.law + ": " + std::to_string(row.balanced) + " of " + std::to_string(row.tried) + " balance");
       tally.require(row.refused_inside == 0,
                     row.law + ": " + std::to_string(row.refused_inside) + " refused inside the domain");
-      tally.require(row.limits == 0, row.law + ": " + std::to_string(row.limits) + " ended by a limit");
+      tally.add(holds_in_time(row.limits == 0, row.limits == row.late),
+                row.law + ": " + std::to_string(row.limits) + " ended by a limit");
       tally.require(row.missed_inside == 0, row.law + ": " + std::to_string(row.missed_inside) +
                                                 " with contacts that missed their tolerance, inside the domain");
     }

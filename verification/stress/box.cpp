@@ -45,7 +45,12 @@ Verdict judge_point(const BoxPoint& point, Tally& tally) {
       return tally.require(false, where + ": converged without a film");
   }
   if (point.p_H_Pa <= highest_pressure_Pa) {
-    if (!both) return tally.require(false, where + ": " + said);
+    if (!both) {
+      bool late = true;  // every solve that did not converge ran out of time
+      for (const Ended* end : {&one, &two})
+        late = late && (end->status == StopReason::converged || out_of_time(end->status, end->wall_s, time_limit_s));
+      return tally.add(holds_in_time(false, late), where + ": " + said);
+    }
     return tally.add(over_stated_errors(two, one), 0, within_stated_errors(),
                      where + ", difference over stated errors");
   }

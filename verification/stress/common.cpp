@@ -27,6 +27,15 @@ Ended ended(const Solution& solution) {
   return end;
 }
 
+bool out_of_time(StopReason status, double wall_s, double time_limit_s) {
+  constexpr double counted = 0.9;  // a solver's limit counts FFT planning too, wall_s does not
+  return status == StopReason::limit_reached && wall_s >= counted * time_limit_s;
+}
+
+Verdict holds_in_time(bool holds, bool out_of_time) {
+  return holds ? Verdict::pass : out_of_time ? Verdict::inconclusive : Verdict::fail;
+}
+
 double over_stated_errors(const Ended& one, const Ended& other) {
   if (!one.has_films() || !other.has_films()) return std::numeric_limits<double>::quiet_NaN();
   double worst = 0;

@@ -322,7 +322,9 @@ void judge_end(const ExtremeRow& row, const std::string& where, Sum& sum, Counts
   }
   ++counts.refused;
   tally.require(!end.reason.empty(), where + ": ended as " + status + " without a reason");
-  if (row.kind != limits_kind) tally.require(!row.inside, where + ": ended as " + status + " inside the box");
+  if (row.kind != limits_kind)
+    tally.add(holds_in_time(!row.inside, out_of_time(end.status, row.wall_s, row.time_limit_s)),
+              where + ": ended as " + status + " inside the box");
 }
 
 void judge_against_other(const ExtremeRow& row, const std::string& where, Sum& sum, Counts& counts, Tally& tally) {

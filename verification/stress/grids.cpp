@@ -220,6 +220,10 @@ void judge_end(const GridRow& row, Counts& counts, Tally& tally) {
   if (converged) tally.require(fine_enough, end + ", with a stated error of a film of 10 % or more, or none");
   if (!(std::max(row.truth_error[0], row.truth_error[1]) <= truth_tolerance) || (equal_cells && !(row.cells > 0)))
     tally.add(Verdict::inconclusive, where + ": the truth is not known to what was asked of it");
+  if (out_of_time(row.status, row.wall_s, time_limit_s)) {
+    tally.add(Verdict::inconclusive, end);
+    return;
+  }
   if (equal_cells) {
     tally.require(converged || under_resolved, end);
   } else {

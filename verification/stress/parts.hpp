@@ -27,6 +27,11 @@ struct Ended {
   [[nodiscard]] bool has_films() const { return film[0] && film[1] && error[0] && error[1]; }
 };
 [[nodiscard]] Ended ended(const Solution& solution);
+/// The time limit ended the solve. That says nothing of the solver, because a busy machine does it too: such a row is
+/// inconclusive. A limit on iterations comes at the same place on every machine, and is a failure.
+[[nodiscard]] bool out_of_time(StopReason status, double wall_s, double time_limit_s);
+/// pass where it holds; else inconclusive where the time limit ended a solve, and fail where nothing excuses it.
+[[nodiscard]] Verdict holds_in_time(bool holds, bool out_of_time);
 /// Largest difference of the two films over the sum of their stated errors; NaN where a film or an error is missing.
 [[nodiscard]] double over_stated_errors(const Ended& one, const Ended& other);
 [[nodiscard]] Tolerance within_stated_errors();  ///< over_stated_errors() at most 1
@@ -53,6 +58,7 @@ struct StartRow {
   std::string level = {}, contact = {}, family = {};
   long starts = 0, converged = 0, dishonest = 0;  ///< dishonest: called solved, but a number is not finite
   bool own_solved = false;                        ///< from the start that the solver makes itself
+  bool own_late = false;                          ///< it was not, and the time limit was spent
   double worst = 0;                         ///< largest relative difference from the film of that start; NaN stays
   std::optional<Tolerance> tolerance = {};  ///< of that; absent where the own start was not solved
 };
@@ -79,6 +85,7 @@ struct RoundingRow {
   double minimum = 0, central = 0;  ///< relative moves against rounding to nearest
   bool to_rounding = false;         ///< false: the solver adapts its grid, and its stated errors bound the move
   std::optional<Tolerance> tolerance = {};
+  bool late = false;     ///< the time limit ended the solve
   std::string why = {};  ///< where there is no result
 };
 [[nodiscard]] std::vector<RoundingRow> run_rounding(const Scope& scope);
@@ -96,6 +103,7 @@ struct ConditionRow {
   /// By the chain rule from the sensitivities to M and L, where the films follow from these alone.
   std::optional<double> by_groups[2] = {};
   bool converged = true;
+  bool late = false;  ///< the time limit ended a solve
 };
 [[nodiscard]] std::vector<ConditionRow> run_condition(const Scope& scope);
 [[nodiscard]] Part judge_condition(const std::vector<ConditionRow>& rows);
@@ -154,6 +162,7 @@ struct BearingRow {
   long balanced = 0;                   ///< every contact met its tolerance
   long missed = 0, missed_inside = 0;  ///< balanced, but a contact missed its tolerance; those inside the law's domain
   long limits = 0;                     ///< refused because a solve came to its limit, inside or outside the domain
+  long late = 0;                       ///< of those, by the time limit
   long refused_outside = 0, refused_inside = 0;  ///< other refusals; the domain is computed from the stated numbers
   double worst_balance = 0;                      ///< balance_error; NaN stays
   double worst_bisection = 0;                    ///< worst_bisection_error; NaN stays

@@ -88,6 +88,7 @@ Json in_mode(int mode, const std::vector<Asked>& all, const std::vector<Problem>
 /// One solve in its mode against the same solve rounded to nearest.
 void compare(const Ended& end, const Ended& nearest, const Asked& asked, RoundingRow& row) {
   row.status = end.status;
+  row.late = out_of_time(end.status, end.wall_s, time_limit_s);
   if (!end.has_films() || !nearest.has_films() || !end.finite) return;
   row.minimum = std::abs(*end.film[0] / *nearest.film[0] - 1);
   row.central = std::abs(*end.film[1] / *nearest.film[1] - 1);
@@ -152,8 +153,8 @@ Part judge_rounding(const std::vector<RoundingRow>& rows) {
     const std::string where = row.solver + ", " + row.contact + ", " + row.mode;
     part.table.rows.push_back({row.solver, row.contact, row.mode, to_string(row.status), row.minimum, row.central,
                                row.tolerance, row.to_rounding ? "operations x condition" : "stated errors"});
-    tally.require(row.status == StopReason::converged,
-                  where + ": " + (row.why.empty() ? std::string(to_string(row.status)) : row.why));
+    tally.add(holds_in_time(row.status == StopReason::converged, row.late),
+              where + ": " + (row.why.empty() ? std::string(to_string(row.status)) : row.why));
     converged += row.status == StopReason::converged ? 1 : 0;
     if (row.why.empty() && !row.in_force)
       tally.add(Verdict::inconclusive, where + ": the rounding mode was not in force");

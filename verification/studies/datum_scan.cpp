@@ -18,12 +18,12 @@ namespace ehd::verification {
 namespace {
 
 /// The dry balances: the datum does not change them. Empty where one is missing.
-std::vector<BearingResult> dry_balances(const std::vector<Case>& cases, ContactMemory& memory, bearing::Form form) {
+std::vector<BearingResult> dry_balances(const std::vector<Case>& cases, bearing::Law law, ContactMemory& memory,
+                                        bearing::Form form) {
   std::vector<BearingResult> dry;
   for (const Case& one : cases) {
-    const auto results =
-        run_bearing(one, {.laws = {bearing::Law::hertz}, .explicitly = true, .films = false, .form = form}, memory);
-    const BearingResult* const found = balance_by(bearing::Law::hertz, results);
+    const auto results = run_bearing(one, {.laws = {law}, .explicitly = true, .films = false, .form = form}, memory);
+    const BearingResult* const found = balance_by(law, results);
     if (!found) return {};
     dry.push_back(*found);
   }
@@ -100,7 +100,7 @@ std::vector<DatumRow> compare_data(const std::vector<Case>& cases, bearing::Law 
   const std::vector<std::pair<std::string, Datum>> data{
       {"palmgren", PalmgrenDatum{}},         {"lundberg", LundbergDatum{}},      {"x_0 = 20 mm", LengthDatum{0.020}},
       {"x_0 = 2.5 mm", LengthDatum{0.0025}}, {"x_0 = 1 mm", LengthDatum{0.001}}, {"x_0 = 0.5 mm", LengthDatum{0.0005}}};
-  const auto dry = dry_balances(cases, memory, form);
+  const auto dry = dry_balances(cases, bearing::Law::hertz, memory, form);
   for (const auto& [name, datum] : data) {
     DatumRow row{name, with_datum(cases, dry, datum, law, memory, form), {}};
     row.statements = judge_paper_statements(row.clearances);
@@ -109,9 +109,10 @@ std::vector<DatumRow> compare_data(const std::vector<Case>& cases, bearing::Law 
   return rows;
 }
 
-DatumScan scan_datum(const std::vector<Case>& cases, bearing::Law law, ContactMemory& memory, bearing::Form form) {
+DatumScan scan_datum(const std::vector<Case>& cases, bearing::Law law, ContactMemory& memory, bearing::Form form,
+                     bearing::Law dry_law) {
   DatumScan scan;
-  const auto dry = dry_balances(cases, memory, form);
+  const auto dry = dry_balances(cases, dry_law, memory, form);
   const auto* const body = cases.empty() ? nullptr : std::get_if<BearingCase>(&cases.front().body);
   scan.half_width_m = body ? heaviest_half_width_m(dry, body->geometry.length_m) : 0;
   if (!(scan.half_width_m > 0)) return scan;
@@ -143,6 +144,14 @@ DatumScan scan_datum(const std::vector<Case>& cases, bearing::Law law, ContactMe
       return one && one->part(name).value();
     };
   };
+  const auto at_top = [](const std::string& wanted) {
+    return [wanted](const Judged& of) {
+      return std::all_of(wanted.begin(), wanted.end(), [&](char letter) {
+        const PaperStatement* const one = find_statement(of, letter);
+        return one && one->holds_at_top.value_or(one->holds);
+      });
+    };
+  };
   const auto both = [](const Reading& one, const Reading& other) {
     return [one, other](const Judged& of) { return one(of) && other(of); };
   };
@@ -152,20 +161,23 @@ DatumScan scan_datum(const std::vector<Case>& cases, bearing::Law law, ContactMe
   scan.a_lower_m = find(part('a', "lower"));
   scan.b_m = find(letters("b"));
   scan.c_m = find(letters("c"));
-  scan.c_close_m = find(part('c', "close"));
+  scan.b_at_top_m = find(at_top("b"));
+  scan.c_at_top_m = find(at_top("c"));
+  scan.c_close_m = find(part('c', "close at psi = 0"));
   scan.c_opposite_m = find(part('c', "opposite"));
   scan.d_m = find(letters("d"));
   scan.abc_m = find(letters("abc"));
   scan.all_hold_m = find(letters("abcd"));
-  const Reading by_sign = both(part('a', "lower"), letters("bcd"));
-  scan.sign_of_a_m = find(by_sign);
+  const Reading all_at_top = at_top("abcd");
+  scan.at_top_m = find(all_at_top);
   for (const auto& [x, of] : known) {
-    if (!by_sign(of)) continue;
+    if (!all_at_top(of)) continue;
     const double share = find_statement(of, 'a')->value("apart").value();
     auto& range = scan.apart_there;
     range = range ? std::pair(std::min(range->first, share), std::max(range->second, share)) : std::pair(share, share);
   }
-  scan.all_hold_mildly_m = find(both(letters("abd"), both(part('c', "closest"), part('c', "opposite"))));
+  scan.all_hold_mildly_m =
+      find(both(both(letters("ad"), at_top("b")), both(part('c', "closest"), part('c', "opposite"))));
   return scan;
 }
 
@@ -200,7 +212,7 @@ std::string human_data(const std::vector<DatumRow>& rows, const DatumScan& scan)
         cells.push_back(fmt::format("{:.0f}/{:.0f}", top_force_N(at.dry), top_force_N(at.film)));
         cells.push_back(fmt::format("{:.2f}/{:.2f}", 1e6 * top_approach_m(at.dry), 1e6 * top_approach_m(at.film)));
       }
-      for (const char letter : statement_letters) cells.emplace_back(holds(row.statements, letter) ? "holds" : "no");
+      for (const char letter : statement_letters) cells.push_back(cell_of(*find_statement(row.statements, letter)));
       table.push_back(std::move(cells));
     }
     text += aligned(table, 1, "  ") + "\n";
@@ -220,18 +232,21 @@ std::string human_data(const std::vector<DatumRow>& rows, const DatumScan& scan)
        scan.a_similar_m);
   line("(a) second half, Q(0) lower than dry at the smallest clearance", scan.a_lower_m);
   line("(b) holds", scan.b_m);
+  line("(b) at psi = 0 alone", scan.b_at_top_m);
   line("(c) holds", scan.c_m);
+  line("(c) at psi = 0 alone", scan.c_at_top_m);
   line("(c) first half, Q(0) within " + close + " of dry at the middle clearance", scan.c_close_m);
   line("(c) second half, opposite of (a) at the largest clearance", scan.c_opposite_m);
   line("(d) holds", scan.d_m);
   line("(a), (b) and (c) together", scan.abc_m);
   line("(a), (b), (c) and (d) together", scan.all_hold_m);
-  line("the same with the second half of (a) alone, its sign at psi = 0", scan.sign_of_a_m);
+  line("the same, each judged at psi = 0 alone", scan.at_top_m);
   if (scan.apart_there)
     text += fmt::format(
         "      there the loads are {:.1f} to {:.1f} % of the largest dry load apart, where \"similar\" asks for {}\n",
         100 * scan.apart_there->first, 100 * scan.apart_there->second, similar);
-  line("all four with \"close\" in (c) read as closer than at the other two clearances", scan.all_hold_mildly_m);
+  line("all four with (b) at psi = 0 and \"close\" in (c) read as closer there than at the other two clearances",
+       scan.all_hold_mildly_m);
   return text;
 }
 

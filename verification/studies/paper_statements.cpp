@@ -117,40 +117,80 @@ Apart apart(const ClearanceComparison& at) {
   most.share = std::abs(most.change_N) / largest_force_N(at.dry);
   return most;
 }
+std::string words_of(const Apart& most) {
+  return fmt::format("furthest apart at {:.4g} deg: {:+.0f} N, {:.1f} % of the largest dry load", most.azimuth_deg,
+                     most.change_N, 100 * most.share);
+}
 
 PaperStatement judge_a(const ClearanceComparison& smallest) {
   const double top = change_at_top(smallest);
   const Apart most = apart(smallest);
+  const FurtherOut further = further_out(smallest);
   const bool similar = most.share <= similar_load, lower = top < 0;
-  return {
-      'a',
-      fmt::format("at P_d = {:g} um the load distributions are similar, and near psi = 0 EHD lowers the roller load",
-                  1e6 * smallest.clearance_m),
-      similar && lower,
-      fmt::format("Q(0) dry {:.0f} N, EHD {:.0f} N: {:+.1f} %; furthest apart at {:.4g} deg: {:+.0f} N, {:.1f} % of "
-                  "the largest dry load "
-                  "({}: at most {:g} %); {}",
-                  top_force_N(smallest.dry), top_force_N(smallest.film), 100 * top, most.azimuth_deg, most.change_N,
-                  100 * most.share, similar ? "similar" : "not similar", 100 * similar_load,
-                  words_of(further_out(smallest))),
-      {{"similar", similar}, {"lower", lower}},
-      {{"change", top}, {"apart", most.share}}};
+  return {.letter = 'a',
+          .statement = fmt::format(
+              "at P_d = {:g} um the load distributions are similar, and near psi = 0 EHD lowers the roller load (the "
+              "printed \"in contrast ... decrease\" further out contradicts that: the loads have to add up to F_r)",
+              1e6 * smallest.clearance_m),
+          .holds = similar && lower,
+          .holds_at_top = std::abs(top) <= similar_load && lower,
+          .numbers = fmt::format("Q(0) dry {:.0f} N, EHD {:.0f} N: {:+.1f} %; {}, {}: at most {:g} %; {}: they {}",
+                                 top_force_N(smallest.dry), top_force_N(smallest.film), 100 * top, words_of(most),
+                                 similar ? "similar" : "not similar", 100 * similar_load, words_of(further),
+                                 further.change_N < 0 ? "decrease, as printed" : "do not decrease"),
+          .parts = {{"similar", similar}, {"lower", lower}, {"printed decrease", further.change_N < 0}},
+          .values = {{"change", top}, {"apart", most.share}}};
+}
+
+/// How the film changes delta_i at one clearance.
+struct Approaches {
+  double top = 0;                                           ///< (film - dry)/dry at psi = 0
+  double least = -std::numeric_limits<double>::infinity();  ///< the same, where it is smaller by the least, of `loaded`
+  int loaded = 0;                                           ///< rollers that the dry law loads
+  int larger = 0, of = 0;                                   ///< of the others: where delta_i is larger with the film
+  double largest_m = 0;                                     ///< by how much, at most
+};
+Approaches approaches(const ClearanceComparison& at) {
+  Approaches result{.top = top_approach_m(at.film) / top_approach_m(at.dry) - 1};
+  const double largest_N = largest_force_N(at.dry);
+  for (std::size_t j = 0; j < at.dry.rollers.size(); ++j) {
+    const double dry = at.dry.rollers[j].inner.displacement_m, film = at.film.rollers[j].inner.displacement_m;
+    if (is_loaded(at.dry.rollers[j], largest_N)) {
+      ++result.loaded;
+      if (!(film / dry - 1 <= result.least)) result.least = film / dry - 1;  // NaN stays, and is not smaller
+      if (std::isnan(result.least)) break;
+    } else {
+      ++result.of;
+      result.larger += film > dry;
+      result.largest_m = std::max(result.largest_m, film - dry);
+    }
+  }
+  return result;
 }
 
 PaperStatement judge_b(const std::vector<ClearanceComparison>& all) {
-  PaperStatement statement{'b', "delta_i is considerably smaller with EHD than dry, at every clearance", true, "", {},
-                           {}};
-  double least = -std::numeric_limits<double>::infinity(), most = std::numeric_limits<double>::infinity();
+  PaperStatement statement{.letter = 'b',
+                           .statement = "delta_i is considerably smaller with EHD than dry, at every clearance",
+                           .holds = true,
+                           .holds_at_top = true};
+  double least = -std::numeric_limits<double>::infinity(), most = -least, loaded = least, outside_m = 0;
   for (const ClearanceComparison& at : all) {
-    const double change = top_approach_m(at.film) / top_approach_m(at.dry) - 1;
-    statement.holds = statement.holds && change <= -considerably;
-    least = std::max(least, change);
-    most = std::min(most, change);
+    const Approaches here = approaches(at);
+    statement.holds_at_top = *statement.holds_at_top && here.top <= -considerably;
+    statement.holds = statement.holds && here.top <= -considerably && here.least <= -considerably;
+    least = std::max(least, here.top);
+    most = std::min(most, here.top);
+    loaded = std::max(loaded, here.least);
+    outside_m = std::max(outside_m, here.largest_m);
     statement.numbers += (statement.numbers.empty() ? "" : "; ") +
-                         fmt::format("P_d {:g} um: delta_i(0) {:.3f} -> {:.3f} um ({:+.0f} %)", 1e6 * at.clearance_m,
-                                     1e6 * top_approach_m(at.dry), 1e6 * top_approach_m(at.film), 100 * change);
+                         fmt::format(
+                             "P_d {:g} um: delta_i(0) {:.3f} -> {:.3f} um ({:+.0f} %), {} loaded rollers {:+.0f} "
+                             "% or less, of {} others {} larger",
+                             1e6 * at.clearance_m, 1e6 * top_approach_m(at.dry), 1e6 * top_approach_m(at.film),
+                             100 * here.top, here.loaded, 100 * here.least, here.of, here.larger);
+    if (here.larger > 0) statement.numbers += fmt::format(" (by {:.2f} um at most)", 1e6 * here.largest_m);
   }
-  statement.values = {{"least", least}, {"most", most}};
+  statement.values = {{"least", least}, {"most", most}, {"loaded", loaded}, {"outside_m", outside_m}};
   return statement;
 }
 
@@ -158,33 +198,36 @@ PaperStatement judge_c(const ClearanceComparison& smallest, const ClearanceCompa
                        const ClearanceComparison& largest) {
   const double near = change_at_top(middle), far = change_at_top(largest);
   const bool closest = std::abs(near) < std::min(std::abs(change_at_top(smallest)), std::abs(far));
+  const Apart most = apart(middle);
   const FurtherOut further = further_out(largest);
-  const bool close = std::abs(near) <= close_load;
+  const bool close_at_top = std::abs(near) <= close_load, close = close_at_top && most.share <= close_load;
   const bool opposite = far > 0 && further.change_N < 0;
-  return {'c',
-          fmt::format(
+  return {.letter = 'c',
+          .statement = fmt::format(
               "at P_d = {:g} um EHD is close to Hertz; at {:g} um it raises the roller load near psi = 0 and lowers it "
               "further out",
               1e6 * middle.clearance_m, 1e6 * largest.clearance_m),
-          close && opposite,
-          fmt::format(
-              "Q(0) at {:g} um {:.0f} -> {:.0f} N ({:+.1f} %, {}); at {:g} um {:.0f} -> {:.0f} N ({:+.1f} %), {} ({})",
+          .holds = close && opposite,
+          .holds_at_top = close_at_top && opposite,
+          .numbers = fmt::format(
+              "Q(0) at {:g} um {:.0f} -> {:.0f} N ({:+.1f} %, {}); {}, {}: at most {:g} %; at {:g} um {:.0f} -> {:.0f} "
+              "N ({:+.1f} %), {} ({})",
               1e6 * middle.clearance_m, top_force_N(middle.dry), top_force_N(middle.film), 100 * near,
-              close ? "close" : "not close", 1e6 * largest.clearance_m, top_force_N(largest.dry),
-              top_force_N(largest.film), 100 * far, words_of(further), opposite ? "as said" : "not as said"),
-          {{"close", close}, {"closest", closest}, {"opposite", opposite}},
-          {{"middle", near}, {"largest", far}}};
+              close_at_top ? "close" : "not close", words_of(most), close ? "close" : "not close", 100 * close_load,
+              1e6 * largest.clearance_m, top_force_N(largest.dry), top_force_N(largest.film), 100 * far,
+              words_of(further), opposite ? "as said" : "not as said"),
+          .parts = {{"close", close}, {"close at psi = 0", close_at_top}, {"closest", closest}, {"opposite", opposite}},
+          .values = {{"middle", near}, {"largest", far}, {"apart", most.share}}};
 }
 
 /// With growing clearance delta_i grows at psi = 0 and falls at 90 degrees: the displacements concentrate.
 PaperStatement judge_d(const std::vector<ClearanceComparison>& all) {
-  PaperStatement statement{'d',
-                           "with growing clearance the larger displacements concentrate near psi = 0, in both models "
-                           "(the printed \"near 0 deg decrease, near 90 deg increase\" is the opposite)",
-                           true,
-                           "",
-                           {},
-                           {}};
+  PaperStatement statement{
+      .letter = 'd',
+      .statement =
+          "with growing clearance the larger displacements concentrate near psi = 0, in both models (the "
+          "printed \"near 0 deg decrease, near 90 deg increase\" is the opposite)",
+      .holds = true};
   for (const bool film : {false, true}) {
     std::string top, side, count;
     for (std::size_t k = 0; k < all.size(); ++k) {
@@ -245,7 +288,7 @@ bool differ_only_in_clearance(const std::vector<Case>& cases) {
                         body.roughness_m, inner_rpm, outer_rpm, load_N, body.modulus_Pa, body.poisson);
     };
     return bearing(one) == bearing(other) && lubricant(one) == lubricant(other) && datum(one) == datum(other) &&
-           one.fit.load_N == other.fit.load_N && one.fit.points == other.fit.points;
+           one.fit.load_N == other.fit.load_N && one.fit.points == other.fit.points && one.fit.of == other.fit.of;
   };
   std::vector<double> clearances;
   for (const Case& one : cases) {
@@ -258,11 +301,20 @@ bool differ_only_in_clearance(const std::vector<Case>& cases) {
   return !clearances.empty() && std::adjacent_find(clearances.begin(), clearances.end()) == clearances.end();
 }
 
+std::string verdict_of(const PaperStatement& statement) {
+  if (statement.holds) return "holds";
+  return statement.holds_at_top.value_or(false) ? "does not hold; at psi = 0 alone it does" : "does not hold";
+}
+
+std::string cell_of(const PaperStatement& statement) {
+  return statement.holds ? "holds" : statement.holds_at_top.value_or(false) ? "at 0" : "no";
+}
+
 std::string human_statements(const std::vector<PaperStatement>& statements) {
   std::string text;
   for (const PaperStatement& statement : statements)
-    text += std::string("  (") + statement.letter + ") " + (statement.holds ? "holds" : "does not hold") + ": " +
-            statement.statement + "\n      " + statement.numbers + "\n";
+    text += std::string("  (") + statement.letter + ") " + verdict_of(statement) + ": " + statement.statement +
+            "\n      " + statement.numbers + "\n";
   return text;
 }
 

@@ -9,6 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "bearing/law_table.hpp"
+#include "contact/oil_laws.hpp"
 #include "contact/text.hpp"
 #include "io/json.hpp"
 #include "io/tables.hpp"
@@ -22,7 +24,9 @@ namespace {
 struct Choice {
   std::string factor, value;
   std::function<void(BearingCase&)> change;
-  bool cut = false;  ///< the variant of ehd-linear that lets go at delta = 0
+  bool cut = false;         ///< the variant of ehd-linear that lets go at delta = 0
+  bool of_the_fit = false;  ///< it changes the straight line alone
+  bearing::Law dry = bearing::Law::hertz;
 };
 
 constexpr const char* two_choices = "two choices";
@@ -46,12 +50,26 @@ std::vector<Choice> choices(const BearingCase& body) {
     for (const double share : {0.5, 0.75, 1.25, 1.75})
       add("alpha", "z = " + plain(*z * share, 4),
           [z, share](BearingCase& one) { one.lubricant->lubricant.z = *z * share; });
+  for (const DensityLawRow& row : density_laws())
+    if (row.law != body.lubricant->lubricant.density)
+      add("density", std::string(row.name),
+          [law = row.law](BearingCase& one) { one.lubricant->lubricant.density = law; });
+  // The dry law that EHD is compared with. The datum stays the case's.
+  for (const bearing::Law law : laws_of(bearing::Laws::dry_without_ring_thickness))
+    if (law != bearing::Law::hertz) {
+      add("K_Hertz", "law " + std::string(to_string(law)), [](BearingCase&) {});
+      all.back().dry = law;
+    }
+  add("fit direction", "delta over f", [](BearingCase& one) { one.fit.of = bearing::FitOf::approach; });
+  all.back().of_the_fit = true;
   if (const auto range = body.fit.load_N) {
-    for (const double share : {0.15, 0.5, 2.0})
+    for (const double share : {0.15, 0.5, 2.0}) {
       add("fit range", number(range->first * share, "N") + " to " + number(range->second, "N"),
           [range, share](BearingCase& one) {
             one.fit.load_N = std::pair{range->first * share, range->second};
           });
+      all.back().of_the_fit = true;
+    }
     for (const double share : {0.2, 0.5, 1.2})
       add("datum", "palmgren at " + number(range->second * share, "N"),
           [range, share](BearingCase& one) { one.datum = PalmgrenDatum{range->second * share}; });
@@ -65,7 +83,8 @@ std::vector<Choice> choices(const BearingCase& body) {
   const bool inner_turns = body.operation.inner_speed_rpm != 0;
   add("rotating ring", inner_turns ? "outer" : "inner",
       [](BearingCase& one) { std::swap(one.operation.inner_speed_rpm, one.operation.outer_speed_rpm); });
-  all.push_back({"unloading", "let go at delta = 0", [](BearingCase&) {}, true});
+  add("unloading", "let go at delta = 0", [](BearingCase&) {});
+  all.back().cut = true;
   for (const double length_m : {0.018, 0.122})
     if (length_m != body.geometry.length_m)
       add("length", number(length_m, "m"), [length_m](BearingCase& one) { one.geometry.length_m = length_m; });
@@ -103,9 +122,8 @@ StudyRow judged(const Choice& choice, const std::vector<Case>& cases, bearing::L
   for (Case& one : changed) {
     auto& body = std::get<BearingCase>(one.body);
     choice.change(body);
-    const auto results =
-        run_bearing(one, {.laws = {bearing::Law::hertz, law}, .explicitly = true, .films = choice.cut}, memory);
-    const BearingResult *dry = balance_by(bearing::Law::hertz, results), *film = balance_by(law, results);
+    const auto results = run_bearing(one, {.laws = {choice.dry, law}, .explicitly = true, .films = choice.cut}, memory);
+    const BearingResult *dry = balance_by(choice.dry, results), *film = balance_by(law, results);
     std::optional<BearingResult> cut;
     if (choice.cut && film) cut = cut_of(*film);
     if (!dry || !film || (choice.cut && !cut)) {
@@ -117,7 +135,7 @@ StudyRow judged(const Choice& choice, const std::vector<Case>& cases, bearing::L
   row.statements = judge_paper_statements(clearances);
   if (row.statements.empty()) row.why = "no balance at a clearance";
   if (choice.factor != "datum" && choice.factor != two_choices && !choice.cut && !row.statements.empty())
-    row.scan = scan_datum(changed, law, memory);
+    row.scan = scan_datum(changed, law, memory, bearing::Form::plane, choice.dry);
   return row;
 }
 
@@ -138,7 +156,7 @@ std::vector<StudyRow> study_statements(const std::vector<Case>& cases, ContactMe
   for (const bearing::Law law : film_laws())
     for (const Choice& choice : choices(body)) {
       // The full relation has no fit, and does not let go at a finite force.
-      if (law == bearing::Law::ehd && (choice.cut || choice.factor == "fit range")) continue;
+      if (law == bearing::Law::ehd && (choice.cut || choice.of_the_fit)) continue;
       rows.push_back(judged(choice, cases, law, memory));
     }
   return rows;
@@ -148,15 +166,16 @@ std::vector<StudySummary> summarise(const std::vector<StudyRow>& rows) {
   std::vector<StudySummary> summaries;
   for (const bearing::Law law : film_laws())
     for (const char letter : statement_letters) {
-      StudySummary summary{.law = law, .letter = letter, .holds = 0, .of = 0, .exceptions = ""};
+      StudySummary summary{.law = law, .letter = letter};
       std::string yes, no;
       for (const StudyRow& row : rows) {
         const PaperStatement* const one = find_statement(row.statements, letter);
         if (row.law != law || !one || row.factor == two_choices) continue;
         ++summary.of;
         summary.holds += one->holds;
-        std::string& list = one->holds ? yes : no;
-        list += (list.empty() ? "" : "; ") + name_of(row);
+        const auto add = [&row](std::string& list) { list += (list.empty() ? "" : "; ") + name_of(row); };
+        add(one->holds ? yes : no);
+        if (one->holds_at_top.value_or(one->holds) != one->holds) add(summary.at_top_alone);
       }
       if (summary.of == 0) continue;
       if (summary.holds > 0 && summary.holds < summary.of)
@@ -183,6 +202,7 @@ Json to_json(const std::vector<StudyRow>& rows) {
                                    {"holds", judged.holds},
                                    {"values", std::move(values)},
                                    {"numbers", judged.numbers}});
+      if (judged.holds_at_top) one["statements"].back()["holds_at_psi_0"] = *judged.holds_at_top;
     }
     if (!row.why.empty()) one["why"] = row.why;
     if (row.scan) {
@@ -195,7 +215,9 @@ Json to_json(const std::vector<StudyRow>& rows) {
       one["x0_d_m"] = list(scan.d_m);
       one["x0_abc_m"] = list(scan.abc_m);
       one["x0_all_hold_m"] = list(scan.all_hold_m);
-      one["x0_sign_of_a_m"] = list(scan.sign_of_a_m);
+      one["x0_b_at_psi_0_m"] = list(scan.b_at_top_m);
+      one["x0_c_at_psi_0_m"] = list(scan.c_at_top_m);
+      one["x0_sign_of_a_m"] = list(scan.at_top_m);
       one["x0_all_hold_mildly_m"] = list(scan.all_hold_mildly_m);
     }
     json["rows"].push_back(std::move(one));
@@ -205,44 +227,61 @@ Json to_json(const std::vector<StudyRow>& rows) {
                                {"letter", std::string(1, one.letter)},
                                {"holds", one.holds},
                                {"of", one.of},
-                               {"exceptions", one.exceptions}});
+                               {"exceptions", one.exceptions},
+                               {"at_psi_0_alone", one.at_top_alone}});
   return json;
 }
+
+namespace {
+
+std::vector<std::string> study_cells(const StudyRow& row) {
+  if (row.statements.empty())
+    return {row.factor, row.value, row.why, "", "", "", "", "", "", "", "", "", "", "", "", ""};
+  const auto range = [&](DatumScan::Ranges DatumScan::*which) {
+    return row.scan ? words_of(*row.scan, (*row.scan).*which, 2) : std::string();
+  };
+  const auto of = [&](char letter) -> const PaperStatement& { return *find_statement(row.statements, letter); };
+  const auto share = [](const PaperStatement& one) { return fmt::format("{:.1f}", 100 * one.value("apart").value()); };
+  const PaperStatement &a = of('a'), &b = of('b'), &c = of('c');
+  return {row.factor,
+          row.value,
+          cell_of(a),
+          percent(a, "change"),
+          share(a),
+          cell_of(b),
+          percent(b, "least") + ".." + percent(b, "most"),
+          percent(b, "loaded"),
+          cell_of(c),
+          percent(c, "middle"),
+          share(c),
+          percent(c, "largest"),
+          cell_of(of('d')),
+          range(&DatumScan::all_hold_m),
+          range(&DatumScan::at_top_m),
+          range(&DatumScan::all_hold_mildly_m)};
+}
+
+}  // namespace
 
 std::string human_study(const std::vector<StudyRow>& rows) {
   std::string text;
   for (const bearing::Law law : film_laws()) {
-    std::vector<std::vector<std::string>> table{{"changed", "to", "(a)", "Q(0) %", "apart %", "(b)", "delta_i %", "(c)",
-                                                 "middle %", "largest %", "(d)", "x_0 for (a)..(d)",
-                                                 "without \"similar\"", "with a mild (c)"}};
-    for (const StudyRow& row : rows) {
-      if (row.law != law) continue;
-      if (row.statements.empty()) {
-        table.push_back({row.factor, row.value, row.why, "", "", "", "", "", "", "", "", "", "", ""});
-        continue;
-      }
-      const auto range = [](const StudyRow& of, DatumScan::Ranges DatumScan::*which) {
-        return of.scan ? words_of(*of.scan, (*of.scan).*which, 2) : std::string();
-      };
-      const auto of = [&](char letter) -> const PaperStatement& { return *find_statement(row.statements, letter); };
-      const auto word = [&](char letter) { return of(letter).holds ? "holds" : "no"; };
-      const PaperStatement &a = of('a'), &b = of('b'), &c = of('c');
-      table.push_back({row.factor, row.value, word('a'), percent(a, "change"),
-                       fmt::format("{:.1f}", 100 * a.value("apart").value()), word('b'),
-                       percent(b, "least") + ".." + percent(b, "most"), word('c'), percent(c, "middle"),
-                       percent(c, "largest"), word('d'), range(row, &DatumScan::all_hold_m),
-                       range(row, &DatumScan::sign_of_a_m), range(row, &DatumScan::all_hold_mildly_m)});
-    }
+    std::vector<std::vector<std::string>> table{{"changed", "to", "(a)", "Q(0) %", "apart %", "(b)", "delta_i(0) %",
+                                                 "loaded %", "(c)", "middle %", "apart %", "largest %", "(d)",
+                                                 "x_0 for (a)..(d)", "at psi = 0 alone", "with a mild (c)"}};
+    for (const StudyRow& row : rows)
+      if (row.law == law) table.push_back(study_cells(row));
     if (table.size() == 1) continue;
     text += fmt::format(
-        "{}hertz against {}: changes of the roller load and of delta_i at psi = 0, the largest of any "
-        "roller's load\n{}",
+        "{}dry law against {}: changes of the roller load and of delta_i at psi = 0; \"apart\" and \"loaded\" are the "
+        "worst of the distribution\n{}",
         text.empty() ? "" : "\n", to_string(law), aligned(table, 2, "  "));
   }
   text += "\n";
   for (const StudySummary& one : summarise(rows))
-    text += fmt::format("  ({}), {}: holds in {} of {}{}{}\n", one.letter, to_string(one.law), one.holds, one.of,
-                        one.exceptions.empty() ? "" : ", ", one.exceptions);
+    text += fmt::format("  ({}), {}: holds in {} of {}{}{}{}{}\n", one.letter, to_string(one.law), one.holds, one.of,
+                        one.exceptions.empty() ? "" : ", ", one.exceptions,
+                        one.at_top_alone.empty() ? "" : "; at psi = 0 alone also with ", one.at_top_alone);
   return text;
 }
 

@@ -15,7 +15,8 @@ namespace ehd::verification {
 
 /// One choice changed, and the statements judged with it.
 struct StudyRow {
-  /// "as the case", "viscosity", "alpha", "fit range", "datum", "rotating ring", "unloading", "length"; "two choices"
+  /// "as the case", "viscosity", "alpha", "density", "K_Hertz", "fit direction", "fit range", "datum", "rotating ring",
+  /// "unloading", "length"; "two choices"
   std::string factor;
   std::string value;  ///< with its unit
   bearing::Law law = bearing::Law::ehd_linear;
@@ -26,6 +27,7 @@ struct StudyRow {
 
 /// `cases`: one bearing at three or more clearances (differ_only_in_clearance) with a lubricant. For both EHD laws:
 /// the case as it is; viscosity over a decade about its own, at the same alpha; alpha from half to 1.75 times its own;
+/// every other density law; every other dry law in the place of `hertz`; the line fitted to delta over f;
 /// the fit from .3, 1, 2 and 4 kN (scaled to the case's own range) to its end; Palmgren met at a fifth, half and 1.2 of
 /// the fit's end, Lundberg, x_0 = R and 20 mm; the other ring turning; ehd-linear cut at delta = 0; lengths of .122 and
 /// .018 m at the same load. Last, two choices at once where one alone changes little: a thick oil, or another length,
@@ -37,7 +39,8 @@ struct StudySummary {
   bearing::Law law = bearing::Law::ehd_linear;
   char letter = 'a';
   int holds = 0, of = 0;
-  std::string exceptions;  ///< the minority: the rows in which it fails, or those in which it holds
+  std::string exceptions = {};    ///< the minority: the rows in which it fails, or those in which it holds
+  std::string at_top_alone = {};  ///< the rows in which it holds at psi = 0 alone
 };
 [[nodiscard]] std::vector<StudySummary> summarise(const std::vector<StudyRow>& rows);
 

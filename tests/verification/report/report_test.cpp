@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
 #include <string>
 #include <tuple>
 
+#include "bearing/law_table.hpp"
 #include "io/json.hpp"
 #include "tests/check.hpp"
 #include "tests/process.hpp"
@@ -138,6 +141,52 @@ BOOST_AUTO_TEST_CASE(the_verdict_is_that_of_the_claims_whatever_the_summary_says
       made_page([](report::Documents& documents) { documents.results["claims"] = Json::array(); });
   BOOST_TEST(count_of(empty, "No claim was judged.") == 1u);
   BOOST_TEST(count_of(empty, "Every claim stands.") == 0u);
+}
+
+// The headline is about the page: claims alone cannot make it good.
+BOOST_AUTO_TEST_CASE(the_headline_covers_everything_that_is_judged_on_the_page) {
+  const auto page_of = [](const char* part, int missed) {
+    return made_page([&](report::Documents& documents) {
+      for (Json& claim : documents.results["claims"]) claim["verdict"] = "pass";
+      documents.stress["parts"][0]["verdict"] = part;
+      documents.bench["work_precision"]["coverage"][0]["missed"] = missed;
+    });
+  };
+  const std::string good = page_of("pass", 0);
+  BOOST_TEST(count_of(good, "<b>Every claim stands.</b>") == 1u);
+  BOOST_TEST(count_of(good, "class=\"verdict pass\"") == 1u);
+  for (const auto& [part, missed, said] : {std::tuple{"fail", 0, "stress (a) box</a>: fail"},
+                                           {"inconclusive", 0, "stress (a) box</a>: inconclusive"},
+                                           {"pass", 3, "3 stated errors of fast do not cover"}}) {
+    const std::string page = page_of(part, missed);
+    BOOST_TEST(count_of(page, "<b>Every claim stands.</b>") == 0u, said);
+    BOOST_TEST(count_of(page, "class=\"verdict fail\"") == 1u, said);
+    BOOST_TEST(count_of(page, said) == 1u, said);
+  }
+}
+
+// Invariant: laws of the table look different, and a law that this program does not know has a look too.
+BOOST_AUTO_TEST_CASE(every_law_has_a_look_of_its_own) {
+  std::set<std::tuple<int, int, int>> looks;
+  const auto key = [](const std::string& law) {
+    const report::Look look = report::look_of_law(law);
+    return std::tuple(static_cast<int>(look.line), static_cast<int>(look.marker), look.colour);
+  };
+  for (const bearing::LawRow& row : bearing::law_rows()) looks.insert(key(std::string(row.name)));
+  BOOST_TEST(looks.size() == bearing::law_rows().size());
+  BOOST_TEST((key("of-tomorrow") == key("of-tomorrow")));
+  BOOST_TEST((key("of-tomorrow") != key("of-yesterday")));
+}
+
+// A spike of unknown height is cut by who writes the data; the figure says so.
+BOOST_AUTO_TEST_CASE(a_cut_pressure_is_called_unresolved) {
+  const auto figure = [](std::optional<double> cut) {
+    return report::contact_figure("fig", "made", {{"fast", {-1, 0, 0.9, 1}, {0, 1, 1.5, 0}, {1, 0.1, 0.1, 0.1}, cut}});
+  };
+  BOOST_TEST(figure({}).panels.front().rules.empty());
+  BOOST_REQUIRE_EQUAL(figure(1.5).panels.front().rules.size(), 1u);
+  BOOST_TEST(figure(1.5).panels.front().rules.front().y == 1.5);
+  BOOST_TEST(count_of(report::draw(figure(1.5), report::Place::file), "unresolved") > 0u);
 }
 
 BOOST_AUTO_TEST_CASE(results_that_nobody_can_place_are_refused_with_their_path) {

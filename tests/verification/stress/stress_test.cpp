@@ -186,6 +186,46 @@ BOOST_AUTO_TEST_CASE(a_part_that_throws_is_a_part_that_fails) {
   BOOST_TEST(run_part(odd, {}).verdict == Verdict::fail);
 }
 
+// A busy machine ends a solve by its time limit, which says nothing of the solver. A limit on iterations is a failure.
+BOOST_AUTO_TEST_CASE(a_time_limit_is_inconclusive_and_a_limit_on_iterations_fails) {
+  constexpr auto limit = StopReason::limit_reached;
+  BOOST_TEST(out_of_time(limit, 30.01, 30));
+  BOOST_TEST(!out_of_time(limit, 3, 30));
+  BOOST_TEST(!out_of_time(StopReason::diverged, 30.01, 30));
+  BOOST_TEST(holds_in_time(true, false) == Verdict::pass);
+  BOOST_TEST(holds_in_time(false, false) == Verdict::fail);
+  for (const bool by_time : {true, false}) {
+    const Verdict expected = by_time ? Verdict::inconclusive : Verdict::fail;
+    const auto ended_by_limit = [&](Ended& end, double seconds) {
+      end = refused();
+      end.status = limit;
+      end.wall_s = by_time ? seconds : 0.1;
+    };
+    BOOST_TEST(spoilt(box_point(), judge_box, [&](BoxPoint& p) { ended_by_limit(p.reference, 30.1); }) == expected);
+    BOOST_TEST(spoilt(box_point(), judge_box, [&](BoxPoint& p) {
+                 ended_by_limit(p.reference, 30.1), p.fast = refused();
+               }) == Verdict::fail);  // the other one has no excuse
+    BOOST_TEST(spoilt(rounding_row(), judge_rounding, [&](RoundingRow& r) { r.status = limit, r.late = by_time; }) ==
+               expected);
+    BOOST_TEST(spoilt(condition_row(), judge_condition,
+                      [&](ConditionRow& r) { r.converged = false, r.late = by_time; }) == expected);
+    BOOST_TEST(spoilt(start_row(), judge_starts, [&](StartRow& r) { r.own_solved = false, r.own_late = by_time; }) ==
+               expected);
+    auto grids = grid_rows();
+    grids[4].status = limit, grids[4].wall_s = by_time ? 60.1 : 0.1;
+    for (std::size_t k = 0; k < 2; ++k) grids[4].error[k] = grids[4].stated[k] = {};
+    BOOST_TEST(judge_grids(grids).verdict == expected);
+    BOOST_TEST(judge_extremes({[&] {
+                 ExtremeRow row = extreme_row();
+                 ended_by_limit(*row.fast, 5.1);
+                 row.other.reset();
+                 row.wall_s = row.fast->wall_s;
+                 return row;
+               }()})
+                   .verdict == expected);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(the_box_fails_where_solvers_differ_or_refuse_below_4_GPa) {
   const auto with_a_sound_one = [](std::vector<BoxPoint> points) {
     points.push_back(box_point());
@@ -249,6 +289,10 @@ BOOST_AUTO_TEST_CASE(bearings_fail_where_one_does_not_balance_or_is_no_balance) 
   BOOST_TEST((verdict([](auto&, auto& one) { one.balanced = 900, one.refused_outside = 100; }) == Verdict::fail));
   // A limit is no reason outside; what missed its tolerance is not among the balanced, and inside it is a failure.
   BOOST_TEST((verdict([](auto&, auto& one) { one.refused_outside = 4, one.limits = 1; }) == Verdict::fail));
+  BOOST_TEST(
+      (verdict([](auto&, auto& one) { one.refused_outside = 4, one.limits = one.late = 1; }) == Verdict::inconclusive));
+  BOOST_TEST(
+      (verdict([](auto&, auto& one) { one.refused_outside = 4, one.limits = 2, one.late = 1; }) == Verdict::fail));
   BOOST_TEST((verdict([](auto&, auto& one) { one.refused_outside = 4, one.missed = 1; }) == Verdict::pass));
   BOOST_TEST((verdict([](auto&, auto& one) { one.refused_outside = 4, one.missed = one.missed_inside = 1; }) ==
               Verdict::fail));

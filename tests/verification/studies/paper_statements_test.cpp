@@ -41,7 +41,7 @@ struct Figures {
                  {{11000, 4000, 0, 0}, {3.6, 1.4, -3.0, -20}}};
   Made film[3] = {{{8600, 5200, 600, 20}, {2.4, 1.5, 0.30, -12}},
                   {{9450, 4900, 400, 10}, {2.6, 1.4, 0.08, -14}},
-                  {{11600, 3700, 200, 10}, {3.0, 1.1, -2.0, -17}}};
+                  {{11600, 3700, 200, 10}, {3.0, 1.1, -2.0, -17}}};  // the third one is not loaded dry
 };
 
 std::vector<PaperStatement> judged(const Figures& figures) {
@@ -153,7 +153,52 @@ BOOST_AUTO_TEST_CASE(c_fails_where_the_middle_clearance_is_not_close) {
       BOOST_TEST(part(c, "close") == (share < close_load));
       BOOST_TEST(part(c, "opposite"));
       BOOST_TEST(c.holds == (share < close_load));
+      BOOST_TEST(c.holds_at_top.value() == (share < close_load));
     }
+}
+
+// The paper's figure shows the load of every roller: "close" at psi = 0 alone is not close. 190 N are 2 % of 9500 N.
+BOOST_AUTO_TEST_CASE(c_fails_where_any_roller_is_not_close_and_says_that_it_holds_at_the_top) {
+  for (const std::size_t roller : {1u, 2u, 3u})
+    for (const double beyond : {-1.0, 1.0}) {
+      Figures figures;
+      figures.film[1].force_N[roller] = figures.dry[1].force_N[roller] + close_load * 9500 + beyond;
+      const PaperStatement c = judged(figures)[2];
+      BOOST_TEST(c.holds == (beyond < 0));
+      BOOST_TEST(part(c, "close at psi = 0"));
+      BOOST_TEST(c.holds_at_top.value());
+      EHD_CHECK(error(value(c, "apart"), close_load + beyond / 9500), Tolerance::round_off(1000));
+      BOOST_TEST(verdict_of(c) == (beyond < 0 ? "holds" : "does not hold; at psi = 0 alone it does"));
+      BOOST_TEST(cell_of(c) == (beyond < 0 ? "holds" : "at 0"));
+    }
+}
+
+// Every roller that the dry law loads counts, and the others are told of: there the film's delta_i may be larger.
+BOOST_AUTO_TEST_CASE(b_looks_at_every_loaded_roller_and_tells_of_the_others) {
+  Figures edge;
+  edge.film[2].approach_um[1] = 1.4 * (1 - considerably + 0.001);  // loaded dry with 4000 N
+  const PaperStatement failing = judged(edge)[1];
+  BOOST_TEST(!failing.holds);
+  BOOST_TEST(failing.holds_at_top.value());
+  EHD_CHECK(error(value(failing, "loaded"), -considerably + 0.001), Tolerance::round_off(1000));
+  const PaperStatement b = judged(Figures{})[1];
+  BOOST_TEST(b.holds);
+  EHD_CHECK(error(value(b, "outside_m"), 3e-6), Tolerance::round_off(100));  // -15 against -12 um at 180 degrees
+  BOOST_TEST(b.numbers.find("of 3 others 3 larger (by 3.00 um at most)") != std::string::npos);
+  Figures none;
+  none.film[0].approach_um[1] = std::nan("");
+  BOOST_TEST(!judged(none)[1].holds);
+}
+
+// What the paper prints of the rollers further out contradicts the balance of loads; it is not dropped.
+BOOST_AUTO_TEST_CASE(a_tells_what_is_printed_of_the_rollers_further_out) {
+  const PaperStatement a = judged(Figures{})[0];
+  BOOST_TEST(a.statement.find("in contrast ... decrease") != std::string::npos);
+  BOOST_TEST(!part(a, "printed decrease"));
+  BOOST_TEST(a.numbers.find("do not decrease") != std::string::npos);
+  Figures less;
+  less.film[0].force_N[1] = 4800, less.film[0].force_N[2] = 450;
+  BOOST_TEST(part(judged(less)[0], "printed decrease"));
 }
 
 BOOST_AUTO_TEST_CASE(c_fails_where_the_largest_clearance_has_a_lower_top_load) {

@@ -51,8 +51,8 @@ BOOST_AUTO_TEST_CASE(every_choice_is_judged_and_the_first_row_is_the_case_itself
     BOOST_TEST(row.statements.size() == 4u, row.factor << " " << row.value << ": " << row.why);
     (row.law == bearing::Law::ehd ? full : linear).insert(row.factor);
   }
-  BOOST_TEST(linear.size() == 9u);
-  BOOST_TEST(full.size() == 7u);  // no fit, no letting go
+  BOOST_TEST(linear.size() == 12u);
+  BOOST_TEST(full.size() == 9u);  // no fit (its range, its direction), no letting go
   // "Two choices" are not of the table with one choice changed, and name both.
   const auto pairs =
       std::count_if(rows.begin(), rows.end(), [](const StudyRow& row) { return row.factor == "two choices"; });
@@ -93,6 +93,14 @@ BOOST_AUTO_TEST_CASE(a_choice_changes_what_it_says) {
   BOOST_TEST(turned[0] != as_is[0]);  // the cage, and so the centrifugal force, is another
   BOOST_TEST(std::abs(turned[0] - as_is[0]) < 0.1 * std::abs(as_is[0]));
   BOOST_TEST(value("length", "change", 'a').size() == 1u);
+  // Another dry law moves the loads that EHD is compared with. Another density moves no film of the synthetic contact.
+  for (const double change : value("K_Hertz", "change", 'a')) BOOST_TEST(change != as_is[0]);
+  BOOST_TEST(value("K_Hertz", "change", 'a').size() == 2u);
+  BOOST_TEST(value("density", "change", 'a').size() == 2u);
+  // The line of delta on f is the steeper one, so that the most loaded roller carries more.
+  const auto steeper = value("fit direction", "change", 'a');
+  BOOST_REQUIRE_EQUAL(steeper.size(), 1u);
+  BOOST_TEST(steeper[0] > as_is[0]);
 }
 
 BOOST_AUTO_TEST_CASE(cases_that_are_not_one_bearing_have_no_study) {

@@ -106,12 +106,14 @@ void make(const std::vector<Case>& cases, Made& made) {
       rows.push_back({std::get<BearingCase>(cases[k].body).geometry.clearance_m, *dry, *film});
     }
     if (rows.size() < cases.size()) continue;  // a balance is missing
-    for (const PaperStatement& one : judge_paper_statements(rows))
+    for (const PaperStatement& one : judge_paper_statements(rows)) {
       made.statements.push_back({{"letter", std::string(1, one.letter)},
                                  {"law", to_string(law)},
                                  {"statement", one.statement},
                                  {"holds", one.holds},
                                  {"numbers", one.numbers}});
+      if (one.holds_at_top) made.statements.back()["holds_at_psi_0"] = *one.holds_at_top;
+    }
   }
 }
 

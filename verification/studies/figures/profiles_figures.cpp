@@ -9,12 +9,14 @@
 #include <string>
 #include <utility>
 
+#include "contact/stated_error.hpp"
 #include "io/contact_json.hpp"
 #include "io/json.hpp"
 #include "verification/studies/figures/curves.hpp"
 #include "verification/studies/figures/parts.hpp"
 #include "workflow/contact_run.hpp"
 #include "workflow/registry.hpp"
+#include "workflow/shown_pressure.hpp"
 
 namespace ehd::verification {
 
@@ -32,9 +34,14 @@ bool only_waits(const Case& one) {
 
 /// Fields as functions, between the nodes too.
 struct Functions {
-  explicit Functions(const Fields& fields)
-      : pressure(fields.X, fields.P, fields.elements), film(fields.X, fields.H, fields.elements) {}
+  explicit Functions(const Solution& solution)
+      : pressure(solution.fields.X, solution.fields.P, solution.fields.elements),
+        film(solution.fields.X, solution.fields.H, solution.fields.elements),
+        cut(pressure_cut(solution)) {}
   Profile pressure, film;
+  std::optional<double> cut;  ///< pressures are shown up to here
+
+  [[nodiscard]] double shown(double P) const { return cut ? std::min(P, *cut) : P; }
 
   [[nodiscard]] std::pair<double, double> at(double X) const {
     std::size_t low = 0, high = pressure.pieces();
@@ -42,7 +49,7 @@ struct Functions {
       const std::size_t middle = (low + high) / 2;
       (pressure.end(middle) <= X ? low : high) = middle;
     }
-    return {pressure.value(low, X), film.value(low, X)};
+    return {shown(pressure.value(low, X)), film.value(low, X)};
   }
 };
 
@@ -50,7 +57,7 @@ std::optional<Functions> functions_of(const ContactRun& run) {
   const Fields& fields = run.solution.fields;
   if (run.status() == StopReason::diverged || fields.X.size() < 2) return std::nullopt;
   if (!fields.P.allFinite() || !fields.H.allFinite() || !(fields.H.minCoeff() > 0)) return std::nullopt;
-  return Functions(fields);
+  return Functions(run.solution);
 }
 
 /// The drawn part of X: from a hundredth of the largest pressure (at most -2, at least the inlet) to 0.3 max(1, X*)
@@ -111,7 +118,8 @@ void put_curves(Json& json, const Fields& fields, const Functions& functions) {
     P.push_back(0);
     H.push_back(exit_film + gap_behind_exit(functions.pressure, X.back()));
   }
-  ThinnedCurve pressure{.values = P, .allowed = std::vector<double>(P.size(), chord_error * fields.P.maxCoeff())};
+  ThinnedCurve pressure{.values = P,
+                        .allowed = std::vector<double>(P.size(), chord_error * functions.shown(fields.P.maxCoeff()))};
   ThinnedCurve film{.values = H, .allowed = H};
   for (double& allowed : film.allowed) allowed *= chord_error;
   const Thinning thinning = thin(X, {pressure, film}, most_points);
@@ -137,12 +145,15 @@ Json solver_json(const ContactRun& run) {
   for (const char* film : {"minimum", "central"})
     if (whole.contains("film") && whole["film"].contains(film)) json["film"][film] = whole["film"][film];
   if (whole.contains("pressure")) json["pressure"] = whole["pressure"];
+  put(json, "field_error", field_error(run.solution));
+  put(json, "pressure_cut", pressure_cut(run.solution));
   return json;
 }
 
 /// fast - reference on the nodes of fast, between the later inlet and the earlier exit. Only the reference is
 /// interpolated, by its own polynomials.
-std::optional<Json> difference_json(const ContactRun& reference, const Functions& truth, const ContactRun& fast) {
+std::optional<Json> difference_json(const ContactRun& reference, const Functions& truth, const ContactRun& fast,
+                                    const Functions& other) {
   const Fields& fields = fast.solution.fields;
   const double left = region_of(reference.solution.fields).left;
   std::vector<double> X, P, H;
@@ -150,7 +161,7 @@ std::optional<Json> difference_json(const ContactRun& reference, const Functions
     if (fields.X[i] < std::max(left, truth.pressure.first()) || fields.X[i] > truth.pressure.last()) continue;
     const auto [pressure, film] = truth.at(fields.X[i]);
     X.push_back(fields.X[i]);
-    P.push_back(fields.P[i] - pressure);
+    P.push_back(other.shown(fields.P[i]) - pressure);
     H.push_back(fields.H[i] / film - 1);
   }
   if (X.size() < 2) return std::nullopt;
@@ -212,7 +223,7 @@ Json case_json(const Case& one) {
     json["solvers"].push_back(std::move(solver));
   }
   if (truth && other) {
-    if (auto difference = difference_json(reference, *truth, fast)) json["difference"] = std::move(*difference);
+    if (auto difference = difference_json(reference, *truth, fast, *other)) json["difference"] = std::move(*difference);
   }
   return json;
 }

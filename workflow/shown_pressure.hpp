@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Up to which pressure the fields of a contact may be shown.
+#pragma once
+
+#include <optional>
+
+#include "contact/solution.hpp"
+
+namespace ehd {
+
+/// Profiles and figures show a spike of unknown height up to this pressure [p/p_H]. The dome of a loaded contact ends
+/// near 1, so that it stays visible; a spike on too coarse a grid was seen at 10 to 25.
+inline constexpr double shown_of_unresolved = 1.5;
+
+/// `shown_of_unresolved` where the fields exceed it and pressure.maximum is not among the observables: its value is
+/// then not known (the spike is not resolved, or nobody asked for it). Empty where the pressure may be shown as it is.
+[[nodiscard]] std::optional<double> pressure_cut(const Solution& solution);
+
+}  // namespace ehd
