@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The finished rows of a sweep, in a file that only grows: one line a row, with its checksum. A run that is killed
-// loses no more than the line that it was writing.
+// loses no more than the line that it was writing. The rows stay in the file: memory holds 32 bytes a row.
 #pragma once
 
 #include <cstddef>
 #include <filesystem>
-#include <map>
-#include <set>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "io/content_hash.hpp"
 #include "io/output_file.hpp"
 
 namespace ehd {
@@ -25,17 +26,18 @@ class SweepJournal {
   /// Opens the journal in `folder` for a run; makes the folder where there is none. Keeps the rows whose hashes are in
   /// `wanted`, and removes damaged lines and rows of other sweeps or programs. Throws OutputError where the folder
   /// cannot be written or another run is at work there.
-  SweepJournal(const std::filesystem::path& folder, const JournalHeader& header, const std::set<std::string>& wanted,
+  SweepJournal(const std::filesystem::path& folder, const JournalHeader& header, std::vector<HashNumber> wanted,
                bool fresh);
 
-  /// A finished journal, for merging. Throws OutputError where a line is damaged or the header is another one.
-  SweepJournal(const std::filesystem::path& folder, const JournalHeader& header);
+  /// A journal as it stands, for merging the rows in `wanted`. Throws OutputError where a line is damaged or the header
+  /// is another one.
+  SweepJournal(const std::filesystem::path& folder, const JournalHeader& header, std::vector<HashNumber> wanted);
 
   ~SweepJournal();
   SweepJournal(const SweepJournal&) = delete;
   SweepJournal& operator=(const SweepJournal&) = delete;
 
-  [[nodiscard]] bool holds(const std::string& hash) const { return rows_.contains(hash); }
+  [[nodiscard]] bool holds(const std::string& hash) const;
   /// The row's text as it was added. Throws OutputError where the file has changed meanwhile.
   [[nodiscard]] std::string row(const std::string& hash) const;
   /// One line without line feeds. Throws OutputError. Not from several threads at once.
@@ -43,21 +45,24 @@ class SweepJournal {
 
  private:
   struct Place {
-    std::size_t begin = 0, bytes = 0;
+    std::size_t begin = 0, bytes = 0;  ///< no bytes: the row is not there
   };
   struct Read {
     bool whole = true;         ///< nothing but wanted rows, each line with its checksum
     std::string header;        ///< empty where there is none
     std::size_t bad_line = 0;  ///< first damaged line, from 1; 0: none
   };
-  Read read(const std::set<std::string>* wanted);
+  /// Index of a wanted row; absent where it is not wanted.
+  [[nodiscard]] std::optional<std::size_t> index_of(std::string_view hash) const;
+  Read read();
   void rewrite(const std::string& header);
   void open_file(int flags);
 
   std::filesystem::path folder_, file_;
   int lock_ = -1, descriptor_ = -1;
   std::size_t end_ = 0;
-  std::map<std::string, Place> rows_;
+  std::vector<HashNumber> wanted_;  ///< in order, each once
+  std::vector<Place> places_;       ///< of the wanted rows
 };
 
 }  // namespace ehd

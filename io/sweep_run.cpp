@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
+#include <iterator>
 #include <memory>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <thread>
+#include <utility>
 
 #include "io/content_hash.hpp"
 #include "io/output_file.hpp"
@@ -27,28 +30,47 @@ double seconds_since(Clock::time_point begin) { return std::chrono::duration<dou
 }  // namespace
 
 SweepHashes::SweepHashes(const Sweep& sweep, const SweepRequest& request) {
-  std::string all;
-  for (std::size_t row = 0; row < sweep.rows(); ++row) {
-    of_row.push_back(row_hash(sweep, request, row));
-    all += of_row.back();
-  }
-  of_sweep = content_hash(all);
+  std::vector<HashNumber>& numbers = of_row.numbers;
+  numbers.resize(sweep.rows());
+  in_threads(numbers.size(), request.threads,
+             [&](std::size_t row) { numbers[row] = hash_number(row_hash(sweep, request, row)).value(); });
+  of_sweep = content_hash({reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(HashNumber)});
 }
 
-std::set<std::string> SweepHashes::of(const std::vector<std::size_t>& rows) const {
-  std::set<std::string> some;
-  for (const std::size_t row : rows) some.insert(of_row[row]);
+std::vector<HashNumber> SweepHashes::of(const std::vector<std::size_t>& rows) const {
+  std::vector<HashNumber> some(rows.size());
+  std::transform(rows.begin(), rows.end(), some.begin(), [&](std::size_t row) { return of_row.numbers[row]; });
   return some;
 }
+
+namespace {
+
+/// Rows that are not known, in increasing order; of equal rows the first. By sorting: a set of texts would take twice
+/// the memory of all else.
+std::vector<std::size_t> missing_rows(const SweepHashes& hashes, const std::vector<std::size_t>& rows,
+                                      const std::function<bool(const std::string& hash)>& known) {
+  std::vector<std::size_t> missing;
+  std::copy_if(rows.begin(), rows.end(), std::back_inserter(missing),
+               [&](std::size_t row) { return !known(hashes.of_row[row]); });
+  const auto& number = hashes.of_row.numbers;
+  std::sort(missing.begin(), missing.end(), [&](std::size_t one, std::size_t other) {
+    return std::pair(number[one], one) < std::pair(number[other], other);
+  });
+  missing.erase(std::unique(missing.begin(), missing.end(),
+                            [&](std::size_t one, std::size_t other) { return number[one] == number[other]; }),
+                missing.end());
+  std::sort(missing.begin(), missing.end());
+  return missing;
+}
+
+}  // namespace
 
 SweepCost compute_missing(const Sweep& sweep, const SweepRequest& request, const SweepHashes& hashes,
                           const std::vector<std::size_t>& rows, SweepJournal& journal) {
   const auto begin = Clock::now();
   SweepCost cost{.rows = rows.size()};
-  std::set<std::string> taken;
-  std::vector<std::size_t> missing;
-  for (const std::size_t row : rows)
-    if (!journal.holds(hashes.of_row[row]) && taken.insert(hashes.of_row[row]).second) missing.push_back(row);
+  const std::vector<std::size_t> missing =
+      missing_rows(hashes, rows, [&](const std::string& hash) { return journal.holds(hash); });
   const std::size_t known = rows.size() - missing.size();
   if (request.progress) request.progress(known, rows.size(), 0);
 
