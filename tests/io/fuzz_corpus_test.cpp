@@ -36,7 +36,7 @@ BOOST_AUTO_TEST_CASE(inputs_that_fuzzing_starts_from_keep_every_promise_and_are_
 BOOST_AUTO_TEST_CASE(inputs_that_fuzzing_found_keep_every_promise) {
   BOOST_TEST(test::keep_promises(found / "case", promises::case_broken) >= 4u);
   test::keep_promises(found / "sweep", promises::sweep_broken);
-  test::keep_promises(found / "row", promises::row_broken);
+  BOOST_TEST(test::keep_promises(found / "row", promises::row_broken) >= 1u);
 }
 
 BOOST_AUTO_TEST_CASE(sweeps_that_fuzzing_starts_from_keep_every_promise) {

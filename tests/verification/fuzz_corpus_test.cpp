@@ -20,7 +20,7 @@ BOOST_AUTO_TEST_SUITE(fuzz_corpus)
 
 BOOST_AUTO_TEST_CASE(results_that_fuzzing_starts_from_or_found_keep_every_promise) {
   BOOST_TEST(test::keep_promises(fuzz_inputs / "corpus" / "results", promises::results_broken) >= 2u);
-  test::keep_promises(fuzz_inputs / "found" / "results", promises::results_broken);
+  BOOST_TEST(test::keep_promises(fuzz_inputs / "found" / "results", promises::results_broken) >= 1u);
 }
 
 BOOST_AUTO_TEST_CASE(atlas_tables_that_fuzzing_starts_from_or_found_keep_every_promise) {
