@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The commands that a user types; CMake does the work. Variables: BUILD (folder), JOBS, CMAKE_FLAGS (passed to CMake),
-# CTEST_FLAGS (passed to ctest), FUZZ_SECONDS, FILES (for tidy).
+# CTEST_FLAGS (passed to ctest), FUZZ_SECONDS (of each target), FILES (for tidy).
 
 BUILD ?= build
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
@@ -14,6 +14,7 @@ GENERATOR = $(if $(wildcard $(BUILD)/CMakeCache.txt),,$(if $(shell command -v ni
 SANITIZER_FLAGS = -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=RelWithDebInfo \
   -DCMAKE_CXX_FLAGS_RELWITHDEBINFO='-O1 -gline-tables-only'
 
+FUZZED ?= case sweep row results atlas
 SANITIZED ?= contact reference fast bearing workflow io verification
 space := $() $()
 # What clang-tidy reads, and what clang-format formats.
@@ -21,8 +22,9 @@ TIDY_ROOMS = contact reference fast bearing workflow
 FORMAT_ROOMS = $(TIDY_ROOMS) io verification cli tests
 
 .DEFAULT_GOAL := help
-.PHONY: help setup configure program build verify verify-full test fuzz sanitize sanitize-threads bench callgrind kernels \
-  mutants stress report browser-test atlas results results-check results-full format format-check tidy clean
+.PHONY: help setup configure program build verify verify-full test sanitizer-build sanitizer-program sanitize \
+  sanitize-slow sanitize-threads fuzz faults engines sweep-million check-all bench callgrind kernels mutants stress report \
+  browser-test atlas results results-check results-full format format-check tidy tidy-changed clean
 
 help:       ## List the targets
 	@sed -n 's/^\([a-z][a-z-]*\):[^#]*## \(.*\)/  make \1\t\2/p' $(firstword $(MAKEFILE_LIST)) | expand -t 25
@@ -55,22 +57,29 @@ test: configure  ## Build and run every test (8 minutes)
 	@cmake --build $(BUILD) --parallel $(JOBS)
 	@ctest --test-dir $(BUILD) --output-on-failure --parallel $(JOBS) $(CTEST_FLAGS)
 
-fuzz:       ## Feed the case reader random files, by libFuzzer: it must read or refuse each (needs clang; 3 minutes, 1 of it fuzzing)
-	@sh cmake/setup.sh clang libclang-rt-dev
-	@$(MAKE) --no-print-directory configure BUILD=$(BUILD)-fuzz \
-	  CMAKE_FLAGS="-DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Debug -DEHD_NATIVE=OFF $(CMAKE_FLAGS)"
-	@cmake --build $(BUILD)-fuzz --parallel $(JOBS) --target ehd_case_fuzz
-	@tests/fuzz/run.sh $(BUILD)-fuzz/ehd_case_fuzz $(FUZZ_SECONDS)
-
-# SANITIZED: folders of tests/. A test that takes minutes here has the label slow-sanitized, with its reason in
-# tests/CMakeLists.txt.
-sanitize:   ## Tests with AddressSanitizer and UndefinedBehaviorSanitizer by clang (SANITIZED="contact fast": some; 15 minutes)
+# One build by clang serves the sanitizers and the fuzz targets.
+sanitizer-build:
 	@sh cmake/setup.sh clang libclang-rt-dev
 	@$(MAKE) --no-print-directory configure BUILD=$(BUILD)-sanitize \
 	  CMAKE_FLAGS="$(SANITIZER_FLAGS) -DEHD_SANITIZE=address,undefined $(CMAKE_FLAGS)"
+
+sanitizer-program: sanitizer-build  ## Build the program by clang with the sanitizers (6 minutes)
+	@cmake --build $(BUILD)-sanitize --parallel $(JOBS) --target ehd_program
+
+# SANITIZED: folders of tests/. A test that takes minutes here has the label slow-sanitized, with its reason in
+# tests/CMakeLists.txt.
+sanitize: sanitizer-build  ## Tests with AddressSanitizer and UndefinedBehaviorSanitizer by clang (SANITIZED="contact fast": some; 15 minutes)
 	@cmake --build $(BUILD)-sanitize --parallel $(JOBS) --target $(SANITIZED:%=test_%)
 	@ctest --test-dir $(BUILD)-sanitize --output-on-failure --parallel $(JOBS) --label-exclude '^slow-sanitized$$' --no-tests=error \
 	  --tests-regex '^($(subst $(space),|,$(strip $(SANITIZED))))\.' $(CTEST_FLAGS)
+
+sanitize-slow: sanitizer-build  ## The tests that make sanitize leaves out, because they take minutes there (10 minutes)
+	@cmake --build $(BUILD)-sanitize --parallel $(JOBS) --target test_reference
+	@ctest --test-dir $(BUILD)-sanitize --output-on-failure --label-regex '^slow-sanitized$$' --no-tests=error $(CTEST_FLAGS)
+
+fuzz: sanitizer-build  ## Feed random bytes to everything that is read, by libFuzzer (FUZZED="case row": some; 8 minutes)
+	@cmake --build $(BUILD)-sanitize --parallel $(JOBS) --target $(FUZZED:%=ehd_fuzz_%)
+	@JOBS=$(JOBS) tests/fuzz/run.sh $(BUILD)-sanitize $(FUZZ_SECONDS) $(FUZZED)
 
 sanitize-threads:  ## The tests that use threads, and part of the suite, with ThreadSanitizer by clang (8 minutes)
 	@sh cmake/setup.sh clang libclang-rt-dev
@@ -79,6 +88,22 @@ sanitize-threads:  ## The tests that use threads, and part of the suite, with Th
 	@cmake --build $(BUILD)-threads --parallel $(JOBS) --target test_workflow test_io test_verification ehd_program
 	@ctest --test-dir $(BUILD)-threads --output-on-failure --label-regex '^threads$$' --no-tests=error $(CTEST_FLAGS)
 	@$(BUILD)-threads/ehd verify --quick --rung 7
+
+faults: program  ## Attack the program with bad input, faults and signals; a table of what was tried (2 minutes)
+	@sh cmake/setup.sh python3
+	@python3 tests/faults/run.py $(BUILD)/ehd
+
+engines: program  ## Sweeps under GNU parallel, Open MPI and Slurm, tasks killed: the rows of one process, bit for bit (2 minutes)
+	@sh cmake/setup.sh python3 parallel openmpi-bin slurm-wlm munge
+	@python3 tests/engines/run.py $(BUILD)/ehd
+
+sweep-million: program  ## A sweep of a million rows: memory, time, killed processes; docs/results/sweep-million.md (half an hour, 11 GB)
+	@sh cmake/setup.sh python3
+	@python3 verification/bench/sweeps/million.py $(BUILD)/ehd --page docs/results/sweep-million.md
+
+check-all:  ## Every check of .ci/steps.toml, red where one is left out; times in docs/results/checks.md (hours)
+	@sh cmake/setup.sh python3
+	@python3 .ci/steps.py all
 
 bench: program  ## Run time and work against achieved error, scaling, batches; results in out/bench (10 minutes)
 	@$(BUILD)/ehd bench --output out/bench
@@ -106,9 +131,9 @@ kernels: configure  ## Time the kernels of fast/ in multiples of one FFT convolu
 	@$(BUILD)/ehd_kernels
 
 # Built in out/mutants, from a copy of the tree: the tree itself is never changed.
-mutants:    ## Build each wrong program of verification/mutants, run its rung of the quick suite (half an hour; ONLY=part of an id)
+mutants:    ## Build each wrong program of verification/mutants, run its rung of the quick suite (half an hour; ONLY=part of an id; PART=3/10: a tenth)
 	@sh cmake/setup.sh python3
-	@python3 verification/mutants/run.py $(if $(ONLY),--only $(ONLY)) --jobs $(JOBS)
+	@python3 verification/mutants/run.py $(if $(ONLY),--only $(ONLY)) $(if $(PART),--part $(PART)) --jobs $(JOBS)
 
 atlas: program  ## Solve the atlas of line contacts into cases/atlas (goes on where an earlier run ended; an hour)
 	@$(BUILD)/ehd atlas
@@ -144,6 +169,13 @@ tidy:       ## Check the rooms that compute with clang-tidy (FILES="contact/text
 	  CMAKE_FLAGS="-DCMAKE_CXX_COMPILER=clang++ -DEHD_PRECOMPILE=OFF -DEHD_UNITY=OFF -DBUILD_TESTING=OFF $(CMAKE_FLAGS)"
 	@printf '%s\n' $(if $(FILES),$(FILES),$(foreach room,$(TIDY_ROOMS),$(wildcard $(room)/*.cpp $(room)/*/*.cpp))) \
 	  | xargs -P $(JOBS) -n 1 clang-tidy --quiet --warnings-as-errors='*' -p $(BUILD)-tidy 2> /dev/null
+
+# The sources of those rooms that the last commit changed; a header is read with the sources that changed with it.
+tidy-changed:  ## make tidy on what the last commit changed (nothing: says so)
+	@git rev-parse --quiet --verify HEAD~ > /dev/null || { echo "no commit to compare with: every source"; exec $(MAKE) --no-print-directory tidy; }; \
+	changed=$$(git diff --name-only --diff-filter=d HEAD~ -- $(TIDY_ROOMS) | grep '\.cpp$$' | tr '\n' ' '); \
+	if [ -z "$$changed" ]; then echo "no source of $(TIDY_ROOMS) has changed"; \
+	else $(MAKE) --no-print-directory tidy FILES="$$changed"; fi
 
 clean:      ## Remove the build folder
 	@rm -rf $(BUILD)

@@ -44,11 +44,12 @@ Examples:
   ehd bench --part work-precision --case own-moes-20-10 --solver fast --solver reference
   ehd bench --part scaling
   ehd bench --part batch
+  ehd bench --part convolution                  c, the yardstick of all times on this machine: a second
   ehd bench --part box --solver fast            232 contacts, with true values: five minutes on two cores
 
 Parts: work-precision (run time and work against achieved error), scaling (cost and memory against the number of
-intervals), batch (many contacts over threads), and box (times and errors over all loads and materials), which runs
-only with --part box. DIR/bench.json holds the parts of this run; DIR/work_precision.csv, DIR/scaling.csv and
+intervals), batch (many contacts over threads); only where they are named, box (times and errors over all loads and
+materials) and convolution (c, one padded FFT convolution of n = 512). DIR/bench.json holds the parts of this run; DIR/work_precision.csv, DIR/scaling.csv and
 DIR/box.csv hold the tables. A solve that fails is a row with its reason. Exit code: 0 the tables are complete; 1 no run
 could be judged, or results depend on the number of threads; 2 wrong usage.)";
 
@@ -56,7 +57,8 @@ constexpr const char* work_precision = "work-precision";
 constexpr const char* scaling = "scaling";
 constexpr const char* batch = "batch";
 constexpr const char* box = "box";
-constexpr const char* all_parts[] = {work_precision, scaling, batch, box};
+constexpr const char* convolution = "convolution";
+constexpr const char* all_parts[] = {work_precision, scaling, batch, box, convolution};
 constexpr const char* usual_parts[] = {work_precision, scaling, batch};
 
 std::vector<const RegisteredSolver*> chosen_solvers(const std::vector<std::string>& names) {
@@ -116,6 +118,7 @@ class Bench {
     json_["settings"] = {{"quick", quick_}, {"time_limit_s", time_limit_s_}, {"parts", parts_}};
     // Scaling runs first, while this process is small: its child processes begin with the memory of this one.
     if (asked(scaling) && !fft_solvers_.empty()) measure_scaling();
+    if (asked(convolution)) measure_convolution();
     if (asked(batch) && !fft_solvers_.empty()) measure_batch();
     if (asked(box) && !fft_solvers_.empty()) measure_box();
     if (asked(work_precision)) measure_work_precision();
@@ -154,6 +157,15 @@ class Bench {
       complain("ehd: bench: not one size was measured: " + (rows.empty() ? "there is none" : rows.front().reason));
       sound_ = false;
     }
+  }
+
+  void measure_convolution() {
+    constexpr int intervals = 512;
+    constexpr verification::Repetition many{.least = 200, .least_s = 0.05, .enough_s = 0.5, .most = 100000};
+    const double c_s = verification::convolution_s(intervals, many);
+    json_["convolution"] = {{"nodes", intervals}, {"c_s", c_s}};
+    constexpr double micro = 1e6;
+    finish_part(fmt::format("c = {:.2f} us: one padded convolution of n = {}\n", micro * c_s, intervals));
   }
 
   void measure_batch() {
@@ -217,7 +229,9 @@ void describe_bench(Command& command) {
   command.summary("Run time and work against achieved error; scaling; many contacts");
   command.examples(bench_examples);
   command.text("--output", options->output, "folder for bench.json, work_precision.csv and scaling.csv").called("DIR");
-  command.list("--part", options->parts, "work-precision, scaling, batch or box (repeatable; all but box)")
+  command
+      .list("--part", options->parts,
+            "work-precision, scaling, batch, box or convolution (repeatable; the first three)")
       .called("PART");
   command.list("--case", options->cases, "a contact case for work-precision (repeatable; the benchmark's own)")
       .called("CASE");

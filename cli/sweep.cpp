@@ -122,7 +122,8 @@ int sweep(const SweepOptions& options) {
   if (options.merge && options.fresh)
     throw UsageError("--merge and --fresh exclude each other; allowed is one of them");
   if (options.output && options.output->empty()) throw option_error("--output", "", "is empty; allowed is a folder");
-  const Sweep asked = read_sweep(options.file);
+  const Sweep asked = read_sweep_statement(options.file);
+  if (!options.merge) require_cases(asked, rows_of(asked, shard.value_or(Shard{})), request.threads);
   const OutputFolder folder(options.output.value_or("out/sweep/" + asked.id));
 
   say_when_interrupted("ehd: sweep: interrupted; the finished rows are kept, and the same command goes on from there");

@@ -6,9 +6,8 @@ set -eu
 
 required="g++ cmake pkg-config libeigen3-dev libfftw3-dev libgsl-dev libboost-test-dev libtomlplusplus-dev \
 nlohmann-json3-dev libcli11-dev libfmt-dev libxxhash-dev"
-# Ninja builds faster, make kernels needs the benchmark library, one test runs shards by GNU parallel. Everything else
-# works without these.
-optional="ninja-build libbenchmark-dev parallel"
+# Ninja builds faster, make kernels needs the benchmark library. Everything else works without these.
+optional="ninja-build libbenchmark-dev"
 
 command -v dpkg-query > /dev/null 2>&1 || exit 0
 

@@ -3,7 +3,10 @@
 // security: somebody can make two texts with one hash.
 #pragma once
 
+#include <compare>
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -13,5 +16,14 @@ inline constexpr std::size_t content_hash_digits = 32;
 
 /// XXH3, 128 bits (xxHash), as lower-case hexadecimal digits in the canonical order, high half first.
 [[nodiscard]] std::string content_hash(std::string_view bytes);
+
+/// The digits of a content_hash as a number, for where millions are held: 16 bytes instead of 80.
+struct HashNumber {
+  std::uint64_t high = 0, low = 0;
+  friend auto operator<=>(const HashNumber&, const HashNumber&) = default;
+};
+/// Absent where the text is not content_hash_digits hexadecimal digits.
+[[nodiscard]] std::optional<HashNumber> hash_number(std::string_view digits);
+[[nodiscard]] std::string digits_of(const HashNumber& number);
 
 }  // namespace ehd

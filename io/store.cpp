@@ -5,11 +5,13 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <system_error>
+#include <utility>
 
 #include "contact/text.hpp"
 #include "io/content_hash.hpp"
@@ -38,6 +40,12 @@ std::string content_of(const JournalHeader& header) {
   return Json{{"schema", journal_schema}, {"sweep", header.sweep}, {"shard", header.shard}, {"of", header.of}}.dump();
 }
 
+std::vector<HashNumber> in_order(std::vector<HashNumber> hashes) {
+  std::sort(hashes.begin(), hashes.end());
+  hashes.erase(std::unique(hashes.begin(), hashes.end()), hashes.end());
+  return hashes;
+}
+
 [[noreturn]] void refuse(const std::filesystem::path& where, const std::string& what) {
   throw OutputError(one_line(where.string() + ": " + what));
 }
@@ -45,8 +53,8 @@ std::string content_of(const JournalHeader& header) {
 }  // namespace
 
 SweepJournal::SweepJournal(const std::filesystem::path& folder, const JournalHeader& header,
-                           const std::set<std::string>& wanted, bool fresh)
-    : folder_(folder), file_(folder / journal_name) {
+                           std::vector<HashNumber> wanted, bool fresh)
+    : folder_(folder), file_(folder / journal_name), wanted_(in_order(std::move(wanted))) {
   std::error_code error;
   std::filesystem::create_directories(folder_, error);
   if (error) refuse(folder_, "cannot be made (" + error.message() + "); allowed is a folder that may be written");
@@ -60,7 +68,7 @@ SweepJournal::SweepJournal(const std::filesystem::path& folder, const JournalHea
     if (fresh) std::filesystem::remove(file_, error);
     require_file_or_none();
     const std::string first = content_of(header);
-    const Read found = read(&wanted);
+    const Read found = read();
     if (!found.whole || found.header != first) rewrite(first);
     open_file(O_RDWR | O_APPEND);
   } catch (...) {
@@ -69,13 +77,14 @@ SweepJournal::SweepJournal(const std::filesystem::path& folder, const JournalHea
   }
 }
 
-SweepJournal::SweepJournal(const std::filesystem::path& folder, const JournalHeader& header)
-    : folder_(folder), file_(folder / journal_name) {
+SweepJournal::SweepJournal(const std::filesystem::path& folder, const JournalHeader& header,
+                           std::vector<HashNumber> wanted)
+    : folder_(folder), file_(folder / journal_name), wanted_(in_order(std::move(wanted))) {
   const std::string again =
       "; required is to run again --shard " + std::to_string(header.shard) + "/" + std::to_string(header.of);
   require_file_or_none();
   if (!fault_of_file(file_).empty()) refuse(file_, "the shard is missing" + again);
-  const Read found = read(nullptr);
+  const Read found = read();
   if (found.bad_line > 0) refuse(file_, "the shard is damaged at line " + std::to_string(found.bad_line) + again);
   if (found.header != content_of(header)) {
     const Json stated = Json::parse(found.header, nullptr, false);
@@ -106,9 +115,22 @@ void SweepJournal::open_file(int flags) {
   if (descriptor_ < 0) refuse(file_, std::string("cannot be opened (") + std::strerror(errno) + ")");
 }
 
-SweepJournal::Read SweepJournal::read(const std::set<std::string>* wanted) {
+std::optional<std::size_t> SweepJournal::index_of(std::string_view hash) const {
+  const auto number = hash_number(hash);
+  if (!number) return std::nullopt;
+  const auto at = std::lower_bound(wanted_.begin(), wanted_.end(), *number);
+  if (at == wanted_.end() || *at != *number) return std::nullopt;
+  return static_cast<std::size_t>(at - wanted_.begin());
+}
+
+bool SweepJournal::holds(const std::string& hash) const {
+  const auto index = index_of(hash);
+  return index && places_[*index].bytes > 0;
+}
+
+SweepJournal::Read SweepJournal::read() {
   Read found;
-  rows_.clear();
+  places_.assign(wanted_.size(), {});
   end_ = 0;
   std::ifstream stream(file_, std::ios::binary);
   if (!stream) {
@@ -130,25 +152,28 @@ SweepJournal::Read SweepJournal::read(const std::set<std::string>* wanted) {
       found.whole = found.whole && number == 1;
       continue;
     }
-    const std::string hash = content.substr(0, hash_digits);
-    if (content.size() <= hash_digits + 1 || (wanted && !wanted->contains(hash))) {
+    const auto index = index_of(std::string_view(content).substr(0, hash_digits));
+    if (content.size() <= hash_digits + 1 || !index) {
       found.whole = false;
       continue;
     }
-    rows_[hash] = {.begin = end_ + before_text, .bytes = line.size() - before_text};
+    places_[*index] = {.begin = end_ + before_text, .bytes = line.size() - before_text};
   }
   return found;
 }
 
 void SweepJournal::rewrite(const std::string& header) {
   OutputFile file(file_);
-  std::map<std::string, Place> places;
+  std::vector<Place> places(wanted_.size());
   std::string text = journal_line(header);
   std::size_t written = 0;
-  if (!rows_.empty()) open_file(O_RDONLY);
-  for (const auto& entry : rows_) {
-    const std::string content = entry.first + " " + row(entry.first);
-    places[entry.first] = {.begin = written + text.size() + before_text, .bytes = entry.second.bytes};
+  const bool rows_to_keep = std::any_of(places_.begin(), places_.end(), [](const Place& at) { return at.bytes > 0; });
+  if (rows_to_keep) open_file(O_RDONLY);
+  for (std::size_t i = 0; i < wanted_.size(); ++i) {
+    if (places_[i].bytes == 0) continue;
+    const std::string hash = digits_of(wanted_[i]);
+    const std::string content = hash + " " + row(hash);
+    places[i] = {.begin = written + text.size() + before_text, .bytes = places_[i].bytes};
     text += journal_line(content);
     constexpr std::size_t enough = 1 << 20;
     if (text.size() < enough) continue;
@@ -161,11 +186,11 @@ void SweepJournal::rewrite(const std::string& header) {
   if (descriptor_ >= 0) ::close(descriptor_);
   descriptor_ = -1;
   end_ = written + text.size();
-  rows_ = std::move(places);
+  places_ = std::move(places);
 }
 
 std::string SweepJournal::row(const std::string& hash) const {
-  const Place& place = rows_.at(hash);
+  const Place& place = places_.at(index_of(hash).value());
   std::string text(place.bytes, '\0');
   for (std::size_t done = 0; done < text.size();) {
     const ssize_t got =
@@ -185,7 +210,7 @@ void SweepJournal::add(const std::string& hash, const std::string& text) {
     if (put < 0) refuse(file_, std::string("cannot be written (") + std::strerror(errno) + ")");
     done += static_cast<std::size_t>(put);
   }
-  rows_[hash] = {.begin = end_ + before_text, .bytes = text.size()};
+  places_.at(index_of(hash).value()) = {.begin = end_ + before_text, .bytes = text.size()};
   end_ += line.size();
   unsynced_ = true;
   if (std::chrono::steady_clock::now() - synced_ >= sync_pause) sync();

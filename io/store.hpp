@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The finished rows of a sweep, in a file that only grows: one line a row, with its checksum. A run that is killed
-// loses no more than the line that it was writing.
+// loses no more than the line that it was writing. The rows stay in the file: memory holds 32 bytes a row.
 #pragma once
 
 #include <chrono>
 #include <cstddef>
 #include <filesystem>
-#include <map>
-#include <set>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "io/content_hash.hpp"
 #include "io/output_file.hpp"
 
 namespace ehd {
@@ -26,22 +27,23 @@ class SweepJournal {
   /// Opens the journal in `folder` for a run; makes the folder where there is none. Keeps the rows whose hashes are in
   /// `wanted`, and removes damaged lines and rows of other sweeps or programs. Throws OutputError where the folder
   /// cannot be written, its journal is no regular file, or another run is at work there.
-  SweepJournal(const std::filesystem::path& folder, const JournalHeader& header, const std::set<std::string>& wanted,
+  SweepJournal(const std::filesystem::path& folder, const JournalHeader& header, std::vector<HashNumber> wanted,
                bool fresh);
 
-  /// A finished journal, for merging. Throws OutputError where a line is damaged or the header is another one.
-  SweepJournal(const std::filesystem::path& folder, const JournalHeader& header);
+  /// A journal as it stands, for merging the rows in `wanted`. Throws OutputError where a line is damaged or the header
+  /// is another one.
+  SweepJournal(const std::filesystem::path& folder, const JournalHeader& header, std::vector<HashNumber> wanted);
 
   ~SweepJournal();
   SweepJournal(const SweepJournal&) = delete;
   SweepJournal& operator=(const SweepJournal&) = delete;
 
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
-  [[nodiscard]] bool holds(const std::string& hash) const { return rows_.contains(hash); }
+  [[nodiscard]] bool holds(const std::string& hash) const;
   /// The row's text as it was added. Throws OutputError where the file has changed meanwhile.
   [[nodiscard]] std::string row(const std::string& hash) const;
   /// The row is computed again. Its line stays; of two lines with one hash the last one counts.
-  void forget(const std::string& hash) { rows_.erase(hash); }
+  void forget(const std::string& hash) { places_.at(index_of(hash).value()).bytes = 0; }
   /// One line without line feeds. Throws OutputError. Not from several threads at once. The line survives the end of
   /// the process at once; a power failure may take the lines of the last fifth of a second, and the last line of all
   /// until this object ends.
@@ -49,14 +51,16 @@ class SweepJournal {
 
  private:
   struct Place {
-    std::size_t begin = 0, bytes = 0;
+    std::size_t begin = 0, bytes = 0;  ///< no bytes: the row is not there
   };
   struct Read {
     bool whole = true;         ///< nothing but wanted rows, each line with its checksum
     std::string header;        ///< empty where there is none
     std::size_t bad_line = 0;  ///< first damaged line, from 1; 0: none
   };
-  Read read(const std::set<std::string>* wanted);
+  /// Index of a wanted row; absent where it is not wanted.
+  [[nodiscard]] std::optional<std::size_t> index_of(std::string_view hash) const;
+  Read read();
   void rewrite(const std::string& header);
   void open_file(int flags);
   void require_file_or_none() const;
@@ -65,7 +69,8 @@ class SweepJournal {
   std::filesystem::path folder_, file_;
   int lock_ = -1, descriptor_ = -1;
   std::size_t end_ = 0;
-  std::map<std::string, Place> rows_;
+  std::vector<HashNumber> wanted_;  ///< in order, each once
+  std::vector<Place> places_;       ///< of the wanted rows
   std::chrono::steady_clock::time_point synced_ = {};
   bool unsynced_ = false;  ///< a line may not be on the disk yet
 };

@@ -51,11 +51,17 @@ struct Sweep {
   [[nodiscard]] Json to_json() const;
 };
 
-/// More rows are refused, since all are read before the first is computed.
-inline constexpr std::size_t most_rows = 100000;
+/// More rows are refused: their hashes stand in memory. A million was tried (docs/results/sweep-million.md).
+inline constexpr std::size_t most_rows = 1000000;
 
-/// Reads the file and the case of every row, so that a wrong row is found before anything is computed. Throws
-/// CaseError.
+/// Reads the file, and no row's case. Throws CaseError.
+[[nodiscard]] Sweep read_sweep_statement(const std::filesystem::path& file);
+
+/// Reads the cases of these rows over threads (0: as many as there are cores), so that a wrong row is found before
+/// anything is computed. Throws the CaseError of the first wrong one in the list.
+void require_cases(const Sweep& sweep, const std::vector<std::size_t>& rows, unsigned threads);
+
+/// The file and the cases of all rows. Throws CaseError.
 [[nodiscard]] Sweep read_sweep(const std::filesystem::path& file);
 
 [[nodiscard]] Json to_json(const TomlValue& value);

@@ -3,6 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
+#include <mutex>
+#include <numeric>
+#include <optional>
 
 #include "contact/text.hpp"
 #include "io/case_keys.hpp"
@@ -12,6 +16,7 @@
 #include "io/sweep_file.hpp"
 #include "io/sweep_source.hpp"
 #include "io/sweep_values.hpp"
+#include "workflow/parallel.hpp"
 #include "workflow/registry.hpp"
 
 namespace ehd {
@@ -140,7 +145,7 @@ void read_keys(const SweepSource& source, Sweep& sweep) {
 
 }  // namespace
 
-Sweep read_sweep(const std::filesystem::path& file) {
+Sweep read_sweep_statement(const std::filesystem::path& file) {
   const SweepSource source(file);
   Sweep sweep;
   sweep.file = file;
@@ -152,7 +157,32 @@ Sweep read_sweep(const std::filesystem::path& file) {
   read_tolerance(source, sweep);
   read_combine(source, sweep);
   read_keys(source, sweep);
-  for (std::size_t row = 0; row < sweep.rows(); ++row) (void)sweep.case_of(row);
+  return sweep;
+}
+
+void require_cases(const Sweep& sweep, const std::vector<std::size_t>& rows, unsigned threads) {
+  std::mutex mutex;
+  std::atomic<std::size_t> first = rows.size();
+  std::optional<CaseError> refusal;
+  in_threads(rows.size(), threads, [&](std::size_t i) {
+    if (i > first) return;
+    try {
+      (void)sweep.case_of(rows[i]);
+    } catch (const CaseError& error) {
+      const std::lock_guard lock(mutex);
+      if (i > first) return;
+      first = i;
+      refusal = error;
+    }
+  });
+  if (refusal) throw CaseError(*refusal);
+}
+
+Sweep read_sweep(const std::filesystem::path& file) {
+  Sweep sweep = read_sweep_statement(file);
+  std::vector<std::size_t> rows(sweep.rows());
+  std::iota(rows.begin(), rows.end(), std::size_t{0});
+  require_cases(sweep, rows, 0);
   return sweep;
 }
 

@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
+#include <iterator>
 #include <memory>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <utility>
 
 #include "contact/text.hpp"
 #include "io/content_hash.hpp"
@@ -47,32 +50,49 @@ void forget_wrong_rows(const Sweep& sweep, const SweepHashes& hashes, const std:
 }  // namespace
 
 SweepHashes::SweepHashes(const Sweep& sweep, const SweepRequest& request) {
-  std::string all;
-  for (std::size_t row = 0; row < sweep.rows(); ++row) {
-    of_row.push_back(row_hash(sweep, request, row));
-    all += of_row.back();
-  }
-  of_sweep = content_hash(all);
+  std::vector<HashNumber>& numbers = of_row.numbers;
+  numbers.resize(sweep.rows());
+  in_threads(numbers.size(), request.threads,
+             [&](std::size_t row) { numbers[row] = hash_number(row_hash(sweep, request, row)).value(); });
+  of_sweep = content_hash({reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(HashNumber)});
 }
 
-std::set<std::string> SweepHashes::of(const std::vector<std::size_t>& rows) const {
-  std::set<std::string> some;
-  for (const std::size_t row : rows) some.insert(of_row[row]);
+std::vector<HashNumber> SweepHashes::of(const std::vector<std::size_t>& rows) const {
+  std::vector<HashNumber> some(rows.size());
+  std::transform(rows.begin(), rows.end(), some.begin(), [&](std::size_t row) { return of_row.numbers[row]; });
   return some;
 }
+
+namespace {
+
+/// Rows that are not known, in increasing order; of equal rows the first. By sorting: a set of texts would take twice
+/// the memory of all else.
+std::vector<std::size_t> missing_rows(const SweepHashes& hashes, const std::vector<std::size_t>& rows,
+                                      const std::function<bool(const std::string& hash)>& known) {
+  std::vector<std::size_t> missing;
+  std::copy_if(rows.begin(), rows.end(), std::back_inserter(missing),
+               [&](std::size_t row) { return !known(hashes.of_row[row]); });
+  const auto& number = hashes.of_row.numbers;
+  std::sort(missing.begin(), missing.end(), [&](std::size_t one, std::size_t other) {
+    return std::pair(number[one], one) < std::pair(number[other], other);
+  });
+  missing.erase(std::unique(missing.begin(), missing.end(),
+                            [&](std::size_t one, std::size_t other) { return number[one] == number[other]; }),
+                missing.end());
+  std::sort(missing.begin(), missing.end());
+  return missing;
+}
+
+}  // namespace
 
 SweepCost compute_missing(const Sweep& sweep, const SweepRequest& request, const SweepHashes& hashes,
                           const std::vector<std::size_t>& rows, SweepJournal& journal) {
   const auto begin = Clock::now();
   SweepCost cost{.rows = rows.size()};
   forget_wrong_rows(sweep, hashes, rows, request.threads, journal);
-  std::set<std::string> taken;
-  std::vector<std::size_t> missing;
-  const auto known_already = [&](const std::string& hash) {
+  const std::vector<std::size_t> missing = missing_rows(hashes, rows, [&](const std::string& hash) {
     return journal.holds(hash) && (request.keep_limits || !lacked_time_or_memory(journal.row(hash)));
-  };
-  for (const std::size_t row : rows)
-    if (!known_already(hashes.of_row[row]) && taken.insert(hashes.of_row[row]).second) missing.push_back(row);
+  });
   const std::size_t known = rows.size() - missing.size();
   if (request.progress) request.progress(known, rows.size(), 0);
 

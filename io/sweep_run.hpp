@@ -6,10 +6,10 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <set>
 #include <string>
 #include <vector>
 
+#include "io/content_hash.hpp"
 #include "io/json.hpp"
 #include "io/store.hpp"
 #include "io/stored_row.hpp"
@@ -39,13 +39,19 @@ struct SweepCost {
 
 // ---- What run_sweep and run_shard (io/sweep_shards) share
 
+/// Hashes as numbers, read as texts: millions of them stand in memory.
+struct HashList {
+  std::vector<HashNumber> numbers;
+  [[nodiscard]] std::string operator[](std::size_t row) const { return digits_of(numbers[row]); }
+};
+
 /// row_hash of every row, and the hash of the sweep, which follows from them.
 struct SweepHashes {
   SweepHashes(const Sweep& sweep, const SweepRequest& request);
   /// Those of some rows.
-  [[nodiscard]] std::set<std::string> of(const std::vector<std::size_t>& rows) const;
+  [[nodiscard]] std::vector<HashNumber> of(const std::vector<std::size_t>& rows) const;
 
-  std::vector<std::string> of_row;
+  HashList of_row;
   std::string of_sweep;
 };
 

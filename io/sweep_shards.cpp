@@ -65,9 +65,9 @@ std::unique_ptr<SweepJournal> finished_journal(const Sweep& sweep, const SweepHa
                                                const std::filesystem::path& folder, const Shard& shard) {
   const auto own = folder_of(shard, folder);
   const JournalHeader header{.sweep = hashes.of_sweep, .shard = shard.number, .of = shard.of};
-  auto journal = std::make_unique<SweepJournal>(own, header);
-  std::size_t known = 0;
   const std::vector<std::size_t> rows = rows_of(sweep, shard);
+  auto journal = std::make_unique<SweepJournal>(own, header, hashes.of(rows));
+  std::size_t known = 0;
   for (const std::size_t row : rows) known += journal->holds(hashes.of_row[row]);
   if (known < rows.size())
     throw OutputError(one_line(fmt::format("{}: the shard is not finished, it holds {} of {} rows; {}",

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ehd bench as a process.
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -40,6 +41,18 @@ BOOST_AUTO_TEST_CASE(a_quick_bench_prints_its_tables_and_leaves_its_files) {
     BOOST_TEST(test::read(out / name).find('\n') != std::string::npos);
   const auto files = std::distance(std::filesystem::directory_iterator(out), {});
   BOOST_TEST(files == 3);
+}
+
+BOOST_AUTO_TEST_CASE(the_yardstick_of_all_times_is_one_line) {
+  const test::Folder folder;
+  const auto out = folder.path() / "bench";
+  const auto ended = test::ehd_run(folder, "bench --part convolution --output '" + out.string() + "'");
+  BOOST_TEST(ended.exit_code == 0);
+  BOOST_TEST(ended.out.starts_with("c = "));
+  BOOST_TEST(std::count(ended.out.begin(), ended.out.end(), '\n') == 1);
+  const json measured = json::parse(test::read(out / "bench.json"))["convolution"];
+  BOOST_TEST(measured["nodes"] == 512);
+  BOOST_TEST(measured["c_s"].get<double>() > 0);
 }
 
 BOOST_AUTO_TEST_CASE(one_part_leaves_its_own_files_only) {

@@ -1,64 +1,55 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The inputs that fuzzing starts from, those that it once found, and every benchmark case, through the promises that
-// fuzzing checks (docs/fuzzing.md).
-#include <algorithm>
+// fuzzing checks (docs/fuzzing.md). Results and the atlas: tests/verification/fuzz_corpus_test.cpp.
 #include <filesystem>
 #include <string>
-#include <vector>
 
 #include "io/case_reader.hpp"
 #include "tests/check.hpp"
 #include "tests/files.hpp"
 #include "tests/fuzz/case_promises.hpp"
+#include "tests/fuzz/kept_inputs.hpp"
+#include "tests/fuzz/row_promises.hpp"
+#include "tests/fuzz/sweep_promises.hpp"
 
 using namespace ehd;
 using namespace ehd::verification;
 
 namespace {
 
-std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder) {
-  std::vector<std::filesystem::path> files;
-  if (!std::filesystem::exists(folder)) return files;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
-    if (entry.is_regular_file()) files.push_back(entry.path());
-  }
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
 const std::filesystem::path sources = EHD_SOURCE_DIR;
-
-void check_promises(const std::vector<std::filesystem::path>& files) {
-  for (const auto& file : files) {
-    const std::string broken = promises::broken(test::read(file));
-    BOOST_CHECK_MESSAGE(broken.empty(), file.filename().string() << ": " << broken);
-  }
-}
+const std::filesystem::path corpus = sources / "tests" / "fuzz" / "corpus",
+                            found = sources / "tests" / "fuzz" / "found";
 
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(fuzz_corpus)
 
 BOOST_AUTO_TEST_CASE(inputs_that_fuzzing_starts_from_keep_every_promise_and_are_cases) {
-  const auto corpus = files_in(sources / "tests" / "fuzz" / "corpus");
-  BOOST_TEST(corpus.size() >= 8u);
-  check_promises(corpus);
-  for (const auto& file : corpus) {
+  BOOST_TEST(test::keep_promises(corpus / "case", promises::case_broken) >= 8u);
+  for (const auto& file : test::files_in(corpus / "case")) {
     const std::string text = test::read(file);
     BOOST_CHECK_NO_THROW((void)read_case(text, promises::file_name_for(text)));
   }
 }
 
 BOOST_AUTO_TEST_CASE(inputs_that_fuzzing_found_keep_every_promise) {
-  const auto found = files_in(sources / "tests" / "fuzz" / "found");
-  BOOST_TEST(!found.empty());
-  check_promises(found);
+  BOOST_TEST(test::keep_promises(found / "case", promises::case_broken) >= 4u);
+  test::keep_promises(found / "sweep", promises::sweep_broken);
+  BOOST_TEST(test::keep_promises(found / "row", promises::row_broken) >= 1u);
+}
+
+BOOST_AUTO_TEST_CASE(sweeps_that_fuzzing_starts_from_keep_every_promise) {
+  BOOST_TEST(test::keep_promises(corpus / "sweep", promises::sweep_broken) >= 3u);
+  BOOST_TEST(test::keep_promises(sources / "examples" / "sweeps", promises::sweep_broken) >= 3u);
+}
+
+BOOST_AUTO_TEST_CASE(stored_rows_that_fuzzing_starts_from_keep_every_promise) {
+  BOOST_TEST(test::keep_promises(corpus / "row", promises::row_broken) >= 3u);
 }
 
 BOOST_AUTO_TEST_CASE(benchmark_cases_keep_every_promise) {
-  const auto cases = files_in(sources / "cases");
-  BOOST_TEST(cases.size() > 300u);
-  check_promises(cases);
+  BOOST_TEST(test::keep_promises(sources / "cases", promises::case_broken) > 300u);
 }
 
 BOOST_AUTO_TEST_CASE(a_text_is_read_like_the_file_that_holds_it) {

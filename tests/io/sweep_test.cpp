@@ -79,12 +79,6 @@ Json without_times(Json json) {
   return json;
 }
 
-boost::test_tools::assertion_result parallel_is_there(boost::unit_test::test_unit_id) {
-  boost::test_tools::assertion_result there(std::system("parallel --version 2> /dev/null | grep -q GNU") == 0);
-  there.message() << "GNU parallel is not installed (apt-get install parallel)";
-  return there;
-}
-
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(sweep)
@@ -195,10 +189,10 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_with_a_sweep_is_one_line_before_anything_is_c
       {head("combine = \"zip\"\n[keys]\n" + load + "[1.0, 2.0]\n\"bearing.clearance_m\" = [0.0]\n"),
        5,
        {"has 1 values where operation.radial_load_N has 2"}},
-      {keys("\"bearing.clearance_m\" = { from = 0.0, to = 1e-5, points = 1000, spacing = \"linear\" }\n" + load +
+      {keys("\"bearing.clearance_m\" = { from = 0.0, to = 1e-5, points = 1001, spacing = \"linear\" }\n" + load +
             "{ from = 1.0, to = 2.0, points = 1000, spacing = \"linear\" }\n"),
        5,
-       {"more than 100000 rows"}},
+       {"more than 1000000 rows"}},
   };
   const Folder folder;
   for (const Bad& bad : all) {
@@ -631,6 +625,38 @@ BOOST_AUTO_TEST_CASE(a_second_run_in_the_same_folder_is_refused_while_the_first_
 
 // ---- shards ---------------------------------------------------------------------------------------------------------
 
+BOOST_AUTO_TEST_CASE(the_first_wrong_row_is_refused_whatever_the_threads_do) {
+  const Folder folder;
+  const Sweep read =
+      read_sweep_statement(folder.write("s.toml", keys("\"bearing.rollers\" = [22, 20, -1, 18, -2, -3]\n")));
+  const auto refusal = [&](const std::vector<std::size_t>& rows, unsigned threads) -> std::string {
+    try {
+      require_cases(read, rows, threads);
+    } catch (const CaseError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  for (const unsigned threads : {1u, 2u, 8u}) {
+    BOOST_TEST(refusal({0, 1, 2, 3, 4, 5}, threads).find("row 2 ") != std::string::npos);
+    BOOST_TEST(refusal(rows_of(read, {2, 2}), threads).find("row 5 ") != std::string::npos);
+    BOOST_TEST(refusal({0, 1, 3}, threads) == "");
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_shard_reads_the_cases_of_its_own_rows) {
+  const Folder folder;
+  const auto file = folder.write("s.toml", keys("\"bearing.rollers\" = [22, -1]\n") + "");
+  const auto shard = [&](const char* part) {
+    return test::ehd_run(folder,
+                         "sweep " + quoted(file) + " --output " + quoted(folder.path() / "out") + " --shard " + part);
+  };
+  BOOST_TEST(shard("1/2").exit_code == 0);
+  BOOST_TEST(shard("2/2").exit_code == 2);
+  test::check_refused(folder, "sweep " + quoted(file) + " --output " + quoted(folder.path() / "out") + " --merge",
+                      "2-of-2");
+}
+
 BOOST_AUTO_TEST_CASE(shards_take_every_row_once) {
   const Folder folder;
   const Sweep read = read_sweep(folder.write("s.toml", dry_sweep));
@@ -705,18 +731,7 @@ BOOST_AUTO_TEST_CASE(shards_that_are_missing_unfinished_damaged_or_foreign_are_n
   BOOST_TEST(std::filesystem::exists(out / "rows.csv"));
 }
 
-BOOST_AUTO_TEST_CASE(gnu_parallel_runs_the_shards, *boost::unit_test::precondition(parallel_is_there)) {
-  const Folder folder;
-  const auto file = folder.write("s.toml", dry_sweep);
-  const auto whole = folder.path() / "whole", parts = folder.path() / "parts";
-  BOOST_TEST(test::ehd_run(folder, "sweep " + quoted(file) + " --output " + quoted(whole)).exit_code == 0);
-  const std::string command = "EHD='" + std::string(EHD_PROGRAM) + "' sh '" + EHD_SOURCE_DIR +
-                              "/examples/sweeps/parallel.sh' " + quoted(file) + " " + quoted(parts) + " 4 > '" +
-                              (folder.path() / "log").string() + "' 2>&1";
-  const int status = std::system(command.c_str());
-  BOOST_TEST(status == 0, test::read(folder.path() / "log"));
-  BOOST_TEST((Files(parts) == Files(whole)));
-}
+// The launchers themselves: tests/engines/.
 
 BOOST_AUTO_TEST_CASE(a_rank_of_a_launcher_is_its_shard) {
   const Folder folder;

@@ -48,6 +48,14 @@ def read_mutants():
     return mutants
 
 
+def part_of(mutants, text):
+    """Mutants K, K + N, ... of the list, for the text K/N."""
+    number, _, of = text.partition("/")
+    if not (number.isdecimal() and of.isdecimal() and 1 <= int(number) <= int(of) <= len(mutants)):
+        fail(f"--part {text}: allowed is K/N with 1 <= K <= N <= {len(mutants)}, as 3/10")
+    return mutants[int(number) - 1 :: int(of)]
+
+
 def copy_tree(source):
     list_files = ["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"]
     listed = subprocess.run(list_files, cwd=TOP, check=True,
@@ -91,6 +99,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--output", type=pathlib.Path, default=TOP / "out" / "mutants", help="folder (out/mutants)")
     parser.add_argument("--only", action="append", default=[], metavar="PART", help="mutants with PART in their id")
+    parser.add_argument("--part", metavar="K/N", help="the K-th of N parts: mutants K, K + N, ...")
     parser.add_argument("--check", action="store_true",
                         help="only test that each mutant's text stands once in its file")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
@@ -106,6 +115,8 @@ def main():
         mutants = [m for m in mutants if any(part in m["id"] for part in arguments.only)]
         if not mutants:
             fail(f"no mutant has {' or '.join(arguments.only)} in its id; there are {', '.join(ids)}")
+    if arguments.part:
+        mutants = part_of(mutants, arguments.part)
     # Mutants of one file run one after the other, headers last: a restored file is then built only once.
     mutants.sort(key=lambda mutant: (mutant["file"].endswith(".hpp"), mutant["file"]))
 

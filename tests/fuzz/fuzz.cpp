@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// libFuzzer on the case reader, and on everything that a case goes through before a contact is solved. `make fuzz`;
-// docs/fuzzing.md tells what becomes of a finding.
+// The main of every fuzz target: libFuzzer makes up bytes, NAME_broken says which promise they break ("" for none).
+// CMake compiles this file once a target, with EHD_PROMISES and EHD_BROKEN. `make fuzz`; docs/fuzzing.md tells what
+// becomes of a finding.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -12,8 +13,8 @@
 #include <string_view>
 #include <vector>
 
+#include EHD_PROMISES
 #include "io/case_text.hpp"
-#include "tests/fuzz/case_promises.hpp"
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t largest);
 
@@ -57,16 +58,29 @@ std::string any_number(std::mt19937& random) {
   return (random() % 8 == 0 ? "-" : "") + std::to_string(digits) + "e" + std::to_string(exponent);
 }
 
-/// Doubles a line, leaves one out, or gives it another number. Mutations of bytes rarely do so.
+/// Gives one number of a line, or what stands behind its first "=", another value.
+void change_number(std::string& line, std::mt19937& random) {
+  constexpr const char* digits = "0123456789";
+  if (line.find_first_of(digits) == std::string::npos) {
+    if (const auto sign = line.find('='); sign != std::string::npos)
+      line = line.substr(0, sign + 1) + " " + any_number(random);
+    return;
+  }
+  const std::size_t anywhere = random() % line.size();
+  std::size_t begin = line.find_first_of(digits, anywhere);
+  if (begin == std::string::npos) begin = line.find_first_of(digits);
+  const std::size_t end = std::min(line.find_first_not_of("0123456789.eE+-", begin), line.size());
+  line = line.substr(0, begin) + any_number(random) + line.substr(end);
+}
+
+/// Doubles a line, leaves one out, or changes a number in it. Mutations of bytes rarely do so.
 std::string with_another_line(std::string_view text, std::mt19937& random) {
   std::vector<std::string> lines = ehd::lines_of(text);
   const std::size_t at = random() % lines.size();
   switch (random() % 8) {
     case 0: lines.insert(lines.begin() + static_cast<std::ptrdiff_t>(random() % lines.size()), lines[at]); break;
     case 1: lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(at)); break;
-    default:
-      if (const auto sign = lines[at].find('='); sign != std::string::npos)
-        lines[at] = lines[at].substr(0, sign + 1) + " " + any_number(random);
+    default: change_number(lines[at], random);
   }
   std::string mutated;
   for (const auto& line : lines) mutated += line + "\n";
@@ -88,7 +102,7 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-  const std::string broken = ehd::verification::promises::broken(bytes);
+  const std::string broken = ehd::verification::promises::EHD_BROKEN(bytes);
   if (!broken.empty()) {
     std::fprintf(stderr, "broken promise: %s\n", broken.c_str());
     std::abort();  // libFuzzer keeps the input
