@@ -122,7 +122,7 @@ Findings judge_bars(bool roelands, int runs) {
 
 /// How solves at random points of the box ended, and those that broke a rule: a converged solve keeps its tolerance and
 /// has a finite film, and every other one gives a reason.
-struct Ends {
+struct RandomEnds {
   int solves = 0, converged = 0, physical = 0, physical_converged = 0;
   double slowest_s = 0;
   std::string slowest_at, dishonest, unsolved;
@@ -174,7 +174,7 @@ Run next_run(Draw& draw, MoesGroups& point, int i, double tolerance) {
 Findings judge_box(int runs) {
   constexpr double tolerance = 1e-5;
   const RegisteredSolver& solver = certified_solver();
-  Ends ends;
+  RandomEnds ends;
   Draw draw(box_seed);
   MoesGroups point;
   for (int i = 0; i < 2 * runs; ++i) {
@@ -200,7 +200,7 @@ Findings judge_box(int runs) {
 Findings judge_fast(double tolerance, int runs) {
   const RegisteredSolver &fast = default_solver(), &reference = certified_solver();
   const int points = 2 * fast_points_a_run * runs;
-  Ends ends;
+  RandomEnds ends;
   int judged = 0, covered = 0, without_truth = 0;
   double worst = 0;
   std::string beyond;
