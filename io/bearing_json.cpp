@@ -60,12 +60,14 @@ Json to_json(const LinearFit& fit) {
   Json json = numbers({{"K_N_per_m", fit.K_N_per_m},
                        {"dF_N", fit.dF_N},
                        {"residual_N", fit.residual_N},
+                       {"misfit", fit.misfit()},
                        {"standard_deviation_N", fit.standard_deviation_N},
                        {"K_standard_deviation_N_per_m", fit.K_deviation_N_per_m},
                        {"dF_standard_deviation_N", fit.dF_deviation_N},
                        {"correlation", fit.correlation}});
   json["load_N"] = {fit.points.front().force_N, fit.points.back().force_N};
   json["points"] = fit.points.size();
+  json["describes_contacts"] = fit.describes_contacts();
   return json;
 }
 
@@ -93,6 +95,7 @@ Json to_json(const BearingResult& result) {
     put(json, "displacement_m", result.displacement_m);
     put(json, "displacement_lateral_m", result.displacement_lateral_m);
     if (result.load_zone_deg) json["load_zone_deg"] = {result.load_zone_deg->first, result.load_zone_deg->second};
+    json["loaded_rollers"] = loaded_rollers(result.rollers);
     json["stiffness_N_per_m"] = result.stiffness_N_per_m;
     if (result.cage) json["cage"] = to_json(*result.cage);
     json["rollers"] = to_json(result.rollers);
