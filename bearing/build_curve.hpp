@@ -33,8 +33,8 @@ struct CurveRequest {
 /// above four times the heaviest are dropped.
 [[nodiscard]] CurveRequest as_met(CurveRequest request);
 
-/// 1. Points go down from the heaviest force by factors of four. They end where Martin's films predict a contact of
-///    half the lightest force within the bounds, or where no lighter contact can be solved.
+/// 1. Points go down from the heaviest force by factors of four. They end where the films continued to Martin's are
+///    within the bounds, judged by a contact of half the lightest force, or where no lighter contact can be solved.
 /// 2. The gap whose extra solve disagrees most is split there, until all agree.
 /// 3. Each point is predicted by the others, over twice the gap. Where an eighth of the disagreement is beyond the
 ///    bounds, the gaps on both sides of the point are split.

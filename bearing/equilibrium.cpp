@@ -122,14 +122,15 @@ std::variant<Equilibrium, NoEquilibrium> balance(const Geometry& geometry, const
   return result;
 }
 
-std::optional<std::pair<double, double>> load_zone_deg(const Equilibrium& equilibrium, double share) {
+bool is_loaded(double force_N, double largest_N) { return force_N > 0 && force_N >= loaded_share * largest_N; }
+
+std::optional<std::pair<double, double>> load_zone_deg(const Equilibrium& equilibrium) {
   double largest_N = 0;
   for (const RollerState& roller : equilibrium.rollers) largest_N = std::max(largest_N, roller.inner.force_N);
   if (!(largest_N > 0)) return std::nullopt;
   std::pair<double, double> zone{180, -180};
   for (std::size_t j = 0; j < equilibrium.rollers.size(); ++j) {
-    const double force_N = equilibrium.rollers[j].inner.force_N;
-    if (!(force_N > 0 && force_N >= share * largest_N)) continue;
+    if (!is_loaded(equilibrium.rollers[j].inner.force_N, largest_N)) continue;
     zone.first = std::min(zone.first, equilibrium.azimuths_deg[j]);
     zone.second = std::max(zone.second, equilibrium.azimuths_deg[j]);
   }

@@ -61,11 +61,12 @@ struct NoEquilibrium {
 [[nodiscard]] std::variant<Equilibrium, NoEquilibrium> balance(const Geometry& geometry, const LawPair& laws,
                                                                const Loading& loading, Form form = Form::plane);
 
-/// A film unloads no roller: far from the load it carries some per mille to some per cent of the largest force. Rollers
-/// of a law with films count as loaded from this part of the largest inner contact force on.
-inline constexpr double load_zone_share = 0.01;
-/// From the smallest to the largest azimuth of the rollers that carry something, and at least `share` of the largest
-/// inner contact force; absent where nothing is loaded.
-[[nodiscard]] std::optional<std::pair<double, double>> load_zone_deg(const Equilibrium& equilibrium, double share = 0);
+/// A film unloads no roller: far from the load it carries some per mille to some per cent of the largest force. So a
+/// roller counts as loaded from this part of the largest inner contact force on, with every law and everywhere.
+inline constexpr double loaded_share = 0.01;
+/// A roller whose inner contact carries `force_N`, where the most loaded one of the bearing carries `largest_N`.
+[[nodiscard]] bool is_loaded(double force_N, double largest_N);
+/// From the smallest to the largest azimuth of the loaded rollers; absent where nothing is loaded.
+[[nodiscard]] std::optional<std::pair<double, double>> load_zone_deg(const Equilibrium& equilibrium);
 
 }  // namespace ehd::bearing

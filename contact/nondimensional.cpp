@@ -44,8 +44,6 @@ std::optional<double> Scales::film_m_per_hertz_film() const {
 
 namespace {
 
-/// Above this Hertz pressure a note says that the contact is not one of steel.
-constexpr double highest_usual_pressure_Pa = 4e9;
 /// alpha and z that differ by more than this from Roelands' relation get a note.
 constexpr double exact_relation = 1e-6;
 
@@ -218,9 +216,6 @@ Nondimensional nondimensionalise(const Statement& statement, const Lubricant& lu
   // 4. Laws in units of p_H.
   if (groups.alpha_p_H > 0) result.problem.viscosity = viscosity_of(lubricant, oil, in_SI, groups, result.scales);
   result.problem.density = density_of(lubricant, result.scales);
-  if (result.scales && result.scales->hertz_pressure_Pa > highest_usual_pressure_Pa)
-    result.notes.push_back("p_H = " + plain(result.scales->hertz_pressure_Pa / 1e9) +
-                           " GPa is above 4 GPa: a numerical test, not a contact of steel");
   return result;
 }
 

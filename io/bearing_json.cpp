@@ -61,12 +61,14 @@ Json to_json(const LinearFit& fit) {
   Json json = numbers({{"K_N_per_m", fit.K_N_per_m},
                        {"dF_N", fit.dF_N},
                        {"residual_N", fit.residual_N},
+                       {"misfit", fit.misfit()},
                        {"standard_deviation_N", fit.standard_deviation_N},
                        {"K_standard_deviation_N_per_m", fit.K_deviation_N_per_m},
                        {"dF_standard_deviation_N", fit.dF_deviation_N},
                        {"correlation", fit.correlation}});
   put(json, "load_N", {fit.points.front().force_N, fit.points.back().force_N});
   json["points"] = fit.points.size();
+  json["describes_contacts"] = fit.describes_contacts();
   return json;
 }
 
@@ -94,6 +96,7 @@ Json to_json(const BearingResult& result) {
     put(json, "displacement_m", result.displacement_m);
     put(json, "displacement_lateral_m", result.displacement_lateral_m);
     if (result.load_zone_deg) put(json, "load_zone_deg", {result.load_zone_deg->first, result.load_zone_deg->second});
+    json["loaded_rollers"] = loaded_rollers(result.rollers);
     if (const auto& K = result.stiffness_N_per_m; std::isfinite(K[0][0] + K[0][1] + K[1][0] + K[1][1]))
       json["stiffness_N_per_m"] = K;
     if (result.cage) json["cage"] = to_json(*result.cage);

@@ -14,10 +14,6 @@ namespace ehd {
 
 namespace {
 
-long loaded(const std::vector<RollerRow>& rollers) {
-  return std::count_if(rollers.begin(), rollers.end(), [](const RollerRow& row) { return row.inner.force_N > 0; });
-}
-
 std::string source_of(const note::Datum& datum) {
   switch (datum.from) {
     case note::Datum::From::stated: return "x_0 given";
@@ -37,6 +33,14 @@ struct Words {
   std::string operator()(const note::Datum& datum) const {
     return fmt::format("datum: {}; x_0 = {} (inner), {} (outer)", source_of(datum), millimetre(result.datum_m->inner),
                        millimetre(result.datum_m->outer));
+  }
+  std::string operator()(const note::PoorLine& poor) const {
+    const bearing::LinearFit& fit = result.fit->at(poor.raceway);
+    return fmt::format(
+        "the line does not describe its {} contacts: it misses them by up to {} N, {} % of the heaviest force; K = {} "
+        "+- {} N/m. Take the law ehd",
+        to_string(poor.raceway), plain(fit.residual_N, 3), plain(100 * fit.misfit(), 2), plain(fit.K_N_per_m, 2),
+        plain(fit.K_deviation_N_per_m, 2));
   }
   std::string operator()(const note::LateralForce& lateral) const {
     return fmt::format(
@@ -72,7 +76,7 @@ struct Words {
     const VariantResult& cut = result.variants.front();
     return fmt::format(
         "variant {}: {} loaded rollers instead of {}, roller 1 carries {} N instead of {} N{}{}", cut.name,
-        loaded(cut.rollers), loaded(result.rollers), plain(cut.rollers[0].inner.force_N),
+        loaded_rollers(cut.rollers), loaded_rollers(result.rollers), plain(cut.rollers[0].inner.force_N),
         plain(result.rollers[0].inner.force_N),
         note.on_jump ? "; the outermost sit on the jump of the law at delta = 0" : "",
         note.radial ? "; balanced in the radial form, since in the plane rollers stand on that jump" : "");
@@ -81,10 +85,7 @@ struct Words {
     return fmt::format("variant {}: no balance, {}", bearing_stage::variant, none.why);
   }
   std::string operator()(const note::NoFilms& none) const { return "no films: " + none.why; }
-  std::string operator()(const note::HighPressure& high) const {
-    return fmt::format("p_H = {} GPa is above 4 GPa: a numerical test, physically not steel",
-                       plain(1e-9 * high.p_H_Pa, 4));
-  }
+  std::string operator()(const note::Unusual& unusual) const { return sentence_of(unusual); }
   std::string operator()(const note::ThinFilm& thin) const {
     return fmt::format(
         "lambda ratio {} is below 1: the film is thinner than the roughness, but the surfaces are computed as smooth",

@@ -148,13 +148,6 @@ std::string azimuth_of_largest_force(const Json& result) {
   return roller ? number_cell((*roller)["azimuth_deg"].get<double>()) : "";
 }
 
-std::string loaded_rollers(const Json& result) {
-  const Json& rollers = rollers_of(result);
-  if (rollers.empty()) return "";
-  return std::to_string(std::count_if(rollers.begin(), rollers.end(),
-                                      [](const Json& roller) { return roller["inner"]["force_N"].get<double>() > 0; }));
-}
-
 /// Contacts of both raceways that carry a force outside the range of their fit; empty for a law without a fit.
 std::string fit_used_outside(const Json& result) {
   if (!result.contains("fit") || rollers_of(result).empty()) return "";
@@ -177,7 +170,7 @@ Columns bearing_columns() {
           {.name = "largest_force_azimuth_deg", .cell = azimuth_of_largest_force},
           extreme("film_minimum_m", "film_minimum_m", smaller),
           extreme("hertz_pressure_maximum_Pa", "hertz_pressure_Pa", larger),
-          {.name = "loaded_rollers", .cell = loaded_rollers},
+          at_path("loaded_rollers", "loaded_rollers"),
           at_path("balance_error", "balance_error"),
           at_path("contacts", "cost.contact_solves"),
           {.name = "reason", .cell = reason_cell},

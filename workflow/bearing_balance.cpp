@@ -48,13 +48,6 @@ CageTurn turn_of(const std::vector<Equilibrium>& positions) {
   return turn;
 }
 
-/// A roller with at least this share of the largest force counts as loaded. With a law from curves every roller carries
-/// something; with the others a roller may carry nothing.
-double load_zone_share_of(bearing::Law law) {
-  const bool always_pushes = std::holds_alternative<bearing::FromCurves>(bearing::row_of(law).make);
-  return always_pushes ? bearing::load_zone_share : 0;
-}
-
 ContactRow row_of_contact(const bearing::ContactState& state, const RacewayContact& contact) {
   ContactRow row{.force_N = state.force_N, .displacement_m = state.approach_m};
   if (state.force_N > 0) row.hertz_pressure_Pa = hertz::pressure_Pa(contact.at(state.force_N));
@@ -101,7 +94,7 @@ void fill_balance(BearingResult& result, const BearingSetup& setup, const std::v
   const Equilibrium& ring = positions.front();
   result.displacement_m = ring.displacement_m;
   result.displacement_lateral_m = ring.lateral_displacement_m;
-  result.load_zone_deg = bearing::load_zone_deg(ring, load_zone_share_of(result.law));
+  result.load_zone_deg = bearing::load_zone_deg(ring);
   result.stiffness_N_per_m = ring.stiffness_N_per_m;
   result.balance_error = ring.balance_error;
   result.rollers = rows_of(setup, ring);
@@ -118,7 +111,7 @@ void note_oil(BearingResult& result, const BearingSetup& setup) {
   const Conditions mean = setup.contacts.inner.at(setup.loading.radial_N / setup.body.geometry.rollers);
   try {
     for (const std::string& remark : nondimensionalise(mean, setup.body.lubricant->lubricant, Flooded{}).notes)
-      if (remark.find("GPa") == std::string::npos) result.notes.push_back(note::Oil{remark});
+      result.notes.push_back(note::Oil{remark});
   } catch (const StatementError&) {  // a mean load out of range says nothing about the rollers' own
   }
 }

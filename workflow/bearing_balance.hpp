@@ -51,8 +51,7 @@ struct BearingSetup {
 /// Writes the ring, its rollers and the turn of the cage into the result of a law.
 void fill_balance(BearingResult& result, const BearingSetup& setup, const std::vector<bearing::Equilibrium>& positions);
 
-/// Notes what nondimensionalise remarks about the oil at the mean load. Remarks about the pressure are left out: a
-/// result notes the highest pressure of its own rollers.
+/// Notes what nondimensionalise remarks about the oil, at the mean load.
 void note_oil(BearingResult& result, const BearingSetup& setup);
 
 }  // namespace ehd

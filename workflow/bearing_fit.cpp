@@ -2,6 +2,7 @@
 #include "workflow/bearing_fit.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -52,6 +53,14 @@ void fill_films_of_fit(BearingResult& result, const BearingSetup& setup, double 
   }
 }
 
+/// Before all other notes: nothing else of such a result is to be read first.
+void note_poor_lines(BearingResult& result) {
+  auto at = result.notes.begin();
+  for (const auto raceway : {bearing::Raceway::inner, bearing::Raceway::outer})
+    if (!result.fit->at(raceway).describes_contacts())
+      at = std::next(result.notes.insert(at, note::PoorLine{.raceway = raceway}));
+}
+
 void note_outside_fit(BearingResult& result, bearing::Raceway raceway) {
   const auto& points = result.fit->at(raceway).points;
   note::OutsideFit outside{.raceway = raceway, .lightest_N = std::numeric_limits<double>::infinity()};
@@ -100,6 +109,7 @@ void run_linear_law(BearingResult& result, const BearingSetup& setup, bearing::F
   auto inner = fitted(result, setup, bearing::Raceway::inner, inner_N, memory);
   auto outer = fitted(result, setup, bearing::Raceway::outer, outer_N, memory);
   result.fit = BothRaceways<LinearFit>{std::move(inner), std::move(outer)};
+  note_poor_lines(result);
   note_oil(result, setup);
   fill_balance(result, setup, balance_all_positions(setup, make(*result.fit)));
   if (!with_films || !result.plan.runs(bearing_stage::film(result.law))) return;

@@ -7,9 +7,15 @@
 #include <variant>
 
 #include "bearing/geometry.hpp"
+#include "workflow/plausibility.hpp"
 
 namespace ehd::note {
 
+/// The line of a raceway does not describe the contacts that it is fitted to (LinearFit::describes_contacts). It stands
+/// before all other notes.
+struct PoorLine {
+  bearing::Raceway raceway = bearing::Raceway::inner;
+};
 /// Where the datum x_0 comes from.
 struct Datum {
   enum class From {
@@ -55,10 +61,8 @@ struct NoVariant {
 struct NoFilms {
   std::string why;
 };
-/// The highest pressure is above what steel bears.
-struct HighPressure {
-  double p_H_Pa = 0;
-};
+/// A number outside its usual range (plausibility.hpp).
+using Unusual = ehd::Unusual;
 /// A film is thinner than the roughness.
 struct ThinFilm {
   double lambda_ratio = 0;
@@ -69,7 +73,7 @@ struct ThinFilm {
 namespace ehd {
 
 using BearingNote =
-    std::variant<note::Datum, note::LateralForce, note::RaisedFit, note::OutsideFit, note::Curve, note::Oil,
-                 note::CutVariant, note::NoVariant, note::NoFilms, note::HighPressure, note::ThinFilm>;
+    std::variant<note::PoorLine, note::Datum, note::LateralForce, note::RaisedFit, note::OutsideFit, note::Curve,
+                 note::Oil, note::CutVariant, note::NoVariant, note::NoFilms, note::Unusual, note::ThinFilm>;
 
 }  // namespace ehd

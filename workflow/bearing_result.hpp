@@ -34,6 +34,9 @@ struct RollerRow {
   }
 };
 
+/// How many of a bearing's rollers are loaded (bearing::is_loaded).
+[[nodiscard]] int loaded_rollers(const std::vector<RollerRow>& rollers);
+
 /// The balance with a variant of the law, for comparison.
 struct VariantResult {
   std::string name;

@@ -13,11 +13,14 @@
 #include "bearing/film_curve.hpp"
 #include "bearing/fit.hpp"
 #include "bearing/force_law.hpp"
+#include "contact/nondimensional.hpp"
+#include "contact/text.hpp"
 #include "workflow/bearing_balance.hpp"
 #include "workflow/bearing_curve.hpp"
 #include "workflow/bearing_datum.hpp"
 #include "workflow/bearing_fit.hpp"
 #include "workflow/bearing_of_case.hpp"
+#include "workflow/plausibility.hpp"
 
 namespace ehd {
 
@@ -30,9 +33,6 @@ std::vector<bearing::Law> default_laws(const BearingCase& body) {
 }
 
 namespace {
-
-/// Above this Hertz pressure a result is a numerical test: no steel bears it.
-constexpr double steel_limit_Pa = 4e9;
 
 /// Balances with one law, in the way that its row of bearing/law_table names: a new way does not compile until it has a
 /// line here.
@@ -73,13 +73,10 @@ void fill_lambda_ratios(BearingResult& result, const BearingCase& body) {
 }
 
 void note_limits(BearingResult& result) {
-  double highest_Pa = 0, smallest_ratio = std::numeric_limits<double>::infinity();
+  double smallest_ratio = std::numeric_limits<double>::infinity();
   for (const RollerRow& row : result.rollers)
-    for (const ContactRow* at : {&row.inner, &row.outer}) {
-      highest_Pa = std::max(highest_Pa, at->hertz_pressure_Pa.value_or(0));
+    for (const ContactRow* at : {&row.inner, &row.outer})
       smallest_ratio = std::min(smallest_ratio, at->lambda_ratio.value_or(smallest_ratio));
-    }
-  if (highest_Pa > steel_limit_Pa) result.notes.push_back(note::HighPressure{highest_Pa});
   if (smallest_ratio < 1) result.notes.push_back(note::ThinFilm{smallest_ratio});
 }
 
@@ -116,6 +113,8 @@ void carry_through(BearingResult& result, const BearingSetup& setup, bool with_f
     result.why = failure.what();
     result.rollers.clear();
   }
+  // A bearing without a balance needs these most: a slip of a unit may be why.
+  for (const Unusual& one : unusual(facts_of(setup.body, result.rollers))) result.notes.emplace_back(one);
 }
 
 BearingResult run_law(const Case& bearing_case, const BearingRequest& request, const BearingSetup& setup,
@@ -133,6 +132,23 @@ BearingResult run_law(const Case& bearing_case, const BearingRequest& request, c
   result.contact_recalls = memory.recalls() - recalls;
   result.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;
+}
+
+}  // namespace
+
+namespace {
+
+/// The most loaded roller carries at least the radial load over the number of rollers. Beyond largest_M no contact with
+/// a film is solved.
+void require_solvable_load(const Case& bearing_case, const BearingCase& body) {
+  const auto contacts = contacts_of(body);
+  const double rollers = body.geometry.rollers;
+  const double most_N = largest_M * rollers * std::min(force_at_M_1_N(contacts.inner), force_at_M_1_N(contacts.outer));
+  if (body.operation.radial_load_N <= most_N) return;
+  throw case_error(bearing_case, "operation.radial_load_N",
+                   "gives a roller more than M = " + plain(largest_M) + ", where no contact with a film is solved; " +
+                       "allowed with this speed and oil is up to " + plain(most_N, 3) + " N, or a dry law (--law " +
+                       bearing::names_of(bearing::Laws::dry) + ")");
 }
 
 }  // namespace
@@ -157,6 +173,8 @@ void require_possible(const Case& bearing_case, const BearingRequest& request) {
                          " does not exist; allowed is a relative speed, or a dry law (--law " +
                          bearing::names_of(bearing::Laws::dry) + ")");
   }
+  if (body.lubricant && std::any_of(request.laws.begin(), request.laws.end(), bearing::needs_film))
+    require_solvable_load(bearing_case, body);
 }
 
 std::vector<BearingResult> run_bearing(const Case& bearing_case, const BearingRequest& request, ContactMemory& memory) {

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "contact/hertz.hpp"
+#include "workflow/plausibility.hpp"
 
 namespace ehd {
 
@@ -111,6 +112,7 @@ ContactRun run_contact(const ContactCase& contact, const RegisteredSolver& solve
   } else {
     run_dry(contact, run);
   }
+  for (const Unusual& one : unusual(facts_of(contact.statement, run))) run.notes.push_back(sentence_of(one));
   return run;
 }
 

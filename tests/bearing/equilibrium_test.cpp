@@ -355,8 +355,8 @@ BOOST_AUTO_TEST_CASE(a_load_beyond_the_domain_of_a_logarithm_is_refused) {
   BOOST_TEST(std::get<NoEquilibrium>(result).why.find("domain of its law") != std::string::npos);
 }
 
-// Exact: the load zone reaches from the first to the last roller that carries. Under a film, rollers count from a
-// hundredth of the largest force on.
+// Exact: the load zone reaches from the first to the last roller that carries. Rollers count from a hundredth of the
+// largest force on, since a film leaves none without.
 BOOST_AUTO_TEST_CASE(the_load_zone_is_where_rollers_carry) {
   const Equilibrium dry = balanced(needle_bearing(0), both(palmgren_law(0.05)), {5e4, 28});
   const auto zone = load_zone_deg(dry);
@@ -366,8 +366,8 @@ BOOST_AUTO_TEST_CASE(the_load_zone_is_where_rollers_carry) {
   EHD_CHECK(error(zone->second, 5 * pitch_deg), Tolerance::round_off(4));
   const Equilibrium film =
       balanced(needle_bearing(200e-6), {synthetic_curve_law(0.02), synthetic_curve_law(0.03)}, {5e4, 28});
-  BOOST_TEST(load_zone_deg(film)->second == 180);
-  BOOST_TEST(load_zone_deg(film, load_zone_share)->second < 60);
+  BOOST_TEST(film.rollers.back().inner.force_N > 0);
+  BOOST_TEST(load_zone_deg(film)->second < 60);
   BOOST_TEST(!load_zone_deg(balanced(needle_bearing(5e-6), both(palmgren_law(0.05)), {.radial_N = 0})).has_value());
 }
 

@@ -100,6 +100,42 @@ BOOST_AUTO_TEST_CASE(a_known_relation_is_recovered_within_the_bound) {
   EHD_CHECK(below, Tolerance::required(bound, "the bound of the request"));
 }
 
+// Invariant: the stated error below the lightest point covers contacts that the curve has not seen. One contact is
+// solved there, at half the lightest load, where the error of some of these relations happens to vanish.
+BOOST_AUTO_TEST_CASE(the_error_stated_below_the_joint_covers_every_contact_there) {
+  int judged = 0;
+  double worst = 0;
+  for (double knee_N = 150; knee_N < 600; knee_N *= 1.1)
+    for (double bump = -2; bump < 2; bump += 0.1) {
+      const auto films_m = [&](double force_N) {
+        const double at_N = synthetic::knee_N / knee_N * force_N, x = std::pow(force_N / knee_N, 1.5);
+        const double rigid = martin_film(synthetic::contact(), force_N).film;
+        const double deformation = martin_offset_film(synthetic::contact(), force_N).film - rigid;
+        const double offset =
+            rigid * synthetic::enhancement(at_N, 0.58) + deformation / synthetic::enhancement(at_N, 4);
+        return std::pair{offset * std::exp(bump * std::pow(x / (1 + x), 2)),
+                         rigid * synthetic::enhancement(at_N, 0.56)};
+      };
+      const SolvableContact contacts{synthetic::contact(), [&](double load_N_per_m) -> ContactResult {
+                                       const double force_N = load_N_per_m * synthetic::contact().length_m;
+                                       return synthetic::solved(force_N, films_m(force_N).first,
+                                                                films_m(force_N).second);
+                                     }};
+      const FilmCurve curve = built(contacts);
+      for (double share = 0.97; share > 0.02; share *= 0.9) {
+        const double f = share * curve.lightest_N(), off_m = curve.offset_film(f).value - films_m(f).first;
+        const double film_error = std::max(std::abs(std::log1p(off_m / films_m(f).first)),
+                                           std::abs(std::log(curve.minimum_film(f).value / films_m(f).second)));
+        worst = std::max(
+            {worst, film_error / curve.errors().joint, std::abs(off_m) / curve.rise_m(f) / curve.errors().joint_force});
+        ++judged;
+      }
+    }
+  BOOST_TEST(judged > 1000);
+  BOOST_TEST_MESSAGE("true error over stated error, at most " << worst << ", at " << judged << " contacts");
+  EHD_CHECK(worst, Tolerance::required(1, "a stated error covers the true one"));
+}
+
 // Invariant: value and slope are continuous where the rigid limit takes over, and the film falls all the way.
 BOOST_AUTO_TEST_CASE(the_rigid_limit_joins_with_value_and_slope) {
   const SolvableContact contacts = synthetic::contacts();

@@ -44,13 +44,14 @@ inline double minimum_film_m(double force_N) {
   return martin_film(contact(), force_N).film * enhancement(force_N, 0.56);
 }
 
-inline SolvedContact solve(double force_N) {
+inline SolvedContact solved(double force_N, double offset_m, double minimum_m) {
   const double b = hertz::half_width_m(contact().at(force_N));
-  return {.offset = offset_film_m(force_N) * contact().reduced_radius_m / (b * b) + hertz::dry_offset(),
+  return {.offset = offset_m * contact().reduced_radius_m / (b * b) + hertz::dry_offset(),
           .offset_error = 1e-9,
-          .film_minimum_m = minimum_film_m(force_N),
+          .film_minimum_m = minimum_m,
           .film_error = 1e-9};
 }
+inline SolvedContact solve(double force_N) { return solved(force_N, offset_film_m(force_N), minimum_film_m(force_N)); }
 
 inline SolvableContact contacts() {
   return {contact(), [](double load_N_per_m) -> ContactResult { return solve(load_N_per_m * contact().length_m); }};

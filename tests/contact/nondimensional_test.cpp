@@ -156,12 +156,6 @@ BOOST_AUTO_TEST_CASE(barus_needs_no_pressure_in_pascal) {
   BOOST_TEST(!made.scales.has_value());
 }
 
-BOOST_AUTO_TEST_CASE(pressures_above_4_GPa_carry_a_note) {
-  // p_H = L sqrt(M/2pi)/alpha: 38.5 GPa at the corner (5000, 30), 0.81 GPa at (20, 10).
-  BOOST_TEST(nondimensionalise(MoesGroups{5000, 30}, roelands(2.2e-8, 0.68), Flooded{}).notes.size() == 1U);
-  BOOST_TEST(nondimensionalise(MoesGroups{20, 10}, roelands(2.2e-8, 0.68), Flooded{}).notes.empty());
-}
-
 BOOST_AUTO_TEST_CASE(a_statement_that_makes_no_problem_names_the_key_at_fault) {
   const Lubricant isoviscous{.viscosity = ViscosityLaw::isoviscous, .density = {}, .alpha_per_Pa = {}, .z = {}};
   Conditions no_speed = steel(), no_viscosity = steel(), thin = steel(), still = steel(), unloaded = steel();

@@ -449,6 +449,74 @@ BOOST_AUTO_TEST_CASE(notes_say_what_a_reader_should_know) {
   BOOST_TEST(noted(run(one, {bearing::Law::hertz}, memory).at(0), "4 GPa"));
 }
 
+// Loaded rollers: a hundredth of the largest force or more, with every law and in every place that counts them.
+BOOST_AUTO_TEST_CASE(loaded_rollers_carry_a_hundredth_of_the_largest_force) {
+  std::vector<RollerRow> rollers(5);
+  rollers[0].inner.force_N = 1000;
+  rollers[1].inner.force_N = 10;
+  rollers[2].inner.force_N = 9.99;
+  rollers[3].inner.force_N = 1e-3;
+  BOOST_TEST(loaded_rollers(rollers) == 2);
+  BOOST_TEST(loaded_rollers(std::vector<RollerRow>(3)) == 0);
+  CountedContacts contacts;
+  ContactMemory memory(contacts.solver());
+  for (const BearingResult& result :
+       run(needle_bearing(10e-6), {bearing::Law::hertz, bearing::Law::ehd_linear, bearing::Law::ehd}, memory)) {
+    const auto [from, to] = result.load_zone_deg.value();
+    int inside = 0, pushing = 0;
+    for (const RollerRow& row : result.rollers) {
+      inside += row.azimuth_deg >= from && row.azimuth_deg <= to ? 1 : 0;
+      pushing += row.inner.force_N > 0 ? 1 : 0;
+    }
+    BOOST_TEST(to_json(result)["loaded_rollers"].get<int>() == inside);
+    if (result.law == bearing::Law::ehd) BOOST_TEST(pushing > inside);
+  }
+}
+
+// A film-dominated bearing: its contacts are rigid rollers with f ~ 1/film, which no line describes. That is said
+// first, with the number, and in the JSON.
+BOOST_AUTO_TEST_CASE(a_line_that_does_not_describe_its_contacts_says_so_first) {
+  CountedContacts contacts;
+  ContactMemory memory(contacts.solver());
+  Case light = needle_bearing(10e-6);
+  body_of(light).operation.radial_load_N = 20;
+  body_of(light).fit = {};
+  const auto poor = run(light, {bearing::Law::ehd_linear}, memory).at(0);
+  BOOST_REQUIRE(poor.fit.has_value());
+  const double misfit = poor.fit->inner.residual_N / poor.fit->inner.points.back().force_N;
+  BOOST_TEST(misfit > 0.15);
+  const Json json = to_json(poor);
+  BOOST_TEST(json["fit"]["inner"]["misfit"].get<double>() == misfit);
+  BOOST_TEST(!json["fit"]["inner"]["describes_contacts"].get<bool>());
+  const auto first = json["notes"][0].get<std::string>();
+  BOOST_TEST(first.starts_with("the line does not describe its inner contacts: it misses them by up to "), first);
+  BOOST_TEST(json["notes"][1].get<std::string>().starts_with("the line does not describe its outer contacts"));
+
+  const Json good = to_json(run(needle_bearing(10e-6), {bearing::Law::ehd_linear}, memory).at(0));
+  BOOST_TEST(good["fit"]["inner"]["describes_contacts"].get<bool>());
+  BOOST_TEST(good["fit"]["inner"]["misfit"].get<double>() < 0.05);
+  for (const auto& note : good["notes"])
+    BOOST_TEST(note.get<std::string>().find("does not describe") == std::string::npos);
+}
+
+// Bad input: a load that gives a roller more than the largest M that is solved. The dry laws carry it.
+BOOST_AUTO_TEST_CASE(a_load_beyond_every_film_is_refused_in_one_line) {
+  CountedContacts contacts;
+  ContactMemory memory(contacts.solver());
+  Case one = needle_bearing(0);
+  one.lines["operation.radial_load_N"] = 12;
+  one.texts["operation.radial_load_N"] = "1e12";
+  body_of(one).operation.radial_load_N = 1e12;
+  for (const bearing::Law law : {bearing::Law::ehd_linear, bearing::Law::ehd})
+    BOOST_CHECK_EXCEPTION((void)run(one, {law}, memory), CaseError, [](const CaseError& error) {
+      const std::string what = error.what();
+      return what.starts_with("needle.toml:12: radial_load_N = 1e12: ") && what.find("M = 1e6,") != std::string::npos &&
+             what.find("; allowed ") != std::string::npos && what.find('\n') == std::string::npos;
+    });
+  BOOST_TEST(contacts.total == 0);
+  BOOST_TEST((run(one, {bearing::Law::hertz}, memory).at(0).status == StopReason::converged));
+}
+
 // Published: the first balance of NA4908 in paper.md (Palmgren datum, fit over 2..12 kN), two digits; the films there
 // come from another program.
 BOOST_AUTO_TEST_CASE(the_needle_bearing_of_the_first_balance) {

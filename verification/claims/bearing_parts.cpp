@@ -48,6 +48,7 @@ std::vector<Topic> bearing_part_topics(const std::vector<LoadedCase>& cases) {
   };
   add_with_memory("datum", judge_datum);
   add_with_memory("fit", judge_fit);
+  add_with_memory("roughness", judge_roughness);
   add_with_memory("curve", judge_curve);
   add_with_memory("full relation", judge_full_relation);
   add_with_memory("zero speed", judge_zero_speed);

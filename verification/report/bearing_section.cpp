@@ -176,11 +176,9 @@ void add_polars(Page& page, const std::vector<Bearing>& group) {
 /// One row of the table of balances: a law of a bearing.
 std::vector<TableCell> balance_row(const std::string& id, const View& law) {
   double force = 0, film = std::numeric_limits<double>::infinity();
-  int loaded = 0;
   for (const View& roller : law.list("rollers")) {
     const double own = roller["inner"].number("force_N").value_or(0);
     force = std::max(force, own);
-    loaded += own > 0 ? 1 : 0;
     if (const auto h = roller["inner"].number("film_minimum_m")) film = std::min(film, *h);
   }
   const View fit = law["fit"]["inner"];
@@ -189,7 +187,7 @@ std::vector<TableCell> balance_row(const std::string& id, const View& law) {
           verdict_cell(law.text("status")),
           number_cell(scaled(law.number("displacement_m"), micro), 4),
           number_cell(force * kilo, 4),
-          integer_cell(loaded),
+          integer_cell(law.number("loaded_rollers")),
           number_cell(film * micro, 3),
           number_cell(scaled(fit.number("K_N_per_m"), 1 / micro), 5),
           number_cell(fit.number("dF_N"), 4),

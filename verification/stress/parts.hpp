@@ -167,6 +167,8 @@ struct BearingRow {
   double worst_balance = 0;                      ///< balance_error; NaN stays
   double worst_bisection = 0;                    ///< worst_bisection_error; NaN stays
   long contact_solves = 0;
+  long unseen = 0;          ///< contacts below the curves that these have not seen
+  double worst_unseen = 0;  ///< largest error there over the stated one; NaN stays
   double wall_s = 0, slowest_s = 0;
   std::vector<std::string> inside = {};   ///< refusals and misses that no domain excuses: seed and reason
   std::vector<std::string> reasons = {};  ///< each kind of refusal outside, with the first seed and its message

@@ -67,17 +67,6 @@ double largest_force_N(const BearingResult& result) {
   return largest;
 }
 
-/// With `ehd` every roller carries something. Loaded are those above a hundredth of the most loaded one.
-bool is_loaded(const RollerRow& roller, double largest_N) {
-  return roller.inner.force_N > bearing::load_zone_share * largest_N;
-}
-
-int loaded_rollers(const BearingResult& result) {
-  const double largest_N = largest_force_N(result);
-  return static_cast<int>(std::count_if(result.rollers.begin(), result.rollers.end(),
-                                        [&](const RollerRow& roller) { return is_loaded(roller, largest_N); }));
-}
-
 /// How the film changes the loads of the rollers that the dry law loads, without those nearest to psi = 0. Rollers that
 /// the dry law does not load are not counted: a film always pushes, so their load can only grow.
 struct FurtherOut {
@@ -89,7 +78,7 @@ FurtherOut further_out(const ClearanceComparison& at) {
   const double nearest = std::abs(roller_at(at.dry, 0).azimuth_deg), largest_N = largest_force_N(at.dry);
   for (std::size_t j = 0; j < at.dry.rollers.size(); ++j) {
     const RollerRow& dry = at.dry.rollers[j];
-    if (std::abs(dry.azimuth_deg) <= nearest + 1e-9 || !is_loaded(dry, largest_N)) continue;
+    if (std::abs(dry.azimuth_deg) <= nearest + 1e-9 || !bearing::is_loaded(dry.inner.force_N, largest_N)) continue;
     const double change = at.film.rollers[j].inner.force_N - dry.inner.force_N;
     result.change_N += change;
     result.lower += change < 0;
@@ -241,7 +230,7 @@ PaperStatement judge_d(const std::vector<ClearanceComparison>& all) {
       const char* comma = k > 0 ? ", " : "";
       top += fmt::format("{}{:.2f}", comma, 1e6 * at_top);
       side += fmt::format("{}{:.2f}", comma, 1e6 * at_side);
-      count += fmt::format("{}{}", comma, loaded_rollers(here));
+      count += fmt::format("{}{}", comma, loaded_rollers(here.rollers));
     }
     statement.numbers += std::string(film ? "; EHD: " : "dry: ") + "delta_i at 0 deg " + top + " um, nearest 90 deg " +
                          side + " um, loaded rollers " + count;

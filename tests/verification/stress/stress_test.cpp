@@ -271,7 +271,9 @@ BOOST_AUTO_TEST_CASE(bearings_fail_where_one_does_not_balance_or_is_no_balance) 
                         .balanced = 995,
                         .refused_outside = 5,
                         .worst_balance = 1e-15,
-                        .worst_bisection = 1e-15};
+                        .worst_bisection = 1e-15,
+                        .unseen = 216,
+                        .worst_unseen = 0.6};
   const auto verdict = [&](auto&& change) {
     std::vector<BearingRow> rows{dry, film};
     change(rows[0], rows[1]);
@@ -283,6 +285,10 @@ BOOST_AUTO_TEST_CASE(bearings_fail_where_one_does_not_balance_or_is_no_balance) 
   BOOST_TEST((verdict([](auto&, auto& one) { one.worst_bisection = 2e-12; }) == Verdict::fail));
   BOOST_TEST((verdict([](auto&, auto& one) { one.worst_bisection = std::nan(""); }) != Verdict::pass));
   BOOST_TEST((verdict([](auto&, auto& one) { one.balanced = 994, one.refused_inside = 1; }) == Verdict::fail));
+  // A stated error that does not cover an unseen contact, and too few of these.
+  BOOST_TEST((verdict([](auto&, auto& one) { one.worst_unseen = 1.1; }) == Verdict::fail));
+  BOOST_TEST((verdict([](auto&, auto& one) { one.worst_unseen = std::nan(""); }) == Verdict::fail));
+  BOOST_TEST((verdict([](auto&, auto& one) { one.unseen = 199; }) == Verdict::fail));
   // The share is of all that were tried, whatever excuses the rest.
   BOOST_TEST((verdict([](auto&, auto& one) { one.balanced = 990, one.refused_outside = 10; }) == Verdict::pass));
   BOOST_TEST((verdict([](auto&, auto& one) { one.balanced = 989, one.refused_outside = 11; }) == Verdict::fail));

@@ -25,7 +25,8 @@ Findings judge_fit(const Case& bearing_case, ContactMemory& memory) {
     const std::string at = ", " + raceway_name(inner) + " raceway";
     const ByHand contact = by_hand(body, inner);
     const bool fitted = results.size() == 1 && results[0].fit && results[0].datum_m;
-    double points_error = fitted ? 0 : nothing, line_error = nothing, spread_error = nothing;
+    double points_error = fitted ? 0 : nothing, line_error = nothing, spread_error = nothing,
+           correlation_error = nothing;
     int solved = 0;
     if (fitted) {
       const bearing::LinearFit& fit = one_of(*results[0].fit, inner);
@@ -51,6 +52,11 @@ Findings judge_fit(const Case& bearing_case, ContactMemory& memory) {
       }
       spread_error = worse(std::abs(fit.residual_N / largest - 1),
                            std::abs(fit.standard_deviation_N / std::sqrt(squares / (n - 2)) - 1));
+      // Two lines through the points that differ in K turn about their middle: where that lies at delta > 0, a larger K
+      // has a smaller dF.
+      double square_sum = 0;
+      for (const double approach_m : approaches_m) square_sum += approach_m * approach_m;
+      correlation_error = std::abs(fit.correlation + sum(approaches_m) / std::sqrt(n * square_sum));
     }
     found.claims.push_back(
         claim(sentence(id + "/points",
@@ -65,6 +71,9 @@ Findings judge_fit(const Case& bearing_case, ContactMemory& memory) {
                                               at),
                                  spread_error, 0, Tolerance::round_off(64, 1e6),
                                  "a distance is a hundredth of the force"));
+    found.claims.push_back(claim(
+        sentence(id + "/correlation", "K and dF are correlated by -Sum delta/sqrt(n Sum delta^2)" + at),
+        correlation_error, 0, Tolerance::round_off(64, 1e4), "sums of six products; n Sxx - Sx^2 cancels two digits"));
     double pressure_error = fitted && !results[0].rollers.empty() ? 0 : nothing, film_error = pressure_error;
     int loaded = 0;
     for (const RollerRow& roller : fitted ? results[0].rollers : std::vector<RollerRow>{}) {

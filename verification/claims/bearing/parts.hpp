@@ -22,6 +22,7 @@ namespace ehd::verification::bearing_parts {
 [[nodiscard]] Findings judge_contacts_asked(const Case& bearing_case);
 [[nodiscard]] Findings judge_datum(const Case& bearing_case, ContactMemory& memory);
 [[nodiscard]] Findings judge_fit(const Case& bearing_case, ContactMemory& memory);
+[[nodiscard]] Findings judge_roughness(const Case& bearing_case, ContactMemory& memory);
 [[nodiscard]] Findings judge_curve(const Case& bearing_case, ContactMemory& memory);
 [[nodiscard]] Findings judge_full_relation(const Case& bearing_case, ContactMemory& memory);
 [[nodiscard]] Findings judge_zero_speed(const Case& bearing_case, ContactMemory& memory);

@@ -35,7 +35,7 @@ Findings judge_zero_speed(const Case& bearing_case, ContactMemory& memory) {
     // largest g/cos.
     bound = 0;
     for (const RollerRow& roller : results[1].rollers) {
-      if (roller.inner.force_N < bearing::load_zone_share * results[1].rollers.front().inner.force_N) continue;
+      if (!bearing::is_loaded(roller.inner.force_N, results[1].rollers.front().inner.force_N)) continue;
       const double films_m = results[1].curve->inner.offset_film(roller.inner.force_N).value +
                              results[1].curve->outer.offset_film(roller.outer.force_N).value;
       bound = worse(bound, films_m / std::cos(roller.azimuth_deg * pi / 180) / dry);

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "workflow/plausibility.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "contact/text.hpp"
+#include "workflow/bearing_of_case.hpp"
+#include "workflow/bearing_result.hpp"
+#include "workflow/case.hpp"
+#include "workflow/contact_run.hpp"
+
+namespace ehd {
+
+namespace {
+
+constexpr std::array table{
+    UsualRange{.name = "surface speed",
+               .fact = &Facts::surface_speed_m_per_s,
+               .lowest = {},
+               .highest = 200,
+               .unit = "m/s",
+               .reason = "the fastest bearings reach 3e6 mm/min x mm, 160 m/s"},
+    UsualRange{.name = "viscosity",
+               .fact = &Facts::viscosity_Pa_s,
+               .lowest = 1e-4,
+               .highest = 10,
+               .unit = "Pa s",
+               .reason = "from liquefied gas, some 1e-4 Pa s, to twice that of an ISO VG 320 oil at 0 degrees C"},
+    UsualRange{.name = "p_H",
+               .fact = &Facts::hertz_pressure_Pa,
+               .lowest = {},
+               .highest = 4e9,
+               .shown_over_SI = 1e-9,
+               .unit = "GPa",
+               .reason = "a numerical test, not a contact of steel"},
+    UsualRange{.name = "thinnest film",
+               .fact = &Facts::film_minimum_m,
+               .lowest = 1e-9,
+               .highest = {},
+               .shown_over_SI = 1e9,
+               .unit = "nm",
+               .reason = "less than a molecule of oil is long"},
+    UsualRange{.name = "Z D/(pi d_m)",
+               .fact = &Facts::rollers_over_circumference,
+               .lowest = {},
+               .highest = 1,
+               .unit = "",
+               .reason = "the rollers overlap"},
+    UsualRange{.name = "l/D",
+               .fact = &Facts::length_over_diameter,
+               .lowest = {},
+               .highest = 30,
+               .unit = "",
+               .reason = "needle rollers reach 10, and 25 where two rows count as one"},
+    UsualRange{.name = "D/d_m",
+               .fact = &Facts::diameter_over_pitch,
+               .lowest = 0.02,
+               .highest = 0.4,
+               .unit = "",
+               .reason = "no catalogue has rollers that small or large in their bearing"},
+    UsualRange{.name = "P_d/d_m",
+               .fact = &Facts::clearance_over_pitch,
+               .lowest = -2e-3,
+               .highest = 2e-2,
+               .unit = "",
+               .reason = "clearances are about a thousandth of the diameter, and more preload than this yields steel"},
+};
+
+/// The larger or the smaller of a number and one that may be absent.
+template <class Choose>
+void keep(std::optional<double>& kept, const std::optional<double>& value, Choose choose) {
+  if (value) kept = kept ? choose(*kept, *value) : *value;
+}
+
+}  // namespace
+
+std::span<const UsualRange> usual_ranges() { return table; }
+
+Facts facts_of(const Statement& statement, const ContactRun& run) {
+  Facts facts;
+  if (run.scales) facts.hertz_pressure_Pa = run.scales->hertz_pressure_Pa;
+  const auto film = run.solution.observables.find(Quantity::film_minimum);
+  const std::optional<double> scale = run.m_per_hertz_film();
+  if (film != run.solution.observables.end() && scale) facts.film_minimum_m = *scale * film->second.value;
+  const auto* conditions = std::get_if<Conditions>(&statement);
+  if (!conditions) return facts;
+  if (conditions->speed_sum_m_per_s) facts.surface_speed_m_per_s = std::abs(*conditions->speed_sum_m_per_s) / 2;
+  facts.viscosity_Pa_s = conditions->viscosity_Pa_s;
+  return facts;
+}
+
+Facts facts_of(const BearingCase& body, const std::vector<RollerRow>& rollers) {
+  const bearing::Geometry& geometry = body.geometry;
+  const double d_m = geometry.pitch_diameter_m, D = geometry.roller_diameter_m;
+  const bearing::Speeds speeds = speeds_of(body);
+  Facts facts;
+  facts.surface_speed_m_per_s =
+      std::max(std::abs(speeds.inner_rad_per_s) * (d_m - D) / 2, std::abs(speeds.outer_rad_per_s) * (d_m + D) / 2);
+  if (body.lubricant) facts.viscosity_Pa_s = body.lubricant->viscosity_Pa_s;
+  facts.rollers_over_circumference = geometry.rollers * D / (std::numbers::pi * d_m);
+  facts.length_over_diameter = geometry.length_m / D;
+  facts.diameter_over_pitch = D / d_m;
+  facts.clearance_over_pitch = geometry.clearance_m / d_m;
+  for (const RollerRow& row : rollers)
+    for (const ContactRow* at : {&row.inner, &row.outer}) {
+      keep(facts.hertz_pressure_Pa, at->hertz_pressure_Pa, [](double a, double b) { return std::max(a, b); });
+      keep(facts.film_minimum_m, at->film_minimum_m, [](double a, double b) { return std::min(a, b); });
+    }
+  return facts;
+}
+
+std::vector<Unusual> unusual(const Facts& facts) {
+  std::vector<Unusual> found;
+  for (const UsualRange& range : table) {
+    const std::optional<double>& value = facts.*range.fact;
+    if (!value) continue;
+    if ((range.lowest && *value < *range.lowest) || (range.highest && *value > *range.highest))
+      found.push_back({.range = &range, .value = *value});
+  }
+  return found;
+}
+
+std::string sentence_of(const Unusual& unusual) {
+  const UsualRange& range = *unusual.range;
+  const bool above = range.highest && unusual.value > *range.highest;
+  const auto shown = [&](double value, int digits) {
+    return plain(range.shown_over_SI * value, digits) + (range.unit.empty() ? "" : " " + std::string(range.unit));
+  };
+  return fmt::format("{} = {} is {} {}: {}", range.name, shown(unusual.value, 4), above ? "above" : "below",
+                     shown(above ? *range.highest : *range.lowest, 3), range.reason);
+}
+
+}  // namespace ehd
