@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A kept row of a sweep, read back. It may come from another machine: a right checksum does not make a right row.
+// A kept row of a sweep, read back. It may come from another machine: a right checksum does not make a right row. For
+// source files only: the header of JSON is large.
 #pragma once
 
 #include <cstddef>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 

@@ -17,6 +17,7 @@
 #include "io/content_hash.hpp"
 #include "io/output_file.hpp"
 #include "io/provenance.hpp"
+#include "io/stored_row.hpp"
 #include "workflow/bearing_contact.hpp"
 #include "workflow/contact_cache.hpp"
 #include "workflow/parallel.hpp"

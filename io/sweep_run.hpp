@@ -12,12 +12,13 @@
 #include "io/content_hash.hpp"
 #include "io/json.hpp"
 #include "io/store.hpp"
-#include "io/stored_row.hpp"
 #include "io/sweep_file.hpp"
 #include "io/sweep_row.hpp"
 #include "io/sweep_table.hpp"
 
 namespace ehd {
+
+struct StoredRow;  // io/stored_row
 
 /// What a run did.
 struct SweepCost {

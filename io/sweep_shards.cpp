@@ -13,6 +13,7 @@
 
 #include "contact/text.hpp"
 #include "io/output_file.hpp"
+#include "io/stored_row.hpp"
 
 namespace ehd {
 

@@ -11,6 +11,7 @@
 #include "io/csv.hpp"
 #include "io/output_file.hpp"
 #include "io/provenance.hpp"
+#include "io/stored_row.hpp"
 #include "io/sweep_row.hpp"
 #include "workflow/parallel.hpp"
 

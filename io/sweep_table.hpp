@@ -10,10 +10,11 @@
 #include <vector>
 
 #include "io/json.hpp"
-#include "io/stored_row.hpp"
 #include "io/sweep_file.hpp"
 
 namespace ehd {
+
+struct StoredRow;  // io/stored_row
 
 /// The header of rows.csv, and a row's lines, from its object in rows.json.
 [[nodiscard]] std::string csv_header(const Sweep& sweep);
