@@ -100,7 +100,9 @@ std::string summary(const Sweep& sweep, const SweepCost& cost, const std::string
   for (const bearing::Law law : sweep.laws) laws += (laws.empty() ? ", laws " : ", ") + std::string(to_string(law));
   std::string text = sweep.id + ": " + std::to_string(cost.rows) + " rows of " + sweep.case_id + laws + what + "\n";
   text += "  rows computed " + std::to_string(cost.computed) + ", known before or equal to another " +
-          std::to_string(cost.rows - cost.computed) + ", not converged " + std::to_string(cost.failures.rows) + "\n";
+          std::to_string(cost.rows - cost.computed - cost.not_run) +
+          (cost.not_run > 0 ? ", not run " + std::to_string(cost.not_run) : "") + ", not converged " +
+          std::to_string(cost.failures.rows) + "\n";
   if (cost.computed > 0)
     text += "  contact solves made " + std::to_string(cost.solves) + ", saved " + std::to_string(cost.saved()) +
             " (rows that share a contact solve it once)\n  time " + duration(cost.wall_s) + " on " +

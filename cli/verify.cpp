@@ -80,7 +80,7 @@ int verify(const VerifyOptions& options) {
   if (options.trace) print("\n" + human_trace(trace(verification::traceable_parts(), {result.claims, result.skipped})));
   if (result.success()) return success;
   if (result.not_run > 0) {
-    complain("ehd: verify: the time for everything has passed; " + std::to_string(result.not_run) +
+    complain("ehd: verify: the time for everything is too short; " + std::to_string(result.not_run) +
              " topics were not run");
     return not_met;
   }

@@ -114,6 +114,7 @@ SweepCost compute_missing(const Sweep& sweep, const SweepRequest& request, const
     ++cost.computed;
     if (request.progress) request.progress(known + cost.computed, rows.size(), cost.computed);
   });
+  cost.not_run = missing.size() - cost.computed;
   cost.solves = sweep.bearing ? cache->solves() : cost.needed;
   cost.threads = static_cast<unsigned>(threads);
   cost.wall_s = seconds_since(begin);
@@ -143,6 +144,7 @@ Json to_json(const SweepCost& cost) {
   Json json = Json::object();
   json["rows"] = cost.rows;
   json["computed"] = cost.computed;
+  if (cost.not_run > 0) json["not_run"] = cost.not_run;
   json["failed"] = cost.failures.rows;
   json["contact_solves"] = cost.solves;
   json["contact_solves_saved"] = cost.saved();

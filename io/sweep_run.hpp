@@ -24,6 +24,7 @@ struct StoredRow;  // io/stored_row
 struct SweepCost {
   std::size_t rows = 0;      ///< of the sweep, or of its shard
   std::size_t computed = 0;  ///< by this run; the others were known, or equal another
+  std::size_t not_run = 0;   ///< left out by the deadline
   Failures failures = {};
   long solves = 0;  ///< contact solves of this run
   long needed = 0;  ///< contacts that its rows would have solved, each for itself

@@ -30,7 +30,7 @@ struct SuiteRequest {
   int random_runs = 10;                     ///< for each law set, of the claims about random points
   bool quick = false;                       ///< slow topics are skipped, each with a line that says so
   unsigned threads = 0;                     ///< 0: as many as there are cores
-  Deadline deadline = {};                   ///< topics that have not begun by then are not run
+  Deadline deadline = {};                   ///< topics that are expected to end after it are not run
   /// Called after each topic, one thread at a time.
   std::function<void(const SuiteProgress&)> progress = {};
 };

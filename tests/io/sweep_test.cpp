@@ -499,6 +499,7 @@ BOOST_AUTO_TEST_CASE(rows_after_the_deadline_are_named_and_run_by_the_next_run) 
   constexpr double passed_s = -1;
   const SweepCost cut = run_sweep(read, {.deadline = Deadline(passed_s)}, out);
   BOOST_TEST(cut.computed == 0u);
+  BOOST_TEST(cut.not_run == 3u);
   BOOST_TEST(cut.failures.rows == 3u);
   BOOST_TEST(cut.failures.first == "row 0: limit-reached: " + std::string(Deadline::not_run));
   BOOST_TEST(lines_of_text(test::read(out / "rows.csv")).size() == 4u);
