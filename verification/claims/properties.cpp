@@ -30,7 +30,7 @@ struct StatedContact {
 };
 
 /// A contact of steel, or of something a quarter as stiff, whose groups lie well inside the box.
-StatedContact drawn_contact(Draw& draw, ViscosityLaw viscosity) {
+StatedContact drawn_contact(Draw& draw, ViscosityLaw law) {
   for (;;) {
     StatedContact drawn;
     drawn.conditions = {.load_N_per_m = draw.logarithmic(1e3, 1e6),
@@ -39,10 +39,10 @@ StatedContact drawn_contact(Draw& draw, ViscosityLaw viscosity) {
                         .speed_sum_m_per_s = draw.logarithmic(1e-2, 30),
                         .viscosity_Pa_s = draw.logarithmic(2e-3, 0.5)};
     drawn.lubricant = {
-        .viscosity = viscosity,
+        .viscosity = law,
         .density = DensityLaw::incompressible,  // the constants of the others are in Pa, whatever the units
         .alpha_per_Pa = draw.uniform(0.8e-8, 2.5e-8),
-        .z = viscosity == ViscosityLaw::roelands ? std::optional(draw.uniform(0.4, 0.8)) : std::nullopt,
+        .z = law == ViscosityLaw::roelands ? std::optional(draw.uniform(0.4, 0.8)) : std::nullopt,
         .p0_Pa = draw.uniform(1.9e8, 2e8)};
     const double ER = drawn.conditions.reduced_modulus_Pa * drawn.conditions.reduced_radius_m;
     const double U = *drawn.conditions.viscosity_Pa_s * *drawn.conditions.speed_sum_m_per_s / ER;

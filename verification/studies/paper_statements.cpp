@@ -144,7 +144,7 @@ Approaches approaches(const ClearanceComparison& at) {
   const double largest_N = largest_force_N(at.dry);
   for (std::size_t j = 0; j < at.dry.rollers.size(); ++j) {
     const double dry = at.dry.rollers[j].inner.displacement_m, film = at.film.rollers[j].inner.displacement_m;
-    if (is_loaded(at.dry.rollers[j], largest_N)) {
+    if (bearing::is_loaded(at.dry.rollers[j].inner.force_N, largest_N)) {
       ++result.loaded;
       if (!(film / dry - 1 <= result.least)) result.least = film / dry - 1;  // NaN stays, and is not smaller
       if (std::isnan(result.least)) break;

@@ -33,7 +33,7 @@ Figure figure_of(const std::vector<double>& x, const std::vector<double>& y, Sca
 BOOST_AUTO_TEST_SUITE(report_plot)
 
 BOOST_AUTO_TEST_CASE(segments_are_cut_at_the_box) {
-  const Box box{0, 0, 10, 5};
+  const ehd::report::Box box{0, 0, 10, 5};
   const auto crossing = clipped({-5, 2}, {15, 4}, box);
   BOOST_REQUIRE(crossing.has_value());
   EHD_CHECK(ehd::error(crossing->first.x, 0), rounding);
@@ -50,7 +50,7 @@ BOOST_AUTO_TEST_CASE(segments_are_cut_at_the_box) {
 }
 
 BOOST_AUTO_TEST_CASE(a_curve_that_leaves_and_returns_is_two_pieces) {
-  const Box box{0, 0, 10, 10};
+  const ehd::report::Box box{0, 0, 10, 10};
   BOOST_TEST(pieces({{1, 5}, {2, 5}, {3, 20}, {4, 5}, {5, 5}}, box).size() == 2u);
   BOOST_TEST(pieces({{1, 5}, {2, 5}, {3, not_a_number}, {4, 5}, {5, 5}}, box).size() == 2u);
   BOOST_TEST(pieces({{1, 5}, {2, 6}, {3, 7}}, box).size() == 1u);
