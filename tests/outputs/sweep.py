@@ -9,6 +9,7 @@ from judge import Objections
 from program import TOP, read_case, read_csv, to_toml
 
 INPUTS = TOP / "tests" / "outputs" / "inputs"
+NOT_REPEATED = ("wall_s", "planning_s", "stage_s")  # times
 # From a column of a contact's row to its place in the JSON.
 CONTACT_COLUMNS = {
     "M": "groups/M", "L": "groups/L", "hertz_pressure_Pa": "groups/hertz_pressure_Pa",
@@ -47,16 +48,17 @@ def with_keys(case, keys):
     return case
 
 
-def audit_row(row, sweep_file, single):
+def audit_row(row, number, sweep_file, single):
     """`single`: the results of the same case alone."""
     said = Objections()
-    expected = keys_of(sweep_file, row["row"])
-    said.equal("keys", list(row["keys"]), list(expected))
+    said.equal("row", row["row"], number)
+    expected = keys_of(sweep_file, number)
+    said.equal("keys", set(row["keys"]), set(expected))
     for name, value in expected.items():
         said.near(name, row["keys"][name], value, relative=1e-14)
     said.equal("results", len(row["results"]), len(single))
     for one, other in zip(row["results"], single, strict=True):
-        said.same("", one, other, apart=("cost",))
+        said.same("", one, other, apart=NOT_REPEATED)
     return said
 
 
@@ -109,30 +111,47 @@ def audit_bearing_line(line, rows, roughness):
     return said
 
 
+def audit_cost(cost, rows):
+    said = Objections()
+    for name, expected in (("rows", len(rows)), ("computed", len(rows)), ("failed", 0), ("threads", 2)):
+        said.equal(name, cost[name], expected)
+    # A row states the solves that it needs alone. What it takes from other rows is saved.
+    alone = sum(one["cost"].get("contact_solves", 1) for row in rows for one in row["results"])
+    said.within("contact_solves", cost["contact_solves"], 1, alone)
+    said.equal("contact_solves + contact_solves_saved", cost["contact_solves"] + cost["contact_solves_saved"], alone)
+    for name in ("wall_s", "rows_s"):
+        said.within(name, cost[name], 0)
+    said.within("provenance.cores", cost["provenance"]["cores"], 1)
+    return said
+
+
 def swept(program, name):
     folder = program.folder / name
-    program.run("sweep", INPUTS / f"{name}.toml", "--output", folder)
-    return read_case(INPUTS / f"{name}.toml"), program.read_json(folder / "rows.json"), read_csv(folder / "rows.csv")
+    program.run("sweep", INPUTS / f"{name}.toml", "--output", folder, "--threads", 2)
+    return read_case(INPUTS / f"{name}.toml"), program.read_json(folder / "rows.json"), read_csv(folder / "rows.csv"), \
+        program.read_json(folder / "cost.json")
 
 
 def documents(program):
     """(name, kind, document, audit) of every row and every line."""
-    file, result, lines = swept(program, "contacts")
+    file, result, lines, cost = swept(program, "contacts")
     case = read_case(TOP / "cases" / f"{file['case']}.toml")
-    for row in result["rows"]:
-        path = program.write(f"{case['id']}.toml", to_toml(with_keys(case, keys_of(file, row["row"]))))
+    for number, row in enumerate(result["rows"]):
+        path = program.write(f"{case['id']}.toml", to_toml(with_keys(case, keys_of(file, number))))
         single = [program.json("solve", path, "--solver", file["solver"], "--tolerance", file["tolerance"])]
-        yield f"sweep contacts, row {row['row']}", "sweep", row, functools.partial(audit_row, row, file, single)
+        yield f"sweep contacts, row {number}", "sweep", row, functools.partial(audit_row, row, number, file, single)
     for line in lines:
         yield f"sweep contacts, line {line['row']}", "sweep-csv", line, \
             functools.partial(audit_contact_line, line, result["rows"])
-    file, result, lines = swept(program, "bearings")
+    yield "sweep contacts, cost.json", "sweep-cost", cost, functools.partial(audit_cost, cost, result["rows"])
+    file, result, lines, cost = swept(program, "bearings")
     case = read_case(INPUTS / file["case"])
-    for row in result["rows"]:
-        single = list(bearing.run(program, with_keys(case, keys_of(file, row["row"])), laws=file["laws"]).values())
+    for number, row in enumerate(result["rows"]):
+        single = list(bearing.run(program, with_keys(case, keys_of(file, number)), laws=file["laws"]).values())
         for one in single:
             one.pop("error_budget", None)  # of `ehd bearing` alone
-        yield f"sweep bearings, row {row['row']}", "sweep", row, functools.partial(audit_row, row, file, single)
+        yield f"sweep bearings, row {number}", "sweep", row, functools.partial(audit_row, row, number, file, single)
     for line in lines:
         yield f"sweep bearings, line {line['row']} {line['law']}", "sweep-csv", line, \
             functools.partial(audit_bearing_line, line, result["rows"], case["bearing"]["roughness_m"])
+    yield "sweep bearings, cost.json", "sweep-cost", cost, functools.partial(audit_cost, cost, result["rows"])
