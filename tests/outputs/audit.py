@@ -20,7 +20,7 @@ sys.dont_write_bytecode = True  # the tree stays clean
 from judge import changes_of, numbers_in, objects  # noqa: E402
 from program import Program, read_case  # noqa: E402
 
-KINDS = ("contact", "bearing", "sweep", "compare", "verify", "bench")  # modules of this folder
+KINDS = ("contact", "bearing", "compare", "statements", "sweep", "verify", "bench")  # modules of this folder
 
 
 class Exemptions:
