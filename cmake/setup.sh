@@ -5,7 +5,7 @@
 set -eu
 
 required="g++ cmake pkg-config libeigen3-dev libfftw3-dev libgsl-dev libboost-test-dev libtomlplusplus-dev \
-nlohmann-json3-dev libcli11-dev libfmt-dev libxxhash-dev"
+nlohmann-json3-dev libcli11-dev libfmt-dev libxxhash-dev python3"
 # Ninja builds faster, make kernels needs the benchmark library. Everything else works without these.
 optional="ninja-build libbenchmark-dev"
 

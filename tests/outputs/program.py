@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Runs the program and reads what it wrote."""
+
+import concurrent.futures
+import csv
+import json
+import pathlib
+import subprocess
+import tomllib
+
+TOP = pathlib.Path(__file__).resolve().parents[2]
+
+
+class Program:
+    """The built `ehd`, and a folder for its files. Both processors of a small machine are used by `side_by_side`."""
+
+    def __init__(self, path, folder):
+        self.path = str(path)
+        self.folder = pathlib.Path(folder)
+
+    def run(self, *arguments, allowed=(0,)):
+        """Standard output of `ehd arguments`. Any other exit code ends the audit."""
+        command = [self.path, *map(str, arguments)]
+        done = subprocess.run(command, cwd=TOP, capture_output=True, text=True, timeout=120)
+        if done.returncode not in allowed:
+            raise SystemExit(f"{' '.join(command)}: exit code {done.returncode}\n{done.stderr}")
+        return done.stdout
+
+    def json(self, *arguments, allowed=(0,)):
+        return json.loads(self.run(*arguments, "--json", "-", allowed=allowed))
+
+    @staticmethod
+    def read_json(path):
+        return json.loads(path.read_text())
+
+    def write(self, name, text):
+        """A file in the folder; its path."""
+        path = self.folder / name
+        path.write_text(text)
+        return path
+
+
+def side_by_side(calls):
+    """The results of functions without arguments, two at a time, in their order."""
+    with concurrent.futures.ThreadPoolExecutor(2) as pool:
+        return [one.result() for one in [pool.submit(call) for call in calls]]
+
+
+def read_case(path):
+    with open(path, "rb") as file:
+        return tomllib.load(file)
+
+
+def to_toml(tables):
+    """A case as text: keys of the top first, then one table after the other. Expectations are left out."""
+    tables = {key: value for key, value in tables.items() if key != "expect"}
+    def entry(key, value):
+        return f"{key} = {json.dumps(value)}\n"
+    text = "".join(entry(key, value) for key, value in tables.items() if not isinstance(value, dict))
+    for name, table in tables.items():
+        if isinstance(table, dict):
+            text += f"\n[{name}]\n" + "".join(entry(key, value) for key, value in table.items())
+    return text
+
+
+def read_csv(path):
+    """Rows as dictionaries; the unit in brackets is not part of a column's name. Empty cells are left out."""
+    with open(path, newline="") as file:
+        rows = csv.reader(file)
+        names = [name.split(" [")[0] for name in next(rows)]
+        return [{name: number(cell) for name, cell in zip(names, row, strict=True) if cell} for row in rows]
+
+
+def number(text):
+    try:
+        return float(text)
+    except ValueError:
+        return text

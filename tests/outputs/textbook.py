@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Formulas of the literature, written down here once more: nothing is shared with the program.
+
+Units are SI. w: load per length; R, E: reduced radius and modulus (2/E' = (1-nu_1^2)/E_1 + (1-nu_2^2)/E_2).
+"""
+
+import math
+from math import pi
+
+DRY_OFFSET = -(0.25 + math.log(2) / 2)  # H_0 of Hertz' contact
+
+
+def half_width(w, R, E):
+    return math.sqrt(8 * w * R / (pi * E))
+
+
+def hertz_pressure(w, R, E):
+    return 2 * w / (pi * half_width(w, R, E))
+
+
+def moes_groups(w, R, E, speed_sum, viscosity, alpha):
+    """M and L with the SUM of the surface speeds."""
+    U = viscosity * speed_sum / (E * R)
+    return w / (E * R) / math.sqrt(U), alpha * E * U**0.25
+
+
+def lambda_of(M):
+    return 3 * pi**2 / (8 * M**2)
+
+
+def alpha_p_hertz(M, L):
+    return L * math.sqrt(M / (2 * pi))
+
+
+def approach(w, R, E, offset, datum):
+    return 4 * w / (pi * E) * (math.log(datum / half_width(w, R, E)) - 2 * offset)
+
+
+def ln_roelands(p, alpha, z, p0):
+    """ln(eta/eta_0) from Roelands' exponent z and alpha = z (ln eta_0 + 9.67)/p_0."""
+    return alpha * p0 / z * ((1 + p / p0) ** z - 1)
+
+
+def dowson_higginson(p):
+    """rho/rho_0."""
+    return (5.9e8 + 1.34 * p) / (5.9e8 + p)
+
+
+def deflection(X, P, at):
+    """-(1/pi) Int P(X') ln|at - X'| dX' of the pressure that is linear between its nodes."""
+    def first(s):  # antiderivative of ln|s|
+        return s * math.log(abs(s)) - s if s else 0.0
+
+    def second(s):  # antiderivative of s ln|s|
+        return s * s / 2 * math.log(abs(s)) - s * s / 4 if s else 0.0
+    total = 0.0
+    for x0, x1, p0, p1 in zip(X, X[1:], P, P[1:], strict=False):
+        slope = (p1 - p0) / (x1 - x0)
+        total += (p0 + slope * (at - x0)) * (first(x1 - at) - first(x0 - at))
+        total += slope * (second(x1 - at) - second(x0 - at))
+    return -total / pi
+
+
+def trapezoid(x, y):
+    return sum((b - a) * (c + d) / 2 for a, b, c, d in zip(x, x[1:], y, y[1:], strict=False))
