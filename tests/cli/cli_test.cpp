@@ -122,7 +122,8 @@ BOOST_AUTO_TEST_CASE(files_are_written_beside_the_table) {
   BOOST_TEST(ended.exit_code == 0);
   BOOST_TEST(ended.out.find("film.minimum") != std::string::npos);
   BOOST_TEST(json::parse(test::read(result))["case"] == "own-moes-5-5");
-  BOOST_TEST(test::read(profile).starts_with("X [x/b],P [p/p_H],H [h R/b^2],rho [rho/rho_0],eta [eta/eta_0]\n"));
+  BOOST_TEST(test::read(profile).starts_with(
+      "X [x/b],P [p/p_H],H [h R/b^2],rho [rho/rho_0],eta [eta/eta_0],H_error [relative]\n"));
 }
 
 BOOST_AUTO_TEST_CASE(a_dry_case_is_exact_and_has_no_groups_and_no_film) {
@@ -182,7 +183,7 @@ BOOST_AUTO_TEST_CASE(an_option_outside_its_range_is_refused) {
       {"solve own-moes-5-5 --quantity film.maximum", "is unknown; allowed is film.minimum"},
       {"solve own-moes-5-5 --max-iterations 0", "is out of range"},
       {"solve own-moes-5-5 --time-limit 0", "is out of range"},
-      {"bearing na4908 --time-limit-total 0", "is out of range; allowed is more than 0"},
+      {"bearing na4908 --time-limit-total 0", "is out of range; allowed is a number, more than 0"},
       {"verify --time-limit-total x", "is not a number"},
   };
   check_refused(folder, rows);

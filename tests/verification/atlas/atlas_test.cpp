@@ -732,7 +732,7 @@ BOOST_AUTO_TEST_CASE(wrong_usage_of_the_command_is_one_line_and_exit_code_2) {
       {"--output " + file, "file: cannot be made"},
       {"--output " + file + "/below", "cannot be made"},
       {"--only isoviscous-m0.05 --output " + damaged, "atlas.csv:1: id,M: other columns"},
-      {"--tolerance 0", "is not positive"},
+      {"--tolerance 0", "is out of range; allowed is a number, more than 0 to 1"},
       {"--tolerance 1", "--tolerance = 1: is too loose for digits; allowed is a number > 0, up to 0.0001"},
       {"--tolerance abc", "is not a number"},
       {"--threads 0", "--threads = 0: is out of range; allowed is an integer, 1 to"},
