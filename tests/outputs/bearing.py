@@ -373,7 +373,7 @@ def solved_contacts(program, bearing, results):
 
 
 def documents(program):
-    """(name, kind, document, audit): every law in the plane, some along the load alone, the CSV, a dry bearing at rest."""
+    """(name, kind, document, audit): every law in the plane, one along the load alone, the CSV, dry bearings."""
     case = read_case(HERE / "roller-bearing.toml")
     bearing, table = Bearing(case), program.folder / "bearing.csv"
     base = run(program, case, "--cage-positions", CAGE_POSITIONS, "--csv", table)

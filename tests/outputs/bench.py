@@ -12,7 +12,8 @@ from verify import EPSILON, last_digit
 
 CASE, SOLVER = "own-moes-20-10", "fast"
 FILMS = ("film.minimum", "film.central")
-ASKED = [("tolerance", 1e-2), ("tolerance", 1e-3), ("tolerance", 1e-4), ("nodes", 256), ("nodes", 1024), ("nodes", 4096)]
+ASKED = [("tolerance", 1e-2), ("tolerance", 1e-3), ("tolerance", 1e-4),
+         ("nodes", 256), ("nodes", 1024), ("nodes", 4096)]
 COUNTS = ("work_units", "nodes", "levels", "convolutions", "newton_iterations", "krylov_iterations")
 SCALING_PROBLEM = {"M": 5, "L": 5}
 # On a grid that is asked for, bench stops the iteration earlier than ehd solve: the film moves by this share of its

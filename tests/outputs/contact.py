@@ -229,7 +229,8 @@ def audit_row(k, inputs):
         film, cell = value_at(true, "H", row["X"])  # H'' is about 1, more at the spike
         said.near("H", row["H"], film, relative=10 * inputs.tolerance, absolute=cell**2)
         around = [value_at(true, "P", one["X"])[0] for one in (before, row, after)]
-        said.within("P", row["P"], 0.8 * min(around) - ROUND_OFF, 1.2 * max(around) + ROUND_OFF)  # steep where the oil stiffens
+        # Steep where the oil stiffens.
+        said.within("P", row["P"], 0.8 * min(around) - ROUND_OFF, 1.2 * max(around) + ROUND_OFF)
     groups, unit_m = scales_of(inputs.case)
     p_H, lubricant = groups.get("hertz_pressure_Pa"), inputs.case["lubricant"]
     if p_H:

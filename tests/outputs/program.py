@@ -21,7 +21,7 @@ class Program:
     def run(self, *arguments, allowed=(0,)):
         """Standard output of `ehd arguments`. Any other exit code ends the audit."""
         command = [self.path, *map(str, arguments)]
-        done = subprocess.run(command, cwd=TOP, capture_output=True, text=True, timeout=120)
+        done = subprocess.run(command, cwd=TOP, capture_output=True, text=True, timeout=600)  # under a sanitizer
         if done.returncode not in allowed:
             raise SystemExit(f"{' '.join(command)}: exit code {done.returncode}\n{done.stderr}")
         return done.stdout

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The rows of `ehd sweep`: rows.json against `ehd solve` and `ehd bearing` of the same case, rows.csv against rows.json."""
+"""The rows of `ehd sweep`: rows.json against `ehd solve` and `ehd bearing` of the same case; rows.csv against it."""
 
 import copy
 import functools

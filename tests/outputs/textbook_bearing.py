@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Geometry and dry contact laws of a roller bearing, from the literature once more. SI, but for the laws printed in mm."""
+"""Geometry and dry contact laws of a roller bearing, from the literature once more. SI, but laws printed in mm."""
 
 import math
 from math import pi

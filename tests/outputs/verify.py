@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The numbers of the results.json that `ehd verify --output DIR` writes: each claim with its error, tolerance, margin and
-verdict; and every count."""
+"""The numbers of the results.json that `ehd verify --output DIR` writes: each claim with its error, tolerance, margin
+and verdict; and every count."""
 
 import fnmatch
 import functools
@@ -42,7 +42,8 @@ def audit_claim(said, claim, expectations):
     said.within(f"{name}: error", error, 0)
     said.within(f"{name}: uncertainty", uncertainty, 0)
     audit_tolerance(said, name, claim)
-    verdict = "pass" if error + uncertainty <= tolerance else "fail" if error - uncertainty > tolerance else "inconclusive"
+    verdict = "pass" if error + uncertainty <= tolerance else \
+        "fail" if error - uncertainty > tolerance else "inconclusive"
     said.equal(f"{name}: verdict", claim["verdict"], verdict)
     # What is left of the tolerance; a fact that holds or does not leaves nothing.
     left = 1 - (error + uncertainty) / tolerance if tolerance > 0 else 0
@@ -60,7 +61,8 @@ def matches(name, pattern):
 
 
 def count(claims, skipped):
-    return {verdict: sum(one["verdict"] == verdict for one in claims) for verdict in VERDICTS} | {"skipped": len(skipped)}
+    counts = {verdict: sum(one["verdict"] == verdict for one in claims) for verdict in VERDICTS}
+    return counts | {"skipped": len(skipped)}
 
 
 def audit_verify(results):
