@@ -144,6 +144,12 @@ def audit_balance(said, name, balance, inputs):
     said.within(f"{name}balance_error", balance["balance_error"], 0, 1e-12)
 
 
+def audit_loaded(said, result):
+    """The rollers with at least 1 % of the largest force."""
+    forces = [one["inner"]["force_N"] for one in result["rollers"]]
+    said.equal("loaded_rollers", result["loaded_rollers"], sum(force >= 0.01 * max(forces) for force in forces))
+
+
 def audit_zone(said, result):
     """From the first to the last roller with more than 1 % of the largest force. No roller here carries less but more
     than nothing, unless its law always pushes."""
@@ -206,6 +212,7 @@ def audit_fit(said, result, inputs):
         own = straight_line([contacts.approach(force, x_0) for force in forces], forces)
         # A point moves along the line by K times the error of its approach. Slopes and deviations move in proportion.
         moved = SOLVED * max(contacts.film("offset", force) for force in forces) * own["K_N_per_m"]
+        said.near(f"fit.{raceway}.misfit", line["misfit"], line["residual_N"] / high, relative=ROUND_OFF)
         for name, expected in own.items():
             size = {"correlation": 1.0, "K_N_per_m": own["K_N_per_m"], "dF_N": own["dF_N"]}.get(name, abs(expected))
             said.near(f"fit.{raceway}.{name}", line[name], expected, absolute=4 * moved / own["residual_N"] * size)
@@ -291,6 +298,7 @@ def audit_bearing(result, inputs):
         for raceway in RACEWAYS:
             audit_contact_row(said, f"rollers[{j}].{raceway}", one[raceway], raceway, law, result, inputs,
                               law not in DRY_LAWS)
+    audit_loaded(said, result)
     audit_zone(said, result)
     audit_stiffness(said, result, inputs)
     if "cage" in result:

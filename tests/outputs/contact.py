@@ -22,6 +22,7 @@ RUNS = [
 ]
 
 FILMS = ("minimum", "central", "couette")
+EXTRAPOLATING = ("fast", "reference.linear")
 PEAKS = ("maximum", "spike")
 
 
@@ -33,6 +34,7 @@ class Inputs:
     truth: dict | None  # the other solver's result at a tolerance of 1e-7; none for a dry contact
     profile: list       # rows of the CSV of the same run; empty where there is none
     dense: bool = False  # the solver has neither transforms nor Krylov iterations
+    field_error: float | None = None    # what the result states of its fields
     offset: float | None = None         # H_0 from the profile
     rolling_force: float | None = None  # from the profile
 
@@ -104,6 +106,20 @@ def audit_error(said, name, entry):
         for source, value in sources.items():
             said.within(f"{name}.errors.{source}", value, 0)
         said.near(f"{name}.error", entry["error"], sum(sources.values()), relative=ROUND_OFF)
+
+
+def audit_fields(said, result, inputs):
+    """The films of the fields are as far from the reported ones as extrapolation moves these, and those are off by their
+    stated errors."""
+    films, stated = result["film"], result["fields"]["film_error"]
+    errors = [films[name]["error"] for name in ("minimum", "central")]
+    if result["solver"] in EXTRAPOLATING:
+        seen = [lowest(inputs.profile), value_at(inputs.profile, "H", 0)[0]]
+        off = max(abs(film / films[name]["hertz"] - 1) + films[name]["error"]
+                  for film, name in zip(seen, ("minimum", "central"), strict=True))
+        said.near("fields.film_error", stated, off, relative=0.25)  # the film at a place between nodes
+    else:
+        said.near("fields.film_error", stated, max(errors), absolute=ROUND_OFF)
 
 
 def audit_offset(said, result, inputs):
@@ -179,6 +195,8 @@ def audit_contact(result, inputs):
         said.near(f"groups.{name}", result["groups"][name], expected, relative=ROUND_OFF)
     if inputs.truth:
         audit_films(said, result, inputs)
+        if inputs.profile:
+            audit_fields(said, result, inputs)
         said.near("rolling_force", result["rolling_force"]["dimensionless"],
                   inputs.truth["rolling_force"]["dimensionless"], relative=10 * inputs.tolerance)
         said.near("rolling_force", result["rolling_force"]["dimensionless"], inputs.rolling_force,
@@ -216,6 +234,16 @@ def value_at(profile, name, x):
     raise ValueError(f"X = {x} lies outside the profile")
 
 
+def lowest(profile):
+    """The smallest film between nodes: of the parabola through the lowest node and its neighbours."""
+    at = min(range(len(profile)), key=lambda k: profile[k]["H"])
+    (x0, y0), (x1, y1), (x2, y2) = ((row["X"], row["H"]) for row in profile[at - 1:at + 2])
+    left, right = (y1 - y0) / (x1 - x0), (y2 - y1) / (x2 - x1)
+    bend = (right - left) / (x2 - x0)
+    slope = left + bend * (x1 - x0)
+    return y1 - slope * slope / (4 * bend)
+
+
 def audit_row(k, inputs):
     """Row k of a profile, neither the first nor the last: the other solver's film, the laws and the units."""
     said = Objections()
@@ -231,6 +259,7 @@ def audit_row(k, inputs):
         around = [value_at(true, "P", one["X"])[0] for one in (before, row, after)]
         # Steep where the oil stiffens.
         said.within("P", row["P"], 0.8 * min(around) - ROUND_OFF, 1.2 * max(around) + ROUND_OFF)
+    said.near("H_error", row["H_error"], inputs.field_error, relative=ROUND_OFF)
     groups, unit_m = scales_of(inputs.case)
     p_H, lubricant = groups.get("hertz_pressure_Pa"), inputs.case["lubricant"]
     if p_H:
@@ -268,6 +297,7 @@ def solve(program, case, options, ends=0, truth=None):
     inputs.tolerance = float(options[options.index("--tolerance") + 1]) if "--tolerance" in options else stated
     inputs.dense = result["solver"].startswith("reference")
     inputs.profile = read_csv(profile_csv)
+    inputs.field_error = result["fields"]["film_error"]
     flooded = inputs.case["domain"]["inlet"] == "flooded"
     inputs.offset, inputs.rolling_force = from_profile(inputs.profile, flooded)
     return result, inputs

@@ -37,6 +37,7 @@ def audit_solver(said, drawn, alone, true):
             said.same(f"{name}: {key}.{entry}", values, alone[key][entry])
     for count in ("work_units", "nodes", "newton_iterations"):
         said.equal(f"{name}: {count}", drawn[count], alone["cost"][count])
+    said.equal(f"{name}: field_error", drawn["field_error"], alone["fields"]["film_error"])
     said.within(f"{name}: wall_s", drawn["wall_s"], 0)
     said.within(f"{name}: chord_error", drawn["chord_error"], CHORD, CHORD)
     said.equal(f"{name}: X increases", drawn["X"], sorted(drawn["X"]))

@@ -26,10 +26,29 @@ def values_of(dry, film):
     """What (a), (b) and (c) say in numbers. `dry`, `film`: results at the three clearances."""
     load = [top(b)["force_N"] / top(a)["force_N"] - 1 for a, b in zip(dry, film, strict=True)]
     approach = [top(b)["displacement_m"] / top(a)["displacement_m"] - 1 for a, b in zip(dry, film, strict=True)]
-    forces = [[one["inner"]["force_N"] for one in result["rollers"]] for result in (dry[0], film[0])]
-    apart = max(abs(a - b) for a, b in zip(*forces, strict=True)) / max(forces[0])
-    return {"a": {"change": load[0], "apart": apart}, "b": {"least": max(approach), "most": min(approach)},
-            "c": {"middle": load[1], "largest": load[2]}, "d": {}}
+    loaded, others = approaches_of(dry, film)
+    return {"a": {"change": load[0], "apart": apart(dry[0], film[0])},
+            "b": {"least": max(approach), "most": min(approach), "loaded": max(b / a - 1 for a, b in loaded),
+                  "outside_m": max([0, *(b - a for a, b in others)])},
+            "c": {"middle": load[1], "largest": load[2], "apart": apart(dry[1], film[1])}, "d": {}}
+
+
+def apart(dry, film):
+    """The largest change of a roller's load by the film, over the largest dry load."""
+    forces = [[one["inner"]["force_N"] for one in result["rollers"]] for result in (dry, film)]
+    return max(abs(a - b) for a, b in zip(*forces, strict=True)) / max(forces[0])
+
+
+def approaches_of(dry, film):
+    """(dry, with films) of each inner contact at all clearances: of the rollers that the dry law loads, by at least 1 %
+    of the largest load, and of the others."""
+    loaded, others = [], []
+    for a, b in zip(dry, film, strict=True):
+        largest = max(one["inner"]["force_N"] for one in a["rollers"])
+        for one, two in zip(a["rollers"], b["rollers"], strict=True):
+            of = loaded if one["inner"]["force_N"] >= 0.01 * largest else others
+            of.append((one["inner"]["displacement_m"], two["inner"]["displacement_m"]))
+    return loaded, others
 
 
 def common(*lists):
@@ -54,6 +73,8 @@ def audit_row(said, row, expected):
             said.equal(f"{name}: {key} increases", ends, sorted(ends))
     said.equal(f"{name}: x0_abc_m", row["x0_abc_m"], common(a, b, c))
     said.equal(f"{name}: x0_all_hold_m", row["x0_all_hold_m"], common(a, b, c, d))
+    for letter, all_rollers in (("b", b), ("c", c)):  # what holds for every roller holds at psi = 0
+        said.equal(f"{name}: x0_{letter}_m", all_rollers, common(all_rollers, row[f"x0_{letter}_at_psi_0_m"]))
 
 
 def audit_statements(document, all_rows, runs):
@@ -66,6 +87,10 @@ def audit_statements(document, all_rows, runs):
         holds = [statement["holds"] for row in single for statement in row["statements"]
                  if statement["letter"] == one["letter"]]
         said.equal(f"summary of ({one['letter']}), {one['law']}", (one["holds"], one["of"]), (sum(holds), len(single)))
+        alone = [statement for row in single for statement in row["statements"]
+                 if statement["letter"] == one["letter"] and statement.get("holds_at_psi_0") and not statement["holds"]]
+        named = one["at_psi_0_alone"].split("; ") if one["at_psi_0_alone"] else []
+        said.equal(f"summary of ({one['letter']}), {one['law']}: at psi = 0 alone", len(named), len(alone))
     said.within("contact_solves", document["contact_solves"], 1)
     said.within("contacts_from_memory", document["contacts_from_memory"], 1)
     return said
