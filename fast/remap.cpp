@@ -31,7 +31,7 @@ MapShape expected_shape(const Run& run) {
           .spike_width = expected_spike_width * d * l.scale};
 }
 
-/// The spike is where the pressure falls most steeply.
+/// The spike is where the pressure falls most steeply; of a light load and much L that is before X = 0.
 MapShape shape_for(const Known& known, double inlet, const MapRecipe& recipe) {
   const auto& [X, P, film] = known;
   const Lengths l = lengths_from_film(film);
@@ -40,7 +40,7 @@ MapShape shape_for(const Known& known, double inlet, const MapRecipe& recipe) {
   shape.spike = shape.exit - spike_before_exit * width;
   shape.spike_width = expected_spike_width * width;
   double steepest = 0;
-  for (Eigen::Index i = X.size() - 2; i >= 0 && X[i] > 0; --i) {
+  for (Eigen::Index i = X.size() - 2; i >= 0; --i) {
     const double cell = X[i + 1] - X[i], fall = (P[i] - P[i + 1]) / cell;
     if (!(fall > steepest)) continue;
     steepest = fall;

@@ -36,6 +36,21 @@ std::string journal_line(const std::string& content) {
   return content_hash(content).substr(0, check_digits) + " " + content + "\n";
 }
 
+/// The next line, as std::getline. A line longer than any row ends the reading, as if the file ended within it: the
+/// file is no journal, and may be larger than the memory.
+bool read_line(std::istream& stream, std::string& line) {
+  constexpr std::size_t longest_line = 1 << 26;
+  line.clear();
+  if (stream.eof()) return false;
+  constexpr int end = std::char_traits<char>::eof();
+  for (int c = stream.rdbuf()->sbumpc(); c != end && line.size() < longest_line; c = stream.rdbuf()->sbumpc()) {
+    if (c == '\n') return true;
+    line += static_cast<char>(c);
+  }
+  stream.setstate(std::ios::eofbit);
+  return !line.empty();
+}
+
 std::string content_of(const JournalHeader& header) {
   return Json{{"schema", journal_schema}, {"sweep", header.sweep}, {"shard", header.shard}, {"of", header.of}}.dump();
 }
@@ -138,7 +153,7 @@ SweepJournal::Read SweepJournal::read() {
     return found;
   }
   std::size_t number = 0;
-  for (std::string line; std::getline(stream, line); end_ += line.size() + 1) {
+  for (std::string line; read_line(stream, line); end_ += line.size() + 1) {
     ++number;
     const bool ended = !stream.eof();  // the last line may have been cut
     const std::string content = line.size() > check_digits ? line.substr(check_digits + 1) : "";

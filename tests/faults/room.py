@@ -9,7 +9,7 @@ import tempfile
 from dataclasses import dataclass
 
 LONGEST_S = 10  # for a refusal; most take 0.02 s
-MEMORY_BYTES = 4 << 30  # so that a file without end fails here and does not stop the machine
+MEMORY_BYTES = 1 << 30  # so that a file without end fails here and does not stop the machine
 
 
 class Skipped(Exception):
