@@ -184,7 +184,7 @@ Findings judge_reduced_pressure(const Named& scheme) {
     const double a = largest / rigid.P.maxCoeff();
     Array P = -(1 - a * rigid.P).log() / a;
     P[intervals] = 0;
-    Problem problem = problem_at({M, 1}, false, TruncatedAt{inlet});
+    Problem problem = problem_at({any_M, 1}, false, TruncatedAt{inlet});
     problem.viscosity = Barus{.alpha = a};
     const Array& X = rigid.scheme.X;
     // The scheme evaluates these films at its nodes only.

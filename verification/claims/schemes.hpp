@@ -10,7 +10,7 @@
 
 namespace ehd::verification::schemes {
 
-inline constexpr double M = 3.7;  ///< any: lambda is a factor of the pressure
+inline constexpr double any_M = 3.7;  ///< any: lambda is a factor of the pressure
 inline constexpr double inlet = -1.9;
 
 /// What a scheme computes from a state, on nodes and faces. Empty where its film is not positive.

@@ -27,7 +27,7 @@ enum class LogAt { left, right };
 constexpr double granted = 1e-13;
 /// GSL gives up on an interval of a few ulps. Its integral is below `granted`: about 1e-15 ln 1e-15.
 constexpr double shortest = 1e-15;
-constexpr std::size_t most_intervals = 200;
+constexpr std::size_t qaws_intervals = 200;
 
 /// Int_a^b f(t) ln(t - a) dt or Int_a^b f(t) ln(b - t) dt.
 double log_integral(const Function& f, double a, double b, LogAt end) {
@@ -37,12 +37,12 @@ double log_integral(const Function& f, double a, double b, LogAt end) {
   const std::unique_ptr<gsl_integration_qaws_table, decltype(&gsl_integration_qaws_table_free)> weight(
       gsl_integration_qaws_table_alloc(0, 0, left ? 1 : 0, left ? 0 : 1), gsl_integration_qaws_table_free);
   const std::unique_ptr<gsl_integration_workspace, decltype(&gsl_integration_workspace_free)> space(
-      gsl_integration_workspace_alloc(most_intervals), gsl_integration_workspace_free);
+      gsl_integration_workspace_alloc(qaws_intervals), gsl_integration_workspace_free);
   gsl_function integrand{.function = [](double t, void* g) { return (*static_cast<const Function*>(g))(t); },
                          .params = const_cast<Function*>(&f)};
   double value = 0, estimate = 0;
   const int status =
-      gsl_integration_qaws(&integrand, a, b, weight.get(), granted, 0, most_intervals, space.get(), &value, &estimate);
+      gsl_integration_qaws(&integrand, a, b, weight.get(), granted, 0, qaws_intervals, space.get(), &value, &estimate);
   return status == GSL_SUCCESS && estimate <= granted ? value : std::numeric_limits<double>::quiet_NaN();
 }
 
