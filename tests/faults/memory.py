@@ -25,6 +25,11 @@ LADDERS = {
     "bearing": (["bearing", "na4908", "--law", "ehd-linear"], (0, 500, 1000, 2000, 4000)),
     "sweep": (["sweep", "s.toml", "--output", "out", "--threads", "2"], (0, 1000, 2000, 4000, 8000, 80000)),
     "verify": (["verify", "--quick", "--rung", "1", "--output", "out"], (0, 2000, 8000)),
+    "compare": (["compare", "own-moes-20-10", "--tolerance", "1e-2"], (0, 1000, 4000, 10000)),
+    "statements": (["statements", "--json", "a.json"], (0, 1000)),
+    "atlas": (["atlas", "--only", "roelands-m20-l10-", "--output", "out"], (0, 2000, 8000)),
+    "bench": (["bench", "--part", "convolution", "--output", "out"], (0, 500, 2000)),
+    "stress": (["stress", "--quick", "--part", "h", "--output", "out"], (0, 2000)),
     "maps": (["maps", "--output", "out"], (0, 1000, 4000)),
     "report": (["report", "."], (0, 1000)),
 }
