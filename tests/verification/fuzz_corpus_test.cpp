@@ -25,7 +25,7 @@ BOOST_AUTO_TEST_CASE(results_that_fuzzing_starts_from_or_found_keep_every_promis
 
 BOOST_AUTO_TEST_CASE(atlas_tables_that_fuzzing_starts_from_or_found_keep_every_promise) {
   BOOST_TEST(test::keep_promises(fuzz_inputs / "corpus" / "atlas", promises::atlas_broken) >= 2u);
-  test::keep_promises(fuzz_inputs / "found" / "atlas", promises::atlas_broken);
+  BOOST_TEST(test::keep_promises(fuzz_inputs / "found" / "atlas", promises::atlas_broken) >= 1u);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -64,6 +64,7 @@ std::string wrong_with(const std::string& cell, const Allowed& allowed) {
   if (read.ptr != cell.data() + cell.size() || read.ec == std::errc::invalid_argument) return "is not a number";
   if (read.ec != std::errc()) return "is out of range";
   if (!std::isfinite(value)) return "is not finite";
+  if (value != 0 && !std::isnormal(value)) return "is out of range";  // std::stod refuses it later
   const bool low_enough = allowed.low_itself ? value >= allowed.low : value > allowed.low;
   return low_enough && value <= allowed.high ? "" : "is out of range";
 }

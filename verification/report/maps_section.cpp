@@ -117,8 +117,9 @@ bool any_point(const Atlas& atlas, const std::function<bool(const View&)>& has) 
   return std::any_of(atlas.points.begin(), atlas.points.end(), has);
 }
 
-/// 1, 2, 5, 10, ... between the extreme values.
+/// 1, 2, 5, 10, ... between the extreme values; decades are left out where there are many.
 std::vector<ContourLevel> decade_levels(const HeatMap& map) {
+  constexpr int most_decades = 12;
   double low = 1e300, high = 0;
   for (const Cell& cell : map.cells) {
     if (!cell.value || !(*cell.value > 0)) continue;
@@ -127,7 +128,9 @@ std::vector<ContourLevel> decade_levels(const HeatMap& map) {
   }
   std::vector<ContourLevel> levels;
   if (!(low < high)) return levels;
-  for (int decade = static_cast<int>(std::floor(std::log10(low))); decade <= std::log10(high); ++decade) {
+  const int first = static_cast<int>(std::floor(std::log10(low))), last = static_cast<int>(std::log10(high));
+  const int step = 1 + (last - first) / most_decades;
+  for (int decade = first; decade <= last; decade += step) {
     for (const double digit : {1.0, 2.0, 5.0}) {
       const double level = digit * std::pow(10, decade);
       if (level > low && level < high)
