@@ -122,7 +122,7 @@ std::vector<ContourLevel> decade_levels(const HeatMap& map) {
   constexpr int most_decades = 12;
   double low = 1e300, high = 0;
   for (const Cell& cell : map.cells) {
-    if (!cell.value || !(*cell.value > 0)) continue;
+    if (!cell.value || !(*cell.value > 0) || !std::isfinite(*cell.value)) continue;
     low = std::min(low, *cell.value);
     high = std::max(high, *cell.value);
   }
