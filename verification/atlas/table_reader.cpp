@@ -10,6 +10,7 @@
 #include "contact/nondimensional.hpp"
 #include "contact/text.hpp"
 #include "io/case_reader.hpp"
+#include "io/contact_json.hpp"
 #include "verification/atlas/columns.hpp"
 #include "verification/atlas/table.hpp"
 #include "verification/bench/csv.hpp"
@@ -69,6 +70,8 @@ std::string wrong_with(const std::string& cell, const Allowed& allowed) {
   return low_enough && value <= allowed.high ? "" : "is out of range";
 }
 
+constexpr std::string_view id_letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789.-_";
+
 bool is_text(std::string_view column) {
   return column == "id" || column == "laws" || column == "inlet" || column == "numerical_test" || column == "status";
 }
@@ -91,6 +94,10 @@ std::optional<WrongCell> wrong_cell(const AtlasRow& row) {
       return WrongCell{error, row.at(error).empty() ? "is missing" : "has no value before it",
                        "a number and its uncertainty, or neither"};
   }
+  if (const std::string& id = row.at("id"); id.empty() || id.find_first_not_of(id_letters) != std::string::npos)
+    return WrongCell{"id", "is no id", "letters, digits, dot, dash and underscore"};
+  if (!stop_reason_from(row.at("status")))
+    return WrongCell{"status", "is unknown", "converged, tolerance-not-met, under-resolved, limit-reached, diverged"};
   const auto laws = atlas_laws_from(row.at("laws"));
   if (!laws) return WrongCell{"laws", "is unknown", "isoviscous, barus, roelands"};
   if ((*laws == AtlasLaws::isoviscous) != (std::stod(row.at("L")) == 0))
