@@ -11,10 +11,10 @@ using bearing::SolvableContact;
 using bearing::SolveFailure;
 
 ContactMemory::ContactMemory(ContactSolver solver, Request request)
-    : ContactMemory(std::make_shared<ContactCache>(with_fallback(std::move(solver))), std::move(request)) {}
+    : ContactMemory(std::make_shared<ContactCache>(with_fallback(std::move(solver))), request) {}
 
 ContactMemory::ContactMemory(std::shared_ptr<ContactCache> cache, Request request)
-    : cache_(std::move(cache)), request_(std::move(request)) {}
+    : cache_(std::move(cache)), request_(request) {}
 
 ContactMemory::Key ContactMemory::key_of(const RacewayContact& contact, const Lubricant& lubricant) {
   // A member that is added to the lubricant does not compile here.
