@@ -49,9 +49,11 @@ Examples:
 
 Parts: work-precision (run time and work against achieved error), scaling (cost and memory against the number of
 intervals), batch (many contacts over threads); only where they are named, box (times and errors over all loads and
-materials) and convolution (c, one padded FFT convolution of n = 512). DIR/bench.json holds the parts of this run; DIR/work_precision.csv, DIR/scaling.csv and
-DIR/box.csv hold the tables. A solve that fails is a row with its reason. Exit code: 0 the tables are complete; 1 no run
-could be judged, or results depend on the number of threads; 2 wrong usage.)";
+materials) and convolution (c, one padded FFT convolution of n = 512). DIR/bench.json holds the parts of this run;
+DIR/work_precision.csv, DIR/scaling.csv and DIR/box.csv hold the tables. A solve that fails is a row with its reason.
+
+Exit code: 0 the tables are complete; 1 no run could be judged, or results depend on the number of threads; 2 wrong
+usage.)";
 
 constexpr const char* work_precision = "work-precision";
 constexpr const char* scaling = "scaling";

@@ -43,7 +43,9 @@ Examples:
 The achieved error is the difference from one truth for both films: the case's own digits where it has some of both,
 else the solution that states the smallest error among these runs and one more run of the certified solver, which is
 asked for a hundredth of the tightest tolerance. No run is judged by itself. Where the truth is not ten times more
-accurate than an error, a bound is printed (<). Exit code: 0 every run converged; 1 one did not; 2 bad input or usage.)";
+accurate than an error, a bound is printed (<).
+
+Exit code: 0 every run converged; 1 one did not; 2 bad input or usage.)";
 
 using Row = verification::JudgedRun;
 

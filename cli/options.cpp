@@ -80,7 +80,8 @@ unsigned thread_count(const std::optional<std::string>& text) {
 }
 
 void add_time_limit_total(Command& command, std::optional<std::string>& text) {
-  command.text("--time-limit-total", text, "seconds for everything; what is not finished then is said to be so (none)")
+  command
+      .text("--time-limit-total", text, "seconds for the whole command; what is not finished by then is named (none)")
       .called("S");
 }
 

@@ -30,8 +30,8 @@ class SweepJournal {
   SweepJournal(const std::filesystem::path& folder, const JournalHeader& header, std::vector<HashNumber> wanted,
                bool fresh);
 
-  /// A journal as it stands, for merging the rows in `wanted`. Throws OutputError where a line is damaged or the header
-  /// is another one.
+  /// Reads a journal for a merge, and changes nothing. Keeps the rows in `wanted`. Throws OutputError where a line is
+  /// damaged, or where the header belongs to another sweep or shard.
   SweepJournal(const std::filesystem::path& folder, const JournalHeader& header, std::vector<HashNumber> wanted);
 
   ~SweepJournal();

@@ -36,7 +36,7 @@ std::string sizes_of_numbers() {
   return "a size of " + plain(Limits::min(), 2) + " to " + plain(Limits::max(), 2);
 }
 
-/// The value as it stands in the file, as far as its first line has it.
+/// The text of the value in the file: its first line.
 std::string source_of(const toml::node& node, const std::vector<std::string>& lines) {
   const auto& region = node.source();
   const auto first = static_cast<std::size_t>(region.begin.line);

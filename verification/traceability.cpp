@@ -52,7 +52,7 @@ const std::vector<TraceablePart>& traceable_parts() {
        "NA4908 at 5000 rpm and 50 kN with clearances 0, 2.5 and 10 um, dry and EHD",
        {"na4908/*/balanced", "na4908-2.5um/*/balanced", "na4908-10um/*/balanced", "na4908-18mm/*/balanced"}},
       {"work/statements",
-       "the statements (a) to (d) of what the film does to the bearing, and the datum that they need",
+       "statements (a) to (d): what the film does to the bearing; for which datum they hold",
        {"paper/*/a", "paper/*/b", "paper/*/c", "paper/*/d", "paper/*/datum", "paper/*/verdict/*", "paper/*/x0/*"}},
       {"readme/one-contact-two-codes",
        "two solvers side by side, each with its own code from the kernel weights up",

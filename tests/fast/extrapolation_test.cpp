@@ -42,8 +42,8 @@ BOOST_AUTO_TEST_CASE(two_grids_give_the_limit_of_second_order_errors_and_their_w
 }
 
 BOOST_AUTO_TEST_CASE(beside_a_spike_a_regular_sequence_of_films_is_not_trusted) {
-  // H_min on 64, 128, … intervals, Roelands, flooded, and the limit from the high-order reference. The moves fall by 6
-  // to 9 as those of a smooth solution do, towards a wrong limit.
+  // H_min on 64, 128, ... intervals, Roelands, flooded, and the limit from the high-order reference. From grid to grid
+  // the moves fall by 6 to 9, as those of a smooth solution do; but the limit that they promise is wrong.
   struct Film {
     std::vector<double> grids;
     double truth, truth_error;
