@@ -13,6 +13,7 @@
 
 #include "tests/check.hpp"
 #include "tests/quadrature.hpp"
+#include "tests/sanitizer.hpp"
 
 using namespace ehd;
 using verification::Tolerance;
@@ -76,20 +77,12 @@ BOOST_AUTO_TEST_CASE(fft_product_equals_the_dense_sum) {
   BOOST_REQUIRE_EQUAL(rows, 6);
 }
 
-// AddressSanitizer's allocator ends the process where memory is out, so there is nothing to test.
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define EHD_NO_BAD_ALLOC
-#endif
-#endif
-#ifndef EHD_NO_BAD_ALLOC
-
-BOOST_AUTO_TEST_CASE(a_plan_without_memory_is_an_exception) {
+BOOST_AUTO_TEST_CASE(a_plan_without_memory_is_an_exception, *testing::memory_is_measurable()) {
   BOOST_CHECK_THROW(fast::require_plan_memory(std::numeric_limits<int>::max()), std::bad_alloc);
 }
 
 /// In a child, since nothing else may follow.
-BOOST_AUTO_TEST_CASE(fftw_without_memory_ends_in_terminate_and_not_in_abort) {
+BOOST_AUTO_TEST_CASE(fftw_without_memory_ends_in_terminate_and_not_in_abort, *testing::memory_is_measurable()) {
   constexpr int terminated = 7;
   const pid_t child = ::fork();
   BOOST_REQUIRE(child >= 0);
@@ -103,7 +96,5 @@ BOOST_AUTO_TEST_CASE(fftw_without_memory_ends_in_terminate_and_not_in_abort) {
   BOOST_TEST(WIFEXITED(status));
   BOOST_TEST(WEXITSTATUS(status) == terminated);
 }
-
-#endif
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -43,7 +43,8 @@ Range range_of(const std::vector<double>& values, Scale scale) {
     // Outwards by a twentieth of the range, at least to a third of a decade in all.
     const double from = std::log10(low), to = std::log10(high);
     const double margin = std::max(0.04 * (to - from), to - from < 0.3 ? 0.2 : 0.0);
-    return {std::pow(10, from - margin), std::pow(10, to + margin)};
+    constexpr double last = std::numeric_limits<double>::max_exponent10 - 1;  // of a finite power of ten
+    return {std::pow(10, std::max(from - margin, -last)), std::pow(10, std::min(to + margin, last))};
   }
   if (low == high) {
     const double half = low == 0 ? 0.5 : 0.5 * std::abs(low);

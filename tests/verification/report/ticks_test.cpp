@@ -78,7 +78,7 @@ BOOST_AUTO_TEST_CASE(a_range_holds_every_value_that_has_a_place) {
   BOOST_TEST(logarithmic.high < largest * decade);
   for (const Scale scale : {Scale::linear, Scale::logarithmic}) {
     for (const std::vector<double>& values :
-         {std::vector<double>{}, {not_a_number}, {7.0}, {7.0, 7.0}, {0.0}, {-3.0}}) {
+         {std::vector<double>{}, {not_a_number}, {7.0}, {7.0, 7.0}, {0.0}, {-3.0}, {1e-300, 1e300}, {-1e300, 1e300}}) {
       const Range range = range_of(values, scale);
       BOOST_TEST((std::isfinite(range.low) && std::isfinite(range.high) && range.low < range.high));
     }
