@@ -15,7 +15,13 @@ inline constexpr bool address_sanitizer = __has_feature(address_sanitizer);  // 
 inline constexpr bool address_sanitizer = false;
 #endif
 
-/// Decorator: BOOST_AUTO_TEST_CASE(name, *memory_is_measurable()).
-inline auto memory_is_measurable() { return boost::unit_test::enable_if<!address_sanitizer>(); }
+inline boost::test_tools::assertion_result memory_can_be_measured(boost::unit_test::test_unit_id) {
+  boost::test_tools::assertion_result result(!address_sanitizer);
+  result.message() << "AddressSanitizer has its own allocator";
+  return result;
+}
+
+/// Decorator: BOOST_AUTO_TEST_CASE(name, *needs_measurable_memory()).
+inline auto needs_measurable_memory() { return boost::unit_test::precondition(&memory_can_be_measured); }
 
 }  // namespace ehd::testing

@@ -77,12 +77,12 @@ BOOST_AUTO_TEST_CASE(fft_product_equals_the_dense_sum) {
   BOOST_REQUIRE_EQUAL(rows, 6);
 }
 
-BOOST_AUTO_TEST_CASE(a_plan_without_memory_is_an_exception, *testing::memory_is_measurable()) {
+BOOST_AUTO_TEST_CASE(a_plan_without_memory_is_an_exception, *testing::needs_measurable_memory()) {
   BOOST_CHECK_THROW(fast::require_plan_memory(std::numeric_limits<int>::max()), std::bad_alloc);
 }
 
 /// In a child, since nothing else may follow.
-BOOST_AUTO_TEST_CASE(fftw_without_memory_ends_in_terminate_and_not_in_abort, *testing::memory_is_measurable()) {
+BOOST_AUTO_TEST_CASE(fftw_without_memory_ends_in_terminate_and_not_in_abort, *testing::needs_measurable_memory()) {
   constexpr int terminated = 7;
   const pid_t child = ::fork();
   BOOST_REQUIRE(child >= 0);

@@ -61,7 +61,7 @@ BOOST_AUTO_TEST_CASE(a_child_that_fails_says_how) {
   BOOST_TEST(in_child([]() -> std::string { ::_exit(9); }).why == "exit code 9");
 }
 
-BOOST_AUTO_TEST_CASE(the_peak_is_what_the_child_held, *testing::memory_is_measurable()) {
+BOOST_AUTO_TEST_CASE(the_peak_is_what_the_child_held, *testing::needs_measurable_memory()) {
   constexpr double megabyte = 1024 * 1024;
   constexpr std::size_t held = 64;
   const double rise = rise_with(held * 1024 * 1024) / megabyte;
@@ -71,14 +71,15 @@ BOOST_AUTO_TEST_CASE(the_peak_is_what_the_child_held, *testing::memory_is_measur
   EHD_CHECK(rise_with(1024 * 1024) / megabyte, Tolerance::calibrated(5, "megabytes of a block of 1"));
 }
 
-BOOST_AUTO_TEST_CASE(a_child_does_not_inherit_the_peak_of_its_parent, *testing::memory_is_measurable()) {
+BOOST_AUTO_TEST_CASE(a_child_does_not_inherit_the_peak_of_its_parent, *testing::needs_measurable_memory()) {
   constexpr double megabyte = 1024 * 1024;
   { const std::vector<char> freed(256 * 1024 * 1024, 'z'); }
   BOOST_TEST(peak_memory_bytes() > 256 * megabyte);
   EHD_CHECK(rise_with(1024 * 1024) / megabyte, Tolerance::calibrated(5, "megabytes of a block of 1"));
 }
 
-BOOST_AUTO_TEST_CASE(what_a_child_holds_counts_though_its_parent_had_freed_as_much, *testing::memory_is_measurable()) {
+BOOST_AUTO_TEST_CASE(what_a_child_holds_counts_though_its_parent_had_freed_as_much,
+                     *testing::needs_measurable_memory()) {
   constexpr double megabyte = 1024 * 1024;
   constexpr std::size_t size = 1000, held = 32 * 1024;  // small blocks, which the library keeps when they are freed
   const auto blocks = [](std::size_t count) {

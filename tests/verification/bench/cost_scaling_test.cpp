@@ -70,7 +70,7 @@ BOOST_AUTO_TEST_CASE(time_and_exponent_are_those_of_the_solver) {
   BOOST_TEST(!fitted_exponent(rows, "proportional", {20, 10}, 256));
 }
 
-BOOST_AUTO_TEST_CASE(memory_is_that_of_the_solver, *testing::memory_is_measurable()) {
+BOOST_AUTO_TEST_CASE(memory_is_that_of_the_solver, *testing::needs_measurable_memory()) {
   const RegisteredSolver solver = proportional();
   const auto rows = run_scaling(request_for(solver, 2048));
   BOOST_REQUIRE(rows.size() == 4u);
