@@ -59,7 +59,7 @@ int atlas(const AtlasOptions& options) {
   request.points = verification::atlas_points();
   request.only = options.only.value_or("");
   if (options.tolerance) {
-    request.tolerance = checked.tolerance;
+    request.tolerance = checked.tolerance.tightest();
     if (*request.tolerance > verification::atlas_worst_error)
       throw option_error(
           "--tolerance", *options.tolerance,

@@ -59,8 +59,9 @@ std::vector<Row> run_all(const Case& contact_case, const std::vector<const Regis
   Progress progress;
   for (const RegisteredSolver* solver : solvers) {
     for (const Request& request : requests) {
-      progress.show(fmt::format("{}: {} at {} ...", contact_case.id, solver->name, plain(*request.tolerance)));
-      Row row{.tolerance = *request.tolerance, .run = run_contact(contact_case, *solver, request)};
+      progress.show(
+          fmt::format("{}: {} at {} ...", contact_case.id, solver->name, plain(request.tolerance.tightest())));
+      Row row{.tolerance = request.tolerance.tightest(), .run = run_contact(contact_case, *solver, request)};
       for (std::size_t film = 0; film < 2; ++film) {
         if (const Reading* reading = verification::reading_of(row.run.solution, judged_films[film]))
           row.films[film].reported = reading->error;
@@ -74,13 +75,14 @@ std::vector<Row> run_all(const Case& contact_case, const std::vector<const Regis
 /// A run of the certified solver that is tighter than all of `requests`.
 Row one_more(const Case& contact_case, const std::vector<Request>& requests) {
   Request request = requests.front();
-  for (const Request& other : requests) request.tolerance = std::min(*request.tolerance, *other.tolerance);
-  request.tolerance = std::max(truth_over_tightest * *request.tolerance, std::min(tightest_truth, *request.tolerance));
+  double tightest = request.tolerance.tightest();
+  for (const Request& other : requests) tightest = std::min(tightest, other.tolerance.tightest());
+  request.tolerance = std::max(truth_over_tightest * tightest, std::min(tightest_truth, tightest));
   Progress progress;
-  progress.show(
-      fmt::format("{}: the truth, {} at {} ...", contact_case.id, certified_solver().name, plain(*request.tolerance)));
+  progress.show(fmt::format("{}: the truth, {} at {} ...", contact_case.id, certified_solver().name,
+                            plain(request.tolerance.tightest())));
   Row row;
-  row.tolerance = *request.tolerance;
+  row.tolerance = request.tolerance.tightest();
   row.run = run_contact(contact_case, certified_solver(), request);
   return row;
 }

@@ -26,6 +26,8 @@ constexpr Interval times_s{.low = 0, .high = 1e9, .open_low = true};  // longer 
 void RequestOptions::add_to(Command& command, bool with_accuracy) {
   if (with_accuracy) {
     command.text("--tolerance", tolerance, "relative error allowed in the minimum and central film (1e-3)").called("T");
+    command.text("--tolerance-minimum", tolerance_minimum, "instead, of the minimum film").called("T");
+    command.text("--tolerance-central", tolerance_central, "instead, of the central film; one or both").called("T");
     command.text("--nodes", nodes, "intervals on the finest grid instead, inlet to exit, at least 16").called("N");
   }
   command.text("--max-iterations", max_iterations, "Newton iterations over all grids (2000)").called("I");
@@ -34,11 +36,22 @@ void RequestOptions::add_to(Command& command, bool with_accuracy) {
 
 Request RequestOptions::request() const {
   Request request;
+  const bool of_a_film = tolerance_minimum || tolerance_central;
   if (tolerance && nodes) throw UsageError("--tolerance and --nodes exclude each other; allowed is one of them");
+  if (of_a_film && (tolerance || nodes))
+    throw UsageError(std::string(tolerance_minimum ? "--tolerance-minimum" : "--tolerance-central") + " and " +
+                     (tolerance ? "--tolerance" : "--nodes") + " exclude each other; allowed is one of them");
+  if (of_a_film) {
+    request.tolerance = {};
+    if (tolerance_minimum)
+      request.tolerance.minimum = parse_number("--tolerance-minimum", *tolerance_minimum, tolerances);
+    if (tolerance_central)
+      request.tolerance.central = parse_number("--tolerance-central", *tolerance_central, tolerances);
+  }
   if (tolerance) request.tolerance = parse_number("--tolerance", *tolerance, tolerances);
   if (nodes) {
     request.nodes = parse_integer("--nodes", *nodes, node_counts);
-    request.tolerance.reset();
+    request.tolerance = {};
   }
   if (max_iterations) request.max_iterations = parse_integer("--max-iterations", *max_iterations, iteration_counts);
   if (time_limit) request.time_limit_s = parse_number("--time-limit", *time_limit, times_s);

@@ -18,11 +18,13 @@ struct Request;
 
 namespace ehd::cli {
 
-/// --tolerance | --nodes, --max-iterations, --time-limit, as texts until they are checked.
+/// --tolerance | --tolerance-minimum, --tolerance-central | --nodes, and --max-iterations, --time-limit, as texts until
+/// they are checked.
 struct RequestOptions {
-  std::optional<std::string> tolerance, nodes, max_iterations, time_limit;
+  std::optional<std::string> tolerance, tolerance_minimum, tolerance_central, nodes, max_iterations, time_limit;
   void add_to(Command& command, bool with_accuracy = true);
-  /// Throws UsageError: out of range, fewer than 16 nodes, both tolerance and nodes.
+  [[nodiscard]] bool states_accuracy() const { return tolerance || tolerance_minimum || tolerance_central || nodes; }
+  /// Throws UsageError: out of range, fewer than 16 nodes, two ways to state the accuracy.
   [[nodiscard]] Request request() const;
 };
 

@@ -49,7 +49,7 @@ int plan(const PlanOptions& options) {
   // A request that solve or bearing would refuse is refused here as well.
   Plan made;
   if (const auto* bearing = std::get_if<BearingCase>(&any.body)) {
-    if (options.solver || !options.quantities.empty() || options.request.tolerance || options.request.nodes)
+    if (options.solver || !options.quantities.empty() || options.request.states_accuracy())
       throw UsageError(
           "plan: --solver, --quantity, --tolerance and --nodes belong to a contact; allowed with a bearing "
           "case is --law");

@@ -2,8 +2,10 @@
 // The contract of a solver: a class with a static description and solve(problem, request) -> Solution.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <concepts>
+#include <limits>
 #include <optional>
 #include <string_view>
 
@@ -12,9 +14,34 @@
 
 namespace ehd {
 
-/// Either a tolerance (relative, on film.minimum and film.central), or a number of intervals, inlet to exit.
+/// Relative errors allowed in film.minimum and film.central. A film without one is not asked for: it is reported with
+/// whatever error it has. Nothing is asked for by default.
+struct FilmTolerances {
+  std::optional<double> minimum, central;
+
+  constexpr FilmTolerances() = default;
+  constexpr FilmTolerances(double both) : minimum(both), central(both) {}
+  constexpr FilmTolerances(std::optional<double> both) : minimum(both), central(both) {}
+  constexpr FilmTolerances(std::optional<double> of_minimum, std::optional<double> of_central)
+      : minimum(of_minimum), central(of_central) {}
+
+  [[nodiscard]] constexpr bool any() const { return minimum || central; }
+  /// The smaller one; 0 where nothing is asked for.
+  [[nodiscard]] constexpr double tightest() const {
+    if (!any()) return 0;
+    constexpr double not_asked = std::numeric_limits<double>::infinity();
+    return std::min(minimum.value_or(not_asked), central.value_or(not_asked));
+  }
+  /// Both films are known to what they are asked for.
+  [[nodiscard]] bool met_by(const ErrorBudget& of_minimum, const ErrorBudget& of_central) const {
+    return any() && !(minimum && !(of_minimum.total() <= *minimum)) && !(central && !(of_central.total() <= *central));
+  }
+  [[nodiscard]] constexpr bool operator==(const FilmTolerances&) const = default;
+};
+
+/// Either tolerances, or a number of intervals, inlet to exit.
 struct Request {
-  std::optional<double> tolerance = 1e-3;
+  FilmTolerances tolerance = 1e-3;
   std::optional<int> nodes = {};
   /// Used with `nodes`. The iteration ends where its estimated error of both films is this share of the discretisation
   /// error, which is expected from the coarser grids. Empty: the iteration goes on to round-off.

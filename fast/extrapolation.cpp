@@ -17,6 +17,43 @@ constexpr double of_regular = 2, of_regular_move = 4;
 constexpr double of_irregular = 1.5, of_spike = 2, less_each_move = 6;
 constexpr std::size_t moves_back = 4;
 
+/// The last moves of a film, relative: of R, of R one grid before, of S. Empty moves are 0.
+struct Moves {
+  double now = 0, before = 0, limit = 0;
+  [[nodiscard]] double last() const { return std::abs(now); }
+};
+
+Moves moves_of(const std::vector<double>& f) {
+  const std::size_t m = f.size();
+  const auto R = [&](std::size_t k) { return (4 * f[k] - f[k - 1]) / 3; };
+  const auto S = [&](std::size_t k) { return (8 * R(k) - R(k - 1)) / 7; };
+  Moves moves{.now = (R(m - 1) - R(m - 2)) / f[m - 1]};
+  if (m < 4) return moves;
+  moves.before = (R(m - 2) - R(m - 3)) / f[m - 1];
+  moves.limit = (S(m - 1) - S(m - 2)) / f[m - 1];
+  return moves;
+}
+
+/// The central film's error in parts of moves, as extrapolation.hpp has it: b and c, then a, d_0 and d_1.
+struct MoveFactors {
+  double limit, second_order;
+};
+struct CentralFactors {
+  double three;
+  MoveFactors regular, irregular;
+  double smallest_at_least, smallest_by_film;
+};
+constexpr CentralFactors of_mild{.three = 0.04,
+                                 .regular = {.limit = 0.25, .second_order = 0.015},
+                                 .irregular = {.limit = 0.5, .second_order = 0.4},
+                                 .smallest_at_least = 0.01,
+                                 .smallest_by_film = 0.3};
+constexpr CentralFactors of_stiff{.three = 0.1,
+                                  .regular = {.limit = 0.5, .second_order = 0.03},
+                                  .irregular = {.limit = 1, .second_order = 3},
+                                  .smallest_at_least = 0.03,
+                                  .smallest_by_film = 2};
+
 }  // namespace
 
 Limit limit_of(const std::vector<double>& f, bool spike) {
@@ -46,6 +83,16 @@ Limit limit_of(const std::vector<double>& f, bool spike) {
   for (std::size_t back = 0; back + 3 <= m && back < moves_back; ++back, share /= less_each_move)
     error = std::max(error, share * std::abs(r(back)));
   return {.value = S(0), .error = error};
+}
+
+double central_film_error(const std::vector<double>& central, const std::vector<double>& minimum, bool mild) {
+  const Moves own = moves_of(central), smallest = moves_of(minimum);
+  const CentralFactors& of = mild ? of_mild : of_stiff;
+  if (central.size() == 3) return of.three * std::max(own.last(), smallest.last());
+  const double ratio = own.before / own.now;
+  const MoveFactors& by = ratio >= least_ratio && ratio <= largest_ratio ? of.regular : of.irregular;
+  const double tie = std::max(of.smallest_at_least, of.smallest_by_film * std::min(1.0, central.back()));
+  return std::max({by.limit * std::abs(own.limit), by.second_order * own.last(), tie * std::abs(smallest.limit)});
 }
 
 }  // namespace ehd::fast

@@ -20,10 +20,6 @@ std::vector<double> values_of(const std::vector<GridRecord>& grids, Quantity qua
   return values;
 }
 
-bool films_within(const ErrorBudget& minimum, const ErrorBudget& central, double tolerance) {
-  return minimum.total() <= tolerance && central.total() <= tolerance;
-}
-
 void keep_wanted(Observables& observables, const Wanted& wanted) {
   std::erase_if(observables, [&](const auto& entry) { return !wanted.contains(entry.first); });
 }

@@ -31,9 +31,6 @@ constexpr double truncation_of_work = 20, truncation_of_offset = 5;
 /// A quantity on the grids, coarse to fine, without those before a grid that lacks it.
 [[nodiscard]] std::vector<double> values_of(const std::vector<GridRecord>& grids, Quantity quantity);
 
-/// Both films are known to the tolerance.
-[[nodiscard]] bool films_within(const ErrorBudget& minimum, const ErrorBudget& central, double tolerance);
-
 /// Removes what was observed for the judgement alone.
 void keep_wanted(Observables& observables, const Wanted& wanted);
 

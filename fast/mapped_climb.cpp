@@ -58,7 +58,7 @@ class Climber {
                     .film_error = relative * film_share,
                     .film_residual = relative / residual_part};
     };
-    if (!request_.nodes) return within(request_.tolerance.value_or(0));
+    if (!request_.nodes) return within(request_.tolerance.tightest());
     if (!request_.iteration_share) return {.residual = round_off_residual};
     const double known = climb_.grids.size() > 1
                              ? std::min(climb_.film_minimum.discretisation, climb_.film_central.discretisation)
@@ -83,8 +83,8 @@ class Climber {
     const double left =
         request_.nodes ? newton.residual : std::min(std::max(newton.residual, target.residual), left_in_films);
     climb_.iteration = std::max(climb_.iteration, left);
-    climb_.film_minimum = film_budget(climb_, Quantity::film_minimum, run_.truncation);
-    climb_.film_central = film_budget(climb_, Quantity::film_central, run_.truncation);
+    climb_.film_minimum = film_budget(climb_, Quantity::film_minimum, run_);
+    climb_.film_central = film_budget(climb_, Quantity::film_central, run_);
   }
 
   Run& run_;
@@ -99,8 +99,7 @@ MappedClimb climb_mapped(Run& run, const Request& request, const Recipe& recipe,
 }
 
 bool met(const MappedClimb& climb, const Request& request) {
-  return !request.nodes && !climb.grids.empty() &&
-         films_within(climb.film_minimum, climb.film_central, request.tolerance.value_or(0));
+  return !request.nodes && !climb.grids.empty() && request.tolerance.met_by(climb.film_minimum, climb.film_central);
 }
 
 }  // namespace ehd::fast

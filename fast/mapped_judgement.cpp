@@ -30,6 +30,8 @@ constexpr double least_of_few_grids = 5;
 constexpr double work_safety = 3;
 /// With fewer grids a spike has no error estimate.
 constexpr std::size_t fewest_for_spike = 3;
+/// From so many grids on the central film has an error of its own.
+constexpr std::size_t fewest_for_central = 3;
 /// An unknown spike grows with the grids; half as high again was met.
 constexpr double unknown_spike_growth = 0.5;
 
@@ -58,9 +60,14 @@ double relative_error(const std::vector<GridRecord>& grids, Quantity quantity) {
 }
 
 /// Relative, of a film; the larger error of both films counts a little for each.
-double film_discretisation(const std::vector<GridRecord>& grids, Quantity film) {
+double film_discretisation(const std::vector<GridRecord>& grids, Quantity film, bool mild) {
   const double n = grids.back().nodes;
   if (grids.size() == 1) return error_of_one_grid / (n * n);
+  if (film == Quantity::film_central && grids.size() >= fewest_for_central) {
+    const std::vector<double> central = values_of(grids, film);
+    if (central.size() == grids.size())
+      return central_film_error(central, values_of(grids, Quantity::film_minimum), mild);
+  }
   const double minimum = relative_error(grids, Quantity::film_minimum);
   const double central = relative_error(grids, Quantity::film_central);
   const double own = film == Quantity::film_minimum ? minimum : central;
@@ -135,9 +142,11 @@ ErrorBudget budget_of(const MappedClimb& climb, Quantity quantity, const std::op
 
 }  // namespace
 
-ErrorBudget film_budget(const MappedClimb& climb, Quantity film, double truncation) {
-  return {
-      .discretisation = film_discretisation(climb.grids, film), .iteration = climb.iteration, .truncation = truncation};
+ErrorBudget film_budget(const MappedClimb& climb, Quantity film, const Run& run) {
+  const bool mild = run.problem.groups.L <= mild_for_central_film;
+  return {.discretisation = film_discretisation(climb.grids, film, mild),
+          .iteration = climb.iteration,
+          .truncation = run.truncation};
 }
 
 void judge(const MappedClimb& climb, const Problem& problem, Solution& solution) {

@@ -19,8 +19,8 @@ struct MappedClimb {
   bool complete = false;  ///< Newton reached the last grid
 };
 
-/// Errors of a film, film_minimum or film_central. `truncation`: by the cut inlet.
-[[nodiscard]] ErrorBudget film_budget(const MappedClimb& climb, Quantity film, double truncation);
+/// Errors of a film, film_minimum or film_central.
+[[nodiscard]] ErrorBudget film_budget(const MappedClimb& climb, Quantity film, const Run& run);
 
 /// The limits of the grids with their errors, and notes; only where the climb has grids.
 void judge(const MappedClimb& climb, const Problem& problem, Solution& solution);

@@ -4,6 +4,8 @@
 #include <numbers>
 #include <span>
 
+#include "fast/extrapolation.hpp"
+
 namespace ehd::fast {
 
 namespace {
@@ -36,8 +38,10 @@ bool was_near(const Run& run, const State& before) {
 }  // namespace
 
 Care care_for(const Request& request, double L) {
-  if (request.nodes || *request.tolerance < loose_tolerance) return Care::full;
-  return *request.tolerance >= 10 * loose_tolerance || L <= mild_L ? Care::least : Care::little;
+  const FilmTolerances& asked = request.tolerance;
+  if (!request.nodes && !asked.minimum && asked.central && L <= mild_for_central_film) return Care::least;
+  if (request.nodes || asked.tightest() < loose_tolerance) return Care::full;
+  return asked.tightest() >= 10 * loose_tolerance || L <= mild_L ? Care::least : Care::little;
 }
 
 Attempt solve_on(Run& run, double film, const Target& target) {

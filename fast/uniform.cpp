@@ -31,7 +31,7 @@ Solution Uniform::solve(const Problem& problem, const Request& request) const {
 
 Solution Uniform::solve(const Problem& problem, const Request& request, Workspace& workspace) const {
   workspace.grids.use(nullptr);
-  Run run = begin_run(problem, request, workspace, flooded_inlet(request.tolerance.value_or(0)));
+  Run run = begin_run(problem, request, workspace, flooded_inlet(request.tolerance.tightest()));
   UniformClimb climb = climb_uniform(run, request);
 
   Solution solution;

@@ -31,7 +31,6 @@ class Climber {
   Climber(Run& run, const Request& request)
       : run_(run),
         request_(request),
-        tolerance_(request.tolerance.value_or(0)),
         expected_(run.lengths),
         first_exit_(first_exit(likely_shape(run.lengths.film), run.lengths.film)) {}
 
@@ -43,7 +42,7 @@ class Climber {
       const Attempt attempt = run_.has_state ? warm_start(*n, target) : first_solution(*n, target);
       if (attempt.succeeded) {
         note(*n, attempt.newton, target, newton_before);
-        if (!request_.nodes && films_within(climb_.film_minimum, climb_.film_central, tolerance_)) break;
+        if (!request_.nodes && request_.tolerance.met_by(climb_.film_minimum, climb_.film_central)) break;
       } else if (run_.limit_reached) {
         break;
       } else if (run_.has_state) {
@@ -78,7 +77,7 @@ class Climber {
     const double share = !request_.nodes ? discretisation_share
                          : n < last      ? share_on_the_way
                                          : request_.iteration_share.value_or(0);
-    return {.residual = request_.nodes ? round_off_residual : tolerance_ * iteration_share,
+    return {.residual = request_.nodes ? round_off_residual : request_.tolerance.tightest() * iteration_share,
             .film_error = share * expected_error(n)};
   }
 
@@ -140,7 +139,6 @@ class Climber {
 
   Run& run_;
   const Request& request_;
-  const double tolerance_;
   const Lengths expected_;   ///< before any solution
   const double first_exit_;  ///< X* before any solution
   UniformClimb climb_;

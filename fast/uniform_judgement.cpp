@@ -94,7 +94,7 @@ Ending ending_of(const UniformClimb& climb, const Run& run, const Request& reque
             .reason = "Newton does not converge on " + std::to_string(climb.refused) +
                       " intervals; the values are those of " + std::to_string(climb.grids.back().nodes)};
   if (request.nodes) return given_grid_ending(record.film_minimum, record.film_central);
-  if (!films_within(record.film_minimum, record.film_central, request.tolerance.value_or(0))) return tolerance_ending();
+  if (!request.tolerance.met_by(record.film_minimum, record.film_central)) return tolerance_ending();
   return {.status = StopReason::converged};
 }
 

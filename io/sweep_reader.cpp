@@ -72,7 +72,7 @@ void read_tolerance(const SweepSource& source, Sweep& sweep) {
     source.fail("tolerance", *node,
                 "belongs to the sweep of a contact; allowed is no tolerance for a bearing, whose contacts are solved "
                 "to " +
-                    plain(*bearing_contact_request().tolerance));
+                    plain(bearing_contact_request().tolerance.tightest()));
   const std::string allowed = "a number, more than 0 and up to " + plain(loosest_tolerance);
   const auto value = number_of(*node);
   if (!value) source.fail_type("tolerance", *node, allowed);

@@ -119,7 +119,7 @@ std::string kept_text(const Sweep& sweep, std::size_t row, const std::string& ha
 
 std::string row_hash(const Sweep& sweep, const SweepRequest& request, std::size_t row) {
   static const std::string program = program_identity();
-  const double tolerance = sweep.bearing ? *bearing_contact_request().tolerance : sweep.tolerance;
+  const double tolerance = sweep.bearing ? bearing_contact_request().tolerance.tightest() : sweep.tolerance;
   std::string content = fmt::format("{}\n{}\n{}\n{} {}\n{}\n", row_schema, program, sweep.solver,
                                     request.max_iterations, number_text(request.time_limit_s), number_text(tolerance));
   for (const bearing::Law law : sweep.laws) content += std::string(to_string(law)) + " ";

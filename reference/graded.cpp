@@ -40,7 +40,7 @@ Solution Graded::solve(const Problem& problem, const Request& request) const {
     // Three grids tell the error; from `coarse` on, each is the start of the next: four times as many nodes at once are
     // too many where the load is very heavy.
     const auto sizes = halved_sizes(*request.nodes, [&](int n) { return 4 * n >= *request.nodes || n >= coarse; });
-    return solve_grids(study, grid, sizes, std::nullopt, *request.nodes % 4 == 0, level);
+    return solve_grids(study, grid, sizes, {}, *request.nodes % 4 == 0, level);
   }
   return solve_grids(study, grid, doubled_sizes(coarse, largest_nodes), request.tolerance, true, level);
 }

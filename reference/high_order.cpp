@@ -62,7 +62,7 @@ class Solve {
       : problem_(problem), discretiser_(problem, meter_for(request, begin_)) {}
 
   [[nodiscard]] Solution on_intervals(int intervals, double layout);
-  [[nodiscard]] Solution within(double tolerance);
+  [[nodiscard]] Solution within(const FilmTolerances& asked);
   [[nodiscard]] Solution finished(Solution solution, StopReason status, std::string reason) const;
 
  private:
@@ -115,14 +115,14 @@ Solution Solve::on_intervals(int intervals, double layout) {
 }
 
 /// Two discretisations that resolve below the tolerance; finer ones where they differ by more.
-Solution Solve::within(double tolerance) {
+Solution Solve::within(const FilmTolerances& asked) {
   // 1. A solution where the fluidity cannot fall below 1e-2 of its ambient value.
   const auto top = discretiser_.start();
   if (!top) return no_start();
   Solution solution;
   double last_error = std::numeric_limits<double>::infinity();
-  double working = tolerance;  // floors and meshes are judged by it
-  std::string why;             // reason of tolerance_not_met
+  double working = asked.tightest();  // floors and meshes are judged by it
+  std::string why;                    // reason of tolerance_not_met
   for (int attempt = 0; attempt < attempts; ++attempt) {
     if (attempt > 0) working *= next_working;
     if (attempt > 0 && working < finest_working) break;
@@ -141,6 +141,7 @@ Solution Solve::within(double tolerance) {
     if (!second) break;
     Solution refined = reported(*first, *second, nullptr);
     const double error = std::max(refined.record.film_minimum.total(), refined.record.film_central.total());
+    const bool met = asked.met_by(refined.record.film_minimum, refined.record.film_central);
 
     // 4. The best solution so far stays.
     if (error < last_error) {
@@ -149,7 +150,7 @@ Solution Solve::within(double tolerance) {
                                     : "the two discretisations differ by more than the tolerance";
       grids_ = {record_of(*first), record_of(*second)};
     }
-    if (error <= tolerance) return finished(std::move(solution), StopReason::converged, "");
+    if (met) return finished(std::move(solution), StopReason::converged, "");
     if (error > hopeless_reduction * last_error && error < unknown) break;
     last_error = error;
   }
@@ -182,8 +183,8 @@ Solution HighOrder::solve(const Problem& problem, const Request& request) const 
     return solve.finished(
         {}, StopReason::limit_reached,
         std::to_string(*request.nodes) + " intervals do not fit into memory; at most " + std::to_string(largest_nodes));
-  const double tolerance = request.tolerance.value_or(layout_tolerance);
-  return request.nodes ? solve.on_intervals(*request.nodes, tolerance) : solve.within(tolerance);
+  if (!request.nodes) return solve.within(request.tolerance);
+  return solve.on_intervals(*request.nodes, request.tolerance.any() ? request.tolerance.tightest() : layout_tolerance);
 }
 
 }  // namespace ehd::reference

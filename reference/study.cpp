@@ -319,16 +319,16 @@ Solution no_grid_solved(const Study& study, double cells, const std::string& fin
 }  // namespace
 
 Solution solve_grids(Study& study, const std::function<Grid(int)>& grid_of, const std::vector<int>& sizes,
-                     const std::optional<double>& tolerance, bool extrapolate, const std::optional<Level>& start) {
+                     const FilmTolerances& asked, bool extrapolate, const std::optional<Level>& start) {
   std::vector<Level> levels;
   std::optional<Level> last = start;
   std::optional<Truncation> truncation;
   Solution solution;
   bool out_of_time = false;
   for (const int n : sizes) {
-    out_of_time = last && tolerance && study.no_time_to_double();
+    out_of_time = last && asked.any() && study.no_time_to_double();
     if (out_of_time) break;
-    const bool insist = tolerance || n == sizes.back();  // a half that fails is only a lost estimate
+    const bool insist = asked.any() || n == sizes.back();  // a half that fails is only a lost estimate
     std::optional<Level> level = last ? study.solve(grid_of(n), *last, insist) : study.solve(grid_of(n), insist);
     out_of_time = study.limit_reached();
     if (out_of_time) break;
@@ -338,12 +338,12 @@ Solution solve_grids(Study& study, const std::function<Grid(int)>& grid_of, cons
       continue;
     }
     last = level;
-    if (tolerance && level->cells_in_inlet_zone() < fewest_inlet_cells) continue;
+    if (asked.any() && level->cells_in_inlet_zone() < fewest_inlet_cells) continue;
     levels.push_back(*level);
     if (study.flooded() && !truncation) truncation = study.truncation(*level);
     solution = study.report(levels, extrapolate, truncation);
-    const double error = std::max(solution.record.film_minimum.total(), solution.record.film_central.total());
-    if (tolerance && levels.size() >= fewest_grids && error <= *tolerance) return solution;
+    if (levels.size() >= fewest_grids && asked.met_by(solution.record.film_minimum, solution.record.film_central))
+      return solution;
   }
 
   const std::string finest = std::to_string(sizes.back()) + " intervals";
@@ -354,7 +354,7 @@ Solution solve_grids(Study& study, const std::function<Grid(int)>& grid_of, cons
     solution.record.cost = study.cost(solution.record.cost.nodes);  // with what was given up
     solution.record.status = StopReason::limit_reached;
     solution.record.reason = "iterations or time ended before " + finest;
-  } else if (tolerance) {
+  } else if (asked.any()) {
     solution.record.status = StopReason::tolerance_not_met;
     solution.record.reason = "the estimated errors of the films exceed the tolerance on " + finest;
   } else if (levels.back().cells_in_inlet_zone() < fewest_inlet_cells) {

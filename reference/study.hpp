@@ -100,12 +100,11 @@ class Study {
 };
 
 /// Solves grid_of(n) for each n of `sizes` (coarse to fine, each about twice the one before), the first from `start`.
-/// - with a tolerance: ends at the first of at least three grids whose films are both estimated within it; grids that
+/// - with tolerances: ends at the first of at least three grids whose films are estimated within them; grids that
 ///   cannot see the inlet zone serve as starts only.
 /// - without: the last size is the answer, the others its start and its error estimate.
 [[nodiscard]] Solution solve_grids(Study& study, const std::function<Grid(int)>& grid_of, const std::vector<int>& sizes,
-                                   const std::optional<double>& tolerance, bool extrapolate,
-                                   const std::optional<Level>& start);
+                                   const FilmTolerances& asked, bool extrapolate, const std::optional<Level>& start);
 
 /// sizes 2^k n0 up to `largest`.
 [[nodiscard]] std::vector<int> doubled_sizes(int n0, int largest);

@@ -55,7 +55,7 @@ Solution Uniform::solve(const Problem& problem, const Request& request) const {
                                                                std::to_string(largest_nodes));
     const int quarter = *request.nodes / 4;
     const auto sizes = halved_sizes(*request.nodes, [&](int n) { return n >= quarter || expected_cells(n) >= 1; });
-    return solve_grids(study, grid, sizes, std::nullopt, false, std::nullopt);
+    return solve_grids(study, grid, sizes, {}, false, std::nullopt);
   }
   int first = first_intervals;
   while (expected_cells(first) < fewest_inlet_cells && 2 * first <= largest_nodes) first *= 2;

@@ -32,7 +32,8 @@ std::vector<double> numbers_of(const Problem& problem, const Request& request) {
   std::vector<double> wanted;
   for (const Quantity quantity : problem.wanted) wanted.push_back(static_cast<double>(quantity));
   append(wanted);
-  append_if(request.tolerance);
+  append_if(request.tolerance.minimum);
+  append_if(request.tolerance.central);
   append_if(request.nodes);
   append_if(request.iteration_share);
   append({static_cast<double>(request.max_iterations), request.time_limit_s});

@@ -61,7 +61,7 @@ ContactSolver with_fallback(ContactSolver solver) {
   return [solver = std::move(solver)](const Problem& problem, const Request& request) {
     Solution solution = solver(problem, request);
     if (solution.record.status != StopReason::tolerance_not_met) return solution;
-    if (request.tolerance.value_or(needed_tolerance) >= needed_tolerance) return solution;
+    if (!request.tolerance.any() || request.tolerance.tightest() >= needed_tolerance) return solution;
     Request less = request;
     less.tolerance = needed_tolerance;
     Solution again = solver(problem, less);

@@ -47,7 +47,8 @@ ContactCache::Key ContactCache::key_of(const Problem& problem, const Request& re
   append(key, cache_key(viscosity));
   append(key, cache_key(density));
   append(key, std::visit(InletKey{}, inlet));
-  append(key, tolerance);
+  append(key, tolerance.minimum);
+  append(key, tolerance.central);
   append(key, nodes);
   append(key, iteration_share);
   key.insert(key.end(), {static_cast<double>(max_iterations), time_limit_s});

@@ -50,6 +50,15 @@ std::string why_no_density(const Problem& problem, const Lubricant& lubricant) {
                                                          : "L = 0: no density is evaluated, since p_H -> 0";
 }
 
+/// "film.minimum and film.central, 1e-3", "film.central, 1e-6", "film.minimum, 1e-3, and film.central, 1e-6".
+std::string asked_films(const FilmTolerances& asked) {
+  const std::string minimum(to_string(Quantity::film_minimum)), central(to_string(Quantity::film_central));
+  if (asked.minimum == asked.central) return fmt::format("{} and {}, {}", minimum, central, plain(asked.tightest()));
+  if (!asked.central) return fmt::format("{}, {}", minimum, plain(*asked.minimum));
+  if (!asked.minimum) return fmt::format("{}, {}", central, plain(*asked.central));
+  return fmt::format("{}, {}, and {}, {}", minimum, plain(*asked.minimum), central, plain(*asked.central));
+}
+
 void decide_grids(Plan& plan, const Request& request) {
   if (request.nodes) {
     const std::string given = fmt::format("the number of intervals is given, {}", *request.nodes);
@@ -57,9 +66,7 @@ void decide_grids(Plan& plan, const Request& request) {
     plan.decide(stage::finer, given);
   } else {
     plan.decide(stage::grids);
-    plan.decide(stage::finer,
-                fmt::format("a coarser grid already meets the tolerance of film.minimum and film.central, {}",
-                            plain(request.tolerance.value_or(0))));
+    plan.decide(stage::finer, "a coarser grid already meets the tolerance of " + asked_films(request.tolerance));
   }
 }
 

@@ -158,6 +158,10 @@ BOOST_AUTO_TEST_CASE(a_wrong_command_line_is_refused) {
       {"solve ''", "a CASE has a name; allowed is"},
       {"verify --case na4908 --rung 1", "nothing to verify for --rung 1 --case na4908; allowed here is --rung "},
       {"solve own-moes-5-5 --tolerance 1e-3 --nodes 64", "exclude each other"},
+      {"solve own-moes-5-5 --tolerance-central 1e-3 --tolerance 1e-3",
+       "--tolerance-central and --tolerance exclude each other"},
+      {"solve own-moes-5-5 --tolerance-minimum 1e-3 --nodes 64", "--tolerance-minimum and --nodes exclude each other"},
+      {"solve own-moes-5-5 --tolerance-central 0", "--tolerance-central"},
   };
   check_refused(folder, rows);
 }

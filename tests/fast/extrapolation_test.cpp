@@ -41,6 +41,31 @@ BOOST_AUTO_TEST_CASE(two_grids_give_the_limit_of_second_order_errors_and_their_w
   EHD_CHECK(error(limit.error, std::abs(f[1] - f[0])), Tolerance::round_off(1));
 }
 
+BOOST_AUTO_TEST_CASE(the_central_film_is_judged_by_its_own_moves_and_by_the_smallest_film_near_the_spike) {
+  constexpr double central = 0.3, minimum = 0.2;  // M about 5
+  const auto smooth = sequence(5, central, 0.1, 0.05, 0.02), still = sequence(5, minimum, 0, 0, 0);
+  const auto true_error = std::abs(limit_of(smooth).value / central - 1);
+  const double alone = fast::central_film_error(smooth, still, true);
+  BOOST_TEST(true_error <= alone);
+  BOOST_TEST(alone < 300 * true_error);
+  // A film of its own that jumps, and a smallest film that jumps.
+  auto jumps = smooth, minimum_jumps = still;
+  constexpr double jump = 1e-3;
+  jumps.back() += jump;
+  minimum_jumps.back() += jump;
+  for (const bool mild : {true, false}) {
+    BOOST_TEST(fast::central_film_error(jumps, still, mild) > jump / 10);
+    const double tied = fast::central_film_error(smooth, minimum_jumps, mild);
+    BOOST_TEST(tied > (mild ? 0.01 : 0.1) * jump / minimum);
+    // The same smallest film beside a thin central one, whose spike is far from X = 0, says less.
+    auto thin = smooth, thin_minimum = minimum_jumps;
+    for (double& value : thin) value /= 1e3;
+    for (double& value : thin_minimum) value /= 1e3;
+    BOOST_TEST(fast::central_film_error(thin, thin_minimum, mild) < tied);
+  }
+  BOOST_TEST(fast::central_film_error({0.31, 0.302, 0.3005}, {0.21, 0.202, 0.2005}, true) > 0);
+}
+
 BOOST_AUTO_TEST_CASE(beside_a_spike_a_regular_sequence_of_films_is_not_trusted) {
   // H_min on 64, 128, ... intervals, Roelands, flooded, and the limit from the high-order reference. From grid to grid
   // the moves fall by 6 to 9, as those of a smooth solution do; but the limit that they promise is wrong.

@@ -72,6 +72,27 @@ BOOST_AUTO_TEST_CASE(reported_errors_cover_the_true_ones_and_meet_the_tolerance)
   EHD_CHECK(worst, Tolerance::required(3, "none beyond three bars"));
 }
 
+BOOST_AUTO_TEST_CASE(the_central_film_alone_takes_fewer_intervals_than_both_films) {
+  int fewer = 0;
+  for (const Truth& truth : truths) {
+    for (const double tolerance : {1e-4, 1e-6}) {
+      BOOST_TEST_CONTEXT(name_of(truth) << " T " << tolerance) {
+        const Problem problem = problem_of(truth);
+        const Solution alone = fast::Mapped{}.solve(problem, {.tolerance = {std::nullopt, tolerance}});
+        const Solution both = fast::Mapped{}.solve(problem, {.tolerance = tolerance});
+        BOOST_CHECK(alone.record.status == StopReason::converged);
+        const double bar = reported(alone, Quantity::film_central);
+        EHD_CHECK(bar, Tolerance::required(tolerance, "the tolerance asked for"));
+        check_bars(alone, truth);
+        BOOST_TEST(alone.record.cost.nodes <= both.record.cost.nodes);
+        fewer += alone.record.cost.nodes < both.record.cost.nodes ? 1 : 0;
+      }
+    }
+  }
+  // At 1e-4 both may end on the same grid.
+  BOOST_TEST(fewer >= known);
+}
+
 BOOST_AUTO_TEST_CASE(five_hundred_and_a_thousand_intervals_give_the_digits_required) {
   int rows = 0;
   for (const Truth& truth : truths) {

@@ -48,6 +48,8 @@ WHOLE = [  # arguments, and what the refusal says
     (["solve", "own-moes-20-10", "--M", "20"], ["exclude"]),
     (["solve", "na4908"], ["is no contact"]),
     (["solve", "own-moes-20-10", "--tolerance", "1e-3", "--nodes", "64"], ["exclude"]),
+    (["solve", "own-moes-20-10", "--tolerance-central", "1e-3", "--nodes", "64"], ["exclude"]),
+    (["solve", "own-moes-20-10", "--tolerance-minimum", "2"], ["--tolerance-minimum", "more than 0 to 1"]),
     (["solve", "own-moes-20-10", "--json", ""], ["the name is empty"]),
     (["solve", "own-moes-20-10", "--profile", "-"], ["--profile"]),
     (["compare"], ["required"]),

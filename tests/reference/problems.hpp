@@ -43,7 +43,7 @@ inline Problem barus_problem(double M, double L, Inlet inlet) {
 /// Request of one grid.
 inline Request on_nodes(int nodes) {
   Request request;
-  request.tolerance = std::nullopt;
+  request.tolerance = {};
   request.nodes = nodes;
   return request;
 }

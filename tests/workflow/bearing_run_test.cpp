@@ -354,7 +354,7 @@ BOOST_AUTO_TEST_CASE(a_contact_that_misses_what_is_asked_for_is_asked_for_what_i
     int fine = 0, coarse = 0;
     ContactMemory memory(
         [&](const Problem& problem, const Request& request) {
-          const bool enough = request.tolerance.value() >= needed;
+          const bool enough = request.tolerance.tightest() >= needed;
           (enough ? coarse : fine) += 1;
           Solution solution = verification::made::contact(problem);
           if (enough && met) return solution;

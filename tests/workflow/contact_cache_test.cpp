@@ -73,6 +73,8 @@ BOOST_AUTO_TEST_CASE(only_equal_problems_share_a_solution) {
 BOOST_AUTO_TEST_CASE(only_equal_requests_share_a_solution) {
   const std::vector<Request> different{{},
                                        {.tolerance = 1e-4},
+                                       {.tolerance = {std::nullopt, 1e-4}},
+                                       {.tolerance = {1e-4, std::nullopt}},
                                        {.tolerance = {}, .nodes = 64},
                                        {.tolerance = {}, .nodes = 128},
                                        {.tolerance = {}, .nodes = 128, .iteration_share = 0.1},

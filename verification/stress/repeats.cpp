@@ -65,7 +65,7 @@ std::vector<RepeatRow> run_repeats(const Scope& scope) {
       const std::string& text = asked.text;
       const Request& request = asked.request;
       std::vector<Problem> problems = all_problems;
-      if (solver.dense() && on_equal_cells(solver) && request.tolerance)
+      if (solver.dense() && on_equal_cells(solver) && request.tolerance.any())
         std::erase_if(problems, [](const Problem& problem) { return problem.groups.M > heaviest_on_equal_cells; });
       scope.show(solver.name + ", " + text);
       // The other process first, while this one has a single thread.

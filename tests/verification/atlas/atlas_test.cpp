@@ -67,7 +67,7 @@ struct Fake {
     fake.solve = [this](const Problem& problem, const Request& request) {
       const bool of_an_atlas = problem.groups.M != 0.7 && problem.groups.M != 7 && problem.groups.M != 15;
       if (of_an_atlas && ++solves == fails_at) throw std::runtime_error("interrupted");
-      return made_solution(problem, of_an_atlas ? std::max<double>(relative, *request.tolerance / 1e9) : 1e-9);
+      return made_solution(problem, of_an_atlas ? std::max<double>(relative, request.tolerance.tightest() / 1e9) : 1e-9);
     };
     return fake;
   }
@@ -335,8 +335,8 @@ BOOST_AUTO_TEST_CASE(a_looser_tolerance_follows_only_where_nothing_is_known) {
   StopReason first = StopReason::diverged;
   RegisteredSolver solver = *find_solver("reference");
   solver.solve = [&](const Problem& problem, const Request& request) {
-    asked.push_back(*request.tolerance);
-    if (*request.tolerance >= 1e-4) return made_solution(problem, 1e-5);
+    asked.push_back(request.tolerance.tightest());
+    if (request.tolerance.tightest() >= 1e-4) return made_solution(problem, 1e-5);
     Solution none;
     none.record.status = first;
     none.record.reason = "no film";
@@ -485,7 +485,7 @@ BOOST_AUTO_TEST_CASE(a_record_holds_until_the_question_or_the_solver_changes) {
   BOOST_TEST(solves_of(request, fake.solver()) == 0);  // none had run out of time
   request.tolerance = 1e-6;
   BOOST_TEST(solves_of(request, fake.solver()) == 6);
-  request.tolerance.reset();
+  request.tolerance = {};
   request.fresh = true;
   BOOST_TEST(solves_of(request, fake.solver()) == 6);
   request.fresh = false;

@@ -210,7 +210,7 @@ BOOST_AUTO_TEST_CASE(a_failure_is_a_row_with_its_reason_and_ends_the_series) {
   solver.name = "tired";
   solver.solve = [](const Problem&, const Request& request) {
     Solution solution;
-    const bool tolerance = request.tolerance.has_value();
+    const bool tolerance = request.tolerance.any();
     solution.record.status = tolerance ? StopReason::limit_reached : StopReason::diverged;
     solution.record.reason = tolerance ? "it is late" : "no film";
     return solution;

@@ -132,7 +132,7 @@ void put_curves(Json& json, const Fields& fields, const Functions& functions) {
 Json solver_json(const ContactRun& run) {
   Json whole = to_json(run), json = Json::object();
   json["solver"] = run.solver;
-  json["tolerance"] = *profile_request.tolerance;
+  json["tolerance"] = profile_request.tolerance.tightest();
   json["status"] = to_string(run.status());
   if (!run.solution.record.reason.empty()) json["reason"] = run.solution.record.reason;
   const Cost& cost = run.solution.record.cost;
