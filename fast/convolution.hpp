@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The logarithmic kernel on a uniform grid: a symmetric Toeplitz product by one pair of real FFTs.
+// The logarithmic kernel on a uniform grid: a symmetric Toeplitz product by one pair of FFTs.
 #pragma once
 
 #include <memory>
@@ -61,10 +61,12 @@ class Convolution {
 
  private:
   struct Plans;
+  void make_factors();
+
   int intervals_;
   Array weights_;  ///< g_0..g_n
   Array inner_half_;
-  Array spectrum_;  ///< real, since the circulant is symmetric; holds 1/length
+  Array same_, mirrored_;  ///< p_k and q_k of convolution.cpp, each twice; both hold 1/N
   std::unique_ptr<Plans> plans_;
   double planning_s_ = 0;
 };

@@ -56,7 +56,6 @@ class Grids {
   [[nodiscard]] Grid& of(int intervals);
   [[nodiscard]] const Map* map() const { return map_.get(); }
   [[nodiscard]] double planning_s() const;
-  [[nodiscard]] long plans() const { return static_cast<long>(kernels_.size()); }
 
  private:
   struct Kernel {
