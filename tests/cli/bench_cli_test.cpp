@@ -36,6 +36,7 @@ BOOST_AUTO_TEST_CASE(a_quick_bench_prints_its_tables_and_leaves_its_files) {
   BOOST_TEST(!bench["work_precision"]["rows"].empty());
   for (const json& row : bench["work_precision"]["rows"]) {
     if (row["status"] == "converged") BOOST_TEST(row["cost"]["wall_s"].get<double>() > 0);
+    BOOST_TEST(row["cost"]["total_s"].get<double>() >= row["cost"]["wall_s"].get<double>());
   }
   for (const char* name : {"work_precision.csv", "scaling.csv"})
     BOOST_TEST(test::read(out / name).find('\n') != std::string::npos);
