@@ -170,6 +170,7 @@ void fill_cost(SolveRecord& record, Run& run) {
   cost.krylov_iterations = run.counters.krylov;
   cost.viscosity_points = run.counters.viscosity_points;
   cost.density_points = run.counters.density_points;
+  // Planned now or by an earlier solve: the count does not depend on what came before.
   cost.fft_plans = static_cast<long>(run.counters.product_grids.size());
   for (std::size_t k = 0; k < std::size(stage_names); ++k) {
     const auto stage = static_cast<Stage>(k);
