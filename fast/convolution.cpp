@@ -138,7 +138,7 @@ struct Convolution::Plans {
   [[nodiscard]] Eigen::Map<Array> numbers(double* of) const { return {of, 2 * modes}; }
 };
 
-Convolution::Convolution(int intervals, Rule rule) : intervals_(intervals), plans_(std::make_unique<Plans>()) {
+Convolution::Convolution(int intervals, Rule rule) : intervals_(intervals) {
   const int length = friendly_length(2 * intervals);
   weights_.resize(length / 2 + 1);
   const bool hats = rule == Rule::piecewise_linear;
@@ -146,29 +146,35 @@ Convolution::Convolution(int intervals, Rule rule) : intervals_(intervals), plan
 
   inner_half_.resize(intervals + 1);
   for (int k = 0; k <= intervals; ++k) inner_half_[k] = hats ? weights_[k] - half_hat_moment(k) : weights_[k] / 2;
+}
 
-  plans_->modes = length / 2;
-  plans_->in_place = plans_->modes % in_place_multiple == 0;
-  plans_->first = fftw_alloc_real(static_cast<std::size_t>(length));
-  plans_->second = fftw_alloc_real(static_cast<std::size_t>(length));
-  if (!plans_->first || !plans_->second) throw std::bad_alloc();
+void Convolution::plan() {
+  if (plans_) return;
+  const int N = static_cast<int>(weights_.size()) - 1, length = 2 * N;
+  same_.resize(length);
+  mirrored_.resize(length);
+  auto plans = std::make_unique<Plans>();
+  plans->modes = N;
+  plans->in_place = N % in_place_multiple == 0;
+  plans->first = fftw_alloc_real(static_cast<std::size_t>(length));
+  plans->second = fftw_alloc_real(static_cast<std::size_t>(length));
+  if (!plans->first || !plans->second) throw std::bad_alloc();
   {
     const auto begin = std::chrono::steady_clock::now();
     const std::lock_guard lock(planner);
     require_plan_memory(length);
-    plans_->make();
+    plans->make();
     planning_s_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   }
-  for (int k = 0; k < length; ++k) plans_->first[k] = weights_[std::min(k, length - k)];
-  fftw_execute(plans_->forward);
+  for (int k = 0; k < length; ++k) plans->first[k] = weights_[std::min(k, length - k)];
+  fftw_execute(plans->forward);
+  plans_ = std::move(plans);
   make_factors();
 }
 
 void Convolution::make_factors() {
   const int N = plans_->modes;
   const auto Z = plans_->transformed();
-  same_.resize(2 * N);
-  mirrored_.resize(2 * N);
   for (int k = 0; k < N; ++k) {
     const int m = (N - k) % N;
     const double angle = std::numbers::pi * k / N, cosine = std::cos(angle), sine = std::sin(angle);
@@ -183,7 +189,8 @@ void Convolution::make_factors() {
 Convolution::~Convolution() = default;
 
 void Convolution::apply(const Array& x, Array& y) {
-  const auto N = plans_->modes;
+  plan();
+  const int N = plans_->modes;
   auto padded = plans_->numbers(plans_->first);
   padded.head(intervals_) = x.head(intervals_);
   padded.tail(2 * N - intervals_).setZero();

@@ -50,7 +50,9 @@ class Convolution {
   Convolution(const Convolution&) = delete;
   Convolution& operator=(const Convolution&) = delete;
 
-  /// Sizes n + 1 both; x[n] is ignored. `y` may not alias `x`.
+  /// Makes the plans, where they are not made yet. Weights need none.
+  void plan();
+  /// Sizes n + 1 both; x[n] is ignored. `y` may not alias `x`. Plans first.
   void apply(const Array& x, Array& y);
 
   [[nodiscard]] double weight(int k) const { return weights_[k]; }

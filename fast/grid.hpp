@@ -53,7 +53,10 @@ class Grids {
  public:
   /// The uniform grid (an empty map), or grids of this map from now on.
   void use(std::shared_ptr<const Map> map, bool robust_wedge = false);
+  /// Ready for products.
   [[nodiscard]] Grid& of(int intervals);
+  /// The same without FFT plans, which wait for the first product: for the coarsest grid of a multigrid cycle.
+  [[nodiscard]] Grid& unplanned(int intervals);
   [[nodiscard]] const Map* map() const { return map_.get(); }
   [[nodiscard]] double planning_s() const;
 

@@ -223,6 +223,19 @@ BOOST_AUTO_TEST_CASE(a_kept_workspace_saves_plans_and_changes_no_digit) {
   BOOST_REQUIRE_EQUAL(rows, known);
 }
 
+BOOST_AUTO_TEST_CASE(only_lengths_that_are_multiplied_with_are_planned) {
+  constexpr int coarsest = 32, next = 64;  // of the multigrid cycles
+  fast::Workspace workspace;
+  const Solution solution = fast::Mapped{}.solve(problem_of(truths[0]), {.tolerance = 1e-3}, workspace);
+  BOOST_REQUIRE(solution.record.status == StopReason::converged);
+  const double planned_s = workspace.grids.planning_s();
+  BOOST_CHECK_EQUAL(solution.record.cost.planning_s, planned_s);
+  (void)workspace.grids.of(next);
+  BOOST_CHECK_EQUAL(workspace.grids.planning_s(), planned_s);
+  (void)workspace.grids.of(coarsest);
+  BOOST_CHECK_GT(workspace.grids.planning_s(), planned_s);
+}
+
 BOOST_AUTO_TEST_CASE(limits_end_a_solve_as_such) {
   const Problem problem = roelands_problem(20, 10, TruncatedAt{-4});
   for (const Request& request :
