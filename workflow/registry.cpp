@@ -28,8 +28,8 @@ double certified_memory(double N) { return 4 * 8 * 2.25 * N * N; }
 /// Some hundred vectors of doubles on the finest grid, all levels, stages and Krylov directions together.
 double vector_memory(double N) { return 200 * 8 * N; }
 
-/// A thread keeps no workspace with a finer grid, which would hold more than 13 MB. Such a solve takes at least 13 times
-/// as long as a new workspace costs.
+/// A thread keeps no workspace with a finer grid, which would hold more than 13 MB. Such a solve takes at least 13
+/// times as long as a new workspace costs.
 constexpr int largest_kept_grid = 8192;
 
 struct Traits {
