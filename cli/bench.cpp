@@ -20,6 +20,7 @@
 #include "verification/bench/batch_bench.hpp"
 #include "verification/bench/box_bench.hpp"
 #include "verification/bench/cost_scaling.hpp"
+#include "verification/bench/first_solve.hpp"
 #include "verification/bench/work_precision.hpp"
 #include "workflow/registry.hpp"
 
@@ -45,11 +46,13 @@ Examples:
   ehd bench --part scaling
   ehd bench --part batch
   ehd bench --part convolution                  c, the yardstick of all times on this machine: a second
+  ehd bench --part first                        the first solve of a process and a later one: a second
   ehd bench --part box --solver fast            232 contacts, with true values: five minutes on two cores
 
 Parts: work-precision (run time and work against achieved error), scaling (cost and memory against the number of
 intervals), batch (many contacts over threads); only where they are named, box (times and errors over all loads and
-materials) and convolution (c, one padded FFT convolution of n = 512). DIR/bench.json holds the parts of this run;
+materials), convolution (c, one padded FFT convolution of n = 512) and first (what the first solve of a process costs
+beside a later one: planning, new memory). DIR/bench.json holds the parts of this run;
 DIR/work_precision.csv, DIR/scaling.csv and DIR/box.csv hold the tables. A solve that fails is a row with its reason.
 
 Exit code: 0 the tables are complete; 1 no run could be judged, or results depend on the number of threads; 2 wrong
@@ -60,7 +63,8 @@ constexpr const char* scaling = "scaling";
 constexpr const char* batch = "batch";
 constexpr const char* box = "box";
 constexpr const char* convolution = "convolution";
-constexpr const char* all_parts[] = {work_precision, scaling, batch, box, convolution};
+constexpr const char* first_solves = "first";
+constexpr const char* all_parts[] = {work_precision, scaling, batch, box, convolution, first_solves};
 constexpr const char* usual_parts[] = {work_precision, scaling, batch};
 
 std::vector<const RegisteredSolver*> chosen_solvers(const std::vector<std::string>& names) {
@@ -120,6 +124,7 @@ class Bench {
     json_["settings"] = {{"quick", quick_}, {"time_limit_s", time_limit_s_}, {"parts", parts_}};
     // Scaling runs first, while this process is small: its child processes begin with the memory of this one.
     if (asked(scaling) && !fft_solvers_.empty()) measure_scaling();
+    if (asked(first_solves) && !fft_solvers_.empty()) measure_first();  // before this process plans a transform
     if (asked(convolution)) measure_convolution();
     if (asked(batch) && !fft_solvers_.empty()) measure_batch();
     if (asked(box) && !fft_solvers_.empty()) measure_box();
@@ -139,7 +144,7 @@ class Bench {
       throw option_error("--case", options.cases.front(), "belongs to the part work-precision, which is not run");
     if (!asked(work_precision) && fft_solvers_.empty())
       throw option_error("--solver", solvers_.front()->name,
-                         "uses no FFT; allowed in scaling, batch and box are those that do");
+                         "uses no FFT; allowed in scaling, batch, box and first are those that do");
   }
 
   void finish_part(const std::string& table) {
@@ -168,6 +173,21 @@ class Bench {
     json_["convolution"] = {{"nodes", intervals}, {"c_s", c_s}};
     constexpr double micro = 1e6;
     finish_part(fmt::format("c = {:.2f} us: one padded convolution of n = {}\n", micro * c_s, intervals));
+  }
+
+  void measure_first() {
+    verification::FirstSolveRequest request{.solvers = fft_solvers_};
+    if (quick_) request.contacts.resize(1);
+    request.time_limit_s = time_limit_s_;
+    request.progress = show_;
+    const auto rows = verification::run_first_solves(request);
+    json_["first"] = to_json(rows);
+    finish_part(human_table(rows));
+    const auto failed = std::find_if(rows.begin(), rows.end(), [](const auto& row) { return !row.why.empty(); });
+    if (failed != rows.end()) {
+      complain("ehd: bench: a first solve by " + failed->solver + ": " + failed->why);
+      sound_ = false;
+    }
   }
 
   void measure_batch() {
@@ -233,7 +253,7 @@ void describe_bench(Command& command) {
   command.text("--output", options->output, "folder for bench.json, work_precision.csv and scaling.csv").called("DIR");
   command
       .list("--part", options->parts,
-            "work-precision, scaling, batch, box or convolution (repeatable; the first three)")
+            "work-precision, scaling, batch, box, convolution or first (repeatable; the first three)")
       .called("PART");
   command.list("--case", options->cases, "a contact case for work-precision (repeatable; the benchmark's own)")
       .called("CASE");

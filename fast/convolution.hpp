@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The logarithmic kernel on a uniform grid: a symmetric Toeplitz product by one pair of real FFTs.
+// The logarithmic kernel on a uniform grid: a symmetric Toeplitz product by one pair of FFTs.
 #pragma once
 
 #include <memory>
@@ -50,7 +50,9 @@ class Convolution {
   Convolution(const Convolution&) = delete;
   Convolution& operator=(const Convolution&) = delete;
 
-  /// Sizes n + 1 both; x[n] is ignored. `y` may not alias `x`.
+  /// Makes the plans, where they are not made yet. Weights need none.
+  void plan();
+  /// Sizes n + 1 both; x[n] is ignored. `y` may not alias `x`. Plans first.
   void apply(const Array& x, Array& y);
 
   [[nodiscard]] double weight(int k) const { return weights_[k]; }
@@ -61,10 +63,12 @@ class Convolution {
 
  private:
   struct Plans;
+  void make_factors();
+
   int intervals_;
   Array weights_;  ///< g_0..g_n
   Array inner_half_;
-  Array spectrum_;  ///< real, since the circulant is symmetric; holds 1/length
+  Array same_, mirrored_;  ///< p_k and q_k of convolution.cpp, each twice; both hold 1/N
   std::unique_ptr<Plans> plans_;
   double planning_s_ = 0;
 };

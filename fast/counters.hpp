@@ -5,6 +5,7 @@
 #include <array>
 #include <chrono>
 #include <cstddef>
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -40,10 +41,17 @@ struct Counters {
   StageClock clock;
   long convolutions = 0;
   double convolution_points = 0;  ///< sum of the intervals over all kernel products
+  std::set<int> product_grids;    ///< the intervals of all of them
   long newton = 0;
   long krylov = 0;
   long viscosity_points = 0;
   long density_points = 0;
+
+  void count_product(int intervals) {
+    ++convolutions;
+    convolution_points += intervals;
+    product_grids.insert(intervals);
+  }
 };
 
 /// Within the scope of this object, time belongs to `stage`.

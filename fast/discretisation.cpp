@@ -12,8 +12,7 @@ bool Discretisation::evaluate(const Setting& setting, State& state, Grid& on, Co
     const InStage stage(counters, Stage::product);
     on.product(state.P, nodes.product, nodes.product_integral);
   }
-  ++counters.convolutions;
-  counters.convolution_points += on.n;
+  counters.count_product(on.n);
   return evaluate_with_product(setting, state, on, counters);
 }
 

@@ -118,6 +118,12 @@ std::shared_ptr<const RemainderTable> Grids::table(int cells) {
 }
 
 Grid& Grids::of(int intervals) {
+  Grid& grid = unplanned(intervals);
+  grid.toeplitz->plan();
+  return grid;
+}
+
+Grid& Grids::unplanned(int intervals) {
   auto& grids = map_ ? mapped_ : uniform_;
   for (const auto& one : grids) {
     if (one->n == intervals) return *one;

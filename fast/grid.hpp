@@ -53,10 +53,12 @@ class Grids {
  public:
   /// The uniform grid (an empty map), or grids of this map from now on.
   void use(std::shared_ptr<const Map> map, bool robust_wedge = false);
+  /// Ready for products.
   [[nodiscard]] Grid& of(int intervals);
+  /// The same without FFT plans, which wait for the first product: for the coarsest grid of a multigrid cycle.
+  [[nodiscard]] Grid& unplanned(int intervals);
   [[nodiscard]] const Map* map() const { return map_.get(); }
   [[nodiscard]] double planning_s() const;
-  [[nodiscard]] long plans() const { return static_cast<long>(kernels_.size()); }
 
  private:
   struct Kernel {

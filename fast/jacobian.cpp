@@ -107,8 +107,7 @@ const Residual& Jacobian::apply(Step& step, Counters& counters) const {
   const Stage before = counters.clock.change_to(Stage::product);
   grid_->product(step.P, step.product, step.integral);
   counters.clock.change_to(before);
-  ++counters.convolutions;
-  counters.convolution_points += n;
+  counters.count_product(n);
   const double constant = step.offset - length * std::log(length) * step.integral / pi, scale = length / pi;
   film_change_.resize(n + 1);
   film_change_ = constant + film_by_exit * step.exit - scale * step.product;

@@ -36,12 +36,13 @@ bool Multigrid::prepare(const Setting& setting, const NodeFields& finest, const 
   const Array* pressure = &state.P;
   const int coarsest = grids.map() ? coarsest_mapped : coarsest_uniform;
   for (int n = finest.n;; n = (n + 1) / 2) {
+    const bool last = n <= coarsest + coarsest / 2;
     Level& level = level_of(n);
     if (levels_.empty()) {
       level.nodes = &finest;
       level.jacobian = &jacobian;
     } else {
-      Grid& grid = grids.of(n);
+      Grid& grid = last ? grids.unplanned(n) : grids.of(n);
       counters.clock.change_to(Stage::linearise);
       level.own_nodes.inject(*levels_.back()->nodes, *pressure, level.pressure, grid);
       level.own_jacobian.linearise(setting, level.own_nodes, level.pressure, state.exit);
@@ -53,7 +54,7 @@ bool Multigrid::prepare(const Setting& setting, const NodeFields& finest, const 
     level.error.flux.resize(n);
     level.step.P.setZero(n + 1);
     levels_.push_back(&level);
-    if (n <= coarsest + coarsest / 2) {
+    if (last) {
       counters.clock.change_to(Stage::coarsest);
       return coarsest_.factorise(*level.nodes, *level.jacobian);
     }

@@ -242,6 +242,12 @@ class Newton {
 
 }  // namespace
 
+int Workspace::largest_grid() const {
+  int most = 0;
+  for (const auto& one : grids_seen_) most = std::max(most, one->n);
+  return most;
+}
+
 Workspace::OnGrid& Workspace::on(int intervals) {
   for (const auto& one : grids_seen_) {
     if (one->n == intervals) return *one;

@@ -67,8 +67,7 @@ Run begin_run(const Problem& problem, const Request& request, Workspace& workspa
           .observed = problem.wanted,
           .truncation = cut ? 0 : far.truncation,
           .begin = begin,
-          .planning_before = workspace.grids.planning_s(),
-          .plans_before = workspace.grids.plans()};
+          .planning_before = workspace.grids.planning_s()};
   run.observed.insert({Quantity::film_minimum, Quantity::film_central});
   return run;
 }
@@ -171,7 +170,8 @@ void fill_cost(SolveRecord& record, Run& run) {
   cost.krylov_iterations = run.counters.krylov;
   cost.viscosity_points = run.counters.viscosity_points;
   cost.density_points = run.counters.density_points;
-  cost.fft_plans = workspace.grids.plans() - run.plans_before;
+  // Planned now or by an earlier solve: the count does not depend on what came before.
+  cost.fft_plans = static_cast<long>(run.counters.product_grids.size());
   for (std::size_t k = 0; k < std::size(stage_names); ++k) {
     const auto stage = static_cast<Stage>(k);
     // FFTW plans when a grid is first used, and wall_s is without planning.

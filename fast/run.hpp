@@ -32,7 +32,6 @@ struct Run {
   double truncation = 0;  ///< relative film error by the cut inlet; 0 where the problem itself cuts
   std::chrono::steady_clock::time_point begin;
   double planning_before = 0;  ///< of the workspace, when the solve began [s]
-  long plans_before = 0;
   Counters counters = {};
   State state = {};
   bool has_state = false;

@@ -36,6 +36,8 @@ struct Workspace {
   [[nodiscard]] OnGrid& on(int intervals);
   /// Fields of the state that Newton ended on last.
   [[nodiscard]] const Discretisation& now() const { return current->now; }
+  /// The most intervals of a grid that Newton has worked on.
+  [[nodiscard]] int largest_grid() const;
 
  private:
   std::vector<std::unique_ptr<OnGrid>> grids_seen_;

@@ -85,6 +85,7 @@ Json cost_json(const Cost& cost) {
   Json json;
   put(json, "wall_s", cost.wall_s);
   put(json, "planning_s", cost.planning_s);
+  put(json, "total_s", cost.wall_s + cost.planning_s);
   const bool accepted = cost.nodes > 0;  // a work unit is a product on the finest accepted grid
   if (accepted) put(json, "work_units", cost.work_units);
   json["convolutions"] = cost.convolutions;

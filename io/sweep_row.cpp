@@ -39,7 +39,7 @@ std::string program_identity() {
 /// Times out of a result, at any depth.
 void strip_times(Json& json) {
   if (json.is_object())
-    for (const char* time : {"wall_s", "planning_s", "stage_s"}) json.erase(time);
+    for (const char* time : {"wall_s", "planning_s", "total_s", "stage_s"}) json.erase(time);
   if (json.is_structured())
     for (auto& inner : json) strip_times(inner);
 }

@@ -5,7 +5,9 @@
 #include <chrono>
 #include <fstream>
 #include <limits>
+#include <memory>
 #include <string>
+#include <utility>
 
 #include "fast/convolution.hpp"
 #include "fast/mapped.hpp"
@@ -26,6 +28,10 @@ double certified_memory(double N) { return 4 * 8 * 2.25 * N * N; }
 /// Some hundred vectors of doubles on the finest grid, all levels, stages and Krylov directions together.
 double vector_memory(double N) { return 200 * 8 * N; }
 
+/// A thread keeps no workspace with a finer grid, which would hold more than 13 MB. Such a solve takes at least 13
+/// times as long as a new workspace costs.
+constexpr int largest_kept_grid = 8192;
+
 struct Traits {
   double (*memory_bytes)(double intervals);
   bool uses_fft = false;
@@ -35,11 +41,36 @@ struct Traits {
   int look = 0;
 };
 
+/// What a thread keeps between its solves. The second solve then plans nothing and allocates next to nothing. Its bits
+/// are those of a first solve.
+struct Kept {
+  std::unique_ptr<fast::Workspace> workspace;
+
+  template <class S>
+  Solution solve(const S& solver, const Problem& problem, const Request& request) {
+    // Not kept while it is used: what an exception leaves behind is thrown away.
+    std::unique_ptr<fast::Workspace> used = workspace ? std::move(workspace) : std::make_unique<fast::Workspace>();
+    Solution solution = solver.solve(problem, request, *used);
+    if (used->largest_grid() <= largest_kept_grid) workspace = std::move(used);
+    return solution;
+  }
+};
+
+template <class S>
+Solution solved_by(const S& solver, const Problem& problem, const Request& request) {
+  if constexpr (requires(fast::Workspace & workspace) { solver.solve(problem, request, workspace); }) {
+    thread_local Kept kept;
+    return kept.solve(solver, problem, request);
+  } else {
+    return solver.solve(problem, request);
+  }
+}
+
 /// Iterations end at the same place on every machine, a time limit does not: the reason says which of them it was.
 template <Solver S>
 Solution solve_with(const Problem& problem, const Request& request) {
   const auto begin = std::chrono::steady_clock::now();
-  Solution solution = S().solve(problem, request);
+  Solution solution = solved_by(S(), problem, request);
   const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
   SolveRecord& record = solution.record;
   if (record.status == StopReason::limit_reached && passed.count() >= request.time_limit_s)

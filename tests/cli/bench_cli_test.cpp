@@ -36,6 +36,7 @@ BOOST_AUTO_TEST_CASE(a_quick_bench_prints_its_tables_and_leaves_its_files) {
   BOOST_TEST(!bench["work_precision"]["rows"].empty());
   for (const json& row : bench["work_precision"]["rows"]) {
     if (row["status"] == "converged") BOOST_TEST(row["cost"]["wall_s"].get<double>() > 0);
+    BOOST_TEST(row["cost"]["total_s"].get<double>() >= row["cost"]["wall_s"].get<double>());
   }
   for (const char* name : {"work_precision.csv", "scaling.csv"})
     BOOST_TEST(test::read(out / name).find('\n') != std::string::npos);
@@ -53,6 +54,19 @@ BOOST_AUTO_TEST_CASE(the_yardstick_of_all_times_is_one_line) {
   const json measured = json::parse(test::read(out / "bench.json"))["convolution"];
   BOOST_TEST(measured["nodes"] == 512);
   BOOST_TEST(measured["c_s"].get<double>() > 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_first_solve_plans_and_a_later_one_does_not) {
+  const test::Folder folder;
+  const auto out = folder.path() / "bench";
+  const auto ended = test::ehd_run(folder, "bench --part first --quick --output '" + out.string() + "'");
+  BOOST_TEST(ended.exit_code == 0);
+  const json rows = json::parse(test::read(out / "bench.json"))["first"];
+  BOOST_REQUIRE_EQUAL(rows.size(), 2u);  // fast and fast.uniform
+  for (const json& row : rows) {
+    for (const char* time : {"planning_s", "later_s", "c_s"}) BOOST_TEST(row[time].get<double>() > 0);
+    BOOST_TEST(row["first_s"].get<double>() > 0);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(one_part_leaves_its_own_files_only) {

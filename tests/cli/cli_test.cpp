@@ -126,6 +126,17 @@ BOOST_AUTO_TEST_CASE(files_are_written_beside_the_table) {
       "X [x/b],P [p/p_H],H [h R/b^2],rho [rho/rho_0],eta [eta/eta_0],H_error [relative]\n"));
 }
 
+BOOST_AUTO_TEST_CASE(the_total_time_holds_the_planning_that_wall_s_leaves_out) {
+  const test::Folder folder;
+  const auto ended = test::ehd_run(folder, "solve own-moes-5-5 --tolerance 1e-2 --json -");
+  BOOST_REQUIRE(ended.exit_code == 0);
+  const json cost = json::parse(ended.out)["cost"];
+  const double wall_s = cost["wall_s"], planning_s = cost["planning_s"];
+  BOOST_TEST(wall_s > 0);
+  BOOST_TEST(planning_s > 0);
+  EHD_CHECK(error(cost["total_s"], wall_s + planning_s), verification::Tolerance::round_off(2));
+}
+
 BOOST_AUTO_TEST_CASE(a_dry_case_is_exact_and_has_no_groups_and_no_film) {
   const test::Folder folder;
   const auto ended = test::ehd_run(folder, "solve dry-steel --json -");

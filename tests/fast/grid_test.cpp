@@ -292,10 +292,10 @@ BOOST_AUTO_TEST_CASE(product_on_a_map_keeps_the_fifth_order) {
 BOOST_AUTO_TEST_CASE(plans_outlive_maps) {
   OnMap on(heaviest.shape);
   (void)on.grids.of(64);
-  const long plans = on.grids.plans();
+  const double planning_s = on.grids.planning_s();
   on.grids.use(std::make_shared<const Map>(named_shapes[4].shape));
   const Grid& other = on.grids.of(64);
-  BOOST_CHECK_EQUAL(on.grids.plans(), plans);
+  BOOST_CHECK_EQUAL(on.grids.planning_s(), planning_s);
   const Places at = places_of(*on.grids.map(), on.grids.map()->nodes(64));
   EHD_CHECK((other.place - at.place).abs().maxCoeff(), Tolerance::round_off(2));
 }

@@ -226,8 +226,10 @@ BOOST_AUTO_TEST_CASE(a_kept_workspace_saves_plans_and_changes_no_digit) {
       const Solution fresh = fast::Mapped{}.solve(problem_of(truth), request);
       const Solution first = fast::Mapped{}.solve(problem_of(truth), request, kept);
       const Solution again = fast::Mapped{}.solve(problem_of(truth), request, kept);
+      BOOST_CHECK_GT(fresh.record.cost.planning_s, 0);
+      BOOST_CHECK_EQUAL(again.record.cost.planning_s, 0);
       BOOST_CHECK_GT(fresh.record.cost.fft_plans, 0);
-      BOOST_CHECK_EQUAL(again.record.cost.fft_plans, 0);
+      BOOST_CHECK_EQUAL(again.record.cost.fft_plans, fresh.record.cost.fft_plans);
       for (const Solution* other : {&first, &again}) {
         BOOST_REQUIRE_EQUAL(fresh.fields.P.size(), other->fields.P.size());
         BOOST_CHECK((fresh.fields.X == other->fields.X).all());
@@ -240,6 +242,19 @@ BOOST_AUTO_TEST_CASE(a_kept_workspace_saves_plans_and_changes_no_digit) {
     }
   }
   BOOST_REQUIRE_EQUAL(rows, known);
+}
+
+BOOST_AUTO_TEST_CASE(only_lengths_that_are_multiplied_with_are_planned) {
+  constexpr int coarsest = 32, next = 64;  // of the multigrid cycles
+  fast::Workspace workspace;
+  const Solution solution = fast::Mapped{}.solve(problem_of(truths[0]), {.tolerance = 1e-3}, workspace);
+  BOOST_REQUIRE(solution.record.status == StopReason::converged);
+  const double planned_s = workspace.grids.planning_s();
+  BOOST_CHECK_EQUAL(solution.record.cost.planning_s, planned_s);
+  (void)workspace.grids.of(next);
+  BOOST_CHECK_EQUAL(workspace.grids.planning_s(), planned_s);
+  (void)workspace.grids.of(coarsest);
+  BOOST_CHECK_GT(workspace.grids.planning_s(), planned_s);
 }
 
 BOOST_AUTO_TEST_CASE(limits_end_a_solve_as_such) {

@@ -72,7 +72,7 @@ std::vector<std::string> lines_of_text(const std::string& text) {
 
 /// Removes times, as the sweep does; written here again.
 Json without_times(Json json) {
-  for (const char* key : {"wall_s", "planning_s", "stage_s"})
+  for (const char* key : {"wall_s", "planning_s", "total_s", "stage_s"})
     if (json.is_object()) json.erase(key);
   if (json.is_structured())
     for (auto& inner : json) inner = without_times(inner);

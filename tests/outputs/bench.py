@@ -55,6 +55,7 @@ def audit_work_row(said, name, row, truth, single):
     said.within(f"{name}: wall_s", cost["wall_s"], cost["fastest_s"], cost["slowest_s"])
     for time in (cost["fastest_s"], cost["planning_s"], *cost["stage_s"].values()):
         said.within(f"{name}: a time", time, 0)
+    said.near(f"{name}: total_s", cost["total_s"], cost["wall_s"] + cost["planning_s"], relative=ROUND_OFF)
     for quantity in FILMS:
         film, alone = row[quantity], film_of(single, quantity)
         said.within(f"{name}: {quantity}: reported", film["reported"], alone["error"],

@@ -9,7 +9,7 @@ from program import TOP, read_case
 
 CASE = "own-moes-20-10"
 SOLVERS, TOLERANCES = ("reference", "fast"), (1e-2, 1e-4)
-TIMES = ("wall_s", "planning_s", "stage_s")
+TIMES = ("wall_s", "planning_s", "total_s", "stage_s")
 OF_COMPARE = ("tolerance", "achieved_error")
 
 
@@ -18,6 +18,8 @@ def audit_run(said, name, run, single, tolerance, digits):
     said.same(name, run, single, apart=(*TIMES, *OF_COMPARE))
     for time in (run["cost"]["wall_s"], run["cost"]["planning_s"], *run["cost"].get("stage_s", {}).values()):
         said.within(f"{name}: a time", time, 0)
+    said.near(f"{name}: total_s", run["cost"]["total_s"], run["cost"]["wall_s"] + run["cost"]["planning_s"],
+              relative=ROUND_OFF)
     said.equal(f"{name}: tolerance", run["tolerance"], tolerance)
     for film in ("minimum", "central"):
         expected = abs(run["film"][film]["hertz"] / digits[film] - 1)

@@ -170,6 +170,7 @@ def audit_cost(said, cost, inputs):
     for name, value in cost.items():
         for one in value.values() if isinstance(value, dict) else [value]:
             said.within(f"cost.{name}", one, 0)
+    said.near("cost.total_s", cost["total_s"], cost["wall_s"] + cost["planning_s"], relative=ROUND_OFF)
     if inputs.truth is None:
         said.equal("cost of a dry contact", set(cost.values()), {0})
         return

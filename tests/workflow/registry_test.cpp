@@ -1,12 +1,42 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "workflow/registry.hpp"
 
+#include <memory>
 #include <set>
+#include <stdexcept>
+#include <thread>
+#include <utility>
 
+#include "contact/nondimensional.hpp"
 #include "tests/check.hpp"
+#include "workflow/batch.hpp"
 
 using namespace ehd;
 using namespace ehd::verification;
+
+namespace {
+
+/// A light contact without piezoviscosity: the cheapest.
+Problem light_contact() { return nondimensionalise(MoesGroups{2, 0}, Lubricant{}, TruncatedAt{-4}).problem; }
+Problem other_contact() { return nondimensionalise(MoesGroups{20, 10}, Lubricant{}, Flooded{}).problem; }
+
+std::vector<const RegisteredSolver*> solvers_with_transforms() {
+  std::vector<const RegisteredSolver*> list;
+  for (const RegisteredSolver& solver : solvers())
+    if (solver.uses_fft) list.push_back(&solver);
+  BOOST_REQUIRE_EQUAL(list.size(), 2u);
+  return list;
+}
+
+/// In a thread of its own, so that nothing is kept from other tests.
+template <class Work>
+void in_a_new_thread(const Work& work) {
+  std::thread(work).join();
+}
+
+double planning_s(const Solution& solution) { return solution.record.cost.planning_s; }
+
+}  // namespace
 
 BOOST_AUTO_TEST_SUITE(registry)
 
@@ -52,6 +82,58 @@ BOOST_AUTO_TEST_CASE(dense_memory_grows_with_the_square_of_the_intervals) {
   BOOST_TEST(bytes(2000) == 4 * bytes(1000));
   BOOST_TEST(bytes(1000) >= 8.0 * 1000 * 1000);  // at least one matrix
   BOOST_TEST(available_memory_bytes() > 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_thread_plans_once_and_its_later_solves_have_the_same_bits) {
+  for (const RegisteredSolver* solver : solvers_with_transforms()) {
+    Solution first, again, elsewhere;
+    in_a_new_thread([&] {
+      first = solver->solve(light_contact(), {.tolerance = 1e-2});
+      (void)solver->solve(other_contact(), {.tolerance = 1e-3});
+      again = solver->solve(light_contact(), {.tolerance = 1e-2});
+    });
+    in_a_new_thread([&] { elsewhere = solver->solve(light_contact(), {.tolerance = 1e-2}); });
+    BOOST_TEST_CONTEXT(solver->name) {
+      BOOST_TEST((first.record.status == StopReason::converged));
+      BOOST_TEST(planning_s(first) > 0);
+      BOOST_TEST(planning_s(again) == 0);
+      BOOST_TEST(planning_s(elsewhere) > 0);
+      BOOST_TEST(identical(first, again));
+      BOOST_TEST(identical(first, elsewhere));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_large_workspace_is_not_kept) {
+  for (const RegisteredSolver* solver : solvers_with_transforms()) {
+    in_a_new_thread([&] {
+      (void)solver->solve(light_contact(), {.tolerance = {}, .nodes = 16384});
+      BOOST_TEST_CONTEXT(solver->name)
+      BOOST_TEST(planning_s(solver->solve(light_contact(), {.tolerance = {}, .nodes = 256})) > 0);
+    });
+  }
+}
+
+BOOST_AUTO_TEST_CASE(what_an_exception_leaves_behind_is_thrown_away) {
+  Problem throwing = light_contact();
+  int calls = 0;
+  const auto source = [&calls](const double&) -> std::pair<double, double> {
+    if (++calls == 1000) throw std::runtime_error("in the middle of a solve");
+    return {0, 0};
+  };
+  throwing.sources = std::make_shared<const Sources>(Sources{.film = source, .balance = source});
+  for (const RegisteredSolver* solver : solvers_with_transforms()) {
+    in_a_new_thread([&] {
+      calls = 0;
+      const Solution before = solver->solve(light_contact(), {.tolerance = 1e-2});
+      BOOST_CHECK_THROW((void)solver->solve(throwing, {.tolerance = 1e-2}), std::runtime_error);
+      const Solution after = solver->solve(light_contact(), {.tolerance = 1e-2});
+      BOOST_TEST_CONTEXT(solver->name) {
+        BOOST_TEST(identical(before, after));
+        BOOST_TEST(planning_s(after) > 0);
+      }
+    });
+  }
 }
 
 BOOST_AUTO_TEST_CASE(each_solver_declares_how_it_works_and_its_order) {

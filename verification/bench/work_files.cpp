@@ -48,6 +48,7 @@ Json row_json(const WorkRow& row) {
   Json cost{
       {"wall_s", median(row.wall_s)}, {"fastest_s", *fastest}, {"slowest_s", *slowest}, {"solves", row.wall_s.size()}};
   put(cost, "planning_s", row.cost.planning_s);
+  put(cost, "total_s", median(row.wall_s) + row.cost.planning_s);
   if (row.cost.nodes > 0) {
     put(cost, "work_units", row.cost.work_units);
     cost["nodes"] = row.cost.nodes;
