@@ -8,6 +8,7 @@
 #include "contact/observables.hpp"
 #include "fast/judgement.hpp"
 #include "fast/mapped.hpp"
+#include "fast/prolongation.hpp"
 
 namespace ehd::fast {
 
@@ -31,8 +32,9 @@ class Climber {
   Climber(Run& run, const Request& request) : run_(run), request_(request) {}
 
   MappedClimb operator()(const Recipe& recipe, const Solution* from, Care care) {
-    std::optional<double> film = start(run_, recipe, from, care);
-    if (!film) return std::move(climb_);
+    const std::optional<Known> known = start(run_, recipe, from, care);
+    if (!known) return std::move(climb_);
+    double film = known->film;
     const int fineness = recipe.fineness;
     const GridPlan plan =
         request_.nodes ? GridPlan::down_from(*request_.nodes, [&](int n) { return n >= 2 * fineness * fewest_halved; })
@@ -40,10 +42,11 @@ class Climber {
     for (std::optional<int> n = plan.first; n && !met(climb_, request_); n = plan.after(*n)) {
       const Target wanted = target();
       const long newton_before = run_.counters.newton;
-      if (run_.state.P.size() != *n + 1) run_.state = interpolate_to(run_.state, *n);
-      const Attempt attempt = solve_on(run_, *film, wanted);
+      if (run_.state.P.size() != *n + 1) run_.state = first_iterate_on(*n, *known);
+      const Attempt attempt = solve_on(run_, film, wanted);
       if (!attempt.succeeded) return std::move(climb_);
       film = film_now(run_);
+      prolongation_.note(run_.state);
       note(*n, attempt.newton, newton_before, wanted);
     }
     climb_.complete = true;
@@ -64,6 +67,13 @@ class Climber {
                              ? std::min(climb_.film_minimum.discretisation, climb_.film_central.discretisation)
                              : known_at_first;
     return within(*request_.iteration_share * known / next_part);
+  }
+
+  /// From the last grid; but the solution that the map was made from is nearer where its own grid was as fine. At 40
+  /// contacts, 512 intervals, that saves a tenth of all Newton steps.
+  [[nodiscard]] State first_iterate_on(int n, const Known& known) {
+    if (climb_.grids.empty() || known.X.size() > n) return on_present_map(run_, known, run_.state.tail, n);
+    return prolongation_.onto(n, run_.workspace.grids, run_.setting.inlet);
   }
 
   /// The solution of a grid, with what is known of its errors.
@@ -89,6 +99,7 @@ class Climber {
 
   Run& run_;
   const Request& request_;
+  Prolongation prolongation_;
   MappedClimb climb_;
 };
 

@@ -57,7 +57,7 @@ Attempt solve_on(Run& run, double film, const Target& target) {
   return lower_floor(run, run.state, target);
 }
 
-std::optional<double> start(Run& run, const Recipe& recipe, const Solution* from, Care care) {
+std::optional<Known> start(Run& run, const Recipe& recipe, const Solution* from, Care care) {
   auto grids = recipe.remaps ? grids_for_maps(care) : std::span<const int>();
   // At loose tolerances a neighbour's solution, with its sharper spike, costs more steps than nothing does (634 against
   // 546 at 24 problems, 2 and 10 % away in M and L); below, that solution saves 15 %.
@@ -77,10 +77,10 @@ std::optional<double> start(Run& run, const Recipe& recipe, const Solution* from
     run.state = on_new_map(run, known, run.state.tail, recipe.map, recipe.fineness * n);
     if (!solve_on(run, known.film, for_maps).succeeded) return std::nullopt;
   }
-  const Known known = known_now(run);
+  Known known = known_now(run);
   if (recipe.remaps)
     run.state = on_new_map(run, known, run.state.tail, recipe.map, recipe.fineness * first_mapped_nodes);
-  return known.film;
+  return known;
 }
 
 }  // namespace ehd::fast

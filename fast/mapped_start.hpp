@@ -46,7 +46,7 @@ enum class Care { least, little, full };
 [[nodiscard]] Attempt solve_on(Run& run, double film, const Target& target);
 
 /// Makes the final map, and run.state on that map: from nothing, or from the solution `from` of a neighbouring problem
-/// (with full care alone). The film at X = 0 of the solution that the map was made from; empty where Newton failed.
-[[nodiscard]] std::optional<double> start(Run& run, const Recipe& recipe, const Solution* from, Care care);
+/// (with full care alone). The solution that the map was made from; empty where Newton failed.
+[[nodiscard]] std::optional<Known> start(Run& run, const Recipe& recipe, const Solution* from, Care care);
 
 }  // namespace ehd::fast

@@ -90,13 +90,10 @@ void use_first_map(Run& run, const MapRecipe& recipe) {
   run.workspace.grids.use(std::make_shared<const Map>(expected_shape(run)), recipe.robust_wedge);
 }
 
-State on_new_map(Run& run, const Known& known, const InletTail& tail, const MapRecipe& recipe, int n) {
+State on_present_map(Run& run, const Known& known, const InletTail& tail, int n) {
   const auto& [X, P, film] = known;
   const double inlet = run.setting.inlet, exit = X[X.size() - 1];
-  const Stage before = run.counters.clock.change_to(Stage::grids);
-  run.workspace.grids.use(std::make_shared<const Map>(shape_for(known, inlet, recipe)), recipe.robust_wedge);
-  Grid& grid = run.workspace.grids.of(n);
-  run.counters.clock.change_to(before);
+  Grid& grid = grid_of(run, n);
   State state{.P = Array::Zero(n + 1), .offset = 0, .exit = exit, .tail = tail};
   Eigen::Index cell = 0;
   for (int i = 1; i < n; ++i) {
@@ -107,6 +104,15 @@ State on_new_map(Run& run, const Known& known, const InletTail& tail, const MapR
   }
   state.offset = offset_for(film, run.setting, state, grid);
   return state;
+}
+
+State on_new_map(Run& run, const Known& known, const InletTail& tail, const MapRecipe& recipe, int n) {
+  {
+    const InStage stage(run.counters, Stage::grids);
+    const MapShape shape = shape_for(known, run.setting.inlet, recipe);
+    run.workspace.grids.use(std::make_shared<const Map>(shape), recipe.robust_wedge);
+  }
+  return on_present_map(run, known, tail, n);
 }
 
 }  // namespace ehd::fast

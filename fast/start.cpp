@@ -128,19 +128,4 @@ State first_iterate(const Setting& setting, Shape shape, double film, Grid& grid
   return state;
 }
 
-State interpolate_to(const State& coarse, int n) {
-  const int m = static_cast<int>(coarse.P.size()) - 1;
-  State fine{.P = Array::Zero(n + 1), .offset = coarse.offset, .exit = coarse.exit, .tail = coarse.tail};
-  for (int i = 0; i <= n; ++i) {
-    const double at = static_cast<double>(i) * m / n;
-    const int first = std::clamp(static_cast<int>(at) - 1, 0, m - 3);
-    const double t = at - first;  // cubic Lagrange through 0, 1, 2, 3
-    const double* const p = coarse.P.data() + first;
-    const double value = -(t - 1) * (t - 2) * (t - 3) / 6 * p[0] + t * (t - 2) * (t - 3) / 2 * p[1] -
-                         t * (t - 1) * (t - 3) / 2 * p[2] + t * (t - 1) * (t - 2) / 6 * p[3];
-    fine.P[i] = std::max(0.0, value);
-  }
-  return fine;
-}
-
 }  // namespace ehd::fast

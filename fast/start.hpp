@@ -50,7 +50,4 @@ enum class Shape { hertz, martin };
 /// least 0.3 of it everywhere.
 [[nodiscard]] double offset_for(double film, const Setting& setting, const State& state, Grid& grid);
 
-/// The iterate on a grid with `n` intervals by cubic interpolation; pressure kept >= 0.
-[[nodiscard]] State interpolate_to(const State& coarse, int n);
-
 }  // namespace ehd::fast

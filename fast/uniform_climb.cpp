@@ -8,6 +8,7 @@
 
 #include "contact/observables.hpp"
 #include "fast/judgement.hpp"
+#include "fast/prolongation.hpp"
 #include "fast/uniform.hpp"
 #include "fast/uniform_start.hpp"
 

