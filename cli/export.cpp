@@ -28,7 +28,7 @@ namespace {
 
 struct ExportOptions {
   std::string what, case_name;
-  std::optional<std::string> M, L, output, threads, time_limit_total;
+  std::optional<std::string> M, L, output, threads, most_solves, time_limit_total;
   std::string format = "csv";
   RequestOptions request;
 };
@@ -93,6 +93,8 @@ int export_films(const ExportOptions& options) {
   const Ends M = ends_from("--M", options.M, smallest_M, largest_M), L = ends_from("--L", options.L, 0, largest_L);
   FilmTableRequest request{.range = {.M_low = M.low, .M_high = M.high, .L_low = L.low, .L_high = L.high}};
   if (options.request.tolerance) request.tolerance = *options.request.request().tolerance;
+  constexpr allowed::Integer solve_counts{.low = 1, .high = 1000000};
+  if (options.most_solves) request.most_solves = parse_integer("--max-solves", *options.most_solves, solve_counts);
   const Case stated = read_case(find_case(options.case_name));
   const TableOil oil = table_oil(stated);
   require_distinct({{"the case", stated.file}}, {{"--output", options.output.value_or("")}});
@@ -140,6 +142,7 @@ void describe_export(Command& command) {
   command.text("--format", options->format, "csv, json or c").called("FORMAT").showing_default();
   command.text("--output", options->output, "write the table into a file (standard output)").called("FILE");
   command.text("--threads", options->threads, "solves side by side (as many as there are cores)").called("N");
+  command.text("--max-solves", options->most_solves, "solves of all (4000)").called("N");
   command.text("--time-limit", options->request.time_limit, "seconds for each solve (300)").called("S");
   add_time_limit_total(command, options->time_limit_total);
   command.runs([options] { return export_any(*options); });

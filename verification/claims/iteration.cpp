@@ -292,14 +292,14 @@ Findings judge_multigrid(MoesGroups moes) {
 // ---- Counts ------------------------------------------------------------------------------------------------------
 
 /// Counted on 2026-11-21, Roelands compressible, cut at -4, cold starts.
-struct Count {
+struct RecordedCount {
   MoesGroups moes;
   const char* solver;
   std::optional<double> tolerance;
   std::optional<int> nodes;
   double newton, krylov, work_units;
 };
-const Count counts[] = {
+const RecordedCount recorded_counts[] = {
     {{5, 5}, "fast.uniform", {}, 1024, 12, 12, 19.75},   {{20, 10}, "fast.uniform", {}, 1024, 15, 16, 27.75},
     {{200, 15}, "fast.uniform", {}, 1024, 16, 27, 57.1}, {{5, 5}, "fast", 1e-4, {}, 18, 19, 20.5},
     {{20, 10}, "fast", 1e-4, {}, 41, 41, 30.9},          {{200, 15}, "fast", 1e-4, {}, 82, 118, 89.6},
@@ -307,7 +307,7 @@ const Count counts[] = {
     {{5, 5}, "reference.uniform", {}, 512, 21, 0, 12.3}, {{200, 15}, "reference.uniform", {}, 512, 20, 0, 25.75},
 };
 
-Findings judge_counts(const Count& recorded) {
+Findings judge_counts(const RecordedCount& recorded) {
   const std::string solver = recorded.solver, M = plain(recorded.moes.M), L = plain(recorded.moes.L);
   const Solution solution = find_solver(solver)->solve(problem_at(recorded.moes, true, TruncatedAt{usual_cut}),
                                                        {.tolerance = recorded.tolerance, .nodes = recorded.nodes});
@@ -378,7 +378,7 @@ std::vector<Topic> iteration_topics() {
   add([] { return judge_coarsest_grid({.moes = {100, 10}, .roelands = false}, "100-10"); });
   for (const MoesGroups moes : {MoesGroups{5, 5}, MoesGroups{20, 10}, MoesGroups{200, 15}})
     add([moes] { return judge_multigrid(moes); });
-  for (const Count& recorded : counts) add([&recorded] { return judge_counts(recorded); });
+  for (const RecordedCount& recorded : recorded_counts) add([&recorded] { return judge_counts(recorded); });
   return topics;
 }
 
