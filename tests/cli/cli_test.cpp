@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -291,6 +292,24 @@ BOOST_AUTO_TEST_CASE(a_table_of_films_goes_to_standard_output_or_into_a_file) {
   BOOST_TEST(written.exit_code == 0);
   BOOST_TEST(written.out.find("stated error") != std::string::npos);
   BOOST_TEST(test::read(file).find("int ehd_na4908_film(") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(a_table_of_films_stands_beside_the_formulas) {
+  const test::Folder folder;
+  const auto ended = test::ehd_run(folder, "maps --table");
+  BOOST_TEST(ended.exit_code == 0);
+  std::istringstream lines(ended.out);
+  int of_table = 0, of_formulas = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find("film.") == std::string::npos) continue;
+    const double largest = std::stod(line.substr(line.rfind(' ')));
+    const bool table = line.find("this table") != std::string::npos;
+    (table ? of_table : of_formulas) += 1;
+    BOOST_TEST((table ? largest <= 0.01 : largest > 1), line);  // percent; asked for 1e-4
+  }
+  BOOST_TEST(of_table == 3);
+  BOOST_TEST(of_formulas == 7);
+  test::check_refused(folder, "maps --table --quantity film.minimum", "--table excludes");
 }
 
 BOOST_AUTO_TEST_CASE(a_table_of_films_that_misses_its_tolerance_says_by_how_much) {
