@@ -65,7 +65,7 @@ WHOLE = [  # arguments, and what the refusal says
     (["bearing", "own-moes-20-10"], ["allowed is a bearing case"]),
     (["plan", ""], ["a CASE has a name"]),
     (["export"], ["WHAT"]),
-    (["export", "films", ""], ["a CASE has a name"]),
+    (["export", "films", "", "--M", "10:100", "--L", "3:12"], ["a CASE has a name"]),
     (["export", "films", "own-moes-20-10"], ["--M is missing"]),
     (["report"], ["required"]),
     (["report", "nowhere"], ["nowhere"]),
