@@ -106,18 +106,19 @@ BOOST_AUTO_TEST_CASE(the_c_form_compiles_without_warnings_and_agrees_to_rounding
   BOOST_TEST(prefix == "ehd_made_oil_1_5");
   (void)folder.write("films.c", film_table_c(table));
   // Reads M and L; prints, for each film, the status, the value and the derivatives.
-  (void)folder.write("main.c", "#include <stdio.h>\nint " + prefix +
-                             "_film(int film, double M, double L, double *value, double *by_M, double *by_L);\n"
-                             "extern const double " +
-                             prefix +
-                             "_error[4];\n"
-                             "int main(void)\n{\n  double M, L;\n  while (scanf(\"%lf %lf\", &M, &L) == 2) {\n"
-                             "    int film;\n    for (film = 0; film < 5; ++film) {\n"
-                             "      double value = 0, by_M = 0, by_L = 0;\n      const int status = " +
-                             prefix +
-                             "_film(film, M, L, &value, &by_M, &by_L);\n"
-                             "      printf(\"%d %.17g %.17g %.17g %.17g\\n\", status, value, by_M, by_L, film < 4 ? " +
-                             prefix + "_error[film] : 0.0);\n    }\n  }\n  return 0;\n}\n");
+  (void)folder.write("main.c",
+                     "#include <stdio.h>\nint " + prefix +
+                         "_film(int film, double M, double L, double *value, double *by_M, double *by_L);\n"
+                         "extern const double " +
+                         prefix +
+                         "_error[4];\n"
+                         "int main(void)\n{\n  double M, L;\n  while (scanf(\"%lf %lf\", &M, &L) == 2) {\n"
+                         "    int film;\n    for (film = 0; film < 5; ++film) {\n"
+                         "      double value = 0, by_M = 0, by_L = 0;\n      const int status = " +
+                         prefix +
+                         "_film(film, M, L, &value, &by_M, &by_L);\n"
+                         "      printf(\"%d %.17g %.17g %.17g %.17g\\n\", status, value, by_M, by_L, film < 4 ? " +
+                         prefix + "_error[film] : 0.0);\n    }\n  }\n  return 0;\n}\n");
   std::string input;
   auto all = points(1000);
   all.push_back({made_range.M_low * 0.999, 10});
