@@ -21,6 +21,8 @@ Examples:
   ehd bearing na4908                  the load distribution of a bearing
   ehd plan own-moes-20-10             what would be computed, what is skipped and why
   ehd sweep sweep.toml                a case over lists and ranges of its keys
+  ehd export films na4908 --M 2:100 --L 2:15 --format c
+                                      the films of one oil as a table, for another program
   ehd cases                           the benchmark cases and how to cite them
   ehd verify                          the verification suite
   ehd bench                           run time against achieved error

@@ -9,6 +9,7 @@
 #include "cli/usage.hpp"
 #include "verification/atlas/atlas.hpp"
 #include "verification/studies/film_maps.hpp"
+#include "verification/studies/table_beside_formulas.hpp"
 
 namespace ehd::cli {
 
@@ -17,15 +18,17 @@ namespace {
 struct MapsOptions {
   std::optional<std::string> output, quantity;
   std::string laws = "roelands";
+  bool table = false;
 };
 
 const char* const maps_examples = R"(
 Examples:
   ehd maps                                      every formula, Roelands and compressible
   ehd maps --quantity film.minimum --laws barus
+  ehd maps --table                              the formulas beside a table of films, as ehd export films makes it
   ehd maps --output out/maps                    leaves formula_maps.csv and inlet_maps.csv: all films and laws
 
-The films are the certified ones of cases/atlas, which ehd atlas made. Nothing is solved or judged.)";
+The films are the certified ones of cases/atlas, which ehd atlas made. Only --table solves; nothing is judged.)";
 
 int maps(const MapsOptions& options) {
   const std::string quantity = options.quantity.value_or("");
@@ -34,7 +37,16 @@ int maps(const MapsOptions& options) {
   const auto laws = verification::atlas_laws_from(options.laws);
   if (!laws || *laws == verification::AtlasLaws::isoviscous)  // L = 0 is a row of both maps
     throw option_error("--laws", options.laws, "is unknown; allowed is roelands, barus");
+  if (options.table && (options.output || options.quantity))
+    throw UsageError("maps: --table excludes --output and --quantity; allowed is it alone");
   const auto all = verification::film_maps(verification::atlas_folder());
+  if (options.table) {
+    const FilmTable table = verification::table_of_the_atlas(0);
+    if (!table.panels.empty()) print(verification::table_beside_formulas(all, table));
+    if (table.status == StopReason::converged) return success;
+    complain("ehd: maps: " + std::string(to_string(table.status)) + ": " + table.reason);
+    return not_met;
+  }
   OutputFolder folder(options.output);
   folder.open({"formula_maps.csv", "inlet_maps.csv"});
   folder.write("formula_maps.csv", formula_maps_csv(all));
@@ -53,6 +65,7 @@ void describe_maps(Command& command) {
   command.text("--output", options->output, "folder for formula_maps.csv and inlet_maps.csv").called("DIR");
   command.text("--quantity", options->quantity, "film.minimum or film.central (both)").called("FILM");
   command.text("--laws", options->laws, "roelands or barus (roelands)").called("LAWS");
+  command.flag("--table", options->table, "a table of films beside the formulas");
   command.runs([options] { return maps(*options); });
 }
 

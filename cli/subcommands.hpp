@@ -18,7 +18,8 @@
   LINE(atlas)                 \
   LINE(maps)                  \
   LINE(statements)            \
-  LINE(sweep)
+  LINE(sweep)                 \
+  LINE(export)
 
 namespace ehd::cli {
 

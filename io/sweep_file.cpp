@@ -10,6 +10,7 @@
 #include "contact/text.hpp"
 #include "io/case_reader.hpp"
 #include "io/json.hpp"
+#include "io/sweep_films.hpp"
 
 namespace ehd {
 
@@ -64,6 +65,7 @@ Case Sweep::case_of(std::size_t row) const {
   try {
     Case row_case = read_case(case_text, case_file, values);
     if (bearing) require_possible(row_case, request_of(row_case));
+    if (table) require_in_table(*table, row_case);
     return row_case;
   } catch (const CaseError& error) {
     const std::string what = error.what();
@@ -87,6 +89,11 @@ Json Sweep::to_json() const {
   }
   json["solver"] = solver;
   if (!bearing) json["tolerance"] = tolerance;
+  if (table) {
+    json["films"] = "table";
+    json["table"] = {{"M", {table->range.M_low, table->range.M_high}},
+                     {"L", {table->range.L_low, table->range.L_high}}};
+  }
   json["combine"] = combine == Combine::zip ? "zip" : "product";
   json["keys"] = Json::object();
   for (const SweptKey& one : keys) {

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,8 @@
 #include "io/json.hpp"
 #include "workflow/bearing_run.hpp"
 #include "workflow/case.hpp"
+#include "workflow/film_table.hpp"
+#include "workflow/film_table_oil.hpp"
 #include "workflow/registry.hpp"
 
 namespace ehd {
@@ -26,6 +29,12 @@ struct SweptKey {
 
 enum class Combine { product, zip };
 
+/// films = "table": over this range, for this oil.
+struct SweepTable {
+  FilmRange range;
+  TableOil oil;
+};
+
 struct Sweep {
   std::string id;              ///< the file's name without .toml
   std::filesystem::path file;  ///< as named by the user
@@ -35,7 +44,8 @@ struct Sweep {
   bool bearing = false;
   std::vector<bearing::Law> laws;  ///< as asked for; empty: as `ehd bearing` has them
   std::string solver{default_solver().name};
-  double tolerance = 1e-3;  ///< of the films of a contact case; a bearing's contacts have their own
+  double tolerance = 1e-3;               ///< of the films of a contact case; a bearing's contacts have their own
+  std::optional<SweepTable> table = {};  ///< without it every row is solved
   Combine combine = Combine::product;
   std::vector<SweptKey> keys;  ///< in the order of the file; from row to row the last key changes fastest
   int keys_line = 0;
@@ -47,7 +57,8 @@ struct Sweep {
   [[nodiscard]] Case case_of(std::size_t row) const;
   /// What run_bearing is asked for.
   [[nodiscard]] BearingRequest request_of(const Case& row_case) const;
-  /// {"id", "case", "laws", "solver", "tolerance", "combine", "keys", "rows"}: what all rows have in common.
+  /// {"id", "case", "laws", "solver", "tolerance", "films", "table", "combine", "keys", "rows"}: what all rows have in
+  /// common.
   [[nodiscard]] Json to_json() const;
 };
 

@@ -14,6 +14,7 @@
 #include "io/case_text.hpp"
 #include "io/find_case.hpp"
 #include "io/sweep_file.hpp"
+#include "io/sweep_films.hpp"
 #include "io/sweep_source.hpp"
 #include "io/sweep_values.hpp"
 #include "workflow/parallel.hpp"
@@ -150,11 +151,12 @@ Sweep read_sweep_statement(const std::filesystem::path& file) {
   Sweep sweep;
   sweep.file = file;
   sweep.id = id_of_file(file);
-  source.require_known(source.root(), "", {"case", "laws", "solver", "tolerance", "combine", "keys"});
+  source.require_known(source.root(), "", {"case", "laws", "solver", "tolerance", "films", "table", "combine", "keys"});
   read_case_of_sweep(source, sweep);
   read_laws(source, sweep);
   read_solver(source, sweep);
   read_tolerance(source, sweep);
+  read_films(source, sweep);
   read_combine(source, sweep);
   read_keys(source, sweep);
   return sweep;

@@ -15,6 +15,7 @@
 #include "io/provenance.hpp"
 #include "workflow/contact_memory.hpp"
 #include "workflow/contact_run.hpp"
+#include "workflow/film_table_run.hpp"
 #include "workflow/registry.hpp"
 
 namespace ehd {
@@ -82,7 +83,7 @@ Json not_computed(const Sweep& sweep, const Case& row_case, const std::string& w
     ContactRun run;
     run.case_id = row_case.id;
     run.version = row_case.version;
-    run.solver = solver.name;
+    run.solver = sweep.table ? table_solver : solver.name;
     run.plan = plan_contact(std::get<ContactCase>(row_case.body), solver, {}, want_everything());
     run.solution.record.status = StopReason::limit_reached;
     run.solution.record.reason = why;
@@ -124,18 +125,28 @@ std::string row_hash(const Sweep& sweep, const SweepRequest& request, std::size_
                                     request.max_iterations, number_text(request.time_limit_s), number_text(tolerance));
   for (const bearing::Law law : sweep.laws) content += std::string(to_string(law)) + " ";
   content += "\n" + sweep.case_id + "\n";
+  if (sweep.table) {
+    const FilmRange& range = sweep.table->range;
+    content += fmt::format("table {} {} {} {}\n", number_text(range.M_low), number_text(range.M_high),
+                           number_text(range.L_low), number_text(range.L_high));
+  }
   for (const Substitution& one : sweep.values_of(row)) content += one.key + " = " + toml_text(one.value) + "\n";
   return content_hash(content + sweep.case_text);
 }
 
 ComputedRow compute_row(const Sweep& sweep, const SweepRequest& request, std::size_t row, const std::string& hash,
-                        const std::shared_ptr<ContactCache>& cache) {
+                        const std::shared_ptr<ContactCache>& cache, const FilmTable* table) {
   const Case row_case = sweep.case_of(row);
   ComputedRow computed;
   try {
     Json results = Json::array();
-    computed.needed = sweep.bearing ? add_bearing_results(results, sweep, request, row_case, cache)
-                                    : add_contact_result(results, sweep, request, row_case);
+    if (table) {
+      results.push_back(to_json(run_from_table(row_case, *table)));
+      computed.needed = 1;
+    } else {
+      computed.needed = sweep.bearing ? add_bearing_results(results, sweep, request, row_case, cache)
+                                      : add_contact_result(results, sweep, request, row_case);
+    }
     computed.text = kept_text(sweep, row, hash, std::move(results));
   } catch (const std::bad_alloc&) {
     return row_not_computed(sweep, row, hash, out_of_memory);

@@ -38,9 +38,11 @@ struct ComputedRow {
   std::string text;
   long needed = 0;  ///< contacts that the row would solve alone
 };
-/// `cache`: of the sweep's solver with fallback (workflow/bearing_contact.hpp).
+/// `cache`: of the sweep's solver with fallback (workflow/bearing_contact.hpp). `table`: of a sweep with films =
+/// "table".
 [[nodiscard]] ComputedRow compute_row(const Sweep& sweep, const SweepRequest& request, std::size_t row,
-                                      const std::string& hash, const std::shared_ptr<ContactCache>& cache);
+                                      const std::string& hash, const std::shared_ptr<ContactCache>& cache,
+                                      const FilmTable* table = nullptr);
 /// A row that could not be computed: each result is `limit-reached` with this reason.
 [[nodiscard]] ComputedRow row_not_computed(const Sweep& sweep, std::size_t row, const std::string& hash,
                                            const std::string& why);

@@ -11,6 +11,7 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "contact/text.hpp"
@@ -18,6 +19,7 @@
 #include "io/output_file.hpp"
 #include "io/provenance.hpp"
 #include "io/stored_row.hpp"
+#include "io/sweep_films.hpp"
 #include "workflow/bearing_contact.hpp"
 #include "workflow/contact_cache.hpp"
 #include "workflow/parallel.hpp"
@@ -99,12 +101,14 @@ SweepCost compute_missing(const Sweep& sweep, const SweepRequest& request, const
 
   const auto cache =
       std::make_shared<ContactCache>(with_fallback(request.deadline.limiting(find_solver(sweep.solver)->solve)));
+  std::optional<FilmTable> table;
+  if (sweep.table && !missing.empty()) table = build_table(sweep, request);
   std::mutex mutex;
   const std::size_t threads = in_threads(missing.size(), request.threads, [&](std::size_t i) {
     if (request.deadline.passed()) return;
     const auto row_begin = Clock::now();
     const std::string& hash = hashes.of_row[missing[i]];
-    const ComputedRow computed = compute_row(sweep, request, missing[i], hash, cache);
+    const ComputedRow computed = compute_row(sweep, request, missing[i], hash, cache, table ? &*table : nullptr);
     const double row_s = seconds_since(row_begin);
     if (request.deadline.passed() && lacked_time_or_memory(computed.text)) return;
     const std::lock_guard lock(mutex);
@@ -115,7 +119,7 @@ SweepCost compute_missing(const Sweep& sweep, const SweepRequest& request, const
     if (request.progress) request.progress(known + cost.computed, rows.size(), cost.computed);
   });
   cost.not_run = missing.size() - cost.computed;
-  cost.solves = sweep.bearing ? cache->solves() : cost.needed;
+  cost.solves = table ? table->solves + table->held_out : sweep.bearing ? cache->solves() : cost.needed;
   cost.threads = static_cast<unsigned>(threads);
   cost.wall_s = seconds_since(begin);
   return cost;

@@ -4,6 +4,7 @@
 // a shared contact) stands in cost.json.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <filesystem>
 #include <string>
@@ -31,7 +32,8 @@ struct SweepCost {
   unsigned threads = 0;
   double wall_s = 0;
   double rows_s = 0;  ///< of that computing rows, over all threads
-  [[nodiscard]] long saved() const { return needed - solves; }
+  /// A table of films may take more solves than the rows that use it.
+  [[nodiscard]] long saved() const { return std::max(0L, needed - solves); }
 };
 [[nodiscard]] Json to_json(const SweepCost& cost);
 

@@ -77,6 +77,7 @@ std::vector<Topic> topics_of(const SuiteRequest& request, const std::vector<Load
                      grid_topics(),
                      truncation_topics(),
                      stated_error_topics(),
+                     film_table_topics(),
                      regime_topics(),
                      atlas_topics(),
                      literature_topics(),

@@ -129,6 +129,10 @@ def contact_without_cost(ehd):
     return "".join(line for line in text.splitlines(True) if not line.startswith("cost "))
 
 
+def without_time(text):
+    return "".join(line for line in text.splitlines(True) if not line.startswith("time"))
+
+
 def bearings(ehd, *cases):
     return without(run(ehd, "bearing", *cases), "balance error", "time s")
 
@@ -190,6 +194,10 @@ def quick_pages(ehd):
             fenced(comparison), "Without times. Errors that rounding decides are printed as `<1e-11`."),
         "docs/results/maps.md": page(
             "Film formulas and cut inlets against certified films", ["ehd maps"], fenced(run(ehd, "maps"))),
+        "docs/results/films-table.md": page(
+            "A table of films beside the film formulas", ["ehd maps --table"],
+            fenced(without_time(run(ehd, "maps", "--table"))),
+            "Without the time of an evaluation. How such a table is made: [docs/films-table.md](../films-table.md)."),
         "docs/results/mutants.md": page(
             "Wrong programs that the suite has to catch", ["make mutants"], mutant_page(),
             f"{len(mutants())} of them, from `verification/mutants/mutants.toml`. "

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -263,6 +264,87 @@ BOOST_AUTO_TEST_CASE(wrong_usage_of_other_subcommands_is_refused) {
       {"cases extra", "extra"},
   };
   check_refused(folder, rows);
+}
+
+BOOST_AUTO_TEST_CASE(a_table_of_films_that_cannot_be_is_refused) {
+  const test::Folder folder;
+  const std::string range = " --M 10:100 --L 3:12";
+  const Rows rows{
+      {"export", "WHAT"},
+      {"export films", "CASE"},
+      {"export law na4908", "WHAT = law: is unknown; allowed is films"},
+      {"export films own-moes-5-5 --M 10:100", "--L is missing; allowed is LOW:HIGH with 0 <= LOW < HIGH <= 100"},
+      {"export films own-moes-5-5 --L 3:12", "--M is missing; allowed is LOW:HIGH with 0.001 <= LOW < HIGH <= 1e6"},
+      {"export films own-moes-5-5 --M 10 --L 3:12", "--M = 10: is no range"},
+      {"export films own-moes-5-5 --M 10:9 --L 3:12", "--M = 10:9: is empty"},
+      {"export films own-moes-5-5 --M 0:9 --L 3:12", "--M = 0:9: is no range"},
+      {"export films own-moes-5-5 --M 1:nan --L 3:12", "--M = 1:nan: is no range"},
+      {"export films own-moes-5-5 --M 1:9 --L 3:101", "--L = 3:101: is no range"},
+      {"export films own-moes-5-5 --format xml" + range, "--format = xml: is unknown; allowed is csv, json, c"},
+      {"export films own-moes-5-5 --tolerance 0" + range, "--tolerance = 0: is out of range"},
+      {"export films own-moes-5-5 --max-solves 0" + range, "--max-solves = 0: is out of range"},
+      {"export films own-moes-5-5 --output ''" + range, "the name is empty"},
+      {"export films dry-steel" + range, "is dry and has no film; allowed is a case with [lubricant]"},
+      {"export films own-isoviscous-10-0" + range, "viscosity = \"isoviscous\": has no film that depends on L"},
+      {"export films no-such-case" + range, "there is no such case"},
+  };
+  check_refused(folder, rows);
+}
+
+BOOST_AUTO_TEST_CASE(a_table_of_films_goes_to_standard_output_or_into_a_file) {
+  const test::Folder folder;
+  const std::string films = "export films na4908 --M 20:40 --L 6:9 --tolerance 1e-2 --format ";
+  const auto printed = test::ehd_run(folder, films + "json");
+  BOOST_TEST(printed.exit_code == 0);
+  BOOST_TEST(printed.err == "");
+  const json table = json::parse(printed.out);
+  BOOST_TEST(table["schema"] == "ehd-films-1");
+  BOOST_TEST(table["case"] == "na4908");
+  BOOST_TEST(table["status"] == "converged");
+  BOOST_TEST(table["lubricant"]["z"].get<double>() > 0);  // from eta_0: the case states alpha alone
+  const auto file = folder.path() / "films.c";
+  const auto written = test::ehd_run(folder, films + "c --output '" + file.string() + "'");
+  BOOST_TEST(written.exit_code == 0);
+  BOOST_TEST(written.out.find("stated error") != std::string::npos);
+  BOOST_TEST(test::read(file).find("int ehd_na4908_film(") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(a_table_of_films_stands_beside_the_formulas) {
+  const test::Folder folder;
+  const auto ended = test::ehd_run(folder, "maps --table");
+  BOOST_TEST(ended.exit_code == 0);
+  std::istringstream lines(ended.out);
+  int of_table = 0, of_formulas = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find("film.") == std::string::npos) continue;
+    const double largest = std::stod(line.substr(line.rfind(' ')));
+    const bool table = line.find("this table") != std::string::npos;
+    (table ? of_table : of_formulas) += 1;
+    BOOST_TEST((table ? largest <= 0.01 : largest > 1), line);  // percent; asked for 1e-4
+  }
+  BOOST_TEST(of_table == 3);
+  BOOST_TEST(of_formulas == 7);
+  test::check_refused(folder, "maps --table --quantity film.minimum", "--table excludes");
+}
+
+BOOST_AUTO_TEST_CASE(a_table_of_films_that_misses_its_tolerance_says_by_how_much) {
+  const test::Folder folder;
+  // A solve needs time, and none is left.
+  const auto late = test::ehd_run(folder, "export films own-moes-5-5 --M 2:1000 --L 3:20 --time-limit-total 1e-3");
+  BOOST_TEST(late.exit_code == 1);
+  BOOST_TEST(late.out == "");
+  BOOST_TEST(late.error_lines() == 1);
+  BOOST_TEST(late.err.find("there is no table") != std::string::npos);
+  const auto missed = test::ehd_run(
+      folder, "export films own-moes-5-5 --M 5:60 --L 3:12 --tolerance 1e-4 --max-solves 90 --format json");
+  BOOST_TEST(missed.exit_code == 1);
+  BOOST_TEST(missed.error_lines() == 1);
+  BOOST_TEST(missed.err.find("tolerance-not-met: the stated error of ") != std::string::npos);
+  const json table = json::parse(missed.out);
+  BOOST_TEST(table["status"] == "tolerance-not-met");
+  double worst = 0;
+  for (const auto& film : table["films"]) worst = std::max(worst, film["stated_error"].get<double>());
+  BOOST_TEST(worst > 1e-4);
 }
 
 BOOST_AUTO_TEST_CASE(a_bearing_or_a_plan_that_lacks_something_is_refused) {

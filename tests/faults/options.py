@@ -21,6 +21,14 @@ NUMBERS = {  # command: its options, each with values that it refuses
     "bearing na4908": {"--law": ["abc", "", "Hertz"], "--max-iterations": ["0"], "--time-limit": ["0"]},
     "compare own-moes-20-10": {"--tolerance": ["abc", "0", "1.5", "nan"], "--solver": ["abc"]},
     "verify": {"--rung": ["abc", "-1", "12", "99999999999"], "--case": ["abc", ""], "--random-runs": ["0", "abc"]},
+    "export films own-moes-20-10 --M 10:100 --L 3:12": {
+        "--tolerance": ["abc", "0", "1.5", "nan"],
+        "--threads": ["0", "abc"],
+        "--max-solves": ["0", "abc", "1e3"],
+        "--format": ["", "CSV", "xml"],
+    },
+    "export films own-moes-20-10 --L 3:12": {"--M": ["", ":", "10", "10:", "9:9", "9:1", "nan:9", "1:inf", "1:2:3", "0:1"]},
+    "export films own-moes-20-10 --M 10:100": {"--L": ["", "-1:3", "3:101", "abc:9", "1,2"]},
     "atlas": {"--tolerance": ["1", "abc"], "--threads": ["0", "1025", "abc", "99999999999"], "--only": ["abc"]},
 }
 
@@ -58,6 +66,9 @@ WHOLE = [  # arguments, and what the refusal says
     (["bearing", ""], ["a CASE has a name"]),
     (["bearing", "own-moes-20-10"], ["allowed is a bearing case"]),
     (["plan", ""], ["a CASE has a name"]),
+    (["export"], ["WHAT"]),
+    (["export", "films", "", "--M", "10:100", "--L", "3:12"], ["a CASE has a name"]),
+    (["export", "films", "own-moes-20-10"], ["--M is missing"]),
     (["report"], ["required"]),
     (["report", "nowhere"], ["nowhere"]),
     (["sweep"], ["required"]),

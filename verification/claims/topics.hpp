@@ -45,6 +45,7 @@ struct LoadedCase {
 [[nodiscard]] std::vector<Topic> grid_topics();
 [[nodiscard]] std::vector<Topic> truncation_topics();
 [[nodiscard]] std::vector<Topic> stated_error_topics();
+[[nodiscard]] std::vector<Topic> film_table_topics();
 [[nodiscard]] std::vector<Topic> regime_topics();
 [[nodiscard]] std::vector<Topic> atlas_topics();
 [[nodiscard]] std::vector<Topic> literature_topics();

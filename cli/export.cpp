@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// ehd export: numbers for another program. So far the films of one oil as a table.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "cli/options.hpp"
+#include "cli/output.hpp"
+#include "cli/subcommands.hpp"
+#include "cli/usage.hpp"
+#include "contact/nondimensional.hpp"
+#include "contact/text.hpp"
+#include "io/case_reader.hpp"
+#include "io/film_table_c.hpp"
+#include "io/film_table_text.hpp"
+#include "io/find_case.hpp"
+#include "io/output_file.hpp"
+#include "workflow/case.hpp"
+#include "workflow/film_table_build.hpp"
+
+namespace ehd::cli {
+
+namespace {
+
+struct ExportOptions {
+  std::string what, case_name;
+  std::optional<std::string> M, L, output, threads, most_solves, time_limit_total;
+  std::string format = "csv";
+  RequestOptions request;
+};
+
+const char* const export_examples = R"(
+Examples:
+  ehd export films own-moes-20-10 --M 2:1000 --L 2.5:20                the oil of the case, to 1e-4, as CSV
+  ehd export films my-bearing.toml --M 5:500 --L 5:15 --tolerance 1e-3 --format json
+  ehd export films own-moes-20-10 --M 2:1000 --L 2.5:20 --format c --output films.c
+
+The table has the minimum, central and Couette film and the offset H_0, as Chebyshev coefficients; docs/films-table.md
+says how to read it. The C form has its evaluator with derivatives. Solves that the table does not use find its errors.
+
+Exit code: 0 the table meets the tolerance; 1 it does not (the file says how far), or a contact was not solved;
+2 bad input or usage.)";
+
+/// LOW:HIGH inside a range.
+struct Ends {
+  double low = 0, high = 0;
+};
+Ends ends_from(const char* option, const std::optional<std::string>& text, double least, double most) {
+  const std::string allowed =
+      fmt::format("; allowed is LOW:HIGH with {} <= LOW < HIGH <= {}", plain(least), plain(most));
+  if (!text) throw UsageError(std::string("export films: ") + option + " is missing" + allowed);
+  const auto colon = text->find(':');
+  if (colon == std::string::npos) throw option_error(option, *text, "is no range" + allowed);
+  Ends ends;
+  try {
+    const Interval range{.low = least, .high = most};
+    ends = {.low = parse_number(option, text->substr(0, colon), range),
+            .high = parse_number(option, text->substr(colon + 1), range)};
+  } catch (const UsageError&) {
+    throw option_error(option, *text, "is no range" + allowed);
+  }
+  if (!(ends.low < ends.high)) throw option_error(option, *text, "is empty" + allowed);
+  return ends;
+}
+
+using Writer = std::string (*)(const FilmTable& table);
+Writer writer_named(const std::string& format) {
+  if (format == "csv") return film_table_csv;
+  if (format == "json") return [](const FilmTable& table) { return json_text(to_json(table)); };
+  if (format == "c") return film_table_c;
+  throw option_error("--format", format, "is unknown; allowed is csv, json, c");
+}
+
+/// The table, with the contacts solved so far shown on a terminal.
+FilmTable build(const TableOil& oil, const FilmTableRequest& request, const ExportOptions& options) {
+  const FilmSource solves = film_solves(oil, request, thread_count(options.threads),
+                                        options.request.request().time_limit_s, deadline_in(options.time_limit_total));
+  Progress progress;
+  std::size_t solved = 0;
+  return build_film_table(oil, request, [&](const std::vector<MoesGroups>& contacts) {
+    progress.show(fmt::format("{} contacts solved, {} more ...", solved, contacts.size()));
+    solved += contacts.size();
+    return solves(contacts);
+  });
+}
+
+int export_films(const ExportOptions& options) {
+  const Writer write = writer_named(options.format);
+  const Ends M = ends_from("--M", options.M, smallest_M, largest_M), L = ends_from("--L", options.L, 0, largest_L);
+  FilmTableRequest request{.range = {.M_low = M.low, .M_high = M.high, .L_low = L.low, .L_high = L.high}};
+  if (options.request.tolerance) request.tolerance = *options.request.request().tolerance;
+  constexpr allowed::Integer solve_counts{.low = 1, .high = 1000000};
+  if (options.most_solves) request.most_solves = parse_integer("--max-solves", *options.most_solves, solve_counts);
+  const Case stated = read_case(find_case(options.case_name));
+  const TableOil oil = table_oil(stated);
+  require_distinct({{"the case", stated.file}}, {{"--output", options.output.value_or("")}});
+  std::optional<OutputFile> file = opened(options.output);
+
+  const auto begin = std::chrono::steady_clock::now();
+  FilmTable table = build(oil, request, options);
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
+  table.case_id = stated.id;
+  table.version = stated.version;
+  if (!table.panels.empty()) {
+    if (file) {
+      file->append(write(table));
+      file->commit();
+      for (const std::string& line : film_table_words(table)) print(line + "\n");
+      print("time " + duration(passed.count()) + "\n");
+    } else {
+      print(write(table));
+    }
+  }
+  if (table.status == StopReason::converged) return success;
+  complain(fmt::format("ehd: export films: {}: {}; {}", to_string(table.status), table.reason,
+                       table.panels.empty() ? "there is no table" : "a smaller range of M or L needs less"));
+  return not_met;
+}
+
+int export_any(const ExportOptions& options) {
+  if (options.what != "films") throw UsageError("export: WHAT = " + options.what + ": is unknown; allowed is films");
+  return export_films(options);
+}
+
+}  // namespace
+
+void describe_export(Command& command) {
+  auto options = std::make_shared<ExportOptions>();
+  command.summary("Numbers for another program: the films of one oil as a table");
+  command.examples(export_examples);
+  command.text("WHAT", options->what, "films").required();
+  command.text("CASE", options->case_name, "a contact or a bearing, whose oil the table is for: a file (TOML) or an id")
+      .required();
+  command.text("--M", options->M, "range of Moes' load parameter").called("LOW:HIGH");
+  command.text("--L", options->L, "range of Moes' material parameter").called("LOW:HIGH");
+  command.text("--tolerance", options->request.tolerance, "error allowed in every film of the table (1e-4)")
+      .called("T");
+  command.text("--format", options->format, "csv, json or c").called("FORMAT").showing_default();
+  command.text("--output", options->output, "write the table into a file (standard output)").called("FILE");
+  command.text("--threads", options->threads, "solves side by side (as many as there are cores)").called("N");
+  command.text("--max-solves", options->most_solves, "solves of all (4000)").called("N");
+  command.text("--time-limit", options->request.time_limit, "seconds for each solve (300)").called("S");
+  add_time_limit_total(command, options->time_limit_total);
+  command.runs([options] { return export_any(*options); });
+}
+
+}  // namespace ehd::cli

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/film_table_text.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "contact/oil_laws.hpp"
+#include "contact/text.hpp"
+#include "io/csv.hpp"
+#include "io/provenance.hpp"
+
+namespace ehd {
+
+namespace {
+
+constexpr const char* film_table_schema = "ehd-films-1";
+
+Json lubricant_json(const Lubricant& lubricant) {
+  const LawKeys keys = row_of(lubricant.viscosity).keys;
+  Json json;
+  json["viscosity"] = to_string(lubricant.viscosity);
+  json["density"] = to_string(lubricant.density);
+  put(json, "alpha_per_Pa", lubricant.alpha_per_Pa);
+  if (keys.z) put(json, "z", lubricant.z);
+  if (keys.p0_Pa) put(json, "p0_Pa", lubricant.p0_Pa);
+  return json;
+}
+
+Json inlet_json(const Inlet& inlet) {
+  const auto* cut = std::get_if<TruncatedAt>(&inlet);
+  return cut ? Json(cut->x) : Json("flooded");
+}
+
+Json errors_json(const FilmTable& table) {
+  Json films = Json::object();
+  for (std::size_t k = 0; k < table_film_count; ++k) {
+    Json film;
+    film["shift"] = table_shift(table_films[k]);
+    film["stated_error"] = table.errors[k].stated;
+    film["found_error"] = table.errors[k].found;
+    film["solve_error"] = table.errors[k].solves;
+    films[std::string(to_string(table_films[k]))] = std::move(film);
+  }
+  return films;
+}
+
+Json panel_json(const FilmPanel& panel) {
+  Json json;
+  json["M"] = {panel.M_low, panel.M_high};
+  json["degrees"] = {{"M", panel.degree_M}, {"L", panel.degree_L}};
+  const std::size_t row = static_cast<std::size_t>(panel.degree_L) + 1;
+  for (std::size_t k = 0; k < table_film_count; ++k) {
+    Json& rows = json["coefficients"][std::string(to_string(table_films[k]))];
+    const auto& c = panel.coefficients[k];
+    for (std::size_t first = 0; first < c.size(); first += row)
+      rows.push_back(std::vector<double>(c.begin() + static_cast<std::ptrdiff_t>(first),
+                                         c.begin() + static_cast<std::ptrdiff_t>(first + row)));
+  }
+  return json;
+}
+
+std::string oil_words(const FilmTable& table) {
+  const Json oil = lubricant_json(table.lubricant);
+  std::string words =
+      fmt::format("viscosity {}, density {}", to_string(table.lubricant.viscosity), to_string(table.lubricant.density));
+  for (const auto& [key, value] : oil.items())
+    if (value.is_number()) words += fmt::format(", {} = {}", key, value.get<double>());
+  const auto* cut = std::get_if<TruncatedAt>(&table.inlet);
+  return words + (cut ? ", inlet at X = " + plain(cut->x) : ", flooded");
+}
+
+std::string made_by() {
+  const Json json = provenance();
+  std::string words = "ehd " + json["version"].get<std::string>();
+  if (json.contains("commit")) words += ", commit " + json["commit"].get<std::string>();
+  return words + ", " + json["date"].get<std::string>();
+}
+
+}  // namespace
+
+Json to_json(const FilmTable& table) {
+  Json json;
+  json["schema"] = film_table_schema;
+  json["provenance"] = provenance();
+  json["case"] = table.case_id;
+  json["version"] = table.version;
+  json["solver"] = table.solver;
+  json["status"] = to_string(table.status);
+  if (!table.reason.empty()) json["reason"] = table.reason;
+  json["lubricant"] = lubricant_json(table.lubricant);
+  json["inlet"] = inlet_json(table.inlet);
+  json["range"] = {{"M", {table.range.M_low, table.range.M_high}}, {"L", {table.range.L_low, table.range.L_high}}};
+  json["tolerance"] = table.tolerance;
+  json["x"] = film_table_x;
+  json["y"] = film_table_y;
+  json["film"] = "shift + exp(sum of c_ij T_i(x) T_j(y)), in units of b^2/R";
+  json["films"] = errors_json(table);
+  json["panels"] = Json::array();
+  for (const FilmPanel& panel : table.panels) json["panels"].push_back(panel_json(panel));
+  json["cost"] = {{"solves", table.solves}, {"held_out", table.held_out}};
+  return json;
+}
+
+std::vector<std::string> film_table_words(const FilmTable& table) {
+  std::vector<std::string> lines{
+      fmt::format("Films of {} (version {}) over M {} to {}, L {} to {}: {}", table.case_id, table.version,
+                  plain(table.range.M_low), plain(table.range.M_high), plain(table.range.L_low),
+                  plain(table.range.L_high), to_string(table.status)),
+      "Oil: " + oil_words(table), "Made by " + made_by() + ", solver " + table.solver,
+      fmt::format("{} solves, and {} held-out ones that found the errors; asked for {}", table.solves, table.held_out,
+                  plain(table.tolerance))};
+  for (const FilmPanel& panel : table.panels)
+    lines.push_back(fmt::format("Panel M {} to {}: degree {} in M, {} in L", plain(panel.M_low), plain(panel.M_high),
+                                panel.degree_M, panel.degree_L));
+  for (std::size_t k = 0; k < table_film_count; ++k)
+    lines.push_back(fmt::format("{}: stated error {}, found {}", to_string(table_films[k]),
+                                plain(table.errors[k].stated, 2), plain(table.errors[k].found, 2)));
+  lines.push_back(
+      "Errors are relative; of the offset absolute up to 1 above the dry offset, then relative to that rise.");
+  return lines;
+}
+
+std::string film_table_csv(const FilmTable& table) {
+  std::string text = fmt::format("# schema: {}\n", film_table_schema);
+  for (const std::string& line : film_table_words(table)) text += "# " + one_line(line) + "\n";
+  text += fmt::format("# x = {}\n# y = {}\n# film = shift + exp(sum of coefficient T_i(x) T_j(y)), in units of b^2/R\n",
+                      film_table_x, film_table_y);
+  text += csv_line({"M_low", "M_high", "L_low", "L_high", "film", "shift", "i", "j", "coefficient"});
+  for (const FilmPanel& panel : table.panels)
+    for (std::size_t k = 0; k < table_film_count; ++k) {
+      const std::string begin = fmt::format("{},{},{},{},{},{},", panel.M_low, panel.M_high, table.range.L_low,
+                                            table.range.L_high, to_string(table_films[k]), table_shift(table_films[k]));
+      auto c = panel.coefficients[k].begin();
+      for (int i = 0; i <= panel.degree_M; ++i)
+        for (int j = 0; j <= panel.degree_L; ++j) text += begin + fmt::format("{},{},{}\n", i, j, *c++);
+    }
+  return text;
+}
+
+}  // namespace ehd

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "workflow/film_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "tests/check.hpp"
+#include "tests/made_table.hpp"
+#include "workflow/registry.hpp"
+
+using namespace ehd;
+using namespace ehd::verification;
+using ehd::testing::made_films;
+using ehd::testing::made_oil;
+using ehd::testing::made_range;
+using ehd::testing::made_source;
+using ehd::testing::made_table;
+
+namespace {
+
+/// Points that are no nodes and no held-out points of a table.
+std::vector<MoesGroups> other_points(const FilmRange& range, int count) {
+  std::vector<MoesGroups> points;
+  for (int i = 0; i < count; ++i) {
+    const double u = std::fmod(0.31 + 0.6180339887 * i, 1), v = std::fmod(0.17 + 0.7548776662 * i, 1);
+    points.push_back({.M = range.M_low * std::pow(range.M_high / range.M_low, u),
+                      .L = range.L_low + v * (range.L_high - range.L_low)});
+  }
+  return points;
+}
+
+/// A central film that bends where M = 30.
+ByFilm<double> bent_films(const MoesGroups& at) {
+  ByFilm<double> films = made_films(at);
+  films[1] *= 1 + 0.1 * std::abs(std::log(at.M / 30));
+  return films;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(film_table)
+
+BOOST_AUTO_TEST_CASE(a_table_meets_its_tolerance_and_its_stated_errors_hold_elsewhere) {
+  for (const double tolerance : {1e-3, 1e-5}) {
+    const FilmTable table = made_table(tolerance);
+    BOOST_TEST((table.status == StopReason::converged));
+    for (const MoesGroups& at : other_points(made_range, 300)) {
+      const auto films = *films_at(table, at);
+      const auto truth = made_films(at);
+      for (std::size_t k = 0; k < table_film_count; ++k) {
+        BOOST_TEST(table.errors[k].stated <= tolerance);
+        EHD_CHECK(std::abs(films[k].value - truth[k]) / table_error_unit(table_films[k], truth[k]),
+                  Tolerance::required(table.errors[k].stated, "the table states it"));
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(derivatives_agree_with_differences) {
+  const FilmTable table = made_table();
+  constexpr double step = 1e-4;  // of ln M and of L
+  for (const MoesGroups& at : other_points({.M_low = 7.1, .M_high = 390, .L_low = 2.1, .L_high = 17.9}, 40)) {
+    const auto films = *films_at(table, at);
+    const double d = step * at.M;
+    const auto right = *films_at(table, {at.M + d, at.L}), left = *films_at(table, {at.M - d, at.L});
+    const auto up = *films_at(table, {at.M, at.L + step}), down = *films_at(table, {at.M, at.L - step});
+    for (std::size_t k = 0; k < table_film_count; ++k) {
+      const double film = films[k].value - table_shift(table_films[k]);
+      // Central differences of powers: step^2 times the third derivative, below 10 film; and rounding over the step.
+      const Tolerance small = Tolerance::asymptotic(10 * step * step + 1e-14 / step, "step^2, and rounding/step");
+      EHD_CHECK(std::abs(films[k].by_M - (right[k].value - left[k].value) / (2 * d)) * at.M / film, small);
+      EHD_CHECK(std::abs(films[k].by_L - (up[k].value - down[k].value) / (2 * step)) / film, small);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(outside_the_range_there_is_no_film) {
+  const FilmTable table = made_table();
+  const FilmRange& in = made_range;
+  for (const MoesGroups& at : {MoesGroups{in.M_low, in.L_low}, MoesGroups{in.M_high, in.L_high}, MoesGroups{7, 10}})
+    BOOST_TEST(films_at(table, at).has_value());
+  const double nan = testing::not_a_number;
+  for (const MoesGroups& at : {MoesGroups{2.999, 10}, MoesGroups{400.1, 10}, MoesGroups{20, 1.999},
+                               MoesGroups{20, 18.01}, MoesGroups{nan, 10}, MoesGroups{20, nan}, MoesGroups{-20, 10}})
+    BOOST_TEST(!films_at(table, at).has_value());
+}
+
+BOOST_AUTO_TEST_CASE(no_contact_is_solved_twice_and_every_one_is_counted) {
+  std::vector<MoesGroups> asked;
+  const FilmTable table =
+      build_film_table(made_oil(), {.range = made_range, .tolerance = 1e-5}, made_source(made_films, &asked));
+  BOOST_TEST(static_cast<long>(asked.size()) == table.solves + table.held_out);
+  long coefficients = 0;
+  for (const FilmPanel& panel : table.panels) coefficients += (panel.degree_M + 1L) * (panel.degree_L + 1L);
+  BOOST_TEST(table.solves == coefficients);
+  std::vector<std::pair<double, double>> places;
+  for (const MoesGroups& at : asked) {
+    BOOST_TEST(made_range.contains(at));
+    places.emplace_back(at.M, at.L);
+  }
+  std::sort(places.begin(), places.end());
+  // The two panels share the nodes at M = 7, at most one a degree of L.
+  const auto shared = std::distance(std::unique(places.begin(), places.end()), places.end());
+  BOOST_TEST(shared <= table.panels.front().degree_L + 1);
+}
+
+BOOST_AUTO_TEST_CASE(a_range_that_holds_the_bend_of_the_central_film_is_split) {
+  const auto ends = [](double low, double high) {
+    const FilmTable table = build_film_table(
+        made_oil(), {.range = {.M_low = low, .M_high = high, .L_low = 2, .L_high = 18}, .tolerance = 1e-3},
+        made_source(made_films));
+    std::vector<double> M{table.panels.front().M_low};
+    for (const FilmPanel& panel : table.panels) M.push_back(panel.M_high);
+    return M;
+  };
+  BOOST_TEST((ends(2, 1000) == std::vector<double>{2, 7, 1000}));
+  BOOST_TEST((ends(0.5, 100) == std::vector<double>{0.5, 1, 7, 100}));
+  BOOST_TEST((ends(10, 100) == std::vector<double>{10, 100}));
+}
+
+BOOST_AUTO_TEST_CASE(a_tolerance_that_cannot_be_met_is_said_with_the_error_found) {
+  const FilmTableRequest request{.range = made_range, .tolerance = 1e-5, .most_solves = 800};
+  const FilmTable table = build_film_table(made_oil(), request, made_source(bent_films));
+  BOOST_TEST((table.status == StopReason::tolerance_not_met));
+  BOOST_TEST(table.reason.find("film.central") != std::string::npos);
+  BOOST_TEST(table.solves + table.held_out <= request.most_solves);
+  BOOST_TEST(table.errors[1].stated > request.tolerance);
+  BOOST_TEST(!table.panels.empty());
+  double worst = 0;
+  for (const MoesGroups& at : other_points(made_range, 300))
+    worst = std::max(worst, error((*films_at(table, at))[1].value, bent_films(at)[1]));
+  EHD_CHECK(worst, Tolerance::required(table.errors[1].stated, "the table states it, also where it misses"));
+}
+
+BOOST_AUTO_TEST_CASE(solves_that_state_more_than_the_tolerance_end_the_growth_at_once) {
+  const FilmTable table =
+      build_film_table(made_oil(), {.range = made_range, .tolerance = 1e-8}, made_source(made_films));
+  BOOST_TEST((table.status == StopReason::tolerance_not_met));
+  BOOST_TEST(table.errors[0].solves == 1e-7);
+  BOOST_TEST(table.errors[0].stated > 1e-7);
+}
+
+BOOST_AUTO_TEST_CASE(a_contact_that_is_not_solved_leaves_no_table_and_is_named) {
+  const FilmSource failing = [](const std::vector<MoesGroups>& contacts) {
+    std::vector<SolvedFilms> solved(contacts.size());
+    for (std::size_t i = 0; i < contacts.size(); ++i) solved[i].value = made_films(contacts[i]);
+    solved.back().why = "diverged: it fled";
+    return solved;
+  };
+  const FilmTable table = build_film_table(made_oil(), {.range = made_range, .tolerance = 1e-3}, failing);
+  BOOST_TEST((table.status == StopReason::limit_reached));
+  BOOST_TEST(table.panels.empty());
+  for (const char* text : {"M = ", "L = ", "it fled"})
+    BOOST_CHECK_MESSAGE(table.reason.find(text) != std::string::npos, text << " is not in " << table.reason);
+}
+
+BOOST_AUTO_TEST_CASE(an_offset_below_its_dry_value_is_refused) {
+  const auto too_deep = [](const MoesGroups& at) {
+    ByFilm<double> films = made_films(at);
+    films[3] = -0.7;
+    return films;
+  };
+  const FilmTable table = build_film_table(made_oil(), {.range = made_range, .tolerance = 1e-3}, made_source(too_deep));
+  BOOST_TEST((table.status == StopReason::limit_reached));
+  BOOST_TEST(table.reason.find("film.offset") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(a_table_of_solves_has_the_films_of_a_solve) {
+  const FilmTableRequest request{.range = {.M_low = 15, .M_high = 40, .L_low = 6, .L_high = 9}, .tolerance = 1e-3};
+  const FilmTable table = build_film_table(made_oil(), request, film_solves(made_oil(), request, 2, 60));
+  BOOST_REQUIRE((table.status == StopReason::converged));
+  const MoesGroups at{21.3, 7.4};
+  const Solution solution = default_solver().solve(problem_of(made_oil(), at), {.tolerance = 1e-5});
+  const auto films = *films_at(table, at);
+  for (std::size_t k = 0; k < table_film_count; ++k) {
+    const double truth = solution.observables.at(table_films[k]).value;
+    EHD_CHECK(std::abs(films[k].value - truth) / table_error_unit(table_films[k], truth),
+              Tolerance::required(table.errors[k].stated, "the table states it"));
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The films of one lubricant as a table over M and L: Chebyshev coefficients, their evaluation with derivatives, and
+// the errors that were found. workflow/film_table_build makes one by solving.
+//
+//   x = 2 (ln M - ln M_low)/(ln M_high - ln M_low) - 1,  the same for y with ln(1 + L)
+//   ln(film - shift) = sum of c_ij T_i(x) T_j(y)
+//
+// ln(1 + L) instead of L halves the degree over L 2.5..20, and L = 0 is allowed. The shift is 0 for a film and the
+// offset of the dry contact for the offset H_0, which may be negative: H_0 rises above its dry value by about a film.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "contact/conditions.hpp"
+#include "contact/quantities.hpp"
+#include "contact/solution.hpp"
+
+namespace ehd {
+
+/// What a table holds, in Hertz units.
+inline constexpr std::array table_films{Quantity::film_minimum, Quantity::film_central, Quantity::film_couette,
+                                        Quantity::film_offset};
+inline constexpr std::size_t table_film_count = table_films.size();
+template <class Value>
+using ByFilm = std::array<Value, table_film_count>;  ///< in the order of table_films
+
+/// 0 for a film, the dry offset for H_0.
+[[nodiscard]] double table_shift(Quantity film);
+
+/// What an error of the film is divided by: the film itself. Of the offset its rise above the dry value where that is
+/// above 1, else 1: the error of a small offset is absolute (Hertz units), as everywhere.
+[[nodiscard]] double table_error_unit(Quantity film, double value);
+
+struct FilmRange {
+  double M_low = 0, M_high = 0;  ///< 0 < M_low < M_high
+  double L_low = 0, L_high = 0;  ///< 0 <= L_low < L_high
+  [[nodiscard]] bool contains(const MoesGroups& at) const;
+};
+
+/// The range of M is split where the films bend (film_table_build.hpp); each panel has all of L. Neighbouring panels
+/// meet within their errors, not exactly.
+struct FilmPanel {
+  double M_low = 0, M_high = 0;
+  int degree_M = 0, degree_L = 0;
+  ByFilm<std::vector<double>> coefficients;  ///< c_ij, row by row, i over the degrees of M
+};
+
+/// Errors in units of table_error_unit.
+struct FilmTableErrors {
+  double found = 0;   ///< the largest difference to a held-out solve
+  double solves = 0;  ///< the largest error that a solve of the table states
+  double stated = 0;  ///< found_factor found + solves
+};
+
+struct FilmTable {
+  std::string case_id = {};  ///< whose oil it is; empty where the oil is of no case
+  int version = 0;
+  std::string solver = {};
+  Lubricant lubricant;
+  Inlet inlet;
+  FilmRange range;
+  double tolerance = 0;
+  std::vector<FilmPanel> panels;  ///< M increasing
+  ByFilm<FilmTableErrors> errors = {};
+  long solves = 0;    ///< that the coefficients are made of
+  long held_out = 0;  ///< further ones, which found the errors
+  StopReason status = StopReason::converged;
+  std::string reason = {};  ///< where status is not converged
+};
+
+/// A film in Hertz units with its derivatives.
+struct FilmAt {
+  double value = 0;
+  double by_M = 0;
+  double by_L = 0;
+};
+
+/// All films at a contact; empty outside the range of the table, which has at least one panel.
+[[nodiscard]] std::optional<ByFilm<FilmAt>> films_at(const FilmTable& table, const MoesGroups& at);
+
+/// The coordinates of a contact in a panel, -1 … 1, and their derivatives.
+struct PanelPlace {
+  double x = 0, x_by_M = 0;
+  double y = 0, y_by_L = 0;
+};
+[[nodiscard]] PanelPlace place_in(const FilmPanel& panel, const FilmRange& range, const MoesGroups& at);
+/// The contact at x, y.
+[[nodiscard]] MoesGroups contact_at(const FilmPanel& panel, const FilmRange& range, double x, double y);
+
+}  // namespace ehd

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A table of films from solves: the degrees grow until the coefficients have fallen off, and further solves, which the
+// table does not use, find its errors.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "workflow/deadline.hpp"
+#include "workflow/film_table.hpp"
+#include "workflow/film_table_oil.hpp"
+
+namespace ehd {
+
+/// The films of one contact with the errors that its solve states; `why` says why there are none.
+struct SolvedFilms {
+  ByFilm<double> value = {};
+  ByFilm<double> error = {};
+  std::string why = {};
+};
+/// Where a table has its films from: those of some contacts, in their order.
+using FilmSource = std::function<std::vector<SolvedFilms>(const std::vector<MoesGroups>&)>;
+
+struct FilmTableRequest {
+  FilmRange range;
+  double tolerance = 1e-4;
+  int most_degree = 60;     ///< in M and in L, up to ChebyshevBasis::highest_degree
+  long most_solves = 4000;  ///< held-out ones among them
+};
+
+/// The table to the tolerance. status: `converged`; `tolerance_not_met`, within the bounds of the request (the table is
+/// there with its errors); `limit_reached`, a contact was not solved (there is no panel).
+[[nodiscard]] FilmTable build_film_table(const TableOil& oil, const FilmTableRequest& request,
+                                         const FilmSource& source);
+
+/// Solves by the default solver over threads (0: one per core), each to solve_share of the table's tolerance.
+[[nodiscard]] FilmSource film_solves(const TableOil& oil, const FilmTableRequest& request, unsigned threads,
+                                     double time_limit_s, const Deadline& deadline = {});
+
+}  // namespace ehd
