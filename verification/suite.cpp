@@ -78,6 +78,8 @@ std::vector<Topic> topics_of(const SuiteRequest& request, const std::vector<Load
                      truncation_topics(),
                      stated_error_topics(),
                      regime_topics(),
+                     response_topics(),
+                     response_motion_topics(),
                      atlas_topics(),
                      literature_topics(),
                      bearing_topics(cases),
