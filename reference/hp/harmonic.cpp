@@ -177,7 +177,7 @@ SlowMotion Harmonic::of_slow_load() const {
   drive[intervals() + 1] = 2 / pi;
   SlowMotion slow;
   slow.u_0 = lu.solve(rows.cwiseProduct(drive));
-  slow.u_1 = lu.solve(rows.cwiseProduct(-(K_ * slow.u_0)));
+  slow.u_1 = lu.solve(rows.cwiseProduct(-squeeze(slow.u_0)));
   return slow;
 }
 

@@ -52,6 +52,8 @@ class Harmonic {
   /// u for a waviness of amplitude 1 at a constant load.
   [[nodiscard]] ComplexVector of_waviness(const Waviness& waviness) const;
   [[nodiscard]] SlowMotion of_slow_load() const;
+  /// K u.
+  [[nodiscard]] VectorOf<double> squeeze(const VectorOf<double>& u) const { return K_ * u; }
 
   [[nodiscard]] int intervals() const { return steady_.equations->intervals(); }
   [[nodiscard]] const Resolved& steady() const { return steady_; }

@@ -264,6 +264,10 @@ Response ResponseSolve::solve() {
                  : meter_.spent() ? StopReason::limit_reached
                                   : StopReason::tolerance_not_met;
   if (!all) found.reason = "the two discretisations differ by more than the tolerance";
+  const bool beyond = std::any_of(found.frequencies.begin(), found.frequencies.end(),
+                                  [](const Stiffness& at) { return at.status != StopReason::converged; });
+  if (beyond && found.highest_certified)
+    found.reason += "; kappa is certified up to Omega = " + plain(*found.highest_certified, 3);
   if (const double floor = both_.front().harmonic.steady().floor; floor > 0)
     found.notes.push_back("the fluidity's floor could not be lowered below " + plain(floor, 2) +
                           ": values are those of this floor, and their errors include the move to floor 0");
