@@ -15,6 +15,7 @@
 #include "io/find_case.hpp"
 #include "io/response_text.hpp"
 #include "workflow/case.hpp"
+#include "workflow/registry.hpp"
 #include "workflow/response_run.hpp"
 
 namespace ehd::cli {

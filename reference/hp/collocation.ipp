@@ -238,8 +238,7 @@ auto Collocation<Scalar>::film_jacobian(const State<Scalar>& state, const Evalua
   const Scalar pi = boost::math::constants::pi<Scalar>(), s = stretching(state.exit), log_s = log(s);
   const int n = intervals_;
   Matrix G(at.H.size(), n + 3);
-  for (int j = 0; j < n; ++j)
-    G.col(j) = ((kernel_.col(j).array() + log_s * integrals_[j]) * (-s / pi)).matrix();
+  for (int j = 0; j < n; ++j) G.col(j) = ((kernel_.col(j).array() + log_s * integrals_[j]) * (-s / pi)).matrix();
   G.col(n).setOnes();
   G.col(n + 1).setZero();
   G.col(n + 2) = at.film_by_exit.matrix();

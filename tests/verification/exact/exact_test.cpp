@@ -76,7 +76,8 @@ BOOST_AUTO_TEST_CASE(martins_damping_is_the_force_of_a_roller_that_moves_away) {
   };
   const double c = -moment(1) / moment(0);
   EHD_CHECK(error(martin.damping, 12 * std::pow(2, 1.5) * (moment(2) + c * moment(1))), by_quadrature);
-  EHD_CHECK(error(martin.damping, 6.548275818), Tolerance::published_digits("6.548275818"));
+  // B, computed independently.
+  EHD_CHECK(error(martin.damping / (12 * std::pow(2, 1.5)), 0.1929304265), Tolerance::published_digits("0.1929304265"));
 }
 
 BOOST_AUTO_TEST_CASE(the_pressure_of_a_flat_punch_moves_the_surface_by_one_amount) {
