@@ -8,6 +8,7 @@
 #define EHD_SUBCOMMANDS(LINE) \
   LINE(solve)                 \
   LINE(compare)               \
+  LINE(response)              \
   LINE(bearing)               \
   LINE(cases)                 \
   LINE(plan)                  \

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/suite.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -79,6 +81,8 @@ std::vector<Topic> topics_of(const SuiteRequest& request, const std::vector<Load
                      stated_error_topics(),
                      film_table_topics(),
                      regime_topics(),
+                     response_topics(),
+                     response_motion_topics(),
                      atlas_topics(),
                      literature_topics(),
                      bearing_topics(cases),

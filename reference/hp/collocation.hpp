@@ -99,6 +99,13 @@ class Collocation {
   /// d residual/d(P_0 … P_(n-1), H_0, C, X*), (n+3) x (n+3).
   [[nodiscard]] Matrix jacobian(const State<Scalar>& state, const Evaluation<Scalar>& at) const;
 
+  /// d H/d(P_0 … P_(n-1), H_0, C, X*) at the rows, for fixed xi: rows x (n+3).
+  [[nodiscard]] Matrix film_jacobian(const State<Scalar>& state, const Evaluation<Scalar>& at) const;
+  /// dX/dX* of a place that keeps its xi: 0 at the inlet, 1 at the exit.
+  [[nodiscard]] Scalar coordinate_by_exit(const Place<Scalar>& place) const { return Scalar(1) + xi(place) / extent_; }
+  /// S: Int P dxi = S . P.
+  [[nodiscard]] const Vector& integrals() const { return integrals_; }
+
   /// The interpolant of nodal values at a local coordinate t of an element.
   [[nodiscard]] Scalar interpolate(const Vector& P, int element, const Scalar& t) const;
 

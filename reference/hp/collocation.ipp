@@ -233,6 +233,19 @@ Evaluation<Scalar> Collocation<Scalar>::evaluate(const State<Scalar>& state, con
 }
 
 template <class Scalar>
+auto Collocation<Scalar>::film_jacobian(const State<Scalar>& state, const Evaluation<Scalar>& at) const -> Matrix {
+  using std::log;
+  const Scalar pi = boost::math::constants::pi<Scalar>(), s = stretching(state.exit), log_s = log(s);
+  const int n = intervals_;
+  Matrix G(at.H.size(), n + 3);
+  for (int j = 0; j < n; ++j) G.col(j) = ((kernel_.col(j).array() + log_s * integrals_[j]) * (-s / pi)).matrix();
+  G.col(n).setOnes();
+  G.col(n + 1).setZero();
+  G.col(n + 2) = at.film_by_exit.matrix();
+  return G;
+}
+
+template <class Scalar>
 auto Collocation<Scalar>::jacobian(const State<Scalar>& state, const Evaluation<Scalar>& at) const -> Matrix {
   using std::log;
   const Scalar pi = boost::math::constants::pi<Scalar>(), one(1), two(2), three(3);

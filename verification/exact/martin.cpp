@@ -35,6 +35,8 @@ Martin::Martin() {
   // F_t = (1/2) Int h dp = 3 eta u_s sqrt(2R/h_0) Int (1 - k cos^2 g) dg, with h_0 from the load.
   const double film_over_pressure = std::abs(exit_angle + pi / 2 - exit_film * cos_2(exit_angle));
   rolling_force = 3 * std::sqrt(2 / load_sum) * film_over_pressure;
+  const double I_0 = cos_4(exit_angle), I_1 = -std::pow(std::cos(exit_angle), 4) / 4, I_2 = cos_2(exit_angle) - I_0;
+  damping = 12 * std::pow(2, 1.5) * (I_2 - I_1 * I_1 / I_0);
 }
 
 double Martin::pressure(double angle) const { return 12 * wedge_integral(angle, exit_film); }

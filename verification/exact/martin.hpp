@@ -21,6 +21,10 @@ struct Martin {
   double pressure_max = 0;   ///< p_max h_0^2/(eta u_m sqrt(2 R h_0)), found at -X_c: 1.520945584
   double pressure_at_0 = 0;  ///< likewise at x = 0: half of it
   double rolling_force = 0;  ///< F_t/(E'R sqrt(U_s W)): 1.470515
+  /// Damping of small vertical motion per length, over eta (R/h_0)^(3/2): 6.548275819. With the speed V of separation
+  /// dp/dx = 12 eta (V x + constant)/h^3 between p = 0 at both ends, so that w = -12 2^(3/2) B eta V (R/h_0)^(3/2),
+  /// B = I_2 - I_1^2/I_0, I_k = Int tan^k g cos^4 g dg from -pi/2 to g_c. It does not depend on the frequency.
+  double damping = 0;
 
   /// p h_0^2/(eta u_m sqrt(2 R h_0)) at x = sqrt(2 R h_0) tan(angle), angle in [-pi/2, g_c].
   [[nodiscard]] double pressure(double angle) const;

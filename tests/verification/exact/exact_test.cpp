@@ -10,6 +10,7 @@
 #include "tests/check.hpp"
 #include "verification/exact/blok.hpp"
 #include "verification/exact/ertel_grubin.hpp"
+#include "verification/exact/flat_punch.hpp"
 #include "verification/exact/manufactured.hpp"
 #include "verification/exact/martin.hpp"
 #include "verification/exact/numerics.hpp"
@@ -64,6 +65,32 @@ BOOST_AUTO_TEST_CASE(martin_satisfies_reynolds_equation_by_quadrature) {
                       integral([&](double X) { return (1 + X * X) * slope(X); }, 0, martin.exit);
   // F_t = (1/2) eta u_m sqrt(2 R/h_0) work, u_m = u_s/2, h_0 = load_sum eta u_s R/w.
   EHD_CHECK(error(std::abs(work) / 4 * std::sqrt(2 / martin.load_sum), martin.rolling_force), by_quadrature);
+}
+
+BOOST_AUTO_TEST_CASE(martins_damping_is_the_force_of_a_roller_that_moves_away) {
+  // In X = x/sqrt(2 R h_0): dp/dX ~ (X + c)/(1 + X^2)^3, p = 0 at both ends fixes c, w = -Int X dp.
+  const Martin martin;
+  const auto moment = [&](int k) {
+    const auto f = [&](double X) { return std::pow(X, k) / std::pow(1 + X * X, 3); };
+    return integral_to_infinity([&](double t) { return f(-t); }, 0) + integral(f, 0, martin.exit);
+  };
+  const double c = -moment(1) / moment(0);
+  EHD_CHECK(error(martin.damping, 12 * std::pow(2, 1.5) * (moment(2) + c * moment(1))), by_quadrature);
+  // B, computed independently.
+  EHD_CHECK(error(martin.damping / (12 * std::pow(2, 1.5)), 0.1929304265), Tolerance::published_digits("0.1929304265"));
+}
+
+BOOST_AUTO_TEST_CASE(the_pressure_of_a_flat_punch_moves_the_surface_by_one_amount) {
+  const double a = -4.1, c = 1.07;
+  for (const double X : {-3.9, -1.2, 0.6, 1.0}) {
+    // X' = middle + half sin t takes both end singularities away; the logarithm's integral is split at X.
+    const double half = (c - a) / 2, middle = (a + c) / 2, at = std::asin((X - middle) / half);
+    const auto f = [&](double t) { return std::log(std::abs(X - middle - half * std::sin(t))) / pi; };
+    BOOST_TEST_CONTEXT("X = " << X) {
+      EHD_CHECK(error(-(integral(f, -pi / 2, at) + integral(f, at, pi / 2)) / pi, flat_punch_compliance(a, c)),
+                Tolerance::discretisation(1e-13, 1e3));  // next to its singularity the argument keeps 13 digits
+    }
+  }
 }
 
 BOOST_AUTO_TEST_CASE(martins_contact_at_M_satisfies_the_hertz_scaled_equations) {

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// ehd response: stiffness and damping of a contact's film, and what the film leaves of a waviness.
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/options.hpp"
+#include "cli/output.hpp"
+#include "cli/subcommands.hpp"
+#include "cli/usage.hpp"
+#include "contact/solver.hpp"
+#include "io/case_reader.hpp"
+#include "io/find_case.hpp"
+#include "io/response_text.hpp"
+#include "workflow/case.hpp"
+#include "workflow/registry.hpp"
+#include "workflow/response_run.hpp"
+
+namespace ehd::cli {
+
+namespace {
+
+/// The only solver that has a response.
+constexpr const char* response_solver = "reference";
+
+struct ResponseOptions {
+  std::string case_name, solver = response_solver;
+  std::vector<std::string> omegas, frequencies, wavelengths;
+  std::string slip = "1";
+  std::optional<std::string> tolerance, datum, json;
+  RequestOptions request;
+};
+
+const char* const response_examples = R"(
+Examples:
+  ehd response own-moes-20-10                         stiffness at rest, and damping of slow motion
+  ehd response own-moes-20-10 --omega 1 --omega 10    at Omega = omega b/u_m, u_m the mean speed
+  ehd response steel-roller --frequency 100           at 100 Hz, where the case states a speed
+  ehd response own-moes-20-10 --wavelength 0.5 --slip 1   what is left of a waviness, wavelength in b
+
+kappa = -W_1/H_01 in Hertz units: the load's change over that of the bodies' distance. A negative imaginary part is a
+result: the contact is driven by its rolling. Frequencies that are not known within the tolerance end as
+tolerance-not-met, with the highest one that is.
+
+Exit code: 0 converged; 1 not converged (the status says how); 2 bad input or usage.)";
+
+/// What is taken. Within, a frequency or wave that no mesh resolves ends as tolerance-not-met.
+constexpr Interval omega_range{.low = 0, .high = 1e9};
+constexpr Interval frequency_range{.low = 0, .high = 1e12};
+constexpr Interval wavelength_range{.low = 0.02, .high = 1e4};
+constexpr Interval slip_range{.low = 0, .high = 2};
+constexpr Interval tolerance_range{.low = 1e-13, .high = 1e-2};
+constexpr Interval datum_range{.low = 1e-9, .high = 1e3};
+
+ResponseQuestion question_of(const ResponseOptions& options) {
+  ResponseQuestion question;
+  const Request limits = options.request.request();
+  ResponseRequest& request = question.request;
+  if (options.tolerance) request.tolerance = parse_number("--tolerance", *options.tolerance, tolerance_range);
+  request.max_iterations = limits.max_iterations;
+  request.time_limit_s = limits.time_limit_s;
+  for (const auto& text : options.omegas) request.frequencies.push_back(parse_number("--omega", text, omega_range));
+  for (const auto& text : options.frequencies)
+    question.frequencies_Hz.push_back(parse_number("--frequency", text, frequency_range));
+  const double slip = parse_number("--slip", options.slip, slip_range);
+  for (const auto& text : options.wavelengths)
+    request.waviness.push_back({.wavelength = parse_number("--wavelength", text, wavelength_range), .slip = slip});
+  if (request.frequencies.empty() && question.frequencies_Hz.empty() && request.waviness.empty())
+    request.frequencies = {0};
+  if (options.datum) question.datum_m = parse_number("--x0-m", *options.datum, datum_range);
+  return question;
+}
+
+int respond(const ResponseOptions& options) {
+  if (solver_named(options.solver).name != response_solver)
+    throw option_error("--solver", options.solver, "has no response; allowed is " + std::string(response_solver));
+  const ResponseQuestion question = question_of(options);
+  const Case one = read_case(find_case(options.case_name));
+  if (!std::holds_alternative<ContactCase>(one.body))
+    throw case_error(one, "bearing", "is no contact; allowed is a contact case");
+  require_distinct({{"the case", one.file}}, {{"--json", options.json.value_or("")}});
+  JsonTarget json(options.json);
+  const std::string title = one.id + ": " + one.title;
+  ResponseRun run;
+  {
+    Progress progress;
+    progress.show("response of " + title + " ...");
+    run = run_response(one, question);
+  }
+  json.commit(to_json(run));
+  if (!json.to_standard_output()) print(human_table(run, title));
+  if (run.response.status == StopReason::converged) return success;
+  complain("ehd: " + title + ": " + std::string(to_string(run.response.status)) + ": " + run.response.reason);
+  return not_met;
+}
+
+}  // namespace
+
+void describe_response(Command& command) {
+  auto options = std::make_shared<ResponseOptions>();
+  command.summary("Stiffness and damping of a contact's film, and what it leaves of a waviness");
+  command.examples(response_examples);
+  command.text("CASE", options->case_name, "a contact case (TOML), or the id of a benchmark case").required();
+  command.text("--solver", options->solver, "reference, the only solver with a response so far").showing_default();
+  command.text("--tolerance", options->tolerance, "relative error allowed in kappa and in amplitudes (1e-8)")
+      .called("T");
+  options->request.add_to(command, false);
+  command.list("--omega", options->omegas, "Omega = omega b/u_m (repeatable; 0 where nothing is asked for)");
+  command.list("--frequency", options->frequencies, "in Hz (repeatable)");
+  command.list("--wavelength", options->wavelengths, "of a waviness, in b (repeatable)");
+  command.text("--slip", options->slip, "speed of the waviness over u_m, 0 to 2; 1 is pure rolling").showing_default();
+  command.text("--x0-m", options->datum, "datum of the approach, for stiffness in SI (the half width b)");
+  command.text("--json", options->json, "the result as JSON into a file, or - for standard output");
+  command.runs([options] { return respond(*options); });
+}
+
+}  // namespace ehd::cli

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The linear response of the film contact about its steady state: what a caller asks for and what a solver answers.
+//
+// Hertz scaling as in problem.hpp, and T = t u_m/b, Omega = omega b/u_m with the mean speed u_m = u_s/2. All
+// oscillating numbers are amplitudes of e^(i Omega T). To first order in the amplitude
+//   d/dX [rho H^3/(eta lambda) P' - rho H]_1 = i Omega (rho H)_1,
+//   H_1 = H_01 + R_1(X) - (1/pi) Int P_1(X') ln|X - X'| dX'.
+// Moving bodies: R_1 = 0 and H_01, the change of the offset, drives; kappa = -W_1/H_01, W_1 = Int P_1 dX.
+// Waviness: R_1 = e^(-2 pi i X/wavelength) drives, at a constant load, W_1 = 0.
+#pragma once
+
+#include <complex>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "contact/solution.hpp"
+
+namespace ehd {
+
+/// A harmonic surface feature of amplitude 1 that moves through the contact.
+struct Waviness {
+  double wavelength = 0;  ///< in b
+  double slip =
+      1;  ///< s: the feature moves at s u_m. 1 is pure rolling, 0 a feature at rest, 2 the other surface at rest
+  [[nodiscard]] double wavenumber() const { return 2 * std::numbers::pi / wavelength; }
+  [[nodiscard]] double Omega() const { return slip * wavenumber(); }
+};
+
+struct ResponseRequest {
+  std::vector<double> frequencies = {};  ///< Omega >= 0
+  std::vector<Waviness> waviness = {};
+  double tolerance = 1e-8;  ///< relative, of kappa and of the amplitude ratio
+  int max_iterations = 2000;
+  double time_limit_s = 300;
+};
+
+/// kappa at one frequency.
+struct Stiffness {
+  double Omega = 0;
+  std::complex<double> kappa = {};
+  double error = 0;  ///< of kappa, relative to |kappa|
+  StopReason status = StopReason::diverged;
+};
+
+/// kappa = kappa_0 + i Omega kappa_1 + O(Omega^2): stiffness and damping of slow motion.
+struct SlowStiffness {
+  double kappa_0 = 0, kappa_1 = 0;
+  double error_0 = 0, error_1 = 0;  ///< relative
+};
+
+/// What the contact leaves of a waviness: H_1(0) for R_1(0) = 1.
+struct WavinessResponse {
+  Waviness waviness;
+  std::complex<double> film = {};  ///< H_1 at X = 0
+  double error = 0;                ///< of it, relative to |H_1(0)|
+  StopReason status = StopReason::diverged;
+  [[nodiscard]] double amplitude_ratio() const { return std::abs(film); }
+  [[nodiscard]] double phase_deg() const { return std::arg(film) * 180 / std::numbers::pi; }
+};
+
+struct Response {
+  StopReason status = StopReason::diverged;  ///< converged where every number is within the tolerance
+  std::string reason;                        ///< one sentence where it is not
+  std::optional<SlowStiffness> slow = {};
+  std::vector<Stiffness> frequencies = {};      ///< in the order of the request
+  std::vector<WavinessResponse> waviness = {};  ///< in the order of the request
+  /// The highest Omega at which kappa is known within the tolerance: of the request, where all are; else found between
+  /// two of them. Absent where not even kappa_0 is.
+  std::optional<double> highest_certified = {};
+  Cost cost = {};
+  std::vector<std::string> notes = {};
+};
+
+}  // namespace ehd

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/response_text.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "contact/text.hpp"
+#include "io/tables.hpp"
+
+namespace ehd {
+
+namespace {
+
+Json stiffness_json(const ResponseRun& run, const Stiffness& at) {
+  Json json;
+  json["omega"] = at.Omega;
+  put(json, "frequency_Hz", run.frequency_Hz(at.Omega));
+  json["status"] = to_string(at.status);
+  if (at.status == StopReason::diverged || !std::isfinite(at.error)) return json;
+  put(json["kappa"], "real", at.kappa.real());
+  put(json["kappa"], "imag", at.kappa.imag());
+  put(json["kappa"], "error", at.error);
+  if (const auto si = run.dynamic_stiffness(at)) {
+    put(json, "stiffness_N_per_m2", si->stiffness_N_per_m2);
+    put(json, "damping_N_s_per_m2", si->damping_N_s_per_m2);
+  }
+  return json;
+}
+
+Json waviness_json(const WavinessResponse& at) {
+  Json json;
+  json["wavelength"] = at.waviness.wavelength;
+  json["slip"] = at.waviness.slip;
+  json["status"] = to_string(at.status);
+  if (at.status == StopReason::diverged || !std::isfinite(at.error)) return json;
+  put(json, "amplitude_ratio", at.amplitude_ratio());
+  put(json, "phase_deg", at.phase_deg());
+  put(json, "error", at.error);
+  return json;
+}
+
+Json slow_json(const SlowStiffness& slow) {
+  Json json;
+  put(json["kappa_0"], "value", slow.kappa_0);
+  put(json["kappa_0"], "error", slow.error_0);
+  put(json["kappa_1"], "value", slow.kappa_1);
+  put(json["kappa_1"], "error", slow.error_1);
+  return json;
+}
+
+}  // namespace
+
+Json to_json(const ResponseRun& run) {
+  Json json;
+  json["case"] = run.case_id;
+  json["version"] = run.version;
+  json["solver"] = run.solver;
+  json["status"] = to_string(run.response.status);
+  if (!run.response.reason.empty()) json["reason"] = run.response.reason;
+  put(json["groups"], "M", run.groups.M);
+  put(json["groups"], "L", run.groups.L);
+  put(json["groups"], "lambda", run.groups.lambda);
+  put(json, "x0_m", run.datum_m);
+  if (run.response.slow) json["slow"] = slow_json(*run.response.slow);
+  put(json, "highest_certified_omega", run.response.highest_certified);
+  json["response"] = Json::array();
+  for (const Stiffness& at : run.response.frequencies) json["response"].push_back(stiffness_json(run, at));
+  if (!run.response.waviness.empty()) json["waviness"] = Json::array();
+  for (const WavinessResponse& at : run.response.waviness) json["waviness"].push_back(waviness_json(at));
+  put(json["cost"], "wall_s", run.response.cost.wall_s);
+  json["cost"]["nodes"] = run.response.cost.nodes;
+  json["cost"]["newton_iterations"] = run.response.cost.newton_iterations;
+  json["notes"] = run.notes;
+  return json;
+}
+
+std::string human_table(const ResponseRun& run, const std::string& title) {
+  const Response& response = run.response;
+  std::string text = fmt::format("{}\nstatus  {} ({})\n", title, to_string(response.status), run.solver);
+  if (!response.reason.empty()) text += fmt::format("reason  {}\n", response.reason);
+  if (response.slow)
+    text += fmt::format("\nkappa_0  {}\nkappa_1  {}\n", with_error(response.slow->kappa_0, response.slow->error_0),
+                        with_error(response.slow->kappa_1, response.slow->error_1));
+  std::vector<std::vector<std::string>> rows;
+  if (!response.frequencies.empty())
+    rows.push_back({"Omega", "Hz", "Re kappa", "Im kappa", "error", "N/m^2", "N s/m^2", "status"});
+  for (const Stiffness& at : response.frequencies) {
+    const auto si = run.dynamic_stiffness(at);
+    const auto hertz = run.frequency_Hz(at.Omega);
+    rows.push_back({plain(at.Omega), hertz ? plain(*hertz) : "", plain(at.kappa.real(), 9), plain(at.kappa.imag(), 9),
+                    plain(at.error, 2), si ? plain(si->stiffness_N_per_m2) : "",
+                    si && si->damping_N_s_per_m2 ? plain(*si->damping_N_s_per_m2) : "",
+                    std::string(to_string(at.status))});
+  }
+  if (!rows.empty()) text += "\n" + aligned(rows, 0);
+  rows.clear();
+  if (!response.waviness.empty())
+    rows.push_back({"wavelength/b", "slip", "amplitude ratio", "phase [deg]", "error", "status"});
+  for (const WavinessResponse& at : response.waviness)
+    rows.push_back({plain(at.waviness.wavelength), plain(at.waviness.slip), plain(at.amplitude_ratio(), 9),
+                    plain(at.phase_deg(), 6), plain(at.error, 2), std::string(to_string(at.status))});
+  if (!rows.empty()) text += "\n" + aligned(rows, 0);
+  for (const std::string& note : run.notes) text += "\nnote: " + note;
+  return text + (run.notes.empty() ? "" : "\n");
+}
+
+}  // namespace ehd

@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/hp/response.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "contact/text.hpp"
+#include "reference/hp/discretiser.hpp"
+#include "reference/hp/harmonic.hpp"
+
+namespace ehd::reference::hp {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// The steady state is resolved to this part of the tolerance, and to no less than the second number.
+constexpr double steady_part = 0.01, finest_steady = 1e-13;
+/// Of the steady meshes, as in high_order.cpp.
+constexpr double pressure_resolution = 1e-3, flux_resolution = 1e-2;
+/// Error over difference of the two discretisations; error_report.cpp says where the number comes from.
+constexpr double safety = 5;
+/// Error over the move from the last floor of the fluidity to floor 0, which no third floor confirms.
+constexpr double floor_safety_of_response = 2;
+/// What an element may do to the film's amplitude, over the tolerance: of each attempt to meet it. The indicator is 10
+/// to 1e4 times larger than the error that it stands for.
+constexpr double allowed_parts[] = {100, 1, 0.01};
+/// A refinement that leaves more than this part of the error is the last one: something else than the mesh limits it.
+constexpr double hopeless = 0.7;
+/// A mesh with more intervals is not refined further: one frequency on it costs seconds.
+constexpr int most_intervals = 2000;
+constexpr int most_refinements = 20;
+constexpr double shortest_element = 4e-15;  // in xi, as in HomotopyLimits
+constexpr NewtonLimits refined_newton{.iterations = 20, .step = 1e-9};
+constexpr int iterations_per_request = 10;  // as in high_order.cpp
+/// Halvings of the interval, in ln Omega, that holds the highest certified frequency.
+constexpr int certificate_halvings = 6;
+
+/// A number as both discretisations have it.
+struct Twice {
+  Complex first, second;
+};
+
+/// One of the two discretisations: its mesh as it is now, and the floor before its last one, where it ended above 0.
+struct Discretisation {
+  Harmonic harmonic;
+  std::optional<Harmonic> higher_floor;
+};
+
+Complex kappa_of(const Harmonic& harmonic, double Omega) { return -1.0 / harmonic.offset(harmonic.of_load(Omega)); }
+
+class ResponseSolve {
+ public:
+  ResponseSolve(const Problem& problem, const ResponseRequest& request)
+      : problem_(problem),
+        request_(request),
+        meter_{.iterations_left = request.max_iterations * iterations_per_request,
+               .end = begin_ + std::chrono::duration_cast<Clock::duration>(
+                                   std::chrono::duration<double>(std::min(request.time_limit_s, longest_time_s)))} {}
+
+  [[nodiscard]] Response solve();
+
+ private:
+  static constexpr double longest_time_s = 1e8;
+  struct Judged {
+    Complex value;
+    double error = std::numeric_limits<double>::infinity();
+    StopReason status = StopReason::diverged;
+  };
+
+  [[nodiscard]] bool find_steady();
+  /// Refines both meshes until `excess` is at most 1 everywhere; false where they cannot.
+  template <class Excess>
+  [[nodiscard]] bool refine(const Excess& excess);
+  [[nodiscard]] Judged judged(const Twice& values, double floor_error) const;
+  template <class Value>
+  [[nodiscard]] double floor_error(const Value& value) const;
+  template <class Value, class Excess>
+  [[nodiscard]] Judged certified(const Value& value, const Excess& excess);
+  [[nodiscard]] Judged stiffness(double Omega);
+  [[nodiscard]] Judged wavy_film(const Waviness& waviness);
+  [[nodiscard]] SlowStiffness slow() const;
+  [[nodiscard]] std::optional<double> highest_certified(const std::vector<Stiffness>& frequencies, bool slow) const;
+
+  const Problem& problem_;
+  const ResponseRequest& request_;
+  Clock::time_point begin_ = Clock::now();
+  Meter meter_;
+  double rounding_ = 0;
+  std::vector<Discretisation> both_;
+};
+
+bool ResponseSolve::find_steady() {
+  const double working = std::max(steady_part * request_.tolerance, finest_steady);
+  Discretiser discretiser(problem_, meter_);
+  const auto top = discretiser.start();
+  if (!top) return false;
+  const auto coarse = discretiser.coarse_descent(*top, working);
+  const Resolution resolution{.film = std::max(working, discretiser.expected_rounding()),
+                              .spike = pressure_resolution,
+                              .defect = flux_resolution};
+  const auto first = discretiser.discretised(coarse, fine_scheme, resolution, working);
+  if (!first) return false;
+  const auto second = discretiser.discretised(first->floors, second_to(fine_scheme), resolution, working);
+  if (!second) return false;
+  meter_ = discretiser.meter();
+  rounding_ = discretiser.rounding_of(first->last().run.state.flux);
+  for (const Discretised* steady : {&*first, &*second}) {
+    const auto apart = floors_apart(steady->floors);
+    both_.push_back({Harmonic(problem_, steady->last()), std::nullopt});
+    if (steady->last().floor > 0 && apart.size() > 1)
+      both_.back().higher_floor.emplace(problem_, steady->floors[apart[1]]);
+  }
+  return true;
+}
+
+template <class Excess>
+bool ResponseSolve::refine(const Excess& excess) {
+  for (auto& [harmonic, higher_floor] : both_) {
+    for (int pass = 0;; ++pass) {
+      const std::vector<double> found = excess(harmonic);
+      if (*std::max_element(found.begin(), found.end()) <= 1) break;
+      const Resolved& steady = harmonic.steady();
+      Mesh mesh = adapted(
+          steady.equations->mesh(), found, [](int) { return false; }, shortest_element);
+      const bool same = mesh.breakpoints == steady.equations->mesh().breakpoints;
+      if (same || pass == most_refinements || mesh.intervals() > most_intervals || meter_.spent()) return false;
+      Resolved finer = moved_to(problem_, steady, std::move(mesh), steady.equations->points());
+      finer.run = newton(*finer.equations, finer.run.state, finer.floor, refined_newton, meter_);
+      if (!finer.run.solved) return false;
+      harmonic = Harmonic(problem_, std::move(finer));
+    }
+  }
+  return true;
+}
+
+/// The move to floor 0 of a number that is linear in a small floor.
+template <class Value>
+double ResponseSolve::floor_error(const Value& value) const {
+  const auto& [harmonic, higher_floor] = both_.front();
+  const double floor = harmonic.steady().floor;
+  if (floor == 0) return 0;
+  if (!higher_floor) return std::numeric_limits<double>::infinity();
+  const double part = floor / (higher_floor->steady().floor - floor);
+  return floor_safety_of_response * part * std::abs(value(*higher_floor) - value(harmonic));
+}
+
+ResponseSolve::Judged ResponseSolve::judged(const Twice& values, double floor_error) const {
+  Judged found{.value = values.first};
+  const double size = std::abs(values.first);
+  found.error = (safety * std::abs(values.first - values.second) + floor_error) / size + rounding_;
+  found.status = found.error <= request_.tolerance ? StopReason::converged
+                 : meter_.spent()                  ? StopReason::limit_reached
+                 : std::isfinite(size)             ? StopReason::tolerance_not_met
+                                                   : StopReason::diverged;
+  return found;
+}
+
+/// value(harmonic), within the tolerance if meshes can be made for it; excess(harmonic, allowed) says where they are to
+/// be finer.
+template <class Value, class Excess>
+ResponseSolve::Judged ResponseSolve::certified(const Value& value, const Excess& excess) {
+  Judged best;
+  for (const double part : allowed_parts) {
+    const double allowed = part * request_.tolerance;
+    const bool resolved = refine([&](const Harmonic& harmonic) { return excess(harmonic, allowed); });
+    const Judged found = judged({value(both_.front().harmonic), value(both_.back().harmonic)}, floor_error(value));
+    const double before = best.error;
+    if (found.error < best.error || best.status == StopReason::diverged) best = found;
+    if (found.status == StopReason::converged || !resolved || found.error > hopeless * before) break;
+  }
+  return best;
+}
+
+ResponseSolve::Judged ResponseSolve::stiffness(double Omega) {
+  return certified([&](const Harmonic& harmonic) { return kappa_of(harmonic, Omega); },
+                   [&](const Harmonic& harmonic, double allowed) {
+                     const ComplexVector u = harmonic.of_load(Omega);
+                     return harmonic.excess(u, Omega, allowed, std::abs(harmonic.offset(u)));
+                   });
+}
+
+ResponseSolve::Judged ResponseSolve::wavy_film(const Waviness& waviness) {
+  const double Omega = waviness.Omega();
+  const auto film = [&](const Harmonic& harmonic, const ComplexVector& u) {
+    const auto deflection = harmonic.central_film(u, Omega);
+    return deflection ? 1.0 + *deflection : Complex(std::numeric_limits<double>::quiet_NaN());
+  };
+  return certified([&](const Harmonic& harmonic) { return film(harmonic, harmonic.of_waviness(waviness)); },
+                   [&](const Harmonic& harmonic, double allowed) {
+                     const ComplexVector u = harmonic.of_waviness(waviness);
+                     return harmonic.excess(u, Omega, allowed, std::abs(film(harmonic, u)), &waviness);
+                   });
+}
+
+SlowStiffness ResponseSolve::slow() const {
+  const auto of = [](const Harmonic& harmonic) {  // kappa = -1/(u_0 + i Omega u_1)
+    const SlowMotion u = harmonic.of_slow_load();
+    const double u_0 = harmonic.offset(u.u_0), u_1 = harmonic.offset(u.u_1);
+    return std::pair(-1 / u_0, u_1 / (u_0 * u_0));
+  };
+  const auto kappa_0 = [&](const Harmonic& harmonic) { return Complex(of(harmonic).first); };
+  const auto kappa_1 = [&](const Harmonic& harmonic) { return Complex(of(harmonic).second); };
+  const auto& first = both_.front().harmonic;
+  const auto& second = both_.back().harmonic;
+  const Judged stiff = judged({kappa_0(first), kappa_0(second)}, floor_error(kappa_0));
+  const Judged damping = judged({kappa_1(first), kappa_1(second)}, floor_error(kappa_1));
+  return {
+      .kappa_0 = stiff.value.real(), .kappa_1 = damping.value.real(), .error_0 = stiff.error, .error_1 = damping.error};
+}
+
+/// Between the last frequency that is certified and the next one, which is not, on the meshes that both ended with.
+std::optional<double> ResponseSolve::highest_certified(const std::vector<Stiffness>& frequencies, bool slow) const {
+  if (!slow) return std::nullopt;
+  double low = 0, high = std::numeric_limits<double>::infinity();
+  for (const Stiffness& at : frequencies)
+    if (at.status != StopReason::converged) high = std::min(high, at.Omega);
+  for (const Stiffness& at : frequencies)
+    if (at.status == StopReason::converged && at.Omega < high) low = std::max(low, at.Omega);
+  if (!std::isfinite(high)) return low;
+  double bottom = low > 0 ? low : high * std::exp2(-2 * certificate_halvings);
+  for (int k = 0; k < certificate_halvings && !meter_.spent(); ++k) {
+    const double middle = std::sqrt(bottom * high);
+    const auto value = [&](const Harmonic& harmonic) { return kappa_of(harmonic, middle); };
+    const Judged found = judged({value(both_.front().harmonic), value(both_.back().harmonic)}, floor_error(value));
+    (found.status == StopReason::converged ? bottom : high) = middle;
+    if (found.status == StopReason::converged) low = middle;
+  }
+  return low;
+}
+
+Response ResponseSolve::solve() {
+  Response found;
+  for (const double Omega : request_.frequencies) found.frequencies.push_back({.Omega = Omega});
+  for (const Waviness& waviness : request_.waviness) found.waviness.push_back({.waviness = waviness});
+  if (!find_steady()) {
+    found.status = meter_.spent() ? StopReason::limit_reached : StopReason::diverged;
+    found.reason = "the steady state was not found";
+    return found;
+  }
+  // Low frequencies first: each takes the meshes over from the one before.
+  std::vector<std::size_t> order(found.frequencies.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return request_.frequencies[a] < request_.frequencies[b]; });
+  found.slow = slow();
+  bool all = std::max(found.slow->error_0, found.slow->error_1) <= request_.tolerance;
+  const bool certain = found.slow->error_0 <= request_.tolerance;
+  for (const std::size_t k : order) {
+    const Judged at = stiffness(request_.frequencies[k]);
+    found.frequencies[k] = {
+        .Omega = request_.frequencies[k], .kappa = at.value, .error = at.error, .status = at.status};
+    all = all && at.status == StopReason::converged;
+  }
+  found.highest_certified = highest_certified(found.frequencies, certain);
+  for (auto& at : found.waviness) {
+    const Judged film = wavy_film(at.waviness);
+    at.film = film.value, at.error = film.error, at.status = film.status;
+    all = all && film.status == StopReason::converged;
+  }
+  found.status = all              ? StopReason::converged
+                 : meter_.spent() ? StopReason::limit_reached
+                                  : StopReason::tolerance_not_met;
+  if (!all) found.reason = "the two discretisations differ by more than the tolerance";
+  const bool beyond = std::any_of(found.frequencies.begin(), found.frequencies.end(),
+                                  [](const Stiffness& at) { return at.status != StopReason::converged; });
+  if (beyond && found.highest_certified)
+    found.reason += "; kappa is certified up to Omega = " + plain(*found.highest_certified, 3);
+  if (const double floor = both_.front().harmonic.steady().floor; floor > 0)
+    found.notes.push_back("the fluidity's floor could not be lowered below " + plain(floor, 2) +
+                          ": values are those of this floor, and their errors include the move to floor 0");
+  found.cost.wall_s = std::chrono::duration<double>(Clock::now() - begin_).count();
+  found.cost.nodes = both_.front().harmonic.intervals();
+  found.cost.newton_iterations = meter_.iterations;
+  return found;
+}
+
+}  // namespace
+
+Response response(const Problem& problem, const ResponseRequest& request) {
+  return ResponseSolve(problem, request).solve();
+}
+
+}  // namespace ehd::reference::hp

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// ehd response: its JSON, its SI, and what it refuses.
+#include <cmath>
+#include <complex>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "tests/check.hpp"
+#include "tests/files.hpp"
+#include "tests/process.hpp"
+
+namespace {
+
+using namespace ehd;
+using nlohmann::json;
+using std::numbers::pi;
+using verification::Tolerance;
+
+constexpr double modulus_Pa = 2.31e11, radius_m = 0.011, load_N_per_m = 9.1e4, speed_sum_m_per_s = 3.3;
+
+std::string contact_in_SI(const test::Folder& folder) {
+  return folder
+      .write("si.toml",
+             "id = \"si\"\nversion = 1\ntitle = \"in SI\"\nsource = \"own\"\n[conditions]\nload_N_per_m = 9.1e4\n"
+             "reduced_radius_m = 0.011\nreduced_modulus_Pa = 2.31e11\nspeed_sum_m_per_s = 3.3\nviscosity_Pa_s = "
+             "0.02\n[lubricant]\n"
+             "viscosity = \"barus\"\ndensity = \"incompressible\"\nalpha_per_Pa = 1.3e-8\n"
+             "[domain]\ninlet = -4.0\n")
+      .string();
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(response_cli)
+
+BOOST_AUTO_TEST_CASE(stiffness_and_waviness_are_in_the_json) {
+  const test::Folder folder;
+  const auto ended = test::ehd_run(
+      folder, "response own-moes-5-5 --omega 1 --omega 0 --wavelength 2 --slip 0.5 --tolerance 1e-6 --json -");
+  BOOST_REQUIRE(ended.exit_code == 0);
+  const json result = json::parse(ended.out);
+  BOOST_TEST(result["case"] == "own-moes-5-5");
+  BOOST_TEST(result["solver"] == "reference");
+  BOOST_TEST(result["status"] == "converged");
+  BOOST_REQUIRE(result["response"].size() == 2U);
+  BOOST_TEST(result["response"][0]["omega"] == 1.0);
+  BOOST_TEST(result["response"][0]["kappa"]["imag"] > 0.1);
+  BOOST_TEST(result["response"][0]["kappa"]["error"] <= 1e-6);
+  BOOST_TEST(!result["response"][0].contains("stiffness_N_per_m2"));  // the case states groups
+  EHD_CHECK(error(result["response"][1]["kappa"]["real"], result["slow"]["kappa_0"]["value"]),
+            Tolerance::round_off(1e4));
+  BOOST_REQUIRE(result["waviness"].size() == 1U);
+  BOOST_TEST(result["waviness"][0]["slip"] == 0.5);
+  BOOST_TEST(result["waviness"][0]["amplitude_ratio"] > 0.1);
+  BOOST_TEST(result["waviness"][0]["amplitude_ratio"] < 1);
+}
+
+BOOST_AUTO_TEST_CASE(a_contact_in_SI_has_hertz_and_a_datum_in_series) {
+  const test::Folder folder;
+  constexpr double datum_m = 0.02, frequency_Hz = 3000;
+  const auto ended = test::ehd_run(
+      folder, "response " + contact_in_SI(folder) + " --frequency 3000 --x0-m 0.02 --tolerance 1e-6 --json -");
+  BOOST_REQUIRE(ended.exit_code == 0);
+  const json at = json::parse(ended.out)["response"][0];
+  const double b = std::sqrt(8 * load_N_per_m * radius_m / (pi * modulus_Pa));
+  EHD_CHECK(error(at["omega"], 2 * pi * frequency_Hz * b / (speed_sum_m_per_s / 2)), Tolerance::round_off(64));
+  EHD_CHECK(error(at["frequency_Hz"], frequency_Hz), Tolerance::round_off(64));
+  const std::complex<double> kappa(at["kappa"]["real"], at["kappa"]["imag"]);
+  const std::complex<double> series =
+      1.0 / (4.0 / (modulus_Pa * kappa) + 4 / (pi * modulus_Pa) * std::log(datum_m / b));
+  EHD_CHECK(error(at["stiffness_N_per_m2"], series.real()), Tolerance::round_off(64));
+  EHD_CHECK(error(at["damping_N_s_per_m2"], series.imag() / (2 * pi * frequency_Hz)), Tolerance::round_off(1e3));
+}
+
+BOOST_AUTO_TEST_CASE(a_frequency_that_is_not_known_exits_with_1_and_names_the_highest) {
+  const test::Folder folder;
+  const auto ended = test::ehd_run(folder, "response own-moes-5-5-flooded --omega 1000 --json -");
+  BOOST_TEST(ended.exit_code == 1);
+  BOOST_TEST(ended.err.find("tolerance-not-met") != std::string::npos);
+  BOOST_TEST(ended.err.find("certified up to Omega = ") != std::string::npos);
+  const json result = json::parse(ended.out);
+  BOOST_TEST(result["status"] == "tolerance-not-met");
+  BOOST_TEST(result["highest_certified_omega"] > 1.0);
+  BOOST_TEST(result["highest_certified_omega"] < 1000.0);
+}
+
+BOOST_AUTO_TEST_CASE(what_has_no_response_is_refused_in_one_line) {
+  const test::Folder folder;
+  const std::pair<const char*, const char*> rows[] = {
+      {"response", "CASE"},
+      {"response own-moes-5-5 --omega -1", "--omega = -1: is out of range; allowed is"},
+      {"response own-moes-5-5 --omega nan", "--omega = nan"},
+      {"response own-moes-5-5 --wavelength 0", "--wavelength = 0: is out of range"},
+      {"response own-moes-5-5 --wavelength 1 --slip 3", "--slip = 3: is out of range"},
+      {"response own-moes-5-5 --tolerance 1", "--tolerance = 1: is out of range"},
+      {"response own-moes-5-5 --frequency 100", "states no speed in m/s"},
+      {"response own-moes-5-5 --solver fast", "--solver = fast: has no response; allowed is reference"},
+      {"response dry-steel", "dry contact"},
+      {"response na4908", "is no contact"},
+  };
+  for (const auto& [arguments, message] : rows) test::check_refused(folder, arguments, message);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
