@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// LU with row exchanges of a small dense matrix: the coarsest grid's system of about 34 unknowns. At that size Eigen's
-// blocked LU takes four times the instructions, most of them outside the arithmetic.
+// LU with row exchanges of a small dense matrix: the coarsest grid's system of 33 unknowns and more. At 33 Eigen's
+// blocked LU takes 2.2 times the instructions, its solution of one right side 3.2 times.
 #pragma once
 
 #include <cstddef>
