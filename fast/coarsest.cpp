@@ -1,84 +1,66 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fast/coarsest.hpp"
 
-#include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "fast/jacobian.hpp"
 #include "fast/node_fields.hpp"
+#include "fast/vectorise.hpp"
 
 namespace ehd::fast {
 
 using std::numbers::pi;
 
-/// Columns 0..n-2: P_1..P_(n-1); n-1: H_0; n: X*. Rows 0..n-1: flux errors; n: the load.
-struct Coarsest::Matrices {
-  RowMajor film;  ///< dH_i, row by row, as Reynolds' equation combines them
-  RowMajor all;
-  Eigen::RowVectorXd integral;                   ///< of P dphi
-  Eigen::PartialPivLU<Eigen::MatrixXd> factors;  ///< of the transpose: Eigen is quicker by columns
-  Eigen::VectorXd right_side, solution;
-
-  void make_film(const NodeFields& nodes, const Jacobian& jacobian);
-  void make_all(int n, const Jacobian& jacobian);
-};
-
-Coarsest::Coarsest() : matrices_(std::make_unique<Matrices>()) {}
-Coarsest::~Coarsest() = default;
-
-void Coarsest::Matrices::make_film(const NodeFields& nodes, const Jacobian& jacobian) {
-  const int n = nodes.n;
-  film.resize(n + 1, n + 1);
-  const double scale = -jacobian.length / pi, log_length = std::log(jacobian.length);
-  integral = (nodes.grid->slope.segment(1, n - 1) / n).matrix().transpose();
-  const RowMajor& kernel = nodes.grid->dense();
-  for (int i = 0; i <= n; ++i)
-    film.row(i).head(n - 1) = scale * (kernel.row(i).segment(1, n - 1) + log_length * integral);
-  film.col(n - 1).setOnes();
-  film.col(n) = jacobian.film_by_exit.matrix();
-}
-
-void Coarsest::Matrices::make_all(int n, const Jacobian& jacobian) {
-  const Jacobian& J = jacobian;
-  all.resize(n + 1, n + 1);
-  const double at_exit = J.density_at_exit;
-  all.row(0) = J.w_mid[0] * film.row(0) + J.w_right[0] * film.row(1) - at_exit * film.row(n);
-  for (int i = 0; i < n; ++i) {
-    if (i > 0)
-      all.row(i) = J.w_left[i] * film.row(i - 1) + J.w_mid[i] * film.row(i) + J.w_right[i] * film.row(i + 1) -
-                   at_exit * film.row(n);
-    if (i > 1) all(i, i - 2) += J.p_left[i];
-    if (i > 0) all(i, i - 1) += J.p_mid[i];
-    if (i + 1 < n) all(i, i) += J.p_right[i];
-    all(i, n) += J.by_exit[i];
-  }
-  all.row(n).head(n - 1) = J.length * integral;
-  all(n, n - 1) = 0;
-  all(n, n) = J.load_by_exit;
-}
-
+/// Columns 0..n-2: P_1..P_(n-1); n-1: H_0; n: X*. Rows 0..n-1: flux errors; n: the load. The film is not formed: a row
+/// is a sum of three rows of the kernel, of the kernel's last row (the flux at the exit) and of the integral.
 bool Coarsest::factorise(const NodeFields& nodes, const Jacobian& jacobian) {
+  const Jacobian& J = jacobian;
   const int n = nodes.n;
-  Matrices& m = *matrices_;
-  m.make_film(nodes, jacobian);
-  m.make_all(n, jacobian);
-  m.factors.compute(Eigen::Map<const Eigen::MatrixXd>(m.all.data(), n + 1, n + 1));
-  m.right_side.resize(n + 1);
-  return m.all.allFinite() && m.factors.matrixLU().diagonal().cwiseAbs().minCoeff() > 0;
+  const RowMajor& dense = nodes.grid->dense();
+  const auto kernel = [&](int i) { return &dense(i, 1); };
+  const double scale = -J.length / pi, at_exit = J.density_at_exit;
+  const Array& by_exit = J.film_by_exit;
+  integral_ = nodes.grid->slope.segment(1, n - 1) / n;
+  scaled_integral_ = scale * std::log(J.length) * integral_;
+  exit_kernel_ = scale * at_exit * dense.row(n).segment(1, n - 1).transpose().array();
+  const double *const with_log = scaled_integral_.data(), *const exit_kernel = exit_kernel_.data();
+
+  lu_.resize(n + 1);
+  for (int i = 0; i < n; ++i) {
+    double* const row = lu_.row(i);
+    const int before = std::max(i - 1, 0);  // w_left of the first face is 0
+    const double left = scale * J.w_left[i], mid = scale * J.w_mid[i], right = scale * J.w_right[i];
+    const double together = J.w_left[i] + J.w_mid[i] + J.w_right[i] - at_exit;
+    const double *const k_left = kernel(before), *const k_mid = kernel(i), *const k_right = kernel(i + 1);
+    EHD_VECTORISE
+    for (int j = 0; j < n - 1; ++j)
+      row[j] = left * k_left[j] + mid * k_mid[j] + right * k_right[j] + together * with_log[j] - exit_kernel[j];
+    row[n - 1] = together;
+    row[n] = J.w_left[i] * by_exit[before] + J.w_mid[i] * by_exit[i] + J.w_right[i] * by_exit[i + 1] -
+             at_exit * by_exit[n] + J.by_exit[i];
+    if (i > 1) row[i - 2] += J.p_left[i];
+    if (i > 0) row[i - 1] += J.p_mid[i];
+    if (i + 1 < n) row[i] += J.p_right[i];
+  }
+  double* const load = lu_.row(n);
+  Eigen::Map<Array>(load, n - 1) = J.length * integral_;
+  load[n - 1] = 0;
+  load[n] = J.load_by_exit;
+  return lu_.factorise();
 }
 
 void Coarsest::solve(const Residual& error, Step& step) {
-  Matrices& m = *matrices_;
   const Eigen::Index n = error.flux.size();
-  m.right_side.head(n) = error.flux.matrix();
-  m.right_side[n] = error.load;
-  Eigen::VectorXd& x = m.solution;
-  x = m.factors.transpose().solve(m.right_side);
+  solution_.resize(n + 1);
+  solution_.head(n) = error.flux;
+  solution_[n] = error.load;
+  lu_.solve(solution_);
   step.P[0] = step.P[n] = 0;
-  step.P.segment(1, n - 1) = x.head(n - 1).array();
-  step.offset = x[n - 1];
-  step.exit = x[n];
+  step.P.segment(1, n - 1) = solution_.head(n - 1);
+  step.offset = solution_[n - 1];
+  step.exit = solution_[n];
 }
 
 }  // namespace ehd::fast

@@ -48,10 +48,10 @@ const RowMajor& Grid::dense() {
   const double h = 1.0 / n, log_h = std::log(h);
   dense_.resize(n + 1, n + 1);
   for (int i = 0; i <= n; ++i) {
-    for (int j = 0; j <= n; ++j) {
-      const double beside = remainder ? remainder->entry(i, j) : 0;
-      dense_(i, j) = h * slope[j] * (toeplitz->weight(std::abs(i - j)) + beside + log_h);
-    }
+    double* const row = dense_.row(i).data();
+    for (int j = 0; j <= n; ++j) row[j] = toeplitz->weight(std::abs(i - j)) + log_h;
+    if (remainder) remainder->add_row(i, row);
+    for (int j = 0; j <= n; ++j) row[j] *= h * slope[j];
   }
   return dense_;
 }
@@ -64,16 +64,16 @@ void Grids::use(std::shared_ptr<const Map> map, bool robust_wedge) {
   nodes_.clear();
 }
 
-const Array& Grids::nodes(int n) {
-  const auto known = std::find_if(nodes_.begin(), nodes_.end(), [&](const Array& X) { return X.size() == n + 1; });
-  if (known != nodes_.end()) return *known;
+const MapNodes& Grids::nodes(int n) {
   const auto find = [&](auto wanted) {
     return std::find_if(nodes_.begin(), nodes_.end(),
-                        [&](const Array& X) { return wanted(static_cast<int>(X.size()) - 1); });
+                        [&](const MapNodes& one) { return wanted(static_cast<int>(one.X.size()) - 1); });
   };
-  Array made;
+  if (const auto known = find([&](int m) { return m == n; }); known != nodes_.end()) return *known;
+  MapNodes made;
   if (const auto finer = find([&](int m) { return m > n && m % n == 0; }); finer != nodes_.end()) {
-    made = (*finer)(Eigen::seqN(0, n + 1, (finer->size() - 1) / n));
+    const auto every = Eigen::seqN(0, n + 1, (finer->X.size() - 1) / n);
+    made = {.X = finer->X(every), .slope = finer->slope(every)};
   } else if (const auto coarser = find([&](int m) { return 2 * m == n; }); coarser != nodes_.end()) {
     made = map_->refined(*coarser);
   } else {
@@ -111,9 +111,9 @@ std::shared_ptr<const RemainderTable> Grids::table(int cells) {
   }
   const MapShape& shape = map_->shape();
   const double length = shape.exit - shape.inlet;
-  const Array& X = nodes(cells);
+  const auto& [X, slope] = nodes(cells);
   tables_.push_back(std::make_shared<const RemainderTable>(
-      RemainderTable::of((X - shape.inlet) / length, (map_->slopes(X) * length).inverse())));
+      RemainderTable::of((X - shape.inlet) / length, (slope * length).inverse())));
   return tables_.back();
 }
 
@@ -146,9 +146,9 @@ void Grids::make_mapped(Grid& grid) {
   const int n = grid.n;
   const MapShape& shape = map_->shape();
   const double length = shape.exit - shape.inlet;
-  const Array& X = nodes(n);
+  const auto& [X, slope] = nodes(n);
   grid.place = (X - shape.inlet) / length;
-  grid.slope = (map_->slopes(X) * length).inverse();
+  grid.slope = (slope * length).inverse();
   grid.spacing = (X.tail(n) - X.head(n)) / length;
   const double at_spike = robust_wedge_ ? robust_spike_bias : spike_bias;
   grid.bias = inlet_bias - (inlet_bias - at_spike) / 2 * (2 - 2 / (1 + (bias_steepness * X.head(n)).exp()));

@@ -71,14 +71,14 @@ class Grids {
   [[nodiscard]] Convolution& kernel(int intervals, Rule rule);
   [[nodiscard]] std::shared_ptr<const RemainderTable> table(int cells);
   /// The map's nodes; from the finest made so far where that holds them.
-  [[nodiscard]] const Array& nodes(int n);
+  [[nodiscard]] const MapNodes& nodes(int n);
 
   std::shared_ptr<const Map> map_;
   bool robust_wedge_ = false;
   std::vector<Kernel> kernels_;
   std::vector<std::unique_ptr<Grid>> uniform_, mapped_;
   std::vector<std::shared_ptr<const RemainderTable>> tables_;
-  std::vector<Array> nodes_;
+  std::vector<MapNodes> nodes_;
 };
 
 }  // namespace ehd::fast

@@ -7,6 +7,7 @@
 #include "fast/counters.hpp"
 #include "fast/log_mean.hpp"
 #include "fast/node_fields.hpp"
+#include "fast/vectorise.hpp"
 
 namespace ehd::fast {
 
@@ -39,6 +40,7 @@ void Jacobian::linearise_poiseuille(const Setting& setting, const NodeFields& no
   const double* const inverse_spacing = grid_->inverse_spacing.data();
   double *const pl = p_left.data(), *const pm = p_mid.data(), *const pr = p_right.data();
   double *const wl = w_left.data(), *const wm = w_mid.data(), *const wr = w_right.data(), *const by_x = by_exit.data();
+  EHD_VECTORISE
   for (int i = 0; i < n; ++i) {
     const LogMean m = log_mean_with_slopes(u[i], u[i + 1], a[i + 1] - a[i]);
     const double mean = m.value + fluidity_floor;
@@ -70,6 +72,7 @@ void Jacobian::linearise_wedge(const NodeFields& nodes) {
   wm[0] += 0.5 * rho[0];
   pr[0] += 0.5 * gap[1] * drho[1];
   wr[0] += 0.5 * rho[1];
+  EHD_VECTORISE
   for (int i = 1; i < n; ++i) {
     const double left = -(1 - k[i]) / 4, middle = 1 - k[i] / 2, right = (1 + k[i]) / 4;
     pl[i] = left * gap[i - 1] * drho[i - 1];

@@ -9,11 +9,11 @@ namespace ehd::fast {
 /// Below this difference of the logarithms the quotient cancels, and a series replaces it.
 constexpr double log_mean_series_below = 0.03;
 
-/// (u - v)/d with u = e^-a, v = e^-b, d = b - a. For small d the series about the geometric mean; its next term is
-/// d^6/322560.
+/// (u - v)/d with u = e^-a, v = e^-b, d = b - a; the same as (u + v)/2 tanh(d/2)/(d/2). For small d the series of the
+/// latter; its next term is 31 d^8/362880. Without a branch or a call, so that loops over faces vectorise.
 inline double log_mean(double u, double v, double d) {
-  const double quotient = (u - v) / d;
-  const double series = std::sqrt(u * v) * (1 + d * d * (1.0 / 24 + d * d / 1920));
+  const double quotient = (u - v) / d, even = d * d;
+  const double series = (u + v) / 2 * (1 - even * (1.0 / 12 - even * (1.0 / 120 - even * (17.0 / 20160))));
   return std::abs(d) < log_mean_series_below ? series : quotient;
 }
 
@@ -22,13 +22,13 @@ struct LogMean {
   double value, by_a, by_b;
 };
 
+/// The derivatives are value (-1/2 -+ r) with r = coth(d/2)/2 - 1/d; for small d its series, whose next term is
+/// d^7/1209600.
 inline LogMean log_mean_with_slopes(double u, double v, double d) {
-  const double quotient = (u - v) / d, inverse = 1 / d;
-  const double mid = std::sqrt(u * v), even = d * d;
-  const double m = 1 + even * (1.0 / 24 + even / 1920), odd = d * (1.0 / 12 + even / 480);
+  const double value = log_mean(u, v, d), inverse = 1 / d, even = d * d;
+  const double r = d * (1.0 / 12 - even * (1.0 / 720 - even / 30240));
   const bool near = std::abs(d) < log_mean_series_below;
-  return {near ? mid * m : quotient, near ? mid * (-0.5 * m - odd) : (quotient - u) * inverse,
-          near ? mid * (-0.5 * m + odd) : (v - quotient) * inverse};
+  return {value, near ? value * (-0.5 - r) : (value - u) * inverse, near ? value * (r - 0.5) : (v - value) * inverse};
 }
 
 }  // namespace ehd::fast

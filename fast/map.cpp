@@ -9,10 +9,11 @@ namespace ehd::fast {
 
 namespace {
 
-/// Newton stops here: the step from this error of s leaves rounding alone, since Newton contracts quadratically.
-constexpr double last_error = 1e-9;
-/// Newton for all nodes at once; nodes that are not sharp after so many steps are found one by one, by bracketed
-/// Newton.
+/// Halley's method stops here: the step from this error of s leaves rounding alone, since it contracts cubically.
+constexpr double last_error = 1e-6;
+/// Bracketed Newton, for nodes one by one, stops here: it contracts quadratically.
+constexpr double last_error_alone = 1e-9;
+/// Halley's method for a block of nodes; nodes that are not sharp after so many steps are found one by one.
 constexpr int steps_together = 7, steps_alone = 100;
 /// Grids of up to so many intervals are made from nothing, finer even ones from the grid of half as many.
 constexpr int made_from_nothing = 32;
@@ -46,47 +47,64 @@ double Map::slope(double X) const {
 
 namespace {
 
-/// asinh, with a rounding error relative to the larger of 1 and the result: enough for a sum of such terms.
-Array asinh_of(const Array& y, const Array& root) { return (y.abs() + root).log() * y.sign(); }
-
-/// atan: three half angles bring |y| below tan(pi/16) = 0.199; there the series' next term is below 1e-18.
-Array atan_of(const Array& y, const Array& root) {
-  Array t = y / (1 + root);
-  t = t / (1 + (1 + t * t).sqrt());
-  t = t / (1 + (1 + t * t).sqrt());
-  const Array q = t * t;
-  Array sum = Array::Constant(y.size(), 1.0 / 25);
-  for (int k = 23; k >= 1; k -= 2) sum = 1.0 / k - q * sum;
-  return 8 * t * sum;
+/// atan(y) = 4 atan(t): two half angles bring |y| below tan(pi/8); there x + x^3 P(x^2)/Q(x^2), of S. L. Moshier's
+/// Cephes library (atan.c), is exact to rounding up to 0.66.
+template <class Block>
+Block atan_of(const Block& y, const Block& root) {
+  const Block half = y / (1 + root);
+  const Block x = half / (1 + (1 + half * half).sqrt()), z = x * x;
+  const Block p = (((-8.750608600031904122785e-1 * z - 1.615753718733365076637e1) * z - 7.500855792314704667340e1) * z -
+                   1.228866684490136173410e2) *
+                      z -
+                  6.485021904942025371773e1;
+  const Block q =
+      ((((z + 2.485846490142306297962e1) * z + 1.650270098316988542046e2) * z + 4.328810604902912668951e2) * z +
+       4.853903996359136964868e2) *
+          z +
+      1.945506571482613964425e2;
+  return 4 * (x + x * z * p / q);
 }
 
 }  // namespace
 
-void Map::evaluate(const Array& X, Array& s, Array& slope) const {
+/// A sum of asinh is the logarithm of a product: asinh y = ln(y + r) where y >= 0, -ln(-y + r) where y < 0, r^2 = 1 +
+/// y^2. With p = max(y, 0) and m = max(-y, 0), of which one is 0, both are ln((p + r_p)/(m + r_m)), and r = r_p r_m.
+Map::Values Map::evaluate(const Block& X) const {
   const auto& [inlet, exit, l, d, spike, width] = shape_;
-  Array y = X / (0.7 * l), root = (1 + y * y).sqrt();
-  s = asinh_of(y, root) - first_;
-  slope = (root * (0.7 * l)).inverse();
-  y = (X + l) / (d * l);
-  root = (1 + y * y).sqrt();
-  s += asinh_of(y, root);
-  slope += (root * (d * l)).inverse();
-  y = (X + l * (1 + d)) / (2 * d * l);
-  root = (1 + y * y).sqrt();
-  s += 3 * atan_of(y, root);
-  slope += 3 / (2 * d * l) * (1 + y * y).inverse();
-  y = (X - spike) / width;
-  root = (1 + y * y).sqrt();
-  s += asinh_of(y, root);
-  slope += (root * width).inverse();
-  s /= range_;
-  slope /= range_;
+  const double units[] = {0.7 * l, d * l, width}, centres[] = {0, -l, spike}, wide = 2 * d * l;
+  Block above = Block::Ones(), below = Block::Ones();
+  Values at;
+  {
+    const Block y = (X + l * (1 + d)) / wide, square = 1 + y * y;
+    at.s = 3 * atan_of<Block>(y, square.sqrt()) - first_;
+    at.slope = 3 / wide / square;
+    at.curvature = -2.0 / 3 * y * at.slope * at.slope;
+  }
+  for (int k = 0; k < 3; ++k) {
+    const Block y = (X - centres[k]) / units[k], p = y.max(0.0), m = p - y;
+    const Block root_p = (1 + p * p).sqrt(), root_m = (1 + m * m).sqrt();
+    above *= p + root_p;
+    below *= m + root_m;
+    const Block rise = (root_p * root_m * units[k]).inverse();
+    at.slope += rise;
+    at.curvature -= y * units[k] * rise * rise * rise;
+  }
+  at.s = (at.s + (above / below).log()) / range_;
+  at.slope /= range_;
+  at.curvature /= range_;
+  return at;
 }
 
-Array Map::slopes(const Array& X) const {
-  Array s, slope;
-  evaluate(X, s, slope);
-  return slope;
+Map::Block Map::slopes(const Block& X) const {
+  const auto& [inlet, exit, l, d, spike, width] = shape_;
+  const double units[] = {0.7 * l, d * l, width}, centres[] = {0, -l, spike}, wide = 2 * d * l;
+  const Block y = (X + l * (1 + d)) / wide;
+  Block slope = 3 / wide / (1 + y * y);
+  for (int k = 0; k < 3; ++k) {
+    const Block from = X - centres[k];
+    slope += (units[k] * units[k] + from * from).sqrt().inverse();
+  }
+  return slope / range_;
 }
 
 double Map::inverse(double s, double guess, double low, double high) const {
@@ -94,39 +112,56 @@ double Map::inverse(double s, double guess, double low, double high) const {
   for (int step = 0; step < steps_alone; ++step) {
     const double error = (*this)(X)-s;
     const double next = X - error / slope(X);
-    if (std::abs(error) < last_error) return next;
+    if (std::abs(error) < last_error_alone) return next;
     (error > 0 ? high : low) = X;
     X = next > low && next < high ? next : (low + high) / 2;
   }
   return X;
 }
 
-Array Map::sharpened(Array X, const Array& target, const Array& low, const Array& high) const {
-  Array s, slope;
-  double largest = 1;
-  for (int step = 0; step < steps_together && !(largest < last_error); ++step) {
-    evaluate(X, s, slope);
-    s -= target;
-    largest = s.abs().maxCoeff();
-    X = (X - s / slope).max(low).min(high);
+Map::Block Map::sharpened(Block X, const Block& target, const Block& low, const Block& high) const {
+  for (int step = 0; step < steps_together; ++step) {
+    const auto [s, slope, curvature] = evaluate(X);
+    const Block error = s - target;
+    X = (X - 2 * error * slope / (2 * slope * slope - error * curvature)).max(low).min(high);
+    if (error.abs().maxCoeff() < last_error) return X;
   }
-  if (!(largest < last_error)) {
-    for (Eigen::Index i = 0; i < X.size(); ++i) X[i] = inverse(target[i], X[i], low[i], high[i]);
-  }
+  for (int i = 0; i < block; ++i) X[i] = inverse(target[i], X[i], low[i], high[i]);
   return X;
 }
 
-Array Map::refined(const Array& coarse) const {
-  const Eigen::Index m = coarse.size() - 1, n = 2 * m;
-  const Array slope = slopes(coarse).inverse();
-  // The cubic through both neighbours and their slopes, then Newton.
-  const Array low = coarse.head(m), high = coarse.tail(m);
-  Array X = ((low + high) / 2 + (slope.head(m) - slope.tail(m)) / (4.0 * static_cast<double>(n))).max(low).min(high);
+MapNodes Map::sharpened(const Array& X, const Array& target, const Array& low, const Array& high) const {
+  const Eigen::Index count = X.size();
+  MapNodes nodes{.X = Array(count), .slope = Array(count)};
+  for (Eigen::Index i = 0; i < count; i += block) {
+    const Eigen::Index some = std::min<Eigen::Index>(block, count - i);
+    const auto part = [&](const Array& all) {  // the last block is filled up with its first place
+      Block one = Block::Constant(all[i]);
+      one.head(some) = all.segment(i, some);
+      return one;
+    };
+    const Block sharp = sharpened(part(X), part(target), part(low), part(high));
+    nodes.X.segment(i, some) = sharp.head(some);
+    nodes.slope.segment(i, some) = slopes(sharp).head(some);
+  }
+  return nodes;
+}
+
+MapNodes Map::refined(const MapNodes& coarse) const {
+  const Eigen::Index m = coarse.X.size() - 1, n = 2 * m;
+  const Array low = coarse.X.head(m), high = coarse.X.tail(m);
+  // The cubic through both neighbours and their slopes.
+  const Array middle = (low + high) / 2 + (coarse.slope.head(m).inverse() - coarse.slope.tail(m).inverse()) /
+                                              (4.0 * static_cast<double>(n));
   const Array target = Array::LinSpaced(m, 1, static_cast<double>(n - 1)) / static_cast<double>(n);
-  X = sharpened(std::move(X), target, low, high);
-  Array all(n + 1);
-  all(Eigen::seqN(0, m + 1, 2)) = coarse;
-  all(Eigen::seqN(1, m, 2)) = X;
+  const MapNodes between = sharpened(middle.max(low).min(high), target, low, high);
+  MapNodes all{.X = Array(n + 1), .slope = Array(n + 1)};
+  const auto merge = [&](const Array& even, const Array& odd, Array& merged) {
+    merged(Eigen::seqN(0, m + 1, 2)) = even;
+    merged(Eigen::seqN(1, m, 2)) = odd;
+  };
+  merge(coarse.X, between.X, all.X);
+  merge(coarse.slope, between.slope, all.slope);
   return all;
 }
 
@@ -147,26 +182,28 @@ Array Map::samples() const {
   return places.head(count);
 }
 
-Array Map::nodes(int n) const {
+MapNodes Map::nodes(int n) const {
   if (n > made_from_nothing && n % 2 == 0) return refined(nodes(n / 2));
   // First values from straight lines through s at the samples.
   const Array places = samples();
-  Array s, slope;
-  evaluate(places, s, slope);
   Array low(n - 1), high(n - 1), target(n - 1), X(n - 1);
   Eigen::Index right = 1;
+  double s_left = 0, s_right = (*this)(places[1]);
   for (int i = 1; i < n; ++i) {
     target[i - 1] = static_cast<double>(i) / n;
-    while (right + 1 < places.size() && s[right] < target[i - 1]) ++right;
+    while (right + 1 < places.size() && s_right < target[i - 1]) {
+      s_left = s_right;
+      s_right = (*this)(places[++right]);
+    }
     low[i - 1] = places[right - 1];
     high[i - 1] = places[right];
-    const double rise = s[right] - s[right - 1];
-    X[i - 1] = rise > 0 ? low[i - 1] + (high[i - 1] - low[i - 1]) * (target[i - 1] - s[right - 1]) / rise : low[i - 1];
+    const double rise = s_right - s_left;
+    X[i - 1] = rise > 0 ? low[i - 1] + (high[i - 1] - low[i - 1]) * (target[i - 1] - s_left) / rise : low[i - 1];
   }
-  Array all(n + 1);
-  all[0] = shape_.inlet;
-  all[n] = shape_.exit;
-  all.segment(1, n - 1) = sharpened(std::move(X), target, low, high);
+  const MapNodes between = sharpened(X, target, low, high);
+  MapNodes all{.X = Array(n + 1), .slope = Array(n + 1)};
+  all.X << shape_.inlet, between.X, shape_.exit;
+  all.slope << slope(shape_.inlet), between.slope, slope(shape_.exit);
   return all;
 }
 

@@ -21,6 +21,11 @@ struct MapShape {
   double spike_width = 1;  ///< w_sp
 };
 
+/// X at equal steps of s, and ds/dX there.
+struct MapNodes {
+  Array X, slope;
+};
+
 class Map {
  public:
   explicit Map(const MapShape& shape);
@@ -31,21 +36,27 @@ class Map {
   /// ds/dX.
   [[nodiscard]] double slope(double X) const;
 
-  /// X at s = 0, 1/n, …, 1, to rounding.
-  [[nodiscard]] Array nodes(int n) const;
+  /// The nodes at s = 0, 1/n, …, 1, to rounding.
+  [[nodiscard]] MapNodes nodes(int n) const;
   /// The nodes for twice as many intervals as `coarse` has.
-  [[nodiscard]] Array refined(const Array& coarse) const;
-  /// ds/dX at each of X.
-  [[nodiscard]] Array slopes(const Array& X) const;
+  [[nodiscard]] MapNodes refined(const MapNodes& coarse) const;
 
  private:
+  /// So many places at once: vector instructions, and no array in memory between the operations.
+  static constexpr int block = 4;
+  using Block = Eigen::Array<double, block, 1>;
+  struct Values {
+    Block s, slope, curvature;  ///< s, ds/dX, d2s/dX2
+  };
+
   /// s before it is scaled to 0 and 1.
   [[nodiscard]] double raw(double X) const;
   [[nodiscard]] Array samples() const;
-  /// s and ds/dX of many X at once, by vector instructions.
-  void evaluate(const Array& X, Array& s, Array& slope) const;
-  /// Where s is `target`, by Newton from X within [low, high], for many at once.
-  [[nodiscard]] Array sharpened(Array X, const Array& target, const Array& low, const Array& high) const;
+  [[nodiscard]] Values evaluate(const Block& X) const;
+  [[nodiscard]] Block slopes(const Block& X) const;
+  /// Where s is `target`, from X within [low, high], and the slopes there.
+  [[nodiscard]] MapNodes sharpened(const Array& X, const Array& target, const Array& low, const Array& high) const;
+  [[nodiscard]] Block sharpened(Block X, const Block& target, const Block& low, const Block& high) const;
   [[nodiscard]] double inverse(double s, double guess, double low, double high) const;
 
   MapShape shape_;

@@ -8,17 +8,25 @@ namespace ehd::fast {
 
 RemainderTable RemainderTable::of(const Array& place, const Array& slope) {
   const Eigen::Index cells = place.size() - 1;
-  RemainderTable table{.cells = static_cast<int>(cells), .values = Eigen::MatrixXd(cells + 1, cells + 1)};
-  Array ratios(cells + 1);
-  const Array steps = Array::LinSpaced(cells + 1, 0, static_cast<double>(cells)) / static_cast<double>(cells);
+  // The lower triangle, column after column without a gap, so that all its logarithms are taken in one pass.
+  Array packed((cells + 1) * (cells + 2) / 2);
+  const Array per_step = static_cast<double>(cells) / Array::LinSpaced(cells, 1, static_cast<double>(cells));
+  Eigen::Index first = 0;
   for (Eigen::Index j = 0; j <= cells; ++j) {
-    const Eigen::Index below = cells - j;  // the lower triangle, mirrored
-    auto column = ratios.tail(below + 1);
-    column = place.tail(below + 1) - place[j];
-    column.tail(below) /= steps.segment(1, below);
-    column[0] = slope[j];
-    table.values.col(j).tail(below + 1) = column.log();
-    table.values.row(j).tail(below) = table.values.col(j).tail(below).transpose();
+    const Eigen::Index below = cells - j;
+    packed[first] = slope[j];
+    packed.segment(first + 1, below) = (place.tail(below) - place[j]) * per_step.head(below);
+    first += below + 1;
+  }
+  packed = packed.log();
+  RemainderTable table{.cells = static_cast<int>(cells), .values = Eigen::MatrixXd(cells + 1, cells + 1)};
+  first = 0;
+  for (Eigen::Index j = 0; j <= cells; ++j) {
+    const Eigen::Index below = cells - j;
+    const auto column = packed.segment(first, below + 1).matrix();
+    table.values.col(j).tail(below + 1) = column;
+    table.values.row(j).tail(below + 1) = column.transpose();
+    first += below + 1;
   }
   return table;
 }
@@ -89,6 +97,14 @@ double SmoothRemainder::entry(int i, int j) const {
       sum += weights(i)[k] * weights(j)[m] * table_->values(a + k, b + m);
   }
   return sum;
+}
+
+void SmoothRemainder::add_row(int i, double* row) const {
+  if (direct_) {
+    Eigen::Map<Eigen::VectorXd>(row, n_ + 1) += table_->values.col(i);  // symmetric
+  } else {
+    for (int j = 0; j <= n_; ++j) row[j] += entry(i, j);
+  }
 }
 
 }  // namespace ehd::fast

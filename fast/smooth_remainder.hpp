@@ -35,6 +35,8 @@ class SmoothRemainder {
   void add(const Array& x, Array& y) const;
   /// Lambda_ij as the product uses it.
   [[nodiscard]] double entry(int i, int j) const;
+  /// Adds Lambda_i0, …, Lambda_in.
+  void add_row(int i, double* row) const;
 
  private:
   using Weights = Eigen::Array<double, points, 1>;

@@ -40,7 +40,7 @@ struct DenseProduct {
   double size = 0;
 };
 DenseProduct dense_product(const Map& map, int n, const Array& P) {
-  const Places at = places_of(map, map.nodes(n));
+  const Places at = places_of(map, map.nodes(n).X);
   const double h = 1.0 / n;
   DenseProduct result{.y = Array::Zero(n + 1)};
   for (int i = 0; i <= n; ++i) {
@@ -57,7 +57,7 @@ DenseProduct dense_product(const Map& map, int n, const Array& P) {
 }
 
 /// Hertz' pressure, of the size and roughly of the shape of every heavily loaded one, at the map's nodes.
-Array hertz_at(const Map& map, int n) { return hertz::pressure(map.nodes(n)); }
+Array hertz_at(const Map& map, int n) { return hertz::pressure(map.nodes(n).X); }
 
 double fitted_order(const std::vector<int>& grids, const std::vector<double>& errors) {
   double sx = 0, sy = 0, sxx = 0, sxy = 0;
@@ -80,7 +80,7 @@ BOOST_AUTO_TEST_CASE(places_slopes_and_spacings_are_those_of_the_map) {
     for (const int n : {64, 97, 1000}) {
       BOOST_TEST_CONTEXT(name << ", n = " << n) {
         const Grid& grid = on.grids.of(n);
-        const Array X = on.map->nodes(n);
+        const Array X = on.map->nodes(n).X;
         const Places at = places_of(*on.map, X);
         const double length = shape.exit - shape.inlet;
         BOOST_REQUIRE_EQUAL(grid.n, n);
@@ -101,7 +101,7 @@ BOOST_AUTO_TEST_CASE(wedge_is_third_order_at_the_inlet_and_upwind_at_the_exit) {
     OnMap on(named_shapes[4].shape, robust);
     const Grid& grid = on.grids.of(128);
     BOOST_REQUIRE_EQUAL(grid.bias.size(), 128);
-    const Array X = on.map->nodes(128);
+    const Array X = on.map->nodes(128).X;
     for (int i = 0; i < 128; ++i) {
       if (X[i] < -1) EHD_CHECK(std::abs(grid.bias[i] - 0.5), Tolerance::asymptotic(3 * std::exp(-8.0), "tanh(8X)"));
       if (X[i] > 0.7)
@@ -125,7 +125,7 @@ BOOST_AUTO_TEST_CASE(product_equals_the_dense_one_on_the_same_nodes) {
         const DenseProduct dense = dense_product(*on.map, n, P);
         // As for the FFT product by itself, with two more sums. Places near each other cancel: Lambda is known to eps
         // over the smallest spacing.
-        const Array X = on.map->nodes(n);
+        const Array X = on.map->nodes(n).X;
         const double nearest = (X.tail(n) - X.head(n)).minCoeff() / (X[n] - X[0]);
         EHD_CHECK((y - dense.y).abs().maxCoeff() / dense.size,
                   Tolerance::round_off(3 * std::log2(2.0 * n) + 2 * std::sqrt(n) + 0.1 / nearest / n));
@@ -207,7 +207,7 @@ BOOST_AUTO_TEST_CASE(first_column_is_the_inner_half_of_the_first_node) {
     BOOST_TEST_CONTEXT("n = " << n) {
       OnMap on(named_shapes[1].shape);
       Grid& grid = on.grids.of(n);
-      const Places at = places_of(*on.map, on.map->nodes(n));
+      const Places at = places_of(*on.map, on.map->nodes(n).X);
       const Array& column = grid.first_column();
       double worst = 0;
       for (int i = 0; i <= n; ++i) {
@@ -273,7 +273,7 @@ BOOST_AUTO_TEST_CASE(product_on_a_map_keeps_the_fifth_order) {
   for (const int n : sizes) {
     OnMap on(shape);
     Grid& grid = on.grids.of(n);
-    const Array X = on.map->nodes(n);
+    const Array X = on.map->nodes(n).X;
     Array P(n + 1), y;
     for (int i = 0; i <= n; ++i) P[i] = bump(X[i]);
     double sum = 0;
@@ -296,7 +296,7 @@ BOOST_AUTO_TEST_CASE(plans_outlive_maps) {
   on.grids.use(std::make_shared<const Map>(named_shapes[4].shape));
   const Grid& other = on.grids.of(64);
   BOOST_CHECK_EQUAL(on.grids.planning_s(), planning_s);
-  const Places at = places_of(*on.grids.map(), on.grids.map()->nodes(64));
+  const Places at = places_of(*on.grids.map(), on.grids.map()->nodes(64).X);
   EHD_CHECK((other.place - at.place).abs().maxCoeff(), Tolerance::round_off(2));
 }
 

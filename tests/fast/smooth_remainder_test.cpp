@@ -16,7 +16,7 @@ using verification::Tolerance;
 namespace {
 
 std::shared_ptr<const RemainderTable> table_of(const Map& map, int cells) {
-  const Places at = places_of(map, map.nodes(cells));
+  const Places at = places_of(map, map.nodes(cells).X);
   return std::make_shared<const RemainderTable>(RemainderTable::of(at.place, at.slope));
 }
 
@@ -41,7 +41,7 @@ BOOST_AUTO_TEST_CASE(table_holds_the_logarithms_of_the_difference_quotients) {
     BOOST_TEST_CONTEXT(name) {
       const Map map(shape);
       for (const int cells : {16, 97, 128}) {
-        const Places at = places_of(map, map.nodes(cells));
+        const Places at = places_of(map, map.nodes(cells).X);
         const RemainderTable table = RemainderTable::of(at.place, at.slope);
         BOOST_REQUIRE_EQUAL(table.cells, cells);
         BOOST_REQUIRE_EQUAL(table.values.rows(), cells + 1);
@@ -67,7 +67,7 @@ BOOST_AUTO_TEST_CASE(neighbouring_nodes_lead_to_the_diagonal) {
   double before = 0;
   int rows = 0;
   for (const int n : {512, 1024, 2048}) {
-    const Places at = places_of(map, map.nodes(n));
+    const Places at = places_of(map, map.nodes(n).X);
     double worst = 0;
     for (int i = 1; i < n; ++i)
       worst = std::max(worst, std::abs((remainder_between(at, i, i - 1) + remainder_between(at, i, i + 1)) / 2 -
@@ -146,7 +146,7 @@ BOOST_AUTO_TEST_CASE(product_equals_the_dense_sum_to_what_interpolation_leaves) 
     const Map map(shape);
     for (const auto& [cells, n] : cells_and_intervals) {
       BOOST_TEST_CONTEXT(name << ", " << cells << " cells, n = " << n) {
-        const Places at = places_of(map, map.nodes(n));
+        const Places at = places_of(map, map.nodes(n).X);
         const SmoothRemainder remainder(n, table_of(map, cells));
         Array x(n + 1), y = Array::Zero(n + 1);
         for (int i = 0; i <= n; ++i) x[i] = std::sin(3.0 * i / n) / n;

@@ -160,7 +160,7 @@ Findings judge_mapped_operator() {
   for (const int intervals : {64, 128, 512, 2048}) {
     fast::Grids grids;
     grids.use(map);
-    const Array X = map->nodes(intervals), P = hertz::pressure(X);
+    const Array X = map->nodes(intervals).X, P = hertz::pressure(X);
     Array y;
     double load = 0;
     grids.of(intervals).product(P, y, load);
@@ -233,7 +233,7 @@ Findings judge_mapped_elasticity() {
   for (const int intervals : {128, 256, 512, 1024, 2048}) {
     fast::Grids grids;
     grids.use(map);
-    const Array X = map->nodes(intervals);
+    const Array X = map->nodes(intervals).X;
     Array y;
     double load = 0;
     grids.of(intervals).product(hertz::pressure(X), y, load);
