@@ -93,7 +93,7 @@ int export_films(const ExportOptions& options) {
   const Writer write = writer_named(options.format);
   const Ends M = ends_from("--M", options.M, smallest_M, largest_M), L = ends_from("--L", options.L, 0, largest_L);
   FilmTableRequest request{.range = {.M_low = M.low, .M_high = M.high, .L_low = L.low, .L_high = L.high}};
-  if (options.request.tolerance) request.tolerance = *options.request.request().tolerance;
+  if (options.request.tolerance) request.tolerance = options.request.request().tolerance.tightest();
   constexpr allowed::Integer solve_counts{.low = 1, .high = 1000000};
   if (options.most_solves) request.most_solves = parse_integer("--max-solves", *options.most_solves, solve_counts);
   const Case stated = read_case(find_case(options.case_name));
