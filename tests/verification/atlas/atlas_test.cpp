@@ -67,7 +67,8 @@ struct Fake {
     fake.solve = [this](const Problem& problem, const Request& request) {
       const bool of_an_atlas = problem.groups.M != 0.7 && problem.groups.M != 7 && problem.groups.M != 15;
       if (of_an_atlas && ++solves == fails_at) throw std::runtime_error("interrupted");
-      return made_solution(problem, of_an_atlas ? std::max<double>(relative, request.tolerance.tightest() / 1e9) : 1e-9);
+      return made_solution(problem,
+                           of_an_atlas ? std::max<double>(relative, request.tolerance.tightest() / 1e9) : 1e-9);
     };
     return fake;
   }
