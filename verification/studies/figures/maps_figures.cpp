@@ -17,17 +17,17 @@ namespace ehd::verification {
 
 namespace {
 
-constexpr double tolerance = 1e-4;
+constexpr double map_tolerance = 1e-4;
 constexpr double time_limit_s = 20;
 
 Json fast_json(const MapPoint& point) {
   const ContactCase contact = point.at.contact();
   Problem problem = nondimensionalise(contact.statement, *contact.lubricant, *contact.inlet).problem;
   problem.wanted = {Quantity::film_minimum, Quantity::film_central};
-  const Solution solution = default_solver().solve(problem, {.tolerance = tolerance, .time_limit_s = time_limit_s});
+  const Solution solution = default_solver().solve(problem, {.tolerance = map_tolerance, .time_limit_s = time_limit_s});
   const Cost& cost = solution.record.cost;
   Json json = {{"status", to_string(solution.record.status)},
-               {"tolerance", tolerance},
+               {"tolerance", map_tolerance},
                {"newton_iterations", cost.newton_iterations},
                {"krylov_iterations", cost.krylov_iterations}};
   if (cost.nodes > 0) {
