@@ -135,7 +135,7 @@ struct Convolution::Plans {
   }
   [[nodiscard]] auto transformed() const { return numbers(in_place ? first : second); }
   [[nodiscard]] auto multiplied() const { return numbers(in_place ? second : first); }
-  [[nodiscard]] Eigen::Map<Array> numbers(double* of) const { return {of, 2 * modes}; }
+  [[nodiscard]] Eigen::Map<Array> numbers(double* of) const { return {of, Eigen::Index{2} * modes}; }
 };
 
 Convolution::Convolution(int intervals, Rule rule) : intervals_(intervals) {
@@ -176,13 +176,13 @@ void Convolution::make_factors() {
   const int N = plans_->modes;
   const auto Z = plans_->transformed();
   for (int k = 0; k < N; ++k) {
-    const int m = (N - k) % N;
+    const Eigen::Index at = Eigen::Index{2} * k, mirrored = Eigen::Index{2} * ((N - k) % N);
     const double angle = std::numbers::pi * k / N, cosine = std::cos(angle), sine = std::sin(angle);
     // Z_k = E_k + i O_k with the transforms of the even and of the odd weights; S_k = E_k + exp(-i angle) O_k.
-    const double a = (Z[2 * k] + Z[2 * m]) / 2;
-    const double b = (cosine * (Z[2 * k + 1] + Z[2 * m + 1]) - sine * (Z[2 * k] - Z[2 * m])) / 2;
-    same_[2 * k] = same_[2 * k + 1] = (a - b * sine) / N;
-    mirrored_[2 * k] = mirrored_[2 * k + 1] = b * cosine / N;
+    const double a = (Z[at] + Z[mirrored]) / 2;
+    const double b = (cosine * (Z[at + 1] + Z[mirrored + 1]) - sine * (Z[at] - Z[mirrored])) / 2;
+    same_[at] = same_[at + 1] = (a - b * sine) / N;
+    mirrored_[at] = mirrored_[at + 1] = b * cosine / N;
   }
 }
 

@@ -65,7 +65,8 @@ bool DenseLu::factorise() {
     if (!(std::abs(pivot_row[k]) > 0) || !std::isfinite(pivot_row[k])) return false;
     inverse_pivot_[k] = 1 / pivot_row[k];
     eliminate(k);
-    std::fill(pivot_row + (k + 1) / block * block, pivot_row + k + 1, 0.0);  // solve() goes over whole blocks
+    std::fill(pivot_row + static_cast<std::ptrdiff_t>((k + 1) / block) * block, pivot_row + k + 1,
+              0.0);  // solve() goes over whole blocks
   }
   return true;
 }
