@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ehd {
 
@@ -28,13 +29,14 @@ std::string with_absolute_error(double value, std::optional<double> absolute_err
   if (*absolute_error == 0 || value == 0) return plain(value, most_digits);
   if (*absolute_error >= std::abs(value)) return plain(value, 2) + " (error " + plain(*absolute_error, 1) + ")";
   const int leading = static_cast<int>(std::floor(std::log10(std::abs(value))));
-  int last = static_cast<int>(std::floor(std::log10(*absolute_error)));
+  // No digit beyond those of a double, nor below its smallest power of ten.
+  const int deepest = std::max(leading - most_digits + 1, std::numeric_limits<double>::min_exponent10);
+  int last = std::max(static_cast<int>(std::floor(std::log10(*absolute_error))), deepest);
   int units = static_cast<int>(std::ceil(*absolute_error / std::pow(10.0, last)));
   if (units > 9) {  // 9.3 units are 1 of the next digit
     units = 1;
     ++last;
   }
-  last = std::max(last, leading - most_digits + 1);
   constexpr int widest = 6;  // decimals before the exponent form takes over
   if (leading >= -3 && leading <= widest && last <= 0) return fmt::format("{:.{}f}({})", value, -last, units);
   const std::string text = fmt::format("{:.{}e}", value, std::max(leading - last, 0));

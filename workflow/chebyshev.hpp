@@ -34,8 +34,8 @@ class ChebyshevBasis {
   ChebyshevBasis(int degree, double t);
 
   int degree;
-  double value[highest_degree + 1];
-  double slope[highest_degree + 1];
+  double value[highest_degree + 1] = {};
+  double slope[highest_degree + 1] = {};
 };
 
 /// The sum over T_i(x) T_j(y); `coefficients`: c_ij row by row, i over the degrees of x.

@@ -69,7 +69,7 @@ class GrowingPanel {
 
   /// Grows until held-out solves agree with it, or cannot grow. Throws NotSolved.
   void grow() {
-    x_ = y_ = leja_points(static_cast<std::size_t>(request_.most_degree + 1));
+    x_ = y_ = leja_points(static_cast<std::size_t>(request_.most_degree) + 1);
     for (fit(); step_by_tails();) fit();
     for (add_held_out(); !agrees(); add_held_out()) {
       bool grown = false;

@@ -187,6 +187,10 @@ BOOST_AUTO_TEST_CASE(digits_printed_are_digits_known) {
   BOOST_TEST(with_absolute_error(-0.50277, 1e-4) == "-0.5028(1)");
   BOOST_TEST(with_error(123.456, 0.02) == "123(3)");
   BOOST_TEST(with_error(0.0741427, 0.0133) == "0.074(1)");
+  // Errors below the digits of a double, and below its smallest power of ten.
+  for (const double tiny : {1e-20, 1e-300, std::numeric_limits<double>::denorm_min()})
+    BOOST_TEST(with_absolute_error(2.5, tiny) == "2.50000000000000(1)");
+  BOOST_TEST(with_absolute_error(1e-300, std::numeric_limits<double>::denorm_min()).ends_with("(1)e-300"));
   BOOST_TEST(with_error(2.5, 1.5).find("error") != std::string::npos);
   BOOST_TEST(with_error(0.5, std::nullopt) == "0.5");
   BOOST_TEST(with_error(0.5, std::numeric_limits<double>::infinity()) == "0.5");
