@@ -34,22 +34,20 @@ Moves moves_of(const std::vector<double>& f) {
   return moves;
 }
 
-/// The central film's error in parts of moves, as extrapolation.hpp has it: b and c, then a, d_0 and d_1.
+/// The central film's error in parts of moves, as extrapolation.hpp has it: a, then b and c, then d_0 and d_1.
+constexpr double of_three_for_central = 0.15;
 struct MoveFactors {
   double limit, second_order;
 };
 struct CentralFactors {
-  double three;
   MoveFactors regular, irregular;
   double smallest_at_least, smallest_by_film;
 };
-constexpr CentralFactors of_mild{.three = 0.04,
-                                 .regular = {.limit = 0.25, .second_order = 0.015},
+constexpr CentralFactors of_mild{.regular = {.limit = 0.25, .second_order = 0.015},
                                  .irregular = {.limit = 0.5, .second_order = 0.4},
                                  .smallest_at_least = 0.01,
                                  .smallest_by_film = 0.3};
-constexpr CentralFactors of_stiff{.three = 0.1,
-                                  .regular = {.limit = 0.5, .second_order = 0.03},
+constexpr CentralFactors of_stiff{.regular = {.limit = 0.5, .second_order = 0.03},
                                   .irregular = {.limit = 1, .second_order = 3},
                                   .smallest_at_least = 0.03,
                                   .smallest_by_film = 2};
@@ -88,7 +86,7 @@ Limit limit_of(const std::vector<double>& f, bool spike) {
 double central_film_error(const std::vector<double>& central, const std::vector<double>& minimum, bool mild) {
   const Moves own = moves_of(central), smallest = moves_of(minimum);
   const CentralFactors& of = mild ? of_mild : of_stiff;
-  if (central.size() == 3) return of.three * std::max(own.last(), smallest.last());
+  if (central.size() == 3) return of_three_for_central * std::max(own.last(), smallest.last());
   const double ratio = own.before / own.now;
   const MoveFactors& by = ratio >= least_ratio && ratio <= largest_ratio ? of.regular : of.irregular;
   const double tie = std::max(of.smallest_at_least, of.smallest_by_film * std::min(1.0, central.back()));
