@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -17,6 +18,7 @@
 #include "cli/usage.hpp"
 #include "io/json.hpp"
 #include "io/provenance.hpp"
+#include "verification/bench/answer_cost.hpp"
 #include "verification/bench/batch_bench.hpp"
 #include "verification/bench/box_bench.hpp"
 #include "verification/bench/cost_scaling.hpp"
@@ -47,12 +49,13 @@ Examples:
   ehd bench --part batch
   ehd bench --part convolution                  c, the yardstick of all times on this machine: a second
   ehd bench --part first                        the first solve of a process and a later one: a second
+  ehd bench --part cost                         what each answer of fast costs, in ms and in c: half a minute
   ehd bench --part box --solver fast            232 contacts, with true values: five minutes on two cores
 
 Parts: work-precision (run time and work against achieved error), scaling (cost and memory against the number of
 intervals), batch (many contacts over threads); only where they are named, box (times and errors over all loads and
-materials), convolution (c, one padded FFT convolution of n = 512) and first (what the first solve of a process costs
-beside a later one: planning, new memory). DIR/bench.json holds the parts of this run;
+materials), convolution (c, one padded FFT convolution of n = 512), first (what the first solve of a process costs beside a later
+one: planning, new memory) and cost (what each answer costs in ms and c: a film, both films, many contacts, a bearing). DIR/bench.json holds the parts of this run;
 DIR/work_precision.csv, DIR/scaling.csv and DIR/box.csv hold the tables. A solve that fails is a row with its reason.
 
 Exit code: 0 the tables are complete; 1 no run could be judged, or results depend on the number of threads; 2 wrong
@@ -64,7 +67,8 @@ constexpr const char* batch = "batch";
 constexpr const char* box = "box";
 constexpr const char* convolution = "convolution";
 constexpr const char* first_solves = "first";
-constexpr const char* all_parts[] = {work_precision, scaling, batch, box, convolution, first_solves};
+constexpr const char* cost = "cost";
+constexpr const char* all_parts[] = {work_precision, scaling, batch, box, convolution, first_solves, cost};
 constexpr const char* usual_parts[] = {work_precision, scaling, batch};
 
 std::vector<const RegisteredSolver*> chosen_solvers(const std::vector<std::string>& names) {
@@ -128,6 +132,7 @@ class Bench {
     if (asked(convolution)) measure_convolution();
     if (asked(batch) && !fft_solvers_.empty()) measure_batch();
     if (asked(box) && !fft_solvers_.empty()) measure_box();
+    if (asked(cost) && !fft_solvers_.empty()) measure_cost();
     if (asked(work_precision)) measure_work_precision();
     folder_->write("bench.json", json_text(json_));
     folder_->commit();
@@ -144,7 +149,7 @@ class Bench {
       throw option_error("--case", options.cases.front(), "belongs to the part work-precision, which is not run");
     if (!asked(work_precision) && fft_solvers_.empty())
       throw option_error("--solver", solvers_.front()->name,
-                         "uses no FFT; allowed in scaling, batch, box and first are those that do");
+                         "uses no FFT; allowed in scaling, batch, box, first and cost are those that do");
   }
 
   void finish_part(const std::string& table) {
@@ -217,6 +222,16 @@ class Bench {
     finish_part(human_table(rows));
   }
 
+  void measure_cost() {
+    verification::AnswerCostRequest request{.solver = fft_solvers_.front(), .quick = quick_};
+    request.time_limit_s = time_limit_s_;
+    request.program = std::filesystem::read_symlink("/proc/self/exe");
+    request.progress = show_;
+    const auto rows = verification::run_answer_costs(request);
+    json_["cost"] = to_json(rows);
+    finish_part(human_table(rows));
+  }
+
   void measure_work_precision() {
     verification::WorkPrecisionRequest request{.cases = cases_, .solvers = solvers_};
     request.quick = quick_;
@@ -253,7 +268,7 @@ void describe_bench(Command& command) {
   command.text("--output", options->output, "folder for bench.json, work_precision.csv and scaling.csv").called("DIR");
   command
       .list("--part", options->parts,
-            "work-precision, scaling, batch, box, convolution or first (repeatable; the first three)")
+            "work-precision, scaling, batch, box, convolution, first or cost (repeatable; the first three)")
       .called("PART");
   command.list("--case", options->cases, "a contact case for work-precision (repeatable; the benchmark's own)")
       .called("CASE");

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "tests/check.hpp"
 #include "tests/files.hpp"
@@ -67,6 +68,32 @@ BOOST_AUTO_TEST_CASE(a_first_solve_plans_and_a_later_one_does_not) {
     for (const char* time : {"planning_s", "later_s", "c_s"}) BOOST_TEST(row[time].get<double>() > 0);
     BOOST_TEST(row["first_s"].get<double>() > 0);
   }
+}
+
+BOOST_AUTO_TEST_CASE(each_answer_has_its_cost_in_seconds_and_in_c) {
+  const test::Folder folder;
+  const auto out = folder.path() / "bench";
+  const auto ended = test::ehd_run(folder, "bench --part cost --quick --output '" + out.string() + "'");
+  BOOST_TEST(ended.exit_code == 0);
+  const json rows = json::parse(test::read(out / "bench.json"))["cost"];
+  std::vector<std::string> asked;
+  for (const json& row : rows) {
+    asked.push_back(row["asked"]);
+    BOOST_TEST(row["not_converged"] == 0);
+    BOOST_TEST(row["c_s"].get<double>() > 0);
+    BOOST_TEST(row["median_s"].get<double>() > 0);
+    BOOST_TEST(row["slowest_s"].get<double>() >= row["of_95_percent_s"].get<double>());
+    BOOST_TEST(row["of_95_percent_s"].get<double>() >= row["median_s"].get<double>());
+  }
+  const std::vector<std::string> expected{
+      "H_cen alone to 1e-6", "both films to 1e-3", "both films to 1e-5", "both films to 1e-4", "NA4908",
+      "whole process"};
+  BOOST_TEST(asked == expected, boost::test_tools::per_element());
+  // The goal of the three bearings: a raceway is solved once for all laws and clearances.
+  constexpr int most_solves = 40;
+  BOOST_TEST(rows[4]["contact_solves"].get<int>() <= most_solves);
+  for (const char* text : {"median [ms]", "median [c]", "slowest [c]"})
+    BOOST_CHECK_MESSAGE(ended.out.find(text) != std::string::npos, text << " is not in the table");
 }
 
 BOOST_AUTO_TEST_CASE(one_part_leaves_its_own_files_only) {

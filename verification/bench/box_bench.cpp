@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "contact/film_formulas.hpp"
 #include "contact/text.hpp"
@@ -32,10 +33,10 @@ std::string inlet_name(const BoxContact& contact) { return contact.flooded() ? "
 
 }  // namespace
 
-std::vector<BoxContact> bench_contacts(bool quick) {
+std::vector<BoxContact> bench_contacts(bool quick, std::vector<bool> roelands) {
   return contacts_of({.M = quick ? std::vector<double>{0.5, 20, 1000} : round_loads(box_lightest_M, box_heaviest_M),
                       .L = quick ? std::vector<double>{2.5, 10} : std::vector<double>{0, 1, 2.5, 5, 10, 15, 20, 30},
-                      .roelands = {true},
+                      .roelands = std::move(roelands),
                       .flooded = {false, true},
                       .lightest_cut_M = lightest_cut_M,
                       .cut = cut_beyond_the_film});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/bench/child.hpp"
 
+#include <fcntl.h>
 #include <malloc.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -15,7 +16,11 @@ namespace ehd::verification {
 
 namespace {
 
-constexpr int threw = 3, could_not_write = 4;  // exit codes of the child
+constexpr int threw = 3, could_not_write = 4, did_not_start = 127;  // exit codes of the child
+
+double seconds_of(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
 
 bool write_all(int pipe, const std::string& text) {
   for (std::size_t written = 0; written < text.size();) {
@@ -76,6 +81,29 @@ ChildEnd in_child(const std::function<std::string()>& work) {
   if (WIFEXITED(status) && WEXITSTATUS(status) == threw) return {{}, text.empty() ? "it threw" : text};
   if (WIFSIGNALED(status)) return {{}, std::string("ended by ") + ::strsignal(WTERMSIG(status))};
   return {{}, "exit code " + std::to_string(WIFEXITED(status) ? WEXITSTATUS(status) : -1)};
+}
+
+ProgramEnd run_program(const std::string& path, const std::vector<std::string>& arguments) {
+  std::vector<std::string> texts{path};
+  texts.insert(texts.end(), arguments.begin(), arguments.end());
+  std::vector<char*> words;
+  for (std::string& text : texts) words.push_back(text.data());
+  words.push_back(nullptr);
+  const pid_t child = ::fork();
+  if (child < 0) throw Refused(std::string("no process: ") + std::strerror(errno));
+  if (child == 0) {
+    const int nowhere = ::open("/dev/null", O_RDWR);
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) ::dup2(nowhere, stream);
+    ::execv(path.c_str(), words.data());
+    ::_exit(did_not_start);
+  }
+  int status = 0;
+  rusage usage{};
+  while (::wait4(child, &status, 0, &usage) < 0 && errno == EINTR) {
+  }
+  if (!WIFEXITED(status)) throw Refused(path + ": ended by " + ::strsignal(WTERMSIG(status)));
+  if (WEXITSTATUS(status) == did_not_start) throw Refused(path + ": does not start");
+  return {.exit_code = WEXITSTATUS(status), .processor_s = seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime)};
 }
 
 double peak_memory_bytes() {

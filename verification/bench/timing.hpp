@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A stopwatch, the number of repetitions, and the median of the times.
+// A stopwatch, the processor time of a thread, the number of repetitions, and the median of the times.
 #pragma once
+
+#include <time.h>
 
 #include <algorithm>
 #include <chrono>
@@ -20,6 +22,13 @@ class Stopwatch {
  private:
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
+
+/// Processor time of this thread so far [s]. Other processes do not count.
+[[nodiscard]] inline double thread_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
 
 /// Short runs are repeated at least `least` times and for `least_s` in all. No run follows after `enough_s` in all
 /// or `most` runs.

@@ -48,6 +48,16 @@ BOOST_AUTO_TEST_CASE(a_child_changes_nothing_of_ours) {
   BOOST_TEST(ours == 1);
 }
 
+BOOST_AUTO_TEST_CASE(a_program_ends_with_its_code_and_its_processor_time) {
+  BOOST_TEST(run_program("/bin/sh", {"-c", "exit 3"}).exit_code == 3);
+  const ProgramEnd idle = run_program("/bin/sh", {"-c", "echo to nobody"});
+  const ProgramEnd busy = run_program("/bin/sh", {"-c", "i=0; while [ $i -lt 100000 ]; do i=$((i + 1)); done"});
+  BOOST_TEST(idle.exit_code == 0);
+  BOOST_TEST(busy.processor_s > idle.processor_s);
+  BOOST_CHECK_THROW((void)run_program("/no/such/program", {}), Refused);
+  BOOST_CHECK_THROW((void)run_program("/bin/sh", {"-c", "kill -9 $$"}), Refused);
+}
+
 BOOST_AUTO_TEST_CASE(a_child_that_fails_says_how) {
   const ChildEnd thrown = in_child([]() -> std::string { throw std::runtime_error("no film"); });
   BOOST_TEST(!thrown.text);
