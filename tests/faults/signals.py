@@ -28,10 +28,16 @@ class TooEarly(Exception):
     """The command ended before the signal: the test has to give it more to do."""
 
 
+def hear_signals():
+    """A shell starts its background jobs with SIGINT ignored, and the program leaves an ignored signal ignored."""
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, signal.SIG_DFL)
+
+
 def started(room, arguments, ready):
     room.write("s.toml", SWEEP)
     process = subprocess.Popen([room.program.path, *arguments], cwd=room.path, stdout=subprocess.PIPE,
-                               stderr=subprocess.PIPE)
+                               stderr=subprocess.PIPE, preexec_fn=hear_signals)
     end = time.monotonic() + PATIENCE_S
     while not ready() and process.poll() is None and time.monotonic() < end:
         time.sleep(0.01)
