@@ -153,7 +153,7 @@ double limit_of_light_loads(const std::vector<std::pair<double, double>>& points
 }
 
 /// Isoviscous, flooded, M -> 0: a rigid roller. Its load is Martin's, w ~ 1/h_0, and its damping that of exact/martin.
-Findings judge_rigid() {
+Findings judge_rigid_response() {
   const exact::Martin martin;
   std::vector<std::pair<double, double>> stiffness, slow, fast;
   std::string note;
@@ -271,7 +271,7 @@ std::vector<Topic> response_topics() {
                           return judge_sign({1, 5, 20, 100, 500}, {4, 8, 12});
                         },
                     .expected_s = 20});
-  topics.push_back({.name = "response rigid", .rungs = {9}, .judge = judge_rigid});
+  topics.push_back({.name = "response rigid", .rungs = {9}, .judge = judge_rigid_response});
   topics.push_back({.name = "response dry", .rungs = {9}, .judge = judge_dry});
   topics.push_back({.name = "response punch", .rungs = {9}, .judge = judge_punch, .expected_s = 2});
   return topics;
