@@ -67,8 +67,8 @@ constexpr const char* batch = "batch";
 constexpr const char* box = "box";
 constexpr const char* convolution = "convolution";
 constexpr const char* first_solves = "first";
-constexpr const char* cost = "cost";
-constexpr const char* all_parts[] = {work_precision, scaling, batch, box, convolution, first_solves, cost};
+constexpr const char* answer_cost = "cost";
+constexpr const char* all_parts[] = {work_precision, scaling, batch, box, convolution, first_solves, answer_cost};
 constexpr const char* usual_parts[] = {work_precision, scaling, batch};
 
 std::vector<const RegisteredSolver*> chosen_solvers(const std::vector<std::string>& names) {
@@ -132,7 +132,7 @@ class Bench {
     if (asked(convolution)) measure_convolution();
     if (asked(batch) && !fft_solvers_.empty()) measure_batch();
     if (asked(box) && !fft_solvers_.empty()) measure_box();
-    if (asked(cost) && !fft_solvers_.empty()) measure_cost();
+    if (asked(answer_cost) && !fft_solvers_.empty()) measure_cost();
     if (asked(work_precision)) measure_work_precision();
     folder_->write("bench.json", json_text(json_));
     folder_->commit();
@@ -172,12 +172,12 @@ class Bench {
   }
 
   void measure_convolution() {
-    constexpr int intervals = 512;
     constexpr verification::Repetition many{.least = 200, .least_s = 0.05, .enough_s = 0.5, .most = 100000};
-    const double c_s = verification::convolution_s(intervals, many);
-    json_["convolution"] = {{"nodes", intervals}, {"c_s", c_s}};
+    const double c_s = verification::convolution_s(verification::unit_intervals, many);
+    json_["convolution"] = {{"nodes", verification::unit_intervals}, {"c_s", c_s}};
     constexpr double micro = 1e6;
-    finish_part(fmt::format("c = {:.2f} us: one padded convolution of n = {}\n", micro * c_s, intervals));
+    finish_part(
+        fmt::format("c = {:.2f} us: one padded convolution of n = {}\n", micro * c_s, verification::unit_intervals));
   }
 
   void measure_first() {

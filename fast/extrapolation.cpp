@@ -14,47 +14,86 @@ namespace {
 constexpr double of_three = 1.6, of_plain_move = 3;
 constexpr double least_ratio = 6, largest_ratio = 11;
 constexpr double of_regular = 2, of_regular_move = 4;
-constexpr double of_irregular = 1.5, of_spike = 2, less_each_move = 6;
+constexpr double of_irregular = 1.5, less_each_move = 6;
 constexpr std::size_t moves_back = 4;
 
-/// The last moves of a film, relative: of R, of R one grid before, of S. Empty moves are 0.
+bool is_regular(double ratio) { return ratio >= least_ratio && ratio <= largest_ratio; }
+
+/// The last moves of a film, relative: r_m, r_(m-1), s_m, s_(m-1). Those of too few grids are 0.
 struct Moves {
-  double now = 0, before = 0, limit = 0;
-  [[nodiscard]] double last() const { return std::abs(now); }
+  double r = 0, r_before = 0, s = 0, s_before = 0;
+  [[nodiscard]] bool regular() const { return is_regular(r_before / r); }
 };
 
 Moves moves_of(const std::vector<double>& f) {
   const std::size_t m = f.size();
   const auto R = [&](std::size_t k) { return (4 * f[k] - f[k - 1]) / 3; };
   const auto S = [&](std::size_t k) { return (8 * R(k) - R(k - 1)) / 7; };
-  Moves moves{.now = (R(m - 1) - R(m - 2)) / f[m - 1]};
+  Moves moves{.r = (R(m - 1) - R(m - 2)) / f[m - 1]};
   if (m < 4) return moves;
-  moves.before = (R(m - 2) - R(m - 3)) / f[m - 1];
-  moves.limit = (S(m - 1) - S(m - 2)) / f[m - 1];
+  moves.r_before = (R(m - 2) - R(m - 3)) / f[m - 1];
+  moves.s = (S(m - 1) - S(m - 2)) / f[m - 1];
+  if (m > 4) moves.s_before = (S(m - 2) - S(m - 3)) / f[m - 1];
   return moves;
 }
 
-/// The central film's error in parts of moves, as extrapolation.hpp has it: a, then b and c, then d_0 and d_1.
+/// The error of the central film in parts of moves, as extrapolation.hpp has it: b and c, then d_0 and d_1.
 constexpr double of_three_for_central = 0.15;
-struct MoveFactors {
-  double limit, second_order;
+struct CentralParts {
+  double s, r;
 };
 struct CentralFactors {
-  MoveFactors regular, irregular;
+  CentralParts regular, irregular;
   double smallest_at_least, smallest_by_film;
 };
-constexpr CentralFactors of_mild{.regular = {.limit = 0.25, .second_order = 0.015},
-                                 .irregular = {.limit = 0.5, .second_order = 0.4},
+constexpr CentralFactors of_mild{.regular = {.s = 0.25, .r = 0.015},
+                                 .irregular = {.s = 0.5, .r = 0.4},
                                  .smallest_at_least = 0.01,
                                  .smallest_by_film = 0.3};
-constexpr CentralFactors of_stiff{.regular = {.limit = 0.5, .second_order = 0.03},
-                                  .irregular = {.limit = 1, .second_order = 3},
-                                  .smallest_at_least = 0.03,
-                                  .smallest_by_film = 2};
+constexpr CentralFactors of_stiff{
+    .regular = {.s = 0.5, .r = 0.03}, .irregular = {.s = 1, .r = 3}, .smallest_at_least = 0.03, .smallest_by_film = 2};
+
+/// The same of the smallest film: a, b, c, d, e.
+struct SmallestParts {
+  double s, r, r_before;
+};
+struct SmallestFactors {
+  double three;
+  SmallestParts regular, irregular;
+  double s_before;
+};
+constexpr SmallestFactors smallest_mild{.three = 0.25,
+                                        .regular = {.s = 0.6, .r = 0.16, .r_before = 0.008},
+                                        .irregular = {.s = 0.5, .r = 0.9, .r_before = 0.17},
+                                        .s_before = 0.1};
+constexpr SmallestFactors smallest_middle{.three = 0.4,
+                                          .regular = {.s = 0.8, .r = 0.3, .r_before = 0.01},
+                                          .irregular = {.s = 1, .r = 1.5, .r_before = 0.3},
+                                          .s_before = 0.3};
+constexpr SmallestFactors smallest_stiff{.three = 0.5,
+                                         .regular = {.s = 1, .r = 0.5, .r_before = 0.01},
+                                         .irregular = {.s = 1.5, .r = 2, .r_before = 0.4},
+                                         .s_before = 1};
+/// Up to this L the spike is wide, and even the smallest film is regular.
+constexpr double wide_spike_L = 8;
+/// On a map that is not settled.
+constexpr SmallestParts of_unsettled{.s = 2, .r = 2, .r_before = 0.35};
+constexpr double unsettled_s_before = 0.5;
+/// On a first map: from this L on, three grids may miss the spike.
+constexpr double first_map_L = 10, of_three_on_first_map = 1.6;
+
+SmallestFactors smallest_factors(MapFit fit, double L) {
+  SmallestFactors of = L <= wide_spike_L ? smallest_mild : L <= mild_L ? smallest_middle : smallest_stiff;
+  if (fit == MapFit::settled) return of;
+  of.regular = of.irregular = of_unsettled;
+  of.s_before = unsettled_s_before;
+  if (fit == MapFit::first && L > first_map_L) of.three = of_three_on_first_map;
+  return of;
+}
 
 }  // namespace
 
-Limit limit_of(const std::vector<double>& f, bool spike) {
+Limit limit_of(const std::vector<double>& f) {
   const std::size_t m = f.size();
   if (m == 1) return {.value = f[0], .error = std::numeric_limits<double>::infinity()};
   // From the finest grid backwards: R(0), R(1), …
@@ -66,18 +105,12 @@ Limit limit_of(const std::vector<double>& f, bool spike) {
     return {.value = S(0), .error = std::max(of_three * std::abs(r(0)), std::abs(f[2] - f[1]) / of_plain_move)};
 
   const double move = std::abs(S(0) - S(1));
-  // Beside a spike two regular ratios prove nothing: they are those of the smooth part. What the spike adds shows only
-  // on grids that begin to see it.
-  const auto regular = [&](std::size_t back) {
-    if (spike) return false;
-    const double ratio = r(back + 1) / r(back);
-    return ratio >= least_ratio && ratio <= largest_ratio;
-  };
+  const auto regular = [&](std::size_t back) { return is_regular(r(back + 1) / r(back)); };
   // One ratio may be near 8 by chance.
   if (regular(0) && m == 4) return {.value = S(0), .error = std::max(of_regular * move, std::abs(r(0)))};
   if (regular(0) && regular(1))
     return {.value = S(0), .error = std::max(of_regular * move, std::abs(r(0)) / of_regular_move)};
-  double error = move, share = spike ? of_spike : of_irregular;
+  double error = move, share = of_irregular;
   for (std::size_t back = 0; back + 3 <= m && back < moves_back; ++back, share /= less_each_move)
     error = std::max(error, share * std::abs(r(back)));
   return {.value = S(0), .error = error};
@@ -86,11 +119,19 @@ Limit limit_of(const std::vector<double>& f, bool spike) {
 double central_film_error(const std::vector<double>& central, const std::vector<double>& minimum, bool mild) {
   const Moves own = moves_of(central), smallest = moves_of(minimum);
   const CentralFactors& of = mild ? of_mild : of_stiff;
-  if (central.size() == 3) return of_three_for_central * std::max(own.last(), smallest.last());
-  const double ratio = own.before / own.now;
-  const MoveFactors& by = ratio >= least_ratio && ratio <= largest_ratio ? of.regular : of.irregular;
+  if (central.size() == 3) return of_three_for_central * std::max(std::abs(own.r), std::abs(smallest.r));
+  const CentralParts& by = own.regular() ? of.regular : of.irregular;
   const double tie = std::max(of.smallest_at_least, of.smallest_by_film * std::min(1.0, central.back()));
-  return std::max({by.limit * std::abs(own.limit), by.second_order * own.last(), tie * std::abs(smallest.limit)});
+  return std::max({by.s * std::abs(own.s), by.r * std::abs(own.r), tie * std::abs(smallest.s)});
+}
+
+double smallest_film_error(const std::vector<double>& minimum, MapFit fit, double L) {
+  const Moves own = moves_of(minimum);
+  const SmallestFactors of = smallest_factors(fit, L);
+  if (minimum.size() == 3) return of.three * std::abs(own.r);
+  const SmallestParts& by = own.regular() ? of.regular : of.irregular;
+  return std::max({by.s * std::abs(own.s), by.r * std::abs(own.r), by.r_before * std::abs(own.r_before),
+                   of.s_before * std::abs(own.s_before)});
 }
 
 }  // namespace ehd::fast

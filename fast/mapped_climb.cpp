@@ -35,6 +35,7 @@ class Climber {
   MappedClimb operator()(const Recipe& recipe, const Solution* from, Care care) {
     const std::optional<Known> known = start(run_, recipe, from, care);
     if (!known) return std::move(climb_);
+    climb_.fit = map_fit(recipe, care);
     double film = known->film;
     const int fineness = recipe.fineness;
     const GridPlan plan =

@@ -30,22 +30,16 @@ constexpr double least_of_few_grids = 5;
 constexpr double work_safety = 3;
 /// With fewer grids a spike has no error estimate.
 constexpr std::size_t fewest_for_spike = 3;
-/// From so many grids on the central film has an error of its own.
-constexpr std::size_t fewest_for_central = 3;
+/// From so many grids on each film has an error rule of its own.
+constexpr std::size_t fewest_for_own_rule = 3;
 /// An unknown spike grows with the grids; half as high again was met.
 constexpr double unknown_spike_growth = 0.5;
-
-/// On any grid; a finer one may have it between its nodes.
-bool has_spike(const std::vector<GridRecord>& grids) {
-  return std::any_of(grids.begin(), grids.end(),
-                     [](const GridRecord& grid) { return grid.observed.contains(Quantity::pressure_spike); });
-}
 
 /// The limit of a quantity; empty where the finest grid lacks it.
 std::optional<Limit> limit_on(const std::vector<GridRecord>& grids, Quantity quantity) {
   const std::vector<double> values = values_of(grids, quantity);
   if (values.empty()) return std::nullopt;
-  Limit limit = limit_of(values, quantity == Quantity::film_minimum && has_spike(grids));
+  Limit limit = limit_of(values);
   // A spike passes between nodes, so that its height does not follow the films' expansion: at least the last move.
   const std::size_t m = values.size();
   const bool pressure = quantity == Quantity::pressure_maximum || quantity == Quantity::pressure_spike;
@@ -59,21 +53,21 @@ double relative_error(const std::vector<GridRecord>& grids, Quantity quantity) {
   return limit ? limit->error / std::abs(limit->value) : unknown;
 }
 
-/// Relative, of a film; the larger error of both films counts a little for each.
-double film_discretisation(const std::vector<GridRecord>& grids, Quantity film, bool mild) {
+/// Relative, of a film. Of two grids the larger error of both films counts for each.
+double film_discretisation(const MappedClimb& climb, Quantity film, double L) {
+  const std::vector<GridRecord>& grids = climb.grids;
   const double n = grids.back().nodes;
   if (grids.size() == 1) return error_of_one_grid / (n * n);
-  if (film == Quantity::film_central && grids.size() >= fewest_for_central) {
-    const std::vector<double> central = values_of(grids, film);
-    if (central.size() == grids.size())
-      return central_film_error(central, values_of(grids, Quantity::film_minimum), mild);
-  }
+  const double least = grids.size() < few_grids ? least_of_few_grids / (n * n) : 0;
+  const std::vector<double> smallest = values_of(grids, Quantity::film_minimum), own_values = values_of(grids, film);
+  if (grids.size() >= fewest_for_own_rule && own_values.size() == grids.size())
+    return film == Quantity::film_central ? central_film_error(own_values, smallest, L <= mild_L)
+                                          : std::max(smallest_film_error(smallest, climb.fit, L), least);
   const double minimum = relative_error(grids, Quantity::film_minimum);
   const double central = relative_error(grids, Quantity::film_central);
   const double own = film == Quantity::film_minimum ? minimum : central;
   // Without X = 0 on the grid there is no central film.
   const double largest = std::isfinite(central) ? std::max(minimum, central) : minimum;
-  const double least = grids.size() < few_grids ? least_of_few_grids / (n * n) : 0;
   return std::max({own, shared(grids.size()) * largest, least});
 }
 
@@ -143,8 +137,7 @@ ErrorBudget budget_of(const MappedClimb& climb, Quantity quantity, const std::op
 }  // namespace
 
 ErrorBudget film_budget(const MappedClimb& climb, Quantity film, const Run& run) {
-  const bool mild = run.problem.groups.L <= mild_for_central_film;
-  return {.discretisation = film_discretisation(climb.grids, film, mild),
+  return {.discretisation = film_discretisation(climb, film, run.problem.groups.L),
           .iteration = climb.iteration,
           .truncation = run.truncation};
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "contact/solver.hpp"
+#include "fast/extrapolation.hpp"
 #include "fast/judgement.hpp"
 #include "fast/run.hpp"
 
@@ -13,6 +14,7 @@ namespace ehd::fast {
 /// What one way through all grids of a map leaves.
 struct MappedClimb {
   std::vector<GridRecord> grids;  ///< coarse to fine
+  MapFit fit = MapFit::settled;   ///< of the map that they share
   Fields fields;                  ///< of the finest grid
   ErrorBudget film_minimum, film_central;
   double iteration = 0;   ///< relative error that iteration leaves in the films; the largest of the grids

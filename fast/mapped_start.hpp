@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "contact/solution.hpp"
+#include "fast/extrapolation.hpp"
 #include "fast/remap.hpp"
 #include "fast/run.hpp"
 
@@ -39,6 +40,9 @@ constexpr int finer_grids[] = {2, 4, 8, 16};
 enum class Care { least, little, full };
 /// The care that the tolerance is worth.
 [[nodiscard]] Care care_for(const Request& request, double L);
+
+/// Of the map that `start` makes.
+[[nodiscard]] MapFit map_fit(const Recipe& recipe, Care care);
 
 /// Newton on the grid of run.state; where an interpolated pressure has closed the film, once more with the film at X =
 /// 0 restored to `film`; where a sharpening spike stops Newton, with a floor under the fluidity. run.state: the start,

@@ -66,27 +66,55 @@ BOOST_AUTO_TEST_CASE(the_central_film_is_judged_by_its_own_moves_and_by_the_smal
   BOOST_TEST(fast::central_film_error({0.31, 0.302, 0.3005}, {0.21, 0.202, 0.2005}, true) > 0);
 }
 
-BOOST_AUTO_TEST_CASE(beside_a_spike_a_regular_sequence_of_films_is_not_trusted) {
+BOOST_AUTO_TEST_CASE(the_smallest_film_is_covered_where_a_regular_sequence_promises_a_wrong_limit) {
   // H_min on 64, 128, ... intervals, Roelands, flooded, and the limit from the high-order reference. From grid to grid
   // the moves fall by 6 to 9, as those of a smooth solution do; but the limit that they promise is wrong.
   struct Film {
     std::vector<double> grids;
-    double truth, truth_error;
+    double truth, truth_error, L;
   };
   const Film films[] = {{{8.271574179072769e-4, 8.391649535282579e-4, 8.405372863036614e-4, 8.407013195828179e-4,
-                          8.407141397563982e-4, 8.407136124182169e-4},  // (1494.27, 17.747)
+                          8.407141397563982e-4, 8.407136124182169e-4},  // M = 1494.27
                          8.407204660253132e-4,
-                         1.7e-8},
+                         1.7e-8,
+                         17.747},
                         {{5.840960367982637e-3, 5.897833488698727e-3, 5.903812314980468e-3, 5.904284401691627e-3,
-                          5.904270828608804e-3},  // (346.248, 27.4164)
+                          5.904270828608804e-3},  // M = 346.248
                          5.904323873308104e-3,
-                         8.7e-8}};
-  for (const auto& [grids, truth, truth_error] : films) {
-    const auto limit = limit_of(grids, true), trusted = limit_of(grids);
-    BOOST_TEST(limit.value == trusted.value);
-    EHD_CHECK(std::abs(limit.value - truth) + truth_error * truth, Tolerance::discretisation(limit.error, 1));
-    BOOST_TEST(trusted.error < std::abs(limit.value - truth));  // else the sequence shows nothing
+                         8.7e-8,
+                         27.4164}};
+  for (const auto& [grids, truth, truth_error, L] : films) {
+    const auto limit = limit_of(grids);
+    const double off = std::abs(limit.value / truth - 1);
+    EHD_CHECK(off + truth_error,
+              Tolerance::discretisation(fast::smallest_film_error(grids, fast::MapFit::settled, L), 1));
+    BOOST_TEST(limit.error < off * truth);  // else the sequence shows nothing
   }
+}
+
+BOOST_AUTO_TEST_CASE(the_error_of_the_smallest_film_follows_its_moves_and_the_map) {
+  using fast::MapFit;
+  constexpr double mild = 5, stiff = 20;
+  // Three grids: a share of the last move of R, more of it on a first map.
+  const std::vector<double> three{0.21, 0.202, 0.2005};
+  const double move = std::abs((4 * 0.2005 - 0.202) / 3 - (4 * 0.202 - 0.21) / 3) / 0.2005;
+  EHD_CHECK(error(fast::smallest_film_error(three, MapFit::settled, mild), 0.25 * move), Tolerance::round_off(64));
+  EHD_CHECK(error(fast::smallest_film_error(three, MapFit::again, stiff), 0.5 * move), Tolerance::round_off(64));
+  EHD_CHECK(error(fast::smallest_film_error(three, MapFit::first, stiff), 1.6 * move), Tolerance::round_off(64));
+  // More grids: the error covers a smooth sequence, and a jump of the last grid.
+  const auto smooth = sequence(6, 0.2, 0.1, 0.05, 0.02);
+  const double true_error = std::abs(limit_of(smooth).value / 0.2 - 1);
+  constexpr double jump = 1e-4;
+  auto jumps = smooth;
+  jumps.back() += jump;
+  for (const double L : {mild, stiff}) {
+    const double settled = fast::smallest_film_error(smooth, MapFit::settled, L);
+    BOOST_TEST(true_error <= settled);
+    BOOST_TEST(settled < fast::smallest_film_error(smooth, MapFit::again, L));
+    BOOST_TEST(fast::smallest_film_error(jumps, MapFit::settled, L) > jump / 0.2 / 2);
+  }
+  BOOST_TEST(fast::smallest_film_error(smooth, MapFit::settled, mild) <
+             fast::smallest_film_error(smooth, MapFit::settled, stiff));
 }
 
 BOOST_AUTO_TEST_CASE(from_three_grids_on_second_and_third_order_errors_are_gone) {

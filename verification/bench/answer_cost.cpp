@@ -18,10 +18,8 @@ namespace ehd::verification {
 
 namespace {
 
-/// Of c, the unit of every time.
-constexpr int unit_intervals = 512;
 /// Materials are harder above it: the spike is narrow.
-constexpr double mild_L = 15;
+constexpr double stiff_above_L = 15;
 
 double c_now() {
   constexpr Repetition many{.least = 200, .least_s = 0.02, .enough_s = 0.1, .most = 100000};
@@ -59,7 +57,7 @@ AnswerCost cost_of(const Answer& answer, const std::string& of, const std::vecto
 void add_box(const AnswerCostRequest& request, std::vector<AnswerCost>& rows) {
   std::vector<BoxContact> mild, stiff;
   for (const BoxContact& contact : bench_contacts(request.quick, {true, false}))
-    (contact.moes.L <= mild_L ? mild : stiff).push_back(contact);
+    (contact.moes.L <= stiff_above_L ? mild : stiff).push_back(contact);
   for (const Answer& answer : {Answer{"H_cen alone to 1e-6", central_alone(1e-6)}, Answer{"both films to 1e-3", 1e-3},
                                Answer{"both films to 1e-5", 1e-5}}) {
     rows.push_back(cost_of(answer, "box, L <= 15", mild, request));

@@ -15,8 +15,9 @@
 
 namespace ehd::verification {
 
-/// Roelands, compressible, unless `roelands` says otherwise. M of 0.5 ... 5000 and L of 0 ... 30 with the inlet cut at -max(4, 4 sqrt(2 H_cen)), H_cen by
-/// Moes' formula (104 contacts); the same flooded from M = 0.05 (128 contacts); a few of them when quick.
+/// Roelands, compressible, unless `roelands` says otherwise. M of 0.5 ... 5000 and L of 0 ... 30 with the inlet cut at
+/// -max(4, 4 sqrt(2 H_cen)), H_cen by Moes' formula (104 contacts); the same flooded from M = 0.05 (128 contacts); a
+/// few of them when quick.
 [[nodiscard]] std::vector<BoxContact> bench_contacts(bool quick, std::vector<bool> roelands = {true});
 
 /// Two tolerances and two numbers of intervals, for every solver.

@@ -19,6 +19,9 @@ namespace ehd::verification {
 /// inverse FFT. FFTW_ESTIMATE; the median of repetitions. A work unit counts one such convolution.
 [[nodiscard]] double convolution_s(int intervals, const Repetition& repetition);
 
+/// c, the unit of times, is a convolution on so many intervals.
+inline constexpr int unit_intervals = 512;
+
 struct ScalingRow {
   std::string solver;
   MoesGroups contact;

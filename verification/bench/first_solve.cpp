@@ -15,9 +15,6 @@ namespace ehd::verification {
 
 namespace {
 
-/// Of c, the unit of every time.
-constexpr int unit_intervals = 512;
-
 double processor_s() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 /// In the child, which has no other thread.
