@@ -15,6 +15,8 @@ SANITIZER_FLAGS = -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=RelWithDebInfo
   -DCMAKE_CXX_FLAGS_RELWITHDEBINFO='-O1 -gline-tables-only'
 
 FUZZED ?= case sweep row results atlas
+PYTHON_PACKAGES = python3-numpy python3-pytest python3-matplotlib python3-distributed python3-mypy python3-nbconvert \
+  python3-ipykernel
 SANITIZED ?= contact reference fast bearing workflow io verification
 space := $() $()
 # What clang-tidy reads, and what clang-format formats.
@@ -119,6 +121,16 @@ report: program  ## Make out/verify/report.html from what verify, bench and stre
 browser-test: configure  ## Open the report in headless Chromium, where it is installed (15 s)
 	@cmake --build $(BUILD) --parallel $(JOBS) --target ehd_program --target made_report
 	@ctest --test-dir $(BUILD) --output-on-failure -R report_browser --no-tests=error
+
+.PHONY: python octave
+python: program  ## Test the Python package, with figures, Dask, notebooks and types: nothing is skipped (1 minute)
+	@sh cmake/setup.sh $(PYTHON_PACKAGES)
+	@cmake --build $(BUILD) --parallel $(JOBS) --target ehd_shared
+	@EHD_PYTHON_COMPLETE=1 ctest --test-dir $(BUILD) --output-on-failure -R '^bindings\.python$$' --no-tests=error
+
+octave: program  ## Test the functions for Octave and MATLAB (installs octave, 219 MB; 10 s)
+	@sh cmake/setup.sh octave
+	@tests/bindings/octave/run.sh $(BUILD)/ehd
 
 # valgrind may not know this machine's vector instructions: built without them, in a folder of its own.
 callgrind:  ## Count instructions of three solves, name the functions whose count changed (KEEP=1 keeps the counts; 5 minutes)

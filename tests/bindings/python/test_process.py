@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What else runs in the process: other threads, Ctrl-C, other ways to find the library."""
+
+import concurrent.futures
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+
+import ehd
+import numpy as np
+import pytest
+
+LONG = {"M": 2000, "L": 25, "solver": "reference", "tolerance": 1e-10}  # takes seconds
+
+
+def interrupt_soon(delay_s):
+    threading.Timer(delay_s, os.kill, (os.getpid(), signal.SIGINT)).start()
+
+
+@pytest.mark.parametrize("work", [
+    lambda: ehd.films(np.geomspace(2, 2000, 20000), 10, tolerance=1e-5),
+    lambda: ehd.solve(**LONG),
+])
+def test_ctrl_c_ends_a_call(work):
+    usual = signal.getsignal(signal.SIGINT)
+    interrupt_soon(0.2)
+    begin = time.monotonic()
+    with pytest.raises(KeyboardInterrupt):
+        work()
+    assert time.monotonic() - begin < 20  # uninterrupted: minutes
+    assert signal.getsignal(signal.SIGINT) is usual
+    assert ehd.solve(M=20, L=10).status == "converged"  # the next call is not cancelled
+
+
+def test_a_handler_of_the_user_decides_what_ctrl_c_means():
+    seen = []
+    usual = signal.signal(signal.SIGINT, lambda number, frame: seen.append(number))
+    try:
+        interrupt_soon(0.2)
+        r = ehd.solve(**LONG)
+    finally:
+        signal.signal(signal.SIGINT, usual)
+    assert seen == [signal.SIGINT] and r.status == "limit-reached"
+
+
+def test_other_threads_run_meanwhile():
+    """While the main thread is inside the library, another one counts."""
+    counted, ready = [0], threading.Event()
+
+    def count():
+        while not ready.is_set():
+            counted[0] += 1
+            time.sleep(0.001)
+
+    thread = threading.Thread(target=count)
+    thread.start()
+    before = counted[0]
+    ehd.films(np.geomspace(2, 200, 60), 10, tolerance=1e-4, threads=1)
+    during = counted[0] - before
+    ready.set()
+    thread.join()
+    assert during >= 10  # with the interpreter locked it would be 0 or 1
+
+
+def test_threads_of_python_get_the_same_numbers():
+    cases = [(M, L) for M in (5.0, 20.0, 80.0) for L in (5.0, 10.0)]
+
+    def film(group):
+        return ehd.solve(M=group[0], L=group[1]).film.minimum.hertz
+
+    with concurrent.futures.ThreadPoolExecutor(4) as pool:
+        assert list(pool.map(film, cases)) == [film(group) for group in cases]
+
+
+def run_python(code, **environment):
+    return subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False,
+                          env={**os.environ, **environment})
+
+
+def test_the_library_that_the_environment_names_is_the_only_one():
+    done = run_python("import ehd; ehd.solve(M=20, L=10)", EHD_LIBRARY="/nowhere/libehd.so.0")
+    assert done.returncode == 1
+    assert "ImportError" in done.stderr and "/nowhere/libehd.so.0" in done.stderr and "EHD_LIBRARY" in done.stderr
+
+
+def test_importing_needs_neither_the_library_nor_matplotlib():
+    done = run_python("import sys, ehd; assert 'matplotlib' not in sys.modules", EHD_LIBRARY="/nowhere/libehd.so.0")
+    assert done.returncode == 0, done.stderr
+
+
+def test_a_library_beside_the_package_is_found(tmp_path):
+    """The folders of an installation: PREFIX/lib, PREFIX/share/ehd/cases, PREFIX/lib/python3/dist-packages."""
+    package = os.path.dirname(ehd.__file__)
+    packages = tmp_path / "lib" / "python3" / "dist-packages"
+    packages.mkdir(parents=True)
+    (tmp_path / "share" / "ehd").mkdir(parents=True)
+    import shutil
+    shutil.copytree(package, packages / "ehd", ignore=shutil.ignore_patterns("__pycache__"))
+    shutil.copy(os.environ["EHD_LIBRARY"], tmp_path / "lib" / "libehd.so.0")
+    (tmp_path / "share" / "ehd" / "cases").symlink_to(os.environ["EHD_CASES"])
+    code = ("import os; del os.environ['EHD_LIBRARY'], os.environ['EHD_CASES']; import ehd; "
+            "print(ehd.__file__, ehd.solve('own-moes-20-10').status)")
+    done = run_python(code, PYTHONPATH=str(packages))
+    assert done.stdout.split() == [str(packages / "ehd" / "__init__.py"), "converged"], done.stderr
