@@ -15,8 +15,6 @@ SANITIZER_FLAGS = -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=RelWithDebInfo
   -DCMAKE_CXX_FLAGS_RELWITHDEBINFO='-O1 -gline-tables-only'
 
 FUZZED ?= case sweep row results atlas
-PYTHON_PACKAGES = python3-numpy python3-pytest python3-matplotlib python3-distributed python3-mypy python3-nbconvert \
-  python3-ipykernel
 SANITIZED ?= contact reference fast bearing workflow io verification
 space := $() $()
 # What clang-tidy reads, and what clang-format formats.
@@ -123,6 +121,8 @@ browser-test: configure  ## Open the report in headless Chromium, where it is in
 	@ctest --test-dir $(BUILD) --output-on-failure -R report_browser --no-tests=error
 
 .PHONY: python octave
+PYTHON_PACKAGES = python3-numpy python3-pytest python3-matplotlib python3-distributed python3-mypy python3-nbconvert \
+  python3-ipykernel
 python: program  ## Test the Python package, with figures, Dask, notebooks and types: nothing is skipped (1 minute)
 	@sh cmake/setup.sh $(PYTHON_PACKAGES)
 	@cmake --build $(BUILD) --parallel $(JOBS) --target ehd_shared
