@@ -122,7 +122,10 @@ def solve(case: Optional[CaseName] = None, *, solver: str = "fast", tolerance: f
 
 @dataclasses.dataclass(frozen=True)
 class Films:
-    """The films of many contacts: arrays of one shape, read-only. ``dataclasses.asdict`` makes a dictionary."""
+    """The films of many contacts: arrays of one shape, read-only.
+
+    ``dataclasses.asdict`` makes a dictionary; pandas.DataFrame takes it where the arrays have one dimension.
+    """
 
     M: Array  #: Moes' load group [-]
     L: Array  #: Moes' lubricant group [-]

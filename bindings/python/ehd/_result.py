@@ -19,10 +19,10 @@ Array = npt.NDArray[np.float64]
 
 
 class Handle:
-    """A result of the library, freed with this object. Several threads may read it at once."""
+    """A result of the library, or the place for one; freed with this object. Several threads may read it at once."""
 
-    def __init__(self, address: int) -> None:
-        self.address = address
+    def __init__(self) -> None:
+        self.address = ctypes.c_void_p()
         self._free = library().ehd_free  # there to the end, also while Python shuts down
 
     def __del__(self) -> None:
@@ -42,14 +42,14 @@ class Handle:
 
 def run(function: str, case: CaseText, *arguments: Any) -> tuple[Handle, Ended]:
     """Calls ehd_solve or ehd_bearing. Raises InputError; NotConvergedError where there is not even a result."""
-    address = ctypes.c_void_p()
+    handle = Handle()
     try:
-        ended = call(function, case.text, *arguments, ctypes.byref(address))
+        ended = call(function, case.text, *arguments, ctypes.byref(handle.address))
     except InputError as error:
         raise case.explain(error) from None
-    if not address.value:
+    if not handle.address:
         raise NotConvergedError(ended.line)
-    return Handle(address.value), ended
+    return handle, ended
 
 
 def require_converged(ended: Ended, result: Any) -> None:
