@@ -53,7 +53,7 @@ def contact(result: Contact, axes: Optional[Any] = None) -> Any:
     left.set(xlim=(_LEFT, _RIGHT), ylim=(0, None), xlabel="$X = x/b$", ylabel="$p/p_H$")
     central = float(np.interp(0.0, result.X, result.H))
     right.set(ylim=(0, _FILMS_SHOWN * central) if central > 0 else (0, 1), ylabel="$H = hR/b^2$")
-    left.legend(handles=[pressure, film], frameon=False, fontsize="small", ncols=2, loc="lower center",
+    left.legend(handles=[pressure, film], frameon=False, fontsize="small", ncol=2, loc="lower center",
                 bbox_to_anchor=(0.5, 1.0))
     return left, right
 

@@ -120,16 +120,19 @@ def test_importing_needs_neither_the_library_nor_matplotlib():
     assert done.returncode == 0, done.stderr
 
 
-def test_a_library_beside_the_package_is_found(tmp_path):
-    """The folders of an installation: PREFIX/lib, PREFIX/share/ehd/cases, PREFIX/lib/python3/dist-packages."""
-    package = os.path.dirname(ehd.__file__)
-    packages = tmp_path / "lib" / "python3" / "dist-packages"
-    packages.mkdir(parents=True)
-    (tmp_path / "share" / "ehd").mkdir(parents=True)
-    shutil.copytree(package, packages / "ehd", ignore=shutil.ignore_patterns("__pycache__"))
-    shutil.copy(os.environ["EHD_LIBRARY"], tmp_path / "lib" / "libehd.so.0")
-    (tmp_path / "share" / "ehd" / "cases").symlink_to(os.environ["EHD_CASES"])
+@pytest.mark.parametrize("packages, libraries, cases", [
+    ("lib/python3/dist-packages", "lib", "share/ehd/cases"),  # installed under a prefix
+    ("bindings/python", "build", "cases"),  # a source tree
+    ("lib/python3/dist-packages", "lib/python3/dist-packages/ehd", "share/ehd/cases"),  # in the package itself
+])
+def test_the_library_and_the_cases_are_found_beside_the_package(tmp_path, packages, libraries, cases):
+    shutil.copytree(os.path.dirname(ehd.__file__), tmp_path / packages / "ehd",
+                    ignore=shutil.ignore_patterns("__pycache__"))
+    for folder in (libraries, os.path.dirname(cases)):
+        (tmp_path / folder).mkdir(parents=True, exist_ok=True)
+    (tmp_path / libraries / "libehd.so.0").symlink_to(os.environ["EHD_LIBRARY"])
+    (tmp_path / cases).symlink_to(os.environ["EHD_CASES"])
     code = ("import os; del os.environ['EHD_LIBRARY'], os.environ['EHD_CASES']; import ehd; "
             "print(ehd.__file__, ehd.solve('own-moes-20-10').status)")
-    done = run_python(code, PYTHONPATH=str(packages))
-    assert done.stdout.split() == [str(packages / "ehd" / "__init__.py"), "converged"], done.stderr
+    done = run_python(code, PYTHONPATH=str(tmp_path / packages))
+    assert done.stdout.split() == [str(tmp_path / packages / "ehd" / "__init__.py"), "converged"], done.stderr
