@@ -40,9 +40,9 @@ def contact(result: Contact, axes: Optional[Any] = None) -> Any:
 
     Examples
     --------
-    >>> import ehd
-    >>> left, right = ehd.plot.contact(ehd.solve("own-moes-20-10", tolerance=1e-4))  # doctest: +SKIP
-    >>> left.figure.savefig("contact.pdf")  # doctest: +SKIP
+    >>> import ehd, os
+    >>> left, right = ehd.plot.contact(ehd.solve("own-moes-20-10", tolerance=1e-4))
+    >>> left.figure.savefig(os.devnull, format="pdf")
     """
     left = _new_axes(1) if axes is None else axes
     right = left.twinx()
@@ -74,6 +74,12 @@ def bearing(result: Bearing, axes: Optional[Any] = None, *, raceway: str = "inne
     Returns
     -------
     array of matplotlib.axes.Axes
+
+    Examples
+    --------
+    >>> import ehd
+    >>> axes = ehd.plot.bearing(ehd.bearing("na4908", law="ehd"))
+    >>> axes = ehd.plot.bearing(ehd.bearing("na4908", law="hertz"), axes)
     """
     # From -180 to 180 degrees, so that the load is in the middle.
     azimuth = (result.rollers["azimuth_deg"] + 180.0) % 360.0 - 180.0

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the tests of the Python package share: the program to compare with, and the packages that may be missing."""
 
-import importlib
+import importlib.util
 import json
 import os
 import pathlib
@@ -22,6 +22,15 @@ def needs(module, package):
         if COMPLETE:
             raise
         pytest.skip(f"{module} is missing: apt-get install {package}", allow_module_level=True)
+
+
+def pytest_collection_modifyitems(items):
+    """The examples in the docstrings of ehd.plot need what the functions need."""
+    if COMPLETE or importlib.util.find_spec("matplotlib"):
+        return
+    for item in items:
+        if item.name.startswith("ehd.plot"):
+            item.add_marker(pytest.mark.skip("matplotlib is missing: apt-get install python3-matplotlib"))
 
 
 @pytest.fixture(scope="session")
