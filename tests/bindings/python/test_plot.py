@@ -38,7 +38,8 @@ def test_bearings_are_compared_in_the_same_axes(tmp_path):
     assert ehd.plot.bearing(dry, axes) is not None
     assert axes.shape == (2,) and [len(one.lines) for one in axes] == [2, 1]
     forces = axes[0].lines[0]
-    assert (np.diff(forces.get_xdata()) > 0).all() and max(forces.get_ydata()) == 1e-3 * film.rollers.inner.force_N.max()
+    assert (np.diff(forces.get_xdata()) > 0).all()
+    assert max(forces.get_ydata()) == 1e-3 * film.rollers.inner.force_N.max()
     assert [text.get_text() for text in axes[0].get_legend().get_texts()] == ["ehd", "hertz"]
     assert axes[0].get_ylim()[0] == 0 and axes[0].get_ylim()[1] > 1e-3 * dry.rollers.inner.force_N.max()
     axes[0].figure.savefig(tmp_path / "bearing.pdf")

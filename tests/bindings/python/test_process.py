@@ -15,37 +15,44 @@ import ehd
 import numpy as np
 import pytest
 
-LONG = {"M": 2000, "L": 25, "solver": "reference", "tolerance": 1e-10}  # takes seconds
+def long_solve():
+    return [ehd.solve(M=2000, L=25, solver="reference", tolerance=1e-10).status]
 
 
-def interrupt_soon(delay_s):
-    threading.Timer(delay_s, os.kill, (os.getpid(), signal.SIGINT)).start()
+def long_films():
+    return ehd.films(np.geomspace(2, 2000, 20000), 10, tolerance=1e-5).status
 
 
-@pytest.mark.parametrize("work", [
-    lambda: ehd.films(np.geomspace(2, 2000, 20000), 10, tolerance=1e-5),
-    lambda: ehd.solve(**LONG),
-])
+@pytest.fixture
+def interrupted_soon():
+    """Both calls take ten seconds and more."""
+    timer = threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT))
+    timer.start()
+    yield
+    timer.join()
+
+
+@pytest.mark.usefixtures("interrupted_soon")
+@pytest.mark.parametrize("work", [long_solve, long_films])
 def test_ctrl_c_ends_a_call(work):
     usual = signal.getsignal(signal.SIGINT)
-    interrupt_soon(0.2)
-    begin = time.monotonic()
     with pytest.raises(KeyboardInterrupt):
         work()
-    assert time.monotonic() - begin < 20  # uninterrupted: minutes
     assert signal.getsignal(signal.SIGINT) is usual
     assert ehd.solve(M=20, L=10).status == "converged"  # the next call is not cancelled
 
 
-def test_a_handler_of_the_user_decides_what_ctrl_c_means():
+@pytest.mark.parametrize("work", [long_solve, long_films])
+def test_a_handler_of_the_user_decides_what_ctrl_c_means(work, request):
+    """Here it notes the signal: then the call returns, and its status says that it was cancelled."""
     seen = []
     usual = signal.signal(signal.SIGINT, lambda number, frame: seen.append(number))
     try:
-        interrupt_soon(0.2)
-        r = ehd.solve(**LONG)
+        request.getfixturevalue("interrupted_soon")
+        status = work()
     finally:
         signal.signal(signal.SIGINT, usual)
-    assert seen == [signal.SIGINT] and r.status == "limit-reached"
+    assert seen == [signal.SIGINT] and "limit-reached" in status
 
 
 def test_other_threads_run_meanwhile():
@@ -60,7 +67,7 @@ def test_other_threads_run_meanwhile():
     thread = threading.Thread(target=count)
     thread.start()
     before = counted[0]
-    ehd.films(np.geomspace(2, 200, 60), 10, tolerance=1e-4, threads=1)
+    ehd.films(np.geomspace(2, 200, 150), 10, tolerance=1e-4, threads=1)
     during = counted[0] - before
     ready.set()
     thread.join()
