@@ -43,6 +43,7 @@ def test_arrays_are_read_only_also_in_another_process():
             films.minimum[0] = 1.0
     given = np.array([20.0, 30.0])
     ehd.films(given, 10)
+    assert t == t and t != ehd.films([20, 30], 10)  # one object is equal to itself alone
     given[0] = 1.0  # the caller's own array is left alone
 
 
