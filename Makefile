@@ -120,6 +120,20 @@ browser-test: configure  ## Open the report in headless Chromium, where it is in
 	@cmake --build $(BUILD) --parallel $(JOBS) --target ehd_program --target made_report
 	@ctest --test-dir $(BUILD) --output-on-failure -R report_browser --no-tests=error
 
+.PHONY: library python octave
+PYTHON_PACKAGES = python3-numpy python3-pytest python3-matplotlib python3-distributed python3-mypy python3-nbconvert \
+  python3-ipykernel
+library: configure  ## Build the library that Python and C load: build/libehd.so.0 (4 minutes on two cores)
+	@cmake --build $(BUILD) --parallel $(JOBS) --target ehd_shared
+
+python: program library  ## Test the Python package, with figures, Dask, notebooks and types: nothing is skipped (1 minute)
+	@sh cmake/setup.sh $(PYTHON_PACKAGES)
+	@EHD_PYTHON_COMPLETE=1 ctest --test-dir $(BUILD) --output-on-failure -R '^bindings\.python$$' --no-tests=error
+
+octave: program  ## Test the functions for Octave and MATLAB (installs octave, 219 MB; 10 s)
+	@sh cmake/setup.sh octave
+	@tests/bindings/octave/run.sh $(BUILD)/ehd
+
 # valgrind may not know this machine's vector instructions: built without them, in a folder of its own.
 callgrind:  ## Count instructions of three solves, name the functions whose count changed (KEEP=1 keeps the counts; 5 minutes)
 	@sh cmake/setup.sh valgrind

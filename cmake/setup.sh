@@ -6,8 +6,9 @@ set -eu
 
 required="g++ cmake pkg-config libeigen3-dev libfftw3-dev libgsl-dev libboost-test-dev libtomlplusplus-dev \
 nlohmann-json3-dev libcli11-dev libfmt-dev libxxhash-dev python3"
-# Ninja builds faster, make kernels needs the benchmark library. Everything else works without these.
-optional="ninja-build libbenchmark-dev"
+# Ninja builds faster, make kernels needs the benchmark library, the test of the Python package NumPy and pytest.
+# Everything else works without these.
+optional="ninja-build libbenchmark-dev python3-numpy python3-pytest"
 
 command -v dpkg-query > /dev/null 2>&1 || exit 0
 

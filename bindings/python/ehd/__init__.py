@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Elastohydrodynamic line contacts and the roller bearings that run on them, each number with its error.
+
+>>> import ehd
+>>> r = ehd.solve(M=20, L=10)
+>>> r.film
+Record(minimum, central, couette, offset)
+"""
+
+from . import plot
+from ._bearing import Bearing, Law, bearing
+from ._contact import Contact, Films, films, solve
+from ._judge import judge
+from ._library import version
+from ._record import Record
+from ._result import Result
+from .errors import InputError, NotConvergedError
+
+__all__ = [
+    "Bearing", "Contact", "Films", "InputError", "Law", "NotConvergedError", "Record", "Result",
+    "bearing", "films", "judge", "plot", "solve", "version",
+]

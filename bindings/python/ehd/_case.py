@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""From what a user states to the text of a case. The library reads the text; nothing is checked here."""
+
+from __future__ import annotations
+
+import json
+import numbers
+import os
+import pathlib
+import re
+from typing import Mapping, NamedTuple, Optional, Union
+
+from ._library import prefix
+from .errors import InputError
+
+CaseName = Union[str, "os.PathLike[str]"]
+Value = Union[float, int, str]
+
+# The keys of a contact case by table, as `ehd new contact` explains them. What stands in none of them belongs to
+# [lubricant]. "lambda_" is lambda: Python keeps that word for itself.
+_TABLES: dict[str, tuple[str, ...]] = {
+    "": ("id", "version", "title", "source"),
+    "moes": ("M", "L"),
+    "conditions": ("load_N_per_m", "reduced_radius_m", "reduced_modulus_Pa", "speed_sum_m_per_s", "viscosity_Pa_s"),
+    "hertz": ("lambda_", "alpha_p_H"),
+    "domain": ("inlet",),
+}
+_HEADING: dict[str, Value] = {"id": "keywords", "version": 1, "title": "stated by keywords", "source": "own"}
+# What `ehd solve --M 20 --L 10` assumes.
+PLAIN_OIL: dict[str, Value] = {"viscosity": "barus", "density": "incompressible"}
+
+
+class CaseText(NamedTuple):
+    """The text of a case, and the name of its file."""
+
+    text: bytes
+    name: Optional[str]  # None: made of keywords; the user has not seen its lines
+
+    def explain(self, error: InputError) -> InputError:
+        """The same error with the name of the file. The library says "case:LINE: ", or "ID.toml:LINE: "."""
+        place = r"^(?:case|lubricant|[^:\s]+\.toml)(:\d+)?: "
+        return InputError(re.sub(place, lambda at: f"{self.name}{at[1] or ''}: " if self.name else "", str(error)))
+
+
+def _toml(value: Value) -> str:
+    if isinstance(value, str):
+        return json.dumps(value, ensure_ascii=False)
+    if isinstance(value, numbers.Integral):
+        return str(int(value))
+    return repr(float(value))
+
+
+def lines(entries: Mapping[str, Value]) -> str:
+    """``key = value`` a line, in TOML."""
+    return "".join(f"{key.rstrip('_')} = {_toml(value)}\n" for key, value in entries.items())
+
+
+def case_from_keywords(statement: Mapping[str, Value]) -> CaseText:
+    """A contact case. Without any key of the lubricant, and without speed and viscosity, it is dry."""
+    table_of = {key: table for table, keys in _TABLES.items() for key in keys}
+    tables: dict[str, dict[str, Value]] = {"": dict(_HEADING)}
+    for key, value in statement.items():
+        tables.setdefault(table_of.get(key, "lubricant"), {})[key] = value
+    stated_dry = "conditions" in tables and set(tables).isdisjoint({"lubricant", "domain"})
+    if not stated_dry or {"speed_sum_m_per_s", "viscosity_Pa_s"} & set(statement):
+        laws = PLAIN_OIL if "moes" in tables else {}
+        tables["lubricant"] = {**laws, **tables.get("lubricant", {})}
+        tables.setdefault("domain", {"inlet": "flooded"})
+    text = lines(tables.pop("")) + "".join(f"[{table}]\n{lines(entries)}" for table, entries in tables.items())
+    return CaseText(text.encode(), None)
+
+
+def cases_folder() -> Optional[pathlib.Path]:
+    """The folder of the benchmark cases: EHD_CASES, else that of the installation or of the source tree."""
+    named = os.environ.get("EHD_CASES")
+    if named:
+        return pathlib.Path(named)
+    for folder in (prefix() / "share" / "ehd" / "cases", prefix() / "cases"):
+        if folder.is_dir():
+            return folder
+    return None
+
+
+def _find(name: str) -> pathlib.Path:
+    """The file of a case, found as the program finds it: a path, or an id below the folder of cases."""
+    path = pathlib.Path(name)
+    if "/" in name or path.suffix == ".toml":
+        return path
+    folder = cases_folder()
+    if folder is not None:
+        found = [folder / f"{name}.toml", *sorted(folder.glob(f"*/{name}.toml"))]
+        for candidate in found:
+            if candidate.is_file():
+                return candidate
+    if path.exists():
+        return path
+    raise InputError(f"{name}: there is no such case; allowed is a path to a case file, the id of a benchmark case, "
+                     "or the text of a case")
+
+
+def case_from(case: CaseName) -> CaseText:
+    """The text of a case file, by its path or id. A text of more than one line is a case itself."""
+    name = os.fspath(case)
+    if "\n" in name:
+        return CaseText(_whole(name.encode(), "case"), "case")
+    file = _find(name)
+    try:
+        text = file.read_bytes()
+    except OSError as error:
+        raise InputError(f"{file}: {error.strerror}; allowed is the path of a case file") from error
+    return CaseText(_whole(text, str(file)), str(file))
+
+
+def _whole(text: bytes, name: str) -> bytes:
+    if b"\0" in text:  # a text in C ends there
+        raise InputError(f"{name}: is binary; allowed is TOML")
+    return text

@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What ehd_solve and ehd_bearing leave: from the library's result to a Python object."""
+
+from __future__ import annotations
+
+import ctypes
+import json
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from ._case import CaseText
+from ._library import CONVERGED, Ended, call, library
+from ._record import Record
+from .errors import InputError, NotConvergedError
+
+Array = npt.NDArray[np.float64]
+
+
+class Handle:
+    """A result of the library, or the place for one; freed with this object. Several threads may read it at once."""
+
+    def __init__(self) -> None:
+        self.address = ctypes.c_void_p()
+        self._free = library().ehd_free  # there to the end, also while Python shuts down
+
+    def __del__(self) -> None:
+        self._free(self.address)
+
+    def json(self) -> dict[str, Any]:
+        data: dict[str, Any] = json.loads(library().ehd_json(self.address))
+        return data
+
+    def field(self, name: str) -> Array:
+        """A field over the nodes; empty where there is none of that name."""
+        count = library().ehd_field(self.address, name.encode(), None, 0)
+        values = np.empty(count)
+        library().ehd_field(self.address, name.encode(), values.ctypes.data, count)
+        return values
+
+
+def run(function: str, case: CaseText, *arguments: Any) -> tuple[Handle, Ended]:
+    """Calls ehd_solve or ehd_bearing. Raises InputError; NotConvergedError where there is not even a result."""
+    handle = Handle()
+    try:
+        ended = call(function, case.text, *arguments, ctypes.byref(handle.address))
+    except InputError as error:
+        raise case.explain(error) from None
+    if not handle.address:
+        raise NotConvergedError(ended.line)
+    return handle, ended
+
+
+def require_converged(ended: Ended, result: Any) -> None:
+    if ended.code != CONVERGED:
+        raise NotConvergedError(ended.line, result)
+
+
+def read_only(values: Any) -> Any:
+    values.setflags(write=False)
+    return values
+
+
+class Result(Record):
+    """What ``ehd.solve`` and ``ehd.bearing`` return: the object that the program writes as JSON.
+
+    ``status`` is ``"converged"``, ``"tolerance-not-met"`` (the best solution, with honest errors),
+    ``"under-resolved"``, ``"limit-reached"`` or ``"diverged"``.
+    """
+
+    __slots__ = ()

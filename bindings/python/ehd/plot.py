@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Figures of a contact and of a bearing, by matplotlib where it is installed."""
+
+from __future__ import annotations
+
+from typing import Any, Optional
+
+import numpy as np
+
+from ._bearing import Bearing
+from ._contact import Contact
+
+_FIRST, _SECOND = "#1f4e79", "#b3541e"  # told apart in grey print as well: 30 % and 45 % of white
+_LEFT, _RIGHT = -2.0, 1.6  # X of the figure: the inlet's rise to the exit of the lightest contacts
+_FILMS_SHOWN = 4.0  # the film's axis ends at so many central films
+
+
+def _new_axes(count: int) -> Any:
+    from matplotlib import pyplot  # not needed before a figure is drawn
+
+    figure, axes = pyplot.subplots(count, 1, sharex=True, figsize=(3.4, 2.3 * count), layout="constrained")
+    del figure
+    return axes
+
+
+def contact(result: Contact, axes: Optional[Any] = None) -> Any:
+    """Pressure and film over X.
+
+    Parameters
+    ----------
+    result
+        From `ehd.solve`.
+    axes
+        matplotlib axes to draw in; else those of a new figure, one column of a paper wide.
+
+    Returns
+    -------
+    tuple of matplotlib.axes.Axes
+        That of the pressure p/p_H, on the left, and that of the film h R/b^2, on the right.
+
+    Examples
+    --------
+    >>> import ehd, os
+    >>> left, right = ehd.plot.contact(ehd.solve("own-moes-20-10", tolerance=1e-4))
+    >>> left.figure.savefig(os.devnull, format="pdf")
+    """
+    left = _new_axes(1) if axes is None else axes
+    right = left.twinx()
+    resolved = result.fields.pressure_resolved
+    pressure, = left.plot(result.X, result.P, color=_FIRST, linewidth=1.2,
+                          label="pressure" if resolved else "pressure (spike not resolved, cut)")
+    film, = right.plot(result.X, result.H, color=_SECOND, linewidth=1.2, linestyle="--", label="film")
+    left.set(xlim=(_LEFT, _RIGHT), ylim=(0, None), xlabel="$X = x/b$", ylabel="$p/p_H$")
+    central = float(np.interp(0.0, result.X, result.H))
+    right.set(ylim=(0, _FILMS_SHOWN * central) if central > 0 else (0, 1), ylabel="$H = hR/b^2$")
+    left.legend(handles=[pressure, film], frameon=False, fontsize="small", ncol=2, loc="lower center",
+                bbox_to_anchor=(0.5, 1.0))
+    return left, right
+
+
+def bearing(result: Bearing, axes: Optional[Any] = None, *, raceway: str = "inner") -> Any:
+    """Contact forces and, where there is oil, smallest films over the azimuth.
+
+    Parameters
+    ----------
+    result
+        From `ehd.bearing`.
+    axes
+        Array of two matplotlib axes, for the forces and the films; of a bearing without films the first alone.
+        Drawing a second bearing into the same axes compares both.
+    raceway
+        ``"inner"`` or ``"outer"``.
+
+    Returns
+    -------
+    array of matplotlib.axes.Axes
+
+    Examples
+    --------
+    >>> import ehd
+    >>> axes = ehd.plot.bearing(ehd.bearing("na4908", law="ehd"))
+    >>> axes = ehd.plot.bearing(ehd.bearing("na4908", law="hertz"), axes)
+    """
+    # From -180 to 180 degrees, so that the load is in the middle.
+    azimuth = (result.rollers["azimuth_deg"] + 180.0) % 360.0 - 180.0
+    order = np.argsort(azimuth)
+    rows = result.rollers[raceway][order]
+    films = "film_minimum_m" in (rows.dtype.names or ())
+    axes = np.atleast_1d(_new_axes(2 if films else 1) if axes is None else axes)
+    axes[0].plot(azimuth[order], 1e-3 * rows["force_N"], marker="o", markersize=3, linewidth=1, label=result["law"])
+    axes[0].set(ylabel=f"force, {raceway} raceway [kN]")
+    axes[0].set_ylim(bottom=0, auto=None)  # auto: a second bearing may carry more
+    axes[0].legend(frameon=False, fontsize="small")
+    if films and axes.size > 1:
+        axes[1].plot(azimuth[order], 1e6 * rows["film_minimum_m"], marker="o", markersize=3, linewidth=1)
+        axes[1].set(ylabel="smallest film [\N{GREEK SMALL LETTER MU}m]", yscale="log")
+    axes[-1].set(xlabel="azimuth from the load [degrees]", xlim=(-180, 180), xticks=range(-180, 181, 60))
+    return axes

@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+import csv
+import pickle
+
+import ehd
+import numpy as np
+import pytest
+from conftest import SOURCE, without_times
+
+
+def test_a_case_gives_what_the_program_writes(program_json):
+    r = ehd.solve("own-steel-20-10", tolerance=1e-4)
+    written = program_json("solve", "own-steel-20-10", "--tolerance", "1e-4")
+    assert without_times(r.to_dict()) == without_times(written)
+    assert r.film.minimum.hertz == written["film"]["minimum"]["hertz"]
+    assert r.groups.lambda_ == written["groups"]["lambda"]
+
+
+def test_the_fields_are_those_of_the_profile(program, tmp_path):
+    assert program("solve", "own-steel-20-10", "--profile", str(tmp_path / "p.csv")).returncode == 0
+    with open(tmp_path / "p.csv", encoding="utf-8") as file:
+        heading, *rows = csv.reader(file)
+    r = ehd.solve("own-steel-20-10")
+    assert len(heading) >= 8  # X, P, H, rho, eta, and three in SI
+    for name, column in zip(heading, zip(*rows)):
+        field = getattr(r, name.split()[0])
+        assert field.dtype == np.float64 and not field.flags.writeable
+        written = np.array([float(cell) if cell else np.nan for cell in column])
+        np.testing.assert_allclose(field, written, rtol=1e-14)  # the profile is written with 15 digits
+
+
+def test_keywords_state_the_same_contact_as_a_file(program_json):
+    lubricant = {"viscosity": "roelands", "density": "dowson-higginson", "alpha_per_Pa": 2.2e-8, "z": 0.68,
+                 "p0_Pa": 1.96e8}
+    r = ehd.solve(M=20, L=10, inlet=-4.0, id="mine", **lubricant)
+    options = ("--viscosity", "roelands", "--density", "dowson-higginson", "--alpha-per-Pa", "2.2e-8", "--z", "0.68",
+               "--p0-Pa", "1.96e8", "--inlet", "-4")
+    written = program_json("solve", "--M", "20", "--L", "10", *options)
+    assert r["case"] == "mine"
+    assert r.film.to_dict() == written["film"]
+
+
+def test_keywords_of_every_kind_state_a_contact(program_json):
+    steel = ehd.solve("own-steel-20-10")
+    text = (SOURCE / "cases" / "own-steel-20-10.toml").read_text(encoding="utf-8")
+    assert ehd.solve(text).film == steel.film
+    si = ehd.solve(load_N_per_m=np.float64(1e5), reduced_radius_m=0.01, reduced_modulus_Pa=2.2e11, speed_sum_m_per_s=3,
+                   viscosity_Pa_s=0.02, viscosity="roelands", density="dowson-higginson", alpha_per_Pa=2.0e-8)
+    written = program_json("solve", str(SOURCE / "examples" / "my-contact.toml"))
+    assert si.film.to_dict() == written["film"]
+    dry = ehd.solve(load_N_per_m=1e5, reduced_radius_m=0.01, reduced_modulus_Pa=2.2e11)
+    assert dry.status == "converged" and "minimum" not in dry.film and not hasattr(dry, "rho")
+    hertz = ehd.solve(lambda_=0.05, alpha_p_H=5.0, viscosity="barus", density="incompressible")
+    assert hertz.groups.lambda_ == pytest.approx(0.05, rel=1e-12)
+
+
+def test_a_solve_that_did_not_converge_says_so():
+    r = ehd.solve(M=20, L=10, solver="fast.uniform", tolerance=1e-13)
+    assert r.status == "tolerance-not-met" and r.film.minimum.error > 1e-13
+    with pytest.raises(ehd.NotConvergedError, match="tolerance-not-met") as caught:
+        ehd.solve(M=20, L=10, solver="fast.uniform", tolerance=1e-13, raise_on_failure=True)
+    assert caught.value.result.film == r.film
+    assert pickle.loads(pickle.dumps(caught.value)).result.film == r.film
+
+
+@pytest.mark.parametrize("keywords, says", [
+    ({"M": -1, "L": 10}, "M = -1: is negative; allowed is 0.001 to 1e6"),
+    ({"M": float("nan"), "L": 10}, "M = nan: is not finite"),
+    ({"M": 20}, "L"),
+    ({"M": 20, "L": 10, "viskosity": "barus"}, "viskosity = \"barus\": is unknown in [lubricant]"),
+    ({"M": 20, "L": 10, "viscosity": 'a"b\\\n'}, "viscosity = "),
+    ({"M": 20, "L": 10, "inlet": 2.0}, "inlet = 2.0: lies inside"),
+    ({"M": 20, "L": 10, "solver": "slow"}, "solver = slow: is unknown"),
+    ({"M": 20, "L": 10, "tolerance": 0.0}, "tolerance = 0"),
+    ({"M": 20, "L": 10, "load_N_per_m": 1e5}, "conditions"),
+    ({"load_N_per_m": 1e5, "reduced_radius_m": 0.01, "reduced_modulus_Pa": 2e11, "viscosity_Pa_s": 0.1},
+     "speed_sum_m_per_s: is missing"),
+    ({}, "the contact is missing"),
+])
+def test_bad_keywords_are_named_in_one_line(keywords, says):
+    with pytest.raises(ehd.InputError) as caught:
+        ehd.solve(**keywords)
+    assert says in str(caught.value) and "\n" not in str(caught.value)
+    assert isinstance(caught.value, ValueError)
+    assert not str(caught.value).startswith(("keywords", "case"))
+
+
+def test_a_bad_file_is_named_with_its_line(tmp_path):
+    good = (SOURCE / "examples" / "my-contact.toml").read_text(encoding="utf-8")
+    file = tmp_path / "my-contact.toml"
+    file.write_text(good.replace("3.0 ", "-3.0 "), encoding="utf-8")
+    with pytest.raises(ehd.InputError, match=r"my-contact.toml:10: speed_sum_m_per_s = -3") as caught:
+        ehd.solve(file)
+    assert str(caught.value).startswith(f"{file}:10: ")
+    file.write_bytes(good.encode() + b"\0")
+    for wrong in (file, tmp_path, tmp_path / "none.toml", "no-such-case", "na4908", ""):
+        with pytest.raises(ehd.InputError):
+            ehd.solve(wrong)
+    with pytest.raises(ehd.InputError, match="exclude each other"):
+        ehd.solve("own-steel-20-10", M=20)
+    with pytest.raises(TypeError):
+        ehd.solve(M=[20, 30], L=10)
+
+
+def test_a_result_does_not_change_and_names_what_is_there():
+    r = ehd.solve(M=20, L=10)
+    with pytest.raises(AttributeError):
+        r.status = "diverged"
+    with pytest.raises(ValueError):
+        r.P[0] = 1.0
+    with pytest.raises(AttributeError, match="there is no m; there are hertz, moes"):
+        r.film.minimum.m
+    assert {"film", "status", "X", "P", "H"} <= set(dir(r))
+    assert r.plan.run[0] and repr(r.film) == "Record(minimum, central, couette, offset)"
+
+
+def test_a_result_is_the_same_in_another_process():
+    r = ehd.solve("own-steel-20-10")
+    copy = pickle.loads(pickle.dumps(r))
+    assert copy == r and copy.to_dict() == r.to_dict()
+    assert copy.P.tobytes() == r.P.tobytes() and not copy.P.flags.writeable

@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+import pickle
+
+import ehd
+import numpy as np
+import pytest
+
+
+def test_each_film_is_that_of_a_solve():
+    M, L = np.geomspace(2, 200, 4), np.array([[2.5], [10.0]])
+    t = ehd.films(M, L, tolerance=1e-4, threads=2)
+    assert t.minimum.shape == t.status.shape == (2, 4)
+    for i in np.ndindex(2, 4):
+        r = ehd.solve(M=t.M[i], L=t.L[i], tolerance=1e-4)
+        assert (t.minimum[i], t.minimum_error[i]) == (r.film.minimum.hertz, r.film.minimum.error)
+        assert (t.central[i], t.central_error[i]) == (r.film.central.hertz, r.film.central.error)
+        assert t.status[i] == r.status
+
+
+def test_numbers_do_not_depend_on_threads():
+    one, three = (ehd.films(np.linspace(5, 50, 30), 10, threads=threads) for threads in (1, 3))
+    assert one.minimum.tobytes() == three.minimum.tobytes() and one.central.tobytes() == three.central.tobytes()
+
+
+def test_the_lubricant_counts():
+    oil = {"viscosity": "roelands", "density": "dowson-higginson", "alpha_per_Pa": 2.2e-8, "z": 0.68}
+    t = ehd.films(20, 10, **oil)
+    assert t.minimum.shape == ()
+    assert t.minimum == ehd.solve(M=20, L=10, **oil).film.minimum.hertz != ehd.films(20, 10).minimum
+
+
+def test_failure_is_a_status_or_on_request_an_exception():
+    with pytest.raises(ehd.NotConvergedError, match="2 of 2") as caught:
+        ehd.films([20, 30], 10, tolerance=1e-15, raise_on_failure=True)
+    t = caught.value.result
+    assert list(t.status) == ["tolerance-not-met"] * 2 and (t.minimum_error > 1e-15).all()
+
+
+def test_arrays_are_read_only_also_in_another_process():
+    t = ehd.films([20, 30], 10)
+    for films in (t, pickle.loads(pickle.dumps(t))):
+        with pytest.raises(ValueError):
+            films.minimum[0] = 1.0
+    given = np.array([20.0, 30.0])
+    ehd.films(given, 10)
+    assert t == t and t != ehd.films([20, 30], 10)  # one object is equal to itself alone
+    given[0] = 1.0  # the caller's own array is left alone
+
+
+@pytest.mark.parametrize("arguments, says", [
+    ({"M": [20, -1], "L": 10}, "M"),
+    ({"M": 20, "L": np.inf}, "L"),
+    ({"M": 20, "L": 10, "tolerance": -1.0}, "tolerance"),
+    ({"M": 20, "L": 10, "threads": -1}, "threads"),
+    ({"M": 20, "L": 10, "viscosity": "roelands"}, "lubricant"),
+    ({"M": 20, "L": 10, "oil": "good"}, "oil"),
+    ({"M": [], "L": 10}, "n = 0"),
+])
+def test_bad_input_is_one_line(arguments, says):
+    with pytest.raises(ehd.InputError) as caught:
+        ehd.films(**arguments)
+    assert says in str(caught.value) and "\n" not in str(caught.value)

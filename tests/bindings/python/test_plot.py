@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+import ehd
+import numpy as np
+from conftest import needs
+
+needs("matplotlib", "python3-matplotlib").use("Agg")
+
+
+def test_a_contact_is_drawn_with_its_own_numbers(tmp_path):
+    r = ehd.solve("own-moes-20-10", tolerance=1e-4)
+    left, right = ehd.plot.contact(r)
+    (pressure,), (film,) = left.lines, right.lines
+    assert np.array_equal(pressure.get_xydata(), np.c_[r.X, r.P]) and np.array_equal(film.get_ydata(), r.H)
+    assert left.get_xlabel() == "$X = x/b$" and "p_H" in left.get_ylabel() and "H" in right.get_ylabel()
+    left.figure.savefig(tmp_path / "contact.pdf")
+    assert (tmp_path / "contact.pdf").stat().st_size > 2000
+
+
+def test_a_spike_that_is_not_resolved_is_said_to_be_so():
+    r = ehd.solve("own-steel-20-10", tolerance=1e-1)
+    data = r.to_dict()
+    for resolved, label in ((True, "pressure"), (False, "pressure (spike not resolved, cut)")):
+        copy = ehd.Contact({**data, "fields": {**data["fields"], "pressure_resolved": resolved}},
+                           {name: getattr(r, name) for name in "XPH"})
+        left, _ = ehd.plot.contact(copy)
+        assert left.get_legend().get_texts()[0].get_text() == label
+
+
+def test_a_dry_contact_is_drawn():
+    dry = ehd.solve(load_N_per_m=1e5, reduced_radius_m=0.01, reduced_modulus_Pa=2.2e11)
+    left, _ = ehd.plot.contact(dry)
+    assert len(left.lines[0].get_xdata()) > 10
+
+
+def test_bearings_are_compared_in_the_same_axes(tmp_path):
+    film, dry = ehd.bearing("na4908", law="ehd"), ehd.bearing("na4908", law="hertz")
+    axes = ehd.plot.bearing(film)
+    assert ehd.plot.bearing(dry, axes) is not None
+    assert axes.shape == (2,) and [len(one.lines) for one in axes] == [2, 1]
+    forces = axes[0].lines[0]
+    assert (np.diff(forces.get_xdata()) > 0).all()
+    assert max(forces.get_ydata()) == 1e-3 * film.rollers.inner.force_N.max()
+    assert [text.get_text() for text in axes[0].get_legend().get_texts()] == ["ehd", "hertz"]
+    assert axes[0].get_ylim()[0] == 0 and axes[0].get_ylim()[1] > 1e-3 * dry.rollers.inner.force_N.max()
+    axes[0].figure.savefig(tmp_path / "bearing.pdf")
+    assert ehd.plot.bearing(dry, raceway="outer").shape == (1,)
