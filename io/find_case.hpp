@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "io/substitution.hpp"
 #include "workflow/case.hpp"
 
 namespace ehd {
@@ -13,6 +14,11 @@ namespace ehd {
 /// The file of a CASE argument. With a '/' or the ending .toml the argument is a path. Otherwise it is the id of a case
 /// in cases/ or in a folder of cases/; if there is none, it is a path too. Throws CaseError.
 [[nodiscard]] std::filesystem::path find_case(const std::string& path_or_id);
+
+/// The case that a CASE argument names, with other values for some of its keys; "-" is standard input, where the id may
+/// be any. Throws CaseError.
+[[nodiscard]] Case read_named_case(const std::string& path_id_or_dash,
+                                   const std::vector<Substitution>& substitutions = {});
 
 /// The folder of the benchmark cases: environment EHD_CASES, else the one the program was built from.
 [[nodiscard]] std::filesystem::path cases_folder();
