@@ -186,7 +186,7 @@ std::vector<BudgetRow> budget_of(const Case& bearing_case, const std::vector<Bea
     std::get<BearingCase>(other.body).datum = datum;
     const auto again =
         run_bearing(other, {.laws = {law}, .explicitly = true, .films = true, .form = result->form}, memory);
-    if (const BearingResult* const moved = balance_by(law, again)) add(difference(*moved, *result), "datum", name);
+    if (const BearingResult* const moved = balance_by(law, again)) add(difference(*moved, *result), datum_source, name);
   }
   return rows;
 }

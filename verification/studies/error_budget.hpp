@@ -17,6 +17,9 @@
 
 namespace ehd::verification {
 
+/// The source of rows that say what another datum changes: a choice of the case, not an error of the numerics.
+inline constexpr const char* datum_source = "datum";
+
 struct BudgetRow {
   std::string source;                        ///< "fit", "interpolation", "rigid limit", "contact solver", "datum"
   std::string of;                            ///< what was compared, or bounded, in words
