@@ -31,11 +31,9 @@ std::string range_text(const std::string& low, const std::string& high) {
   return low == high ? low : low + " to " + high;
 }
 
-/// "5 loaded rollers instead of 7", or "5 loaded rollers as without it"; `words` has the place of the number.
-std::string compared(const std::string& with, const std::string& without,
-                     fmt::format_string<const std::string&> words) {
-  const std::string text = fmt::format(words, with);
-  return text + (with == without ? " as without it" : " instead of " + without);
+/// "11 instead of 13"; "11 as without it" where both read the same.
+std::string compared(const std::string& with, const std::string& without) {
+  return with == without ? with + " as without it" : with + " instead of " + without;
 }
 
 /// A visit: a new note does not compile until it has words.
@@ -88,10 +86,9 @@ struct Words {
   std::string operator()(const note::CutVariant& note) const {
     const VariantResult& cut = result.variants.front();
     return fmt::format(
-        "variant {}: {}, {}{}{}", cut.name,
-        compared(std::to_string(loaded_rollers(cut.rollers)), std::to_string(loaded_rollers(result.rollers)),
-                 "{} loaded rollers"),
-        compared(plain(cut.rollers[0].inner.force_N), plain(result.rollers[0].inner.force_N), "roller 1 carries {} N"),
+        "variant {}: loaded rollers {}, force of roller 1 {}{}{}", cut.name,
+        compared(std::to_string(loaded_rollers(cut.rollers)), std::to_string(loaded_rollers(result.rollers))),
+        compared(plain(cut.rollers[0].inner.force_N) + " N", plain(result.rollers[0].inner.force_N) + " N"),
         note.on_jump ? "; the outermost sit on the jump of the law at delta = 0" : "",
         note.radial ? "; balanced in the radial form, since in the plane rollers stand on that jump" : "");
   }

@@ -84,6 +84,15 @@ BOOST_AUTO_TEST_CASE(a_new_bearing_is_balanced_as_it_stands_and_never_overwritte
   test::check_refused(folder, "new bearing " + (folder.path() / "mine.txt").string(), "allowed is NAME.toml");
 }
 
+BOOST_AUTO_TEST_CASE(a_bearing_shows_its_summary_first_and_costs_only_with_details) {
+  const test::Folder folder;
+  const auto brief = test::ehd_run(folder, "bearing iso-6-rollers --law iso");
+  BOOST_TEST(brief.out.find("largest roller load [N]") < brief.out.find("Q_i"));
+  BOOST_TEST(brief.out.find("balance error") == std::string::npos);
+  const auto details = test::ehd_run(folder, "bearing iso-6-rollers --law iso --details");
+  BOOST_TEST(details.out.find("balance error") != std::string::npos);
+}
+
 BOOST_AUTO_TEST_CASE(every_fault_of_the_keys_is_a_line_of_its_own) {
   const test::Folder folder;
   const auto file = folder.write("mine.toml", "[moes]\nM = 5\nLL = 5\n");
