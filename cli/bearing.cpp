@@ -2,6 +2,7 @@
 // ehd bearing: the load distribution of one or more bearing cases.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -195,8 +196,11 @@ struct Account {
   bool all_balanced = true;
 };
 
-/// The sum of what the numerics leave open. The datum is a choice of the case, no error.
-BearingErrors errors_in(const std::vector<BudgetRow>& budget) {
+/// The sum of what the numerics leave open. The datum is a choice of the case, no error. Absent for a fitted law
+/// without the law ehd beside it: nobody knows then how far the line is off.
+std::optional<BearingErrors> errors_in(const std::vector<BudgetRow>& budget, bool fitted) {
+  const auto is_fit = [](const BudgetRow& row) { return row.source == fit_source; };
+  if (fitted && std::none_of(budget.begin(), budget.end(), is_fit)) return std::nullopt;
   BearingErrors errors;
   for (const BudgetRow& row : budget) {
     if (row.source == datum_source) continue;
@@ -217,7 +221,7 @@ void add_case(Account& account, const Case& one, const std::vector<BearingResult
     const auto budget = budget_of(one, results, result.law, memory);
     if (!budget.empty()) {
       account.list.back()["error_budget"] = to_json(budget);
-      view.errors[result.law] = errors_in(budget);
+      if (const auto errors = errors_in(budget, result.fit.has_value())) view.errors[result.law] = *errors;
       budgets += fmt::format("\n  error budget of {}: what may move its balance\n{}", to_string(result.law),
                              human_budget(budget));
     }

@@ -103,4 +103,10 @@ void refuse_unknown_and_missing(const CaseTree& tree, const CaseTable* statement
   if (!lines.empty()) throw CaseError(lines);
 }
 
+void refuse_unknown(const CaseTree& tree) {
+  std::vector<std::string> lines;
+  for (const UnknownKey& key : tree.unknown()) lines.push_back(key.message);
+  if (!lines.empty()) throw CaseError(lines);
+}
+
 }  // namespace ehd

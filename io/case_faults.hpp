@@ -12,4 +12,7 @@ struct CaseTable;
 /// readers find. A missing key is left out where an unknown one was probably meant to be it.
 void refuse_unknown_and_missing(const CaseTree& tree, const CaseTable* statement);
 
+/// The unknown keys alone, for a tree that is not a whole case. Throws CaseError.
+void refuse_unknown(const CaseTree& tree);
+
 }  // namespace ehd

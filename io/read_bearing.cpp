@@ -10,6 +10,7 @@
 
 #include "contact/nondimensional.hpp"
 #include "contact/text.hpp"
+#include "io/case_faults.hpp"
 #include "io/case_keys.hpp"
 #include "io/case_tree.hpp"
 #include "io/case_values.hpp"
@@ -119,6 +120,7 @@ FitRange read_fit(const CaseTree& tree) {
 }  // namespace
 
 BearingCase read_bearing(const CaseTree& tree) {
+  refuse_unknown(tree);
   BearingCase bearing;
   bearing.geometry = read_geometry(tree);
   bearing.ring_thickness_m = maybe_number(tree, "bearing.ring_thickness_m");

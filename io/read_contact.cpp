@@ -9,6 +9,7 @@
 #include "contact/nondimensional.hpp"
 #include "contact/oil_laws.hpp"
 #include "contact/overloaded.hpp"
+#include "io/case_faults.hpp"
 #include "io/case_keys.hpp"
 #include "io/case_tree.hpp"
 #include "io/case_values.hpp"
@@ -100,6 +101,7 @@ std::string key_at_fault(const std::string& key, const std::string& statement) {
 }  // namespace
 
 ContactCase read_contact(const CaseTree& tree, const std::string& statement) {
+  refuse_unknown(tree);
   ContactCase contact;
   const bool dry = statement == "conditions" && !tree.has("lubricant") && !tree.has("domain");
   if (!dry) refuse_bearing_keys(tree);

@@ -93,6 +93,18 @@ BOOST_AUTO_TEST_CASE(a_bearing_shows_its_summary_first_and_costs_only_with_detai
   BOOST_TEST(details.out.find("balance error") != std::string::npos);
 }
 
+BOOST_AUTO_TEST_CASE(a_fitted_line_has_an_error_only_beside_the_law_that_it_is_fitted_to) {
+  const test::Folder folder;
+  const std::string bearing = std::string("bearing ") + EHD_SOURCE_DIR + "/examples/my-bearing.toml --law ehd-linear";
+  const auto line_of = [&](const std::string& arguments) {
+    const std::string out = test::ehd_run(folder, arguments).out;
+    const auto at = out.find("largest roller load");
+    return out.substr(at, out.find('\n', at) - at);
+  };
+  BOOST_TEST(line_of(bearing).find('(') == std::string::npos, line_of(bearing));
+  BOOST_TEST(line_of(bearing + " --law ehd").find('(') != std::string::npos);
+}
+
 BOOST_AUTO_TEST_CASE(every_fault_of_the_keys_is_a_line_of_its_own) {
   const test::Folder folder;
   const auto file = folder.write("mine.toml", "[moes]\nM = 5\nLL = 5\n");

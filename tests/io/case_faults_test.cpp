@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "io/case_reader.hpp"
+#include "io/case_tree.hpp"
+#include "io/read_contact.hpp"
 #include "tests/check.hpp"
 #include "workflow/case.hpp"
 
@@ -66,6 +68,16 @@ BOOST_AUTO_TEST_CASE(unknown_keys_come_first_with_the_nearest_key_which_then_doe
        "8: [lubrikant]: is unknown; did you mean [lubricant]? allowed is",
        "11: speed_rpm = 3: is unknown in [domain]; did you mean speed_rpm in [operation]? allowed is inlet",
        "12: nonsense = 4: is unknown in [domain]; allowed is inlet", "5: [moes] L: is missing"});
+}
+
+BOOST_AUTO_TEST_CASE(a_reader_of_tables_alone_refuses_unknown_keys_too) {
+  const std::string text = "[lubricant]\nviscosity = \"barus\"\ndensity = \"incompressible\"\nalfa_per_Pa = 2e-8\n";
+  const std::vector<Substitution> stated{{"moes.M", 5.0}, {"moes.L", 5.0}, {"domain.inlet", std::string("flooded")}};
+  const auto read = [&](const std::string& of) { return read_contact(CaseTree(of, "lubricant", stated), "moes"); };
+  BOOST_CHECK_EXCEPTION((void)read(text), CaseError, [](const CaseError& wrong) {
+    return std::string(wrong.what()).find("alfa_per_Pa = 2e-8: is unknown") != std::string::npos;
+  });
+  BOOST_CHECK_NO_THROW((void)read(text.substr(0, text.find("alfa"))));
 }
 
 BOOST_AUTO_TEST_CASE(a_case_without_faults_of_keys_names_the_first_wrong_value) {
