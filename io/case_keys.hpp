@@ -2,7 +2,7 @@
 // The table of case keys: every table and every key that a case file may have, with unit, allowed values, default and
 // meaning. The reader, its checks for unknown keys, substitutions and messages iterate over it.
 //
-// To add a key: a row in case_keys.cpp, and the line that reads it (read_contact, read_bearing or expectations).
+// To add a key: a row in case_key_rows.cpp, and the line that reads it (read_contact, read_bearing or expectations).
 #pragma once
 
 #include <optional>

@@ -15,15 +15,15 @@ namespace ehd {
 /// in cases/ or in a folder of cases/; if there is none, it is a path too. Throws CaseError.
 [[nodiscard]] std::filesystem::path find_case(const std::string& path_or_id);
 
-/// The case that a CASE argument names, with other values for some of its keys; "-" is standard input, where the id may
-/// be any. Throws CaseError.
-[[nodiscard]] Case read_named_case(const std::string& path_id_or_dash,
-                                   const std::vector<Substitution>& substitutions = {});
-
 /// The folder of the benchmark cases: environment EHD_CASES, else the one the program was built from.
 [[nodiscard]] std::filesystem::path cases_folder();
 
 /// All cases in cases/, by id, folders in it left out. Throws CaseError at the first that cannot be read.
 [[nodiscard]] std::vector<Case> all_cases();
+
+/// The case that a CASE argument names, with other values for some of its keys; "-" is standard input, where the id may
+/// be any. Throws CaseError.
+[[nodiscard]] Case read_named_case(const std::string& path_id_or_dash,
+                                   const std::vector<Substitution>& substitutions = {});
 
 }  // namespace ehd
