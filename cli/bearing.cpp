@@ -50,6 +50,7 @@ Examples:
   ehd bearing na4908 na4908-2.5um na4908-10um          three clearances; judges the paper's statements
   ehd bearing harris-209 --law hertz --law iso         dry laws only
   ehd bearing na4908 --cage-positions 24               and the displacement while the cage turns by one pitch
+  ehd bearing na4908 --set bearing.clearance_m=5e-6    with another clearance
   ehd bearing na4908 --details                         and the lines of ehd-linear, error budgets, costs
   ehd bearing na4908 --law ehd-linear --json -         one result as JSON on standard output
   ehd bearing na4908 na4908-10um --plot loads.svg --csv loads.csv

@@ -47,6 +47,8 @@ const char* const solve_examples = R"(
 Examples:
   ehd solve own-moes-20-10                              a benchmark case by its id
   ehd solve my-contact.toml --tolerance 1e-4            a case file
+  ehd solve my-contact.toml --set lubricant.temperature_C=80
+  ehd new contact | ehd solve -                         a case from standard input
   ehd solve --M 20 --L 10                               Barus, incompressible, fully flooded
   ehd solve --M 20 --L 10 --viscosity roelands --density dowson-higginson \
             --alpha-per-Pa 2.2e-8 --z 0.68 --p0-Pa 1.96e8 --inlet -4
