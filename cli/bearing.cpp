@@ -2,12 +2,14 @@
 // ehd bearing: the load distribution of one or more bearing cases.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "cli/case_choice.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/subcommands.hpp"
@@ -15,9 +17,7 @@
 #include "contact/text.hpp"
 #include "io/bearing_json.hpp"
 #include "io/bearing_table.hpp"
-#include "io/case_reader.hpp"
 #include "io/contact_json.hpp"
-#include "io/find_case.hpp"
 #include "io/json.hpp"
 #include "io/output_file.hpp"
 #include "io/tables.hpp"
@@ -38,8 +38,10 @@ struct BearingOptions {
   std::vector<std::string> cases, laws;
   std::optional<std::string> json, plot, csv;
   std::string solver = default_solver().name, form = "plane";
+  bool details = false;
   std::optional<std::string> cage_positions, time_limit_total;
   RequestOptions limits;
+  CaseChanges changes;
 };
 
 const char* const bearing_examples = R"(
@@ -48,6 +50,8 @@ Examples:
   ehd bearing na4908 na4908-2.5um na4908-10um          three clearances; judges the paper's statements
   ehd bearing harris-209 --law hertz --law iso         dry laws only
   ehd bearing na4908 --cage-positions 24               and the displacement while the cage turns by one pitch
+  ehd bearing na4908 --set bearing.clearance_m=5e-6    with another clearance
+  ehd bearing na4908 --details                         and the lines of ehd-linear, error budgets, costs
   ehd bearing na4908 --law ehd-linear --json -         one result as JSON on standard output
   ehd bearing na4908 na4908-10um --plot loads.svg --csv loads.csv
                                                        contact forces and displacements over the azimuth
@@ -153,10 +157,10 @@ std::optional<std::string> plot_of(const Computed& computed) {
 }
 
 /// The cases that were named. Throws UsageError, CaseError.
-std::vector<Case> read_bearings(const std::vector<std::string>& names) {
+std::vector<Case> read_bearings(const std::vector<std::string>& names, const CaseChanges& changes) {
   std::vector<Case> cases;
   for (const std::string& name : names) {
-    cases.push_back(read_case(find_case(name)));
+    cases.push_back(changes.read(name));
     if (!std::holds_alternative<BearingCase>(cases.back().body))
       throw case_error(cases.back(), "", "this is a contact; allowed is a bearing case (ehd solve solves this one)");
   }
@@ -168,11 +172,13 @@ struct Asked {
   std::vector<bearing::Law> laws;  ///< empty: the defaults of each case
   bearing::Form form;
   int cage_positions;
+  bool details;
 
   explicit Asked(const BearingOptions& options)
       : laws(laws_named(options.laws)),
         form(form_named(options.form)),
-        cage_positions(positions_asked(options.cage_positions)) {}
+        cage_positions(positions_asked(options.cage_positions)),
+        details(options.details) {}
 
   [[nodiscard]] BearingRequest of(const Case& one) const {
     return {.laws = laws.empty() ? default_laws(std::get<BearingCase>(one.body)) : laws,
@@ -191,15 +197,32 @@ struct Account {
   bool all_balanced = true;
 };
 
+/// The sum of what the numerics leave open. The datum is a choice of the case, no error. Absent for a fitted law
+/// without the law ehd beside it: nobody knows then how far the line is off.
+std::optional<BearingErrors> errors_in(const std::vector<BudgetRow>& budget, bool fitted) {
+  const auto is_fit = [](const BudgetRow& row) { return row.source == fit_source; };
+  if (fitted && std::none_of(budget.begin(), budget.end(), is_fit)) return std::nullopt;
+  BearingErrors errors;
+  for (const BudgetRow& row : budget) {
+    if (row.source == datum_source) continue;
+    errors.displacement_m += row.displacement_m;
+    errors.largest_force_N += row.largest_force_N;
+    if (row.smallest_film) errors.smallest_film = errors.smallest_film.value_or(0) + *row.smallest_film;
+  }
+  return errors;
+}
+
 /// Adds one case to the account.
 void add_case(Account& account, const Case& one, const std::vector<BearingResult>& results, const Asked& asked,
               ContactMemory& memory) {
   std::string budgets;
+  BearingView view{.details = asked.details};
   for (const BearingResult& result : results) {
     account.list.push_back(to_json(result));
     const auto budget = budget_of(one, results, result.law, memory);
     if (!budget.empty()) {
       account.list.back()["error_budget"] = to_json(budget);
+      if (const auto errors = errors_in(budget, result.fit.has_value())) view.errors[result.law] = *errors;
       budgets += fmt::format("\n  error budget of {}: what may move its balance\n{}", to_string(result.law),
                              human_budget(budget));
     }
@@ -208,7 +231,7 @@ void add_case(Account& account, const Case& one, const std::vector<BearingResult
     account.complaints.push_back(
         fmt::format("ehd: {}: {}: {}: {}", one.id, to_string(result.law), to_string(result.status), result.why));
   }
-  account.text += (account.text.empty() ? "" : "\n") + human_table(one, results) + budgets;
+  account.text += (account.text.empty() ? "" : "\n") + human_table(one, results, view) + (asked.details ? budgets : "");
   if (!std::get<BearingCase>(one.body).lubricant && asked.laws.empty())
     account.text += "\n  ehd-linear and ehd are skipped: the case has no lubricant\n";
 }
@@ -216,7 +239,7 @@ void add_case(Account& account, const Case& one, const std::vector<BearingResult
 int bearing(const BearingOptions& options) {
   const Asked asked(options);
   const RegisteredSolver& solver = solver_named(options.solver);
-  Computed computed{.cases = read_bearings(options.cases), .results = {}};
+  Computed computed{.cases = read_bearings(options.cases, options.changes), .results = {}};
   for (const Case& one : computed.cases) require_possible(one, asked.of(one));
   require_distinct(files_of(computed.cases), {{"--json", options.json.value_or("")},
                                               {"--plot", options.plot.value_or("")},
@@ -254,6 +277,7 @@ int bearing(const BearingOptions& options) {
     else
       account.complaints.push_back("ehd: bearing: nothing balanced, and no plot is written");
   }
+  for (Json& result : account.list) options.changes.put_into(result);
   json.commit(account.list.size() == 1 ? account.list.front() : account.list, {address_of(csv), address_of(plot)});
   if (!json.to_standard_output()) print(account.text);
   for (const std::string& complaint : account.complaints) complain(complaint);
@@ -266,7 +290,7 @@ void describe_bearing(Command& command) {
   auto options = std::make_shared<BearingOptions>();
   command.summary("Load distribution of a roller bearing, dry and with films");
   command.examples(bearing_examples);
-  command.list("CASE", options->cases, "case files (TOML), or ids of benchmark cases").required();
+  command.list("CASE", options->cases, "case files (TOML), ids of benchmark cases, or - for standard input").required();
   command.list("--law", options->laws,
                "contact law (repeatable): " + bearing::names_of(bearing::Laws::all) + " (" +
                    bearing::names_of(bearing::Laws::by_default) + "; " +
@@ -278,7 +302,10 @@ void describe_bearing(Command& command) {
       .showing_default();
   command.text("--cage-positions", options->cage_positions,
                "also balance at this many positions of the cage over one pitch");
+  command.flag("--details", options->details,
+               "also K and dF of ehd-linear, error budgets, the 2 x 2 stiffness, how the laws were made, costs");
   options->limits.add_to(command, false);
+  options->changes.add_to(command);
   add_time_limit_total(command, options->time_limit_total);
   command.text("--json", options->json, "the results as JSON into a file, or - for standard output");
   command.text("--plot", options->plot, "contact forces and displacements over the azimuth as a figure, SVG");

@@ -2,12 +2,11 @@
 #include "cli/command_line.hpp"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <numeric>
 #include <utility>
 
 #include "cli/output.hpp"
 #include "cli/usage.hpp"
+#include "io/near_miss.hpp"
 
 namespace ehd::cli {
 
@@ -15,32 +14,6 @@ namespace {
 
 /// CLI11 adds its help to some messages: only the first line is wanted.
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
-
-/// Characters to insert, remove or replace until one text is the other.
-std::size_t distance(const std::string& from, const std::string& to) {
-  std::vector<std::size_t> row(to.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < from.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i + 1);
-    for (std::size_t j = 0; j < to.size(); ++j) {
-      const std::size_t replaced = diagonal + (from[i] == to[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({row[j] + 1, row[j + 1] + 1, replaced});
-    }
-  }
-  return row.back();
-}
-
-/// The name that somebody may have meant: at most two characters are different, and fewer than half. Empty: none.
-std::string near_miss(const std::string& word, const std::vector<std::string>& names) {
-  std::string nearest;
-  std::size_t least = std::min<std::size_t>(3, (word.size() + 1) / 2);
-  for (const std::string& name : names) {
-    const std::size_t apart = distance(word, name);
-    if (apart < least) std::tie(least, nearest) = std::pair(apart, name);
-  }
-  return nearest;
-}
 
 /// What may stand where an unknown word stands: options for one that begins with a dash, else subcommands.
 std::vector<std::string> names_like(const std::string& word, CLI::App& app) {
@@ -58,9 +31,7 @@ std::vector<std::string> names_like(const std::string& word, CLI::App& app) {
 std::string unknown_word(CLI::App& app, const std::string& command) {
   const std::string given = app.remaining().front();
   const std::string word = given.substr(0, given.starts_with("--") ? given.find('=') : std::string::npos);
-  const std::string meant = near_miss(word, names_like(word, app));
-  return word + ": unknown; " + (meant.empty() ? "" : "did you mean " + meant + "? ") + command +
-         " --help shows what is allowed";
+  return word + ": unknown; " + did_you_mean(word, names_like(word, app)) + command + " --help shows what is allowed";
 }
 
 }  // namespace

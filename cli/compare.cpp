@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/case_choice.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/subcommands.hpp"
@@ -32,6 +33,7 @@ struct CompareOptions {
   std::vector<std::string> cases, solvers, tolerances;
   std::optional<std::string> json;
   RequestOptions limits;
+  CaseChanges changes;
 };
 
 const char* const compare_examples = R"(
@@ -141,6 +143,16 @@ std::vector<Request> requests_of(const CompareOptions& options) {
   return requests;
 }
 
+/// Throws UsageError, CaseError.
+std::vector<Case> contacts_of(const CompareOptions& options) {
+  std::vector<Case> cases;
+  for (const auto& name : options.cases) {
+    cases.push_back(options.changes.read(name));
+    verification::require_lubricated(cases.back());
+  }
+  return cases;
+}
+
 int compare(const CompareOptions& options) {
   if (options.cases.empty()) throw UsageError("compare: a CASE is missing; required is at least one");
   std::vector<const RegisteredSolver*> solvers;
@@ -148,7 +160,7 @@ int compare(const CompareOptions& options) {
   if (solvers.empty()) solvers = {&certified_solver(), &default_solver()};
   const std::vector<Request> requests = requests_of(options);
   // Everything that can be refused is refused before the first solve.
-  const std::vector<Case> cases = verification::contacts_named(options.cases);
+  const std::vector<Case> cases = contacts_of(options);
   require_distinct(files_of(cases), {{"--json", options.json.value_or("")}});
   JsonTarget json(options.json);
 
@@ -176,6 +188,7 @@ int compare(const CompareOptions& options) {
     print(fmt::format("{}: {}\n{}  achieved: H_min against {}\n            H_cen against {}\n\n", contact_case.id,
                       contact_case.title, aligned(table_of(rows), names, "  "), against[0], against[1]));
   }
+  for (Json& compared : list) options.changes.put_into(compared);
   json.commit(list);
   return all_converged ? success : not_met;
 }
@@ -186,12 +199,13 @@ void describe_compare(Command& command) {
   auto options = std::make_shared<CompareOptions>();
   command.summary("Solvers side by side: time, error, work");
   command.examples(compare_examples);
-  command.list("CASE", options->cases, "case files (TOML), or ids of benchmark cases");
+  command.list("CASE", options->cases, "case files (TOML), ids of benchmark cases, or - for standard input");
   command.list(
       "--solver", options->solvers,
       fmt::format("one of {} (repeatable; {} and {})", solver_names(), certified_solver().name, default_solver().name));
   command.list("--tolerance", options->tolerances, "relative error of the films (repeatable; 1e-2, 1e-3, 1e-4)");
   options->limits.add_to(command, false);
+  options->changes.add_to(command);
   command.text("--json", options->json, "the comparison as JSON into a file, or - for standard output");
   command.runs([options] { return compare(*options); });
 }

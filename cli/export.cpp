@@ -9,16 +9,15 @@
 #include <string>
 #include <string_view>
 
+#include "cli/case_choice.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/subcommands.hpp"
 #include "cli/usage.hpp"
 #include "contact/nondimensional.hpp"
 #include "contact/text.hpp"
-#include "io/case_reader.hpp"
 #include "io/film_table_c.hpp"
 #include "io/film_table_text.hpp"
-#include "io/find_case.hpp"
 #include "io/output_file.hpp"
 #include "workflow/case.hpp"
 #include "workflow/film_table_build.hpp"
@@ -32,6 +31,7 @@ struct ExportOptions {
   std::optional<std::string> M, L, output, threads, most_solves, time_limit_total;
   std::string format = "csv";
   RequestOptions request;
+  CaseChanges changes;
 };
 
 const char* const export_examples = R"(
@@ -96,7 +96,7 @@ int export_films(const ExportOptions& options) {
   if (options.request.tolerance) request.tolerance = options.request.request().tolerance.tightest();
   constexpr allowed::Integer solve_counts{.low = 1, .high = 1000000};
   if (options.most_solves) request.most_solves = parse_integer("--max-solves", *options.most_solves, solve_counts);
-  const Case stated = read_case(find_case(options.case_name));
+  const Case stated = options.changes.read(options.case_name);
   const TableOil oil = table_oil(stated);
   require_distinct({{"the case", stated.file}}, {{"--output", options.output.value_or("")}});
   std::optional<OutputFile> file = opened(options.output);
@@ -104,8 +104,10 @@ int export_films(const ExportOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   FilmTable table = build(oil, request, options);
   const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
-  table.case_id = stated.id;
-  table.version = stated.version;
+  if (!options.changes.any()) {  // the oil of a changed case is of no case
+    table.case_id = stated.id;
+    table.version = stated.version;
+  }
   if (!table.panels.empty()) {
     if (file) {
       file->append(write(table));
@@ -145,6 +147,7 @@ void describe_export(Command& command) {
   command.text("--threads", options->threads, "solves side by side (as many as there are cores)").called("N");
   command.text("--max-solves", options->most_solves, "solves of all (4000)").called("N");
   command.text("--time-limit", options->request.time_limit, "seconds for each solve (300)").called("S");
+  options->changes.add_to(command);
   add_time_limit_total(command, options->time_limit_total);
   command.runs([options] { return export_any(*options); });
 }

@@ -20,6 +20,8 @@ Examples:
   ehd compare own-moes-20-10          the solvers side by side
   ehd response own-moes-20-10         stiffness and damping of the film
   ehd bearing na4908                  the load distribution of a bearing
+  ehd new bearing my-bearing.toml     a commented case to start from
+  ehd convert M=20 L=10               the same contact in other groups, and in SI
   ehd plan own-moes-20-10             what would be computed, what is skipped and why
   ehd sweep sweep.toml                a case over lists and ranges of its keys
   ehd export films na4908 --M 2:100 --L 2:15 --format c

@@ -7,13 +7,12 @@
 #include <variant>
 #include <vector>
 
+#include "cli/case_choice.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/subcommands.hpp"
 #include "cli/usage.hpp"
-#include "io/case_reader.hpp"
 #include "io/contact_json.hpp"
-#include "io/find_case.hpp"
 #include "io/json.hpp"
 #include "io/tables.hpp"
 #include "workflow/bearing_run.hpp"
@@ -31,6 +30,7 @@ struct PlanOptions {
   std::vector<std::string> quantities, laws;
   std::optional<std::string> json;
   RequestOptions request;
+  CaseChanges changes;
 };
 
 const char* const plan_examples = R"(
@@ -44,7 +44,7 @@ int plan(const PlanOptions& options) {
   const auto& solver = solver_named(options.solver.value_or(default_solver().name));
   const Request request = options.request.request();
   const Wanted wanted = quantities_named(options.quantities);
-  const Case any = read_case(find_case(options.case_name));
+  const Case any = options.changes.read(options.case_name);
   require_distinct({{"the case", any.file}}, {{"--json", options.json.value_or("")}});
   // A request that solve or bearing would refuse is refused here as well.
   Plan made;
@@ -66,6 +66,7 @@ int plan(const PlanOptions& options) {
   }
   JsonTarget json(options.json);
   Json object = {{"case", any.id}, {"version", any.version}, {"plan", to_json(made)}};
+  options.changes.put_into(object);
   json.commit(object);
   if (!json.to_standard_output()) print(any.id + ": " + any.title + "\n" + human_plan(made));
   return success;
@@ -77,9 +78,11 @@ void describe_plan(Command& command) {
   auto options = std::make_shared<PlanOptions>();
   command.summary("Show what would be computed, what is skipped and why");
   command.examples(plan_examples);
-  command.text("CASE", options->case_name, "a case file (TOML), or the id of a benchmark case").required();
+  command.text("CASE", options->case_name, "a case file (TOML), the id of a benchmark case, or - for standard input")
+      .required();
   command.text("--solver", options->solver, "one of " + solver_names() + " (" + default_solver().name + ")");
   options->request.add_to(command);
+  options->changes.add_to(command);
   command.list("--quantity", options->quantities, "only this quantity (repeatable)");
   command.list("--law", options->laws, "a bearing's law (repeatable)");
   command.text("--json", options->json, "the plan as JSON into a file, or - for standard output");

@@ -6,13 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "cli/case_choice.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/subcommands.hpp"
 #include "cli/usage.hpp"
 #include "contact/solver.hpp"
-#include "io/case_reader.hpp"
-#include "io/find_case.hpp"
 #include "io/response_text.hpp"
 #include "workflow/case.hpp"
 #include "workflow/registry.hpp"
@@ -31,6 +30,7 @@ struct ResponseOptions {
   std::string slip = "1";
   std::optional<std::string> tolerance, datum, json;
   RequestOptions request;
+  CaseChanges changes;
 };
 
 const char* const response_examples = R"(
@@ -77,7 +77,7 @@ int respond(const ResponseOptions& options) {
   if (solver_named(options.solver).name != response_solver)
     throw option_error("--solver", options.solver, "has no response; allowed is " + std::string(response_solver));
   const ResponseQuestion question = question_of(options);
-  const Case one = read_case(find_case(options.case_name));
+  const Case one = options.changes.read(options.case_name);
   if (!std::holds_alternative<ContactCase>(one.body))
     throw case_error(one, "bearing", "is no contact; allowed is a contact case");
   require_distinct({{"the case", one.file}}, {{"--json", options.json.value_or("")}});
@@ -89,7 +89,9 @@ int respond(const ResponseOptions& options) {
     progress.show("response of " + title + " ...");
     run = run_response(one, question);
   }
-  json.commit(to_json(run));
+  Json result = to_json(run);
+  options.changes.put_into(result);
+  json.commit(result);
   if (!json.to_standard_output()) print(human_table(run, title));
   if (run.response.status == StopReason::converged) return success;
   complain("ehd: " + title + ": " + std::string(to_string(run.response.status)) + ": " + run.response.reason);
@@ -102,11 +104,13 @@ void describe_response(Command& command) {
   auto options = std::make_shared<ResponseOptions>();
   command.summary("Stiffness and damping of a contact's film, and what it leaves of a waviness");
   command.examples(response_examples);
-  command.text("CASE", options->case_name, "a contact case (TOML), or the id of a benchmark case").required();
+  command.text("CASE", options->case_name, "a contact case (TOML), the id of a benchmark case, or - for standard input")
+      .required();
   command.text("--solver", options->solver, "reference, the only solver with a response so far").showing_default();
   command.text("--tolerance", options->tolerance, "relative error allowed in kappa and in amplitudes (1e-8)")
       .called("T");
   options->request.add_to(command, false);
+  options->changes.add_to(command);
   command.list("--omega", options->omegas, "Omega = omega b/u_m (repeatable; 0 where nothing is asked for)");
   command.list("--frequency", options->frequencies, "in Hz (repeatable)");
   command.list("--wavelength", options->wavelengths, "of a waviness, in b (repeatable)");

@@ -4,10 +4,12 @@
 
 #include <limits>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "cli/case_choice.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/subcommands.hpp"
@@ -16,10 +18,8 @@
 #include "contact/oil_laws.hpp"
 #include "contact/text.hpp"
 #include "io/case_keys.hpp"
-#include "io/case_reader.hpp"
 #include "io/contact_json.hpp"
 #include "io/file_text.hpp"
-#include "io/find_case.hpp"
 #include "io/output_file.hpp"
 #include "io/profile_csv.hpp"
 #include "io/tables.hpp"
@@ -40,12 +40,15 @@ struct SolveOptions {
   std::vector<std::string> quantities;
   std::optional<std::string> json, profile, plot, wisdom;
   RequestOptions request;
+  CaseChanges changes;
 };
 
 const char* const solve_examples = R"(
 Examples:
   ehd solve own-moes-20-10                              a benchmark case by its id
   ehd solve my-contact.toml --tolerance 1e-4            a case file
+  ehd solve my-contact.toml --set lubricant.temperature_C=80
+  ehd new contact | ehd solve -                         a case from standard input
   ehd solve --M 20 --L 10                               Barus, incompressible, fully flooded
   ehd solve --M 20 --L 10 --viscosity roelands --density dowson-higginson \
             --alpha-per-Pa 2.2e-8 --z 0.68 --p0-Pa 1.96e8 --inlet -4
@@ -140,6 +143,8 @@ void require_one_problem(const SolveOptions& options) {
     throw UsageError(
         "solve: a CASE and options that state a contact exclude each other; allowed is a CASE, or --M and "
         "--L");
+  if (!options.case_name && options.changes.any())
+    throw UsageError("solve: --set changes a key of a case, and there is none; required is a CASE");
   if (!options.case_name && !(options.M && options.L))
     throw UsageError(std::string("solve: ") +
                      (options.M   ? "--L is"
@@ -192,7 +197,7 @@ Stated stated_by(const SolveOptions& options) {
     return {.from_case = {},
             .contact = contact_from(options),
             .title = fmt::format("M = {}, L = {}", *options.M, *options.L)};
-  Case one = read_case(find_case(*options.case_name));
+  Case one = options.changes.read(*options.case_name);
   const auto* contact = std::get_if<ContactCase>(&one.body);
   if (!contact)
     throw case_error(one, "bearing", "is no contact; allowed is a contact case (ehd bearing solves this one)");
@@ -238,7 +243,9 @@ int solve(const SolveOptions& options) {
   const bool solution = run.status() != StopReason::diverged && run.solution.fields.X.size() > 0;
   if (profile && solution) profile->append(profile_csv(run));
   if (plot && solution) plot->append(plot_of(run, stated.title));
-  json.commit(to_json(run), {address_of(wisdom), address_of(profile), address_of(plot)});
+  Json result = to_json(run);
+  options.changes.put_into(result);
+  json.commit(result, {address_of(wisdom), address_of(profile), address_of(plot)});
   if (!json.to_standard_output()) print(human_table(run, stated.title, styled_output()));
   if (run.status() == StopReason::converged) return success;
   std::string not_written;
@@ -254,7 +261,7 @@ void describe_solve(Command& command) {
   auto options = std::make_shared<SolveOptions>();
   command.summary("Solve one contact");
   command.examples(solve_examples);
-  command.text("CASE", options->case_name, "a case file (TOML), or the id of a benchmark case");
+  command.text("CASE", options->case_name, "a case file (TOML), the id of a benchmark case, or - for standard input");
   command.text("--M", options->M, "Moes load parameter, 1e-3 to 1e6 (instead of a CASE, with --L)");
   command.text("--L", options->L, "Moes material parameter, 0 to 100");
   command.text("--inlet", options->inlet, "flooded, or X = x/b where the domain begins (flooded)");
@@ -265,6 +272,7 @@ void describe_solve(Command& command) {
   command.text("--p0-Pa", options->p0, "Roelands' reference pressure (1.9613e8)");
   command.text("--solver", options->solver, "one of " + solver_names()).showing_default();
   options->request.add_to(command);
+  options->changes.add_to(command);
   command.list("--quantity", options->quantities, "compute only this quantity (repeatable), e.g. film.minimum");
   command.text("--json", options->json, "the result as JSON into a file, or - for standard output");
   command.text("--profile", options->profile, "pressure, film, density and viscosity over X as CSV");

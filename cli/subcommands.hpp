@@ -10,6 +10,8 @@
   LINE(compare)               \
   LINE(response)              \
   LINE(bearing)               \
+  LINE(new)                   \
+  LINE(convert)               \
   LINE(cases)                 \
   LINE(plan)                  \
   LINE(verify)                \

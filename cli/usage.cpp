@@ -30,7 +30,9 @@ int run_guarded(const std::function<int()>& body) {
   try {
     return body();
   } catch (const CaseError& error) {
-    return refuse(error.what());
+    complain(error.what());
+    for (const std::string& line : error.more()) complain(line);
+    return bad_input;
   } catch (const UsageError& error) {
     return refuse("ehd: " + std::string(error.what()));
   } catch (const OutputError& error) {

@@ -92,6 +92,7 @@ Json to_json(const BearingResult& result) {
   json["version"] = result.version;
   json["law"] = to_string(result.law);
   json["status"] = to_string(result.status);
+  if (result.oil) json["lubricant"] = to_json(*result.oil);
   if (!result.rollers.empty()) {
     put(json, "displacement_m", result.displacement_m);
     put(json, "displacement_lateral_m", result.displacement_lateral_m);

@@ -26,6 +26,16 @@ std::string source_of(const note::Datum& datum) {
   return "";
 }
 
+/// "low to high", or the one where both read the same.
+std::string range_text(const std::string& low, const std::string& high) {
+  return low == high ? low : low + " to " + high;
+}
+
+/// "11 instead of 13"; "11 as without it" where both read the same.
+std::string compared(const std::string& with, const std::string& without) {
+  return with == without ? with + " as without it" : with + " instead of " + without;
+}
+
 /// A visit: a new note does not compile until it has words.
 struct Words {
   const BearingResult& result;
@@ -56,9 +66,10 @@ struct Words {
   }
   std::string operator()(const note::OutsideFit& outside) const {
     const auto& points = result.fit->at(outside.raceway).points;
-    return fmt::format("fit used outside its range: {} {} contacts carry {} to {} N, fitted from {} to {} N",
-                       outside.contacts, to_string(outside.raceway), plain(outside.lightest_N, 4),
-                       plain(outside.heaviest_N, 4), plain(points.front().force_N), plain(points.back().force_N));
+    return fmt::format("fit used outside its range: {} {} contacts carry {} N, fitted from {} to {} N",
+                       outside.contacts, to_string(outside.raceway),
+                       range_text(plain(outside.lightest_N, 4), plain(outside.heaviest_N, 4)),
+                       plain(points.front().force_N), plain(points.back().force_N));
   }
   std::string operator()(const note::Curve& note) const {
     const bearing::FilmCurve& curve = result.curve->at(note.raceway);
@@ -75,9 +86,9 @@ struct Words {
   std::string operator()(const note::CutVariant& note) const {
     const VariantResult& cut = result.variants.front();
     return fmt::format(
-        "variant {}: {} loaded rollers instead of {}, roller 1 carries {} N instead of {} N{}{}", cut.name,
-        loaded_rollers(cut.rollers), loaded_rollers(result.rollers), plain(cut.rollers[0].inner.force_N),
-        plain(result.rollers[0].inner.force_N),
+        "variant {}: loaded rollers {}, force of roller 1 {}{}{}", cut.name,
+        compared(std::to_string(loaded_rollers(cut.rollers)), std::to_string(loaded_rollers(result.rollers))),
+        compared(plain(cut.rollers[0].inner.force_N) + " N", plain(result.rollers[0].inner.force_N) + " N"),
         note.on_jump ? "; the outermost sit on the jump of the law at delta = 0" : "",
         note.radial ? "; balanced in the radial form, since in the plane rollers stand on that jump" : "");
   }
@@ -93,13 +104,24 @@ struct Words {
   }
 };
 
-}  // namespace
+/// Whether a note is about how a law was made, and changes nothing in how its balance is read.
+bool is_detail(const BearingNote& note) {
+  return std::holds_alternative<note::Curve>(note) || std::holds_alternative<note::RaisedFit>(note) ||
+         std::holds_alternative<note::OutsideFit>(note) || std::holds_alternative<note::CutVariant>(note) ||
+         std::holds_alternative<note::NoVariant>(note);
+}
 
-std::vector<std::string> notes_of(const BearingResult& result) {
+std::vector<std::string> notes_of(const BearingResult& result, bool details) {
   std::vector<std::string> texts;
-  for (const BearingNote& note : result.notes) texts.push_back(std::visit(Words{result}, note));
+  for (const BearingNote& note : result.notes)
+    if (details || !is_detail(note)) texts.push_back(std::visit(Words{result}, note));
   if (!result.rollers.empty() && !result.why.empty()) texts.push_back(result.why);
   return texts;
 }
+
+}  // namespace
+
+std::vector<std::string> notes_of(const BearingResult& result) { return notes_of(result, true); }
+std::vector<std::string> main_notes_of(const BearingResult& result) { return notes_of(result, false); }
 
 }  // namespace ehd

@@ -11,5 +11,7 @@ namespace ehd {
 
 /// One line a note. The last one says which accuracy was missed, where one was.
 [[nodiscard]] std::vector<std::string> notes_of(const BearingResult& result);
+/// The same without those on how a law was made (curves, range of the fit, variants).
+[[nodiscard]] std::vector<std::string> main_notes_of(const BearingResult& result);
 
 }  // namespace ehd

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <variant>
 
+#include "bearing/equilibrium.hpp"
 #include "bearing/geometry.hpp"
 #include "contact/text.hpp"
 #include "io/bearing_notes.hpp"
@@ -54,6 +55,12 @@ std::string heading(const Case& bearing_case) {
                      plain(bearing::centrifugal_force_N(geometry, speeds), 4));
 }
 
+double largest_force_N(const BearingResult& result) {
+  double largest = 0;
+  for (const RollerRow& roller : result.rollers) largest = std::max(largest, roller.inner.force_N);
+  return largest;
+}
+
 /// Force, displacement and film at the inner contact of each roller, for every law that has a balance.
 std::string rollers_table(const std::vector<BearingResult>& results) {
   std::vector<std::string> head{"psi"}, units{"deg"};
@@ -76,14 +83,17 @@ std::string rollers_table(const std::vector<BearingResult>& results) {
       const ContactRow& inner = result->rollers[j].inner;
       row.push_back(fixed(inner.force_N, 1));
       row.push_back(fixed(1e6 * inner.displacement_m, 3));
-      if (needs_film(result->law)) row.push_back(inner.film_minimum_m ? fixed(1e6 * *inner.film_minimum_m, 3) : "-");
+      // Where a roller carries next to nothing, the film is the gap that the ring leaves, and tells nothing more.
+      const bool shown = inner.film_minimum_m && bearing::is_loaded(inner.force_N, largest_force_N(*result));
+      if (needs_film(result->law)) row.push_back(shown ? fixed(1e6 * *inner.film_minimum_m, 3) : "-");
     }
     rows.push_back(row);
   }
-  return aligned(rows, 1, "  ") + "\n";
+  return aligned(rows, 1, "  ");
 }
 
-std::string summary_table(const std::vector<BearingResult>& results) {
+/// What each law cost.
+std::string cost_table(const std::vector<BearingResult>& results) {
   Rows rows{{"law", "displacement um", "balance error", "contacts solved", "from memory", "time s"}};
   for (const BearingResult& result : results) {
     const bool balanced = !result.rollers.empty();
@@ -91,7 +101,7 @@ std::string summary_table(const std::vector<BearingResult>& results) {
                     balanced ? plain(result.balance_error, 2) : "-", std::to_string(result.contact_solves),
                     std::to_string(result.contact_recalls), plain(result.wall_s, 2)});
   }
-  return aligned(rows, 1, "  ");
+  return below_line(rows);
 }
 
 /// Lateral displacement, load zone and stiffness of the ring.
@@ -137,10 +147,10 @@ std::string fit_table(const bearing::BothRaceways<LinearFit>& fits) {
   return below_line(rows);
 }
 
-std::string remarks(const BearingResult& result) {
+std::string remarks(const BearingResult& result, bool details) {
   std::string text;
   if (result.rollers.empty()) text += fmt::format("\n  {}: no balance: {}\n", name_of(result), result.why);
-  const std::vector<std::string> notes = notes_of(result);
+  const std::vector<std::string> notes = details ? notes_of(result) : main_notes_of(result);
   if (notes.empty()) return text;
   text += fmt::format("\n  notes on {}\n", name_of(result));
   for (const std::string& note : notes) text += fmt::format("    - {}\n", note);
@@ -149,13 +159,16 @@ std::string remarks(const BearingResult& result) {
 
 }  // namespace
 
-std::string human_table(const Case& bearing_case, const std::vector<BearingResult>& results) {
-  std::string text = heading(bearing_case) + rollers_table(results) + summary_table(results) + ring_table(results) +
-                     cage_table(results);
+std::string human_table(const Case& bearing_case, const std::vector<BearingResult>& results, const BearingView& view) {
+  std::string text = heading(bearing_case) +
+                     summary_table(std::get<BearingCase>(bearing_case.body), results, view.errors) +
+                     rollers_table(results);
+  if (view.details) text += cost_table(results) + ring_table(results);
+  text += cage_table(results);
   for (const BearingResult& result : results) {
-    if (result.fit) text += fit_table(*result.fit);
+    if (view.details && result.fit) text += fit_table(*result.fit);
   }
-  for (const BearingResult& result : results) text += remarks(result);
+  for (const BearingResult& result : results) text += remarks(result, view.details);
   return text;
 }
 

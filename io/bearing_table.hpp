@@ -5,11 +5,18 @@
 #include <string>
 #include <vector>
 
+#include "io/bearing_summary.hpp"
 #include "workflow/bearing_run.hpp"
 
 namespace ehd {
 
-/// One case: its laws side by side over the rollers, fits, notes.
-[[nodiscard]] std::string human_table(const Case& bearing_case, const std::vector<BearingResult>& results);
+struct BearingView {
+  bool details = false;  ///< also costs, 2 x 2 stiffness, fitted lines, and notes on how the laws were made
+  ErrorsOfLaws errors = {};
+};
+
+/// One case: the summary of its laws, then the laws side by side over the rollers, and notes.
+[[nodiscard]] std::string human_table(const Case& bearing_case, const std::vector<BearingResult>& results,
+                                      const BearingView& view = {});
 
 }  // namespace ehd

@@ -4,332 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <stdexcept>
 
-#include "bearing/law_table.hpp"
-#include "contact/nondimensional.hpp"
-#include "contact/oil_laws.hpp"
 #include "contact/overloaded.hpp"
 #include "contact/text.hpp"
-#include "workflow/case.hpp"
 
 namespace ehd {
-
-namespace {
-
-// The bounds of physical quantities are wide on purpose: no product of them overflows or underflows, and no real
-// contact or bearing lies outside.
-constexpr Interval lengths{.low = 1e-9, .high = 1e6};                          // m
-constexpr Interval clearances{.low = -1e-1, .high = 1e-1};                     // m; negative: preload
-constexpr Interval moduli{.low = 1e3, .high = 1e15};                           // Pa
-constexpr Interval pressures{.low = 1e3, .high = 1e15};                        // Pa
-constexpr Interval line_loads{.low = 1e-6, .high = 1e12};                      // N/m
-constexpr Interval forces{.low = 1e-9, .high = 1e12};                          // N
-constexpr Interval loads{.low = 1e-9, .high = 1e12, .or_zero = true};          // N; a bearing may turn without load
-constexpr Interval speeds{.low = 1e-12, .high = 1e6};                          // m/s
-constexpr Interval turning{.low = 1e-9, .high = 1e7, .or_zero = true};         // rpm of the ring that `rotating` names
-constexpr Interval signed_turning{.low = -1e7, .high = 1e7};                   // rpm
-constexpr Interval viscosities{.low = 1e-12, .high = 1e9};                     // Pa s
-constexpr Interval coefficients{.low = 1e-15, .high = 1e-3, .or_zero = true};  // 1/Pa
-constexpr Interval exponents{.low = 1e-3, .high = 10};
-constexpr Interval densities{.low = 1e-3, .high = 1e6};  // kg/m3
-constexpr Interval azimuths{.low = -360, .high = 360};   // degrees
-constexpr Interval poisson_ratios{.low = -1, .high = 0.5, .open_low = true};
-constexpr Interval M_range{.low = smallest_M, .high = largest_M};
-// Below 1e-12 no result depends on L any more, and p_H in Pa would leave the range of numbers.
-constexpr Interval L_range{.low = 1e-12, .high = largest_L, .or_zero = true};
-constexpr Interval lambda_range{.low = 1e-12, .high = 1e7};  // wider than M_range, which is checked as well
-constexpr Interval alpha_p_H_range{.low = 1e-12, .high = 1e6, .or_zero = true};
-constexpr Interval relative_uncertainties{.low = 0, .high = 1};
-constexpr allowed::Integer versions{.low = 1, .high = 1000000};
-constexpr allowed::Integer rollers{.low = 3, .high = 400};
-constexpr allowed::Integer fit_points{.low = 3, .high = 200};
-constexpr allowed::Inlet inlets{.word = "flooded", .farthest = -1e6, .edge = -1};  // X = -1: the edge of the contact
-
-template <class Rows>
-std::vector<std::string> names_of_rows(const Rows& rows) {
-  std::vector<std::string> names;
-  for (const auto& row : rows) names.emplace_back(row.name);
-  return names;
-}
-std::vector<std::string> viscosity_names() { return names_of_rows(viscosity_laws()); }
-std::vector<std::string> density_names() { return names_of_rows(density_laws()); }
-std::vector<std::string> law_names() { return names_of_rows(bearing::law_rows()); }
-std::vector<std::string> ring_names() { return {"inner", "outer"}; }
-std::vector<std::string> datum_names() { return {"palmgren", "lundberg", "x0"}; }
-std::vector<std::string> status_names() { return {"waiting"}; }
-std::vector<std::string> scaling_names() {
-  std::vector<std::string> names;
-  for (const Scaling scaling : all_scalings) names.emplace_back(to_string(scaling));
-  return names;
-}
-std::vector<std::string> kind_names() {
-  std::vector<std::string> names;
-  for (const ExpectationKind kind : all_expectation_kinds) names.emplace_back(to_string(kind));
-  return names;
-}
-
-constexpr std::array heading_keys{
-    CaseKey{.name = "id",
-            .allowed = allowed::Text{"the file's name without .toml"},
-            .meaning = "the name of the case; its file is called the same"},
-    CaseKey{.name = "version", .allowed = versions, .meaning = "counts changes of the case's numbers"},
-    CaseKey{.name = "title", .allowed = allowed::Text{"a title"}, .meaning = "one line for tables and reports"},
-    CaseKey{.name = "source",
-            .allowed = allowed::Text{"\"own\", or \"bibkey, the exact place\""},
-            .meaning = "where the case is from; bibkey is an entry of references.bib"},
-};
-
-constexpr std::array moes_keys{
-    CaseKey{.name = "M", .allowed = M_range, .meaning = "load group W U_s^(-1/2), with the sum speed"},
-    CaseKey{.name = "L", .allowed = L_range, .meaning = "lubricant group G U_s^(1/4), with the sum speed"},
-};
-
-constexpr std::array conditions_keys{
-    CaseKey{.name = "load_N_per_m", .unit = "N/m", .allowed = line_loads, .meaning = "load per length of the contact"},
-    CaseKey{.name = "reduced_radius_m",
-            .unit = "m",
-            .allowed = lengths,
-            .meaning = "R with 1/R = 1/R_1 + 1/R_2, concave negative"},
-    CaseKey{.name = "reduced_modulus_Pa",
-            .unit = "Pa",
-            .allowed = moduli,
-            .meaning = "E' with 2/E' = (1-nu_1^2)/E_1 + (1-nu_2^2)/E_2"},
-    CaseKey{.name = "speed_sum_m_per_s",
-            .unit = "m/s",
-            .allowed = speeds,
-            .need = Need::sometimes,
-            .condition = "the contact is lubricated",
-            .meaning = "u_s = u_1 + u_2, the sum of the surface speeds; a dry contact may have 0"},
-    CaseKey{.name = "viscosity_Pa_s",
-            .unit = "Pa s",
-            .allowed = viscosities,
-            .need = Need::sometimes,
-            .condition = "the contact is lubricated",
-            .meaning = "eta_0, the viscosity at ambient pressure"},
-};
-
-constexpr std::array hertz_keys{
-    CaseKey{.name = "lambda", .allowed = lambda_range, .meaning = "6 eta_0 u_s R^2/(b^3 p_H)"},
-    CaseKey{.name = "alpha_p_H", .allowed = alpha_p_H_range, .meaning = "pressure coefficient times Hertz pressure"},
-};
-
-constexpr std::array bearing_keys{
-    CaseKey{.name = "rollers", .allowed = rollers, .meaning = "number of rollers Z"},
-    CaseKey{.name = "pitch_diameter_m", .unit = "m", .allowed = lengths, .meaning = "diameter of the pitch circle"},
-    CaseKey{.name = "roller_diameter_m",
-            .unit = "m",
-            .allowed = lengths,
-            .meaning = "diameter of a roller, smaller than the pitch circle"},
-    CaseKey{.name = "length_m", .unit = "m", .allowed = lengths, .meaning = "effective contact length of a roller"},
-    CaseKey{
-        .name = "clearance_m", .unit = "m", .allowed = clearances, .meaning = "diametral clearance; negative: preload"},
-    CaseKey{.name = "rotating",
-            .allowed = allowed::Word{ring_names},
-            .need = Need::sometimes,
-            .condition = "operation.speed_rpm is stated",
-            .meaning = "the ring that turns"},
-    CaseKey{.name = "density_kg_per_m3",
-            .unit = "kg/m3",
-            .allowed = densities,
-            .meaning = "density of the rollers, for the centrifugal force"},
-    CaseKey{.name = "first_azimuth_deg",
-            .unit = "degrees",
-            .allowed = azimuths,
-            .need = Need::never,
-            .standard = 0,
-            .meaning = "angle from the load to roller 1"},
-    CaseKey{.name = "ring_thickness_m",
-            .unit = "m",
-            .allowed = lengths,
-            .need = Need::sometimes,
-            .condition = "a contact force law needs it",
-            .meaning = "thickness of the outer ring, in contact approaches alone"},
-    CaseKey{.name = "roughness_m",
-            .unit = "m",
-            .allowed = lengths,
-            .need = Need::never,
-            .otherwise = "no lambda ratios",
-            .meaning = "composite roughness, for lambda ratios"},
-};
-
-constexpr std::array operation_keys{
-    CaseKey{.name = "speed_rpm",
-            .unit = "rpm",
-            .allowed = turning,
-            .need = Need::sometimes,
-            .condition = "bearing.rotating is stated",
-            .meaning = "speed of the ring that turns"},
-    CaseKey{.name = "inner_speed_rpm",
-            .unit = "rpm",
-            .allowed = signed_turning,
-            .need = Need::sometimes,
-            .condition = "the speed of the outer ring is stated",
-            .meaning = "speed of the inner ring, with sign"},
-    CaseKey{.name = "outer_speed_rpm",
-            .unit = "rpm",
-            .allowed = signed_turning,
-            .need = Need::sometimes,
-            .condition = "the speed of the inner ring is stated",
-            .meaning = "speed of the outer ring, with sign"},
-    CaseKey{.name = "radial_load_N", .unit = "N", .allowed = loads, .meaning = "radial load F_r"},
-};
-
-constexpr std::array material_keys{
-    CaseKey{.name = "modulus_Pa", .unit = "Pa", .allowed = moduli, .meaning = "Young's modulus of rollers and rings"},
-    CaseKey{.name = "poisson", .allowed = poisson_ratios, .meaning = "Poisson's ratio of rollers and rings"},
-};
-
-constexpr std::array lubricant_keys{
-    CaseKey{.name = "viscosity", .allowed = allowed::Word{viscosity_names}, .meaning = "the law eta(p)"},
-    CaseKey{.name = "density", .allowed = allowed::Word{density_names}, .meaning = "the law rho(p)"},
-    CaseKey{.name = "alpha_per_Pa",
-            .unit = "1/Pa",
-            .allowed = coefficients,
-            .need = Need::sometimes,
-            .condition = "a law needs pressures in Pa",
-            .meaning = "pressure coefficient of the viscosity at ambient pressure"},
-    CaseKey{.name = "z",
-            .allowed = exponents,
-            .need = Need::sometimes,
-            .condition = "viscosity = \"roelands\"",
-            .meaning = "Roelands' exponent"},
-    CaseKey{.name = "p0_Pa",
-            .unit = "Pa",
-            .allowed = pressures,
-            .need = Need::never,
-            .standard = roelands_pressure_Pa,
-            .meaning = "Roelands' reference pressure"},
-    CaseKey{.name = "viscosity_Pa_s",
-            .unit = "Pa s",
-            .allowed = viscosities,
-            .bearing_only = true,
-            .meaning = "eta_0, the viscosity at ambient pressure"},
-};
-
-constexpr std::array domain_keys{
-    CaseKey{.name = "inlet",
-            .unit = "b",
-            .allowed = inlets,
-            .meaning = "where the domain begins: fully flooded, or cut at X = x/b"},
-};
-
-constexpr std::array datum_keys{
-    CaseKey{.name = "law",
-            .allowed = allowed::Word{datum_names},
-            .meaning = "where the approach of a contact with film counts from"},
-    CaseKey{.name = "load_N",
-            .unit = "N",
-            .allowed = forces,
-            .need = Need::never,
-            .otherwise = "the largest roller load of the dry balance",
-            .meaning = "with law = \"palmgren\": the force at which the approach meets the hertz law"},
-    CaseKey{.name = "x0_m",
-            .unit = "m",
-            .allowed = lengths,
-            .need = Need::sometimes,
-            .condition = "law = \"x0\"",
-            .meaning = "the length x_0 itself"},
-};
-
-constexpr std::array fit_keys{
-    CaseKey{.name = "load_N",
-            .unit = "N",
-            .allowed = allowed::Pair{forces},
-            .need = Need::never,
-            .otherwise = "a range that follows from the dry balance",
-            .meaning = "contact forces over which ehd-linear fits its line"},
-    CaseKey{.name = "points",
-            .allowed = fit_points,
-            .need = Need::never,
-            .standard = FitRange{}.points,
-            .meaning = "number of solved contacts in the fit"},
-};
-
-constexpr std::array expect_keys{
-    CaseKey{.name = "quantity",
-            .allowed = allowed::Text{"a quantity of a contact or a bearing"},
-            .meaning = "what the number is of"},
-    CaseKey{.name = "law",
-            .allowed = allowed::Word{law_names},
-            .need = Need::sometimes,
-            .condition = "the case is a bearing",
-            .meaning = "the contact force law"},
-    CaseKey{
-        .name = "value",
-        .allowed = allowed::Text{"a text like \"0.07414\", whose digits count, or status = \"waiting\" in its place"},
-        .need = Need::sometimes,
-        .condition = "status is not stated",
-        .meaning = "the number as it is printed"},
-    CaseKey{.name = "scaling",
-            .allowed = allowed::Word{scaling_names},
-            .need = Need::sometimes,
-            .condition = "value is stated",
-            .meaning = "the units of value"},
-    CaseKey{.name = "uncertainty",
-            .allowed = relative_uncertainties,
-            .need = Need::never,
-            .otherwise = "half a unit of the last digit of value",
-            .meaning = "of value, relative"},
-    CaseKey{.name = "kind",
-            .allowed = allowed::Word{kind_names},
-            .need = Need::sometimes,
-            .condition = "value is stated",
-            .meaning = "how the number was found"},
-    CaseKey{.name = "status",
-            .allowed = allowed::Word{status_names},
-            .need = Need::never,
-            .otherwise = "value is stated",
-            .meaning = "waiting: the source of the number could not be obtained"},
-};
-
-constexpr std::array tables{
-    CaseTable{.name = "",
-              .role = TableRole::heading,
-              .in_contact = true,
-              .in_bearing = true,
-              .meaning = "what the case is called and where it is from",
-              .keys = heading_keys},
-    CaseTable{.name = "moes",
-              .role = TableRole::statement,
-              .in_contact = true,
-              .meaning = "a contact by its Moes groups",
-              .keys = moes_keys},
-    CaseTable{.name = "conditions",
-              .role = TableRole::statement,
-              .in_contact = true,
-              .meaning = "a contact in SI; dry without [lubricant] and [domain]",
-              .keys = conditions_keys},
-    CaseTable{.name = "hertz",
-              .role = TableRole::statement,
-              .in_contact = true,
-              .meaning = "a contact by its groups in Hertz scaling",
-              .keys = hertz_keys},
-    CaseTable{.name = "bearing",
-              .role = TableRole::statement,
-              .in_bearing = true,
-              .meaning = "a cylindrical roller bearing",
-              .keys = bearing_keys},
-    CaseTable{.name = "operation", .in_bearing = true, .meaning = "speeds and load", .keys = operation_keys},
-    CaseTable{.name = "material", .in_bearing = true, .meaning = "of rollers and rings", .keys = material_keys},
-    CaseTable{.name = "lubricant",
-              .in_contact = true,
-              .in_bearing = true,
-              .meaning = "the oil; without it a case is dry",
-              .keys = lubricant_keys},
-    CaseTable{.name = "domain", .in_contact = true, .meaning = "the domain of a contact", .keys = domain_keys},
-    CaseTable{.name = "datum", .in_bearing = true, .meaning = "the datum of the approach", .keys = datum_keys},
-    CaseTable{.name = "fit", .in_bearing = true, .meaning = "the line of ehd-linear", .keys = fit_keys},
-    CaseTable{.name = "expect",
-              .role = TableRole::expectation,
-              .in_contact = true,
-              .in_bearing = true,
-              .meaning = "a number that a source gives for this case",
-              .keys = expect_keys},
-};
-
-}  // namespace
 
 bool Interval::contains(double x) const {
   return (or_zero && x == 0) || ((open_low ? x > low : x >= low) && x <= high);
@@ -345,6 +25,7 @@ std::string text_of(const Allowed& allowed) {
           [](const Interval& interval) { return "a number, " + interval.text(); },
           [](const allowed::Integer& range) { return fmt::format("an integer, {} to {}", range.low, range.high); },
           [](const allowed::Pair&) { return std::string("[low, high], contact forces with 0 < low < high"); },
+          [](const allowed::OneOf& few) { return fmt::format("one of {}", fmt::join(few.numbers(), ", ")); },
           [](const allowed::Word& word) { return quoted_list(word.words()); },
           [](const allowed::Text& text) { return std::string(text.what); },
           [](const allowed::Inlet& inlet) {
@@ -355,9 +36,8 @@ std::string text_of(const Allowed& allowed) {
       allowed);
 }
 
-std::span<const CaseTable> case_tables() { return tables; }
-
 const CaseTable* find_case_table(std::string_view name) {
+  const auto tables = case_tables();
   const auto at = std::find_if(tables.begin(), tables.end(), [&](const auto& table) { return table.name == name; });
   return at == tables.end() ? nullptr : &*at;
 }
@@ -384,7 +64,7 @@ std::vector<std::string> names_of_keys(const CaseTable& table, bool in_contact_c
 
 std::vector<std::string> names_of_companions(bool of_bearing) {
   std::vector<std::string> names;
-  for (const CaseTable& table : tables) {
+  for (const CaseTable& table : case_tables()) {
     if (table.role == TableRole::companion && (of_bearing ? table.in_bearing : table.in_contact))
       names.emplace_back(table.name);
   }

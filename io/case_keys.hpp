@@ -2,7 +2,7 @@
 // The table of case keys: every table and every key that a case file may have, with unit, allowed values, default and
 // meaning. The reader, its checks for unknown keys, substitutions and messages iterate over it.
 //
-// To add a key: a row in case_keys.cpp, and the line that reads it (read_contact, read_bearing or expectations).
+// To add a key: a row in case_key_rows.cpp, and the line that reads it (read_contact, read_bearing or expectations).
 #pragma once
 
 #include <optional>
@@ -29,6 +29,10 @@ namespace allowed {
 struct Integer {
   int low = 0, high = 0;
 };
+/// One of a few numbers.
+struct OneOf {
+  std::span<const double> (*numbers)();
+};
 /// [low, high] with low < high.
 struct Pair {
   Interval each;
@@ -47,7 +51,8 @@ struct Inlet {
   double farthest = 0, edge = 0;
 };
 }  // namespace allowed
-using Allowed = std::variant<Interval, allowed::Integer, allowed::Pair, allowed::Word, allowed::Text, allowed::Inlet>;
+using Allowed = std::variant<Interval, allowed::Integer, allowed::OneOf, allowed::Pair, allowed::Word, allowed::Text,
+                             allowed::Inlet>;
 
 /// "a number, 0.001 to 1e6", "an integer, 3 to 400", "\"inner\", \"outer\"", …
 [[nodiscard]] std::string text_of(const Allowed& allowed);
@@ -65,6 +70,8 @@ struct CaseKey {
   std::string_view otherwise = {};      ///< what holds without the key, where that is not a number
   bool bearing_only = false;            ///< the table stands in contact cases too, but without this key
   std::string_view meaning;
+  std::string_view example;  ///< a value as TOML, for a new case
+  bool in_new = false;  ///< a new case states it although not every case has to; the others stand there as comments
 };
 
 enum class TableRole {
@@ -78,6 +85,7 @@ struct CaseTable {
   std::string_view name;  ///< empty for the heading
   TableRole role = TableRole::companion;
   bool in_contact = false, in_bearing = false;  ///< which kind of case may have it
+  bool required = false;                        ///< every case of that kind has it
   std::string_view meaning;
   std::span<const CaseKey> keys;
 };

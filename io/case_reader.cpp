@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "io/case_faults.hpp"
 #include "io/case_keys.hpp"
 #include "io/case_text.hpp"
 #include "io/case_tree.hpp"
@@ -19,8 +20,9 @@ namespace ehd {
 namespace {
 
 void read_heading(const CaseTree& tree, Case& made) {
-  const std::string stem = id_of_file(made.file);
   made.id = text(tree, "id");
+  // A case on standard input has no file whose name its id could differ from.
+  const std::string stem = made.file == standard_input ? id_of_file(made.id) : id_of_file(made.file);
   if (made.id != stem) tree.fail("id", fmt::format("differs from the file's name; allowed is \"{}\"", stem));
   made.version = integer(tree, "version");
   made.title = text(tree, "title");
@@ -37,17 +39,22 @@ std::string one_statement() {
   return fmt::format("exactly one of {} and {}", list(names), last);
 }
 
-/// The table that states the problem. Refuses tables that do not belong beside it.
-const CaseTable& only_statement(const CaseTree& tree) {
+/// The tables that state a problem, in the order of the file.
+std::vector<const CaseTable*> statements_in(const CaseTree& tree) {
   const auto line = [&](const CaseTable* table) { return tree.line_of(std::string(table->name)); };
   std::vector<const CaseTable*> present;
   for (const CaseTable& table : case_tables()) {
     if (table.role == TableRole::statement && tree.has(std::string(table.name))) present.push_back(&table);
   }
-  const std::string allowed = one_statement();
-  if (present.empty()) tree.fail("", "the problem is missing; required is " + allowed);
   std::stable_sort(present.begin(), present.end(),
                    [&](const CaseTable* one, const CaseTable* other) { return line(one) < line(other); });
+  return present;
+}
+
+/// The only one of them. Refuses tables that do not belong beside it.
+const CaseTable& only_statement(const CaseTree& tree, const std::vector<const CaseTable*>& present) {
+  const std::string allowed = one_statement();
+  if (present.empty()) tree.fail("", "the problem is missing; required is " + allowed);
   if (present.size() > 1)
     tree.fail(std::string(present[1]->name),
               fmt::format("states the problem again, beside [{}]; allowed is {}", present[0]->name, allowed));
@@ -67,8 +74,10 @@ Case case_of(const std::string& text, const std::filesystem::path& file,
              const std::vector<Substitution>& substitutions = {}) {
   const CaseTree tree(text, file, substitutions);
   Case made = tree.places();
+  const std::vector<const CaseTable*> statements = statements_in(tree);
+  refuse_unknown_and_missing(tree, statements.size() == 1 ? statements.front() : nullptr);
   read_heading(tree, made);
-  const CaseTable& statement = only_statement(tree);
+  const CaseTable& statement = only_statement(tree, statements);
   if (statement.in_bearing)
     made.body = read_bearing(tree);
   else

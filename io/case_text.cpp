@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iostream>
 
 #include "contact/text.hpp"
 #include "io/file_text.hpp"
@@ -101,6 +102,13 @@ std::vector<std::string> lines_of(std::string_view text) {
 
 std::string read_case_text(const std::filesystem::path& file, TomlFile what) {
   return checked_case_text(text_of_file(file, kind_of(what)), file, what);
+}
+
+std::string text_of_standard_input() {
+  std::string bytes(largest_file + 1, '\0');
+  std::cin.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  bytes.resize(static_cast<std::size_t>(std::cin.gcount()));
+  return bytes;
 }
 
 std::string id_of_file(const std::filesystem::path& file) {

@@ -22,6 +22,11 @@ enum class TomlFile { of_case, of_sweep };
 [[nodiscard]] std::string checked_case_text(std::string bytes, const std::filesystem::path& file,
                                             TomlFile what = TomlFile::of_case);
 
+/// How messages name standard input. No case file has this name: it is no id.
+inline constexpr const char* standard_input = "standard input";
+/// What stands on standard input, up to just above the largest size that checked_case_text takes.
+[[nodiscard]] std::string text_of_standard_input();
+
 /// The name of a file without .toml is an id: letters, digits, dot, dash and underscore, beginning with a letter or a
 /// digit, so that every file system, shell and table takes it. Throws CaseError for another name.
 [[nodiscard]] std::string id_of_file(const std::filesystem::path& file);

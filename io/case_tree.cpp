@@ -10,6 +10,7 @@
 #include "contact/text.hpp"
 #include "io/case_keys.hpp"
 #include "io/case_text.hpp"
+#include "io/near_miss.hpp"
 #include "io/toml.hpp"
 
 namespace ehd {
@@ -46,6 +47,14 @@ std::vector<std::string> names_of_substitutable_tables() {
   return names;
 }
 
+std::vector<std::string> substitutable_paths() {
+  std::vector<std::string> paths;
+  for (const CaseTable& table : case_tables())
+    for (const CaseKey& key : table.keys)
+      if (is_substitutable(table)) paths.push_back(fmt::format("{}.{}", table.name, key.name));
+  return paths;
+}
+
 /// "table.key" in two parts; the second is empty where there is no dot.
 std::pair<std::string, std::string> parts_of(const std::string& path) {
   const auto dot = path.find('.');
@@ -60,8 +69,25 @@ void require_substitutable(const std::string& path) {
   if (std::find(keys.begin(), keys.end(), key) != keys.end()) return;
   const std::string allowed = table ? fmt::format("in [{}] {}", table_name, list(keys))
                                     : "table.key with one of the tables " + list(names_of_substitutable_tables());
-  throw CaseError(one_line(fmt::format("{}: is no key of a case that can be given another value; allowed is {}",
-                                       shortened(path, longest_text), allowed)));
+  throw CaseError(one_line(fmt::format(
+      "{}: is no key of a case that can be given another value; {}allowed is {}", shortened(path, longest_text),
+      did_you_mean(table ? key : path, table ? keys : substitutable_paths()), allowed)));
+}
+
+/// What an unknown key may have been meant to be: a path, and its words in a message. Empty where nothing is near.
+struct Meant {
+  std::string path, words;
+};
+Meant meant_by(const std::string& key, const std::string& table, bool is_table,
+               const std::vector<std::string>& allowed) {
+  if (const std::string name = near_miss(key, allowed); !name.empty())
+    return {.path = table.empty() ? name : table + "." + name,
+            .words = find_case_table(name) && is_table ? "[" + name + "]" : name};
+  for (const CaseTable& other : case_tables())
+    for (const CaseKey& row : other.keys)
+      if (row.name == key && !other.name.empty())
+        return {.path = fmt::format("{}.{}", other.name, key), .words = fmt::format("{} in [{}]", key, other.name)};
+  return {};
 }
 
 }  // namespace
@@ -110,7 +136,7 @@ class TreeBuilder {
   }
 
   void add_keys(const toml::table& table, const std::string& path, const std::vector<std::string>& allowed) {
-    refuse_unknown(table, path, allowed);
+    keep_unknown(table, path, allowed);
     for (auto&& [key, node] : table) put((path.empty() ? "" : path + ".") + std::string(key.str()), node);
   }
 
@@ -118,16 +144,20 @@ class TreeBuilder {
     tree_.put(path, node_of(node), line_of(node), node.is_table() ? "" : text_of(node, lines_));
   }
 
-  /// Names the first unknown key in the order of the file.
-  void refuse_unknown(const toml::table& table, const std::string& path,
-                      const std::vector<std::string>& allowed) const {
-    auto [name, first] = first_unknown(table, allowed);
-    if (!first) return;
-    if (!first->is_table()) name += " = " + text_of(*first, lines_);
-    if (first->is_table() && path.empty()) name = "[" + name + "]";
+  void keep_unknown(const toml::table& table, const std::string& path, const std::vector<std::string>& allowed) {
     const std::string where = path.empty() ? "" : path.starts_with("expect") ? " in [[expect]]" : " in [" + path + "]";
-    throw CaseError(one_line(fmt::format("{}:{}: {}: is unknown{}; allowed is {}", tree_.places_.file.string(),
-                                         line_of(*first), shortened(name, 2 * longest_text), where, list(allowed))));
+    for (const auto& [key, node] : unknown_keys(table, allowed)) {
+      std::string subject = key;
+      if (!node->is_table()) subject += " = " + text_of(*node, lines_);
+      if (node->is_table() && path.empty()) subject = "[" + subject + "]";
+      const Meant meant = meant_by(key, path, node->is_table(), allowed);
+      tree_.unknown_.push_back({.line = line_of(*node),
+                                .message = one_line(fmt::format(
+                                    "{}:{}: {}: is unknown{}; {}allowed is {}", tree_.places_.file.string(),
+                                    line_of(*node), shortened(subject, 2 * longest_text), where,
+                                    meant.words.empty() ? "" : "did you mean " + meant.words + "? ", list(allowed))),
+                                .meant = meant.path});
+    }
   }
 
   CaseTree& tree_;
@@ -142,6 +172,8 @@ CaseTree::CaseTree(const std::string& text, const std::filesystem::path& file,
   for (const Substitution& substitution : substitutions) require_substitutable(substitution.key);
   if (!substitutions.empty()) root.erase("expect");
   TreeBuilder(*this, text).add(root);
+  std::stable_sort(unknown_.begin(), unknown_.end(),
+                   [](const UnknownKey& one, const UnknownKey& other) { return one.line < other.line; });
   for (const Substitution& substitution : substitutions) substitute(substitution);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A case file as a tree: the nodes of its TOML text by dotted path, with the line of each. Unknown keys are refused
-// here. What the values mean is known to read_contact, read_bearing and expectations.
+// A case file as a tree: the nodes of its TOML text by dotted path, with the line of each. Unknown keys are
+// found here. What the values mean is known to read_contact, read_bearing and expectations.
 #pragma once
 
 #include <cstddef>
@@ -25,12 +25,19 @@ struct CaseNode {
   [[nodiscard]] std::optional<double> number() const;  ///< integer or not
 };
 
+/// A key that io/case_keys does not have.
+struct UnknownKey {
+  int line = 0;
+  std::string message;  ///< the whole line of the error
+  std::string meant;    ///< the path of the key that it may have been meant to be; empty where nothing is near
+};
+
 class CaseTree {
  public:
   /// `text` as checked_case_text leaves it. Substituted values pass every check that the file's own would; messages
   /// name the line of the value that was replaced, or of its table. With substitutions the file's [[expect]] tables
-  /// are left out, since they hold for the file's own numbers. Throws CaseError for text that is not TOML and for a
-  /// key that io/case_keys does not have.
+  /// are left out, since they hold for the file's own numbers. Throws CaseError for text that is not TOML, and for a
+  /// substitution of a key that io/case_keys does not have.
   CaseTree(const std::string& text, const std::filesystem::path& file,
            const std::vector<Substitution>& substitutions = {});
 
@@ -38,6 +45,8 @@ class CaseTree {
   [[nodiscard]] const CaseNode* find(const std::string& path) const;
   [[nodiscard]] bool has(const std::string& path) const { return find(path) != nullptr; }
   [[nodiscard]] int line_of(const std::string& path) const { return places_.lines.at(path); }
+  /// The unknown keys, in the order of the file. A case that has some is refused.
+  [[nodiscard]] const std::vector<UnknownKey>& unknown() const { return unknown_; }
   /// How many [[expect]] tables there are.
   [[nodiscard]] std::size_t expectations() const { return expectations_; }
 
@@ -53,6 +62,7 @@ class CaseTree {
   Case places_;
   std::map<std::string, CaseNode> nodes_;
   std::size_t expectations_ = 0;
+  std::vector<UnknownKey> unknown_;
   friend class TreeBuilder;
 };
 

@@ -45,6 +45,18 @@ double number_in(const CaseTree& tree, const std::string& key, const CaseNode& n
   tree.fail(key, fmt::format("{}; allowed is {}", what, interval.text()));
 }
 
+std::optional<double> maybe_one_of(const CaseTree& tree, const std::string& key) {
+  const CaseNode* node = tree.find(key);
+  if (!node) return std::nullopt;
+  const Allowed& allowed = row_of_case_key(key).allowed;
+  const auto value = node->number();
+  if (!value) tree.fail(key, fmt::format("is {}; allowed is {}", node->type, text_of(allowed)));
+  const auto few = std::get<allowed::OneOf>(allowed).numbers();
+  if (std::find(few.begin(), few.end(), *value) == few.end())
+    tree.fail(key, "is none of them; allowed is " + text_of(allowed));
+  return value;
+}
+
 int integer(const CaseTree& tree, const std::string& key) {
   const CaseKey& row = row_of_case_key(key);
   const auto& range = std::get<allowed::Integer>(row.allowed);

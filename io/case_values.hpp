@@ -23,6 +23,8 @@ class StatementError;
 /// A number that is part of the key's value.
 [[nodiscard]] double number_in(const CaseTree& tree, const std::string& key, const CaseNode& node,
                                const Interval& interval);
+/// One of the few numbers of the key's row.
+[[nodiscard]] std::optional<double> maybe_one_of(const CaseTree& tree, const std::string& key);
 [[nodiscard]] int integer(const CaseTree& tree, const std::string& key);
 
 /// One line of text without control characters: tables and bibliographies print it.

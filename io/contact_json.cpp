@@ -128,6 +128,21 @@ Json to_json(const Plan& plan) {
   return json;
 }
 
+Json to_json(const GradedOil& oil) {
+  Json json = Json::object();
+  put(json, "iso_vg", oil.iso_vg);
+  put(json, "viscosity_40C_mm2_per_s", oil.viscosity_40C_mm2_per_s);
+  put(json, "viscosity_100C_mm2_per_s", oil.viscosity_100C_mm2_per_s);
+  put(json, "viscosity_index", oil.viscosity_index);
+  put(json, "temperature_C", oil.temperature_C);
+  put(json, "density_15C_kg_per_m3", oil.density_15C_kg_per_m3);
+  put(json, "viscosity_mm2_per_s", oil.viscosity_mm2_per_s);
+  put(json, "density_kg_per_m3", oil.density_kg_per_m3);
+  put(json, "viscosity_Pa_s", oil.viscosity_Pa_s);
+  put(json, "estimated_alpha_per_Pa", oil.estimated_alpha_per_Pa);
+  return json;
+}
+
 Json to_json(const ContactRun& run) {
   Json json;
   if (!run.case_id.empty()) json["case"] = run.case_id;
@@ -135,6 +150,7 @@ Json to_json(const ContactRun& run) {
   if (!run.solver.empty()) json["solver"] = run.solver;
   json["status"] = to_string(run.status());
   if (!run.solution.record.reason.empty()) json["reason"] = run.solution.record.reason;
+  if (run.oil) json["lubricant"] = to_json(*run.oil);
   json["groups"] = groups_json(run);
   put_observables(json, run);
   if (run.status() != StopReason::diverged && run.solution.fields.X.size() > 0)

@@ -13,6 +13,8 @@ namespace ehd {
 /// The result object of `ehd solve`. Numbers are finite; a quantity that is unknown or was not requested is absent.
 [[nodiscard]] Json to_json(const ContactRun& run);
 [[nodiscard]] Json to_json(const Plan& plan);
+/// The oil by its grade: what was stated, and eta_0, density and alpha that followed.
+[[nodiscard]] Json to_json(const GradedOil& oil);
 
 /// The status of a result, read back; nothing for a word that is none.
 [[nodiscard]] std::optional<StopReason> stop_reason_from(std::string_view text);

@@ -7,6 +7,8 @@
 
 #include "contact/text.hpp"
 #include "io/case_reader.hpp"
+#include "io/case_text.hpp"
+#include "io/near_miss.hpp"
 
 #ifndef EHD_CASES_FOLDER
 #define EHD_CASES_FOLDER "cases"
@@ -45,8 +47,17 @@ std::filesystem::path find_case(const std::string& path_or_id) {
     if (std::filesystem::is_regular_file(std::filesystem::status(below, error))) return below;
   }
   if (std::filesystem::exists(std::filesystem::status(path, error))) return path;
-  throw CaseError(one_line(path_or_id + ": there is no such case; allowed is a path to a case file, or an id that "
-                                        "`ehd cases` lists"));
+  std::vector<std::string> ids;
+  for (const auto& entry : entries_of_cases(error))
+    if (entry.path().extension() == ".toml") ids.push_back(entry.path().stem().string());
+  throw CaseError(one_line(path_or_id + ": there is no such case; " + did_you_mean(path_or_id, ids) +
+                           "allowed is a path to a case file, or an id that `ehd cases` lists"));
+}
+
+Case read_named_case(const std::string& path_id_or_dash, const std::vector<Substitution>& substitutions) {
+  if (path_id_or_dash == "-") return read_case(text_of_standard_input(), standard_input, substitutions);
+  const std::filesystem::path file = find_case(path_id_or_dash);
+  return read_case(read_case_text(file), file, substitutions);
 }
 
 std::vector<Case> all_cases() {

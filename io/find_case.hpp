@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "io/substitution.hpp"
 #include "workflow/case.hpp"
 
 namespace ehd {
@@ -19,5 +20,10 @@ namespace ehd {
 
 /// All cases in cases/, by id, folders in it left out. Throws CaseError at the first that cannot be read.
 [[nodiscard]] std::vector<Case> all_cases();
+
+/// The case that a CASE argument names, with other values for some of its keys; "-" is standard input, where the id may
+/// be any. Throws CaseError.
+[[nodiscard]] Case read_named_case(const std::string& path_id_or_dash,
+                                   const std::vector<Substitution>& substitutions = {});
 
 }  // namespace ehd

@@ -196,6 +196,20 @@ void OutputFile::commit() {
   appear();
 }
 
+void write_new_file(const std::filesystem::path& path, const std::string& text) {
+  constexpr mode_t readable_by_all = 0644;
+  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, readable_by_all);
+  if (descriptor < 0 && errno == EEXIST)
+    throw OutputError(one_line(path.string() + ": exists, and is never overwritten; allowed is a new file"));
+  if (descriptor < 0) cannot_write(path, std::strerror(errno));
+  const auto written = ::write(descriptor, text.data(), text.size());
+  const int error = written == static_cast<ssize_t>(text.size()) ? synced(descriptor) : written < 0 ? errno : ENOSPC;
+  ::close(descriptor);
+  if (error == 0) return;
+  ::unlink(path.c_str());
+  cannot_write(path, std::strerror(error));
+}
+
 void commit_together(const std::vector<OutputFile*>& files) {
   std::vector<OutputFile*> written;
   std::copy_if(files.begin(), files.end(), std::back_inserter(written),

@@ -52,6 +52,9 @@ class OutputFile {
   bool written_ = false;
 };
 
+/// A file that does not exist yet. Throws OutputError where it does, and then leaves it as it is.
+void write_new_file(const std::filesystem::path& path, const std::string& text);
+
 /// Commits those of the files that have a text: all texts are on the disk before the first file appears, and SIGINT and
 /// SIGTERM wait until the last one has. A null pointer is no file. Throws OutputError.
 void commit_together(const std::vector<OutputFile*>& files);

@@ -10,10 +10,11 @@
 
 #include "contact/nondimensional.hpp"
 #include "contact/text.hpp"
+#include "io/case_faults.hpp"
 #include "io/case_keys.hpp"
 #include "io/case_tree.hpp"
 #include "io/case_values.hpp"
-#include "io/read_contact.hpp"
+#include "io/read_oil.hpp"
 
 namespace ehd {
 
@@ -74,6 +75,15 @@ void check_lubricant(const CaseTree& tree, const BearingCase& bearing) {
   }
 }
 
+BearingLubricant read_bearing_oil(const CaseTree& tree) {
+  const std::string viscosity = "lubricant.viscosity_Pa_s";
+  const OilOfCase oil = read_oil(tree);
+  refuse_beside_grade(tree, viscosity);
+  return {.lubricant = oil.lubricant,
+          .viscosity_Pa_s = oil.grade ? oil.grade->viscosity_Pa_s : number(tree, viscosity),
+          .oil = oil.grade};
+}
+
 Datum read_datum(const CaseTree& tree) {
   const auto load = maybe_number(tree, "datum.load_N");
   const auto x0 = maybe_number(tree, "datum.x0_m");
@@ -110,6 +120,7 @@ FitRange read_fit(const CaseTree& tree) {
 }  // namespace
 
 BearingCase read_bearing(const CaseTree& tree) {
+  refuse_unknown(tree);
   BearingCase bearing;
   bearing.geometry = read_geometry(tree);
   bearing.ring_thickness_m = maybe_number(tree, "bearing.ring_thickness_m");
@@ -119,8 +130,7 @@ BearingCase read_bearing(const CaseTree& tree) {
   bearing.modulus_Pa = number(tree, "material.modulus_Pa");
   bearing.poisson = number(tree, "material.poisson");
   if (tree.has("lubricant")) {
-    bearing.lubricant =
-        BearingLubricant{.lubricant = read_lubricant(tree), .viscosity_Pa_s = number(tree, "lubricant.viscosity_Pa_s")};
+    bearing.lubricant = read_bearing_oil(tree);
     check_lubricant(tree, bearing);
   }
   bearing.datum = read_datum(tree);

@@ -9,9 +9,11 @@
 #include "contact/nondimensional.hpp"
 #include "contact/oil_laws.hpp"
 #include "contact/overloaded.hpp"
+#include "io/case_faults.hpp"
 #include "io/case_keys.hpp"
 #include "io/case_tree.hpp"
 #include "io/case_values.hpp"
+#include "io/read_oil.hpp"
 
 namespace ehd {
 
@@ -35,6 +37,7 @@ Inlet read_inlet(const CaseTree& tree) {
   return TruncatedAt{*x};
 }
 
+/// eta_0 stays open where the oil's grade sets it.
 Conditions read_conditions(const CaseTree& tree, bool dry) {
   Conditions conditions;
   conditions.load_N_per_m = number(tree, "conditions.load_N_per_m");
@@ -48,7 +51,7 @@ Conditions read_conditions(const CaseTree& tree, bool dry) {
     conditions.viscosity_Pa_s = maybe_number(tree, viscosity);
   } else {
     conditions.speed_sum_m_per_s = number(tree, speed);
-    conditions.viscosity_Pa_s = number(tree, viscosity);
+    if (!states_grade(tree)) conditions.viscosity_Pa_s = number(tree, viscosity);
   }
   return conditions;
 }
@@ -60,13 +63,8 @@ Statement read_statement(const CaseTree& tree, const std::string& name, bool dry
   return read_conditions(tree, dry);
 }
 
-/// A lubricated contact needs [lubricant] and [domain]; the viscosity stands in [conditions].
-void require_tables_of_lubricated(const CaseTree& tree, const std::string& statement) {
-  for (const auto& table : names_of_companions(false)) {
-    if (tree.has(table)) continue;
-    const char* const or_dry = statement == "conditions" ? ", or neither for a dry contact" : "";
-    tree.fail(table, fmt::format("is missing; required is [lubricant] with [domain]{}", or_dry));
-  }
+/// The viscosity of a contact stands in [conditions].
+void refuse_bearing_keys(const CaseTree& tree) {
   for (const CaseKey& key : find_case_table("lubricant")->keys) {
     const std::string path = fmt::format("lubricant.{}", key.name);
     if (!key.bearing_only || !tree.has(path)) continue;
@@ -102,23 +100,22 @@ std::string key_at_fault(const std::string& key, const std::string& statement) {
 
 }  // namespace
 
-Lubricant read_lubricant(const CaseTree& tree) {
-  Lubricant lubricant;
-  lubricant.viscosity = *viscosity_law_from(word(tree, "lubricant.viscosity"));
-  lubricant.density = *density_law_from(word(tree, "lubricant.density"));
-  lubricant.alpha_per_Pa = maybe_number(tree, "lubricant.alpha_per_Pa");
-  lubricant.z = maybe_number(tree, "lubricant.z");
-  lubricant.p0_Pa = number_or_standard(tree, "lubricant.p0_Pa");
-  return lubricant;
-}
-
 ContactCase read_contact(const CaseTree& tree, const std::string& statement) {
+  refuse_unknown(tree);
   ContactCase contact;
   const bool dry = statement == "conditions" && !tree.has("lubricant") && !tree.has("domain");
-  if (!dry) require_tables_of_lubricated(tree, statement);
+  if (!dry) refuse_bearing_keys(tree);
   contact.statement = read_statement(tree, statement, dry);
   if (dry) return contact;
-  contact.lubricant = read_lubricant(tree);
+  const OilOfCase oil = read_oil(tree);
+  contact.lubricant = oil.lubricant;
+  contact.oil = oil.grade;
+  if (auto* conditions = std::get_if<Conditions>(&contact.statement)) {
+    refuse_beside_grade(tree, "conditions.viscosity_Pa_s");
+    if (oil.grade) conditions->viscosity_Pa_s = oil.grade->viscosity_Pa_s;
+  } else {
+    refuse_grade_beside(tree, statement);
+  }
   contact.inlet = read_inlet(tree);
   require_pressure_scale(tree, contact);
   try {

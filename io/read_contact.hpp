@@ -14,7 +14,4 @@ class CaseTree;
 /// (nondimensionalise is tried).
 [[nodiscard]] ContactCase read_contact(const CaseTree& tree, const std::string& statement);
 
-/// [lubricant] without the viscosity that a bearing states there.
-[[nodiscard]] Lubricant read_lubricant(const CaseTree& tree);
-
 }  // namespace ehd

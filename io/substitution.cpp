@@ -3,6 +3,8 @@
 
 #include <charconv>
 #include <cmath>
+#include <optional>
+#include <system_error>
 
 #include "contact/overloaded.hpp"
 
@@ -24,7 +26,25 @@ std::string quoted(const std::string& content) {
   return text + "\"";
 }
 
+/// The whole text as a number of that type; empty where it is none.
+template <class Number>
+std::optional<Number> whole_number(std::string_view text) {
+  Number value = 0;
+  const char* const end = text.data() + text.size();
+  const auto parsed = std::from_chars(text.data(), end, value);
+  return parsed.ptr == end && parsed.ec == std::errc() ? std::optional(value) : std::nullopt;
+}
+
 }  // namespace
+
+TomlValue toml_value(std::string_view text) {
+  const bool in_quotes = text.size() >= 2 && text.front() == '"' && text.back() == '"';
+  if (in_quotes) return std::string(text.substr(1, text.size() - 2));
+  const std::string_view number = text.substr(text.starts_with('+') ? 1 : 0);
+  if (const auto whole = whole_number<std::int64_t>(number)) return *whole;
+  if (const auto real = whole_number<double>(number)) return *real;
+  return std::string(text);
+}
 
 std::string toml_text(const TomlValue& value) {
   return std::visit(Overloaded{[](std::int64_t whole) { return std::to_string(whole); },

@@ -49,40 +49,61 @@ std::string heading(const ContactRun& run, const std::string& title, bool styled
   return text;
 }
 
+/// The unit in which a table shows a quantity that is known in SI: micrometres, megapascals.
+struct ShownUnit {
+  const char* name;
+  double per_SI;
+};
+ShownUnit shown_unit(SIScale scale) {
+  return scale == SIScale::pressure ? ShownUnit{.name = "MPa", .per_SI = 1e-6} : ShownUnit{.name = "um", .per_SI = 1e6};
+}
+
 std::string groups_table(const ContactRun& run) {
   Rows rows;
   const auto add = [&](const char* name, std::optional<double> value) {
     if (value) rows.push_back({name, plain(*value)});
   };
+  if (run.scales) {
+    add("p_H [MPa]", shown_unit(SIScale::pressure).per_SI * run.scales->hertz_pressure_Pa);
+    if (run.scales->half_width_m) add("b [um]", shown_unit(SIScale::length).per_SI * *run.scales->half_width_m);
+  }
   if (run.groups) {
     add("M", run.groups->M);
     add("L", run.groups->L);
     add("lambda", run.groups->lambda);
     add("alpha p_H", run.groups->alpha_p_H);
   }
-  if (run.scales) {
-    add("p_H [Pa]", run.scales->hertz_pressure_Pa);
-    add("b [m]", run.scales->half_width_m);
-    if (run.scales->dowson) {
-      add("W", run.scales->dowson->W);
-      add("U (mean speed)", run.scales->dowson->U_mean);
-      add("G", run.known_G());
-    }
+  if (run.scales && run.scales->dowson) {
+    add("W", run.scales->dowson->W);
+    add("U (mean speed)", run.scales->dowson->U_mean);
+    add("G", run.known_G());
   }
   return "\n" + aligned(rows, 1, "  ");
 }
 
-/// A row a quantity; the self checks stand in a line below.
+/// "0.2182(1) um"; empty where the scale is not known.
+std::string digits_in_SI(const ContactRun& run, Quantity quantity, const Reading& reading) {
+  const SIScale scale = row_of(quantity).SI;
+  const auto SI_per_hertz = run.SI_per_hertz(scale);
+  const ShownUnit unit = shown_unit(scale);
+  return SI_per_hertz ? digits(quantity, reading, *SI_per_hertz * unit.per_SI) + " " + unit.name : "";
+}
+
+/// A row a quantity, in SI first where that is known; the self checks stand in a line below.
 std::string observables_table(const ContactRun& run) {
-  const auto moes = run.moes_per_hertz_film(), metres = run.m_per_hertz_film();
-  Rows rows{{"", "Hertz", moes ? "Moes" : "", metres ? "m" : "", "at X"}};
+  const auto moes = run.moes_per_hertz_film();
+  const bool in_SI = run.scales.has_value();
+  Rows rows{{""}};
+  if (in_SI) rows.front().emplace_back("SI");
+  rows.front().insert(rows.front().end(), {"Hertz", moes ? "Moes" : "", "at X"});
   for (const auto& [quantity, reading] : run.solution.observables) {
     if (is_self_check(quantity)) continue;
     const QuantityRow& row = row_of(quantity);
-    rows.push_back({std::string(row.name), digits(quantity, reading, 1),
-                    row.in_moes_units && moes ? digits(quantity, reading, *moes) : "",
-                    row.SI == SIScale::film && metres ? digits(quantity, reading, *metres) : "",
-                    reading.place ? plain(*reading.place) : ""});
+    rows.push_back({std::string(row.name)});
+    if (in_SI) rows.back().push_back(digits_in_SI(run, quantity, reading));
+    rows.back().insert(rows.back().end(),
+                       {digits(quantity, reading, 1), row.in_moes_units && moes ? digits(quantity, reading, *moes) : "",
+                        reading.place ? plain(*reading.place) : ""});
   }
   return rows.size() > 1 ? "\n" + aligned(rows, 1, "  ") : "";
 }
@@ -95,20 +116,23 @@ std::string self_checks(const ContactRun& run) {
   return checks.empty() ? "" : fmt::format("  {}\n", fmt::join(checks, ", "));
 }
 
-/// The fits beside the result, with their difference from it.
+/// The fits beside the result, in its own unit, with their difference from it.
 std::string formulas_table(const ContactRun& run) {
-  const auto moes = run.moes_per_hertz_film();
+  const auto moes = run.moes_per_hertz_film(), metres = run.m_per_hertz_film();
   if (run.formulas.empty() || !moes) return "";
+  const ShownUnit unit = shown_unit(SIScale::film);
+  const double shown_per_moes = metres ? unit.per_SI * *metres / *moes : 1;
   Rows rows;
   for (const auto& formula : run.formulas) {
     const auto quantity = quantity_from(formula.of);
     const Reading* reading = quantity ? find(run, *quantity) : nullptr;
     const double film = reading ? reading->value * *moes : 0;
-    rows.push_back({formula.name, formula.of, plain(formula.moes_film, 4),
+    rows.push_back({formula.name, formula.of, plain(shown_per_moes * formula.moes_film, 4),
                     film > 0 ? plain(100 * (formula.moes_film / film - 1), 2) + " %" : ""});
   }
-  return fmt::format("\nfilm formulas, Moes units (published fits, for comparison only{})\n{}",
-                     run.known_G() ? "" : "; G = 5000 assumed", aligned(rows, 2, "  "));
+  return fmt::format("\nfilm formulas, {} (published fits, for comparison only{})\n{}",
+                     metres ? unit.name : "Moes units", run.known_G() ? "" : "; G = 5000 assumed",
+                     aligned(rows, 2, "  "));
 }
 
 std::string cost_line(const ContactRun& run) {

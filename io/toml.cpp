@@ -66,14 +66,15 @@ void require_representable(const std::string& key, const toml::node& node, const
 
 }  // namespace
 
-std::pair<std::string, const toml::node*> first_unknown(const toml::table& table,
-                                                        const std::vector<std::string>& allowed) {
-  std::pair<std::string, const toml::node*> first;
-  for (auto&& [key, node] : table) {
-    if (std::find(allowed.begin(), allowed.end(), key.str()) != allowed.end()) continue;
-    if (!first.second || line_of(node) < line_of(*first.second)) first = {std::string(key.str()), &node};
-  }
-  return first;
+std::vector<std::pair<std::string, const toml::node*>> unknown_keys(const toml::table& table,
+                                                                    const std::vector<std::string>& allowed) {
+  std::vector<std::pair<std::string, const toml::node*>> unknown;
+  for (auto&& [key, node] : table)
+    if (std::find(allowed.begin(), allowed.end(), key.str()) == allowed.end())
+      unknown.emplace_back(std::string(key.str()), &node);
+  std::stable_sort(unknown.begin(), unknown.end(),
+                   [](const auto& one, const auto& other) { return line_of(*one.second) < line_of(*other.second); });
+  return unknown;
 }
 
 std::string type_of(const toml::node& node) {

@@ -15,9 +15,9 @@ namespace ehd {
 /// `text` as checked_case_text leaves it. Throws CaseError, "FILE:LINE: source: what is wrong; what is allowed".
 [[nodiscard]] toml::table parse_toml(const std::string& text, const std::filesystem::path& file);
 
-/// The first key of a table, in the order of the file, that is not among `allowed`, and its node; null where all are.
-[[nodiscard]] std::pair<std::string, const toml::node*> first_unknown(const toml::table& table,
-                                                                      const std::vector<std::string>& allowed);
+/// The keys of a table that are not among `allowed`, with their nodes, in the order of the file.
+[[nodiscard]] std::vector<std::pair<std::string, const toml::node*>> unknown_keys(
+    const toml::table& table, const std::vector<std::string>& allowed);
 
 /// "a table", "a text", "an integer", …
 [[nodiscard]] std::string type_of(const toml::node& node);

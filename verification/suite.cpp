@@ -64,6 +64,7 @@ std::vector<LoadedCase> load_cases(const SuiteRequest& request) {
 std::vector<Topic> topics_of(const SuiteRequest& request, const std::vector<LoadedCase>& cases) {
   std::vector<Topic> topics;
   for (auto& list : {input_topics(),
+                     oil_grade_topics(),
                      law_topics(),
                      property_topics(),
                      kernel_topics(),

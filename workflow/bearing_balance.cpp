@@ -108,6 +108,9 @@ void fill_balance(BearingResult& result, const BearingSetup& setup, const std::v
 }
 
 void note_oil(BearingResult& result, const BearingSetup& setup) {
+  result.oil = setup.body.lubricant->oil;
+  if (result.oil)
+    for (const std::string& note : notes_of(*result.oil)) result.notes.push_back(note::Oil{note});
   const Conditions mean = setup.contacts.inner.at(setup.loading.radial_N / setup.body.geometry.rollers);
   try {
     for (const std::string& remark : nondimensionalise(mean, setup.body.lubricant->lubricant, Flooded{}).notes)

@@ -46,7 +46,7 @@ struct Curve {
   bearing::Raceway raceway = bearing::Raceway::inner;
   long contacts_below = 0;  ///< with a force below the lightest solved one
 };
-/// What nondimensionalise remarks about the oil.
+/// What the oil's grade gives (contact/oil_grade.hpp), and what nondimensionalise remarks about the oil.
 struct Oil {
   std::string remark;
 };

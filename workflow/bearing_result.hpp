@@ -13,6 +13,7 @@
 #include "bearing/fit.hpp"
 #include "bearing/geometry.hpp"
 #include "bearing/law_table.hpp"
+#include "contact/oil_grade.hpp"
 #include "contact/solution.hpp"
 #include "workflow/bearing_notes.hpp"
 #include "workflow/plan.hpp"
@@ -84,6 +85,7 @@ struct BearingResult {
   int newton_iterations = 0;
   Plan plan;
   std::vector<BearingNote> notes;
+  std::optional<GradedOil> oil = {};  ///< where the case states its grade
 };
 
 }  // namespace ehd

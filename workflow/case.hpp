@@ -16,13 +16,22 @@
 #include "bearing/fit_of.hpp"
 #include "bearing/geometry.hpp"
 #include "contact/conditions.hpp"
+#include "contact/oil_grade.hpp"
 
 namespace ehd {
 
-/// The user's input is wrong: what() is ONE line, "FILE:LINE: key = value: what is wrong; what is allowed".
+/// The user's input is wrong: what() is one line, "FILE:LINE: key = value: what is wrong; what is allowed".
 class CaseError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
+  /// Several errors of one case, a line each: what() is the first of them. `lines` has at least one.
+  explicit CaseError(const std::vector<std::string>& lines)
+      : std::runtime_error(lines.at(0)), more_(lines.begin() + 1, lines.end()) {}
+  /// The lines after what(); most often none.
+  [[nodiscard]] const std::vector<std::string>& more() const { return more_; }
+
+ private:
+  std::vector<std::string> more_;
 };
 
 enum class ExpectationKind { exact, published, computed, fit };
@@ -54,6 +63,7 @@ struct ContactCase {
   Statement statement;
   std::optional<Lubricant> lubricant = {};
   std::optional<Inlet> inlet = {};
+  std::optional<GradedOil> oil = {};  ///< where the oil is stated by its grade; statement and lubricant follow from it
   [[nodiscard]] bool dry() const { return !lubricant; }
 };
 
@@ -82,6 +92,7 @@ struct FitRange {
 struct BearingLubricant {
   Lubricant lubricant;
   double viscosity_Pa_s = 0;
+  std::optional<GradedOil> oil = {};  ///< where the oil is stated by its grade; the two above follow from it
 };
 
 struct BearingCase {

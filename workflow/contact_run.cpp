@@ -65,7 +65,8 @@ void run_lubricated(const ContactCase& contact, const RegisteredSolver& solver, 
   problem.wanted = wanted_by(run.plan);
   run.groups = problem.groups;
   run.scales = reading.scales;
-  run.notes = reading.notes;
+  run.oil = contact.oil;
+  run.notes = contact.oil ? notes_of(*contact.oil, reading.notes) : reading.notes;
   run.solver = solver.name;
   run.solution = solver.solve(problem, request);
   // A solver may observe more than the plan wants, for its own use. Only wanted quantities are reported.

@@ -26,6 +26,7 @@ struct ContactRun {
   Solution solution = {};
   std::vector<FilmFormula> formulas = {};
   std::vector<std::string> notes = {};
+  std::optional<GradedOil> oil = {};  ///< where the case states its grade
 
   [[nodiscard]] StopReason status() const { return solution.record.status; }
   /// One Hertz unit of film in Moes units; absent for a dry contact.

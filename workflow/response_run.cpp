@@ -60,6 +60,7 @@ ResponseRun run_response(const Case& contact_case, const ResponseQuestion& quest
     request.frequencies.push_back(2 * pi * f / run.scales->omega_per_Omega);
   run.response = reference::hp::response(reading.problem, request);
   run.notes = reading.notes;
+  if (contact.oil) run.notes = notes_of(*contact.oil, run.notes);
   run.notes.insert(run.notes.end(), run.response.notes.begin(), run.response.notes.end());
   return run;
 }

@@ -2,14 +2,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Makes the pages of docs/results, and the figures of the root README, from the program's own output.
 
-  make.py EHD            the quick pages (a minute): make results
-  make.py --check EHD    the same into a temporary folder; a difference fails: make results-check
-  make.py --full EHD     the slow pages (an hour), which nobody compares: make results-full
+  make.py EHD              the quick pages (a minute): make results
+  make.py --only NAME EHD  those of them whose file has NAME in its path
+  make.py --check EHD      the same into a temporary folder; a difference fails: make results-check
+  make.py --full EHD       the slow pages (an hour), which nobody compares: make results-full
 
 Times, and numbers that rounding decides, are left out of the quick pages: another machine has to make the same text.
 Exit code: 0 the pages are there, or are the same; 1 a page differs, or a command failed; 2 wrong usage.
 """
 import difflib
+import functools
 import pathlib
 import re
 import subprocess
@@ -19,8 +21,8 @@ import tomllib
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PAGES = ROOT / "docs" / "results"
-README = ROOT / "README.md"
-NUMBERS = re.compile(r"(<!-- numbers: made by make results -->\n).*?(<!-- end -->)", re.DOTALL)
+CASE_FORMAT = "docs/case-format.md"
+WRITTEN = ("README.md", CASE_FORMAT)  # by hand, with a part that is made; they quote the other pages
 MADE = "<!-- Made by `make results`: do not edit. -->"
 MADE_SLOWLY = "<!-- Made by `make results-full`: do not edit. -->"
 
@@ -134,7 +136,7 @@ def without_time(text):
 
 
 def bearings(ehd, *cases):
-    return without(run(ehd, "bearing", *cases), "balance error", "time s")
+    return without(run(ehd, "bearing", *cases, "--details"), "balance error", "time s")
 
 
 def numbers(comparison, suite):
@@ -158,55 +160,59 @@ def numbers(comparison, suite):
     ])
 
 
-def readme_with(numbers_table):
-    """The root README with this table between its marks."""
-    text = README.read_text()
-    marks = NUMBERS.search(text)
+def filled(name, mark, made):
+    """A written page with what was made between its marks."""
+    text = (ROOT / name).read_text()
+    marks = re.search(rf"(<!-- {mark}: made by make results -->\n).*?(<!-- end -->)", text, re.DOTALL)
     if marks is None:
-        sys.exit("README.md: the marks of its table of numbers are missing")
-    return text.replace(marks[0], marks[1] + numbers_table + "\n" + marks[2])
+        sys.exit(f"{name}: the marks of its {mark} are missing")
+    return text.replace(marks[0], marks[1] + made.strip("\n") + "\n" + marks[2])
 
 
 def quick_pages(ehd):
-    """Name of each file, from the root of the repository, and its text."""
-    suite, comparison = run(ehd, "verify", "--quick", "--trace"), compared(ehd)
+    """Name of each file, from the root of the repository, and the function that makes its text."""
+    suite = functools.cache(lambda: run(ehd, "verify", "--quick", "--trace"))
+    comparison = functools.cache(lambda: compared(ehd))
     clearances = ("na4908", "na4908-2.5um", "na4908-10um")
-    examples = fenced(contact_without_cost(ehd)) + "\n\n" + fenced(bearings(ehd, "examples/my-bearing.toml"))
-    return {
-        "README.md": readme_with(numbers(comparison, suite)),
-        "docs/results/na4908.md": page(
-            "NA4908 at three clearances, dry and with films", ["ehd bearing " + " ".join(clearances)],
+    results = {
+        "na4908": lambda: page(
+            "NA4908 at three clearances, dry and with films", ["ehd bearing " + " ".join(clearances) + " --details"],
             fenced(bearings(ehd, *clearances)),
             "Without balance errors and times. What the statements mean: [docs/statements.md](../statements.md)."),
-        "docs/results/statements.md": page(
+        "statements": lambda: page(
             "The paper's statements, one choice changed at a time", ["ehd statements"], fenced(run(ehd, "statements")),
             "How the columns are read: [docs/statements.md](../statements.md)."),
-        "docs/results/ladder-quick.md": page(
-            "The ladder, quick suite", ["ehd verify --quick"], fenced(ladder(suite)),
+        "ladder-quick": lambda: page(
+            "The ladder, quick suite", ["ehd verify --quick"], fenced(ladder(suite())),
             "Without worst claims and margins, which rounding may decide. Slow topics count as skipped."),
-        "docs/results/traceability.md": page(
-            "Which claims support which part of the work", ["ehd verify --quick --trace"], traceability(suite),
+        "traceability": lambda: page(
+            "Which claims support which part of the work", ["ehd verify --quick --trace"], traceability(suite()),
             "`work/`: the work that this project implements. `readme/`: what the root README says.\n"
             "The last column counts claims of the quick suite; a full run fails where a part has none."),
-        "docs/results/cases.md": page("The benchmark cases", ["ehd cases"], fenced(run(ehd, "cases"))),
-        "docs/results/compare.md": page(
+        "cases": lambda: page("The benchmark cases", ["ehd cases"], fenced(run(ehd, "cases"))),
+        "compare": lambda: page(
             "Both solvers at four tolerances", ["ehd compare own-moes-20-10 " + " ".join(four_tolerances())],
-            fenced(comparison), "Without times. Errors that rounding decides are printed as `<1e-11`."),
-        "docs/results/maps.md": page(
+            fenced(comparison()), "Without times. Errors that rounding decides are printed as `<1e-11`."),
+        "maps": lambda: page(
             "Film formulas and cut inlets against certified films", ["ehd maps"], fenced(run(ehd, "maps"))),
-        "docs/results/films-table.md": page(
+        "films-table": lambda: page(
             "A table of films beside the film formulas", ["ehd maps --table"],
             fenced(without_time(run(ehd, "maps", "--table"))),
             "Without the time of an evaluation. How such a table is made: [docs/films-table.md](../films-table.md)."),
-        "docs/results/mutants.md": page(
+        "mutants": lambda: page(
             "Wrong programs that the suite has to catch", ["make mutants"], mutant_page(),
             f"{len(mutants())} of them, from `verification/mutants/mutants.toml`. "
             "Rung: where each has to be caught."),
-        "docs/results/examples.md": page(
+        "examples": lambda: page(
             "The contact and the bearing of the root README",
-            ["ehd solve examples/my-contact.toml --tolerance 1e-4", "ehd bearing examples/my-bearing.toml"],
-            examples, "Without costs, balance errors and times."),
+            ["ehd solve examples/my-contact.toml --tolerance 1e-4",
+             "ehd bearing examples/my-bearing.toml --details"],
+            fenced(contact_without_cost(ehd)) + "\n\n" + fenced(bearings(ehd, "examples/my-bearing.toml")),
+            "Without costs, balance errors and times."),
     }
+    return {"README.md": lambda: filled("README.md", "numbers", numbers(comparison(), suite())),
+            CASE_FORMAT: lambda: filled(CASE_FORMAT, "keys", run(ehd, "new", "keys")),
+            **{f"docs/results/{name}.md": made for name, made in results.items()}}
 
 
 # ---- slow pages ----------------------------------------------------------------------------------------------------
@@ -216,22 +222,24 @@ def full_pages(ehd):
     slow = {"verify": ("ladder-full", "The ladder, full suite"),
             "stress": ("stress", "Numerical stability"),
             "bench": ("bench", "Time and work against achieved error")}
-    pages = {}
-    with tempfile.TemporaryDirectory() as folder:
-        for command, (name, title) in slow.items():
+
+    def make(command, title):
+        with tempfile.TemporaryDirectory() as folder:
             text = fenced(run(ehd, command, "--output", folder))
-            pages[f"docs/results/{name}.md"] = page(title, ["ehd " + command], text).replace(MADE, MADE_SLOWLY)
-    return pages
+        return page(title, ["ehd " + command], text).replace(MADE, MADE_SLOWLY)
+
+    return {f"docs/results/{name}.md": functools.partial(make, command, title)
+            for command, (name, title) in slow.items()}
 
 
 # ---- what a README quotes ------------------------------------------------------------------------------------------
 
 
-def misquoted(readme, pages):
-    """What the README quotes and should not: ```text that no page has, ```toml that is no file of examples/."""
-    known = {line.strip() for name, text in pages.items() if name != "README.md" for line in text.splitlines()}
+def misquoted(name, pages):
+    """What a written page quotes and should not: ```text that no page has, ```toml that is no file of examples/."""
+    known = {line.strip() for other, text in pages.items() if other not in WRITTEN for line in text.splitlines()}
     files = {path.read_text().strip() for path in (ROOT / "examples").glob("*.toml")}
-    for kind, text in re.findall(r"^```(text|toml)\n(.*?)^```$", readme, re.DOTALL | re.MULTILINE):
+    for kind, text in re.findall(r"^```(text|toml)\n(.*?)^```$", pages[name], re.DOTALL | re.MULTILINE):
         if kind == "toml" and text.strip() not in files:
             yield "a case that is no file of examples/: " + text.splitlines()[0]
         if kind == "text":
@@ -246,20 +254,23 @@ def check(pages):
         for line in difflib.unified_diff(*versions, n=1, lineterm=""):
             print(line)
             same = False
-    for line in misquoted(pages["README.md"], pages):
-        print(f"README.md quotes what no page of docs/results has: {line}")
-        same = False
+    for name in WRITTEN:
+        for line in misquoted(name, pages):
+            print(f"{name} quotes what no page of docs/results has: {line}")
+            same = False
     print("docs/results is as the program makes it" if same else "docs/results differs; to remake it: make results")
     return same
 
 
 def main(arguments):
-    mode = arguments.pop(0) if arguments and arguments[0] in ("--check", "--full") else "--quick"
+    mode = arguments.pop(0) if arguments and arguments[0] in ("--check", "--full", "--only") else "--quick"
+    only = arguments.pop(0) if mode == "--only" and len(arguments) > 1 else ""
     if len(arguments) != 1:
         print(__doc__, file=sys.stderr)
         return 2
     ehd = str(pathlib.Path(arguments[0]).resolve())
-    pages = full_pages(ehd) if mode == "--full" else quick_pages(ehd)
+    makers = full_pages(ehd) if mode == "--full" else quick_pages(ehd)
+    pages = {name: make() for name, make in makers.items() if only in name}
     if mode == "--check":
         return 0 if check(pages) else 1
     for name, text in pages.items():

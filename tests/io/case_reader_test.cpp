@@ -233,7 +233,7 @@ BOOST_AUTO_TEST_CASE(a_wrong_heading_is_refused) {
       {2, "version = 9223372036854775807", 2, "is out of range"},
       {2, "version = 99999999999999999999", 2, "64 bits"},
       {3, "title = \"two\\nlines\"", 3, "is not one line"},
-      {3, "titel = \"x\"", 3, "titel = \"x\": is unknown; allowed is"},
+      {3, "titel = \"x\"", 3, "titel = \"x\": is unknown; did you mean title? allowed is"},
       {4, "source = true", 4, "is a boolean"},
   };
   check_refused(contact_lines, rows);

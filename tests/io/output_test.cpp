@@ -98,6 +98,29 @@ BOOST_AUTO_TEST_CASE(G_is_absent_where_alpha_is_unknown) {
   BOOST_TEST(to_json(run)["groups"]["G"] == 4600);
 }
 
+BOOST_AUTO_TEST_CASE(a_table_shows_SI_first_where_it_is_known) {
+  ContactRun run = made_run();
+  const std::string in_SI = human_table(run, "title", false);
+  BOOST_TEST(in_SI.find("0.29657(6) um") != std::string::npos, in_SI);  // 0.0741427 x (2e-4 m)^2/(1e-2 m)
+  BOOST_TEST(in_SI.find("p_H [MPa]     800\n") != std::string::npos, in_SI);
+  BOOST_TEST(in_SI.find(" SI ") < in_SI.find(" Hertz "));
+  run.scales.reset();
+  const std::string in_groups = human_table(run, "title", false);
+  BOOST_TEST(in_groups.find(" SI ") == std::string::npos);
+  BOOST_TEST(in_groups.find(" um") == std::string::npos);
+  BOOST_TEST(in_groups.find("0.07414(2)") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(the_oil_by_its_grade_stands_in_the_json) {
+  ContactRun run = made_run();
+  BOOST_TEST(!to_json(run).contains("lubricant"));
+  run.oil = GradedOil{.iso_vg = 46, .temperature_C = 71.5, .viscosity_Pa_s = 0.013};
+  BOOST_TEST(to_json(run)["lubricant"]["iso_vg"] == 46);
+  BOOST_TEST(to_json(run)["lubricant"]["temperature_C"] == 71.5);
+  BOOST_TEST(to_json(run)["lubricant"]["viscosity_Pa_s"] == 0.013);
+  BOOST_TEST(!to_json(run)["lubricant"].contains("estimated_alpha_per_Pa"));
+}
+
 BOOST_AUTO_TEST_CASE(a_cost_tells_of_a_grid_only_where_one_was_accepted) {
   ContactRun run = made_run();
   run.solution.record.cost.convolutions = 7;

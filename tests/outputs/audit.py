@@ -20,7 +20,7 @@ sys.dont_write_bytecode = True  # the tree stays clean
 from judge import changes_of, numbers_in, objects  # noqa: E402
 from program import Program, read_case  # noqa: E402
 
-MODULES = ("contact", "bearing", "compare", "statements", "sweep", "verify", "figures", "bench")
+MODULES = ("contact", "oil", "convert", "bearing", "compare", "statements", "sweep", "verify", "figures", "bench")
 
 
 class Exemptions:

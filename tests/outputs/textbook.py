@@ -63,3 +63,33 @@ def deflection(X, P, at):
 
 def trapezoid(x, y):
     return sum((b - a) * (c + d) / 2 for a, b, c, d in zip(x, x[1:], y, y[1:], strict=False))
+
+
+def walther(cold, hot, T):
+    """Kinematic viscosity [mm2/s] at T degrees C by those at 40 and 100 (ASTM D341), found by bisection."""
+    def Z(v):
+        return v + 0.7 + math.exp(-1.47 - 1.84 * v - 0.51 * v * v)
+    def y(v):
+        return math.log10(math.log10(Z(v)))
+    x, x1, x2 = (math.log10(t + 273.15) for t in (T, 40, 100))
+    wanted = 10 ** 10 ** (y(cold) + (y(hot) - y(cold)) * (x - x1) / (x2 - x1))
+    low, high = 0.2, 1e8
+    for _ in range(200):
+        middle = (low + high) / 2
+        low, high = (middle, high) if Z(middle) < wanted else (low, middle)
+    return high
+
+
+# ASTM D2270: ranges of the viscosity at 100 degrees C with the coefficients of L and H. Those that the audit meets.
+D2270 = [(2.0, 3.8, (1.14673, 1.7576, -0.109), (0.84155, 1.5521, -0.077)),
+         (7.7, 9.0, (0.41858, 16.1558, -56.04), (0.05794, 10.5156, -28.24))]
+
+
+def viscosity_index(cold, hot):
+    L, H = next(((L, H) for low, high, L, H in D2270 if low <= hot < high), (None, None))
+    if L is None:
+        raise ValueError(f"no coefficients for {hot} mm2/s")
+    L, H = ((a * hot + b) * hot + c for a, b, c in (L, H))
+    if cold >= H:
+        return 100 * (L - cold) / (L - H)
+    return 100 + (10 ** (math.log10(H / cold) / math.log10(hot)) - 1) / 0.00715

@@ -254,15 +254,18 @@ class Rounds {
 
 }  // namespace
 
+void require_lubricated(const Case& one) {
+  const auto* contact = std::get_if<ContactCase>(&one.body);
+  if (!contact) throw case_error(one, "bearing", "is no contact; allowed are contact cases");
+  if (contact->dry())
+    throw case_error(one, "conditions", "is a dry contact, which no solver solves; allowed are lubricated contacts");
+}
+
 std::vector<Case> contacts_named(const std::vector<std::string>& names) {
   std::vector<Case> cases;
   for (const auto& name : names) {
     cases.push_back(read_case(find_case(name)));
-    const Case& one = cases.back();
-    const auto* contact = std::get_if<ContactCase>(&one.body);
-    if (!contact) throw case_error(one, "bearing", "is no contact; allowed are contact cases");
-    if (contact->dry())
-      throw case_error(one, "conditions", "is a dry contact, which no solver solves; allowed are lubricated contacts");
+    require_lubricated(cases.back());
   }
   return cases;
 }

@@ -43,6 +43,8 @@ struct WorkPrecisionResult {
 
 /// Reads cases by id or file; throws CaseError for one that cannot be read or is no lubricated contact.
 [[nodiscard]] std::vector<Case> contacts_named(const std::vector<std::string>& names);
+/// Throws CaseError for a bearing and for a dry contact.
+void require_lubricated(const Case& one);
 
 /// One thread. The rows of a case take turns, so that a slower machine slows all of them.
 [[nodiscard]] WorkPrecisionResult run_work_precision(const WorkPrecisionRequest& request);

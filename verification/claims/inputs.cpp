@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "contact/nondimensional.hpp"
+#include "contact/scalings.hpp"
 #include "verification/claims/shared.hpp"
 #include "verification/claims/topics.hpp"
 
@@ -34,6 +35,33 @@ double apart(const Problem& a, const Problem& b) {
   return worse(apart(a.groups.M, b.groups.M), apart(a.groups.L, b.groups.L), apart(a.groups.lambda, b.groups.lambda),
                apart(a.groups.alpha_p_H, b.groups.alpha_p_H), apart(one.alpha, two.alpha), apart(one.p0, two.p0),
                apart(one.z, two.z));
+}
+
+/// The conversion of numbers from SI to groups and back, beside the groups of the problem.
+Claim scalings_claim(const Groups& groups) {
+  const std::vector<GivenNumber> in_SI{{"load_N_per_m", steel().load_N_per_m},
+                                       {"reduced_radius_m", steel().reduced_radius_m},
+                                       {"reduced_modulus_Pa", steel().reduced_modulus_Pa},
+                                       {"speed_sum_m_per_s", *steel().speed_sum_m_per_s},
+                                       {"viscosity_Pa_s", *steel().viscosity_Pa_s},
+                                       {"alpha_per_Pa", *mineral_oil().alpha_per_Pa}};
+  const auto value = [](const std::vector<GivenNumber>& given, std::string_view name) {
+    const auto values = in_all_scalings(given);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (scaled_numbers()[i].name == name) return values[i].value_or(nothing);
+    return nothing;
+  };
+  std::vector<GivenNumber> back{{"M", groups.M}, {"L", groups.L}};
+  for (const std::size_t i : {1U, 2U, 4U, 5U}) back.push_back(in_SI[i]);
+  const DowsonGroups dowson{.W = value(in_SI, "W"), .U_mean = value(in_SI, "U_mean"), .G = value(in_SI, "G")};
+  return claim({.id = "inputs/scalings",
+                .rung = 0,
+                .statement = "a contact converted from SI has the problem's groups, and converted back its load"},
+               worse(apart(value(in_SI, "M"), groups.M), apart(value(in_SI, "L"), groups.L),
+                     apart(value(in_SI, "lambda"), groups.lambda), apart(value(in_SI, "alpha_p_H"), groups.alpha_p_H),
+                     apart(moes_from(dowson).M, groups.M), apart(moes_from(dowson).L, groups.L),
+                     apart(value(back, "load_N_per_m"), steel().load_N_per_m)),
+               0, Tolerance::round_off(64, 30));  // through logarithms, whose size is up to 30
 }
 
 Findings judge_inputs() {
@@ -79,6 +107,8 @@ Findings judge_inputs() {
              .rung = 0,
              .statement = "Dowson's groups with the mean speed and Moes' with the sum are one contact"},
             worse(apart(from_mean.M, moes.M), apart(from_mean.L, moes.L)), 0, rounding()));
+
+  found.claims.push_back(scalings_claim(in_SI.groups));
   return found;
 }
 

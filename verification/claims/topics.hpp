@@ -30,6 +30,7 @@ struct LoadedCase {
 };
 
 [[nodiscard]] std::vector<Topic> input_topics();
+[[nodiscard]] std::vector<Topic> oil_grade_topics();
 [[nodiscard]] std::vector<Topic> law_topics();
 [[nodiscard]] std::vector<Topic> property_topics();
 [[nodiscard]] std::vector<Topic> kernel_topics();

@@ -131,7 +131,7 @@ std::vector<BudgetRow> budget_of(const Case& bearing_case, const std::vector<Bea
 
   // 1. The fit: the difference from the full relation.
   const BearingResult* const full = balance_by(bearing::Law::ehd, results);
-  if (law == bearing::Law::ehd_linear && full) add(difference(*result, *full), "fit", "ehd-linear against ehd");
+  if (law == bearing::Law::ehd_linear && full) add(difference(*result, *full), fit_source, "ehd-linear against ehd");
 
   const auto thinnest = thinnest_film(*result);
   const Linearised linear(*result, laws->inner, laws->outer);
@@ -186,7 +186,7 @@ std::vector<BudgetRow> budget_of(const Case& bearing_case, const std::vector<Bea
     std::get<BearingCase>(other.body).datum = datum;
     const auto again =
         run_bearing(other, {.laws = {law}, .explicitly = true, .films = true, .form = result->form}, memory);
-    if (const BearingResult* const moved = balance_by(law, again)) add(difference(*moved, *result), "datum", name);
+    if (const BearingResult* const moved = balance_by(law, again)) add(difference(*moved, *result), datum_source, name);
   }
   return rows;
 }

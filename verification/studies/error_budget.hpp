@@ -17,6 +17,10 @@
 
 namespace ehd::verification {
 
+/// The source of the row that compares ehd-linear with ehd, and of those that say what another datum changes: a choice
+/// of the case, not an error of the numerics.
+inline constexpr const char *fit_source = "fit", *datum_source = "datum";
+
 struct BudgetRow {
   std::string source;                        ///< "fit", "interpolation", "rigid limit", "contact solver", "datum"
   std::string of;                            ///< what was compared, or bounded, in words

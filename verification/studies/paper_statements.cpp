@@ -256,7 +256,8 @@ bool differ_only_in_clearance(const std::vector<Case>& cases) {
   const auto same = [](const BearingCase& one, const BearingCase& other) {
     const auto lubricant = [](const BearingCase& body) {
       const BearingLubricant empty{};
-      const auto& [oil, viscosity_Pa_s] = body.lubricant ? *body.lubricant : empty;
+      // The grade adds nothing: it is in the viscosity and alpha.
+      const auto& [oil, viscosity_Pa_s, grade] = body.lubricant ? *body.lubricant : empty;
       const auto& [viscosity, density, alpha, z, p0_Pa] = oil;
       return std::tuple(body.lubricant.has_value(), viscosity_Pa_s, viscosity, density, alpha, z, p0_Pa);
     };

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/case_choice.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <variant>
+
+#include "cli/usage.hpp"
+#include "io/find_case.hpp"
+#include "io/substitution.hpp"
+#include "workflow/case.hpp"
+
+namespace ehd::cli {
+
+namespace {
+
+/// Throws UsageError for a text without '=', and for a key that is there twice.
+std::vector<Substitution> substitutions_of(const std::vector<std::string>& settings) {
+  std::vector<Substitution> made;
+  for (const std::string& setting : settings) {
+    const auto equals = setting.find('=');
+    if (equals == std::string::npos)
+      throw option_error("--set", setting, "has no value; allowed is KEY=VALUE, like bearing.clearance_m=5e-6");
+    const std::string key = setting.substr(0, equals);
+    if (std::any_of(made.begin(), made.end(), [&](const Substitution& other) { return other.key == key; }))
+      throw option_error("--set", setting, "sets " + key + " again; allowed is each key once");
+    made.push_back({.key = key, .value = toml_value(setting.substr(equals + 1))});
+  }
+  return made;
+}
+
+}  // namespace
+
+void CaseChanges::add_to(Command& command) {
+  command.list("--set", settings, "another value for one key of the case (repeatable): bearing.clearance_m=5e-6")
+      .called("KEY=VALUE");
+}
+
+Case CaseChanges::read(const std::string& name) const {
+  const std::vector<Substitution> substitutions = substitutions_of(settings);
+  Case one = read_named_case(name, substitutions);
+  for (const Substitution& substitution : substitutions)
+    one.title += fmt::format(", {} = {}", substitution.key, toml_text(substitution.value));
+  return one;
+}
+
+void CaseChanges::put_into(Json& object) const {
+  for (const Substitution& substitution : substitutions_of(settings))
+    std::visit([&](const auto& value) { object["set"][substitution.key] = value; }, substitution.value);
+}
+
+}  // namespace ehd::cli

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/scalings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "contact/nondimensional.hpp"
+#include "contact/text.hpp"
+
+namespace ehd {
+
+namespace {
+
+using std::numbers::pi;
+
+// Roots are not constexpr in C++20.
+constexpr double root_of_2_pi = 2.5066282746310002;
+constexpr double root_of_8_over_pi = 1.5957691216057308;
+
+//                                 w     E'     R    eta_0   u_s  alpha
+constexpr Exponents power_of_M{1, -0.5, -0.5, -0.5, -0.5, 0};
+constexpr Exponents power_of_L{0, 0.75, -0.25, 0.25, 0.25, 1};
+
+constexpr std::array table{
+    ScaledNumber{.name = "M", .unit = "", .meaning = "Moes' load group, sum speed", .exponents = power_of_M},
+    ScaledNumber{.name = "L", .unit = "", .meaning = "Moes' lubricant group, sum speed", .exponents = power_of_L},
+    ScaledNumber{.name = "lambda",
+                 .unit = "",
+                 .meaning = "Hertz scaling (Kostreva): 6 eta_0 u_s R^2/(b^3 p_H)",
+                 .constant = 3 * pi * pi / 8,
+                 .exponents = {-2, 1, 1, 1, 1, 0}},
+    ScaledNumber{.name = "alpha_p_H",
+                 .unit = "",
+                 .meaning = "Hertz scaling (Kostreva): alpha times p_H",
+                 .constant = 1 / root_of_2_pi,
+                 .exponents = {0.5, 0.5, -0.5, 0, 0, 1}},
+    ScaledNumber{.name = "W", .unit = "", .meaning = "Dowson and Hamrock: w/(E'R)", .exponents = {1, -1, -1, 0, 0, 0}},
+    ScaledNumber{.name = "U_mean",
+                 .unit = "",
+                 .meaning = "Dowson and Hamrock: eta_0 u_s/(2E'R), mean speed",
+                 .constant = 0.5,
+                 .exponents = {0, -1, -1, 1, 1, 0}},
+    ScaledNumber{.name = "G", .unit = "", .meaning = "Dowson and Hamrock: alpha E'", .exponents = {0, 1, 0, 0, 0, 1}},
+    ScaledNumber{.name = "load_N_per_m", .unit = "N/m", .meaning = "w", .exponents = {1, 0, 0, 0, 0, 0}},
+    ScaledNumber{.name = "reduced_modulus_Pa", .unit = "Pa", .meaning = "E'", .exponents = {0, 1, 0, 0, 0, 0}},
+    ScaledNumber{.name = "reduced_radius_m", .unit = "m", .meaning = "R", .exponents = {0, 0, 1, 0, 0, 0}},
+    ScaledNumber{.name = "viscosity_Pa_s", .unit = "Pa s", .meaning = "eta_0", .exponents = {0, 0, 0, 1, 0, 0}},
+    ScaledNumber{
+        .name = "speed_sum_m_per_s", .unit = "m/s", .meaning = "u_s = u_1 + u_2", .exponents = {0, 0, 0, 0, 1, 0}},
+    ScaledNumber{.name = "alpha_per_Pa", .unit = "1/Pa", .meaning = "alpha", .exponents = {0, 0, 0, 0, 0, 1}},
+    ScaledNumber{.name = "viscosity_times_speed_N_per_m",
+                 .unit = "N/m",
+                 .meaning = "eta_0 u_s, which groups give where neither is stated",
+                 .exponents = {0, 0, 0, 1, 1, 0}},
+    ScaledNumber{.name = "hertz_pressure_Pa",
+                 .unit = "Pa",
+                 .meaning = "p_H",
+                 .constant = 1 / root_of_2_pi,
+                 .exponents = {0.5, 0.5, -0.5, 0, 0, 0}},
+    ScaledNumber{.name = "half_width_m",
+                 .unit = "m",
+                 .meaning = "b",
+                 .constant = root_of_8_over_pi,
+                 .exponents = {0.5, -0.5, 0.5, 0, 0, 0}},
+    ScaledNumber{.name = "film_moes_per_hertz",
+                 .unit = "",
+                 .meaning = "a film in Moes units over the same in Hertz units: 8M/pi",
+                 .constant = 8 / pi,
+                 .exponents = power_of_M},
+    ScaledNumber{.name = "film_m_per_hertz",
+                 .unit = "m",
+                 .meaning = "a film in metres over the same in Hertz units: b^2/R",
+                 .constant = 8 / pi,
+                 .exponents = {1, -1, 0, 0, 0, 0}},
+};
+
+/// Exponents are multiples of 1/4: what elimination leaves of a zero is far smaller.
+constexpr double negligible = 1e-9;
+
+/// exponents . logarithms of the six base quantities = value.
+struct Equation {
+  Exponents exponents;
+  double value = 0;
+  [[nodiscard]] std::size_t leading() const {  // the place of the first exponent; 6 where all are zero
+    const auto* const at =
+        std::find_if(exponents.begin(), exponents.end(), [](double e) { return std::abs(e) > negligible; });
+    return static_cast<std::size_t>(at - exponents.begin());
+  }
+  void subtract(const Equation& other, double times) {
+    for (std::size_t i = 0; i < exponents.size(); ++i) exponents[i] -= times * other.exponents[i];
+    value -= times * other.value;
+  }
+};
+
+/// The given numbers as independent equations, each with another leading place.
+class KnownEquations {
+ public:
+  /// The equation with all that is known taken out; its exponents are zero where it says nothing new.
+  [[nodiscard]] Equation reduced(Equation equation) const {
+    for (const Equation& known : known_) {
+      const std::size_t at = known.leading();
+      equation.subtract(known, equation.exponents[at] / known.exponents[at]);
+    }
+    return equation;
+  }
+  /// False where it says nothing new.
+  bool add(const Equation& equation) {
+    const Equation rest = reduced(equation);
+    if (rest.leading() == rest.exponents.size()) return false;
+    // Earlier ones lose the new leading place, so that one pass reduces any equation.
+    const std::size_t at = rest.leading();
+    for (Equation& known : known_) known.subtract(rest, known.exponents[at] / rest.exponents[at]);
+    known_.push_back(rest);
+    return true;
+  }
+
+ private:
+  std::vector<Equation> known_;
+};
+
+std::string names() {
+  std::string all;
+  for (const ScaledNumber& row : table) all += (all.empty() ? "" : ", ") + std::string(row.name);
+  return all;
+}
+
+std::optional<double> value_by(const KnownEquations& known, const ScaledNumber& row) {
+  const Equation rest = known.reduced({.exponents = row.exponents, .value = 0});
+  if (rest.leading() != rest.exponents.size()) return std::nullopt;
+  return row.constant * std::exp(-rest.value);
+}
+
+}  // namespace
+
+std::span<const ScaledNumber> scaled_numbers() { return table; }
+
+std::vector<std::optional<double>> in_all_scalings(const std::vector<GivenNumber>& given) {
+  KnownEquations known;
+  for (const GivenNumber& one : given) {
+    const auto* const row =
+        std::find_if(table.begin(), table.end(), [&](const ScaledNumber& each) { return each.name == one.name; });
+    if (row == table.end()) throw StatementError(one.name, "is unknown; allowed is " + names());
+    if (!(one.value > 0 && std::isfinite(one.value)))
+      throw StatementError(one.name, "is not positive; allowed is a number above 0");
+    if (!known.add({.exponents = row->exponents, .value = std::log(one.value / row->constant)}))
+      throw StatementError(one.name, "follows from the numbers before it as " + plain(*value_by(known, *row)) +
+                                         "; allowed are numbers that do not follow from each other");
+  }
+  std::vector<std::optional<double>> values;
+  for (const ScaledNumber& row : table) values.push_back(value_by(known, row));
+  return values;
+}
+
+}  // namespace ehd

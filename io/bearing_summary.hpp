@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The load distribution of a bearing in the numbers that an engineer asks for first, a column a law.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "workflow/bearing_result.hpp"
+#include "workflow/case.hpp"
+
+namespace ehd {
+
+/// What the numerics leave open in the balance of one law: fit, interpolation and contact solves, not the datum.
+struct BearingErrors {
+  double displacement_m = 0;
+  double largest_force_N = 0;
+  std::optional<double> smallest_film = {};  ///< relative
+};
+using ErrorsOfLaws = std::map<bearing::Law, BearingErrors>;
+
+/// Where the ring has moved by more than half the clearance: from one azimuth to the other [deg], with
+/// cos(half the zone) = P_d/(2 delta_r). Absent where it has not; the whole circle where preload holds every roller.
+[[nodiscard]] std::optional<std::pair<double, double>> geometric_load_zone_deg(const BearingResult& result,
+                                                                               double clearance_m);
+
+/// Displacement, largest load and its pressure, load zone, thinnest film, stiffness. Brackets are the errors in units
+/// of the last digit; a law without an entry in `errors` has none.
+[[nodiscard]] std::string summary_table(const BearingCase& body, const std::vector<BearingResult>& results,
+                                        const ErrorsOfLaws& errors);
+
+}  // namespace ehd

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Unknown and missing keys of a case, all at once.
+#pragma once
+
+namespace ehd {
+
+class CaseTree;
+struct CaseTable;
+
+/// `statement`: the table that states the problem; null where that is not clear. Throws one CaseError with a line for
+/// each unknown key and for each missing one, as far as keys alone tell what a case needs; what its values ask for, the
+/// readers find. A missing key is left out where an unknown one was probably meant to be it.
+void refuse_unknown_and_missing(const CaseTree& tree, const CaseTable* statement);
+
+/// The unknown keys alone, for a tree that is not a whole case. Throws CaseError.
+void refuse_unknown(const CaseTree& tree);
+
+}  // namespace ehd

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A commented case to start from, and the keys of a case as tables in Markdown: both made from io/case_keys.
+#pragma once
+
+#include <string>
+
+namespace ehd {
+
+enum class CaseKind { contact, bearing };
+
+/// A case that the reader takes as it stands: every key of that kind of case with its meaning, unit and default.
+/// Optional keys, and other ways to state the problem, are comments.
+[[nodiscard]] std::string case_template(CaseKind kind, const std::string& id);
+
+/// A table in Markdown for each table of a case. docs/case-format.md has them.
+[[nodiscard]] std::string case_key_tables();
+
+}  // namespace ehd

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The [lubricant] of a contact or a bearing: laws and coefficients, and the oil by its grade.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "workflow/case.hpp"
+
+namespace ehd {
+
+class CaseTree;
+
+struct OilOfCase {
+  Lubricant lubricant;  ///< with the estimated alpha, where there is one
+  std::optional<GradedOil> grade = {};
+};
+
+/// [lubricant] without the viscosity eta_0 that a bearing may state there. Where the oil is stated by its grade and a
+/// law needs an alpha that the case leaves out, alpha is estimated. Throws CaseError.
+[[nodiscard]] OilOfCase read_oil(const CaseTree& tree);
+
+/// Whether the case states its oil by grade: then eta_0 follows, and no key may state it again.
+[[nodiscard]] bool states_grade(const CaseTree& tree);
+/// Refuses the key that states eta_0 where the oil's grade sets it as well. Throws CaseError.
+void refuse_beside_grade(const CaseTree& tree, const std::string& viscosity_key);
+/// Refuses the grade where the case has no eta_0 that it could set: a contact stated by groups. Throws CaseError.
+void refuse_grade_beside(const CaseTree& tree, const std::string& statement);
+
+}  // namespace ehd

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Stating a case: --set, standard input, ehd new, ehd convert.
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tests/check.hpp"
+#include "tests/files.hpp"
+#include "tests/process.hpp"
+
+using namespace ehd;
+using namespace ehd::verification;
+using nlohmann::json;
+
+BOOST_AUTO_TEST_SUITE(case_cli)
+
+BOOST_AUTO_TEST_CASE(set_gives_one_key_another_value_and_the_result_says_so) {
+  const test::Folder folder;
+  const auto ended =
+      test::ehd_run(folder, "solve own-moes-5-5 --set moes.M=6 --set domain.inlet=flooded --tolerance 1e-2 --json -");
+  BOOST_REQUIRE(ended.exit_code == 0);
+  const json result = json::parse(ended.out);
+  BOOST_TEST(result["groups"]["M"] == 6);
+  BOOST_TEST(result["set"]["moes.M"] == 6);
+  BOOST_TEST(result["set"]["domain.inlet"] == "flooded");
+  const auto stated = test::ehd_run(folder, "solve own-moes-5-5 --tolerance 1e-2 --json -");
+  BOOST_TEST(!json::parse(stated.out).contains("set"));
+}
+
+BOOST_AUTO_TEST_CASE(every_command_that_reads_a_case_takes_set) {
+  const test::Folder folder;
+  for (const char* arguments : {"plan own-moes-5-5 --set moes.M=7 --json -",
+                                "bearing iso-6-rollers --law iso --set bearing.clearance_m=5e-6 --json -",
+                                "response own-moes-5-5 --set moes.M=6 --tolerance 1e-4 --json -",
+                                "compare own-moes-5-5 --set moes.M=6 --solver fast --tolerance 1e-2 --json -"}) {
+    const auto ended = test::ehd_run(folder, arguments);
+    BOOST_CHECK_MESSAGE(ended.exit_code == 0, arguments << ": " << ended.err);
+    const json result = json::parse(ended.out, nullptr, false);
+    const json& first = result.is_array() ? result[0] : result;
+    BOOST_CHECK_MESSAGE(first.contains("set"), arguments);
+  }
+  const auto films = test::ehd_run(
+      folder, "export films own-moes-5-5 --set lubricant.viscosity=isoviscous --M 5:6 --L 5:6 --tolerance 1e-2");
+  BOOST_TEST(films.exit_code == 2);  // what is set is what is read
+}
+
+BOOST_AUTO_TEST_CASE(what_cannot_be_set_is_refused_with_the_nearest_key) {
+  const test::Folder folder;
+  const std::vector<std::pair<std::string, std::string>> rows{
+      {"bearing na4908 --set bearing.clearence_m=5e-6", "did you mean clearance_m?"},
+      {"bearing na4908 --set clearance_m=5e-6", "did you mean bearing.clearance_m?"},
+      {"bearing na4908 --set bearing.clearance_m", "has no value; allowed is KEY=VALUE"},
+      {"bearing na4908 --set bearing.rollers=3.5", "is a number; allowed is an integer"},
+      {"solve own-moes-5-5 --set moes.M=-1", "M = -1: is negative"},
+      {"solve own-moes-5-5 --set moes.M=1 --set moes.M=2", "allowed is each key once"},
+      {"solve --M 5 --L 5 --set moes.M=1", "required is a CASE"},
+  };
+  for (const auto& [arguments, phrase] : rows) test::check_refused(folder, arguments, phrase);
+}
+
+BOOST_AUTO_TEST_CASE(a_case_is_read_from_standard_input) {
+  const test::Folder folder;
+  const auto ended = test::ehd_run(folder, "new contact | '" EHD_PROGRAM "' solve - --tolerance 1e-2 --json -");
+  BOOST_REQUIRE_MESSAGE(ended.exit_code == 0, ended.err);
+  const json result = json::parse(ended.out);
+  BOOST_TEST(result["case"] == "my-contact");
+  BOOST_TEST(result["lubricant"]["iso_vg"] == 68);
+  BOOST_TEST(result["lubricant"]["viscosity_Pa_s"].get<double>() > 0);
+  test::check_refused(folder, "solve - < /dev/null", "standard input: is empty");
+}
+
+BOOST_AUTO_TEST_CASE(a_new_bearing_is_balanced_as_it_stands_and_never_overwritten) {
+  const test::Folder folder;
+  const auto file = folder.path() / "mine.toml";
+  BOOST_TEST(test::ehd_run(folder, "new bearing " + file.string()).exit_code == 0);
+  const std::string text = test::read(file);
+  BOOST_TEST(text.find("id = \"mine\"") != std::string::npos);
+  test::check_refused(folder, "new contact " + file.string(), "exists, and is never overwritten");
+  BOOST_TEST(test::read(file) == text);
+  const auto balanced = test::ehd_run(folder, "bearing " + file.string() + " --law hertz");
+  BOOST_TEST(balanced.exit_code == 0);
+  test::check_refused(folder, "new ring", "is unknown; allowed is contact, bearing, keys");
+  test::check_refused(folder, "new bearing " + (folder.path() / "mine.txt").string(), "allowed is NAME.toml");
+}
+
+BOOST_AUTO_TEST_CASE(a_bearing_shows_its_summary_first_and_costs_only_with_details) {
+  const test::Folder folder;
+  const auto brief = test::ehd_run(folder, "bearing iso-6-rollers --law iso");
+  BOOST_TEST(brief.out.find("largest roller load [N]") < brief.out.find("Q_i"));
+  BOOST_TEST(brief.out.find("balance error") == std::string::npos);
+  const auto details = test::ehd_run(folder, "bearing iso-6-rollers --law iso --details");
+  BOOST_TEST(details.out.find("balance error") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(a_fitted_line_has_an_error_only_beside_the_law_that_it_is_fitted_to) {
+  const test::Folder folder;
+  const std::string bearing = std::string("bearing ") + EHD_SOURCE_DIR + "/examples/my-bearing.toml --law ehd-linear";
+  const auto line_of = [&](const std::string& arguments) {
+    const std::string out = test::ehd_run(folder, arguments).out;
+    const auto at = out.find("largest roller load");
+    return out.substr(at, out.find('\n', at) - at);
+  };
+  BOOST_TEST(line_of(bearing).find('(') == std::string::npos, line_of(bearing));
+  BOOST_TEST(line_of(bearing + " --law ehd").find('(') != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(every_fault_of_the_keys_is_a_line_of_its_own) {
+  const test::Folder folder;
+  const auto file = folder.write("mine.toml", "[moes]\nM = 5\nLL = 5\n");
+  const auto ended = test::ehd_run(folder, "solve " + file.string());
+  BOOST_TEST(ended.exit_code == 2);
+  BOOST_TEST(ended.error_lines() == 8);  // LL; id, version, title, source; L; [lubricant], [domain]
+  BOOST_TEST(ended.out == "");
+}
+
+BOOST_AUTO_TEST_CASE(near_misses_of_options_commands_and_cases_are_named) {
+  const test::Folder folder;
+  test::check_refused(folder, "solve own-moes-5-5 --tolerence 1e-3", "--tolerence: unknown; did you mean --tolerance?");
+  test::check_refused(folder, "bear na4908", "did you mean bearing?");
+  test::check_refused(folder, "solve own-moes-5-6", "did you mean own-moes-5-5?");
+}
+
+BOOST_AUTO_TEST_CASE(a_contact_is_converted_there_and_back) {
+  const test::Folder folder;
+  const auto there = test::ehd_run(folder, "convert M=20 L=10 --json -");
+  BOOST_REQUIRE(there.exit_code == 0);
+  const json groups = json::parse(there.out);
+  BOOST_TEST(!groups.contains("W"));
+  const auto back = test::ehd_run(
+      folder, "convert lambda=" + groups["lambda"].dump() + " alpha_p_H=" + groups["alpha_p_H"].dump() + " --json -");
+  EHD_CHECK(error(json::parse(back.out)["L"].get<double>(), 10), verification::Tolerance::round_off(64, 30));
+  const auto table = test::ehd_run(folder, "convert M=20 L=10");
+  BOOST_TEST(table.out.find("not fixed by these numbers: W, U_mean") != std::string::npos);
+  test::check_refused(folder, "convert M=20 lambda=1", "follows from the numbers before it");
+  test::check_refused(folder, "convert U=1e-11", "did you mean U_mean?");
+  test::check_refused(folder, "convert M", "has no value");
+  test::check_refused(folder, "convert M=x", "is not a number");
+}
+
+BOOST_AUTO_TEST_SUITE_END()

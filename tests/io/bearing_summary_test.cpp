@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/bearing_summary.hpp"
+
+#include <string>
+
+#include "io/bearing_table.hpp"
+#include "tests/check.hpp"
+#include "tests/made_bearing.hpp"
+
+using namespace ehd;
+using namespace ehd::verification;
+
+namespace {
+
+/// Four rollers: one loaded most, two less, one that the film alone touches.
+BearingResult made_result() {
+  BearingResult result;
+  result.law = bearing::Law::ehd;
+  result.status = StopReason::converged;
+  result.displacement_m = 10e-6;
+  result.stiffness_N_per_m[0][0] = 5.0012e8;
+  const auto contact = [](double force_N, double film_m) {
+    return ContactRow{.force_N = force_N,
+                      .displacement_m = 1e-6,
+                      .film_minimum_m = film_m,
+                      .hertz_pressure_Pa = 4e7 * std::sqrt(force_N),
+                      .lambda_ratio = film_m / 1e-7};
+  };
+  result.rollers = {{0, contact(900, 0.31e-6), contact(903, 0.30e-6)},
+                    {90, contact(400, 0.35e-6), contact(403, 0.34e-6)},
+                    {180, contact(5, 50e-6), contact(8, 0.2e-6)},
+                    {-90, contact(400, 0.35e-6), contact(403, 0.34e-6)}};
+  return result;
+}
+
+const ErrorsOfLaws some_errors{
+    {bearing::Law::ehd, {.displacement_m = 2e-8, .largest_force_N = 3, .smallest_film = 1e-3}}};
+
+bool says(const std::string& text, const std::string& phrase) { return text.find(phrase) != std::string::npos; }
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(bearing_summary)
+
+BOOST_AUTO_TEST_CASE(the_summary_has_the_numbers_of_the_loaded_rollers_with_their_errors) {
+  const Case one = made::needle_bearing(10e-6);
+  const std::string text = summary_table(std::get<BearingCase>(one.body), {made_result()}, some_errors);
+  for (const char* phrase : {"10.00(2)", "900(3)", "1202(3)", "-60.0 to 60.0", "3 of 4", "0.3000(3)", "500.1"})
+    BOOST_CHECK_MESSAGE(says(text, phrase), phrase << " is not in\n" << text);
+  BOOST_TEST(!says(text, "0.2"));  // the film of the unloaded roller
+}
+
+BOOST_AUTO_TEST_CASE(a_law_without_errors_has_no_brackets_and_an_empty_row_is_left_out) {
+  BearingResult dry = made_result();
+  dry.law = bearing::Law::hertz;
+  for (RollerRow& roller : dry.rollers)
+    for (ContactRow* at : {&roller.inner, &roller.outer}) at->film_minimum_m = at->lambda_ratio = std::nullopt;
+  const Case one = made::needle_bearing(10e-6);
+  const std::string text = summary_table(std::get<BearingCase>(one.body), {dry}, {});
+  BOOST_TEST(!says(text, "("));
+  BOOST_TEST(!says(text, "film"));
+  BOOST_TEST(!says(text, "lambda"));
+  dry.rollers.clear();
+  BOOST_TEST(summary_table(std::get<BearingCase>(one.body), {dry}, {}) == "");
+}
+
+BOOST_AUTO_TEST_CASE(the_load_zone_follows_from_clearance_and_displacement) {
+  BearingResult result = made_result();
+  EHD_CHECK(error(geometric_load_zone_deg(result, 10e-6)->second, 60), Tolerance::round_off(64));
+  EHD_CHECK(error(geometric_load_zone_deg(result, 0)->second, 90), Tolerance::round_off(64));
+  EHD_CHECK(error(geometric_load_zone_deg(result, -1e-3)->second, 180), Tolerance::round_off(64));
+  BOOST_TEST(!geometric_load_zone_deg(result, 21e-6).has_value());
+  result.displacement_lateral_m = 10e-6;  // the ring moves towards 45 degrees
+  const auto zone = geometric_load_zone_deg(result, 0).value();
+  EHD_CHECK(error(zone.first, -45), Tolerance::round_off(64));
+  EHD_CHECK(error(zone.second, 135), Tolerance::round_off(64));
+}
+
+BOOST_AUTO_TEST_CASE(details_and_the_film_of_unloaded_rollers_are_not_in_the_first_table) {
+  BearingResult result = made_result();
+  result.variants = {{.name = "cut at delta = 0", .rollers = result.rollers}};
+  result.notes = {note::CutVariant{}, note::Oil{.remark = "about the oil"}};
+  const Case one = made::needle_bearing(10e-6);
+  const std::string table = human_table(one, {result}, {.errors = some_errors});
+  BOOST_TEST(says(table, "about the oil"));
+  BOOST_TEST(!says(table, "variant"));
+  BOOST_TEST(!says(table, "contacts solved"));
+  BOOST_TEST(!says(table, "50.000"));
+  const std::string details = human_table(one, {result}, {.details = true});
+  BOOST_TEST(says(details, "contacts solved"));
+  BOOST_TEST(says(details, "loaded rollers 3 as without it, force of roller 1 900 N as without it"));
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Unknown and missing keys are named all at once.
+#include "io/case_faults.hpp"
+
+#include <string>
+#include <vector>
+
+#include "io/case_reader.hpp"
+#include "io/case_tree.hpp"
+#include "io/read_contact.hpp"
+#include "tests/check.hpp"
+#include "workflow/case.hpp"
+
+using namespace ehd;
+
+namespace {
+
+/// All lines of the refusal, without the file's name.
+std::vector<std::string> refusal(const std::string& text) {
+  std::vector<std::string> lines;
+  try {
+    (void)read_case(text, "mine.toml");
+  } catch (const CaseError& wrong) {
+    lines.emplace_back(wrong.what());
+    lines.insert(lines.end(), wrong.more().begin(), wrong.more().end());
+  }
+  for (std::string& line : lines) line.erase(0, std::string("mine.toml:").size());
+  return lines;
+}
+
+void check_lines(const std::string& text, const std::vector<std::string>& beginnings) {
+  const auto lines = refusal(text);
+  BOOST_REQUIRE_EQUAL(lines.size(), beginnings.size());
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    BOOST_CHECK_MESSAGE(lines[i].starts_with(beginnings[i]), "expected " << beginnings[i] << ", got: " << lines[i]);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(case_faults)
+
+BOOST_AUTO_TEST_CASE(every_missing_key_of_a_contact_has_its_line) {
+  check_lines("[conditions]\nload_N_per_m = 1e5\n[lubricant]\nviscosity = \"barus\"\n",
+              {"1: id: is missing; required is", "1: version: is missing", "1: title: is missing",
+               "1: source: is missing", "1: [conditions] reduced_radius_m: is missing",
+               "1: [conditions] reduced_modulus_Pa: is missing", "1: [conditions] speed_sum_m_per_s: is missing",
+               "1: [conditions] viscosity_Pa_s: is missing", "3: [lubricant] density: is missing",
+               "1: [domain]: is missing; required is [lubricant] with [domain], or neither for a dry contact"});
+}
+
+BOOST_AUTO_TEST_CASE(every_missing_key_of_a_bearing_has_its_line_also_in_a_missing_table) {
+  check_lines(
+      "id = \"mine\"\nversion = 1\ntitle = \"t\"\nsource = \"own\"\n[bearing]\nrollers = 9\n"
+      "roller_diameter_m = 0.01\nlength_m = 0.01\nclearance_m = 0\nrotating = \"inner\"\n"
+      "[lubricant]\nviscosity = \"barus\"\ndensity = \"incompressible\"\n",
+      {"5: [bearing] pitch_diameter_m: is missing", "5: [bearing] density_kg_per_m3: is missing",
+       "1: [operation] speed_rpm: is missing", "1: [operation] radial_load_N: is missing",
+       "1: [material] modulus_Pa: is missing", "1: [material] poisson: is missing",
+       "11: [lubricant] viscosity_Pa_s: is missing"});
+}
+
+BOOST_AUTO_TEST_CASE(unknown_keys_come_first_with_the_nearest_key_which_then_does_not_count_as_missing) {
+  check_lines(
+      "id = \"mine\"\nversion = 1\ntitel = \"t\"\nsource = \"own\"\n[moes]\nM = 20\nLL = 10\n"
+      "[lubrikant]\n[domain]\ninlet = -4\nspeed_rpm = 3\nnonsense = 4\n",
+      {"3: titel = \"t\": is unknown; did you mean title? allowed is id, version, title, source",
+       "7: LL = 10: is unknown in [moes]; allowed is M, L",
+       "8: [lubrikant]: is unknown; did you mean [lubricant]? allowed is",
+       "11: speed_rpm = 3: is unknown in [domain]; did you mean speed_rpm in [operation]? allowed is inlet",
+       "12: nonsense = 4: is unknown in [domain]; allowed is inlet", "5: [moes] L: is missing"});
+}
+
+BOOST_AUTO_TEST_CASE(a_reader_of_tables_alone_refuses_unknown_keys_too) {
+  const std::string text = "[lubricant]\nviscosity = \"barus\"\ndensity = \"incompressible\"\nalfa_per_Pa = 2e-8\n";
+  const std::vector<Substitution> stated{{"moes.M", 5.0}, {"moes.L", 5.0}, {"domain.inlet", std::string("flooded")}};
+  const auto read = [&](const std::string& of) { return read_contact(CaseTree(of, "lubricant", stated), "moes"); };
+  BOOST_CHECK_EXCEPTION((void)read(text), CaseError, [](const CaseError& wrong) {
+    return std::string(wrong.what()).find("alfa_per_Pa = 2e-8: is unknown") != std::string::npos;
+  });
+  BOOST_CHECK_NO_THROW((void)read(text.substr(0, text.find("alfa"))));
+}
+
+BOOST_AUTO_TEST_CASE(a_case_without_faults_of_keys_names_the_first_wrong_value) {
+  check_lines(
+      "id = \"mine\"\nversion = 1\ntitle = \"t\"\nsource = \"own\"\n[moes]\nM = -1\nL = -1\n"
+      "[lubricant]\nviscosity = \"barus\"\ndensity = \"incompressible\"\n[domain]\ninlet = -4\n",
+      {"6: M = -1: is negative"});
+}
+
+BOOST_AUTO_TEST_SUITE_END()

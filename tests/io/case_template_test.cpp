@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A new case can be read as it stands, and names every key; docs/case-format.md has the key tables.
+#include "io/case_template.hpp"
+
+#include <fmt/format.h>
+
+#include <string>
+
+#include "io/case_keys.hpp"
+#include "io/case_reader.hpp"
+#include "io/case_text.hpp"
+#include "tests/check.hpp"
+#include "tests/files.hpp"
+#include "workflow/case.hpp"
+
+using namespace ehd;
+using namespace ehd::verification;
+
+namespace {
+
+bool has_line(const std::string& text, const std::string& beginning) {
+  for (const std::string& line : lines_of(text))
+    if (line.starts_with(beginning) || line.starts_with("# " + beginning)) return true;
+  return false;
+}
+
+/// The case with the comment sign removed from the lines of one key.
+std::string with_key(std::string text, const std::string& key) {
+  const auto at = text.find("\n# " + key + " = ");
+  BOOST_REQUIRE_MESSAGE(at != std::string::npos, key);
+  return text.erase(at + 1, 2);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(case_template)
+
+BOOST_AUTO_TEST_CASE(a_new_case_passes_the_reader) {
+  const Case contact = read_case(ehd::case_template(CaseKind::contact, "mine"), "mine.toml");
+  const auto& body = std::get<ContactCase>(contact.body);
+  BOOST_TEST(body.oil.has_value());
+  BOOST_TEST(std::holds_alternative<Conditions>(body.statement));
+  const Case bearing = read_case(ehd::case_template(CaseKind::bearing, "my.bearing-2"), "my.bearing-2.toml");
+  BOOST_TEST(std::get<BearingCase>(bearing.body).lubricant->oil.has_value());
+}
+
+BOOST_AUTO_TEST_CASE(a_new_case_names_every_key_of_its_kind_with_unit_and_meaning) {
+  int keys = 0;
+  for (const CaseKind kind : {CaseKind::contact, CaseKind::bearing}) {
+    const std::string text = ehd::case_template(kind, "mine");
+    for (const CaseTable& table : case_tables()) {
+      if (!(kind == CaseKind::contact ? table.in_contact : table.in_bearing)) continue;
+      if (!table.name.empty())
+        BOOST_CHECK_MESSAGE(text.find(fmt::format("[{}]", table.name)) != std::string::npos, table.name);
+      for (const CaseKey& key : table.keys) {
+        if (key.bearing_only && kind == CaseKind::contact) continue;
+        BOOST_CHECK_MESSAGE(has_line(text, fmt::format("{} = ", key.name)), key.name);
+        const std::string first_words = std::string(key.meaning).substr(0, 20);
+        BOOST_CHECK_MESSAGE(has_line(text, first_words), key.name << ": " << first_words);
+        ++keys;
+      }
+    }
+    for (const std::string& line : lines_of(text)) BOOST_TEST(line.size() <= 100u, line);
+  }
+  BOOST_TEST(keys >= 70);
+}
+
+BOOST_AUTO_TEST_CASE(optional_keys_may_be_taken_in_as_they_stand) {
+  const std::string bearing = ehd::case_template(CaseKind::bearing, "mine");
+  for (const char* key : {"first_azimuth_deg", "ring_thickness_m", "roughness_m", "alpha_per_Pa", "z", "p0_Pa",
+                          "viscosity_index", "density_15C_kg_per_m3"})
+    BOOST_CHECK_NO_THROW((void)read_case(with_key(bearing, key), "mine.toml"));
+}
+
+BOOST_AUTO_TEST_CASE(the_page_on_the_case_format_has_the_key_tables_as_they_are) {
+  const std::string page = test::read(std::string(EHD_SOURCE_DIR) + "/docs/case-format.md");
+  BOOST_TEST(page.find(case_key_tables()) != std::string::npos,
+             "docs/case-format.md differs from `ehd new keys`; to remake it: make results");
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/substitution.hpp"
+
+#include "tests/check.hpp"
+
+using namespace ehd;
+
+BOOST_AUTO_TEST_SUITE(substitution)
+
+BOOST_AUTO_TEST_CASE(a_text_of_the_command_line_is_the_value_that_toml_would_have) {
+  BOOST_CHECK(toml_value("14") == TomlValue(std::int64_t{14}));
+  BOOST_CHECK(toml_value("+14") == TomlValue(std::int64_t{14}));
+  BOOST_CHECK(toml_value("5e-6") == TomlValue(5e-6));
+  BOOST_CHECK(toml_value("-4.0") == TomlValue(-4.0));
+  BOOST_CHECK(toml_value("barus") == TomlValue(std::string("barus")));
+  BOOST_CHECK(toml_value("\"flooded\"") == TomlValue(std::string("flooded")));
+  BOOST_CHECK(toml_value("5 um") == TomlValue(std::string("5 um")));
+  BOOST_CHECK(toml_value("") == TomlValue(std::string()));
+  BOOST_CHECK(toml_value("\"") == TomlValue(std::string("\"")));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
