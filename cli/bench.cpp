@@ -53,9 +53,10 @@ Examples:
   ehd bench --part box --solver fast            232 contacts, with true values: five minutes on two cores
 
 Parts: work-precision (run time and work against achieved error), scaling (cost and memory against the number of
-intervals), batch (many contacts over threads); only where they are named, box (times and errors over all loads and
-materials), convolution (c, one padded FFT convolution of n = 512), first (what the first solve of a process costs beside a later
-one: planning, new memory) and cost (what each answer costs in ms and c: a film, both films, many contacts, a bearing). DIR/bench.json holds the parts of this run;
+intervals), batch (many contacts over threads), cost (what each answer costs in ms and c: a film, both films, many
+contacts, a bearing, a process); only where they are named, box (times and errors over all loads and materials),
+convolution (c, one padded FFT convolution of n = 512) and first (what the first solve of a process costs beside a later
+one: planning, new memory). DIR/bench.json holds the parts of this run;
 DIR/work_precision.csv, DIR/scaling.csv and DIR/box.csv hold the tables. A solve that fails is a row with its reason.
 
 Exit code: 0 the tables are complete; 1 no run could be judged, or results depend on the number of threads; 2 wrong
@@ -68,8 +69,8 @@ constexpr const char* box = "box";
 constexpr const char* convolution = "convolution";
 constexpr const char* first_solves = "first";
 constexpr const char* answer_cost = "cost";
-constexpr const char* all_parts[] = {work_precision, scaling, batch, box, convolution, first_solves, answer_cost};
-constexpr const char* usual_parts[] = {work_precision, scaling, batch};
+constexpr const char* all_parts[] = {work_precision, scaling, batch, answer_cost, box, convolution, first_solves};
+constexpr const char* usual_parts[] = {work_precision, scaling, batch, answer_cost};
 
 std::vector<const RegisteredSolver*> chosen_solvers(const std::vector<std::string>& names) {
   std::vector<const RegisteredSolver*> chosen;
@@ -268,7 +269,7 @@ void describe_bench(Command& command) {
   command.text("--output", options->output, "folder for bench.json, work_precision.csv and scaling.csv").called("DIR");
   command
       .list("--part", options->parts,
-            "work-precision, scaling, batch, box, convolution, first or cost (repeatable; the first three)")
+            "work-precision, scaling, batch, cost, box, convolution or first (repeatable; the first four)")
       .called("PART");
   command.list("--case", options->cases, "a contact case for work-precision (repeatable; the benchmark's own)")
       .called("CASE");
