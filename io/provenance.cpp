@@ -74,4 +74,13 @@ Json provenance() {
   return json;
 }
 
+Json result_head(std::string_view schema) {
+  Json head;
+  head["schema"] = schema;
+  const Json all = provenance();
+  for (const char* key : {"version", "commit"})
+    if (all.contains(key)) head["provenance"][key] = all[key];
+  return head;
+}
+
 }  // namespace ehd
