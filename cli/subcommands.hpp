@@ -10,6 +10,7 @@
   LINE(compare)               \
   LINE(response)              \
   LINE(bearing)               \
+  LINE(judge)                 \
   LINE(cases)                 \
   LINE(plan)                  \
   LINE(verify)                \
