@@ -17,6 +17,7 @@
 #include "contact/text.hpp"
 #include "io/contact_json.hpp"
 #include "io/json.hpp"
+#include "io/provenance.hpp"
 #include "io/tables.hpp"
 #include "verification/bench/csv.hpp"
 #include "verification/bench/film_truth.hpp"
@@ -225,10 +226,12 @@ int compare(const CompareOptions& options) {
       runs.push_back(json_of(external, *idle_s));
       rows.push_back(external.judged);
     }
-    list.push_back({{"case", contact_case.id},
-                    {"version", contact_case.version},
-                    {"truth", {{"film.minimum", against[0]}, {"film.central", against[1]}}},
-                    {"runs", runs}});
+    Json comparison = result_head("ehd-compare-1");
+    comparison.update({{"case", contact_case.id},
+                       {"version", contact_case.version},
+                       {"truth", {{"film.minimum", against[0]}, {"film.central", against[1]}}},
+                       {"runs", runs}});
+    list.push_back(comparison);
     if (json.to_standard_output()) continue;
     constexpr std::size_t names = 3;
     print(fmt::format("{}: {}\n{}  achieved: H_min against {}\n            H_cen against {}\n\n", contact_case.id,

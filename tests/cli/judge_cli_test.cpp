@@ -152,4 +152,19 @@ BOOST_AUTO_TEST_CASE(a_case_is_cited_shown_and_given_to_programs) {
   test::check_refused(folder, "cases own-barus-5-5 --show --json", "exclude each other");
 }
 
+BOOST_AUTO_TEST_CASE(the_citations_of_the_software_name_its_version) {
+  const test::Folder folder;
+  const std::string cff = test::read(std::string(EHD_SOURCE_DIR) + "/CITATION.cff");
+  for (const char* key :
+       {"cff-version: 1.2.0\n", "\nmessage: ", "\ntitle: ", "\nauthors:\n"})  // what the format requires
+    BOOST_CHECK_MESSAGE(cff.find(key) != std::string::npos, key << " is not in CITATION.cff");
+  const std::string before = "\nversion: ";
+  const auto at = cff.find(before);
+  BOOST_REQUIRE(at != std::string::npos);
+  const std::string version = cff.substr(at + before.size(), cff.find('\n', at + 1) - at - before.size());
+  BOOST_TEST(test::ehd_run(folder, "--version").out.find(" " + version) != std::string::npos);
+  BOOST_TEST(test::ehd_run(folder, "cases own-barus-5-5 --bibtex").out.find("version = {" + version + "}") !=
+             std::string::npos);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

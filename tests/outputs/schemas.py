@@ -42,7 +42,7 @@ def require_valid(document, what):
             del less[key]
             if validator(name).is_valid(less):
                 sys.exit(f"schemas: {name} does not miss {key}")
-    if validator(name).is_valid(document | {"unheard": 1}):
+    if SCHEMAS[name]["additionalProperties"] is not True and validator(name).is_valid(document | {"unheard": 1}):
         sys.exit(f"schemas: {name} accepts an unknown key")
 
 
@@ -56,6 +56,16 @@ def main(ehd):
     documents.append(("ehd cases", said("cases", "own-moes-20-10", "own-barus-3-4-flooded", "own-steel-20-10",
                                         "dry-steel", "na4908", "venner1991-waiting", "--json")))
     documents.append(("a problem", documents[-1][1]["cases"][0]["problem"]))
+    for case in ("own-moes-20-10", "own-barus-3-4-flooded", "own-steel-20-10", "dry-steel"):
+        documents.append((f"ehd solve {case}", said("solve", case, "--json", "-")))
+    for law in ("hertz", "ehd-linear"):
+        documents.append((f"ehd bearing by {law}", said("bearing", "na4908", "--law", law, "--json", "-")))
+    documents.append(("ehd response", said("response", "own-moes-5-5", "--omega", 1, "--wavelength", 2, "--tolerance",
+                                           1e-3, "--json", "-")))
+    documents.append(("ehd plan", said("plan", "own-moes-20-10", "--json", "-")))
+    answer = f"mine=cp {TOP / 'cases' / 'submissions' / 'ehd-fast-1e-3.json'} {{out}}; test {{case}}"
+    documents.append(("ehd compare", said("compare", "own-moes-20-10", "--tolerance", 1e-2, "--external", answer,
+                                          "--json", "-")[0]))
     for what, document in documents:
         require_valid(document, what)
     seen = {document["schema"] for _, document in documents}

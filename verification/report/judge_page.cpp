@@ -43,7 +43,8 @@ TableCell digits_cell(const View& score) {
   if (!score.exists()) return words("-");
   if (score.flag("missing").value_or(false)) return {"missing", "fail"};
   const bool missed = score.text("honesty") == "missed";
-  return {fmt::format("{:.1f}{}", score.number("digits").value_or(0), missed ? "&nbsp;!" : ""),
+  const bool bounded = score.number("error").value_or(0) < score["certified"].number("uncertainty").value_or(0);
+  return {fmt::format("{}{:.1f}{}", bounded ? "&gt;" : "", score.number("digits").value_or(0), missed ? "&nbsp;!" : ""),
           missed ? "number fail" : "number"};
 }
 
@@ -66,8 +67,8 @@ void add_first_cases(Page& page, const Judgements& judgements) {
   page.section("first", "The first ten cases, from easy to hard");
   page.paragraph(
       "Digits of the smallest film, by solver: -log<sub>10</sub> of the relative error against the certified number. A "
-      "case that a submission leaves out is missing and counts as 0. ! the error is above the one that the solver "
-      "states.");
+      "case that a submission leaves out is missing and counts as 0. &gt; the case knows no more digits. ! the "
+      "error is above the one that the solver states.");
   Table table{.columns = {"case", "regime", "what it tests"}};
   for (const View& judgement : judgements) table.columns.push_back(escaped(name_of(judgement)));
   for (const View& one : judgements.front().list("cases")) {
@@ -123,7 +124,7 @@ void add_honesty(Page& page, const Judgements& judgements) {
       for (const View& score : one.list("scores")) {
         const auto error = score.number("error"), stated = score.number("stated_error"),
                    known = score["certified"].number("uncertainty");
-        if (!error || !stated || !known) continue;
+        if (!error || !stated || !known || score.text("honesty") == "undecided") continue;
         const double shown = std::max(*error, *known);
         series.x.push_back(shown);
         series.y.push_back(*stated);
@@ -136,7 +137,9 @@ void add_honesty(Page& page, const Judgements& judgements) {
   if (!panel.series.empty()) {
     panel.series.push_back({.name = "equal", .x = {low, high}, .y = {low, high}, .line = Line::dashed, .colour = 6});
     figure.panels.push_back(std::move(panel));
-    page.figure(std::move(figure), "Stated over actual error. A mark below the line promised too much.");
+    page.figure(std::move(figure),
+                "Stated over actual error. A mark below the line promised too much. Numbers whose case knows too few "
+                "digits to tell are left out.");
   }
 }
 
