@@ -95,7 +95,7 @@ JudgedProfile judged_profile(const Case& contact_case, const SubmittedResult& re
   const SubmittedProfile profile = read_profile(*result.profile);
   double stated = 0;
   for (const SubmittedNumber& number : result.numbers) stated = std::max(stated, number.stated_error.value_or(0));
-  judged.gates = gates_of(profile, stated);
+  judged.gates = gates_of(profile, stated, std::get<ContactCase>(contact_case.body).dry());
   compare_pressure(contact_case, profile, judged);
   return judged;
 }

@@ -29,7 +29,7 @@ constexpr Eigen::Index most_places = 400;  // so many nodes of the film equation
 /// Every second node, with the first and the last.
 SubmittedProfile halved(const SubmittedProfile& profile) {
   const Eigen::Index n = profile.X.size(), kept = n / 2 + 1;
-  SubmittedProfile half{Array(kept), Array(kept), Array(kept)};
+  SubmittedProfile half{.X = Array(kept), .P = Array(kept), .H = Array(kept)};
   for (Eigen::Index i = 0; i < kept; ++i) {
     const Eigen::Index at = i + 1 < kept ? 2 * i : n - 1;
     half.X[i] = profile.X[at];
@@ -71,15 +71,16 @@ double median_of(std::vector<double> values) {
   return *middle;
 }
 
-/// What is left of H(X) - X^2/2 + (1/pi) Int P ln|X - s| ds at some nodes when its median, H_0, is taken away, over H.
-std::vector<double> film_residual(const SubmittedProfile& integrated, const SubmittedProfile& at,
+/// What is left of H(X) - X^2/2 + (1/pi) Int P ln|X - s| ds at some nodes when its median, H_0, is taken away, over the
+/// film `scale` there.
+std::vector<double> film_residual(const SubmittedProfile& integrated, const SubmittedProfile& at, const Array& scale,
                                   const std::vector<Eigen::Index>& places) {
   std::vector<double> left;
   left.reserve(places.size());
   for (const Eigen::Index i : places)
     left.push_back(at.H[i] - at.X[i] * at.X[i] / 2 + log_integral(integrated, at.X[i]) / pi);
   const double offset = median_of(left);
-  for (std::size_t k = 0; k < places.size(); ++k) left[k] = (left[k] - offset) / std::abs(at.H[places[k]]);
+  for (std::size_t k = 0; k < places.size(); ++k) left[k] = (left[k] - offset) / scale[places[k]];
   return left;
 }
 
@@ -114,7 +115,8 @@ Gate load_gate(const SubmittedProfile& profile, const SubmittedProfile& half, do
                  gate_tolerance(uncertainty, stated_error));
 }
 
-Gate film_gate(const SubmittedProfile& profile, const SubmittedProfile& half, double stated_error) {
+Gate film_gate(const SubmittedProfile& profile, const SubmittedProfile& half, double stated_error, bool dry) {
+  const Array scale = dry ? Array(Array::Ones(profile.X.size())) : Array(profile.H.abs());
   // Places are nodes of the halved profile too.
   const double edge = loaded * profile.P.maxCoeff();
   std::vector<Eigen::Index> candidates, places;
@@ -122,11 +124,12 @@ Gate film_gate(const SubmittedProfile& profile, const SubmittedProfile& half, do
     if (profile.P[i] >= edge) candidates.push_back(i);
   const auto step = std::max<std::size_t>(1, candidates.size() / static_cast<std::size_t>(most_places));
   for (std::size_t k = 0; k < candidates.size(); k += step) places.push_back(candidates[k]);
-  const auto residual = film_residual(profile, profile, places), coarser = film_residual(half, profile, places);
+  const auto residual = film_residual(profile, profile, scale, places),
+             coarser = film_residual(half, profile, scale, places);
   double uncertainty = 0, thinnest = widest;
   for (std::size_t k = 0; k < places.size(); ++k) {
     uncertainty = std::max(uncertainty, std::abs(residual[k] - coarser[k]));
-    thinnest = std::min(thinnest, std::abs(profile.H[places[k]]));
+    thinnest = std::min(thinnest, scale[places[k]]);
   }
   // The pressure before the first node bends the film by 2/(pi |X_0|) of its load, over the contact's width.
   uncertainty += 2 / pi * load_before(profile) / std::max(std::abs(profile.X[0]), 1.0) / thinnest;
@@ -147,8 +150,11 @@ Gate sign_gate(const SubmittedProfile& profile) {
 SubmittedProfile read_profile(const std::filesystem::path& file) {
   CsvReader csv(file, profile_kind, static_cast<std::size_t>(most_nodes));
   const std::size_t columns[] = {csv.column("X"), csv.column("P"), csv.column("H")};
+  const std::size_t unresolved = csv.column("P_unresolved", false);
   std::vector<double> values[3];
+  bool cut = false;
   while (csv.next()) {
+    cut = cut || (unresolved < csv.size() && csv.number(unresolved) != 0);
     for (std::size_t c = 0; c < 3; ++c) {
       const double value = csv.number(columns[c]);
       if (c == 0 && std::abs(value) > widest)
@@ -162,12 +168,16 @@ SubmittedProfile read_profile(const std::filesystem::path& file) {
   if (nodes < fewest_nodes)
     throw refusal(file.string(), "has " + std::to_string(nodes) + " rows; required are 16 at least");
   const auto field = [&](std::size_t c) { return Array(Eigen::Map<const Array>(values[c].data(), nodes)); };
-  return {.X = field(0), .P = field(1), .H = field(2)};
+  return {.X = field(0), .P = field(1), .H = field(2), .cut = cut};
 }
 
-std::vector<Gate> gates_of(const SubmittedProfile& profile, double stated_error) {
+std::vector<Gate> gates_of(const SubmittedProfile& profile, double stated_error, bool dry) {
   const SubmittedProfile half = halved(profile);
-  return {load_gate(profile, half, stated_error), film_gate(profile, half, stated_error), sign_gate(profile)};
+  std::vector<Gate> gates{load_gate(profile, half, stated_error), film_gate(profile, half, stated_error, dry)};
+  for (Gate& gate : gates)
+    if (profile.cut && gate.verdict == Verdict::fail) gate.verdict = Verdict::inconclusive;
+  gates.push_back(sign_gate(profile));
+  return gates;
 }
 
 }  // namespace ehd::judging

@@ -45,7 +45,7 @@ SubmittedProfile solved_profile(const std::string& id, double tolerance) {
   const ContactRun run = run_contact(one, default_solver(), Request{.tolerance = tolerance});
   BOOST_REQUIRE((run.status() == StopReason::converged));
   const Fields& fields = run.solution.fields;
-  return {fields.X, fields.P, fields.H};
+  return {.X = fields.X, .P = fields.P, .H = fields.H};
 }
 
 }  // namespace
@@ -182,6 +182,22 @@ BOOST_AUTO_TEST_CASE(gates_hold_for_a_solution_and_fail_for_each_wrong_equation)
       BOOST_TEST((verdicts(wrong)[sign] == Verdict::fail));
     }
   }
+}
+
+BOOST_AUTO_TEST_CASE(a_dry_contact_and_a_cut_spike_are_no_faults) {
+  using verification::Verdict;
+  constexpr auto film = 1U;
+  const SubmittedProfile dry = solved_profile("dry-steel", 1e-3);
+  BOOST_TEST((gates_of(dry, 0, true)[film].verdict == Verdict::pass));
+  SubmittedProfile wrong = dry;
+  wrong.H += 0.1 * wrong.X;
+  BOOST_TEST((gates_of(wrong, 0, true)[film].verdict == Verdict::fail));
+
+  SubmittedProfile cut = solved_profile("own-moes-20-10", 1e-4);
+  cut.P = cut.P.min(0.5);
+  BOOST_TEST((gates_of(cut, 0)[film].verdict == Verdict::fail));
+  cut.cut = true;
+  BOOST_TEST((gates_of(cut, 0)[film].verdict == Verdict::inconclusive));
 }
 
 BOOST_AUTO_TEST_SUITE_END()
