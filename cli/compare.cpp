@@ -17,7 +17,7 @@
 #include "contact/text.hpp"
 #include "io/contact_json.hpp"
 #include "io/json.hpp"
-#include "io/provenance.hpp"
+#include "io/result_head.hpp"
 #include "io/tables.hpp"
 #include "verification/bench/csv.hpp"
 #include "verification/bench/film_truth.hpp"

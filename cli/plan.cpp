@@ -15,7 +15,6 @@
 #include "io/contact_json.hpp"
 #include "io/find_case.hpp"
 #include "io/json.hpp"
-#include "io/provenance.hpp"
 #include "io/tables.hpp"
 #include "workflow/bearing_run.hpp"
 #include "workflow/case.hpp"
@@ -66,8 +65,7 @@ int plan(const PlanOptions& options) {
     made = plan_contact(contact, solver, request, wanted);
   }
   JsonTarget json(options.json);
-  Json object = result_head("ehd-plan-1");
-  object.update({{"case", any.id}, {"version", any.version}, {"plan", to_json(made)}});
+  Json object = {{"case", any.id}, {"version", any.version}, {"plan", to_json(made)}};
   json.commit(object);
   if (!json.to_standard_output()) print(any.id + ": " + any.title + "\n" + human_plan(made));
   return success;

@@ -8,9 +8,9 @@
 #define EHD_SUBCOMMANDS(LINE) \
   LINE(solve)                 \
   LINE(compare)               \
+  LINE(judge)                 \
   LINE(response)              \
   LINE(bearing)               \
-  LINE(judge)                 \
   LINE(cases)                 \
   LINE(plan)                  \
   LINE(verify)                \

@@ -11,7 +11,7 @@
 #include "io/bearing_notes.hpp"
 #include "io/contact_json.hpp"
 #include "io/json.hpp"
-#include "io/provenance.hpp"
+#include "io/result_head.hpp"
 
 namespace ehd {
 

@@ -8,7 +8,7 @@
 
 #include "contact/text.hpp"
 #include "io/problem_json.hpp"
-#include "io/provenance.hpp"
+#include "io/result_head.hpp"
 
 namespace ehd {
 

@@ -8,7 +8,7 @@
 
 #include "contact/stated_error.hpp"
 #include "io/json.hpp"
-#include "io/provenance.hpp"
+#include "io/result_head.hpp"
 #include "workflow/shown_pressure.hpp"
 
 namespace ehd {

@@ -6,7 +6,7 @@
 
 #include "contact/nondimensional.hpp"
 #include "contact/overloaded.hpp"
-#include "io/provenance.hpp"
+#include "io/result_head.hpp"
 
 namespace ehd {
 

@@ -47,19 +47,16 @@ std::string compiler() {
 #endif
 }
 
-Json version_and_commit() {
-  Json json;
-  json["version"] = EHD_PROJECT_VERSION;
-  // The commit when the program was built, not the present state of the tree.
-  if (const std::string commit = EHD_COMMIT; !commit.empty()) json["commit"] = commit;
-  return json;
-}
-
 }  // namespace
 
 Json provenance() {
-  Json json = version_and_commit();
-  if (json.contains("commit")) json["dirty"] = EHD_COMMIT_DIRTY;
+  Json json;
+  json["version"] = EHD_PROJECT_VERSION;
+  // The commit when the program was built, not the present state of the tree.
+  if (const std::string commit = EHD_COMMIT; !commit.empty()) {
+    json["commit"] = commit;
+    json["dirty"] = EHD_COMMIT_DIRTY;
+  }
   json["compiler"] = compiler();
   json["flags"] = EHD_COMPILE_FLAGS;
   json["libraries"] = {{"Eigen", std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) + "." +
@@ -75,13 +72,6 @@ Json provenance() {
   json["cores"] = std::thread::hardware_concurrency();
   json["date"] = now();
   return json;
-}
-
-Json result_head(std::string_view schema) {
-  Json head;
-  head["schema"] = schema;
-  head["provenance"] = version_and_commit();
-  return head;
 }
 
 }  // namespace ehd

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "contact/text.hpp"
-#include "io/provenance.hpp"
+#include "io/result_head.hpp"
 #include "io/tables.hpp"
 
 namespace ehd {

@@ -62,7 +62,6 @@ def main(ehd):
         documents.append((f"ehd bearing by {law}", said("bearing", "na4908", "--law", law, "--json", "-")))
     documents.append(("ehd response", said("response", "own-moes-5-5", "--omega", 1, "--wavelength", 2, "--tolerance",
                                            1e-3, "--json", "-")))
-    documents.append(("ehd plan", said("plan", "own-moes-20-10", "--json", "-")))
     answer = f"mine=cp {TOP / 'cases' / 'submissions' / 'ehd-fast-1e-3.json'} {{out}}; test {{case}}"
     documents.append(("ehd compare", said("compare", "own-moes-20-10", "--tolerance", 1e-2, "--external", answer,
                                           "--json", "-")[0]))

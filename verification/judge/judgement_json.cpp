@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "io/provenance.hpp"
+#include "io/result_head.hpp"
 #include "verification/judge/first_cases.hpp"
 #include "verification/judge/judgement_text.hpp"
 
