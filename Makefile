@@ -24,7 +24,7 @@ FORMAT_ROOMS = $(TIDY_ROOMS) io verification cli tests
 .DEFAULT_GOAL := help
 .PHONY: help setup configure program build verify verify-full test sanitizer-build sanitizer-program sanitize \
   sanitize-slow sanitize-threads fuzz faults engines sweep-million check-all bench callgrind kernels mutants stress report \
-  browser-test atlas results results-check results-full format format-check tidy tidy-changed clean
+  browser-test atlas submissions results results-check results-full format format-check tidy tidy-changed clean
 
 help:       ## List the targets
 	@sed -n 's/^\([a-z][a-z-]*\):[^#]*## \(.*\)/  make \1\t\2/p' $(firstword $(MAKEFILE_LIST)) | expand -t 25
@@ -148,6 +148,10 @@ kernels: configure  ## Time the kernels of fast/ in multiples of one FFT convolu
 mutants:    ## Build each wrong program of verification/mutants, run its rung of the quick suite (half an hour; ONLY=part of an id; PART=3/10: a tenth)
 	@sh cmake/setup.sh python3
 	@python3 verification/mutants/run.py $(if $(ONLY),--only $(ONLY)) $(if $(PART),--part $(PART)) --jobs $(JOBS)
+
+submissions: program  ## Remake cases/submissions: this project's solvers and a template, for ehd judge (a minute)
+	@sh cmake/setup.sh python3-numpy
+	@/usr/bin/python3 cases/submissions/make.py $(BUILD)/ehd
 
 atlas: program  ## Solve the atlas of line contacts into cases/atlas (goes on where an earlier run ended; an hour)
 	@$(BUILD)/ehd atlas

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 #include <string>
 #include <variant>
@@ -15,7 +17,9 @@
 #include "contact/nondimensional.hpp"
 #include "contact/text.hpp"
 #include "io/bibliography.hpp"
+#include "io/case_citation.hpp"
 #include "io/case_reader.hpp"
+#include "io/file_text.hpp"
 #include "io/find_case.hpp"
 #include "io/tables.hpp"
 #include "verification/atlas/atlas.hpp"
@@ -25,9 +29,17 @@ namespace ehd::cli {
 
 namespace {
 
+struct CasesOptions {
+  std::vector<std::string> ids;
+  bool bibtex = false, json = false, show = false, atlas = false;
+};
+
 const char* const cases_examples = R"(
 Examples:
   ehd cases                          id, problem, title and source of every case
+  ehd cases own-moes-20-10 --bibtex  an entry for this case and its digits, and its source
+  ehd cases own-moes-20-10 --json    groups, laws as formulas, inlet and digits, for another program
+  ehd cases own-moes-20-10 --show    the case file
   ehd cases --bibtex > ehd.bib       the sources of all cases and claims, for a bibliography
   ehd cases --atlas                  the points of the atlas (cases/atlas), a case each
 
@@ -69,35 +81,19 @@ std::vector<std::vector<std::string>> rows_of(const std::vector<Case>& cases) {
   return rows;
 }
 
-int list_atlas() {
+std::vector<Case> atlas_cases() {
   std::vector<Case> points;
   for (const auto& file : verification::atlas_files(verification::atlas_folder())) points.push_back(read_case(file));
   if (points.empty())
     throw UsageError("--atlas: there are no points in " + verification::atlas_folder().string() +
                      "; required is a folder that ehd atlas has filled");
-  const auto rows = rows_of(points);
-  print(aligned(rows, rows.front().size()));
-  return success;
+  return points;
 }
 
-int list(bool bibtex) {
-  const auto cases = all_cases();
-  const auto bibliography = read_bibliography(cases_folder() / "references.bib");
+std::string listed_sources(const std::vector<Case>& cases, const Bibliography& bibliography, bool with_others) {
   std::set<std::string> keys;
   for (const auto& any : cases) keys.insert(bibliography_key(any.source));
-
-  if (bibtex) {  // all of references.bib: claims cite sources without a case
-    std::string text;
-    for (const auto& [key, entry] : bibliography) text += (text.empty() ? "" : "\n") + entry.text;
-    print(text);
-    return success;
-  }
-
-  const auto rows = rows_of(cases);
-  std::string text = aligned(rows, rows.front().size());
-  if (const auto points = verification::atlas_files(verification::atlas_folder()).size(); points > 0)
-    text += "\natlas: " + std::to_string(points) + " cases, ehd cases --atlas lists them\n";
-  text += "\nsources (cite the source of a case and this program; --bibtex prints the entries)\n";
+  std::string text = "\nsources (cite the source of a case and this program; --bibtex prints the entries)\n";
   std::vector<std::vector<std::string>> sources;
   for (const auto& key : keys) {
     const auto entry = bibliography.find(key);
@@ -106,26 +102,66 @@ int list(bool bibtex) {
   text += aligned(sources, 2, "  ");
   sources.clear();
   for (const auto& [key, entry] : bibliography)
-    if (!keys.contains(key)) sources.push_back({key, entry.citation()});
+    if (with_others && !keys.contains(key)) sources.push_back({key, entry.citation()});
   if (!sources.empty())
     text += "\nsources of exact solutions, formulas and tables that are no case (cases/README.md)\n" +
             aligned(sources, 2, "  ");
-  print(text);
+  return text;
+}
+
+/// The files as they are, one below the other.
+std::string shown(const std::vector<Case>& cases) {
+  constexpr FileKind kind{.name = "a case file (TOML)", .most_bytes = 1 << 20};
+  std::string text;
+  for (const Case& any : cases) text += (text.empty() ? "" : "\n") + text_of_file(any.file, kind);
+  return text;
+}
+
+int list(const CasesOptions& options) {
+  if (options.bibtex + options.json + options.show > 1)
+    throw UsageError("cases: --bibtex, --json and --show exclude each other; allowed is one of them");
+  const bool all = options.ids.empty();
+  if (options.atlas && !all) throw UsageError("cases: --atlas and an ID exclude each other; allowed is one of them");
+  std::vector<Case> cases;
+  for (const std::string& id : options.ids) cases.push_back(read_case(find_case(id)));
+  if (all) cases = options.atlas ? atlas_cases() : all_cases();
+  if (options.show) {
+    print(shown(cases));
+    return success;
+  }
+  if (options.json) {
+    print(json_text(cases_json(cases)));
+    return success;
+  }
+  const auto rows = rows_of(cases);
+  std::string text = aligned(rows, rows.front().size());
+  if (options.atlas && !options.bibtex) {
+    print(text);
+    return success;
+  }
+  const Bibliography bibliography = read_bibliography(cases_folder() / "references.bib");
+  if (options.bibtex) {
+    print(all && !options.atlas ? bibtex_of_sources(bibliography) : bibtex_of_cases(cases, bibliography));
+    return success;
+  }
+  if (const auto points = all ? verification::atlas_files(verification::atlas_folder()).size() : 0; points > 0)
+    text += "\natlas: " + std::to_string(points) + " cases, ehd cases --atlas lists them\n";
+  print(text + listed_sources(cases, bibliography, all));
   return success;
 }
 
 }  // namespace
 
 void describe_cases(Command& command) {
-  struct CasesOptions {
-    bool bibtex = false, atlas = false;
-  };
   auto options = std::make_shared<CasesOptions>();
   command.summary("List the benchmark cases and how to cite each");
   command.examples(cases_examples);
-  const Option bibtex = command.flag("--bibtex", options->bibtex, "print the BibTeX entries of all sources");
-  command.flag("--atlas", options->atlas, "list the points of the atlas").excluding(bibtex);
-  command.runs([options] { return options->atlas ? list_atlas() : list(options->bibtex); });
+  command.list("ID", options->ids, "these cases alone (all of cases/)");
+  command.flag("--bibtex", options->bibtex, "print BibTeX entries: of the cases named, or of all sources");
+  command.flag("--json", options->json, "print the problems and their digits for another program");
+  command.flag("--show", options->show, "print the case files");
+  command.flag("--atlas", options->atlas, "the points of the atlas");
+  command.runs([options] { return list(*options); });
 }
 
 }  // namespace ehd::cli

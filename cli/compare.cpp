@@ -6,6 +6,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -17,10 +18,12 @@
 #include "contact/text.hpp"
 #include "io/contact_json.hpp"
 #include "io/json.hpp"
+#include "io/result_head.hpp"
 #include "io/tables.hpp"
 #include "verification/bench/csv.hpp"
 #include "verification/bench/film_truth.hpp"
 #include "verification/bench/work_precision.hpp"
+#include "verification/judge/external.hpp"
 #include "workflow/case.hpp"
 #include "workflow/contact_run.hpp"
 #include "workflow/registry.hpp"
@@ -30,7 +33,7 @@ namespace ehd::cli {
 namespace {
 
 struct CompareOptions {
-  std::vector<std::string> cases, solvers, tolerances;
+  std::vector<std::string> cases, solvers, tolerances, externals;
   std::optional<std::string> json;
   RequestOptions limits;
   CaseChanges changes;
@@ -41,11 +44,16 @@ Examples:
   ehd compare own-moes-20-10 own-moes-100-10
   ehd compare own-moes-20-10 --solver fast --solver reference --tolerance 1e-3
   ehd compare own-barus-3-4-flooded --json comparison.json
+  ehd compare own-barus-5-5 --external mine='python3 mine.py {case} {out} {tolerance}'
 
 The achieved error is the difference from one truth for both films: the case's own digits where it has some of both,
 else the solution that states the smallest error among these runs and one more run of the certified solver, which is
 asked for a hundredth of the tightest tolerance. No run is judged by itself. Where the truth is not ten times more
 accurate than an error, a bound is printed (<).
+
+--external runs another program by the shell, for each case and tolerance. {case} is a JSON file with the groups, the
+laws as formulas and the inlet. The program leaves a submission (docs/judge.md) in {out}. Its time includes its start;
+an idle call of the shell is timed beside it. An external run is never the truth.
 
 Exit code: 0 every run converged; 1 one did not; 2 bad input or usage.)";
 
@@ -131,6 +139,46 @@ Json json_of(const Row& row) {
   return entry;
 }
 
+/// The external solvers, at the same tolerances and with the same time limit.
+std::vector<judging::ExternalRun> run_externals(const Case& contact_case,
+                                                const std::vector<judging::ExternalSolver>& externals,
+                                                const std::vector<Request>& requests) {
+  std::vector<judging::ExternalRun> runs;
+  Progress progress;
+  for (const judging::ExternalSolver& solver : externals) {
+    for (const Request& request : requests) {
+      const double tolerance = request.tolerance.tightest();
+      progress.show(fmt::format("{}: {} at {} ...", contact_case.id, solver.name, plain(tolerance)));
+      runs.push_back(judging::run_external(solver, contact_case, tolerance, request.time_limit_s));
+    }
+  }
+  return runs;
+}
+
+Json json_of(const judging::ExternalRun& external, double idle_s) {
+  Json entry = json_of(external.judged);
+  Json ended{{"ended", external.end.words}};
+  if (external.end.exit_code) ended["exit_code"] = *external.end.exit_code;
+  if (!external.end.last_line.empty()) ended["last_line"] = external.end.last_line;
+  put(ended, "wall_s", external.end.wall_s);
+  put(ended, "idle_s", idle_s);
+  entry["external"] = ended;
+  return entry;
+}
+
+/// Throws UsageError.
+std::vector<judging::ExternalSolver> externals_of(const CompareOptions& options) {
+  std::vector<judging::ExternalSolver> externals;
+  for (const std::string& text : options.externals) {
+    try {
+      externals.push_back(judging::external_from(text));
+    } catch (const std::invalid_argument& fault) {
+      throw option_error("--external", text, fault.what());
+    }
+  }
+  return externals;
+}
+
 /// Throws UsageError.
 std::vector<Request> requests_of(const CompareOptions& options) {
   std::vector<Request> requests;
@@ -159,6 +207,8 @@ int compare(const CompareOptions& options) {
   for (const auto& name : options.solvers) solvers.push_back(&solver_named(name));
   if (solvers.empty()) solvers = {&certified_solver(), &default_solver()};
   const std::vector<Request> requests = requests_of(options);
+  const std::vector<judging::ExternalSolver> externals = externals_of(options);
+  const std::optional<double> idle_s = externals.empty() ? std::nullopt : std::optional(judging::idle_call_s());
   // Everything that can be refused is refused before the first solve.
   const std::vector<Case> cases = contacts_of(options);
   require_distinct(files_of(cases), {{"--json", options.json.value_or("")}});
@@ -169,8 +219,11 @@ int compare(const CompareOptions& options) {
   for (const Case& contact_case : cases) {
     std::vector<Row> rows = run_all(contact_case, solvers, requests);
     const auto truth = verification::film_truth(contact_case, rows, [&] { return one_more(contact_case, requests); });
+    std::vector<judging::ExternalRun> outside = run_externals(contact_case, externals, requests);
     for (Row& row : rows)
       if (truth) verification::judge(row, *truth);
+    for (judging::ExternalRun& external : outside)
+      if (truth) verification::judge(external.judged, *truth);
     const std::string none = "nothing: the case has no digits of both films, and no run has films with errors";
     const std::string against[2] = {truth ? truth->words[0] : none, truth ? truth->words[1] : none};
     Json runs = Json::array();
@@ -179,14 +232,23 @@ int compare(const CompareOptions& options) {
       if (!converged(row)) complain(failure_of(contact_case, row));
       runs.push_back(json_of(row));
     }
-    list.push_back({{"case", contact_case.id},
-                    {"version", contact_case.version},
-                    {"truth", {{"film.minimum", against[0]}, {"film.central", against[1]}}},
-                    {"runs", runs}});
+    for (const judging::ExternalRun& external : outside) {
+      all_converged = all_converged && converged(external.judged);
+      if (!converged(external.judged)) complain(failure_of(contact_case, external.judged));
+      runs.push_back(json_of(external, *idle_s));
+      rows.push_back(external.judged);
+    }
+    Json comparison = result_head("ehd-compare-1");
+    comparison.update({{"case", contact_case.id},
+                       {"version", contact_case.version},
+                       {"truth", {{"film.minimum", against[0]}, {"film.central", against[1]}}},
+                       {"runs", runs}});
+    list.push_back(comparison);
     if (json.to_standard_output()) continue;
     constexpr std::size_t names = 3;
     print(fmt::format("{}: {}\n{}  achieved: H_min against {}\n            H_cen against {}\n\n", contact_case.id,
                       contact_case.title, aligned(table_of(rows), names, "  "), against[0], against[1]));
+    if (idle_s) print(fmt::format("  an idle call of the shell takes {} ms\n\n", plain(1e3 * *idle_s, 2)));
   }
   for (Json& compared : list) options.changes.put_into(compared);
   json.commit(list);
@@ -204,6 +266,9 @@ void describe_compare(Command& command) {
       "--solver", options->solvers,
       fmt::format("one of {} (repeatable; {} and {})", solver_names(), certified_solver().name, default_solver().name));
   command.list("--tolerance", options->tolerances, "relative error of the films (repeatable; 1e-2, 1e-3, 1e-4)");
+  command
+      .list("--external", options->externals, "another program (repeatable): NAME='command {case} {out} {tolerance}'")
+      .called("NAME=COMMAND");
   options->limits.add_to(command, false);
   options->changes.add_to(command);
   command.text("--json", options->json, "the comparison as JSON into a file, or - for standard output");

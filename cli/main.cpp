@@ -18,6 +18,7 @@ Examples:
   ehd solve own-moes-20-10            one contact, by the id of a benchmark case
   ehd solve --M 20 --L 10             the same kind of contact without a file
   ehd compare own-moes-20-10          the solvers side by side
+  ehd judge mine.json                 your own solver against the certified digits
   ehd response own-moes-20-10         stiffness and damping of the film
   ehd bearing na4908                  the load distribution of a bearing
   ehd new bearing my-bearing.toml     a commented case to start from

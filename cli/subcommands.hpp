@@ -8,6 +8,7 @@
 #define EHD_SUBCOMMANDS(LINE) \
   LINE(solve)                 \
   LINE(compare)               \
+  LINE(judge)                 \
   LINE(response)              \
   LINE(bearing)               \
   LINE(new)                   \

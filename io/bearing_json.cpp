@@ -11,6 +11,7 @@
 #include "io/bearing_notes.hpp"
 #include "io/contact_json.hpp"
 #include "io/json.hpp"
+#include "io/result_head.hpp"
 
 namespace ehd {
 
@@ -87,7 +88,7 @@ Json to_json(const FilmCurve& curve) {
 }  // namespace
 
 Json to_json(const BearingResult& result) {
-  Json json = Json::object();
+  Json json = result_head("ehd-bearing-1");
   json["case"] = result.case_id;
   json["version"] = result.version;
   json["law"] = to_string(result.law);

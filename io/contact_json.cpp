@@ -8,6 +8,7 @@
 
 #include "contact/stated_error.hpp"
 #include "io/json.hpp"
+#include "io/result_head.hpp"
 #include "workflow/shown_pressure.hpp"
 
 namespace ehd {
@@ -144,7 +145,7 @@ Json to_json(const GradedOil& oil) {
 }
 
 Json to_json(const ContactRun& run) {
-  Json json;
+  Json json = result_head("ehd-solve-1");
   if (!run.case_id.empty()) json["case"] = run.case_id;
   if (run.version > 0) json["version"] = run.version;
   if (!run.solver.empty()) json["solver"] = run.solver;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "contact/text.hpp"
+#include "io/result_head.hpp"
 #include "io/tables.hpp"
 
 namespace ehd {
@@ -54,7 +55,7 @@ Json slow_json(const SlowStiffness& slow) {
 }  // namespace
 
 Json to_json(const ResponseRun& run) {
-  Json json;
+  Json json = result_head("ehd-response-1");
   json["case"] = run.case_id;
   json["version"] = run.version;
   json["solver"] = run.solver;

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// ehd judge: anybody's solver, in any language, against the certified digits.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/output.hpp"
+#include "cli/subcommands.hpp"
+#include "cli/usage.hpp"
+#include "io/find_case.hpp"
+#include "io/json.hpp"
+#include "verification/judge/judgement.hpp"
+#include "verification/judge/judgement_text.hpp"
+#include "verification/report/judge_page.hpp"
+
+namespace ehd::cli {
+
+namespace {
+
+struct JudgeOptions {
+  std::vector<std::string> files;
+  std::optional<std::string> json, badge, output;
+};
+
+const char* const judge_examples = R"(
+Examples:
+  ehd judge mine.json                        digits by case and regime, stated errors, gates, hints
+  ehd judge mine.csv --json -                the same as JSON
+  ehd judge mine.json --badge digits.svg
+  ehd judge mine.json --output out/judge     out/judge/judge.html, beside the submissions of cases/submissions
+
+A submission is JSON with schema ehd-submission-1, or CSV with the columns case, version, quantity, value, scaling:
+docs/judge.md. A number scores -log10 of its relative error, up to the digits that the case certifies.
+
+Exit code: 0 judged; 1 a gate of a profile failed; 2 a bad file or usage.)";
+
+constexpr const char* page_name = "judge.html";
+
+/// The submissions that stand in cases/submissions, by name.
+std::vector<std::filesystem::path> kept_submissions() {
+  std::vector<std::filesystem::path> files;
+  std::error_code none;
+  for (const auto& entry : std::filesystem::directory_iterator(cases_folder() / "submissions", none))
+    if (entry.path().extension() == ".json") files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+judging::Judgement judged(const std::filesystem::path& file) {
+  Progress progress;
+  return judging::judgement_of(judging::read_submission(file), {.progress = [&](const std::string& id) {
+                                 progress.show(fmt::format("{}: {} ...", file.string(), id));
+                               }});
+}
+
+void write_page(OutputFolder& folder, const std::vector<std::string>& files, std::vector<Json> judgements) {
+  const auto same = [&](const std::filesystem::path& kept) {
+    return std::any_of(files.begin(), files.end(), [&](const std::string& file) {
+      std::error_code none;
+      return std::filesystem::equivalent(file, kept, none);
+    });
+  };
+  for (const auto& kept : kept_submissions())
+    if (!same(kept)) judgements.push_back(judging::to_json(judged(kept)));
+  folder.write(page_name, report::judge_page(judgements));
+  folder.commit();
+}
+
+int judge(const JudgeOptions& options) {
+  if (options.files.empty() && !options.output)
+    throw UsageError("judge: a FILE is missing; required is a submission, or --output for those in cases/submissions");
+  if (options.badge && options.files.size() != 1)
+    throw option_error("--badge", *options.badge, "belongs to one submission; allowed is one FILE with it");
+  std::vector<NamedFile> inputs;
+  for (const std::string& file : options.files) inputs.push_back({"the submission " + file, file});
+  require_distinct(inputs, {{"--json", options.json.value_or("")}, {"--badge", options.badge.value_or("")}});
+  JsonTarget json(options.json);
+  std::optional<OutputFile> badge = opened(options.badge);
+  OutputFolder folder(options.output);
+  folder.open({page_name});
+
+  std::vector<Json> judgements;
+  bool gates_hold = true;
+  for (const std::string& file : options.files) {
+    const judging::Judgement one = judged(file);
+    if (!one.gates_hold()) complain("ehd: judge: " + file + ": a gate of a profile failed");
+    gates_hold = gates_hold && one.gates_hold();
+    judgements.push_back(judging::to_json(one));
+    if (!json.to_standard_output()) print((judgements.size() > 1 ? "\n" : "") + judging::human_text(one));
+  }
+  if (badge) badge->append(report::judge_badge(judgements.front()));
+  if (!judgements.empty())
+    json.commit(judgements.size() == 1 ? judgements.front() : Json(judgements), {address_of(badge)});
+  if (options.output) write_page(folder, options.files, judgements);
+  return gates_hold ? success : not_met;
+}
+
+}  // namespace
+
+void describe_judge(Command& command) {
+  auto options = std::make_shared<JudgeOptions>();
+  command.summary("Anybody's solver against the certified digits");
+  command.examples(judge_examples);
+  command.list("FILE", options->files, "submissions (JSON or CSV)");
+  command.text("--json", options->json, "the judgement as JSON into a file, or - for standard output").called("FILE");
+  command.text("--badge", options->badge, "a one-line picture of the digits (SVG)").called("FILE");
+  command.text("--output", options->output, "a page of these and of the kept submissions, DIR/judge.html")
+      .called("DIR");
+  command.runs([options] { return judge(*options); });
+}
+
+}  // namespace ehd::cli

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/case_citation.hpp"
+
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string_view>
+#include <variant>
+
+#include "contact/text.hpp"
+#include "io/problem_json.hpp"
+#include "io/result_head.hpp"
+
+namespace ehd {
+
+namespace {
+
+/// Plain text inside braces of BibTeX.
+std::string tex(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) {
+    switch (c) {
+      case '%':
+      case '&':
+      case '#':
+      case '_':
+      case '$':
+      case '{':
+      case '}': escaped += std::string("\\") + c; break;
+      case '^': escaped += "\\textasciicircum{}"; break;
+      case '~': escaped += "\\textasciitilde{}"; break;
+      case '\\': escaped += "\\textbackslash{}"; break;
+      default: escaped += c;
+    }
+  }
+  return escaped;
+}
+
+/// "film.minimum = 0.0741427 (hertz, relative uncertainty 6.7e-13), ..."
+std::string digits_of(const Case& any) {
+  std::string text;
+  for (const Expectation& one : any.expectations) {
+    if (one.waiting) continue;
+    if (!text.empty()) text += ", ";
+    text += one.quantity + (one.law.empty() ? "" : " by " + one.law) + " = " + one.digits + " (" +
+            std::string(to_string(one.scaling)) + ", " + std::string(to_string(one.kind)) + ", relative uncertainty " +
+            plain(one.uncertainty, 2) + ")";
+  }
+  return text.empty() ? "waits for digits that nobody here has read" : text;
+}
+
+std::string entry_of(const Case& any) {
+  const std::string id = any.id + "@" + std::to_string(any.version);
+  const Json head = result_head("");
+  const std::string commit = head["provenance"].value("commit", "");
+  std::string entry = "@misc{ehd-" + any.id + "-v" + std::to_string(any.version) + ",\n";
+  const auto field = [&](const std::string& name, const std::string& text) {
+    entry += "  " + name + std::string(12 - name.size(), ' ') + " = {" + text + "},\n";
+  };
+  field("author", "{The ehd authors}");
+  field("title", "{Benchmark case " + tex(id) + ": " + tex(any.title) + "}");
+  const bool in_atlas = any.file.parent_path().filename() == "atlas";
+  field("howpublished", "ehd, version " + head["provenance"].value("version", "") +
+                            (commit.empty() ? "" : ", commit " + commit.substr(0, 12)) + ", cases/" +
+                            (in_atlas ? "atlas/" : "") + tex(any.id) + ".toml");
+  field("note", tex(digits_of(any)) + "; source of the case: " + tex(any.source));
+  return entry + "}\n";
+}
+
+Json expectation_json(const Expectation& one) {
+  Json json{{"quantity", one.quantity}};
+  if (!one.law.empty()) json["law"] = one.law;
+  if (one.waiting) {
+    json["status"] = "waiting";
+    return json;
+  }
+  json["digits"] = one.digits;
+  put(json, "value", one.value);
+  json["scaling"] = to_string(one.scaling);
+  put(json, "uncertainty", one.uncertainty);
+  json["kind"] = to_string(one.kind);
+  return json;
+}
+
+}  // namespace
+
+std::string bibtex_of_cases(const std::vector<Case>& cases, const Bibliography& bibliography) {
+  std::string text;
+  std::set<std::string> keys{"own"};  // this software
+  for (const Case& any : cases) {
+    text += entry_of(any) + "\n";
+    keys.insert(bibliography_key(any.source));
+  }
+  std::string sources;
+  for (const std::string& key : keys)
+    if (const auto entry = bibliography.find(key); entry != bibliography.end())
+      sources += (sources.empty() ? "" : "\n") + entry->second.text;
+  return text + sources;
+}
+
+std::string bibtex_of_sources(const Bibliography& bibliography) {
+  std::string text;
+  for (const auto& [key, entry] : bibliography) text += (text.empty() ? "" : "\n") + entry.text;
+  return text;
+}
+
+Json cases_json(const std::vector<Case>& cases) {
+  Json json = result_head("ehd-cases-1");
+  json["cases"] = Json::array();
+  for (const Case& any : cases) {
+    Json one{{"case", any.id}, {"version", any.version}, {"title", any.title}, {"source", any.source}};
+    if (std::holds_alternative<ContactCase>(any.body)) one["problem"] = problem_json(any);
+    one["expect"] = Json::array();
+    for (const Expectation& expectation : any.expectations) one["expect"].push_back(expectation_json(expectation));
+    json["cases"].push_back(one);
+  }
+  return json;
+}
+
+}  // namespace ehd

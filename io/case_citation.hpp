@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A case as somebody else uses it: its BibTeX entry, and its problem and digits as JSON.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/bibliography.hpp"
+#include "io/json.hpp"
+#include "workflow/case.hpp"
+
+namespace ehd {
+
+/// An entry for each case (id, version, digits, this software), and the entries of their sources, each once.
+[[nodiscard]] std::string bibtex_of_cases(const std::vector<Case>& cases, const Bibliography& bibliography);
+/// Every entry of the bibliography as it stands there.
+[[nodiscard]] std::string bibtex_of_sources(const Bibliography& bibliography);
+
+/// {"schema": "ehd-cases-1", "cases": [{"case", "version", "title", "source", "problem", "expect"}]}; a bearing has no
+/// "problem".
+[[nodiscard]] Json cases_json(const std::vector<Case>& cases);
+
+}  // namespace ehd

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/problem_json.hpp"
+
+#include <nlohmann/json.hpp>
+#include <variant>
+
+#include "contact/nondimensional.hpp"
+#include "contact/overloaded.hpp"
+#include "io/result_head.hpp"
+
+namespace ehd {
+
+namespace {
+
+// A visit a law: a new law does not compile until it is written down here.
+
+Json law_json(const Viscosity& law) {
+  Json json{{"law", name(law)}};
+  std::visit(Overloaded{
+                 [&](const Isoviscous&) { json["formula"] = "ln(eta/eta_0) = 0"; },
+                 [&](const Barus& barus) {
+                   json["formula"] = "ln(eta/eta_0) = alpha_p_H P";
+                   put(json, "alpha_p_H", barus.alpha);
+                 },
+                 [&](const Roelands& roelands) {
+                   json["formula"] = "ln(eta/eta_0) = (alpha_p_H p0_over_p_H/z) ((1 + P/p0_over_p_H)^z - 1)";
+                   put(json, "alpha_p_H", roelands.alpha);
+                   put(json, "p0_over_p_H", roelands.p0);
+                   put(json, "z", roelands.z);
+                 },
+             },
+             law);
+  return json;
+}
+
+Json law_json(const Density& law) {
+  Json json{{"law", name(law)}};
+  std::visit(Overloaded{
+                 [&](const Incompressible&) { json["formula"] = "rho/rho_0 = 1"; },
+                 [&](const DowsonHigginson& dowson) {
+                   json["formula"] = "rho/rho_0 = 1 + density_a P/(1 + density_c P)";
+                   put(json, "density_a", dowson.a);
+                   put(json, "density_c", dowson.c);
+                 },
+             },
+             law);
+  return json;
+}
+
+Json groups_json(const Nondimensional& stated) {
+  const Groups& groups = stated.problem.groups;
+  Json json;
+  put(json, "M", groups.M);
+  put(json, "L", groups.L);
+  put(json, "lambda", groups.lambda);
+  put(json, "alpha_p_H", groups.alpha_p_H);
+  if (!stated.scales) return json;
+  put(json, "hertz_pressure_Pa", stated.scales->hertz_pressure_Pa);
+  put(json, "half_width_m", stated.scales->half_width_m);
+  put(json, "film_m_per_hertz", stated.scales->film_m_per_hertz_film());
+  return json;
+}
+
+Json conditions_json(const Conditions& conditions) {
+  Json json;
+  put(json, "load_N_per_m", conditions.load_N_per_m);
+  put(json, "reduced_radius_m", conditions.reduced_radius_m);
+  put(json, "reduced_modulus_Pa", conditions.reduced_modulus_Pa);
+  put(json, "speed_sum_m_per_s", conditions.speed_sum_m_per_s);
+  put(json, "viscosity_Pa_s", conditions.viscosity_Pa_s);
+  return json;
+}
+
+}  // namespace
+
+Json problem_json(const Case& contact_case) {
+  const auto& contact = std::get<ContactCase>(contact_case.body);
+  Json json = result_head(problem_schema);
+  json["case"] = contact_case.id;
+  json["version"] = contact_case.version;
+  json["title"] = contact_case.title;
+  json["units"] = "X = x/b, P = p/p_H, H = h R/b^2";
+  json["equations"] = {"d/dX(rho H^3/(eta lambda) dP/dX) = d(rho H)/dX from the inlet to the exit",
+                       "H = H_0 + X^2/2 - (1/pi) Int P(S) ln|X - S| dS", "Int P dX = pi/2",
+                       "P = 0 at the inlet; P = dP/dX = 0 at the exit, whose place is unknown; P >= 0"};
+  if (const auto* conditions = std::get_if<Conditions>(&contact.statement))
+    json["conditions"] = conditions_json(*conditions);
+  if (contact.dry()) return json;
+  const Nondimensional stated = nondimensionalise(contact.statement, *contact.lubricant, *contact.inlet);
+  json["groups"] = groups_json(stated);
+  json["viscosity"] = law_json(stated.problem.viscosity);
+  json["density"] = law_json(stated.problem.density);
+  if (const auto* cut = std::get_if<TruncatedAt>(&*contact.inlet)) {
+    put(json, "inlet", cut->x);
+  } else {
+    json["inlet"] = "flooded";
+  }
+  return json;
+}
+
+}  // namespace ehd

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// ehd judge, ehd compare --external and ehd cases ID: what they write and how they end.
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/check.hpp"
+#include "tests/files.hpp"
+#include "tests/process.hpp"
+
+namespace {
+
+namespace test = ehd::verification::test;
+using nlohmann::json;
+
+const std::string submission_text = R"({"schema": "ehd-submission-1", "solver": {"name": "n"}, "results": [
+  {"case": "own-barus-5-5", "version": 1, "scaling": "hertz", "film.minimum": 0.2469, "stated_error": 1e-3}]})";
+
+std::string quoted(const std::filesystem::path& file) { return "'" + file.string() + "'"; }
+
+/// A program that answers every case with the films of own-barus-5-5, and says something.
+std::string answering(const test::Folder& folder, int exit_code) {
+  const auto answer = folder.write("answer.json", submission_text);
+  return "\"mine=cp " + quoted(answer) + " {out} && grep -q lambda {case} && echo said {tolerance} >&2; exit " +
+         std::to_string(exit_code) + "\"";
+}
+
+const std::string compared = "compare own-barus-5-5 --solver fast --tolerance 1e-2 --json - --external ";
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(judge_cli)
+
+BOOST_AUTO_TEST_CASE(a_submission_is_judged_in_words_and_as_json) {
+  const test::Folder folder;
+  const auto file = folder.write("mine.json", submission_text);
+  const auto words = test::ehd_run(folder, "judge " + quoted(file));
+  BOOST_TEST(words.exit_code == 0);
+  BOOST_TEST(words.out.find("missing") != std::string::npos);
+  const auto ended =
+      test::ehd_run(folder, "judge " + quoted(file) + " --json - --badge " + quoted(folder.path() / "b.svg") +
+                                " --output " + quoted(folder.path() / "page"));
+  BOOST_TEST(ended.exit_code == 0);
+  const json judgement = json::parse(ended.out);
+  BOOST_TEST(judgement["schema"] == "ehd-judgement-1");
+  BOOST_TEST(judgement["cases"].size() == 10u);
+  BOOST_TEST(judgement["honesty"]["met"] == 1);
+  BOOST_TEST(test::read(folder.path() / "b.svg").starts_with("<svg"));
+  BOOST_TEST(test::read(folder.path() / "page" / "judge.html").find("own-barus-5-5") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(a_failed_gate_ends_with_1_and_a_bad_file_with_2) {
+  const test::Folder folder;
+  // Hertz' pressure: the film between the bodies is flat. `bent` raises every third node.
+  const auto write_profile = [&](double bent) {
+    std::string profile = "X,P,H\n";
+    for (int i = 0; i <= 40; ++i) {
+      const double X = -1 + i / 20.0;
+      profile += std::to_string(X) + "," + std::to_string(std::sqrt(std::max(0.0, 1 - X * X))) + "," +
+                 std::to_string(i % 3 == 0 ? 1 + bent : 1) + "\n";
+    }
+    (void)folder.write("p.csv", profile);
+  };
+  write_profile(0);
+  std::string text = submission_text;
+  text.replace(text.find("\"stated_error\": 1e-3"), 20, "\"profile\": \"p.csv\"");
+  const auto file = folder.write("mine.json", text);
+  const auto held = test::ehd_run(folder, "judge " + quoted(file) + " --json -");
+  BOOST_TEST(held.exit_code == 0);
+  write_profile(0.3);
+  const auto failed = test::ehd_run(folder, "judge " + quoted(file) + " --json -");
+  BOOST_TEST(failed.exit_code == 1);
+  BOOST_TEST(failed.err.find("a gate of a profile failed") != std::string::npos);
+  BOOST_TEST(json::parse(failed.out)["gates_hold"] == false);
+
+  test::check_refused(folder, "judge", "a FILE is missing");
+  test::check_refused(folder, "judge nowhere.json", "there is no such file");
+  test::check_refused(folder, "judge " + quoted(folder.path()), "is a directory");
+  test::check_refused(folder, "judge /dev/zero", "is not a regular file");
+  test::check_refused(folder, "judge " + quoted(file) + " --json " + quoted(file), "is the same file");
+  (void)folder.write("bad.json", "{\"schema\": \"other\"}");
+  test::check_refused(folder, "judge " + quoted(folder.path() / "bad.json"), "allowed is ehd-submission-1");
+}
+
+BOOST_AUTO_TEST_CASE(another_program_is_compared_by_what_it_leaves) {
+  const test::Folder folder;
+  const auto ended = test::ehd_run(folder, compared + answering(folder, 0));
+  BOOST_TEST(ended.exit_code == 0);
+  const json mine = json::parse(ended.out)[0]["runs"].back();
+  BOOST_TEST(mine["solver"] == "mine");
+  BOOST_TEST(mine["status"] == "converged");
+  BOOST_TEST(mine["external"]["exit_code"] == 0);
+  BOOST_TEST(mine["external"]["last_line"] == "said 0.01");
+  BOOST_TEST(mine["external"]["wall_s"] >= 0.0);
+  EHD_CHECK(ehd::error(mine["achieved_error"]["film.minimum"].get<double>(), 0.2469 / 0.246708437314 - 1),
+            ehd::verification::Tolerance::round_off(1e5));
+
+  const auto loose = test::ehd_run(folder, compared + answering(folder, 1));
+  BOOST_TEST(loose.exit_code == 1);
+  BOOST_TEST(json::parse(loose.out)[0]["runs"].back()["status"] == "tolerance-not-met");
+}
+
+BOOST_AUTO_TEST_CASE(another_program_that_fails_is_a_row_with_its_reason) {
+  const test::Folder folder;
+  const auto run_of = [&](const std::string& command, const std::string& more = "") {
+    const auto ended = test::ehd_run(folder, compared + "\"mine=" + command + "\"" + more);
+    BOOST_TEST(ended.exit_code == 1);
+    return json::parse(ended.out)[0]["runs"].back();
+  };
+  json mine = run_of("test {case} && test -n {out} && echo 'no \\033[31m luck' >&2; exit 7");
+  BOOST_TEST(mine["status"] == "diverged");
+  BOOST_TEST(mine["external"]["exit_code"] == 7);
+  BOOST_TEST(mine["external"]["last_line"].get<std::string>().find('\033') == std::string::npos);
+  mine = run_of("cp {case} {out}");
+  BOOST_TEST(mine["status"] == "diverged");
+  BOOST_TEST(mine["reason"].get<std::string>().find("allowed is ehd-submission-1") != std::string::npos);
+  mine = run_of("sleep 60; cat {case} {out}", " --time-limit 1");
+  BOOST_TEST(mine["status"] == "limit-reached");
+  BOOST_TEST(!mine["external"].contains("exit_code"));
+  BOOST_TEST(mine["external"]["wall_s"] >= 1.0);
+  mine = run_of("kill -9 \\$\\$; cat {case} {out}");
+  BOOST_TEST(mine["status"] == "diverged");
+
+  test::check_refused(folder, "compare own-barus-5-5 --external 'a b {case} {out}'", "has no name");
+  test::check_refused(folder, "compare own-barus-5-5 --external 'mine=prog {case}'", "has no {out}");
+}
+
+BOOST_AUTO_TEST_CASE(a_case_is_cited_shown_and_given_to_programs) {
+  const test::Folder folder;
+  const auto bibtex = test::ehd_run(folder, "cases kostreva-100lb-500rpm --bibtex");
+  BOOST_TEST(bibtex.exit_code == 0);
+  for (const char* part : {"@misc{ehd-kostreva-100lb-500rpm-v1,", "kostreva-100lb-500rpm@1", "1.14938",
+                           "@article{kostreva1984,", "@software{own,"})
+    BOOST_CHECK_MESSAGE(bibtex.out.find(part) != std::string::npos, part << " is not in " << bibtex.out);
+  BOOST_TEST(bibtex.out.find("martin1916") == std::string::npos);
+
+  const auto shown = test::ehd_run(folder, "cases own-barus-5-5 --show");
+  BOOST_TEST(shown.out == test::read(std::string(EHD_SOURCE_DIR) + "/cases/own-barus-5-5.toml"));
+
+  const auto given = test::ehd_run(folder, "cases own-moes-20-10 own-barus-3-4-flooded na4908 dry-steel --json");
+  const json cases = json::parse(given.out)["cases"];
+  BOOST_REQUIRE(cases.size() == 4u);
+  BOOST_TEST(cases[0]["problem"]["viscosity"]["law"] == "roelands");
+  BOOST_TEST(cases[0]["problem"]["inlet"] == -4.0);
+  BOOST_TEST(cases[0]["expect"].size() == 4u);
+  BOOST_TEST(cases[1]["problem"]["inlet"] == "flooded");
+  EHD_CHECK(ehd::error(cases[1]["problem"]["groups"]["lambda"], 3 * M_PI * M_PI / (8 * 9)),
+            ehd::verification::Tolerance::round_off(20));
+  BOOST_TEST(!cases[2].contains("problem"));
+  BOOST_TEST(!cases[3]["problem"].contains("groups"));
+  test::check_refused(folder, "cases own-barus-5-5 --show --json", "exclude each other");
+}
+
+BOOST_AUTO_TEST_CASE(the_citations_of_the_software_name_its_version) {
+  const test::Folder folder;
+  const std::string cff = test::read(std::string(EHD_SOURCE_DIR) + "/CITATION.cff");
+  for (const char* key :
+       {"cff-version: 1.2.0\n", "\nmessage: ", "\ntitle: ", "\nauthors:\n"})  // what the format requires
+    BOOST_CHECK_MESSAGE(cff.find(key) != std::string::npos, key << " is not in CITATION.cff");
+  const std::string before = "\nversion: ";
+  const auto at = cff.find(before);
+  BOOST_REQUIRE(at != std::string::npos);
+  const std::string version = cff.substr(at + before.size(), cff.find('\n', at + 1) - at - before.size());
+  BOOST_TEST(test::ehd_run(folder, "--version").out.find(" " + version) != std::string::npos);
+  BOOST_TEST(test::ehd_run(folder, "cases own-barus-5-5 --bibtex").out.find("version = {" + version + "}") !=
+             std::string::npos);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,99 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The solvers of examples/solvers, run by `ehd compare --external` and judged by `ehd judge`: their digits, and the
+errors that they state.
+
+  templates.py EHD        exit code 0: all hold; 1: one does not; 77: neither NumPy, gfortran nor Octave is there
+"""
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+SOLVERS = pathlib.Path(__file__).resolve().parents[2] / "examples" / "solvers"
+CASES = ("own-isoviscous-10-0", "own-moes-5-5")
+TOLERANCE = 1e-2  # 256 nodes; a second in Python
+SKIPPED = 77
+os.environ["OMP_NUM_THREADS"] = "1"
+
+
+def python_with_numpy():
+    for python in (sys.executable, "/usr/bin/python3"):
+        if subprocess.run([python, "-c", "import numpy"], capture_output=True).returncode == 0:
+            return python
+    return None
+
+
+def commands(folder):
+    found = {}
+    if python := python_with_numpy():
+        found["python"] = f"{python} {SOLVERS / 'line_contact.py'}"
+    if shutil.which("gfortran"):
+        program = pathlib.Path(folder, "line_contact")
+        subprocess.run(["gfortran", "-O2", "-o", program, SOLVERS / "line_contact.f90"], check=True, cwd=folder)
+        found["fortran"] = str(program)
+    if shutil.which("octave-cli"):
+        found["octave"] = f"octave-cli --norc {SOLVERS / 'line_contact.m'}"
+    return found
+
+
+def output(*command):
+    process = subprocess.run([str(word) for word in command], capture_output=True, text=True)
+    if process.returncode not in (0, 1):
+        sys.exit(f"{command}: exit code {process.returncode}\n{process.stderr}")
+    return json.loads(process.stdout)
+
+
+def require(holds, what):
+    if not holds:
+        sys.exit(f"templates: {what}")
+
+
+def compare(ehd, name, command):
+    """Every case at a tolerance that it meets, and one that it does not."""
+    call = f"{name}={command} {{case}} {{out}} {{tolerance}}"
+    for compared in output(ehd, "compare", *CASES, "--solver", "fast", "--tolerance", TOLERANCE, "--external", call,
+                           "--json", "-"):
+        mine = compared["runs"][-1]
+        require(mine["solver"] == name and mine["status"] == "converged", f"{compared['case']}: {name}: {mine}")
+        for film in ("minimum", "central"):
+            achieved, stated = mine["achieved_error"][f"film.{film}"], mine["film"][film]["error"]
+            require(achieved <= stated <= TOLERANCE,
+                    f"{compared['case']}: {name}: film.{film}: achieved {achieved}, stated {stated}")
+    mine = output(ehd, "compare", CASES[0], "--solver", "fast", "--tolerance", 1e-9, "--external", call,
+                  "--json", "-")[0]["runs"][-1]
+    require(mine["status"] == "tolerance-not-met", f"{name} at 1e-9: {mine['status']}")
+
+
+def judge(ehd, folder, name, command):
+    """The submission as it is, with its profile where it writes one."""
+    problem, out = pathlib.Path(folder, "case.json"), pathlib.Path(folder, f"{name}.json")
+    case = CASES[-1]
+    problem.write_text(json.dumps(output(ehd, "cases", case, "--json")["cases"][0]["problem"], indent=2))
+    subprocess.run([*command.split(), problem, out, str(TOLERANCE)], check=True)
+    judgement = output(ehd, "judge", out, "--json", "-")
+    mine = next(one for one in judgement["cases"] if one["case"] == case)
+    digits = {score["quantity"]: score["digits"] for score in mine["scores"] if not score["missing"]}
+    require(min(digits["film.minimum"], digits["film.central"]) > 2, f"{name}: digits {digits}")
+    require(judgement["honesty"]["missed"] == 0 and judgement["honesty"]["met"] == 2, f"{name}: {judgement['honesty']}")
+    require(judgement["gates_hold"], f"{name}: {mine.get('profile')}")
+    require(name != "python" or all(gate["verdict"] == "pass" for gate in mine["profile"]["gates"]),
+            f"{name}: {mine.get('profile')}")
+
+
+def main(ehd):
+    with tempfile.TemporaryDirectory() as folder:
+        found = commands(folder)
+        for name, command in found.items():
+            compare(ehd, name, command)
+            judge(ehd, folder, name, command)
+        for name, needs in (("python", "NumPy"), ("fortran", "gfortran"), ("octave", "octave-cli")):
+            print(f"{name}: {'holds' if name in found else 'not run: there is no ' + needs}")
+    return 0 if found else SKIPPED
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1]))

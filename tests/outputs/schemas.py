@@ -1,0 +1,77 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""JSON of the program against the schemas of docs/schema, and the kept submissions against theirs.
+
+  schemas.py EHD          exit code 0: all valid; 1: one is not; 77: there is no jsonschema
+"""
+import copy
+import json
+import pathlib
+import subprocess
+import sys
+
+SKIPPED = 77
+try:
+    import jsonschema
+except ImportError:
+    system = "/usr/bin/python3"
+    if sys.executable != system and not subprocess.run([system, "-c", "import jsonschema"],
+                                                       capture_output=True).returncode:
+        sys.exit(subprocess.run([system, *sys.argv]).returncode)
+    print("schemas: not run: there is no jsonschema (apt-get install python3-jsonschema)")
+    sys.exit(SKIPPED)
+
+TOP = pathlib.Path(__file__).resolve().parents[2]
+SCHEMAS = {file.stem: json.loads(file.read_text()) for file in sorted((TOP / "docs" / "schema").glob("*.json"))}
+
+
+def validator(name):
+    store = {f"{stem}.json": schema for stem, schema in SCHEMAS.items()}
+    resolver = jsonschema.RefResolver("", SCHEMAS[name], store=store)
+    return jsonschema.Draft202012Validator(SCHEMAS[name], resolver=resolver)
+
+
+def require_valid(document, what):
+    name = document["schema"]
+    for error in validator(name).iter_errors(document):
+        sys.exit(f"schemas: {what} is no {name}: {error.json_path}: {error.message}")
+    # A schema that lets everything through would prove nothing: without any one of its keys it has to object.
+    for key in document:
+        if key in SCHEMAS[name]["required"]:
+            less = copy.deepcopy(document)
+            del less[key]
+            if validator(name).is_valid(less):
+                sys.exit(f"schemas: {name} does not miss {key}")
+    if SCHEMAS[name]["additionalProperties"] is not True and validator(name).is_valid(document | {"unheard": 1}):
+        sys.exit(f"schemas: {name} accepts an unknown key")
+
+
+def main(ehd):
+    def said(*arguments):
+        return json.loads(subprocess.run([ehd, *map(str, arguments)], capture_output=True, text=True, check=True).stdout)
+
+    kept = sorted((TOP / "cases" / "submissions").glob("*.json"))
+    documents = [(file.name, json.loads(file.read_text())) for file in kept]
+    documents += [(f"ehd judge {file.name}", said("judge", file, "--json", "-")) for file in kept[:1]]
+    documents.append(("ehd cases", said("cases", "own-moes-20-10", "own-barus-3-4-flooded", "own-steel-20-10",
+                                        "dry-steel", "na4908", "venner1991-waiting", "--json")))
+    documents.append(("a problem", documents[-1][1]["cases"][0]["problem"]))
+    for case in ("own-moes-20-10", "own-barus-3-4-flooded", "own-steel-20-10", "dry-steel"):
+        documents.append((f"ehd solve {case}", said("solve", case, "--json", "-")))
+    for law in ("hertz", "ehd-linear"):
+        documents.append((f"ehd bearing by {law}", said("bearing", "na4908", "--law", law, "--json", "-")))
+    documents.append(("ehd response", said("response", "own-moes-5-5", "--omega", 1, "--wavelength", 2, "--tolerance",
+                                           1e-3, "--json", "-")))
+    answer = f"mine=cp {TOP / 'cases' / 'submissions' / 'ehd-fast-1e-3.json'} {{out}}; test {{case}}"
+    documents.append(("ehd compare", said("compare", "own-moes-20-10", "--tolerance", 1e-2, "--external", answer,
+                                          "--json", "-")[0]))
+    for what, document in documents:
+        require_valid(document, what)
+    seen = {document["schema"] for _, document in documents}
+    if unused := set(SCHEMAS) - seen:
+        sys.exit(f"schemas: nothing was held against {', '.join(sorted(unused))}")
+    print(f"{len(documents)} documents, {len(seen)} schemas")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1])

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A submission made from the atlas with known errors is scored exactly as it has to be.
+#include "verification/judge/judgement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "contact/nondimensional.hpp"
+#include "io/case_reader.hpp"
+#include "io/find_case.hpp"
+#include "tests/check.hpp"
+#include "tests/files.hpp"
+#include "verification/judge/first_cases.hpp"
+#include "verification/judge/hints.hpp"
+#include "verification/judge/judgement_text.hpp"
+#include "verification/report/judge_page.hpp"
+#include "workflow/registry.hpp"
+
+namespace ehd::judging {
+
+namespace {
+
+namespace test = verification::test;
+using nlohmann::json;
+using verification::Tolerance;
+
+Case case_called(const std::string& id) { return read_case(find_case(id)); }
+
+double digits_in(const std::string& id, Quantity quantity) {
+  for (const Expectation& one : case_called(id).expectations)
+    if (one.quantity == to_string(quantity)) return one.value;
+  BOOST_FAIL(id + " has no " + std::string(to_string(quantity)));
+  return 0;
+}
+
+/// In the scaling of the case's own digits.
+json result_of(const std::string& id) {
+  const Case one = case_called(id);
+  return {{"case", id}, {"version", one.version}, {"scaling", to_string(one.expectations.front().scaling)}};
+}
+
+json submission_of(const std::vector<json>& results) {
+  return {{"schema", "ehd-submission-1"}, {"solver", {{"name", "made"}}}, {"results", results}};
+}
+
+Judgement judged(const test::Folder& folder, const std::vector<json>& results) {
+  return judgement_of(read_submission(folder.write("made.json", submission_of(results).dump())));
+}
+
+const JudgedCase& of_case(const Judgement& judgement, const std::string& id) {
+  for (const JudgedCase& one : judgement.cases)
+    if (one.id == id) return one;
+  BOOST_FAIL(id + " is not judged");
+  return judgement.cases.front();
+}
+
+const Score& score_in(const JudgedCase& one, Quantity quantity) {
+  for (const Score& score : one.scores)
+    if (score.certified.quantity == quantity) return score;
+  BOOST_FAIL(one.id + " certifies no " + std::string(to_string(quantity)));
+  return one.scores.front();
+}
+
+/// Rounding of a double, as it moves -log10 of an error.
+Tolerance rounding_of_digits(double error) { return Tolerance::round_off(16, 1 / error); }
+
+constexpr auto minimum = Quantity::film_minimum, central = Quantity::film_central;
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(judge_judgement)
+
+BOOST_AUTO_TEST_CASE(known_errors_in_the_digits_of_the_atlas_are_scored_exactly) {
+  const std::string off_3 = "atlas-roelands-m20-l10-flooded", off_6 = "atlas-barus-m100-l10-flooded",
+                    swapped = "atlas-roelands-m10-l10-flooded", exact = "atlas-isoviscous-m5-l0-flooded";
+  const test::Folder folder;
+  std::vector<json> results;
+  for (const auto& [id, off] : {std::pair(off_3, 1e-3), std::pair(off_6, -1e-6), std::pair(exact, 0.0)}) {
+    json one = result_of(id);
+    one["film.minimum"] = digits_in(id, minimum) * (1 + off);
+    one["film.central"] = digits_in(id, central) * (1 - off);
+    one["stated_error"] = 1e-5;
+    results.push_back(one);
+  }
+  json wrong = result_of(swapped);
+  wrong["film.minimum"] = digits_in(swapped, central);
+  wrong["film.central"] = digits_in(swapped, minimum);
+  results.push_back(wrong);
+  const Judgement judgement = judged(folder, results);
+
+  for (const auto& [id, off] : {std::pair(off_3, 1e-3), std::pair(off_6, 1e-6)}) {
+    for (const Quantity film : {minimum, central}) {
+      const Score& score = score_in(of_case(judgement, id), film);
+      BOOST_REQUIRE(score.certified.uncertainty < off);
+      EHD_CHECK(std::abs(score.digits + std::log10(off)), rounding_of_digits(off));
+      BOOST_TEST((score.honesty == (off < 1e-5 ? Honesty::met : Honesty::missed)));
+    }
+    BOOST_TEST(of_case(judgement, id).hints.empty());
+    const Score& missing = score_in(of_case(judgement, id), Quantity::pressure_exit);
+    BOOST_TEST(missing.missing());
+    BOOST_TEST(missing.digits == 0);
+  }
+  // The certified digits themselves score what is known of them, and no more.
+  const Score& known = score_in(of_case(judgement, exact), minimum);
+  EHD_CHECK(std::abs(known.digits + std::log10(known.certified.uncertainty)), Tolerance::round_off(16));
+
+  const Score& mistaken = score_in(of_case(judgement, swapped), minimum);
+  const double error = digits_in(swapped, central) / digits_in(swapped, minimum) - 1;
+  EHD_CHECK(std::abs(mistaken.digits + std::log10(error)), rounding_of_digits(error));
+  BOOST_REQUIRE(of_case(judgement, swapped).hints.size() == 1u);
+  BOOST_TEST(of_case(judgement, swapped).hints[0].find("swapped") != std::string::npos);
+  BOOST_TEST(judgement.met + judgement.missed + judgement.undecided == 6u);
+  BOOST_TEST(judgement.missed == 2u);
+}
+
+BOOST_AUTO_TEST_CASE(a_missing_first_case_scores_nothing_and_says_missing) {
+  const test::Folder folder;
+  std::vector<json> results;
+  for (const FirstCase& first : first_cases) {
+    if (first.id == first_cases[4].id) continue;
+    const std::string id(first.id);
+    json one = result_of(id);
+    one["film.minimum"] = digits_in(id, minimum);
+    one["film.central"] = digits_in(id, central);
+    results.push_back(one);
+  }
+  const Judgement judgement = judged(folder, results);
+  BOOST_REQUIRE(judgement.cases.size() == first_cases.size());
+  std::size_t missing = 0;
+  for (std::size_t i = 0; i < first_cases.size(); ++i) {
+    BOOST_TEST(judgement.cases[i].id == first_cases[i].id);  // from easy to hard
+    BOOST_TEST(judgement.cases[i].submitted == (i != 4));
+    for (const Score& score : judgement.cases[i].scores) {
+      const bool film = score.certified.quantity == minimum || score.certified.quantity == central;
+      BOOST_TEST(score.missing() == !(film && i != 4));
+      BOOST_TEST((score.digits > 0) == (film && i != 4));
+      missing += score.missing() ? 1 : 0;
+    }
+  }
+  std::size_t counted = 0;
+  for (const RegimeDigits& row : judgement.regimes) {
+    counted += row.missing;
+    BOOST_TEST((row.worst == 0) == (row.missing > 0));
+  }
+  BOOST_TEST(counted == missing);
+  BOOST_TEST(human_text(judgement).find("missing") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(the_median_by_regime_counts_a_missing_number_as_0) {
+  BOOST_TEST(median({3, 1, 2}) == 2);
+  BOOST_TEST(median({4, 1, 2, 3}) == 2.5);
+  const test::Folder folder;
+  const std::string id = "atlas-isoviscous-m20-l0-flooded";  // the only one of its regime beside the first case
+  json one = result_of(id);
+  for (const Quantity quantity : {minimum, central})
+    one[std::string(to_string(quantity))] = digits_in(id, quantity) * (1 + 1e-4);
+  const Judgement judgement = judged(folder, {one});
+  const auto row = std::find_if(judgement.regimes.begin(), judgement.regimes.end(), [](const RegimeDigits& entry) {
+    return entry.regime == Regime{.load = Load::moderate, .material = Material::low};
+  });
+  BOOST_REQUIRE(row != judgement.regimes.end());
+  BOOST_TEST(row->numbers == row->missing + 2);
+  BOOST_TEST(row->worst == 0);
+  BOOST_TEST(row->median == 0);
+  BOOST_REQUIRE(row->median_given.has_value());
+  EHD_CHECK(std::abs(*row->median_given - 4), rounding_of_digits(1e-4));
+}
+
+BOOST_AUTO_TEST_CASE(stated_errors_are_met_missed_or_undecided) {
+  BOOST_TEST((honesty_of(1e-4, 1e-6, 2e-4) == Honesty::met));
+  BOOST_TEST((honesty_of(1e-4, 1e-6, 5e-5) == Honesty::missed));
+  BOOST_TEST((honesty_of(1e-4, 1e-6, 1.005e-4) == Honesty::undecided));
+  BOOST_TEST(log_relative_error(10, 1e-9) == 0);
+  BOOST_TEST(log_relative_error(0, 0) < 16);
+}
+
+BOOST_AUTO_TEST_CASE(usual_mistakes_of_unit_get_a_hint) {
+  const test::Folder folder;
+  const std::string id = "own-moes-20-10", in_SI = "own-steel-20-10";
+  const double film = digits_in(id, minimum), middle = digits_in(id, central);
+  const auto hint_of = [&](json one, double first, double second) {
+    one["film.minimum"] = first;
+    one["film.central"] = second;
+    const Judgement judgement = judged(folder, {one});
+    const auto& hints = of_case(judgement, one["case"]).hints;
+    return hints.empty() ? std::string() : hints[0];
+  };
+  const double moes = 8 * 20 / M_PI;
+  BOOST_TEST(hint_of(result_of(id), film * moes, middle * moes).find("\"moes\"") != std::string::npos);
+  BOOST_TEST(hint_of(result_of(id), film * 2, middle * 2).find("\"kostreva\"") != std::string::npos);
+  BOOST_TEST(hint_of(result_of(id), film, middle) == "");
+  BOOST_TEST(hint_of(result_of(id), film * 1.5, middle * 1.3) == "");  // wrong, but in no usual way
+
+  // The same contact with the mean speed where the sum belongs.
+  const Case stated = case_called(id);
+  const auto& contact = std::get<ContactCase>(stated.body);
+  Problem problem = nondimensionalise(contact.statement, *contact.lubricant, *contact.inlet).problem;
+  problem.groups = groups_from(HertzGroups{.lambda = 2 * problem.groups.lambda, .alpha_p_H = problem.groups.alpha_p_H});
+  const Solution twice = default_solver().solve(problem, Request{.tolerance = 1e-3});
+  BOOST_TEST(hint_of(result_of(id), twice.observables.at(minimum).value, twice.observables.at(central).value)
+                 .find("is your u the mean speed?") != std::string::npos);
+
+  json micrometres = result_of(in_SI);
+  micrometres["scaling"] = "SI";
+  const CaseScales scales(std::get<ContactCase>(case_called(in_SI).body));
+  const double metres = *scales.unit(minimum, Scaling::SI);
+  const auto certified = certified_numbers(case_called(in_SI), scales);
+  BOOST_REQUIRE(certified.size() >= 2u);
+  BOOST_TEST(hint_of(micrometres, certified[0].value * metres * 1e6, certified[1].value * metres * 1e6).find("um") !=
+             std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(the_page_and_the_badge_show_every_submission_and_no_total) {
+  const test::Folder folder;
+  json one = result_of("own-barus-5-5");
+  one["film.minimum"] = digits_in("own-barus-5-5", minimum) * (1 + 1e-4);
+  json hostile = submission_of({one});
+  hostile["solver"]["name"] = "<script>alert(1)</script>";
+  const Json judgement = to_json(judgement_of(read_submission(folder.write("made.json", hostile.dump()))));
+  const std::string page = report::judge_page({judgement, judgement});
+  BOOST_TEST(page.find("alert(1)") != std::string::npos);
+  BOOST_TEST(page.find("<script>alert") == std::string::npos);
+  BOOST_TEST(page.find("own-barus-5-5") != std::string::npos);
+  BOOST_TEST(page.find("4.0") != std::string::npos);
+  const std::string badge = report::judge_badge(judgement);
+  BOOST_TEST(badge.starts_with("<svg"));
+  BOOST_TEST(badge.find("<script>") == std::string::npos);
+  BOOST_TEST(badge.find("moderate 4.0 | ") != std::string::npos);
+  BOOST_TEST(badge.find("light") == std::string::npos);  // nothing light was given: that is no score of 0
+  BOOST_TEST(badge.find(" missing") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace ehd::judging

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Submissions are read as strictly as case files: one line, or a result.
+#include "verification/judge/submission.hpp"
+
+#include <string>
+
+#include "io/case_reader.hpp"
+#include "io/find_case.hpp"
+#include "tests/check.hpp"
+#include "tests/files.hpp"
+#include "verification/judge/judgement.hpp"
+#include "verification/judge/profile_gates.hpp"
+#include "workflow/contact_run.hpp"
+#include "workflow/registry.hpp"
+
+namespace ehd::judging {
+
+namespace {
+
+namespace test = verification::test;
+
+/// The message of a refusal; a submission that is accepted fails the test.
+std::string refusal_of(const test::Folder& folder, const std::string& name, const std::string& text) {
+  try {
+    (void)judgement_of(read_submission(folder.write(name, text)));
+  } catch (const CaseError& error) {
+    const std::string message = error.what();
+    BOOST_TEST(message.find('\n') == std::string::npos);
+    BOOST_TEST(message.starts_with(folder.path().string()));  // the submission, or its profile
+    BOOST_TEST(message.size() < 700u);
+    return message;
+  }
+  BOOST_ERROR("accepted: " << text);
+  return "";
+}
+
+std::string submission_with(const std::string& result) {
+  return R"({"schema": "ehd-submission-1", "solver": {"name": "n"}, "results": [)" + result + "]}";
+}
+
+const std::string good = R"("case": "own-barus-5-5", "version": 1, "scaling": "hertz", "film.minimum": 0.2467)";
+
+SubmittedProfile solved_profile(const std::string& id, double tolerance) {
+  const Case one = read_case(find_case(id));
+  const ContactRun run = run_contact(one, default_solver(), Request{.tolerance = tolerance});
+  BOOST_REQUIRE((run.status() == StopReason::converged));
+  const Fields& fields = run.solution.fields;
+  return {.X = fields.X, .P = fields.P, .H = fields.H};
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(judge_submission)
+
+BOOST_AUTO_TEST_CASE(bad_json_is_one_line) {
+  const test::Folder folder;
+  const auto refused = [&](const std::string& text, const std::string& says) {
+    const std::string message = refusal_of(folder, "bad.json", text);
+    BOOST_CHECK_MESSAGE(message.find(says) != std::string::npos, says << " is not in: " << message);
+  };
+  refused("", "is no JSON");
+  refused("[1", "is no JSON");
+  refused("{}", "schema: is missing");
+  refused(R"({"schema": "ehd-submission-2", "solver": {"name": "n"}, "results": []})", "allowed is ehd-submission-1");
+  refused(R"({"schema": "ehd-submission-1", "results": []})", "solver: is missing");
+  refused(R"({"schema": "ehd-submission-1", "solver": {"name": "n"}, "results": []})", "results: is missing or empty");
+  refused(submission_with("{" + good + R"(, "film.minimun": 1})"), "film.minimun: is unknown");
+  refused(submission_with("{" + good + R"(, "load_error": 1})"), "load_error: is unknown");
+  refused(submission_with("{" + good + R"(, "film.central": NaN})"), "is no JSON");
+  refused(submission_with("{" + good + R"(, "film.central": "NaN"})"), "required is a number");
+  refused(submission_with("{" + good + R"(, "film.central": null})"), "is null");
+  refused(submission_with("{" + good + R"(, "film.central": 1e999})"), "out of range");
+  refused(submission_with("{" + good + R"(, "film.central": -0.1})"), "is not positive");
+  refused(submission_with("{" + good + R"(, "stated_error": 0})"), "stated_error = 0");
+  refused(submission_with("{" + good + R"(, "wall_s": -1})"), "wall_s = -1");
+  refused(submission_with("{" + good + R"(, "profile": "../p.csv"})"), "allowed is a file beside the submission");
+  refused(submission_with("{" + good + R"(, "profile": "/etc/passwd"})"), "allowed is a file beside the submission");
+  refused(submission_with("{" + good + R"(, "profile": "none.csv"})"), "there is no such file");
+  refused(submission_with("{" + good + "}, {" + good + "}"), "is there twice");
+  refused(submission_with(R"({"case": "own-barus-5-5", "version": 1, "scaling": "hertz"})"), "has no quantity");
+  refused(submission_with(R"({"case": "own-barus-5-5", "version": 2, "scaling": "hertz", "film.minimum": 1})"),
+          "is not the version of own-barus-5-5");
+  refused(submission_with(R"({"case": "own-barus-5-6", "version": 1, "scaling": "hertz", "film.minimum": 1})"),
+          "there is no such case");
+  refused(submission_with(R"({"case": "../own", "version": 1, "scaling": "hertz", "film.minimum": 1})"), "is no id");
+  refused(submission_with(R"({"case": "na4908", "version": 1, "scaling": "hertz", "film.minimum": 1})"),
+          "is a bearing");
+  refused(submission_with(R"({"case": "own-barus-5-5", "version": 1, "scaling": "inch", "film.minimum": 1})"),
+          "scaling = inch: is unknown");
+  refused(submission_with(R"({"case": "own-barus-5-5", "version": 1, "scaling": "SI", "film.minimum": 1})"),
+          "has no such scale");
+  refused(R"({"schema": "ehd-submission-1", "solver": {"name": "a\u001b[31m"}, "results": []})", "control character");
+  refused(R"({"schema": "ehd-submission-1", "solver": {"name": ")" + std::string(300, 'x') + R"("}, "results": []})",
+          "is too long");
+}
+
+BOOST_AUTO_TEST_CASE(bad_csv_is_one_line_with_its_number) {
+  const test::Folder folder;
+  const std::string header = "case,version,quantity,value,scaling\n";
+  const auto refused = [&](const std::string& text, const std::string& says) {
+    const std::string message = refusal_of(folder, "bad.csv", text);
+    BOOST_CHECK_MESSAGE(message.find(says) != std::string::npos, says << " is not in: " << message);
+  };
+  refused("", "is empty");
+  refused(header, "has no rows");
+  refused("case,version,quantity,value\n", "column scaling is missing");
+  refused("case,version,quantity,value,scaling,note\n", "column note: is unknown");
+  refused(header + "own-barus-5-5,1,film.minimum,nan,hertz\n", "bad.csv:2: value = nan: is not finite");
+  refused(header + "own-barus-5-5,1,film.minimum,0.2x,hertz\n", "is not a number");
+  refused(header + "own-barus-5-5,1,film.minimum\n", "bad.csv:2: has 3 cells");
+  refused(header + "own-barus-5-5,1,film.min,0.2,hertz\n", "film.min: is unknown");
+  refused(header + "own-barus-5-5,1,film.minimum,0.2,hertz\n\nown-barus-5-5,1,film.minimum,0.2,hertz\n",
+          "bad.csv:4: quantity = film.minimum: is there twice");
+  refused(header + "own-barus-5-5,1,film.minimum,0.2,hertz\nown-barus-5-5,2,film.central,0.2,hertz\n",
+          "differs from an earlier row");
+}
+
+BOOST_AUTO_TEST_CASE(the_two_forms_say_the_same) {
+  const test::Folder folder;
+  const auto by_json =
+      judgement_of(read_submission(folder.write("a.json", submission_with("{" + good + R"(, "stated_error": 1e-3})"))));
+  const auto by_csv = judgement_of(read_submission(
+      folder.write("a.csv",
+                   "\xEF\xBB\xBF"
+                   "quantity, case, value, version, scaling, stated_error\r\nfilm.minimum, own-barus-5-5, 0.2467, 1, "
+                   "hertz, 1e-3\r\n")));
+  BOOST_REQUIRE(by_json.cases.size() == by_csv.cases.size());
+  for (std::size_t i = 0; i < by_json.cases.size(); ++i)
+    for (std::size_t k = 0; k < by_json.cases[i].scores.size(); ++k) {
+      BOOST_TEST(by_json.cases[i].scores[k].digits == by_csv.cases[i].scores[k].digits);
+      BOOST_TEST((by_json.cases[i].scores[k].honesty == by_csv.cases[i].scores[k].honesty));
+    }
+  BOOST_TEST(by_csv.met == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(a_bad_profile_is_one_line) {
+  const test::Folder folder;
+  const auto refused = [&](const std::string& text, const std::string& says) {
+    (void)folder.write("p.csv", text);
+    try {
+      (void)read_profile(folder.path() / "p.csv");
+      BOOST_ERROR("accepted: " << text);
+    } catch (const CaseError& error) {
+      const std::string message = error.what();
+      BOOST_CHECK_MESSAGE(message.find(says) != std::string::npos, says << " is not in: " << message);
+    }
+  };
+  refused("X,P\n", "column H is missing");
+  refused("X [x/b],P,H\n0,1,1\n0,1,1\n", "p.csv:3: X = 0: is not above the X before it");
+  refused("X,P,H\n1,1,1\n0,1,1\n", "p.csv:3: X = 0: is not above");
+  refused("X,P,H\n0,inf,1\n", "is not finite");
+  refused("X,P,H\n0,1,1\n", "required are 16 at least");
+  refused("X,P,H\n1e9,1,1\n", "is far outside");
+  std::string long_one = "X,P,H\n";
+  for (int i = 0; i <= 100000; ++i) long_one += std::to_string(i) + ",0,1\n";
+  refused(long_one, "has more than 100000 rows");
+  refused(std::string(std::size_t{40} << 20, 'x'), "is larger than 32 MiB");
+}
+
+BOOST_AUTO_TEST_CASE(gates_hold_for_a_solution_and_fail_for_each_wrong_equation) {
+  const auto verdicts = [](const SubmittedProfile& profile) {
+    std::vector<verification::Verdict> all;
+    for (const Gate& gate : gates_of(profile, 0)) all.push_back(gate.verdict);
+    return all;
+  };
+  using verification::Verdict;
+  constexpr auto load = 0U, film = 1U, sign = 2U;
+  for (const char* id : {"own-moes-20-10", "own-barus-3-4-flooded", "own-moes-100-10"}) {
+    BOOST_TEST_CONTEXT(id) {
+      const SubmittedProfile right = solved_profile(id, 1e-4);
+      for (const Gate& gate : gates_of(right, 0))
+        BOOST_CHECK_MESSAGE(gate.verdict == Verdict::pass,
+                            gate.name << ": " << gate.error << " > " << gate.tolerance.value());
+      SubmittedProfile wrong = right;
+      wrong.P *= 1.01;
+      BOOST_TEST((verdicts(wrong)[load] == Verdict::fail));
+      wrong = right;
+      wrong.H *= 1.1;
+      BOOST_TEST((verdicts(wrong)[film] == Verdict::fail));
+      wrong = right;
+      wrong.P[2] = -1e-3;
+      BOOST_TEST((verdicts(wrong)[sign] == Verdict::fail));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_dry_contact_and_a_cut_spike_are_no_faults) {
+  using verification::Verdict;
+  constexpr auto film = 1U;
+  const SubmittedProfile dry = solved_profile("dry-steel", 1e-3);
+  BOOST_TEST((gates_of(dry, 0, true)[film].verdict == Verdict::pass));
+  SubmittedProfile wrong = dry;
+  wrong.H += 0.1 * wrong.X;
+  BOOST_TEST((gates_of(wrong, 0, true)[film].verdict == Verdict::fail));
+
+  SubmittedProfile cut = solved_profile("own-moes-20-10", 1e-4);
+  cut.P = cut.P.min(0.5);
+  BOOST_TEST((gates_of(cut, 0)[film].verdict == Verdict::fail));
+  cut.cut = true;
+  BOOST_TEST((gates_of(cut, 0)[film].verdict == Verdict::inconclusive));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace ehd::judging

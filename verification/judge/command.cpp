@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verification/judge/command.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <limits>
+#include <system_error>
+
+#include "contact/text.hpp"
+
+namespace ehd::judging {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t kept_bytes = 4096, longest_line = 200;
+
+std::system_error refused(const char* what) { return {std::error_code(errno, std::generic_category()), what}; }
+
+/// Closes what it holds.
+struct Descriptor {
+  int number = -1;
+  Descriptor() = default;
+  explicit Descriptor(int opened) : number(opened) {}
+  ~Descriptor() { close(); }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  void close() {
+    if (number >= 0) ::close(number);
+    number = -1;
+  }
+};
+
+/// In the child, after the fork: only what a child of a program with threads may call.
+[[noreturn]] void become(const char* command, int standard_error, pid_t parent) {
+  ::setpgid(0, 0);
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  constexpr int could_not_run = 127;
+  if (::getppid() != parent) ::_exit(could_not_run);
+  const int nothing = ::open("/dev/null", O_RDWR);
+  if (nothing < 0 || ::dup2(nothing, STDIN_FILENO) < 0 || ::dup2(nothing, STDOUT_FILENO) < 0 ||
+      ::dup2(standard_error, STDERR_FILENO) < 0)
+    ::_exit(could_not_run);
+  ::execl("/bin/sh", "sh", "-c", command, static_cast<char*>(nullptr));
+  ::_exit(could_not_run);
+}
+
+/// The end of what comes through a pipe.
+class Tail {
+ public:
+  /// False at the end of the stream, or where nothing is waiting.
+  bool read_from(int pipe) {
+    char buffer[kept_bytes];
+    const auto count = ::read(pipe, buffer, sizeof buffer);
+    if (count < 0) return errno == EINTR;
+    if (count == 0) return false;
+    text_.append(buffer, static_cast<std::size_t>(count));
+    if (text_.size() > 2 * kept_bytes) text_.erase(0, text_.size() - kept_bytes);
+    return true;
+  }
+  [[nodiscard]] std::string last_line() const {
+    const auto end = text_.find_last_not_of("\r\n \t");
+    if (end == std::string::npos) return "";
+    const auto before = text_.find_last_of("\r\n", end);
+    const auto begin = before == std::string::npos ? 0 : before + 1;
+    return shortened(one_line(text_.substr(begin, end + 1 - begin)), longest_line);
+  }
+
+ private:
+  std::string text_;
+};
+
+/// Waits until the child has ended; false where the time is over first.
+bool wait_for(const Descriptor& child, Descriptor& pipe, Tail& tail, Clock::time_point deadline) {
+  for (;;) {
+    pollfd both[] = {{child.number, POLLIN, 0}, {pipe.number, POLLIN, 0}};
+    const double left_ms = std::chrono::duration<double, std::milli>(deadline - Clock::now()).count();
+    if (left_ms <= 0) return false;
+    constexpr double longest_ms = std::numeric_limits<int>::max() / 2;
+    const int ready = ::poll(both, 2, static_cast<int>(std::min(left_ms, longest_ms)) + 1);
+    if (ready < 0 && errno != EINTR) throw refused("poll");
+    if (ready <= 0) continue;
+    if (both[1].revents != 0 && !tail.read_from(pipe.number)) pipe.close();
+    if (both[0].revents != 0) return true;
+  }
+}
+
+}  // namespace
+
+CommandEnd run_command(const std::string& command, double time_limit_s) {
+  int ends[2];
+  if (::pipe2(ends, O_CLOEXEC) != 0) throw refused("no pipe");
+  Descriptor from(ends[0]), into(ends[1]);
+  ::fcntl(from.number, F_SETFL, O_NONBLOCK);
+  const pid_t parent = ::getpid();
+  const auto begin = Clock::now();
+  const pid_t child = ::fork();
+  if (child < 0) throw refused("no process");
+  if (child == 0) become(command.c_str(), into.number, parent);
+  ::setpgid(child, child);  // the first of the two calls counts
+  into.close();
+  const Descriptor ended(static_cast<int>(::syscall(SYS_pidfd_open, child, 0)));  // readable when the child has ended
+  if (ended.number < 0) throw refused("no descriptor of a process");
+  Tail tail;
+  const bool in_time =
+      wait_for(ended, from, tail,
+               begin + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(time_limit_s)));
+  const std::chrono::duration<double> passed = Clock::now() - begin;
+  ::kill(-child, SIGKILL);
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  while (from.number >= 0 && tail.read_from(from.number)) {
+  }
+  CommandEnd end{.words = {}, .last_line = tail.last_line(), .wall_s = passed.count()};
+  if (!in_time) {
+    end.words = "ended by the time limit of " + plain(time_limit_s) + " s";
+  } else if (WIFEXITED(status)) {
+    end.exit_code = WEXITSTATUS(status);
+    end.words = "exit code " + std::to_string(*end.exit_code);
+  } else {
+    end.words = std::string("ended by ") + ::strsignal(WTERMSIG(status));
+  }
+  return end;
+}
+
+double idle_call_s() {
+  constexpr int calls = 3;
+  constexpr double limit_s = 10;
+  double shortest = limit_s;
+  for (int i = 0; i < calls; ++i) shortest = std::min(shortest, run_command(":", limit_s).wall_s);
+  return shortest;
+}
+
+std::string shell_quoted(const std::string& word) {
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string{c};
+  return quoted + "'";
+}
+
+}  // namespace ehd::judging

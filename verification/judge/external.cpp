@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verification/judge/external.hpp"
+
+#include <stdlib.h>  // mkdtemp
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <variant>
+
+#include "contact/nondimensional.hpp"
+#include "contact/text.hpp"
+#include "io/output_file.hpp"
+#include "io/problem_json.hpp"
+#include "io/temporary_files.hpp"
+#include "verification/judge/score.hpp"
+#include "verification/judge/submission.hpp"
+
+namespace ehd::judging {
+
+namespace {
+
+constexpr std::string_view case_word = "{case}", out_word = "{out}", tolerance_word = "{tolerance}";
+
+/// A folder that goes with its files, also by a signal.
+class Exchange {
+ public:
+  Exchange() {
+    std::string name = (std::filesystem::temp_directory_path() / "ehd-external-XXXXXX").string();
+    if (!::mkdtemp(name.data())) throw OutputError(name + ": cannot be made (" + std::strerror(errno) + ")");
+    folder_ = name;
+    case_note_ = TemporaryNote(problem().string());
+    out_note_ = TemporaryNote(submission().string());
+  }
+  ~Exchange() {
+    std::error_code ignored;
+    std::filesystem::remove_all(folder_, ignored);
+  }
+  Exchange(const Exchange&) = delete;
+  Exchange& operator=(const Exchange&) = delete;
+  [[nodiscard]] std::filesystem::path problem() const { return folder_ / "case.json"; }
+  [[nodiscard]] std::filesystem::path submission() const { return folder_ / "submission.json"; }
+
+ private:
+  std::filesystem::path folder_;
+  TemporaryNote case_note_, out_note_;
+};
+
+void replace(std::string& text, std::string_view word, const std::string& by) {
+  for (auto at = text.find(word); at != std::string::npos; at = text.find(word, at + by.size()))
+    text.replace(at, word.size(), by);
+}
+
+/// The films of the submission's result for this case, as observables.
+Observables observed_in(const Submission& submission, const Case& contact_case) {
+  const CaseScales scales(std::get<ContactCase>(contact_case.body));
+  for (const SubmittedResult& result : submission.results) {
+    if (result.case_id != contact_case.id) continue;
+    if (result.version != contact_case.version)
+      throw refusal(result.place, "version = " + std::to_string(result.version) +
+                                      ": is not the one asked for; allowed "
+                                      "is " +
+                                      std::to_string(contact_case.version));
+    Observables observed;
+    for (const SubmittedNumber& number : result.numbers) {
+      const auto unit = scales.unit(number.quantity, number.scaling);
+      if (!unit) throw refusal(result.place, "has a scaling that the case leaves open; allowed is hertz");
+      observed[number.quantity] = {.value = number.value / *unit, .error = number.stated_error};
+    }
+    return observed;
+  }
+  throw refusal(submission.file.string(), "has no result for " + contact_case.id + "; required is one");
+}
+
+}  // namespace
+
+ExternalSolver external_from(const std::string& text) {
+  const auto equals = text.find('=');
+  const ExternalSolver made{.name = text.substr(0, equals),
+                            .command = equals == std::string::npos ? "" : text.substr(equals + 1)};
+  constexpr const char* letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789.-_";
+  if (equals == std::string::npos || made.name.empty() || made.name.find_first_not_of(letters) != std::string::npos)
+    throw std::invalid_argument("has no name; allowed is NAME='command {case} {out} {tolerance}'");
+  for (const std::string_view word : {case_word, out_word})
+    if (made.command.find(word) == std::string::npos)
+      throw std::invalid_argument("has no " + std::string(word) +
+                                  "; allowed is NAME='command {case} {out} {tolerance}'");
+  return made;
+}
+
+ExternalRun run_external(const ExternalSolver& solver, const Case& contact_case, double tolerance,
+                         double time_limit_s) {
+  const Exchange exchange;
+  OutputFile(exchange.problem()).commit(json_text(problem_json(contact_case)));
+  std::string command = solver.command;
+  replace(command, case_word, shell_quoted(exchange.problem().string()));
+  replace(command, out_word, shell_quoted(exchange.submission().string()));
+  replace(command, tolerance_word, plain(tolerance));
+
+  ExternalRun external{.judged = {}, .end = run_command(command, time_limit_s)};
+  ContactRun& run = external.judged.run;
+  external.judged.tolerance = tolerance;
+  run.case_id = contact_case.id;
+  run.version = contact_case.version;
+  run.solver = solver.name;
+  const auto& contact = std::get<ContactCase>(contact_case.body);
+  if (!contact.dry()) {
+    const Nondimensional stated = nondimensionalise(contact.statement, *contact.lubricant, *contact.inlet);
+    run.groups = stated.problem.groups;
+    run.scales = stated.scales;
+  }
+  SolveRecord& record = run.solution.record;
+  record.cost.wall_s = external.end.wall_s;
+  const CommandEnd& end = external.end;
+  record.reason = end.words + (end.last_line.empty() ? "" : ": " + end.last_line);
+  if (!end.exit_code) {
+    const bool by_limit = end.wall_s >= time_limit_s;
+    record.status = by_limit ? StopReason::limit_reached : StopReason::diverged;
+    return external;
+  }
+  try {
+    run.solution.observables = observed_in(read_submission(exchange.submission()), contact_case);
+    record.status = *end.exit_code == 0 ? StopReason::converged : StopReason::tolerance_not_met;
+    if (*end.exit_code == 0) record.reason.clear();
+  } catch (const CaseError& fault) {
+    record.status = StopReason::diverged;
+    record.reason += "; its submission: " + std::string(fault.what());
+  }
+  for (std::size_t film = 0; film < 2; ++film) {
+    const auto at = run.solution.observables.find(judged_films[film]);
+    if (at != run.solution.observables.end()) external.judged.films[film].reported = at->second.error;
+  }
+  return external;
+}
+
+}  // namespace ehd::judging

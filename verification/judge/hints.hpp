@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a wrong number looks like: the usual mistakes of unit and of name. A hint changes no score; it says where to
+// look.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "verification/judge/score.hpp"
+#include "verification/judge/submission.hpp"
+
+namespace ehd::judging {
+
+/// A number beside its certified one, both in Hertz units.
+struct Compared {
+  SubmittedNumber number;
+  double value = 0;
+  Certified certified;
+  [[nodiscard]] double error() const { return relative_error(value, certified.value); }
+};
+
+/// Hints for the numbers of one case that are off by more than 2 %: another scaling than the one named, um for m, two
+/// films swapped, the mean speed for the sum. Nothing is solved but for the last, and only where `may_solve`.
+[[nodiscard]] std::vector<std::string> hints_for(const Case& contact_case, const CaseScales& scales,
+                                                 const std::vector<Compared>& numbers, bool may_solve);
+
+/// Whether some number is so far off that a hint is looked for.
+[[nodiscard]] bool needs_hint(const std::vector<Compared>& numbers);
+
+}  // namespace ehd::judging

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Gates of a submitted profile: does it meet the equations of the line contact, whatever its films are? They are passed
+// or failed, and rank nobody.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "contact/array.hpp"
+#include "verification/tolerance.hpp"
+
+namespace ehd::judging {
+
+/// Nodes in Hertz units: X = x/b increases, P = p/p_H, H = h R/b^2.
+struct SubmittedProfile {
+  Array X, P, H;
+  bool cut = false;  ///< somewhere P is shown up to a limit only: column P_unresolved, as `ehd solve --profile` has it
+};
+
+/// A CSV with the columns X, P, H (further ones are left out), 16 to 100000 rows. Throws CaseError: X that does not
+/// increase, a number that is not finite, a missing column.
+[[nodiscard]] SubmittedProfile read_profile(const std::filesystem::path& file);
+
+struct Gate {
+  std::string name;        ///< "load balance"
+  std::string quadrature;  ///< how it was computed
+  double error = 0;
+  double uncertainty = 0;  ///< of the quadrature: what half of the nodes would change
+  verification::Tolerance tolerance;
+  verification::Verdict verdict;
+};
+
+/// Load balance, film equation and P >= 0. The quadratures are of second order where the pressure is smooth. A scheme
+/// of first order or higher, whose own quadrature differs, is off by no more than the halving of its grid changes: the
+/// tolerance is twice that, and the stated error, or 1e-3 where it is smaller or absent. A profile whose tolerance is
+/// above 0.1 is too coarse to pass, and one that is cut says too little to fail: inconclusive. The film equation is
+/// judged relative to the film, in a dry contact, which has none, in Hertz units.
+[[nodiscard]] std::vector<Gate> gates_of(const SubmittedProfile& profile, double stated_error, bool dry = false);
+
+}  // namespace ehd::judging

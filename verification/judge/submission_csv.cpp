@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <map>
+#include <string>
+
+#include "contact/text.hpp"
+#include "verification/judge/csv_reader.hpp"
+#include "verification/judge/submission.hpp"
+
+namespace ehd::judging {
+
+namespace {
+
+constexpr FileKind csv_kind{.name = "a submission (CSV with columns case, version, quantity, value, scaling)",
+                            .most_bytes = 16 << 20};
+constexpr std::size_t rows_per_result = 16;  // more than there are quantities
+
+int version_in(const CsvReader& csv, std::size_t column) {
+  const double version = csv.number(column);
+  if (!(version >= 1 && version <= std::numeric_limits<int>::max() && version == static_cast<int>(version)))
+    throw csv.refuse(column, "is no version; allowed is an integer above 0");
+  return static_cast<int>(version);
+}
+
+}  // namespace
+
+Submission read_submission_csv(const std::filesystem::path& file) {
+  CsvReader csv(file, csv_kind, most_results * rows_per_result);
+  const std::size_t id = csv.column("case"), version = csv.column("version"), quantity = csv.column("quantity"),
+                    value = csv.column("value"), scaling = csv.column("scaling"),
+                    stated = csv.column("stated_error", false);
+  constexpr std::array known{"case", "version", "quantity", "value", "scaling", "stated_error"};
+  for (const std::string& name : csv.header())
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      throw refusal(csv.place(), "column " + shortened(name, 60) +
+                                     ": is unknown; allowed is case, version, quantity, value, scaling, stated_error");
+  Submission made{
+      .file = file, .name = one_line(file.stem().string()), .version = {}, .url = {}, .hardware = {}, .results = {}};
+  std::map<std::string, std::size_t> place_of;
+  while (csv.next()) {
+    require_case_id(csv.place(), csv.cell(id));
+    const auto [at, is_new] = place_of.try_emplace(csv.cell(id), made.results.size());
+    if (is_new)
+      made.results.push_back(
+          {.case_id = csv.cell(id), .version = version_in(csv, version), .numbers = {}, .place = csv.place()});
+    SubmittedResult& result = made.results[at->second];
+    if (version_in(csv, version) != result.version)
+      throw csv.refuse(version, "differs from an earlier row of the case; allowed is one version");
+    SubmittedNumber number{.quantity = submitted_quantity(csv.place(), csv.cell(quantity)),
+                           .value = csv.number(value),
+                           .scaling = submitted_scaling(csv.place(), csv.cell(scaling))};
+    if (stated < csv.size() && !csv.cell(stated).empty()) number.stated_error = csv.number(stated);
+    require_number(csv.place(), number);
+    for (const SubmittedNumber& other : result.numbers)
+      if (other.quantity == number.quantity)
+        throw csv.refuse(quantity, "is there twice for this case; allowed is once");
+    result.numbers.push_back(number);
+  }
+  if (made.results.empty()) throw refusal(csv.place(), "has no rows; required is one a number");
+  return made;
+}
+
+}  // namespace ehd::judging

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The page and the badge of `ehd judge`, pure functions of judgements (docs/schema/ehd-judgement-1.json).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "verification/report/document.hpp"
+
+namespace ehd::report {
+
+/// All judgements on one self-contained page: digits by case, stated errors against actual ones, gates, hints. There is
+/// no single total. Throws ReportError for a judgement of another form.
+[[nodiscard]] std::string judge_page(const std::vector<Json>& judgements);
+
+/// An SVG of one line: the median digits of what was given, by load, and how many numbers are missing. Throws
+/// ReportError.
+[[nodiscard]] std::string judge_badge(const Json& judgement);
+
+}  // namespace ehd::report
