@@ -83,7 +83,8 @@ std::string build_text() {
     text += fmt::format("commit     {}{}\n", commit, EHD_COMMIT_DIRTY ? ", changed since" : "");
   text += fmt::format("compiler   {}\nflags      {}\nlibraries ", compiler(), EHD_COMPILE_FLAGS);
   std::string separator = " ";
-  for (const auto& [name, version] : libraries().items())
+  const Json versions = libraries();
+  for (const auto& [name, version] : versions.items())
     text += std::exchange(separator, ", ") + name + " " + version.get<std::string>();
   return text;
 }

@@ -13,7 +13,8 @@ using namespace ehd::c::test;
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN(),
+                 infinity = std::numeric_limits<double>::infinity();
 
 /// Refused with one line that holds the phrase, without a result.
 void check_refused(const Held& one, const std::string& phrase) {
@@ -31,7 +32,7 @@ void check_refused(int code, const std::string& phrase) {
 }
 
 /// One contact, and room for its films.
-struct Films {
+struct OneFilm {
   double M = 20, L = 10, minimum = 7, minimum_error = 7, central = 7, central_error = 7;
   int status = 7;
 };
@@ -73,7 +74,7 @@ BOOST_AUTO_TEST_CASE(a_null_pointer_is_bad_input) {
 }
 
 BOOST_AUTO_TEST_CASE(every_array_of_films_is_needed) {
-  Films f;
+  OneFilm f;
   const auto films = [&](int left_out) {
     const auto array = [&](double& of, int k) { return k == left_out ? nullptr : &of; };
     return ehd_films(1, array(f.M, 0), array(f.L, 1), nullptr, 1e-2, 1, array(f.minimum, 2), array(f.minimum_error, 3),
@@ -84,7 +85,7 @@ BOOST_AUTO_TEST_CASE(every_array_of_films_is_needed) {
 }
 
 BOOST_AUTO_TEST_CASE(sizes_and_numbers_out_of_range_are_bad_input) {
-  Films f;
+  OneFilm f;
   const auto films = [&](std::size_t n, double tolerance, int threads) {
     return ehd_films(n, &f.M, &f.L, nullptr, tolerance, threads, &f.minimum, &f.minimum_error, &f.central,
                      &f.central_error, &f.status);
@@ -92,10 +93,10 @@ BOOST_AUTO_TEST_CASE(sizes_and_numbers_out_of_range_are_bad_input) {
   check_refused(films(0, 1e-2, 1), "n = 0");
   check_refused(films(1, 1e-2, -1), "threads = -1");
   check_refused(films(1, 1e-2, 2000), "threads = 2000");
-  check_refused(films(1, nan, 1), "tolerance = nan");
+  check_refused(films(1, not_a_number, 1), "tolerance = nan");
   f.M = -1;
   check_refused(films(1, 1e-2, 1), "M = -1: is out of range");
-  f.M = nan;
+  f.M = not_a_number;
   check_refused(films(1, 1e-2, 1), "M = nan: is not finite");
   const double M[] = {20, 20}, L[] = {0, 10};  // L = 0 needs no viscosity law, the second contact does
   double film[2];
@@ -106,7 +107,7 @@ BOOST_AUTO_TEST_CASE(sizes_and_numbers_out_of_range_are_bad_input) {
   BOOST_TEST(f.minimum == 7);
   BOOST_TEST(f.status == 7);
 
-  for (const double tolerance : {0.0, -1e-3, 1.5, infinity, nan})
+  for (const double tolerance : {0.0, -1e-3, 1.5, infinity, not_a_number})
     check_refused(solve_moes(20, 10, nullptr, "fast", tolerance), "tolerance = ");
   check_refused(solve_moes(2e6, 10), "M = 2e6: is out of range; allowed is a number, 0.001 to 1e6");
   check_refused(solve_moes(20, -1), "L = -1: is out of range");
@@ -115,7 +116,7 @@ BOOST_AUTO_TEST_CASE(sizes_and_numbers_out_of_range_are_bad_input) {
   double number = 1e-6;
   check_refused(ehd_law(one.result.get(), "inner", 0, &number, &number, &number), "n = 0");
   check_refused(ehd_law(one.result.get(), "middle", 1, &number, &number, &number), "raceway = middle");
-  number = nan;
+  number = not_a_number;
   check_refused(ehd_law(one.result.get(), "inner", 1, &number, &number, &number), "approach_m[0] = nan");
 }
 

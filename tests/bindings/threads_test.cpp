@@ -42,11 +42,12 @@ struct WithProgress {
   WithProgress& operator=(const WithProgress&) = delete;
 };
 
-struct Films {
+struct FilmBatch {
   std::vector<double> M, L, minimum, minimum_error, central, central_error;
   std::vector<int> status;
 
-  explicit Films(std::size_t n) : M(n), L(n, 8), minimum(n), minimum_error(n), central(n), central_error(n), status(n) {
+  explicit FilmBatch(std::size_t n)
+      : M(n), L(n, 8), minimum(n), minimum_error(n), central(n), central_error(n), status(n) {
     for (std::size_t i = 0; i < n; ++i) M[i] = 5 * std::pow(1.2, static_cast<double>(i % 17));
   }
   int solve(int threads, double tolerance = 1e-3) {
@@ -80,7 +81,7 @@ BOOST_AUTO_TEST_CASE(eight_threads_get_the_bits_of_one) {
 }
 
 BOOST_AUTO_TEST_CASE(films_are_those_of_single_solves_for_every_number_of_threads) {
-  Films one(12), four(12);
+  FilmBatch one(12), four(12);
   BOOST_TEST(one.solve(1) == EHD_OK);
   BOOST_TEST(four.solve(4) == EHD_OK);
   BOOST_TEST(one.minimum == four.minimum, boost::test_tools::per_element());
@@ -130,7 +131,7 @@ BOOST_AUTO_TEST_CASE(a_second_user_of_fftw_may_plan_meanwhile) {
 BOOST_AUTO_TEST_CASE(the_callback_hears_how_far_the_films_are) {
   Calls calls;
   const WithProgress scope(calls);
-  Films films(40);
+  FilmBatch films(40);
   BOOST_TEST(films.solve(2) == EHD_OK);
   BOOST_TEST(calls.count >= 2);
   BOOST_TEST(calls.last > 0);
@@ -165,7 +166,7 @@ BOOST_AUTO_TEST_CASE(the_callback_cancels_films_and_bearings) {
   {
     Calls calls{.cancel_at = 2};
     const WithProgress scope(calls);
-    Films films(3000);
+    FilmBatch films(3000);
     BOOST_TEST(films.solve(2) == EHD_NOT_MET);
     BOOST_TEST(calls.count == 2);
     BOOST_TEST(films.status.back() == EHD_LIMIT_REACHED);
