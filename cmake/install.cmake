@@ -4,7 +4,12 @@
 include(CMakePackageConfigHelpers)
 
 install(TARGETS ehd_program RUNTIME COMPONENT ehd)
-install(DIRECTORY cases DESTINATION ${CMAKE_INSTALL_DATADIR}/ehd COMPONENT ehd)
+install(DIRECTORY cases DESTINATION ${CMAKE_INSTALL_DATADIR}/ehd COMPONENT ehd MESSAGE_NEVER)  # 500 files
+
+# Made by the program when it is installed: what its shell completes, and its manual pages where help2man is there.
+install(CODE "set(EHD_PROGRAM \"$<TARGET_FILE:ehd_program>\")
+set(EHD_SHARE \"${CMAKE_INSTALL_DATADIR}\")" COMPONENT ehd)
+install(SCRIPT cmake/install_made.cmake COMPONENT ehd)
 
 install(TARGETS ehd_shared EXPORT ehd LIBRARY COMPONENT libehd0 NAMELINK_COMPONENT libehd-dev)
 install(FILES bindings/c/ehd/ehd.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ehd COMPONENT libehd-dev)
