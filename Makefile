@@ -23,7 +23,7 @@ TIDY_ROOMS = contact reference fast bearing workflow
 FORMAT_ROOMS = $(TIDY_ROOMS) io bindings verification cli tests
 
 .DEFAULT_GOAL := help
-.PHONY: help setup configure program build install verify verify-full test sanitizer-build sanitizer-program sanitize \
+.PHONY: help setup configure program build install deb verify verify-full test sanitizer-build sanitizer-program sanitize \
   sanitize-slow sanitize-threads fuzz faults engines sweep-million check-all bench callgrind kernels mutants stress report \
   browser-test atlas results results-check results-full format format-check tidy tidy-changed clean
 
@@ -57,6 +57,16 @@ verify-full: program  ## The paper's bearing at three clearances, and the whole 
 install: program  ## Install program, library and cases under PREFIX (/usr/local)
 	@cmake --build $(BUILD) --parallel $(JOBS) --target ehd_shared
 	@cmake --install $(BUILD) --prefix $(PREFIX)
+
+# A build folder of its own: packages run on every machine of the architecture.
+deb:        ## Make Debian packages in build-deb/deb: ehd, libehd0, libehd-dev; read them with lintian (5 minutes)
+	@sh cmake/setup.sh dpkg-dev help2man lintian
+	@$(MAKE) --no-print-directory configure BUILD=$(BUILD)-deb \
+	  CMAKE_FLAGS="-DEHD_NATIVE=OFF -DBUILD_TESTING=OFF -DCMAKE_INSTALL_PREFIX=/usr $(CMAKE_FLAGS)"
+	@cmake --build $(BUILD)-deb --parallel $(JOBS) --target ehd_program --target ehd_shared
+	@cd $(BUILD)-deb && cpack > cpack.log 2>&1 || { cat cpack.log >&2; exit 1; }
+	@lintian --allow-root --fail-on error $(BUILD)-deb/deb/*.deb
+	@ls $(BUILD)-deb/deb/*.deb
 
 test: configure  ## Build and run every test (8 minutes)
 	@sh cmake/setup.sh gfortran
