@@ -89,14 +89,7 @@ Case read_case(std::string text, const std::filesystem::path& file, const std::v
   return case_of(checked_case_text(std::move(text), file), file, substitutions);
 }
 
-Case read_case_in_memory(std::string text) {
-  const std::filesystem::path nameless = "case";
-  const std::string checked = checked_case_text(std::move(text), nameless);
-  const CaseTree tree(checked, nameless);
-  const CaseNode* node = tree.find("id");
-  const auto* id = node ? std::get_if<std::string>(&node->content) : nullptr;
-  return case_of(checked, id ? std::filesystem::path(*id + ".toml") : nameless);
-}
+Case read_case_in_memory(std::string text) { return case_of(checked_case_text(std::move(text), nameless_case), {}); }
 
 ContactCase read_moes_contact(const MoesGroups& groups, const std::string& lubricant) {
   const std::string name = "lubricant";

@@ -73,8 +73,8 @@ int ehd_bearing(const char* case_toml, const char* law, ehd_result** result) {
     if (!std::holds_alternative<BearingCase>(one.body))
       throw case_error(one, "", "this is a contact; allowed is a bearing case (ehd_solve takes this one)");
     const BearingResult balanced = balance(one, by);
-    auto made = std::make_unique<ehd_result>(ehd_result{.json = to_json(balanced), .text = {}});
-    made->text = json_text(made->json);
+    auto made = std::make_unique<ehd_result>();
+    made->json = to_json(balanced);
     made->of_bearing = true;
     if (!balanced.rollers.empty()) made->laws = laws_of(std::get<BearingCase>(one.body), balanced);
     *result = made.release();

@@ -51,7 +51,6 @@ int refuse(int code, std::string_view prefix, std::string_view line) noexcept {
 }  // namespace
 
 int guarded(const std::function<int()>& body) noexcept {
-  copy_last_error("", "");
   try {
     return body();
   } catch (const CaseError& error) {

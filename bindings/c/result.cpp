@@ -84,6 +84,14 @@ size_t ehd_field(const ehd_result* result, const char* name, double* buffer, siz
   return count;
 }
 
-const char* ehd_json(const ehd_result* result) { return result ? result->text.c_str() : nullptr; }
+const char* ehd_json(const ehd_result* result) {
+  const char* text = nullptr;
+  (void)ehd::c::guarded([&] {
+    ehd::c::require_pointer(result, "result");
+    text = result->text().c_str();
+    return EHD_OK;
+  });
+  return text;
+}
 
 void ehd_free(ehd_result* result) { delete result; }

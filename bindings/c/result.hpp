@@ -3,6 +3,7 @@
 // bearing.
 #pragma once
 
+#include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -14,8 +15,17 @@
 
 struct ehd_result {
   ehd::Json json;
-  std::string text;                             ///< the JSON as the program writes it
   std::vector<ehd::ProfileColumn> fields = {};  ///< of a contact; empty where it has no solution
   std::optional<ehd::bearing::LawPair> laws = {};
   bool of_bearing = false;
+
+  /// The JSON as the program writes it, made when it is first asked for; several threads may ask.
+  [[nodiscard]] const std::string& text() const {
+    std::call_once(text_made_, [this] { text_ = ehd::json_text(json); });
+    return text_;
+  }
+
+ private:
+  mutable std::once_flag text_made_;
+  mutable std::string text_;
 };

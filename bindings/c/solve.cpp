@@ -28,7 +28,6 @@ namespace ehd::c {
 namespace {
 
 constexpr int most_threads = 1024;
-constexpr const char* plain_oil = "viscosity = \"barus\"\ndensity = \"incompressible\"\n";
 
 const RegisteredSolver& solver_named(const char* name) {
   require_pointer(name, "solver");
@@ -42,7 +41,8 @@ const Interval& range_of(const char* key) { return std::get<Interval>(row_of_cas
 ContactCase moes_contact(const MoesGroups& groups, const char* lubricant) {
   require_in("M", groups.M, range_of("moes.M"));
   require_in("L", groups.L, range_of("moes.L"));
-  return read_moes_contact(groups, lubricant ? lubricant : plain_oil);
+  if (lubricant) return read_moes_contact(groups, lubricant);
+  return {.statement = groups, .lubricant = Lubricant{}, .inlet = Flooded{}};  // Barus, incompressible
 }
 
 /// Solves under the caller's callback and hands the result over.
@@ -50,8 +50,8 @@ int hand_over(const std::string& what, const std::function<ContactRun()>& solve,
   Progress progress;
   const Interruptible scope([&progress] { return progress.cancelled(); });
   const ContactRun run = solve();
-  auto made = std::make_unique<ehd_result>(ehd_result{.json = to_json(run), .text = {}});
-  made->text = json_text(made->json);
+  auto made = std::make_unique<ehd_result>();
+  made->json = to_json(run);
   if (run.status() != StopReason::diverged && run.solution.fields.X.size() > 0) made->fields = profile_of(run);
   *result = made.release();
   return ended(what, run.status(), run.solution.record.reason);

@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 #include <string>
+#include <thread>
 
 #include "tests/bindings/held.hpp"
 
@@ -163,10 +164,14 @@ BOOST_AUTO_TEST_CASE(a_bad_lubricant_names_its_line) {
                 "alpha_per_Pa");
 }
 
-BOOST_AUTO_TEST_CASE(a_good_call_forgets_the_last_error) {
-  check_refused(solve(""), "case");
+BOOST_AUTO_TEST_CASE(the_last_error_is_there_until_the_next_one) {
+  const char* const line = ehd_last_error();
+  check_refused(solve(""), "case: is empty");
   BOOST_TEST(solve_moes(20, 10).code == EHD_OK);
-  BOOST_TEST(std::string(ehd_last_error()) == "");
+  BOOST_TEST(std::string(line).starts_with("case: is empty"));
+  check_refused(solve_moes(-20, 10), "M = -20");
+  BOOST_TEST(std::string(line).starts_with("ehd: M = -20"));
+  std::jthread([] { BOOST_TEST(std::string(ehd_last_error()) == ""); }).join();
 }
 
 BOOST_AUTO_TEST_CASE(the_version_names_commit_and_libraries) {

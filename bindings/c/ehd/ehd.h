@@ -50,8 +50,8 @@ typedef struct ehd_result ehd_result;
 /* "0.1.0 (1a2b3c4d, FFTW 3.3.10, Eigen 3.4.0)" */
 EHD_API const char *ehd_version(void);
 
-/* Why the last call of this thread did not return EHD_OK: one line, as the program prints it. Empty after EHD_OK.
- * The text changes with the next call of this thread; the pointer stays valid while the thread lives. */
+/* Why the last call of this thread that did not return EHD_OK ended so: one line, as the program prints it. Empty where
+ * every call returned EHD_OK. The pointer stays valid while the thread lives. */
 EHD_API const char *ehd_last_error(void);
 
 /* Solves one contact.
@@ -84,7 +84,7 @@ EHD_API int ehd_get(const ehd_result *result, const char *path, double *value);
  * Returns how many numbers there are; 0 where there is no such field. */
 EHD_API size_t ehd_field(const ehd_result *result, const char *name, double *buffer, size_t length);
 
-/* The JSON that the program writes for this result. Lives as long as the result; NULL for NULL. */
+/* The JSON that the program writes for this result. Lives as long as the result. NULL for NULL, and without memory. */
 EHD_API const char *ehd_json(const ehd_result *result);
 
 /* NULL is allowed. */
