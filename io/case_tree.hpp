@@ -17,7 +17,7 @@
 
 namespace ehd {
 
-/// What messages call a text that has neither a file nor an id.
+/// A text that comes without a file stands for the file that its id names. Without an id, messages call it so.
 inline constexpr const char* nameless_case = "case";
 
 /// One value of the file.
@@ -30,10 +30,10 @@ struct CaseNode {
 
 class CaseTree {
  public:
-  /// `text` as checked_case_text leaves it. Without a `file` it stands for the file that its id names. Substituted
-  /// values pass every check that the file's own would; messages name the line of the value that was replaced, or of
-  /// its table. With substitutions the file's [[expect]] tables are left out, since they hold for the file's own
-  /// numbers. Throws CaseError for text that is not TOML and for a key that io/case_keys does not have.
+  /// `text` as checked_case_text leaves it. Substituted values pass every check that the file's own would; messages
+  /// name the line of the value that was replaced, or of its table. With substitutions the file's [[expect]] tables
+  /// are left out, since they hold for the file's own numbers. Throws CaseError for text that is not TOML and for a
+  /// key that io/case_keys does not have.
   CaseTree(const std::string& text, const std::filesystem::path& file,
            const std::vector<Substitution>& substitutions = {});
 

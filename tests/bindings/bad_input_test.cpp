@@ -156,6 +156,8 @@ BOOST_AUTO_TEST_CASE(a_bad_lubricant_names_its_line) {
   const std::string barus = "viscosity = \"barus\"\n";
   check_refused(solve_moes(20, 10, ""), "viscosity");
   check_refused(solve_moes(20, 10, (barus + "density = \"iron\"\n").c_str()), "lubricant:3: density = \"iron\"");
+  check_refused(solve_moes(20, 10, (barus + "density = \"incompressible\"\nzz = 0.68\n").c_str()),
+                "lubricant:4: zz = 0.68: is unknown");
   check_refused(solve_moes(20, 10, (barus + "density = \"incompressible\"\n[moes]\nM = 3\n").c_str()),
                 "lubricant:4: [moes]: does not belong here");
   check_refused(solve_moes(20, 10, (barus + "density = \"incompressible\"\n[[expect]]\n").c_str()), "lubricant:4");
