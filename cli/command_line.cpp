@@ -134,7 +134,8 @@ void Command::runs(std::function<int()> body) {
 int run_command_line(const Program& program, int argc, char** argv) {
   int exit_code = success;
   CLI::App app(program.summary, program.name);
-  app.set_version_flag("--version", program.name + " " + program.version, "Print the version");
+  app.set_version_flag(
+      "--version", [&program] { return program.name + " " + program.version(); }, "Print the version");
   std::optional<std::string> shell;
   app.add_option("--completion", shell, std::string("Print a completion script for a shell: ") + completion_shells)
       ->type_name("SHELL");

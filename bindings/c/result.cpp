@@ -10,7 +10,7 @@
 #include "bindings/c/call.hpp"
 #include "bindings/c/ehd/ehd.h"
 #include "contact/text.hpp"
-#include "io/provenance.hpp"
+#include "io/version.hpp"
 
 namespace ehd::c {
 
