@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The commands that a user types; CMake does the work. Variables: BUILD (folder), JOBS, CMAKE_FLAGS (passed to CMake),
-# CTEST_FLAGS (passed to ctest), FUZZ_SECONDS (of each target), FILES (for tidy).
+# CTEST_FLAGS (passed to ctest), PREFIX (of make install), FUZZ_SECONDS (of each target), FILES (for tidy).
 
 BUILD ?= build
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 CMAKE_FLAGS ?=
 CTEST_FLAGS ?=
 FUZZ_SECONDS ?= 60
+PREFIX ?= /usr/local
 # Ninja where it is installed; a build folder keeps the generator that it was made with.
 GENERATOR = $(if $(wildcard $(BUILD)/CMakeCache.txt),,$(if $(shell command -v ninja 2>/dev/null),-G Ninja))
 
@@ -15,14 +16,14 @@ SANITIZER_FLAGS = -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=RelWithDebInfo
   -DCMAKE_CXX_FLAGS_RELWITHDEBINFO='-O1 -gline-tables-only'
 
 FUZZED ?= case sweep row results atlas
-SANITIZED ?= contact reference fast bearing workflow io verification
+SANITIZED ?= contact reference fast bearing workflow io bindings verification
 space := $() $()
 # What clang-tidy reads, and what clang-format formats.
 TIDY_ROOMS = contact reference fast bearing workflow
-FORMAT_ROOMS = $(TIDY_ROOMS) io verification cli tests
+FORMAT_ROOMS = $(TIDY_ROOMS) io bindings verification cli tests
 
 .DEFAULT_GOAL := help
-.PHONY: help setup configure program build verify verify-full test sanitizer-build sanitizer-program sanitize \
+.PHONY: help setup configure program build install deb verify verify-full test sanitizer-build sanitizer-program sanitize \
   sanitize-slow sanitize-threads fuzz faults engines sweep-million check-all bench callgrind kernels mutants stress report \
   browser-test atlas submissions results results-check results-full format format-check tidy tidy-changed clean
 
@@ -53,7 +54,22 @@ verify-full: program  ## The paper's bearing at three clearances, and the whole 
 	@$(BUILD)/ehd bearing na4908 na4908-2.5um na4908-10um
 	@$(BUILD)/ehd verify --output out/verify
 
+install: program  ## Install program, library and cases under PREFIX (/usr/local)
+	@cmake --build $(BUILD) --parallel $(JOBS) --target ehd_shared
+	@cmake --install $(BUILD) --prefix $(PREFIX)
+
+# A build folder of its own: packages run on every machine of the architecture.
+deb:        ## Make Debian packages in build-deb/deb: ehd, libehd0, libehd-dev; read them with lintian (5 minutes)
+	@sh cmake/setup.sh dpkg-dev help2man lintian
+	@$(MAKE) --no-print-directory configure BUILD=$(BUILD)-deb \
+	  CMAKE_FLAGS="-DEHD_NATIVE=OFF -DBUILD_TESTING=OFF -DCMAKE_INSTALL_PREFIX=/usr $(CMAKE_FLAGS)"
+	@cmake --build $(BUILD)-deb --parallel $(JOBS) --target ehd_program --target ehd_shared
+	@cd $(BUILD)-deb && cpack > cpack.log 2>&1 || { cat cpack.log >&2; exit 1; }
+	@lintian --allow-root --fail-on error $(BUILD)-deb/deb/*.deb
+	@ls $(BUILD)-deb/deb/*.deb
+
 test: configure  ## Build and run every test (8 minutes)
+	@sh cmake/setup.sh gfortran
 	@cmake --build $(BUILD) --parallel $(JOBS)
 	@ctest --test-dir $(BUILD) --output-on-failure --parallel $(JOBS) $(CTEST_FLAGS)
 
@@ -85,7 +101,7 @@ sanitize-threads:  ## The tests that use threads, and part of the suite, with Th
 	@sh cmake/setup.sh clang libclang-rt-dev
 	@$(MAKE) --no-print-directory configure BUILD=$(BUILD)-threads \
 	  CMAKE_FLAGS="$(SANITIZER_FLAGS) -DEHD_SANITIZE=thread $(CMAKE_FLAGS)"
-	@cmake --build $(BUILD)-threads --parallel $(JOBS) --target test_workflow test_io test_verification ehd_program
+	@cmake --build $(BUILD)-threads --parallel $(JOBS) --target test_workflow test_io test_bindings test_verification ehd_program
 	@ctest --test-dir $(BUILD)-threads --output-on-failure --label-regex '^threads$$' --no-tests=error $(CTEST_FLAGS)
 	@$(BUILD)-threads/ehd verify --quick --rung 7
 

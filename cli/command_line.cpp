@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <utility>
 
+#include "cli/completion.hpp"
 #include "cli/output.hpp"
 #include "cli/usage.hpp"
 #include "io/near_miss.hpp"
@@ -32,6 +33,25 @@ std::string unknown_word(CLI::App& app, const std::string& command) {
   const std::string given = app.remaining().front();
   const std::string word = given.substr(0, given.starts_with("--") ? given.find('=') : std::string::npos);
   return word + ": unknown; " + did_you_mean(word, names_like(word, app)) + command + " --help shows what is allowed";
+}
+
+/// The options of a command with their names, for the shell that completes them.
+CommandWords words_of(const std::string& name, const CLI::App& app) {
+  CommandWords words{.name = name, .options = {}};
+  for (const CLI::Option* option : app.get_options()) {
+    if (option->get_positional())
+      words.takes_cases = words.takes_cases || option->get_name() == "CASE";
+    else
+      words.options.push_back(option->get_name());
+  }
+  return words;
+}
+
+std::vector<CommandWords> words_of(const CLI::App& app) {
+  std::vector<CommandWords> words{words_of("", app)};
+  for (const CLI::App* subcommand : app.get_subcommands({}))
+    words.push_back(words_of(subcommand->get_name(), *subcommand));
+  return words;
 }
 
 }  // namespace
@@ -85,7 +105,11 @@ void Command::runs(std::function<int()> body) {
 int run_command_line(const Program& program, int argc, char** argv) {
   int exit_code = success;
   CLI::App app(program.summary, program.name);
-  app.set_version_flag("--version", program.name + " " + program.version, "Print the version");
+  app.set_version_flag(
+      "--version", [&program] { return program.name + " " + program.version(); }, "Print the version");
+  std::optional<std::string> shell;
+  app.add_option("--completion", shell, std::string("Print a completion script for a shell: ") + completion_shells)
+      ->type_name("SHELL");
   app.footer(program.examples);
   app.require_subcommand(0, 1);
   for (const Subcommand& subcommand : program.subcommands) {
@@ -117,6 +141,11 @@ int run_command_line(const Program& program, int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return refuse(&error);
   }
+  if (shell)
+    return run_guarded([&] {
+      print(completion_script(program.name, words_of(app), *shell));
+      return success;
+    });
   if (app.get_subcommands().empty()) print(app.help());
   return exit_code;
 }

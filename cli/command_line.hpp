@@ -59,7 +59,9 @@ struct Subcommand {
 };
 
 struct Program {
-  std::string name, version, summary, examples;
+  std::string name;
+  std::function<std::string()> version;  ///< what --version prints behind the name
+  std::string summary, examples;
   std::vector<Subcommand> subcommands;  ///< in the order of the help
 };
 

@@ -10,6 +10,7 @@
 #include "cli/subcommands.hpp"
 #include "cli/usage.hpp"
 #include "io/output_file.hpp"
+#include "io/version.hpp"
 
 namespace {
 
@@ -40,7 +41,7 @@ Exit code: 0 success; 1 a check failed or a solve did not converge; 2 bad input 
 ehd::cli::Program ehd_program() {
   ehd::cli::Program program{
       .name = "ehd",
-      .version = EHD_VERSION,
+      .version = ehd::build_text,
       .summary = "Elastohydrodynamic line contacts and the roller bearings that run on them, verified",
       .examples = examples,
       .subcommands = {},

@@ -22,7 +22,12 @@ namespace ehd::fast {
 
 namespace {
 
-std::mutex planner;               // FFTW's planner is not thread-safe; its execution is
+/// FFTW's planner is one for the whole process, and not thread-safe; its execution is. Another user of FFTW in the
+/// process (a program that loads this code as a library) does not know the mutex below. FFTW's own lock serves both: it
+/// is switched on before this code or its caller can plan.
+[[maybe_unused]] const bool planner_is_shared = (fftw_make_planner_thread_safe(), true);
+
+std::mutex planner;               // guards FFTW's wisdom, which its own lock leaves out
 unsigned effort = FFTW_ESTIMATE;  // guarded by the planner's mutex
 
 /// Beyond so many spacings the closed forms of the weights cancel, and their series take over.

@@ -6,6 +6,8 @@
 #include <chrono>
 #include <limits>
 
+#include "contact/interruption.hpp"
+
 namespace ehd::fast {
 
 struct Counters;
@@ -17,7 +19,8 @@ struct Workspace;
 struct Limits {
   long newton_iterations = 2000;
   std::chrono::steady_clock::time_point deadline;
-  [[nodiscard]] bool time_is_up() const { return std::chrono::steady_clock::now() > deadline; }
+  /// The deadline has passed, or the caller wants the solve to end.
+  [[nodiscard]] bool time_is_up() const { return std::chrono::steady_clock::now() > deadline || interrupted(); }
 };
 
 /// `stalled`: no further decrease, residual small but above the target. `failed`: the same at a large residual, or no

@@ -98,4 +98,18 @@ Case read_case(std::string text, const std::filesystem::path& file, const std::v
   return case_of(checked_case_text(std::move(text), file), file, substitutions);
 }
 
+Case read_case_in_memory(std::string text) { return case_of(checked_case_text(std::move(text), nameless_case), {}); }
+
+ContactCase read_moes_contact(const MoesGroups& groups, const std::string& lubricant) {
+  const std::string name = "lubricant";
+  const std::string text = checked_case_text("[" + name + "]\n" + lubricant, name);
+  const CaseTree body(text, name);
+  for (const CaseTable& table : case_tables())
+    if (!table.name.empty() && table.name != name && body.has(std::string(table.name)))
+      body.fail(std::string(table.name), "does not belong here; allowed are keys of [lubricant]");
+  const std::vector<Substitution> stated{
+      {"moes.M", groups.M}, {"moes.L", groups.L}, {"domain.inlet", std::string("flooded")}};
+  return read_contact(CaseTree(text, name, stated), "moes");
+}
+
 }  // namespace ehd

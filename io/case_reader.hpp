@@ -23,4 +23,12 @@ namespace ehd {
 [[nodiscard]] Case read_case(std::string text, const std::filesystem::path& file,
                              const std::vector<Substitution>& substitutions);
 
+/// The same of a text that has no file. It stands for the file that its id names: messages begin with "ID.toml", or
+/// with "case" where it has no id.
+[[nodiscard]] Case read_case_in_memory(std::string text);
+
+/// A fully flooded contact by its groups. `lubricant`: the body of a [lubricant] table; messages name it
+/// "lubricant:LINE", where line 1 is the heading [lubricant] itself. Throws CaseError.
+[[nodiscard]] ContactCase read_moes_contact(const MoesGroups& groups, const std::string& lubricant);
+
 }  // namespace ehd

@@ -166,9 +166,10 @@ class TreeBuilder {
 
 CaseTree::CaseTree(const std::string& text, const std::filesystem::path& file,
                    const std::vector<Substitution>& substitutions) {
-  places_.file = file;
+  places_.file = file.empty() ? nameless_case : file;
   places_.lines[""] = 1;
-  toml::table root = parse_toml(text, file);
+  toml::table root = parse_toml(text, places_.file);
+  if (const auto id = root["id"].value<std::string>(); id && file.empty()) places_.file = *id + ".toml";
   for (const Substitution& substitution : substitutions) require_substitutable(substitution.key);
   if (!substitutions.empty()) root.erase("expect");
   TreeBuilder(*this, text).add(root);

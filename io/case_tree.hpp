@@ -17,6 +17,9 @@
 
 namespace ehd {
 
+/// A text that comes without a file stands for the file that its id names. Without an id, messages call it so.
+inline constexpr const char* nameless_case = "case";
+
 /// One value of the file.
 struct CaseNode {
   std::string type;  ///< "a table", "an integer", "a text", … for messages

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <optional>
 #include <system_error>
 
 #include "contact/text.hpp"
@@ -16,9 +17,23 @@
 
 namespace ehd {
 
+namespace {
+
+/// Beside the program, where it is installed: PREFIX/bin/ehd and PREFIX/share/ehd/cases.
+std::optional<std::filesystem::path> installed_cases() {
+  std::error_code error;
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
+  if (error) return std::nullopt;
+  const auto cases = program.parent_path().parent_path() / "share/ehd/cases";
+  return std::filesystem::is_directory(cases, error) ? std::optional(cases) : std::nullopt;
+}
+
+}  // namespace
+
 std::filesystem::path cases_folder() {
   const char* folder = std::getenv("EHD_CASES");
-  return folder && *folder ? std::filesystem::path(folder) : std::filesystem::path(EHD_CASES_FOLDER);
+  if (folder && *folder) return folder;
+  return installed_cases().value_or(EHD_CASES_FOLDER);
 }
 
 namespace {

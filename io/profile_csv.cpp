@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 
 #include "contact/stated_error.hpp"
 #include "contact/text.hpp"
@@ -11,42 +12,45 @@
 
 namespace ehd {
 
-std::string profile_csv(const ContactRun& run) {
+std::vector<ProfileColumn> profile_of(const ContactRun& run) {
   const Fields& fields = run.solution.fields;
   const auto nodes = fields.X.size();
   const bool lubricated = fields.density.size() == nodes && fields.log_viscosity.size() == nodes;
   const auto length = run.scales ? run.scales->half_width_m : std::nullopt;
   const auto film = run.m_per_hertz_film();
-  const bool metres = length && film;
   const std::optional<double> film_error = field_error(run.solution), cut = pressure_cut(run.solution);
+  const double missing = std::nan("");
+  using Flags = ArrayOf<bool>;
+  const Flags is_cut = cut ? Flags(!(fields.P <= *cut)) : Flags(Flags::Constant(nodes, false));
+  const Array P = cut ? Array(is_cut.select(*cut, fields.P)) : fields.P;
 
-  std::string csv = "X [x/b],P [p/p_H],H [h R/b^2]";
-  if (lubricated) csv += ",rho [rho/rho_0],eta [eta/eta_0]";
-  if (metres) csv += ",x_m [m],p_Pa [Pa],h_m [m]";
-  if (film_error) csv += ",H_error [relative]";
-  if (cut) csv += ",P_unresolved [1: cut at " + plain(*cut) + "]";
+  std::vector<ProfileColumn> columns{{"X", "x/b", fields.X}, {"P", "p/p_H", P}, {"H", "h R/b^2", fields.H}};
+  if (lubricated) {
+    const Array eta = fields.log_viscosity.unaryExpr([](double log) { return std::exp(log); });
+    columns.push_back({"rho", "rho/rho_0", is_cut.select(missing, fields.density)});
+    columns.push_back({"eta", "eta/eta_0", (is_cut || !eta.isFinite()).select(missing, eta)});
+  }
+  if (length && film) {
+    columns.push_back({"x_m", "m", fields.X * *length});
+    columns.push_back({"p_Pa", "Pa", P * run.scales->hertz_pressure_Pa});
+    columns.push_back({"h_m", "m", fields.H * *film});
+  }
+  if (film_error) columns.push_back({"H_error", "relative", Array::Constant(nodes, *film_error)});
+  if (cut) columns.push_back({"P_unresolved", "1: cut at " + plain(*cut), is_cut.select(1.0, Array::Zero(nodes))});
+  return columns;
+}
+
+std::string profile_csv(const ContactRun& run) {
+  const std::vector<ProfileColumn> columns = profile_of(run);
+  std::string csv;
+  for (const ProfileColumn& column : columns)
+    csv += fmt::format("{}{} [{}]", csv.empty() ? "" : ",", column.name, column.unit);
   csv += "\n";
-  const auto cell = [&](double value, bool first = false) {
-    if (!first) csv += ',';
-    if (std::isfinite(value)) csv += fmt::format("{:.15g}", value);
-  };
-  for (Eigen::Index i = 0; i < nodes; ++i) {
-    const bool is_cut = cut && !(fields.P[i] <= *cut);
-    const double P = is_cut ? *cut : fields.P[i];
-    cell(fields.X[i], true);
-    cell(P);
-    cell(fields.H[i]);
-    if (lubricated) {
-      cell(is_cut ? std::nan("") : fields.density[i]);
-      cell(is_cut ? std::nan("") : std::exp(fields.log_viscosity[i]));
+  for (Eigen::Index i = 0; i < columns.front().values.size(); ++i) {
+    for (const ProfileColumn& column : columns) {
+      if (&column != &columns.front()) csv += ',';
+      if (std::isfinite(column.values[i])) csv += fmt::format("{:.15g}", column.values[i]);
     }
-    if (metres) {
-      cell(fields.X[i] * *length);
-      cell(P * run.scales->hertz_pressure_Pa);
-      cell(fields.H[i] * *film);
-    }
-    if (film_error) cell(*film_error);
-    if (cut) cell(is_cut ? 1 : 0);
     csv += "\n";
   }
   return csv;

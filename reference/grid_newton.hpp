@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "contact/interruption.hpp"
 #include "contact/solution.hpp"
 #include "reference/equations.hpp"
 
@@ -16,7 +17,10 @@ namespace ehd::reference {
 struct Budget {
   int newton_iterations = 0;
   std::chrono::steady_clock::time_point end;
-  [[nodiscard]] bool spent() const { return newton_iterations <= 0 || std::chrono::steady_clock::now() >= end; }
+  /// Or the caller wants the solve to end.
+  [[nodiscard]] bool spent() const {
+    return newton_iterations <= 0 || std::chrono::steady_clock::now() >= end || interrupted();
+  }
 };
 
 enum class NewtonEnd {

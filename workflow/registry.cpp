@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "contact/interruption.hpp"
 #include "fast/convolution.hpp"
 #include "fast/mapped.hpp"
 #include "fast/uniform.hpp"
@@ -66,7 +67,7 @@ Solution solved_by(const S& solver, const Problem& problem, const Request& reque
   }
 }
 
-/// Iterations end at the same place on every machine, a time limit does not: the reason says which of them it was.
+/// Iterations end at the same place on every machine, a time limit or a caller does not: the reason says which it was.
 template <Solver S>
 Solution solve_with(const Problem& problem, const Request& request) {
   const auto begin = std::chrono::steady_clock::now();
@@ -75,6 +76,8 @@ Solution solve_with(const Problem& problem, const Request& request) {
   SolveRecord& record = solution.record;
   if (record.status == StopReason::limit_reached && passed.count() >= request.time_limit_s)
     record.reason += (record.reason.empty() ? "" : "; ") + std::string(Deadline::out_of_time);
+  else if (record.status == StopReason::limit_reached && interrupted())
+    record.reason = interrupted_reason;
   return solution;
 }
 

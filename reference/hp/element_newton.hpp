@@ -5,6 +5,7 @@
 #include <chrono>
 #include <limits>
 
+#include "contact/interruption.hpp"
 #include "reference/hp/collocation.hpp"
 
 namespace ehd::reference::hp {
@@ -17,7 +18,10 @@ struct Meter {
   long kernel_products = 0;   ///< film evaluations and Jacobians
   double point_products = 0;  ///< the same, times their intervals
   long viscosity_points = 0, density_points = 0;
-  [[nodiscard]] bool spent() const { return iterations_left <= 0 || std::chrono::steady_clock::now() >= end; }
+  /// Or the caller wants the solve to end.
+  [[nodiscard]] bool spent() const {
+    return iterations_left <= 0 || std::chrono::steady_clock::now() >= end || interrupted();
+  }
 };
 
 struct NewtonLimits {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which room may include which. A room includes its own headers and those of the rooms below it, never one above:
 //
-//   contact <- reference | fast | bearing <- workflow <- io <- verification <- cli
+//   contact <- reference | fast | bearing <- workflow <- io <- verification | bindings;  verification <- cli
 //
 // reference/ and fast/ never see each other, io/ knows solvers by workflow/registry.hpp alone, and verification/report/
 // knows JSON alone.
@@ -25,6 +25,7 @@ const std::map<std::string, std::set<std::string>> allowed_includes{
     {"bearing", {"contact"}},
     {"workflow", {"contact", "reference", "fast", "bearing"}},
     {"io", {"contact", "bearing", "workflow"}},
+    {"bindings", {"contact", "bearing", "workflow", "io"}},
     {"verification/report", {"contact", "bearing", "workflow", "io"}},
     {"verification", {"contact", "reference", "fast", "bearing", "workflow", "io", "verification/report"}},
     {"cli", {"contact", "bearing", "workflow", "io", "verification/report", "verification"}},

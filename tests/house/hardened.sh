@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# hardened.sh PROGRAM: the program has what cmake/hardening.cmake asks for; names what is missing.
+# hardened.sh PROGRAM: the program, or library, has what cmake/hardening.cmake asks for; names what is missing.
 set -eu
 program=$1
 missing=""

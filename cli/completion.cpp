@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/completion.hpp"
+
+#include "cli/usage.hpp"
+
+namespace ehd::cli {
+
+namespace {
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
+  return text;
+}
+
+/// For bash; zsh runs it too, by its bashcompinit. Names of files complete where no word does.
+std::string function_of(const std::string& program, const std::vector<CommandWords>& commands) {
+  std::string names, branches;
+  for (const CommandWords& command : commands) {
+    if (command.name.empty()) continue;
+    names += " " + command.name;
+    branches += "    " + command.name + ") options=\"" + joined(command.options) + "\"" +
+                (command.takes_cases ? "; cases=yes" : "") + " ;;\n";
+  }
+  return "_" + program + "() {\n" +
+         "  local word=\"${COMP_WORDS[COMP_CWORD]}\" options=\"\" cases=\"\"\n"
+         "  COMPREPLY=()\n"
+         "  if [ \"$COMP_CWORD\" -eq 1 ]; then\n"
+         "    COMPREPLY=($(compgen -W \"" +
+         joined(commands.front().options) + names +
+         "\" -- \"$word\"))\n"
+         "    return\n"
+         "  fi\n"
+         "  case \"${COMP_WORDS[1]}\" in\n" +
+         branches +
+         "  esac\n"
+         "  case \"$word\" in\n"
+         "    -*) COMPREPLY=($(compgen -W \"$options\" -- \"$word\")) ;;\n"
+         "    *) [ -z \"$cases\" ] || COMPREPLY=($(compgen -W \"$(" +
+         program +
+         " cases 2> /dev/null | sed -n '2,/^$/s/ .*//p')\" -- \"$word\")) ;;\n"
+         "  esac\n"
+         "}\n"
+         "complete -o default -F _" +
+         program + " " + program + "\n";
+}
+
+}  // namespace
+
+std::string completion_script(const std::string& program, const std::vector<CommandWords>& commands,
+                              const std::string& shell) {
+  if (shell == "bash") return function_of(program, commands);
+  if (shell == "zsh")
+    return "#compdef " + program + "\nautoload -U +X bashcompinit && bashcompinit\n" + function_of(program, commands);
+  throw option_error("--completion", shell, std::string("is unknown; allowed is ") + completion_shells);
+}
+
+}  // namespace ehd::cli

@@ -1,0 +1,104 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""consumers.py BUILD: the installed program and library, used as a newcomer would.
+
+BUILD is installed into an empty folder, which is then moved: nothing may point back to the place of the installation.
+The program runs as an ordinary user where this script runs as root. The blocks of docs/library.md are saved and run, in
+order, with the flags of the page: none of the flags that the library was compiled with. Nothing is skipped: a compiler
+that is missing is a failure with its name."""
+
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+SOURCE = pathlib.Path(__file__).resolve().parents[2]
+NOBODY = 65534
+
+
+def run(command, **options):
+    """The standard output of a command that must succeed."""
+    ended = subprocess.run(command, text=True, capture_output=True, timeout=200, **options)
+    if ended.returncode != 0:
+        sys.exit(f"consumers.py: {command}: exit code {ended.returncode}\n{ended.stdout[-4000:]}{ended.stderr[-4000:]}")
+    return ended.stdout
+
+
+def need(condition, what):
+    if not condition:
+        sys.exit(f"consumers.py: {what}")
+
+
+def install(build, folder):
+    """The folder to which the installed tree was moved."""
+    first, moved = folder / "first", folder / "moved"
+    run(["cmake", "--install", str(build), "--prefix", str(first)])
+    first.rename(moved)
+    for name in ("bin/ehd", "include/ehd/ehd.h", "share/ehd/cases/na4908.toml", "share/ehd/fortran/ehd.f90"):
+        need((moved / name).is_file(), f"{name} was not installed")
+    for name in ("libehd.so", "libehd.so.0", "pkgconfig/ehd.pc", "cmake/ehd/ehd-config.cmake"):
+        need((moved / "lib" / name).is_file(), f"lib/{name} was not installed")
+    for file in (moved / "lib/pkgconfig/ehd.pc", *(moved / "lib/cmake/ehd").iterdir()):
+        for place in (str(first), str(SOURCE)):
+            need(place not in file.read_text(), f"{file.name} names {place}")
+    return moved
+
+
+def use_program(prefix):
+    as_user = {"user": NOBODY, "group": NOBODY, "extra_groups": []} if os.getuid() == 0 else {}
+    environment = {key: value for key, value in os.environ.items() if key != "EHD_CASES"}
+
+    def ehd(*arguments):
+        return run([str(prefix / "bin/ehd"), *arguments], env=environment, cwd="/", **as_user)
+
+    # A case that the source tree does not have: the cases are those beside the program.
+    text = (prefix / "share/ehd/cases/dry-steel.toml").read_text()
+    (prefix / "share/ehd/cases/only-here.toml").write_text(text.replace('"dry-steel"', '"only-here"'))
+    need("only-here" in ehd("cases"), "the installed cases were not found")
+    need("converged" in ehd("solve", "own-moes-20-10"), "ehd solve")
+    need("ehd-linear" in ehd("bearing", "na4908"), "ehd bearing")
+    need("pass" in ehd("verify", "--quick", "--rung", "1"), "ehd verify")
+
+
+def follow_page(prefix, folder):
+    """Runs docs/library.md: a block after `name`: becomes that file, a block of sh is run."""
+    page = (SOURCE / "docs/library.md").read_text()
+    environment = {key: value for key, value in os.environ.items() if not key.startswith(("CMAKE", "CFLAGS", "CXXFLAGS"))}
+    environment["PREFIX"] = str(prefix)
+    script, files = ["set -eu"], 0
+    for name, language, text in re.findall(r"(?:`([\w.]+)`:\n\n)?^```(\w+)\n(.*?)^```$", page, re.MULTILINE | re.DOTALL):
+        if language == "sh":
+            script.append(text)
+            continue
+        need(name, f"a block of {language} has no file name before it")
+        (folder / name).write_text(text)
+        files += 1
+    need(files == 3 and len(script) == 5, f"docs/library.md has {files} files and {len(script) - 1} blocks of sh")
+    output = run(["sh", "-c", "\n".join(script)], cwd=folder, env=environment)
+    for pattern in (r"^minimum film 0\.\d+ um, relative error \de-0[4-9]$",  # C
+                    r"^2e-06 m: \d\d\d+(\.\d+)? N, [\d.e+]+ N/m$",  # C++
+                    r"^minimum film 0\.0780\d\d at X = 0\.9\d\d, relative error \d\.\dE-0[5-9]$",  # Fortran
+                    r"^the film at \d+ nodes is nowhere below 0\.07[78]\d\d\d$"):
+        need(re.search(pattern, output, re.MULTILINE), f"{pattern} is not in what the page's programs print:\n{output}")
+    strict = ["cc", "-std=c99", "-O0", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-fsyntax-only", "-I",
+              str(prefix / "include"), "contact.c"]
+    run(strict, cwd=folder)
+
+
+def main():
+    need(len(sys.argv) == 2, "usage: consumers.py BUILD")
+    for tool in ("cmake", "cc", "gfortran", "pkg-config"):
+        need(shutil.which(tool), f"{tool} is not installed")
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        folder.chmod(0o755)  # for the ordinary user
+        prefix = install(pathlib.Path(sys.argv[1]), folder)
+        use_program(prefix)
+        (folder / "work").mkdir()
+        follow_page(prefix, folder / "work")
+
+
+main()

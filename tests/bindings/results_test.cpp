@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A result through the C interface is that of the program.
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <string>
+
+#include "tests/bindings/held.hpp"
+#include "tests/process.hpp"
+
+using namespace ehd::c::test;
+using ehd::verification::test::ehd_run;
+using ehd::verification::test::Folder;
+
+namespace {
+
+nlohmann::ordered_json program_json(const std::string& arguments) {
+  const Folder folder;
+  return nlohmann::ordered_json::parse(ehd_run(folder, arguments + " --json -").out);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(results)
+
+BOOST_AUTO_TEST_CASE(the_json_is_that_of_the_program) {
+  for (const char* solver : {"fast", "reference.uniform"}) {
+    const Held one = solve(case_text("own-moes-20-10"), solver, 1e-2);
+    BOOST_TEST(one.code == EHD_OK);
+    const auto expected = program_json(std::string("solve own-moes-20-10 --tolerance 1e-2 --solver ") + solver);
+    BOOST_TEST(without_times(one.json()).dump() == without_times(expected).dump());
+  }
+  const Held stated = solve_moes(20, 10);
+  BOOST_TEST(without_times(stated.json()).dump() == without_times(program_json("solve --M 20 --L 10")).dump());
+  const Held with_oil =
+      solve_moes(20, 10, "viscosity = \"roelands\"\ndensity = \"dowson-higginson\"\nalpha_per_Pa = 2.2e-8\nz = 0.68\n");
+  const auto expected = program_json(
+      "solve --M 20 --L 10 --viscosity roelands --density dowson-higginson --alpha-per-Pa 2.2e-8 --z 0.68");
+  BOOST_TEST(without_times(with_oil.json()).dump() == without_times(expected).dump());
+}
+
+BOOST_AUTO_TEST_CASE(the_json_of_a_bearing_is_that_of_the_program_without_its_error_budget) {
+  for (const char* law : {"hertz", "ehd"}) {
+    const Held one = bearing(case_text("na4908"), law);
+    BOOST_TEST(one.code == EHD_OK);
+    auto expected = program_json(std::string("bearing na4908 --law ") + law);
+    expected.erase("error_budget");
+    BOOST_TEST(without_times(one.json()).dump() == without_times(expected).dump());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(numbers_are_found_by_their_path) {
+  const Held one = solve(case_text("own-moes-20-10"));
+  const auto json = one.json();
+  BOOST_TEST(one.get("film.minimum.hertz") == json["film"]["minimum"]["hertz"].get<double>());
+  BOOST_TEST(one.get("version") == 1);
+  BOOST_TEST(one.get("fields.pressure_resolved") == 1);
+  const Held balanced = bearing(case_text("na4908"), "hertz");
+  BOOST_TEST(balanced.get("rollers.0.inner.force_N") ==
+             balanced.json()["rollers"][0]["inner"]["force_N"].get<double>());
+  double untouched = 7;
+  for (const char* path : {"", ".", "film", "film.", "film.minimum.hertz.x", "film.least", "status", "rollers.0",
+                           "notes.0", "notes.99999999999999999999", "notes.-1", "notes.1x"}) {
+    BOOST_TEST(ehd_get(one.result.get(), path, &untouched) == EHD_BAD_INPUT, path);
+    BOOST_TEST(std::string(ehd_last_error()).find("path = ") != std::string::npos);
+  }
+  BOOST_TEST(untouched == 7);
+}
+
+BOOST_AUTO_TEST_CASE(fields_are_the_columns_of_the_profile) {
+  const Held one = solve(case_text("steel-roller"));
+  const Folder folder;
+  const auto file = folder.path() / "profile.csv";
+  BOOST_TEST(ehd_run(folder, "solve steel-roller --profile '" + file.string() + "'").exit_code == 0);
+  std::istringstream csv(ehd::verification::test::read(file));
+  std::string header, row;
+  std::getline(csv, header);
+  std::istringstream names(header);
+  std::vector<std::vector<double>> columns;
+  for (std::string name; std::getline(names, name, ',');)
+    columns.push_back(one.field(name.substr(0, name.find(' ')).c_str()));
+  BOOST_TEST(columns.size() >= 8);
+  std::size_t rows = 0;
+  for (; std::getline(csv, row); ++rows) {
+    std::istringstream cells(row);
+    for (const auto& column : columns) {
+      std::string cell;
+      std::getline(cells, cell, ',');
+      BOOST_REQUIRE(rows < column.size());
+      // The file has 15 digits.
+      if (cell.empty())
+        BOOST_TEST(std::isnan(column[rows]));
+      else
+        BOOST_TEST(std::abs(column[rows] - std::stod(cell)) <= 1e-14 * std::abs(column[rows]));
+    }
+  }
+  for (const auto& column : columns) BOOST_TEST(column.size() == rows);
+}
+
+BOOST_AUTO_TEST_CASE(a_short_buffer_is_filled_and_no_more) {
+  const Held one = solve_moes(20, 10);
+  const std::vector<double> all = one.field("P");
+  BOOST_REQUIRE(all.size() > 4);
+  std::vector<double> some(4, -1);
+  BOOST_TEST(ehd_field(one.result.get(), "P", some.data(), 3) == all.size());
+  for (std::size_t i = 0; i < 3; ++i) BOOST_TEST(some[i] == all[i]);
+  BOOST_TEST(some[3] == -1);
+}
+
+BOOST_AUTO_TEST_CASE(a_dry_contact_has_fields_and_no_film) {
+  const Held dry = solve(case_text("dry-steel"));
+  BOOST_TEST(dry.code == EHD_OK);
+  BOOST_TEST(dry.field("P").size() == dry.field("X").size());
+  BOOST_TEST(dry.field("P").size() > 100);
+  BOOST_TEST(dry.field("eta").empty());
+  BOOST_TEST(std::isnan(dry.get("film.minimum.hertz")));
+}
+
+BOOST_AUTO_TEST_CASE(what_did_not_converge_comes_with_its_result) {
+  const Held missed = solve(case_text("own-moes-20-10"), "fast", 1e-15);
+  BOOST_TEST(missed.code == EHD_NOT_MET);
+  BOOST_REQUIRE(missed.result);
+  BOOST_TEST(missed.json()["status"] == "tolerance-not-met");
+  BOOST_TEST(missed.get("film.minimum.hertz") > 0);
+  BOOST_TEST(std::string(ehd_last_error()).starts_with("ehd: own-moes-20-10: tolerance-not-met: "));
+}
+
+BOOST_AUTO_TEST_CASE(the_law_of_a_bearing_meets_its_rollers) {
+  for (const char* law : {"hertz", "ehd-linear", "ehd"}) {
+    const Held one = bearing(case_text("na4908"), law);
+    for (const char* raceway : {"inner", "outer"}) {
+      const std::string contact = std::string("rollers.0.") + raceway;
+      const double approach_m = one.get((contact + ".displacement_m").c_str());
+      const double step_m = 1e-6 * approach_m;
+      const double at_m[] = {approach_m, approach_m + step_m, approach_m - step_m};
+      double force_N[3], stiffness[3];
+      BOOST_TEST(ehd_law(one.result.get(), raceway, 3, at_m, force_N, stiffness) == EHD_OK);
+      const double carried_N = one.get((contact + ".force_N").c_str());
+      // The balance ends at round-off of the forces; the slope is a central difference, whose own error is of order
+      // 1e-12, with the round-off of forces over the step, 1e-10.
+      BOOST_TEST(std::abs(force_N[0] / carried_N - 1) <= 1e-9, law << " " << raceway);
+      BOOST_TEST(std::abs((force_N[1] - force_N[2]) / (2 * step_m) / stiffness[0] - 1) <= 1e-6, law << " " << raceway);
+    }
+  }
+  const Held iso = bearing(case_text("na4908"), "ehd");
+  const double far_m = 1e-3;
+  double force_N = 0, stiffness = 0;
+  BOOST_TEST(ehd_law(iso.result.get(), "inner", 1, &far_m, &force_N, &stiffness) == EHD_NOT_MET);
+  BOOST_TEST(std::string(ehd_last_error()).find("above") != std::string::npos);
+  BOOST_TEST(force_N > 0);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
