@@ -39,6 +39,8 @@ struct BearingOptions {
   std::optional<std::string> json, plot, csv;
   std::string solver = default_solver().name, form = "plane";
   std::optional<std::string> cage_positions, time_limit_total;
+  std::vector<std::string> frequencies;
+  bool dynamic = false;
   RequestOptions limits;
 };
 
@@ -48,6 +50,7 @@ Examples:
   ehd bearing na4908 na4908-2.5um na4908-10um          three clearances; judges the paper's statements
   ehd bearing harris-209 --law hertz --law iso         dry laws only
   ehd bearing na4908 --cage-positions 24               and the displacement while the cage turns by one pitch
+  ehd bearing na4908 --dynamic --frequency 100         and stiffness and damping in motion at 100 Hz
   ehd bearing na4908 --law ehd-linear --json -         one result as JSON on standard output
   ehd bearing na4908 na4908-10um --plot loads.svg --csv loads.csv
                                                        contact forces and displacements over the azimuth
@@ -65,6 +68,18 @@ bearing::Form form_named(const std::string& name) {
 int positions_asked(const std::optional<std::string>& text) {
   if (!text) return 0;
   return parse_integer("--cage-positions", *text, {.low = 2, .high = 10000});
+}
+
+/// --dynamic, or any --frequency. Throws UsageError.
+std::vector<double> frequencies_asked(const BearingOptions& options) {
+  constexpr Interval range{.low = 0, .high = 1e9};
+  std::vector<double> frequencies_Hz;
+  for (const std::string& text : options.frequencies)
+    frequencies_Hz.push_back(parse_number("--frequency", text, range));
+  if (!frequencies_Hz.empty() && !options.dynamic)
+    throw option_error("--frequency", options.frequencies.front(), "belongs to --dynamic; allowed is both");
+  if (options.dynamic && frequencies_Hz.empty()) frequencies_Hz = {0};
+  return frequencies_Hz;
 }
 
 /// The cases and their results.
@@ -168,18 +183,21 @@ struct Asked {
   std::vector<bearing::Law> laws;  ///< empty: the defaults of each case
   bearing::Form form;
   int cage_positions;
+  std::vector<double> frequencies_Hz;
 
   explicit Asked(const BearingOptions& options)
       : laws(laws_named(options.laws)),
         form(form_named(options.form)),
-        cage_positions(positions_asked(options.cage_positions)) {}
+        cage_positions(positions_asked(options.cage_positions)),
+        frequencies_Hz(frequencies_asked(options)) {}
 
   [[nodiscard]] BearingRequest of(const Case& one) const {
     return {.laws = laws.empty() ? default_laws(std::get<BearingCase>(one.body)) : laws,
             .explicitly = !laws.empty(),
             .films = true,
             .form = form,
-            .cage_positions = cage_positions};
+            .cage_positions = cage_positions,
+            .frequencies_Hz = frequencies_Hz};
   }
 };
 
@@ -228,7 +246,8 @@ int bearing(const BearingOptions& options) {
   Request request = bearing_contact_request();
   request.max_iterations = limits.max_iterations;
   request.time_limit_s = limits.time_limit_s;
-  const ContactSolver solve = deadline_in(options.time_limit_total).limiting(solver.solve);
+  const Deadline deadline = deadline_in(options.time_limit_total);
+  const ContactSolver solve = deadline.limiting(solver.solve);
   Progress progress;
   long solved = 0;
   std::string current;
@@ -238,6 +257,17 @@ int bearing(const BearingOptions& options) {
         return solve(problem, with);
       },
       request);
+
+  ResponseRequest response_request = bearing_response_request();
+  response_request.max_iterations = limits.max_iterations;
+  response_request.time_limit_s = limits.time_limit_s;
+  long responses = 0;
+  memory.respond_by(
+      [&](const Problem& problem, const ResponseRequest& with) {
+        progress.show(fmt::format("{}: response {} ...", current, ++responses));
+        return deadline.limiting(bearing_responder())(problem, with);
+      },
+      response_request);
 
   Account account;
   for (const Case& one : computed.cases) {
@@ -278,6 +308,8 @@ void describe_bearing(Command& command) {
       .showing_default();
   command.text("--cage-positions", options->cage_positions,
                "also balance at this many positions of the cage over one pitch");
+  command.flag("--dynamic", options->dynamic, "also stiffness and damping of the balanced bearing in small motion");
+  command.list("--frequency", options->frequencies, "of that motion, in Hz (repeatable; 0)");
   options->limits.add_to(command, false);
   add_time_limit_total(command, options->time_limit_total);
   command.text("--json", options->json, "the results as JSON into a file, or - for standard output");
