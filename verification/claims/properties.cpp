@@ -186,7 +186,7 @@ Findings judge_similarity() {
 }
 
 /// h ~ u and h ~ 1/w where surfaces stay rigid: the Moes film times M is Martin's constant, up to a remainder in M^2.
-Findings judge_rigid() {
+Findings judge_rigid_surfaces() {
   constexpr double M = 0.05, tolerance = 1e-5;
   // Doubled speed: M over sqrt 2, h/R = Moes film times U^(1/2). Doubled load: M doubled.
   struct Change {
@@ -335,7 +335,7 @@ std::vector<Topic> property_topics() {
   std::vector<Topic> topics{
       {.name = "properties: units", .rungs = {0}, .judge = judge_units},
       {.name = "properties: similarity", .rungs = {9}, .judge = judge_similarity},
-      {.name = "properties: rigid surfaces", .rungs = {9}, .judge = judge_rigid},
+      {.name = "properties: rigid surfaces", .rungs = {9}, .judge = judge_rigid_surfaces},
       {.name = "properties: flux and load", .rungs = {6}, .judge = judge_flux},
       {.name = "properties: bearings", .rungs = {11}, .judge = bearing_parts::judge_bearing_symmetry}};
   for (const bool roelands : {true, false})

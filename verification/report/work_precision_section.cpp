@@ -27,11 +27,11 @@ Panel precision_panel(const View& bench, const std::vector<View>& rows, const st
   panel.y = {.label = "time [s]", .scale = Scale::logarithmic};
   for (const View& named : bench["work_precision"].list("solvers")) {
     const std::string solver = named.text();
-    struct Run {
+    struct WorkRun {
       double error, time;
       bool bound;
     };
-    std::vector<Run> runs;
+    std::vector<WorkRun> runs;
     for (const View& row : rows) {
       if (row.text("case") != id || row.text("solver") != solver) continue;
       const auto achieved = row[quantity.key].number("achieved"), time = row["cost"].number("wall_s");
@@ -45,7 +45,7 @@ Panel precision_panel(const View& bench, const std::vector<View>& rows, const st
       const bool bound = row[quantity.key].flag("bound_only").value_or(false);
       runs.push_back({std::max({*achieved, bound ? truth : 0.0, 1e-16}), *time, bound});
     }
-    std::sort(runs.begin(), runs.end(), [](const Run& a, const Run& b) { return a.error > b.error; });
+    std::sort(runs.begin(), runs.end(), [](const WorkRun& a, const WorkRun& b) { return a.error > b.error; });
     const Look look = look_of_solver(bench, solver);
     Series line{.line = look.line, .marker = Marker::none, .colour = look.colour, .of = literal(solver)};
     Series marks{.name = literal(solver),
@@ -58,7 +58,7 @@ Panel precision_panel(const View& bench, const std::vector<View>& rows, const st
       marks.y.push_back(runs[i].time);
       marks.hollow_at.push_back(runs[i].bound);
       const bool undercut = std::any_of(runs.begin() + static_cast<std::ptrdiff_t>(i) + 1, runs.end(),
-                                        [&](const Run& other) { return other.time <= runs[i].time; });
+                                        [&](const WorkRun& other) { return other.time <= runs[i].time; });
       if (undercut) continue;
       line.x.push_back(runs[i].error);
       line.y.push_back(runs[i].time);
