@@ -43,14 +43,13 @@ double lag_scale(const RacewayContact& contact, double force_N) {
   return of_light_contacts / (1 + M);
 }
 
-/// asinh(lag/s) over ln f; read(point) is the kappa whose damping counts.
-template <class Read>
-MonotoneSpline lag_spline(const RacewayContact& contact, const std::vector<Point>& points, const Read& read) {
+/// asinh(lag/s) of slow motion over ln f.
+MonotoneSpline lag_spline(const RacewayContact& contact, const std::vector<Point>& points) {
   std::vector<double> log_force, lags;
-  for (const Point& point : points) {
-    const double kappa_0 = point.response.slow.stiffness;
-    log_force.push_back(std::log(point.force_N));
-    lags.push_back(std::asinh(read(point).damping / (kappa_0 * kappa_0) / lag_scale(contact, point.force_N)));
+  for (const auto& [force_N, response] : points) {
+    const double kappa_0 = response.slow.stiffness;
+    log_force.push_back(std::log(force_N));
+    lags.push_back(std::asinh(response.slow.damping / (kappa_0 * kappa_0) / lag_scale(contact, force_N)));
   }
   return {std::move(log_force), std::move(lags), MonotoneSpline::Limit::none};
 }
@@ -67,7 +66,7 @@ ResponseCurve::ResponseCurve(RacewayContact contact, std::vector<double> omegas,
       omegas_(std::move(omegas)),
       forces_N_(forces_of(points)),
       kappa_0_(contact, forces_N_, kappa_0s(points), martin_kappa_0, "kappa_0"),
-      slow_lag_(lag_spline(contact, points, [](const Point& point) { return point.response.slow; })),
+      slow_lag_(lag_spline(contact, points)),
       errors_(errors) {
   std::vector<double> log_force;
   for (const double force_N : forces_N_) log_force.push_back(std::log(force_N));
@@ -75,8 +74,11 @@ ResponseCurve::ResponseCurve(RacewayContact contact, std::vector<double> omegas,
     const auto departure = [k](const Point& point) {
       return point.response.at.at(k).stiffness / point.response.slow.stiffness - 1;
     };
+    const auto damping = [this, k](const Point& point) {
+      return point.response.at[k].damping / damping_scale(point.force_N);
+    };
     frequencies_.push_back({MonotoneSpline(log_force, read_points(points, departure), MonotoneSpline::Limit::none),
-                            lag_spline(contact, points, [k](const Point& point) { return point.response.at.at(k); })});
+                            MonotoneSpline(log_force, read_points(points, damping), MonotoneSpline::Limit::none)});
   }
   for (const auto& [force_N, response] : points) {
     std::vector<std::pair<Kappa, double>> all{{response.slow, 0}};
@@ -98,17 +100,17 @@ double ResponseCurve::inside(const MonotoneSpline& spline, double force_N) const
   return spline.at(std::clamp(std::log(force_N), spline.first(), spline.last())).value;
 }
 
-double ResponseCurve::lag(const MonotoneSpline& spline, double force_N) const {
-  return lag_scale(contact_, force_N) * std::sinh(inside(spline, force_N));
+double ResponseCurve::lag_inside(double force_N) const {
+  return lag_scale(contact_, force_N) * std::sinh(inside(slow_lag_, force_N));
 }
 
 /// Below the lightest point as ContinuedSpline, value and slope from the spline of the asinh.
 double ResponseCurve::slow_lag(double force_N) const {
   const double lightest_N = forces_N_.front();
-  if (force_N >= lightest_N) return lag(slow_lag_, force_N);
+  if (force_N >= lightest_N) return lag_inside(force_N);
   const ValueAndExponent at_joint = martin_lag(contact_, lightest_N), here = martin_lag(contact_, force_N);
-  const double step = 1e-5, joint = lag(slow_lag_, lightest_N);
-  const double exponent = std::log(lag(slow_lag_, lightest_N * (1 + step)) / joint) / std::log1p(step);
+  const double step = 1e-5, joint = lag_inside(lightest_N);
+  const double exponent = std::log(lag_inside(lightest_N * (1 + step)) / joint) / std::log1p(step);
   const double v = std::log(joint / at_joint.value), d = exponent - at_joint.exponent;
   const double c = (d - 1.5 * v) / 1.5, a = v - c, t15 = std::pow(force_N / lightest_N, 1.5);
   return here.value * std::exp(a * t15 + c * t15 * t15);
@@ -123,22 +125,26 @@ Kappa ResponseCurve::with_errors(double force_N, double omega, Kappa kappa) cons
   return kappa;
 }
 
-Kappa ResponseCurve::slow(double force_N) const {
+double ResponseCurve::slow_damping(double force_N) const {
   const double kappa_0 = kappa_0_.at(force_N).value;
-  return with_errors(force_N, 0, {.stiffness = kappa_0, .damping = slow_lag(force_N) * kappa_0 * kappa_0});
+  return slow_lag(force_N) * kappa_0 * kappa_0;
+}
+
+Kappa ResponseCurve::slow(double force_N) const {
+  return with_errors(force_N, 0, {.stiffness = kappa_0_.at(force_N).value, .damping = slow_damping(force_N)});
 }
 
 Kappa ResponseCurve::at(double force_N, std::size_t k) const {
   const Frequency& fast = frequencies_.at(k);
   const double kappa_0 = kappa_0_.at(force_N).value, lightest_N = forces_N_.front();
-  double departure = inside(fast.departure, force_N), lag_there = lag(fast.lag, force_N);
+  double departure = inside(fast.departure, force_N), damping = inside(fast.damping, force_N) * damping_scale(force_N);
   if (force_N < lightest_N) {
-    const double part = force_N / lightest_N, joint = lag(fast.lag, lightest_N) / lag(slow_lag_, lightest_N) - 1;
+    const double part = force_N / lightest_N;
+    const double at_joint = inside(fast.damping, lightest_N) * damping_scale(lightest_N) / slow_damping(lightest_N);
     departure *= part;
-    lag_there = slow_lag(force_N) * (1 + joint * part);
+    damping = slow_damping(force_N) * (1 + part * (at_joint - 1));
   }
-  return with_errors(force_N, omegas_[k],
-                     {.stiffness = kappa_0 * (1 + departure), .damping = lag_there * kappa_0 * kappa_0});
+  return with_errors(force_N, omegas_[k], {.stiffness = kappa_0 * (1 + departure), .damping = damping});
 }
 
 namespace {

@@ -54,8 +54,7 @@ struct ResponseErrors {
 /// - Slow motion: kappa_0 as a ContinuedSpline. The lag kappa_1/kappa_0^2 falls over decades and nearly vanishes at
 ///   M = 0.8; it may have either sign. So the spline goes through asinh(lag/s), s = 0.3/(1 + M): a tenth to all of the
 ///   lag of heavy contacts.
-/// - At each frequency of the curve: the departure Re kappa/kappa_0 - 1, and the lag Im kappa/(Omega kappa_0^2)
-/// likewise.
+/// - At each frequency of the curve: the departure Re kappa/kappa_0 - 1, and Im kappa/Omega over damping_scale.
 /// - Below the lightest point kappa_0 and the lag go over to those of a rigid cylinder (martin.hpp), which departs from
 ///   slow motion nowhere; departures fall there like Omega^2 ~ f.
 class ResponseCurve {
@@ -81,13 +80,14 @@ class ResponseCurve {
   [[nodiscard]] double damping_scale(double force_N) const;
 
  private:
-  /// Of one frequency: Re kappa/kappa_0 - 1, and asinh(lag/s).
+  /// Of one frequency: Re kappa/kappa_0 - 1, and Im kappa/Omega over damping_scale.
   struct Frequency {
-    MonotoneSpline departure, lag;
+    MonotoneSpline departure, damping;
   };
   [[nodiscard]] double inside(const MonotoneSpline& spline, double force_N) const;
-  [[nodiscard]] double lag(const MonotoneSpline& spline, double force_N) const;
+  [[nodiscard]] double lag_inside(double force_N) const;  ///< of slow motion, from the lightest point on
   [[nodiscard]] double slow_lag(double force_N) const;
+  [[nodiscard]] double slow_damping(double force_N) const;
   [[nodiscard]] Kappa with_errors(double force_N, double omega, Kappa kappa) const;
 
   RacewayContact contact_;

@@ -24,7 +24,7 @@ struct LawExport {
   int version = 0;
   bearing::Raceway raceway = bearing::Raceway::inner;
   bearing::RacewayContact contact;
-  Lubricant lubricant;
+  Lubricant lubricant = {};
   double datum_m = 0;                                     ///< x_0
   double lightest_N = 0, heaviest_N = 0;                  ///< contact forces of the table
   double balance_lightest_N = 0, balance_heaviest_N = 0;  ///< of the bearing in balance
