@@ -43,6 +43,7 @@ std::string newtons(double force_N) { return plain(force_N, 4) + " N"; }
 struct Disagreement {
   double force = 0;                ///< of the contact force at the solved approach
   double offset = 0, minimum = 0;  ///< |ln(curve/solved)| of the films
+  double rolling = 0;              ///< and of the rolling force, where both have it
 
   [[nodiscard]] double film() const { return std::max(offset, minimum); }
   /// Above 1: beyond the bounds. Infinite where a number is not finite.
@@ -69,8 +70,10 @@ double exponent(const ValueAndSlope& film, double force_N) { return film.slope *
 
 Disagreement over_half_the_gap(const Disagreement& over_the_gap) {
   constexpr double gain = gain_of_half_the_gap;
-  return {
-      .force = over_the_gap.force / gain, .offset = over_the_gap.offset / gain, .minimum = over_the_gap.minimum / gain};
+  return {.force = over_the_gap.force / gain,
+          .offset = over_the_gap.offset / gain,
+          .minimum = over_the_gap.minimum / gain,
+          .rolling = over_the_gap.rolling / gain};
 }
 
 /// The solved contacts that a curve may be made of.
@@ -85,10 +88,11 @@ class Points {
     const auto& solved = std::get<SolvedContact>(result);
     const double F = offset_film_m(contacts_.contact, force_N, solved);
     if (!(F > 0) || !(solved.film_minimum_m > 0)) return SolveFailure{.why = "the solved film is not positive"};
-    points_[force_N] = {F, solved.film_minimum_m};
+    points_[force_N] = {F, solved.film_minimum_m, solved.rolling_force_N_per_m};
     if (!solved.converged) missed_N_.insert(force_N);
     solver_minimum_film_ = std::max(solver_minimum_film_, solved.film_error);
     solver_offset_film_ = std::max(solver_offset_film_, relative_offset_error(solved));
+    solver_rolling_ = std::max(solver_rolling_, solved.rolling_error);
     return std::nullopt;
   }
   [[nodiscard]] std::size_t size() const { return points_.size(); }
@@ -98,17 +102,20 @@ class Points {
   void put_solver_errors(CurveErrors& errors) const {
     errors.solver_offset_film = solver_offset_film_;
     errors.solver_minimum_film = solver_minimum_film_;
+    errors.rolling += solver_rolling_;
     errors.missed_N.assign(missed_N_.begin(), missed_N_.end());
   }
 
   [[nodiscard]] FilmCurve curve(const std::set<double>& forces_N, CurveErrors errors = {}) const {
-    std::vector<double> forces, offsets, minima;
+    std::vector<double> forces, offsets, minima, rolling;
     for (const double force_N : forces_N) {
       forces.push_back(force_N);
       offsets.push_back(points_.at(force_N).offset);
       minima.push_back(points_.at(force_N).minimum);
+      if (points_.at(force_N).rolling) rolling.push_back(*points_.at(force_N).rolling);
     }
-    return {contacts_.contact, std::move(forces), offsets, minima, std::move(errors)};
+    if (rolling.size() < forces.size()) rolling.clear();
+    return {contacts_.contact, std::move(forces), offsets, minima, std::move(errors), rolling};
   }
 
   /// Of a curve at a solved contact that the curve need not contain.
@@ -117,7 +124,8 @@ class Points {
     const ValueAndSlope offset = curve.offset_film(force_N);
     return {.force = std::abs(offset.value - solved.offset) / curve.rise_m(force_N),
             .offset = std::abs(std::log(offset.value / solved.offset)),
-            .minimum = std::abs(std::log(curve.minimum_film(force_N).value / solved.minimum))};
+            .minimum = std::abs(std::log(curve.minimum_film(force_N).value / solved.minimum)),
+            .rolling = off_rolling(curve, force_N)};
   }
   /// Of a curve below its lightest point, at any load, from the contact solved at `force_N` there. `with_it` is a curve
   /// through that contact too: it knows the exponent at the joint better. The error of one film may vanish where the
@@ -134,28 +142,38 @@ class Points {
                                                           largest(&FilmCurve::minimum_film, solved.minimum));
     // Far below the joint the rise is the film itself.
     const double force_over_film = std::max(1.0, curve.offset_film(joint_N).value / curve.rise_m(joint_N));
-    return {.force = force_over_film * film, .offset = film, .minimum = film};
+    return {.force = force_over_film * film,
+            .offset = film,
+            .minimum = film,
+            .rolling = safety_of_continuation * off_rolling(curve, force_N)};
   }
 
  private:
   struct Films {
     double offset = 0, minimum = 0;
+    std::optional<double> rolling;
   };
+  [[nodiscard]] double off_rolling(const FilmCurve& curve, double force_N) const {
+    const auto &solved = points_.at(force_N).rolling, read = curve.rolling_force_N_per_m(force_N);
+    return solved && read ? std::abs(std::log(*read / *solved)) : 0;
+  }
+
   const SolvableContact& contacts_;
   std::map<double, Films> points_;
-  double solver_offset_film_ = 0, solver_minimum_film_ = 0;
+  double solver_offset_film_ = 0, solver_minimum_film_ = 0, solver_rolling_ = 0;
   std::set<double> missed_N_;
 };
 
 /// The largest disagreements that were met, and the force whose disagreement is furthest beyond the bounds.
 struct Worst {
-  double film = 0, force = 0;
+  double film = 0, force = 0, rolling = 0;
   double ratio = 1;
   std::optional<double> at_N = {};
 
   void meet(const Disagreement& here) {
     film = std::max(film, here.film());
     force = std::max(force, here.force);
+    rolling = std::max(rolling, here.rolling);
   }
   void propose(double force_N, double ratio_there) {
     if (!(ratio_there > ratio)) return;
@@ -192,7 +210,7 @@ class Refinement {
   void split_beside_points_that_others_do_not_predict() {
     nodes_.insert(extras_.begin(), extras_.end());
     extras_.clear();
-    const Worst of_gaps{.film = worst_.film, .force = worst_.force};
+    const Worst of_gaps{.film = worst_.film, .force = worst_.force, .rolling = worst_.rolling};
     std::set<double> left;  // points whose gaps cannot be split any more
     while (true) {
       worst_ = judge_points(of_gaps, left);
@@ -214,6 +232,7 @@ class Refinement {
     CurveErrors errors;
     errors.interpolation = worst_.film;
     errors.interpolation_force = worst_.force;
+    errors.rolling = worst_.rolling;
     points_.put_solver_errors(errors);
     return errors;
   }
@@ -245,7 +264,7 @@ class Refinement {
     for (auto low = nodes_.begin(), high = std::next(low); high != nodes_.end(); ++low, ++high) {
       const double between = extra_between(*low, *high);
       if (!solved(between)) {
-        worst.film = worst.force = infinity;  // nothing was checked in this gap
+        worst.film = worst.force = worst.rolling = infinity;  // nothing was checked in this gap
         continue;
       }
       extras_.insert(between);
@@ -399,6 +418,7 @@ std::variant<FilmCurve, SolveFailure> build_curve(const SolvableContact& contact
   const std::optional<Disagreement> below = error_below(refinement, end.at_rigid_limit);
   errors.joint = below ? below->film() : infinity;
   errors.joint_force = below ? below->force : infinity;
+  errors.rolling = below ? std::max(errors.rolling, below->rolling) : infinity;
   errors.lightest_because = end.because;
   return refinement.curve(0, std::move(errors));
 }

@@ -9,10 +9,11 @@
 // interpolates ln F over ln f.
 #pragma once
 
-#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "bearing/continued_spline.hpp"
 #include "bearing/geometry.hpp"
 #include "bearing/monotone_spline.hpp"
 
@@ -32,24 +33,26 @@ struct CurveErrors {
   double joint = 0, joint_force = 0;
   double solver_offset_film = 0;   ///< largest relative error of an offset film that the solver states
   double solver_minimum_film = 0;  ///< the same of a minimum film
+  double rolling = 0;              ///< of a rolling force, relative: all of the above that this curve has
   std::vector<double> missed_N;    ///< contacts solved for this curve that missed their tolerance, increasing
   std::string lightest_because;    ///< why no lighter contact was solved
 };
 
-/// Offset film and minimum film over the contact force, 0 < f <= heaviest.
-/// - Between solved points: the monotone spline of the logarithms over ln f.
-/// - Below the lightest: Martin's films (martin.hpp) times exp(a t^(3/2) + c t^3), t = f/f_lightest. Value and slope
-///   are continuous. The first piezoviscous corrections grow in these powers (alpha p_max ~ f^(3/2)).
-/// - Above the heaviest: the power law of the end. It serves Newton's iterates that stray there and is NOT accurate.
+/// Offset film, minimum film and rolling force over the contact force, 0 < f <= heaviest; each a ContinuedSpline,
+/// which goes over to Martin's numbers (martin.hpp) below the lightest solved contact.
 class FilmCurve {
  public:
-  /// Forces [N] increasing, at least three; offset films and minimum films [m], positive. Throws std::invalid_argument.
+  /// Forces [N] increasing, at least three; offset films and minimum films [m], positive; rolling forces per length
+  /// [N/m], positive, or none. Throws std::invalid_argument.
   FilmCurve(RacewayContact contact, std::vector<double> forces_N, const std::vector<double>& offset_films_m,
-            const std::vector<double>& minimum_films_m, CurveErrors errors = {});
+            const std::vector<double>& minimum_films_m, CurveErrors errors = {},
+            const std::vector<double>& rolling_forces_N_per_m = {});
 
   /// Film [m] and its derivative to the force [m/N].
   [[nodiscard]] ValueAndSlope offset_film(double force_N) const;
   [[nodiscard]] ValueAndSlope minimum_film(double force_N) const;
+  /// F_t = |Int h p' dx|/2 per length [N/m]; absent where a solved contact does not say it.
+  [[nodiscard]] std::optional<double> rolling_force_N_per_m(double force_N) const;
   [[nodiscard]] const CurveErrors& errors() const { return errors_; }
   [[nodiscard]] const RacewayContact& contact() const { return contact_; }
   [[nodiscard]] const std::vector<double>& forces_N() const { return forces_N_; }
@@ -64,7 +67,8 @@ class FilmCurve {
  private:
   RacewayContact contact_;
   std::vector<double> forces_N_;
-  std::shared_ptr<const MonotoneSpline> offset_, minimum_;  // immutable, so copies share them
+  ContinuedSpline offset_, minimum_;
+  std::optional<ContinuedSpline> rolling_;
   CurveErrors errors_;
 };
 

@@ -41,10 +41,14 @@ double sum_speed_m_per_s(const Geometry& geometry, const Speeds& speeds) {
          std::abs(speeds.inner_rad_per_s - speeds.outer_rad_per_s);
 }
 
+double roller_mass_kg(const Geometry& geometry) {
+  const double D = geometry.roller_diameter_m;
+  return geometry.density_kg_per_m3 * pi * D * D * geometry.length_m / 4;
+}
+
 double centrifugal_force_N(const Geometry& geometry, const Speeds& speeds) {
-  const double D = geometry.roller_diameter_m, cage = cage_speed_rad_per_s(geometry, speeds);
-  const double mass_kg = geometry.density_kg_per_m3 * pi * D * D * geometry.length_m / 4;
-  return mass_kg * geometry.pitch_diameter_m / 2 * cage * cage;
+  const double cage = cage_speed_rad_per_s(geometry, speeds);
+  return roller_mass_kg(geometry) * geometry.pitch_diameter_m / 2 * cage * cage;
 }
 
 double reduced_modulus_Pa(double modulus_Pa, double poisson) { return modulus_Pa / (1 - poisson * poisson); }

@@ -46,7 +46,9 @@ struct BothRaceways {
 [[nodiscard]] double cage_speed_rad_per_s(const Geometry& geometry, const Speeds& speeds);
 /// u_s = (d_m/2)(1 - gamma^2)|w_i - w_o| [m/s], the SUM of the surface speeds; the same at both raceways.
 [[nodiscard]] double sum_speed_m_per_s(const Geometry& geometry, const Speeds& speeds);
-/// F_c = m (d_m/2) w_c^2 of a solid roller, m = density pi D^2 l/4 [N].
+/// m = density pi D^2 l/4 of a solid roller [kg].
+[[nodiscard]] double roller_mass_kg(const Geometry& geometry);
+/// F_c = m (d_m/2) w_c^2 [N].
 [[nodiscard]] double centrifugal_force_N(const Geometry& geometry, const Speeds& speeds);
 /// E' = E/(1 - nu^2) of two equal bodies [Pa].
 [[nodiscard]] double reduced_modulus_Pa(double modulus_Pa, double poisson);

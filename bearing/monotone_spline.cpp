@@ -72,11 +72,12 @@ double limited(double slope, double before, double after) {
   return before > 0 ? std::clamp(slope, 0.0, largest) : std::clamp(slope, -largest, 0.0);
 }
 
-std::vector<double> slopes(const std::vector<double>& x, const std::vector<double>& y) {
+std::vector<double> slopes(const std::vector<double>& x, const std::vector<double>& y, MonotoneSpline::Limit limit) {
   std::vector<Piece> pieces;
   for (std::size_t k = 0; k + 1 < x.size(); ++k)
     pieces.push_back({x[k + 1] - x[k], (y[k + 1] - y[k]) / (x[k + 1] - x[k])});
   std::vector<double> result = solve_tridiagonal(rows_of(pieces));
+  if (limit == MonotoneSpline::Limit::none) return result;
   for (std::size_t k = 0; k < result.size(); ++k) {
     const Piece &before = pieces[k > 0 ? k - 1 : 0], &after = pieces[std::min(k, pieces.size() - 1)];
     result[k] = limited(result[k], before.secant, after.secant);
@@ -86,8 +87,8 @@ std::vector<double> slopes(const std::vector<double>& x, const std::vector<doubl
 
 }  // namespace
 
-MonotoneSpline::MonotoneSpline(std::vector<double> x, std::vector<double> y)
-    : x_(std::move(x)), y_(std::move(y)), slope_(slopes(x_, y_)) {}
+MonotoneSpline::MonotoneSpline(std::vector<double> x, std::vector<double> y, Limit limit)
+    : x_(std::move(x)), y_(std::move(y)), slope_(slopes(x_, y_, limit)) {}
 
 ValueAndSlope MonotoneSpline::at(double x) const {
   const auto above = std::upper_bound(x_.begin() + 1, x_.end() - 1, x);

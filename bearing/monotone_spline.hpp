@@ -18,8 +18,11 @@ struct ValueAndSlope {
 /// order everywhere.
 class MonotoneSpline {
  public:
+  /// `none`: the plain spline, for values that rise and fall. Beside an extremum the limit costs two orders.
+  enum class Limit { none, monotone };
+
   /// At least three points, x increasing.
-  MonotoneSpline(std::vector<double> x, std::vector<double> y);
+  MonotoneSpline(std::vector<double> x, std::vector<double> y, Limit limit = Limit::monotone);
 
   /// Between the first and the last point.
   [[nodiscard]] ValueAndSlope at(double x) const;

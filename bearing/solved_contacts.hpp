@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -16,7 +17,9 @@ struct SolvedContact {
   double offset = 0;        ///< H_0 in Hertz units, datum x_0 = b
   double offset_error = 0;  ///< absolute
   double film_minimum_m = 0;
-  double film_error = 0;  ///< relative error of film_minimum_m
+  double film_error = 0;                             ///< relative error of film_minimum_m
+  std::optional<double> rolling_force_N_per_m = {};  ///< |Int h p' dx|/2 per length
+  double rolling_error = 0;                          ///< relative
   bool converged = true;  ///< false: the best solution missed its tolerance; its errors are still honest
 };
 /// A contact that has no solution.

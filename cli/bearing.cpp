@@ -40,6 +40,8 @@ struct BearingOptions {
   std::string solver = default_solver().name, form = "plane";
   bool details = false;
   std::optional<std::string> cage_positions, time_limit_total;
+  std::vector<std::string> frequencies;
+  bool dynamic = false;
   RequestOptions limits;
   CaseChanges changes;
 };
@@ -52,6 +54,7 @@ Examples:
   ehd bearing na4908 --cage-positions 24               and the displacement while the cage turns by one pitch
   ehd bearing na4908 --set bearing.clearance_m=5e-6    with another clearance
   ehd bearing na4908 --details                         and the lines of ehd-linear, error budgets, costs
+  ehd bearing na4908 --dynamic --frequency 100         and stiffness and damping in motion at 100 Hz
   ehd bearing na4908 --law ehd-linear --json -         one result as JSON on standard output
   ehd bearing na4908 na4908-10um --plot loads.svg --csv loads.csv
                                                        contact forces and displacements over the azimuth
@@ -69,6 +72,18 @@ bearing::Form form_named(const std::string& name) {
 int positions_asked(const std::optional<std::string>& text) {
   if (!text) return 0;
   return parse_integer("--cage-positions", *text, {.low = 2, .high = 10000});
+}
+
+/// --dynamic, or any --frequency. Throws UsageError.
+std::vector<double> frequencies_asked(const BearingOptions& options) {
+  constexpr Interval range{.low = 0, .high = 1e9};
+  std::vector<double> frequencies_Hz;
+  for (const std::string& text : options.frequencies)
+    frequencies_Hz.push_back(parse_number("--frequency", text, range));
+  if (!frequencies_Hz.empty() && !options.dynamic)
+    throw option_error("--frequency", options.frequencies.front(), "belongs to --dynamic; allowed is both");
+  if (options.dynamic && frequencies_Hz.empty()) frequencies_Hz = {0};
+  return frequencies_Hz;
 }
 
 /// The cases and their results.
@@ -173,19 +188,22 @@ struct Asked {
   bearing::Form form;
   int cage_positions;
   bool details;
+  std::vector<double> frequencies_Hz;
 
   explicit Asked(const BearingOptions& options)
       : laws(laws_named(options.laws)),
         form(form_named(options.form)),
         cage_positions(positions_asked(options.cage_positions)),
-        details(options.details) {}
+        details(options.details),
+        frequencies_Hz(frequencies_asked(options)) {}
 
   [[nodiscard]] BearingRequest of(const Case& one) const {
     return {.laws = laws.empty() ? default_laws(std::get<BearingCase>(one.body)) : laws,
             .explicitly = !laws.empty(),
             .films = true,
             .form = form,
-            .cage_positions = cage_positions};
+            .cage_positions = cage_positions,
+            .frequencies_Hz = frequencies_Hz};
   }
 };
 
@@ -251,7 +269,8 @@ int bearing(const BearingOptions& options) {
   Request request = bearing_contact_request();
   request.max_iterations = limits.max_iterations;
   request.time_limit_s = limits.time_limit_s;
-  const ContactSolver solve = deadline_in(options.time_limit_total).limiting(solver.solve);
+  const Deadline deadline = deadline_in(options.time_limit_total);
+  const ContactSolver solve = deadline.limiting(solver.solve);
   Progress progress;
   long solved = 0;
   std::string current;
@@ -261,6 +280,17 @@ int bearing(const BearingOptions& options) {
         return solve(problem, with);
       },
       request);
+
+  ResponseRequest response_request = bearing_response_request();
+  response_request.max_iterations = limits.max_iterations;
+  response_request.time_limit_s = limits.time_limit_s;
+  long responses = 0;
+  memory.respond_by(
+      [&](const Problem& problem, const ResponseRequest& with) {
+        progress.show(fmt::format("{}: response {} ...", current, ++responses));
+        return deadline.limiting(bearing_responder())(problem, with);
+      },
+      response_request);
 
   Account account;
   for (const Case& one : computed.cases) {
@@ -304,6 +334,8 @@ void describe_bearing(Command& command) {
                "also balance at this many positions of the cage over one pitch");
   command.flag("--details", options->details,
                "also K and dF of ehd-linear, error budgets, the 2 x 2 stiffness, how the laws were made, costs");
+  command.flag("--dynamic", options->dynamic, "also stiffness and damping of the balanced bearing in small motion");
+  command.list("--frequency", options->frequencies, "of that motion, in Hz (repeatable; 0)");
   options->limits.add_to(command, false);
   options->changes.add_to(command);
   add_time_limit_total(command, options->time_limit_total);

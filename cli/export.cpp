@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// ehd export: numbers for another program. So far the films of one oil as a table.
+// ehd export: numbers for another program. The films of one oil as a table; the law of a raceway (export_law).
 #include <fmt/format.h>
 
 #include <chrono>
@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "cli/case_choice.hpp"
+#include "cli/export_law.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/subcommands.hpp"
@@ -29,6 +30,7 @@ namespace {
 struct ExportOptions {
   std::string what, case_name;
   std::optional<std::string> M, L, output, threads, most_solves, time_limit_total;
+  LawExportOptions law;  ///< --raceway, --law and --knots; the others are shared
   std::string format = "csv";
   RequestOptions request;
   CaseChanges changes;
@@ -39,9 +41,14 @@ Examples:
   ehd export films own-moes-20-10 --M 2:1000 --L 2.5:20                the oil of the case, to 1e-4, as CSV
   ehd export films my-bearing.toml --M 5:500 --L 5:15 --tolerance 1e-3 --format json
   ehd export films own-moes-20-10 --M 2:1000 --L 2.5:20 --format c --output films.c
+  ehd export law na4908 --raceway inner --format c --output inner.c    force, stiffness, film and damping over delta
+  ehd export law na4908 --raceway outer --format matlab --output ehd_na4908_outer_law.m
 
 The table has the minimum, central and Couette film and the offset H_0, as Chebyshev coefficients; docs/films-table.md
 says how to read it. The C form has its evaluator with derivatives. Solves that the table does not use find its errors.
+
+A law's table has cubic Hermite polynomials between its knots; docs/law-table.md says how to read it. The file states
+the errors of law and table.
 
 Exit code: 0 the table meets the tolerance; 1 it does not (the file says how far), or a contact was not solved;
 2 bad input or usage.)";
@@ -125,24 +132,37 @@ int export_films(const ExportOptions& options) {
 }
 
 int export_any(const ExportOptions& options) {
-  if (options.what != "films") throw UsageError("export: WHAT = " + options.what + ": is unknown; allowed is films");
-  return export_films(options);
+  if (options.what == "films") return export_films(options);
+  if (options.what != "law") throw UsageError("export: WHAT = " + options.what + ": is unknown; allowed is films, law");
+  LawExportOptions law = options.law;
+  law.case_name = options.case_name;
+  law.changes = options.changes;
+  law.format = options.format;
+  law.output = options.output;
+  law.time_limit = options.request.time_limit;
+  law.time_limit_total = options.time_limit_total;
+  return export_law(law);
 }
 
 }  // namespace
 
 void describe_export(Command& command) {
   auto options = std::make_shared<ExportOptions>();
-  command.summary("Numbers for another program: the films of one oil as a table");
+  command.summary("Numbers for another program: the films of one oil, or the law of a bearing's raceway, as a table");
   command.examples(export_examples);
-  command.text("WHAT", options->what, "films").required();
-  command.text("CASE", options->case_name, "a contact or a bearing, whose oil the table is for: a file (TOML) or an id")
+  command.text("WHAT", options->what, "films or law").required();
+  command
+      .text("CASE", options->case_name,
+            "films: a contact or a bearing, whose oil the table is for; law: a bearing. A file (TOML) or an id")
       .required();
+  command.text("--raceway", options->law.raceway, "law: inner or outer").called("RACEWAY");
+  command.text("--law", options->law.law, "law: ehd, the only one that is no formula").showing_default();
+  command.text("--knots", options->law.knots, "law: knots of the table (32)").called("N");
   command.text("--M", options->M, "range of Moes' load parameter").called("LOW:HIGH");
   command.text("--L", options->L, "range of Moes' material parameter").called("LOW:HIGH");
   command.text("--tolerance", options->request.tolerance, "error allowed in every film of the table (1e-4)")
       .called("T");
-  command.text("--format", options->format, "csv, json or c").called("FORMAT").showing_default();
+  command.text("--format", options->format, "csv, json or c; law: matlab too").called("FORMAT").showing_default();
   command.text("--output", options->output, "write the table into a file (standard output)").called("FILE");
   command.text("--threads", options->threads, "solves side by side (as many as there are cores)").called("N");
   command.text("--max-solves", options->most_solves, "solves of all (4000)").called("N");

@@ -73,6 +73,19 @@ Json to_json(const LinearFit& fit) {
   return json;
 }
 
+/// The contacts that the curve goes through; between them it is read from the same splines.
+Json points_of(const FilmCurve& curve) {
+  std::vector<double> offset, minimum, rolling;
+  for (const double force_N : curve.forces_N()) {
+    offset.push_back(curve.offset_film(force_N).value);
+    minimum.push_back(curve.minimum_film(force_N).value);
+    if (const auto per_m = curve.rolling_force_N_per_m(force_N)) rolling.push_back(*per_m);
+  }
+  Json json = {{"force_N", curve.forces_N()}, {"offset_film_m", offset}, {"film_minimum_m", minimum}};
+  if (!rolling.empty()) json["rolling_force_N_per_m"] = rolling;
+  return json;
+}
+
 Json to_json(const FilmCurve& curve) {
   Json json = Json::object();
   json["points"] = curve.forces_N().size();
@@ -82,6 +95,31 @@ Json to_json(const FilmCurve& curve) {
   put(json, "force_error", std::max(curve.errors().interpolation_force, curve.errors().joint_force));
   put(json, "solver_error", curve.errors().solver_offset_film);
   json["lightest_because"] = curve.errors().lightest_because;
+  json["solved"] = points_of(curve);
+  return json;
+}
+
+Json to_json(const bearing::ContactMotion& contact) {
+  return numbers({{"stiffness_N_per_m", contact.stiffness_N_per_m}, {"damping_N_s_per_m", contact.damping_N_s_per_m}});
+}
+
+Json to_json(const std::vector<DynamicRow>& rows) {
+  Json json = Json::array();
+  for (const DynamicRow& row : rows) {
+    Json one = numbers({{"frequency_Hz", row.frequency_Hz}});
+    one["stiffness_N_per_m"] = row.ring.stiffness_N_per_m;
+    if (row.ring.damping_N_s_per_m) one["damping_N_s_per_m"] = *row.ring.damping_N_s_per_m;
+    put(one, "error", row.ring.error);
+    put(one, "damping_error", row.ring.damping_error);
+    one["rollers"] = Json::array();
+    for (const bearing::RollerMotion& roller : row.rollers) {
+      Json contacts = numbers({{"azimuth_deg", roller.azimuth_deg}});
+      contacts["inner"] = to_json(roller.inner);
+      contacts["outer"] = to_json(roller.outer);
+      one["rollers"].push_back(std::move(contacts));
+    }
+    json.push_back(std::move(one));
+  }
   return json;
 }
 
@@ -101,6 +139,11 @@ Json to_json(const BearingResult& result) {
     json["loaded_rollers"] = loaded_rollers(result.rollers);
     if (const auto& K = result.stiffness_N_per_m; std::isfinite(K[0][0] + K[0][1] + K[1][0] + K[1][1]))
       json["stiffness_N_per_m"] = K;
+    if (!result.dynamics.empty()) json["dynamics"] = to_json(result.dynamics);
+    if (result.torque) {
+      put(json, "torque_N_m", result.torque->torque_N_m);
+      put(json, "torque_error", result.torque->error);
+    }
     if (result.cage) json["cage"] = to_json(*result.cage);
     json["rollers"] = to_json(result.rollers);
     put(json, "balance_error", result.balance_error);
@@ -124,6 +167,7 @@ Json to_json(const BearingResult& result) {
                   {"contacts_from_memory", result.contact_recalls},
                   {"newton_iterations", result.newton_iterations},
                   {"rollers_balanced", result.rollers_balanced}};
+  if (result.responses > 0) json["cost"]["responses"] = result.responses;
   json["plan"] = to_json(result.plan);
   json["notes"] = notes_of(result);
   return json;

@@ -96,6 +96,17 @@ struct Words {
     return fmt::format("variant {}: no balance, {}", bearing_stage::variant, none.why);
   }
   std::string operator()(const note::NoFilms& none) const { return "no films: " + none.why; }
+  std::string operator()(const note::Dynamics& motion) const {
+    if (!motion.damped)
+      return fmt::format("dynamics: the law {} has no film that moves, so that its damping is unknown, not zero",
+                         to_string(result.law));
+    return "dynamics: small motion about the balance; left out are the turning and gyroscopic motion of rollers, the "
+           "cage, and the passage of rollers through the load zone";
+  }
+  std::string operator()(const note::Torque&) const {
+    return "rolling torque: of the isothermal films alone; oil that heats in the inlet lowers it. Sliding, cage, seals "
+           "and churning are not in it. The work of compression is given back and adds nothing";
+  }
   std::string operator()(const note::Unusual& unusual) const { return sentence_of(unusual); }
   std::string operator()(const note::ThinFilm& thin) const {
     return fmt::format(

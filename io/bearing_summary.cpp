@@ -74,6 +74,9 @@ struct Column {
     const auto ratio = smallest_of(result, &ContactRow::lambda_ratio);
     return ratio ? plain(*ratio, 3) : "-";
   }
+  [[nodiscard]] std::string torque() const {
+    return result.torque ? with_error(result.torque->torque_N_m, result.torque->error) : "-";
+  }
   [[nodiscard]] std::string stiffness() const { return plain(N_per_um * result.stiffness_N_per_m[0][0], 4); }
 };
 
@@ -98,7 +101,8 @@ std::string summary_table(const BearingCase& body, const std::vector<BearingResu
                                              {"rollers loaded"},
                                              {"smallest film [um]"},
                                              {"lambda ratio"},
-                                             {"stiffness along the load [N/um]"}};
+                                             {"stiffness along the load [N/um]"},
+                                             {"rolling torque [N m]"}};
   for (const BearingResult& result : results) {
     if (result.rollers.empty()) continue;
     const auto known = errors.find(result.law);
@@ -111,7 +115,8 @@ std::string summary_table(const BearingCase& body, const std::vector<BearingResu
                                          column.loaded(),
                                          column.smallest_film(),
                                          column.lambda_ratio(),
-                                         column.stiffness()};
+                                         column.stiffness(),
+                                         column.torque()};
     for (std::size_t i = 0; i < rows.size(); ++i) rows[i].push_back(cells[i]);
   }
   if (rows.front().size() == 1) return "";

@@ -22,6 +22,9 @@ namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
 
+/// An entry of a matrix below this part of its trace is rounding.
+constexpr double negligible_entry = 1e-12;
+
 /// The rollers that a table shows: one of each mirrored pair, with the text of its azimuth.
 std::vector<std::pair<std::size_t, std::string>> shown_rollers(const std::vector<RollerRow>& rollers) {
   std::vector<double> azimuths;
@@ -106,7 +109,6 @@ std::string cost_table(const std::vector<BearingResult>& results) {
 
 /// Lateral displacement, load zone and stiffness of the ring.
 std::string ring_table(const std::vector<BearingResult>& results) {
-  constexpr double negligible = 1e-12;  // of the stiffness along the load: rounding
   Rows rows{{"ring", "lateral um", "load zone deg", "to", "stiffness N/um: xx", "yy", "xy"}};
   for (const BearingResult& result : results) {
     if (result.rollers.empty()) continue;
@@ -114,9 +116,54 @@ std::string ring_table(const std::vector<BearingResult>& results) {
     const auto& zone = result.load_zone_deg;
     rows.push_back({name_of(result), fixed(1e6 * result.displacement_lateral_m, 4), zone ? plain(zone->first, 5) : "-",
                     zone ? plain(zone->second, 5) : "-", plain(1e-6 * K[0][0], 5), plain(1e-6 * K[1][1], 5),
-                    std::abs(K[0][1]) <= negligible * K[0][0] ? "0" : plain(1e-6 * K[0][1], 5)});
+                    std::abs(K[0][1]) <= negligible_entry * K[0][0] ? "0" : plain(1e-6 * K[0][1], 5)});
   }
   return below_line(rows);
+}
+
+/// A number of the matrix, in the digits that are known.
+std::string entry(double value, double size, double error) {
+  return std::abs(value) <= error * size ? "0" : with_error(value, error * size / std::abs(value));
+}
+
+/// Stiffness and damping of the ring at each frequency.
+std::string dynamics_table(const std::vector<BearingResult>& results) {
+  Rows rows{{"in motion", "Hz", "stiffness N/um: xx", "yy", "xy", "damping N s/m: xx", "yy", "xy"}};
+  for (const BearingResult& result : results) {
+    for (const DynamicRow& at : result.dynamics) {
+      std::vector<std::string> row{name_of(result), plain(at.frequency_Hz)};
+      const auto add = [&](const bearing::Matrix2& matrix, double unit, double error) {
+        const double size = std::max(std::abs(matrix[0][0] + matrix[1][1]), std::abs(matrix[0][0]));
+        for (const double value : {matrix[0][0], matrix[1][1], matrix[0][1]})
+          row.push_back(entry(unit * value, unit * size, std::max(error, negligible_entry)));
+      };
+      add(at.ring.stiffness_N_per_m, 1e-6, at.ring.error);
+      if (at.ring.damping_N_s_per_m)
+        add(*at.ring.damping_N_s_per_m, 1, *at.ring.damping_error);
+      else
+        row.insert(row.end(), {"-", "-", "-"});
+      rows.push_back(std::move(row));
+    }
+  }
+  return below_line(rows);
+}
+
+/// Stiffness and damping of the contacts around the bearing, at the first frequency, by laws that know damping.
+std::string contacts_in_motion(const BearingResult& result) {
+  if (result.dynamics.empty() || !result.dynamics.front().ring.damping_N_s_per_m) return "";
+  const DynamicRow& at = result.dynamics.front();
+  Rows rows{{"psi deg", "Q_i N", "inner: N/um", "N s/m", "outer: N/um", "N s/m"}};
+  for (const auto& [j, azimuth] : shown_rollers(result.rollers)) {
+    const bearing::RollerMotion& roller = at.rollers[j];
+    std::vector<std::string> row{azimuth, fixed(result.rollers[j].inner.force_N, 1)};
+    for (const bearing::ContactMotion* contact : {&roller.inner, &roller.outer}) {
+      row.push_back(plain(1e-6 * contact->stiffness_N_per_m, 4));
+      row.push_back(plain(*contact->damping_N_s_per_m, 4));
+    }
+    rows.push_back(std::move(row));
+  }
+  return fmt::format("\n  contacts in motion, {}, {} Hz\n{}", name_of(result), plain(at.frequency_Hz),
+                     aligned(rows, 1, "  "));
 }
 
 /// The ring over the positions of the cage, where the request has any.
@@ -164,7 +211,8 @@ std::string human_table(const Case& bearing_case, const std::vector<BearingResul
                      summary_table(std::get<BearingCase>(bearing_case.body), results, view.errors) +
                      rollers_table(results);
   if (view.details) text += cost_table(results) + ring_table(results);
-  text += cage_table(results);
+  text += cage_table(results) + dynamics_table(results);
+  for (const BearingResult& result : results) text += contacts_in_motion(result);
   for (const BearingResult& result : results) {
     if (view.details && result.fit) text += fit_table(*result.fit);
   }

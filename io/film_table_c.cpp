@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 #include "contact/text.hpp"
 #include "io/film_table_text.hpp"
+#include "io/program_text.hpp"
 
 namespace ehd {
 
@@ -73,25 +73,6 @@ int PREFIX_film(int film, double M, double L, double *value, double *by_M, doubl
 }
 )";
 
-/// A double as C reads it back exactly.
-std::string exact(double value) {
-  const std::string text = fmt::format("{}", value);
-  return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
-}
-
-std::string braces(const std::vector<double>& values) {
-  std::string text = "{";
-  for (const double value : values) text += (text.size() > 1 ? ", " : "") + exact(value);
-  return text + "}";
-}
-
-std::string replaced(std::string text, const std::string& prefix) {
-  constexpr std::string_view word = "PREFIX";
-  for (auto at = text.find(word); at != std::string::npos; at = text.find(word, at))
-    text.replace(at, word.size(), prefix);
-  return text;
-}
-
 /// The coefficients, one array a panel and film, a row a degree of M.
 std::string coefficient_arrays(const FilmTable& table) {
   std::string text;
@@ -101,7 +82,7 @@ std::string coefficient_arrays(const FilmTable& table) {
     for (std::size_t k = 0; k < table_film_count; ++k) {
       const auto& c = panel.coefficients[k];
       text += fmt::format("static const double PREFIX_c{}_{}[{}] = {{", p, k, c.size());
-      for (std::size_t at = 0; at < c.size(); ++at) text += (at % row == 0 ? "\n  " : " ") + exact(c[at]) + ",";
+      for (std::size_t at = 0; at < c.size(); ++at) text += (at % row == 0 ? "\n  " : " ") + exact_number(c[at]) + ",";
       text.back() = '}';
       text += ";\n";
     }
@@ -117,20 +98,15 @@ std::string panels(const FilmTable& table) {
     const FilmPanel& panel = table.panels[p];
     const double low = std::log(panel.M_low);
     text += fmt::format("  {{{}, {}, {}, {}, {}, {{PREFIX_c{}_0, PREFIX_c{}_1, PREFIX_c{}_2, PREFIX_c{}_3}}}},\n",
-                        exact(panel.M_high), exact(low), exact(std::log(panel.M_high) - low), panel.degree_M,
-                        panel.degree_L, p, p, p, p);
+                        exact_number(panel.M_high), exact_number(low), exact_number(std::log(panel.M_high) - low),
+                        panel.degree_M, panel.degree_L, p, p, p, p);
   }
   return text + "};\n";
 }
 
 }  // namespace
 
-std::string film_table_c_prefix(const FilmTable& table) {
-  std::string prefix = "ehd_" + table.case_id;
-  for (char& c : prefix)
-    if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
-  return prefix;
-}
+std::string film_table_c_prefix(const FilmTable& table) { return "ehd_" + identifier(table.case_id); }
 
 std::string film_table_c(const FilmTable& table) {
   int highest = 1;
@@ -147,12 +123,12 @@ std::string film_table_c(const FilmTable& table) {
   text += how_to_use;
   text += fmt::format("#include <math.h>\n\nenum {{ PREFIX_SIZE = {}, PREFIX_PANELS = {} }};\n\n", highest + 1,
                       table.panels.size());
-  text += "extern const double PREFIX_error[4];\nconst double PREFIX_error[4] = " + braces(errors) + ";\n";
-  text += "static const double PREFIX_range[4] = " + braces({range.M_low, range.M_high, range.L_low, range.L_high}) +
+  text += "extern const double PREFIX_error[4];\nconst double PREFIX_error[4] = " + braced(errors) + ";\n";
+  text += "static const double PREFIX_range[4] = " + braced({range.M_low, range.M_high, range.L_low, range.L_high}) +
           "; /* of M, of L */\n";
-  text += "static const double PREFIX_log_L[2] = " + braces({log_low, std::log1p(range.L_high) - log_low}) + ";\n";
-  text += "static const double PREFIX_shift[4] = " + braces(shifts) + ";\n\n";
-  return replaced(text + coefficient_arrays(table) + "\n" + panels(table) + evaluator, film_table_c_prefix(table));
+  text += "static const double PREFIX_log_L[2] = " + braced({log_low, std::log1p(range.L_high) - log_low}) + ";\n";
+  text += "static const double PREFIX_shift[4] = " + braced(shifts) + ";\n\n";
+  return with_prefix(text + coefficient_arrays(table) + "\n" + panels(table) + evaluator, film_table_c_prefix(table));
 }
 
 }  // namespace ehd

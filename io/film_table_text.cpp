@@ -8,6 +8,7 @@
 #include "contact/oil_laws.hpp"
 #include "contact/text.hpp"
 #include "io/csv.hpp"
+#include "io/program_text.hpp"
 #include "io/provenance.hpp"
 
 namespace ehd {
@@ -68,13 +69,6 @@ std::string oil_words(const FilmTable& table) {
     if (value.is_number()) words += fmt::format(", {} = {}", key, value.get<double>());
   const auto* cut = std::get_if<TruncatedAt>(&table.inlet);
   return words + (cut ? ", inlet at X = " + plain(cut->x) : ", flooded");
-}
-
-std::string made_by() {
-  const Json json = provenance();
-  std::string words = "ehd " + json["version"].get<std::string>();
-  if (json.contains("commit")) words += ", commit " + json["commit"].get<std::string>();
-  return words + ", " + json["date"].get<std::string>();
 }
 
 }  // namespace

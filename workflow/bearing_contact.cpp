@@ -79,7 +79,8 @@ bearing::ContactResult solve_bearing_contact(const RacewayContact& contact, cons
   } catch (const StatementError& error) {
     return SolveFailure{.why = error.what()};
   }
-  reading.problem.wanted = {Quantity::film_minimum, Quantity::film_central, Quantity::film_offset};
+  reading.problem.wanted = {Quantity::film_minimum, Quantity::film_central, Quantity::film_offset,
+                            Quantity::rolling_force};
   const KeptSolution solution = cache.solve(reading.problem, request);
 
   const Groups& groups = reading.problem.groups;
@@ -100,11 +101,17 @@ bearing::ContactResult solve_bearing_contact(const RacewayContact& contact, cons
                     "approach",
                     plain(known.error / known.film, 2), plain(largest_offset_error)));
   const bool good_enough = *film->error <= needed_tolerance && known.known_to(needed_tolerance);
-  return SolvedContact{.offset = offset->value,
-                       .offset_error = *offset->error,
-                       .film_minimum_m = film->value * *reading.scales->film_m_per_hertz_film(),
-                       .film_error = *film->error,
-                       .converged = solution.status == StopReason::converged || good_enough};
+  const Reading* rolling = with_error(solution.observables, Quantity::rolling_force);
+  const double b = hertz::half_width_m(conditions), rolling_unit = hertz::pressure_Pa(conditions) * b * b;
+  return SolvedContact{
+      .offset = offset->value,
+      .offset_error = *offset->error,
+      .film_minimum_m = film->value * *reading.scales->film_m_per_hertz_film(),
+      .film_error = *film->error,
+      .rolling_force_N_per_m =
+          rolling ? std::optional(rolling->value * rolling_unit / conditions.reduced_radius_m) : std::nullopt,
+      .rolling_error = rolling ? *rolling->error : 0,
+      .converged = solution.status == StopReason::converged || good_enough};
 }
 
 }  // namespace ehd

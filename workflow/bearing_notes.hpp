@@ -61,6 +61,12 @@ struct NoVariant {
 struct NoFilms {
   std::string why;
 };
+/// BearingResult::dynamics is there; without `damped` the law knows no damping.
+struct Dynamics {
+  bool damped = false;
+};
+/// BearingResult::torque is there.
+struct Torque {};
 /// A number outside its usual range (plausibility.hpp).
 using Unusual = ehd::Unusual;
 /// A film is thinner than the roughness.
@@ -72,8 +78,8 @@ struct ThinFilm {
 
 namespace ehd {
 
-using BearingNote =
-    std::variant<note::PoorLine, note::Datum, note::LateralForce, note::RaisedFit, note::OutsideFit, note::Curve,
-                 note::Oil, note::CutVariant, note::NoVariant, note::NoFilms, note::Unusual, note::ThinFilm>;
+using BearingNote = std::variant<note::PoorLine, note::Datum, note::LateralForce, note::RaisedFit, note::OutsideFit,
+                                 note::Curve, note::Oil, note::CutVariant, note::NoVariant, note::NoFilms,
+                                 note::Dynamics, note::Torque, note::Unusual, note::ThinFilm>;
 
 }  // namespace ehd

@@ -27,7 +27,7 @@ std::string bearing_stage::balance(bearing::Law law) { return "balance: " + std:
 std::string bearing_stage::film(bearing::Law law) { return "film at each roller: " + std::string(to_string(law)); }
 
 Plan plan_bearing(const BearingCase& body, const std::vector<bearing::Law>& asked, bearing::Form form,
-                  int cage_positions) {
+                  int cage_positions, bool dynamic) {
   Plan plan;
   const std::string no_film = !body.lubricant ? "the case has no lubricant"
                               : at_rest(body) ? "the rings do not move against each other: no film"
@@ -61,7 +61,7 @@ Plan plan_bearing(const BearingCase& body, const std::vector<bearing::Law>& aske
   if (film) {
     plan.decide("second solve of an equal contact",
                 "a load already solved at a raceway is taken from memory, by every law, clearance and case");
-    plan.decide("quantities beside film.minimum, film.central and film.offset",
+    plan.decide("quantities beside film.minimum, film.central, film.offset and rolling_force",
                 "not asked for: the laws need no others");
   }
   plan.decide(bearing_stage::fit, why_no_fit);
@@ -80,6 +80,13 @@ Plan plan_bearing(const BearingCase& body, const std::vector<bearing::Law>& aske
   plan.decide(bearing_stage::lambda, !film               ? why_no_film
                                      : !body.roughness_m ? "bearing.roughness_m is not stated"
                                                          : "");
+  plan.decide(bearing_stage::torque, why_no_film);
+  const std::string why_not_dynamic = dynamic ? "" : "not asked for (--dynamic)";
+  plan.decide(bearing_stage::dynamics, why_not_dynamic);
+  plan.decide(bearing_stage::response, !dynamic           ? why_not_dynamic
+                                       : !no_film.empty() ? no_film
+                                       : !full            ? "no law whose contacts follow a solved film is asked for"
+                                                          : "");
   return plan;
 }
 

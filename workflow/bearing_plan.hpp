@@ -25,6 +25,9 @@ inline constexpr std::string_view variant = "ehd-linear cut at delta = 0";
 inline constexpr std::string_view lambda = "lambda ratios";
 inline constexpr std::string_view across = "balance across the load";
 inline constexpr std::string_view cage = "cage positions over one pitch";
+inline constexpr std::string_view torque = "rolling torque";
+inline constexpr std::string_view dynamics = "stiffness in motion";
+inline constexpr std::string_view response = "response of the films, for damping";
 [[nodiscard]] std::string balance(bearing::Law law);
 [[nodiscard]] std::string film(bearing::Law law);
 }  // namespace bearing_stage
@@ -32,6 +35,7 @@ inline constexpr std::string_view cage = "cage positions over one pitch";
 /// What run_bearing will do, from the case alone. `asked`: laws asked for; those that the case cannot have are skipped
 /// with the reason.
 [[nodiscard]] Plan plan_bearing(const BearingCase& body, const std::vector<bearing::Law>& asked,
-                                bearing::Form form = bearing::Form::plane, int cage_positions = 0);
+                                bearing::Form form = bearing::Form::plane, int cage_positions = 0,
+                                bool dynamic = false);
 
 }  // namespace ehd

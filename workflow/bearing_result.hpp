@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "bearing/dynamics.hpp"
 #include "bearing/equilibrium.hpp"
 #include "bearing/film_curve.hpp"
 #include "bearing/fit.hpp"
@@ -57,6 +58,19 @@ struct CageTurn {
   double largest_force_N = 0;  ///< of any inner contact at any position
 };
 
+/// The bearing in small motion at one frequency.
+struct DynamicRow {
+  double frequency_Hz = 0;
+  bearing::RingMotion ring = {};
+  std::vector<bearing::RollerMotion> rollers = {};  ///< one each, in the order of the rollers
+};
+
+/// What the films take from the rings (bearing_dynamics.hpp).
+struct RollingTorque {
+  double torque_N_m = 0;
+  double error = 0;  ///< relative, of the rolling forces
+};
+
 struct BearingResult {
   std::string case_id;
   int version = 0;
@@ -69,6 +83,8 @@ struct BearingResult {
   /// bearing::load_zone_deg; absent where nothing is loaded.
   std::optional<std::pair<double, double>> load_zone_deg = {};
   std::array<std::array<double, 2>, 2> stiffness_N_per_m = {};
+  std::vector<DynamicRow> dynamics = {};                              ///< where the request has frequencies
+  std::optional<RollingTorque> torque = {};                           ///< where the result has curves
   std::optional<CageTurn> cage = {};                                  ///< where the request has cage positions
   std::vector<RollerRow> rollers;                                     ///< empty where there is no balance
   std::optional<bearing::BothRaceways<double>> datum_m = {};          ///< x_0
@@ -80,6 +96,7 @@ struct BearingResult {
   double wall_s = 0;
   long contact_solves = 0;   ///< contacts that this law is the first to need
   long contact_recalls = 0;  ///< contacts that it took from memory
+  long responses = 0;        ///< contacts whose response this law is the first to need
   int roller_groups = 0;     ///< rollers that are not another's mirror image
   long rollers_balanced = 0;
   int newton_iterations = 0;

@@ -18,6 +18,7 @@
 #include "workflow/bearing_balance.hpp"
 #include "workflow/bearing_curve.hpp"
 #include "workflow/bearing_datum.hpp"
+#include "workflow/bearing_dynamics.hpp"
 #include "workflow/bearing_fit.hpp"
 #include "workflow/bearing_of_case.hpp"
 #include "workflow/plausibility.hpp"
@@ -101,13 +102,17 @@ void judge_contacts(BearingResult& result) {
   result.why = fmt::format("{} of the raceways' solved contacts have an estimated film error above 1e-3", missed);
 }
 
-void carry_through(BearingResult& result, const BearingSetup& setup, bool with_films, ContactMemory& memory) {
+void carry_through(BearingResult& result, const BearingSetup& setup, const BearingRequest& request,
+                   ContactMemory& memory) {
   try {
-    std::visit(RunOfLaw{result, setup, with_films, memory}, bearing::row_of(result.law).make);
+    std::visit(RunOfLaw{result, setup, request.films, memory}, bearing::row_of(result.law).make);
     result.status = StopReason::converged;
     fill_lambda_ratios(result, setup.body);
+    fill_torque(result, setup);
     note_limits(result);
     judge_contacts(result);
+    if (result.plan.runs(bearing_stage::dynamics))
+      fill_dynamics(result, setup, *laws_of(setup.body, result), request.frequencies_Hz, memory);
   } catch (const LawFailure& failure) {
     result.status = failure.limit() ? StopReason::limit_reached : StopReason::diverged;
     result.why = failure.what();
@@ -120,16 +125,17 @@ void carry_through(BearingResult& result, const BearingSetup& setup, bool with_f
 BearingResult run_law(const Case& bearing_case, const BearingRequest& request, const BearingSetup& setup,
                       bearing::Law law, Plan plan, ContactMemory& memory) {
   const auto begin = std::chrono::steady_clock::now();
-  const long solves = memory.solves(), recalls = memory.recalls();
+  const long solves = memory.solves(), recalls = memory.recalls(), responses = memory.responses();
   BearingResult result;
   result.case_id = bearing_case.id;
   result.version = bearing_case.version;
   result.law = law;
   result.form = request.form;
   result.plan = std::move(plan);
-  carry_through(result, setup, request.films, memory);
+  carry_through(result, setup, request, memory);
   result.contact_solves = memory.solves() - solves;
   result.contact_recalls = memory.recalls() - recalls;
+  result.responses = memory.responses() - responses;
   result.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;
 }
@@ -183,7 +189,7 @@ std::vector<BearingResult> run_bearing(const Case& bearing_case, const BearingRe
   const BearingSetup setup(body, request.form, request.cage_positions);
   std::vector<BearingResult> results;
   for (const bearing::Law law : request.laws) {
-    Plan plan = plan_bearing(body, {law}, request.form, request.cage_positions);
+    Plan plan = plan_bearing(body, {law}, request.form, request.cage_positions, !request.frequencies_Hz.empty());
     if (plan.runs(bearing_stage::balance(law)))
       results.push_back(run_law(bearing_case, request, setup, law, std::move(plan), memory));
   }

@@ -27,6 +27,8 @@ struct BearingRequest {
   bearing::Form form = bearing::Form::plane;
   /// The ring is also balanced at this many positions of the cage over one pitch; 0: none.
   int cage_positions = 0;
+  /// Stiffness and damping of the balanced bearing at these frequencies, >= 0; none: not asked for.
+  std::vector<double> frequencies_Hz = {};
 };
 
 /// The laws that a result was balanced with; absent where it has none (no balance).

@@ -43,4 +43,22 @@ const std::variant<FilmCurve, SolveFailure>& ContactMemory::curve(const RacewayC
   return known->second;
 }
 
+void ContactMemory::respond_by(ContactResponder responder, ResponseRequest request) {
+  responder_ = std::move(responder);
+  response_request_ = std::move(request);
+}
+
+const std::variant<bearing::ResponseCurve, SolveFailure>& ContactMemory::response_curve(
+    const RacewayContact& contact, const Lubricant& lubricant, const bearing::ResponseCurveRequest& request) {
+  auto& curves = raceways_[key_of(contact, lubricant)].responses;
+  const auto known = curves.find(request);
+  if (known != curves.end()) return known->second;
+  const bearing::RespondingContact contacts{contact, [&](double load_N_per_m, const std::vector<double>& omegas) {
+                                              ++responses_;
+                                              return respond_bearing_contact(contact, lubricant, load_N_per_m, omegas,
+                                                                             response_request_, responder_);
+                                            }};
+  return curves.emplace(request, bearing::build_response_curve(contacts, request)).first->second;
+}
+
 }  // namespace ehd

@@ -11,10 +11,12 @@
 
 #include "bearing/build_curve.hpp"
 #include "bearing/film_curve.hpp"
+#include "bearing/response_curve.hpp"
 #include "bearing/solved_contacts.hpp"
 #include "contact/conditions.hpp"
 #include "contact/solver.hpp"
 #include "workflow/bearing_contact.hpp"
+#include "workflow/bearing_response.hpp"
 #include "workflow/contact_cache.hpp"
 
 namespace ehd {
@@ -28,12 +30,19 @@ class ContactMemory {
   explicit ContactMemory(ContactSolver solver, Request request = bearing_contact_request());
   /// With a cache that others use too, of a solver with fallback.
   explicit ContactMemory(std::shared_ptr<ContactCache> cache, Request request = bearing_contact_request());
+  /// From now on responses come from this solver, with this request; without the call from bearing_response.hpp's.
+  void respond_by(ContactResponder responder, ResponseRequest request = bearing_response_request());
 
   /// The contact at a raceway; its function counts. It must not outlive this memory.
   [[nodiscard]] bearing::SolvableContact of(const bearing::RacewayContact& contact, const Lubricant& lubricant);
   /// The raceway's curve, built once for all laws, clearances and cases that need the same.
   [[nodiscard]] const std::variant<bearing::FilmCurve, bearing::SolveFailure>& curve(
       const bearing::RacewayContact& contact, const Lubricant& lubricant, const bearing::CurveRequest& request);
+  /// The responses of the raceway's contacts over the force, built once likewise.
+  [[nodiscard]] const std::variant<bearing::ResponseCurve, bearing::SolveFailure>& response_curve(
+      const bearing::RacewayContact& contact, const Lubricant& lubricant, const bearing::ResponseCurveRequest& request);
+  /// Responses that this run solved.
+  [[nodiscard]] long responses() const { return responses_; }
   /// Contacts that this run asked for the first time. Another run may have solved them in a shared cache.
   [[nodiscard]] long solves() const { return solves_; }
   /// Contacts that this run asked for again; a curve used again counts all its points.
@@ -45,13 +54,16 @@ class ContactMemory {
   struct Raceway {
     std::set<double> loads_N_per_m;
     std::map<bearing::CurveRequest, std::variant<bearing::FilmCurve, bearing::SolveFailure>> curves;
+    std::map<bearing::ResponseCurveRequest, std::variant<bearing::ResponseCurve, bearing::SolveFailure>> responses;
   };
   [[nodiscard]] static Key key_of(const bearing::RacewayContact& contact, const Lubricant& lubricant);
 
   std::shared_ptr<ContactCache> cache_;
   Request request_;
   std::map<Key, Raceway> raceways_;
-  long solves_ = 0, recalls_ = 0;
+  ContactResponder responder_ = bearing_responder();
+  ResponseRequest response_request_ = bearing_response_request();
+  long solves_ = 0, recalls_ = 0, responses_ = 0;
 };
 
 }  // namespace ehd

@@ -20,20 +20,41 @@ double Deadline::left_s() const {
   return std::chrono::duration<double>(*end_ - DeadlineClock::now()).count();
 }
 
-ContactSolver Deadline::limiting(ContactSolver solver) const {
-  if (!end_) return solver;
-  return [deadline = *this, solver = std::move(solver)](const Problem& problem, const Request& request) {
-    Solution solution;
+namespace {
+
+void end(Solution& solution, const char* why) {
+  solution.record.status = StopReason::limit_reached;
+  solution.record.reason = why;
+}
+void end(Response& response, const char* why) {
+  response.status = StopReason::limit_reached;
+  response.reason = why;
+}
+
+/// A function of a problem and a request with a time limit, which gets no more time than is left.
+template <class Result, class Asked>
+std::function<Result(const Problem&, const Asked&)> limited(const Deadline& deadline,
+                                                            std::function<Result(const Problem&, const Asked&)> solve) {
+  return [deadline, solve = std::move(solve)](const Problem& problem, const Asked& request) {
     const double left_s = deadline.left_s();
     if (left_s <= 0) {
-      solution.record.status = StopReason::limit_reached;
-      solution.record.reason = not_run;
-      return solution;
+      Result result;
+      end(result, Deadline::not_run);
+      return result;
     }
-    Request shorter = request;
+    Asked shorter = request;
     shorter.time_limit_s = std::min(request.time_limit_s, left_s);
-    return solver(problem, shorter);
+    return solve(problem, shorter);
   };
+}
+
+}  // namespace
+
+ContactSolver Deadline::limiting(ContactSolver solver) const {
+  return end_ ? limited(*this, std::move(solver)) : solver;
+}
+ContactResponder Deadline::limiting(ContactResponder responder) const {
+  return end_ ? limited(*this, std::move(responder)) : responder;
 }
 
 }  // namespace ehd

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <optional>
 
+#include "workflow/bearing_response.hpp"
 #include "workflow/contact_cache.hpp"
 
 namespace ehd {
@@ -19,6 +20,7 @@ class Deadline {
   /// The solver, which gets no more time than is left. When none is left, it is not called, and the solution is
   /// `limit_reached` with the reason not_run. The caches around the solver see the request as it was.
   [[nodiscard]] ContactSolver limiting(ContactSolver solver) const;
+  [[nodiscard]] ContactResponder limiting(ContactResponder responder) const;
 
   // What reasons say, so that a later run can tell a row that had too little time from one that never ends.
   static constexpr const char* out_of_time = "ended by the time limit";

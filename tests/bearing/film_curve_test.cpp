@@ -50,13 +50,13 @@ BOOST_AUTO_TEST_CASE(martin_constants_by_quadrature) {
   }
   const RacewayContact contact = synthetic::contact();
   const double force_N = 3.0, b = hertz::half_width_m(contact.at(force_N)), R = contact.reduced_radius_m;
-  const double film = martin_film(contact, force_N).film;
+  const double film = martin_film(contact, force_N).value;
   const double midpoint = 1e-8;  // (width)^2, and |log| at one cell about g = 0
   EHD_CHECK(
       error(film * force_N / (contact.viscosity_Pa_s * contact.speed_sum_m_per_s * R * contact.length_m), 12 * weight),
       Tolerance::discretisation(midpoint, 10));
   const double deformation = b * b / (2 * R);
-  const double mean = (martin_offset_film(contact, force_N).film - film) / deformation + 2 * hertz::dry_offset() -
+  const double mean = (martin_offset_film(contact, force_N).value - film) / deformation + 2 * hertz::dry_offset() -
                       std::log(std::sqrt(2 * R * film) / b);
   EHD_CHECK(error(mean, logarithm / weight), Tolerance::discretisation(1e-5, 1));  // integrable singularity at g = 0
 }
@@ -109,8 +109,8 @@ BOOST_AUTO_TEST_CASE(the_error_stated_below_the_joint_covers_every_contact_there
     for (double bump = -2; bump < 2; bump += 0.1) {
       const auto films_m = [&](double force_N) {
         const double at_N = synthetic::knee_N / knee_N * force_N, x = std::pow(force_N / knee_N, 1.5);
-        const double rigid = martin_film(synthetic::contact(), force_N).film;
-        const double deformation = martin_offset_film(synthetic::contact(), force_N).film - rigid;
+        const double rigid = martin_film(synthetic::contact(), force_N).value;
+        const double deformation = martin_offset_film(synthetic::contact(), force_N).value - rigid;
         const double offset =
             rigid * synthetic::enhancement(at_N, 0.58) + deformation / synthetic::enhancement(at_N, 4);
         return std::pair{offset * std::exp(bump * std::pow(x / (1 + x), 2)),
@@ -160,7 +160,7 @@ BOOST_AUTO_TEST_CASE(the_lightest_contact_is_held_apart_by_martins_film) {
   const FilmCurve curve = built(contacts);
   const double f = 1e-5 * curve.lightest_N();
   const double approach_m = dry_approach_m(curve.contact().at(f), 0.02) - curve.offset_film(f).value;
-  EHD_CHECK(error(approach_m, -martin_film(curve.contact(), f).film),
+  EHD_CHECK(error(approach_m, -martin_film(curve.contact(), f).value),
             Tolerance::asymptotic(1e-5, "remainder of the order of the load ratio to the lightest solved one"));
 }
 

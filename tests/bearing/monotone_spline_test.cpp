@@ -55,6 +55,14 @@ BOOST_AUTO_TEST_CASE(the_second_derivative_is_continuous) {
     EHD_CHECK(error(second(x[k], 0.02), second(x[k], -0.02)), Tolerance::discretisation(1e-8, 1));
 }
 
+// Exact: without the limit four points give the one cubic through them, though it falls where the points rise.
+BOOST_AUTO_TEST_CASE(without_the_limit_the_spline_is_the_plain_one) {
+  const std::vector<double> x{0, 1, 2, 3}, y{0, 0.01, 1, 8};
+  const double slope = MonotoneSpline(x, y, MonotoneSpline::Limit::none).at(1).slope;
+  EHD_CHECK(error(slope, 0.01 + 0.98 / 2 - 5.03 / 6), Tolerance::round_off(50));  // Newton's differences
+  BOOST_TEST(MonotoneSpline(x, y).at(1).slope >= 0);
+}
+
 BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace ehd::bearing

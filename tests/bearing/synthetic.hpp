@@ -36,12 +36,12 @@ inline constexpr double knee_N = 180;  ///< where piezoviscosity takes over
 inline double enhancement(double force_N, double power) { return std::pow(1 + std::pow(force_N / knee_N, 1.5), power); }
 /// Slope of ln F over ln f: -1 at light, -0.13 at heavy load.
 inline double offset_film_m(double force_N) {
-  const double rigid = martin_film(contact(), force_N).film;
-  const double deformation = martin_offset_film(contact(), force_N).film - rigid;
+  const double rigid = martin_film(contact(), force_N).value;
+  const double deformation = martin_offset_film(contact(), force_N).value - rigid;
   return rigid * enhancement(force_N, 0.58) + deformation / enhancement(force_N, 4);
 }
 inline double minimum_film_m(double force_N) {
-  return martin_film(contact(), force_N).film * enhancement(force_N, 0.56);
+  return martin_film(contact(), force_N).value * enhancement(force_N, 0.56);
 }
 
 inline SolvedContact solved(double force_N, double offset_m, double minimum_m) {

@@ -25,7 +25,7 @@ BALANCED = 1e-11
 
 
 class Contacts:
-    """Solved contacts of one raceway: offset film F = delta_dry - delta and minimum film over the force."""
+    """Solved contacts of one raceway: offset film F = delta_dry - delta, minimum film and rolling force over the force."""
 
     def __init__(self, program, bearing, raceway, forces):
         self.program, self.bearing, self.raceway = program, bearing, raceway
@@ -49,7 +49,8 @@ class Contacts:
         result = self.program.json("solve", path, "--tolerance", "1e-5")
         unit = textbook.half_width(w, R, E) ** 2 / R
         return {"offset": unit * (result["film"]["offset"]["hertz"] - textbook.DRY_OFFSET),
-                "minimum": result["film"]["minimum"]["m"]}
+                "minimum": result["film"]["minimum"]["m"],
+                "rolling": unit * textbook.hertz_pressure(w, R, E) * result["rolling_force"]["dimensionless"]}
 
     def film(self, which, force):
         """At a solved force that value; between two of them a power law. A wrong force need not be solved."""
@@ -228,7 +229,31 @@ def audit_datum(said, result, inputs):
         said.near(f"datum.{raceway}_x0_m", result["datum"][f"{raceway}_x0_m"], x_0, relative=ROUND_OFF)
 
 
-def audit_curve(said, result):
+def audit_solved(said, raceway, curve, contacts):
+    """The points of a curve are contacts, solved here once more."""
+    solved = curve["solved"]
+    forces = solved["force_N"]
+    said.equal(f"curve.{raceway}.solved", {len(values) for values in solved.values()}, {curve["points"]})
+    said.equal(f"curve.{raceway}.solved.force_N", [forces[0], forces[-1]], curve["load_N"])
+    said.equal(f"curve.{raceway}.solved.force_N increases", forces, sorted(set(forces)))
+    for key, which in (("offset_film_m", "offset"), ("film_minimum_m", "minimum"),
+                       ("rolling_force_N_per_m", "rolling")):
+        for k, (force, value) in enumerate(zip(forces, solved[key], strict=True)):
+            said.near(f"curve.{raceway}.solved.{key}[{k}]", value, contacts[raceway].film(which, force),
+                      relative=SOLVED)
+
+
+def audit_torque(said, result, inputs):
+    """u_s l Sum F_t over the speed between the rings. A contact below the lightest solved one follows a formula."""
+    bearing = inputs.bearing
+    forces = [(raceway, one[raceway]["force_N"]) for one in result["rollers"] for raceway in RACEWAYS]
+    rolling = math.fsum(inputs.contacts[raceway].film("rolling", force) for raceway, force in forces if force > 0)
+    said.near("torque_N_m", result["torque_N_m"], bearing.speed_sum * bearing.length * rolling / bearing.turn,
+              relative=SOLVED + result["torque_error"])
+    said.within("torque_error", result["torque_error"], 0, 1e-2)
+
+
+def audit_curve(said, result, inputs):
     for raceway in RACEWAYS:
         curve = result["curve"][raceway]
         low, high = curve["load_N"]
@@ -238,6 +263,7 @@ def audit_curve(said, result):
         said.within(f"curve.{raceway}.points", curve["points"], 3)
         for name in ("interpolation_error", "joint_error", "force_error", "solver_error"):
             said.within(f"curve.{raceway}.{name}", curve[name], 0, 1e-2)
+        audit_solved(said, raceway, curve, inputs.contacts)
     # Every point of curve and fit is a contact that was solved or remembered.
     points = sum(one[raceway]["points"] for one in (result["curve"], result.get("fit")) if one for raceway in RACEWAYS)
     said.within("contacts", result["cost"]["contact_solves"] + result["cost"]["contacts_from_memory"], points)
@@ -305,7 +331,8 @@ def audit_bearing(result, inputs):
         audit_cage(said, result["cage"], inputs)
     if law not in DRY_LAWS:
         audit_datum(said, result, inputs)
-        audit_curve(said, result)
+        audit_curve(said, result, inputs)
+        audit_torque(said, result, inputs)
         audit_budget(said, result, inputs)
     if law == LINE:
         audit_fit(said, result, inputs)
@@ -376,7 +403,8 @@ def solved_contacts(program, bearing, results):
     fitted = {low + (high - low) * k / (n - 1) for k in range(n)}
     return {raceway: Contacts(program, bearing, raceway,
                               fitted | {one[raceway]["force_N"] for result in results for one in result["rollers"]
-                                        if "film_minimum_m" in one[raceway]})
+                                        if "film_minimum_m" in one[raceway]}
+                              | {force for result in results for force in result["curve"][raceway]["solved"]["force_N"]})
             for raceway in RACEWAYS}
 
 

@@ -25,7 +25,8 @@ class Bearing:
         cage = (inner * (1 - gamma) + outer * (1 + gamma)) / 2
         mass = stated["density_kg_per_m3"] * pi * self.D**2 / 4 * self.length
         self.centrifugal = mass * self.d_m / 2 * cage**2
-        self.speed_sum = self.d_m / 2 * (1 - gamma**2) * abs(inner - outer)
+        self.turn = abs(inner - outer)  # of the rings against each other
+        self.speed_sum = self.d_m / 2 * (1 - gamma**2) * self.turn
         self.raceway_radius = {"inner": (self.d_m - self.D) / 2, "outer": (self.d_m + self.D) / 2}
         self.radius = {"inner": 1 / (2 / self.D + 1 / self.raceway_radius["inner"]),
                        "outer": 1 / (2 / self.D - 1 / self.raceway_radius["outer"])}

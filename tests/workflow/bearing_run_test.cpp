@@ -173,7 +173,7 @@ BOOST_AUTO_TEST_CASE(equal_contacts_are_solved_once_across_laws_and_clearances) 
   }
   BOOST_TEST(memory.solves() == contacts.total);
   for (const auto& [M, calls] : contacts.calls) BOOST_TEST(calls == 1);
-  const Wanted needed{Quantity::film_minimum, Quantity::film_central, Quantity::film_offset};
+  const Wanted needed{Quantity::film_minimum, Quantity::film_central, Quantity::film_offset, Quantity::rolling_force};
   BOOST_TEST((contacts.wanted == needed));
 }
 

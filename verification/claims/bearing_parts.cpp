@@ -27,6 +27,7 @@ std::vector<Topic> bearing_part_topics(const std::vector<LoadedCase>& cases) {
   add("ring in the plane", judge_plane);
   add("light load", judge_light_load);
   add("random bearings", judge_random_bearings);
+  add("rollers in motion", judge_rollers_in_motion);
   for (const LoadedCase& loaded : cases) {
     const auto* one = std::get_if<Case>(&loaded.content);
     if (!one || !std::holds_alternative<BearingCase>(one->body)) continue;
@@ -52,6 +53,10 @@ std::vector<Topic> bearing_part_topics(const std::vector<LoadedCase>& cases) {
   add_with_memory("curve", judge_curve);
   add_with_memory("full relation", judge_full_relation);
   add_with_memory("zero speed", judge_zero_speed);
+  add_with_memory("torque", judge_torque);
+  add_with_memory("bearing in motion", judge_dynamics);
+  topics.back().slow = true;  // a hundred responses by `reference`
+  topics.back().expected_s = 20;
   return topics;
 }
 

@@ -294,6 +294,7 @@ void add_bearing(Page& page, const View& results) {
         "image.");
     for (const auto& group : families(bearings)) add_family(page, group);
   }
+  add_dynamics(page, figures.list("dynamics"));
   add_budgets(page, figures.list("bearing"));
   add_statements(page, figures.list("statements"));
   add_study(page, figures["statement_study"]);

@@ -25,6 +25,8 @@ void add_work_precision(Page& page, const View& bench);
 void add_maps(Page& page, const View& results);
 void add_stress(Page& page, const View& stress);
 void add_bearing(Page& page, const View& results);
+/// A part of the bearing's section: figures.dynamics.
+void add_dynamics(Page& page, const std::vector<View>& bearings);
 void add_origin(Page& page, const View& results, const View& bench, const View& stress);
 
 // The figures that `--plot` draws too.

@@ -238,6 +238,20 @@ Json made_results() {
                                                            {"largest_force_N", 6.7},
                                                            {"any_force_N", 6.8},
                                                            {"smallest_film_relative", 9.5e-4}}};
+  const Json contacts = {0.0, 90.0, 180.0}, damping = {1200.0, 3900.0, 400.0}, stiffness = {3.2e9, 1.5e9, 3e7};
+  figures["dynamics"] = {{{"id", "made-tight"},
+                          {"contacts",
+                           {{"azimuth_deg", contacts},
+                            {"inner_stiffness_N_per_m", stiffness},
+                            {"inner_damping_N_s_per_m", damping},
+                            {"outer_stiffness_N_per_m", stiffness},
+                            {"outer_damping_N_s_per_m", damping}}},
+                          {"ring",
+                           {{"frequency_Hz", {10.0, 1000.0}},
+                            {"along_stiffness_N_per_m", {8.8e9, 8.7e9}},
+                            {"along_damping_N_s_per_m", {5700.0, 5600.0}},
+                            {"across_stiffness_N_per_m", {9.8e9, 9.7e9}},
+                            {"across_damping_N_s_per_m", {10700.0, 10600.0}}}}}};
   figures["force_law"] = Json::array();
   for (const char* law : {"hertz", "ehd"})
     figures["force_law"].push_back({{"id", "made-tight"},

@@ -28,6 +28,10 @@ struct ByHand {
 struct SolvedByHand {
   double offset_film_m;  ///< delta_dry - delta, for any datum
   double film_minimum_m;
+  double rolling_force_N_per_m;  ///< |Int h p' dx|/2
+  /// Int h^3 p'^2/(12 eta) dx, what the flow dissipates, by differences of the pressure [W/m], and its error: from
+  /// every second node.
+  double dissipation_W_per_m, dissipation_error;
 };
 [[nodiscard]] SolvedByHand solved_by_hand(const BearingCase& body, bool inner, double force_N);
 

@@ -26,5 +26,9 @@ namespace ehd::verification::bearing_parts {
 [[nodiscard]] Findings judge_curve(const Case& bearing_case, ContactMemory& memory);
 [[nodiscard]] Findings judge_full_relation(const Case& bearing_case, ContactMemory& memory);
 [[nodiscard]] Findings judge_zero_speed(const Case& bearing_case, ContactMemory& memory);
+/// Rollers and contacts in motion, against their equations of motion.
+[[nodiscard]] Findings judge_rollers_in_motion();
+[[nodiscard]] Findings judge_dynamics(const Case& bearing_case, ContactMemory& memory);
+[[nodiscard]] Findings judge_torque(const Case& bearing_case, ContactMemory& memory);
 
 }  // namespace ehd::verification::bearing_parts

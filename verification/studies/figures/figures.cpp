@@ -63,6 +63,7 @@ std::vector<FigurePart> parts_of(const FiguresRequest& request) {
              std::get<BearingCase>(other.body).geometry.clearance_m;
     });
     parts.push_back(bearing_part(printed));
+    parts.push_back(dynamics_part(printed, request.quick));
   }
   if (asked(published)) parts.push_back(profile_part(cases, request.quick));
   if (asked(coupled) || asked(grids)) parts.push_back(convergence_part(asked(coupled), asked(grids), request.quick));

@@ -22,10 +22,10 @@ struct FiguresRequest {
   std::function<void(std::size_t done, std::size_t all, const std::string& name)> progress = {};
 };
 
-/// {"threads", "cases", "convergence", "maps", "bearing", "statements", "statement_study", "force_law"}; a key is
-/// absent where its part was not made. "failed": a sentence for each piece that threw (absent where none did). Times
-/// are of cold solves, one in a thread, while `threads` of them share the machine. Throws CaseError for a named case
-/// that cannot be read.
+/// {"threads", "cases", "convergence", "maps", "bearing", "dynamics", "statements", "statement_study", "force_law"}; a
+/// key is absent where its part was not made. "failed": a sentence for each piece that threw (absent where none did).
+/// Times are of cold solves, one in a thread, while `threads` of them share the machine. Throws CaseError for a named
+/// case that cannot be read.
 [[nodiscard]] Json figures(const FiguresRequest& request);
 
 }  // namespace ehd::verification

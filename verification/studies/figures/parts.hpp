@@ -31,5 +31,7 @@ struct FigurePart {
 [[nodiscard]] FigurePart map_part(const std::filesystem::path& folder, bool quick);
 /// "bearing", "force_law", and with three clearances of one bearing "statements" and "statement_study".
 [[nodiscard]] FigurePart bearing_part(const std::vector<Case>& cases);
+/// "dynamics": the first case in small motion. `quick`: nothing, since the responses take half a minute.
+[[nodiscard]] FigurePart dynamics_part(const std::vector<Case>& cases, bool quick);
 
 }  // namespace ehd::verification

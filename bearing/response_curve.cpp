@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bearing/response_curve.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "bearing/martin.hpp"
+#include "contact/hertz.hpp"
+#include "contact/text.hpp"
+
+namespace ehd::bearing {
+
+namespace {
+
+using Point = ResponseCurve::Point;
+
+template <class Read>
+std::vector<double> read_points(const std::vector<Point>& points, const Read& read) {
+  std::vector<double> values;
+  for (const Point& point : points) values.push_back(read(point));
+  return values;
+}
+
+std::vector<double> forces_of(const std::vector<Point>& points) {
+  return read_points(points, [](const Point& point) { return point.force_N; });
+}
+std::vector<double> kappa_0s(const std::vector<Point>& points) {
+  return read_points(points, [](const Point& point) { return point.response.slow.stiffness; });
+}
+
+double size(const Kappa& kappa, double Omega) { return std::hypot(kappa.stiffness, Omega * kappa.damping); }
+
+/// s of the asinh, by which a lag is measured. M = f/(l sqrt(eta_0 u_s E' R)).
+double lag_scale(const RacewayContact& contact, double force_N) {
+  constexpr double of_light_contacts = 0.3;
+  const double M = force_N / contact.length_m /
+                   std::sqrt(contact.viscosity_Pa_s * contact.speed_sum_m_per_s * contact.reduced_modulus_Pa *
+                             contact.reduced_radius_m);
+  return of_light_contacts / (1 + M);
+}
+
+/// asinh(lag/s) of slow motion over ln f.
+MonotoneSpline lag_spline(const RacewayContact& contact, const std::vector<Point>& points) {
+  std::vector<double> log_force, lags;
+  for (const auto& [force_N, response] : points) {
+    const double kappa_0 = response.slow.stiffness;
+    log_force.push_back(std::log(force_N));
+    lags.push_back(std::asinh(response.slow.damping / (kappa_0 * kappa_0) / lag_scale(contact, force_N)));
+  }
+  return {std::move(log_force), std::move(lags), MonotoneSpline::Limit::none};
+}
+
+}  // namespace
+
+double Omega_of(const RacewayContact& contact, double force_N, double omega) {
+  return omega * hertz::half_width_m(contact.at(force_N)) / (contact.speed_sum_m_per_s / 2);
+}
+
+ResponseCurve::ResponseCurve(RacewayContact contact, std::vector<double> omegas, const std::vector<Point>& points,
+                             ResponseErrors errors)
+    : contact_(contact),
+      omegas_(std::move(omegas)),
+      forces_N_(forces_of(points)),
+      kappa_0_(contact, forces_N_, kappa_0s(points), martin_kappa_0, "kappa_0"),
+      slow_lag_(lag_spline(contact, points)),
+      errors_(errors) {
+  std::vector<double> log_force;
+  for (const double force_N : forces_N_) log_force.push_back(std::log(force_N));
+  for (std::size_t k = 0; k < omegas_.size(); ++k) {
+    const auto departure = [k](const Point& point) {
+      return point.response.at.at(k).stiffness / point.response.slow.stiffness - 1;
+    };
+    const auto damping = [this, k](const Point& point) {
+      return point.response.at[k].damping / damping_scale(point.force_N);
+    };
+    frequencies_.push_back({MonotoneSpline(log_force, read_points(points, departure), MonotoneSpline::Limit::none),
+                            MonotoneSpline(log_force, read_points(points, damping), MonotoneSpline::Limit::none)});
+  }
+  for (const auto& [force_N, response] : points) {
+    std::vector<std::pair<Kappa, double>> all{{response.slow, 0}};
+    for (std::size_t k = 0; k < omegas_.size(); ++k)
+      all.emplace_back(response.at[k], Omega_of(contact_, force_N, omegas_[k]));
+    for (const auto& [kappa, Omega] : all) {
+      largest_solver_stiffness_ = std::max(largest_solver_stiffness_, kappa.stiffness_error / size(kappa, Omega));
+      largest_solver_damping_ = std::max(largest_solver_damping_, kappa.damping_error / damping_scale(force_N));
+    }
+  }
+}
+
+double ResponseCurve::damping_scale(double force_N) const {
+  const double kappa_0 = kappa_0_.at(force_N).value;
+  return std::hypot(slow_lag(force_N), lag_scale(contact_, force_N)) * kappa_0 * kappa_0;
+}
+
+double ResponseCurve::inside(const MonotoneSpline& spline, double force_N) const {
+  return spline.at(std::clamp(std::log(force_N), spline.first(), spline.last())).value;
+}
+
+double ResponseCurve::lag_inside(double force_N) const {
+  return lag_scale(contact_, force_N) * std::sinh(inside(slow_lag_, force_N));
+}
+
+/// Below the lightest point as ContinuedSpline, value and slope from the spline of the asinh.
+double ResponseCurve::slow_lag(double force_N) const {
+  const double lightest_N = forces_N_.front();
+  if (force_N >= lightest_N) return lag_inside(force_N);
+  const ValueAndExponent at_joint = martin_lag(contact_, lightest_N), here = martin_lag(contact_, force_N);
+  const double step = 1e-5, joint = lag_inside(lightest_N);
+  const double exponent = std::log(lag_inside(lightest_N * (1 + step)) / joint) / std::log1p(step);
+  const double v = std::log(joint / at_joint.value), d = exponent - at_joint.exponent;
+  const double c = (d - 1.5 * v) / 1.5, a = v - c, t15 = std::pow(force_N / lightest_N, 1.5);
+  return here.value * std::exp(a * t15 + c * t15 * t15);
+}
+
+Kappa ResponseCurve::with_errors(double force_N, double omega, Kappa kappa) const {
+  const bool below = force_N < forces_N_.front();
+  kappa.stiffness_error = (largest_solver_stiffness_ + (below ? errors_.stiffness_below : errors_.stiffness)) *
+                          size(kappa, Omega_of(contact_, force_N, omega));
+  kappa.damping_error =
+      (largest_solver_damping_ + (below ? errors_.damping_below : errors_.damping)) * damping_scale(force_N);
+  return kappa;
+}
+
+double ResponseCurve::slow_damping(double force_N) const {
+  const double kappa_0 = kappa_0_.at(force_N).value;
+  return slow_lag(force_N) * kappa_0 * kappa_0;
+}
+
+Kappa ResponseCurve::slow(double force_N) const {
+  return with_errors(force_N, 0, {.stiffness = kappa_0_.at(force_N).value, .damping = slow_damping(force_N)});
+}
+
+Kappa ResponseCurve::at(double force_N, std::size_t k) const {
+  const Frequency& fast = frequencies_.at(k);
+  const double kappa_0 = kappa_0_.at(force_N).value, lightest_N = forces_N_.front();
+  double departure = inside(fast.departure, force_N), damping = inside(fast.damping, force_N) * damping_scale(force_N);
+  if (force_N < lightest_N) {
+    const double part = force_N / lightest_N;
+    const double at_joint = inside(fast.damping, lightest_N) * damping_scale(lightest_N) / slow_damping(lightest_N);
+    departure *= part;
+    damping = slow_damping(force_N) * (1 + part * (at_joint - 1));
+  }
+  return with_errors(force_N, omegas_[k], {.stiffness = kappa_0 * (1 + departure), .damping = damping});
+}
+
+namespace {
+
+/// The error below the lightest point is stated as this times the disagreement at half the lightest force: as for films
+/// (build_curve.cpp).
+constexpr double safety_of_response_continuation = 2;
+
+/// Extra solves become points. The error of a fourth-order spline falls to a sixteenth where the gap is halved; half of
+/// that gain is counted on, as for films.
+constexpr double gain_of_half_the_response_gap = 8;
+
+/// Of a curve at a solved contact, relative as in ResponseErrors.
+struct OffResponse {
+  double stiffness = 0, damping = 0;
+  [[nodiscard]] double larger() const { return std::max(stiffness, damping); }
+  void meet(const OffResponse& other) {
+    stiffness = std::max(stiffness, other.stiffness);
+    damping = std::max(damping, other.damping);
+  }
+};
+
+OffResponse off(const ResponseCurve& curve, const Point& solved) {
+  OffResponse found;
+  const auto compare = [&](const Kappa& read, const Kappa& truth, double Omega) {
+    found.meet({.stiffness = std::abs(read.stiffness - truth.stiffness) / size(truth, Omega),
+                .damping = std::abs(read.damping - truth.damping) / curve.damping_scale(solved.force_N)});
+  };
+  compare(curve.slow(solved.force_N), solved.response.slow, 0);
+  for (std::size_t k = 0; k < curve.omegas().size(); ++k)
+    compare(curve.at(solved.force_N, k), solved.response.at[k],
+            Omega_of(curve.contact(), solved.force_N, curve.omegas()[k]));
+  return found;
+}
+
+/// Solved contacts on their way to a curve.
+class ResponsePoints {
+ public:
+  ResponsePoints(const RespondingContact& contacts, const ResponseCurveRequest& request)
+      : contacts_(contacts), request_(request) {}
+
+  /// Solves a contact and keeps it, or says why not.
+  [[nodiscard]] std::optional<SolveFailure> add(double force_N) {
+    if (solved_.contains(force_N)) return std::nullopt;
+    ResponseResult result = contacts_.at(force_N, request_.omegas);
+    if (auto* failure = std::get_if<SolveFailure>(&result))
+      return SolveFailure{.why = "response at a contact force of " + plain(force_N, 4) + " N: " + failure->why,
+                          .limit = failure->limit};
+    auto& response = std::get<SolvedResponse>(result);
+    const bool lightest = force_N <= request_.lightest_N;
+    if (!(response.slow.stiffness > 0) || (lightest && !(response.slow.damping > 0)))
+      return SolveFailure{.why = "at a contact force of " + plain(force_N, 4) + " N kappa_0 = " +
+                                 plain(response.slow.stiffness) + " and kappa_1 = " + plain(response.slow.damping) +
+                                 "; a curve over the force needs a positive kappa_0, and a positive kappa_1 where it "
+                                 "goes over to a rigid cylinder"};
+    solved_.emplace(force_N, std::move(response));
+    return std::nullopt;
+  }
+  [[nodiscard]] Point at(double force_N) const { return {force_N, solved_.at(force_N)}; }
+  [[nodiscard]] std::size_t size() const { return solved_.size(); }
+  [[nodiscard]] ResponseCurve curve(const std::vector<double>& forces_N, const ResponseErrors& errors = {}) const {
+    std::vector<Point> points;
+    for (const double force_N : forces_N) points.push_back(at(force_N));
+    return {contacts_.contact, request_.omegas, points, errors};
+  }
+
+ private:
+  const RespondingContact& contacts_;
+  const ResponseCurveRequest& request_;
+  std::map<double, SolvedResponse> solved_;
+};
+
+std::vector<double> first_forces(const ResponseCurveRequest& request) {
+  const double span = std::log(request.heaviest_N / request.lightest_N);
+  const int gaps = std::max(2, static_cast<int>(std::ceil(span / std::log(request.widest_gap) - 1e-9)));
+  std::vector<double> forces;
+  for (int k = 0; k < gaps; ++k) forces.push_back(request.lightest_N * std::exp(span * k / gaps));
+  forces.push_back(request.heaviest_N);
+  return forces;
+}
+
+/// Judged by a contact of half the lightest force; unknown where that cannot be solved.
+OffResponse below_lightest(ResponsePoints& points, const ResponseCurve& curve) {
+  const double half_N = curve.forces_N().front() / 2;
+  if (!points.add(half_N)) return off(curve, points.at(half_N));
+  constexpr double unknown = std::numeric_limits<double>::infinity();
+  return {.stiffness = unknown, .damping = unknown};
+}
+
+}  // namespace
+
+std::variant<ResponseCurve, SolveFailure> build_response_curve(const RespondingContact& contacts,
+                                                               const ResponseCurveRequest& request) {
+  ResponsePoints points(contacts, request);
+  std::vector<double> nodes = first_forces(request);
+  for (const double force_N : nodes)
+    if (auto failure = points.add(force_N)) return *failure;
+  while (true) {
+    const ResponseCurve curve = points.curve(nodes);
+    std::vector<double> with_middles, split = nodes;
+    OffResponse worst;
+    for (std::size_t k = 0; k + 1 < nodes.size(); ++k) {
+      const double middle = std::sqrt(nodes[k] * nodes[k + 1]);
+      with_middles.insert(with_middles.end(), {nodes[k], middle});
+      if (auto failure = points.add(middle)) return *failure;
+      const OffResponse here = off(curve, points.at(middle));
+      worst.meet(here);
+      if (here.larger() > request.bound && nodes[k + 1] / nodes[k] > request.smallest_gap) split.push_back(middle);
+    }
+    with_middles.push_back(nodes.back());
+    if (split.size() > nodes.size() && points.size() < static_cast<std::size_t>(request.most_points)) {
+      std::sort(split.begin(), split.end());
+      nodes = std::move(split);
+      continue;
+    }
+    const OffResponse below = below_lightest(points, points.curve(with_middles));
+    return points.curve(with_middles, {.stiffness = worst.stiffness / gain_of_half_the_response_gap,
+                                       .damping = worst.damping / gain_of_half_the_response_gap,
+                                       .stiffness_below = safety_of_response_continuation * below.stiffness,
+                                       .damping_below = safety_of_response_continuation * below.damping});
+  }
+}
+
+}  // namespace ehd::bearing

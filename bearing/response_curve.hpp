@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The harmonic response of one raceway's contacts over the contact force: kappa of contact/response.hpp, in Hertz
+// units.
+#pragma once
+
+#include <compare>
+#include <functional>
+#include <variant>
+#include <vector>
+
+#include "bearing/continued_spline.hpp"
+#include "bearing/geometry.hpp"
+#include "bearing/monotone_spline.hpp"
+#include "bearing/solved_contacts.hpp"
+
+namespace ehd::bearing {
+
+/// kappa = stiffness + i Omega damping, with the datum x_0 = l: 1/kappa is that of contact/response.hpp, whose datum is
+/// b, plus ln(l/b)/pi. With the datum b the compliance nearly vanishes at M = 0.8, where a film begins to be elastic;
+/// with l it falls smoothly with the load. Errors are absolute, in the same units.
+struct Kappa {
+  double stiffness = 0, damping = 0;
+  double stiffness_error = 0, damping_error = 0;
+};
+
+/// The response of one solved contact.
+struct SolvedResponse {
+  Kappa slow;                  ///< Omega -> 0: kappa_0 and kappa_1
+  std::vector<Kappa> at = {};  ///< at the frequencies that were asked for
+};
+using ResponseResult = std::variant<SolvedResponse, SolveFailure>;
+
+/// The contact at a raceway, and the function that solves its response at a load [N/m] and at frequencies [rad/s].
+struct RespondingContact {
+  RacewayContact contact;
+  std::function<ResponseResult(double load_N_per_m, const std::vector<double>& omegas)> solve;
+
+  /// The response at a force [N].
+  [[nodiscard]] ResponseResult at(double force_N, const std::vector<double>& omegas) const {
+    return solve(force_N / contact.length_m, omegas);
+  }
+};
+
+/// Omega = omega b/u_m at a contact force [N], omega in rad/s.
+[[nodiscard]] double Omega_of(const RacewayContact& contact, double force_N, double omega);
+
+/// Relative errors of a curve: of the stiffness to |kappa|, of the damping to ResponseCurve::damping_scale.
+struct ResponseErrors {
+  double stiffness = 0, damping = 0;              ///< between the points
+  double stiffness_below = 0, damping_below = 0;  ///< below the lightest point
+};
+
+/// kappa over the contact force.
+/// - Slow motion: kappa_0 as a ContinuedSpline. The lag kappa_1/kappa_0^2 falls over decades and nearly vanishes at
+///   M = 0.8; it may have either sign. So the spline goes through asinh(lag/s), s = 0.3/(1 + M): a tenth to all of the
+///   lag of heavy contacts.
+/// - At each frequency of the curve: the departure Re kappa/kappa_0 - 1, and Im kappa/Omega over damping_scale.
+/// - Below the lightest point kappa_0 and the lag go over to those of a rigid cylinder (martin.hpp), which departs from
+///   slow motion nowhere; departures fall there like Omega^2 ~ f.
+class ResponseCurve {
+ public:
+  struct Point {
+    double force_N = 0;
+    SolvedResponse response;
+  };
+
+  /// At least three points, forces increasing, kappa_0 positive, kappa_1 of the lightest positive; `at` of each point
+  /// as long as `omegas`. Throws std::invalid_argument.
+  ResponseCurve(RacewayContact contact, std::vector<double> omegas, const std::vector<Point>& points,
+                ResponseErrors errors = {});
+
+  [[nodiscard]] Kappa slow(double force_N) const;
+  /// At the frequency `omegas()[k]`.
+  [[nodiscard]] Kappa at(double force_N, std::size_t k) const;
+  [[nodiscard]] const std::vector<double>& omegas() const { return omegas_; }
+  [[nodiscard]] const RacewayContact& contact() const { return contact_; }
+  [[nodiscard]] const std::vector<double>& forces_N() const { return forces_N_; }
+  [[nodiscard]] const ResponseErrors& errors() const { return errors_; }
+  /// What errors of the damping are compared with: the damping, or s kappa_0^2 where it is smaller.
+  [[nodiscard]] double damping_scale(double force_N) const;
+
+ private:
+  /// Of one frequency: Re kappa/kappa_0 - 1, and Im kappa/Omega over damping_scale.
+  struct Frequency {
+    MonotoneSpline departure, damping;
+  };
+  [[nodiscard]] double inside(const MonotoneSpline& spline, double force_N) const;
+  [[nodiscard]] double lag_inside(double force_N) const;  ///< of slow motion, from the lightest point on
+  [[nodiscard]] double slow_lag(double force_N) const;
+  [[nodiscard]] double slow_damping(double force_N) const;
+  [[nodiscard]] Kappa with_errors(double force_N, double omega, Kappa kappa) const;
+
+  RacewayContact contact_;
+  std::vector<double> omegas_, forces_N_;
+  ContinuedSpline kappa_0_;
+  MonotoneSpline slow_lag_;
+  std::vector<Frequency> frequencies_;
+  double largest_solver_stiffness_ = 0, largest_solver_damping_ = 0;  ///< relative, that the solver states
+  ResponseErrors errors_;
+};
+
+/// How a curve is made.
+struct ResponseCurveRequest {
+  double lightest_N = 0, heaviest_N = 0;
+  std::vector<double> omegas = {};  ///< rad/s, at which the motion is not slow
+  double bound = 1.6e-2;            ///< allowed disagreement at an extra solve in each gap; an eighth of it is stated
+  double widest_gap = 3.5;          ///< ratio of neighbouring forces before gaps are split
+  double smallest_gap = 1.04;       ///< a gap below this ratio is not split
+  int most_points = 80;
+
+  friend auto operator<=>(const ResponseCurveRequest&, const ResponseCurveRequest&) = default;
+};
+
+/// Equal steps in ln f from the lightest to the heaviest force; a gap whose extra solve disagrees by more than the
+/// bound is split there; extra solves become points. One contact of half the lightest force finds the error below,
+/// which is infinite where that contact has no solution. A failure of any other solve is a SolveFailure, as is a
+/// kappa_0 that is not positive, or a kappa_1 at the lightest force.
+[[nodiscard]] std::variant<ResponseCurve, SolveFailure> build_response_curve(const RespondingContact& contacts,
+                                                                             const ResponseCurveRequest& request);
+
+}  // namespace ehd::bearing

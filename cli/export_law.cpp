@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/export_law.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/options.hpp"
+#include "cli/output.hpp"
+#include "cli/usage.hpp"
+#include "io/law_export_text.hpp"
+#include "io/output_file.hpp"
+#include "workflow/law_export.hpp"
+#include "workflow/registry.hpp"
+
+namespace ehd::cli {
+
+namespace {
+
+using LawWriter = std::string (*)(const LawExport& law);
+LawWriter law_writer_named(const std::string& format) {
+  if (format == "csv") return law_export_csv;
+  if (format == "json") return [](const LawExport& law) { return json_text(to_json(law)); };
+  if (format == "c") return law_export_c;
+  if (format == "matlab") return law_export_matlab;
+  throw option_error("--format", format, "is unknown; allowed is csv, json, c, matlab");
+}
+
+bearing::Raceway raceway_named(const std::optional<std::string>& name) {
+  const std::string allowed = "allowed is inner or outer";
+  if (!name) throw UsageError("export law: --raceway is missing; " + allowed);
+  for (const bearing::Raceway raceway : {bearing::Raceway::inner, bearing::Raceway::outer})
+    if (*name == to_string(raceway)) return raceway;
+  throw option_error("--raceway", *name, "is unknown; " + allowed);
+}
+
+LawExportRequest request_of(const LawExportOptions& options) {
+  if (options.law != "ehd")
+    throw option_error("--law", options.law,
+                       "has no table: the other laws are formulas, with their numbers in the JSON of ehd bearing; "
+                       "allowed is ehd");
+  LawExportRequest request{.raceway = raceway_named(options.raceway)};
+  if (options.knots) request.knots = parse_integer("--knots", *options.knots, {.low = 4, .high = 10000});
+  return request;
+}
+
+}  // namespace
+
+int export_law(const LawExportOptions& options) {
+  const LawWriter write = law_writer_named(options.format);
+  const LawExportRequest request = request_of(options);
+  const Case one = options.changes.read(options.case_name);
+  if (!std::holds_alternative<BearingCase>(one.body))
+    throw case_error(one, "", "this is a contact; allowed is a bearing case");
+  require_distinct(files_of({one}), {{"--output", options.output.value_or("")}});
+  std::optional<OutputFile> file = opened(options.output);
+  RequestOptions limits;
+  limits.time_limit = options.time_limit;
+  const double limit_s = limits.request().time_limit_s;
+  const Deadline deadline = deadline_in(options.time_limit_total);
+  Request solves = bearing_contact_request();
+  ResponseRequest responses = bearing_response_request();
+  solves.time_limit_s = responses.time_limit_s = limit_s;
+  ContactMemory memory(deadline.limiting(default_solver().solve), solves);
+  memory.respond_by(deadline.limiting(bearing_responder()), responses);
+  try {
+    Progress progress;
+    progress.show("contacts of " + one.id + " ...");
+    const LawExport law = export_law(one, request, memory);
+    progress.show("");
+    if (!file) {
+      print(write(law));
+      return success;
+    }
+    file->append(write(law));
+    file->commit();
+    for (const std::string& line : law_export_words(law)) print(line + "\n");
+    return success;
+  } catch (const LawFailure& failure) {
+    complain(fmt::format("ehd: export law: {}: {}", one.id, failure.what()));
+    return not_met;
+  }
+}
+
+}  // namespace ehd::cli

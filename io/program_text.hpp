@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Parts of tables that are written as a program's source.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ehd {
+
+/// A double as C and MATLAB read it back exactly: 0.1, 2.0, 1e-07.
+[[nodiscard]] std::string exact_number(double value);
+/// "{0.1, 2.0}".
+[[nodiscard]] std::string braced(const std::vector<double>& values);
+/// Each byte that is no letter or digit becomes an underscore: "own_moes_20_10".
+[[nodiscard]] std::string identifier(std::string_view text);
+/// Every PREFIX replaced.
+[[nodiscard]] std::string with_prefix(std::string text, const std::string& prefix);
+/// Where a file comes from: "ehd 0.1.0, commit 0123abc, 2026-01-31T12:00:00Z".
+[[nodiscard]] std::string made_by();
+
+}  // namespace ehd

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A bearing in motion with contacts and responses in closed form.
+#include "workflow/bearing_dynamics.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "bearing/law_table.hpp"
+#include "contact/hertz.hpp"
+#include "contact/nondimensional.hpp"
+#include "io/bearing_json.hpp"
+#include "io/bearing_table.hpp"
+#include "tests/check.hpp"
+#include "tests/made_bearing.hpp"
+#include "workflow/law_export.hpp"
+
+namespace ehd {
+
+namespace {
+
+using std::numbers::pi;
+using verification::Tolerance;
+using verification::made::needle_bearing;
+
+Solution made_solution(const Problem& problem, const Request&) {
+  Solution solution = verification::made::contact(problem);
+  // Martin's rolling force in Hertz units, F_t R/(p_H b^2) = 1.4475/M
+  solution.observables[Quantity::rolling_force] = {.value = 1.4475 / problem.groups.M, .error = 1e-6};
+  return solution;
+}
+
+/// kappa_0 as the slope of the made solutions, pi/(-1/2 - 2 H_0 - 2 M dH_0/dM); kappa_1 a tenth of it, and at a
+/// frequency both fall by Omega^2.
+Response made_response(const Problem& problem, const ResponseRequest& request) {
+  const auto offset = [&](double M) {
+    Problem other = problem;
+    other.groups.M = M;
+    return verification::made::contact(other).observables.at(Quantity::film_offset).value;
+  };
+  const double M = problem.groups.M, step = 1e-4;
+  const double slope = (offset(M * (1 + step)) - offset(M * (1 - step))) / (2 * step);
+  const double kappa_0 = pi / (-0.5 - 2 * offset(M) - 2 * slope);
+  Response response{
+      .status = StopReason::converged,
+      .reason = {},
+      .slow = SlowStiffness{.kappa_0 = kappa_0, .kappa_1 = kappa_0 / 10, .error_0 = 1e-8, .error_1 = 1e-7}};
+  for (const double Omega : request.frequencies)
+    response.frequencies.push_back({.Omega = Omega,
+                                    .kappa = kappa_0 * (1 - Omega * Omega) * std::complex<double>(1, Omega / 10),
+                                    .error = 1e-8,
+                                    .status = StopReason::converged});
+  return response;
+}
+
+ContactMemory made_memory() {
+  ContactMemory memory(made_solution);
+  memory.respond_by(made_response);
+  return memory;
+}
+
+BearingResult moved(const Case& one, bearing::Law law, const std::vector<double>& frequencies_Hz,
+                    ContactMemory& memory) {
+  return run_bearing(one, {.laws = {law}, .explicitly = true, .frequencies_Hz = frequencies_Hz}, memory).at(0);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(bearing_dynamics)
+
+// Exact: kappa(0) is the slope of the load, so that the ring at rest is as stiff as its balance says.
+BOOST_AUTO_TEST_CASE(at_rest_the_stiffness_is_that_of_the_balance) {
+  ContactMemory memory = made_memory();
+  Case one = needle_bearing(3e-6);
+  std::get<BearingCase>(one.body).geometry.first_azimuth_deg = 3;
+  const BearingResult result = moved(one, bearing::Law::ehd, {0}, memory);
+  BOOST_REQUIRE(result.dynamics.size() == 1u);
+  const bearing::RingMotion& ring = result.dynamics[0].ring;
+  const auto& K = result.stiffness_N_per_m;
+  const double trace = K[0][0] + K[1][1];
+  for (std::size_t i = 0; i < 2; ++i)
+    for (std::size_t j = 0; j < 2; ++j)
+      EHD_CHECK(std::abs(ring.stiffness_N_per_m[i][j] - K[i][j]) / trace,
+                Tolerance::required(5e-3, "slopes of a curve that is known to 1e-3"));
+  BOOST_TEST(ring.stiffness_N_per_m[0][1] == ring.stiffness_N_per_m[1][0]);
+  BOOST_TEST(std::abs(K[0][1]) > 1e-4 * trace);  // the cage is not symmetric to the load
+  BOOST_TEST(ring.damping_N_s_per_m.has_value());
+  BOOST_TEST(ring.error < 0.01);
+}
+
+// Counter: responses are solved once for all clearances, and fewer than the bearing has contacts.
+BOOST_AUTO_TEST_CASE(responses_are_solved_once) {
+  ContactMemory memory = made_memory();
+  const BearingResult first = moved(needle_bearing(0), bearing::Law::ehd, {0, 100}, memory);
+  BOOST_TEST(first.responses > 0);
+  BOOST_TEST(first.responses < 2 * 22);
+  for (const double clearance_m : {2.5e-6, 10e-6})
+    BOOST_TEST(moved(needle_bearing(clearance_m), bearing::Law::ehd, {0, 100}, memory).responses == 0);
+  BOOST_TEST(memory.responses() == first.responses);
+}
+
+// At a frequency that is not slow, the response at that frequency counts; the mass of the rollers too.
+BOOST_AUTO_TEST_CASE(a_fast_motion_asks_for_its_own_response) {
+  ContactMemory memory = made_memory();
+  const Case one = needle_bearing(0);
+  const BearingResult result = moved(one, bearing::Law::ehd, {0, 3000}, memory);
+  BOOST_REQUIRE(result.dynamics.size() == 2u);
+  const double f = result.rollers[0].inner.force_N, l = 0.122, modulus = 2.06e11 / 0.91;
+  const double b = std::sqrt(8 * f / l / (2 / 0.005 + 2 / 0.048) / (pi * modulus));
+  const double u_m = 0.053 / 4 * (1 - std::pow(5.0 / 53, 2)) * 5000 * pi / 30, Omega = 2 * pi * 3000 * b / u_m;
+  const double datum = 4 / (pi * modulus * l) * std::log(result.datum_m->inner / b);
+  const auto film = [&](const bearing::ContactMotion& contact, double omega) {  // without the datum
+    return 1.0 / (1.0 / std::complex(contact.stiffness_N_per_m, omega * *contact.damping_N_s_per_m) - datum);
+  };
+  const auto slow = film(result.dynamics[0].rollers[0].inner, 0),
+             fast = film(result.dynamics[1].rollers[0].inner, 2 * pi * 3000);
+  const Tolerance curve = Tolerance::required(5e-3, "the curve's bound of 2e-3, through the datum");
+  EHD_CHECK(error(fast.real() / slow.real(), 1 - Omega * Omega), curve);
+  EHD_CHECK(error(fast.imag() / slow.real(), (1 - Omega * Omega) * Omega / 10), curve);
+}
+
+BOOST_AUTO_TEST_CASE(a_law_without_a_film_has_stiffness_alone) {
+  ContactMemory memory = made_memory();
+  for (const bearing::Law law : {bearing::Law::hertz, bearing::Law::ehd_linear}) {
+    const BearingResult result = moved(needle_bearing(0), law, {0, 50}, memory);
+    BOOST_REQUIRE(result.dynamics.size() == 2u);
+    const auto& K = result.stiffness_N_per_m;
+    EHD_CHECK(error(result.dynamics[0].ring.stiffness_N_per_m[0][0], K[0][0]), Tolerance::round_off(1000));
+    BOOST_TEST(!result.dynamics[1].ring.damping_N_s_per_m.has_value());
+    const Json json = to_json(result);
+    BOOST_TEST(json["dynamics"][1].contains("stiffness_N_per_m"));
+    BOOST_TEST(!json["dynamics"][1].contains("damping_N_s_per_m"));
+    BOOST_TEST(!json["dynamics"][1].contains("damping_error"));
+    BOOST_TEST(json["notes"].dump().find("unknown, not zero") != std::string::npos);
+  }
+  BOOST_TEST(memory.responses() == 0);
+}
+
+BOOST_AUTO_TEST_CASE(the_plan_says_why_there_is_no_motion_and_no_response) {
+  const auto body = std::get<BearingCase>(needle_bearing(0).body);
+  const auto why = [&](bool dynamic, bearing::Law law, std::string_view stage) {
+    for (const SkippedStage& skipped : plan_bearing(body, {law}, bearing::Form::plane, 0, dynamic).skipped)
+      if (skipped.stage == stage) return skipped.why;
+    return std::string();
+  };
+  BOOST_TEST(why(false, bearing::Law::ehd, bearing_stage::dynamics).find("--dynamic") != std::string::npos);
+  BOOST_TEST(why(true, bearing::Law::ehd, bearing_stage::dynamics).empty());
+  BOOST_TEST(why(true, bearing::Law::ehd, bearing_stage::response).empty());
+  BOOST_TEST(why(true, bearing::Law::hertz, bearing_stage::response).find("no law") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(a_contact_without_a_response_ends_the_law_with_a_reason) {
+  ContactMemory memory(made_solution);
+  memory.respond_by([](const Problem&, const ResponseRequest&) {
+    return Response{.status = StopReason::limit_reached, .reason = "the time is over"};
+  });
+  const BearingResult result = moved(needle_bearing(0), bearing::Law::ehd, {0}, memory);
+  BOOST_TEST((result.status == StopReason::limit_reached));
+  BOOST_TEST(result.why.find("the time is over") != std::string::npos);
+}
+
+// Exact: the made rolling force is 1.4475/M in Hertz units at every load, F_t = 1.4475 p_H b^2/(R M).
+BOOST_AUTO_TEST_CASE(the_torque_sums_the_rolling_forces_of_both_raceways) {
+  ContactMemory memory = made_memory();
+  const BearingResult result = moved(needle_bearing(0), bearing::Law::ehd, {}, memory);
+  BOOST_TEST(result.dynamics.empty());
+  BOOST_REQUIRE(result.torque.has_value());
+  const double l = 0.122, modulus = 2.06e11 / 0.91, turn = 5000 * pi / 30;
+  const double u_s = 0.053 / 2 * (1 - std::pow(5.0 / 53, 2)) * turn;
+  double sum = 0;
+  for (const RollerRow& roller : result.rollers)
+    for (const bool inner : {true, false}) {
+      const double R = 1 / (2 / 0.005 + (inner ? 2 / 0.048 : -2 / 0.058));
+      const double w = (inner ? roller.inner : roller.outer).force_N / l;
+      const double b2 = 8 * w * R / (pi * modulus), p_H = 2 * w / (pi * std::sqrt(b2));
+      sum += 1.4475 * p_H * b2 / R / (w / std::sqrt(0.02 * u_s * modulus * R));
+    }
+  EHD_CHECK(error(result.torque->torque_N_m, u_s * l * sum / turn),
+            Tolerance::required(1e-3, "rollers below the lightest contact follow Martin's form, 1.4705 for 1.4475"));
+  EHD_CHECK(error(to_json(result)["torque_N_m"].get<double>(), result.torque->torque_N_m), Tolerance::round_off(1));
+}
+
+BOOST_AUTO_TEST_CASE(a_law_is_exported_over_the_balance_with_its_damping) {
+  ContactMemory memory = made_memory();
+  const LawExport law = export_law(needle_bearing(0), {.raceway = bearing::Raceway::outer, .knots = 20}, memory);
+  BOOST_TEST(law.table.approach_m.size() == 20u);
+  BOOST_TEST(law.lightest_N < law.balance_lightest_N);
+  BOOST_TEST(law.heaviest_N > law.balance_heaviest_N);
+  BOOST_TEST(law.no_damping.empty());
+  BOOST_REQUIRE(law.table.damping_N_s_per_m.has_value());
+  EHD_CHECK(law.force_error, Tolerance::required(2e-3, "the bounds of a curve"));
+  ContactMemory without(made_solution);
+  without.respond_by([](const Problem&, const ResponseRequest&) { return Response{.reason = "no steady state"}; });
+  const LawExport undamped = export_law(needle_bearing(0), {}, without);
+  BOOST_TEST(!undamped.table.damping_N_s_per_m.has_value());
+  BOOST_TEST(undamped.no_damping.find("no steady state") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace ehd
