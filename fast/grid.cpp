@@ -32,6 +32,24 @@ void Grid::product(const Array& P, Array& y, double& integral) {
   y = h * y + h * std::log(h) * sum;
 }
 
+void Grid::product(const ArrayOf<Complex>& P, ArrayOf<Complex>& y, Complex& integral) {
+  const double h = 1.0 / n;
+  auto& density = complex_density_;
+  density = slope * P;
+  density[0] = density[n] = 0;
+  part_ = density.real();
+  toeplitz->apply(part_, real_);
+  part_ = density.imag();
+  toeplitz->apply(part_, imaginary_);
+  y.resize(n + 1);
+  y.real() = real_;
+  y.imag() = imaginary_;
+  if (remainder) remainder->add(density, y);
+  const Complex sum = density.sum();
+  integral = h * sum;
+  y = h * y + h * std::log(h) * sum;
+}
+
 const Array& Grid::first_column() {
   if (first_column_.size() > 0) return first_column_;
   Array unit = Array::Zero(n + 1);

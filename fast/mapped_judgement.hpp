@@ -14,6 +14,7 @@ namespace ehd::fast {
 struct MappedClimb {
   std::vector<GridRecord> grids;  ///< coarse to fine
   Fields fields;                  ///< of the finest grid
+  std::vector<State> states;      ///< the solutions, a grid each
   ErrorBudget film_minimum, film_central;
   double iteration = 0;   ///< relative error that iteration leaves in the films; the largest of the grids
   bool complete = false;  ///< Newton reached the last grid
