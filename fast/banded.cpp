@@ -26,7 +26,7 @@ bool BandedOf<Scalar>::factorise() {
     }
     const double size = size_of(r[lower]) + size_of(r[lower + 1]) + size_of(r[lower + 2]);
     if (!(size_of(r[lower]) > smallest_pivot * size)) return false;
-    r[lower] = 1.0 / r[lower];
+    r[lower] = inverse_of(r[lower]);
     return true;
   };
   const std::size_t n = rows_.size(), beside = std::min<std::size_t>(lower, n);

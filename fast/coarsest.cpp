@@ -66,9 +66,9 @@ void CoarsestOf<Scalar>::subtract_squeeze(const NodeFields& nodes, const Jacobia
   double by_offset = 0, by_exit = 0;
   for (int i = n - 1; i >= 0; --i) {
     const int node = i + 1;
-    const double film = squeeze.weight[node] * squeeze.by_film[node];
+    const double film = squeeze.by_film[node];
     mass_ += film * (scale * dense.row(node).segment(1, n - 1).transpose().array() + scaled_integral_);
-    if (node < n) mass_[node - 1] += squeeze.weight[node] * squeeze.by_pressure[node];
+    if (node < n) mass_[node - 1] += squeeze.by_pressure[node];
     by_offset += film;
     by_exit += film * jacobian.film_by_exit[node];
     Scalar* const row = lu_.row(i);

@@ -68,7 +68,7 @@ bool DenseLuOf<Scalar>::factorise() {
     // A number that is not finite reaches a pivot: every later row takes it over, as it is or as NaN.
     const double size = size_of(pivot_row[k]);
     if (!(size > 0) || !std::isfinite(size)) return false;
-    inverse_pivot_[k] = 1.0 / pivot_row[k];
+    inverse_pivot_[k] = inverse_of(pivot_row[k]);
     eliminate(k);
     std::fill(pivot_row + static_cast<std::ptrdiff_t>((k + 1) / block) * block, pivot_row + k + 1,
               Scalar(0));  // solve() goes over whole blocks

@@ -33,21 +33,15 @@ void Grid::product(const Array& P, Array& y, double& integral) {
 }
 
 void Grid::product(const ArrayOf<Complex>& P, ArrayOf<Complex>& y, Complex& integral) {
-  const double h = 1.0 / n;
-  auto& density = complex_density_;
-  density = slope * P;
-  density[0] = density[n] = 0;
-  part_ = density.real();
-  toeplitz->apply(part_, real_);
-  part_ = density.imag();
-  toeplitz->apply(part_, imaginary_);
+  double by_real = 0, by_imaginary = 0;
+  part_ = P.real();
+  product(part_, real_, by_real);
+  part_ = P.imag();
+  product(part_, imaginary_, by_imaginary);
   y.resize(n + 1);
   y.real() = real_;
   y.imag() = imaginary_;
-  if (remainder) remainder->add(density, y);
-  const Complex sum = density.sum();
-  integral = h * sum;
-  y = h * y + h * std::log(h) * sum;
+  integral = {by_real, by_imaginary};
 }
 
 const Array& Grid::first_column() {

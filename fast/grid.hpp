@@ -46,8 +46,7 @@ struct Grid {
   std::optional<SmoothRemainder> remainder;
 
  private:
-  Array density_;  ///< phi' P
-  ArrayOf<Complex> complex_density_;
+  Array density_;                  ///< phi' P
   Array part_, real_, imaginary_;  ///< of a complex product
   Array first_column_;
   RowMajor dense_;

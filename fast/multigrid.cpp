@@ -118,8 +118,7 @@ void MultigridOf<Scalar>::Level::assemble_band(Scalar rate) {
     for (std::size_t k = 1; k < 5; ++k) row[k] = now[k - 1] - before[k];
     row[5] = now[4];
     if (squeeze) {  // s w_i m_i
-      const double by_film = squeeze->weight[i] * squeeze->by_film[i];
-      const double by_density = squeeze->weight[i] * squeeze->by_pressure[i] * per[i];
+      const double by_film = squeeze->by_film[i], by_density = squeeze->by_pressure[i] * per[i];
       row[2] += rate * (k1 * by_film - by_density);
       row[3] += rate * (k0 * by_film + 2 * by_density);
       row[4] += rate * (k1 * by_film - by_density);

@@ -30,11 +30,13 @@ constexpr double of_kappa = 0.2, of_damping = 60, of_wavy_film = 90, linear_part
 /// Numbers of fewer grids have no error estimate.
 constexpr std::size_t fewest_grids = 4;
 /// Ratios of moves that count as regular (8 for smooth solutions), and the parts of the moves in the error: judged().
+/// Where a spike passes between the nodes, moves fall by 2 from grid to grid, not by 8.
 constexpr double least_ratio = 5, largest_ratio = 13;
-constexpr double of_limit = 2, of_regular_move = 0.5, of_move = 2, of_move_before = 1.0 / 3, less_each_move = 6;
+constexpr double of_limit = 2, of_regular_move = 0.5, of_irregular_move = 2.5, of_move_before = 0.5, less_each_move = 2;
+constexpr std::size_t moves_back = 4;
 /// What the moving tail of a flooded contact leaves in kappa, relative, over Omega^2 min(1, lambda). Against the
-/// reference at (0.5, 2), (1, 4), (2, 15) and (8, 6), Omega of 2..100: 1e-9 to 2.4e-8.
-constexpr double tail_error = 3e-8;
+/// reference at (0.5, 2), (1, 4), (2, 15), (8, 6) and 60 random contacts, Omega of 0..100: 1e-9 to 4e-8.
+constexpr double tail_error = 6e-8;
 /// What it leaves in kappa_1 is as much as in kappa here: 7e-8 was seen.
 constexpr double Omega_of_damping = 2;
 /// A disturbance e^(i Omega (T - X)) is resolved where Omega times the widest cell of the contact is at most this.
@@ -139,8 +141,9 @@ bool ResponseSolve::refine() {
 }
 
 /// f_k on the grids, R_k = (4 f_k - f_(k-1))/3 and S_k = (8 R_k - R_(k-1))/7, since errors fall as h^2 and then h^3;
-/// r_k = |R_k - R_(k-1)|. The value is S_m. Its error, where r_(m-1)/r_m is regular: max(2 |S_m - S_(m-1)|, r_m/2), of
-/// four grids r_m instead of its half; else max(|S_m - S_(m-1)|, 2 r_m, r_(m-1)/3, r_(m-2)/18).
+/// r_k = |R_k - R_(k-1)|. The value is S_m. Its error, where r_(m-1)/r_m and r_(m-2)/r_(m-1) are regular:
+/// max(2 |S_m - S_(m-1)|, r_m/2), of four grids r_m instead of its half;
+/// else max(|S_m - S_(m-1)|, 2.5 r_m, r_(m-1)/2, r_(m-2)/4, r_(m-3)/8).
 Judged ResponseSolve::judged(const Sequence& sequence, double Omega, double wavenumber) const {
   const std::vector<Complex>& f = sequence.values;
   const std::size_t m = f.size();
@@ -152,13 +155,20 @@ Judged ResponseSolve::judged(const Sequence& sequence, double Omega, double wave
   const auto R = [&](std::size_t back) { return (4.0 * f[m - 1 - back] - f[m - 2 - back]) / 3.0; };
   const auto S = [&](std::size_t back) { return (8.0 * R(back) - R(back + 1)) / 7.0; };
   const auto move = [&](std::size_t back) { return std::abs(R(back) - R(back + 1)); };
-  const double last = move(0), before = move(1), limit = std::abs(S(0) - S(1));
+  const auto regular = [&](std::size_t back) {
+    return move(back + 1) >= least_ratio * move(back) && move(back + 1) <= largest_ratio * move(back);
+  };
+  const double limit = std::abs(S(0) - S(1));
   found.value = S(0);
   if (wavenumber * grids_[m - 1].harmonic->widest_cell() > largest_phase) return found;
-  double error = std::max({limit, of_move * last, of_move_before * before});
-  if (m > fewest_grids) error = std::max(error, of_move_before / less_each_move * move(2));
-  if (before >= least_ratio * last && before <= largest_ratio * last)
-    error = std::max(of_limit * limit, (m > fewest_grids ? of_regular_move : 1) * last);
+  double error = std::max(limit, of_irregular_move * move(0));
+  if (regular(0) && (m == fewest_grids || regular(1))) {
+    error = std::max(of_limit * limit, (m == fewest_grids ? 1 : of_regular_move) * move(0));
+  } else {
+    double part = of_move_before;
+    for (std::size_t back = 1; back + 3 <= m && back < moves_back; ++back, part /= less_each_move)
+      error = std::max(error, part * move(back));
+  }
   const double tail =
       run_.setting.with_tail ? tail_error * std::min(1.0, run_.setting.groups.lambda) * Omega * Omega : 0;
   found.error = error / std::abs(found.value) + tail * sequence.offset + run_.truncation + sequence.iteration +

@@ -22,6 +22,10 @@ inline constexpr int parts_of = std::is_same_v<Scalar, double> ? 1 : 2;
   return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
 }
 
+/// 1/a.
+[[nodiscard]] inline double inverse_of(double a) { return 1 / a; }
+[[nodiscard]] inline Complex inverse_of(Complex a) { return std::conj(a) / std::norm(a); }
+
 /// A size without a root: |a|, of complex numbers |Re a| + |Im a|.
 [[nodiscard]] inline double size_of(double a) { return std::abs(a); }
 [[nodiscard]] inline double size_of(Complex a) { return std::abs(a.real()) + std::abs(a.imag()); }

@@ -69,29 +69,24 @@ SmoothRemainder::SmoothRemainder(int n, std::shared_ptr<const RemainderTable> ta
   }
 }
 
-template <class Scalar>
-void SmoothRemainder::add(const ArrayOf<Scalar>& x, ArrayOf<Scalar>& y, OnTable<Scalar>& through) const {
+void SmoothRemainder::add(const Array& x, Array& y) const {
   if (direct_) {
     y.matrix().noalias() += table_->values * x.matrix();
     return;
   }
-  auto& [in, out] = through;
   const int cells = table_->cells;
-  in.setZero(cells + 1 + points);  // the last few take what short tables' padding weights (zeros) add
+  in_.setZero(cells + 1 + points);  // the last few take what short tables' padding weights (zeros) add
   for (int i = 0; i <= n_;) {
     const int base = base_[static_cast<std::size_t>(i)];
-    Eigen::Array<Scalar, points, 1> sum = Eigen::Array<Scalar, points, 1>::Zero();
+    Weights sum = Weights::Zero();
     for (; i <= n_ && base_[static_cast<std::size_t>(i)] == base; ++i) sum += weights(i) * x[i];
-    in.template segment<points>(base) += sum.matrix();
+    in_.segment<points>(base) += sum.matrix();
   }
-  out.setZero(cells + 1 + points);
-  out.head(cells + 1).noalias() = table_->values * in.head(cells + 1);
+  out_.setZero(cells + 1 + points);
+  out_.head(cells + 1).noalias() = table_->values * in_.head(cells + 1);
   for (int i = 0; i <= n_; ++i)
-    y[i] += (weights(i) * out.template segment<points>(base_[static_cast<std::size_t>(i)]).array()).sum();
+    y[i] += (weights(i) * out_.segment<points>(base_[static_cast<std::size_t>(i)]).array()).sum();
 }
-
-void SmoothRemainder::add(const Array& x, Array& y) const { add(x, y, real_); }
-void SmoothRemainder::add(const ArrayOf<Complex>& x, ArrayOf<Complex>& y) const { add(x, y, complex_); }
 
 double SmoothRemainder::entry(int i, int j) const {
   if (direct_) return table_->values(i, j);

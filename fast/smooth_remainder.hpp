@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "contact/array.hpp"
-#include "fast/scalar.hpp"
 
 namespace ehd::fast {
 
@@ -34,8 +33,6 @@ class SmoothRemainder {
 
   /// y_i += Sum_j Lambda_ij x_j, sizes n + 1.
   void add(const Array& x, Array& y) const;
-  /// The same of complex numbers, which read the table once.
-  void add(const ArrayOf<Complex>& x, ArrayOf<Complex>& y) const;
   /// Lambda_ij as the product uses it.
   [[nodiscard]] double entry(int i, int j) const;
   /// Adds Lambda_i0, …, Lambda_in.
@@ -52,15 +49,7 @@ class SmoothRemainder {
   std::shared_ptr<const RemainderTable> table_;
   std::vector<int> base_, pattern_;  ///< of each node: first table node, and which weights
   std::vector<Weights, Eigen::aligned_allocator<Weights>> weights_;
-  /// On the table's nodes.
-  template <class Scalar>
-  struct OnTable {
-    Eigen::Matrix<Scalar, Eigen::Dynamic, 1> in, out;
-  };
-  template <class Scalar>
-  void add(const ArrayOf<Scalar>& x, ArrayOf<Scalar>& y, OnTable<Scalar>& through) const;
-  mutable OnTable<double> real_;
-  mutable OnTable<Complex> complex_;
+  mutable Eigen::VectorXd in_, out_;
 };
 
 }  // namespace ehd::fast

@@ -8,11 +8,11 @@ namespace ehd::fast {
 void Squeeze::linearise(const NodeFields& nodes) {
   const int n = nodes.n;
   const Array& place = nodes.grid->place;
-  weight = nodes.length / n * nodes.grid->slope;
+  Array weight = nodes.length / n * nodes.grid->slope;
   weight[0] /= 2;
   weight[n] /= 2;
-  by_pressure = nodes.density.slope * nodes.H;
-  by_film = nodes.density.value;
+  by_pressure = weight * nodes.density.slope * nodes.H;
+  by_film = weight * nodes.density.value;
   by_exit.resize(n);
   const Array mass = nodes.density.value * nodes.H;
   double sum = 0;  // of w rho H/l
@@ -31,14 +31,14 @@ void Squeeze::subtract(Scalar rate, const StepOf<Scalar>& step, ChangeOf<Scalar>
   Scalar* const flux = change.flux.data();
   Scalar sum(0);
   for (Eigen::Index i = n - 1; i >= 0; --i) {
-    sum += weight[i + 1] * (by_pressure[i + 1] * dP[i + 1] + by_film[i + 1] * dH[i + 1]);
+    sum += by_pressure[i + 1] * dP[i + 1] + by_film[i + 1] * dH[i + 1];
     flux[i] -= times(rate, sum + by_exit[i] * step.exit);
   }
 }
 
 template <class Scalar>
 Scalar Squeeze::inflow(const StepOf<Scalar>& step, const ArrayOf<Scalar>& film) const {
-  return (weight * by_pressure * step.P + weight * by_film * film).sum() + inflow_by_exit * step.exit;
+  return (by_pressure * step.P + by_film * film).sum() + inflow_by_exit * step.exit;
 }
 
 template void Squeeze::subtract(double, const Step&, ChangeOf<double>&) const;

@@ -23,9 +23,8 @@ struct NodeFields;
 
 /// Coefficients of Q. Storage is used again.
 struct Squeeze {
-  Array weight;               ///< w_j, n + 1; half of it also at the first node
-  Array by_pressure;          ///< rho' H, n + 1
-  Array by_film;              ///< rho, n + 1
+  Array by_pressure;          ///< w_j rho'_j H_j, n + 1; with half of w also at the first node
+  Array by_film;              ///< w_j rho_j, n + 1
   Array by_exit;              ///< a_i, n faces
   double inflow_by_exit = 0;  ///< a of the point X_a
 
