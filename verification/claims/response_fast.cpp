@@ -179,7 +179,7 @@ std::vector<Topic> fast_response_topics() {
                       .rungs = {8},
                       .slow = slow,
                       .judge = [=] { return judge_both_solvers(moes, inlet); },
-                      .expected_s = slow ? 5.0 : 1.5});
+                      .expected_s = slow ? 10.0 : 2.0});
   };
   agreement({5, 5}, cut_at_4, false);
   agreement({3, 6}, Flooded{}, false);
