@@ -230,8 +230,9 @@ SlowStiffness ResponseSolve::slow() {
     stiffness.iteration = of_kappa * at_rest.residual;
     damping.values.emplace_back(u_1.offset / (u_0.offset * u_0.offset));
     damping.iteration = of_damping * std::max(at_rest.residual, moving.residual);
-    stiff = judged(stiffness, 0, 0);
-    damped = judged(damping, Omega_of_damping, 0);
+    // Each as it is where it is known first: finer grids may agree by chance where a spike passes between their nodes.
+    if (stiff.status != StopReason::converged) stiff = judged(stiffness, 0, 0);
+    if (damped.status != StopReason::converged) damped = judged(damping, Omega_of_damping, 0);
     if ((stiff.status == StopReason::converged && damped.status == StopReason::converged) || spent()) break;
   }
   return {
