@@ -12,6 +12,7 @@
 #include "cli/subcommands.hpp"
 #include "cli/usage.hpp"
 #include "contact/solver.hpp"
+#include "contact/text.hpp"
 #include "io/response_text.hpp"
 #include "workflow/case.hpp"
 #include "workflow/registry.hpp"
@@ -21,11 +22,8 @@ namespace ehd::cli {
 
 namespace {
 
-/// The only solver that has a response.
-constexpr const char* response_solver = "reference";
-
 struct ResponseOptions {
-  std::string case_name, solver = response_solver;
+  std::string case_name, solver = default_solver().name;
   std::vector<std::string> omegas, frequencies, wavelengths;
   std::string slip = "1";
   std::optional<std::string> tolerance, datum, json;
@@ -36,6 +34,7 @@ struct ResponseOptions {
 const char* const response_examples = R"(
 Examples:
   ehd response own-moes-20-10                         stiffness at rest, and damping of slow motion
+  ehd response own-moes-20-10 --solver reference      the same, certified
   ehd response own-moes-20-10 --omega 1 --omega 10    at Omega = omega b/u_m, u_m the mean speed
   ehd response steel-roller --frequency 100           at 100 Hz, where the case states a speed
   ehd response own-moes-20-10 --wavelength 0.5 --slip 1   what is left of a waviness, wavelength in b
@@ -54,11 +53,18 @@ constexpr Interval slip_range{.low = 0, .high = 2};
 constexpr Interval tolerance_range{.low = 1e-13, .high = 1e-2};
 constexpr Interval datum_range{.low = 1e-9, .high = 1e3};
 
+const RegisteredSolver& responsive_solver(const std::string& name) {
+  const RegisteredSolver& solver = solver_named(name);
+  if (!solver.respond) throw option_error("--solver", name, "has no response; allowed is " + responsive_solver_names());
+  return solver;
+}
+
 ResponseQuestion question_of(const ResponseOptions& options) {
-  ResponseQuestion question;
+  ResponseQuestion question{.solver = &responsive_solver(options.solver)};
   const Request limits = options.request.request();
   ResponseRequest& request = question.request;
-  if (options.tolerance) request.tolerance = parse_number("--tolerance", *options.tolerance, tolerance_range);
+  request.tolerance = options.tolerance ? parse_number("--tolerance", *options.tolerance, tolerance_range)
+                                        : question.solver->response_tolerance;
   request.max_iterations = limits.max_iterations;
   request.time_limit_s = limits.time_limit_s;
   for (const auto& text : options.omegas) request.frequencies.push_back(parse_number("--omega", text, omega_range));
@@ -73,9 +79,15 @@ ResponseQuestion question_of(const ResponseOptions& options) {
   return question;
 }
 
+/// "1e-8 by reference, 1e-4 by fast".
+std::string default_tolerances() {
+  std::string text;
+  for (const RegisteredSolver& solver : solvers())
+    if (solver.respond) text += (text.empty() ? "" : ", ") + plain(solver.response_tolerance) + " by " + solver.name;
+  return text;
+}
+
 int respond(const ResponseOptions& options) {
-  if (solver_named(options.solver).name != response_solver)
-    throw option_error("--solver", options.solver, "has no response; allowed is " + std::string(response_solver));
   const ResponseQuestion question = question_of(options);
   const Case one = options.changes.read(options.case_name);
   if (!std::holds_alternative<ContactCase>(one.body))
@@ -106,8 +118,10 @@ void describe_response(Command& command) {
   command.examples(response_examples);
   command.text("CASE", options->case_name, "a contact case (TOML), the id of a benchmark case, or - for standard input")
       .required();
-  command.text("--solver", options->solver, "reference, the only solver with a response so far").showing_default();
-  command.text("--tolerance", options->tolerance, "relative error allowed in kappa and in amplitudes (1e-8)")
+  command.text("--solver", options->solver, responsive_solver_names()).showing_default();
+  command
+      .text("--tolerance", options->tolerance,
+            "relative error allowed in kappa and in amplitudes (" + default_tolerances() + ")")
       .called("T");
   options->request.add_to(command, false);
   options->changes.add_to(command);

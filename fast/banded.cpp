@@ -2,7 +2,6 @@
 #include "fast/banded.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace ehd::fast {
 
@@ -13,20 +12,21 @@ constexpr double smallest_pivot = 1e-14;
 
 }  // namespace
 
-bool Banded::factorise() {
+template <class Scalar>
+bool BandedOf<Scalar>::factorise() {
   Row* const rows = rows_.data();
   // Row i, with the finished rows i-3+first .. i-1, whose own diagonal stands at index 3.
   const auto eliminate = [rows](std::size_t i, std::size_t first) {
     Row& r = rows[i];
     for (std::size_t k = first; k < lower; ++k) {
       const Row& pivot = rows[i + k - lower];
-      const double factor = r[k] * pivot[lower];  // the diagonal is kept inverted
+      const Scalar factor = times(r[k], pivot[lower]);  // the diagonal is kept inverted
       r[k] = factor;
-      for (std::size_t m = 1; m <= upper; ++m) r[k + m] -= factor * pivot[lower + m];
+      for (std::size_t m = 1; m <= upper; ++m) r[k + m] -= times(factor, pivot[lower + m]);
     }
-    const double size = std::abs(r[lower]) + std::abs(r[lower + 1]) + std::abs(r[lower + 2]);
-    if (!(std::abs(r[lower]) > smallest_pivot * size)) return false;
-    r[lower] = 1 / r[lower];
+    const double size = size_of(r[lower]) + size_of(r[lower + 1]) + size_of(r[lower + 2]);
+    if (!(size_of(r[lower]) > smallest_pivot * size)) return false;
+    r[lower] = inverse_of(r[lower]);
     return true;
   };
   const std::size_t n = rows_.size(), beside = std::min<std::size_t>(lower, n);
@@ -39,18 +39,19 @@ bool Banded::factorise() {
   return true;
 }
 
-void Banded::solve(Array& x) const {
+template <class Scalar>
+void BandedOf<Scalar>::solve(ArrayOf<Scalar>& x) const {
   const Row* const rows = rows_.data();
-  double* const at = x.data();
+  Scalar* const at = x.data();
   const auto forward = [rows, at](std::size_t i, std::size_t first) {
-    double sum = at[i];
-    for (std::size_t k = first; k < lower; ++k) sum -= rows[i][k] * at[i + k - lower];
+    Scalar sum = at[i];
+    for (std::size_t k = first; k < lower; ++k) sum -= times(rows[i][k], at[i + k - lower]);
     at[i] = sum;
   };
   const auto backward = [rows, at](std::size_t i, std::size_t last) {
-    double sum = at[i];
-    for (std::size_t m = 1; m <= last; ++m) sum -= rows[i][lower + m] * at[i + m];
-    at[i] = sum * rows[i][lower];
+    Scalar sum = at[i];
+    for (std::size_t m = 1; m <= last; ++m) sum -= times(rows[i][lower + m], at[i + m]);
+    at[i] = times(sum, rows[i][lower]);
   };
   const std::size_t n = rows_.size();
   const std::size_t beside = std::min<std::size_t>(lower, n), inside = n > upper ? n - upper : 0;
@@ -59,5 +60,8 @@ void Banded::solve(Array& x) const {
   for (std::size_t i = n; i-- > inside;) backward(i, n - 1 - i);
   for (std::size_t i = inside; i-- > 0;) backward(i, upper);
 }
+
+template class BandedOf<double>;
+template class BandedOf<Complex>;
 
 }  // namespace ehd::fast

@@ -7,6 +7,7 @@
 
 #include "fast/jacobian.hpp"
 #include "fast/node_fields.hpp"
+#include "fast/squeeze.hpp"
 #include "fast/vectorise.hpp"
 
 namespace ehd::fast {
@@ -15,7 +16,9 @@ using std::numbers::pi;
 
 /// Columns 0..n-2: P_1..P_(n-1); n-1: H_0; n: X*. Rows 0..n-1: flux errors; n: the load. The film is not formed: a row
 /// is a sum of three rows of the kernel, of the kernel's last row (the flux at the exit) and of the integral.
-bool Coarsest::factorise(const NodeFields& nodes, const Jacobian& jacobian) {
+template <class Scalar>
+bool CoarsestOf<Scalar>::factorise(const NodeFields& nodes, const Jacobian& jacobian, const Squeeze* squeeze,
+                                   Scalar rate) {
   const Jacobian& J = jacobian;
   const int n = nodes.n;
   const RowMajor& dense = nodes.grid->dense();
@@ -29,7 +32,7 @@ bool Coarsest::factorise(const NodeFields& nodes, const Jacobian& jacobian) {
 
   lu_.resize(n + 1);
   for (int i = 0; i < n; ++i) {
-    double* const row = lu_.row(i);
+    Scalar* const row = lu_.row(i);
     const int before = std::max(i - 1, 0);  // w_left of the first face is 0
     const double left = scale * J.w_left[i], mid = scale * J.w_mid[i], right = scale * J.w_right[i];
     const double together = J.w_left[i] + J.w_mid[i] + J.w_right[i] - at_exit;
@@ -44,14 +47,39 @@ bool Coarsest::factorise(const NodeFields& nodes, const Jacobian& jacobian) {
     if (i > 0) row[i - 1] += J.p_mid[i];
     if (i + 1 < n) row[i] += J.p_right[i];
   }
-  double* const load = lu_.row(n);
-  Eigen::Map<Array>(load, n - 1) = J.length * integral_;
+  Scalar* const load = lu_.row(n);
+  Eigen::Map<ArrayOf<Scalar>>(load, n - 1) = (J.length * integral_).template cast<Scalar>();
   load[n - 1] = 0;
   load[n] = J.load_by_exit;
+  if (squeeze) subtract_squeeze(nodes, jacobian, *squeeze, rate);
   return lu_.factorise();
 }
 
-void Coarsest::solve(const Residual& error, Step& step) {
+/// Q of a face is that of the next one and the oil at the node between them.
+template <class Scalar>
+void CoarsestOf<Scalar>::subtract_squeeze(const NodeFields& nodes, const Jacobian& jacobian, const Squeeze& squeeze,
+                                          Scalar rate) {
+  const int n = nodes.n;
+  const RowMajor& dense = nodes.grid->dense();
+  const double scale = -jacobian.length / pi;
+  mass_.setZero(n - 1);
+  double by_offset = 0, by_exit = 0;
+  for (int i = n - 1; i >= 0; --i) {
+    const int node = i + 1;
+    const double film = squeeze.by_film[node];
+    mass_ += film * (scale * dense.row(node).segment(1, n - 1).transpose().array() + scaled_integral_);
+    if (node < n) mass_[node - 1] += squeeze.by_pressure[node];
+    by_offset += film;
+    by_exit += film * jacobian.film_by_exit[node];
+    Scalar* const row = lu_.row(i);
+    for (int j = 0; j < n - 1; ++j) row[j] -= rate * mass_[j];
+    row[n - 1] -= rate * by_offset;
+    row[n] -= rate * (by_exit + squeeze.by_exit[i]);
+  }
+}
+
+template <class Scalar>
+void CoarsestOf<Scalar>::solve(const ResidualOf<Scalar>& error, StepOf<Scalar>& step) {
   const Eigen::Index n = error.flux.size();
   solution_.resize(n + 1);
   solution_.head(n) = error.flux;
@@ -62,5 +90,8 @@ void Coarsest::solve(const Residual& error, Step& step) {
   step.offset = solution_[n - 1];
   step.exit = solution_[n];
 }
+
+template class CoarsestOf<double>;
+template class CoarsestOf<Complex>;
 
 }  // namespace ehd::fast

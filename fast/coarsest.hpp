@@ -4,28 +4,33 @@
 
 #include "contact/array.hpp"
 #include "fast/dense_lu.hpp"
+#include "fast/state.hpp"
 
 namespace ehd::fast {
 
 struct NodeFields;
-struct Residual;
-struct Step;
+struct Squeeze;
 class Jacobian;
 
 /// Storage is used again by the next matrix.
-class Coarsest {
+template <class Scalar>
+class CoarsestOf {
  public:
-  /// Builds and factorises the matrix. False where it is singular.
-  [[nodiscard]] bool factorise(const NodeFields& nodes, const Jacobian& jacobian);
+  /// Builds and factorises the matrix: J, or J - s Q of a motion of the rate s (squeeze.hpp), whose coefficients then
+  /// stand in `squeeze`. False where it is singular.
+  [[nodiscard]] bool factorise(const NodeFields& nodes, const Jacobian& jacobian, const Squeeze* squeeze, Scalar rate);
   /// step = J^-1 error.
-  void solve(const Residual& error, Step& step);
+  void solve(const ResidualOf<Scalar>& error, StepOf<Scalar>& step);
 
  private:
-  DenseLu lu_;
-  Array integral_;         ///< of P dphi, by P_1..P_(n-1)
-  Array scaled_integral_;  ///< its part in the film
-  Array exit_kernel_;      ///< of the flux at the exit
-  Array solution_;         ///< P_1..P_(n-1), H_0, X*
+  void subtract_squeeze(const NodeFields& nodes, const Jacobian& jacobian, const Squeeze& squeeze, Scalar rate);
+
+  DenseLuOf<Scalar> lu_;
+  Array integral_;            ///< of P dphi, by P_1..P_(n-1)
+  Array scaled_integral_;     ///< its part in the film
+  Array exit_kernel_;         ///< of the flux at the exit
+  Array mass_;                ///< Q of a face, by P_1..P_(n-1)
+  ArrayOf<Scalar> solution_;  ///< P_1..P_(n-1), H_0, X*
 };
 
 }  // namespace ehd::fast

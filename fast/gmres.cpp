@@ -5,7 +5,10 @@
 
 namespace ehd::fast {
 
-std::span<const double> Gmres::solve(const Array& b, double relative, const Product& product) {
+using Eigen::numext::conj;
+
+template <class Scalar>
+std::span<const Scalar> GmresOf<Scalar>::solve(const Vector& b, double relative, const Product& product) {
   v_.resize(most_steps + 1);
   h_.resize(most_steps);
   rotations_.resize(most_steps);
@@ -26,10 +29,11 @@ std::span<const double> Gmres::solve(const Array& b, double relative, const Prod
 }
 
 /// Arnoldi's step by modified Gram-Schmidt, w = v_(k+1), then the rotations that keep h upper triangular.
-void Gmres::orthogonalise(std::size_t k) {
-  std::vector<double>& h = h_[k];
+template <class Scalar>
+void GmresOf<Scalar>::orthogonalise(std::size_t k) {
+  std::vector<Scalar>& h = h_[k];
   h.resize(k + 1);
-  Array& w = v_[k + 1];
+  Vector& w = v_[k + 1];
   for (std::size_t i = 0; i <= k; ++i) {
     h[i] = v_[i].matrix().dot(w.matrix());
     w -= h[i] * v_[i];
@@ -39,25 +43,29 @@ void Gmres::orthogonalise(std::size_t k) {
 
   for (std::size_t i = 0; i < k; ++i) {
     const auto& [c, s] = rotations_[i];
-    const double upper = h[i], lower = h[i + 1];
-    h[i] = c * upper + s * lower;
+    const Scalar upper = h[i], lower = h[i + 1];
+    h[i] = conj(c) * upper + s * lower;
     h[i + 1] = -s * upper + c * lower;
   }
-  const double length = std::hypot(h[k], below);
+  const double length = std::hypot(std::abs(h[k]), below);
   const Rotation last{.cosine = h[k] / length, .sine = below / length};
   h[k] = length;
   g_[k + 1] = -last.sine * g_[k];
-  g_[k] *= last.cosine;
+  g_[k] *= conj(last.cosine);
   rotations_[k] = last;
 }
 
-std::span<const double> Gmres::back_substitution(std::size_t steps) {
+template <class Scalar>
+std::span<const Scalar> GmresOf<Scalar>::back_substitution(std::size_t steps) {
   for (std::size_t i = steps; i-- > 0;) {
-    double rest = g_[i];
+    Scalar rest = g_[i];
     for (std::size_t j = i + 1; j < steps; ++j) rest -= h_[j][i] * y_[j];
     y_[i] = rest / h_[i][i];
   }
   return std::span(y_).first(steps);
 }
+
+template class GmresOf<double>;
+template class GmresOf<Complex>;
 
 }  // namespace ehd::fast

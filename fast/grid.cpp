@@ -32,6 +32,18 @@ void Grid::product(const Array& P, Array& y, double& integral) {
   y = h * y + h * std::log(h) * sum;
 }
 
+void Grid::product(const ArrayOf<Complex>& P, ArrayOf<Complex>& y, Complex& integral) {
+  double by_real = 0, by_imaginary = 0;
+  part_ = P.real();
+  product(part_, real_, by_real);
+  part_ = P.imag();
+  product(part_, imaginary_, by_imaginary);
+  y.resize(n + 1);
+  y.real() = real_;
+  y.imag() = imaginary_;
+  integral = {by_real, by_imaginary};
+}
+
 const Array& Grid::first_column() {
   if (first_column_.size() > 0) return first_column_;
   Array unit = Array::Zero(n + 1);

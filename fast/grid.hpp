@@ -12,6 +12,7 @@
 #include "contact/array.hpp"
 #include "fast/convolution.hpp"
 #include "fast/map.hpp"
+#include "fast/scalar.hpp"
 #include "fast/smooth_remainder.hpp"
 
 namespace ehd::fast {
@@ -32,6 +33,8 @@ struct Grid {
   /// y_i = Sum_j K_ij P_j over j = 1..n-1, and the integral S of P over phi, so that
   /// Int P ln|X_i - X'| dX' = l (y_i + ln l S) on [X_a, X*], l = X* - X_a. P_0 and P_n are ignored.
   void product(const Array& P, Array& y, double& integral);
+  /// Of a complex P: two real products.
+  void product(const ArrayOf<Complex>& P, ArrayOf<Complex>& y, Complex& integral);
   /// Column of P_0 in the product; made once.
   [[nodiscard]] const Array& first_column();
   /// K_ij for 0 < j < n, dense; made once.
@@ -43,7 +46,8 @@ struct Grid {
   std::optional<SmoothRemainder> remainder;
 
  private:
-  Array density_;  ///< phi' P
+  Array density_;                  ///< phi' P
+  Array part_, real_, imaginary_;  ///< of a complex product
   Array first_column_;
   RowMajor dense_;
 };

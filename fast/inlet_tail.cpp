@@ -1,74 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fast/inlet_tail.hpp"
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "fast/tail_rule.hpp"
 
 namespace ehd::fast {
 
 namespace {
 
-/// Of the quadrature; 8 and 16 points give the same film to 1e-9 of H_cen.
-constexpr int points = 12;
-/// Newton for the points of the rule: most steps, and the move that ends it.
-constexpr int most_steps = 100;
-constexpr double last_move = 1e-16;
 /// Pressures are held where a Q reaches this, and the gap is kept above this part of x^2: both happen only while Newton
 /// is far from the solution.
 constexpr double largest_aQ = 0.9, least_gap = 1.0 / 8;
 /// Below this a Q, P = Q to rounding.
 constexpr double linear_aQ = 1e-8;
 
-/// Gauss-Legendre points and weights on (0, 1), and the matrix of integrals from 0 to each point of the Lagrange
-/// polynomials through the points.
-struct Rule {
-  Eigen::Matrix<double, points, 1> t, w;
-  Eigen::Matrix<double, points, points> up_to;
-};
-
-Rule make_rule() {
-  Rule rule;
-  for (int i = 0; i < points; ++i) {  // Newton on the Legendre polynomial
-    double x = std::cos(std::numbers::pi * (i + 0.75) / (points + 0.5)), slope = 1;
-    for (int step = 0; step < most_steps; ++step) {
-      double p = 1, before = 0;
-      for (int k = 0; k < points; ++k) {
-        const double next = ((2 * k + 1) * x * p - k * before) / (k + 1);
-        before = p;
-        p = next;
-      }
-      slope = points * (x * p - before) / (x * x - 1);
-      const double move = p / slope;
-      x -= move;
-      if (std::abs(move) < last_move) break;
-    }
-    rule.t[i] = (1 - x) / 2;
-    rule.w[i] = 1 / ((1 - x * x) * slope * slope);
-  }
-  // The rule itself, shrunk to (0, t_i), integrates each Lagrange polynomial exactly.
-  const auto lagrange = [&](int j, double t) {
-    double product = 1;
-    for (int k = 0; k < points; ++k) {
-      if (k != j) product *= (t - rule.t[k]) / (rule.t[j] - rule.t[k]);
-    }
-    return product;
-  };
-  for (int i = 0; i < points; ++i) {
-    for (int j = 0; j < points; ++j) {
-      double sum = 0;
-      for (int k = 0; k < points; ++k) sum += rule.w[k] * lagrange(j, rule.t[i] * rule.t[k]);
-      rule.up_to(i, j) = rule.t[i] * sum;
-    }
-  }
-  return rule;
-}
-
 }  // namespace
 
 InletTail inlet_tail(double far, double gap_excess, double moment, double flux, double lambda, double slope) {
-  static const Rule rule = make_rule();
+  const TailRule& rule = tail_rule();
+  constexpr int points = TailRule::points;
   using std::numbers::pi;
   Eigen::Matrix<double, points, 1> gap, integrand;
   for (int k = 0; k < points; ++k) {

@@ -105,20 +105,29 @@ void Jacobian::linearise_exit(const Setting& setting, const NodeFields& nodes, d
   }
 }
 
-const Residual& Jacobian::apply(Step& step, Counters& counters) const {
+template <class Scalar>
+ChangeOf<Scalar>& Jacobian::change_film(StepOf<Scalar>& step, Counters& counters) const {
   const int n = n_;
   const Stage before = counters.clock.change_to(Stage::product);
   grid_->product(step.P, step.product, step.integral);
   counters.clock.change_to(before);
-  counters.count_product(n);
-  const double constant = step.offset - length * std::log(length) * step.integral / pi, scale = length / pi;
-  film_change_.resize(n + 1);
-  film_change_ = constant + film_by_exit * step.exit - scale * step.product;
-  const double* const dP = step.P.data();
-  const double* const dH = film_change_.data();
-  const double exit_change = density_at_exit * dH[n], dX = step.exit;
-  change_.flux.resize(n);
-  double* const out = change_.flux.data();
+  for (int part = 0; part < parts_of<Scalar>; ++part) counters.count_product(n);
+  const Scalar constant = step.offset - length * std::log(length) * step.integral / pi;
+  const double scale = length / pi;
+  auto& change = std::get<ChangeOf<Scalar>>(change_);
+  change.film.resize(n + 1);
+  change.film = constant + film_by_exit * step.exit - scale * step.product;
+  return change;
+}
+
+template <class Scalar>
+void Jacobian::change_residual(const StepOf<Scalar>& step, ChangeOf<Scalar>& change) const {
+  const int n = n_;
+  const Scalar* const dP = step.P.data();
+  const Scalar* const dH = change.film.data();
+  const Scalar exit_change = density_at_exit * dH[n], dX = step.exit;
+  change.flux.resize(n);
+  Scalar* const out = change.flux.data();
   const double *const pl = p_left.data(), *const pm = p_mid.data(), *const pr = p_right.data();
   const double *const wl = w_left.data(), *const wm = w_mid.data(), *const wr = w_right.data();
   const double* const by_x = by_exit.data();
@@ -127,8 +136,18 @@ const Residual& Jacobian::apply(Step& step, Counters& counters) const {
     out[i] = pl[i] * dP[i - 1] + pm[i] * dP[i] + pr[i] * dP[i + 1] + wl[i] * dH[i - 1] + wm[i] * dH[i] +
              wr[i] * dH[i + 1] + by_x[i] * dX - exit_change;
   }
-  change_.load = length * step.integral + load_by_exit * step.exit;
-  return change_;
+  change.load = length * step.integral + load_by_exit * step.exit;
 }
+
+const Residual& Jacobian::apply(Step& step, Counters& counters) const {
+  auto& change = change_film(step, counters);
+  change_residual(step, change);
+  return change;
+}
+
+template ChangeOf<double>& Jacobian::change_film(Step&, Counters&) const;
+template ChangeOf<Complex>& Jacobian::change_film(StepOf<Complex>&, Counters&) const;
+template void Jacobian::change_residual(const Step&, ChangeOf<double>&) const;
+template void Jacobian::change_residual(const StepOf<Complex>&, ChangeOf<Complex>&) const;
 
 }  // namespace ehd::fast

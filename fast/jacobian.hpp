@@ -6,6 +6,8 @@
 //   change of flux error i = dF_i - rho_n dH_n;  change of the load = l Int dP dphi + (Int P dphi) dX*
 #pragma once
 
+#include <tuple>
+
 #include "contact/array.hpp"
 #include "fast/state.hpp"
 
@@ -30,6 +32,12 @@ class Jacobian {
   /// J step: what the step changes in the residual. Costs one kernel product, which is kept in step.product and
   /// step.integral. The result is valid until the next call.
   [[nodiscard]] const Residual& apply(Step& step, Counters& counters) const;
+  /// Its two parts, of real and complex steps (which cost two products): what the step changes in the film, and with
+  /// that in the residual.
+  template <class Scalar>
+  [[nodiscard]] ChangeOf<Scalar>& change_film(StepOf<Scalar>& step, Counters& counters) const;
+  template <class Scalar>
+  void change_residual(const StepOf<Scalar>& step, ChangeOf<Scalar>& change) const;
 
  private:
   void linearise_poiseuille(const Setting& setting, const NodeFields& nodes, const Array& P);
@@ -38,8 +46,7 @@ class Jacobian {
 
   int n_ = 0;
   Grid* grid_ = nullptr;
-  mutable Array film_change_;
-  mutable Residual change_;
+  mutable std::tuple<ChangeOf<double>, ChangeOf<Complex>> change_;
 };
 
 }  // namespace ehd::fast

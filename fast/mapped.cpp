@@ -1,90 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fast/mapped.hpp"
 
-#include <algorithm>
-#include <chrono>
 #include <utility>
 
-#include "fast/mapped_climb.hpp"
 #include "fast/mapped_judgement.hpp"
-#include "fast/mapped_start.hpp"
-#include "fast/run.hpp"
+#include "fast/mapped_ways.hpp"
 
 namespace ehd::fast {
 
 namespace {
 
-/// Reach 16 leaves at most 5.8e-9 at the points of uniform.cpp.
-constexpr FloodedInlet flooded_inlet{.reach = 16, .truncation = 1e-8};
-/// Milder neighbours, each reached from the next, before a solve gives up.
-constexpr int most_neighbours = 5;
-/// The tolerance of a neighbour's solution, which is a start only.
-constexpr double neighbour_tolerance = 1e-2;
-
-Solution solve_mapped(const Problem& problem, const Request& request, Workspace& workspace, const Solution* from,
-                      int neighbours = 0);
-
-/// The same contact at half the load, below M = 1 at twice the load: the milder of the two.
-Problem milder(const Problem& problem) {
-  Problem other = problem;
-  const Groups& groups = problem.groups;
-  move_to(other, {.M = groups.M < 1 ? 2 * groups.M : groups.M / 2, .L = groups.L});
-  return other;
-}
-
-/// The last resort, needed where a short inlet starves a light load: from the solution of a milder problem.
-MappedClimb climb_from_milder(Run& run, const Request& request, int neighbours) {
-  Request rough = request;
-  rough.nodes.reset();
-  rough.tolerance = neighbour_tolerance;
-  const auto now = std::chrono::steady_clock::now();
-  rough.time_limit_s = request.time_limit_s - std::chrono::duration<double>(now - run.begin).count();
-  rough.max_iterations = request.max_iterations - static_cast<int>(run.counters.newton);
-  const Solution neighbour = solve_mapped(milder(run.problem), rough, run.workspace, nullptr, neighbours + 1);
-  run.counters.newton += neighbour.record.cost.newton_iterations;
-  run.counters.krylov += neighbour.record.cost.krylov_iterations;
-  run.counters.convolutions += neighbour.record.cost.convolutions;
-  if (neighbour.fields.X.size() == 0) return {};
-  return climb_mapped(run, request, recipes[0], &neighbour, Care::full);
-}
-
-/// Enough nodes to interpolate between, and all fields on them.
-bool usable(const Solution& start) {
-  const auto nodes = start.fields.X.size();
-  return nodes >= 4 && start.fields.P.size() == nodes && start.fields.H.size() == nodes;
-}
-
-/// The first complete climb of all ways to begin, or the one that came farthest.
-MappedClimb best_climb(Run& run, const Request& request, const Solution* from, int neighbours) {
-  const Care care = care_for(request, run.problem.groups.L);
-  MappedClimb best;
-  if (from && usable(*from)) best = climb_mapped(run, request, recipes[0], from, care);
-  const auto attempt = [&](int fineness) {
-    for (Recipe recipe : recipes) {
-      if (best.complete || run.limit_reached) return;
-      recipe.fineness = fineness;
-      MappedClimb climb = climb_mapped(run, request, recipe, nullptr, care);
-      if (climb.complete || climb.grids.size() > best.grids.size()) best = std::move(climb);
-    }
-  };
-  const bool thin = run.lengths.film < thin_film;
-  if (thin) {
-    std::ranges::for_each(finer_grids, attempt);
-  } else {
-    attempt(1);
-  }
-  if (best.grids.empty() && !run.limit_reached && !run.problem.sources && neighbours < most_neighbours)
-    best = climb_from_milder(run, request, neighbours);
-  if (!thin) std::ranges::for_each(finer_grids, attempt);
-  return best;
-}
-
-Solution solve_mapped(const Problem& problem, const Request& request, Workspace& workspace, const Solution* from,
-                      int neighbours) {
-  Run run = begin_run(problem, request, workspace, flooded_inlet);
-  // The error of the smallest film depends on whether there is a spike, which may be the pressure maximum as well.
-  run.observed.insert(Quantity::pressure_spike);
-  MappedClimb climb = best_climb(run, request, from, neighbours);
+Solution solve_mapped(const Problem& problem, const Request& request, Workspace& workspace, const Solution* from) {
+  Run run = begin_mapped(problem, request, workspace);
+  MappedClimb climb = best_climb(run, request, from);
 
   Solution solution;
   SolveRecord& record = solution.record;

@@ -81,6 +81,7 @@ class Climber {
   /// The solution of a grid, with what is known of its errors.
   void note(int n, const NewtonResult& newton, long newton_before, const Target& target) {
     climb_.fields = fields_of(run_);
+    climb_.states.push_back(run_.state);
     const Array& X = climb_.fields.X;
     GridRecord grid{.nodes = n,
                     .newton_iterations = static_cast<int>(run_.counters.newton - newton_before),

@@ -16,6 +16,7 @@ struct MappedClimb {
   std::vector<GridRecord> grids;  ///< coarse to fine
   MapFit fit = MapFit::settled;   ///< of the map that they share
   Fields fields;                  ///< of the finest grid
+  std::vector<State> states;      ///< the solutions, a grid each
   ErrorBudget film_minimum, film_central;
   double iteration = 0;   ///< relative error that iteration leaves in the films; the largest of the grids
   bool complete = false;  ///< Newton reached the last grid

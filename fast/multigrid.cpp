@@ -20,7 +20,8 @@ constexpr int coarsest_uniform = 64, coarsest_mapped = 32;
 
 }  // namespace
 
-Multigrid::Level& Multigrid::level_of(int intervals) {
+template <class Scalar>
+typename MultigridOf<Scalar>::Level& MultigridOf<Scalar>::level_of(int intervals) {
   for (const auto& one : known_) {
     if (one->n == intervals) return *one;
   }
@@ -29,9 +30,24 @@ Multigrid::Level& Multigrid::level_of(int intervals) {
   return *known_.back();
 }
 
-bool Multigrid::prepare(const Setting& setting, const NodeFields& finest, const Jacobian& jacobian, const State& state,
-                        Grids& grids, Counters& counters) {
+template <class Scalar>
+bool MultigridOf<Scalar>::prepare(const Setting& setting, const NodeFields& finest, const Jacobian& jacobian,
+                                  const State& state, Grids& grids, Counters& counters) {
   const InStage stage(counters, Stage::factorise);
+  linearise(setting, finest, jacobian, nullptr, state, grids, counters);
+  return factorise(Scalar(0), counters);
+}
+
+template <class Scalar>
+void MultigridOf<Scalar>::prepare_motion(const Setting& setting, const NodeFields& finest, const Jacobian& jacobian,
+                                         const Squeeze& squeeze, const State& state, Grids& grids, Counters& counters) {
+  const InStage stage(counters, Stage::factorise);
+  linearise(setting, finest, jacobian, &squeeze, state, grids, counters);
+}
+
+template <class Scalar>
+void MultigridOf<Scalar>::linearise(const Setting& setting, const NodeFields& finest, const Jacobian& jacobian,
+                                    const Squeeze* squeeze, const State& state, Grids& grids, Counters& counters) {
   levels_.clear();
   const Array* pressure = &state.P;
   const int coarsest = grids.map() ? coarsest_mapped : coarsest_uniform;
@@ -41,29 +57,39 @@ bool Multigrid::prepare(const Setting& setting, const NodeFields& finest, const 
     if (levels_.empty()) {
       level.nodes = &finest;
       level.jacobian = &jacobian;
+      level.squeeze = squeeze;
     } else {
       Grid& grid = last ? grids.unplanned(n) : grids.of(n);
       counters.clock.change_to(Stage::linearise);
       level.own_nodes.inject(*levels_.back()->nodes, *pressure, level.pressure, grid);
       level.own_jacobian.linearise(setting, level.own_nodes, level.pressure, state.exit);
+      if (squeeze) level.own_squeeze.linearise(level.own_nodes);
       counters.clock.change_to(Stage::factorise);
       level.nodes = &level.own_nodes;
       level.jacobian = &level.own_jacobian;
+      level.squeeze = squeeze ? &level.own_squeeze : nullptr;
       pressure = &level.pressure;
     }
     level.error.flux.resize(n);
     level.step.P.setZero(n + 1);
     levels_.push_back(&level);
-    if (last) {
-      counters.clock.change_to(Stage::coarsest);
-      return coarsest_.factorise(*level.nodes, *level.jacobian);
-    }
-    level.assemble_band();
+    if (last) return;
   }
 }
 
+template <class Scalar>
+bool MultigridOf<Scalar>::factorise(Scalar rate, Counters& counters) {
+  const InStage stage(counters, Stage::factorise);
+  rate_ = rate;
+  for (std::size_t k = 0; k + 1 < levels_.size(); ++k) levels_[k]->assemble_band(rate);
+  counters.clock.change_to(Stage::coarsest);
+  const Level& last = *levels_.back();
+  return coarsest_.factorise(*last.nodes, *last.jacobian, last.squeeze, rate);
+}
+
 /// The matrix of r_i = F_i - F_(i-1) in the dipole variable, factorised.
-void Multigrid::Level::assemble_band() {
+template <class Scalar>
+void MultigridOf<Scalar>::Level::assemble_band(Scalar rate) {
   const Jacobian& J = *jacobian;
   const Grid& grid = *nodes->grid;
   band.resize(n - 1);
@@ -87,39 +113,50 @@ void Multigrid::Level::assemble_band() {
   auto before = face(0);
   for (int i = 1; i < n; ++i) {
     const auto now = face(i);
-    Banded::Row& row = band.row(i - 1);  // columns d_(i-3) .. d_(i+2)
+    auto& row = band.row(i - 1);  // columns d_(i-3) .. d_(i+2)
     row[0] = -before[0];
     for (std::size_t k = 1; k < 5; ++k) row[k] = now[k - 1] - before[k];
     row[5] = now[4];
+    if (squeeze) {  // s w_i m_i
+      const double by_film = squeeze->by_film[i], by_density = squeeze->by_pressure[i] * per[i];
+      row[2] += rate * (k1 * by_film - by_density);
+      row[3] += rate * (k0 * by_film + 2 * by_density);
+      row[4] += rate * (k1 * by_film - by_density);
+    }
     before = now;
   }
   smooths = band.factorise();
 }
 
 /// Makes a step that removes the rough part of the error, and updates the error.
-void Multigrid::Level::smooth(Counters& counters) {
-  step.offset = step.exit = 0;
+template <class Scalar>
+void MultigridOf<Scalar>::Level::smooth(Scalar rate, Counters& counters) {
+  step.offset = step.exit = Scalar(0);
   if (!smooths) {
     step.P.setZero();
     return;
   }
-  Array& d = dipole;
+  ArrayOf<Scalar>& d = dipole;
   d = error.flux.tail(n - 1) - error.flux.head(n - 1);
   band.solve(d);
-  Array& P = step.P;
-  P[0] = P[n] = 0;
+  ArrayOf<Scalar>& P = step.P;
+  P[0] = P[n] = Scalar(0);
   const Array& per = nodes->grid->inverse_slope;
-  for (int j = 1; j < n; ++j) P[j] = per[j] * (2 * d[j - 1] - (j > 1 ? d[j - 2] : 0.0) - (j < n - 1 ? d[j] : 0.0));
-  const Residual& change = jacobian->apply(step, counters);
+  for (int j = 1; j < n; ++j)
+    P[j] = per[j] * (2.0 * d[j - 1] - (j > 1 ? d[j - 2] : Scalar(0)) - (j < n - 1 ? d[j] : Scalar(0)));
+  ChangeOf<Scalar>& change = jacobian->change_film(step, counters);
+  jacobian->change_residual(step, change);
+  if (squeeze) squeeze->subtract(rate, step, change);
   error.flux -= change.flux;
   error.load -= change.load;
 }
 
 /// Flux errors of a coarse face: the mean of its two fine ones, or linear interpolation between fine faces.
-void Multigrid::Level::restrict_to(Level& coarse) const {
+template <class Scalar>
+void MultigridOf<Scalar>::Level::restrict_to(Level& coarse) const {
   const int m = coarse.n;
   if (n % 2 == 0) {
-    for (Eigen::Index i = 0; i < m; ++i) coarse.error.flux[i] = (error.flux[2 * i] + error.flux[2 * i + 1]) / 2;
+    for (Eigen::Index i = 0; i < m; ++i) coarse.error.flux[i] = (error.flux[2 * i] + error.flux[2 * i + 1]) / 2.0;
   } else {
     for (int i = 0; i < m; ++i) {
       const double at = (i + 0.5) * n / m - 0.5;
@@ -132,13 +169,14 @@ void Multigrid::Level::restrict_to(Level& coarse) const {
 }
 
 /// The coarse level's step, interpolated linearly.
-void Multigrid::Level::add_correction(const Level& coarse) {
-  const Array& correction = coarse.step.P;
+template <class Scalar>
+void MultigridOf<Scalar>::Level::add_correction(const Level& coarse) {
+  const ArrayOf<Scalar>& correction = coarse.step.P;
   const int m = coarse.n;
   if (n % 2 == 0) {
     for (Eigen::Index i = 0; i < m; ++i) {
       step.P[2 * i] += correction[i];
-      step.P[2 * i + 1] += (correction[i] + correction[i + 1]) / 2;
+      step.P[2 * i + 1] += (correction[i] + correction[i + 1]) / 2.0;
     }
   } else {
     for (int i = 1; i < n; ++i) {
@@ -147,12 +185,13 @@ void Multigrid::Level::add_correction(const Level& coarse) {
       step.P[i] += (1 - (at - left)) * correction[left] + (at - left) * correction[left + 1];
     }
   }
-  step.P[0] = step.P[n] = 0;
+  step.P[0] = step.P[n] = Scalar(0);
   step.offset += coarse.step.offset;
   step.exit += coarse.step.exit;
 }
 
-void Multigrid::down(std::size_t index, Counters& counters) {
+template <class Scalar>
+void MultigridOf<Scalar>::down(std::size_t index, Counters& counters) {
   Level& level = *levels_[index];
   if (index + 1 == levels_.size()) {
     const InStage stage(counters, Stage::coarsest);
@@ -160,17 +199,21 @@ void Multigrid::down(std::size_t index, Counters& counters) {
     return;
   }
   Level& coarse = *levels_[index + 1];
-  level.smooth(counters);
+  level.smooth(rate_, counters);
   level.restrict_to(coarse);
   down(index + 1, counters);
   level.add_correction(coarse);
 }
 
-void Multigrid::cycle(const Residual& error, Step& step, Counters& counters) {
+template <class Scalar>
+void MultigridOf<Scalar>::cycle(const ResidualOf<Scalar>& error, StepOf<Scalar>& step, Counters& counters) {
   const InStage stage(counters, Stage::smooth);
   levels_[0]->error = error;
   down(0, counters);
   step = levels_[0]->step;
 }
+
+template class MultigridOf<double>;
+template class MultigridOf<Complex>;
 
 }  // namespace ehd::fast

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The problem on a grid (Setting), its unknowns (State), a correction of them (Step), and the equations' errors
-// (Residual).
+// (Residual). Corrections and errors are real in Newton's method, complex in harmonic motion.
 #pragma once
 
 #include <memory>
@@ -9,6 +9,7 @@
 #include "contact/problem.hpp"
 #include "contact/rheology.hpp"
 #include "fast/inlet_tail.hpp"
+#include "fast/scalar.hpp"
 
 namespace ehd::fast {
 
@@ -32,18 +33,28 @@ struct State {
 };
 
 /// A correction of the unknowns. P has n + 1 entries, 0 at both ends.
-struct Step {
-  Array P;
-  double offset = 0;
-  double exit = 0;
-  Array product = {};   ///< K P, filled in by Jacobian::apply
-  double integral = 0;  ///< Int P dphi, filled in by Jacobian::apply
+template <class Scalar>
+struct StepOf {
+  ArrayOf<Scalar> P;
+  Scalar offset{0};
+  Scalar exit{0};
+  ArrayOf<Scalar> product = {};  ///< K P, filled in by Jacobian::apply
+  Scalar integral{0};            ///< Int P dphi, filled in by Jacobian::apply
 };
+using Step = StepOf<double>;
 
 /// Errors of the discrete equations, or changes of them.
-struct Residual {
-  Array flux;       ///< F_i - rho_n H_n on the n faces
-  double load = 0;  ///< Int P dX - pi/2
+template <class Scalar>
+struct ResidualOf {
+  ArrayOf<Scalar> flux;  ///< F_i - rho_n H_n on the n faces
+  Scalar load{0};        ///< Int P dX - pi/2
+};
+using Residual = ResidualOf<double>;
+
+/// What a step changes.
+template <class Scalar>
+struct ChangeOf : ResidualOf<Scalar> {
+  ArrayOf<Scalar> film;  ///< dH at the n + 1 nodes
 };
 
 }  // namespace ehd::fast

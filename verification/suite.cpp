@@ -84,6 +84,7 @@ std::vector<Topic> topics_of(const SuiteRequest& request, const std::vector<Load
                      regime_topics(),
                      response_topics(),
                      response_motion_topics(),
+                     fast_response_topics(),
                      atlas_topics(),
                      literature_topics(),
                      bearing_topics(cases),

@@ -12,9 +12,11 @@
 #include "contact/interruption.hpp"
 #include "fast/convolution.hpp"
 #include "fast/mapped.hpp"
+#include "fast/response.hpp"
 #include "fast/uniform.hpp"
 #include "reference/graded.hpp"
 #include "reference/high_order.hpp"
+#include "reference/hp/response.hpp"
 #include "reference/uniform.hpp"
 #include "workflow/deadline.hpp"
 
@@ -40,6 +42,8 @@ struct Traits {
   bool certified = false;
   std::string_view twin_of = {};
   int look = 0;
+  Response (*respond)(const Problem&, const ResponseRequest&) = nullptr;
+  double response_tolerance = 0;
 };
 
 /// What a thread keeps between its solves. The second solve then plans nothing and allocates next to nothing. Its bits
@@ -47,21 +51,32 @@ struct Traits {
 struct Kept {
   std::unique_ptr<fast::Workspace> workspace;
 
-  template <class S>
-  Solution solve(const S& solver, const Problem& problem, const Request& request) {
+  template <class Work>
+  auto use(const Work& work) {
     // Not kept while it is used: what an exception leaves behind is thrown away.
     std::unique_ptr<fast::Workspace> used = workspace ? std::move(workspace) : std::make_unique<fast::Workspace>();
-    Solution solution = solver.solve(problem, request, *used);
+    auto result = work(*used);
     if (used->largest_grid() <= largest_kept_grid) workspace = std::move(used);
-    return solution;
+    return result;
   }
 };
+
+/// Of this thread, for the solver S.
+template <class S>
+Kept& kept() {
+  thread_local Kept of_thread;
+  return of_thread;
+}
+
+Response respond_fast(const Problem& problem, const ResponseRequest& request) {
+  return kept<fast::Mapped>().use(
+      [&](fast::Workspace& workspace) { return fast::response(problem, request, workspace); });
+}
 
 template <class S>
 Solution solved_by(const S& solver, const Problem& problem, const Request& request) {
   if constexpr (requires(fast::Workspace & workspace) { solver.solve(problem, request, workspace); }) {
-    thread_local Kept kept;
-    return kept.solve(solver, problem, request);
+    return kept<S>().use([&](fast::Workspace& workspace) { return solver.solve(problem, request, workspace); });
   } else {
     return solver.solve(problem, request);
   }
@@ -91,7 +106,9 @@ RegisteredSolver entry(const Traits& traits) {
           .is_default = traits.is_default,
           .certified = traits.certified,
           .twin_of = traits.twin_of,
-          .look = traits.look};
+          .look = traits.look,
+          .respond = traits.respond,
+          .response_tolerance = traits.response_tolerance};
 }
 
 /// The one row that has a trait.
@@ -104,10 +121,19 @@ const RegisteredSolver& the_one(bool RegisteredSolver::*trait) {
 
 const std::vector<RegisteredSolver>& solvers() {
   static const std::vector<RegisteredSolver> list{
-      entry<reference::HighOrder>({.memory_bytes = certified_memory, .certified = true, .look = 1}),
+      entry<reference::HighOrder>({.memory_bytes = certified_memory,
+                                   .certified = true,
+                                   .look = 1,
+                                   .respond = reference::hp::response,
+                                   .response_tolerance = 1e-8}),
       entry<reference::Graded>({.memory_bytes = dense_memory, .look = 3}),
       entry<reference::Uniform>({.memory_bytes = dense_memory, .look = 4}),
-      entry<fast::Mapped>({.memory_bytes = vector_memory, .uses_fft = true, .is_default = true, .look = 2}),
+      entry<fast::Mapped>({.memory_bytes = vector_memory,
+                           .uses_fft = true,
+                           .is_default = true,
+                           .look = 2,
+                           .respond = respond_fast,
+                           .response_tolerance = 1e-4}),
       entry<fast::Uniform>({.memory_bytes = vector_memory,
                             .uses_fft = true,
                             .twin_of = reference::Uniform::description.name,
@@ -135,6 +161,13 @@ const RegisteredSolver* find_solver(std::string_view name) {
 std::string solver_names() {
   std::string names;
   for (const auto& solver : solvers()) names += (names.empty() ? "" : ", ") + solver.name;
+  return names;
+}
+
+std::string responsive_solver_names() {
+  std::string names;
+  for (const auto& solver : solvers())
+    if (solver.respond) names += (names.empty() ? "" : ", ") + solver.name;
   return names;
 }
 

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "contact/response.hpp"
 #include "contact/solver.hpp"
 
 namespace ehd {
@@ -24,6 +25,9 @@ struct RegisteredSolver {
   bool certified = false;         ///< its error bars come from a second, independent discretisation; it is the truth
   std::string_view twin_of = {};  ///< the solver with the same grid and discretisation, of which this is a rewrite
   int look = 0;                   ///< number of its line style in figures, from 1; each solver has its own
+  /// The linear response of a contact; empty where the solver has none.
+  std::function<Response(const Problem&, const ResponseRequest&)> respond = {};
+  double response_tolerance = 0;  ///< of a response where nobody states one
 
   /// Its kernel is a dense matrix: time ~ n^3, memory ~ n^2.
   [[nodiscard]] bool dense() const { return !uses_fft; }
@@ -47,6 +51,8 @@ struct SolverTwins {
 
 /// "reference, reference.uniform, …" for messages.
 [[nodiscard]] std::string solver_names();
+/// Of those that have a response.
+[[nodiscard]] std::string responsive_solver_names();
 
 /// The loosest relative error of a film that a solve may be asked for.
 inline constexpr double loosest_tolerance = 1;

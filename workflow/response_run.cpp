@@ -6,8 +6,6 @@
 #include <variant>
 
 #include "contact/hertz.hpp"
-#include "reference/high_order.hpp"
-#include "reference/hp/response.hpp"
 
 namespace ehd {
 
@@ -54,11 +52,12 @@ ResponseRun run_response(const Case& contact_case, const ResponseQuestion& quest
                      "states no speed in m/s; --frequency and --x0-m need a contact in SI, allowed is --omega");
   const Nondimensional reading = nondimensionalise(contact.statement, *contact.lubricant, *contact.inlet);
   run.groups = reading.problem.groups;
-  run.solver = reference::HighOrder::description.name;
+  const RegisteredSolver& solver = question.solver ? *question.solver : default_solver();
+  run.solver = solver.name;
   ResponseRequest request = question.request;
   for (const double f : question.frequencies_Hz)
     request.frequencies.push_back(2 * pi * f / run.scales->omega_per_Omega);
-  run.response = reference::hp::response(reading.problem, request);
+  run.response = solver.respond(reading.problem, request);
   run.notes = reading.notes;
   if (contact.oil) run.notes = notes_of(*contact.oil, run.notes);
   run.notes.insert(run.notes.end(), run.response.notes.begin(), run.response.notes.end());

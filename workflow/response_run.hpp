@@ -9,6 +9,7 @@
 #include "contact/nondimensional.hpp"
 #include "contact/response.hpp"
 #include "workflow/case.hpp"
+#include "workflow/registry.hpp"
 
 namespace ehd {
 
@@ -28,8 +29,9 @@ struct DynamicStiffness {
 /// What a user asks for.
 struct ResponseQuestion {
   ResponseRequest request = {};
-  std::vector<double> frequencies_Hz = {};  ///< appended to the request's; needs a contact in SI
-  std::optional<double> datum_m = {};       ///< x_0; b without it
+  std::vector<double> frequencies_Hz = {};   ///< appended to the request's; needs a contact in SI
+  std::optional<double> datum_m = {};        ///< x_0; b without it
+  const RegisteredSolver* solver = nullptr;  ///< one that has a response; the default solver without it
 };
 
 struct ResponseRun {
@@ -47,7 +49,7 @@ struct ResponseRun {
   [[nodiscard]] std::optional<DynamicStiffness> dynamic_stiffness(const Stiffness& at) const;
 };
 
-/// The certified response of a contact with a film. Throws CaseError for a dry contact, and for frequencies in Hz or a
+/// The response of a contact with a film. Throws CaseError for a dry contact, and for frequencies in Hz or a
 /// datum where the case states no speed in m/s.
 [[nodiscard]] ResponseRun run_response(const Case& contact_case, const ResponseQuestion& question);
 

@@ -35,8 +35,9 @@ BOOST_AUTO_TEST_SUITE(response_cli)
 
 BOOST_AUTO_TEST_CASE(stiffness_and_waviness_are_in_the_json) {
   const test::Folder folder;
-  const auto ended = test::ehd_run(
-      folder, "response own-moes-5-5 --omega 1 --omega 0 --wavelength 2 --slip 0.5 --tolerance 1e-6 --json -");
+  const auto ended = test::ehd_run(folder,
+                                   "response own-moes-5-5 --solver reference --omega 1 --omega 0 --wavelength 2 --slip "
+                                   "0.5 --tolerance 1e-6 --json -");
   BOOST_REQUIRE(ended.exit_code == 0);
   const json result = json::parse(ended.out);
   BOOST_TEST(result["case"] == "own-moes-5-5");
@@ -53,6 +54,18 @@ BOOST_AUTO_TEST_CASE(stiffness_and_waviness_are_in_the_json) {
   BOOST_TEST(result["waviness"][0]["slip"] == 0.5);
   BOOST_TEST(result["waviness"][0]["amplitude_ratio"] > 0.1);
   BOOST_TEST(result["waviness"][0]["amplitude_ratio"] < 1);
+}
+
+BOOST_AUTO_TEST_CASE(fast_answers_where_no_solver_is_named) {
+  const test::Folder folder;
+  const auto ended = test::ehd_run(folder, "response own-moes-5-5 --omega 1 --wavelength 2 --json -");
+  BOOST_REQUIRE(ended.exit_code == 0);
+  const json result = json::parse(ended.out);
+  BOOST_TEST(result["solver"] == "fast");
+  BOOST_TEST(result["status"] == "converged");
+  BOOST_TEST(result["response"][0]["kappa"]["error"] <= 1e-4);
+  BOOST_TEST(result["waviness"][0]["error"] <= 1e-4);
+  BOOST_TEST(result["slow"]["kappa_1"]["error"] <= 1e-4);
 }
 
 BOOST_AUTO_TEST_CASE(a_contact_in_SI_has_hertz_and_a_datum_in_series) {
@@ -94,7 +107,8 @@ BOOST_AUTO_TEST_CASE(what_has_no_response_is_refused_in_one_line) {
       {"response own-moes-5-5 --wavelength 1 --slip 3", "--slip = 3: is out of range"},
       {"response own-moes-5-5 --tolerance 1", "--tolerance = 1: is out of range"},
       {"response own-moes-5-5 --frequency 100", "states no speed in m/s"},
-      {"response own-moes-5-5 --solver fast", "--solver = fast: has no response; allowed is reference"},
+      {"response own-moes-5-5 --solver fast.uniform",
+       "--solver = fast.uniform: has no response; allowed is reference, fast"},
       {"response dry-steel", "dry contact"},
       {"response na4908", "is no contact"},
   };

@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 #include <random>
+#include <tuple>
 
 #include "tests/check.hpp"
 
@@ -11,24 +12,34 @@ using verification::Tolerance;
 
 BOOST_AUTO_TEST_SUITE(banded)
 
-BOOST_AUTO_TEST_CASE(banded_solve_equals_a_dense_one) {
+using Scalars = std::tuple<double, fast::Complex>;
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(banded_solve_equals_a_dense_one, Scalar, Scalars) {
+  using Band = fast::BandedOf<Scalar>;
   constexpr int n = 40;
   std::mt19937 random(11);
   std::uniform_real_distribution<double> uniform(-1, 1);
-  fast::Banded band;
+  const auto number = [&] {
+    if constexpr (std::is_same_v<Scalar, double>)
+      return uniform(random);
+    else
+      return Scalar(uniform(random), uniform(random));
+  };
+  Band band;
   band.resize(n);
-  Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(n, n);
+  Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> dense(n, n);
+  dense.setZero();
   for (int i = 0; i < n; ++i) {
-    for (int k = 0; k < fast::Banded::width; ++k) {
-      const int j = i - fast::Banded::lower + k;
-      const double value = uniform(random) + (j == i ? 6 : 0);
+    for (int k = 0; k < Band::width; ++k) {
+      const int j = i - Band::lower + k;
+      const Scalar value = number() + (j == i ? 6.0 : 0.0);
       band.row(i)[static_cast<std::size_t>(k)] = value;
       if (j >= 0 && j < n) dense(i, j) = value;
     }
   }
-  Array x(n);
-  for (int i = 0; i < n; ++i) x[i] = uniform(random);
-  const Eigen::VectorXd expected = dense.partialPivLu().solve(x.matrix());
+  ArrayOf<Scalar> x(n);
+  for (int i = 0; i < n; ++i) x[i] = number();
+  const auto expected = dense.partialPivLu().solve(x.matrix()).eval();
   BOOST_REQUIRE(band.factorise());
   band.solve(x);
   EHD_CHECK((x.matrix() - expected).norm() / expected.norm(), Tolerance::round_off(n, 10));

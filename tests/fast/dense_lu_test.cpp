@@ -59,6 +59,22 @@ BOOST_AUTO_TEST_CASE(solutions_leave_rounding_alone_as_those_of_Eigen_do) {
   BOOST_REQUIRE_EQUAL(rows, 14);
 }
 
+BOOST_AUTO_TEST_CASE(complex_solutions_leave_rounding_alone) {
+  constexpr int size = 33;
+  Eigen::MatrixXcd matrix(size, size);
+  matrix.real() = random_matrix(size, 1);
+  matrix.imag() = random_matrix(size, 2);
+  fast::DenseLuOf<fast::Complex> lu;
+  lu.resize(size);
+  for (int i = 0; i < size; ++i) Eigen::Map<Eigen::RowVectorXcd>(lu.row(i), size) = matrix.row(i);
+  BOOST_REQUIRE(lu.factorise());
+  const Eigen::ArrayXcd b = Eigen::ArrayXcd::LinSpaced(size, 1, fast::Complex(2, 3));
+  Eigen::ArrayXcd x = b;
+  lu.solve(x);
+  const double scale = matrix.cwiseAbs().rowwise().sum().maxCoeff() * x.abs().maxCoeff();
+  EHD_CHECK((b.matrix() - matrix * x.matrix()).cwiseAbs().maxCoeff() / scale, Tolerance::round_off(size));
+}
+
 BOOST_AUTO_TEST_CASE(a_zero_on_the_diagonal_is_exchanged) {
   DenseLu lu;
   fill(lu, (Eigen::Matrix3d() << 0, 2, 0, 0, 0, 4, 8, 0, 0).finished());

@@ -72,6 +72,17 @@ BOOST_AUTO_TEST_CASE(the_traits_tell_the_solvers_apart) {
   BOOST_TEST(twins[0].twin->name == "reference.uniform");
 }
 
+BOOST_AUTO_TEST_CASE(the_solver_that_nobody_names_and_the_certified_one_have_a_response) {
+  for (const RegisteredSolver* solver : {&default_solver(), &certified_solver()}) {
+    BOOST_REQUIRE(solver->respond);
+    const Response found = solver->respond(light_contact(), {.frequencies = {1}, .tolerance = 1e-4});
+    BOOST_TEST((found.status == StopReason::converged));
+  }
+  BOOST_TEST(responsive_solver_names() == "reference, fast");
+  for (const RegisteredSolver& solver : solvers()) BOOST_TEST((solver.response_tolerance > 0) == bool(solver.respond));
+  BOOST_TEST(certified_solver().response_tolerance < default_solver().response_tolerance);
+}
+
 BOOST_AUTO_TEST_CASE(an_unknown_solver_is_absent) {
   BOOST_CHECK(find_solver("") == nullptr);
   BOOST_CHECK(find_solver("Fast") == nullptr);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <complex>
+#include <numbers>
 #include <string>
 #include <utility>
 
@@ -33,6 +34,16 @@ inline const Inlet cut_at_4 = TruncatedAt{-4};
 [[nodiscard]] inline Sentence response_says(const std::string& id, int rung, std::string statement) {
   return {.id = "response/" + id, .rung = rung, .statement = std::move(statement), .solver = "reference"};
 }
+
+/// H_0 and M dH_0/dM at fixed L and fixed inlet in metres, by differences of sixth order in ln M; uncertainty: of both.
+struct OffsetSlope {
+  double offset = 0, slope = 0, uncertainty = 0;
+  /// With w in the unit of one load, b^2 ~ w and delta = -(b^2/R)(H_0 + ln(b)/2): dW/dH_0 in Hertz units of the load.
+  [[nodiscard]] double kappa() const { return std::numbers::pi / (-0.5 - 2 * offset - 2 * slope); }
+};
+/// Of steady solves to this tolerance.
+[[nodiscard]] OffsetSlope offset_slope(MoesGroups moes, const Inlet& inlet, const std::string& solver,
+                                       double tolerance);
 
 /// NaN where they are not within the tolerance.
 [[nodiscard]] inline std::complex<double> known_kappa(const Stiffness& at) {

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fast/harmonic.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "fast/counters.hpp"
+
+namespace ehd::fast {
+
+using std::numbers::pi;
+
+namespace {
+
+/// The tail answers a film that contains its own answer: so many times in turn. What is left falls by the tail's part
+/// in the load, at most a hundredth, each time.
+constexpr int tail_turns = 2;
+/// GMRES begins again at most so often; the residual of its own sums is 1e-2 of what it reduces, after rounding.
+constexpr int most_restarts = 4;
+/// A restart that leaves more than this share is the last.
+constexpr double useful_restart = 0.5;
+/// (J - s Q) u by s, at s = 0: by a central difference of this half width. The tail alone makes Q depend on s.
+constexpr double rate_step = 1e-2;
+
+/// The values of a grid with half as many intervals on this one; cubic in the index, to which the map is smooth.
+template <class Scalar>
+StepOf<Scalar> finer(const StepOf<Scalar>& coarse, Eigen::Index n) {
+  const ArrayOf<Scalar>& P = coarse.P;
+  const Eigen::Index m = P.size() - 1;
+  StepOf<Scalar> fine{.P = ArrayOf<Scalar>::Zero(n + 1), .offset = coarse.offset, .exit = coarse.exit};
+  if (2 * m != n) return fine;
+  for (Eigen::Index i = 0; i < m; ++i) {
+    fine.P[2 * i] = P[i];
+    const bool inside = i > 0 && i + 2 <= m;
+    fine.P[2 * i + 1] = inside ? (9.0 * (P[i] + P[i + 1]) - P[i - 1] - P[i + 2]) / 16.0 : (P[i] + P[i + 1]) / 2.0;
+  }
+  return fine;
+}
+
+}  // namespace
+
+Harmonic::Harmonic(const Setting& setting, const NodeFields& nodes, const State& state, Grids& grids,
+                   Counters& counters)
+    : setting_(setting),
+      nodes_(nodes),
+      state_(state),
+      grids_(grids),
+      counters_(counters),
+      X_(nodes.places(setting.inlet)),
+      flux_scale_(1 / (nodes.exit_flux() * std::sqrt(static_cast<double>(nodes.n)))) {
+  jacobian_.linearise(setting_, nodes_, state_.P, state_.exit);
+  squeeze_.linearise(nodes_);
+  if (!setting_.with_tail) return;
+  const int n = nodes_.n;
+  const double length = nodes_.length, far = -setting_.inlet;
+  Grid& grid = *nodes_.grid;
+  moment_ = length / n * grid.slope * X_;
+  moment_by_exit_ = (state_.P * grid.slope * (X_ + length * grid.place)).sum() / n;
+  tail_.emplace(far, nodes_.H[0] - far * far / 2, (moment_ * state_.P).sum(), nodes_.exit_flux(),
+                setting_.groups.lambda, ambient_slope(setting_.viscosity));
+  load_by_first_ = length * grid.first_weight;
+  film_by_tail_.resize(n + 1, 6);
+  film_by_tail_.col(0) = -length / pi * (grid.first_column() + std::log(length) * grid.first_weight);
+  film_by_tail_.col(1).setOnes();
+  for (int k = 2; k < 6; ++k) film_by_tail_.col(k) = film_by_tail_.col(k - 1).array() * X_;
+}
+
+/// The tail's answer to the film and the pressure of a change. Its own film and load become part of the change.
+template <class Scalar>
+void Harmonic::follow(Scalar rate, StepOf<Scalar>& u, ChangeOf<Scalar>& change) const {
+  const Scalar load = jacobian_.length * u.integral + jacobian_.load_by_exit * u.exit;
+  u.P[0] = Scalar(0);
+  const Scalar moment = (moment_ * u.P).sum() + moment_by_exit_ * u.exit;
+  MovingTail::Answer<Scalar> tail = MovingTail::Answer<Scalar>::Zero();
+  for (int turn = 0; turn < tail_turns; ++turn) {
+    const Scalar flux = jacobian_.density_at_exit * change.film[nodes_.n] + rate * squeeze_.inflow(u, change.film);
+    const auto before = tail;
+    tail = tail_->answer(
+        rate, MovingTail::Drive<Scalar>{change.film[0], load + tail[0] + load_by_first_ * tail[1], moment, flux});
+    change.film.matrix() += film_by_tail_ * (tail - before).template tail<6>();
+    u.P[0] = tail[1];
+  }
+  change.load = load + tail[0] + load_by_first_ * tail[1];
+}
+
+template <class Scalar>
+const ChangeOf<Scalar>& Harmonic::product(Scalar rate, StepOf<Scalar>& u) {
+  auto& change = jacobian_.change_film(u, counters_);
+  if (tail_) {
+    follow(rate, u, change);
+    const Scalar load = change.load;
+    jacobian_.change_residual(u, change);
+    change.load = load;
+  } else {
+    jacobian_.change_residual(u, change);
+  }
+  squeeze_.subtract(rate, u, change);
+  return change;
+}
+
+/// The norm of Newton's method.
+double Harmonic::norm(const auto& residual) const {
+  return std::hypot(residual.flux.matrix().norm() * flux_scale_, std::abs(residual.load) * 2 / pi);
+}
+
+template <class Scalar>
+bool Harmonic::factorised(Scalar rate) {
+  auto& solver = std::get<SolverOf<Scalar>>(solvers_);
+  if (!std::exchange(solver.prepared, true))
+    solver.multigrid.prepare_motion(setting_, nodes_, jacobian_, squeeze_, state_, grids_, counters_);
+  if (solver.factorised == rate) return true;
+  solver.factorised = rate;
+  return solver.multigrid.factorise(rate, counters_);
+}
+
+/// Adds to u what GMRES finds for (J - s Q) du = left.
+template <class Scalar>
+void Harmonic::correct(Scalar rate, const ResidualOf<Scalar>& left, double relative, StepOf<Scalar>& u) {
+  const InStage stage(counters_, Stage::krylov);
+  auto& solver = std::get<SolverOf<Scalar>>(solvers_);
+  const Eigen::Index n = nodes_.n;
+  const double load_scale = 2 / pi;
+  solver.preconditioned.resize(Gmres::most_steps);
+  solver.right_side.resize(n + 1);
+  solver.right_side.head(n) = left.flux * flux_scale_;
+  solver.right_side[n] = left.load * load_scale;
+  const auto y =
+      solver.gmres.solve(solver.right_side, relative, [&](std::size_t k, const ArrayOf<Scalar>& v, ArrayOf<Scalar>& w) {
+        StepOf<Scalar>& z = solver.preconditioned[k];
+        solver.unscaled.flux = v.head(n) / flux_scale_;
+        solver.unscaled.load = v[n] / load_scale;
+        solver.multigrid.cycle(solver.unscaled, z, counters_);
+        const auto& change = product(rate, z);
+        ++counters_.krylov;
+        w.resize(n + 1);
+        w.head(n) = change.flux * flux_scale_;
+        w[n] = change.load * load_scale;
+      });
+  for (std::size_t k = 0; k < y.size(); ++k) {
+    const StepOf<Scalar>& z = solver.preconditioned[k];
+    u.P += y[k] * z.P;
+    u.offset += y[k] * z.offset;
+    u.exit += y[k] * z.exit;
+  }
+}
+
+template <class Scalar>
+Harmonic::Motion<Scalar> Harmonic::solved(Scalar rate, const ResidualOf<Scalar>& drive, double residual,
+                                          const StepOf<Scalar>* coarser) {
+  const Eigen::Index n = nodes_.n;
+  Motion<Scalar> found{.u = {.P = ArrayOf<Scalar>::Zero(n + 1)}};
+  if (!factorised(rate)) return found;
+  const double size = norm(drive);
+  ResidualOf<Scalar> left = drive;
+  const auto refresh = [&](StepOf<Scalar>& u) {
+    const auto& change = product(rate, u);
+    left.flux = drive.flux - change.flux;
+    left.load = drive.load - change.load;
+    return norm(left) / size;
+  };
+  if (coarser) {
+    found.u = finer(*coarser, n);
+    found.residual = refresh(found.u);
+    if (!(found.residual < 1)) {
+      found = {.u = {.P = ArrayOf<Scalar>::Zero(n + 1)}};
+      left = drive;
+    }
+  }
+  for (int restart = 0; restart < most_restarts && found.residual > residual; ++restart) {
+    const double before = found.residual;
+    correct(rate, left, residual / before, found.u);
+    found.residual = refresh(found.u);
+    if (!(found.residual < useful_restart * before)) break;
+  }
+  return found;
+}
+
+template <class Scalar>
+Harmonic::Motion<Scalar> Harmonic::of_load(Scalar rate, double residual, const StepOf<Scalar>* coarser) {
+  return solved(rate, ResidualOf<Scalar>{.flux = ArrayOf<Scalar>::Zero(nodes_.n), .load = Scalar(1)}, residual,
+                coarser);
+}
+
+Harmonic::Motion<double> Harmonic::of_slow_load(const Step& u, double residual, const Step* coarser) {
+  Step at_rest = u;
+  Residual by_rate = product(rate_step, at_rest);
+  const Residual& behind = product(-rate_step, at_rest);
+  by_rate.flux = -(by_rate.flux - behind.flux) / (2 * rate_step);
+  by_rate.load = -(by_rate.load - behind.load) / (2 * rate_step);
+  return solved(0.0, by_rate, residual, coarser);
+}
+
+ArrayOf<Complex> Harmonic::feature(const Waviness& waviness) const {
+  return (Complex(0, -waviness.wavenumber()) * X_.cast<Complex>()).exp();
+}
+
+Harmonic::Motion<Complex> Harmonic::of_waviness(const Waviness& waviness, double residual,
+                                                const StepOf<Complex>* coarser) {
+  const Complex rate(0, waviness.Omega());
+  const StepOf<Complex> none{.P = ArrayOf<Complex>::Zero(nodes_.n + 1)};
+  ChangeOf<Complex> change;
+  change.film = feature(waviness);
+  jacobian_.change_residual(none, change);
+  squeeze_.subtract(rate, none, change);
+  return solved(rate, ResidualOf<Complex>{.flux = -change.flux}, residual, coarser);
+}
+
+std::optional<Complex> Harmonic::central_film(const Waviness& waviness, StepOf<Complex>& u) {
+  const int n = nodes_.n;
+  if (state_.exit <= 0) return std::nullopt;
+  const ArrayOf<Complex> H_1 = product(Complex(0, waviness.Omega()), u).film + feature(waviness);
+  // The cubic through the four nodes about X = 0, and its slope there.
+  const auto right = std::upper_bound(X_.begin(), X_.end(), 0.0) - X_.begin();
+  const Eigen::Index first = std::clamp<Eigen::Index>(right - 2, 0, n - 3);
+  Complex film = 0;
+  double slope = 0;
+  for (Eigen::Index j = first; j < first + 4; ++j) {
+    double basis = 1, basis_slope = 0;
+    for (Eigen::Index k = first; k < first + 4; ++k) {
+      if (k == j) continue;
+      basis_slope = (basis_slope * -X_[k] + basis) / (X_[j] - X_[k]);
+      basis *= -X_[k] / (X_[j] - X_[k]);
+    }
+    film += basis * H_1[j];
+    slope += basis_slope * nodes_.H[j];
+  }
+  return film - 1.0 - slope * (-setting_.inlet / nodes_.length) * u.exit;
+}
+
+double Harmonic::widest_cell() const {
+  const Array cells = X_.tail(nodes_.n) - X_.head(nodes_.n);
+  double widest = 0;
+  for (Eigen::Index i = 0; i < nodes_.n; ++i)
+    if (X_[i + 1] > -1) widest = std::max(widest, cells[i]);
+  return widest;
+}
+
+template Harmonic::Motion<double> Harmonic::of_load(double, double, const Step*);
+template Harmonic::Motion<Complex> Harmonic::of_load(Complex, double, const StepOf<Complex>*);
+template const ChangeOf<double>& Harmonic::product(double, Step&);
+template const ChangeOf<Complex>& Harmonic::product(Complex, StepOf<Complex>&);
+
+}  // namespace ehd::fast

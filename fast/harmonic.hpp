@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The first-order equations of a small motion e^(s T) about the solution of one grid, s the rate: i Omega, or real.
+//
+//   (J - s Q) u = drive,  u = (P_1, H_01, X*_1) at fixed phi,
+//
+// with Newton's own Jacobian J (jacobian.hpp) and the squeeze Q (squeeze.hpp). The far inlet of a flooded contact
+// follows the motion (moving_tail.hpp), which the product contains and the preconditioner leaves out. Solved by
+// flexible GMRES with one multigrid cycle, both of which do everything that depends on s; the rest is made once a grid.
+#pragma once
+
+#include <optional>
+#include <tuple>
+#include <vector>
+
+#include "contact/response.hpp"
+#include "fast/gmres.hpp"
+#include "fast/moving_tail.hpp"
+#include "fast/multigrid.hpp"
+
+namespace ehd::fast {
+
+class Harmonic {
+ public:
+  /// About `state`, which solves the equations of its grid, with these fields there. `grids` must keep its map.
+  Harmonic(const Setting& setting, const NodeFields& nodes, const State& state, Grids& grids, Counters& counters);
+
+  /// u with the part of the drive, in the norm of Newton's method, that it leaves.
+  template <class Scalar>
+  struct Motion {
+    StepOf<Scalar> u;
+    double residual = 1;
+  };
+  /// For a load of amplitude 1, R_1 = 0. `coarser`: of the grid with half as many intervals, where the iteration then
+  /// begins. It ends where at most `residual` of the drive is left, or where it leads no further.
+  template <class Scalar>
+  [[nodiscard]] Motion<Scalar> of_load(Scalar rate, double residual, const StepOf<Scalar>* coarser = nullptr);
+  /// For a waviness of amplitude 1 at a constant load.
+  [[nodiscard]] Motion<Complex> of_waviness(const Waviness& waviness, double residual,
+                                            const StepOf<Complex>* coarser = nullptr);
+  /// The next term of a slow load: u(s) = u + s u_1, where u is that of the load at rest.
+  [[nodiscard]] Motion<double> of_slow_load(const Step& u, double residual, const Step* coarser = nullptr);
+
+  /// H_1 at X = 0, at rest, without R_1. Empty where the contact does not reach X = 0.
+  [[nodiscard]] std::optional<Complex> central_film(const Waviness& waviness, StepOf<Complex>& u);
+  /// (J - s Q) u. Valid until the next call.
+  template <class Scalar>
+  [[nodiscard]] const ChangeOf<Scalar>& product(Scalar rate, StepOf<Scalar>& u);
+
+  [[nodiscard]] int intervals() const { return nodes_.n; }
+  /// The widest cell of -1 < X < X*, which disturbances have to cross.
+  [[nodiscard]] double widest_cell() const;
+
+ private:
+  /// What only one kind of number needs.
+  template <class Scalar>
+  struct SolverOf {
+    MultigridOf<Scalar> multigrid;
+    GmresOf<Scalar> gmres;
+    std::vector<StepOf<Scalar>> preconditioned;
+    ArrayOf<Scalar> right_side;
+    ResidualOf<Scalar> unscaled;
+    bool prepared = false;
+    std::optional<Scalar> factorised = {};  ///< the rate
+  };
+
+  template <class Scalar>
+  [[nodiscard]] Motion<Scalar> solved(Scalar rate, const ResidualOf<Scalar>& drive, double residual,
+                                      const StepOf<Scalar>* coarser);
+  template <class Scalar>
+  void correct(Scalar rate, const ResidualOf<Scalar>& left, double relative, StepOf<Scalar>& u);
+  template <class Scalar>
+  void follow(Scalar rate, StepOf<Scalar>& u, ChangeOf<Scalar>& change) const;
+  template <class Scalar>
+  [[nodiscard]] bool factorised(Scalar rate);
+  [[nodiscard]] double norm(const auto& residual) const;
+  [[nodiscard]] ArrayOf<Complex> feature(const Waviness& waviness) const;
+
+  const Setting setting_;
+  const NodeFields nodes_;
+  const State state_;
+  Grids& grids_;
+  Counters& counters_;
+  Jacobian jacobian_;
+  Squeeze squeeze_;
+  Array X_;
+  double flux_scale_;
+  std::optional<MovingTail> tail_;
+  Eigen::Matrix<double, Eigen::Dynamic, 6> film_by_tail_;  ///< of P_1(X_a), and 1, X, …, X^4
+  Array moment_;                                           ///< Int P X dX by P_j, n + 1
+  double moment_by_exit_ = 0, load_by_first_ = 0;          ///< of the load by P_1(X_a) within the grid
+  std::tuple<SolverOf<double>, SolverOf<Complex>> solvers_;
+};
+
+}  // namespace ehd::fast

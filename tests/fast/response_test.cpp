@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fast/response.hpp"
+
+#include <complex>
+
+#include "tests/check.hpp"
+#include "tests/fast/problems.hpp"
+
+using namespace ehd;
+using verification::Tolerance;
+
+namespace {
+
+Response answer(const Problem& problem, const ResponseRequest& request) {
+  fast::Workspace workspace;
+  return fast::response(problem, request, workspace);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(response)
+
+// Computed independently, inlet cut at -50.
+BOOST_AUTO_TEST_CASE(stiffness_at_rest_has_the_digits_of_another_program) {
+  const Response found = answer(roelands_problem(5, 5, TruncatedAt{-50}), {.frequencies = {0}, .tolerance = 1e-5});
+  BOOST_TEST((found.status == StopReason::converged));
+  BOOST_REQUIRE(found.slow.has_value());
+  EHD_CHECK(error(found.slow->kappa_0, 3.8279353),
+            Tolerance::published_digits("3.8279353") + Tolerance::discretisation(found.slow->error_0, 1));
+  EHD_CHECK(error(found.frequencies.at(0).kappa.real(), found.slow->kappa_0), Tolerance::iteration(1e-7));
+  BOOST_TEST(found.highest_certified.value() == 0.0);
+}
+
+BOOST_AUTO_TEST_CASE(answers_keep_the_order_of_the_request_and_the_tolerance) {
+  const Response found = answer(roelands_problem(5, 5, TruncatedAt{-4}),
+                                {.frequencies = {7, 0.5, 2}, .waviness = {{2, 1}, {1, 0}}, .tolerance = 1e-4});
+  BOOST_TEST((found.status == StopReason::converged));
+  BOOST_TEST(found.frequencies.at(0).Omega == 7.0);
+  BOOST_TEST(found.frequencies.at(1).Omega == 0.5);
+  BOOST_TEST(found.waviness.at(1).waviness.wavelength == 1.0);
+  BOOST_TEST(found.highest_certified.value() == 7.0);
+  for (const Stiffness& at : found.frequencies) BOOST_TEST(at.error <= 1e-4);
+  for (const WavinessResponse& at : found.waviness) BOOST_TEST(at.error <= 1e-4);
+  BOOST_TEST(found.cost.krylov_iterations > 0);
+}
+
+// The tail of a flooded inlet limits what is known at high frequencies, and no grid helps.
+BOOST_AUTO_TEST_CASE(a_frequency_beyond_what_is_known_names_the_highest_certified_one) {
+  const Response found = answer(roelands_problem(5, 5, Flooded{}), {.frequencies = {1, 1000}, .tolerance = 1e-4});
+  BOOST_TEST((found.status == StopReason::tolerance_not_met));
+  BOOST_TEST(!found.reason.empty());
+  BOOST_TEST((found.frequencies.at(0).status == StopReason::converged));
+  BOOST_TEST((found.frequencies.at(1).status == StopReason::tolerance_not_met));
+  BOOST_TEST(found.frequencies.at(1).error > 1e-4);
+  BOOST_TEST(found.highest_certified.value() > 1);
+  BOOST_TEST(found.highest_certified.value() < 1000);
+}
+
+BOOST_AUTO_TEST_CASE(limits_end_the_solve_without_numbers) {
+  const Response found = answer(roelands_problem(20, 10, Flooded{}), {.frequencies = {1}, .time_limit_s = 0});
+  BOOST_TEST((found.status == StopReason::limit_reached));
+  BOOST_TEST(!found.slow.has_value());
+  BOOST_TEST(!found.highest_certified.has_value());
+  BOOST_TEST((found.frequencies.at(0).status != StopReason::converged));
+}
+
+BOOST_AUTO_TEST_CASE(a_used_workspace_leaves_the_bits) {
+  const Problem problem = roelands_problem(5, 5, Flooded{});
+  const ResponseRequest request{.frequencies = {3}, .tolerance = 1e-4};
+  fast::Workspace workspace;
+  (void)fast::response(roelands_problem(20, 8, TruncatedAt{-4}), request, workspace);
+  const Response again = fast::response(problem, request, workspace), first = answer(problem, request);
+  BOOST_TEST((again.frequencies.at(0).kappa == first.frequencies.at(0).kappa));
+  BOOST_TEST(again.slow->kappa_1 == first.slow->kappa_1);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
