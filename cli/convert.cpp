@@ -18,6 +18,7 @@
 #include "contact/text.hpp"
 #include "io/json.hpp"
 #include "io/near_miss.hpp"
+#include "io/result_head.hpp"
 #include "io/tables.hpp"
 
 namespace ehd::cli {
@@ -60,7 +61,7 @@ std::vector<GivenNumber> numbers_of(const std::vector<std::string>& texts) {
 int convert(const ConvertOptions& options) {
   const auto values = in_all_scalings(numbers_of(options.numbers));
   JsonTarget target(options.json);
-  Json json = Json::object();
+  Json json = result_head("ehd-convert-1");
   std::vector<std::vector<std::string>> rows;
   std::vector<std::string> open;
   for (std::size_t i = 0; i < values.size(); ++i) {

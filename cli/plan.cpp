@@ -14,6 +14,7 @@
 #include "cli/usage.hpp"
 #include "io/contact_json.hpp"
 #include "io/json.hpp"
+#include "io/result_head.hpp"
 #include "io/tables.hpp"
 #include "workflow/bearing_run.hpp"
 #include "workflow/case.hpp"
@@ -65,7 +66,10 @@ int plan(const PlanOptions& options) {
     made = plan_contact(contact, solver, request, wanted);
   }
   JsonTarget json(options.json);
-  Json object = {{"case", any.id}, {"version", any.version}, {"plan", to_json(made)}};
+  Json object = result_head("ehd-plan-1");
+  object["case"] = any.id;
+  object["version"] = any.version;
+  object["plan"] = to_json(made);
   options.changes.put_into(object);
   json.commit(object);
   if (!json.to_standard_output()) print(any.id + ": " + any.title + "\n" + human_plan(made));

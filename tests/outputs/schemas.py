@@ -42,7 +42,7 @@ def require_valid(document, what):
             del less[key]
             if validator(name).is_valid(less):
                 sys.exit(f"schemas: {name} does not miss {key}")
-    if SCHEMAS[name]["additionalProperties"] is not True and validator(name).is_valid(document | {"unheard": 1}):
+    if SCHEMAS[name]["additionalProperties"] is not True and validator(name).is_valid(document | {"unheard": "of"}):
         sys.exit(f"schemas: {name} accepts an unknown key")
 
 
@@ -58,6 +58,9 @@ def main(ehd):
     documents.append(("a problem", documents[-1][1]["cases"][0]["problem"]))
     for case in ("own-moes-20-10", "own-barus-3-4-flooded", "own-steel-20-10", "dry-steel"):
         documents.append((f"ehd solve {case}", said("solve", case, "--json", "-")))
+    documents.append(("ehd convert", said("convert", "M=20", "L=10", "--json", "-")))
+    documents.append(("ehd plan", said("plan", "own-moes-20-10", "--set", "moes.M=30", "--json", "-")))
+    documents.append(("ehd plan of a bearing", said("plan", "na4908", "--json", "-")))
     for law in ("hertz", "ehd-linear"):
         documents.append((f"ehd bearing by {law}", said("bearing", "na4908", "--law", law, "--json", "-")))
     documents.append(("ehd response", said("response", "own-moes-5-5", "--omega", 1, "--wavelength", 2, "--tolerance",
