@@ -12,9 +12,9 @@
 
 /// Takes the place of FFTW's own function, which aborts. FFTW calls it where it gets no memory, which after
 /// require_plan_memory happens only if another thread takes the memory in between. A plan cannot be given up half-way.
-/// It is visible from outside, since FFTW itself has to find it.
-extern "C" __attribute__((visibility("default"))) void fftw_assertion_failed(const char* /*what*/, int /*line*/,
-                                                                             const char* /*file*/) {
+/// Seen from outside, or FFTW would not find it; libehd.so hides it, since other users of FFTW have their own way.
+extern "C" [[gnu::visibility("default")]] void fftw_assertion_failed(const char* /*what*/, int /*line*/,
+                                                                     const char* /*file*/) {
   std::terminate();
 }
 
