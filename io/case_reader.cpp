@@ -109,7 +109,9 @@ ContactCase read_moes_contact(const MoesGroups& groups, const std::string& lubri
       body.fail(std::string(table.name), "does not belong here; allowed are keys of [lubricant]");
   const std::vector<Substitution> stated{
       {"moes.M", groups.M}, {"moes.L", groups.L}, {"domain.inlet", std::string("flooded")}};
-  return read_contact(CaseTree(text, name, stated), "moes");
+  const CaseTree tree(text, name, stated);
+  refuse_unknown(tree);
+  return read_contact(tree, "moes");
 }
 
 }  // namespace ehd
