@@ -156,8 +156,9 @@ BOOST_AUTO_TEST_CASE(the_matlab_form_agrees_in_octave) {
     const LawExport law = made_law(damped);
     (void)folder.write(law_export_prefix(law) + "_law.m", law_export_matlab(law));
     (void)folder.write("points.txt", lines_of(approaches(law)));
-    (void)folder.write("call_law.m", "d = load('points.txt');\n[f, k, h, c] = " + law_export_prefix(law) +
-                                    "_law(d);\nprintf('%d %.17g %.17g %.17g %.17g\\n', [isnan(f), f, k, h, c].');\n");
+    (void)folder.write("call_law.m",
+                       "d = load('points.txt');\n[f, k, h, c] = " + law_export_prefix(law) +
+                           "_law(d);\nprintf('%d %.17g %.17g %.17g %.17g\\n', [isnan(f), f, k, h, c].');\n");
     const std::string at = "cd '" + folder.path().string() + "' && ";
     BOOST_REQUIRE(std::system((at + "octave-cli --norc --silent call_law.m > out.txt").c_str()) == 0);
     check_lines(test::read(folder.path() / "out.txt"), law);
