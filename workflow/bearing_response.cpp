@@ -10,7 +10,7 @@
 #include "contact/hertz.hpp"
 #include "contact/nondimensional.hpp"
 #include "contact/text.hpp"
-#include "reference/hp/response.hpp"
+#include "workflow/registry.hpp"
 
 namespace ehd {
 
@@ -41,11 +41,11 @@ bool known(const Stiffness& at) { return at.status != StopReason::diverged && st
 
 }  // namespace
 
-ContactResponder bearing_responder() { return reference::hp::response; }
+ContactResponder bearing_responder() { return default_solver().respond; }
 
 ResponseRequest bearing_response_request() {
   ResponseRequest request;
-  request.tolerance = 1e-6;
+  request.tolerance = default_solver().response_tolerance;
   return request;
 }
 

@@ -179,6 +179,10 @@ def quick_pages(ehd):
             "NA4908 at three clearances, dry and with films", ["ehd bearing " + " ".join(clearances) + " --details"],
             fenced(bearings(ehd, *clearances)),
             "Without balance errors and times. What the statements mean: [docs/statements.md](../statements.md)."),
+        "bearing-dynamics": lambda: page(
+            "NA4908 in small motion", ["ehd bearing na4908 --law ehd --dynamic --frequency 100"],
+            fenced(bearings(ehd, "na4908", "--law", "ehd", "--dynamic", "--frequency", "100")),
+            "Without balance errors and times. What it means: [docs/bearing-dynamics.md](../bearing-dynamics.md)."),
         "statements": lambda: page(
             "The paper's statements, one choice changed at a time", ["ehd statements"], fenced(run(ehd, "statements")),
             "How the columns are read: [docs/statements.md](../statements.md)."),
