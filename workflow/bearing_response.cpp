@@ -41,11 +41,11 @@ bool known(const Stiffness& at) { return at.status != StopReason::diverged && st
 
 }  // namespace
 
-ContactResponder bearing_responder() { return default_solver().respond; }
+ContactResponder bearing_responder() { return certified_solver().respond; }
 
 ResponseRequest bearing_response_request() {
   ResponseRequest request;
-  request.tolerance = default_solver().response_tolerance;
+  request.tolerance = 1e-6;
   return request;
 }
 

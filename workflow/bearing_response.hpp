@@ -17,7 +17,8 @@ struct Problem;
 
 using ContactResponder = std::function<Response(const Problem&, const ResponseRequest&)>;
 
-/// The solver of responses that bearings use. Its name stands here alone.
+/// The solver of responses that bearings use: the certified one. On NA4908 `fast` takes a seventh of its time, but it
+/// knows the ring's damping to 3.6 %; 2 % is needed.
 [[nodiscard]] ContactResponder bearing_responder();
 
 /// Tolerance 1e-6: at the lowest frequency that is not slow, Omega = 0.01, damping is then known to some 1e-3.

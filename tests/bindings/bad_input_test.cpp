@@ -145,8 +145,13 @@ BOOST_AUTO_TEST_CASE(bad_case_text_names_its_line) {
   check_refused(solve("\x01"), "control character");
   check_refused(solve("\xff"), "UTF-8");
   check_refused(solve(std::string(100000, '#')), "is larger than");
-  check_refused(solve("id = 1\n"), "case:1: id = 1: ");
-  check_refused(solve("id = \"a/b c\"\n"), "is no id");
+  check_refused(solve("id = 1\n"), "case:1: version: is missing");
+  const std::string id = "\"own-moes-20-10\"";
+  std::string numbered = good, wrong = good;
+  numbered.replace(numbered.find(id), id.size(), "1");
+  check_refused(solve(numbered), ": id = 1: ");
+  wrong.replace(wrong.find(id), id.size(), "\"a/b c\"");
+  check_refused(solve(wrong), "is no id");
   std::string renamed = good;  // there is no file that the id could differ from
   renamed.replace(renamed.find("own-moes-20-10"), 14, "whatever");
   BOOST_TEST(solve(renamed).code == EHD_OK);

@@ -131,7 +131,7 @@ BOOST_AUTO_TEST_CASE(a_second_user_of_fftw_may_plan_meanwhile) {
 BOOST_AUTO_TEST_CASE(the_callback_hears_how_far_the_films_are) {
   Calls calls;
   const WithProgress scope(calls);
-  FilmBatch films(40);
+  FilmBatch films(400);
   BOOST_TEST(films.solve(2) == EHD_OK);
   BOOST_TEST(calls.count >= 2);
   BOOST_TEST(calls.last > 0);
