@@ -77,7 +77,7 @@ constexpr SmallestFactors smallest_stiff{.three = 0.5,
 /// Up to this L the spike is wide, and even the smallest film is regular.
 constexpr double wide_spike_L = 8;
 /// On a map that is not settled.
-constexpr SmallestParts of_unsettled{.s = 2, .r = 2, .r_before = 0.35};
+constexpr SmallestParts of_unsettled{.s = 1.5, .r = 2, .r_before = 0.35};
 constexpr double unsettled_s_before = 0.5;
 /// On a first map: from this L on, three grids may miss the spike.
 constexpr double first_map_L = 10, of_three_on_first_map = 1.6;

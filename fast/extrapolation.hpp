@@ -52,7 +52,7 @@ enum class MapFit { first, again, settled };
 ///   settled map, L <= 8      0.25               0.6, 0.16, 0.008  0.5, 0.9, 0.17  0.1
 ///   settled map, L <= 15     0.4                0.8, 0.3, 0.01    1, 1.5, 0.3     0.3
 ///   settled map, else        0.5                1, 0.5, 0.01      1.5, 2, 0.4     1
-///   other maps               as above; 1.6 on   2, 2, 0.35        2, 2, 0.35      0.5
+///   other maps               as above; 1.6 on   1.5, 2, 0.35      1.5, 2, 0.35    0.5
 ///                            a first map from
 ///                            L = 10 on
 /// Regular as above. A spike that the coarse grids do not see makes a regular sequence to a wrong limit: hence e.
