@@ -403,7 +403,7 @@ constexpr std::array expect_keys{
             .example = "\"waiting\""},
 };
 
-constexpr std::array tables{
+constexpr std::array rows_of_tables{
     CaseTable{.name = "",
               .role = TableRole::heading,
               .in_contact = true,
@@ -458,6 +458,6 @@ constexpr std::array tables{
 
 }  // namespace
 
-std::span<const CaseTable> case_tables() { return tables; }
+std::span<const CaseTable> case_tables() { return rows_of_tables; }
 
 }  // namespace ehd
