@@ -21,6 +21,7 @@ using Point = ResponseCurve::Point;
 template <class Read>
 std::vector<double> read_points(const std::vector<Point>& points, const Read& read) {
   std::vector<double> values;
+  values.reserve(points.size());
   for (const Point& point : points) values.push_back(read(point));
   return values;
 }
@@ -207,6 +208,7 @@ class ResponsePoints {
   [[nodiscard]] std::size_t size() const { return solved_.size(); }
   [[nodiscard]] ResponseCurve curve(const std::vector<double>& forces_N, const ResponseErrors& errors = {}) const {
     std::vector<Point> points;
+    points.reserve(forces_N.size());
     for (const double force_N : forces_N) points.push_back(at(force_N));
     return {contacts_.contact, request_.omegas, points, errors};
   }
@@ -221,6 +223,7 @@ std::vector<double> first_forces(const ResponseCurveRequest& request) {
   const double span = std::log(request.heaviest_N / request.lightest_N);
   const int gaps = std::max(2, static_cast<int>(std::ceil(span / std::log(request.widest_gap) - 1e-9)));
   std::vector<double> forces;
+  forces.reserve(static_cast<std::size_t>(gaps) + 1);
   for (int k = 0; k < gaps; ++k) forces.push_back(request.lightest_N * std::exp(span * k / gaps));
   forces.push_back(request.heaviest_N);
   return forces;

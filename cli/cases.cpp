@@ -123,7 +123,11 @@ int list(const CasesOptions& options) {
   const bool all = options.ids.empty();
   if (options.atlas && !all) throw UsageError("cases: --atlas and an ID exclude each other; allowed is one of them");
   std::vector<Case> cases;
-  for (const std::string& id : options.ids) cases.push_back(read_case(find_case(id)));
+  for (const std::string& id : options.ids) {
+    Case one = read_case(find_case(id));
+    const bool known = std::any_of(cases.begin(), cases.end(), [&](const Case& other) { return other.id == one.id; });
+    if (!known) cases.push_back(std::move(one));
+  }
   if (all) cases = options.atlas ? atlas_cases() : all_cases();
   if (options.show) {
     print(shown(cases));

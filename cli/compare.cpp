@@ -171,7 +171,11 @@ std::vector<judging::ExternalSolver> externals_of(const CompareOptions& options)
   std::vector<judging::ExternalSolver> externals;
   for (const std::string& text : options.externals) {
     try {
-      externals.push_back(judging::external_from(text));
+      judging::ExternalSolver made = judging::external_from(text);
+      const bool taken = find_solver(made.name) ||
+                         std::ranges::any_of(externals, [&](const auto& other) { return other.name == made.name; });
+      if (taken) throw std::invalid_argument("has the name of another solver in this table; allowed is a new name");
+      externals.push_back(std::move(made));
     } catch (const std::invalid_argument& fault) {
       throw option_error("--external", text, fault.what());
     }

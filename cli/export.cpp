@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <initializer_list>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "cli/case_choice.hpp"
 #include "cli/export_law.hpp"
@@ -131,7 +133,26 @@ int export_films(const ExportOptions& options) {
   return not_met;
 }
 
+/// An option of the other table would have no effect. Throws UsageError.
+void require_own_options(const ExportOptions& options) {
+  using Given = std::pair<const char*, const std::optional<std::string>&>;
+  const auto refuse = [](std::initializer_list<Given> given, const char* owner) {
+    for (const auto& [name, value] : given)
+      if (value)
+        throw option_error(name, *value, std::string("belongs to export ") + owner + "; allowed is without it");
+  };
+  if (options.what == "films") refuse({{"--raceway", options.law.raceway}, {"--knots", options.law.knots}}, "law");
+  if (options.what == "law")
+    refuse({{"--M", options.M},
+            {"--L", options.L},
+            {"--tolerance", options.request.tolerance},
+            {"--threads", options.threads},
+            {"--max-solves", options.most_solves}},
+           "films");
+}
+
 int export_any(const ExportOptions& options) {
+  require_own_options(options);
   if (options.what == "films") return export_films(options);
   if (options.what != "law") throw UsageError("export: WHAT = " + options.what + ": is unknown; allowed is films, law");
   LawExportOptions law = options.law;

@@ -25,8 +25,7 @@ namespace {
 struct ResponseOptions {
   std::string case_name, solver = default_solver().name;
   std::vector<std::string> omegas, frequencies, wavelengths;
-  std::string slip = "1";
-  std::optional<std::string> tolerance, datum, json;
+  std::optional<std::string> tolerance, slip, datum, json;
   RequestOptions request;
   CaseChanges changes;
 };
@@ -50,6 +49,7 @@ constexpr Interval omega_range{.low = 0, .high = 1e9};
 constexpr Interval frequency_range{.low = 0, .high = 1e12};
 constexpr Interval wavelength_range{.low = 0.02, .high = 1e4};
 constexpr Interval slip_range{.low = 0, .high = 2};
+constexpr const char* pure_rolling = "1";
 constexpr Interval tolerance_range{.low = 1e-13, .high = 1e-2};
 constexpr Interval datum_range{.low = 1e-9, .high = 1e3};
 
@@ -70,7 +70,9 @@ ResponseQuestion question_of(const ResponseOptions& options) {
   for (const auto& text : options.omegas) request.frequencies.push_back(parse_number("--omega", text, omega_range));
   for (const auto& text : options.frequencies)
     question.frequencies_Hz.push_back(parse_number("--frequency", text, frequency_range));
-  const double slip = parse_number("--slip", options.slip, slip_range);
+  const double slip = parse_number("--slip", options.slip.value_or(pure_rolling), slip_range);
+  if (options.slip && options.wavelengths.empty())
+    throw option_error("--slip", *options.slip, "belongs to a waviness; allowed with --wavelength");
   for (const auto& text : options.wavelengths)
     request.waviness.push_back({.wavelength = parse_number("--wavelength", text, wavelength_range), .slip = slip});
   if (request.frequencies.empty() && question.frequencies_Hz.empty() && request.waviness.empty())
@@ -128,7 +130,7 @@ void describe_response(Command& command) {
   command.list("--omega", options->omegas, "Omega = omega b/u_m (repeatable; 0 where nothing is asked for)");
   command.list("--frequency", options->frequencies, "in Hz (repeatable)");
   command.list("--wavelength", options->wavelengths, "of a waviness, in b (repeatable)");
-  command.text("--slip", options->slip, "speed of the waviness over u_m, 0 to 2; 1 is pure rolling").showing_default();
+  command.text("--slip", options->slip, "speed of the waviness over u_m, 0 to 2 (1, pure rolling)");
   command.text("--x0-m", options->datum, "datum of the approach, for stiffness in SI (the half width b)");
   command.text("--json", options->json, "the result as JSON into a file, or - for standard output");
   command.runs([options] { return respond(*options); });

@@ -148,6 +148,7 @@ std::vector<std::optional<double>> in_all_scalings(const std::vector<GivenNumber
                                          "; allowed are numbers that do not follow from each other");
   }
   std::vector<std::optional<double>> values;
+  values.reserve(table.size());
   for (const ScaledNumber& row : table) values.push_back(value_by(known, row));
   return values;
 }

@@ -279,6 +279,8 @@ BOOST_AUTO_TEST_CASE(a_table_of_films_that_cannot_be_is_refused) {
       {"export law na4908 --raceway inner --law hertz", "--law = hertz: has no table"},
       {"export law na4908 --raceway inner --knots 3", "--knots = 3: is out of range"},
       {"export law na4908 --raceway inner --format xml", "--format = xml: is unknown; allowed is csv, json, c, matlab"},
+      {"export law na4908 --raceway inner --M 2:3", "--M = 2:3: belongs to export films"},
+      {"export films own-moes-5-5 --raceway inner --M 2:3 --L 2:3", "--raceway = inner: belongs to export law"},
       {"export law own-moes-5-5 --raceway inner", "this is a contact; allowed is a bearing case"},
       {"export law harris-209 --raceway inner", "[lubricant]: is missing; law ehd needs it"},
       {"export films own-moes-5-5 --M 10:100", "--L is missing; allowed is LOW:HIGH with 0 <= LOW < HIGH <= 100"},

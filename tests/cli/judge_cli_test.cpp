@@ -123,6 +123,10 @@ BOOST_AUTO_TEST_CASE(another_program_that_fails_is_a_row_with_its_reason) {
   BOOST_TEST(mine["status"] == "diverged");
 
   test::check_refused(folder, "compare own-barus-5-5 --external 'a b {case} {out}'", "has no name");
+  test::check_refused(folder, "compare own-barus-5-5 --external 'fast=true {case} {out}'", "has the name of another");
+  test::check_refused(folder,
+                      "compare own-barus-5-5 --external 'a=true {case} {out}' --external 'a=false {case} {out}'",
+                      "has the name of another");
   test::check_refused(folder, "compare own-barus-5-5 --external 'mine=prog {case}'", "has no {out}");
 }
 

@@ -20,6 +20,8 @@ using verification::Verdict;
 constexpr FileKind profile_kind{.name = "a profile (CSV with columns X, P, H)", .most_bytes = 32 << 20};
 constexpr Eigen::Index fewest_nodes = 16, most_nodes = 100000;
 constexpr double widest = 1e6;        // |X|: the lightest case of the atlas begins at -6000
+constexpr double highest = 1e6;       // |P|: the sharpest spikes of Barus' law stay below 100
+constexpr double thickest = 1e12;     // |H|: the gap X^2/2 at the widest X is 5e11
 constexpr double usual_error = 1e-3;  // the program's own default tolerance: gates ask for no more than three digits
 constexpr double safety = 2;          // over a first-order scheme, whose error is what halving the grid changes
 constexpr double coarsest = 0.1;      // a gate with a larger tolerance would let everything through
@@ -116,7 +118,7 @@ Gate load_gate(const SubmittedProfile& profile, const SubmittedProfile& half, do
 }
 
 Gate film_gate(const SubmittedProfile& profile, const SubmittedProfile& half, double stated_error, bool dry) {
-  const Array scale = dry ? Array(Array::Ones(profile.X.size())) : Array(profile.H.abs());
+  const Array scale = dry ? Array(Array::Ones(profile.X.size())) : profile.H;
   // Places are nodes of the halved profile too.
   const double edge = loaded * profile.P.maxCoeff();
   std::vector<Eigen::Index> candidates, places;
@@ -124,6 +126,11 @@ Gate film_gate(const SubmittedProfile& profile, const SubmittedProfile& half, do
     if (profile.P[i] >= edge) candidates.push_back(i);
   const auto step = std::max<std::size_t>(1, candidates.size() / static_cast<std::size_t>(most_places));
   for (std::size_t k = 0; k < candidates.size(); k += step) places.push_back(candidates[k]);
+  const char* const quadrature = "pressure linear between the nodes, its logarithmic integral exact; H_0 fitted";
+  // No pressure to speak of, or no film under it: nothing that an equation could hold for.
+  const bool closed = std::any_of(places.begin(), places.end(), [&](Eigen::Index i) { return !(scale[i] > 0); });
+  if (!(edge > 0) || places.empty() || closed)
+    return decided("film equation", quadrature, widest, 0, gate_tolerance(0, stated_error));
   const auto residual = film_residual(profile, profile, scale, places),
              coarser = film_residual(half, profile, scale, places);
   double uncertainty = 0, thinnest = widest;
@@ -133,8 +140,8 @@ Gate film_gate(const SubmittedProfile& profile, const SubmittedProfile& half, do
   }
   // The pressure before the first node bends the film by 2/(pi |X_0|) of its load, over the contact's width.
   uncertainty += 2 / pi * load_before(profile) / std::max(std::abs(profile.X[0]), 1.0) / thinnest;
-  return decided("film equation", "pressure linear between the nodes, its logarithmic integral exact; H_0 fitted",
-                 largest(residual), uncertainty, gate_tolerance(uncertainty, stated_error));
+  return decided("film equation", quadrature, largest(residual), uncertainty,
+                 gate_tolerance(uncertainty, stated_error));
 }
 
 Gate sign_gate(const SubmittedProfile& profile) {
@@ -159,6 +166,10 @@ SubmittedProfile read_profile(const std::filesystem::path& file) {
       const double value = csv.number(columns[c]);
       if (c == 0 && std::abs(value) > widest)
         throw csv.refuse(columns[c], "is far outside; allowed is X = x/b, -1e6 to 1e6");
+      if (c == 1 && std::abs(value) > highest)
+        throw csv.refuse(columns[c], "is far outside; allowed is P = p/p_H, -1e6 to 1e6");
+      if (c == 2 && std::abs(value) > thickest)
+        throw csv.refuse(columns[c], "is far outside; allowed is H = h R/b^2, -1e12 to 1e12");
       if (c == 0 && !values[0].empty() && !(value > values[0].back()))
         throw csv.refuse(columns[c], "is not above the X before it; allowed are rows by increasing X, each X once");
       values[c].push_back(value);

@@ -2,6 +2,7 @@
 // Submissions are read as strictly as case files: one line, or a result.
 #include "verification/judge/submission.hpp"
 
+#include <cmath>
 #include <string>
 
 #include "io/case_reader.hpp"
@@ -151,6 +152,8 @@ BOOST_AUTO_TEST_CASE(a_bad_profile_is_one_line) {
   refused("X,P,H\n0,inf,1\n", "is not finite");
   refused("X,P,H\n0,1,1\n", "required are 16 at least");
   refused("X,P,H\n1e9,1,1\n", "is far outside");
+  refused("X,P,H\n0,1e308,1\n", "is far outside; allowed is P = p/p_H");
+  refused("X,P,H\n0,1,1e308\n", "is far outside; allowed is H = h R/b^2");
   std::string long_one = "X,P,H\n";
   for (int i = 0; i <= 100000; ++i) long_one += std::to_string(i) + ",0,1\n";
   refused(long_one, "has more than 100000 rows");
@@ -181,6 +184,23 @@ BOOST_AUTO_TEST_CASE(gates_hold_for_a_solution_and_fail_for_each_wrong_equation)
       wrong.P[2] = -1e-3;
       BOOST_TEST((verdicts(wrong)[sign] == Verdict::fail));
     }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_profile_without_pressure_or_without_a_film_fails_the_film_equation) {
+  constexpr Eigen::Index nodes = 20;
+  const SubmittedProfile flat{
+      .X = Array::LinSpaced(nodes, -2, 1), .P = Array::Ones(nodes), .H = Array::Ones(nodes), .cut = false};
+  SubmittedProfile negative = flat, peak = flat, closed = flat;
+  negative.P = -1;
+  peak.P = 0;
+  peak.P[5] = 1;  // not a node of the halved profile
+  closed.H = 0;
+  for (const SubmittedProfile& wrong : {negative, peak, closed}) {
+    const std::vector<Gate> gates = gates_of(wrong, 0);
+    BOOST_TEST(gates[1].name == "film equation");
+    BOOST_TEST((gates[1].verdict == verification::Verdict::fail));
+    for (const Gate& gate : gates) BOOST_TEST(std::isfinite(gate.tolerance.value()));
   }
 }
 
