@@ -91,8 +91,12 @@ std::string human_table(const ResponseRun& run, const std::string& title) {
   for (const Stiffness& at : response.frequencies) {
     const auto si = run.dynamic_stiffness(at);
     const auto hertz = run.frequency_Hz(at.Omega);
-    rows.push_back({plain(at.Omega), hertz ? plain(*hertz) : "", plain(at.kappa.real(), 9), plain(at.kappa.imag(), 9),
-                    plain(at.error, 2), si ? plain(si->stiffness_N_per_m2) : "",
+    const bool known = std::isfinite(at.error);
+    const auto part = [&](double value) {
+      return known ? with_absolute_error(value, at.error * std::abs(at.kappa)) : std::string("-");
+    };
+    rows.push_back({plain(at.Omega), hertz ? plain(*hertz) : "", part(at.kappa.real()), part(at.kappa.imag()),
+                    known ? plain(at.error, 2) : "-", si ? plain(si->stiffness_N_per_m2) : "",
                     si && si->damping_N_s_per_m2 ? plain(*si->damping_N_s_per_m2) : "",
                     std::string(to_string(at.status))});
   }

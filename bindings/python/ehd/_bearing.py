@@ -9,7 +9,7 @@ from typing import Any, Optional
 import numpy as np
 import numpy.typing as npt
 
-from ._case import CaseName, CaseText, case_from
+from ._case import CaseName, CaseText, case_from, word
 from ._library import CONVERGED, call
 from ._result import Array, Handle, Result, read_only, require_converged, run
 from .errors import NotConvergedError
@@ -145,7 +145,7 @@ def bearing(case: CaseName, law: str = "ehd", *, raise_on_failure: bool = False)
     '5781 N'
     """
     text = case_from(case)
-    handle, ended = run("ehd_bearing", text, law.encode())
+    handle, ended = run("ehd_bearing", text, word("law", law))
     balanced = Bearing(handle.json(), text, handle)
     if raise_on_failure:
         require_converged(ended, balanced)

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import difflib
 import json
 import numbers
 import os
@@ -25,6 +26,7 @@ _TABLES: dict[str, tuple[str, ...]] = {
     "hertz": ("lambda_", "alpha_p_H"),
     "domain": ("inlet",),
 }
+_ARGUMENTS = ("solver", "tolerance", "raise_on_failure")  # of `solve`, beside the keys
 _HEADING: dict[str, Value] = {"id": "keywords", "version": 1, "title": "stated by keywords", "source": "own"}
 # What `ehd solve --M 20 --L 10` assumes.
 PLAIN_OIL: dict[str, Value] = {"viscosity": "barus", "density": "incompressible"}
@@ -40,6 +42,27 @@ class CaseText(NamedTuple):
         """The same error with the name of the file. The library says "case:LINE: ", or "ID.toml:LINE: "."""
         place = r"^(?:case|lubricant|[^:\s]+\.toml)(:\d+)?: "
         return InputError(re.sub(place, lambda at: f"{self.name}{at[1] or ''}: " if self.name else "", str(error)))
+
+
+def number(name: str, value: object) -> float:
+    """An argument that has to be a number."""
+    if not isinstance(value, numbers.Real):
+        raise InputError(f"{name} = {value!r}: is no number; allowed is one number")
+    return float(value)
+
+
+def whole(name: str, value: object) -> int:
+    """An argument that has to be an integer."""
+    if not isinstance(value, numbers.Integral):
+        raise InputError(f"{name} = {value!r}: is no whole number; allowed is an integer")
+    return int(value)
+
+
+def word(name: str, value: object) -> bytes:
+    """An argument that has to be a name."""
+    if not isinstance(value, str):
+        raise InputError(f"{name} = {value!r}: is no name; allowed is a text")
+    return value.encode()
 
 
 def _toml(value: Value) -> str:
@@ -60,6 +83,9 @@ def case_from_keywords(statement: Mapping[str, Value]) -> CaseText:
     table_of = {key: table for table, keys in _TABLES.items() for key in keys}
     tables: dict[str, dict[str, Value]] = {"": dict(_HEADING)}
     for key, value in statement.items():
+        meant = difflib.get_close_matches(key, _ARGUMENTS, n=1, cutoff=0.8)
+        if meant:
+            raise InputError(f"{key}: is unknown; did you mean {meant[0]}?")
         tables.setdefault(table_of.get(key, "lubricant"), {})[key] = value
     stated_dry = "conditions" in tables and set(tables).isdisjoint({"lubricant", "domain"})
     if not stated_dry or {"speed_sum_m_per_s", "viscosity_Pa_s"} & set(statement):

@@ -9,7 +9,7 @@ from typing import Any, Optional
 import numpy as np
 import numpy.typing as npt
 
-from ._case import PLAIN_OIL, CaseName, CaseText, Value, case_from, case_from_keywords, lines
+from ._case import PLAIN_OIL, CaseName, CaseText, Value, case_from, case_from_keywords, lines, number, whole, word
 from ._library import STATUS, call
 from ._result import Array, Result, read_only, require_converged, run
 from .errors import InputError
@@ -112,7 +112,7 @@ def solve(case: Optional[CaseName] = None, *, solver: str = "fast", tolerance: f
     if case is None and not statement:
         raise InputError("the contact is missing; allowed is a case, or keywords such as M and L")
     text = case_from_keywords(statement) if case is None else case_from(case)
-    handle, ended = run("ehd_solve", text, solver.encode(), tolerance)
+    handle, ended = run("ehd_solve", text, word("solver", solver), number("tolerance", tolerance))
     fields = {name: handle.field(name) for name in _FIELDS}
     contact = Contact(handle.json(), {name: values for name, values in fields.items() if values.size})
     if raise_on_failure:
@@ -182,7 +182,8 @@ def films(M: npt.ArrayLike, L: npt.ArrayLike, *, tolerance: float = 1e-3, thread
     oil = lines({**PLAIN_OIL, **lubricant}).encode()
     addresses = [array.ctypes.data for array in (*given, *found, status)]
     try:
-        ended = call("ehd_films", status.size, *addresses[:2], oil, tolerance, threads, *addresses[2:])
+        ended = call("ehd_films", status.size, *addresses[:2], oil, number("tolerance", tolerance),
+                     whole("threads", threads), *addresses[2:])
     except InputError as error:
         raise CaseText(oil, None).explain(error) from None
     words = np.array(STATUS)[status]

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 import csv
 import pickle
+import re
 
 import ehd
 import numpy as np
@@ -119,3 +120,21 @@ def test_a_result_is_the_same_in_another_process():
     copy = pickle.loads(pickle.dumps(r))
     assert copy == r and copy.to_dict() == r.to_dict()
     assert copy.P.tobytes() == r.P.tobytes() and not copy.P.flags.writeable
+
+
+@pytest.mark.parametrize("keywords, message", [
+    ({"tolerance": "x"}, "tolerance = 'x': is no number"),
+    ({"tolerance": None}, "tolerance = None: is no number"),
+    ({"solver": 3}, "solver = 3: is no name"),
+    ({"tolerence": 1e-3}, "tolerence: is unknown; did you mean tolerance?"),
+])
+def test_a_wrong_argument_is_named(keywords, message):
+    with pytest.raises(ehd.InputError, match=re.escape(message)):
+        ehd.solve(M=20, L=10, **keywords)
+
+
+def test_a_wrong_argument_of_films_and_of_a_bearing_is_named():
+    with pytest.raises(ehd.InputError, match="threads = 1.5: is no whole number"):
+        ehd.films(M=[5], L=[5], threads=1.5)
+    with pytest.raises(ehd.InputError, match="law = 3: is no name"):
+        ehd.bearing("na4908", law=3)
