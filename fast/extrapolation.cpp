@@ -79,15 +79,15 @@ constexpr double wide_spike_L = 8;
 /// On a map that is not settled.
 constexpr SmallestParts of_unsettled{.s = 1.5, .r = 2, .r_before = 0.35};
 constexpr double unsettled_s_before = 0.5;
-/// On a first map: from this L on, three grids may miss the spike.
-constexpr double first_map_L = 10, of_three_on_first_map = 1.6;
+/// There three grids may miss the spike, unless it is wide.
+constexpr double unsettled_three = 1.6, unsettled_three_wide = 0.5;
 
 SmallestFactors smallest_factors(MapFit fit, double L) {
   SmallestFactors of = L <= wide_spike_L ? smallest_mild : L <= mild_L ? smallest_middle : smallest_stiff;
   if (fit == MapFit::settled) return of;
   of.regular = of.irregular = of_unsettled;
   of.s_before = unsettled_s_before;
-  if (fit == MapFit::first && L > first_map_L) of.three = of_three_on_first_map;
+  of.three = L <= wide_spike_L ? unsettled_three_wide : unsettled_three;
   return of;
 }
 

@@ -52,9 +52,8 @@ enum class MapFit { first, again, settled };
 ///   settled map, L <= 8      0.25               0.6, 0.16, 0.008  0.5, 0.9, 0.17  0.1
 ///   settled map, L <= 15     0.4                0.8, 0.3, 0.01    1, 1.5, 0.3     0.3
 ///   settled map, else        0.5                1, 0.5, 0.01      1.5, 2, 0.4     1
-///   other maps               as above; 1.6 on   1.5, 2, 0.35      1.5, 2, 0.35    0.5
-///                            a first map from
-///                            L = 10 on
+///   other maps, L <= 8       0.5                1.5, 2, 0.35      1.5, 2, 0.35    0.5
+///   other maps, else         1.6                1.5, 2, 0.35      1.5, 2, 0.35    0.5
 /// Regular as above. A spike that the coarse grids do not see makes a regular sequence to a wrong limit: hence e.
 /// Calibrated on 1220 problems drawn as those of the central film and tested on 1197 of another seed, climbing on
 /// settled maps to tolerances of 1e-3..1e-6: 4763 of 4769 and 4668 of 4678 stated errors hold, all up to L = 8, at a
