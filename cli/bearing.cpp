@@ -215,8 +215,8 @@ struct Account {
   bool all_balanced = true;
 };
 
-/// The sum of what the numerics leave open. The datum is a choice of the case, no error. Absent for a fitted law
-/// without the law ehd beside it: nobody knows then how far the line is off.
+/// The sum of the numerical errors. The datum is not among them: the case chooses it. Absent for a fitted law without
+/// the law ehd beside it: how far the line is off is then unknown.
 std::optional<BearingErrors> errors_in(const std::vector<BudgetRow>& budget, bool fitted) {
   const auto is_fit = [](const BudgetRow& row) { return row.source == fit_source; };
   if (fitted && std::none_of(budget.begin(), budget.end(), is_fit)) return std::nullopt;

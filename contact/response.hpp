@@ -10,9 +10,11 @@
 #pragma once
 
 #include <complex>
+#include <functional>
 #include <numbers>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "contact/solution.hpp"
@@ -72,5 +74,13 @@ struct Response {
   Cost cost = {};
   std::vector<std::string> notes = {};
 };
+
+/// Sets highest_certified: by bisection with `certified` where kappa is known at some requested Omega and not at all,
+/// until `spent`.
+void find_highest_certified(Response& found, double tolerance, const std::function<bool(double Omega)>& certified,
+                            const std::function<bool()>& spent);
+
+/// Sets status and reason. `why` is the reason where a number is not within the tolerance.
+void conclude(Response& found, double tolerance, bool spent, std::string_view why);
 
 }  // namespace ehd

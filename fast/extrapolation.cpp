@@ -38,7 +38,7 @@ Moves moves_of(const std::vector<double>& f) {
 }
 
 /// The error of the central film in parts of moves, as extrapolation.hpp has it: b and c, then d_0 and d_1.
-constexpr double of_three_for_central = 0.15;
+constexpr double central_three_mild = 0.15, central_three = 0.25, central_three_on_first_map = 0.8;
 struct CentralParts {
   double s, r;
 };
@@ -58,19 +58,22 @@ struct SmallestParts {
   double s, r, r_before;
 };
 struct SmallestFactors {
-  double three;
+  double three, move;  ///< of three grids: of r_3, of f_3 - f_2
   SmallestParts regular, irregular;
   double s_before;
 };
 constexpr SmallestFactors smallest_mild{.three = 0.25,
+                                        .move = 0,
                                         .regular = {.s = 0.6, .r = 0.16, .r_before = 0.008},
                                         .irregular = {.s = 0.5, .r = 0.9, .r_before = 0.17},
                                         .s_before = 0.1};
 constexpr SmallestFactors smallest_middle{.three = 0.4,
+                                          .move = 0,
                                           .regular = {.s = 0.8, .r = 0.3, .r_before = 0.01},
                                           .irregular = {.s = 1, .r = 1.5, .r_before = 0.3},
                                           .s_before = 0.3};
 constexpr SmallestFactors smallest_stiff{.three = 0.5,
+                                         .move = 0,
                                          .regular = {.s = 1, .r = 0.5, .r_before = 0.01},
                                          .irregular = {.s = 1.5, .r = 2, .r_before = 0.4},
                                          .s_before = 1};
@@ -79,15 +82,17 @@ constexpr double wide_spike_L = 8;
 /// On a map that is not settled.
 constexpr SmallestParts of_unsettled{.s = 1.5, .r = 2, .r_before = 0.35};
 constexpr double unsettled_s_before = 0.5;
-/// There three grids may miss the spike, unless it is wide.
-constexpr double unsettled_three = 1.6, unsettled_three_wide = 0.5;
+/// There three grids may miss the spike, unless it is wide: the last move of the film counts too.
+constexpr double unsettled_three_wide = 0.5, unsettled_three_middle = 1, unsettled_three_stiff = 1.6;
+constexpr double unsettled_move = 0.5;
 
 SmallestFactors smallest_factors(MapFit fit, double L) {
   SmallestFactors of = L <= wide_spike_L ? smallest_mild : L <= mild_L ? smallest_middle : smallest_stiff;
   if (fit == MapFit::settled) return of;
   of.regular = of.irregular = of_unsettled;
   of.s_before = unsettled_s_before;
-  of.three = L <= wide_spike_L ? unsettled_three_wide : unsettled_three;
+  of.three = L <= wide_spike_L ? unsettled_three_wide : L <= mild_L ? unsettled_three_middle : unsettled_three_stiff;
+  of.move = L <= wide_spike_L ? 0 : unsettled_move;
   return of;
 }
 
@@ -116,10 +121,16 @@ Limit limit_of(const std::vector<double>& f) {
   return {.value = S(0), .error = error};
 }
 
-double central_film_error(const std::vector<double>& central, const std::vector<double>& minimum, bool mild) {
+double central_film_error(const std::vector<double>& central, const std::vector<double>& minimum, MapFit fit,
+                          double L) {
   const Moves own = moves_of(central), smallest = moves_of(minimum);
-  const CentralFactors& of = mild ? of_mild : of_stiff;
-  if (central.size() == 3) return of_three_for_central * std::max(std::abs(own.r), std::abs(smallest.r));
+  const CentralFactors& of = L <= mild_L ? of_mild : of_stiff;
+  if (central.size() == 3) {
+    const double three = L <= mild_L            ? central_three_mild
+                         : fit == MapFit::first ? central_three_on_first_map
+                                                : central_three;
+    return three * std::max(std::abs(own.r), std::abs(smallest.r));
+  }
   const CentralParts& by = own.regular() ? of.regular : of.irregular;
   const double tie = std::max(of.smallest_at_least, of.smallest_by_film * std::min(1.0, central.back()));
   return std::max({by.s * std::abs(own.s), by.r * std::abs(own.r), tie * std::abs(smallest.s)});
@@ -128,7 +139,8 @@ double central_film_error(const std::vector<double>& central, const std::vector<
 double smallest_film_error(const std::vector<double>& minimum, MapFit fit, double L) {
   const Moves own = moves_of(minimum);
   const SmallestFactors of = smallest_factors(fit, L);
-  if (minimum.size() == 3) return of.three * std::abs(own.r);
+  if (minimum.size() == 3)
+    return std::max(of.three * std::abs(own.r), of.move * std::abs(minimum[2] - minimum[1]) / minimum[2]);
   const SmallestParts& by = own.regular() ? of.regular : of.irregular;
   return std::max({by.s * std::abs(own.s), by.r * std::abs(own.r), by.r_before * std::abs(own.r_before),
                    of.s_before * std::abs(own.s_before)});

@@ -14,10 +14,11 @@ using std::numbers::pi;
 
 namespace {
 
-/// The tail answers a film that contains its own answer: so many times in turn. What is left falls by the tail's part
-/// in the load, at most a hundredth, each time.
+/// Fixed-point steps between the tail's pressure and the film, which contains the tail's part. Each reduces the error
+/// by the tail's share of the load, at most 0.01.
 constexpr int tail_turns = 2;
-/// GMRES begins again at most so often; the residual of its own sums is 1e-2 of what it reduces, after rounding.
+/// The largest number of GMRES restarts. Each is needed for rounding alone: the residual that GMRES updates drifts
+/// from the true one, so that a run reduces the true one by about 1e-2.
 constexpr int most_restarts = 4;
 /// A restart that leaves more than this share is the last.
 constexpr double useful_restart = 0.5;

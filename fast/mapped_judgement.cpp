@@ -61,7 +61,7 @@ double film_discretisation(const MappedClimb& climb, Quantity film, double L) {
   const double least = grids.size() < few_grids ? least_of_few_grids / (n * n) : 0;
   const std::vector<double> smallest = values_of(grids, Quantity::film_minimum), own_values = values_of(grids, film);
   if (grids.size() >= fewest_for_own_rule && own_values.size() == grids.size())
-    return film == Quantity::film_central ? central_film_error(own_values, smallest, L <= mild_L)
+    return film == Quantity::film_central ? central_film_error(own_values, smallest, climb.fit, L)
                                           : std::max(smallest_film_error(smallest, climb.fit, L), least);
   const double minimum = relative_error(grids, Quantity::film_minimum);
   const double central = relative_error(grids, Quantity::film_central);

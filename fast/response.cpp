@@ -6,10 +6,8 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <numeric>
 #include <utility>
 
-#include "contact/text.hpp"
 #include "fast/harmonic.hpp"
 #include "fast/judgement.hpp"
 #include "fast/mapped_start.hpp"
@@ -47,8 +45,6 @@ constexpr double tail_error = 6e-8;
 constexpr double Omega_of_damping = 2;
 /// A disturbance e^(i Omega (T - X)) is resolved where Omega times the widest cell of the contact is at most this.
 constexpr double largest_phase = 0.4;
-/// Halvings of the interval, in ln Omega, that holds the highest certified frequency.
-constexpr int certificate_halvings = 6;
 
 struct Judged {
   Complex value;
@@ -92,7 +88,6 @@ class ResponseSolve {
   [[nodiscard]] Judged stiffness(double Omega, bool refines = true);
   [[nodiscard]] Judged wavy_film(const Waviness& waviness);
   [[nodiscard]] SlowStiffness slow();
-  [[nodiscard]] std::optional<double> highest_certified(const std::vector<Stiffness>& frequencies, bool slow);
   /// That GMRES may leave in a number whose error is so many times the residual.
   [[nodiscard]] double residual_for(double amplification) const {
     return linear_part * request_.tolerance / amplification;
@@ -246,25 +241,6 @@ SlowStiffness ResponseSolve::slow() {
       .kappa_0 = stiff.value.real(), .kappa_1 = damped.value.real(), .error_0 = stiff.error, .error_1 = damped.error};
 }
 
-/// Between the last frequency that is certified and the next one, which is not, on the grids that are there.
-std::optional<double> ResponseSolve::highest_certified(const std::vector<Stiffness>& frequencies, bool slow) {
-  if (!slow) return std::nullopt;
-  double low = 0, high = std::numeric_limits<double>::infinity();
-  for (const Stiffness& at : frequencies)
-    if (at.status != StopReason::converged) high = std::min(high, at.Omega);
-  for (const Stiffness& at : frequencies)
-    if (at.status == StopReason::converged && at.Omega < high) low = std::max(low, at.Omega);
-  if (!std::isfinite(high)) return low;
-  double bottom = low > 0 ? low : high * std::exp2(-2 * certificate_halvings);
-  for (int k = 0; k < certificate_halvings && !spent(); ++k) {
-    const double middle = std::sqrt(bottom * high);
-    const bool known = stiffness(middle, false).status == StopReason::converged;
-    (known ? bottom : high) = middle;
-    if (known) low = middle;
-  }
-  return low;
-}
-
 Response ResponseSolve::solve() {
   Response found;
   for (const double Omega : request_.frequencies) found.frequencies.push_back({.Omega = Omega});
@@ -275,25 +251,17 @@ Response ResponseSolve::solve() {
     return found;
   }
   found.slow = slow();
-  bool all = std::max(found.slow->error_0, found.slow->error_1) <= request_.tolerance;
-  const bool certain = found.slow->error_0 <= request_.tolerance;
   for (Stiffness& at : found.frequencies) {
     const Judged kappa = stiffness(at.Omega);
     at.kappa = kappa.value, at.error = kappa.error, at.status = kappa.status;
-    all = all && at.status == StopReason::converged;
   }
-  found.highest_certified = highest_certified(found.frequencies, certain);
+  const auto certified = [&](double Omega) { return stiffness(Omega, false).status == StopReason::converged; };
+  find_highest_certified(found, request_.tolerance, certified, [&] { return spent(); });
   for (WavinessResponse& at : found.waviness) {
     const Judged film = wavy_film(at.waviness);
     at.film = film.value, at.error = film.error, at.status = film.status;
-    all = all && at.status == StopReason::converged;
   }
-  found.status = all ? StopReason::converged : spent() ? StopReason::limit_reached : StopReason::tolerance_not_met;
-  if (!all) found.reason = "the finest grids differ by more than the tolerance";
-  const bool beyond = std::any_of(found.frequencies.begin(), found.frequencies.end(),
-                                  [](const Stiffness& at) { return at.status != StopReason::converged; });
-  if (beyond && found.highest_certified)
-    found.reason += "; kappa is certified up to Omega = " + plain(*found.highest_certified, 3);
+  conclude(found, request_.tolerance, spent(), "the finest grids differ by more than the tolerance");
   found.cost.nodes = grids_.back().harmonic->intervals();
   found.cost.levels = static_cast<int>(grids_.size());
   found.cost.newton_iterations = run_.counters.newton;

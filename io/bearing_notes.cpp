@@ -105,7 +105,7 @@ struct Words {
   }
   std::string operator()(const note::Torque&) const {
     return "rolling torque: of the isothermal films alone; oil that heats in the inlet lowers it. Sliding, cage, seals "
-           "and churning are not in it. The work of compression is given back and adds nothing";
+           "and churning are not in it. Compression of the oil costs no work";
   }
   std::string operator()(const note::Unusual& unusual) const { return sentence_of(unusual); }
   std::string operator()(const note::ThinFilm& thin) const {

@@ -13,7 +13,7 @@ namespace ehd {
 
 /// An entry for each case (id, version, digits, this software), and the entries of their sources, each once.
 [[nodiscard]] std::string bibtex_of_cases(const std::vector<Case>& cases, const Bibliography& bibliography);
-/// Every entry of the bibliography as it stands there.
+/// All entries of the bibliography, unchanged.
 [[nodiscard]] std::string bibtex_of_sources(const Bibliography& bibliography);
 
 /// {"schema": "ehd-cases-1", "cases": [{"case", "version", "title", "source", "problem", "expect"}]}; a bearing has no

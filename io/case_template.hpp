@@ -8,7 +8,7 @@ namespace ehd {
 
 enum class CaseKind { contact, bearing };
 
-/// A case that the reader takes as it stands: every key of that kind of case with its meaning, unit and default.
+/// A valid case file: every key of that kind of case with its meaning, unit and default.
 /// Optional keys, and other ways to state the problem, are comments.
 [[nodiscard]] std::string case_template(CaseKind kind, const std::string& id);
 

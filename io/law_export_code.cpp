@@ -55,8 +55,10 @@ int PREFIX_law(double delta_m, double *force_N, double *stiffness_N_per_m, doubl
   force = exp(PREFIX_cubic(PREFIX_log_force[low], PREFIX_log_force[high], width, t, &slope));
   if (force_N) *force_N = force;
   if (stiffness_N_per_m) *stiffness_N_per_m = force * slope;
-  if (film_minimum_m) *film_minimum_m = exp(PREFIX_cubic(PREFIX_log_film[low], PREFIX_log_film[high], width, t, &slope));
-  if (damping_N_s_per_m) *damping_N_s_per_m = PREFIX_cubic(PREFIX_damping[low], PREFIX_damping[high], width, t, &slope);
+  if (film_minimum_m)
+    *film_minimum_m = exp(PREFIX_cubic(PREFIX_log_film[low], PREFIX_log_film[high], width, t, &slope));
+  if (damping_N_s_per_m)
+    *damping_N_s_per_m = PREFIX_cubic(PREFIX_damping[low], PREFIX_damping[high], width, t, &slope);
   return 0;
 }
 )";

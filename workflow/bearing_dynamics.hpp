@@ -22,7 +22,7 @@ void fill_dynamics(BearingResult& result, const BearingSetup& setup, const beari
 /// It is the whole power that the films take from rings that roll without slip. The power that the surfaces give to a
 /// contact, u_m Int h p' dx = u_s F_t, is what the flow dissipates, Int h^3 p'^2/(12 eta) dx: with the mass flow
 /// rho (u_m h - h^3 p'/(12 eta)) = C the two differ by C Int p'/rho dx, which vanishes between p = 0 and p = 0, because
-/// rho depends on the pressure alone. So the work of compression is given back, and nothing is left out.
+/// rho depends on the pressure alone. So compression costs no work, and the torque needs no term for it.
 void fill_torque(BearingResult& result, const BearingSetup& setup);
 
 }  // namespace ehd

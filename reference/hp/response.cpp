@@ -35,8 +35,6 @@ constexpr int most_refinements = 20;
 constexpr double shortest_element = 4e-15;  // in xi, as in HomotopyLimits
 constexpr NewtonLimits refined_newton{.iterations = 20, .step = 1e-9};
 constexpr int iterations_per_request = 10;  // as in high_order.cpp
-/// Halvings of the interval, in ln Omega, that holds the highest certified frequency.
-constexpr int certificate_halvings = 6;
 
 /// A number as both discretisations have it.
 struct Twice {
@@ -82,7 +80,6 @@ class ResponseSolve {
   [[nodiscard]] Judged stiffness(double Omega);
   [[nodiscard]] Judged wavy_film(const Waviness& waviness);
   [[nodiscard]] SlowStiffness slow() const;
-  [[nodiscard]] std::optional<double> highest_certified(const std::vector<Stiffness>& frequencies, bool slow) const;
 
   const Problem& problem_;
   const ResponseRequest& request_;
@@ -211,26 +208,6 @@ SlowStiffness ResponseSolve::slow() const {
       .kappa_0 = stiff.value.real(), .kappa_1 = damping.value.real(), .error_0 = stiff.error, .error_1 = damping.error};
 }
 
-/// Between the last frequency that is certified and the next one, which is not, on the meshes that both ended with.
-std::optional<double> ResponseSolve::highest_certified(const std::vector<Stiffness>& frequencies, bool slow) const {
-  if (!slow) return std::nullopt;
-  double low = 0, high = std::numeric_limits<double>::infinity();
-  for (const Stiffness& at : frequencies)
-    if (at.status != StopReason::converged) high = std::min(high, at.Omega);
-  for (const Stiffness& at : frequencies)
-    if (at.status == StopReason::converged && at.Omega < high) low = std::max(low, at.Omega);
-  if (!std::isfinite(high)) return low;
-  double bottom = low > 0 ? low : high * std::exp2(-2 * certificate_halvings);
-  for (int k = 0; k < certificate_halvings && !meter_.spent(); ++k) {
-    const double middle = std::sqrt(bottom * high);
-    const auto value = [&](const Harmonic& harmonic) { return kappa_of(harmonic, middle); };
-    const Judged found = judged({value(both_.front().harmonic), value(both_.back().harmonic)}, floor_error(value));
-    (found.status == StopReason::converged ? bottom : high) = middle;
-    if (found.status == StopReason::converged) low = middle;
-  }
-  return low;
-}
-
 Response ResponseSolve::solve() {
   Response found;
   for (const double Omega : request_.frequencies) found.frequencies.push_back({.Omega = Omega});
@@ -246,28 +223,23 @@ Response ResponseSolve::solve() {
   std::sort(order.begin(), order.end(),
             [&](std::size_t a, std::size_t b) { return request_.frequencies[a] < request_.frequencies[b]; });
   found.slow = slow();
-  bool all = std::max(found.slow->error_0, found.slow->error_1) <= request_.tolerance;
-  const bool certain = found.slow->error_0 <= request_.tolerance;
   for (const std::size_t k : order) {
     const Judged at = stiffness(request_.frequencies[k]);
     found.frequencies[k] = {
         .Omega = request_.frequencies[k], .kappa = at.value, .error = at.error, .status = at.status};
-    all = all && at.status == StopReason::converged;
   }
-  found.highest_certified = highest_certified(found.frequencies, certain);
+  const auto certified = [&](double Omega) {
+    const auto value = [&](const Harmonic& harmonic) { return kappa_of(harmonic, Omega); };
+    const Judged kappa = judged({value(both_.front().harmonic), value(both_.back().harmonic)}, floor_error(value));
+    return kappa.status == StopReason::converged;
+  };
+  const auto spent = [&] { return meter_.spent(); };
+  find_highest_certified(found, request_.tolerance, certified, spent);
   for (auto& at : found.waviness) {
     const Judged film = wavy_film(at.waviness);
     at.film = film.value, at.error = film.error, at.status = film.status;
-    all = all && film.status == StopReason::converged;
   }
-  found.status = all              ? StopReason::converged
-                 : meter_.spent() ? StopReason::limit_reached
-                                  : StopReason::tolerance_not_met;
-  if (!all) found.reason = "the two discretisations differ by more than the tolerance";
-  const bool beyond = std::any_of(found.frequencies.begin(), found.frequencies.end(),
-                                  [](const Stiffness& at) { return at.status != StopReason::converged; });
-  if (beyond && found.highest_certified)
-    found.reason += "; kappa is certified up to Omega = " + plain(*found.highest_certified, 3);
+  conclude(found, request_.tolerance, meter_.spent(), "the two discretisations differ by more than the tolerance");
   if (const double floor = both_.front().harmonic.steady().floor; floor > 0)
     found.notes.push_back("the fluidity's floor could not be lowered below " + plain(floor, 2) +
                           ": values are those of this floor, and their errors include the move to floor 0");

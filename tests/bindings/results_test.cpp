@@ -5,9 +5,12 @@
 #include <string>
 
 #include "tests/bindings/held.hpp"
+#include "tests/check.hpp"
 #include "tests/process.hpp"
 
 using namespace ehd::c::test;
+using ehd::error;
+using ehd::verification::Tolerance;
 using ehd::verification::test::ehd_run;
 using ehd::verification::test::Folder;
 
@@ -90,7 +93,7 @@ BOOST_AUTO_TEST_CASE(fields_are_the_columns_of_the_profile) {
       if (cell.empty())
         BOOST_TEST(std::isnan(column[rows]));
       else
-        BOOST_TEST(std::abs(column[rows] - std::stod(cell)) <= 1e-14 * std::abs(column[rows]));
+        EHD_CHECK(error(std::stod(cell), column[rows]), Tolerance::published_digits("1.00000000000000"));
     }
   }
   for (const auto& column : columns) BOOST_TEST(column.size() == rows);
@@ -135,10 +138,12 @@ BOOST_AUTO_TEST_CASE(the_law_of_a_bearing_meets_its_rollers) {
       double force_N[3], stiffness[3];
       BOOST_TEST(ehd_law(one.result.get(), raceway, 3, at_m, force_N, stiffness) == EHD_OK);
       const double carried_N = one.get((contact + ".force_N").c_str());
-      // The balance ends at round-off of the forces; the slope is a central difference, whose own error is of order
-      // 1e-12, with the round-off of forces over the step, 1e-10.
-      BOOST_TEST(std::abs(force_N[0] / carried_N - 1) <= 1e-9, law << " " << raceway);
-      BOOST_TEST(std::abs((force_N[1] - force_N[2]) / (2 * step_m) / stiffness[0] - 1) <= 1e-6, law << " " << raceway);
+      BOOST_TEST_CONTEXT(law << " " << raceway) {
+        EHD_CHECK(error(force_N[0], carried_N), Tolerance::iteration(1e-9));
+        // A central difference: error step^2, and the rounding of forces over the step.
+        EHD_CHECK(error((force_N[1] - force_N[2]) / (2 * step_m), stiffness[0]),
+                  Tolerance::discretisation(1e-12, 10) + Tolerance::round_off(100, 1e6));
+      }
     }
   }
   const Held iso = bearing(case_text("na4908"), "ehd");

@@ -8,6 +8,7 @@
 
 using namespace ehd;
 using fast::limit_of;
+using fast::MapFit;
 using verification::Tolerance;
 
 namespace {
@@ -45,7 +46,7 @@ BOOST_AUTO_TEST_CASE(the_central_film_is_judged_by_its_own_moves_and_by_the_smal
   constexpr double central = 0.3, minimum = 0.2;  // M about 5
   const auto smooth = sequence(5, central, 0.1, 0.05, 0.02), still = sequence(5, minimum, 0, 0, 0);
   const auto true_error = std::abs(limit_of(smooth).value / central - 1);
-  const double alone = fast::central_film_error(smooth, still, true);
+  const double alone = fast::central_film_error(smooth, still, MapFit::settled, 5);
   BOOST_TEST(true_error <= alone);
   BOOST_TEST(alone < 300 * true_error);
   // A film of its own that jumps, and a smallest film that jumps.
@@ -53,17 +54,25 @@ BOOST_AUTO_TEST_CASE(the_central_film_is_judged_by_its_own_moves_and_by_the_smal
   constexpr double jump = 1e-3;
   jumps.back() += jump;
   minimum_jumps.back() += jump;
-  for (const bool mild : {true, false}) {
-    BOOST_TEST(fast::central_film_error(jumps, still, mild) > jump / 10);
-    const double tied = fast::central_film_error(smooth, minimum_jumps, mild);
-    BOOST_TEST(tied > (mild ? 0.01 : 0.1) * jump / minimum);
+  for (const double L : {5.0, 20.0}) {
+    BOOST_TEST(fast::central_film_error(jumps, still, MapFit::settled, L) > jump / 10);
+    const double tied = fast::central_film_error(smooth, minimum_jumps, MapFit::settled, L);
+    BOOST_TEST(tied > (L < 15 ? 0.01 : 0.1) * jump / minimum);
     // The same smallest film beside a thin central one, whose spike is far from X = 0, says less.
     auto thin = smooth, thin_minimum = minimum_jumps;
     for (double& value : thin) value /= 1e3;
     for (double& value : thin_minimum) value /= 1e3;
-    BOOST_TEST(fast::central_film_error(thin, thin_minimum, mild) < tied);
+    BOOST_TEST(fast::central_film_error(thin, thin_minimum, MapFit::settled, L) < tied);
   }
-  BOOST_TEST(fast::central_film_error({0.31, 0.302, 0.3005}, {0.21, 0.202, 0.2005}, true) > 0);
+  // Three grids: a share of the larger move of R, most of it where a first map may not see the spike.
+  const std::vector<double> three{0.31, 0.302, 0.3005}, three_minimum{0.21, 0.202, 0.2005};
+  const double move = (4 * 0.2005 - 5 * 0.202 + 0.21) / 3 / 0.2005;
+  const double allowed[] = {fast::central_film_error(three, three_minimum, MapFit::first, 5) / move,
+                            fast::central_film_error(three, three_minimum, MapFit::again, 20) / move,
+                            fast::central_film_error(three, three_minimum, MapFit::first, 20) / move};
+  EHD_CHECK(error(allowed[0], 0.15), Tolerance::round_off(64, 100));
+  EHD_CHECK(error(allowed[1], 0.25), Tolerance::round_off(64, 100));
+  EHD_CHECK(error(allowed[2], 0.8), Tolerance::round_off(64, 100));
 }
 
 BOOST_AUTO_TEST_CASE(the_smallest_film_is_covered_where_a_regular_sequence_promises_a_wrong_limit) {
@@ -93,14 +102,16 @@ BOOST_AUTO_TEST_CASE(the_smallest_film_is_covered_where_a_regular_sequence_promi
 }
 
 BOOST_AUTO_TEST_CASE(the_error_of_the_smallest_film_follows_its_moves_and_the_map) {
-  using fast::MapFit;
   constexpr double mild = 5, stiff = 20;
   // Three grids: a share of the last move of R, more of it on a first map.
   const std::vector<double> three{0.21, 0.202, 0.2005};
   const double move = std::abs((4 * 0.2005 - 0.202) / 3 - (4 * 0.202 - 0.21) / 3) / 0.2005;
   EHD_CHECK(error(fast::smallest_film_error(three, MapFit::settled, mild), 0.25 * move), Tolerance::round_off(64));
   EHD_CHECK(error(fast::smallest_film_error(three, MapFit::again, mild), 0.5 * move), Tolerance::round_off(64));
-  EHD_CHECK(error(fast::smallest_film_error(three, MapFit::first, stiff), 1.6 * move), Tolerance::round_off(64));
+  EHD_CHECK(error(fast::smallest_film_error(three, MapFit::first, stiff), 1.6 * move), Tolerance::round_off(64, 100));
+  // Beside a narrow spike the last move of the film counts too, where R stands still.
+  EHD_CHECK(error(fast::smallest_film_error({0.2105, 0.2025, 0.2005}, MapFit::first, 12), 0.5 * 0.002 / 0.2005),
+            Tolerance::round_off(64, 1000));
   // More grids: the error covers a smooth sequence, and a jump of the last grid.
   const auto smooth = sequence(6, 0.2, 0.1, 0.05, 0.02);
   const double true_error = std::abs(limit_of(smooth).value / 0.2 - 1);

@@ -21,13 +21,16 @@ namespace ehd::judging {
 
 namespace {
 
+/// mkdtemp replaces the six letters.
+constexpr std::size_t unique_letters = 6;
 constexpr std::string_view case_word = "{case}", out_word = "{out}", tolerance_word = "{tolerance}";
 
 /// A folder that goes with its files, also by a signal.
 class Exchange {
  public:
   Exchange() {
-    std::string name = (std::filesystem::temp_directory_path() / "ehd-external-XXXXXX").string();
+    std::string name =
+        (std::filesystem::temp_directory_path() / ("ehd-external-" + std::string(unique_letters, 'X'))).string();
     if (!::mkdtemp(name.data())) throw OutputError(name + ": cannot be made (" + std::strerror(errno) + ")");
     folder_ = name;
     case_note_ = TemporaryNote(problem().string());

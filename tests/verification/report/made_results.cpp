@@ -171,11 +171,7 @@ Json bearing(const std::string& id, double clearance_m) {
   return one;
 }
 
-}  // namespace
-
-/// results.json with every part.
-Json made_results() {
-  Json results{{"schema", 2}, {"provenance", provenance()}};
+void add_claims(Json& results) {
   results["claims"] = {claim("inputs/units", 0, "pass", 0.9), claim("twins/agree", 7, "pass", 0.02),
                        claim("grids/fails", 8, "fail", -0.5), claim("grids/unclear", 8, "inconclusive", -0.01)};
   results["claims"][2]["note"] = hostile_text;
@@ -204,33 +200,74 @@ Json made_results() {
                               {"patterns", {"twins/*"}},
                               {"ids", {"twins/agree"}}}};
   results["topics"] = {{{"name", "quick one"}, {"wall_s", 0.01}}, {{"name", "slow one"}, {"wall_s", 10.0}}};
+}
+
+Json statements() {
+  return {{{"letter", "a"}, {"law", "ehd"}, {"statement", "loads are similar"}, {"holds", true}, {"numbers", "-4 %"}},
+          {{"letter", "c"},
+           {"law", "ehd"},
+           {"statement", "EHD is close to Hertz"},
+           {"holds", false},
+           {"numbers", "-5.5 %"}}};
+}
+
+Json statement_study() {
+  return {{"summary",
+           {{{"letter", "a"}, {"law", "ehd"}, {"holds", 1}, {"of", 2}, {"exceptions", "not with viscosity 0.1 Pa s"}}}},
+          {"rows",
+           {{{"factor", "viscosity"},
+             {"value", "0.1 Pa s"},
+             {"law", "ehd"},
+             {"statements",
+              {{{"letter", "a"}, {"holds", false}, {"values", {{"change", 0.012}}}, {"numbers", "+1.2 %"}},
+               {{"letter", "c"},
+                {"holds", true},
+                {"values", {{"middle", 0.004}, {"largest", 0.03}}},
+                {"numbers", "+3 %"}}}},
+             {"x0_all_hold_m", {{2e-4, 6e-4}}}}}}};
+}
+
+Json dynamics() {
+  const Json contacts = {0.0, 90.0, 180.0}, damping = {1200.0, 3900.0, 400.0}, stiffness = {3.2e9, 1.5e9, 3e7};
+  return {{{"id", "made-tight"},
+           {"contacts",
+            {{"azimuth_deg", contacts},
+             {"inner_stiffness_N_per_m", stiffness},
+             {"inner_damping_N_s_per_m", damping},
+             {"outer_stiffness_N_per_m", stiffness},
+             {"outer_damping_N_s_per_m", damping}}},
+           {"ring",
+            {{"frequency_Hz", {10.0, 1000.0}},
+             {"along_stiffness_N_per_m", {8.8e9, 8.7e9}},
+             {"along_damping_N_s_per_m", {5700.0, 5600.0}},
+             {"across_stiffness_N_per_m", {9.8e9, 9.7e9}},
+             {"across_damping_N_s_per_m", {10700.0, 10600.0}}}}}};
+}
+
+Json force_laws() {
+  Json laws = Json::array();
+  for (const char* law : {"hertz", "ehd"})
+    laws.push_back({{"id", "made-tight"},
+                    {"raceway", "inner"},
+                    {"law", law},
+                    {"displacement_m", {-1e-6, 0.0, 1e-6, 2e-6}},
+                    {"force_N", {0.0, 10.0, 3000.0, 7000.0}},
+                    {"film_minimum_m", {1e-6, 8e-7, 5e-7, 4e-7}}});
+  return laws;
+}
+
+}  // namespace
+
+/// results.json with every part.
+Json made_results() {
+  Json results{{"schema", 2}, {"provenance", provenance()}};
+  add_claims(results);
   Json& figures = results["figures"];
   figures["cases"] = {contact_case("made-20-10", 0.08), contact_case("made-light", 2.0)};
   figures["cases"][1]["title"] = hostile_text;
   figures["convergence"] = {convergence("minimum", "film.minimum", 1.9), convergence("central", "film.central", 2.0)};
   figures["maps"] = maps();
   figures["bearing"] = {bearing("made-tight", 0), bearing("made-loose", 2.5e-6), bearing("made-wide", 1e-5)};
-  figures["statements"] = {
-      {{"letter", "a"}, {"law", "ehd"}, {"statement", "loads are similar"}, {"holds", true}, {"numbers", "-4 %"}},
-      {{"letter", "c"},
-       {"law", "ehd"},
-       {"statement", "EHD is close to Hertz"},
-       {"holds", false},
-       {"numbers", "-5.5 %"}}};
-  figures["statement_study"] = {
-      {"summary",
-       {{{"letter", "a"}, {"law", "ehd"}, {"holds", 1}, {"of", 2}, {"exceptions", "not with viscosity 0.1 Pa s"}}}},
-      {"rows",
-       {{{"factor", "viscosity"},
-         {"value", "0.1 Pa s"},
-         {"law", "ehd"},
-         {"statements",
-          {{{"letter", "a"}, {"holds", false}, {"values", {{"change", 0.012}}}, {"numbers", "+1.2 %"}},
-           {{"letter", "c"},
-            {"holds", true},
-            {"values", {{"middle", 0.004}, {"largest", 0.03}}},
-            {"numbers", "+3 %"}}}},
-         {"x0_all_hold_m", {{2e-4, 6e-4}}}}}}};
   figures["bearing"][0]["laws"].back()["error_budget"] = {{{"source", "interpolation"},
                                                            {"of", "every contact"},
                                                            {"kind", "bound"},
@@ -238,28 +275,10 @@ Json made_results() {
                                                            {"largest_force_N", 6.7},
                                                            {"any_force_N", 6.8},
                                                            {"smallest_film_relative", 9.5e-4}}};
-  const Json contacts = {0.0, 90.0, 180.0}, damping = {1200.0, 3900.0, 400.0}, stiffness = {3.2e9, 1.5e9, 3e7};
-  figures["dynamics"] = {{{"id", "made-tight"},
-                          {"contacts",
-                           {{"azimuth_deg", contacts},
-                            {"inner_stiffness_N_per_m", stiffness},
-                            {"inner_damping_N_s_per_m", damping},
-                            {"outer_stiffness_N_per_m", stiffness},
-                            {"outer_damping_N_s_per_m", damping}}},
-                          {"ring",
-                           {{"frequency_Hz", {10.0, 1000.0}},
-                            {"along_stiffness_N_per_m", {8.8e9, 8.7e9}},
-                            {"along_damping_N_s_per_m", {5700.0, 5600.0}},
-                            {"across_stiffness_N_per_m", {9.8e9, 9.7e9}},
-                            {"across_damping_N_s_per_m", {10700.0, 10600.0}}}}}};
-  figures["force_law"] = Json::array();
-  for (const char* law : {"hertz", "ehd"})
-    figures["force_law"].push_back({{"id", "made-tight"},
-                                    {"raceway", "inner"},
-                                    {"law", law},
-                                    {"displacement_m", {-1e-6, 0.0, 1e-6, 2e-6}},
-                                    {"force_N", {0.0, 10.0, 3000.0, 7000.0}},
-                                    {"film_minimum_m", {1e-6, 8e-7, 5e-7, 4e-7}}});
+  figures["statements"] = statements();
+  figures["statement_study"] = statement_study();
+  figures["dynamics"] = dynamics();
+  figures["force_law"] = force_laws();
   return results;
 }
 

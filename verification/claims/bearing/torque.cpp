@@ -66,8 +66,8 @@ Findings judge_torque(const Case& bearing_case, ContactMemory& memory) {
   const double estimate = worse(inner.error, outer.error) / 3;
   found.claims.push_back(claim(
       sentence(id + "/energy",
-               "what the surfaces give to each film is what its flow dissipates: the work of compression is given "
-               "back (compressible oil)"),
+               "the power that the surfaces give to each film is what its flow dissipates: compression costs no work "
+               "(compressible oil)"),
       worse(inner.worst_contact, outer.worst_contact), 0, Tolerance::discretisation(estimate, 2),
       "all contacts together " + plain(inner.dissipated_W + outer.dissipated_W, 6) + " of " + plain(surfaces_W, 6) +
           " W"));

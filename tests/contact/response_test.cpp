@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/response.hpp"
+
+#include "tests/check.hpp"
+
+using namespace ehd;
+using verification::Tolerance;
+
+namespace {
+
+const auto never = [] { return false; };
+
+/// A response whose kappa is known up to `last`.
+Response known_up_to(double last, std::vector<double> frequencies) {
+  Response found;
+  found.slow = SlowStiffness{.error_0 = 1e-5, .error_1 = 1e-5};
+  for (const double Omega : frequencies)
+    found.frequencies.push_back(
+        {.Omega = Omega, .status = Omega <= last ? StopReason::converged : StopReason::tolerance_not_met});
+  find_highest_certified(
+      found, 1e-4, [last](double Omega) { return Omega <= last; }, never);
+  return found;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(response)
+
+BOOST_AUTO_TEST_CASE(the_highest_certified_frequency_is_bracketed) {
+  for (const auto& requested : {std::vector<double>{1, 20}, {20, 1, 50}, {20}}) {
+    const double certified = known_up_to(7, requested).highest_certified.value();
+    BOOST_TEST(certified <= 7);
+    // Six halvings of [low, 20]; low is 20 * 2^-12 where no frequency is known.
+    BOOST_TEST(certified * std::exp2(12.0 / 64) > 7);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(all_known_is_the_last_requested) {
+  BOOST_TEST(known_up_to(7, {3, 5, 1}).highest_certified.value() == 5);
+  BOOST_TEST(known_up_to(7, {}).highest_certified.value() == 0);
+}
+
+BOOST_AUTO_TEST_CASE(without_the_stiffness_at_rest_nothing_is_certified) {
+  Response found = known_up_to(7, {3});
+  found.slow->error_0 = 1e-3;
+  find_highest_certified(
+      found, 1e-4, [](double) { return true; }, never);
+  BOOST_TEST(!found.highest_certified);
+  found.slow->error_0 = testing::not_a_number;
+  find_highest_certified(
+      found, 1e-4, [](double) { return true; }, never);
+  BOOST_TEST(!found.highest_certified);
+}
+
+BOOST_AUTO_TEST_CASE(one_number_outside_its_tolerance_is_said) {
+  Response known = known_up_to(7, {3});
+  conclude(known, 1e-4, false, "why");
+  BOOST_TEST((known.status == StopReason::converged));
+  BOOST_TEST(known.reason.empty());
+  Response part = known_up_to(7, {3, 9});
+  conclude(part, 1e-4, false, "why");
+  BOOST_TEST((part.status == StopReason::tolerance_not_met));
+  BOOST_TEST(part.reason.starts_with("why; kappa is certified up to Omega = "));
+  Response vague = known_up_to(7, {3});
+  vague.slow->error_1 = testing::not_a_number;
+  conclude(vague, 1e-4, false, "why");
+  BOOST_TEST((vague.status == StopReason::tolerance_not_met));
+  Response wavy = known_up_to(7, {3});
+  wavy.waviness.emplace_back().status = StopReason::tolerance_not_met;
+  conclude(wavy, 1e-4, true, "why");
+  BOOST_TEST((wavy.status == StopReason::limit_reached));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
