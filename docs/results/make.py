@@ -177,6 +177,13 @@ def typed(ehd, name):
     return text
 
 
+def figure(ehd, words):
+    """The figure that a command draws."""
+    with tempfile.NamedTemporaryFile(suffix=".svg") as file:
+        run(ehd, *words, "--plot", file.name)
+        return pathlib.Path(file.name).read_text()
+
+
 def quick_pages(ehd):
     """Name of each file, from the root of the repository, and the function that makes its text."""
     suite = functools.cache(lambda: run(ehd, "verify", "--quick", "--trace"))
@@ -226,8 +233,11 @@ def quick_pages(ehd):
         "README.md": lambda: filled(typed(ehd, "README.md"), "README.md", "numbers", numbers(comparison(), suite())),
         CASE_FORMAT: lambda: filled(typed(ehd, CASE_FORMAT), CASE_FORMAT, "keys", run(ehd, "new", "keys")),
     }
+    figures = {"contact": ("solve", "examples/my-contact.toml", "--tolerance", "1e-4"),
+               "bearing": ("bearing", "examples/my-bearing.toml")}
     pages = [str(page.relative_to(ROOT)) for page in walk.pages()]
-    return {**{name: functools.partial(typed, ehd, name) for name in pages}, **written,
+    return {**{f"docs/figures/{name}.svg": functools.partial(figure, ehd, words) for name, words in figures.items()},
+            **{name: functools.partial(typed, ehd, name) for name in pages}, **written,
             **{f"docs/results/{name}.md": made for name, made in results.items()}}
 
 
