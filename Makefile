@@ -188,7 +188,7 @@ site:       ## Make the site of the pages, build/site/html/index.html (mkdocs; 5
 	@sh cmake/setup.sh python3 mkdocs mkdocs-material
 	@python3 docs/site/make.py $(BUILD)/site
 
-VERSION = $(shell sed -n 's/^project(ehd VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
+VERSION = $(shell sed -n 's/^project.ehd VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
 dist:       ## Make out/dist/ehd-VERSION.tar.gz of the last commit (a second)
 	@mkdir -p out/dist
 	@git archive --prefix=ehd-$(VERSION)/ --format=tar.gz --output=out/dist/ehd-$(VERSION).tar.gz HEAD
@@ -197,7 +197,7 @@ dist:       ## Make out/dist/ehd-VERSION.tar.gz of the last commit (a second)
 dist-check: dist  ## Unpack that tarball, without a network build and test it, remake its pages and compare (15 minutes)
 	@sh cmake/setup.sh gfortran
 	@cd out/dist && rm -rf ehd-$(VERSION) && tar xzf ehd-$(VERSION).tar.gz && cd ehd-$(VERSION) && \
-	if unshare --net true 2> /dev/null; then offline="unshare --net"; else echo "the network stays: unshare needs root"; fi && \
+	offline=; if unshare --net true 2> /dev/null; then offline="unshare --net"; else echo "the network stays: unshare needs root"; fi && \
 	$$offline $(MAKE) --no-print-directory test results-check JOBS=$(JOBS)
 
 format:     ## Format every source file with clang-format 14
