@@ -9,8 +9,11 @@ A block of ```console has commands, each after "$ ", and under each what it prin
 together. Any other block after a line "`NAME`:" is a file with that name. Files and commands of a page are taken in its
 order, in one folder, where examples/ and build/ehd are as in a clone. A command has to end with exit code 0; a line
 "exit code N" at the end of its output states another one. Times, and what rounding or the commit decide, may differ:
-VARYING. A number of four digits and more in the words of such a page has to stand in one of its blocks,
-or in docs/results.
+VARYING. A number of four digits and more in the words of such a page has to stand in one of its blocks, or in
+docs/results.
+
+A line "    ehd ..." of an indented block is typed as well, and has to succeed, unless it has a place for a word (FILE,
+[--option]) or is in NOT_TYPED.
 """
 import functools
 import os
@@ -34,6 +37,13 @@ VARYING = (
     (r"commit [0-9a-f]+", "commit"),
     (r"version \d+\.\d+\.\d+|\{\d+\.\d+\.\d+\}", "version"),
 )
+# Indented commands that a test does not type: how they begin, or an option of theirs, and who runs them instead.
+NOT_TYPED = {
+    "ehd verify": "make verify", "ehd bench": "the step bench", "ehd stress": "the step stress", "ehd atlas": "an hour",
+    "ehd statements": "make results", "ehd maps": "make results", "--dynamic": "15 s: make results",
+    "na4908-load": "a minute: make engines",
+}
+LOOSE = re.compile(r"^    (?:build/)?(ehd [a-z].*?)(?:  .*|)$", re.MULTILINE)
 BLOCK = re.compile(r"(?:`(?P<name>[\w-]+\.\w+)`:\n\n)?^```(?P<kind>\w+)\n(?P<body>.*?)^```$", re.MULTILINE | re.DOTALL)
 
 
@@ -143,6 +153,12 @@ def turns(body):
     return found
 
 
+def loose(text):
+    """Indented commands that can be typed as they stand."""
+    return [command for command in LOOSE.findall(BLOCK.sub("", text))
+            if not re.search(r"\b[A-Z]{2,}\b|[\[{]|\.\.\.", command) and not any(mark in command for mark in NOT_TYPED)]
+
+
 def unfounded(text):
     """Numbers in the words of a page that neither a block of it shows nor a page of docs/results, which is made."""
     shown = "".join(re.findall(r"^```.*?^```|^    .*?$", text, re.DOTALL | re.MULTILINE))
@@ -173,6 +189,10 @@ def walked(ehd, page):
             return f"{block[0][:block.start('body') - block.start()]}{made}```"
 
         text = BLOCK.sub(follow, text)
+        failed = [(command, said) for command in loose(text) if re.search(r"^exit code \d", said := shell.typed(command), re.M)]
+    faults += [f"{command}: fails\n{said}" for command, said in failed]
+    if "```console" not in text:
+        return text, faults
     return text, faults + [f"{number} is in the words of the page, and no command prints it" for number in unfounded(text)]
 
 

@@ -14,6 +14,9 @@ import walk
 HERE = pathlib.Path(__file__).resolve().parent
 SOLVE = """The film of `my.txt` is 0.07808.
 
+    ehd convert M=20 L=10   # the same in other groups
+    ehd convert WORD
+
 `my.txt`:
 
 ```text
@@ -35,6 +38,7 @@ WALKED = (
     ("a number that no block shows", "is 0.07808", "is 0.07809"),
     ("another file", "```text\nfilm.minimum", "```text\nfilm.central"),
     ("a failure that is not said", "exit code 2\n", ""),
+    ("an indented command that fails", "    ehd convert M=20 L=10   #", "    ehd convert X=20 L=10   #"),
     ("a command that is not there", "ehd solve --M 20 --L 10 ", "ehd sovle --M 20 --L 10 "),
 )
 NAMED = """    ehd solve own-moes-20-10 --tolerance 1e-4
