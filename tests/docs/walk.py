@@ -34,8 +34,9 @@ VARYING = (
     (r"load error \S+, flux variation \S+", "load error"),  # residuals of an iteration
     (r"\b\d[\d.e+-]* (ms|s)\b", "a time"),
     (r"on \d+ threads?", "on threads"),
-    (r"commit [0-9a-f]+", "commit"),
-    (r"version \d+\.\d+\.\d+|\{\d+\.\d+\.\d+\}", "version"),
+    (r", commit [0-9a-f]+", ""),  # there is none without git
+    (r"\b\d{4}-\d\d-\d\dT[\d:]+Z", "now"),
+    (r"\([^()]*FFTW [^()]*\)", "libraries"),
 )
 # Indented commands that a test does not type: how they begin, or an option of theirs, and who runs them instead.
 NOT_TYPED = {
