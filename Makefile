@@ -185,7 +185,7 @@ results-full: program  ## Make the slow pages of docs/results: ladder, stress, b
 	@python3 docs/results/make.py --full $(BUILD)/ehd
 
 site:       ## Make the site of the pages, build/site/html/index.html (mkdocs; 5 s)
-	@sh cmake/setup.sh python3 mkdocs mkdocs-material
+	@sh cmake/setup.sh python3 mkdocs mkdocs-material libjs-katex
 	@python3 docs/site/make.py $(BUILD)/site
 
 VERSION = $(shell sed -n 's/^project.ehd VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)

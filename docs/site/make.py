@@ -16,6 +16,7 @@ ROOT = HERE.parents[1]
 sys.path.insert(0, str(ROOT / "tests" / "docs"))
 import names  # noqa: E402, which files are pages, and what a link is
 
+KATEX = pathlib.Path("/usr/share/javascript/katex")  # of libjs-katex
 RESULTS = sorted((ROOT / "docs" / "results").glob("*.md"))
 SHOWN = re.compile(r"!\[[^\]]*\]\(([^)]+)\)|src=\"([^\"]+)\"")
 
@@ -42,16 +43,33 @@ def foreign(html):
     return [f"{page.relative_to(html)}: {load}" for page in html.rglob("*.html") for load in loads.findall(page.read_text())]
 
 
+def unset(html):
+    """Pages of which KaTeX did not set every formula; nothing is known without Chromium."""
+    chromium = shutil.which("chromium")
+    for page in html.rglob("*.html") if chromium else ():
+        if formulas := page.read_text().count('class="arithmatex"'):
+            shown = subprocess.run([chromium, "--headless", "--no-sandbox", "--disable-gpu", "--dump-dom", "--virtual-time-budget=5000",
+                                    page.as_uri()], capture_output=True, text=True).stdout
+            if shown.count('class="katex-display"') != formulas:
+                yield f"{page.relative_to(html)}: {formulas} formulas, of which {shown.count('katex-display')} are set"
+
+
 def main(folder):
     shutil.rmtree(folder, ignore_errors=True)
     for file in sources():
         (folder / "pages" / file).parent.mkdir(parents=True, exist_ok=True)
         shutil.copyfile(ROOT / file, folder / "pages" / file)
-    shutil.copyfile(HERE / "site.css", folder / "pages" / "site.css")
+    for name in ("site.css", "formulas.js"):
+        shutil.copyfile(HERE / name, folder / "pages" / name)
+    (folder / "pages" / "katex").mkdir()
+    for name in ("katex.min.js", "katex.min.css", "fonts"):
+        copy = shutil.copytree if (KATEX / name).is_dir() else shutil.copy
+        copy(KATEX / name, folder / "pages" / "katex" / name)
     shutil.copyfile(HERE / "mkdocs.yml", folder / "mkdocs.yml")
     built = subprocess.run(["mkdocs", "build", "--quiet", "--strict", "--config-file", folder / "mkdocs.yml",
                             "--site-dir", folder / "html"])
     faults = [f"{page.name}: docs/site/mkdocs.yml does not name it" for page in forgotten()] + foreign(folder / "html")
+    faults += unset(folder / "html")
     print(*faults, sep="\n", end="\n" if faults else "")
     if built.returncode == 0 and not faults:
         print(f"{folder / 'html' / 'index.html'}")
