@@ -39,8 +39,10 @@ def forgotten():
 
 def foreign(html):
     """What a page would load from elsewhere."""
-    loads = re.compile(r"<(?:script|img|iframe|link rel=\"?(?:stylesheet|preconnect)\"?)[^>]*(?:src|href)=\"?(?:https?:)?//[^>]*>")
-    return [f"{page.relative_to(html)}: {load}" for page in html.rglob("*.html") for load in loads.findall(page.read_text())]
+    elements = r"(?:script|img|iframe|link rel=\"?(?:stylesheet|preconnect)\"?)"
+    load = re.compile(rf"<{elements}[^>]*(?:src|href)=\"?(?:https?:)?//[^>]*>")
+    return [f"{page.relative_to(html)}: {found}"
+            for page in html.rglob("*.html") for found in load.findall(page.read_text())]
 
 
 def unset(html):
@@ -48,8 +50,9 @@ def unset(html):
     chromium = shutil.which("chromium")
     for page in html.rglob("*.html") if chromium else ():
         if formulas := page.read_text().count('class="arithmatex"'):
-            shown = subprocess.run([chromium, "--headless", "--no-sandbox", "--disable-gpu", "--dump-dom", "--virtual-time-budget=5000",
-                                    page.as_uri()], capture_output=True, text=True).stdout
+            command = [chromium, "--headless", "--no-sandbox", "--disable-gpu", "--virtual-time-budget=5000",
+                       "--dump-dom"]
+            shown = subprocess.run([*command, page.as_uri()], capture_output=True, text=True).stdout
             if shown.count('class="katex-display"') != formulas:
                 yield f"{page.relative_to(html)}: {formulas} formulas, of which {shown.count('katex-display')} are set"
 

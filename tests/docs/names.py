@@ -21,6 +21,8 @@ ROOMS = [path.name for path in ROOT.iterdir() if path.is_dir() and not path.name
 FILE = re.compile(rf"`((?:{'|'.join(map(re.escape, ROOMS))})/[\w./-]+\.(?:cpp|hpp|ipp|h|py|md|toml|json|sh|f90|m))`")
 MADE = "docs/results/"  # some of them are not committed
 COMMAND = re.compile(r"(?:^|`|\$ |\| |    )(?:build/)?ehd ([a-z]+)((?: [^`|\n]*)?)", re.MULTILINE)
+CONSOLE = re.compile(r"^```console\n.*?^```", re.MULTILINE | re.DOTALL)
+TYPED = re.compile(r"^\$ .*$", re.MULTILINE)
 MAKE = re.compile(r"(?:`|^    |^\$ )make ([a-z][a-z-]*)", re.MULTILINE)
 LINK = re.compile(r"\]\((?!https?:|mailto:)([^)#\s]*)(?:#([\w-]+))?\)")
 
@@ -40,8 +42,7 @@ def help_of(ehd, command):
 
 def code_of(text):
     """The text without its prose: blocks of code, of the console only what is typed, and words in backticks."""
-    typed = re.sub(r"^```console\n.*?^```", lambda block: "\n".join(re.findall(r"^\$ .*$", block[0], re.MULTILINE)), text,
-                   flags=re.MULTILINE | re.DOTALL)
+    typed = CONSOLE.sub(lambda block: "\n".join(TYPED.findall(block[0])), text)
     blocks = re.findall(r"^```\w*\n.*?^```|^    .*?$|^\$ .*?$|`[^`\n]+`", typed, re.MULTILINE | re.DOTALL)
     return "\n".join(blocks)
 
@@ -119,7 +120,7 @@ def targets():
 def long_starts(page, text):
     """start.md: from a clone to the first own result, at most four commands."""
     if page == ROOT / "docs" / "start.md":
-        commands = re.findall(r"^\$ .*$", re.search(r"^```console\n(.*?)^```", text, re.MULTILINE | re.DOTALL)[1], re.MULTILINE)
+        commands = TYPED.findall(CONSOLE.search(text)[0])
         if len(commands) > 4 or not commands[0].startswith("$ git clone") or " solve " not in commands[-1]:
             yield f"{len(commands)} commands from a clone to a result; at most 4"
 

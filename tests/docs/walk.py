@@ -190,16 +190,18 @@ def walked(ehd, page):
             return f"{block[0][:block.start('body') - block.start()]}{made}```"
 
         text = BLOCK.sub(follow, text)
-        failed = [(command, said) for command in loose(text) if re.search(r"^exit code \d", said := shell.typed(command), re.M)]
-    faults += [f"{command}: fails\n{said}" for command, said in failed]
-    if "```console" not in text:
-        return text, faults
-    return text, faults + [f"{number} is in the words of the page, and no command prints it" for number in unfounded(text)]
+        for command in loose(text):
+            if re.search(r"^exit code \d", printed := shell.typed(command), re.MULTILINE):
+                faults.append(f"{command}: fails\n{printed}")
+    if "```console" in text:
+        faults += [f"{number} is in the words of the page, and no command prints it" for number in unfounded(text)]
+    return text, faults
 
 
 def pages():
     """The pages that show what their commands print: README.md and those of docs/."""
-    return [page for page in (ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))) if "```console" in page.read_text()]
+    candidates = (ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md")))
+    return [page for page in candidates if "```console" in page.read_text()]
 
 
 def main(arguments):
