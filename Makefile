@@ -172,19 +172,19 @@ submissions: program  ## Remake cases/submissions: this project's solvers and a 
 atlas: program  ## Solve the atlas of line contacts into cases/atlas (goes on where an earlier run ended; an hour)
 	@$(BUILD)/ehd atlas
 
-results: program  ## Remake the quick pages of docs/results and the figures of README.md from the program (1 minute)
-	@sh cmake/setup.sh python3
+results: program  ## Remake docs/results, docs/figures and what the pages show of the program (1 minute)
+	@sh cmake/setup.sh python3 python3-numpy python3-matplotlib
 	@python3 docs/results/make.py $(BUILD)/ehd
 
-results-check: program  ## Fail where a quick page of docs/results is not what the program prints now (1 minute)
-	@sh cmake/setup.sh python3
+results-check: program  ## Fail where one of those is not what the program prints now (1 minute)
+	@sh cmake/setup.sh python3 python3-numpy python3-matplotlib
 	@python3 docs/results/make.py --check $(BUILD)/ehd
 
 results-full: program  ## Make the slow pages of docs/results: ladder, stress, bench (an hour; nobody compares them)
 	@sh cmake/setup.sh python3
 	@python3 docs/results/make.py --full $(BUILD)/ehd
 
-site:       ## Make the site of the pages, build/site/html/index.html (mkdocs; 5 s)
+site:       ## Make the site of the pages, and of the report that make report left: build/site/html/index.html (mkdocs; 5 s)
 	@sh cmake/setup.sh python3 mkdocs mkdocs-material libjs-katex
 	@python3 docs/site/make.py $(BUILD)/site
 

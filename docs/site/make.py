@@ -17,6 +17,8 @@ sys.path.insert(0, str(ROOT / "tests" / "docs"))
 import names  # noqa: E402, which files are pages, and what a link is
 
 KATEX = pathlib.Path("/usr/share/javascript/katex")  # of libjs-katex
+REPORT = ROOT / "out" / "verify" / "report.html"  # of make report; without it the site has none
+ABOUT_REPORT = "      - The report: docs/report.md\n"
 RESULTS = sorted((ROOT / "docs" / "results").glob("*.md"))
 SHOWN = re.compile(r"!\[[^\]]*\]\(([^)]+)\)|src=\"([^\"]+)\"")
 
@@ -68,7 +70,11 @@ def main(folder):
     for name in ("katex.min.js", "katex.min.css", "fonts"):
         copy = shutil.copytree if (KATEX / name).is_dir() else shutil.copy
         copy(KATEX / name, folder / "pages" / "katex" / name)
-    shutil.copyfile(HERE / "mkdocs.yml", folder / "mkdocs.yml")
+    settings = (HERE / "mkdocs.yml").read_text()
+    if REPORT.exists():
+        shutil.copyfile(REPORT, folder / "pages" / "report.html")
+        settings = settings.replace(ABOUT_REPORT, ABOUT_REPORT + "      - The report itself: report.html\n")
+    (folder / "mkdocs.yml").write_text(settings)
     built = subprocess.run(["mkdocs", "build", "--quiet", "--strict", "--config-file", folder / "mkdocs.yml",
                             "--site-dir", folder / "html"])
     faults = [f"{page.name}: docs/site/mkdocs.yml does not name it" for page in forgotten()] + foreign(folder / "html")

@@ -7,6 +7,7 @@ Every README.md and every page of docs/ but docs/results:
 - `make TARGET`: the Makefile has the target;
 - [a link](to/a/file): the file is there, and the heading after #;
 - `folder/file.cpp`: the file is there, seen from the root or from the page;
+- the version is one in CMakeLists.txt, CITATION.cff, CHANGELOG.md and cases/references.bib;
 - docs/start.md: at most four commands from a clone to a result;
 - a table with the columns "function" and "file": the file has the function.
 """
@@ -112,6 +113,18 @@ def wrong_functions(text):
                     yield f"{name}: {row[at_file]} has no such function"
 
 
+def versions():
+    """Where the version stands: file, version."""
+    places = {"CMakeLists.txt": r"^project\(ehd VERSION ([\d.]+)", "CITATION.cff": r"^version: (\S+)",
+              "CHANGELOG.md": r"^## ([\d.]+)", "cases/references.bib": r"^@software\{own,.*?version = \{([\d.]+)"}
+    return {file: re.search(pattern, (ROOT / file).read_text(), re.MULTILINE | re.DOTALL)[1]
+            for file, pattern in places.items()}
+
+
+def different_versions(found):
+    return [f"the version is not one: {found}"] if len(set(found.values())) != 1 else []
+
+
 @functools.cache
 def targets():
     return set(re.findall(r"^([a-z][a-z-]*):", (ROOT / "Makefile").read_text(), re.MULTILINE))
@@ -136,6 +149,7 @@ def main(arguments):
         return 2
     ehd = str(pathlib.Path(arguments[0]).resolve())
     wrong = [f"{page.relative_to(ROOT)}: {fault}" for page, text in pages() for fault in faults(ehd, page, text)]
+    wrong += different_versions(versions())
     print(*wrong, sep="\n", end="\n" if wrong else "")
     return 1 if wrong else 0
 

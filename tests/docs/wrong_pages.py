@@ -89,6 +89,8 @@ def main(ehd):
             faults = list(names.faults(str(ehd), readme, wrong))
             if bool(faults) != bool(text):
                 missed.append(f"names.py: {what}: {faults}")
+    if not names.different_versions({**names.versions(), "CITATION.cff": "0.0.1"}):
+        missed.append("names.py: another version")
     print(*missed, sep="\n", end="\n" if missed else "")
     return 1 if missed else 0
 
