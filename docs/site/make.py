@@ -64,7 +64,7 @@ def main(folder):
     for file in sources():
         (folder / "pages" / file).parent.mkdir(parents=True, exist_ok=True)
         shutil.copyfile(ROOT / file, folder / "pages" / file)
-    for name in ("site.css", "formulas.js"):
+    for name in ("site.css", "site.js"):
         shutil.copyfile(HERE / name, folder / "pages" / name)
     (folder / "pages" / "katex").mkdir()
     for name in ("katex.min.js", "katex.min.css", "fonts"):
@@ -81,7 +81,7 @@ def main(folder):
     faults += unset(folder / "html")
     print(*faults, sep="\n", end="\n" if faults else "")
     if built.returncode == 0 and not faults:
-        print(f"{folder / 'html' / 'index.html'}")
+        print(f"{folder / 'html' / 'index.html'}; with its search: python3 -m http.server -d {folder / 'html'}")
     return built.returncode or bool(faults)
 
 
