@@ -171,9 +171,10 @@ def filled(text, name, mark, made):
 
 
 def typed(ehd, name):
-    """A written page with what its commands print (tests/docs/walk.py)."""
+    """A written page with what its commands print (tests/docs/walk.py). Other faults of the page end the script."""
     text, faults = walk.walked(pathlib.Path(ehd), ROOT / name)
-    print(*(f"{name}: {fault}" for fault in faults if not fault.startswith("$ ")), sep="\n", end="")
+    if others := [fault for fault in faults if not fault.startswith("$ ")]:
+        sys.exit("\n".join([f"{name}:", *others]))
     return text
 
 

@@ -8,6 +8,7 @@ Every README.md and every page of docs/ but docs/results:
 - [a link](to/a/file): the file is there, and the heading after #;
 - `folder/file.cpp`: the file is there, seen from the root or from the page;
 - the version is one in CMakeLists.txt, CITATION.cff, CHANGELOG.md and cases/references.bib;
+- docs/README.md links every page of docs/;
 - docs/start.md: at most four commands from a clone to a result;
 - a table with the columns "function" and "file": the file has the function.
 """
@@ -138,9 +139,17 @@ def long_starts(page, text):
             yield f"{len(commands)} commands from a clone to a result; at most 4"
 
 
+def forgotten(page, text):
+    """docs/README.md links every page of docs/."""
+    if page == ROOT / "docs" / "README.md":
+        linked = {place for place, _ in LINK.findall(text)}
+        yield from (f"{other.name}: the list has no link to it" for other in page.parent.glob("*.md")
+                    if other.name not in linked | {page.name})
+
+
 def faults(ehd, page, text):
     return [*wrong_commands(ehd, text), *wrong_targets(text), *wrong_links(page, text), *wrong_files(page, text),
-            *wrong_functions(text), *long_starts(page, text)]
+            *wrong_functions(text), *long_starts(page, text), *forgotten(page, text)]
 
 
 def main(arguments):

@@ -224,7 +224,7 @@ def main(arguments):
             faults = [fault for fault in faults if not fault.startswith("$ ")]  # those are mended
         if faults:
             wrong = True
-            print(f"{page}:", *faults, sep="\n")
+            print(f"{page}:", *faults, "to put what the commands print into the pages: make results", sep="\n")
     return 1 if wrong else 0
 
 

@@ -61,6 +61,14 @@ NAMES = (
     ("a function", "`half_width_m`", "`half_with_m`"),
     ("a file of a function", "| `contact/hertz.cpp` |", "| `contact/herz.cpp` |"),
 )
+LONG_START = """```console
+$ git clone URL ehd
+$ cd ehd
+$ make build
+$ build/ehd new contact my-contact.toml
+$ build/ehd solve my-contact.toml
+```
+"""
 
 
 def walked(ehd, folder, text):
@@ -89,6 +97,12 @@ def main(ehd):
             faults = list(names.faults(str(ehd), readme, wrong))
             if bool(faults) != bool(text):
                 missed.append(f"names.py: {what}: {faults}")
+    docs = names.ROOT / "docs"
+    listed = (docs / "README.md").read_text().replace("](faq.md)", "](glossary.md)")
+    if not list(names.forgotten(docs / "README.md", listed)):
+        missed.append("names.py: a page that docs/README.md forgets")
+    if not list(names.long_starts(docs / "start.md", LONG_START)):
+        missed.append("names.py: five commands to a result")
     if not names.different_versions({**names.versions(), "CITATION.cff": "0.0.1"}):
         missed.append("names.py: another version")
     print(*missed, sep="\n", end="\n" if missed else "")
