@@ -51,8 +51,14 @@ int statements(const StatementsOptions& options) {
         "differ in clearance alone");
   require_distinct(files_of(cases), {{"--json", options.json.value_or("")}});
   JsonTarget json(options.json);
-  ContactMemory memory(default_solver().solve);
+  Progress progress;
+  long solved = 0;
+  ContactMemory memory([&](const Problem& problem, const Request& request) {
+    progress.show("contact " + std::to_string(++solved) + " ...");
+    return default_solver().solve(problem, request);
+  });
   const auto rows = study_statements(cases, memory);
+  progress.show("");
   Json result = to_json(rows);
   result["contact_solves"] = memory.solves();
   result["contacts_from_memory"] = memory.recalls();
