@@ -12,6 +12,7 @@
 #include "io/case_reader.hpp"
 #include "io/find_case.hpp"
 #include "io/json.hpp"
+#include "io/result_head.hpp"
 #include "verification/studies/paper_statements.hpp"
 #include "verification/studies/statement_study.hpp"
 #include "workflow/case.hpp"
@@ -59,7 +60,8 @@ int statements(const StatementsOptions& options) {
   });
   const auto rows = study_statements(cases, memory);
   progress.show("");
-  Json result = to_json(rows);
+  Json result = result_head("ehd-statements-1");
+  result.update(to_json(rows));
   result["contact_solves"] = memory.solves();
   result["contacts_from_memory"] = memory.recalls();
   json.commit(result);
