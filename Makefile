@@ -137,7 +137,7 @@ browser-test: configure  ## Open the report in headless Chromium, where it is in
 	@cmake --build $(BUILD) --parallel $(JOBS) --target ehd_program --target made_report
 	@ctest --test-dir $(BUILD) --output-on-failure -R report_browser --no-tests=error
 
-.PHONY: library python octave
+.PHONY: library python octave site dist dist-check
 PYTHON_PACKAGES = python3-numpy python3-pytest python3-matplotlib python3-distributed python3-mypy python3-nbconvert \
   python3-ipykernel
 library: configure  ## Build the library that Python and C load: build/libehd.so.0 (4 minutes on two cores)
@@ -173,17 +173,33 @@ submissions: program  ## Remake cases/submissions: this project's solvers and a 
 atlas: program  ## Solve the atlas of line contacts into cases/atlas (goes on where an earlier run ended; an hour)
 	@$(BUILD)/ehd atlas
 
-results: program  ## Remake the quick pages of docs/results and the figures of README.md from the program (1 minute)
-	@sh cmake/setup.sh python3
+results: program  ## Remake docs/results, docs/figures and what the pages show of the program (1 minute)
+	@sh cmake/setup.sh python3 python3-numpy python3-matplotlib
 	@python3 docs/results/make.py $(BUILD)/ehd
 
-results-check: program  ## Fail where a quick page of docs/results is not what the program prints now (1 minute)
-	@sh cmake/setup.sh python3
+results-check: program  ## Fail where one of those is not what the program prints now (1 minute)
+	@sh cmake/setup.sh python3 python3-numpy python3-matplotlib
 	@python3 docs/results/make.py --check $(BUILD)/ehd
 
 results-full: program  ## Make the slow pages of docs/results: ladder, stress, bench (an hour; nobody compares them)
 	@sh cmake/setup.sh python3
 	@python3 docs/results/make.py --full $(BUILD)/ehd
+
+site:       ## Make the site of the pages, and of the report that make report left: build/site/html/index.html (mkdocs; 5 s)
+	@sh cmake/setup.sh python3 mkdocs mkdocs-material libjs-katex
+	@python3 docs/site/make.py $(BUILD)/site
+
+VERSION = $(shell sed -n 's/^project.ehd VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
+dist:       ## Make out/dist/ehd-VERSION.tar.gz of the last commit (a second)
+	@mkdir -p out/dist
+	@git archive --prefix=ehd-$(VERSION)/ --format=tar.gz --output=out/dist/ehd-$(VERSION).tar.gz HEAD
+	@echo out/dist/ehd-$(VERSION).tar.gz
+
+dist-check: dist  ## Unpack that tarball, without a network build and test it, remake its pages and compare (15 minutes)
+	@sh cmake/setup.sh gfortran
+	@cd out/dist && rm -rf ehd-$(VERSION) && tar xzf ehd-$(VERSION).tar.gz && cd ehd-$(VERSION) && \
+	offline=; if unshare --net true 2> /dev/null; then offline="unshare --net"; else echo "the network stays: unshare needs root"; fi && \
+	$$offline $(MAKE) --no-print-directory test results-check JOBS=$(JOBS)
 
 format:     ## Format every source file with clang-format 14
 	@sh cmake/setup.sh clang-format

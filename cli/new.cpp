@@ -28,7 +28,8 @@ Examples:
   ehd new keys                         every key of a case as a table (Markdown)
 
 Each key stands with its unit, default and meaning. Optional keys, and the other ways to state the same, are comments.
-A file that exists is never overwritten. docs/case-format.md explains a contact and a bearing.)";
+A file that exists is never overwritten. Bearings of the types NU, NJ, NUP, N and NA have one template: they differ in
+flanges, which a radial load does not use. docs/your-contact.md and docs/your-bearing.md go through one of each.)";
 
 std::string text_of(const NewOptions& options, const std::string& id) {
   if (options.what == "contact") return case_template(CaseKind::contact, id);

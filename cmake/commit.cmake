@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # cmake -DSOURCE=folder -DHEADER=file -P commit.cmake: the commit of the tree that is being built, and whether it was
-# changed since; empty outside git. Written only where it differs, so that nothing is built again for nothing.
+# changed since. In a tarball of `make dist` the commit stands in cmake/commit.txt; else it is empty outside git. Written only where it differs, so that nothing is built again for nothing.
 cmake_minimum_required(VERSION 3.25)  # policies of its own: it runs apart from the build
 
 function(ask result)
@@ -22,6 +22,8 @@ if(top STREQUAL source)  # a copy within another project's tree has no commit of
   if(NOT changes STREQUAL "")
     set(dirty true)
   endif()
+else()
+  file(STRINGS ${CMAKE_CURRENT_LIST_DIR}/commit.txt commit REGEX "^[0-9a-f]+$")
 endif()
 file(CONFIGURE OUTPUT ${HEADER} CONTENT
      "#pragma once\n\n#define EHD_COMMIT \"@commit@\"\n#define EHD_COMMIT_DIRTY @dirty@\n" @ONLY)

@@ -107,6 +107,10 @@ std::string case_template(CaseKind kind, const std::string& id) {
                       "number is an example: replace it by your own.",
                       kind == CaseKind::contact ? "contact" : "bearing")) +
       comment(fmt::format("Then: ehd {} FILE", kind == CaseKind::contact ? "solve" : "bearing"));
+  if (kind == CaseKind::bearing)
+    text += comment(
+        "NU, NJ, NUP, N and NA are one here: flanges carry axial loads, and this load is radial. Of several rows "
+        "state one with its share of the load. docs/your-bearing.md: what each type changes.");
   for (const CaseTable& table : case_tables())
     if (kind == CaseKind::contact ? table.in_contact : table.in_bearing) text += written(table, kind, id);
   return text;

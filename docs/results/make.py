@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Makes the pages of docs/results, and the figures of the root README, from the program's own output.
+"""Makes the pages of docs/results, and what the written pages show of the program, from its own output.
 
   make.py EHD              the quick pages (a minute): make results
   make.py --only NAME EHD  those of them whose file has NAME in its path
@@ -20,9 +20,11 @@ import tempfile
 import tomllib
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tests" / "docs"))
+import walk  # noqa: E402, the pages that show what their commands print
+
 PAGES = ROOT / "docs" / "results"
 CASE_FORMAT = "docs/case-format.md"
-WRITTEN = ("README.md", CASE_FORMAT)  # by hand, with a part that is made; they quote the other pages
 MADE = "<!-- Made by `make results`: do not edit. -->"
 MADE_SLOWLY = "<!-- Made by `make results-full`: do not edit. -->"
 
@@ -160,13 +162,26 @@ def numbers(comparison, suite):
     ])
 
 
-def filled(name, mark, made):
-    """A written page with what was made between its marks."""
-    text = (ROOT / name).read_text()
+def filled(text, name, mark, made):
+    """The text of a written page with what was made between its marks."""
     marks = re.search(rf"(<!-- {mark}: made by make results -->\n).*?(<!-- end -->)", text, re.DOTALL)
     if marks is None:
         sys.exit(f"{name}: the marks of its {mark} are missing")
     return text.replace(marks[0], marks[1] + made.strip("\n") + "\n" + marks[2])
+
+
+def typed(ehd, name):
+    """A written page with what its commands print (tests/docs/walk.py)."""
+    text, faults = walk.walked(pathlib.Path(ehd), ROOT / name)
+    print(*(f"{name}: {fault}" for fault in faults if not fault.startswith("$ ")), sep="\n", end="")
+    return text
+
+
+def figure(ehd, words):
+    """The figure that a command draws."""
+    with tempfile.NamedTemporaryFile(suffix=".svg") as file:
+        run(ehd, *words, "--plot", file.name)
+        return pathlib.Path(file.name).read_text()
 
 
 def quick_pages(ehd):
@@ -214,8 +229,15 @@ def quick_pages(ehd):
             fenced(contact_without_cost(ehd)) + "\n\n" + fenced(bearings(ehd, "examples/my-bearing.toml")),
             "Without costs, balance errors and times."),
     }
-    return {"README.md": lambda: filled("README.md", "numbers", numbers(comparison(), suite())),
-            CASE_FORMAT: lambda: filled(CASE_FORMAT, "keys", run(ehd, "new", "keys")),
+    written = {
+        "README.md": lambda: filled(typed(ehd, "README.md"), "README.md", "numbers", numbers(comparison(), suite())),
+        CASE_FORMAT: lambda: filled(typed(ehd, CASE_FORMAT), CASE_FORMAT, "keys", run(ehd, "new", "keys")),
+    }
+    figures = {"contact": ("solve", "examples/my-contact.toml", "--tolerance", "1e-4"),
+               "bearing": ("bearing", "examples/my-bearing.toml")}
+    pages = [str(page.relative_to(ROOT)) for page in walk.pages()]
+    return {**{f"docs/figures/{name}.svg": functools.partial(figure, ehd, words) for name, words in figures.items()},
+            **{name: functools.partial(typed, ehd, name) for name in pages}, **written,
             **{f"docs/results/{name}.md": made for name, made in results.items()}}
 
 
@@ -236,18 +258,7 @@ def full_pages(ehd):
             for command, (name, title) in slow.items()}
 
 
-# ---- what a README quotes ------------------------------------------------------------------------------------------
-
-
-def misquoted(name, pages):
-    """What a written page quotes and should not: ```text that no page has, ```toml that is no file of examples/."""
-    known = {line.strip() for other, text in pages.items() if other not in WRITTEN for line in text.splitlines()}
-    files = {path.read_text().strip() for path in (ROOT / "examples").glob("*.toml")}
-    for kind, text in re.findall(r"^```(text|toml)\n(.*?)^```$", pages[name], re.DOTALL | re.MULTILINE):
-        if kind == "toml" and text.strip() not in files:
-            yield "a case that is no file of examples/: " + text.splitlines()[0]
-        if kind == "text":
-            yield from (line for line in text.splitlines() if line.strip() not in known | {"", "..."})
+# ---- all of them ---------------------------------------------------------------------------------------------------
 
 
 def check(pages):
@@ -257,10 +268,6 @@ def check(pages):
         versions = kept.splitlines(), text.splitlines(), name, name + " (made now)"
         for line in difflib.unified_diff(*versions, n=1, lineterm=""):
             print(line)
-            same = False
-    for name in WRITTEN:
-        for line in misquoted(name, pages):
-            print(f"{name} quotes what no page of docs/results has: {line}")
             same = False
     print("docs/results is as the program makes it" if same else "docs/results differs; to remake it: make results")
     return same

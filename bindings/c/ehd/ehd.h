@@ -47,7 +47,7 @@ enum {
 /* The result of one contact or one bearing; never changes once it is made. */
 typedef struct ehd_result ehd_result;
 
-/* "0.1.0 (1a2b3c4d, FFTW 3.3.10, Eigen 3.4.0)" */
+/* "0.2.0 (1a2b3c4d, FFTW 3.3.10, Eigen 3.4.0)" */
 EHD_API const char *ehd_version(void);
 
 /* Why the last call of this thread that did not return EHD_OK ended so: one line, as the program prints it. Empty where
