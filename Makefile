@@ -59,13 +59,14 @@ install: program  ## Install program, library and cases under PREFIX (/usr/local
 	@cmake --install $(BUILD) --prefix $(PREFIX)
 
 # A build folder of its own: packages run on every machine of the architecture.
-deb:        ## Make Debian packages in build-deb/deb: ehd, libehd0, libehd-dev; read them with lintian (5 minutes)
+deb:        ## Make Debian packages in build-deb/deb: ehd, libehd0, libehd-dev, python3-ehd; lintian; try them (5 minutes)
 	@sh cmake/setup.sh dpkg-dev help2man lintian
 	@$(MAKE) --no-print-directory configure BUILD=$(BUILD)-deb \
 	  CMAKE_FLAGS="-DEHD_NATIVE=OFF -DBUILD_TESTING=OFF -DCMAKE_INSTALL_PREFIX=/usr $(CMAKE_FLAGS)"
 	@cmake --build $(BUILD)-deb --parallel $(JOBS) --target ehd_program --target ehd_shared
 	@cd $(BUILD)-deb && cpack > cpack.log 2>&1 || { cat cpack.log >&2; exit 1; }
 	@lintian --allow-root --fail-on error $(BUILD)-deb/deb/*.deb
+	@cmake/deb/try.sh $(BUILD)-deb/deb
 	@ls $(BUILD)-deb/deb/*.deb
 
 test: configure  ## Build and run every test (8 minutes)

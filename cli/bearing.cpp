@@ -12,6 +12,7 @@
 #include "cli/case_choice.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
+#include "cli/pictures.hpp"
 #include "cli/subcommands.hpp"
 #include "cli/usage.hpp"
 #include "contact/text.hpp"
@@ -21,7 +22,6 @@
 #include "io/json.hpp"
 #include "io/output_file.hpp"
 #include "io/tables.hpp"
-#include "verification/report/report.hpp"
 #include "verification/studies/error_budget.hpp"
 #include "verification/studies/paper_statements.hpp"
 #include "workflow/bearing_run.hpp"
@@ -136,39 +136,6 @@ std::string csv_of(const Computed& computed) {
       }
   }
   return text;
-}
-
-/// Contact forces and displacements over the azimuth, two panels a case; absent if no law balanced.
-std::optional<std::string> plot_of(const Computed& computed) {
-  report::Figure figure{
-      .id = "bearing",
-      .title = "Contact forces and displacements over the azimuth",
-      .description =
-          "Contact force and displacement of each roller at the inner raceway over its azimuth, a curve a law, "
-          "two panels a case.",
-      .width = 560};
-  bool any = false;
-  for (std::size_t k = 0; k < computed.cases.size(); ++k) {
-    const Case& one = computed.cases[k];
-    std::vector<report::BearingCurves> laws;
-    for (const BearingResult& result : computed.results[k]) {
-      report::BearingCurves curves{
-          .law = std::string(to_string(result.law)), .azimuth_deg = {}, .force_N = {}, .displacement_m = {}};
-      for (const RollerRow& roller : result.rollers) {
-        curves.azimuth_deg.push_back(roller.azimuth_deg);
-        curves.force_N.push_back(roller.inner.force_N);
-        curves.displacement_m.push_back(roller.inner.displacement_m);
-      }
-      any = any || !result.rollers.empty();
-      if (!result.rollers.empty()) laws.push_back(std::move(curves));
-    }
-    constexpr std::size_t fits = 80;
-    figure.panels.push_back(report::azimuth_panel(
-        report::OverAzimuth::force, report::literal(shortened(one_line(one.id + ": " + one.title), fits)), laws));
-    figure.panels.push_back(
-        report::azimuth_panel(report::OverAzimuth::displacement, report::literal(one_line(one.id)), laws));
-  }
-  return any ? std::optional(report::draw(figure, report::Place::file)) : std::nullopt;
 }
 
 /// The cases that were named. Throws UsageError, CaseError.
@@ -302,7 +269,7 @@ int bearing(const BearingOptions& options) {
   progress.show("");
   if (csv) csv->append(csv_of(computed));
   if (plot) {
-    if (const auto svg = plot_of(computed))
+    if (const auto svg = bearing_picture(computed.cases, computed.results))
       plot->append(*svg);
     else
       account.complaints.push_back("ehd: bearing: nothing balanced, and no plot is written");
@@ -340,7 +307,8 @@ void describe_bearing(Command& command) {
   options->changes.add_to(command);
   add_time_limit_total(command, options->time_limit_total);
   command.text("--json", options->json, "the results as JSON into a file, or - for standard output");
-  command.text("--plot", options->plot, "contact forces and displacements over the azimuth as a figure, SVG");
+  command.text("--plot", options->plot,
+               "loads round the bearing, forces and displacements over the azimuth as a figure, SVG");
   command.text("--csv", options->csv, "forces, displacements and films as CSV, one row per roller");
   command.runs([options] { return bearing(*options); });
 }

@@ -69,7 +69,8 @@ std::vector<Row> run_all(const Case& contact_case, const std::vector<const Regis
   Progress progress;
   for (const RegisteredSolver* solver : solvers) {
     for (const Request& request : requests) {
-      progress.show(
+      progress.step(
+          rows.size(), solvers.size() * requests.size(),
           fmt::format("{}: {} at {} ...", contact_case.id, solver->name, plain(request.tolerance.tightest())));
       Row row{.tolerance = request.tolerance.tightest(), .run = run_contact(contact_case, *solver, request)};
       for (std::size_t film = 0; film < 2; ++film) {
@@ -106,11 +107,10 @@ std::string failure_of(const Case& contact_case, const Row& row) {
 }
 
 std::vector<std::vector<std::string>> table_of(const std::vector<Row>& rows) {
-  std::vector<std::vector<std::string>> table{{"solver", "tolerance", "status", "H_min", "reported", "achieved",
-                                               "H_cen", "reported", "achieved", "time [ms]", "work units",
-                                               "intervals"}};
+  std::vector<std::vector<std::string>> table{
+      {"solver", "asked", "H_min", "stated", "achieved", "H_cen", "stated", "achieved", "ms", "work"}};
   for (const Row& row : rows) {
-    std::vector<std::string> cells{row.run.solver, plain(row.tolerance), std::string(to_string(row.run.status()))};
+    std::vector<std::string> cells{row.run.solver + (converged(row) ? "" : "*"), plain(row.tolerance)};
     for (std::size_t film = 0; film < 2; ++film) {
       const Reading* reading = verification::reading_of(row.run.solution, judged_films[film]);
       cells.push_back(reading ? with_error(reading->value, reading->error) : "-");
@@ -120,7 +120,6 @@ std::vector<std::vector<std::string>> table_of(const std::vector<Row>& rows) {
     const Cost& cost = row.run.solution.record.cost;
     cells.push_back(plain(1e3 * cost.wall_s, 3));
     cells.push_back(cost.nodes > 0 ? plain(cost.work_units, 3) : "-");
-    cells.push_back(cost.nodes > 0 ? std::to_string(cost.nodes) : "-");
     table.push_back(cells);
   }
   return table;
@@ -148,7 +147,8 @@ std::vector<judging::ExternalRun> run_externals(const Case& contact_case,
   for (const judging::ExternalSolver& solver : externals) {
     for (const Request& request : requests) {
       const double tolerance = request.tolerance.tightest();
-      progress.show(fmt::format("{}: {} at {} ...", contact_case.id, solver.name, plain(tolerance)));
+      progress.step(runs.size(), externals.size() * requests.size(),
+                    fmt::format("{}: {} at {} ...", contact_case.id, solver.name, plain(tolerance)));
       runs.push_back(judging::run_external(solver, contact_case, tolerance, request.time_limit_s));
     }
   }
@@ -249,9 +249,11 @@ int compare(const CompareOptions& options) {
                        {"runs", runs}});
     list.push_back(comparison);
     if (json.to_standard_output()) continue;
-    constexpr std::size_t names = 3;
-    print(fmt::format("{}: {}\n{}  achieved: H_min against {}\n            H_cen against {}\n\n", contact_case.id,
-                      contact_case.title, aligned(table_of(rows), names, "  "), against[0], against[1]));
+    constexpr std::size_t names = 1;
+    const bool all = std::ranges::all_of(rows, converged);
+    print(fmt::format("{}: {}\n{}{}  achieved: H_min against {}\n            H_cen against {}\n\n", contact_case.id,
+                      contact_case.title, aligned(table_of(rows), names, "  "), all ? "" : "  * not converged\n",
+                      against[0], against[1]));
     if (idle_s) print(fmt::format("  an idle call of the shell takes {} ms\n\n", plain(1e3 * *idle_s, 2)));
   }
   for (Json& compared : list) options.changes.put_into(compared);

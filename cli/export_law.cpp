@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "cli/options.hpp"
@@ -17,10 +18,15 @@ namespace ehd::cli {
 
 namespace {
 
-using LawWriter = std::string (*)(const LawExport& law);
-LawWriter law_writer_named(const std::string& format) {
+using LawWriter = std::function<std::string(const LawExport& law)>;
+LawWriter law_writer_named(const std::string& format, const CaseChanges& changes) {
   if (format == "csv") return law_export_csv;
-  if (format == "json") return [](const LawExport& law) { return json_text(to_json(law)); };
+  if (format == "json")
+    return [changes](const LawExport& law) {
+      Json json = to_json(law);
+      changes.put_into(json);
+      return json_text(json);
+    };
   if (format == "c") return law_export_c;
   if (format == "matlab") return law_export_matlab;
   throw option_error("--format", format, "is unknown; allowed is csv, json, c, matlab");
@@ -47,7 +53,7 @@ LawExportRequest request_of(const LawExportOptions& options) {
 }  // namespace
 
 int export_law(const LawExportOptions& options) {
-  const LawWriter write = law_writer_named(options.format);
+  const LawWriter write = law_writer_named(options.format, options.changes);
   const LawExportRequest request = request_of(options);
   const Case one = options.changes.read(options.case_name);
   if (!std::holds_alternative<BearingCase>(one.body))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/output.hpp"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -63,6 +64,15 @@ void Progress::show(const std::string& line) {
             << std::flush;
   if (text.empty() && shown_ > 0) std::cerr << '\r' << std::flush;
   shown_ = text.size();
+}
+
+void Progress::step(std::size_t done, std::size_t all, const std::string& what) {
+  const double passed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  std::string line = fmt::format("{}/{}, {}", done, all, duration(passed_s));
+  if (done > 0 && done < all)
+    line += fmt::format(", about {} left",
+                        duration(passed_s * static_cast<double>(all - done) / static_cast<double>(done)));
+  show(line + ": " + what);
 }
 
 bool styled_output() {

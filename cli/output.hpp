@@ -2,6 +2,8 @@
 // What a subcommand writes: standard output, lines on standard error, files and folders.
 #pragma once
 
+#include <chrono>
+#include <cstddef>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -34,7 +36,8 @@ void require_distinct(const std::vector<NamedFile>& inputs, const std::vector<Na
 /// Null where there is no file.
 [[nodiscard]] inline OutputFile* address_of(std::optional<OutputFile>& file) { return file ? &*file : nullptr; }
 
-/// A line on standard error while something runs, on a terminal only; removed at the end.
+/// A line on standard error while something runs, on a terminal only; removed at the end. Time counts from the
+/// construction.
 class Progress {
  public:
   Progress() = default;
@@ -42,9 +45,12 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
   void show(const std::string& line);
+  /// "3/12, 5.1 s, about 15 s left: what". The time left is known from the second step on.
+  void step(std::size_t done, std::size_t all, const std::string& what);
 
  private:
   std::size_t shown_ = 0;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
 /// Standard output is a terminal, NO_COLOR is not set and TERM is not "dumb".

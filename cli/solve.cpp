@@ -12,6 +12,7 @@
 #include "cli/case_choice.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
+#include "cli/pictures.hpp"
 #include "cli/subcommands.hpp"
 #include "cli/usage.hpp"
 #include "contact/nondimensional.hpp"
@@ -23,11 +24,9 @@
 #include "io/output_file.hpp"
 #include "io/profile_csv.hpp"
 #include "io/tables.hpp"
-#include "verification/report/report.hpp"
 #include "workflow/case.hpp"
 #include "workflow/contact_run.hpp"
 #include "workflow/registry.hpp"
-#include "workflow/shown_pressure.hpp"
 
 namespace ehd::cli {
 
@@ -164,26 +163,6 @@ void read_wisdom(const std::string& name) {
   if (!whole || !measure_fft_plans(text)) throw option_error("--wisdom", name, "is no FFTW wisdom" + allowed);
 }
 
-/// Pressure and film over X, as a picture of its own.
-std::string plot_of(const ContactRun& run, const std::string& title) {
-  const Fields& fields = run.solution.fields;
-  const std::optional<double> cut = pressure_cut(run.solution);
-  Array P = fields.P;
-  if (cut) P = P.min(*cut);
-  const auto values = [](const auto& field) { return std::vector<double>(field.begin(), field.end()); };
-  const report::ContactCurves curves{.name = run.solver.empty() ? "Hertz" : run.solver,
-                                     .X = values(fields.X),
-                                     .P = values(P),
-                                     .H = values(fields.H),
-                                     .P_cut = cut};
-  report::Figure figure = report::contact_figure("contact", title, {curves});
-  constexpr std::size_t fits = 80;
-  figure.width = 560;
-  figure.panels.front().height = 300;
-  figure.panels.front().title = report::literal(shortened(one_line(title), fits));
-  return report::draw(figure, report::Place::file);
-}
-
 /// The contact to solve: of a case, or stated by options.
 struct Stated {
   std::optional<Case> from_case;
@@ -242,7 +221,7 @@ int solve(const SolveOptions& options) {
   if (wisdom) wisdom->append(learned_fft_plans());
   const bool solution = run.status() != StopReason::diverged && run.solution.fields.X.size() > 0;
   if (profile && solution) profile->append(profile_csv(run));
-  if (plot && solution) plot->append(plot_of(run, stated.title));
+  if (plot && solution) plot->append(contact_picture(run, stated.title));
   Json result = to_json(run);
   options.changes.put_into(result);
   json.commit(result, {address_of(wisdom), address_of(profile), address_of(plot)});
@@ -276,7 +255,7 @@ void describe_solve(Command& command) {
   command.list("--quantity", options->quantities, "compute only this quantity (repeatable), e.g. film.minimum");
   command.text("--json", options->json, "the result as JSON into a file, or - for standard output");
   command.text("--profile", options->profile, "pressure, film, density and viscosity over X as CSV");
-  command.text("--plot", options->plot, "pressure and film over X as a figure, SVG");
+  command.text("--plot", options->plot, "pressure and film over the contact as a figure, SVG");
   command.text("--wisdom", options->wisdom,
                "let FFTW measure its plans, and keep what it learned in this file for later runs");
   command.runs([options] { return solve(*options); });

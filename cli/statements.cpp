@@ -12,6 +12,7 @@
 #include "io/case_reader.hpp"
 #include "io/find_case.hpp"
 #include "io/json.hpp"
+#include "io/result_head.hpp"
 #include "verification/studies/paper_statements.hpp"
 #include "verification/studies/statement_study.hpp"
 #include "workflow/case.hpp"
@@ -51,9 +52,16 @@ int statements(const StatementsOptions& options) {
         "differ in clearance alone");
   require_distinct(files_of(cases), {{"--json", options.json.value_or("")}});
   JsonTarget json(options.json);
-  ContactMemory memory(default_solver().solve);
+  Progress progress;
+  long solved = 0;
+  ContactMemory memory([&](const Problem& problem, const Request& request) {
+    progress.show("contact " + std::to_string(++solved) + " ...");
+    return default_solver().solve(problem, request);
+  });
   const auto rows = study_statements(cases, memory);
-  Json result = to_json(rows);
+  progress.show("");
+  Json result = result_head("ehd-statements-1");
+  result.update(to_json(rows));
   result["contact_solves"] = memory.solves();
   result["contacts_from_memory"] = memory.recalls();
   json.commit(result);

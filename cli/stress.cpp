@@ -57,7 +57,7 @@ int stress(const StressOptions& options) {
   Progress progress;
   for (const PartEntry* entry : chosen) {
     scope.progress = [&](const std::string& what) {
-      progress.show("stress (" + entry->id + ") " + entry->name + ": " + what);
+      progress.step(results.size(), chosen.size(), "(" + entry->id + ") " + entry->name + ": " + what);
     };
     scope.show("...");
     Part part = run_part(*entry, scope);

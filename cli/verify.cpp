@@ -63,7 +63,7 @@ int verify(const VerifyOptions& options) {
       verification::FiguresRequest pictures{
           .rung = request.rung, .case_id = request.case_id, .quick = request.quick, .threads = request.threads};
       pictures.progress = [&](std::size_t done, std::size_t all, const std::string& name) {
-        progress.show("figures " + std::to_string(done) + "/" + std::to_string(all) + ": " + name);
+        progress.step(done, all, "figures: " + name);
       };
       figures = verification::figures(pictures);
     }

@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <optional>
+#include <utility>
 #include <variant>
 
 #include "bearing/equilibrium.hpp"
@@ -64,35 +67,60 @@ double largest_force_N(const BearingResult& result) {
   return largest;
 }
 
-/// Force, displacement and film at the inner contact of each roller, for every law that has a balance.
-std::string rollers_table(const std::vector<BearingResult>& results) {
-  std::vector<std::string> head{"psi"}, units{"deg"};
-  std::vector<const BearingResult*> balanced;
+/// A column of the rollers' table: its head, its unit, and the cell of a roller at the inner contact.
+struct RollerColumn {
+  const char *head, *unit;
+  std::function<std::string(const ContactRow& inner)> cell;
+};
+
+/// The columns of one law. Where a roller carries next to nothing, its pressure is rounding and its film is the gap
+/// that the ring leaves.
+std::vector<RollerColumn> columns_of(const BearingResult& result) {
+  const double largest = largest_force_N(result);
+  const auto if_loaded = [largest](const ContactRow& inner, const std::optional<double>& value, double unit,
+                                   int decimals) -> std::string {
+    return value && bearing::is_loaded(inner.force_N, largest) ? fixed(unit * *value, decimals) : "-";
+  };
+  std::vector<RollerColumn> columns{
+      {"Q_i", "N", [](const ContactRow& inner) { return fixed(inner.force_N, 1); }},
+      {"p_H", "MPa", [=](const ContactRow& inner) { return if_loaded(inner, inner.hertz_pressure_Pa, 1e-6, 0); }}};
+  if (!needs_film(result.law)) return columns;
+  columns.push_back(
+      {"h_i", "um", [=](const ContactRow& inner) { return if_loaded(inner, inner.film_minimum_m, 1e6, 3); }});
+  const bool rough = std::any_of(result.rollers.begin(), result.rollers.end(),
+                                 [](const RollerRow& roller) { return roller.inner.lambda_ratio.has_value(); });
+  if (rough)
+    columns.push_back(
+        {"lambda", "", [=](const ContactRow& inner) { return if_loaded(inner, inner.lambda_ratio, 1, 2); }});
+  return columns;
+}
+
+/// The inner contact of each roller, for every law that has a balance.
+std::string rollers_table(const std::vector<BearingResult>& results,
+                          const std::function<std::vector<RollerColumn>(const BearingResult&)>& columns) {
+  Rows rows{{"psi"}, {"deg"}};
+  const BearingResult* first = nullptr;
   for (const BearingResult& result : results) {
     if (result.rollers.empty()) continue;
-    balanced.push_back(&result);
-    head.insert(head.end(), {name_of(result) + ": Q_i", "delta_i"});
-    units.insert(units.end(), {"N", "um"});
-    if (needs_film(result.law)) {
-      head.emplace_back("h_i");
-      units.emplace_back("um");
+    if (!first) {
+      first = &result;
+      for (const auto& [j, azimuth] : shown_rollers(result.rollers)) rows.push_back({azimuth});
+    }
+    std::string law = name_of(result) + ": ";
+    for (const RollerColumn& column : columns(result)) {
+      rows[0].push_back(std::exchange(law, "") + column.head);
+      rows[1].emplace_back(column.unit);
+      std::size_t row = 2;
+      for (const auto& [j, azimuth] : shown_rollers(first->rollers))
+        rows[row++].push_back(column.cell(result.rollers[j].inner));
     }
   }
-  if (balanced.empty()) return "";
-  Rows rows{head, units};
-  for (const auto& [j, azimuth] : shown_rollers(balanced.front()->rollers)) {
-    std::vector<std::string> row{azimuth};
-    for (const BearingResult* result : balanced) {
-      const ContactRow& inner = result->rollers[j].inner;
-      row.push_back(fixed(inner.force_N, 1));
-      row.push_back(fixed(1e6 * inner.displacement_m, 3));
-      // Where a roller carries next to nothing, the film is the gap that the ring leaves, and tells nothing more.
-      const bool shown = inner.film_minimum_m && bearing::is_loaded(inner.force_N, largest_force_N(*result));
-      if (needs_film(result->law)) row.push_back(shown ? fixed(1e6 * *inner.film_minimum_m, 3) : "-");
-    }
-    rows.push_back(row);
-  }
-  return aligned(rows, 1, "  ");
+  return first ? aligned(rows, 1, "  ") : "";
+}
+
+/// The approach of each roller to the inner raceway.
+std::vector<RollerColumn> approach_column(const BearingResult&) {
+  return {{"delta_i", "um", [](const ContactRow& inner) { return fixed(1e6 * inner.displacement_m, 3); }}};
 }
 
 /// What each law cost.
@@ -209,8 +237,8 @@ std::string remarks(const BearingResult& result, bool details) {
 std::string human_table(const Case& bearing_case, const std::vector<BearingResult>& results, const BearingView& view) {
   std::string text = heading(bearing_case) +
                      summary_table(std::get<BearingCase>(bearing_case.body), results, view.errors) +
-                     rollers_table(results);
-  if (view.details) text += cost_table(results) + ring_table(results);
+                     rollers_table(results, columns_of);
+  if (view.details) text += "\n" + rollers_table(results, approach_column) + cost_table(results) + ring_table(results);
   text += cage_table(results) + dynamics_table(results);
   for (const BearingResult& result : results) text += contacts_in_motion(result);
   for (const BearingResult& result : results) {

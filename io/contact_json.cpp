@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "contact/oil_laws.hpp"
 #include "contact/stated_error.hpp"
 #include "io/json.hpp"
 #include "io/result_head.hpp"
@@ -141,6 +142,17 @@ Json to_json(const GradedOil& oil) {
   put(json, "density_kg_per_m3", oil.density_kg_per_m3);
   put(json, "viscosity_Pa_s", oil.viscosity_Pa_s);
   put(json, "estimated_alpha_per_Pa", oil.estimated_alpha_per_Pa);
+  return json;
+}
+
+Json to_json(const Lubricant& lubricant) {
+  const LawKeys keys = row_of(lubricant.viscosity).keys;
+  Json json;
+  json["viscosity"] = to_string(lubricant.viscosity);
+  json["density"] = to_string(lubricant.density);
+  put(json, "alpha_per_Pa", lubricant.alpha_per_Pa);
+  if (keys.z) put(json, "z", lubricant.z);
+  if (keys.p0_Pa) put(json, "p0_Pa", lubricant.p0_Pa);
   return json;
 }
 

@@ -16,6 +16,9 @@ namespace ehd {
 /// The oil by its grade: what was stated, and eta_0, density and alpha that followed.
 [[nodiscard]] Json to_json(const GradedOil& oil);
 
+/// The oil's laws, with the constants that they use.
+[[nodiscard]] Json to_json(const Lubricant& lubricant);
+
 /// The status of a result, read back; nothing for a word that is none.
 [[nodiscard]] std::optional<StopReason> stop_reason_from(std::string_view text);
 

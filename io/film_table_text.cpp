@@ -5,8 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "contact/oil_laws.hpp"
 #include "contact/text.hpp"
+#include "io/contact_json.hpp"
 #include "io/csv.hpp"
 #include "io/program_text.hpp"
 #include "io/provenance.hpp"
@@ -16,17 +16,6 @@ namespace ehd {
 namespace {
 
 constexpr const char* film_table_schema = "ehd-films-1";
-
-Json lubricant_json(const Lubricant& lubricant) {
-  const LawKeys keys = row_of(lubricant.viscosity).keys;
-  Json json;
-  json["viscosity"] = to_string(lubricant.viscosity);
-  json["density"] = to_string(lubricant.density);
-  put(json, "alpha_per_Pa", lubricant.alpha_per_Pa);
-  if (keys.z) put(json, "z", lubricant.z);
-  if (keys.p0_Pa) put(json, "p0_Pa", lubricant.p0_Pa);
-  return json;
-}
 
 Json inlet_json(const Inlet& inlet) {
   const auto* cut = std::get_if<TruncatedAt>(&inlet);
@@ -62,7 +51,7 @@ Json panel_json(const FilmPanel& panel) {
 }
 
 std::string oil_words(const FilmTable& table) {
-  const Json oil = lubricant_json(table.lubricant);
+  const Json oil = to_json(table.lubricant);
   std::string words =
       fmt::format("viscosity {}, density {}", to_string(table.lubricant.viscosity), to_string(table.lubricant.density));
   for (const auto& [key, value] : oil.items())
@@ -82,7 +71,7 @@ Json to_json(const FilmTable& table) {
   json["solver"] = table.solver;
   json["status"] = to_string(table.status);
   if (!table.reason.empty()) json["reason"] = table.reason;
-  json["lubricant"] = lubricant_json(table.lubricant);
+  json["lubricant"] = to_json(table.lubricant);
   json["inlet"] = inlet_json(table.inlet);
   json["range"] = {{"M", {table.range.M_low, table.range.M_high}}, {"L", {table.range.L_low, table.range.L_high}}};
   json["tolerance"] = table.tolerance;

@@ -9,6 +9,7 @@
 
 #include "contact/rheology.hpp"
 #include "contact/text.hpp"
+#include "io/contact_json.hpp"
 #include "io/csv.hpp"
 #include "io/program_text.hpp"
 #include "io/provenance.hpp"
@@ -63,6 +64,7 @@ std::vector<std::string> law_export_words(const LawExport& law) {
   std::vector<std::string> lines{
       fmt::format("Contact force law ehd of {} (version {}), {} raceway, whole length of {}", law.case_id, law.version,
                   ring, millimetre(law.contact.length_m)),
+      "Case: " + law.title,
       fmt::format("Made by {}", made_by()),
       fmt::format("delta: approach of roller and ring, datum x_0 = {} m; negative where the film is thicker than the "
                   "dry approach",
@@ -106,6 +108,7 @@ Json to_json(const LawExport& law) {
   json["provenance"] = provenance();
   json["case"] = law.case_id;
   json["version"] = law.version;
+  json["title"] = law.title;
   json["raceway"] = to_string(law.raceway);
   json["law"] = "ehd";
   put(json, "datum_x0_m", law.datum_m);
@@ -114,6 +117,7 @@ Json to_json(const LawExport& law) {
   put(json["contact"], "reduced_modulus_Pa", law.contact.reduced_modulus_Pa);
   put(json["contact"], "speed_sum_m_per_s", law.contact.speed_sum_m_per_s);
   put(json["contact"], "viscosity_Pa_s", law.contact.viscosity_Pa_s);
+  json["lubricant"] = to_json(law.lubricant);
   put(json, "range_N", {law.lightest_N, law.heaviest_N});
   put(json, "balance_N", {law.balance_lightest_N, law.balance_heaviest_N});
   json["interpolation"] = how_to_interpolate;

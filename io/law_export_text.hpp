@@ -16,8 +16,8 @@ namespace ehd {
 
 /// Comment lines that begin with #, a header line, and a line for each knot.
 [[nodiscard]] std::string law_export_csv(const LawExport& law);
-/// {"schema": "ehd-law-1", "provenance", "case", "version", "raceway", "law", "datum_x0_m", "contact", "range_N",
-/// "balance_N", "errors", "knots"}.
+/// {"schema": "ehd-law-1", "provenance", "case", "version", "title", "raceway", "law", "datum_x0_m", "contact",
+/// "lubricant", "range_N", "balance_N", "errors", "knots"}.
 [[nodiscard]] Json to_json(const LawExport& law);
 
 /// C99, data and evaluator; needs math.h alone.

@@ -12,6 +12,7 @@
 #include <climits>
 #include <csignal>
 #include <cstdint>
+#include <cstdio>
 #include <cstring>
 #include <random>
 #include <system_error>
@@ -85,6 +86,11 @@ void sync_folder_of(const std::filesystem::path& path) {
   if (error != 0) cannot_write(path, std::strerror(error));
 }
 
+/// Each file gets the other's name; false where the file system cannot.
+bool exchange_names(const std::filesystem::path& one, const std::filesystem::path& other) {
+  return ::renameat2(AT_FDCWD, one.c_str(), AT_FDCWD, other.c_str(), RENAME_EXCHANGE) == 0;
+}
+
 /// While this lives, no signal interrupts this thread.
 class SignalsHeld {
  public:
@@ -155,6 +161,7 @@ void OutputFile::open_temporary() {
 OutputFile::OutputFile(OutputFile&& other) noexcept
     : path_(std::move(other.path_)),
       temporary_(std::move(other.temporary_)),
+      appeared_(other.appeared_),
       note_(std::move(other.note_)),
       descriptor_(std::exchange(other.descriptor_, -1)),
       written_(other.written_) {
@@ -183,17 +190,36 @@ void OutputFile::settle() {
 
 void OutputFile::appear() {
   if (temporary_.empty()) return;
-  std::error_code error;
-  std::filesystem::rename(temporary_, path_, error);
-  if (error) cannot_write(path_, error.message());
+  struct stat old {};
+  const bool replaces = ::lstat(path_.c_str(), &old) == 0 && S_ISREG(old.st_mode);
+  if (replaces && exchange_names(temporary_, path_)) {
+    appeared_ = Appeared::exchanged;
+  } else {
+    std::error_code error;
+    std::filesystem::rename(temporary_, path_, error);
+    if (error) cannot_write(path_, error.message());
+    appeared_ = replaces ? Appeared::replaced : Appeared::as_new;
+  }
+  sync_folder_of(path_);
+}
+
+void OutputFile::withdraw() noexcept {
+  if (appeared_ == Appeared::exchanged) exchange_names(temporary_, path_);
+  if (appeared_ == Appeared::as_new) ::rename(path_.c_str(), temporary_.c_str());
+  appeared_ = Appeared::not_yet;
+}
+
+void OutputFile::finish() noexcept {
+  if (temporary_.empty()) return;
+  if (appeared_ == Appeared::exchanged) ::unlink(temporary_.c_str());
   temporary_.clear();
   note_ = {};
-  sync_folder_of(path_);
 }
 
 void OutputFile::commit() {
   settle();
   appear();
+  finish();
 }
 
 void write_new_file(const std::filesystem::path& path, const std::string& text) {
@@ -216,7 +242,13 @@ void commit_together(const std::vector<OutputFile*>& files) {
                [](const OutputFile* file) { return file && file->written_; });
   for (OutputFile* file : written) file->settle();
   const SignalsHeld held;
-  for (OutputFile* file : written) file->appear();
+  try {
+    for (OutputFile* file : written) file->appear();
+  } catch (...) {
+    for (OutputFile* file : written) file->withdraw();
+    throw;
+  }
+  for (OutputFile* file : written) file->finish();
 }
 
 }  // namespace ehd

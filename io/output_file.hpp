@@ -42,11 +42,15 @@ class OutputFile {
  private:
   friend void commit_together(const std::vector<OutputFile*>& files);
   void open_temporary();
-  void settle();  ///< the text is on the disk
-  void appear();  ///< under its name
+  void settle();             ///< the text is on the disk
+  void appear();             ///< under its name
+  void withdraw() noexcept;  ///< after appear(): the file that was there before is back
+  void finish() noexcept;    ///< the file that was there before is gone
 
   std::filesystem::path path_;
   std::filesystem::path temporary_;  ///< empty when done, or for a device
+  /// exchanged: temporary_ names the file that was there before. replaced: that file is gone.
+  enum class Appeared { not_yet, as_new, exchanged, replaced } appeared_ = Appeared::not_yet;
   TemporaryNote note_;
   int descriptor_ = -1;
   bool written_ = false;
@@ -56,7 +60,8 @@ class OutputFile {
 void write_new_file(const std::filesystem::path& path, const std::string& text);
 
 /// Commits those of the files that have a text: all texts are on the disk before the first file appears, and SIGINT and
-/// SIGTERM wait until the last one has. A null pointer is no file. Throws OutputError.
+/// SIGTERM wait until the last one has. Where one cannot appear, those before it are as they were (on a file system
+/// that cannot exchange two names, one that replaced a file stays). A null pointer is no file. Throws OutputError.
 void commit_together(const std::vector<OutputFile*>& files);
 
 }  // namespace ehd

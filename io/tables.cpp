@@ -139,12 +139,10 @@ std::string cost_line(const ContactRun& run) {
   if (!run.plan.runs(stage::solve)) return "";
   const Cost& cost = run.solution.record.cost;
   const bool accepted = cost.nodes > 0;
-  const std::string grid =
-      accepted ? fmt::format("{} intervals, {} levels", cost.nodes, cost.levels) : "no grid accepted";
+  const std::string grid = accepted ? fmt::format("{} intervals", cost.nodes) : "no grid accepted";
   const std::string work = accepted ? fmt::format(", {} work units", plain(cost.work_units, 3)) : "";
-  return fmt::format("\ncost  {} (FFT planning {}), {}, {} Newton and {} Krylov iterations, {} products{}\n",
-                     seconds(cost.wall_s), seconds(cost.planning_s), grid, cost.newton_iterations,
-                     cost.krylov_iterations, cost.convolutions, work);
+  return fmt::format("\ncost  {}, FFT planning {}, {}, {} Newton steps{}\n", seconds(cost.wall_s),
+                     seconds(cost.planning_s), grid, cost.newton_iterations, work);
 }
 
 }  // namespace

@@ -49,6 +49,7 @@ LawExport export_law(const Case& bearing_case, const LawExportRequest& request, 
   const auto& law = std::get<bearing::CurveLaw>(request.raceway == bearing::Raceway::inner ? laws.inner : laws.outer);
   LawExport made{.case_id = bearing_case.id,
                  .version = bearing_case.version,
+                 .title = bearing_case.title,
                  .raceway = request.raceway,
                  .contact = law.curve().contact(),
                  .lubricant = body.lubricant->lubricant,

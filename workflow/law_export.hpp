@@ -22,6 +22,7 @@ struct LawExportRequest {
 struct LawExport {
   std::string case_id;
   int version = 0;
+  std::string title = {};  ///< of the case, with the values that --set changed
   bearing::Raceway raceway = bearing::Raceway::inner;
   bearing::RacewayContact contact;
   Lubricant lubricant = {};

@@ -516,6 +516,29 @@ BOOST_AUTO_TEST_CASE(a_plan_says_what_is_skipped_and_why) {
   BOOST_TEST(bearing.out.find("skipped, and why") != std::string::npos);
 }
 
+BOOST_AUTO_TEST_CASE(tables_fit_a_terminal_of_100_columns) {
+  const test::Folder folder;
+  int rows = 0;
+  for (const char* arguments : {"compare own-moes-5-5", "bearing na4908 --details", "solve steel-roller"}) {
+    const auto ended = test::ehd_run(folder, arguments);
+    BOOST_TEST(ended.exit_code == 0, arguments);
+    std::istringstream lines(ended.out);
+    for (std::string line; std::getline(lines, line); ++rows) {
+      const bool sentence = line.find("  - ") != std::string::npos || line.starts_with("note");
+      if (!sentence) BOOST_TEST(line.size() <= 100u, arguments << ": " << line);
+    }
+  }
+  BOOST_TEST(rows > 60);
+}
+
+BOOST_AUTO_TEST_CASE(compare_marks_what_did_not_converge) {
+  const test::Folder folder;
+  const auto ended = test::ehd_run(folder, "compare own-moes-5-5 --solver fast --tolerance 1e-2 --tolerance 1e-15");
+  BOOST_TEST(ended.exit_code == 1);
+  BOOST_TEST(ended.out.find("fast*") != std::string::npos, ended.out);
+  BOOST_TEST(ended.out.find("* not converged") != std::string::npos, ended.out);
+}
+
 BOOST_AUTO_TEST_CASE(solvers_are_compared_by_the_error_that_they_achieve) {
   const test::Folder folder;
   const auto ended = test::ehd_run(folder, "compare own-moes-5-5 --tolerance 1e-2 --tolerance 1e-3 --json -");

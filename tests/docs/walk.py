@@ -84,7 +84,9 @@ class Shell:
         self.words = folder / "bin"
         self.words.mkdir()
         (self.words / "ehd").symlink_to(ehd)
-        self.environment = {**os.environ, "PATH": f"{self.words}:{os.environ['PATH']}", "MPLBACKEND": "Agg"}
+        outer_make = ("MAKEFLAGS", "MFLAGS", "MAKELEVEL", "MAKEOVERRIDES", "BUILD")  # of `make results BUILD=...`
+        mine = {name: value for name, value in os.environ.items() if name not in outer_make}
+        self.environment = {**mine, "PATH": f"{self.words}:{os.environ['PATH']}", "MPLBACKEND": "Agg"}
         self.as_in_a_clone(self.folder)
         self.has_program()
 

@@ -72,6 +72,25 @@ BOOST_AUTO_TEST_CASE(reported_errors_cover_the_true_ones_and_meet_the_tolerance)
   EHD_CHECK(worst, Tolerance::required(3, "none beyond three bars"));
 }
 
+BOOST_AUTO_TEST_CASE(two_grids_cover_the_smallest_film_of_heavy_isoviscous_contacts) {
+  struct Contact {
+    double M;
+    Inlet inlet;
+  };
+  for (const auto& [M, inlet] : {Contact{11270.1, TruncatedAt{-4}}, Contact{9421.36, Flooded{}}}) {
+    BOOST_TEST_CONTEXT("M " << M) {
+      const Problem problem = barus_problem(M, 0, inlet);
+      const Solution loose = fast::Mapped{}.solve(problem, {.tolerance = 1e-2}),
+                     tight = fast::Mapped{}.solve(problem, {.tolerance = 1e-4});
+      BOOST_CHECK(loose.record.status == StopReason::converged);
+      BOOST_TEST(loose.record.cost.levels == 2);  // else nothing is shown of two grids
+      BOOST_CHECK(tight.record.status == StopReason::converged);
+      EHD_CHECK(error(film(loose, Quantity::film_minimum), film(tight, Quantity::film_minimum)),
+                Tolerance::discretisation(reported(loose, Quantity::film_minimum), 1) + Tolerance::iteration(1e-4));
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(the_central_film_alone_takes_fewer_intervals_than_both_films) {
   int fewer = 0;
   for (const Truth& truth : truths) {

@@ -50,6 +50,16 @@ BOOST_AUTO_TEST_CASE(the_summary_has_the_numbers_of_the_loaded_rollers_with_thei
   BOOST_TEST(!says(text, "0.2"));  // the film of the unloaded roller
 }
 
+BOOST_AUTO_TEST_CASE(the_rollers_table_has_load_pressure_film_and_lambda_ratio) {
+  const Case one = made::needle_bearing(10e-6);
+  const std::string text = human_table(one, {made_result()});
+  for (const char* row :
+       {"ehd: Q_i   p_H    h_i  lambda", "0        900.0  1200  0.310    3.10", "180        5.0     -      -       -"})
+    BOOST_CHECK_MESSAGE(says(text, row), row << " is not in\n" << text);
+  BOOST_TEST(!says(text, "delta_i"));
+  BOOST_TEST(says(human_table(one, {made_result()}, {.details = true}), "delta_i"));
+}
+
 BOOST_AUTO_TEST_CASE(a_law_without_errors_has_no_brackets_and_an_empty_row_is_left_out) {
   BearingResult dry = made_result();
   dry.law = bearing::Law::hertz;

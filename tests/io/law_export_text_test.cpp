@@ -19,6 +19,7 @@ namespace {
 LawExport made_law(bool damped) {
   LawExport law{.case_id = "made-bearing.1",
                 .version = 3,
+                .title = "Made, bearing.clearance_m = 5e-06",
                 .raceway = bearing::Raceway::outer,
                 .contact = {.length_m = 0.07,
                             .reduced_radius_m = 2.7e-3,
@@ -89,6 +90,8 @@ BOOST_AUTO_TEST_CASE(the_json_has_the_knots_and_both_kinds_of_errors) {
   BOOST_TEST(json["schema"] == "ehd-law-1");
   BOOST_TEST(json["case"] == "made-bearing.1");
   BOOST_TEST(json["version"] == 3);
+  BOOST_TEST(json["title"] == law.title);
+  BOOST_TEST(json["lubricant"].contains("viscosity"));
   BOOST_TEST(json["raceway"] == "outer");
   BOOST_TEST(json["datum_x0_m"] == 0.0123);
   BOOST_TEST(json["provenance"].contains("version"));

@@ -305,6 +305,24 @@ BOOST_AUTO_TEST_CASE(files_appear_together_or_not_at_all) {
   BOOST_TEST(!std::filesystem::exists(folder.path() / "b.json"));
 }
 
+BOOST_AUTO_TEST_CASE(a_file_that_cannot_appear_takes_those_before_it_back) {
+  const test::Folder folder;
+  const auto old = folder.write("old.csv", "old"), fresh = folder.path() / "fresh.csv",
+             blocked = folder.path() / "blocked.json";
+  {
+    OutputFile one(old), two(fresh), three(blocked);
+    for (OutputFile* file : {&one, &two, &three}) file->append("new");
+    std::filesystem::create_directory(blocked);
+    BOOST_CHECK_THROW(commit_together({&one, &two, &three}), OutputError);
+    BOOST_TEST(test::read(old) == "old");
+    BOOST_TEST(!std::filesystem::exists(fresh));
+  }
+  BOOST_TEST(test::read(old) == "old");
+  std::size_t entries = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path())) entries += !entry.path().empty();
+  BOOST_TEST(entries == 2u);  // old.csv and the folder: no temporary file is left
+}
+
 BOOST_AUTO_TEST_CASE(a_path_that_cannot_be_written_is_refused_at_once) {
   const test::Folder folder;
   BOOST_CHECK_THROW(OutputFile(folder.path()), OutputError);

@@ -302,7 +302,7 @@ def audit_budget(said, result, inputs):
         elif row["source"] == "interpolation":
             curve = result["curve"][thinnest(result)[1]]
             said.equal(f"{name}: smallest film", row["smallest_film_relative"], curve["interpolation_error"])
-        if "of the films" in row["of"]:
+        if row["of"].endswith(", films"):
             said.equal(f"{name}: the balance", [row[key] for key in numbers[:3]], [0, 0, 0])
 
 

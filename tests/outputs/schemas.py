@@ -68,6 +68,11 @@ def main(ehd):
     answer = f"mine=cp {TOP / 'cases' / 'submissions' / 'ehd-fast-1e-3.json'} {{out}}; test {{case}}"
     documents.append(("ehd compare", said("compare", "own-moes-20-10", "--tolerance", 1e-2, "--external", answer,
                                           "--json", "-")[0]))
+    documents.append(("ehd export law", said("export", "law", "na4908", "--raceway", "inner", "--knots", 8, "--format",
+                                             "json", "--set", "bearing.clearance_m=1e-6")))
+    documents.append(("ehd export films", said("export", "films", "own-moes-20-10", "--M", "10:40", "--L", "5:12",
+                                               "--tolerance", 1e-2, "--format", "json")))
+    documents.append(("ehd statements", said("statements", "--json", "-")))
     for what, document in documents:
         require_valid(document, what)
     seen = {document["schema"] for _, document in documents}

@@ -160,9 +160,9 @@ std::vector<BudgetRow> budget_of(const Case& bearing_case, const std::vector<Bea
       else
         below.smallest_film = curve.errors().joint;
     }
-    const std::string films = on_curve ? "" : ", of the films";
-    add(std::move(between), "interpolation", "largest disagreement of an extra solve, at every contact" + films);
-    add(std::move(below), "rigid limit", "below the lightest solved contact" + films);
+    const std::string films = on_curve ? "" : ", films";
+    add(std::move(between), "interpolation", "extra solves at every contact" + films);
+    add(std::move(below), "rigid limit", "below the lightest solve" + films);
   }
   BudgetRow solver = linear.bound([&](double f, bool at_inner) {
     if (!on_curve) return (at_inner ? result->fit->inner : result->fit->outer).approach_error_m(f);
@@ -171,7 +171,7 @@ std::vector<BudgetRow> budget_of(const Case& bearing_case, const std::vector<Bea
   });
   if (thinnest) solver.smallest_film = curve_of(thinnest->inner).errors().solver_minimum_film;
   add(std::move(solver), "contact solver",
-      on_curve ? "its own stated errors, at every contact" : "its own stated errors, at the contacts of the fit");
+      on_curve ? "its stated errors, every contact" : "its stated errors, contacts of the fit");
 
   // 3. The datum, which is a choice: the differences that other data make.
   const auto& body = std::get<BearingCase>(bearing_case.body);
@@ -205,13 +205,13 @@ Json to_json(const std::vector<BudgetRow>& rows) {
 }
 
 std::string human_budget(const std::vector<BudgetRow>& rows) {
-  std::vector<std::vector<std::string>> table{
-      {"source", "of", "kind", "displacement um", "largest load N", "any load N", "film %"}};
-  for (const BudgetRow& row : rows)
-    table.push_back({row.source, row.of, row.bound ? "bound" : "difference", plain(1e6 * row.displacement_m, 2),
-                     plain(row.largest_force_N, 3), plain(row.any_force_N, 3),
-                     row.smallest_film ? plain(100 * *row.smallest_film, 2) : "-"});
-  return aligned(table, 3, "  ");
+  std::vector<std::vector<std::string>> table{{"error", "of", "delta um", "largest N", "any N", "film %"}};
+  for (const BudgetRow& row : rows) {
+    const auto cell = [&](double value, int digits) { return (row.bound ? "< " : "") + plain(value, digits); };
+    table.push_back({row.source, row.of, cell(1e6 * row.displacement_m, 2), cell(row.largest_force_N, 3),
+                     cell(row.any_force_N, 3), row.smallest_film ? cell(100 * *row.smallest_film, 2) : "-"});
+  }
+  return aligned(table, 2, "  ");
 }
 
 }  // namespace ehd::verification

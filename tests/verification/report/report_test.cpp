@@ -293,6 +293,24 @@ BOOST_AUTO_TEST_CASE(the_command_writes_the_page_and_refuses_in_one_line) {
   BOOST_TEST(test::ehd_run(folder, "report").exit_code == 2);
 }
 
+BOOST_AUTO_TEST_CASE(a_picture_has_the_units_of_its_case) {
+  const test::Folder folder;
+  const auto drawn = [&](const std::string& arguments) {
+    const auto plot = folder.path() / "plot.svg";
+    BOOST_TEST(test::ehd_run(folder, arguments + " --plot " + plot.string()).exit_code == 0, arguments);
+    return test::read(plot);
+  };
+  const std::string si = drawn("solve steel-roller --tolerance 1e-2"), groups = drawn("solve own-moes-5-5");
+  BOOST_TEST(count_of(si, "[MPa]") == 1u);
+  BOOST_TEST(count_of(si, "[\u00b5m]") == 2u);
+  BOOST_TEST(count_of(groups, "[MPa]") == 0u);
+  const std::string one = drawn("bearing na4908 --law hertz"), two = drawn("bearing na4908 na4908-10um --law hertz");
+  BOOST_TEST(count_of(one, "id=\"polar\"") == 1u);
+  BOOST_TEST(count_of(two, "id=\"polar\"") == 0u);
+  BOOST_TEST(count_of(two, "<svg ") == 3u);  // side by side
+  BOOST_TEST(count_of(two, ">na4908-10um</text>") == 1u);
+}
+
 BOOST_AUTO_TEST_CASE(solve_and_bearing_draw_a_picture_whole_or_not_at_all) {
   const test::Folder folder;
   const auto plot = folder.path() / "plot.svg";

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/pictures.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/text.hpp"
+#include "verification/report/mosaic.hpp"
+#include "verification/report/polar_plot.hpp"
+#include "verification/report/report.hpp"
+#include "workflow/shown_pressure.hpp"
+
+namespace ehd::cli {
+
+namespace {
+
+using report::Axis;
+using report::BearingCurves;
+using report::Figure;
+using report::OverAzimuth;
+using report::Panel;
+using report::PolarPlot;
+
+constexpr double micro = 1e6, mega = 1e-6, kilo = 1e-3;
+constexpr std::size_t longest_title = 80;
+
+std::string shown(const std::string& title) { return report::literal(shortened(one_line(title), longest_title)); }
+
+void scale(Axis& axis, double unit, const std::string& label) {
+  axis.label = label;
+  if (axis.low) *axis.low *= unit;
+  if (axis.high) *axis.high = report::range_of({0, *axis.high * unit}, axis.scale).high;
+}
+
+/// From Hertz units to um and MPa.
+void to_SI(Panel& panel, const Scales& scales) {
+  const double x = micro * *scales.half_width_m, p = mega * scales.hertz_pressure_Pa,
+               h = micro * *scales.film_m_per_hertz_film();
+  const auto low = panel.x.low, high = panel.x.high;
+  panel.x = {.label = "*x* [\u00b5m]",
+             .low = low ? std::optional(*low * x) : low,
+             .high = high ? std::optional(*high * x) : high};
+  scale(panel.y, p, "pressure *p* [MPa]");
+  scale(*panel.right, h, "film *h* [\u00b5m]");
+  for (report::Rule& rule : panel.rules) rule.y *= p;
+  for (report::Series& series : panel.series) {
+    series.name = series.right ? "film *h*" : "pressure *p*";
+    for (double& value : series.x) value *= x;
+    for (double& value : series.y) value *= series.right ? h : p;
+  }
+}
+
+/// The laws of a bearing that balanced.
+std::vector<BearingCurves> curves_of(const std::vector<BearingResult>& results) {
+  std::vector<BearingCurves> laws;
+  for (const BearingResult& result : results) {
+    if (result.rollers.empty()) continue;
+    BearingCurves curves{
+        .law = std::string(to_string(result.law)), .azimuth_deg = {}, .force_N = {}, .displacement_m = {}};
+    for (const RollerRow& roller : result.rollers) {
+      curves.azimuth_deg.push_back(roller.azimuth_deg);
+      curves.force_N.push_back(roller.inner.force_N);
+      curves.displacement_m.push_back(roller.inner.displacement_m);
+    }
+    laws.push_back(std::move(curves));
+  }
+  return laws;
+}
+
+/// Forces above displacements.
+Figure over_azimuth(const std::string& id, const std::string& title, const std::vector<BearingCurves>& laws) {
+  Figure figure{.id = id,
+                .title = title,
+                .description =
+                    "Contact force and displacement of each roller at the inner raceway over its azimuth, "
+                    "a curve a law."};
+  figure.panels = {report::azimuth_panel(OverAzimuth::force, title, laws),
+                   report::azimuth_panel(OverAzimuth::displacement, "", laws)};
+  return figure;
+}
+
+std::string polar_tile(const std::vector<BearingCurves>& laws) {
+  PolarPlot plot{.id = "polar",
+                 .title = "Loads round the bearing",
+                 .description = "Contact force of each roller at the inner raceway as radius, azimuth as angle.",
+                 .heading = "Load on each roller; the external load points down",
+                 .radius_label = "contact force *f*_{i} [kN]",
+                 .series = {}};
+  for (const BearingCurves& law : laws) {
+    const report::Look look = report::look_of_law(law.law);
+    report::PolarSeries series{.name = report::literal(law.law),
+                               .angle_deg = law.azimuth_deg,
+                               .radius = law.force_N,
+                               .line = look.line,
+                               .marker = look.marker,
+                               .colour = look.colour};
+    for (double& force : series.radius) force *= kilo;
+    plot.series.push_back(std::move(series));
+  }
+  return draw(plot, report::Place::page);
+}
+
+/// All panels of one kind show the same range.
+void share_axes(std::vector<Figure>& figures) {
+  for (std::size_t panel = 0; panel < 2; ++panel) {
+    std::vector<double> values{0};
+    for (const Figure& figure : figures)
+      for (const report::Series& series : figure.panels[panel].series)
+        values.insert(values.end(), series.y.begin(), series.y.end());
+    const report::Range range = report::range_of(values, report::Scale::linear);
+    for (Figure& figure : figures) figure.panels[panel].y.low = range.low, figure.panels[panel].y.high = range.high;
+  }
+}
+
+}  // namespace
+
+std::string contact_picture(const ContactRun& run, const std::string& title) {
+  const Fields& fields = run.solution.fields;
+  const std::optional<double> cut = pressure_cut(run.solution);
+  Array P = fields.P;
+  if (cut) P = P.min(*cut);
+  const auto values = [](const auto& field) { return std::vector<double>(field.begin(), field.end()); };
+  const report::ContactCurves curves{.name = run.solver.empty() ? "Hertz" : run.solver,
+                                     .X = values(fields.X),
+                                     .P = values(P),
+                                     .H = values(fields.H),
+                                     .P_cut = cut};
+  Figure figure = report::contact_figure("contact", "Pressure and film of " + title, {curves});
+  figure.width = 560;
+  Panel& panel = figure.panels.front();
+  panel.height = 300;
+  panel.title = shown(title);
+  if (run.scales && run.scales->half_width_m && run.scales->film_m_per_hertz_film()) {
+    to_SI(panel, *run.scales);
+    figure.description = "Pressure in MPa (left axis) and film in um (right axis) over x in um.";
+  }
+  return draw(figure, report::Place::file);
+}
+
+std::optional<std::string> bearing_picture(const std::vector<Case>& cases,
+                                           const std::vector<std::vector<BearingResult>>& results) {
+  std::vector<Figure> figures;
+  std::vector<std::string> tiles;
+  for (std::size_t k = 0; k < cases.size(); ++k) {
+    const std::vector<BearingCurves> laws = curves_of(results[k]);
+    if (laws.empty()) continue;
+    if (cases.size() == 1) tiles.push_back(polar_tile(laws));
+    Figure figure = over_azimuth("bearing-" + std::to_string(k), cases.size() == 1 ? "" : shown(cases[k].id), laws);
+    figure.width = cases.size() == 1 ? 520 : 400;
+    for (Panel& panel : figure.panels) panel.height = cases.size() == 1 ? 170 : 160;
+    figures.push_back(std::move(figure));
+  }
+  if (figures.empty()) return std::nullopt;
+  share_axes(figures);
+  for (const Figure& figure : figures) tiles.push_back(draw(figure, report::Place::page));
+  const report::Picture frame{.id = "bearing",
+                              .title = "Forces and displacements of the rollers",
+                              .description = "Contact force and displacement of each roller, a curve a law."};
+  constexpr std::size_t most_columns = 3;
+  const bool alone = cases.size() == 1;
+  return report::mosaic(frame,
+                        alone ? shown(cases.front().id + ": " + cases.front().title)
+                              : "Contact forces and displacements over the azimuth",
+                        tiles, alone ? 2 : most_columns);
+}
+
+}  // namespace ehd::cli
