@@ -71,7 +71,7 @@ figures.zoom = (function () {
         for (var digit = 1; digit < 10; ++digit) {
           var at = digit * Math.pow(10, k);
           if (at < low || at > high) { continue; }
-          var text = Math.abs(k) <= 3 ? String(Number(at.toPrecision(1))) : null;
+          var text = Math.abs(k) <= 2 ? String(Number(at.toPrecision(1))) : null;
           found.push({ value: at, major: digit === 1 && k % every === 0, text: text, power: k });
         }
       }
@@ -92,6 +92,7 @@ figures.zoom = (function () {
     text.setAttribute("text-anchor", anchor);
     text.setAttribute("class", "small");
     text.textContent = (tick.text === null ? "10" : tick.text).replace("-", "\u2212");
+    if (text.textContent.length > 6) { text.style.fontSize = "9px"; }  // beside the name of the axis
     if (tick.text === null) {
       var power = made(parent, "tspan");
       power.setAttribute("dy", "-.48em");

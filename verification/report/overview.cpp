@@ -98,7 +98,7 @@ Verified cases_verified(const View& results) {
   Verified row{.what = section_link("contacts", how_many(cases.size(), "case", "cases")) + ": films by <code>" +
                        escaped(solver) + "</code>",
                .digits = digits.any() ? digits.text(2) + " digits" : "",
-               .truth = "<code>" + escaped(truth) + "</code>, other equations for the same problem",
+               .truth = "<code>" + escaped(truth) + "</code>, another discretisation of the same equations",
                .cost = milliseconds_of(times)};
   if (open > 0) row.open.push_back(how_many(open, "case", "cases") + " without two converged solves");
   if (beyond > 0)
@@ -181,7 +181,7 @@ Verified maps_verified(const View& results) {
     if (fast.exists() && fast.text("status") != "converged") ++open;
   }
   Verified row{.what = section_link("maps", how_many(points.size(), "point", "points") + " over M and L")};
-  if (certified.any()) row.digits = "certified to " + certified.text(2) + " digits";
+  if (certified.any()) row.digits = "certified: " + certified.text(2) + " digits";
   if (achieved.any()) row.digits += "; <code>fast</code> has " + achieved.text(2);
   row.truth = "<code>reference</code>, recorded in the atlas";
   row.cost = milliseconds_of(times);
@@ -225,7 +225,7 @@ Verified bearing_verified(const View& figures) {
   }
   Verified row{.what = section_link("bearing", how_many(bearings.size(), "bearing", "bearings") + " under " +
                                                    how_many(laws.size(), "law", "laws")),
-               .digits = digits.any() ? "displacement to " + digits.text(2) + " digits (law ehd)" : "",
+               .digits = digits.any() ? "displacement: " + digits.text(2) + " digits (law ehd)" : "",
                .truth = "balance, symmetry and energy; the error budget of each law"};
   const auto statements = figures.list("statements");
   const auto false_ones = static_cast<std::size_t>(std::count_if(

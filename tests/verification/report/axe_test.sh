@@ -14,7 +14,7 @@ if ! grep -q "\"version\": \"$version\"" "$3/node_modules/axe-core/package.json"
   if ! command -v npm > /dev/null 2>&1; then
     why="npm is not installed"
   elif ! timeout 60 npm install --prefix "$3" --no-save --no-audit --no-fund "axe-core@$version" > "$3/npm.log" 2>&1; then
-    why="npm could not install it: $(tail -n 1 "$3/npm.log")"
+    why="npm could not install it: $(grep -m 1 -i error "$3/npm.log" || echo "no answer in 60 s")"
   fi
   if [ -n "$why" ]; then
     echo "axe-core: skipped: $why"
