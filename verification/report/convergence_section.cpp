@@ -131,7 +131,7 @@ std::vector<TableCell> orders_row(const Study& study, const View& entry, const S
           words(study.solver),
           words(study.where),
           words(entry.text("quantity")),
-          words(curve.line == Line::none ? "too few points" : entry.text("kind")),
+          words(curve.line == Line::none ? "no rate" : entry.text("kind")),
           order("declared_order", 3),
           order("fitted_order", 4),
           integer_cell(static_cast<double>(entry.list("points").size())),
@@ -180,7 +180,9 @@ void add_convergence(Page& page, const View& results) {
   page.paragraph(
       "Errors against a more accurate solution, over the size of the grid. A triangle shows the order that the scheme "
       "declares. The legend gives the order fitted to the last four points that are clear of the truth's uncertainty "
-      "and of rounding; where errors fall geometrically, the unknowns that add a digit, from four such points on. "
+      "and of rounding; where errors fall geometrically, the unknowns that add a digit, from four such points on "
+      "(fewer: "
+      "marks without a line). "
       "Filled marks: the solve converged, and its error is clear of that uncertainty. Hollow marks: "
       "one of the two is not so. Errors are relative; against a manufactured solution they are absolute, in Hertz "
       "units.");

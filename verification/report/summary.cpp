@@ -26,7 +26,7 @@ void add_overview(Page& page, const std::vector<Verified>& verified) {
   page.paragraph(
       "Not verified anywhere on this page: that the equations describe an experiment. They know smooth, infinitely "
       "long "
-      "contacts of linear elastic bodies with one temperature and a Newtonian lubricant that fills the gap.");
+      "contacts of linear elastic bodies with one temperature and a Newtonian lubricant.");
 }
 
 /// Everything that is judged on the page in one sentence. Counted from the claims themselves, not read from the
