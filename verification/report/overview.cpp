@@ -241,11 +241,16 @@ Verified bearing_verified(const View& figures) {
 Verified dynamics_verified(const View& figures) {
   const auto bearings = figures.list("dynamics");
   if (bearings.empty()) return absent_part("bearing", "Bearings in small motion");
-  return {.what = section_link("bearing", how_many(bearings.size(), "bearing", "bearings") + " in small motion"),
-          .digits = "",
-          .truth = "claims of the rungs 6, 8 and 9: derivatives, causality, small steps in time, limits",
-          .cost = "",
-          .open = {"the error of each number, which <code>ehd bearing --dynamic</code> prints"}};
+  Verified row{.what = section_link("bearing", how_many(bearings.size(), "bearing", "bearings") + " in small motion"),
+               .truth = "claims of the rungs 6, 8 and 9: derivatives, causality, small steps in time, limits"};
+  for (const char* quantity : {"stiffness", "damping"}) {
+    Extent digits;
+    for (const View& bearing : bearings)
+      for (const double error : bearing["ring"].numbers(quantity + std::string("_error"))) digits.add(digits_of(error));
+    if (digits.any()) row.digits += (row.digits.empty() ? "" : "; ") + (quantity + (": " + digits.text(2)) + " digits");
+  }
+  if (row.digits.empty()) row.open.push_back("errors of stiffness and damping: not in this folder");
+  return row;
 }
 
 }  // namespace

@@ -251,6 +251,8 @@ Json dynamics() {
              {"outer_damping_N_s_per_m", damping}}},
            {"ring",
             {{"frequency_Hz", {10.0, 1000.0}},
+             {"stiffness_error", {1e-4, 1e-3}},
+             {"damping_error", {1e-2, 1e-2}},
              {"along_stiffness_N_per_m", {8.8e9, 8.7e9}},
              {"along_damping_N_s_per_m", {5700.0, 5600.0}},
              {"across_stiffness_N_per_m", {9.8e9, 9.7e9}},
