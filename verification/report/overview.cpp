@@ -225,7 +225,7 @@ Verified bearing_verified(const View& figures) {
   }
   Verified row{.what = section_link("bearing", how_many(bearings.size(), "bearing", "bearings") + " under " +
                                                    how_many(laws.size(), "law", "laws")),
-               .digits = digits.any() ? "displacement: " + digits.text(2) + " digits (law ehd)" : "",
+               .digits = digits.any() ? "displacement: " + digits.text(2) + " digits" : "",
                .truth = "balance, symmetry and energy; the error budget of each law"};
   const auto statements = figures.list("statements");
   const auto false_ones = static_cast<std::size_t>(std::count_if(
