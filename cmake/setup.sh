@@ -14,7 +14,7 @@ command -v dpkg-query > /dev/null 2>&1 || exit 0
 
 is_installed() {
   case "$1" in  # a tool counts wherever it comes from
-    g++ | cmake | pkg-config | valgrind | python3 | clang-format | clang-tidy)
+    g++ | cmake | pkg-config | valgrind | python3 | clang-format | clang-tidy | npm)
       command -v "$1" > /dev/null 2>&1 && return 0 ;;
     clang) command -v clang++ > /dev/null 2>&1 && return 0 ;;
     libclang-rt-dev)

@@ -117,6 +117,7 @@ def audit_bench(result, case, truth, singles):
     said.within("cores", result["provenance"]["cores"], 1)
     work = result["work_precision"]
     said.within("cpu_share", work["cpu_share"], 0)
+    said.within("c_s", work["c_s"], 0, 1e-3)  # one transform of 1024 numbers and back
     audit_truth(said, work["truths"][0], case, truth)
     said.equal("rows", len(work["rows"]), len(singles))
     for row, (asked, value), single in zip(work["rows"], ASKED, singles, strict=True):

@@ -21,11 +21,6 @@ namespace {
 /// Materials are harder above it: the spike is narrow.
 constexpr double stiff_above_L = 15;
 
-double c_now() {
-  constexpr Repetition many{.least = 200, .least_s = 0.02, .enough_s = 0.1, .most = 100000};
-  return convolution_s(unit_intervals, many);
-}
-
 struct Answer {
   const char* asked;
   FilmTolerances tolerance;

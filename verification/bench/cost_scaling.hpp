@@ -21,6 +21,8 @@ namespace ehd::verification {
 
 /// c, the unit of times, is a convolution on so many intervals.
 inline constexpr int unit_intervals = 512;
+/// c now [s]: measured for a tenth of a second at most, beside what is timed.
+[[nodiscard]] double c_now();
 
 struct ScalingRow {
   std::string solver;

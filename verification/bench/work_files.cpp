@@ -133,6 +133,7 @@ Json to_json(const WorkPrecisionResult& result) {
   Json json;
   json["solvers"] = result.solvers;
   put(json, "cpu_share", result.cpu_share);
+  if (result.c_s > 0) put(json, "c_s", result.c_s);
   for (const char* list : {"truths", "rows", "at_equal_error", "crossovers", "coverage"}) json[list] = Json::array();
   for (const Truth& truth : result.truths) json["truths"].push_back(truth_json(truth));
   for (const WorkRow& row : result.rows) json["rows"].push_back(row_json(row));

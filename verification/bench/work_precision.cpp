@@ -13,6 +13,7 @@
 #include "contact/text.hpp"
 #include "io/case_reader.hpp"
 #include "io/find_case.hpp"
+#include "verification/bench/cost_scaling.hpp"
 #include "verification/studies/profile.hpp"
 #include "workflow/contact_run.hpp"
 
@@ -275,13 +276,16 @@ WorkPrecisionResult run_work_precision(const WorkPrecisionRequest& request) {
   const std::clock_t cpu_begin = std::clock();
   WorkPrecisionResult result;
   for (const RegisteredSolver* solver : request.solvers) result.solvers.push_back(solver->name);
+  std::vector<double> c_s;
   for (const Case& one : request.cases) {
+    c_s.push_back(c_now());
     if (request.progress) request.progress(one.id + ": the truth");
     const SolvedTruth truth = solve_truth(one, request.quick);
     const auto rows = Rounds(one, truth, request).run();
     result.truths.push_back(truth.stated);
     result.rows.insert(result.rows.end(), rows.begin(), rows.end());
   }
+  if (!c_s.empty()) result.c_s = median(c_s);
   const double wall_s = watch.seconds();
   if (wall_s > 0) result.cpu_share = static_cast<double>(std::clock() - cpu_begin) / CLOCKS_PER_SEC / wall_s;
   return result;

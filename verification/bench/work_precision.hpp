@@ -38,6 +38,7 @@ struct WorkPrecisionResult {
   /// CPU time over wall time of the whole run, which is one thread. Well below 1, other processes took time, and the
   /// measured times are too long by an unknown factor.
   double cpu_share = 1;
+  double c_s = 0;  ///< one padded convolution of 512 intervals: the median of measurements before each case
   [[nodiscard]] bool anything_judged() const;
 };
 

@@ -217,13 +217,20 @@ void add_family(Page& page, const std::vector<Bearing>& group) {
   const std::string what = first.id + (group.size() > 1 ? " and its clearances" : "");
   page.heading(escaped(what) + (operation(first.view).empty() ? "" : ": " + operation(first.view)));
   if (!first.title.empty()) page.paragraph(escaped(first.title) + ".");
-  page.begin_figures();
-  add_forces(page, group);
-  add_displacements(page, first);
-  if (group.size() > 1) add_clearances(page, group);
-  page.end_figures();
-  add_polars(page, group);
   add_balances(page, group);
+  page.begin_figures();
+  add_forces(page, {first});
+  add_displacements(page, first);
+  page.end_figures();
+  page.begin_fold("Load distributions round the bearing" + std::string(group.size() > 1 ? ", and all clearances" : ""));
+  if (group.size() > 1) {
+    page.begin_figures();
+    add_forces(page, {group.begin() + 1, group.end()});
+    add_clearances(page, group);
+    page.end_figures();
+  }
+  add_polars(page, group);
+  page.end_fold();
 }
 
 /// -180 < psi <= 180, rounded, so that azimuths of one roller are equal.

@@ -18,7 +18,7 @@ void add_statements(Page& page, const std::vector<View>& statements) {
     return;
   }
   Table table;
-  table.columns = {"", "law", "statement", "verdict", "in numbers"};
+  table.columns = {"letter", "law", "statement", "verdict", "in numbers"};
   for (const View& one : statements) {
     const auto holds = one.flag("holds");
     const bool at_top_alone = !holds.value_or(true) && one.flag("holds_at_psi_0").value_or(false);
@@ -62,7 +62,7 @@ void add_budgets(Page& page, const std::vector<View>& bearings) {
     page.absent("Error budgets are", "ehd verify --output DIR");
     return;
   }
-  page.add(table);
+  page.add_folded("Every source of error, bearing by bearing: " + std::to_string(table.rows.size()) + " rows", table);
 }
 
 void add_study(Page& page, const View& study) {
@@ -74,7 +74,7 @@ void add_study(Page& page, const View& study) {
   }
   Table summary;
   summary.caption = "Statements over the choices that the paper leaves open";
-  summary.columns = {"", "law", "holds in", "where not, or where alone", "at <i>\u03c8</i> = 0 alone also"};
+  summary.columns = {"statement", "law", "holds in", "where not, or where alone", "at <i>\u03c8</i> = 0 alone also"};
   for (const View& one : study.list("summary"))
     summary.rows.push_back(
         {{"(" + escaped(one.text("letter")) + ")", ""},
@@ -82,7 +82,7 @@ void add_study(Page& page, const View& study) {
          words(plain(one.number("holds").value_or(0)) + " of " + plain(one.number("of").value_or(0))),
          {escaped(one.text("exceptions")), "wide"},
          {escaped(one.text("at_psi_0_alone")), "wide"}});
-  page.add(summary);
+  page.add_folded("Each statement, law by law", summary);
   Table table;
   table.caption =
       "One choice changed at a time; changes are EHD against dry at <i>\u03c8</i> = 0; \"apart\" is the largest change "
@@ -125,7 +125,7 @@ void add_study(Page& page, const View& study) {
          words(percent("c", "middle") + " (" + percent("c", "apart") + "), " + percent("c", "largest")), holds("d"),
          words(ranges)});
   }
-  page.add(table);
+  page.add_folded("Every choice: " + std::to_string(table.rows.size()) + " rows", table);
 }
 
 void add_force_laws(Page& page, const std::vector<View>& laws) {
@@ -139,6 +139,7 @@ void add_force_laws(Page& page, const std::vector<View>& laws) {
     const std::pair name{one.text("id"), one.text("raceway")};
     if (std::find(contacts.begin(), contacts.end(), name) == contacts.end()) contacts.push_back(name);
   }
+  page.begin_fold("Force and smallest film over displacement: " + std::to_string(contacts.size()) + " contacts");
   page.begin_figures();
   for (const auto& [id, raceway] : contacts) {
     Figure figure{.id = "fig-law-" + id + "-" + raceway,
@@ -162,7 +163,8 @@ void add_force_laws(Page& page, const std::vector<View>& laws) {
         film.series.push_back({.x = displacement,
                                .y = scaled(one.numbers("film_minimum_m"), micro),
                                .line = look.line,
-                               .colour = look.colour});
+                               .colour = look.colour,
+                               .of = literal(one.text("law"))});
     }
     std::vector<double> all;
     for (const Series& series : force.series) all.insert(all.end(), series.x.begin(), series.x.end());
@@ -178,6 +180,7 @@ void add_force_laws(Page& page, const std::vector<View>& laws) {
                                        (figure.panels.size() > 1 ? ", and the minimum film below." : "."));
   }
   page.end_figures();
+  page.end_fold();
 }
 
 }  // namespace ehd::report

@@ -2,7 +2,6 @@
 // Pressure and film of each case by two solvers, and their difference on an axis of its own.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "contact/text.hpp"
 #include "verification/report/report.hpp"
@@ -10,10 +9,6 @@
 namespace ehd::report {
 
 namespace {
-
-constexpr const char* axis_X = "*X* = *x*/*b*";
-constexpr const char* axis_P = "*P* = *p*/*p*_{H}";
-constexpr const char* axis_H = "*H* = *h R*/*b*^{2}";
 
 std::vector<double> magnitudes(std::vector<double> values) {
   for (double& value : values) value = std::abs(value);
@@ -54,156 +49,177 @@ std::string description_of(const View& one) {
   return text;
 }
 
-/// H at the node nearest to X = 0; 0 where there is none.
-double film_at_centre(const ContactCurves& curves) {
-  double nearest = std::numeric_limits<double>::infinity(), film = 0;
-  for (std::size_t i = 0; i < std::min(curves.X.size(), curves.H.size()); ++i) {
-    if (!(std::abs(curves.X[i]) < nearest) || !std::isfinite(curves.H[i])) continue;
-    nearest = std::abs(curves.X[i]);
-    film = curves.H[i];
-  }
-  return film;
+/// What the table says of a case: `found` is how far the films of the last solver are from those of the first.
+struct Compared {
+  View truth, solver;
+  std::optional<double> stated, found, allowed;  ///< relative; stated by the solver, allowed by both together
+  std::string status;                            ///< of the solver, or of the truth where only that one failed
+};
+
+std::optional<double> larger(const std::optional<double>& a, const std::optional<double>& b) {
+  return a && b ? std::max(*a, *b) : a ? a : b;
+}
+
+Compared compared(const View& one) {
+  const auto solvers = one.list("solvers");
+  Compared result;
+  if (solvers.empty()) return result;
+  result.truth = solvers.front();
+  result.solver = solvers.back();
+  const View film = result.solver["film"], difference = one["difference"];
+  result.stated = larger(film["minimum"].number("error"), film["central"].number("error"));
+  const auto magnitude = [&](const char* key) {
+    auto value = difference.number(key);
+    if (value) value = std::abs(*value);
+    return value;
+  };
+  result.found = larger(magnitude("film_minimum"), magnitude("film_central"));
+  result.allowed = difference.number("stated");
+  result.status = result.solver.text("status");
+  if (result.status == "converged") result.status = result.truth.text("status");
+  return result;
+}
+
+/// Digits that agree: a difference of 1e-4 is four.
+TableCell digits_cell(const std::optional<double>& difference) {
+  const auto digits = digits_of(difference);
+  return {digits ? plain(*digits, 2) : "", "number"};
+}
+
+std::vector<ContactCurves> curves_of(const View& one) {
+  std::vector<ContactCurves> curves;
+  for (const View& solver : one.list("solvers"))
+    curves.push_back({.name = solver.text("solver"),
+                      .X = solver.numbers("X"),
+                      .P = solver.numbers("P"),
+                      .H = solver.numbers("H"),
+                      .P_cut = solver.number("pressure_cut")});
+  return curves;
+}
+
+Figure case_figure(const View& one, const std::vector<ContactCurves>& curves) {
+  const std::string id = one.text("id");
+  Figure figure = contact_figure("fig-case-" + id, "Pressure and film of " + id, curves);
+  figure.panels.front().height = 220;
+  const View difference = one["difference"];
+  if (!difference.exists()) return figure;
+  const auto X = difference.numbers("X"), P = magnitudes(difference.numbers("P")),
+             H = magnitudes(difference.numbers("H_relative"));
+  Panel apart;
+  apart.height = 110;
+  apart.x = figure.panels.front().x;
+  figure.panels.front().x.silent = true;
+  apart.y = {.label = "difference", .scale = Scale::logarithmic, .low = lowest_shown(P, H)};
+  apart.series.push_back({.name = "|\u0394*P*|", .x = X, .y = P, .colour = 1});
+  apart.series.push_back({.name = "|\u0394*H*|/*H*", .x = X, .y = H, .line = Line::dashed, .colour = 2});
+  if (const auto stated = difference.number("stated"); stated && *stated > 0)
+    apart.rules.push_back({*stated, "stated, films"});
+  figure.panels.push_back(std::move(apart));
+  figure.description += " Below: the magnitude of " + difference.text("of") + ".";
+  return figure;
+}
+
+TableCell film_cell(const View& solver, const char* which) {
+  const View film = solver["film"][which];
+  const auto value = film.number("hertz");
+  return {value ? escaped(with_error(*value, film.number("error"))) : "", "number"};
+}
+
+/// One row of the table of cases; its figure is below it.
+void add_case(Page& page, const View& one, Table& table) {
+  const std::string id = one.text("id"), title = one.text("title");
+  const auto curves = curves_of(one);
+  Figure figure = case_figure(one, curves);
+  std::string caption = "<b>" + escaped(id) + "</b>";
+  if (one.has("version")) caption += "@" + escaped(one.cell("version"));
+  if (!title.empty()) caption += ": " + escaped(title);
+  const Opener opener = page.opener("figure-of-" + id,
+                                    (curves.empty() ? "" : contact_spark(curves.back())) +
+                                        "<span class=\"unseen\">Figure of " + escaped(id) + "</span>",
+                                    "Figure of " + escaped(id),
+                                    page.figure_html(std::move(figure), caption + ". " + description_of(one) + "."));
+  table.below.push_back(opener.fold);
+  table.ids.push_back(page.unique("case-" + id));
+  const Compared both = compared(one);
+  const bool beyond = both.found && both.allowed && *both.found > *both.allowed;
+  const bool truth = both.truth.text("status") == "converged";
+  table.rows.push_back({words(id),
+                        {opener.link, ""},
+                        number_cell(one.number("M"), 4),
+                        number_cell(one.number("L"), 4),
+                        film_cell(truth ? both.truth : both.solver, "minimum"),
+                        film_cell(truth ? both.truth : both.solver, "central"),
+                        digits_cell(both.found),
+                        number_cell(both.stated, 2),
+                        {number_cell(both.found, 2).html, beyond ? "number fail" : "number"},
+                        verdict_cell(both.status),
+                        milliseconds_cell(both.solver.number("wall_s")),
+                        milliseconds_cell(both.truth.number("wall_s"))});
+}
+
+/// What each solver was asked and did, a row each.
+void add_solves(Page& page, const std::vector<View>& cases) {
+  Table table;
+  table.caption = "Films by each solver (Hertz units, with the error that it states)";
+  table.columns = {"case",       "solver", "asked",      "status",   "<i>H</i><sub>min</sub>", "<i>H</i><sub>cen</sub>",
+                   "fields [%]", "nodes",  "work units", "time [ms]"};
+  for (const View& one : cases)
+    for (const View& solver : one.list("solvers"))
+      table.rows.push_back({{escaped(one.text("id")), ""},
+                            words(solver.text("solver")),
+                            {escaped(solver.cell("tolerance", 3)), "number"},
+                            verdict_cell(solver.text("status")),
+                            film_cell(solver, "minimum"),
+                            film_cell(solver, "central"),
+                            number_cell(scaled(solver.number("field_error"), 100), 2),
+                            integer_cell(solver.number("nodes")),
+                            number_cell(solver.number("work_units"), 3),
+                            milliseconds_cell(solver.number("wall_s"))});
+  page.add_folded("Every solve: tolerance, nodes, work", table);
 }
 
 }  // namespace
 
-Figure contact_figure(const std::string& id, const std::string& title, const std::vector<ContactCurves>& curves) {
-  Figure figure{.id = id,
-                .title = title,
-                .description = "Pressure P = p/p_H (left axis) and film H = h R/b^2 (right axis) over X = x/b."};
-  Panel panel;
-  // From where the pressure begins to where it has ended, with a margin on both sides.
-  constexpr double felt = 0.02, margin = 0.15;
-  double low = std::numeric_limits<double>::infinity(), high = -low, first = low, last = -low, central = 0;
-  for (const ContactCurves& one : curves) {
-    double top = 0;
-    for (const double P : one.P) top = std::isfinite(P) ? std::max(top, P) : top;
-    for (std::size_t i = 0; i < std::min(one.X.size(), one.P.size()); ++i) {
-      if (!std::isfinite(one.X[i])) continue;
-      first = std::min(first, one.X[i]);
-      last = std::max(last, one.X[i]);
-      if (!(one.P[i] > felt * top)) continue;
-      low = std::min(low, one.X[i]);
-      high = std::max(high, one.X[i]);
-    }
-    central = std::max(central, film_at_centre(one));
-  }
-  panel.x = {.label = axis_X};
-  if (low < high) {
-    const double wide = high - low;
-    panel.x.low = std::max(first, std::min(low - margin * wide, -1.5));
-    panel.x.high = std::min(last, std::max(high + margin * wide, 1.5));
-  }
-  panel.y = {.label = axis_P, .low = 0};
-  panel.right = Axis{.label = axis_H, .low = 0};
-  // Outside the contact the film opens far beyond its height inside. The figure ends at four times that height.
-  constexpr double shown_films = 4;
-  if (central > 0) {
-    double tallest = 0;
-    for (const ContactCurves& one : curves) {
-      for (std::size_t i = 0; i < std::min(one.X.size(), one.H.size()); ++i) {
-        if (one.X[i] >= panel.x.low.value_or(-1e9) && one.X[i] <= panel.x.high.value_or(1e9) && std::isfinite(one.H[i]))
-          tallest = std::max(tallest, one.H[i]);
-      }
-    }
-    constexpr double no_film = 1e-9;  // of the tallest: a dry contact's rounding
-    panel.right->high =
-        range_of({0, central > no_film * tallest ? std::min(tallest, shown_films * central) : tallest}, Scale::linear)
-            .high;
-  }
-  for (const ContactCurves& one : curves)
-    if (one.P_cut && panel.rules.empty()) panel.rules.push_back({*one.P_cut, "above: unresolved"});
-  for (const ContactCurves& one : curves) {
-    const std::string name = literal(one.name);
-    // One solver: P solid, H dashed. The curves of two solvers lie on each other: each curve has a dash of its own.
-    const bool alone = curves.size() == 1, upper = &one == &curves.front();
-    panel.series.push_back({.name = "*P* " + name,
-                            .x = one.X,
-                            .y = one.P,
-                            .line = upper ? Line::solid : Line::dashed,
-                            .colour = upper ? 1 : 2});
-    panel.series.push_back({.name = "*H* " + name,
-                            .x = one.X,
-                            .y = one.H,
-                            .line = alone   ? Line::dashed
-                                    : upper ? Line::dash_dot
-                                            : Line::dotted,
-                            .colour = upper ? 3 : 4,
-                            .right = true});
-  }
-  figure.panels.push_back(std::move(panel));
-  return figure;
-}
-
 void add_contacts(Page& page, const View& results) {
-  page.section("contacts", "Pressure and film");
+  page.section("contacts", "Cases: pressure and film");
   const auto cases = results["figures"].list("cases");
   if (cases.empty()) {
     page.absent("Pressures and films of the cases are", "ehd verify --output DIR");
     return;
   }
+  const Compared first = compared(cases.front());
+  const std::string truth = escaped(first.truth.text("solver")), solver = escaped(first.solver.text("solver"));
   page.paragraph(
-      "Each case by both solvers; the lower panel shows how far they are apart (magnitudes). The dashed rule is the "
-      "sum "
-      "of the errors that they state of the smallest and the central film. These are extrapolated over the grids; the "
-      "fields are those of the finest one, and lie further apart, by its second order: the table has the error of the "
-      "films in them. Where the height of a pressure spike is not known, curves end at 1.5 <i>p</i><sub>H</sub>, "
-      "unresolved above. Films above the frame are cut off.");
-  page.begin_figures();
+      "Each case by <code>" + truth + "</code> and <code>" + solver +
+      "</code>. Error found: the larger difference of the two films between both solvers. Error stated: what <code>" +
+      solver +
+      "</code> says of its films. A difference beyond what both solvers state together would be "
+      "red. The small picture opens the figure: pressure and film, and below how far the solvers' fields "
+      "are apart.");
   Table table;
-  table.caption = "Films of the cases (Hertz units, with the error that the solver states)";
-  table.columns = {"case",       "solver", "asked",      "status",   "<i>H</i><sub>min</sub>", "<i>H</i><sub>cen</sub>",
-                   "fields [%]", "nodes",  "work units", "time [ms]"};
-  for (const View& one : cases) {
-    const std::string id = one.text("id"), title = one.text("title");
-    std::vector<ContactCurves> curves;
-    for (const View& solver : one.list("solvers")) {
-      const View film = solver["film"];
-      const auto known = [&](const char* which) {
-        const auto value = film[which].number("hertz");
-        return TableCell{value ? escaped(with_error(*value, film[which].number("error"))) : "", "number"};
-      };
-      table.rows.push_back({{escaped(id), ""},
-                            words(solver.text("solver")),
-                            {escaped(solver.cell("tolerance", 3)), "number"},
-                            verdict_cell(solver.text("status")),
-                            known("minimum"),
-                            known("central"),
-                            number_cell(scaled(solver.number("field_error"), 100), 2),
-                            integer_cell(solver.number("nodes")),
-                            number_cell(solver.number("work_units"), 3),
-                            number_cell(scaled(solver.number("wall_s"), 1e3), 3)});
-      curves.push_back({.name = solver.text("solver"),
-                        .X = solver.numbers("X"),
-                        .P = solver.numbers("P"),
-                        .H = solver.numbers("H"),
-                        .P_cut = solver.number("pressure_cut")});
-    }
-    Figure figure = contact_figure("fig-case-" + id, "Pressure and film of " + id, curves);
-    figure.panels.front().height = 220;
-    const View difference = one["difference"];
-    if (difference.exists()) {
-      const auto X = difference.numbers("X"), P = magnitudes(difference.numbers("P")),
-                 H = magnitudes(difference.numbers("H_relative"));
-      Panel apart;
-      apart.height = 110;
-      apart.x = figure.panels.front().x;
-      figure.panels.front().x.silent = true;
-      apart.y = {.label = "difference", .scale = Scale::logarithmic, .low = lowest_shown(P, H)};
-      apart.series.push_back({.name = "|\u0394*P*|", .x = X, .y = P, .colour = 1});
-      apart.series.push_back({.name = "|\u0394*H*|/*H*", .x = X, .y = H, .line = Line::dashed, .colour = 2});
-      if (const auto stated = difference.number("stated"); stated && *stated > 0)
-        apart.rules.push_back({*stated, "stated, films"});
-      figure.panels.push_back(std::move(apart));
-      figure.description += " Below: the magnitude of " + difference.text("of") + ".";
-    }
-    std::string caption = "<b>" + escaped(id) + "</b>";
-    if (one.has("version")) caption += "@" + escaped(one.cell("version"));
-    if (!title.empty()) caption += ": " + escaped(title);
-    page.figure(std::move(figure), caption + ". " + description_of(one) + ".");
-  }
-  page.end_figures();
+  table.css = "cases";
+  table.caption = "Films of the cases (Hertz units)";
+  table.columns = {"case",
+                   "<i>P</i>, <i>H</i>",
+                   "<i>M</i>",
+                   "<i>L</i>",
+                   "<i>H</i><sub>min</sub>",
+                   "<i>H</i><sub>cen</sub>",
+                   "digits",
+                   "error stated",
+                   "error found",
+                   "status",
+                   "<code>" + solver + "</code> [ms]",
+                   "<code>" + truth + "</code> [ms]"};
+  for (const View& one : cases) add_case(page, one, table);
   page.add(table);
+  page.paragraph(
+      "In the figures, the dashed rule is the sum of the errors that both solvers state of the smallest and the "
+      "central "
+      "film. These are extrapolated over the grids; the fields are those of the finest one, and lie further apart, by "
+      "its second order: the table below has the error of the films in them. Where the height of a pressure spike is "
+      "not known, curves end at 1.5 <i>p</i><sub>H</sub>, unresolved above. Films above the frame are cut off.");
+  add_solves(page, cases);
 }
 
 }  // namespace ehd::report

@@ -28,8 +28,7 @@ std::vector<Study> studies_of(const std::vector<View>& entries) {
     bool known = false;
     for (Study& other : studies) {
       if (other.solver != study.solver || other.where != study.where || other.abscissa != study.abscissa ||
-          other.geometric != study.geometric ||
-          other.entries.front().number("declared_order") != entry.number("declared_order"))
+          other.geometric != study.geometric)
         continue;
       constexpr std::size_t most = 4;  // curves in a panel
       if (other.entries.size() >= most) continue;
@@ -68,8 +67,36 @@ std::string abscissa_label(const std::string& abscissa) {
   return literal(abscissa);
 }
 
+/// The quantity. Where a figure has the extrapolated film and that of each grid, it says which is which.
+std::string curve_name(const View& entry, const Study& study) {
+  const std::string quantity = entry.text("quantity");
+  if (quantity.empty()) return entry.text("title");
+  if (entry.text("id").ends_with("/own")) return quantity + ", each grid";
+  const bool own_too = std::any_of(study.entries.begin(), study.entries.end(), [&](const View& other) {
+    return other.text("quantity") == quantity && other.text("id").ends_with("/own");
+  });
+  return own_too ? quantity + ", extrapolated" : quantity;
+}
+
+/// Unknowns (or degrees) for one more digit, by least squares over the filled marks; at least four, as for an order.
+std::optional<double> unknowns_a_digit(const Series& curve) {
+  constexpr double least = 4;
+  double count = 0, x = 0, y = 0, xx = 0, xy = 0;
+  for (std::size_t i = 0; i < curve.x.size(); ++i) {
+    if (curve.hollow_at[i] || !(curve.y[i] > 0)) continue;
+    const double digits = -std::log10(curve.y[i]);
+    count += 1;
+    x += curve.x[i];
+    y += digits;
+    xx += curve.x[i] * curve.x[i];
+    xy += curve.x[i] * digits;
+  }
+  const double slope = (count * xy - x * y) / (count * xx - x * x);
+  return count >= least && std::isfinite(slope) && slope > 0 ? std::optional(1 / slope) : std::nullopt;
+}
+
 /// Error over n. Hollow points: the solve did not converge, or the error is below three uncertainties of the truth.
-Series curve_of(const View& entry, bool geometric, std::size_t number) {
+Series curve_of(const View& entry, const Study& study, std::size_t number) {
   const Look look = look_of_curve(number);
   Series series{.line = look.line, .marker = look.marker, .colour = look.colour};
   for (const View& point : entry.list("points")) {
@@ -82,10 +109,14 @@ Series curve_of(const View& entry, bool geometric, std::size_t number) {
     series.hollow_at.push_back(!(*error > clearly * point.number("uncertainty").value_or(0)) ||
                                !(status.empty() || status == "converged"));
   }
-  const auto fitted = entry.number("fitted_order");
-  series.name = literal(entry.text("quantity").empty() ? entry.text("title") : entry.text("quantity"));
-  if (geometric) series.name += ": geometric";
-  if (!geometric && fitted) series.name += ": fitted " + number_markup(*fitted, 3);
+  series.name = literal(curve_name(entry, study));
+  if (study.geometric) {
+    const auto rate = unknowns_a_digit(series);
+    series.name += rate ? ": a digit every " + number_markup(*rate, 2) : "";
+    if (!rate) series.line = Line::none;  // marks without a line: nothing is claimed between them
+  } else if (const auto fitted = entry.number("fitted_order")) {
+    series.name += ": fitted " + number_markup(*fitted, 3);
+  }
   return series;
 }
 
@@ -100,7 +131,7 @@ std::vector<TableCell> orders_row(const Study& study, const View& entry, const S
           words(study.solver),
           words(study.where),
           words(entry.text("quantity")),
-          words(entry.text("kind")),
+          words(curve.line == Line::none ? "no rate" : entry.text("kind")),
           order("declared_order", 3),
           order("fitted_order", 4),
           integer_cell(static_cast<double>(entry.list("points").size())),
@@ -122,12 +153,15 @@ void add_study(Page& page, const Study& study, Table& table) {
   panel.y = {.label = manufactured ? "error [Hertz units]" : "relative error", .scale = Scale::logarithmic};
   std::string caption;
   for (const View& entry : study.entries) {
-    panel.series.push_back(curve_of(entry, study.geometric, panel.series.size()));
+    panel.series.push_back(curve_of(entry, study, panel.series.size()));
     table.rows.push_back(orders_row(study, entry, panel.series.back()));
     if (const auto title = entry.text("title"); !title.empty())
       caption += (caption.empty() ? "" : "; ") + escaped(title);
   }
-  if (const auto order = first.number("declared_order"); !study.geometric && order && *order > 0) {
+  const auto declares = std::find_if(study.entries.begin(), study.entries.end(),
+                                     [](const View& one) { return one.number("declared_order").value_or(0) > 0; });
+  if (!study.geometric && declares != study.entries.end()) {
+    const auto order = declares->number("declared_order");
     if (const auto triangle = triangle_below(panel.series, *order)) panel.triangles.push_back(*triangle);
   }
   figure.panels.push_back(std::move(panel));
@@ -146,16 +180,22 @@ void add_convergence(Page& page, const View& results) {
   page.paragraph(
       "Errors against a more accurate solution, over the size of the grid. A triangle shows the order that the scheme "
       "declares. The legend gives the order fitted to the last four points that are clear of the truth's uncertainty "
-      "and of rounding. Filled marks: the solve converged, and its error is clear of that uncertainty. Hollow marks: "
+      "and of rounding; where errors fall geometrically, the unknowns that add a digit, from four such points on "
+      "(fewer: "
+      "marks without a line). "
+      "Filled marks: the solve converged, and its error is clear of that uncertainty. Hollow marks: "
       "one of the two is not so. Errors are relative; against a manufactured solution they are absolute, in Hertz "
       "units.");
   Table table;
   table.caption = "Orders, declared and fitted";
   table.columns = {"study", "solver", "case", "quantity", "kind", "declared", "fitted", "points", "smallest error"};
+  const auto studies = studies_of(entries);
+  page.begin_fold(std::to_string(studies.size()) + " figures: errors over the size of the grid", "convergence-figures");
   page.begin_figures();
-  for (const Study& study : studies_of(entries)) add_study(page, study, table);
+  for (const Study& study : studies) add_study(page, study, table);
   page.end_figures();
-  page.add(table);
+  page.end_fold();
+  page.add_folded("Orders as a table: " + std::to_string(table.rows.size()) + " curves", table);
 }
 
 }  // namespace ehd::report

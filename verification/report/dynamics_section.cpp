@@ -32,7 +32,8 @@ Figure stiffness_and_damping(const View& values, const Axis& x, const std::vecto
     const auto& [prefix, name] = prefixes[k];
     stiffness.series.push_back(
         curve(k, name, places, scaled(values.numbers(prefix + "_stiffness_N_per_m"), 1 / micro)));
-    damping.series.push_back(curve(k, name, places, values.numbers(prefix + "_damping_N_s_per_m")));
+    damping.series.push_back(curve(k, "", places, values.numbers(prefix + "_damping_N_s_per_m")));
+    damping.series.back().of = name;  // the legend above serves both
   }
   figure.panels = {stiffness, damping};
   return figure;
@@ -44,6 +45,7 @@ void add_dynamics(Page& page, const std::vector<View>& bearings) {
   for (const View& bearing : bearings) {
     const std::string id = bearing.text("id");
     page.heading(escaped(id) + " in small motion, law ehd");
+    page.begin_fold("Stiffness and damping: around the bearing, and over the frequency");
     page.begin_figures();
     const View contacts = bearing["contacts"], ring = bearing["ring"];
     Figure around =
@@ -65,6 +67,7 @@ void add_dynamics(Page& page, const std::vector<View>& bearings) {
     page.figure(std::move(over), "<b>" + escaped(id) +
                                      "</b>: stiffness and damping of the ring over frequency, rollers' mass included.");
     page.end_figures();
+    page.end_fold();
   }
 }
 

@@ -34,7 +34,14 @@ Rgb diverging(double share) {
   return share < 0 ? between(middle, below, -share) : between(middle, above, share);
 }
 
-double luminance(const Rgb& colour) { return (0.2126 * colour[0] + 0.7152 * colour[1] + 0.0722 * colour[2]) / 255; }
+/// Relative luminance (WCAG 2.1).
+double luminance(const Rgb& colour) {
+  const auto linear = [](double part) {
+    part /= 255;
+    return part <= 0.03928 ? part / 12.92 : std::pow((part + 0.055) / 1.055, 2.4);
+  };
+  return 0.2126 * linear(colour[0]) + 0.7152 * linear(colour[1]) + 0.0722 * linear(colour[2]);
+}
 
 std::string hex(const Rgb& colour) {
   const auto byte = [](double part) { return static_cast<unsigned>(std::lround(part)) & 0xffU; };
@@ -121,14 +128,23 @@ std::string contours_svg(const HeatMap& map, const CellGrid& grid) {
 
 /// A cell's number in dark or white ink. Its rim has the cell's colour, so that contour lines do not cross the number.
 std::string number_svg(const Cell& cell, const std::optional<Rgb>& colour, Point centre, double width) {
-  constexpr double dark = 0.45;
+  // Where white and black have the same contrast to the cell, 4.58; elsewhere the better one has more. AA asks for 4.5.
+  constexpr double dark = 0.179;
   const bool white = colour && luminance(*colour) < dark;
   const std::string ink =
-      colour ? std::string(" style=\"fill:") + (white ? "#fff" : "#111") + ";stroke:" + hex(*colour) + "\""
+      colour ? std::string(" style=\"fill:") + (white ? "#fff" : "#000") + ";stroke:" + hex(*colour) + "\""
              : std::string();
   const double size = std::min(10.5, 10.5 * (width - 3) / std::max(1.0, text_width(literal(cell.text), 10.5)));
   return text_svg({centre.x, centre.y + 3.6}, literal(cell.text), "middle", "cell-text",
                   ink + " font-size=\"" + pixels(size) + "\"");
+}
+
+/// What the page's script needs: the read-out, and x, y, value to save.
+std::string page_data(const Cell& cell, double x, double y) {
+  return " data-hint=\"" + escaped(cell.hint) + "\" data-row=\"" +
+         (cell.value && std::isfinite(*cell.value) ? fmt::format("{:.7g},{:.7g},{:.9g}", x, y, *cell.value)
+                                                   : fmt::format("{:.7g},{:.7g},", x, y)) +
+         "\"";
 }
 
 struct Cells {
@@ -149,9 +165,9 @@ Cells cells_svg(const HeatMap& map, const CellGrid& grid, const std::string& hat
       const std::string rectangle = "x=\"" + pixels(centre.x - w / 2) + "\" y=\"" + pixels(centre.y - h / 2) +
                                     "\" width=\"" + pixels(w) + "\" height=\"" + pixels(h) + "\"";
       const auto colour = palette(cell.value);
-      drawn.svg += "<g class=\"datum\"" +
-                   (place == Place::page ? " data-hint=\"" + escaped(cell.hint) + "\"" : std::string()) + "><rect " +
-                   rectangle + (colour ? " class=\"cell\" fill=\"" + hex(*colour) + "\"" : " class=\"blank\"") + "/>";
+      drawn.svg += "<g class=\"datum\"" + (place == Place::page ? page_data(cell, map.x[i], map.y[j]) : "") +
+                   "><rect " + rectangle +
+                   (colour ? " class=\"cell\" fill=\"" + hex(*colour) + "\"" : " class=\"blank\"") + "/>";
       if (cell.hatched && colour) {
         drawn.svg += "<rect " + rectangle + " class=\"cell\" fill=\"url(#" + escaped(hatch) + ")\"/>";
         drawn.hatched = true;
@@ -293,7 +309,8 @@ std::string draw(const HeatMap& map, Place place) {
   if (cells.hatched) svg += hatch_svg(hatch);
   svg += cells.svg + contours_svg(map, grid) + cells.numbers + axes_svg(map, grid);
   const Keys keys = keys_svg(map, grid, hatch, cells.hatched);
-  return picture({map.id, map.title, map.description, map.width, keys.bottom}, svg + keys.svg, place);
+  return picture({map.id, map.title, map.description, map.width, keys.bottom, {map.x_label, map.y_label, map.heading}},
+                 svg + keys.svg, place);
 }
 
 }  // namespace ehd::report

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <set>
+#include <tuple>
 
 #include "contact/text.hpp"
 #include "verification/report/report.hpp"
@@ -65,16 +67,31 @@ struct Shown {
   std::function<void(HeatMap&)> style = {};
 };
 
+/// The loads and materials at which the quantity is known anywhere: a map has no empty rows and columns.
+std::pair<std::vector<double>, std::vector<double>> covered(
+    const Atlas& atlas, const std::string& laws, const std::function<std::optional<double>(const View&)>& value) {
+  std::set<double> Ms, Ls;
+  for (const double M : atlas.M) {
+    for (const double L : atlas.L) {
+      const View* point = point_at(atlas, laws, M, L);
+      const auto known = point ? value(*point) : std::nullopt;
+      if (!known || !std::isfinite(*known)) continue;
+      Ms.insert(M);
+      Ls.insert(L);
+    }
+  }
+  return {{Ms.begin(), Ms.end()}, {Ls.begin(), Ls.end()}};
+}
+
 /// The map of one law set; absent where no point has the quantity.
 std::optional<HeatMap> map_of(const Atlas& atlas, const std::string& laws, const Shown& shown) {
   HeatMap map;
-  map.x = atlas.M;
-  map.y = atlas.L;
   map.x_label = "load parameter *M*";
   map.y_label = "material parameter *L*";
   bool any = false;
-  for (const double L : atlas.L) {
-    for (const double M : atlas.M) {
+  std::tie(map.x, map.y) = covered(atlas, laws, shown.value);
+  for (const double L : map.y) {
+    for (const double M : map.x) {
       const View* point = point_at(atlas, laws, M, L);
       Cell cell;
       cell.hint = "M = " + plain(M) + ", L = " + plain(L) + ": ";
@@ -147,6 +164,7 @@ void draw_decades(HeatMap& map) {
 
 void add_films(Page& page, const Atlas& atlas) {
   page.heading("Certified film");
+  page.begin_fold("Maps of the smallest and the central film");
   page.begin_figures("maps");
   for (const Film& film : films)
     add_maps_of(page, atlas,
@@ -161,6 +179,7 @@ void add_films(Page& page, const Atlas& atlas) {
                  .hint = [](double value) { return "H_Moes = " + plain(value, 8); },
                  .style = draw_decades});
   page.end_figures();
+  page.end_fold();
 }
 
 constexpr double good = 0.05, poor = 0.30;
@@ -214,6 +233,7 @@ void add_formulas(Page& page, const Atlas& atlas) {
   Table table;
   table.caption = "Where the formulas hold, of all points below 4 GPa";
   table.columns = {"formula", "film", "laws", "points", "within 5 %", "within 30 %", "largest below", "largest above"};
+  page.begin_fold("Maps of the deviation, formula by formula");
   page.begin_figures("maps");
   for (const auto& formula : formulas) {
     const auto& [name, quantity] = formula;
@@ -237,6 +257,7 @@ void add_formulas(Page& page, const Atlas& atlas) {
                 });
   }
   page.end_figures();
+  page.end_fold();
   page.add(table);
 }
 
@@ -255,6 +276,7 @@ void add_inlet(Page& page, const Atlas& atlas) {
   page.paragraph(
       "From <i>M</i> = 2 on. In a lighter contact the inlet zone begins before <i>X</i> = \u22124: such an inlet would "
       "cut the zone itself.");
+  page.begin_fold("Maps of the cost");
   page.begin_figures("maps");
   for (const Film& film : films)
     add_maps_of(page, atlas,
@@ -270,6 +292,7 @@ void add_inlet(Page& page, const Atlas& atlas) {
                  .hint = percent_hint,
                  .style = draw_inlet_cost});
   page.end_figures();
+  page.end_fold();
 }
 
 /// A number that `fast` records of its solves.
@@ -300,6 +323,7 @@ void add_fast(Page& page, const Atlas& atlas) {
   page.heading("Iterations and cost of <code>fast</code>" +
                (tolerance.empty() ? std::string() : " at tolerance " + escaped(tolerance)));
   page.paragraph("Of all points: " + summary + ".");
+  page.begin_fold("Maps of iterations, work, time and achieved error");
   page.begin_figures("maps");
   for (const Counted& one : counted)
     add_maps_of(page, atlas,
@@ -328,6 +352,7 @@ void add_fast(Page& page, const Atlas& atlas) {
                  .hint = [](double value) { return "|fast/certified - 1| = " + plain(value, 3); },
                  .style = [](HeatMap& map) { map.logarithmic = true; }});
   page.end_figures();
+  page.end_fold();
 }
 
 }  // namespace

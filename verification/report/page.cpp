@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/report/page.hpp"
 
+#include <fmt/format.h>
+
 #include <cctype>
 #include <cmath>
+
+#include "contact/text.hpp"
 
 namespace ehd::report {
 
@@ -20,6 +24,15 @@ TableCell number_cell(const std::optional<double>& value, int digits) {
 TableCell integer_cell(const std::optional<double>& value) {
   constexpr int all_digits = 15;
   return number_cell(value, all_digits);
+}
+
+std::string milliseconds(double seconds, int digits) {
+  const double value = 1e3 * seconds;
+  return value < 1000 ? plain(value, digits) : fmt::format("{:.0f}", value);
+}
+
+TableCell milliseconds_cell(const std::optional<double>& seconds) {
+  return {seconds && std::isfinite(*seconds) ? milliseconds(*seconds) : "", "number"};
 }
 
 TableCell verdict_cell(const std::string& verdict) { return {escaped(verdict), slug(verdict)}; }
@@ -45,14 +58,19 @@ std::string html(const Table& table) {
     text += std::string("<th scope=\"col\"") + (number ? " class=\"number\"" : "") + ">" + table.columns[i] + "</th>";
   }
   text += "</tr></thead><tbody>\n";
-  for (const auto& row : table.rows) {
-    text += "<tr>";
+  for (std::size_t k = 0; k < table.rows.size(); ++k) {
+    const auto& row = table.rows[k];
+    const bool named = k < table.ids.size() && !table.ids[k].empty();
+    text += named ? "<tr id=\"" + escaped(table.ids[k]) + "\">" : "<tr>";
     for (std::size_t i = 0; i < row.size(); ++i) {
       const std::string css = row[i].css.empty() ? "" : " class=\"" + escaped(row[i].css) + "\"";
       const bool heads = i == 0 && table.first_is_heading;
       text += (heads ? "<th scope=\"row\"" : "<td") + css + ">" + row[i].html + (heads ? "</th>" : "</td>");
     }
     text += "</tr>\n";
+    if (k < table.below.size())
+      text +=
+          "<tr class=\"below\"><td colspan=\"" + std::to_string(row.size()) + "\">" + table.below[k] + "</td></tr>\n";
   }
   return text + "</tbody></table></div>\n";
 }
@@ -71,6 +89,30 @@ std::string slug(std::string_view name) {
   return result.empty() ? "x" : result;
 }
 
+namespace {
+
+std::string without_tags(const std::string& html) {
+  std::string text;
+  bool inside = false;
+  for (const char c : html) {
+    if (c == '<') inside = true;
+    if (!inside) text += c;
+    if (c == '>') inside = false;
+  }
+  return text;
+}
+
+/// A picture with its caption, and a link to itself.
+std::string framed(const std::string& id, const std::string& svg, const std::string& caption_html, const char* css) {
+  // Maps scroll on a phone; the keyboard has to reach what scrolls.
+  const char* const reached = std::string_view(css) == "map" ? " tabindex=\"0\"" : "";
+  return "<figure class=\"" + std::string(css) + "\"><div class=\"picture\"" + reached + ">" + svg +
+         "</div><figcaption>" + caption_html + " <a class=\"anchor\" href=\"#" + id +
+         "\">link</a></figcaption></figure>\n";
+}
+
+}  // namespace
+
 std::string Page::unique(const std::string& wanted) {
   const std::string base = slug(wanted);
   std::string id = base;
@@ -86,41 +128,56 @@ void Page::section(const std::string& id, const std::string& title) {
   body_ += "<section id=\"" + own + "\"><h2>" + title + "</h2>\n";
 }
 
-void Page::heading(const std::string& title) { body_ += "<h3>" + title + "</h3>\n"; }
+void Page::heading(const std::string& title) {
+  body_ += "<h3 id=\"" + unique(without_tags(title)) + "\">" + title + "</h3>\n";
+}
 
 void Page::paragraph(const std::string& html, const std::string& css) {
   body_ += (css.empty() ? "<p>" : "<p class=\"" + css + "\">") + html + "</p>\n";
 }
 
+void Page::begin_fold(const std::string& summary, const std::string& id) {
+  body_ +=
+      (id.empty() ? "<details>" : "<details id=\"" + unique(id) + "\">") + ("<summary>" + summary + "</summary>\n");
+}
+
 void Page::add_folded(const std::string& summary, const Table& table) {
-  body_ += "<details><summary>" + summary + "</summary>\n" + html(table) + "</details>\n";
+  begin_fold(summary);
+  add(table);
+  end_fold();
 }
 
 void Page::absent(const std::string& what, const std::string& command) {
   paragraph(escaped(what) + " not in this folder: <code>" + escaped(command) + "</code> makes it.", "absent");
 }
 
+Opener Page::opener(const std::string& id, const std::string& link, const std::string& summary,
+                    const std::string& content) {
+  const std::string own = unique(id);
+  return {.link = "<a class=\"opens\" href=\"#" + own + "\">" + link + "</a>",
+          .fold = "<details id=\"" + own + "\"><summary>" + summary + "</summary>" + content + "</details>"};
+}
+
 void Page::begin_figures(const std::string& css) { body_ += "<div class=\"figures " + css + "\">\n"; }
 void Page::end_figures() { body_ += "</div>\n"; }
 
-void Page::put_figure(const std::string& svg, const std::string& caption_html, const std::string& css) {
-  body_ += "<figure class=\"" + css + "\"><div class=\"picture\">" + svg + "</div><figcaption>" + caption_html +
-           "</figcaption></figure>\n";
+std::string Page::figure_html(Figure figure, const std::string& caption_html) {
+  figure.id = unique(figure.id);
+  return framed(figure.id, draw(figure, Place::page), caption_html, "curves");
 }
 
 void Page::figure(Figure figure, const std::string& caption_html) {
-  figure.id = unique(figure.id);
-  put_figure(draw(figure, Place::page), caption_html, "curves");
+  body_ += figure_html(std::move(figure), caption_html);
 }
 
 void Page::figure(HeatMap map, const std::string& caption_html) {
   map.id = unique(map.id);
-  put_figure(draw(map, Place::page), caption_html, "map");
+  body_ += framed(map.id, draw(map, Place::page), caption_html, "map");
 }
 
 void Page::figure(PolarPlot plot, const std::string& caption_html) {
   plot.id = unique(plot.id);
-  put_figure(draw(plot, Place::page), caption_html, "polar");
+  body_ += framed(plot.id, draw(plot, Place::page), caption_html, "polar");
 }
 
 std::string Page::document(const std::string& title) const {
@@ -131,10 +188,14 @@ std::string Page::document(const std::string& title) const {
          "<link rel=\"icon\" href=\"data:,\">\n<title>" +
          escaped(title) + "</title>\n<style>\n:root{" + light_colours() +
          "}\n@media screen and (prefers-color-scheme:dark){:root:not([data-theme=light]){" + dark_colours() +
-         "}}\n@media screen{:root[data-theme=dark]{" + dark_colours() + "}}\n" + picture_style() + page_style() +
-         "</style></head>\n<body>\n<header><h1>" + escaped(title) + "</h1><nav aria-label=\"Sections\">\n" +
-         navigation_ + "</nav></header>\n<main>\n" + body_ + (open_ ? "</section>\n" : "") + "</main>\n<script>\n" +
-         page_script() + "</script>\n</body></html>\n";
+         "}}\n@media screen{:root[data-theme=dark]{" + dark_colours() + "}}\n" + page_style() +
+         // Apart, since the script puts it into pictures that are saved, with the colours of `data-colours`.
+         "</style>\n<style id=\"picture-style\" data-colours=\"" + light_colours() + "\">" + picture_style() +
+         "</style></head>\n<body>\n<a class=\"skip\" href=\"#content\">To the content</a>\n<nav "
+         "aria-label=\"Sections\">\n" +
+         navigation_ + "</nav>\n<div class=\"page\"><header><h1>" + escaped(title) +
+         "</h1></header>\n<main id=\"content\">\n" + body_ + (open_ ? "</section>\n" : "") +
+         "</main></div>\n<script>\n" + figure_script() + page_script() + "</script>\n</body></html>\n";
 }
 
 }  // namespace ehd::report

@@ -22,6 +22,9 @@ struct TableCell {
 [[nodiscard]] TableCell words(std::string_view text);  ///< escaped
 [[nodiscard]] TableCell number_cell(const std::optional<double>& value, int digits = 4);
 [[nodiscard]] TableCell integer_cell(const std::optional<double>& value);
+/// From seconds: "0.31", "12.5", "1910".
+[[nodiscard]] std::string milliseconds(double seconds, int digits = 3);
+[[nodiscard]] TableCell milliseconds_cell(const std::optional<double>& seconds);
 [[nodiscard]] TableCell verdict_cell(const std::string& verdict);
 
 /// From SI to the units of the page: um, mm, kN.
@@ -34,20 +37,33 @@ struct Table {
   std::string caption = {};               ///< HTML
   std::vector<std::string> columns = {};  ///< HTML
   std::vector<std::vector<TableCell>> rows = {};
+  std::vector<std::string> ids = {};    ///< of rows, for links to them; "": none
+  std::vector<std::string> below = {};  ///< HTML below each row, across all columns
   std::string css = {};
   bool first_is_heading = true;  ///< the first cell of a row heads it
 };
 [[nodiscard]] std::string html(const Table& table);
 
-/// Collects the page. Every section and figure gets an id of its own.
+/// A cell that opens a row below: for Table::rows and Table::below.
+struct Opener {
+  std::string link, fold;  ///< HTML
+};
+
+/// Collects the page. Every section, heading and figure gets an id of its own.
 class Page {
  public:
   void section(const std::string& id, const std::string& title);
-  void heading(const std::string& title);  ///< HTML, below a section
+  void heading(const std::string& title);  ///< HTML, below a section; its id is its text
   void paragraph(const std::string& html, const std::string& css = "");
   void add(const std::string& html) { body_ += html; }
   void add(const Table& table) { body_ += html(table); }
-  void add_folded(const std::string& summary, const Table& table);  ///< shown where the reader opens it
+  /// What follows is closed until the reader opens it, up to end_fold. `summary`: HTML; `id`: of the fold, for links.
+  void begin_fold(const std::string& summary, const std::string& id = "");
+  void end_fold() { body_ += "</details>\n"; }
+  void add_folded(const std::string& summary, const Table& table);
+  /// `content` is closed until the reader follows the link; all texts are HTML.
+  [[nodiscard]] Opener opener(const std::string& id, const std::string& link, const std::string& summary,
+                              const std::string& content);
   /// A line that names an absent part and the command that makes it.
   void absent(const std::string& what, const std::string& command);
 
@@ -57,12 +73,15 @@ class Page {
   void figure(Figure figure, const std::string& caption_html);
   void figure(HeatMap map, const std::string& caption_html);
   void figure(PolarPlot plot, const std::string& caption_html);
+  /// The same as HTML, for another place than the end of the page.
+  [[nodiscard]] std::string figure_html(Figure figure, const std::string& caption_html);
+
+  /// An id that nothing else on the page has: the wanted one, or the wanted one with a number.
+  [[nodiscard]] std::string unique(const std::string& wanted);
 
   [[nodiscard]] std::string document(const std::string& title) const;
 
  private:
-  [[nodiscard]] std::string unique(const std::string& wanted);
-  void put_figure(const std::string& svg, const std::string& caption_html, const std::string& css);
   std::string body_, navigation_;
   std::set<std::string> ids_;
   bool open_ = false;
@@ -71,7 +90,8 @@ class Page {
 /// Letters, digits and hyphens of a name, for an id.
 [[nodiscard]] std::string slug(std::string_view name);
 
-[[nodiscard]] const char* page_style();  ///< without the pictures' rules
-[[nodiscard]] const char* page_script();
+[[nodiscard]] const char* page_style();     ///< without the pictures' rules
+[[nodiscard]] const char* page_script();    ///< theme, index, legend, read-out, filters, print
+[[nodiscard]] std::string figure_script();  ///< zoom of figures, and their data and pictures as files
 
 }  // namespace ehd::report

@@ -86,17 +86,38 @@ Ready ready(const Panel& panel) {
   return axes;
 }
 
+/// Not so where p is NaN.
+bool shown(Point p, const Box& box) {
+  constexpr double edge = 0.5;  // pixels: a mark on the frame counts
+  return p.x >= box.left - edge && p.x <= box.right + edge && p.y >= box.top - edge && p.y <= box.bottom + edge;
+}
+
+/// What the page's script needs to read, zoom and save a curve: its points as "x,y", "-" where it is broken, and which
+/// of them have a mark, unless all have one.
+std::string page_data(const Series& series, const std::vector<Point>& points, const Box& box) {
+  std::string values, marked;
+  std::size_t marks = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (i > 0) values += ' ';
+    values += std::isfinite(series.x[i]) && std::isfinite(series.y[i])
+                  ? fmt::format("{:.7g},{:.7g}", series.x[i], series.y[i])
+                  : "-";
+    if (!shown(points[i], box)) continue;
+    marked += (marks == 0 ? "" : " ") + std::to_string(i);
+    ++marks;
+  }
+  std::string data = " data-name=\"" + escaped(markup_to_text(series.name.empty() ? series.of : series.name)) +
+                     "\" data-values=\"" + values + "\"";
+  if (series.right) data += " data-right=\"1\"";
+  if (series.marker != Marker::none && marks < points.size()) data += " data-marked=\"" + marked + "\"";
+  return data;
+}
+
 std::string series_svg(const Series& series, std::size_t key, const Mapping& to_x, const Mapping& to_y, const Box& box,
                        Place place) {
   std::vector<Point> points;
   for (std::size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i)
     points.push_back({to_x(series.x[i]), to_y(series.y[i])});
-
-  const auto shown = [&](Point p) {
-    constexpr double edge = 0.5;
-    return p.x >= box.left - edge && p.x <= box.right + edge && p.y >= box.top - edge &&
-           p.y <= box.bottom + edge;  // not NaN
-  };
 
   std::string d;
   if (series.line != Line::none) {
@@ -104,30 +125,14 @@ std::string series_svg(const Series& series, std::size_t key, const Mapping& to_
   }
   std::string svg =
       "<g class=\"series s" + std::to_string(series.colour) + "\" data-key=\"" + std::to_string(key) + "\"";
-  if (place == Place::page) {
-    // For the read-out: points of the curve, in pixels and as values.
-    std::string values;
-    std::vector<std::size_t> index;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      if (shown(points[i])) index.push_back(i);
-    }
-    constexpr std::size_t most = 160;
-    const std::size_t every = index.size() / most + 1;
-    for (std::size_t k = 0; k < index.size(); k += every) {
-      const std::size_t i = index[k];
-      values += (values.empty() ? "" : " ") + pixels(points[i].x) + "," + pixels(points[i].y) + "," +
-                fmt::format("{:.6g}", series.x[i]) + "," + fmt::format("{:.6g}", series.y[i]);
-    }
-    svg += " data-name=\"" + escaped(markup_to_text(series.name)) + "\" data-values=\"" + values + "\"" +
-           (series.right ? " data-right=\"1\"" : "");
-  }
+  if (place == Place::page) svg += page_data(series, points, box);
   svg += ">";
   if (!d.empty()) svg += "<path class=\"line\" d=\"" + d + "\"" + dash_attribute(series.line) + "/>";
   Point last;
   bool any = false;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Point& p = points[i];
-    if (!shown(p)) continue;
+    if (!shown(p, box)) continue;
     svg += marker_svg(series.marker, p, i < series.hollow_at.size() ? series.hollow_at[i] : series.hollow);
     last = p;
     any = true;
@@ -145,8 +150,8 @@ std::string triangle_svg(const SlopeTriangle& one, const Mapping& to_x, const Ma
   const Point a{to_x(one.x), to_y(one.y)};
   const Point b{to_x(one.x * one.factor), to_y(one.y * std::pow(one.factor, -one.order))};
   if (!std::isfinite(a.x + a.y + b.x + b.y)) return "";
-  return "<path class=\"axis\" d=\"" + path_data({a, {a.x, b.y}, b, a}) + "\"/>" +
-         text_svg({a.x - 4, (a.y + b.y) / 2 + 4}, number_markup(one.order, 3), "end", "small halo");
+  return "<g class=\"slope\"><path class=\"axis\" d=\"" + path_data({a, {a.x, b.y}, b, a}) + "\"/>" +
+         text_svg({a.x - 4, (a.y + b.y) / 2 + 4}, number_markup(one.order, 3), "end", "small halo") + "</g>";
 }
 
 /// The names of the series in rows above the frame. Series of one name share a key: the name's place in `names`.
@@ -203,22 +208,29 @@ void add_y_ticks(AxisMarks& marks, const std::vector<Tick>& ticks, const Mapping
   }
 }
 
-/// The frame with grid, ticks and their labels; in the page also the attributes that the read-out needs.
-std::string frame_svg(const Panel& panel, const AxisMarks& marks, const Box& box, Place place) {
+/// An axis as the page's script reads it: its label, its ends (first the one at the left or at the bottom), its scale.
+std::string axis_data(const std::string& name, const Axis& axis, const Range& range) {
+  const double first = axis.downward ? range.high : range.low, last = axis.downward ? range.low : range.high;
+  return fmt::format(" data-{0}=\"{1}\" data-{0}-range=\"{2:.10g},{3:.10g}\"", name,
+                     escaped(markup_to_text(axis.label)), first, last) +
+         (axis.scale == Scale::logarithmic ? " data-" + name + "-log=\"1\"" : "");
+}
+
+/// The frame with grid, ticks and their labels; in the page also the attributes that the script needs.
+std::string frame_svg(const Panel& panel, const Ready& axes, const AxisMarks& marks, const Box& box, Place place) {
   std::string svg = "<g class=\"frame\"";
   if (place == Place::page) {
     svg += " data-box=\"" + pixels(box.left) + "," + pixels(box.top) + "," + pixels(box.right) + "," +
-           pixels(box.bottom) + "\" data-x=\"" + escaped(markup_to_text(panel.x.label)) + "\" data-y=\"" +
-           escaped(markup_to_text(panel.y.label)) + "\"" +
-           (panel.right ? " data-right=\"" + escaped(markup_to_text(panel.right->label)) + "\"" : "");
+           pixels(box.bottom) + "\"" + axis_data("x", panel.x, axes.x) + axis_data("y", panel.y, axes.y) +
+           (panel.right ? axis_data("right", *panel.right, axes.right) : "");
   }
   const std::string outline = path_data({{box.left, box.top},
                                          {box.right, box.top},
                                          {box.right, box.bottom},
                                          {box.left, box.bottom},
                                          {box.left, box.top}});
-  return svg + "><path class=\"grid\" d=\"" + marks.grid + "\"/><path class=\"axis\" d=\"" + marks.ticks +
-         "\"/><path class=\"axis\" d=\"" + outline + "\"/>" + marks.labels + "</g>\n";
+  return svg + "><path class=\"grid\" d=\"" + marks.grid + "\"/><path class=\"axis ticks\" d=\"" + marks.ticks +
+         "\"/><path class=\"axis\" d=\"" + outline + "\"/><g class=\"ticks-text\">" + marks.labels + "</g></g>\n";
 }
 
 /// How values become pixels inside a frame.
@@ -240,9 +252,11 @@ std::string contents_svg(const Panel& panel, const Mappings& to, const Box& box,
   for (const Rule& rule : panel.rules) {
     const double at = to.y(rule.y);
     if (!(at >= box.top && at <= box.bottom)) continue;
-    svg += line_svg({box.left, at}, {box.right, at}, "rule");
+    const std::string group = fmt::format("<g class=\"rule-at\" data-value=\"{:.7g}\">", rule.y);
+    svg += group + line_svg({box.left, at}, {box.right, at}, "rule") + "</g>";
     if (!rule.label.empty())
-      labels += text_svg({box.right - 5, at + (at - box.top > 16 ? -4 : 13)}, rule.label, "end", "small halo");
+      labels += group + text_svg({box.right - 5, at + (at - box.top > 16 ? -4 : 13)}, rule.label, "end", "small halo") +
+                "</g>";
   }
   for (const SlopeTriangle& one : panel.triangles) svg += triangle_svg(one, to.x, to.y);
   bool drawn = false;
@@ -277,7 +291,7 @@ Drawn draw_panel(const Panel& panel, const Ready& axes, const Margins& margins, 
   add_x_ticks(marks, axes.x_ticks, to.x, box);
   add_y_ticks(marks, axes.y_ticks, to.y, box, false);
   add_y_ticks(marks, axes.right_ticks, to.right, box, true);
-  svg += frame_svg(panel, marks, box, place);
+  svg += "<g class=\"panel\">" + frame_svg(panel, axes, marks, box, place);
 
   const double middle = (box.top + box.bottom) / 2;
   const auto upright = [&](double at, const std::string& label) {
@@ -291,7 +305,7 @@ Drawn draw_panel(const Panel& panel, const Ready& axes, const Margins& margins, 
     svg += text_svg({(box.left + box.right) / 2, box.bottom + 33}, panel.x.label, "middle", "axis-label");
     end = box.bottom + 38;
   }
-  return {svg + contents_svg(panel, to, box, place, names), end - top};
+  return {svg + contents_svg(panel, to, box, place, names) + "</g>\n", end - top};
 }
 
 }  // namespace
@@ -301,8 +315,8 @@ std::string draw(const Figure& figure, Place place) {
   std::vector<Ready> axes;
   for (const Panel& panel : figure.panels) {
     axes.push_back(ready(panel));
-    margins.left = std::max(margins.left, 14 + 12 + tick_label_width(axes.back().y_ticks));
-    if (panel.right) margins.right = std::max(margins.right, 20 + 12 + tick_label_width(axes.back().right_ticks));
+    margins.left = std::max(margins.left, 14 + 16 + tick_label_width(axes.back().y_ticks));
+    if (panel.right) margins.right = std::max(margins.right, 20 + 16 + tick_label_width(axes.back().right_ticks));
   }
   margins.left = std::max(margins.left, 46.0);
   std::vector<std::string> names;

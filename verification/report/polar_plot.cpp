@@ -77,12 +77,14 @@ std::string series_svg(const PolarSeries& series, std::size_t key, const Dial& d
     const std::string hint =
         fmt::format("{:.4g}\u00b0: {:.5g}", spot.angle > 180 ? spot.angle - 360 : spot.angle, spot.value);
     marks += "<g class=\"datum\"" +
-             (place == Place::page ? " data-hint=\"" + escaped(markup_to_text(series.name)) + ", " + hint + "\""
+             (place == Place::page ? " data-hint=\"" + escaped(markup_to_text(series.name)) + ", " + hint +
+                                         fmt::format("\" data-row=\"{:.7g},{:.7g}\"", spot.angle, spot.value)
                                    : std::string()) +
              ">" + marker_svg(series.marker, spot.at, true) + "</g>";
   }
   if (!outline.empty()) outline.push_back(outline.front());
   return "<g class=\"series s" + std::to_string(series.colour) + "\" data-key=\"" + std::to_string(key) +
+         (place == Place::page ? "\" data-name=\"" + escaped(markup_to_text(series.name)) : std::string()) +
          "\"><path class=\"line\" d=\"" + path_data(outline) + "\"" + dash_attribute(series.line) + "/>" + marks +
          "</g>\n";
 }
@@ -117,7 +119,8 @@ std::string draw(const PolarPlot& plot, Place place) {
   }
   const double bottom = dial.centre.y + radius + 30;
   svg += text_svg({plot.width / 2, bottom + 10}, plot.radius_label);
-  return picture({plot.id, plot.title, plot.description, plot.width, bottom + 18}, svg, place);
+  return picture({plot.id, plot.title, plot.description, plot.width, bottom + 18, {"azimuth [deg]", plot.radius_label}},
+                 svg, place);
 }
 
 }  // namespace ehd::report

@@ -2,6 +2,7 @@
 #include "verification/report/report.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <string_view>
 #include <vector>
@@ -63,6 +64,12 @@ bool stands(const View& claim) {
   return verdict == "pass" || (verdict == "inconclusive" && !claim.text("accepted").empty());
 }
 
+std::optional<double> digits_of(const std::optional<double>& relative_error) {
+  constexpr double most = 16;
+  if (!relative_error || !std::isfinite(*relative_error)) return std::nullopt;
+  return std::clamp(-std::log10(std::abs(*relative_error)), 0.0, most);
+}
+
 std::string report_html(const Documents& documents) {
   const View results(documents.results, "results.json"), bench(documents.bench, "bench.json"),
       stress(documents.stress, "stress.json");
@@ -70,6 +77,7 @@ std::string report_html(const Documents& documents) {
   for (const View& part : stress.list("parts")) require_verdict(part);
   Page page;
   add_summary(page, results, bench, stress);
+  add_claims(page, results);
   add_contacts(page, results);
   add_convergence(page, results);
   add_work_precision(page, bench);

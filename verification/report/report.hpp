@@ -17,11 +17,27 @@ namespace ehd::report {
 /// The claim passes, or it is inconclusive and accepted with a reason.
 [[nodiscard]] bool stands(const View& claim);
 
+/// Digits that a relative error leaves: 4 for 1e-4; none where there is no error or nothing is known. At most 16, those
+/// of a double.
+[[nodiscard]] std::optional<double> digits_of(const std::optional<double>& relative_error);
+
+/// A line of the first table: what was verified, and what of it was not.
+struct Verified {
+  std::string what = {}, digits = {}, truth = {}, cost = {};  ///< HTML
+  std::vector<std::string> open = {};                         ///< HTML; not verified, or left out
+  std::vector<std::string> wrong = {};                        ///< HTML; what does not stand: the headline has it too
+};
+/// Everything on the page, a line a section.
+[[nodiscard]] std::vector<Verified> everything_verified(const View& results, const View& bench, const View& stress);
+
 // The sections, in this order.
 void add_summary(Page& page, const View& results, const View& bench, const View& stress);
+void add_claims(Page& page, const View& results);
 void add_contacts(Page& page, const View& results);
 void add_convergence(Page& page, const View& results);
 void add_work_precision(Page& page, const View& bench);
+/// Parts of it: scaling, and many contacts at once.
+void add_scaling(Page& page, const View& bench);
 void add_maps(Page& page, const View& results);
 void add_stress(Page& page, const View& stress);
 void add_bearing(Page& page, const View& results);
@@ -40,6 +56,9 @@ struct ContactCurves {
 /// One panel: P and H over the contact, the inlet zone and the exit.
 [[nodiscard]] Figure contact_figure(const std::string& id, const std::string& title,
                                     const std::vector<ContactCurves>& curves);
+
+/// Pressure and film from X = -2 to 1.5 as a picture for a line of text.
+[[nodiscard]] std::string contact_spark(const ContactCurves& curves);
 
 /// A bearing's rollers under one law.
 struct BearingCurves {

@@ -244,7 +244,11 @@ std::string picture(const Picture& frame, const std::string& content, Place plac
     result = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + result +
              " xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width + "\" height=\"" + height + "\"";
   } else {
-    result += " style=\"max-width:" + pixels(1.2 * frame.width) + "px\"";
+    std::string axes;
+    for (const std::string& one : frame.axes)
+      axes += (axes.empty() ? "" : "|") + replaced(markup_to_text(one), "|", "/");
+    result += (axes.empty() ? "" : " data-axes=\"" + escaped(axes) + "\"") +
+              " style=\"max-width:" + pixels(1.2 * frame.width) + "px\"";
   }
   result += ">\n<title id=\"" + id + "-title\">" + escaped(frame.title) + "</title><desc id=\"" + id + "-desc\">" +
             escaped(frame.description) + "</desc>\n";

@@ -4,6 +4,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace ehd::report {
 
@@ -36,8 +37,9 @@ enum class Place { page, file };
 /// a file of its own it carries its style (literal colours: not every program knows CSS variables).
 struct Picture {
   std::string id;
-  std::string title, description;  ///< plain text
-  double width = 0, height = 0;    ///< pixels at full size
+  std::string title, description;      ///< plain text
+  double width = 0, height = 0;        ///< pixels at full size
+  std::vector<std::string> axes = {};  ///< markup; columns of the data that the page saves, where no frame names them
 };
 [[nodiscard]] std::string picture(const Picture& frame, const std::string& content, Place place);
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The results of `ehd bench`: time against achieved error, ratios at equal error, scaling, batches.
+// The results of `ehd bench`: time against achieved error, in the manner of the SciML benchmarks (error to the right,
+// time upwards, both logarithmic, a line a solver, failures as rows), and ratios of times at equal error.
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <map>
 
+#include "contact/text.hpp"
 #include "verification/report/report.hpp"
 
 namespace ehd::report {
@@ -18,13 +18,28 @@ struct Quantity {
 constexpr Quantity quantities[] = {
     {"film.minimum", "error of *H*_{min}"}, {"film.central", "error of *H*_{cen}"}, {"pressure", "error of *P* (L2)"}};
 
+constexpr double milli_s = 1e-3;  // [s]
+
+/// The same times in c, the time of one convolution in that run, on the right.
+void add_yardstick(Panel& panel, const View& bench) {
+  const double c_ms = bench["work_precision"].number("c_s").value_or(0) / milli_s;
+  if (!(c_ms > 0)) return;
+  std::vector<double> times;
+  for (const Series& series : panel.series) times.insert(times.end(), series.y.begin(), series.y.end());
+  const Range range = range_of(times, Scale::logarithmic);
+  panel.y.low = range.low;
+  panel.y.high = range.high;
+  panel.right =
+      Axis{.label = "time [*c*]", .scale = Scale::logarithmic, .low = range.low / c_ms, .high = range.high / c_ms};
+}
+
 /// Time over achieved error of one case and quantity. Each run by tolerance or by grid is a mark; a line a solver joins
 /// the runs that no other run of the solver beats in both time and error.
 Panel precision_panel(const View& bench, const std::vector<View>& rows, const std::string& id, const Quantity& quantity,
                       std::size_t& failed) {
   Panel panel;
   panel.x = {.label = quantity.label + std::string(", relative"), .scale = Scale::logarithmic};
-  panel.y = {.label = "time [s]", .scale = Scale::logarithmic};
+  panel.y = {.label = "time [ms]", .scale = Scale::logarithmic};
   for (const View& named : bench["work_precision"].list("solvers")) {
     const std::string solver = named.text();
     struct WorkRun {
@@ -43,7 +58,7 @@ Panel precision_panel(const View& bench, const std::vector<View>& rows, const st
       // An achieved error that is only a bound is drawn hollow, not below the error of the truth.
       const double truth = row[quantity.key].number("truth_error").value_or(0);
       const bool bound = row[quantity.key].flag("bound_only").value_or(false);
-      runs.push_back({std::max({*achieved, bound ? truth : 0.0, 1e-16}), *time, bound});
+      runs.push_back({std::max({*achieved, bound ? truth : 0.0, 1e-16}), *time / milli_s, bound});
     }
     std::sort(runs.begin(), runs.end(), [](const WorkRun& a, const WorkRun& b) { return a.error > b.error; });
     const Look look = look_of_solver(bench, solver);
@@ -67,6 +82,7 @@ Panel precision_panel(const View& bench, const std::vector<View>& rows, const st
     panel.series.push_back(std::move(line));
     panel.series.push_back(std::move(marks));
   }
+  add_yardstick(panel, bench);
   return panel;
 }
 
@@ -96,6 +112,7 @@ void add_ratios(Page& page, const View& result) {
   }
   if (names.empty()) return;
   page.heading("Times at equal achieved error");
+  page.begin_fold("Ratios of times over the error");
   page.begin_figures();
   for (const std::string& name : names) {
     for (const Quantity& quantity : quantities) {
@@ -128,6 +145,7 @@ void add_ratios(Page& page, const View& result) {
     }
   }
   page.end_figures();
+  page.end_fold();
 
   Table table;
   table.caption = "Ratios of times at equal achieved error";
@@ -147,89 +165,88 @@ void add_coverage(Page& page, const View& result) {
   const auto coverage = result.list("coverage");
   if (coverage.empty()) return;
   Table table;
-  table.caption = "Errors reported against errors achieved";
+  double missed = 0;
   table.columns = {"solver", "quantity", "covered", "missed", "undecided", "reported/achieved, median", "smallest"};
   for (const View& one : coverage) {
-    const auto missed = one.number("missed");
+    const auto own = one.number("missed");
+    missed += own.value_or(0);
     table.rows.push_back({words(one.text("solver")),
                           words(one.text("quantity")),
                           integer_cell(one.number("covered")),
-                          {integer_cell(missed).html, missed.value_or(0) > 0 ? "number fail" : "number"},
+                          {integer_cell(own).html, own.value_or(0) > 0 ? "number fail" : "number"},
                           integer_cell(one.number("undecided")),
                           number_cell(one.number("median_excess"), 3),
                           number_cell(one.number("smallest_excess"), 3)});
   }
-  page.add(table);
+  page.add_folded("Errors stated against errors achieved: " + plain(missed) + " missed", table);
 }
 
-void add_scaling(Page& page, const View& bench) {
-  const auto rows = bench.list("scaling");
-  if (rows.empty()) {
-    page.absent("Scaling is", "ehd bench --part scaling --output DIR");
-    return;
-  }
-  page.heading("Scaling");
-  struct Shown {
-    const char* key;
-    const char* label;
-    const char* what;
-    double factor;
-  };
-  constexpr Shown shown[] = {{"wall_s", "time [s]", "Time of a cold solve", 1},
-                             {"ns_per_n_log2_n", "time / (*n* log_{2}*n*) [ns]",
-                              "Time over n log2 n: level where the cost is that of a transform", 1},
-                             {"time_per_unit", "time per work unit / one convolution",
-                              "Time of a work unit in padded convolutions of that size", 1},
-                             {"peak_bytes", "peak memory [MB]", "Peak memory", 1e-6}};
-  page.begin_figures();
-  for (const Shown& one : shown) {
-    Figure figure{.id = std::string("fig-scaling-") + one.key,
-                  .title = std::string(one.what) + " over the number of intervals",
-                  .description = one.what};
-    Panel panel;
-    panel.x = {.label = "intervals *n*", .scale = Scale::logarithmic};
-    panel.y = {.label = one.label, .scale = Scale::logarithmic};
-    std::map<std::string, std::size_t> at;
-    std::map<std::string, int> of_solver;
-    for (const View& row : rows) {
-      const auto n = row.number("nodes_asked"), value = row.number(one.key);
-      if (!n || !value || row.text("status") != "converged") continue;
-      const std::string name = row.text("solver") + ", M = " + row.cell("M") + ", L = " + row.cell("L");
-      if (!at.contains(name)) {
-        Look look = look_of_solver(bench, row.text("solver"));
-        if (of_solver[row.text("solver")]++ > 0) look.line = Line::solid;
-        at[name] = panel.series.size();
-        panel.series.push_back({.name = literal(name),
-                                .line = look.line,
-                                .marker = look.marker,
-                                .colour = look.colour,
-                                .hollow = look.line == Line::solid});
-      }
-      panel.series[at[name]].x.push_back(*n);
-      panel.series[at[name]].y.push_back(*value * one.factor);
-    }
+/// The three figures of a case, HTML.
+std::string case_figures(Page& page, const View& bench, const std::vector<View>& rows, const View& truth) {
+  std::string html;
+  const std::string id = truth.text("case");
+  for (const Quantity& quantity : quantities) {
+    std::size_t failed = 0;
+    Figure figure{
+        .id = "fig-work-" + id + "-" + quantity.key,
+        .title = "Work and precision: " + id + ", " + quantity.key,
+        .description = "Time of a solve over its achieved relative error, a curve a solver, both axes logarithmic."};
+    Panel panel = precision_panel(bench, rows, id, quantity, failed);
     if (panel.series.empty()) continue;
+    panel.title = literal(id);
     figure.panels.push_back(std::move(panel));
-    page.figure(std::move(figure), escaped(one.what) + ".");
+    std::string caption =
+        "<b>" + escaped(id) + "</b>, " + escaped(quantity.key) + "; truth: " + escaped(truth.text("solver"));
+    if (const auto error = truth[quantity.key].number("error"))
+      caption += ", to " + markup_to_html(number_markup(*error, 2));
+    if (failed > 0)
+      caption += "; " + std::to_string(failed) +
+                 (failed == 1 ? " run did not converge and is" : " runs did not converge and are") + " not drawn";
+    html += page.figure_html(std::move(figure), caption + ".");
   }
-  page.end_figures();
+  return html;
 }
 
-void add_batch(Page& page, const std::vector<View>& rows) {
-  if (rows.empty()) return;
+/// Time of the quickest run of a solver that keeps the error of the smallest film below the level.
+std::optional<double> quickest(const View& result, const std::string& id, const std::string& solver, double level) {
+  constexpr double same = 1e-6;
+  for (const View& entry : result.list("at_equal_error")) {
+    if (entry.text("case") != id || entry.text("quantity") != "film.minimum" ||
+        !(std::abs(entry.number("level").value_or(0) / level - 1) < same))
+      continue;
+    for (const View& one : entry.list("quickest"))
+      if (one.text("solver") == solver) return one.number("wall_s");
+  }
+  return std::nullopt;
+}
+
+/// A row a case; its figures are below it.
+void add_cases(Page& page, const View& bench, const std::vector<View>& rows) {
+  constexpr double levels[] = {1e-3, 1e-5};
+  const View result = bench["work_precision"];
+  const auto solvers = result.list("solvers");
   Table table;
-  table.caption = "Many contacts, one solve a thread";
-  table.columns = {"solver", "tolerance", "contacts", "converged", "threads", "time [s]", "speed-up", "same results"};
-  for (const View& row : rows)
-    table.rows.push_back({words(row.text("solver")),
-                          number_cell(row.number("tolerance"), 3),
-                          integer_cell(row.number("problems")),
-                          integer_cell(row.number("converged")),
-                          integer_cell(row.number("threads")),
-                          number_cell(row.number("wall_s"), 3),
-                          number_cell(row.number("speed_up"), 3),
-                          {row.flag("same_results").value_or(false) ? "bit for bit" : "<b>differ</b>",
-                           row.flag("same_results").value_or(false) ? "" : "fail"}});
+  table.caption =
+      "Quickest run of each solver with an error of <i>H</i><sub>min</sub> of at most 10<sup>\u22123</sup>, and of at "
+      "most 10<sup>\u22125</sup> [ms]; the name opens the case's figures";
+  table.columns = {"case"};
+  for (const View& solver : solvers) table.columns.push_back("<code>" + escaped(solver.text()) + "</code>");
+  for (const View& truth : result.list("truths")) {
+    const std::string id = truth.text("case"), figures = case_figures(page, bench, rows, truth);
+    const Opener opener = page.opener("work-of-" + id, escaped(id), "Figures of " + escaped(id),
+                                      "<div class=\"figures trio\">" + figures + "</div>");
+    std::vector<TableCell> row{{opener.link, "name"}};
+    for (const View& solver : solvers) {
+      std::string times;
+      for (const double level : levels) {
+        const auto time = quickest(result, id, solver.text(), level);
+        times += (times.empty() ? "" : ", ") + (time ? milliseconds(*time, 2) : "\u2013");
+      }
+      row.push_back({times, "number"});
+    }
+    table.rows.push_back(std::move(row));
+    table.below.push_back(opener.fold);
+  }
   page.add(table);
 }
 
@@ -250,35 +267,12 @@ void add_work_precision(Page& page, const View& bench) {
         "error is a bound, the truth is known no better.";
     if (const auto share = result.number("cpu_share"))
       note += " The process had " + markup_to_html(number_markup(100 * *share, 3)) + "\u2009% of a core.";
+    if (const auto c = result.number("c_s"))
+      note += " <i>c</i> = " + markup_to_html(number_markup(*c * micro, 3)) +
+              " \u00b5s, the time of one convolution on 512 intervals in the same run.";
     page.paragraph(note);
     const auto rows = result.list("rows");
-    page.begin_figures();
-    for (const View& truth : result.list("truths")) {
-      for (const Quantity& quantity : quantities) {
-        std::size_t failed = 0;
-        Figure figure{.id = "fig-work-" + truth.text("case") + "-" + quantity.key,
-                      .title = "Work and precision: " + truth.text("case") + ", " + quantity.key,
-                      .description =
-                          "Time of a solve over its achieved relative error, a curve a solver, both axes logarithmic."};
-        Panel panel = precision_panel(bench, rows, truth.text("case"), quantity, failed);
-        if (panel.series.empty()) continue;
-        panel.title = literal(truth.text("case"));
-        figure.panels.push_back(std::move(panel));
-        page.figure(
-            std::move(figure),
-            "<b>" + escaped(truth.text("case")) + "</b>, " + escaped(quantity.key) +
-                "; truth: " + escaped(truth.text("solver")) +
-                (truth[quantity.key].has("error")
-                     ? ", to " + markup_to_html(number_markup(*truth[quantity.key].number("error"), 2))
-                     : "") +
-                (failed > 0 ? "; " + std::to_string(failed) +
-                                  (failed == 1 ? " run did not converge and is" : " runs did not converge and are") +
-                                  " not drawn"
-                            : "") +
-                ".");
-      }
-    }
-    page.end_figures();
+    add_cases(page, bench, rows);
     add_failed(page, rows);
     add_ratios(page, result);
     add_coverage(page, result);
@@ -286,7 +280,6 @@ void add_work_precision(Page& page, const View& bench) {
     page.absent("Work against precision is", "ehd bench --part work-precision --output DIR");
   }
   add_scaling(page, bench);
-  add_batch(page, bench.list("batch"));
 }
 
 }  // namespace ehd::report

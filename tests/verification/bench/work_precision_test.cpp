@@ -188,6 +188,9 @@ BOOST_AUTO_TEST_CASE(a_disturbed_measurement_says_so) {
   BOOST_TEST(result.cpu_share < 0.8);
   BOOST_TEST(human_table(result).find("measure again") != std::string::npos);
   BOOST_TEST(to_json(result)["cpu_share"] == result.cpu_share);
+  BOOST_TEST(result.c_s > 1e-7);  // a transform of 1024 numbers and back has some 1e5 operations
+  BOOST_TEST(result.c_s < 1e-3);
+  BOOST_TEST(to_json(result)["c_s"] == result.c_s);
 }
 
 BOOST_AUTO_TEST_CASE(no_run_is_the_truth_of_itself) {

@@ -25,8 +25,37 @@
     document.body.appendChild(result);
   }
 
+  var closed = document.querySelectorAll("details:not([open])");
+  function all(selector) { return Array.prototype.slice.call(document.querySelectorAll(selector)); }
+  function scrolls_sideways() { return Math.max(0, document.documentElement.scrollWidth - window.innerWidth); }
   attempt("width", function () { return window.innerWidth; });
-  attempt("overflow", function () { return Math.max(0, document.documentElement.scrollWidth - window.innerWidth); });
+  attempt("overflow", scrolls_sideways);
+  attempt("shown", function () {
+    return all("svg.plot").filter(function (svg) { return !svg.closest("details:not([open])"); }).length;
+  });
+  closed.forEach(function (one) { one.open = true; });
+  attempt("overflow, all open", scrolls_sideways);
+  attempt("headings", function () {
+    var level = 0, wrong = all("h1,h2,h3,h4,h5,h6").filter(function (head) {
+      var own = Number(head.tagName[1]), skips = own > level + 1;
+      level = own;
+      return skips;
+    });
+    return verdict(document.querySelectorAll("h1").length === 1 && wrong.length === 0, wrong.length + " skip a level");
+  });
+  attempt("links", function () {
+    var lost = all("a[href^='#']").filter(function (link) {
+      return !document.getElementById(decodeURIComponent(link.getAttribute("href").slice(1)));
+    });
+    return verdict(lost.length === 0, lost.map(function (link) { return link.getAttribute("href"); }).join(" "));
+  });
+  attempt("anchors", function () {
+    var bare = all("figure").filter(function (figure) {
+      return !figure.querySelector("a[href='#" + figure.querySelector("svg").id + "']");
+    });
+    var claims = all("#all-claims tbody tr").filter(function (row) { return !row.querySelector("a[href='#" + row.id + "']"); });
+    return verdict(bare.length + claims.length === 0, bare.length + " figures, " + claims.length + " claims");
+  });
   attempt("paper", function () { return getComputedStyle(document.body).backgroundColor; });
   attempt("figures", function () {
     var pictures = document.querySelectorAll("svg.plot");
@@ -105,11 +134,109 @@
     input.dispatchEvent(new Event("input", { bubbles: true }));
     return verdict(some === "1 of 4" && controls.querySelector("output").textContent === "4 of 4", some);
   });
+  attempt("filter links", function () {
+    var output = document.querySelector(".controls output");
+    document.querySelector("a[data-rung='7'][data-verdict='pass']").click();
+    var some = output.textContent, select = document.querySelectorAll(".controls select");
+    select.forEach(function (one) { one.value = ""; });
+    select[0].dispatchEvent(new Event("input", { bubbles: true }));
+    return verdict(some === "1 of 4" && output.textContent === "4 of 4", some);
+  });
+  attempt("filter key", function () {
+    document.getElementById("claims").open = false;
+    document.dispatchEvent(new KeyboardEvent("keydown", { key: "/", bubbles: true }));
+    var there = document.activeElement === document.querySelector(".controls input");
+    return verdict(there && document.getElementById("claims").open, document.activeElement.tagName);
+  });
+  attempt("index", function () {
+    window.scrollTo(0, document.getElementById("maps").offsetTop + 50);
+    window.dispatchEvent(new Event("scroll"));
+    var nav = document.querySelector("nav"), marked = nav.querySelector("[aria-current]");
+    var works = Math.abs(nav.getBoundingClientRect().top) < 1 && marked.getAttribute("href") === "#maps";
+    return verdict(works, nav.getBoundingClientRect().top + " " + marked.getAttribute("href"));
+  });
+  attempt("case", function () {
+    var link = document.querySelector("a.opens[href='#figure-of-made-light']");
+    var fold = document.getElementById("figure-of-made-light"), seen_open = [];
+    function shown() { return fold.open && fold.querySelector("svg").getBoundingClientRect().height > 100; }
+    fold.open = false;
+    for (var i = 0; i < 2; ++i) { link.click(); seen_open.push(shown()); }
+    fold.open = true;
+    return verdict(seen_open.join() === "true,false", seen_open.join());
+  });
+  attempt("zoom", function () {
+    var svg = document.getElementById("fig-case-made-20-10"), frames = svg.querySelectorAll(".frame");
+    var box = frames[0].querySelector("path.axis:last-of-type").getBoundingClientRect(), ranges = [], texts = [];
+    function look() {
+      ranges.push(frames[0].getAttribute("data-x-range") + ";" + frames[1].getAttribute("data-x-range"));
+      texts.push(frames[0].textContent);
+    }
+    function point(name, x, y) {
+      svg.dispatchEvent(new PointerEvent(name, { clientX: box.left + x * box.width, clientY: box.top + y * box.height,
+        bubbles: true, pointerType: "mouse" }));
+    }
+    look();
+    point("pointerdown", 0.5, 0.1); point("pointermove", 0.75, 0.9); point("pointerup", 0.75, 0.9);
+    look();
+    var ends = ranges[1].split(";")[0].split(",").map(Number), line = svg.querySelector(".series path.line");
+    var clipped = /^url/.test(line.getAttribute("clip-path"));
+    svg.dispatchEvent(new KeyboardEvent("keydown", { key: "+" }));
+    look();
+    svg.closest("figure").querySelector(".tools button:last-of-type").click();
+    look();
+    var home = ranges[0].split(";")[0].split(",").map(Number), wide = home[1] - home[0];
+    var works = Math.abs(ends[0] - home[0] - 0.5 * wide) < 0.02 * wide && Math.abs(ends[1] - ends[0] - 0.25 * wide) < 0.02 * wide;
+    return verdict(works && clipped && ranges[1].split(";")[0] === ranges[1].split(";")[1] && ranges[2] !== ranges[1] &&
+      ranges[3] === ranges[0] && texts[1] !== texts[0], ranges.join(" | "));
+  });
   attempt("theme", function () {
     var button = document.querySelector("button.theme"), colours = [];
     var paper = function () { return getComputedStyle(document.body).backgroundColor; }, before = paper();
     for (var i = 0; i < 3; ++i) { button.click(); colours.push(paper()); }
     return verdict(colours.join(";") === "rgb(255, 255, 255);rgb(21, 24, 28);" + before, colours.join(" "));
   });
-  finish();
+
+  // What is saved: the files that the buttons hand to the browser.
+  var saved = [], usual = window.Blob;
+  window.Blob = function (parts, options) { saved.push(parts.join("")); return new usual(parts, options); };
+  HTMLAnchorElement.prototype.click = function () {};
+  function press(id, what) {
+    var button = Array.prototype.slice.call(document.getElementById(id).closest("figure").querySelectorAll("button"));
+    button.filter(function (one) { return one.textContent === what; })[0].click();
+    return saved[saved.length - 1];
+  }
+  async function look_at_files() {
+    var csv = press("fig-case-made-20-10", "CSV"), lines = csv.trim().split("\n");
+    // 81 nodes: P and H of two solvers, two differences.
+    seen.push("CSV: " + verdict(lines[0] === "x-axis,y-axis,curve,x,y" && lines.length === 1 + 6 * 81 &&
+      lines[1] === "X = x/b,P = p/pH,P reference,-2,0", lines.length + " lines, " + lines[1]));
+    var map = press("fig-film-minimum-roelands", "CSV").trim().split("\n");
+    seen.push("CSV of a map: " + verdict(map[0] === "load parameter M,material parameter L,\"Minimum film HMoes, Roelands, compressible\"" &&
+      map[1] === "0.1,0,5.98578694", map.slice(0, 2).join(" | ")));
+    var svg = press("fig-case-made-light", "SVG");
+    var read = new DOMParser().parseFromString(svg, "image/svg+xml");
+    seen.push("SVG: " + verdict(read.documentElement.namespaceURI === document.querySelector("svg").namespaceURI &&
+      !read.querySelector("parsererror") && svg.indexOf("var(--") < 0 && svg.indexOf("data-values") < 0 &&
+      read.querySelectorAll(".series path.line").length === 6, svg.slice(0, 200)));
+    // A link to a figure that is closed, and to a claim that the filter hides.
+    var fold = document.getElementById("fig-film-minimum-roelands").closest("details");
+    var row = document.getElementById("claim-twins-agree");
+    fold.open = false;
+    row.hidden = true;
+    window.location.hash = "#fig-film-minimum-roelands";
+    await new Promise(function (next) { window.setTimeout(next, 50); });
+    window.location.hash = "#claim-twins-agree";
+    await new Promise(function (next) { window.setTimeout(next, 50); });
+    seen.push("targets: " + verdict(fold.open && !row.hidden, fold.open + " " + row.hidden));
+    if (window.axe) {
+      var found = await window.axe.run(document, { runOnly: ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "best-practice"],
+        resultTypes: ["violations"] });
+      seen.push("axe: " + found.passes.length + " rules pass, " + found.violations.length + " do not");
+      found.violations.forEach(function (one) {
+        seen.push("error: axe: " + one.id + " (" + one.help + "), " + one.nodes.length + " times: " +
+          one.nodes.slice(0, 3).map(function (node) { return node.target.join(" ") + " " + node.html.slice(0, 120); }).join(" ; ").replace(/\n/g, " "));
+      });
+    }
+  }
+  look_at_files().catch(function (thrown) { seen.push("error: files: " + thrown); }).then(finish);
 })();

@@ -1,11 +1,13 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# browser_test.sh EHD MADE_REPORT: the report of made results in headless Chromium: no console message, every figure
-# with its data, light and dark, a phone's width without sideways scrolling, the script's switches. Exit code: 0 all is
+# browser_test.sh EHD MADE_REPORT [AXE]: the report of made results in headless Chromium: no console message, every
+# figure with its data, light and dark, a phone's width without sideways scrolling, headings and links, the script's
+# switches, zoom, saved files; with AXE, the file axe.min.js, also its rules of WCAG 2.1 A and AA. Exit code: 0 all is
 # well, 1 something is not (a line each), 77 no browser is installed.
 set -eu
 ehd=$1
 made_report=$2
+axe=${3:-}
 here=$(cd "$(dirname "$0")" && pwd)
 
 browser=
@@ -13,7 +15,7 @@ for name in chromium chromium-browser google-chrome google-chrome-stable; do
   if command -v "$name" > /dev/null 2>&1; then browser=$name; break; fi
 done
 if [ -z "$browser" ]; then
-  echo "skipped: no Chromium is installed (apt-get install chromium)"
+  echo "report in the browser: skipped: no Chromium is installed (apt-get install chromium)"
   exit 77
 fi
 
@@ -28,6 +30,11 @@ with_probe() {
   echo '<script>window.seen = [];'
   echo 'window.addEventListener("error", function (e) { window.seen.push("error: " + e.message); });</script>'
   sed '1,/<meta charset/d; /<\/body>/d' "$1"
+  if [ -n "$axe" ]; then
+    echo '<script>'
+    cat "$axe"
+    echo '</script>'
+  fi
   echo '<script>'
   cat "$here/browser_probe.js"
   echo '</script></body></html>'
@@ -86,17 +93,25 @@ figures=$(grep -c '<svg class="plot"' "$folder/report.html")
 for run in light dark phone plain; do
   says "$run" "figures: $figures"
   says "$run" "overflow: 0"
+  says "$run" "overflow, all open: 0"
+  says "$run" "shown: 3"  # margins, the first bearing: the others open on demand
+  says "$run" "headings: works"
+  says "$run" "links: works"
+  says "$run" "anchors: works"
 done
 says light "paper: rgb(255, 255, 255)"
 says dark "paper: rgb(21, 24, 28)"
 says phone "width: 390"
-for seen in "toggle: works" "read-out: works" "cell: works" "filter: works" "theme: works"; do
-  for run in light dark phone; do says "$run" "$seen"; done
+for seen in toggle read-out cell filter "filter links" "filter key" index case zoom theme CSV "CSV of a map" SVG targets; do
+  for run in light dark phone; do says "$run" "$seen: works"; done
 done
+if [ -n "$axe" ]; then
+  for run in light dark phone; do says "$run" "axe: .* rules pass, 0 do not"; done
+fi
 
 timeout 120 "$browser" --headless --no-sandbox --disable-gpu --user-data-dir="$folder/profile" \
   --print-to-pdf="$folder/report.pdf" "file://$folder/report.html" > /dev/null 2>&1 || complain "print: exit code $?"
 [ -s "$folder/report.pdf" ] || complain "print: nothing came out"
 
-[ "$failed" -eq 0 ] && echo "$figures figures: light, dark, on a phone, without the script, in print"
+[ "$failed" -eq 0 ] && echo "$figures figures: light, dark, on a phone, without the script, in print${axe:+; axe-core has no objection}"
 exit "$failed"

@@ -94,6 +94,42 @@ BOOST_AUTO_TEST_CASE(a_map_has_a_cell_a_value_and_blanks_where_none_is_known) {
   BOOST_TEST(count_of(svg, "nan") == 0u);
 }
 
+// WCAG 2.1 AA asks for a contrast of 4.5 between a number and its cell. Its formula, written here once more.
+BOOST_AUTO_TEST_CASE(every_number_can_be_read_on_its_cell) {
+  const auto luminance = [](const std::string& hex) {
+    double sum = 0;
+    const double weights[] = {0.2126, 0.7152, 0.0722};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double part = std::stoi(hex.substr(2 * i, 2), nullptr, 16) / 255.0;
+      sum += weights[i] * (part <= 0.03928 ? part / 12.92 : std::pow((part + 0.055) / 1.055, 2.4));
+    }
+    return sum;
+  };
+  int numbers = 0;
+  for (const Colours colours : {Colours::sequential, Colours::diverging}) {
+    HeatMap map;
+    map.id = "made";
+    map.colours = colours;
+    map.limit = 1;
+    map.y = {1};
+    for (int i = 0; i <= 100; ++i) {
+      map.x.push_back(i + 1);
+      map.cells.push_back({.value = -1 + 0.02 * i, .text = "7"});
+    }
+    const std::string svg = draw(map, Place::file);
+    const std::string word = "style=\"fill:#";
+    for (std::size_t at = 0; (at = svg.find(word, at)) != std::string::npos; ++at) {
+      const std::size_t stroke = svg.find(";stroke:#", at);
+      const double ink = svg.compare(at + word.size(), 3, "fff") == 0 ? 1 : 0;
+      const double cell = luminance(svg.substr(stroke + 9, 6));
+      const double contrast = (std::max(ink, cell) + 0.05) / (std::min(ink, cell) + 0.05);
+      BOOST_TEST(contrast >= 4.5);
+      ++numbers;
+    }
+  }
+  BOOST_TEST(numbers == 202);
+}
+
 BOOST_AUTO_TEST_CASE(maps_without_data_or_of_one_value_are_drawn) {
   for (const bool logarithmic : {false, true}) {
     for (const Colours colours : {Colours::sequential, Colours::diverging}) {

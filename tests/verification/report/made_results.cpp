@@ -99,8 +99,21 @@ Json convergence(const std::string& id, const std::string& quantity, double orde
           {"points", points}};
 }
 
+/// `count` points whose error falls by a digit every 10 unknowns.
+Json geometric(const std::string& id, int count) {
+  Json study = convergence(id, "film.minimum", 0);
+  study["solver"] = "reference";
+  study["case"] = id;
+  study["kind"] = "geometric";
+  study["abscissa"] = "unknowns";
+  for (const char* key : {"declared_order", "fitted_order", "points"}) study.erase(key);
+  for (int i = 1; i <= count; ++i)
+    study["points"].push_back({{"n", 10 * i}, {"error", std::pow(10, -i)}, {"uncertainty", 1e-12}});
+  return study;
+}
+
 Json maps() {
-  const std::vector<double> M{0.1, 1, 10, 100, 1000}, L{0, 5, 10, 20};
+  const std::vector<double> M{0.1, 1, 10, 100, 1000}, L{0, 5, 10, 20}, M_of_axis{0.1, 1, 10, 100, 1000, 5000};
   Json points = Json::array();
   for (const char* laws : {"isoviscous", "barus", "roelands"}) {
     for (const double l : L) {
@@ -139,7 +152,7 @@ Json maps() {
       }
     }
   }
-  return {{"M", M}, {"L", L}, {"source", "made"}, {"points", points}};
+  return {{"M", M_of_axis}, {"L", L}, {"source", "made"}, {"points", points}};  // nothing is known at the last M
 }
 
 Json bearing(const std::string& id, double clearance_m) {
@@ -238,6 +251,8 @@ Json dynamics() {
              {"outer_damping_N_s_per_m", damping}}},
            {"ring",
             {{"frequency_Hz", {10.0, 1000.0}},
+             {"stiffness_error", {1e-4, 1e-3}},
+             {"damping_error", {1e-2, 1e-2}},
              {"along_stiffness_N_per_m", {8.8e9, 8.7e9}},
              {"along_damping_N_s_per_m", {5700.0, 5600.0}},
              {"across_stiffness_N_per_m", {9.8e9, 9.7e9}},
@@ -265,7 +280,9 @@ Json made_results() {
   Json& figures = results["figures"];
   figures["cases"] = {contact_case("made-20-10", 0.08), contact_case("made-light", 2.0)};
   figures["cases"][1]["title"] = hostile_text;
-  figures["convergence"] = {convergence("minimum", "film.minimum", 1.9), convergence("central", "film.central", 2.0)};
+  figures["convergence"] = {convergence("minimum", "film.minimum", 1.9), convergence("central", "film.central", 2.0),
+                            convergence("minimum/own", "film.minimum", 2.0), geometric("made-five", 5),
+                            geometric("made-two", 2)};
   figures["maps"] = maps();
   figures["bearing"] = {bearing("made-tight", 0), bearing("made-loose", 2.5e-6), bearing("made-wide", 1e-5)};
   figures["bearing"][0]["laws"].back()["error_budget"] = {{{"source", "interpolation"},
@@ -329,6 +346,7 @@ Json made_bench() {
           {"work_precision",
            {{"solvers", {"reference", "fast"}},
             {"cpu_share", 0.99},
+            {"c_s", 5e-6},
             {"truths", {{{"case", "made-20-10"}, {"solver", "reference"}, {"film.minimum", {{"error", 1e-12}}}}}},
             {"rows", rows},
             {"at_equal_error", equal},

@@ -107,8 +107,31 @@ BOOST_AUTO_TEST_CASE(one_point_is_a_mark_and_no_data_a_word) {
 
 BOOST_AUTO_TEST_CASE(values_for_the_read_out_are_in_the_page_only) {
   const Figure figure = figure_of({1, 2.5}, {2, 1e-5});
-  BOOST_TEST(count_of(draw(figure, Place::page), ",2.5,1e-05\"") == 1u);
+  BOOST_TEST(count_of(draw(figure, Place::page), "data-values=\"1,2 2.5,1e-05\"") == 1u);
   BOOST_TEST(count_of(draw(figure, Place::file), "data-values") == 0u);
+}
+
+// The script draws a zoomed curve from these: where it breaks, and which points have a mark.
+BOOST_AUTO_TEST_CASE(values_name_breaks_and_the_points_that_have_marks) {
+  Figure figure = figure_of({1, 2, 3, 4}, {2, not_a_number, 90, 3});
+  BOOST_TEST(count_of(draw(figure, Place::page), "data-values=\"1,2 - 3,90 4,3\"") == 1u);
+  figure.panels.front().y.high = 10;  // the third point lies above the frame
+  const std::string svg = draw(figure, Place::page);
+  BOOST_TEST(count_of(svg, "data-values=\"1,2 - 3,90 4,3\"") == 1u);  // saved all the same
+  BOOST_TEST(count_of(svg, "data-marked=\"0 3\"") == 1u);
+  BOOST_TEST(count_of(svg, "<circle") == 3u);  // and the legend's
+}
+
+BOOST_AUTO_TEST_CASE(a_frame_names_its_ends_from_left_and_from_below) {
+  Figure figure = figure_of({1, 100}, {2, 8}, Scale::logarithmic);
+  Panel& panel = figure.panels.front();
+  panel.x.low = 1;
+  panel.x.high = 100;
+  panel.y = {.label = "down", .low = 0, .high = 10, .downward = true};
+  const std::string svg = draw(figure, Place::page);
+  BOOST_TEST(count_of(svg, "data-x-range=\"1,100\" data-x-log=\"1\"") == 1u);
+  BOOST_TEST(count_of(svg, "data-y-range=\"10,0\"") == 1u);
+  BOOST_TEST(count_of(svg, "data-y-log") == 0u);
 }
 
 BOOST_AUTO_TEST_CASE(half_a_bearing_is_shown_only_where_the_other_half_is_its_mirror_image) {

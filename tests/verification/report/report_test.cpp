@@ -3,6 +3,7 @@
 #include "verification/report/report.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -88,10 +89,19 @@ BOOST_AUTO_TEST_CASE(text_of_the_results_is_text_on_the_page) {
     BOOST_TEST(unbalanced(hostile) == "", where);
   }
   for (const char* where :
-       {"/parts/0/name", "/parts/0/rows/0/2", "/parts/0/columns/0/unit", "/parts/0/tolerance/reason"}) {
+       {"/parts/0/id", "/parts/0/name", "/parts/0/rows/0/2", "/parts/0/columns/0/unit", "/parts/0/tolerance/reason"}) {
     const std::string hostile = made_page(
         [&](report::Documents& documents) { documents.stress[Json::json_pointer(where)] = test::hostile_text; });
     BOOST_TEST(count_of(hostile, "<script>alert") == 0u, where);
+    BOOST_TEST(unbalanced(hostile) == "", where);
+  }
+  for (const char* where :
+       {"/work_precision/truths/0/case", "/work_precision/truths/0/solver", "/work_precision/solvers/0",
+        "/work_precision/rows/0/solver", "/work_precision/coverage/0/solver", "/scaling/0/solver", "/batch/0/solver"}) {
+    const std::string hostile = made_page(
+        [&](report::Documents& documents) { documents.bench[Json::json_pointer(where)] = test::hostile_text; });
+    BOOST_TEST(count_of(hostile, "<script>alert") == 0u, where);
+    BOOST_TEST(unbalanced(hostile) == "", where);
   }
 }
 
@@ -165,6 +175,139 @@ BOOST_AUTO_TEST_CASE(the_headline_covers_everything_that_is_judged_on_the_page) 
     BOOST_TEST(count_of(page, "class=\"verdict fail\"") == 1u, said);
     BOOST_TEST(count_of(page, said) == 1u, said);
   }
+}
+
+// Beyond what both solvers state, or with the number of threads: neither is a claim, both are on the page.
+BOOST_AUTO_TEST_CASE(the_headline_covers_cases_and_batches) {
+  const auto page_of = [](double found, bool same) {
+    return made_page([&](report::Documents& documents) {
+      for (Json& claim : documents.results["claims"]) claim["verdict"] = "pass";
+      documents.results["figures"]["cases"][0]["difference"]["film_minimum"] = found;
+      documents.bench["batch"][0]["same_results"] = same;
+    });
+  };
+  BOOST_TEST(count_of(page_of(-1e-5, true), "class=\"verdict pass\"") == 1u);  // stated: 2e-5
+  const std::string beyond = page_of(-3e-5, true), threads = page_of(-1e-5, false);
+  BOOST_TEST(count_of(beyond, "class=\"verdict fail\"") == 1u);
+  BOOST_TEST(count_of(beyond, "in 1 the films differ by more than both solvers state") == 1u);
+  BOOST_TEST(count_of(beyond, "class=\"number fail\">3\u2009\u00b7\u200910<sup>\u22125</sup>") == 1u);
+  BOOST_TEST(count_of(threads, "class=\"verdict fail\"") == 1u);
+  BOOST_TEST(count_of(threads, "results depend on the number of threads") == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(the_first_table_has_a_line_a_part_and_says_what_is_absent) {
+  const auto lines = [](const std::function<void(report::Documents&)>& change) {
+    report::Documents documents{
+        .results = test::made_results(), .bench = test::made_bench(), .stress = test::made_stress()};
+    if (change) change(documents);
+    return report::everything_verified({documents.results, "results.json"}, {documents.bench, "bench.json"},
+                                       {documents.stress, "stress.json"});
+  };
+  const auto absent = [](const report::Verified& line) {
+    return line.open.size() == 1 && line.open.front() == "not in this folder";
+  };
+  const auto all = lines({});
+  BOOST_TEST(std::none_of(all.begin(), all.end(), absent));
+  const auto bare = lines([](report::Documents& documents) {
+    documents.results.erase("figures");
+    documents.bench = documents.stress = nullptr;
+  });
+  BOOST_REQUIRE_EQUAL(bare.size(), all.size());
+  BOOST_TEST(std::count_if(bare.begin(), bare.end(), absent) == static_cast<std::ptrdiff_t>(all.size()) - 1);  // claims
+
+  const auto changed = lines([](report::Documents& documents) {
+    documents.results["figures"]["cases"][0]["difference"]["film_central"] = -1e-7;
+    documents.results["figures"]["cases"][1]["solvers"][1]["status"] = "tolerance-not-met";
+    documents.bench["work_precision"]["cpu_share"] = 0.4;
+  });
+  BOOST_TEST(changed[1].digits == "7 digits");
+  BOOST_REQUIRE_EQUAL(changed[1].open.size(), 1u);
+  BOOST_TEST(changed[1].open.front() == "1 case without two converged solves");
+  BOOST_TEST(changed[3].open.back() == "the times: other processes took 60 % of the core");
+  BOOST_TEST(changed[7].digits == "stiffness: 3 to 4 digits; damping: 2 digits");
+}
+
+BOOST_AUTO_TEST_CASE(no_legend_has_one_name_twice) {
+  const std::string page = made_page();
+  BOOST_TEST(count_of(page, "film.minimum, extrapolated: fitted 1.9<") == 1u);
+  BOOST_TEST(count_of(page, "film.minimum, each grid: fitted 2<") == 1u);
+  std::size_t panels = 0;
+  for (std::size_t at = 0; (at = page.find("<svg class=\"plot\"", at)) != std::string::npos; ++at) {
+    const std::string svg = page.substr(at, page.find("</svg>", at) - at);
+    std::set<std::string> names;
+    for (std::size_t key = 0; (key = svg.find("<g class=\"key ", key)) != std::string::npos; ++key) {
+      const std::size_t text = svg.find("<text", key), end = svg.find("</text>", text);
+      const std::size_t begin = svg.find('>', text);
+      BOOST_TEST(names.insert(svg.substr(begin, end - begin)).second, svg.substr(begin, end - begin));
+    }
+    ++panels;
+  }
+  BOOST_TEST(panels > 40u);
+}
+
+BOOST_AUTO_TEST_CASE(two_points_are_no_law) {
+  const std::string page = made_page();
+  const auto figure_of = [&](const std::string& id) {
+    const std::size_t begin = page.find("id=\"fig-convergence-reference-" + id);
+    return page.substr(begin, page.find("</svg>", begin) - begin);
+  };
+  BOOST_TEST(count_of(figure_of("made-five"), "a digit every 10<") == 1u);
+  BOOST_TEST(count_of(figure_of("made-five"), "class=\"line\"") == 2u);  // the curve and its key
+  BOOST_TEST(count_of(figure_of("made-two"), "class=\"line\"") == 0u);
+  BOOST_TEST(count_of(figure_of("made-two"), "class=\"mark") == 3u);
+  BOOST_TEST(count_of(page, ">no rate<") == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(maps_have_no_empty_rows_and_columns) {
+  const std::string page = made_page();
+  const std::size_t begin = page.find("id=\"fig-film-minimum-barus\""), end = page.find("</svg>", begin);
+  BOOST_REQUIRE(begin != std::string::npos);
+  const std::string map = page.substr(begin, end - begin);
+  BOOST_TEST(count_of(map, "class=\"cell\"") >= 20u);
+  BOOST_TEST(count_of(map, "not known") == 0u);
+  BOOST_TEST(count_of(map, "M = 5000") == 0u);
+  const std::size_t inlet = page.find("id=\"fig-inlet-minimum-barus\"");
+  BOOST_TEST(count_of(page.substr(inlet, page.find("</svg>", inlet) - inlet), "not known") == 0u);  // from M = 2 on
+}
+
+// Times stand in ms, and in c where the benchmark has measured c in the same run.
+BOOST_AUTO_TEST_CASE(work_and_precision_has_two_yardsticks) {
+  const auto figure = [](const std::string& page) {
+    const std::size_t begin = page.find("id=\"fig-work-made-20-10-film-minimum\"");
+    return page.substr(begin, page.find("</svg>", begin) - begin);
+  };
+  const std::string with = figure(made_page());
+  BOOST_TEST(count_of(with, "data-y=\"time [ms]\"") == 1u);
+  BOOST_TEST(count_of(with, "data-right=\"time [c]\"") == 1u);
+  const auto low = [&](const std::string& name) {
+    const std::string word = "data-" + name + "-range=\"";
+    return std::stod(with.substr(with.find(word) + word.size()));
+  };
+  BOOST_TEST(std::abs(low("y") / low("right") / 5e-3 - 1) < 1e-6);  // c = 5 us; ends are written to ten digits
+  const std::string without =
+      figure(made_page([](report::Documents& documents) { documents.bench["work_precision"].erase("c_s"); }));
+  BOOST_TEST(count_of(without, "data-right") == 0u);
+}
+
+// A dome of height 1 with a spike of 6: the dome keeps most of the figure, and a label has the spike's height.
+BOOST_AUTO_TEST_CASE(a_tall_spike_does_not_flatten_the_dome) {
+  const auto panel = [](double spike) {
+    std::vector<double> X, P, H;
+    for (int i = 0; i <= 400; ++i) {
+      const double x = -2 + 3.5 * i / 400;
+      X.push_back(x);
+      P.push_back(std::sqrt(std::max(0.0, 1 - x * x)) + (spike - 0.5) * std::exp(-std::pow((x - 0.8525) / 0.01, 2)));
+      H.push_back(0.1);
+    }
+    return report::contact_figure("fig", "made", {{"fast", X, P, H}}).panels.front();
+  };
+  BOOST_TEST(!panel(1.2).y.high.has_value());
+  BOOST_TEST(panel(1.2).rules.empty());
+  BOOST_REQUIRE(panel(6).y.high.has_value());
+  BOOST_TEST(*panel(6).y.high <= 1.5);
+  BOOST_TEST(*panel(6).y.high >= 1.1);
+  BOOST_REQUIRE_EQUAL(panel(6).rules.size(), 1u);
+  BOOST_TEST(panel(6).rules.front().label.starts_with("spike to 6"));
 }
 
 // Invariant: laws of the table look different, and a law that this program does not know has a look too.

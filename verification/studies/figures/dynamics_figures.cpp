@@ -35,6 +35,8 @@ Json ring_json(const std::vector<DynamicRow>& rows) {
   for (const DynamicRow& row : rows) {
     if (!row.ring.damping_N_s_per_m) continue;
     json["frequency_Hz"].push_back(row.frequency_Hz);
+    json["stiffness_error"].push_back(row.ring.error);
+    if (row.ring.damping_error) json["damping_error"].push_back(*row.ring.damping_error);
     for (const auto& [prefix, i] : {std::pair{std::string("along"), 0u}, std::pair{std::string("across"), 1u}}) {
       json[prefix + "_stiffness_N_per_m"].push_back(row.ring.stiffness_N_per_m[i][i]);
       json[prefix + "_damping_N_s_per_m"].push_back((*row.ring.damping_N_s_per_m)[i][i]);
