@@ -35,13 +35,11 @@ std::vector<double> kappa_0s(const std::vector<Point>& points) {
 
 double size(const Kappa& kappa, double Omega) { return std::hypot(kappa.stiffness, Omega * kappa.damping); }
 
-/// s of the asinh, by which a lag is measured. M = f/(l sqrt(eta_0 u_s E' R)).
+/// M = f/(l sqrt(eta_0 u_s E' R)).
 double lag_scale(const RacewayContact& contact, double force_N) {
-  constexpr double of_light_contacts = 0.3;
-  const double M = force_N / contact.length_m /
-                   std::sqrt(contact.viscosity_Pa_s * contact.speed_sum_m_per_s * contact.reduced_modulus_Pa *
-                             contact.reduced_radius_m);
-  return of_light_contacts / (1 + M);
+  return bearing::lag_scale(force_N / contact.length_m /
+                            std::sqrt(contact.viscosity_Pa_s * contact.speed_sum_m_per_s * contact.reduced_modulus_Pa *
+                                      contact.reduced_radius_m));
 }
 
 /// asinh(lag/s) of slow motion over ln f.
@@ -56,6 +54,11 @@ MonotoneSpline lag_spline(const RacewayContact& contact, const std::vector<Point
 }
 
 }  // namespace
+
+double lag_scale(double M) {
+  constexpr double of_light_contacts = 0.3;
+  return of_light_contacts / (1 + M);
+}
 
 double Omega_of(const RacewayContact& contact, double force_N, double omega) {
   return omega * hertz::half_width_m(contact.at(force_N)) / (contact.speed_sum_m_per_s / 2);

@@ -12,16 +12,14 @@
 #include "bearing/geometry.hpp"
 #include "bearing/monotone_spline.hpp"
 #include "bearing/solved_contacts.hpp"
+#include "contact/response.hpp"
 
 namespace ehd::bearing {
 
-/// kappa = stiffness + i Omega damping, with the datum x_0 = l: 1/kappa is that of contact/response.hpp, whose datum is
-/// b, plus ln(l/b)/pi. With the datum b the compliance nearly vanishes at M = 0.8, where a film begins to be elastic;
-/// with l it falls smoothly with the load. Errors are absolute, in the same units.
-struct Kappa {
-  double stiffness = 0, damping = 0;
-  double stiffness_error = 0, damping_error = 0;
-};
+/// In this room kappa = stiffness + i Omega damping has the datum x_0 = l: 1/kappa is that of contact/response.hpp,
+/// whose datum is b, plus ln(l/b)/pi. With the datum b the compliance nearly vanishes at M = 0.8, where a film begins
+/// to be elastic; with l it falls smoothly with the load.
+using ehd::Kappa;
 
 /// The response of one solved contact.
 struct SolvedResponse {
@@ -44,6 +42,9 @@ struct RespondingContact {
 /// Omega = omega b/u_m at a contact force [N], omega in rad/s.
 [[nodiscard]] double Omega_of(const RacewayContact& contact, double force_N, double omega);
 
+/// s, the lag that errors of smaller lags are compared with: a tenth to all of the lag of heavy contacts.
+[[nodiscard]] double lag_scale(double M);
+
 /// Relative errors of a curve: of the stiffness to |kappa|, of the damping to ResponseCurve::damping_scale.
 struct ResponseErrors {
   double stiffness = 0, damping = 0;              ///< between the points
@@ -52,8 +53,7 @@ struct ResponseErrors {
 
 /// kappa over the contact force.
 /// - Slow motion: kappa_0 as a ContinuedSpline. The lag kappa_1/kappa_0^2 falls over decades and nearly vanishes at
-///   M = 0.8; it may have either sign. So the spline goes through asinh(lag/s), s = 0.3/(1 + M): a tenth to all of the
-///   lag of heavy contacts.
+///   M = 0.8; it may have either sign. So the spline goes through asinh(lag/s), s of lag_scale.
 /// - At each frequency of the curve: the departure Re kappa/kappa_0 - 1, and Im kappa/Omega over damping_scale.
 /// - Below the lightest point kappa_0 and the lag go over to those of a rigid cylinder (martin.hpp), which departs from
 ///   slow motion nowhere; departures fall there like Omega^2 ~ f.

@@ -33,6 +33,7 @@ struct ConvertOptions {
 const char* const convert_examples = R"(
 Examples:
   ehd convert M=20 L=10                                  Moes to Hertz scaling
+  ehd convert M=20 L=0                                   the same for an isoviscous fluid, alpha = 0
   ehd convert W=3e-5 U_mean=1e-11 G=5000                 Dowson and Hamrock to Moes
   ehd convert lambda=1.51425 alpha_p_H=2.832             Kostreva to Moes
   ehd convert load_N_per_m=1e5 reduced_radius_m=0.01 reduced_modulus_Pa=2.2e11 \
@@ -42,7 +43,6 @@ Examples:
 Any numbers that do not follow from each other; all that they fix comes out.)";
 
 std::vector<GivenNumber> numbers_of(const std::vector<std::string>& texts) {
-  constexpr Interval positive{.low = 0, .high = std::numeric_limits<double>::max(), .open_low = true};
   std::vector<std::string> names;
   for (const ScaledNumber& row : scaled_numbers()) names.emplace_back(row.name);
   std::vector<GivenNumber> given;
@@ -53,7 +53,10 @@ std::vector<GivenNumber> numbers_of(const std::vector<std::string>& texts) {
       throw UsageError("convert: " + name + ": is unknown; " + did_you_mean(name, names) + "allowed is " + list(names));
     if (equals == std::string::npos)
       throw UsageError("convert: " + name + ": has no value; allowed is " + name + "=NUMBER");
-    given.push_back({.name = name, .value = parse_number(name, text.substr(equals + 1), positive)});
+    const auto row = static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+    const Interval allowed{
+        .low = 0, .high = std::numeric_limits<double>::max(), .open_low = !scaled_numbers()[row].may_vanish()};
+    given.push_back({.name = name, .value = parse_number(name, text.substr(equals + 1), allowed)});
   }
   return given;
 }

@@ -85,7 +85,7 @@ StatedOil roelands_in_SI(const Lubricant& lubricant, std::optional<double> visco
     const double z = *lubricant.alpha_per_Pa * lubricant.p0_Pa / span;
     if (!(z > 0))
       throw StatementError("lubricant.alpha_per_Pa", "makes z = " + plain(z) + " by alpha = z (ln eta_0 + 9.67)/p_0; " +
-                                                         "roelands needs alpha_per_Pa > 0");
+                                                         "allowed is a number above 0, or viscosity = \"isoviscous\"");
     return {*lubricant.alpha_per_Pa, z};
   }
   throw StatementError("lubricant.alpha_per_Pa", "is missing; roelands needs alpha_per_Pa, z or both");

@@ -16,7 +16,34 @@ constexpr int halvings = 6;
 
 bool is_known(const auto& at) { return at.status == StopReason::converged; }
 
+/// 1/(chi - i Omega lag), with the errors of chi and lag, absolute.
+Kappa kappa_of(double chi, double chi_error, double Omega, double lag, double lag_error) {
+  const double delay = Omega * lag, size = chi * chi + delay * delay;
+  const double by_own = std::abs(chi * chi - delay * delay) / (size * size),
+               by_other = 2 * std::abs(chi) / (size * size);
+  return {.stiffness = chi / size,
+          .damping = lag / size,
+          .stiffness_error = by_own * chi_error + by_other * Omega * std::abs(delay) * lag_error,
+          .damping_error = by_own * lag_error + by_other * std::abs(lag) * chi_error};
+}
+
 }  // namespace
+
+Kappa in_series(const Stiffness& at, double compliance) {
+  const std::complex<double> chi = 1.0 / at.kappa;
+  return kappa_of(chi.real() + compliance, at.error * std::abs(chi), at.Omega, at.lag(),
+                  at.lag_error * std::abs(at.lag()));
+}
+
+Kappa in_series(const SlowStiffness& slow, double compliance) {
+  if (compliance == 0)
+    return {.stiffness = slow.kappa_0,
+            .damping = slow.kappa_1,
+            .stiffness_error = slow.error_0 * std::abs(slow.kappa_0),
+            .damping_error = slow.error_1 * std::abs(slow.kappa_1)};
+  return kappa_of(1 / slow.kappa_0 + compliance, slow.error_0 / std::abs(slow.kappa_0), 0, slow.lag,
+                  slow.lag_error * std::abs(slow.lag));
+}
 
 void find_highest_certified(Response& found, double tolerance, const std::function<bool(double)>& certified,
                             const std::function<bool()>& spent) {

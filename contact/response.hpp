@@ -42,15 +42,31 @@ struct ResponseRequest {
 struct Stiffness {
   double Omega = 0;
   std::complex<double> kappa = {};
-  double error = 0;  ///< of kappa, relative to |kappa|
+  double error = 0;      ///< of kappa, relative to |kappa|
+  double lag_error = 0;  ///< of the lag, relative; nothing at Omega = 0
   StopReason status = StopReason::diverged;
+  /// -Im(1/kappa)/Omega
+  [[nodiscard]] double lag() const { return kappa.imag() / Omega / std::norm(kappa); }
 };
 
 /// kappa = kappa_0 + i Omega kappa_1 + O(Omega^2): stiffness and damping of slow motion.
 struct SlowStiffness {
   double kappa_0 = 0, kappa_1 = 0;
   double error_0 = 0, error_1 = 0;  ///< relative
+  double lag = 0, lag_error = 0;    ///< kappa_1/kappa_0^2, and its relative error
 };
+
+/// kappa = stiffness + i Omega damping with some datum. Errors are absolute, in the same units.
+struct Kappa {
+  double stiffness = 0, damping = 0;
+  double stiffness_error = 0, damping_error = 0;
+};
+
+/// kappa with a compliance in series: 1/kappa + compliance = 1/kappa_0 + compliance - i Omega lag. Where the compliance
+/// is large, the damping lag kappa^2 is known as well as the lag, which a solver knows better than kappa_1.
+[[nodiscard]] Kappa in_series(const Stiffness& at, double compliance);
+/// The same for slow motion.
+[[nodiscard]] Kappa in_series(const SlowStiffness& slow, double compliance);
 
 /// What the contact leaves of a waviness: H_1(0) for R_1(0) = 1.
 struct WavinessResponse {

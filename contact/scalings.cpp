@@ -75,6 +75,8 @@ constexpr std::array table{
                  .exponents = {1, -1, 0, 0, 0, 0}},
 };
 
+constexpr Exponents only_alpha{0, 0, 0, 0, 0, 1};
+
 /// Exponents are multiples of 1/4: what elimination leaves of a zero is far smaller.
 constexpr double negligible = 1e-9;
 
@@ -137,19 +139,34 @@ std::span<const ScaledNumber> scaled_numbers() { return table; }
 
 std::vector<std::optional<double>> in_all_scalings(const std::vector<GivenNumber>& given) {
   KnownEquations known;
+  bool isoviscous = false, alpha_is_stated = false;
   for (const GivenNumber& one : given) {
     const auto* const row =
         std::find_if(table.begin(), table.end(), [&](const ScaledNumber& each) { return each.name == one.name; });
     if (row == table.end()) throw StatementError(one.name, "is unknown; allowed is " + names());
-    if (!(one.value > 0 && std::isfinite(one.value)))
+    const bool vanishes = one.value == 0 && row->may_vanish();
+    if (!vanishes && !(one.value > 0 && std::isfinite(one.value)))
       throw StatementError(one.name, "is not positive; allowed is a number above 0");
-    if (!known.add({.exponents = row->exponents, .value = std::log(one.value / row->constant)}))
-      throw StatementError(one.name, "follows from the numbers before it as " + plain(*value_by(known, *row)) +
-                                         "; allowed are numbers that do not follow from each other");
+    // alpha = 0 says nothing of the other five quantities.
+    const Equation equation = vanishes
+                                  ? Equation{.exponents = only_alpha, .value = 0}
+                                  : Equation{.exponents = row->exponents, .value = std::log(one.value / row->constant)};
+    const auto follows = [&](double value) {
+      return StatementError(one.name, "follows from the numbers before it as " + plain(value) +
+                                          "; allowed are numbers that do not follow from each other");
+    };
+    if (isoviscous && row->may_vanish()) throw follows(0);
+    if (vanishes && alpha_is_stated)
+      throw StatementError(
+          one.name, "is 0, but a number before it that has alpha in it is not; allowed is alpha = 0 in all or in none");
+    if (!known.add(equation)) throw follows(*value_by(known, *row));
+    isoviscous = isoviscous || vanishes;
+    alpha_is_stated = alpha_is_stated || row->may_vanish();
   }
   std::vector<std::optional<double>> values;
   values.reserve(table.size());
-  for (const ScaledNumber& row : table) values.push_back(value_by(known, row));
+  for (const ScaledNumber& row : table)
+    values.push_back(isoviscous && row.may_vanish() ? std::optional(0.0) : value_by(known, row));
   return values;
 }
 

@@ -24,6 +24,8 @@ struct ScaledNumber {
   std::string_view meaning;
   double constant = 1;
   Exponents exponents = {};
+  /// Is 0 where alpha is, for an isoviscous fluid.
+  [[nodiscard]] bool may_vanish() const { return exponents.back() > 0; }
 };
 /// Sources of the formulas: contact/README.md. Groups with U have the MEAN speed where the name says so.
 [[nodiscard]] std::span<const ScaledNumber> scaled_numbers();
@@ -34,7 +36,8 @@ struct GivenNumber {
 };
 
 /// The value of each row of the table; absent where the given numbers leave it open. Throws StatementError, with the
-/// name as its key: no such number, not positive, or one that follows from those before it.
+/// name as its key: no such number, not positive (0 is allowed where alpha = 0 makes it), or one that follows from
+/// those before it.
 [[nodiscard]] std::vector<std::optional<double>> in_all_scalings(const std::vector<GivenNumber>& given);
 
 }  // namespace ehd

@@ -62,6 +62,7 @@ class Grids {
   /// The same without FFT plans, which wait for the first product: for the coarsest grid of a multigrid cycle.
   [[nodiscard]] Grid& unplanned(int intervals);
   [[nodiscard]] const Map* map() const { return map_.get(); }
+  [[nodiscard]] bool robust_wedge() const { return robust_wedge_; }
   [[nodiscard]] double planning_s() const;
 
  private:

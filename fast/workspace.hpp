@@ -38,9 +38,12 @@ struct Workspace {
   [[nodiscard]] const Discretisation& now() const { return current->now; }
   /// The most intervals of a grid that Newton has worked on.
   [[nodiscard]] int largest_grid() const;
+  /// For the k-th further map of the same contact.
+  [[nodiscard]] Workspace& beside(std::size_t k);
 
  private:
   std::vector<std::unique_ptr<OnGrid>> grids_seen_;
+  std::vector<std::unique_ptr<Workspace>> beside_;
 };
 
 }  // namespace ehd::fast

@@ -18,6 +18,11 @@ namespace ehd {
 namespace {
 
 bool lubricated(const CaseTree& tree) { return tree.has("lubricant") || tree.has("domain"); }
+/// Also by a key that is mistyped, which is named as unknown.
+bool means_grade(const CaseTree& tree) {
+  return states_grade(tree) ||
+         std::ranges::any_of(tree.unknown(), [](const UnknownKey& key) { return is_grade_key(key.meant); });
+}
 bool states_both_speeds(const CaseTree& tree) {
   return tree.has("operation.inner_speed_rpm") || tree.has("operation.outer_speed_rpm");
 }
@@ -33,15 +38,14 @@ struct NeededKey {
 };
 constexpr std::array needed_keys{
     NeededKey{"conditions.speed_sum_m_per_s", [](const CaseTree& tree) { return lubricated(tree); }},
-    NeededKey{"conditions.viscosity_Pa_s",
-              [](const CaseTree& tree) { return lubricated(tree) && !states_grade(tree); }},
+    NeededKey{"conditions.viscosity_Pa_s", [](const CaseTree& tree) { return lubricated(tree) && !means_grade(tree); }},
     NeededKey{"bearing.rotating", [](const CaseTree& tree) { return !states_both_speeds(tree); }},
     NeededKey{"operation.speed_rpm", [](const CaseTree& tree) { return !states_both_speeds(tree); }},
     NeededKey{"operation.inner_speed_rpm", [](const CaseTree& tree) { return states_only_both_speeds(tree); }},
     NeededKey{"operation.outer_speed_rpm", [](const CaseTree& tree) { return states_only_both_speeds(tree); }},
     NeededKey{"lubricant.viscosity_Pa_s",
-              [](const CaseTree& tree) { return tree.has("bearing") && !states_grade(tree); }},
-    NeededKey{"lubricant.temperature_C", [](const CaseTree& tree) { return states_grade(tree); }},
+              [](const CaseTree& tree) { return tree.has("bearing") && !means_grade(tree); }},
+    NeededKey{"lubricant.temperature_C", [](const CaseTree& tree) { return means_grade(tree); }},
 };
 
 bool is_needed(const CaseTree& tree, const std::string& path, const CaseKey& key, bool in_contact) {

@@ -63,26 +63,6 @@ void put_observables(Json& json, const ContactRun& run) {
   }
 }
 
-Json groups_json(const ContactRun& run) {
-  Json groups = Json::object();
-  if (run.groups) {
-    put(groups, "M", run.groups->M);
-    put(groups, "L", run.groups->L);
-    put(groups, "lambda", run.groups->lambda);
-    put(groups, "alpha_p_H", run.groups->alpha_p_H);
-  }
-  if (run.scales) {
-    put(groups, "hertz_pressure_Pa", run.scales->hertz_pressure_Pa);
-    put(groups, "half_width_m", run.scales->half_width_m);
-    if (run.scales->dowson) {
-      put(groups, "W", run.scales->dowson->W);
-      put(groups, "U_mean", run.scales->dowson->U_mean);
-      put(groups, "G", run.known_G());
-    }
-  }
-  return groups;
-}
-
 Json cost_json(const Cost& cost) {
   Json json;
   put(json, "wall_s", cost.wall_s);
@@ -130,6 +110,24 @@ Json to_json(const Plan& plan) {
   return json;
 }
 
+Json groups_json(const std::optional<Groups>& known, const std::optional<Scales>& scales) {
+  Json groups = Json::object();
+  if (known) {
+    put(groups, "M", known->M);
+    put(groups, "L", known->L);
+    put(groups, "lambda", known->lambda);
+    put(groups, "alpha_p_H", known->alpha_p_H);
+  }
+  if (!scales) return groups;
+  put(groups, "hertz_pressure_Pa", scales->hertz_pressure_Pa);
+  put(groups, "half_width_m", scales->half_width_m);
+  if (!scales->dowson) return groups;
+  put(groups, "W", scales->dowson->W);
+  put(groups, "U_mean", scales->dowson->U_mean);
+  if (scales->dowson->G > 0) put(groups, "G", scales->dowson->G);
+  return groups;
+}
+
 Json to_json(const GradedOil& oil) {
   Json json = Json::object();
   put(json, "iso_vg", oil.iso_vg);
@@ -164,7 +162,7 @@ Json to_json(const ContactRun& run) {
   json["status"] = to_string(run.status());
   if (!run.solution.record.reason.empty()) json["reason"] = run.solution.record.reason;
   if (run.oil) json["lubricant"] = to_json(*run.oil);
-  json["groups"] = groups_json(run);
+  json["groups"] = groups_json(run.groups, run.scales);
   put_observables(json, run);
   if (run.status() != StopReason::diverged && run.solution.fields.X.size() > 0)
     json["fields"] = fields_json(run.solution);

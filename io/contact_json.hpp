@@ -13,6 +13,8 @@ namespace ehd {
 /// The result object of `ehd solve`. Numbers are finite; a quantity that is unknown or was not requested is absent.
 [[nodiscard]] Json to_json(const ContactRun& run);
 [[nodiscard]] Json to_json(const Plan& plan);
+/// Groups and scales, as far as they are known.
+[[nodiscard]] Json groups_json(const std::optional<Groups>& known, const std::optional<Scales>& scales);
 /// The oil by its grade: what was stated, and eta_0, density and alpha that followed.
 [[nodiscard]] Json to_json(const GradedOil& oil);
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "contact/oil_laws.hpp"
@@ -118,6 +119,8 @@ OilOfCase read_oil(const CaseTree& tree) {
   oil.lubricant.alpha_per_Pa = oil.grade->estimated_alpha_per_Pa;
   return oil;
 }
+
+bool is_grade_key(std::string_view key) { return std::ranges::find(grade_keys, key) != grade_keys.end(); }
 
 bool states_grade(const CaseTree& tree) { return !grade_key(tree).empty(); }
 

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "workflow/case.hpp"
 
@@ -22,6 +23,8 @@ struct OilOfCase {
 
 /// Whether the case states its oil by grade: then eta_0 follows, and no key may state it again.
 [[nodiscard]] bool states_grade(const CaseTree& tree);
+/// Whether a key ("lubricant.iso_vg") states the grade.
+[[nodiscard]] bool is_grade_key(std::string_view key);
 /// Refuses the key that states eta_0 where the oil's grade sets it as well. Throws CaseError.
 void refuse_beside_grade(const CaseTree& tree, const std::string& viscosity_key);
 /// Refuses the grade where the case has no eta_0 that it could set: a contact stated by groups. Throws CaseError.

@@ -5,15 +5,27 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <vector>
 
 #include "contact/text.hpp"
+#include "io/contact_json.hpp"
 #include "io/result_head.hpp"
 #include "io/tables.hpp"
 
 namespace ehd {
 
 namespace {
+
+/// Errors are relative.
+void put_SI(Json& json, const std::optional<DynamicStiffness>& si) {
+  if (!si) return;
+  put(json, "stiffness_N_per_m2", si->stiffness_N_per_m2);
+  put(json, "stiffness_error", si->stiffness_error / std::abs(si->stiffness_N_per_m2));
+  if (!std::isfinite(si->damping_error)) return;
+  put(json, "damping_N_s_per_m2", si->damping_N_s_per_m2);
+  put(json, "damping_error", si->damping_error / std::abs(si->damping_N_s_per_m2));
+}
 
 Json stiffness_json(const ResponseRun& run, const Stiffness& at) {
   Json json;
@@ -24,10 +36,12 @@ Json stiffness_json(const ResponseRun& run, const Stiffness& at) {
   put(json["kappa"], "real", at.kappa.real());
   put(json["kappa"], "imag", at.kappa.imag());
   put(json["kappa"], "error", at.error);
-  if (const auto si = run.dynamic_stiffness(at)) {
-    put(json, "stiffness_N_per_m2", si->stiffness_N_per_m2);
-    put(json, "damping_N_s_per_m2", si->damping_N_s_per_m2);
+  if (at.Omega > 0) {
+    const Kappa kappa = in_series(at, 0);
+    put(json["damping"], "value", kappa.damping);
+    put(json["damping"], "error", kappa.damping_error / std::abs(kappa.damping));
   }
+  put_SI(json, run.dynamic_stiffness(at));
   return json;
 }
 
@@ -43,12 +57,14 @@ Json waviness_json(const WavinessResponse& at) {
   return json;
 }
 
-Json slow_json(const SlowStiffness& slow) {
+Json slow_json(const ResponseRun& run) {
+  const SlowStiffness& slow = *run.response.slow;
   Json json;
   put(json["kappa_0"], "value", slow.kappa_0);
   put(json["kappa_0"], "error", slow.error_0);
   put(json["kappa_1"], "value", slow.kappa_1);
   put(json["kappa_1"], "error", slow.error_1);
+  put_SI(json, run.at_rest());
   return json;
 }
 
@@ -61,11 +77,10 @@ Json to_json(const ResponseRun& run) {
   json["solver"] = run.solver;
   json["status"] = to_string(run.response.status);
   if (!run.response.reason.empty()) json["reason"] = run.response.reason;
-  put(json["groups"], "M", run.groups.M);
-  put(json["groups"], "L", run.groups.L);
-  put(json["groups"], "lambda", run.groups.lambda);
+  if (run.oil) json["lubricant"] = to_json(*run.oil);
+  json["groups"] = groups_json(run.groups, run.hertz);
   put(json, "x0_m", run.datum_m);
-  if (run.response.slow) json["slow"] = slow_json(*run.response.slow);
+  if (run.response.slow) json["slow"] = slow_json(run);
   put(json, "highest_certified_omega", run.response.highest_certified);
   json["response"] = Json::array();
   for (const Stiffness& at : run.response.frequencies) json["response"].push_back(stiffness_json(run, at));
@@ -78,28 +93,49 @@ Json to_json(const ResponseRun& run) {
   return json;
 }
 
+namespace {
+
+std::string at_rest_text(const ResponseRun& run) {
+  const SlowStiffness& slow = *run.response.slow;
+  std::string text = fmt::format("\nkappa_0  {}\nkappa_1  {}\n", with_error(slow.kappa_0, slow.error_0),
+                                 with_error(slow.kappa_1, slow.error_1));
+  if (const auto si = run.at_rest())
+    text +=
+        fmt::format("at rest  {} N/m^2, {} N s/m^2\n", with_absolute_error(si->stiffness_N_per_m2, si->stiffness_error),
+                    with_absolute_error(si->damping_N_s_per_m2, si->damping_error));
+  return text;
+}
+
+std::vector<std::string> stiffness_row(const ResponseRun& run, const Stiffness& at) {
+  const auto si = run.dynamic_stiffness(at);
+  const auto hertz = run.frequency_Hz(at.Omega);
+  std::vector<std::string> row{plain(at.Omega), hertz ? plain(*hertz) : ""};
+  if (std::isfinite(at.error)) {
+    const Kappa kappa = at.Omega > 0 ? in_series(at, 0) : Kappa{};
+    const double size = at.error * std::abs(at.kappa);
+    row.push_back(with_absolute_error(at.kappa.real(), size));
+    row.push_back(with_absolute_error(at.kappa.imag(), at.Omega > 0 ? at.Omega * kappa.damping_error : size));
+    row.push_back(plain(at.error, 2));
+  } else {
+    row.insert(row.end(), 3, "-");
+  }
+  row.push_back(si ? with_absolute_error(si->stiffness_N_per_m2, si->stiffness_error) : "");
+  row.push_back(si ? with_absolute_error(si->damping_N_s_per_m2, si->damping_error) : "");
+  row.emplace_back(to_string(at.status));
+  return row;
+}
+
+}  // namespace
+
 std::string human_table(const ResponseRun& run, const std::string& title) {
   const Response& response = run.response;
   std::string text = fmt::format("{}\nstatus  {} ({})\n", title, to_string(response.status), run.solver);
   if (!response.reason.empty()) text += fmt::format("reason  {}\n", response.reason);
-  if (response.slow)
-    text += fmt::format("\nkappa_0  {}\nkappa_1  {}\n", with_error(response.slow->kappa_0, response.slow->error_0),
-                        with_error(response.slow->kappa_1, response.slow->error_1));
+  if (response.slow) text += at_rest_text(run);
   std::vector<std::vector<std::string>> rows;
   if (!response.frequencies.empty())
     rows.push_back({"Omega", "Hz", "Re kappa", "Im kappa", "error", "N/m^2", "N s/m^2", "status"});
-  for (const Stiffness& at : response.frequencies) {
-    const auto si = run.dynamic_stiffness(at);
-    const auto hertz = run.frequency_Hz(at.Omega);
-    const bool known = std::isfinite(at.error);
-    const auto part = [&](double value) {
-      return known ? with_absolute_error(value, at.error * std::abs(at.kappa)) : std::string("-");
-    };
-    rows.push_back({plain(at.Omega), hertz ? plain(*hertz) : "", part(at.kappa.real()), part(at.kappa.imag()),
-                    known ? plain(at.error, 2) : "-", si ? plain(si->stiffness_N_per_m2) : "",
-                    si && si->damping_N_s_per_m2 ? plain(*si->damping_N_s_per_m2) : "",
-                    std::string(to_string(at.status))});
-  }
+  for (const Stiffness& at : response.frequencies) rows.push_back(stiffness_row(run, at));
   if (!rows.empty()) text += "\n" + aligned(rows, 0);
   rows.clear();
   if (!response.waviness.empty())

@@ -29,14 +29,26 @@ std::optional<double> ResponseRun::frequency_Hz(double Omega) const {
   return Omega * scales->omega_per_Omega / (2 * pi);
 }
 
+double ResponseRun::datum_compliance() const { return datum_m ? std::log(*datum_m / scales->half_width_m) / pi : 0; }
+
+/// E'/4 is the unit of kappa, and b/u_m that of time.
+DynamicStiffness ResponseRun::in_SI(const Kappa& kappa) const {
+  const double stiffness = scales->reduced_modulus_Pa / 4, damping = stiffness / scales->omega_per_Omega;
+  return {.stiffness_N_per_m2 = stiffness * kappa.stiffness,
+          .damping_N_s_per_m2 = damping * kappa.damping,
+          .stiffness_error = stiffness * kappa.stiffness_error,
+          .damping_error = damping * kappa.damping_error};
+}
+
 std::optional<DynamicStiffness> ResponseRun::dynamic_stiffness(const Stiffness& at) const {
-  if (!scales || at.status == StopReason::diverged) return std::nullopt;
-  const double E = scales->reduced_modulus_Pa;
-  const double datum = datum_m ? 4 / (pi * E) * std::log(*datum_m / scales->half_width_m) : 0;
-  const std::complex<double> stiffness = 1.0 / (4.0 / (E * at.kappa) + datum);
-  DynamicStiffness found{.stiffness_N_per_m2 = stiffness.real()};
-  if (at.Omega > 0) found.damping_N_s_per_m2 = stiffness.imag() / (at.Omega * scales->omega_per_Omega);
-  return found;
+  if (!scales || at.status == StopReason::diverged || !std::isfinite(at.error)) return std::nullopt;
+  if (at.Omega == 0) return at_rest();
+  return in_SI(in_series(at, datum_compliance()));
+}
+
+std::optional<DynamicStiffness> ResponseRun::at_rest() const {
+  if (!scales || !response.slow || !std::isfinite(response.slow->error_0)) return std::nullopt;
+  return in_SI(in_series(*response.slow, datum_compliance()));
 }
 
 ResponseRun run_response(const Case& contact_case, const ResponseQuestion& question) {
@@ -52,6 +64,8 @@ ResponseRun run_response(const Case& contact_case, const ResponseQuestion& quest
                      "states no speed in m/s; --frequency and --x0-m need a contact in SI, allowed is --omega");
   const Nondimensional reading = nondimensionalise(contact.statement, *contact.lubricant, *contact.inlet);
   run.groups = reading.problem.groups;
+  run.hertz = reading.scales;
+  run.oil = contact.oil;
   const RegisteredSolver& solver = question.solver ? *question.solver : default_solver();
   run.solver = solver.name;
   ResponseRequest request = question.request;

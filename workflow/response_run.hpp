@@ -20,10 +20,10 @@ struct ResponseScales {
   double half_width_m = 0;
 };
 
-/// k + i omega c [N/m^2], per length of the contact.
+/// k + i omega c, per length of the contact. Errors are absolute, in the same units.
 struct DynamicStiffness {
-  double stiffness_N_per_m2 = 0;
-  std::optional<double> damping_N_s_per_m2 = {};  ///< absent at omega = 0
+  double stiffness_N_per_m2 = 0, damping_N_s_per_m2 = 0;
+  double stiffness_error = 0, damping_error = 0;
 };
 
 /// What a user asks for.
@@ -39,14 +39,24 @@ struct ResponseRun {
   int version = 0;
   std::string solver = {};
   Groups groups = {};
+  std::optional<Scales> hertz = {};   ///< absent where the statement fixes no pressure in Pa
+  std::optional<GradedOil> oil = {};  ///< where the case states its grade
   std::optional<ResponseScales> scales = {};
   std::optional<double> datum_m = {};
   Response response = {};
   std::vector<std::string> notes = {};
 
   [[nodiscard]] std::optional<double> frequency_Hz(double Omega) const;
-  /// 1/(k + i omega c) = 4/(E' kappa) + (4/(pi E')) ln(x_0/b): the datum is a compliance in series. Absent without SI.
+  /// 1/(k + i omega c) = 4/(E' kappa) + (4/(pi E')) ln(x_0/b): the datum is a compliance in series. Absent without SI,
+  /// and where there is no number.
   [[nodiscard]] std::optional<DynamicStiffness> dynamic_stiffness(const Stiffness& at) const;
+  /// The same for slow motion.
+  [[nodiscard]] std::optional<DynamicStiffness> at_rest() const;
+
+ private:
+  /// (4/E') of the datum, in Hertz units.
+  [[nodiscard]] double datum_compliance() const;
+  [[nodiscard]] DynamicStiffness in_SI(const Kappa& kappa) const;
 };
 
 /// The response of a contact with a film. Throws CaseError for a dry contact, and for frequencies in Hz or a

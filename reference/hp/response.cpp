@@ -77,7 +77,7 @@ class ResponseSolve {
   [[nodiscard]] double floor_error(const Value& value) const;
   template <class Value, class Excess>
   [[nodiscard]] Judged certified(const Value& value, const Excess& excess);
-  [[nodiscard]] Judged stiffness(double Omega);
+  [[nodiscard]] Stiffness stiffness(double Omega);
   [[nodiscard]] Judged wavy_film(const Waviness& waviness);
   [[nodiscard]] SlowStiffness slow() const;
 
@@ -171,12 +171,19 @@ ResponseSolve::Judged ResponseSolve::certified(const Value& value, const Excess&
   return best;
 }
 
-ResponseSolve::Judged ResponseSolve::stiffness(double Omega) {
-  return certified([&](const Harmonic& harmonic) { return kappa_of(harmonic, Omega); },
-                   [&](const Harmonic& harmonic, double allowed) {
-                     const ComplexVector u = harmonic.of_load(Omega);
-                     return harmonic.excess(u, Omega, allowed, std::abs(harmonic.offset(u)));
-                   });
+Stiffness ResponseSolve::stiffness(double Omega) {
+  const Judged kappa = certified([&](const Harmonic& harmonic) { return kappa_of(harmonic, Omega); },
+                                 [&](const Harmonic& harmonic, double allowed) {
+                                   const ComplexVector u = harmonic.of_load(Omega);
+                                   return harmonic.excess(u, Omega, allowed, std::abs(harmonic.offset(u)));
+                                 });
+  Stiffness found{.Omega = Omega, .kappa = kappa.value, .error = kappa.error, .status = kappa.status};
+  if (Omega == 0) return found;
+  const auto lag = [&](const Harmonic& harmonic) { return Complex(-(1.0 / kappa_of(harmonic, Omega)).imag() / Omega); };
+  const Judged judged_lag = judged({lag(both_.front().harmonic), lag(both_.back().harmonic)}, floor_error(lag));
+  // Rounding is that of kappa, all of it in the imaginary part.
+  found.lag_error = judged_lag.error + rounding_ * std::abs(kappa.value / kappa.value.imag());
+  return found;
 }
 
 ResponseSolve::Judged ResponseSolve::wavy_film(const Waviness& waviness) {
@@ -200,12 +207,20 @@ SlowStiffness ResponseSolve::slow() const {
   };
   const auto kappa_0 = [&](const Harmonic& harmonic) { return Complex(of(harmonic).first); };
   const auto kappa_1 = [&](const Harmonic& harmonic) { return Complex(of(harmonic).second); };
-  const auto& first = both_.front().harmonic;
-  const auto& second = both_.back().harmonic;
-  const Judged stiff = judged({kappa_0(first), kappa_0(second)}, floor_error(kappa_0));
-  const Judged damping = judged({kappa_1(first), kappa_1(second)}, floor_error(kappa_1));
-  return {
-      .kappa_0 = stiff.value.real(), .kappa_1 = damping.value.real(), .error_0 = stiff.error, .error_1 = damping.error};
+  const auto lag = [&](const Harmonic& harmonic) {
+    const auto [stiffness, damping] = of(harmonic);
+    return Complex(damping / (stiffness * stiffness));
+  };
+  const auto of_both = [&](const auto& value) {
+    return judged({value(both_.front().harmonic), value(both_.back().harmonic)}, floor_error(value));
+  };
+  const Judged stiff = of_both(kappa_0), damping = of_both(kappa_1), lagging = of_both(lag);
+  return {.kappa_0 = stiff.value.real(),
+          .kappa_1 = damping.value.real(),
+          .error_0 = stiff.error,
+          .error_1 = damping.error,
+          .lag = lagging.value.real(),
+          .lag_error = lagging.error};
 }
 
 Response ResponseSolve::solve() {
@@ -224,9 +239,7 @@ Response ResponseSolve::solve() {
             [&](std::size_t a, std::size_t b) { return request_.frequencies[a] < request_.frequencies[b]; });
   found.slow = slow();
   for (const std::size_t k : order) {
-    const Judged at = stiffness(request_.frequencies[k]);
-    found.frequencies[k] = {
-        .Omega = request_.frequencies[k], .kappa = at.value, .error = at.error, .status = at.status};
+    found.frequencies[k] = stiffness(request_.frequencies[k]);
   }
   const auto certified = [&](double Omega) {
     const auto value = [&](const Harmonic& harmonic) { return kappa_of(harmonic, Omega); };

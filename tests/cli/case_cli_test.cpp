@@ -121,6 +121,12 @@ BOOST_AUTO_TEST_CASE(near_misses_of_options_commands_and_cases_are_named) {
   test::check_refused(folder, "solve own-moes-5-6", "did you mean own-moes-5-5?");
 }
 
+BOOST_AUTO_TEST_CASE(alpha_of_nothing_is_refused_with_what_is_allowed) {
+  const test::Folder folder;
+  test::check_refused(folder, "solve steel-roller --set lubricant.alpha_per_Pa=0",
+                      "p_0; allowed is a number above 0, or viscosity = \"isoviscous\"");
+}
+
 BOOST_AUTO_TEST_CASE(a_contact_is_converted_there_and_back) {
   const test::Folder folder;
   const auto there = test::ehd_run(folder, "convert M=20 L=10 --json -");
@@ -135,6 +141,8 @@ BOOST_AUTO_TEST_CASE(a_contact_is_converted_there_and_back) {
   test::check_refused(folder, "convert M=20 lambda=1", "follows from the numbers before it");
   test::check_refused(folder, "convert U=1e-11", "did you mean U_mean?");
   test::check_refused(folder, "convert M", "has no value");
+  BOOST_TEST(json::parse(test::ehd_run(folder, "convert M=20 L=0 --json -").out)["alpha_p_H"] == 0.0);
+  test::check_refused(folder, "convert M=0 L=10", "M = 0: is out of range");
   test::check_refused(folder, "convert M=x", "is not a number");
 }
 

@@ -83,6 +83,54 @@ BOOST_AUTO_TEST_CASE(a_contact_in_SI_has_hertz_and_a_datum_in_series) {
       1.0 / (4.0 / (modulus_Pa * kappa) + 4 / (pi * modulus_Pa) * std::log(datum_m / b));
   EHD_CHECK(error(at["stiffness_N_per_m2"], series.real()), Tolerance::round_off(64));
   EHD_CHECK(error(at["damping_N_s_per_m2"], series.imag() / (2 * pi * frequency_Hz)), Tolerance::round_off(1e3));
+  BOOST_TEST(at["stiffness_error"] > 0.0);
+  BOOST_TEST(at["damping_error"] > 0.0);
+  EHD_CHECK(at["damping_error"].get<double>(), Tolerance::required(1e-4, "a lag to 1e-4 where kappa is known to 1e-6"));
+}
+
+BOOST_AUTO_TEST_CASE(the_damping_at_rest_is_in_SI_with_its_error) {
+  const test::Folder folder;
+  const std::string command = "response " + contact_in_SI(folder);
+  const auto ended = test::ehd_run(folder, command + " --json -");
+  BOOST_REQUIRE(ended.exit_code == 0);
+  const json result = json::parse(ended.out), slow = result["slow"], at = result["response"][0];
+  const double b = std::sqrt(8 * load_N_per_m * radius_m / (pi * modulus_Pa)), kappa_1 = slow["kappa_1"]["value"];
+  EHD_CHECK(error(slow["damping_N_s_per_m2"], modulus_Pa / 4 * kappa_1 * b / (speed_sum_m_per_s / 2)),
+            Tolerance::round_off(64));
+  EHD_CHECK(error(slow["damping_error"], slow["kappa_1"]["error"]), Tolerance::round_off(64));
+  EHD_CHECK(error(slow["stiffness_error"], slow["kappa_0"]["error"]), Tolerance::round_off(64));
+  BOOST_TEST(at["omega"] == 0.0);
+  BOOST_TEST(at["damping_N_s_per_m2"] == slow["damping_N_s_per_m2"]);
+  for (const char* group : {"M", "L", "lambda", "alpha_p_H", "hertz_pressure_Pa", "half_width_m", "W", "U_mean", "G"})
+    BOOST_TEST(result["groups"].contains(group), group);
+  EHD_CHECK(error(result["groups"]["half_width_m"], b), Tolerance::round_off(64));
+  BOOST_TEST(test::ehd_run(folder, command).out.find(" N s/m^2\n") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(an_oil_by_its_grade_is_named) {
+  const test::Folder folder;
+  const auto file = folder.write(
+      "oil.toml",
+      "id = \"oil\"\nversion = 1\ntitle = \"by grade\"\nsource = \"own\"\n[conditions]\nload_N_per_m = 9.1e4\n"
+      "reduced_radius_m = 0.011\nreduced_modulus_Pa = 2.31e11\nspeed_sum_m_per_s = 3.3\n[lubricant]\n"
+      "viscosity = \"barus\"\ndensity = \"incompressible\"\niso_vg = 68\ntemperature_C = 60.0\n"
+      "[domain]\ninlet = -4.0\n");
+  const auto ended = test::ehd_run(folder, "response " + file.string() + " --json -");
+  BOOST_REQUIRE(ended.exit_code == 0);
+  const json oil = json::parse(ended.out)["lubricant"];
+  BOOST_TEST(oil["iso_vg"] == 68.0);
+  BOOST_TEST(oil["viscosity_Pa_s"] > 0.0);
+}
+
+BOOST_AUTO_TEST_CASE(a_frequency_in_hertz_units_has_its_damping_with_an_error) {
+  const test::Folder folder;
+  const auto ended = test::ehd_run(folder, "response own-moes-5-5 --omega 0.5 --json -");
+  BOOST_REQUIRE(ended.exit_code == 0);
+  const json at = json::parse(ended.out)["response"][0];
+  EHD_CHECK(error(at["damping"]["value"], at["kappa"]["imag"].get<double>() / 0.5), Tolerance::round_off(64));
+  BOOST_TEST(at["damping"]["error"] > 0.0);
+  EHD_CHECK(at["damping"]["error"].get<double>(),
+            Tolerance::required(1e-2, "kappa to 1e-4, whose imaginary part is a tenth"));
 }
 
 BOOST_AUTO_TEST_CASE(a_frequency_that_is_not_known_exits_with_1_and_names_the_highest) {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/response.hpp"
 
+#include <cmath>
+#include <complex>
+
 #include "tests/check.hpp"
 
 using namespace ehd;
@@ -69,6 +72,35 @@ BOOST_AUTO_TEST_CASE(one_number_outside_its_tolerance_is_said) {
   wavy.waviness.emplace_back().status = StopReason::tolerance_not_met;
   conclude(wavy, 1e-4, true, "why");
   BOOST_TEST((wavy.status == StopReason::limit_reached));
+}
+
+// Exact: 1/kappa + datum in complex numbers; the errors are the changes that the errors of compliance and lag make.
+BOOST_AUTO_TEST_CASE(a_datum_is_a_compliance_in_series) {
+  const double Omega = 0.7, datum = 1.9, error = 1e-6;
+  const std::complex<double> kappa(3.1, 0.43), chi = 1.0 / kappa, whole = 1.0 / (chi + datum);
+  const Stiffness at{.Omega = Omega, .kappa = kappa, .error = error, .lag_error = error};
+  const Kappa found = in_series(at, datum);
+  EHD_CHECK(ehd::error(found.stiffness, whole.real()), Tolerance::round_off(16));
+  EHD_CHECK(ehd::error(found.damping, whole.imag() / Omega), Tolerance::round_off(16));
+  const std::complex<double> softer = 1.0 / (chi + datum + error * std::abs(chi)),
+                             slower = 1.0 / (chi + datum - std::complex<double>(0, Omega * at.lag() * error));
+  EHD_CHECK(
+      ehd::error(found.damping_error, (std::abs((softer - whole).imag()) + std::abs((slower - whole).imag())) / Omega),
+      Tolerance::required(1e-3, "differences of a part in 1e6, which keep four digits"));
+  EHD_CHECK(ehd::error(found.stiffness_error, std::abs((softer - whole).real()) + std::abs((slower - whole).real())),
+            Tolerance::required(1e-3, "differences of a part in 1e6, which keep four digits"));
+}
+
+// kappa_0 and kappa_1 err together where a spike passes between the nodes. A stiff film on a soft datum has the lag's
+// error, not theirs.
+BOOST_AUTO_TEST_CASE(damping_with_a_soft_datum_is_known_as_the_lag_is) {
+  const SlowStiffness slow{
+      .kappa_0 = 4, .kappa_1 = 1.6, .error_0 = 1e-2, .error_1 = 3e-2, .lag = 0.1, .lag_error = 1e-3};
+  const Kappa own = in_series(slow, 0), soft = in_series(slow, 1000);
+  EHD_CHECK(ehd::error(own.damping_error, 3e-2 * 1.6), Tolerance::round_off(4));
+  EHD_CHECK(ehd::error(soft.damping, 0.1 / (1000.25 * 1000.25)), Tolerance::round_off(8));
+  EHD_CHECK(ehd::error(soft.damping_error / soft.damping, 1e-3),
+            Tolerance::required(1e-2, "2 error_0 chi_0/1000 = 5e-6 beside 1e-3"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -74,6 +74,9 @@ BOOST_AUTO_TEST_CASE(a_number_that_follows_from_others_or_is_none_is_refused) {
       {{{"M", 20}, {"lambda", 0.1}}, "follows from the numbers before it as 0.00925"},
       {{{"N", 20}}, "is unknown; allowed is M, L"},
       {{{"M", -1}}, "is not positive"},
+      {{{"M", 0}}, "is not positive"},
+      {{{"L", 0}, {"alpha_p_H", 1}}, "follows from the numbers before it as 0"},
+      {{{"G", 5000}, {"L", 0}}, "is 0, but a number before it"},
       {{{"M", std::numeric_limits<double>::infinity()}}, "is not positive"},
   };
   for (const auto& [given, phrase] : rows) {
@@ -82,6 +85,23 @@ BOOST_AUTO_TEST_CASE(a_number_that_follows_from_others_or_is_none_is_refused) {
     };
     BOOST_CHECK_EXCEPTION((void)in_all_scalings(given), StatementError, says);
   }
+}
+
+// Exact: with alpha = 0 all numbers with alpha in them are 0, and the others are as without it.
+BOOST_AUTO_TEST_CASE(an_isoviscous_contact_is_converted) {
+  const auto values = in_all_scalings({{"L", 0}, {"M", 20}}), without = in_all_scalings({{"M", 20}});
+  int zeros = 0, known = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (scaled_numbers()[i].may_vanish()) {
+      BOOST_TEST(values[i].value() == 0.0, scaled_numbers()[i].name);
+      ++zeros;
+    } else {
+      BOOST_TEST((values[i] == without[i]), scaled_numbers()[i].name);
+      known += values[i].has_value();
+    }
+  }
+  BOOST_TEST(zeros == 4);
+  BOOST_TEST(known == 3);  // M, lambda, film_moes_per_hertz
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -74,4 +74,28 @@ BOOST_AUTO_TEST_CASE(a_used_workspace_leaves_the_bits) {
   BOOST_TEST(again.slow->kappa_1 == first.slow->kappa_1);
 }
 
+// kappa_0 and the lag by `reference` to 1e-7. One map alone leaves 7e-3 in the lag, whatever the number of intervals.
+BOOST_AUTO_TEST_CASE(a_narrow_spike_is_averaged_over_maps) {
+  const Response found = answer(roelands_problem(8, 22, Flooded{}), {.frequencies = {}, .tolerance = 5e-3});
+  BOOST_TEST((found.status == StopReason::converged));
+  BOOST_TEST(found.cost.nodes <= 512);
+  BOOST_REQUIRE(found.slow.has_value());
+  EHD_CHECK(error(found.slow->kappa_0, 3.996134217),
+            Tolerance::required(found.slow->error_0, "an error bar covers the error"));
+  EHD_CHECK(error(found.slow->lag, 0.09893375513),
+            Tolerance::required(found.slow->lag_error, "an error bar covers the error"));
+  EHD_CHECK(error(found.slow->lag, 0.09893375513), Tolerance::required(2e-3, "a third of what one map leaves"));
+}
+
+// The lag is the imaginary part over Omega, and small: its error is its own, not that of kappa over Omega.
+BOOST_AUTO_TEST_CASE(the_lag_of_a_slow_motion_has_its_own_error) {
+  const Response found = answer(roelands_problem(5, 5, TruncatedAt{-4}), {.frequencies = {1e-2}, .tolerance = 1e-4});
+  const Stiffness& at = found.frequencies.at(0);
+  BOOST_TEST((at.status == StopReason::converged));
+  BOOST_TEST(at.lag_error < 1e-3);
+  BOOST_TEST(at.lag_error > 0.0);
+  EHD_CHECK(error(at.lag(), found.slow->lag), Tolerance::discretisation(at.lag_error + found.slow->lag_error, 1) +
+                                                  Tolerance::asymptotic(1e-4, "Omega^2, the next term"));
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -70,6 +70,16 @@ BOOST_AUTO_TEST_CASE(unknown_keys_come_first_with_the_nearest_key_which_then_doe
        "12: nonsense = 4: is unknown in [domain]; allowed is inlet", "5: [moes] L: is missing"});
 }
 
+// The oil is stated by its grade: no viscosity is missing, but the temperature is.
+BOOST_AUTO_TEST_CASE(a_mistyped_grade_counts_as_the_grade) {
+  check_lines(
+      "id = \"mine\"\nversion = 1\ntitle = \"t\"\nsource = \"own\"\n[conditions]\nload_N_per_m = 1e5\n"
+      "reduced_radius_m = 0.01\nreduced_modulus_Pa = 2.2e11\nspeed_sum_m_per_s = 3\n[lubricant]\n"
+      "viscosity = \"barus\"\ndensity = \"incompressible\"\niso_vgg = 68\n[domain]\ninlet = -4\n",
+      {"13: iso_vgg = 68: is unknown in [lubricant]; did you mean iso_vg?",
+       "10: [lubricant] temperature_C: is missing"});
+}
+
 BOOST_AUTO_TEST_CASE(a_reader_of_tables_alone_refuses_unknown_keys_too) {
   const std::string text = "[lubricant]\nviscosity = \"barus\"\ndensity = \"incompressible\"\nalfa_per_Pa = 2e-8\n";
   const std::vector<Substitution> stated{{"moes.M", 5.0}, {"moes.L", 5.0}, {"domain.inlet", std::string("flooded")}};

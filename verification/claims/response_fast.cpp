@@ -122,6 +122,26 @@ Findings judge_random_frequencies(int wanted) {
   return findings;
 }
 
+/// Where no grid resolves the spike. One map leaves 7e-3 in the lag.
+Findings judge_narrow_spike(MoesGroups moes) {
+  const Problem problem = response_problem(moes, Flooded{});
+  const Response found = find_solver("fast")->respond(problem, {.tolerance = 5e-3});
+  const Response truth = certified_response(problem, {.tolerance = 1e-6});
+  const bool known = found.slow && found.status == StopReason::converged && truth.slow && truth.slow->lag_error < 1e-5;
+  const double differ = known ? std::abs(found.slow->lag / truth.slow->lag - 1) : nothing;
+  Findings findings;
+  findings.claims.push_back(
+      claim(fast_says("narrow/" + contact_name(moes, Flooded{}), 8,
+                      "averaged over maps, fast knows the film's lag where a spike passes between the nodes"),
+            differ, 0, Tolerance::required(2e-3, "a third of what one map leaves"),
+            known ? "stated " + plain(found.slow->lag_error, 2) + ", n = " + std::to_string(found.cost.nodes) : ""));
+  findings.claims.push_back(claim(
+      fast_says("narrow/stated/" + contact_name(moes, Flooded{}), 8, "the stated error of that lag covers the error"),
+      known ? differ / (found.slow->lag_error + truth.slow->lag_error) : nothing, 0,
+      Tolerance::required(1, "an error bar covers the error")));
+  return findings;
+}
+
 // ---- at rest -------------------------------------------------------------------------------------------------------
 
 Findings judge_own_slope(MoesGroups moes, const Inlet& inlet) {
@@ -192,6 +212,7 @@ std::vector<Topic> fast_response_topics() {
                     .slow = true,
                     .judge = [] { return judge_random_frequencies(100); },
                     .expected_s = 300});
+  topics.push_back({.name = "response fast narrow", .rungs = {8}, .judge = [] { return judge_narrow_spike({8, 22}); }});
   topics.push_back({.name = "response fast slope", .rungs = {6}, .judge = [] {
                       return judge_own_slope({5, 5}, cut_at_4);
                     }});

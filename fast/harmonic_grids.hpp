@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The steady states of one contact on the grids of one map, each with twice the intervals of the one before, and the
+// equations of small motions about each.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "fast/harmonic.hpp"
+#include "fast/map.hpp"
+#include "fast/prolongation.hpp"
+#include "fast/run.hpp"
+
+namespace ehd::fast {
+
+class HarmonicGrids {
+ public:
+  /// Plans, tables and arrays are the caller's; each map needs a workspace of its own. Newton's method may leave
+  /// `residual` on the grids after the climb. From here on the time counts.
+  HarmonicGrids(const Problem& problem, const Request& request, double residual, Workspace& workspace);
+
+  /// Finds the steady states up to request.nodes on the best map. False where there are none.
+  [[nodiscard]] bool climb();
+  /// Finds as many as `other` has, on a map whose nodes near the spike stand `cells` cells of the coarsest grid away
+  /// from those of `other`.
+  [[nodiscard]] bool climb_beside(const HarmonicGrids& other, double cells);
+  /// A grid with twice as many intervals, `most` at most.
+  [[nodiscard]] bool refine(int most);
+
+  [[nodiscard]] std::size_t size() const { return grids_.size(); }
+  [[nodiscard]] Harmonic& operator[](std::size_t k) { return *grids_[k].harmonic; }
+  [[nodiscard]] const Harmonic& operator[](std::size_t k) const { return *grids_[k].harmonic; }
+  /// That Newton left on a grid.
+  [[nodiscard]] double residual(std::size_t k) const { return grids_[k].residual; }
+  [[nodiscard]] const Run& run() const { return run_; }
+  [[nodiscard]] bool spent() const { return run_.limit_reached || run_.limits.time_is_up(); }
+
+ private:
+  struct OnGrid {
+    std::unique_ptr<Harmonic> harmonic;
+    double residual = 0;
+  };
+  /// Of run_.state, with these fields.
+  void add(const NodeFields& nodes, double residual);
+
+  const Request request_;
+  const double newton_residual_;
+  Run run_;
+  Prolongation prolongation_;
+  std::vector<OnGrid> grids_;
+};
+
+/// The map whose coordinate s at the spike is smaller by `step`, because its spike stands elsewhere.
+[[nodiscard]] Map with_moved_spike(const Map& map, double step);
+
+}  // namespace ehd::fast
