@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <functional>
 #include <numbers>
-#include <utility>
 
 #include "contact/hertz.hpp"
 #include "contact/nondimensional.hpp"
@@ -19,9 +19,12 @@ namespace ehd {
 namespace {
 
 /// Errors that a curve takes from the default solver; a bearing states about as much, and 2 % of its damping is allowed
-/// (bearing_dynamics.cpp). Both solvers are asked for half of that, because finer grids follow only where a number
-/// misses what was asked for. A lag that is still vague is asked for once more, at this part of the tolerance.
+/// (bearing_dynamics.cpp). That solver is asked for half, because finer grids follow only where a number misses what
+/// was asked for. Where a lag is still vague, it is asked once more, at this part of the tolerance.
 constexpr double accepted = 1e-2, asked = 5e-3, asked_again = 0.25;
+/// Where the certified solver is needed, the contact is heavy, and a looser tolerance saves it half of its time at
+/// most.
+constexpr double certified_tolerance = 1e-6;
 /// The least compliance of a contact with the datum l: rollers are longer than exp(pi) = 23 half widths.
 constexpr double least_compliance = 1;
 
@@ -44,13 +47,14 @@ bool known(const Stiffness& at) { return at.status != StopReason::diverged && st
 
 ContactResponder bearing_responder() {
   return [](const Problem& problem, const ResponseRequest& request) {
-    ResponseRequest closer = request;
+    ResponseRequest closer = request, certified = request;
     closer.tolerance *= asked_again;
-    for (const ResponseRequest* each : {&request, &std::as_const(closer)}) {
-      Response found = default_solver().respond(problem, *each);
+    certified.tolerance = certified_tolerance;
+    for (const auto& each : {std::cref(request), std::cref(closer)}) {
+      Response found = default_solver().respond(problem, each);
       if (accepted_of(found, problem.groups.M) || found.status == StopReason::limit_reached) return found;
     }
-    return certified_solver().respond(problem, request);
+    return certified_solver().respond(problem, certified);
   };
 }
 
