@@ -355,6 +355,35 @@ BOOST_AUTO_TEST_CASE(a_pressure_maximum_that_a_spike_may_hide_is_left_out) {
   BOOST_CHECK_EQUAL(one.observables.contains(Quantity::pressure_maximum), maximum != all.observables.end());
 }
 
+// Steel and oil of examples/my-contact.toml at other loads and speeds: grids agreed on a height that was 10 and 4 %
+// off. The true values are by `reference` at 1e-6.
+BOOST_AUTO_TEST_CASE(a_spike_that_still_grows_is_not_reported) {
+  const Lubricant oil{
+      .viscosity = ViscosityLaw::roelands, .density = DensityLaw::dowson_higginson, .alpha_per_Pa = 2e-8};
+  struct Contact {
+    double load_N_per_m, speed_m_per_s, maximum_Pa;
+  };
+  for (const auto& [load, speed, truth] :
+       {Contact{200511.013, 7.7822418, 1078.757e6}, {183987.17, 3.27948, 825.98e6}}) {
+    const Conditions conditions{.load_N_per_m = load,
+                                .reduced_radius_m = 1e-2,
+                                .reduced_modulus_Pa = 2.2e11,
+                                .speed_sum_m_per_s = speed,
+                                .viscosity_Pa_s = 0.02};
+    const Nondimensional stated = nondimensionalise(conditions, oil, Flooded{});
+    for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-5}) {
+      BOOST_TEST_CONTEXT("load " << load << ", tolerance " << tolerance) {
+        const Solution solution = fast::Mapped{}.solve(stated.problem, {.tolerance = tolerance});
+        BOOST_CHECK(solution.record.status == StopReason::converged);
+        const auto maximum = solution.observables.find(Quantity::pressure_maximum);
+        if (maximum == solution.observables.end()) continue;
+        EHD_CHECK(error(maximum->second.value * stated.scales.value().hertz_pressure_Pa, truth),
+                  Tolerance::discretisation(maximum->second.error.value(), 1));
+      }
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(bars_of_two_grids_hold_pressures_too) {
   const Solution solution =
       fast::Mapped{}.solve(barus_problem(4.60323, 1.86837, Flooded{}), {.tolerance = {}, .nodes = 129});

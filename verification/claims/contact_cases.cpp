@@ -39,7 +39,21 @@ SolverError stated_or_shown_error(const ContactRun& run, Quantity quantity, cons
   return {shown + run.solution.record.film_central.truncation, "of the solver's own grids"};
 }
 
-Findings judge_expectations(const Case& contact_case, const ContactRun& run, const RegisteredSolver* solver) {
+/// `asked`, or where it reports no pressure maximum a tighter run that does: one that may be a spike is reported from
+/// four grids on.
+ContactRun reporting(const Case& contact_case, const ContactRun& asked, const RegisteredSolver* solver,
+                     const std::string& quantity) {
+  if (!solver || !converged(asked.solution) || quantity_from(quantity) != Quantity::pressure_maximum) return asked;
+  if (asked.solution.observables.contains(Quantity::pressure_maximum)) return asked;
+  for (const double tolerance : {asked_tolerance / 10, asked_tolerance / 100}) {
+    ContactRun tighter = run_contact(contact_case, *solver, {.tolerance = tolerance});
+    if (converged(tighter.solution) && tighter.solution.observables.contains(Quantity::pressure_maximum))
+      return tighter;
+  }
+  return asked;
+}
+
+Findings judge_expectations(const Case& contact_case, const ContactRun& asked, const RegisteredSolver* solver) {
   Findings found;
   const std::string name = solver ? solver->name : "closed form";
   for (const Expectation& expectation : contact_case.expectations) {
@@ -55,6 +69,7 @@ Findings judge_expectations(const Case& contact_case, const ContactRun& run, con
       found.skipped.push_back({says, "the source's number is not available here"});
       continue;
     }
+    const ContactRun run = reporting(contact_case, asked, solver, expectation.quantity);
     const auto measured = converged(run.solution) ? measure(run, expectation) : std::nullopt;
     if (expectation.kind == ExpectationKind::fit) {
       says.statement = name + " beside the regression " + expectation.quantity + " = " + expectation.digits;
