@@ -171,6 +171,7 @@ submissions: program  ## Remake cases/submissions: this project's solvers and a 
 
 atlas: program  ## Solve the atlas of line contacts into cases/atlas (goes on where an earlier run ended; an hour)
 	@$(BUILD)/ehd atlas
+	@$(BUILD)/ehd atlas --motion
 
 results: program  ## Remake the quick pages of docs/results and the figures of README.md from the program (1 minute)
 	@sh cmake/setup.sh python3
