@@ -172,6 +172,7 @@ submissions: program  ## Remake cases/submissions: this project's solvers and a 
 
 atlas: program  ## Solve the atlas of line contacts into cases/atlas (goes on where an earlier run ended; an hour)
 	@$(BUILD)/ehd atlas
+	@$(BUILD)/ehd atlas --motion
 
 results: program  ## Remake docs/results, docs/figures and what the pages show of the program (1 minute)
 	@sh cmake/setup.sh python3 python3-numpy python3-matplotlib

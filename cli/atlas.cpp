@@ -14,15 +14,19 @@
 #include "cli/subcommands.hpp"
 #include "cli/usage.hpp"
 #include "contact/text.hpp"
+#include "verification/atlas/motion.hpp"
 #include "workflow/registry.hpp"
 
 namespace ehd::cli {
 
 namespace {
 
+/// A point of the atlas of motion has up to 32 numbers; the slowest took 40 s of an idle processor.
+constexpr double motion_time_limit_s = 200;
+
 struct AtlasOptions {
   std::optional<std::string> output, tolerance, time_limit, threads, only;
-  bool fresh = false;
+  bool fresh = false, motion = false;
 };
 
 const char* const atlas_examples = R"(
@@ -30,6 +34,7 @@ Examples:
   ehd atlas                                the whole atlas, into cases/atlas
   ehd atlas --output out/atlas             the same elsewhere
   ehd atlas --only roelands-m20-           the points with this in their id; the others stay as they are
+  ehd atlas --motion                       stiffness, damping and waviness: kappa.csv, waviness.csv
   ehd atlas --only barus --fresh           solved again; the results of an earlier run are not used
 
 An interrupted run continues where it ended: every solved point leaves a record in DIR/.progress. The record is valid
@@ -37,7 +42,7 @@ until the solver or the tolerance changes, or the time limit of a point that ran
 to 1e-4 is listed without digits. Exit code: 0 the atlas is written; 1 no point has digits; 2 bad input or usage.)";
 
 /// One line a point on standard error.
-std::string progress_line(std::size_t done, std::size_t all, const verification::AtlasRecord& record) {
+std::string progress_line(std::size_t done, std::size_t all, const verification::AtlasRecord& record, bool motion) {
   const auto known = [&](const char* name) -> std::string {
     const auto at = record.readings.find(name);
     if (at == record.readings.end()) return "none";
@@ -45,8 +50,10 @@ std::string progress_line(std::size_t done, std::size_t all, const verification:
   };
   const std::string counter = std::to_string(done), total = std::to_string(all);
   return "[" + std::string(total.size() - std::min(total.size(), counter.size()), ' ') + counter + "/" + total + "] " +
-         record.id + ": " + std::string(to_string(record.status)) + ", H_min " + known("H_min") + ", H_cen " +
-         known("H_cen") + ", " + plain(record.wall_s, 3) + " s";
+         record.id + ": " + std::string(to_string(record.status)) + ", " +
+         (motion ? "kappa_0 " + known("stiffness 0") + ", kappa_1 " + known("damping 0")
+                 : "H_min " + known("H_min") + ", H_cen " + known("H_cen")) +
+         ", " + plain(record.wall_s, 3) + " s";
 }
 
 int atlas(const AtlasOptions& options) {
@@ -56,7 +63,7 @@ int atlas(const AtlasOptions& options) {
   const Request checked = limits.request();
 
   verification::AtlasRequest request;
-  request.points = verification::atlas_points();
+  request.points = options.motion ? verification::motion_points() : verification::atlas_points();
   request.only = options.only.value_or("");
   if (options.tolerance) {
     request.tolerance = checked.tolerance.tightest();
@@ -65,6 +72,7 @@ int atlas(const AtlasOptions& options) {
           "--tolerance", *options.tolerance,
           "is too loose for digits; allowed is a number > 0, up to " + plain(verification::atlas_worst_error));
   }
+  if (options.motion) request.time_limit_s = motion_time_limit_s;
   if (options.time_limit) request.time_limit_s = checked.time_limit_s;
   request.threads = thread_count(options.threads);
   request.fresh = options.fresh;
@@ -82,13 +90,15 @@ int atlas(const AtlasOptions& options) {
       complain(std::to_string(reused_so_far) + " of " + std::to_string(all) + " points are known from an earlier run");
       told = true;
     }
-    if (!reused) complain(progress_line(done, all, record));
+    if (!reused) complain(progress_line(done, all, record, options.motion));
   };
   say_when_interrupted("ehd: atlas: interrupted; the solved points are kept, and the same command goes on from there");
-  const auto result = verification::run_atlas(request, certified_solver());
-  print(human_summary(result));
-  const bool any = std::any_of(result.entries.begin(), result.entries.end(),
-                               [](const auto& entry) { return entry.record.has_digits(); });
+  const auto result = options.motion ? verification::run_motion_atlas(request, certified_solver())
+                                     : verification::run_atlas(request, certified_solver());
+  print(options.motion ? human_motion_summary(result) : human_summary(result));
+  const bool any = std::any_of(result.entries.begin(), result.entries.end(), [&](const auto& entry) {
+    return options.motion ? !entry.record.readings.empty() : entry.record.has_digits();
+  });
   if (any) return success;
   complain("ehd: atlas: not one of " + std::to_string(result.entries.size()) + " points is known to 1e-4");
   return not_met;
@@ -102,11 +112,14 @@ void describe_atlas(Command& command) {
   command.examples(atlas_examples);
   command.text("--output", options->output, "folder for atlas.csv, digits.txt and the case files (cases/atlas)")
       .called("DIR");
+  command.flag("--motion", options->motion, "stiffness, damping and waviness instead of the films at rest");
   command
       .text("--tolerance", options->tolerance,
-            "relative error allowed in the minimum and central film (1e-10; Barus 1e-7)")
+            "relative error allowed in the minimum and central film (1e-10; Barus 1e-7), or in kappa and amplitudes "
+            "(1e-5)")
       .called("T");
-  command.text("--time-limit", options->time_limit, "seconds for each solve (30)").called("S");
+  command.text("--time-limit", options->time_limit, "seconds for each solve (30), or each point in motion (200)")
+      .called("S");
   command.text("--threads", options->threads, "points solved side by side (as many as there are cores)").called("N");
   command.text("--only", options->only, "only points with this in their id").called("SUBSTRING");
   command.flag("--fresh", options->fresh, "solve every point again");

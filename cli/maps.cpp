@@ -9,6 +9,7 @@
 #include "cli/usage.hpp"
 #include "verification/atlas/atlas.hpp"
 #include "verification/studies/film_maps.hpp"
+#include "verification/studies/motion_maps.hpp"
 #include "verification/studies/table_beside_formulas.hpp"
 
 namespace ehd::cli {
@@ -18,7 +19,7 @@ namespace {
 struct MapsOptions {
   std::optional<std::string> output, quantity;
   std::string laws = "roelands";
-  bool table = false;
+  bool table = false, motion = false;
 };
 
 const char* const maps_examples = R"(
@@ -26,9 +27,10 @@ Examples:
   ehd maps                                      every formula, Roelands and compressible
   ehd maps --quantity film.minimum --laws barus
   ehd maps --table                              the formulas beside a table of films, as ehd export films makes it
+  ehd maps --motion                             stiffness, damping and waviness over M and L
   ehd maps --output out/maps                    leaves formula_maps.csv and inlet_maps.csv: all films and laws
 
-The films are the certified ones of cases/atlas, which ehd atlas made. Only --table solves; nothing is judged.)";
+The numbers are the certified ones of cases/atlas, which ehd atlas made. Only --table solves; nothing is judged.)";
 
 int maps(const MapsOptions& options) {
   const std::string quantity = options.quantity.value_or("");
@@ -39,6 +41,12 @@ int maps(const MapsOptions& options) {
     throw option_error("--laws", options.laws, "is unknown; allowed is roelands, barus");
   if (options.table && (options.output || options.quantity))
     throw UsageError("maps: --table excludes --output and --quantity; allowed is it alone");
+  if (options.motion && (options.table || options.output || options.quantity))
+    throw UsageError("maps: --motion excludes --table, --output and --quantity; allowed is it alone");
+  if (options.motion) {
+    print(verification::human_motion_maps(verification::motion_maps(verification::atlas_folder())));
+    return success;
+  }
   const auto all = verification::film_maps(verification::atlas_folder());
   if (options.table) {
     const FilmTable table = verification::table_of_the_atlas(0);
@@ -66,6 +74,7 @@ void describe_maps(Command& command) {
   command.text("--quantity", options->quantity, "film.minimum or film.central (both)").called("FILM");
   command.text("--laws", options->laws, "roelands or barus (roelands)").called("LAWS");
   command.flag("--table", options->table, "a table of films beside the formulas");
+  command.flag("--motion", options->motion, "stiffness, damping and waviness over M and L");
   command.runs([options] { return maps(*options); });
 }
 

@@ -197,15 +197,20 @@ ArrayOf<Complex> Harmonic::feature(const Waviness& waviness) const {
   return (Complex(0, -waviness.wavenumber()) * X_.cast<Complex>()).exp();
 }
 
-Harmonic::Motion<Complex> Harmonic::of_waviness(const Waviness& waviness, double residual,
-                                                const StepOf<Complex>* coarser) {
-  const Complex rate(0, waviness.Omega());
+Harmonic::Motion<Complex> Harmonic::of_sources(Complex rate, const Sources& sources, double residual,
+                                               const StepOf<Complex>* coarser) {
   const StepOf<Complex> none{.P = ArrayOf<Complex>::Zero(nodes_.n + 1)};
   ChangeOf<Complex> change;
-  change.film = feature(waviness);
+  change.film = sources.feature;
   jacobian_.change_residual(none, change);
   squeeze_.subtract(rate, none, change);
-  return solved(rate, ResidualOf<Complex>{.flux = -change.flux}, residual, coarser);
+  return solved(rate, ResidualOf<Complex>{.flux = sources.flux - change.flux, .load = sources.load}, residual, coarser);
+}
+
+Harmonic::Motion<Complex> Harmonic::of_waviness(const Waviness& waviness, double residual,
+                                                const StepOf<Complex>* coarser) {
+  return of_sources(Complex(0, waviness.Omega()),
+                    {.feature = feature(waviness), .flux = ArrayOf<Complex>::Zero(nodes_.n)}, residual, coarser);
 }
 
 std::optional<Complex> Harmonic::central_film(const Waviness& waviness, StepOf<Complex>& u) {

@@ -37,6 +37,14 @@ class Harmonic {
   /// For a waviness of amplitude 1 at a constant load.
   [[nodiscard]] Motion<Complex> of_waviness(const Waviness& waviness, double residual,
                                             const StepOf<Complex>* coarser = nullptr);
+  /// What drives a motion besides the bodies.
+  struct Sources {
+    ArrayOf<Complex> feature;  ///< R_1 at the nodes, n + 1
+    ArrayOf<Complex> flux;     ///< of the flux errors, n faces
+    Complex load = 0;          ///< W_1
+  };
+  [[nodiscard]] Motion<Complex> of_sources(Complex rate, const Sources& sources, double residual,
+                                           const StepOf<Complex>* coarser = nullptr);
   /// The next term of a slow load: u(s) = u + s u_1, where u is that of the load at rest.
   [[nodiscard]] Motion<double> of_slow_load(const Step& u, double residual, const Step* coarser = nullptr);
 

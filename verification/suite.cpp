@@ -86,6 +86,7 @@ std::vector<Topic> topics_of(const SuiteRequest& request, const std::vector<Load
                      response_motion_topics(),
                      fast_response_topics(),
                      atlas_topics(),
+                     atlas_motion_topics(),
                      literature_topics(),
                      bearing_topics(cases),
                      bearing_part_topics(cases)}) {

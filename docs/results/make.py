@@ -215,6 +215,9 @@ def quick_pages(ehd):
             fenced(comparison()), "Without times. Errors that rounding decides are printed as `<1e-11`."),
         "maps": lambda: page(
             "Film formulas and cut inlets against certified films", ["ehd maps"], fenced(run(ehd, "maps"))),
+        "motion-maps": lambda: page(
+            "Stiffness, damping and waviness over M and L", ["ehd maps --motion"],
+            fenced(run(ehd, "maps", "--motion")), "What it means: [docs/response.md](../response.md)."),
         "films-table": lambda: page(
             "A table of films beside the film formulas", ["ehd maps --table"],
             fenced(without_time(run(ehd, "maps", "--table"))),

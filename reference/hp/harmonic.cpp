@@ -201,6 +201,18 @@ ComplexVector Harmonic::of_waviness(const Waviness& waviness) const {
   return solved(waviness.Omega(), drive);
 }
 
+ComplexVector Harmonic::of_sources(double Omega, const Sources& sources) const {
+  const auto& at = steady_.run.at;
+  const int n = intervals(), exit = steady_.equations->row_of_right_end(steady_.equations->mesh().elements() - 1);
+  const MatrixOf<Complex> mass = integrals_to_exit(MatrixOf<Complex>((at.density.value * sources.feature).matrix()));
+  ComplexVector drive = ComplexVector::Zero(J_.rows());
+  drive.head(n) =
+      sources.balance.head(n) - (by_film_ * sources.feature).head(n).matrix() - i_unit * Omega * mass.col(0).head(n);
+  drive[n + 1] = 2 / pi * sources.load;
+  drive[n + 2] = sources.balance[n] + at.density.value[exit] * sources.feature[exit];
+  return solved(Omega, drive);
+}
+
 ComplexVector Harmonic::film_change(const ComplexVector& u, double Omega) const {
   const Complex tail = i_unit * Omega * tail_load_.cwiseProduct(u).sum();
   return film_ * u + tail * tail_film_.matrix();

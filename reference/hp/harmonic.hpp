@@ -51,6 +51,13 @@ class Harmonic {
   [[nodiscard]] ComplexVector of_load(double Omega) const;
   /// u for a waviness of amplitude 1 at a constant load.
   [[nodiscard]] ComplexVector of_waviness(const Waviness& waviness) const;
+  /// What drives a motion besides the bodies.
+  struct Sources {
+    ArrayOf<Complex> feature;  ///< R_1 at the rows
+    ComplexVector balance;     ///< at the n collocation points, then at the exit
+    Complex load = 0;          ///< W_1
+  };
+  [[nodiscard]] ComplexVector of_sources(double Omega, const Sources& sources) const;
   [[nodiscard]] SlowMotion of_slow_load() const;
   /// K u.
   [[nodiscard]] VectorOf<double> squeeze(const VectorOf<double>& u) const { return K_ * u; }

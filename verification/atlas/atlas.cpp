@@ -32,13 +32,13 @@ void make_folder(const std::filesystem::path& folder) {
 
 /// The record of an earlier run with the same point, solver and tolerance. Absent where a longer time limit may give
 /// more digits.
-std::optional<AtlasRecord> earlier(const std::filesystem::path& file, const AtlasRecord& asked) {
+std::optional<AtlasRecord> earlier(const std::filesystem::path& file, const AtlasRecord& asked, const AtlasPart& part) {
   const auto text = atlas_text(file);
   auto record = text ? record_from(*text) : std::nullopt;
   if (!record || record->id != asked.id || record->solver != asked.solver || record->tolerance != asked.tolerance)
     return std::nullopt;
   const bool more_time = record->time_limit_s < asked.time_limit_s;
-  if (more_time && (record->status == StopReason::limit_reached || !record->has_digits())) return std::nullopt;
+  if (more_time && (record->status == StopReason::limit_reached || !part.has_digits(*record))) return std::nullopt;
   return record;
 }
 
@@ -69,17 +69,17 @@ namespace {
 using Entry = AtlasResult::Entry;
 
 /// The selected points, with the records of an earlier run where they hold.
-std::vector<Entry> entries_of(const AtlasRequest& request, const std::string& version,
+std::vector<Entry> entries_of(const AtlasRequest& request, const AtlasPart& part,
                               const std::filesystem::path& records) {
   std::vector<Entry> entries;
   for (const AtlasPoint& point : selected_points(request)) {
     Entry entry{.point = point, .record = {}};
     entry.record.id = point.id();
-    entry.record.solver = version;
-    entry.record.tolerance = request.tolerance.value_or(point.usual_tolerance());
+    entry.record.solver = part.solver;
+    entry.record.tolerance = request.tolerance ? *request.tolerance : part.usual_tolerance(point);
     entry.record.time_limit_s = request.time_limit_s;
     if (!request.fresh) {
-      if (const auto known = earlier(records / (point.id() + ".json"), entry.record)) {
+      if (const auto known = earlier(records / (point.id() + part.record_ending), entry.record, part)) {
         entry.record = *known;
         entry.reused = true;
       }
@@ -90,7 +90,7 @@ std::vector<Entry> entries_of(const AtlasRequest& request, const std::string& ve
 }
 
 /// Solves the points without a record, the heaviest first, so that no thread is left with a long one at the end.
-void solve_missing(std::vector<Entry>& entries, const AtlasRequest& request, const RegisteredSolver& solver,
+void solve_missing(std::vector<Entry>& entries, const AtlasRequest& request, const AtlasPart& part,
                    const std::filesystem::path& records) {
   std::vector<std::size_t> order(entries.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -104,9 +104,9 @@ void solve_missing(std::vector<Entry>& entries, const AtlasRequest& request, con
   in_threads(order.size(), request.threads, [&](std::size_t k) {
     Entry& entry = entries[order[k]];
     if (!entry.reused) {
-      AtlasRecord solved = solve_point(entry.point, solver, entry.record.tolerance, request.time_limit_s);
+      AtlasRecord solved = part.solve(entry.point, entry.record.tolerance, request.time_limit_s);
       solved.solver = entry.record.solver;
-      OutputFile(records / (solved.id + ".json")).commit(json_of(solved));
+      OutputFile(records / (solved.id + part.record_ending)).commit(json_of(solved));
       entry.record = std::move(solved);
     }
     const std::lock_guard lock(reporting);
@@ -143,25 +143,41 @@ void write_files(const std::filesystem::path& folder, const std::vector<Entry>& 
   files[std::string(atlas_digits_name)] = digits_text(table);
   files[std::string(atlas_csv_name)] = csv_text(table);
   for (const auto& [name, text] : files) {
-    if (atlas_text(folder / name) != text) OutputFile(folder / name).commit(text);
+    replace_file(folder / name, text);
   }
 }
 
 }  // namespace
 
+std::vector<AtlasResult::Entry> recorded_entries(const AtlasRequest& request, const AtlasPart& part) {
+  const auto records = request.folder / records_name;
+  make_folder(request.folder);
+  make_folder(records);
+  std::vector<Entry> entries = entries_of(request, part, records);
+  solve_missing(entries, request, part, records);
+  return entries;
+}
+
+void replace_file(const std::filesystem::path& file, const std::string& text) {
+  if (atlas_text(file) != text) OutputFile(file).commit(text);
+}
+
 AtlasResult run_atlas(const AtlasRequest& request, const RegisteredSolver& solver) {
   const Stopwatch watch;
-  const auto records = request.folder / records_name;
   const auto csv = request.folder / atlas_csv_name;
   AtlasTable before;
   if (!request.only.empty() && atlas_text(csv)) before = read_atlas_table(csv);
   make_folder(request.folder);
-  make_folder(records);
   { const OutputFile writable(csv); }  // refused before anything is computed
 
   AtlasResult result;
-  result.entries = entries_of(request, atlas_solver_version(solver), records);
-  solve_missing(result.entries, request, solver, records);
+  result.entries = recorded_entries(
+      request, {.record_ending = ".json",
+                .solver = atlas_solver_version(solver),
+                .usual_tolerance = [](const AtlasPoint& point) { return point.usual_tolerance(); },
+                .solve = [&](const AtlasPoint& point, double tolerance,
+                             double time_limit_s) { return solve_point(point, solver, tolerance, time_limit_s); },
+                .has_digits = [](const AtlasRecord& record) { return record.has_digits(); }});
   const AtlasTable table = merged(request, result.entries, before);
   write_files(request.folder, result.entries, table);
 

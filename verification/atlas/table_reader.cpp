@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // atlas.csv read back: every cell is checked.
 #include <algorithm>
-#include <charconv>
-#include <cmath>
-#include <limits>
 #include <sstream>
-#include <system_error>
 
 #include "contact/nondimensional.hpp"
 #include "contact/text.hpp"
 #include "io/case_reader.hpp"
 #include "io/contact_json.hpp"
+#include "verification/atlas/cells.hpp"
 #include "verification/atlas/columns.hpp"
 #include "verification/atlas/table.hpp"
 #include "verification/bench/csv.hpp"
@@ -19,32 +16,10 @@ namespace ehd::verification {
 
 namespace {
 
-constexpr std::size_t most_quoted = 60;  ///< bytes of a line or cell that a message repeats
-
 std::string header_text() {
   const std::string line = csv_line(atlas_columns());
   return line.substr(0, line.size() - 1);  // without the line feed
 }
-
-std::vector<std::string> split(const std::string& line) {
-  std::vector<std::string> cells(1);
-  for (const char c : line) {
-    if (c == ',') {
-      cells.emplace_back();
-    } else {
-      cells.back() += c;
-    }
-  }
-  return cells;
-}
-
-/// The values that a cell may have.
-struct Allowed {
-  bool empty = false;
-  double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
-  bool low_itself = true;
-  std::string_view what = "a number";
-};
 
 Allowed allowed_in(std::string_view column) {
   if (column == "M") return {.low = smallest_M, .high = largest_M, .what = "a number from 1e-3 to 1e6"};
@@ -57,28 +32,9 @@ Allowed allowed_in(std::string_view column) {
   return positive;  // films, forces, pressures, and every uncertainty
 }
 
-/// The fault of a number's cell; empty where there is none.
-std::string wrong_with(const std::string& cell, const Allowed& allowed) {
-  if (cell.empty()) return allowed.empty ? "" : "is missing";
-  double value = 0;
-  const auto read = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  if (read.ptr != cell.data() + cell.size() || read.ec == std::errc::invalid_argument) return "is not a number";
-  if (read.ec != std::errc()) return "is out of range";
-  if (!std::isfinite(value)) return "is not finite";
-  if (value != 0 && !std::isnormal(value)) return "is out of range";  // std::stod refuses it later
-  const bool low_enough = allowed.low_itself ? value >= allowed.low : value > allowed.low;
-  return low_enough && value <= allowed.high ? "" : "is out of range";
-}
-
-constexpr std::string_view id_letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789.-_";
-
 bool is_text(std::string_view column) {
   return column == "id" || column == "laws" || column == "inlet" || column == "numerical_test" || column == "status";
 }
-
-struct WrongCell {
-  std::string column, what, allowed;
-};
 
 /// The first cell of a row that `ehd atlas` would not write.
 std::optional<WrongCell> wrong_cell(const AtlasRow& row) {
@@ -94,7 +50,7 @@ std::optional<WrongCell> wrong_cell(const AtlasRow& row) {
       return WrongCell{error, row.at(error).empty() ? "is missing" : "has no value before it",
                        "a number and its uncertainty, or neither"};
   }
-  if (const std::string& id = row.at("id"); id.empty() || id.find_first_not_of(id_letters) != std::string::npos)
+  if (const std::string& id = row.at("id"); !is_id(id))
     return WrongCell{"id", "is no id", "letters, digits, dot, dash and underscore"};
   if (!stop_reason_from(row.at("status")))
     return WrongCell{"status", "is unknown", "converged, tolerance-not-met, under-resolved, limit-reached, diverged"};
@@ -126,7 +82,7 @@ AtlasTable read_atlas_table(const std::filesystem::path& csv) {
   for (std::string line; std::getline(lines, line);) {
     ++number;
     if (line.empty() || line.front() == '#') continue;
-    const auto cells = split(line);
+    const auto cells = cells_of(line);
     if (!header) {
       if (cells != atlas_columns())
         throw refuse(number, shortened(line, most_quoted) +

@@ -9,6 +9,7 @@
 #include "verification/claims/topics.hpp"
 #include "verification/studies/fits.hpp"
 #include "verification/studies/manufactured_study.hpp"
+#include "verification/studies/motion_study.hpp"
 
 namespace ehd::verification {
 
@@ -90,6 +91,55 @@ Findings judge_collocation_in_p(const Contact& contact) {
   return found;
 }
 
+// ---- small motion about them -------------------------------------------------------------------------------------
+
+Findings judge_motion_of_fast(const Contact& contact) {
+  const auto truth = exact::ManufacturedMotion::about(contact.make());
+  std::vector<MotionErrors> errors;
+  std::vector<double> x;
+  for (const int intervals : manufactured_grids) {
+    errors.push_back(motion_errors_of_fast(truth, intervals));
+    x.push_back(-std::log(intervals));
+  }
+  Findings found;
+  for (const auto& [what, member] : motion_quantities) {
+    std::vector<double> y;
+    for (const MotionErrors& one : errors) y.push_back(std::log(one.*member));
+    found.claims.push_back(order_claim(
+        {.id = "manufactured/" + contact.name + "/motion/fast/" + what,
+         .rung = 5,
+         .statement = "the harmonic equations of fast reach the manufactured " + std::string(what) + " (" +
+                      contact.name + ") with the order of its grids",
+         .solver = "fast"},
+        slope(x, y), default_solver().description.formal_order, order_over_four_grids(),
+        "error " + three_digits(errors.back().*member) + " on " + std::to_string(manufactured_grids[3]) + " cells"));
+  }
+  return found;
+}
+
+/// The first-order equations are collocated at the same points, so that they have the same orders.
+Findings judge_motion_of_collocation(const Contact& contact) {
+  const auto truth = exact::ManufacturedMotion::about(contact.make());
+  Findings found;
+  for (const int degree : {2, 3}) {
+    std::vector<double> x, y;
+    for (const int elements : motion_elements) {
+      x.push_back(-std::log(elements));
+      y.push_back(std::log(motion_errors_of_collocation(truth, elements, degree).pressure));
+    }
+    found.claims.push_back(order_claim(
+        {.id = "manufactured/" + contact.name + "/motion/collocation/degree-" + std::to_string(degree),
+         .rung = 5,
+         .statement = "harmonic collocation of degree " + std::to_string(degree) +
+                      " reaches the manufactured pressure (" + contact.name + ") with order " +
+                      std::to_string(degree + 1),
+         .solver = certified_solver().name},
+        slope(x, y), degree + 1, order_over_four_grids(),
+        "error " + three_digits(std::exp(y.back())) + " on " + std::to_string(motion_elements[3]) + " elements"));
+  }
+  return found;
+}
+
 }  // namespace
 
 std::vector<Topic> coupled_topics() {
@@ -102,6 +152,8 @@ std::vector<Topic> coupled_topics() {
       if (!solver.certified) add([&contact, &solver] { return judge_solver(contact, solver); });
     add([&contact] { return judge_collocation_in_h(contact); });
     add([&contact] { return judge_collocation_in_p(contact); });
+    add([&contact] { return judge_motion_of_fast(contact); });
+    add([&contact] { return judge_motion_of_collocation(contact); });
   }
   return topics;
 }

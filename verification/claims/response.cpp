@@ -14,6 +14,7 @@
 #include "verification/exact/flat_punch.hpp"
 #include "verification/exact/martin.hpp"
 #include "verification/solution_memory.hpp"
+#include "workflow/registry.hpp"
 
 namespace ehd::verification {
 
@@ -75,8 +76,31 @@ Findings judge_sign(std::vector<double> all_M, std::vector<double> all_L) {
     }
   }
   Findings found;
-  found.claims.push_back(claim_fact(response_says("slow/positive", 6, "slow motion is damped"), least > 0,
-                                    "kappa_1 > 0 at every contact tried", note));
+  found.claims.push_back(
+      claim_fact(response_says("slow/positive", 6, "slow motion is damped, M from 1 to 500, L from 4 to 12"), least > 0,
+                 "kappa_1 > 0 at every contact tried", note));
+  return found;
+}
+
+/// Where the film begins to be elastic, at large L, the damping of slow motion is negative.
+Findings judge_driven_slowly() {
+  Findings found;
+  for (const auto& [name, tolerance] : {std::pair{"reference", 1e-6}, std::pair{"fast", 1e-4}}) {
+    const Response response = find_solver(name)->respond(response_problem({0.7, 25}, Flooded{}),
+                                                         {.frequencies = {0.3, 1}, .tolerance = tolerance});
+    const bool known = response.status == StopReason::converged;
+    const auto most = [&](double value, double error) { return known ? value + error : nothing; };
+    const Stiffness& at = response.frequencies.front();
+    const double slow = most(response.slow->kappa_1, std::abs(response.slow->kappa_1) * response.slow->error_1),
+                 moving = most(at.kappa.imag(), at.error * std::abs(at.kappa));
+    Sentence says = response_says("slow/driven/" + std::string(name), 6,
+                                  "slow motion is driven, not damped, at M = 0.7, L = 25: " + std::string(name));
+    says.solver = name;
+    found.claims.push_back(claim_fact(says, slow < 0 && moving < 0, "kappa_1 < 0, and Im kappa < 0 at Omega = 0.3",
+                                      "kappa_1 = " + plain(response.slow->kappa_1, 9) +
+                                          ", Im kappa = " + plain(at.kappa.imag(), 9) + " at 0.3, " +
+                                          plain(response.frequencies.back().kappa.imag(), 9) + " at 1"));
+  }
   return found;
 }
 
@@ -265,6 +289,7 @@ std::vector<Topic> response_topics() {
                           return judge_sign({1, 5, 20, 100, 500}, {4, 8, 12});
                         },
                     .expected_s = 20});
+  topics.push_back({.name = "response driven", .rungs = {6}, .judge = judge_driven_slowly});
   topics.push_back({.name = "response rigid", .rungs = {9}, .judge = judge_rigid_response});
   topics.push_back({.name = "response dry", .rungs = {9}, .judge = judge_dry});
   topics.push_back({.name = "response punch", .rungs = {9}, .judge = judge_punch, .expected_s = 2});

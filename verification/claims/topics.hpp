@@ -52,6 +52,7 @@ struct LoadedCase {
 [[nodiscard]] std::vector<Topic> response_motion_topics();
 [[nodiscard]] std::vector<Topic> fast_response_topics();
 [[nodiscard]] std::vector<Topic> atlas_topics();
+[[nodiscard]] std::vector<Topic> atlas_motion_topics();
 [[nodiscard]] std::vector<Topic> literature_topics();
 /// A topic for each case in the list, bearings left out; a case that could not be read is a failing claim.
 [[nodiscard]] std::vector<Topic> contact_topics(const std::vector<LoadedCase>& cases);

@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/exact/manufactured.hpp"
 
-#include <gsl/gsl_errno.h>
-#include <gsl/gsl_integration.h>
-
 #include <cmath>
-#include <functional>
-#include <limits>
 #include <memory>
 #include <numbers>
 #include <variant>
@@ -20,38 +15,6 @@ namespace ehd::verification::exact {
 using std::numbers::pi;
 
 namespace {
-
-using Function = std::function<double(double)>;
-enum class LogAt { left, right };
-
-constexpr double granted = 1e-13;
-/// GSL gives up on an interval of a few ulps. Its integral is below `granted`: about 1e-15 ln 1e-15.
-constexpr double shortest = 1e-15;
-constexpr std::size_t qaws_intervals = 200;
-
-/// Int_a^b f(t) ln(t - a) dt or Int_a^b f(t) ln(b - t) dt.
-double log_integral(const Function& f, double a, double b, LogAt end) {
-  if (!(b - a > shortest)) return 0;
-  [[maybe_unused]] static const auto quiet = gsl_set_error_handler_off();  // GSL's default ends the program
-  const bool left = end == LogAt::left;
-  const std::unique_ptr<gsl_integration_qaws_table, decltype(&gsl_integration_qaws_table_free)> weight(
-      gsl_integration_qaws_table_alloc(0, 0, left ? 1 : 0, left ? 0 : 1), gsl_integration_qaws_table_free);
-  const std::unique_ptr<gsl_integration_workspace, decltype(&gsl_integration_workspace_free)> space(
-      gsl_integration_workspace_alloc(qaws_intervals), gsl_integration_workspace_free);
-  gsl_function integrand{.function = [](double t, void* g) { return (*static_cast<const Function*>(g))(t); },
-                         .params = const_cast<Function*>(&f)};
-  double value = 0, estimate = 0;
-  const int status =
-      gsl_integration_qaws(&integrand, a, b, weight.get(), granted, 0, qaws_intervals, space.get(), &value, &estimate);
-  return status == GSL_SUCCESS && estimate <= granted ? value : std::numeric_limits<double>::quiet_NaN();
-}
-
-/// J[f](X). Beyond the exit the integral goes on to X, and the part beyond the exit is subtracted: so the logarithm is
-/// singular at an end point only.
-double log_potential(const Function& f, double inlet, double exit, double X) {
-  if (X <= exit) return log_integral(f, inlet, X, LogAt::right) + log_integral(f, X, exit, LogAt::left);
-  return log_integral(f, inlet, X, LogAt::right) - log_integral(f, exit, X, LogAt::right);
-}
 
 /// A law at one pressure: its value and its derivative to pressure.
 struct Law {
@@ -166,13 +129,21 @@ std::pair<double, double> Manufactured::film_source(double X) const {
   return {H.value - choice_.offset - X * X / 2 + J / pi, H.slope - X + J1 / pi};
 }
 
+Manufactured::Flux Manufactured::flux(double P, double slope, double H) const {
+  const Law a = log_viscosity(choice_.viscosity, P), rho = relative_density(choice_.density, P);
+  const double m = rho.value * std::pow(H, 3) * std::exp(-a.value) / lambda_;
+  return {.value = m * slope - rho.value * H,
+          .by_pressure = m * slope * (rho.slope / rho.value - a.slope) - rho.slope * H,
+          .by_slope = m,
+          .by_film = 3 * m * slope / H - rho.value,
+          .density = rho.value,
+          .density_slope = rho.slope};
+}
+
 std::pair<double, double> Manufactured::balance_source(double X) const {
   const Jet P = pressure(X), H = film(X);
-  const Law a = log_viscosity(choice_.viscosity, P.value), rho = relative_density(choice_.density, P.value);
-  const double m = rho.value * std::pow(H.value, 3) * std::exp(-a.value) / lambda_;
-  return {m * P.slope - rho.value * H.value + choice_.flux,
-          m * P.curvature + m * P.slope * (3 * H.slope / H.value + (rho.slope / rho.value - a.slope) * P.slope) -
-              rho.slope * P.slope * H.value - rho.value * H.slope};
+  const Flux F = flux(P.value, P.slope, H.value);
+  return {F.value + choice_.flux, F.by_pressure * P.slope + F.by_slope * P.curvature + F.by_film * H.slope};
 }
 
 std::complex<double> Manufactured::pole() const { return {choice_.centre, pi * choice_.width / 2}; }

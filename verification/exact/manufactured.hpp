@@ -8,8 +8,8 @@
 //   film(X)    = H - H_0 - X^2/2 + (1/pi) J[P](X),        J[f](X) = Int_(X_a)^(X*) f(t) ln|X - t| dt,
 //   film'(X)   = H' - X + (1/pi) J[P'](X),                 since P vanishes at both ends,
 //   balance(X) = m P' - rho H + C,                         m = rho H^3/(eta lambda),
-//   balance'(X) = m P'' + m P' (3 H'/H + (rho'/rho - (ln eta)') P') - rho' P' H - rho H',
-// with rho' and (ln eta)' by pressure. C and H_0 are free; they are chosen so that no two of the three sources (film,
+//   balance'(X) = F_P P' + F_P' P'' + F_H H' with the derivatives of F = m P' - rho H.
+// C and H_0 are free; they are chosen so that no two of the three sources (film,
 // balance, load) vanish at the same place. The film is full throughout. All formulas go on beyond X*, because a
 // solver's X* is another one.
 //
@@ -53,6 +53,12 @@ class Manufactured {
   };
   [[nodiscard]] Jet pressure(double X) const;  ///< of the formula, beyond X* too
   [[nodiscard]] Jet film(double X) const;      ///< curvature is not computed
+  /// m P' - rho H, and its derivatives to P, P' and H.
+  struct Flux {
+    double value = 0, by_pressure = 0, by_slope = 0, by_film = 0;
+    double density = 0, density_slope = 0;
+  };
+  [[nodiscard]] Flux flux(double P, double slope, double H) const;
   /// Value and derivative. The quadrature is granted 1e-13 absolute, NaN where that is not reached.
   [[nodiscard]] std::pair<double, double> film_source(double X) const;
   [[nodiscard]] std::pair<double, double> balance_source(double X) const;

@@ -38,6 +38,29 @@ using Workspace = std::unique_ptr<gsl_integration_workspace, decltype(&gsl_integ
 
 Workspace workspace() { return {gsl_integration_workspace_alloc(most_intervals), gsl_integration_workspace_free}; }
 
+enum class LogAt { left, right };
+
+constexpr double granted = 1e-13;  ///< absolute
+/// GSL gives up on an interval of a few ulps. Its integral is below `granted`: about 1e-15 ln 1e-15.
+constexpr double shortest = 1e-15;
+constexpr std::size_t qaws_intervals = 200;
+
+/// Int_a^b f(t) ln(t - a) dt or Int_a^b f(t) ln(b - t) dt.
+double log_integral(const Function& f, double a, double b, LogAt end) {
+  if (!(b - a > shortest)) return 0;
+  keep_going_on_gsl_errors();
+  const bool left = end == LogAt::left;
+  const std::unique_ptr<gsl_integration_qaws_table, decltype(&gsl_integration_qaws_table_free)> weight(
+      gsl_integration_qaws_table_alloc(0, 0, left ? 1 : 0, left ? 0 : 1), gsl_integration_qaws_table_free);
+  const std::unique_ptr<gsl_integration_workspace, decltype(&gsl_integration_workspace_free)> space(
+      gsl_integration_workspace_alloc(qaws_intervals), gsl_integration_workspace_free);
+  gsl_function integrand = wrap(f);
+  double value = 0, estimate = 0;
+  const int status =
+      gsl_integration_qaws(&integrand, a, b, weight.get(), granted, 0, qaws_intervals, space.get(), &value, &estimate);
+  return status == GSL_SUCCESS && estimate <= granted ? value : std::numeric_limits<double>::quiet_NaN();
+}
+
 }  // namespace
 
 double integral(const Function& f, double a, double b) {
@@ -56,6 +79,13 @@ double integral_to_infinity(const Function& f, double a) {
   double value = 0, estimate = 0;
   const int status = gsl_integration_qagiu(&integrand, a, 0, asked, most_intervals, space.get(), &value, &estimate);
   return judged(status, value, estimate);
+}
+
+/// Beyond b the integral goes on to X, and the part beyond b is subtracted: so the logarithm is singular at an end
+/// point only.
+double log_potential(const Function& f, double a, double b, double X) {
+  if (X <= b) return log_integral(f, a, X, LogAt::right) + log_integral(f, X, b, LogAt::left);
+  return log_integral(f, a, X, LogAt::right) - log_integral(f, b, X, LogAt::right);
 }
 
 double root(const Function& f, double a, double b) {

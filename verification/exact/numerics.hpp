@@ -13,6 +13,10 @@ namespace ehd::verification::exact {
 /// Int_a^infinity f dx, likewise.
 [[nodiscard]] double integral_to_infinity(const std::function<double(double)>& f, double a);
 
+/// Int_a^b f(t) ln|X - t| dt, where f goes on analytically to X. Error below 1e-13 by GSL's own estimate; NaN where
+/// that is not reached.
+[[nodiscard]] double log_potential(const std::function<double(double)>& f, double a, double b, double X);
+
 /// The root of f between a and b, where f changes sign, to 4 eps relative; NaN where it does not change sign.
 [[nodiscard]] double root(const std::function<double(double)>& f, double a, double b);
 

@@ -27,6 +27,13 @@ struct Moment {
   double load = 0;
 };
 
+/// Linear between the two nodes about X = 0.
+double film_at_centre(const Moment& at) {
+  const auto right = std::upper_bound(at.X.begin(), at.X.end(), 0.0) - at.X.begin();
+  const double part = -at.X[right - 1] / (at.X[right] - at.X[right - 1]);
+  return at.H[right - 1] + part * (at.H[right] - at.H[right - 1]);
+}
+
 class Contact {
  public:
   Contact(const Problem& problem, int intervals, double inlet)
@@ -108,9 +115,10 @@ class Root {
 
 }  // namespace
 
-std::complex<double> kappa_by_time_steps(const Problem& problem, const Fields& start, const TimeSteps& request) {
+MotionInTime motion_by_time_steps(const Problem& problem, const Fields& start, const TimeSteps& request) {
   using Residual = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
-  const std::complex<double> failed(std::numeric_limits<double>::quiet_NaN(), 0);
+  const MotionInTime failed{.kappa = std::numeric_limits<double>::quiet_NaN(),
+                            .film = std::numeric_limits<double>::quiet_NaN()};
   const int n = request.intervals;
   const Contact contact(problem, n, start.X[0]);
   const double exit = start.X[start.X.size() - 1];
@@ -141,17 +149,23 @@ std::complex<double> kappa_by_time_steps(const Problem& problem, const Fields& s
     return contact.balance(now, rate(now.mass, last.mass, before.mass), speed);
   };
   Root<Residual> root;
-  std::complex<double> load = 0;
+  std::complex<double> load = 0, film = 0;
+  double mean_film = 0;
   for (int k = 1; k <= request.periods * request.steps; ++k) {
     const double angle = 2 * pi * k / request.steps;
     offset = start.offset + std::abs(start.offset) * request.amplitude * std::sin(angle);
     if (!root.find(y, residual)) return failed;
     before = last;
     last = contact.moment(y, offset);
-    if (k > (request.periods - 1) * request.steps) load += last.load * std::polar(2.0 / request.steps, -angle);
+    if (k <= (request.periods - 1) * request.steps) continue;
+    const double central = film_at_centre(last);
+    load += last.load * std::polar(2.0 / request.steps, -angle);
+    film += central * std::polar(2.0 / request.steps, -angle);
+    mean_film += central / request.steps;
   }
   // H_01 e^(i Omega T) with H_0 = offset + Re(H_01 e^(i Omega T)): sin is -i.
-  return -load / (std::complex<double>(0, -1) * std::abs(start.offset) * request.amplitude);
+  return {.kappa = -load / (std::complex<double>(0, -1) * std::abs(start.offset) * request.amplitude),
+          .film = std::abs(film) / mean_film};
 }
 
 }  // namespace ehd::verification::exact

@@ -23,10 +23,14 @@ struct TimeSteps {
   int periods = 4;          ///< the last one is read
 };
 
-/// -W_1/H_01 from the first Fourier coefficients of the load over the last period; NaN where an iteration fails.
+struct MotionInTime {
+  std::complex<double> kappa;  ///< -W_1/H_01
+  double film = 0;             ///< amplitude of the film at X = 0 over its mean
+};
+
+/// From the first Fourier coefficients of load and film over the last period; NaN where an iteration fails.
 /// Measured: 64 intervals with steps below 0.015 end in NaN (a mode of the coarse grid grows); 128 intervals with 0.004
 /// do not. `start` is a steady solution of the problem, whose inlet is cut: it gives the offset and the first guess.
-[[nodiscard]] std::complex<double> kappa_by_time_steps(const Problem& problem, const Fields& start,
-                                                       const TimeSteps& request);
+[[nodiscard]] MotionInTime motion_by_time_steps(const Problem& problem, const Fields& start, const TimeSteps& request);
 
 }  // namespace ehd::verification::exact

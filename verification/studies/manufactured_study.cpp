@@ -5,9 +5,9 @@
 #include <chrono>
 #include <cmath>
 #include <complex>
+#include <memory>
 
 #include "contact/stated_error.hpp"
-#include "reference/hp/element_newton.hpp"
 #include "verification/claim.hpp"
 
 namespace ehd::verification {
@@ -35,7 +35,7 @@ ManufacturedErrors errors_of_solver(const RegisteredSolver& solver, const Manufa
   return errors;
 }
 
-ManufacturedErrors errors_of_collocation(const Manufactured& truth, int elements, int degree) {
+std::optional<hp::Resolved> collocation_of(const Manufactured& truth, int elements, int degree) {
   const Problem problem = truth.problem();
   const Manufactured::Choice& chosen = truth.choice();
   const double length = chosen.exit - chosen.inlet;
@@ -43,7 +43,8 @@ ManufacturedErrors errors_of_collocation(const Manufactured& truth, int elements
                 .breakpoints = {},
                 .degrees = std::vector<int>(static_cast<std::size_t>(elements), degree)};
   for (int e = elements; e >= 0; --e) mesh.breakpoints.push_back(-length * e / elements);
-  const hp::Collocation<double> equations(problem, mesh, hp::Points::left_radau);
+  const auto made = std::make_shared<const hp::Collocation<double>>(problem, mesh, hp::Points::left_radau);
+  const hp::Collocation<double>& equations = *made;
 
   hp::State<double> start{.P = VectorOf<double>::Zero(equations.intervals() + 1),
                           .offset = chosen.offset,
@@ -53,7 +54,16 @@ ManufacturedErrors errors_of_collocation(const Manufactured& truth, int elements
   for (Eigen::Index i = 1; i + 1 < start.P.size(); ++i)
     start.P[i] = truth.pressure(chosen.exit + equations.xi(places[static_cast<std::size_t>(i)])).value;
   hp::Meter meter{.iterations_left = 100, .end = std::chrono::steady_clock::now() + std::chrono::seconds(60)};
-  const hp::NewtonRun run = hp::newton(equations, start, 0, {.iterations = 8}, meter);
+  hp::NewtonRun run = hp::newton(equations, start, 0, {.iterations = 8}, meter);
+  if (run.iterations == 0) return std::nullopt;  // the start interpolates the truth: its own error is no result
+  return hp::Resolved{.equations = made, .run = std::move(run)};
+}
+
+ManufacturedErrors errors_of_collocation(const Manufactured& truth, int elements, int degree) {
+  const auto solved = collocation_of(truth, elements, degree);
+  if (!solved) return {};
+  const auto& [equations, run, floor, excess] = *solved;
+  const Manufactured::Choice& chosen = truth.choice();
   ManufacturedErrors errors{.pressure = 0,
                             .offset = std::abs(run.state.offset - chosen.offset),
                             .flux = std::abs(run.state.flux - chosen.flux),
@@ -61,16 +71,15 @@ ManufacturedErrors errors_of_collocation(const Manufactured& truth, int elements
   for (int e = 0; e < elements; ++e) {
     for (int k = 0; k <= 20; ++k) {
       const double t = k / 10.0 - 1;
-      const double X = run.state.exit + equations.stretching(run.state.exit) * equations.xi({e, 1 + t, 1 - t});
+      const double X = run.state.exit + equations->stretching(run.state.exit) * equations->xi({e, 1 + t, 1 - t});
       errors.pressure =
-          worse(errors.pressure, std::abs(equations.interpolate(run.state.P, e, t) - truth.pressure(X).value));
+          worse(errors.pressure, std::abs(equations->interpolate(run.state.P, e, t) - truth.pressure(X).value));
     }
   }
   // Newton's method does not always notice that the residual has reached rounding. So the residual itself decides: it
   // has to be at rounding, or far below the error that is measured.
   constexpr double rounding_floor = 1e-11, far_below = 1e-3;
   if (!(run.residual <= std::max(rounding_floor, far_below * errors.pressure))) return {};
-  if (run.iterations == 0) return {};  // the start interpolates the truth: its own error is no result
   return errors;
 }
 

@@ -6,10 +6,12 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "reference/hp/homotopy.hpp"
 #include "verification/exact/manufactured.hpp"
 #include "workflow/registry.hpp"
 
@@ -41,7 +43,9 @@ inline constexpr int collocation_elements_in_p = 5;
 
 [[nodiscard]] ManufacturedErrors errors_of_solver(const RegisteredSolver& solver, const exact::Manufactured& truth,
                                                   int intervals);
-/// `elements` equal elements from the inlet to the exit.
+/// The discrete solution on `elements` equal elements from the inlet to the exit. Empty where no step was taken.
+[[nodiscard]] std::optional<reference::hp::Resolved> collocation_of(const exact::Manufactured& truth, int elements,
+                                                                    int degree);
 [[nodiscard]] ManufacturedErrors errors_of_collocation(const exact::Manufactured& truth, int elements, int degree);
 /// The factor by which the error in p falls with each degree (Bernstein): the sum of the half axes of the largest
 /// ellipse about an element's ends that does not contain the pole; the smallest of all elements.

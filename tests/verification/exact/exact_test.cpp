@@ -12,6 +12,7 @@
 #include "verification/exact/ertel_grubin.hpp"
 #include "verification/exact/flat_punch.hpp"
 #include "verification/exact/manufactured.hpp"
+#include "verification/exact/manufactured_motion.hpp"
 #include "verification/exact/martin.hpp"
 #include "verification/exact/numerics.hpp"
 #include "verification/exact/sjovall.hpp"
@@ -177,6 +178,50 @@ BOOST_AUTO_TEST_CASE(manufactured_jets_and_sources_have_the_derivatives_that_the
     }
   }
   BOOST_TEST(rows == 20);
+}
+
+BOOST_AUTO_TEST_CASE(a_manufactured_motion_is_the_first_order_of_a_moved_contact) {
+  // The flux of P_0 + e P_1 and H_0 + e H_1 itself, to first order by a central difference in e.
+  const double e = 1e-4, step = 1e-4;
+  int rows = 0;
+  for (const Manufactured& contact : {Manufactured::compressible(), Manufactured::barus()}) {
+    const auto motion = ManufacturedMotion::about(contact);
+    const Manufactured& steady = motion.steady();
+    const double exit = steady.choice().exit;
+    const auto flux = [&](double X, std::complex<double> phase, double by) {
+      const auto P = steady.pressure(X), H = steady.film(X);
+      const auto P_1 = motion.pressure(X);
+      return steady
+          .flux(P.value + by * (phase * P_1.value).real(), P.slope + by * (phase * P_1.slope).real(),
+                H.value + by * (phase * motion.film(X)).real())
+          .value;
+    };
+    const auto mass = [&](double X, std::complex<double> phase, double by) {
+      const double H = steady.film(X).value + by * (phase * motion.film(X)).real();
+      return -steady.flux(steady.pressure(X).value + by * (phase * motion.pressure(X).value).real(), 0, H).value;
+    };
+    const std::complex<double> i(0, 1);
+    const auto first_order = [&](const auto& f, double X) {  // real part with phase 1, imaginary part with phase -i
+      const auto part = [&](std::complex<double> phase) { return (f(X, phase, e) - f(X, phase, -e)) / (2 * e); };
+      return std::complex<double>(part(1), part(-i));
+    };
+    for (const double part : {0.1, 0.4, 0.6, 0.8, 0.97}) {
+      const double X = steady.choice().inlet + part * (exit - steady.choice().inlet);
+      const auto constant = [&](double x) { return motion.balance_source(x) - first_order(flux, x); };
+      // g_1 - [m P' - rho H]_1 falls by i Omega (rho H)_1 along X, and is C_1 at the exit.
+      const auto slope = (constant(X + step) - constant(X - step)) / (2 * step);
+      EHD_CHECK(std::abs(slope + i * motion.choice().Omega * first_order(mass, X)), Tolerance::discretisation(1e-5, 1));
+      ++rows;
+    }
+    EHD_CHECK(std::abs(motion.balance_source(exit) - first_order(flux, exit) - motion.choice().flux),
+              Tolerance::discretisation(1e-6, 1));
+    // P = P' = 0 at the moving exit.
+    EHD_CHECK(std::abs(motion.moving_pressure(exit, 1)), Tolerance::round_off(10, 1));
+    EHD_CHECK(std::abs(motion.pressure(exit).slope + steady.pressure(exit).curvature * motion.exit()),
+              Tolerance::round_off(10, 1));
+    EHD_CHECK(std::abs(steady.balance_source(exit).first), Tolerance::round_off(10, 1));
+  }
+  BOOST_TEST(rows == 10);
 }
 
 BOOST_AUTO_TEST_CASE(manufactured_film_is_the_elastic_one_plus_its_source) {
