@@ -22,7 +22,7 @@ constexpr int rung_of_points = 10;
 constexpr std::pair<const char*, bool> motion_sample[] = {
     {"atlas-isoviscous-m0.5-l0-flooded", false}, {"atlas-roelands-m0.7-l25-flooded", false},
     {"atlas-roelands-m2-l5-flooded", false},     {"atlas-roelands-m20-l10-flooded", false},
-    {"atlas-roelands-m100-l15-flooded", true},   {"atlas-barus-m5-l5-flooded", false},
+    {"atlas-roelands-m100-l5-flooded", true},    {"atlas-barus-m5-l5-flooded", false},
     {"atlas-barus-m50-l10-flooded", true}};
 
 /// How far a number is from the row's, over what both state; NaN where only one of them is known.
