@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <functional>
 #include <initializer_list>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -77,10 +78,15 @@ Ends ends_from(const char* option, const std::optional<std::string>& text, doubl
   return ends;
 }
 
-using Writer = std::string (*)(const FilmTable& table);
-Writer writer_named(const std::string& format) {
+using Writer = std::function<std::string(const FilmTable& table)>;
+Writer writer_named(const std::string& format, const CaseChanges& changes) {
   if (format == "csv") return film_table_csv;
-  if (format == "json") return [](const FilmTable& table) { return json_text(to_json(table)); };
+  if (format == "json")
+    return [changes](const FilmTable& table) {
+      Json json = to_json(table);
+      changes.put_into(json);
+      return json_text(json);
+    };
   if (format == "c") return film_table_c;
   throw option_error("--format", format, "is unknown; allowed is csv, json, c");
 }
@@ -99,7 +105,7 @@ FilmTable build(const TableOil& oil, const FilmTableRequest& request, const Expo
 }
 
 int export_films(const ExportOptions& options) {
-  const Writer write = writer_named(options.format);
+  const Writer write = writer_named(options.format, options.changes);
   const Ends M = ends_from("--M", options.M, smallest_M, largest_M), L = ends_from("--L", options.L, 0, largest_L);
   FilmTableRequest request{.range = {.M_low = M.low, .M_high = M.high, .L_low = L.low, .L_high = L.high}};
   if (options.request.tolerance) request.tolerance = options.request.request().tolerance.tightest();
@@ -113,10 +119,9 @@ int export_films(const ExportOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   FilmTable table = build(oil, request, options);
   const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
-  if (!options.changes.any()) {  // the oil of a changed case is of no case
-    table.case_id = stated.id;
-    table.version = stated.version;
-  }
+  table.case_id = stated.id;
+  table.version = stated.version;
+  table.title = stated.title;
   if (!table.panels.empty()) {
     if (file) {
       file->append(write(table));

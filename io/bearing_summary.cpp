@@ -40,6 +40,7 @@ struct Column {
   const BearingCase& body;
   const BearingResult& result;
   const BearingErrors* errors;
+  std::optional<double> full_torque_N_m;  ///< by the law ehd, where it is beside
 
   [[nodiscard]] std::string displacement() const {
     const double um = um_per_m * result.displacement_m;
@@ -74,8 +75,13 @@ struct Column {
     const auto ratio = smallest_of(result, &ContactRow::lambda_ratio);
     return ratio ? plain(*ratio, 3) : "-";
   }
+  /// A fitted law lets go of rollers that ehd loads: its error is the distance from ehd.
   [[nodiscard]] std::string torque() const {
-    return result.torque ? with_error(result.torque->torque_N_m, result.torque->error) : "-";
+    if (!result.torque) return "-";
+    const double torque_N_m = result.torque->torque_N_m;
+    if (!result.fit) return with_error(torque_N_m, result.torque->error);
+    return full_torque_N_m ? with_absolute_error(torque_N_m, std::abs(torque_N_m - *full_torque_N_m))
+                           : plain(torque_N_m, 3);
   }
   [[nodiscard]] std::string stiffness() const { return plain(N_per_um * result.stiffness_N_per_m[0][0], 4); }
 };
@@ -103,10 +109,16 @@ std::string summary_table(const BearingCase& body, const std::vector<BearingResu
                                              {"lambda ratio"},
                                              {"stiffness along the load [N/um]"},
                                              {"rolling torque [N m]"}};
+  std::optional<double> full_torque_N_m;
+  for (const BearingResult& result : results)
+    if (result.law == bearing::Law::ehd && result.torque) full_torque_N_m = result.torque->torque_N_m;
   for (const BearingResult& result : results) {
     if (result.rollers.empty()) continue;
     const auto known = errors.find(result.law);
-    const Column column{.body = body, .result = result, .errors = known == errors.end() ? nullptr : &known->second};
+    const Column column{.body = body,
+                        .result = result,
+                        .errors = known == errors.end() ? nullptr : &known->second,
+                        .full_torque_N_m = full_torque_N_m};
     const std::vector<std::string> cells{std::string(to_string(result.law)),
                                          column.displacement(),
                                          column.largest_load(),

@@ -137,7 +137,7 @@ std::string cost_table(const std::vector<BearingResult>& results) {
 
 /// Lateral displacement, load zone and stiffness of the ring.
 std::string ring_table(const std::vector<BearingResult>& results) {
-  Rows rows{{"ring", "lateral um", "load zone deg", "to", "stiffness N/um: xx", "yy", "xy"}};
+  Rows rows{{"ring", "lateral um", "loaded rollers from deg", "to", "stiffness N/um: xx", "yy", "xy"}};
   for (const BearingResult& result : results) {
     if (result.rollers.empty()) continue;
     const auto& K = result.stiffness_N_per_m;

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -140,9 +141,15 @@ std::string human_table(const ResponseRun& run, const std::string& title) {
   rows.clear();
   if (!response.waviness.empty())
     rows.push_back({"wavelength/b", "slip", "amplitude ratio", "phase [deg]", "error", "status"});
-  for (const WavinessResponse& at : response.waviness)
-    rows.push_back({plain(at.waviness.wavelength), plain(at.waviness.slip), plain(at.amplitude_ratio(), 9),
-                    plain(at.phase_deg(), 6), plain(at.error, 2), std::string(to_string(at.status))});
+  // An error of the film in the complex plane is one of its length, and as many radians of its angle.
+  constexpr double degrees = 180 / std::numbers::pi;
+  for (const WavinessResponse& at : response.waviness) {
+    const bool known = std::isfinite(at.error);
+    rows.push_back({plain(at.waviness.wavelength), plain(at.waviness.slip),
+                    known ? with_error(at.amplitude_ratio(), at.error) : "-",
+                    known ? with_absolute_error(at.phase_deg(), degrees * at.error) : "-",
+                    known ? plain(at.error, 2) : "-", std::string(to_string(at.status))});
+  }
   if (!rows.empty()) text += "\n" + aligned(rows, 0);
   for (const std::string& note : run.notes) text += "\nnote: " + note;
   return text + (run.notes.empty() ? "" : "\n");

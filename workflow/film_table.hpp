@@ -58,6 +58,7 @@ struct FilmTableErrors {
 struct FilmTable {
   std::string case_id = {};  ///< whose oil it is; empty where the oil is of no case
   int version = 0;
+  std::string title = {};  ///< of the case, with the values that --set changed
   std::string solver = {};
   Lubricant lubricant;
   Inlet inlet;

@@ -62,7 +62,8 @@ std::string short_number(const AtlasRow& row, const std::string& column) {
 std::string slow_maps(const MotionMaps& maps) {
   std::string text;
   for (const AtlasLaws laws : all_atlas_laws) {
-    for (const auto& [name, column] : {std::pair{"kappa_0", "stiffness"}, std::pair{"kappa_1", "damping"}}) {
+    for (const auto& map : {std::pair{"kappa_0", "stiffness"}, std::pair{"kappa_1", "damping"}}) {
+      const char *const name = map.first, *const column = map.second;
       const auto cell = [&](double M, double L) -> std::string {
         const AtlasRow* row = kappa_at(maps, laws, {M, L}, 0);
         return row ? short_number(*row, column) : "";
