@@ -23,7 +23,7 @@ cat > "$work/use.c" << 'END'
 int main(void) {
   ehd_result *result = NULL;
   double film = 0;
-  int code = ehd_solve_moes(20, 10, NULL, NULL, 1e-3, &result);
+  int code = ehd_solve_moes(20, 10, NULL, "fast", 1e-3, &result);
   if (code != EHD_OK) return puts(ehd_last_error()), code;
   ehd_get(result, "film.minimum.hertz", &film);
   ehd_free(result);
@@ -31,7 +31,9 @@ int main(void) {
 }
 END
 cc "$work/use.c" -o "$work/use" $(pkg-config --cflags --libs ehd)
-as_user() { setpriv --reuid=nobody --regid=nogroup --clear-groups env HOME="$work" PATH=/usr/bin:/bin sh -ec "cd /; $1"; }
+as_user() {
+  setpriv --reuid=nobody --regid=nogroup --clear-groups env HOME="$work" PATH=/usr/bin:/bin sh -ec "cd /; $1"
+}
 as_user "ehd solve --M 20 --L 10" > /dev/null
 as_user "ehd bearing na4908" > /dev/null
 as_user "man -w ehd" > /dev/null
