@@ -27,7 +27,7 @@ struct Solved {
   [[nodiscard]] long krylov_steps(double Omega) {
     Harmonic equations = harmonic();
     const long before = run.counters.krylov;
-    BOOST_TEST(equations.of_load(Complex(0, Omega), 1e-8).residual <= 1e-8);
+    EHD_CHECK(equations.of_load(Complex(0, Omega), 1e-8).residual, Tolerance::required(1e-8, "the residual asked for"));
     return run.counters.krylov - before;
   }
 

@@ -132,7 +132,7 @@ BOOST_AUTO_TEST_CASE(a_heavy_contact_of_a_bearing_is_answered_by_the_default_sol
   const Response found = bearing_responder()(problem, bearing_response_request());
   BOOST_REQUIRE(found.slow.has_value());
   BOOST_TEST(found.cost.krylov_iterations > 0);  // `reference` has none
-  EHD_CHECK(found.slow->lag_error, Tolerance::required(1e-2, "half of what a bearing's damping is allowed"));
+  EHD_CHECK(found.slow->lag_error, Tolerance::required(1e-2, "half of the 2 % that the damping of a bearing may err"));
 }
 
 BOOST_AUTO_TEST_CASE(a_law_without_a_film_has_stiffness_alone) {

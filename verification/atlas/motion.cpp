@@ -60,7 +60,8 @@ Problem problem_of(const AtlasPoint& point) {
   return problem_at({point.M, point.L}, point.laws == AtlasLaws::roelands, point.inlet);
 }
 
-/// The solver's name and a digest of two short responses, to the last bit, and of what is asked of all points.
+/// Changes where a record of an earlier run is not valid any more: the solver's name, a digest of the bits of two short
+/// responses, and a digest of the requests of all points.
 std::string motion_solver_version(const RegisteredSolver& solver) {
   BitDigest digest;
   for (const AtlasPoint& probe :

@@ -74,8 +74,8 @@ std::vector<AtlasRow> read_motion_table(const MotionTable& table, const std::fil
     if (line.empty() || line.front() == '#') continue;
     const auto cells = cells_of(line);
     if (cells.size() != columns.size() || (!header && cells != columns))
-      throw refuse(number,
-                   shortened(line, most_quoted) + ": other columns; allowed is what `ehd atlas --motion` writes");
+      throw refuse(
+          number, shortened(line, most_quoted) + ": wrong columns; allowed are those that `ehd atlas --motion` writes");
     if (!std::exchange(header, true)) continue;
     AtlasRow row;
     for (std::size_t i = 0; i < cells.size(); ++i) row[columns[i]] = cells[i];

@@ -56,10 +56,9 @@ var figures = (function () {
 })();
 )js";
 
-constexpr const char* figure_zoom = R"js(
-// Zoom: drag a rectangle, or the buttons and keys. The axes get new ends, ticks and curves are drawn again. Panels that
-// show the same x keep it in common.
-figures.zoom = (function () {
+constexpr const char* figure_drawing = R"js(
+// Ticks, grid, curves and marks of a panel for the ends that its axes have now.
+figures.drawing = (function () {
   var all = figures.all, box_of = figures.box_of;
   function made(parent, name) { return document.createElementNS(parent.namespaceURI, name); }
   function ticks(axis) {
@@ -167,6 +166,16 @@ figures.zoom = (function () {
     }
     return "url(#" + id + ")";
   }
+  return { made: made, draw_frame: draw_frame, draw_contents: draw_contents };
+})();
+)js";
+
+constexpr const char* figure_zoom = R"js(
+// Zoom: drag a rectangle, or the buttons and keys. The axes get new ends, ticks and curves are drawn again. Panels that
+// show the same x keep it in common.
+figures.zoom = (function () {
+  var all = figures.all, box_of = figures.box_of, made = figures.drawing.made;
+  var draw_frame = figures.drawing.draw_frame, draw_contents = figures.drawing.draw_contents;
   // Ends of an axis for the part between two places of the frame.
   function part(frame, name, from, to) {
     var axis = figures.axis(frame, name);
@@ -363,6 +372,6 @@ constexpr const char* figure_files = R"js(
 
 }  // namespace
 
-std::string figure_script() { return std::string(figure_axes) + figure_zoom + figure_files; }
+std::string figure_script() { return std::string(figure_axes) + figure_drawing + figure_zoom + figure_files; }
 
 }  // namespace ehd::report

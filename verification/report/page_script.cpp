@@ -111,7 +111,9 @@ constexpr const char* page = R"js(
       figures.points(series).forEach(function (point) {
         if (!point) { return; }
         var px = x.place(point[0]), py = y.place(point[1]), dx = px - at.x, dy = py - at.y, away = dx * dx + dy * dy;
-        if (away < nearest && figures.inside(box, px, py, 0.5)) { nearest = away; best = { series: series, point: point }; }
+        if (away >= nearest || !figures.inside(box, px, py, 0.5)) { return; }
+        nearest = away;
+        best = { series: series, point: point };
       });
     });
     if (!best) { hide(); return; }
@@ -158,7 +160,8 @@ constexpr const char* page = R"js(
     });
     // The key / leads to the words, as in many programs.
     document.addEventListener("keydown", function (event) {
-      if (event.key !== "/" || event.ctrlKey || event.metaKey || /INPUT|SELECT/.test(document.activeElement.tagName)) { return; }
+      var typing = /INPUT|SELECT/.test(document.activeElement.tagName);
+      if (event.key !== "/" || event.ctrlKey || event.metaKey || typing) { return; }
       event.preventDefault();
       controls.closest("details").open = true;
       controls.querySelector("input").focus();
