@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The commands that a user types; CMake does the work. Variables: BUILD (folder), JOBS, CMAKE_FLAGS (passed to CMake),
-# CTEST_FLAGS (passed to ctest), PREFIX (of make install), FUZZ_SECONDS (of each target), FILES (for tidy).
+# CTEST_FLAGS (passed to ctest), PREFIX (of make install), FUZZ_SECONDS (of each target), FILES (for tidy), CHECKS (words in the names
+# of the steps that check-all runs).
 
 BUILD ?= build
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
@@ -24,7 +25,7 @@ FORMAT_ROOMS = $(TIDY_ROOMS) io bindings verification cli tests
 
 .DEFAULT_GOAL := help
 .PHONY: help setup configure program build install deb verify verify-full test sanitizer-build sanitizer-program sanitize \
-  sanitize-slow sanitize-threads fuzz faults engines sweep-million check-all bench callgrind kernels mutants stress report \
+  sanitize-slow sanitize-threads fuzz faults engines sweep-million check-all bench callgrind in-process kernels mutants stress report \
   browser-test atlas submissions results results-check results-full format format-check tidy tidy-changed clean
 
 help:       ## List the targets
@@ -45,7 +46,7 @@ program: configure
 build: program  ## Build the program: build/ehd (4 minutes on two cores)
 	@echo "$(BUILD)/ehd is built. Next: make verify (the paper's bearing and the quick suite), or $(BUILD)/ehd --help"
 
-verify: program  ## Balance the paper's bearing, run the quick suite; results in out/verify/results.json (the build and a minute)
+verify: program  ## Balance the paper's bearing, run the quick suite; results in out/verify/results.json (after the build less than a minute)
 	@$(BUILD)/ehd bearing na4908
 	@$(BUILD)/ehd verify --quick --output out/verify
 	@echo "Left out: the slow topics of the suite and the paper's statements (make verify-full), the tests (make test)."
@@ -120,9 +121,9 @@ sweep-million: program  ## A sweep of a million rows: memory, time, killed proce
 
 check-all:  ## Every check of .ci/steps.toml, red where one is left out; times in docs/results/checks.md (hours)
 	@sh cmake/setup.sh python3
-	@python3 .ci/steps.py all
+	@python3 .ci/steps.py all --page docs/results/checks.md $(foreach part,$(CHECKS),--only '$(part)')
 
-bench: program  ## Run time and work against achieved error, scaling, batches; results in out/bench (10 minutes)
+bench: program  ## Run time and work against achieved error, scaling, batches; results in out/bench (10 to 15 minutes)
 	@$(BUILD)/ehd bench --output out/bench
 
 stress: program  ## Numerical stability: starts, precision, rounding, extremes, random bearings; results in out/stress (half an hour)
@@ -140,7 +141,7 @@ browser-test: configure  ## Open the report in headless Chromium, with axe-core 
 .PHONY: library python octave site dist dist-check
 PYTHON_PACKAGES = python3-numpy python3-pytest python3-matplotlib python3-distributed python3-mypy python3-nbconvert \
   python3-ipykernel
-library: configure  ## Build the library that Python and C load: build/libehd.so.0 (4 minutes on two cores)
+library: configure  ## Build the library that Python and C load: build/libehd.so.0
 	@cmake --build $(BUILD) --parallel $(JOBS) --target ehd_shared
 
 python: program library  ## Test the Python package, with figures, Dask, notebooks and types: nothing is skipped (1 minute)
@@ -156,6 +157,11 @@ callgrind:  ## Count instructions of three solves, name the functions whose coun
 	@sh cmake/setup.sh valgrind
 	@$(MAKE) --no-print-directory program BUILD=$(BUILD)-callgrind CMAKE_FLAGS="-DEHD_NATIVE=OFF -DBUILD_TESTING=OFF"
 	@verification/bench/callgrind/count.sh $(if $(KEEP),--keep) $(BUILD)-callgrind/ehd
+
+in-process:  ## Count what a call of libehd costs above the solve in it, as instructions; fails from 5 % on (5 minutes)
+	@sh cmake/setup.sh valgrind
+	@$(MAKE) --no-print-directory library BUILD=$(BUILD)-callgrind CMAKE_FLAGS="-DEHD_NATIVE=OFF -DBUILD_TESTING=OFF"
+	@python3 verification/bench/callgrind/in_process.py $(BUILD)-callgrind
 
 kernels: configure  ## Time the kernels of fast/ in multiples of one FFT convolution (needs libbenchmark-dev; 1 minute)
 	@cmake --build $(BUILD) --parallel $(JOBS) --target ehd_kernels
@@ -181,6 +187,9 @@ results: program  ## Remake docs/results, docs/figures and what the pages show o
 results-check: program  ## Fail where one of those is not what the program prints now (1 minute)
 	@sh cmake/setup.sh python3 python3-numpy python3-matplotlib
 	@python3 docs/results/make.py --check $(BUILD)/ehd
+
+start-minutes:  ## Clone, build and compute as docs/start.md says, with minutes: docs/results/start.md (git; 5 minutes)
+	@python3 tests/docs/minutes.py docs/results/start.md
 
 results-full: program  ## Make the slow pages of docs/results: ladder, stress, bench (an hour; nobody compares them)
 	@sh cmake/setup.sh python3

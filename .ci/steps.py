@@ -3,13 +3,13 @@
 """Runs the checks that steps.toml lists.
 
     steps.py run          every must, then the others while time is left (.ci/run)
-    steps.py all          every step, without a limit; writes docs/results/checks.md (make check-all)
+    steps.py all          every step, without a limit; every one counts as a must (make check-all)
     steps.py list         names and commands
     --only PART           steps with PART in their name (repeatable)
 
-Red (exit code 1): a step fails, skips a test, or has packages that cannot be installed; a must is cut by the time or not
-begun; with `all`, any step is. The last lines name every such step, and every step that did not run. Green: 0. Wrong
-usage: 2."""
+Red (exit code 1): a step fails, skips a test, or has packages that cannot be installed; a must is cut by the time or
+not begun; with `all`, any step is. The last lines name every such step, and every step that did not run. Green: 0.
+Wrong usage: 2."""
 
 import argparse
 import os
@@ -136,13 +136,17 @@ def speed_of_machine():
     return f"{said}; {os.cpu_count()} cores"
 
 
+HEAD = "| step | level | wall [s] | processor [s] | end |"
+
+
+def times_row(one):
+    how = "; ".join(one.wrong) or one.not_run or "passed"
+    return f"| {one.step.name} | {one.step.level} | {one.wall_s:.0f} | {one.cpu_s:.0f} | {how} |"
+
+
 def times_table(outcomes):
-    lines = ["| step | level | wall [s] | processor [s] | end |", "|---|---|---|---|---|"]
-    for one in outcomes:
-        how = "; ".join(one.wrong) or one.not_run or "passed"
-        lines.append(f"| {one.step.name} | {one.step.level} | {one.wall_s:.0f} | {one.cpu_s:.0f} | {how} |")
-    lines.append(f"| all | | {sum(o.wall_s for o in outcomes):.0f} | {sum(o.cpu_s for o in outcomes):.0f} | |")
-    return "\n".join(lines)
+    total = f"| all | | {sum(o.wall_s for o in outcomes):.0f} | {sum(o.cpu_s for o in outcomes):.0f} | |"
+    return "\n".join([HEAD, "|---|---|---|---|---|", *map(times_row, outcomes), total])
 
 
 def report(outcomes, left_out):
@@ -159,12 +163,18 @@ def report(outcomes, left_out):
     return not red
 
 
-def write_page(outcomes):
-    page = HERE.parent / "docs" / "results" / "checks.md"
+def write_page(page, outcomes, steps):
+    """A row a step of the list, with the commit that it ran on. The row of an earlier run stays until its step runs
+    again."""
     commit = subprocess.run(["git", "describe", "--always", "--dirty"], cwd=HERE, capture_output=True, text=True,
-                            check=False).stdout.strip()
-    page.write_text("# Times of every check\n\n<!-- Made by `make check-all`: do not edit. -->\n\n    make check-all\n\n"
-                    f"Commit {commit or 'unknown'}. {speed_of_machine()}.\n\n{times_table(outcomes)}\n")
+                            check=False).stdout.strip() or "unknown"
+    lines = page.read_text().splitlines() if page.exists() else []
+    rows = {line.split(" | ")[0].removeprefix("| "): line for line in lines if line.startswith("| ")}
+    rows |= {one.step.name: f"{times_row(one)} {commit} |" for one in outcomes}
+    never = "| {0.name} | {0.level} | | | has not run | |"
+    table = [f"{HEAD} commit |", "|---|---|---|---|---|---|", *(rows.get(s.name, never.format(s)) for s in steps)]
+    page.write_text("# Times of every check\n\n<!-- Made by `make check-all`: do not edit. -->\n\n"
+                    f"    make check-all\n\nThe last run: {speed_of_machine()}.\n\n" + "\n".join(table) + "\n")
 
 
 def main():
@@ -174,6 +184,7 @@ def main():
     # For the tests of this file.
     parser.add_argument("--steps", type=pathlib.Path, default=HERE / "steps.toml", help=argparse.SUPPRESS)
     parser.add_argument("--setup", default=f"sh {HERE.parent}/cmake/setup.sh", help=argparse.SUPPRESS)
+    parser.add_argument("--page", type=pathlib.Path, metavar="FILE", help="write the times to this page (all)")
     # A run that passes 90 minutes is lost.
     parser.add_argument("--begin-for", type=float, default=3600, metavar="S", help="begin steps beside musts (3600)")
     parser.add_argument("--stop-after", type=float, default=4500, metavar="S", help="cut what still runs (4500)")
@@ -190,8 +201,8 @@ def main():
     wanted = [s for s in chosen if everything or s.level != "all"]
     outcomes = run_steps(wanted, everything, arguments.setup.split(), arguments.begin_for, arguments.stop_after)
     good = report(outcomes, [s for s in steps if s not in wanted])
-    if everything and not arguments.only and arguments.steps.parent == HERE:
-        write_page(outcomes)
+    if everything and arguments.page:
+        write_page(arguments.page, outcomes, steps)
     return 0 if good else 1
 
 

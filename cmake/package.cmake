@@ -34,6 +34,7 @@ each number.")
 set(CPACK_DEBIAN_EHD_DESCRIPTION "${about}
 .
 This package has the program and its benchmark cases.")
+set(CPACK_DEBIAN_EHD_PACKAGE_SUGGESTS "librsvg2-bin")  # --plot FILE.png
 set(CPACK_DEBIAN_LIBEHD0_DESCRIPTION "${about}
 .
 This package has the library, for programs that call it.")

@@ -6,9 +6,9 @@ set -eu
 
 required="g++ cmake pkg-config libeigen3-dev libfftw3-dev libgsl-dev libboost-test-dev libtomlplusplus-dev \
 nlohmann-json3-dev libcli11-dev libfmt-dev libxxhash-dev python3"
-# Ninja builds faster, make kernels needs the benchmark library, the test of the Python package NumPy and pytest.
-# Everything else works without these.
-optional="ninja-build libbenchmark-dev python3-numpy python3-pytest"
+# Ninja builds faster, make kernels needs the benchmark library, the test of the Python package NumPy and pytest,
+# --plot FILE.png rsvg-convert. Everything else works without these.
+optional="ninja-build libbenchmark-dev python3-numpy python3-pytest librsvg2-bin"
 
 command -v dpkg-query > /dev/null 2>&1 || exit 0
 

@@ -44,11 +44,13 @@ class WhatTurnsARunRed(unittest.TestCase):
         self.assertIn("did NOT run: nothing, every step ran\ngreen\n", said)
 
     def test_a_must_that_fails(self):
-        said = self.red("sanitizers", "failed (exit code 3)", step("sanitizers", "exit 3"), step("next", "echo reached"))
+        said = self.red("sanitizers", "failed (exit code 3)", step("sanitizers", "exit 3"),
+                        step("next", "echo reached"))
         self.assertIn("\nreached\n", said)  # one fault does not hide another
 
     def test_a_must_that_skips_a_test(self):
-        self.red("browser", "skipped a test: Test #3: report ....***Skipped", step("browser", "echo 'Test #3: report ....***Skipped 0.01'"))
+        self.red("browser", "skipped a test: Test #3: report ....***Skipped",
+                 step("browser", "echo 'Test #3: report ....***Skipped 0.01'"))
         self.red("faults", "skipped a test: memory: a: skipped: why", step("faults", "echo 'memory: a: skipped: why'"))
 
     def test_a_must_whose_packages_cannot_be_installed(self):
@@ -103,6 +105,17 @@ class CheckAll(unittest.TestCase):
     def test_every_step_counts(self):
         code, said = run("all", step("rest", "echo 'a ***Skipped'", "more"))
         self.assertEqual(code, 1, said)
+
+    def test_a_later_run_of_one_step_keeps_the_rows_of_the_others(self):
+        steps = (step("first", "true"), step("second", "exit 3"), step("third", "true"))
+        with tempfile.TemporaryDirectory() as folder:
+            page = pathlib.Path(folder) / "checks.md"
+            for part in ("first", "second", "first"):
+                run("all", *steps, options=["--only", part, "--page", str(page)])
+            rows = page.read_text().split("|---|\n")[1].splitlines()
+        self.assertRegex(rows[0], r"^\| first \| must \| 0 \| 0 \| passed \| \w+")
+        self.assertRegex(rows[1], r"^\| second \| must \| 0 \| 0 \| failed \(exit code 3\) \| \w+")
+        self.assertEqual(rows[2:], ["| third | must | | | has not run | |"])
 
 
 class TheList(unittest.TestCase):
