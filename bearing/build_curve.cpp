@@ -205,8 +205,8 @@ class Refinement {
     }
   }
 
-  /// An extra solve shows no error where the error changes its sign. So every point is also predicted by the others,
-  /// and the gaps beside a point that they do not predict are split. Extra solves are points from here on.
+  /// An extra solve shows no error where the error changes its sign. So each point is also predicted from the others.
+  /// Where the prediction fails, both neighbouring gaps are split. Extra solves are points from here on.
   void split_beside_points_that_others_do_not_predict() {
     nodes_.insert(extras_.begin(), extras_.end());
     extras_.clear();

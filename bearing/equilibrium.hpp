@@ -54,10 +54,12 @@ struct NoEquilibrium {
 
 /// Newton's method with exact derivatives (ring_search.hpp). Three or more equally spaced rollers always have two less
 /// than a half turn apart with the load between them, so in the plane form there is a balance. Without a load the ring
-/// stays in the middle, where equal rollers hold it. A plane form whose cage is symmetric to the load is the radial
-/// one. No balance: a load that no roller can carry, a law used where it is refused (force_law.hpp), and a law that is
-/// cut at delta = 0 (Unloading::at_zero_approach) under an asymmetric cage in the plane form where rollers stand on the
-/// jump.
+/// stays in the middle, where equal rollers hold it. With a cage symmetric to the load both forms agree. There is no
+/// balance in three cases:
+/// 1. no roller can carry the load;
+/// 2. a law is used where it is refused (force_law.hpp);
+/// 3. a law is cut at delta = 0 (Unloading::at_zero_approach), the cage is asymmetric, the form is the plane one, and
+///    rollers stand on the jump.
 [[nodiscard]] std::variant<Equilibrium, NoEquilibrium> balance(const Geometry& geometry, const LawPair& laws,
                                                                const Loading& loading, Form form = Form::plane);
 

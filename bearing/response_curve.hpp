@@ -103,18 +103,24 @@ class ResponseCurve {
 struct ResponseCurveRequest {
   double lightest_N = 0, heaviest_N = 0;
   std::vector<double> omegas = {};  ///< rad/s, at which the motion is not slow
-  double bound = 1.6e-2;            ///< allowed disagreement at an extra solve in each gap; an eighth of it is stated
-  double widest_gap = 3.5;          ///< ratio of neighbouring forces before gaps are split
-  double smallest_gap = 1.04;       ///< a gap below this ratio is not split
+  /// Where the curve will be read [N], if that is known: see build_response_curve. Forces below the lightest one and
+  /// above the heaviest one are left out.
+  std::vector<double> read_at_N = {};
+  double bound = 1.6e-2;       ///< allowed disagreement at an extra solve in each gap; an eighth of it is stated
+  double widest_gap = 3.5;     ///< ratio of neighbouring forces before gaps are split
+  double smallest_gap = 1.04;  ///< a gap below this ratio is not split
   int most_points = 80;
 
   friend auto operator<=>(const ResponseCurveRequest&, const ResponseCurveRequest&) = default;
 };
 
-/// Equal steps in ln f from the lightest to the heaviest force; a gap whose extra solve disagrees by more than the
-/// bound is split there; extra solves become points. One contact of half the lightest force finds the error below,
-/// which is infinite where that contact has no solution. A failure of any other solve is a SolveFailure, as is a
-/// kappa_0 that is not positive, or a kappa_1 at the lightest force.
+/// Through all loads: equal steps in ln f from the lightest to the heaviest force; a gap whose extra solve disagrees by
+/// more than the bound is split there; extra solves become points. One contact of half the lightest force finds the
+/// error below, which is infinite where that contact has no solution. A failure of any other solve is a SolveFailure,
+/// as is a kappa_0 that is not positive, or a kappa_1 at the lightest force.
+///
+/// Where read_at_N has few forces, the points are these, the lightest force and two above it, and no other contact is
+/// solved but that of half the lightest force. The errors between the points then count as 0: do not read there.
 [[nodiscard]] std::variant<ResponseCurve, SolveFailure> build_response_curve(const RespondingContact& contacts,
                                                                              const ResponseCurveRequest& request);
 

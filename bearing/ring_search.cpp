@@ -20,7 +20,7 @@ constexpr int most_iterations_on_a_line = 400;
 /// The bracket must shrink to this part in every so many iterations, else it is halved.
 constexpr int stall_period = 4;
 constexpr double shrinks_to = 1.0 / 16;
-/// A bracket narrower than this is a point: at zero, relative rounding is no measure.
+/// A bracket narrower than this is a point. Near zero a relative width means nothing.
 constexpr double narrowest = 1e-30;
 /// Factor by which the search goes further out where there is no bracket yet.
 constexpr double reach_growth = 2;

@@ -93,9 +93,11 @@ StatedOil roelands_in_SI(const Lubricant& lubricant, std::optional<double> visco
 
 void require_in_range(const Groups& groups) {
   if (!(groups.M >= smallest_M && groups.M <= largest_M))
-    throw StatementError("M", "M = " + plain(groups.M) + " is out of range; allowed is 1e-3 to 1e6");
+    throw StatementError("M", "M = " + plain(groups.M) +
+                                  " is out of range; allowed is 1e-3 to 1e6; M = w/(E' R) (eta_0 u_s/(E' R))^(-1/2)");
   if (!(groups.L >= 0 && groups.L <= largest_L))
-    throw StatementError("L", "L = " + plain(groups.L) + " is out of range; allowed is 0 to 100");
+    throw StatementError(
+        "L", "L = " + plain(groups.L) + " is out of range; allowed is 0 to 100; L = alpha E' (eta_0 u_s/(E' R))^(1/4)");
 }
 
 StatedOil oil_of(const Statement& statement, const Lubricant& lubricant, std::vector<std::string>& notes) {

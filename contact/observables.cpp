@@ -40,6 +40,13 @@ Point vertex(const Array& x, const Array& y, Index i) {
   return {x[i] + step, y[i] + step * (slope + step * curvature)};
 }
 
+/// Of the golden section, and so many steps leave rounding alone.
+constexpr double golden = 0.61803398874989484820;
+constexpr int golden_steps = 60;
+/// A quartic through an unresolved kink overshoots. One that goes below the node by more than this many times the
+/// parabola's depth is not used.
+constexpr double deepest_quartic = 3;
+
 /// Minimum of the quartic through five nodes about i within [x_(i-1), x_(i+1)], by golden section; the parabola's
 /// vertex where the quartic has no lower point there than the node itself.
 Point minimum_between_nodes(const Array& x, const Array& y, Index i) {
@@ -49,11 +56,10 @@ Point minimum_between_nodes(const Array& x, const Array& y, Index i) {
   if (size < 5) return parabola;
   const Window w = window(i - 2, 5, size);
   const Array nodes = x.segment(w.first, w.count), values = y.segment(w.first, w.count);
-  const double golden = (std::sqrt(5.0) - 1) / 2;
   double a = x[i - 1], b = x[i + 1];
   double c = b - golden * (b - a), d = a + golden * (b - a);
   double fc = interpolate(nodes, values, c), fd = interpolate(nodes, values, d);
-  for (int step = 0; step < 60; ++step) {
+  for (int step = 0; step < golden_steps; ++step) {
     if (fc < fd) {
       b = d, d = c, fd = fc;
       c = b - golden * (b - a), fc = interpolate(nodes, values, c);
@@ -63,10 +69,8 @@ Point minimum_between_nodes(const Array& x, const Array& y, Index i) {
     }
   }
   const Point quartic{(a + b) / 2, interpolate(nodes, values, (a + b) / 2)};
-  // An unresolved kink makes the quartic overshoot. A quartic that goes below the node by more than three times the
-  // parabola's depth is not used.
   const double depth = y[i] - parabola.y;
-  if (quartic.y > y[i] || y[i] - quartic.y > 3 * depth) return parabola;
+  if (quartic.y > y[i] || y[i] - quartic.y > deepest_quartic * depth) return parabola;
   return quartic;
 }
 
@@ -105,9 +109,8 @@ class Element {
   [[nodiscard]] Point minimum(const Array& y, Eigen::Index i) const {
     const int j = static_cast<int>(i - first_);
     const VectorOf<double> a = coefficients(y);
-    const double golden = (std::sqrt(5.0) - 1) / 2;
     double low = nodes_[std::max(j - 1, 0)], high = nodes_[std::min(j + 1, degree_)];
-    for (int step = 0; step < 60; ++step) {
+    for (int step = 0; step < golden_steps; ++step) {
       const double c = high - golden * (high - low), d = low + golden * (high - low);
       if (value(a, c) < value(a, d))
         high = d;

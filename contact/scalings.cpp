@@ -110,7 +110,7 @@ class KnownEquations {
   bool add(const Equation& equation) {
     const Equation rest = reduced(equation);
     if (rest.leading() == rest.exponents.size()) return false;
-    // Earlier ones lose the new leading place, so that one pass reduces any equation.
+    // Eliminate the new leading unknown from the earlier equations, so that one pass reduces any equation.
     const std::size_t at = rest.leading();
     for (Equation& known : known_) known.subtract(rest, known.exponents[at] / rest.exponents[at]);
     known_.push_back(rest);
@@ -127,10 +127,16 @@ std::string names() {
   return all;
 }
 
+/// A number with the digits that are known: logarithms are up to 50, of 16 digits two are lost in them.
+double rounded(double value) {
+  constexpr int known_digits = 14;
+  return std::stod(plain(value, known_digits));
+}
+
 std::optional<double> value_by(const KnownEquations& known, const ScaledNumber& row) {
   const Equation rest = known.reduced({.exponents = row.exponents, .value = 0});
   if (rest.leading() != rest.exponents.size()) return std::nullopt;
-  return row.constant * std::exp(-rest.value);
+  return rounded(row.constant * std::exp(-rest.value));
 }
 
 }  // namespace
@@ -152,21 +158,26 @@ std::vector<std::optional<double>> in_all_scalings(const std::vector<GivenNumber
                                   ? Equation{.exponents = only_alpha, .value = 0}
                                   : Equation{.exponents = row->exponents, .value = std::log(one.value / row->constant)};
     const auto follows = [&](double value) {
-      return StatementError(one.name, "follows from the numbers before it as " + plain(value) +
-                                          "; allowed are numbers that do not follow from each other");
+      return StatementError(one.name, "the numbers before it fix it already, at " + plain(value) +
+                                          "; allowed is without one of these numbers");
     };
     if (isoviscous && row->may_vanish()) throw follows(0);
     if (vanishes && alpha_is_stated)
       throw StatementError(
-          one.name, "is 0, but a number before it that has alpha in it is not; allowed is alpha = 0 in all or in none");
+          one.name, "is 0, so alpha is 0; but a number before it needs an alpha above 0; allowed is one or the other");
     if (!known.add(equation)) throw follows(*value_by(known, *row));
     isoviscous = isoviscous || vanishes;
     alpha_is_stated = alpha_is_stated || row->may_vanish();
   }
   std::vector<std::optional<double>> values;
   values.reserve(table.size());
-  for (const ScaledNumber& row : table)
-    values.push_back(isoviscous && row.may_vanish() ? std::optional(0.0) : value_by(known, row));
+  for (const ScaledNumber& row : table) {
+    const auto stated = std::find_if(given.begin(), given.end(), [&](const auto& one) { return one.name == row.name; });
+    if (stated != given.end())
+      values.emplace_back(stated->value);
+    else
+      values.push_back(isoviscous && row.may_vanish() ? std::optional(0.0) : value_by(known, row));
+  }
   return values;
 }
 

@@ -14,8 +14,8 @@
 
 namespace ehd {
 
-/// Relative errors allowed in film.minimum and film.central. A film without one is not asked for: it is reported with
-/// whatever error it has. Nothing is asked for by default.
+/// Relative errors allowed in film.minimum and film.central. A film without a tolerance may have any error, which is
+/// reported. By default neither has one; `Request` sets 1e-3 for both.
 struct FilmTolerances {
   std::optional<double> minimum, central;
 

@@ -82,13 +82,17 @@ std::size_t utf8_length(std::string_view text) {
 }
 
 std::string one_line(std::string_view text) {
+  if (std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c <= '~'; })) return std::string(text);
   std::string line;
   for (std::size_t i = 0; i < text.size();) {
     const std::size_t length = utf8_length(text.substr(i));
     const auto byte = static_cast<unsigned char>(text[i]);
-    // C0 and C1 control characters (C2 80 .. C2 9F) and the two Unicode line separators would break or colour a line.
+    // C0 and C1 control characters (C2 80 .. C2 9F), the two Unicode line separators and the marks that turn the
+    // direction of writing (U+202A .. U+202E, U+2066 .. U+2069) would break, colour or reorder a line.
     const bool c1 = length == 2 && byte == 0xC2 && static_cast<unsigned char>(text[i + 1]) < 0xA0;
-    const bool separator = length == 3 && (text.substr(i, 3) == "\u2028" || text.substr(i, 3) == "\u2029");
+    const std::string_view character = text.substr(i, length);
+    const bool separator = length == 3 && ((character >= "\u2028" && character <= "\u202E") ||
+                                           (character >= "\u2066" && character <= "\u2069"));
     if (text[i] == '\n') {
       line += "\\n";
     } else if (text[i] == '\t') {
@@ -98,7 +102,7 @@ std::string one_line(std::string_view text) {
     } else if (c1 || separator) {
       line += '?';
     } else {
-      line += text.substr(i, length);
+      line += character;
     }
     i += std::max<std::size_t>(length, 1);
   }

@@ -21,7 +21,7 @@ class BandedOf {
   [[nodiscard]] int rows() const { return static_cast<int>(rows_.size()); }
   [[nodiscard]] Row& row(int i) { return rows_[static_cast<std::size_t>(i)]; }
 
-  /// In place. False where a pivot vanishes against its row (the caller then does without this level).
+  /// In place. False where a pivot vanishes against its row (the caller then skips this level).
   [[nodiscard]] bool factorise();
   /// Solves in place; needs factorise() to have succeeded.
   void solve(ArrayOf<Scalar>& x) const;

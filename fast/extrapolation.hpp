@@ -22,7 +22,7 @@ struct Limit {
 /// grids of 64 to 8192, truth from the reference. The films have rules of their own from three grids on.
 [[nodiscard]] Limit limit_of(const std::vector<double>& values);
 
-/// A sequence of films is mild up to this L. Then the central film is as good on the map of the first solution as on
+/// Up to this L films converge regularly. Then the central film is as good on the map of the first solution as on
 /// later ones, and its error falls regularly from grid to grid.
 constexpr double mild_L = 15;
 
@@ -41,8 +41,9 @@ enum class MapFit { first, again, settled };
 /// Calibrated on 1280 problems (a third each of M = 0.2..5, L = 15..30; M = 0.5..1000, L = 0..20; M = 0.05..5000,
 /// L = 0..30; Roelands with random constants, Barus; flooded and cut), climbing to tolerances of 1e-4..1e-7, truth from
 /// the reference: 99.8 % of the stated errors hold for mild contacts and 99.3 % for the others, at a median of 20 to 35
-/// times the true ones; of three grids up to 160 times, since 0.04 left (500, 15), Barus, flooded, 1.5 errors off. With
-/// 0.15 of them, 80 of 1259 errors of at most 1e-3 missed on first maps beyond L = 15, with 0.8 6 of 1234.
+/// times the true ones. With three grids the median is up to 160 times: a = 0.04 failed at (500, 15), Barus, flooded,
+/// where the true error was 1.5 times the stated one. On first maps beyond L = 15, a = 0.15 missed at 80 of 1259 films
+/// stated to 1e-3 or better, a = 0.8 at 6 of 1234.
 [[nodiscard]] double central_film_error(const std::vector<double>& central, const std::vector<double>& minimum,
                                         MapFit fit, double L);
 

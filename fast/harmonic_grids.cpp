@@ -60,7 +60,7 @@ bool HarmonicGrids::climb() {
   return true;
 }
 
-bool HarmonicGrids::climb_beside(const HarmonicGrids& other, double cells) {
+bool HarmonicGrids::climb_beside(const HarmonicGrids& other, std::size_t count, double cells) {
   const Run& from = other.run_;
   const int coarsest = other[0].intervals();
   {
@@ -70,7 +70,7 @@ bool HarmonicGrids::climb_beside(const HarmonicGrids& other, double cells) {
                              from.workspace.grids.robust_wedge());
   }
   const Known known = known_now(from);
-  while (size() < other.size()) {
+  while (size() < count) {
     const int n = other[size()].intervals();
     run_.state = size() < 2 ? on_present_map(run_, known, from.state.tail, n)
                             : prolongation_.onto(n, run_.workspace.grids, run_.setting.inlet);

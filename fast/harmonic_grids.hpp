@@ -16,21 +16,21 @@ namespace ehd::fast {
 class HarmonicGrids {
  public:
   /// Plans, tables and arrays are the caller's; each map needs a workspace of its own. Newton's method may leave
-  /// `residual` on the grids after the climb. From here on the time counts.
+  /// `residual` on the grids after the climb. The time limit starts here.
   HarmonicGrids(const Problem& problem, const Request& request, double residual, Workspace& workspace);
 
   /// Finds the steady states up to request.nodes on the best map. False where there are none.
   [[nodiscard]] bool climb();
-  /// Finds as many as `other` has, on a map whose nodes near the spike stand `cells` cells of the coarsest grid away
-  /// from those of `other`.
-  [[nodiscard]] bool climb_beside(const HarmonicGrids& other, double cells);
+  /// Finds those of the first `count` grids of `other`, on a map whose nodes near the spike stand `cells` cells of the
+  /// coarsest grid away from those of `other`.
+  [[nodiscard]] bool climb_beside(const HarmonicGrids& other, std::size_t count, double cells);
   /// A grid with twice as many intervals, `most` at most.
   [[nodiscard]] bool refine(int most);
 
   [[nodiscard]] std::size_t size() const { return grids_.size(); }
   [[nodiscard]] Harmonic& operator[](std::size_t k) { return *grids_[k].harmonic; }
   [[nodiscard]] const Harmonic& operator[](std::size_t k) const { return *grids_[k].harmonic; }
-  /// That Newton left on a grid.
+  /// The residual that Newton's method left on a grid.
   [[nodiscard]] double residual(std::size_t k) const { return grids_[k].residual; }
   [[nodiscard]] const Run& run() const { return run_; }
   [[nodiscard]] bool spent() const { return run_.limit_reached || run_.limits.time_is_up(); }

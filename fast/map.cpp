@@ -9,6 +9,9 @@ namespace ehd::fast {
 
 namespace {
 
+/// Shape of the map; map.hpp has the formula. Width of the crowding in the contact, over l; weight of the crowding
+/// before the inlet zone, and its width over that of the inlet zone.
+constexpr double contact_width = 0.7, inlet_weight = 3, inlet_spread = 2;
 /// Halley's method stops here: the step from this error of s leaves rounding alone, since it contracts cubically.
 constexpr double last_error = 1e-6;
 /// Bracketed Newton, for nodes one by one, stops here: it contracts quadratically.
@@ -30,8 +33,8 @@ Map::Map(const MapShape& shape) : shape_(shape) {
 
 double Map::raw(double X) const {
   const auto& [inlet, exit, l, d, spike, width] = shape_;
-  return std::asinh(X / (0.7 * l)) + std::asinh((X + l) / (d * l)) + 3 * std::atan((X + l * (1 + d)) / (2 * d * l)) +
-         std::asinh((X - spike) / width);
+  return std::asinh(X / (contact_width * l)) + std::asinh((X + l) / (d * l)) +
+         inlet_weight * std::atan((X + l * (1 + d)) / (inlet_spread * d * l)) + std::asinh((X - spike) / width);
 }
 
 double Map::operator()(double X) const { return (raw(X) - first_) / range_; }
@@ -39,9 +42,9 @@ double Map::operator()(double X) const { return (raw(X) - first_) / range_; }
 double Map::slope(double X) const {
   const auto& [inlet, exit, l, d, spike, width] = shape_;
   const auto rise = [](double y, double scale) { return 1 / (std::sqrt(1 + y * y) * scale); };
-  const double y = (X + l * (1 + d)) / (2 * d * l);
-  return (rise(X / (0.7 * l), 0.7 * l) + rise((X + l) / (d * l), d * l) + 3 / ((1 + y * y) * 2 * d * l) +
-          rise((X - spike) / width, width)) /
+  const double y = (X + l * (1 + d)) / (inlet_spread * d * l);
+  return (rise(X / (contact_width * l), contact_width * l) + rise((X + l) / (d * l), d * l) +
+          inlet_weight / ((1 + y * y) * inlet_spread * d * l) + rise((X - spike) / width, width)) /
          range_;
 }
 
@@ -71,14 +74,14 @@ Block atan_of(const Block& y, const Block& root) {
 /// y^2. With p = max(y, 0) and m = max(-y, 0), of which one is 0, both are ln((p + r_p)/(m + r_m)), and r = r_p r_m.
 Map::Values Map::evaluate(const Block& X) const {
   const auto& [inlet, exit, l, d, spike, width] = shape_;
-  const double units[] = {0.7 * l, d * l, width}, centres[] = {0, -l, spike}, wide = 2 * d * l;
+  const double units[] = {contact_width * l, d * l, width}, centres[] = {0, -l, spike}, wide = inlet_spread * d * l;
   Block above = Block::Ones(), below = Block::Ones();
   Values at;
   {
     const Block y = (X + l * (1 + d)) / wide, square = 1 + y * y;
-    at.s = 3 * atan_of<Block>(y, square.sqrt()) - first_;
-    at.slope = 3 / wide / square;
-    at.curvature = -2.0 / 3 * y * at.slope * at.slope;
+    at.s = inlet_weight * atan_of<Block>(y, square.sqrt()) - first_;
+    at.slope = inlet_weight / wide / square;
+    at.curvature = -2 / inlet_weight * y * at.slope * at.slope;
   }
   for (int k = 0; k < 3; ++k) {
     const Block y = (X - centres[k]) / units[k], p = y.max(0.0), m = p - y;
@@ -97,9 +100,9 @@ Map::Values Map::evaluate(const Block& X) const {
 
 Map::Block Map::slopes(const Block& X) const {
   const auto& [inlet, exit, l, d, spike, width] = shape_;
-  const double units[] = {0.7 * l, d * l, width}, centres[] = {0, -l, spike}, wide = 2 * d * l;
+  const double units[] = {contact_width * l, d * l, width}, centres[] = {0, -l, spike}, wide = inlet_spread * d * l;
   const Block y = (X + l * (1 + d)) / wide;
-  Block slope = 3 / wide / (1 + y * y);
+  Block slope = inlet_weight / wide / (1 + y * y);
   for (int k = 0; k < 3; ++k) {
     const Block from = X - centres[k];
     slope += (units[k] * units[k] + from * from).sqrt().inverse();
@@ -172,7 +175,8 @@ Array Map::samples() const {
   Eigen::Index count = 0;
   places[count++] = inlet;
   places[count++] = exit;
-  for (const auto& [centre, unit] : {std::pair{0.0, 0.7 * l}, {-l, d * l}, {-l * (1 + d), 2 * d * l}, {spike, width}}) {
+  for (const auto& [centre, unit] :
+       {std::pair{0.0, contact_width * l}, {-l, d * l}, {-l * (1 + d), inlet_spread * d * l}, {spike, width}}) {
     for (int k = -sample_reach; k <= sample_reach; ++k) {
       const double X = centre + unit * std::sinh(sample_pitch * k);
       if (X > inlet && X < exit) places[count++] = X;

@@ -18,9 +18,12 @@ struct MappedClimb {
   Fields fields;                  ///< of the finest grid
   std::vector<State> states;      ///< the solutions, a grid each
   ErrorBudget film_minimum, film_central;
-  double iteration = 0;   ///< relative error that iteration leaves in the films; the largest of the grids
-  bool complete = false;  ///< Newton reached the last grid
+  std::vector<double> left;  ///< relative error that iteration leaves in the films, a grid each
+  bool complete = false;     ///< Newton reached the last grid
 };
+
+/// Relative error of the films from iteration: the largest of the grids that still count.
+[[nodiscard]] double iteration_error(const MappedClimb& climb);
 
 /// Errors of a film, film_minimum or film_central.
 [[nodiscard]] ErrorBudget film_budget(const MappedClimb& climb, Quantity film, const Run& run);

@@ -46,6 +46,13 @@ MappedClimb climb_from_milder(Run& run, const Request& request, int neighbours) 
   return climb_mapped(run, request, recipes[0], &neighbour, Care::full);
 }
 
+/// From the solution of the first map, whose grids did not suffice.
+void climb_with_more_care(Run& run, const Request& request, MappedClimb& best) {
+  const Solution rough{.fields = best.fields, .observables = {}, .record = {}};
+  MappedClimb climb = climb_mapped(run, request, recipes[0], &rough, Care::full);
+  if (climb.complete) best = std::move(climb);
+}
+
 /// Enough nodes to interpolate between, and all fields on them.
 bool usable(const Solution& start) {
   const auto nodes = start.fields.X.size();
@@ -79,6 +86,8 @@ MappedClimb best_climb(Run& run, const Request& request, const Solution* from, i
   } else {
     attempt(1);
   }
+  if (care == Care::least && best.complete && !request.nodes && !met(best, request) && !run.limit_reached)
+    climb_with_more_care(run, request, best);
   if (best.grids.empty() && !run.limit_reached && !run.problem.sources && neighbours < most_neighbours)
     best = climb_from_milder(run, request, neighbours);
   if (!thin) std::ranges::for_each(finer_grids, attempt);

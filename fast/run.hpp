@@ -38,7 +38,7 @@ struct Run {
   bool limit_reached = false;
 };
 
-/// From here on the time counts.
+/// The time limit starts here.
 [[nodiscard]] Run begin_run(const Problem& problem, const Request& request, Workspace& workspace,
                             const FloodedInlet& far);
 

@@ -18,9 +18,9 @@ namespace {
 
 /// The first grid with a tolerance, and the least that a given number of intervals is halved to.
 constexpr int first_nodes = 64, fewest_halved = 32;
-/// Or iteration stops, where that is more, at this share of the discretisation error expected of the grid.
+/// Iteration also stops at this share of the discretisation error expected of the grid, if that is larger.
 constexpr double discretisation_share = 0.5;
-/// On the way to a given grid, more: a grid is only a start for the next one.
+/// On the coarser grids of a given one the share is larger: they only supply a start.
 constexpr double share_on_the_way = 2.5;
 /// The error to expect of the next grid: the difference of the last two over this number (second order: the last grid's
 /// error is a third of the difference, the next one's a quarter of that); before two grids, the calibrated error over

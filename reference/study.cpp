@@ -60,8 +60,8 @@ Fields fields_of(const Level& level, const Problem& problem) {
 /// Least relative error that is stated for a film on a grid with few cells in the inlet zone. With more cells than
 /// `safe_inlet_cells`, the differences of grids are enough. Three times the error measured with equal cells:
 /// docs/results/reference-measured.md.
-constexpr double safe_inlet_cells = 8;
-double coarse_grid_error(double inlet_cells) { return 0.6 / (inlet_cells * std::max(1.0, inlet_cells)); }
+constexpr double safe_inlet_cells = 8, error_of_one_cell = 0.6;
+double coarse_grid_error(double inlet_cells) { return error_of_one_cell / (inlet_cells * std::max(1.0, inlet_cells)); }
 
 /// A spike height with a larger error than this is not reported. A height that grows with the grid may show falling
 /// differences by chance.

@@ -81,7 +81,7 @@ class Collocation {
   [[nodiscard]] Scalar stretching(const Scalar& exit) const { return (exit - Scalar(mesh_.inlet)) / extent_; }
   [[nodiscard]] Scalar xi(const Place<Scalar>& place) const {
     const auto e = static_cast<std::size_t>(place.element);
-    // From the end that is nearer to the exit's side: xi is small there and keeps its digits.
+    // Measured from the end nearer to the exit, where xi is small and keeps its digits.
     return Scalar(mesh_.breakpoints[e + 1]) - half_length(place.element) * place.from_right;
   }
 

@@ -87,7 +87,7 @@ Mesh with_elements(const Mesh& mesh, std::vector<double> excess, int elements, d
     std::size_t best = 0;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t e = 0; e + 1 < degrees.size(); ++e) {
-      // Joined, two elements of the excess a and b are worse than either, the more so the more unlike their lengths.
+      // Merging raises the excess above both values, and more so for unequal lengths.
       const double joined = std::max(excess[e] * std::pow((b[e + 2] - b[e]) / (b[e + 1] - b[e]), degrees[e]),
                                      excess[e + 1] * std::pow((b[e + 2] - b[e]) / (b[e + 2] - b[e + 1]), degrees[e]));
       if (joined < least) least = joined, best = e;

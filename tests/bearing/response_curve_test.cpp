@@ -74,6 +74,25 @@ BOOST_AUTO_TEST_CASE(stated_errors_cover_a_known_response_at_every_load) {
   EHD_CHECK(worst, covered);
 }
 
+BOOST_AUTO_TEST_CASE(a_curve_that_is_read_at_few_forces_solves_these_and_four_more) {
+  int solves = 0;
+  const ResponseCurveRequest request{
+      .lightest_N = 90, .heaviest_N = 9000, .omegas = {omega}, .read_at_N = {50, 400, 8000, 400 * (1 + 1e-14), 2000}};
+  const auto built = build_response_curve(responding(solves), request);
+  BOOST_REQUIRE(std::holds_alternative<ResponseCurve>(built));
+  const auto& curve = std::get<ResponseCurve>(built);
+  BOOST_TEST(solves == 7);  // 400, 2000, 8000; the lightest, two above it, and half of it
+  for (const double f : {400.0, 2000.0, 8000.0})
+    for (const auto& [found, truth] :
+         {std::pair{curve.slow(f), slow_truth(f)}, std::pair{curve.at(f, 0), truth_at(f)}}) {
+      EHD_CHECK(error(found.stiffness, truth.stiffness), Tolerance::round_off(100, 1));
+      EHD_CHECK(std::abs(found.damping - truth.damping) / curve.damping_scale(f), Tolerance::round_off(100, 1));
+    }
+  const Kappa below = curve.slow(50), truth = slow_truth(50);
+  EHD_CHECK(std::abs(below.stiffness - truth.stiffness), Tolerance::required(below.stiffness_error, "its error bar"));
+  EHD_CHECK(std::abs(below.damping - truth.damping), Tolerance::required(below.damping_error, "its error bar"));
+}
+
 // Exact: at vanishing load the curve has the rigid cylinder's stiffness f/h and its closed form of damping.
 BOOST_AUTO_TEST_CASE(far_below_the_lightest_point_the_cylinder_is_rigid) {
   int solves = 0;

@@ -57,6 +57,12 @@ BOOST_AUTO_TEST_CASE(each_group_way_gives_the_others) {
   EHD_CHECK(error(*found({{"M", 20}, {"L", 10}, {"G", 4800}}, "W"), dowson.W), through_logarithms());
 }
 
+// Exact: what is stated comes back as it was stated, and what follows has no digits that nobody knows.
+BOOST_AUTO_TEST_CASE(stated_numbers_come_back_and_others_have_the_digits_that_are_known) {
+  for (const GivenNumber& one : steel_and_oil) BOOST_TEST(*found(steel_and_oil, one.name.c_str()) == one.value);
+  BOOST_TEST(*found({{"W", 3e-5}, {"reduced_modulus_Pa", 2e11}, {"reduced_radius_m", 0.01}}, "load_N_per_m") == 6e4);
+}
+
 BOOST_AUTO_TEST_CASE(what_is_open_is_absent) {
   BOOST_TEST(found({{"M", 20}}, "lambda").has_value());
   BOOST_TEST(!found({{"M", 20}}, "alpha_p_H").has_value());
@@ -71,12 +77,12 @@ BOOST_AUTO_TEST_CASE(what_is_open_is_absent) {
 
 BOOST_AUTO_TEST_CASE(a_number_that_follows_from_others_or_is_none_is_refused) {
   const std::vector<std::pair<std::vector<GivenNumber>, std::string>> rows{
-      {{{"M", 20}, {"lambda", 0.1}}, "follows from the numbers before it as 0.00925"},
+      {{{"M", 20}, {"lambda", 0.1}}, "the numbers before it fix it already, at 0.00925"},
       {{{"N", 20}}, "is unknown; allowed is M, L"},
       {{{"M", -1}}, "is not positive"},
       {{{"M", 0}}, "is not positive"},
-      {{{"L", 0}, {"alpha_p_H", 1}}, "follows from the numbers before it as 0"},
-      {{{"G", 5000}, {"L", 0}}, "is 0, but a number before it"},
+      {{{"L", 0}, {"alpha_p_H", 1}}, "the numbers before it fix it already, at 0"},
+      {{{"G", 5000}, {"L", 0}}, "is 0, so alpha is 0; but a number before it"},
       {{{"M", std::numeric_limits<double>::infinity()}}, "is not positive"},
   };
   for (const auto& [given, phrase] : rows) {

@@ -34,7 +34,7 @@ BOOST_AUTO_TEST_CASE(grids_beside_have_as_many_intervals_at_other_places) {
   const Request request{.tolerance = {}, .nodes = 128};
   fast::HarmonicGrids grids(problem, request, 1e-8, first), beside(problem, request, 1e-8, second);
   BOOST_REQUIRE(grids.climb());
-  BOOST_REQUIRE(beside.climb_beside(grids, 0.4));
+  BOOST_REQUIRE(beside.climb_beside(grids, grids.size(), 0.4));
   BOOST_REQUIRE_EQUAL(beside.size(), grids.size());
   for (std::size_t k = 0; k < grids.size(); ++k) {
     BOOST_TEST(beside[k].intervals() == grids[k].intervals());
