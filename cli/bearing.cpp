@@ -12,6 +12,7 @@
 #include "cli/case_choice.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
+#include "cli/picture_file.hpp"
 #include "cli/pictures.hpp"
 #include "cli/subcommands.hpp"
 #include "cli/usage.hpp"
@@ -19,6 +20,7 @@
 #include "io/bearing_json.hpp"
 #include "io/bearing_table.hpp"
 #include "io/contact_json.hpp"
+#include "io/csv.hpp"
 #include "io/json.hpp"
 #include "io/output_file.hpp"
 #include "io/tables.hpp"
@@ -116,26 +118,31 @@ std::string statements_of(const Computed& computed, ContactMemory& memory, beari
   return text;
 }
 
-/// One row per roller, with the quantities of the paper's figures.
-std::string csv_of(const Computed& computed) {
-  std::string text =
-      "case,clearance_m,law,azimuth_deg,inner_force_N,inner_displacement_m,inner_film_minimum_m,"
-      "inner_hertz_pressure_Pa,outer_force_N,outer_displacement_m,outer_film_minimum_m,outer_hertz_pressure_Pa\n";
+/// A row a roller, with the quantities of the paper's figures; nothing where no law has a balance. Two files may hold
+/// cases with one id: the last column tells them apart.
+std::optional<std::string> csv_of(const Computed& computed) {
+  std::string rows;
   const auto cell = [](const std::optional<double>& value) {
     return "," + (value ? plain(*value, 17) : std::string());
   };
   for (std::size_t k = 0; k < computed.cases.size(); ++k) {
     const auto& body = std::get<BearingCase>(computed.cases[k].body);
     for (const BearingResult& result : computed.results[k])
-      for (const RollerRow& roller : result.rollers) {
-        text += computed.cases[k].id + cell(body.geometry.clearance_m) + "," + std::string(to_string(result.law)) +
+      for (std::size_t j = 0; j < result.rollers.size(); ++j) {
+        const RollerRow& roller = result.rollers[j];
+        rows += computed.cases[k].id + cell(body.geometry.clearance_m) + "," + std::string(to_string(result.law)) +
                 cell(roller.azimuth_deg);
         for (const ContactRow* at : {&roller.inner, &roller.outer})
-          text += cell(at->force_N) + cell(at->displacement_m) + cell(at->film_minimum_m) + cell(at->hertz_pressure_Pa);
-        text += "\n";
+          rows += cell(at->force_N) + cell(at->displacement_m) + cell(at->film_minimum_m) + cell(at->hertz_pressure_Pa);
+        rows += fmt::format(",{}{}{},{}\n", j + 1, cell(roller.inner.lambda_ratio), cell(roller.outer.lambda_ratio),
+                            csv_cell(computed.cases[k].file.string()));
       }
   }
-  return text;
+  if (rows.empty()) return std::nullopt;
+  return "case,clearance_m,law,azimuth_deg,inner_force_N,inner_displacement_m,inner_film_minimum_m,"
+         "inner_hertz_pressure_Pa,outer_force_N,outer_displacement_m,outer_film_minimum_m,outer_hertz_pressure_Pa,"
+         "roller,inner_lambda_ratio,outer_lambda_ratio,file\n" +
+         rows;
 }
 
 /// The cases that were named. Throws UsageError, CaseError.
@@ -230,7 +237,8 @@ int bearing(const BearingOptions& options) {
                                               {"--plot", options.plot.value_or("")},
                                               {"--csv", options.csv.value_or("")}});
   JsonTarget json(options.json);
-  std::optional<OutputFile> plot = opened(options.plot), csv = opened(options.csv);
+  std::optional<OutputFile> csv = opened(options.csv);
+  PictureFile plot(options.plot);
 
   const Request limits = options.limits.request();
   Request request = bearing_contact_request();
@@ -267,15 +275,20 @@ int bearing(const BearingOptions& options) {
   }
   if (!json.to_standard_output()) account.text += statements_of(computed, memory, asked.form);
   progress.show("");
-  if (csv) csv->append(csv_of(computed));
+  if (csv) {
+    if (const auto rows = csv_of(computed))
+      csv->append(*rows);
+    else
+      account.complaints.push_back("ehd: bearing: nothing balanced, and no CSV is written");
+  }
   if (plot) {
     if (const auto svg = bearing_picture(computed.cases, computed.results))
-      plot->append(*svg);
+      plot.write(*svg);
     else
       account.complaints.push_back("ehd: bearing: nothing balanced, and no plot is written");
   }
   for (Json& result : account.list) options.changes.put_into(result);
-  json.commit(account.list.size() == 1 ? account.list.front() : account.list, {address_of(csv), address_of(plot)});
+  json.commit(account.list.size() == 1 ? account.list.front() : account.list, {address_of(csv), plot.file()});
   if (!json.to_standard_output()) print(account.text);
   for (const std::string& complaint : account.complaints) complain(complaint);
   return account.all_balanced ? success : not_met;
@@ -308,7 +321,7 @@ void describe_bearing(Command& command) {
   add_time_limit_total(command, options->time_limit_total);
   command.text("--json", options->json, "the results as JSON into a file, or - for standard output");
   command.text("--plot", options->plot,
-               "loads round the bearing, forces and displacements over the azimuth as a figure, SVG");
+               "loads round the bearing, forces and displacements over the azimuth as a figure: FILE.svg or FILE.png");
   command.text("--csv", options->csv, "forces, displacements and films as CSV, one row per roller");
   command.runs([options] { return bearing(*options); });
 }

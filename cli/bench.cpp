@@ -23,14 +23,15 @@
 #include "verification/bench/box_bench.hpp"
 #include "verification/bench/cost_scaling.hpp"
 #include "verification/bench/first_solve.hpp"
+#include "verification/bench/response_cost.hpp"
 #include "verification/bench/work_precision.hpp"
+#include "verification/report/schemas.hpp"
 #include "workflow/registry.hpp"
 
 namespace ehd::cli {
 
 namespace {
 
-constexpr int schema = 1;
 constexpr double usual_time_limit_s = 30;
 
 struct BenchOptions {
@@ -42,7 +43,7 @@ struct BenchOptions {
 
 const char* const bench_examples = R"(
 Examples:
-  ehd bench --output out/bench                  every part, in a quarter of an hour
+  ehd bench --output out/bench                  every part, in 10 to 15 minutes
   ehd bench --quick                             a short set of each, in under a minute
   ehd bench --part work-precision --case own-moes-20-10 --solver fast --solver reference
   ehd bench --part scaling
@@ -50,11 +51,13 @@ Examples:
   ehd bench --part convolution                  c, the yardstick of all times on this machine: a second
   ehd bench --part first                        the first solve of a process and a later one: a second
   ehd bench --part cost                         what each answer of fast costs, in ms and in c: half a minute
+  ehd bench --part response                     what stiffness and damping cost: a minute
   ehd bench --part box --solver fast            232 contacts, with true values: five minutes on two cores
 
 Parts: work-precision (run time and work against achieved error), scaling (cost and memory against the number of
 intervals), batch (many contacts over threads), cost (what each answer costs in ms and c: a film, both films, many
-contacts, a bearing, a process); only where they are named, box (times and errors over all loads and materials),
+contacts, a bearing, a process), response (what a frequency costs beyond the steady state, and a bearing's stiffness and
+damping beyond its balance); only where they are named, box (times and errors over all loads and materials),
 convolution (c, one padded FFT convolution of n = 512) and first (what the first solve of a process costs beside a later
 one: planning, new memory). DIR/bench.json holds the parts of this run;
 DIR/work_precision.csv, DIR/scaling.csv and DIR/box.csv hold the tables. A solve that fails is a row with its reason.
@@ -69,8 +72,10 @@ constexpr const char* box = "box";
 constexpr const char* convolution = "convolution";
 constexpr const char* first_solves = "first";
 constexpr const char* answer_cost = "cost";
-constexpr const char* all_parts[] = {work_precision, scaling, batch, answer_cost, box, convolution, first_solves};
-constexpr const char* usual_parts[] = {work_precision, scaling, batch, answer_cost};
+constexpr const char* response_cost = "response";
+constexpr const char* all_parts[] = {work_precision, scaling, batch,       answer_cost,
+                                     response_cost,  box,     convolution, first_solves};
+constexpr const char* usual_parts[] = {work_precision, scaling, batch, answer_cost, response_cost};
 
 std::vector<const RegisteredSolver*> chosen_solvers(const std::vector<std::string>& names) {
   std::vector<const RegisteredSolver*> chosen;
@@ -123,7 +128,7 @@ class Bench {
   }
 
   [[nodiscard]] int run() {
-    json_["schema"] = schema;
+    json_["schema"] = report::bench_schema.name;
     json_["provenance"] = provenance();
     for (const RegisteredSolver& solver : solvers()) json_["looks"][solver.name] = solver.look;
     json_["settings"] = {{"quick", quick_}, {"time_limit_s", time_limit_s_}, {"parts", parts_}};
@@ -134,6 +139,7 @@ class Bench {
     if (asked(batch) && !fft_solvers_.empty()) measure_batch();
     if (asked(box) && !fft_solvers_.empty()) measure_box();
     if (asked(answer_cost) && !fft_solvers_.empty()) measure_cost();
+    if (asked(response_cost)) measure_response();
     if (asked(work_precision)) measure_work_precision();
     folder_->write("bench.json", json_text(json_));
     folder_->commit();
@@ -233,6 +239,15 @@ class Bench {
     finish_part(human_table(rows));
   }
 
+  /// Of every solver that has a response.
+  void measure_response() {
+    verification::ResponseCostRequest request{.quick = quick_, .time_limit_s = time_limit_s_};
+    request.progress = show_;
+    const auto cost = verification::run_response_costs(request);
+    json_["response"] = to_json(cost);
+    finish_part(human_table(cost));
+  }
+
   void measure_work_precision() {
     verification::WorkPrecisionRequest request{.cases = cases_, .solvers = solvers_};
     request.quick = quick_;
@@ -269,7 +284,7 @@ void describe_bench(Command& command) {
   command.text("--output", options->output, "folder for bench.json, work_precision.csv and scaling.csv").called("DIR");
   command
       .list("--part", options->parts,
-            "work-precision, scaling, batch, cost, box, convolution or first (repeatable; the first four)")
+            "work-precision, scaling, batch, cost, response, box, convolution or first (repeatable; the first five)")
       .called("PART");
   command.list("--case", options->cases, "a contact case for work-precision (repeatable; the benchmark's own)")
       .called("CASE");

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
+#include <sstream>
 #include <string>
 #include <variant>
 #include <vector>
@@ -73,12 +74,21 @@ std::string expected_in(const Case& any) {
   return std::to_string(values);
 }
 
-std::vector<std::vector<std::string>> rows_of(const std::vector<Case>& cases) {
-  std::vector<std::vector<std::string>> rows{{"id", "version", "problem", "expects", "kind", "source", "title"}};
+/// A table; title and source stand below each row, so that it is no wider than a terminal.
+std::string listed(const std::vector<Case>& cases) {
+  std::vector<std::vector<std::string>> rows{{"id", "version", "problem", "kind", "expects"}};
   for (const auto& any : cases)
-    rows.push_back(
-        {any.id, std::to_string(any.version), problem_of(any), expected_in(any), kinds_in(any), any.source, any.title});
-  return rows;
+    rows.push_back({any.id, std::to_string(any.version), problem_of(any), kinds_in(any), expected_in(any)});
+  std::istringstream lines(aligned(rows, rows.front().size()));
+  std::string text, line;
+  std::getline(lines, line);
+  text += line + "\n";
+  for (const auto& any : cases) {
+    std::getline(lines, line);
+    text += fmt::format("{}\n    {}\n", line, any.title);
+    if (any.source != "own") text += fmt::format("    source: {}\n", any.source);
+  }
+  return text;
 }
 
 std::vector<Case> atlas_cases() {
@@ -137,8 +147,7 @@ int list(const CasesOptions& options) {
     print(json_text(cases_json(cases)));
     return success;
   }
-  const auto rows = rows_of(cases);
-  std::string text = aligned(rows, rows.front().size());
+  std::string text = listed(cases);
   if (options.atlas && !options.bibtex) {
     print(text);
     return success;

@@ -46,14 +46,13 @@ Examples:
   ehd compare own-barus-3-4-flooded --json comparison.json
   ehd compare own-barus-5-5 --external mine='python3 mine.py {case} {out} {tolerance}'
 
-The achieved error is the difference from one truth for both films: the case's own digits where it has some of both,
-else the solution that states the smallest error among these runs and one more run of the certified solver, which is
-asked for a hundredth of the tightest tolerance. No run is judged by itself. Where the truth is not ten times more
-accurate than an error, a bound is printed (<).
+stated: the error that a solver gives. achieved: the difference from the truth; < where the truth is known less than ten
+times better than that. The truth is the digits of the case, if it has some of both films. Otherwise reference runs once
+more, a hundred times tighter, and the run that states the smallest error is the truth. No run is judged by itself.
 
 --external runs another program by the shell, for each case and tolerance. {case} is a JSON file with the groups, the
-laws as formulas and the inlet. The program leaves a submission (docs/judge.md) in {out}. Its time includes its start;
-an idle call of the shell is timed beside it. An external run is never the truth.
+laws as formulas and the inlet. The program writes a submission (docs/judge.md) into {out}. Its time includes its start;
+the time of an empty call is printed too. An external run is never the truth.
 
 Exit code: 0 every run converged; 1 one did not; 2 bad input or usage.)";
 
@@ -104,6 +103,13 @@ std::string failure_of(const Case& contact_case, const Row& row) {
   const std::string& reason = row.run.solution.record.reason;
   return fmt::format("ehd: {}: {} at {}: {}{}", contact_case.id, row.run.solver, plain(row.tolerance),
                      to_string(row.run.status()), reason.empty() ? "" : ": " + reason);
+}
+
+/// The reason of an external run says how its command ended, which none of our words for a solve does.
+std::string failure_of(const Case& contact_case, const judging::ExternalRun& external) {
+  const Row& row = external.judged;
+  return fmt::format("ehd: {}: {} at {}: {}", contact_case.id, row.run.solver, plain(row.tolerance),
+                     row.run.solution.record.reason);
 }
 
 std::vector<std::vector<std::string>> table_of(const std::vector<Row>& rows) {
@@ -238,7 +244,7 @@ int compare(const CompareOptions& options) {
     }
     for (const judging::ExternalRun& external : outside) {
       all_converged = all_converged && converged(external.judged);
-      if (!converged(external.judged)) complain(failure_of(contact_case, external.judged));
+      if (!converged(external.judged)) complain(failure_of(contact_case, external));
       runs.push_back(json_of(external, *idle_s));
       rows.push_back(external.judged);
     }

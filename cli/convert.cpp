@@ -40,7 +40,8 @@ Examples:
               speed_sum_m_per_s=3 viscosity_Pa_s=0.02 alpha_per_Pa=2e-8
   ehd convert M=20 L=10 reduced_radius_m=0.01 reduced_modulus_Pa=2.2e11 alpha_per_Pa=2e-8
 
-Any numbers that do not follow from each other; all that they fix comes out.)";
+Give the numbers that you know, each once. The table has all that follows from them, and names what stays open. A number
+that the ones before it already fix is refused.)";
 
 std::vector<GivenNumber> numbers_of(const std::vector<std::string>& texts) {
   std::vector<std::string> names;

@@ -47,11 +47,13 @@ Examples:
   ehd export law na4908 --raceway inner --format c --output inner.c    force, stiffness, film and damping over delta
   ehd export law na4908 --raceway outer --format matlab --output ehd_na4908_outer_law.m
 
-The table has the minimum, central and Couette film and the offset H_0, as Chebyshev coefficients; docs/films-table.md
-says how to read it. The C form has its evaluator with derivatives. Solves that the table does not use find its errors.
+films: minimum, central and Couette film and the offset H_0 over M and L, as Chebyshev coefficients (docs/films-table.md).
+The C form has a function that evaluates them, with derivatives. Further solves, which the table does not use, measure
+its errors.
 
-A law's table has cubic Hermite polynomials between its knots; docs/law-table.md says how to read it. The file states
-the errors of law and table.
+law: force, stiffness, film and damping of a raceway over the approach, as knots with cubic Hermite polynomials between
+them (docs/law-table.md). The C and MATLAB forms have a function that evaluates them. The file states the error of the
+law and that of the table.
 
 Exit code: 0 the table meets the tolerance; 1 it does not (the file says how far), or a contact was not solved;
 2 bad input or usage.)";
@@ -109,7 +111,7 @@ int export_films(const ExportOptions& options) {
   const Ends M = ends_from("--M", options.M, smallest_M, largest_M), L = ends_from("--L", options.L, 0, largest_L);
   FilmTableRequest request{.range = {.M_low = M.low, .M_high = M.high, .L_low = L.low, .L_high = L.high}};
   if (options.request.tolerance) request.tolerance = options.request.request().tolerance.tightest();
-  constexpr allowed::Integer solve_counts{.low = 1, .high = 1000000};
+  const allowed::Integer solve_counts{.low = static_cast<int>(fewest_solves(request.range)), .high = 1000000};
   if (options.most_solves) request.most_solves = parse_integer("--max-solves", *options.most_solves, solve_counts);
   const Case stated = options.changes.read(options.case_name);
   const TableOil oil = table_oil(stated);
@@ -174,7 +176,7 @@ int export_any(const ExportOptions& options) {
 
 void describe_export(Command& command) {
   auto options = std::make_shared<ExportOptions>();
-  command.summary("Numbers for another program: the films of one oil, or the law of a bearing's raceway, as a table");
+  command.summary("Tables for other programs: the films of one oil, or the contact force law of a raceway");
   command.examples(export_examples);
   command.text("WHAT", options->what, "films or law").required();
   command
@@ -182,8 +184,8 @@ void describe_export(Command& command) {
             "films: a contact or a bearing, whose oil the table is for; law: a bearing. A file (TOML) or an id")
       .required();
   command.text("--raceway", options->law.raceway, "law: inner or outer").called("RACEWAY");
-  command.text("--law", options->law.law, "law: ehd, the only one that is no formula").showing_default();
-  command.text("--knots", options->law.knots, "law: knots of the table (32)").called("N");
+  command.text("--law", options->law.law, "law: ehd; the other laws are formulas").showing_default();
+  command.text("--knots", options->law.knots, "law: number of knots (32)").called("N");
   command.text("--M", options->M, "range of Moes' load parameter").called("LOW:HIGH");
   command.text("--L", options->L, "range of Moes' material parameter").called("LOW:HIGH");
   command.text("--tolerance", options->request.tolerance, "error allowed in every film of the table (1e-4)")
@@ -191,7 +193,7 @@ void describe_export(Command& command) {
   command.text("--format", options->format, "csv, json or c; law: matlab too").called("FORMAT").showing_default();
   command.text("--output", options->output, "write the table into a file (standard output)").called("FILE");
   command.text("--threads", options->threads, "solves side by side (as many as there are cores)").called("N");
-  command.text("--max-solves", options->most_solves, "solves of all (4000)").called("N");
+  command.text("--max-solves", options->most_solves, "solves in all, held-out ones among them (4000)").called("N");
   command.text("--time-limit", options->request.time_limit, "seconds for each solve (300)").called("S");
   options->changes.add_to(command);
   add_time_limit_total(command, options->time_limit_total);

@@ -42,9 +42,10 @@ bearing::Raceway raceway_named(const std::optional<std::string>& name) {
 
 LawExportRequest request_of(const LawExportOptions& options) {
   if (options.law != "ehd")
-    throw option_error("--law", options.law,
-                       "has no table: the other laws are formulas, with their numbers in the JSON of ehd bearing; "
-                       "allowed is ehd");
+    throw option_error(
+        "--law", options.law,
+        "has no table: only ehd is tabulated, the other laws are formulas (ehd bearing --json has their numbers); "
+        "allowed is ehd");
   LawExportRequest request{.raceway = raceway_named(options.raceway)};
   if (options.knots) request.knots = parse_integer("--knots", *options.knots, {.low = 4, .high = 10000});
   return request;

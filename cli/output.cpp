@@ -82,12 +82,6 @@ bool styled_output() {
   return ::isatty(STDOUT_FILENO) && !(no_color && *no_color) && !dumb;
 }
 
-std::string duration(double seconds) {
-  if (seconds < 100) return plain(seconds, 2) + " s";
-  const double minutes = seconds / 60;
-  return minutes < 100 ? plain(minutes, 2) + " min" : plain(minutes / 60, 2) + " h";
-}
-
 OutputFolder::OutputFolder(const std::optional<std::string>& option) : path_(option.value_or("")) {
   if (!option) return;
   std::error_code error;

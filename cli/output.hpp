@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "io/duration.hpp"
 #include "io/json.hpp"
 #include "io/output_file.hpp"
 
@@ -30,8 +31,8 @@ struct NamedFile {
 /// an output other than --json is "-". Outputs with an empty path are left out. Call before any work.
 void require_distinct(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs);
 
-/// Opens the file that an option names, if the option was given. Call before any work: a file that cannot be written is
-/// bad input, not a lost run. Throws OutputError.
+/// Opens the file that an option names, if the option was given. Call before any work, so that a file that cannot be
+/// written is found before the computation. Throws OutputError.
 [[nodiscard]] std::optional<OutputFile> opened(const std::optional<std::string>& name);
 /// Null where there is no file.
 [[nodiscard]] inline OutputFile* address_of(std::optional<OutputFile>& file) { return file ? &*file : nullptr; }
@@ -61,9 +62,6 @@ void print(const std::string& text);
 /// One line on standard error.
 void complain(const std::string& line);
 
-/// "45 s", "3.1 min", "2 h"
-[[nodiscard]] std::string duration(double seconds);
-
 /// --output DIR: a folder and its files. The folder and those above it are made where they do not exist, and removed at
 /// the end where they are still empty, so that a refused call leaves nothing. Without the option, nothing is written.
 class OutputFolder {
@@ -74,7 +72,7 @@ class OutputFolder {
   OutputFolder& operator=(const OutputFolder&) = delete;
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
-  /// Opens files before the work begins: a folder that cannot be written is then bad input, and no result is lost.
+  /// Opens files before the work begins, so that a folder that cannot be written is found before the computation.
   /// Throws OutputError.
   void open(const std::vector<std::string>& names);
   /// The text of a file that was opened. Throws OutputError.

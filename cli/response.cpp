@@ -44,7 +44,7 @@ tolerance-not-met, with the highest one that is.
 
 Exit code: 0 converged; 1 not converged (the status says how); 2 bad input or usage.)";
 
-/// What is taken. Within, a frequency or wave that no mesh resolves ends as tolerance-not-met.
+/// Allowed ranges. Inside them, a frequency or wave that no mesh resolves ends as tolerance-not-met.
 constexpr Interval omega_range{.low = 0, .high = 1e9};
 constexpr Interval frequency_range{.low = 0, .high = 1e12};
 constexpr Interval wavelength_range{.low = 0.02, .high = 1e4};

@@ -12,6 +12,7 @@
 #include "cli/case_choice.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
+#include "cli/picture_file.hpp"
 #include "cli/pictures.hpp"
 #include "cli/subcommands.hpp"
 #include "cli/usage.hpp"
@@ -208,8 +209,8 @@ int solve(const SolveOptions& options) {
                             {"--wisdom", options.wisdom.value_or("")}});
   if (options.wisdom) read_wisdom(*options.wisdom);
   JsonTarget json(options.json);
-  std::optional<OutputFile> wisdom = opened(options.wisdom), profile = opened(options.profile),
-                            plot = opened(options.plot);
+  std::optional<OutputFile> wisdom = opened(options.wisdom), profile = opened(options.profile);
+  PictureFile plot(options.plot);
 
   ContactRun run;
   {
@@ -221,10 +222,10 @@ int solve(const SolveOptions& options) {
   if (wisdom) wisdom->append(learned_fft_plans());
   const bool solution = run.status() != StopReason::diverged && run.solution.fields.X.size() > 0;
   if (profile && solution) profile->append(profile_csv(run));
-  if (plot && solution) plot->append(contact_picture(run, stated.title));
+  if (plot && solution) plot.write(contact_picture(run, stated.title));
   Json result = to_json(run);
   options.changes.put_into(result);
-  json.commit(result, {address_of(wisdom), address_of(profile), address_of(plot)});
+  json.commit(result, {address_of(wisdom), address_of(profile), plot.file()});
   if (!json.to_standard_output()) print(human_table(run, stated.title, styled_output()));
   if (run.status() == StopReason::converged) return success;
   std::string not_written;
@@ -255,7 +256,7 @@ void describe_solve(Command& command) {
   command.list("--quantity", options->quantities, "compute only this quantity (repeatable), e.g. film.minimum");
   command.text("--json", options->json, "the result as JSON into a file, or - for standard output");
   command.text("--profile", options->profile, "pressure, film, density and viscosity over X as CSV");
-  command.text("--plot", options->plot, "pressure and film over the contact as a figure, SVG");
+  command.text("--plot", options->plot, "pressure and film over the contact as a figure: FILE.svg or FILE.png");
   command.text("--wisdom", options->wisdom,
                "let FFTW measure its plans, and keep what it learned in this file for later runs");
   command.runs([options] { return solve(*options); });

@@ -34,14 +34,15 @@ Examples:
 Parts: a box (every load and material), b starts (random first states), c precision (double against long double and
 34 digits), d rounding (the four rounding modes), e condition (inputs moved by one ulp and by 1e-8), f grids (2^4 to
 2^20 intervals), g extremes (random and impossible inputs, limits), h repeatability (the same bits again), i random
-bearings (every force law). Exit code: 0 every part that ran passes; 1 one fails or is inconclusive; 2 wrong usage.)";
+bearings (every force law), j motion (random stiffness and damping). Exit code: 0 every part that ran passes; 1 one
+fails or is inconclusive; 2 wrong usage.)";
 
 int stress(const StressOptions& options) {
   using namespace verification::stress;
   std::vector<const PartEntry*> chosen;
   for (const auto& text : options.parts) {
     const PartEntry* part = find_part(text);
-    if (!part) throw option_error("--part", text, "is unknown; allowed is a to i");
+    if (!part) throw option_error("--part", text, "is unknown; allowed is a to j");
     if (std::find(chosen.begin(), chosen.end(), part) == chosen.end()) chosen.push_back(part);
   }
   if (chosen.empty()) {
@@ -84,7 +85,7 @@ void describe_stress(Command& command) {
   command.summary("Numerical stability: starts, precision, rounding, condition, extremes");
   command.examples(stress_examples);
   command.text("--output", options->output, "folder for stress.json").called("DIR");
-  command.list("--part", options->parts, "a to i (repeatable; all)").called("LETTER");
+  command.list("--part", options->parts, "a to j (repeatable; all)").called("LETTER");
   command.text("--threads", options->threads, "threads (as many as there are cores)").called("N");
   command.flag("--quick", options->quick, "a small form of every part");
   command.runs([options] { return stress(*options); });

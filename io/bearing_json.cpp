@@ -135,7 +135,11 @@ Json to_json(const BearingResult& result) {
   if (!result.rollers.empty()) {
     put(json, "displacement_m", result.displacement_m);
     put(json, "displacement_lateral_m", result.displacement_lateral_m);
-    if (result.load_zone_deg) put(json, "load_zone_deg", {result.load_zone_deg->first, result.load_zone_deg->second});
+    const auto put_zone = [&](const char* key, const std::optional<std::pair<double, double>>& zone) {
+      if (zone) put(json, key, {zone->first, zone->second});
+    };
+    put_zone("load_zone_deg", result.load_zone_deg);
+    put_zone("geometric_load_zone_deg", result.geometric_load_zone_deg);
     json["loaded_rollers"] = loaded_rollers(result.rollers);
     if (const auto& K = result.stiffness_N_per_m; std::isfinite(K[0][0] + K[0][1] + K[1][0] + K[1][1]))
       json["stiffness_N_per_m"] = K;

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "bearing/equilibrium.hpp"
 #include "contact/text.hpp"
@@ -87,15 +86,6 @@ struct Column {
 };
 
 }  // namespace
-
-std::optional<std::pair<double, double>> geometric_load_zone_deg(const BearingResult& result, double clearance_m) {
-  constexpr double degrees = 180 / std::numbers::pi;
-  const double along = result.displacement_m, across = result.displacement_lateral_m;
-  const double moved = std::hypot(along, across), cosine = clearance_m / 2 / moved;
-  if (!(moved > 0) || cosine >= 1) return std::nullopt;
-  const double middle = std::atan2(across, along) * degrees, half = std::acos(std::max(cosine, -1.0)) * degrees;
-  return std::pair(middle - half, middle + half);
-}
 
 std::string summary_table(const BearingCase& body, const std::vector<BearingResult>& results,
                           const ErrorsOfLaws& errors) {

@@ -21,11 +21,6 @@ struct BearingErrors {
 };
 using ErrorsOfLaws = std::map<bearing::Law, BearingErrors>;
 
-/// Where the ring has moved by more than half the clearance: from one azimuth to the other [deg], with
-/// cos(half the zone) = P_d/(2 delta_r). Absent where it has not; the whole circle where preload holds every roller.
-[[nodiscard]] std::optional<std::pair<double, double>> geometric_load_zone_deg(const BearingResult& result,
-                                                                               double clearance_m);
-
 /// Displacement, largest load and its pressure, load zone, thinnest film, stiffness. Brackets are the errors in units
 /// of the last digit; a law without an entry in `errors` has none.
 [[nodiscard]] std::string summary_table(const BearingCase& body, const std::vector<BearingResult>& results,

@@ -98,24 +98,36 @@ std::vector<RollerColumn> columns_of(const BearingResult& result) {
 /// The inner contact of each roller, for every law that has a balance.
 std::string rollers_table(const std::vector<BearingResult>& results,
                           const std::function<std::vector<RollerColumn>(const BearingResult&)>& columns) {
-  Rows rows{{"psi"}, {"deg"}};
-  const BearingResult* first = nullptr;
+  const std::string indent = "  ";
+  std::string text;
+  Rows azimuths, rows;
   for (const BearingResult& result : results) {
     if (result.rollers.empty()) continue;
-    if (!first) {
-      first = &result;
-      for (const auto& [j, azimuth] : shown_rollers(result.rollers)) rows.push_back({azimuth});
+    const auto shown = shown_rollers(result.rollers);
+    if (azimuths.empty()) {
+      azimuths = {{"psi"}, {"deg"}};
+      for (const auto& [j, azimuth] : shown) azimuths.push_back({azimuth});
+      rows = azimuths;
     }
-    std::string law = name_of(result) + ": ";
-    for (const RollerColumn& column : columns(result)) {
-      rows[0].push_back(std::exchange(law, "") + column.head);
-      rows[1].emplace_back(column.unit);
-      std::size_t row = 2;
-      for (const auto& [j, azimuth] : shown_rollers(first->rollers))
-        rows[row++].push_back(column.cell(result.rollers[j].inner));
+    const auto add_to = [&](Rows table) {
+      std::string law = name_of(result) + ": ";
+      for (const RollerColumn& column : columns(result)) {
+        table[0].push_back(std::exchange(law, "") + column.head);
+        table[1].emplace_back(column.unit);
+        std::size_t row = 2;
+        for (const auto& [j, azimuth] : shown) table[row++].push_back(column.cell(result.rollers[j].inner));
+      }
+      return table;
+    };
+    Rows wider = add_to(rows);
+    // The columns of a law stay together.
+    if (rows != azimuths && table_width(wider, indent) > widest_table) {
+      text += aligned(rows, 1, indent) + "\n";
+      wider = add_to(azimuths);
     }
+    rows = std::move(wider);
   }
-  return first ? aligned(rows, 1, "  ") : "";
+  return azimuths.empty() ? "" : text + aligned(rows, 1, indent);
 }
 
 /// The approach of each roller to the inner raceway.
@@ -149,9 +161,17 @@ std::string ring_table(const std::vector<BearingResult>& results) {
   return below_line(rows);
 }
 
-/// A number of the matrix, in the digits that are known.
-std::string entry(double value, double size, double error) {
-  return std::abs(value) <= error * size ? "0" : with_error(value, error * size / std::abs(value));
+/// A stiffness or damping in the digits that its absolute error leaves; of a number known better than that, five.
+std::string known_digits(double value, double absolute_error) {
+  constexpr int most_digits = 5;
+  constexpr double half_unit = 0.5e-4;  // of the fifth digit of 1.0000
+  return absolute_error < half_unit * std::abs(value) ? plain(value, most_digits)
+                                                      : with_absolute_error(value, absolute_error);
+}
+
+/// The same of an entry of a matrix; 0 where no digit is known.
+std::string entry(double value, double absolute_error) {
+  return std::abs(value) <= absolute_error ? "0" : known_digits(value, absolute_error);
 }
 
 /// Stiffness and damping of the ring at each frequency.
@@ -163,7 +183,7 @@ std::string dynamics_table(const std::vector<BearingResult>& results) {
       const auto add = [&](const bearing::Matrix2& matrix, double unit, double error) {
         const double size = std::max(std::abs(matrix[0][0] + matrix[1][1]), std::abs(matrix[0][0]));
         for (const double value : {matrix[0][0], matrix[1][1], matrix[0][1]})
-          row.push_back(entry(unit * value, unit * size, std::max(error, negligible_entry)));
+          row.push_back(entry(unit * value, unit * size * std::max(error, negligible_entry)));
       };
       add(at.ring.stiffness_N_per_m, 1e-6, at.ring.error);
       if (at.ring.damping_N_s_per_m)
@@ -185,8 +205,8 @@ std::string contacts_in_motion(const BearingResult& result) {
     const bearing::RollerMotion& roller = at.rollers[j];
     std::vector<std::string> row{azimuth, fixed(result.rollers[j].inner.force_N, 1)};
     for (const bearing::ContactMotion* contact : {&roller.inner, &roller.outer}) {
-      row.push_back(plain(1e-6 * contact->stiffness_N_per_m, 4));
-      row.push_back(plain(*contact->damping_N_s_per_m, 4));
+      row.push_back(known_digits(1e-6 * contact->stiffness_N_per_m, 1e-6 * contact->stiffness_error));
+      row.push_back(known_digits(*contact->damping_N_s_per_m, contact->damping_error));
     }
     rows.push_back(std::move(row));
   }
@@ -222,13 +242,34 @@ std::string fit_table(const bearing::BothRaceways<LinearFit>& fits) {
   return below_line(rows);
 }
 
-std::string remarks(const BearingResult& result, bool details) {
+std::string failures(const std::vector<BearingResult>& results) {
   std::string text;
-  if (result.rollers.empty()) text += fmt::format("\n  {}: no balance: {}\n", name_of(result), result.why);
-  const std::vector<std::string> notes = details ? notes_of(result) : main_notes_of(result);
-  if (notes.empty()) return text;
-  text += fmt::format("\n  notes on {}\n", name_of(result));
-  for (const std::string& note : notes) text += fmt::format("    - {}\n", note);
+  for (const BearingResult& result : results)
+    if (result.rollers.empty()) text += fmt::format("\n  {}: no balance: {}\n", name_of(result), result.why);
+  return text;
+}
+
+/// Each note once, under the laws that have it: "notes on ehd-linear, ehd".
+std::string remarks(const std::vector<BearingResult>& results, bool details) {
+  std::vector<std::pair<std::string, std::string>> laws_of_notes;  // in the order in which the notes appear
+  for (const BearingResult& result : results)
+    for (const std::string& note : details ? notes_of(result) : main_notes_of(result)) {
+      const auto known =
+          std::find_if(laws_of_notes.begin(), laws_of_notes.end(), [&](const auto& one) { return one.first == note; });
+      if (known == laws_of_notes.end())
+        laws_of_notes.emplace_back(note, name_of(result));
+      else
+        known->second += ", " + name_of(result);
+    }
+  std::vector<std::string> headings;
+  for (const auto& [note, laws] : laws_of_notes)
+    if (std::find(headings.begin(), headings.end(), laws) == headings.end()) headings.push_back(laws);
+  std::string text;
+  for (const std::string& heading : headings) {
+    text += fmt::format("\n  notes on {}\n", heading);
+    for (const auto& [note, laws] : laws_of_notes)
+      if (laws == heading) text += fmt::format("    - {}\n", note);
+  }
   return text;
 }
 
@@ -244,8 +285,7 @@ std::string human_table(const Case& bearing_case, const std::vector<BearingResul
   for (const BearingResult& result : results) {
     if (view.details && result.fit) text += fit_table(*result.fit);
   }
-  for (const BearingResult& result : results) text += remarks(result, view.details);
-  return text;
+  return text + failures(results) + remarks(results, view.details);
 }
 
 }  // namespace ehd

@@ -48,8 +48,7 @@ constexpr std::array needed_keys{
     NeededKey{"lubricant.temperature_C", [](const CaseTree& tree) { return means_grade(tree); }},
 };
 
-bool is_needed(const CaseTree& tree, const std::string& path, const CaseKey& key, bool in_contact) {
-  if (key.bearing_only && in_contact) return false;
+bool is_needed(const CaseTree& tree, const std::string& path, const CaseKey& key) {
   if (key.need == Need::always) return true;
   const auto* const row = std::find_if(needed_keys.begin(), needed_keys.end(),
                                        [&](const NeededKey& needed) { return needed.path == path; });
@@ -80,8 +79,9 @@ std::vector<MissingKey> missing_keys(const CaseTree& tree, const CaseTable* stat
   for (const CaseTable& table : case_tables()) {
     for (const std::string& path : tables_to_check(tree, table, statement))
       for (const CaseKey& key : table.keys) {
+        if (key.need == Need::never || (key.bearing_only && in_contact)) continue;
         const std::string name = (path.empty() ? "" : path + ".") + std::string(key.name);
-        if (!tree.has(name) && is_needed(tree, name, key, in_contact)) missing.push_back({name, text_of(key.allowed)});
+        if (!tree.has(name) && is_needed(tree, name, key)) missing.push_back({name, text_of(key.allowed)});
       }
   }
   // A lubricated contact needs [lubricant] and [domain]; a dry one has neither.

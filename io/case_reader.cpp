@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "contact/text.hpp"
 #include "io/case_faults.hpp"
 #include "io/case_keys.hpp"
 #include "io/case_text.hpp"
@@ -53,11 +54,10 @@ std::vector<const CaseTable*> statements_in(const CaseTree& tree) {
 
 /// The only one of them. Refuses tables that do not belong beside it.
 const CaseTable& only_statement(const CaseTree& tree, const std::vector<const CaseTable*>& present) {
-  const std::string allowed = one_statement();
-  if (present.empty()) tree.fail("", "the problem is missing; required is " + allowed);
+  if (present.empty()) tree.fail("", "the problem is missing; required is " + one_statement());
   if (present.size() > 1)
     tree.fail(std::string(present[1]->name),
-              fmt::format("states the problem again, beside [{}]; allowed is {}", present[0]->name, allowed));
+              fmt::format("states the problem again, beside [{}]; allowed is {}", present[0]->name, one_statement()));
   const bool of_bearing = present[0]->in_bearing;
   for (const CaseTable& table : case_tables()) {
     const std::string name(table.name);
@@ -72,8 +72,9 @@ const CaseTable& only_statement(const CaseTree& tree, const std::vector<const Ca
 /// `text` as checked_case_text leaves it.
 Case case_of(const std::string& text, const std::filesystem::path& file,
              const std::vector<Substitution>& substitutions = {}) {
-  const CaseTree tree(text, file, substitutions);
-  Case made = tree.places();
+  CaseTree tree(text, file, substitutions);
+  Case made;
+  made.file = tree.places().file;
   const std::vector<const CaseTable*> statements = statements_in(tree);
   refuse_unknown_and_missing(tree, statements.size() == 1 ? statements.front() : nullptr);
   read_heading(tree, made);
@@ -83,6 +84,7 @@ Case case_of(const std::string& text, const std::filesystem::path& file,
   else
     made.body = read_contact(tree, std::string(statement.name));
   made.expectations = std::visit([&](const auto& body) { return read_expectations(tree, body); }, made.body);
+  std::move(tree).move_places_to(made);
   return made;
 }
 
@@ -98,7 +100,14 @@ Case read_case(std::string text, const std::filesystem::path& file, const std::v
   return case_of(checked_case_text(std::move(text), file), file, substitutions);
 }
 
-Case read_case_in_memory(std::string text) { return case_of(checked_case_text(std::move(text), nameless_case), {}); }
+Case read_case_in_memory(std::string text) {
+  const std::string checked = checked_case_text(std::move(text), nameless_case);
+  constexpr std::size_t longest_name = 60;  // in the message
+  if (checked.find_first_of("=\n") == std::string::npos)
+    throw CaseError(fmt::format("{} = {}: is a name, not the text of a case; allowed is what a case file holds (TOML)",
+                                nameless_case, shortened(one_line(checked), longest_name)));
+  return case_of(checked, {});
+}
 
 ContactCase read_moes_contact(const MoesGroups& groups, const std::string& lubricant) {
   const std::string name = "lubricant";

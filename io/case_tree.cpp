@@ -18,6 +18,7 @@ namespace ehd {
 namespace {
 
 constexpr std::size_t longest_text = 60;  // of a key in a message
+constexpr int not_of_the_file = 0;        // the line of a substituted value: messages name none
 
 CaseNode node_of(const toml::node& node) {
   CaseNode made{.type = type_of(node)};
@@ -32,10 +33,17 @@ CaseNode node_of(const toml::node& node) {
   return made;
 }
 
+CaseNode node_of_list(const std::vector<double>& numbers) {
+  std::vector<CaseNode> items;
+  for (const double one : numbers) items.push_back({.type = "a number", .content = one});
+  return {.type = "a list", .content = std::move(items)};
+}
+
 CaseNode node_of(const TomlValue& value) {
   return std::visit(Overloaded{[](std::int64_t whole) { return CaseNode{.type = "an integer", .content = whole}; },
                                [](double real) { return CaseNode{.type = "a number", .content = real}; },
-                               [](const std::string& text) { return CaseNode{.type = "a text", .content = text}; }},
+                               [](const std::string& text) { return CaseNode{.type = "a text", .content = text}; },
+                               [](const std::vector<double>& numbers) { return node_of_list(numbers); }},
                     value);
 }
 
@@ -188,8 +196,7 @@ void CaseTree::put(const std::string& path, CaseNode node, int line, const std::
 void CaseTree::substitute(const Substitution& substitution) {
   const std::string table = parts_of(substitution.key).first;
   if (!has(table)) put(table, {.type = "a table"}, 1, "");
-  const int line = line_of(has(substitution.key) ? substitution.key : table);
-  put(substitution.key, node_of(substitution.value), line, toml_text(substitution.value));
+  put(substitution.key, node_of(substitution.value), not_of_the_file, toml_text(substitution.value));
 }
 
 std::optional<double> CaseNode::number() const {
@@ -198,9 +205,14 @@ std::optional<double> CaseNode::number() const {
   return std::nullopt;
 }
 
-const CaseNode* CaseTree::find(const std::string& path) const {
+const CaseNode* CaseTree::find(std::string_view path) const {
   const auto at = nodes_.find(path);
   return at == nodes_.end() ? nullptr : &at->second;
+}
+
+void CaseTree::move_places_to(Case& made) && {
+  made.lines = std::move(places_.lines);
+  made.texts = std::move(places_.texts);
 }
 
 void CaseTree::fail(const std::string& path, const std::string& message) const {

@@ -15,8 +15,30 @@
 
 namespace ehd {
 
+namespace {
+
+/// What the key's row allows. Only a refusal needs these words: making them costs more than reading the value.
+std::string allowed_of(const std::string& key) { return text_of(row_of_case_key(key).allowed); }
+
+/// One line of text; allowed() gives the words for a refusal.
+template <class Allowed>
+std::string plain_text(const CaseTree& tree, const std::string& key, const Allowed& allowed) {
+  const CaseNode* node = tree.find(key);
+  if (!node) tree.fail(key, "is missing; required is " + allowed());
+  const auto* content = std::get_if<std::string>(&node->content);
+  if (!content) {
+    const char* const a_text = allowed().starts_with("a text") ? "" : "a text, ";
+    tree.fail(key, fmt::format("is {}; allowed is {}{}", node->type, a_text, allowed()));
+  }
+  if (content->find_first_not_of(" \t") == std::string::npos) tree.fail(key, "is empty; allowed is " + allowed());
+  if (one_line(*content) != *content) tree.fail(key, "is not one line of plain text; allowed is " + allowed());
+  return *content;
+}
+
+}  // namespace
+
 double number(const CaseTree& tree, const std::string& key) {
-  return number_in(tree, key, required(tree, key, text_of(row_of_case_key(key).allowed)), interval_of(key));
+  return number_in(tree, key, required(tree, key), interval_of(key));
 }
 
 std::optional<double> maybe_number(const CaseTree& tree, const std::string& key) {
@@ -58,44 +80,33 @@ std::optional<double> maybe_one_of(const CaseTree& tree, const std::string& key)
 }
 
 int integer(const CaseTree& tree, const std::string& key) {
-  const CaseKey& row = row_of_case_key(key);
-  const auto& range = std::get<allowed::Integer>(row.allowed);
-  const std::string allowed = text_of(row.allowed);
-  const CaseNode& node = required(tree, key, allowed);
+  const auto& range = std::get<allowed::Integer>(row_of_case_key(key).allowed);
+  const CaseNode& node = required(tree, key);
   const auto* value = std::get_if<std::int64_t>(&node.content);
-  if (!value) tree.fail(key, fmt::format("is {}; allowed is {}", node.type, allowed));
-  if (*value < range.low || *value > range.high) tree.fail(key, "is out of range; allowed is " + allowed);
+  if (!value) tree.fail(key, fmt::format("is {}; allowed is {}", node.type, allowed_of(key)));
+  if (*value < range.low || *value > range.high) tree.fail(key, "is out of range; allowed is " + allowed_of(key));
   return static_cast<int>(*value);
 }
 
 std::string text(const CaseTree& tree, const std::string& key) {
-  return text(tree, key, text_of(row_of_case_key(key).allowed));
+  return plain_text(tree, key, [&] { return allowed_of(key); });
 }
 
 std::string text(const CaseTree& tree, const std::string& key, const std::string& allowed) {
-  const CaseNode& node = required(tree, key, allowed);
-  const auto* content = std::get_if<std::string>(&node.content);
-  if (!content) {
-    const char* const a_text = allowed.starts_with("a text") ? "" : "a text, ";
-    tree.fail(key, fmt::format("is {}; allowed is {}{}", node.type, a_text, allowed));
-  }
-  if (content->find_first_not_of(" \t") == std::string::npos) tree.fail(key, "is empty; allowed is " + allowed);
-  if (one_line(*content) != *content) tree.fail(key, "is not one line of plain text; allowed is " + allowed);
-  return *content;
+  return plain_text(tree, key, [&] { return allowed; });
 }
 
 std::string word(const CaseTree& tree, const std::string& key) {
-  const CaseKey& row = row_of_case_key(key);
-  const std::vector<std::string> words = std::get<allowed::Word>(row.allowed).words();
-  const std::string allowed = text_of(row.allowed);
-  const std::string chosen = text(tree, key, allowed);
-  if (std::find(words.begin(), words.end(), chosen) == words.end()) tree.fail(key, "is unknown; allowed is " + allowed);
+  const std::vector<std::string> words = std::get<allowed::Word>(row_of_case_key(key).allowed).words();
+  const std::string chosen = text(tree, key);
+  if (std::find(words.begin(), words.end(), chosen) == words.end())
+    tree.fail(key, "is unknown; allowed is " + allowed_of(key));
   return chosen;
 }
 
-const CaseNode& required(const CaseTree& tree, const std::string& key, const std::string& allowed) {
+const CaseNode& required(const CaseTree& tree, const std::string& key) {
   const CaseNode* node = tree.find(key);
-  if (!node) tree.fail(key, "is missing; required is " + allowed);
+  if (!node) tree.fail(key, "is missing; required is " + allowed_of(key));
   return *node;
 }
 

@@ -35,7 +35,7 @@ class StatementError;
 [[nodiscard]] std::string word(const CaseTree& tree, const std::string& key);
 
 /// The node of a key that must be there.
-[[nodiscard]] const CaseNode& required(const CaseTree& tree, const std::string& key, const std::string& allowed);
+[[nodiscard]] const CaseNode& required(const CaseTree& tree, const std::string& key);
 /// Refuses the key for what nondimensionalise says of it, and adds what is allowed where the sentence does not say so.
 [[noreturn]] void fail_statement(const CaseTree& tree, const std::string& key, const StatementError& error);
 /// The interval in the key's row.

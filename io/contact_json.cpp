@@ -19,8 +19,7 @@ namespace {
 /// The key of a quantity in SI.
 const char* key_in_SI(SIScale scale) { return scale == SIScale::pressure ? "Pa" : "m"; }
 
-/// Films, the offset and pressures are reported with place and error, the others as numbers alone.
-bool has_place_and_error(const QuantityRow& row) {
+bool has_place(const QuantityRow& row) {
   return row.kind == QuantityKind::film || row.kind == QuantityKind::offset || row.kind == QuantityKind::pressure_peak;
 }
 
@@ -41,8 +40,7 @@ Json reading_json(const ContactRun& run, const QuantityRow& row, const Reading& 
   };
   if (row.in_moes_units) put_scaled("moes", run.moes_per_hertz_film());
   put_scaled(key_in_SI(row.SI), run.SI_per_hertz(row.SI));
-  if (!has_place_and_error(row)) return json;
-  put(json, "x", reading.place);
+  if (has_place(row)) put(json, "x", reading.place);
   put(json, "error", reading.error);
   if (row.budget && reading.error) json["errors"] = budget_json(run.solution.record.*row.budget);
   return json;
@@ -55,11 +53,18 @@ Json& entry_at(Json& json, std::string_view entry) {
   return dot == std::string_view::npos ? level : entry_at(level, entry.substr(dot + 1));
 }
 
+/// "exit_x_error" for "pressure.exit_x".
+std::string name_of_error(const QuantityRow& row) {
+  return std::string(row.json_entry.substr(row.json_entry.rfind('.') + 1)) + "_error";
+}
+
 void put_observables(Json& json, const ContactRun& run) {
   for (const auto& [quantity, reading] : run.solution.observables) {
     if (!std::isfinite(reading.value)) continue;
     const QuantityRow& row = row_of(quantity);
     entry_at(json, row.json_entry) = reading_json(run, row, reading);
+    if (row.json_value.empty() && !is_self_check(quantity))  // a number has no room for its error
+      put(entry_at(json, row.json_entry.substr(0, row.json_entry.rfind('.'))), name_of_error(row), reading.error);
   }
 }
 
@@ -152,6 +157,13 @@ Json to_json(const Lubricant& lubricant) {
   if (keys.z) put(json, "z", lubricant.z);
   if (keys.p0_Pa) put(json, "p0_Pa", lubricant.p0_Pa);
   return json;
+}
+
+std::optional<Json> observable_json(const ContactRun& run, std::string_view entry) {
+  for (const auto& [quantity, reading] : run.solution.observables)
+    if (row_of(quantity).json_entry == entry && std::isfinite(reading.value))
+      return reading_json(run, row_of(quantity), reading);
+  return std::nullopt;
 }
 
 Json to_json(const ContactRun& run) {

@@ -16,6 +16,7 @@ namespace ehd {
 namespace {
 
 constexpr const char* film_table_schema = "ehd-films-1";
+constexpr int oil_digits = 8;  // of a constant in the heading; the JSON has all
 
 Json inlet_json(const Inlet& inlet) {
   const auto* cut = std::get_if<TruncatedAt>(&inlet);
@@ -55,7 +56,7 @@ std::string oil_words(const FilmTable& table) {
   std::string words =
       fmt::format("viscosity {}, density {}", to_string(table.lubricant.viscosity), to_string(table.lubricant.density));
   for (const auto& [key, value] : oil.items())
-    if (value.is_number()) words += fmt::format(", {} = {}", key, value.get<double>());
+    if (value.is_number()) words += fmt::format(", {} = {}", key, plain(value.get<double>(), oil_digits));
   const auto* cut = std::get_if<TruncatedAt>(&table.inlet);
   return words + (cut ? ", inlet at X = " + plain(cut->x) : ", flooded");
 }

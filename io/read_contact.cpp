@@ -23,17 +23,17 @@ Inlet read_inlet(const CaseTree& tree) {
   const std::string key = "domain.inlet";
   const CaseKey& row = row_of_case_key(key);
   const auto& range = std::get<allowed::Inlet>(row.allowed);
-  const std::string allowed = "; allowed is " + text_of(row.allowed);
-  const CaseNode& node = required(tree, key, text_of(row.allowed));
+  const auto refuse = [&](const std::string& what) { tree.fail(key, what + "; allowed is " + text_of(row.allowed)); };
+  const CaseNode& node = required(tree, key);
   if (const auto* word = std::get_if<std::string>(&node.content)) {
     if (*word == range.word) return Flooded{};
-    tree.fail(key, "is unknown" + allowed);
+    refuse("is unknown");
   }
   const auto x = node.number();
-  if (!x) tree.fail(key, "is " + node.type + allowed);
-  if (!std::isfinite(*x)) tree.fail(key, "is not finite" + allowed);
-  if (!(*x < range.edge)) tree.fail(key, "lies inside or behind the contact" + allowed);
-  if (*x < range.farthest) tree.fail(key, "is out of range" + allowed);
+  if (!x) refuse("is " + node.type);
+  if (!std::isfinite(*x)) refuse("is not finite");
+  if (!(*x < range.edge)) refuse("lies inside or behind the contact");
+  if (*x < range.farthest) refuse("is out of range");
   return TruncatedAt{*x};
 }
 

@@ -57,7 +57,7 @@ void require_one_way(const CaseTree& tree) {
   }
   if (tree.has(index_key))
     tree.fail(index_key, "contradicts the two viscosities, which set it; allowed is with iso_vg");
-  for (const char* key : {at_40C, at_100C}) (void)required(tree, key, text_of(row_of_case_key(key).allowed));
+  for (const char* key : {at_40C, at_100C}) (void)required(tree, key);
 }
 
 /// The viscosities at 40 and 100 C.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The finished rows of a sweep, in a file that only grows: one line a row, with its checksum. A run that is killed
-// loses no more than the line that it was writing. The rows stay in the file: memory holds 32 bytes a row.
+// loses no more than the line that it was writing. The rows stay in the file; memory holds their places.
 #pragma once
 
 #include <chrono>
@@ -45,8 +45,8 @@ class SweepJournal {
   /// The row is computed again. Its line stays; of two lines with one hash the last one counts.
   void forget(const std::string& hash) { places_.at(index_of(hash).value()).bytes = 0; }
   /// One line without line feeds. Throws OutputError. Not from several threads at once. The line survives the end of
-  /// the process at once; a power failure may take the lines of the last fifth of a second, and the last line of all
-  /// until this object ends.
+  /// the process at once. A power failure may lose the lines of the last 0.2 s, and the last line until this object
+  /// ends.
   void add(const std::string& hash, const std::string& text);
 
  private:

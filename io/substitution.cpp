@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/substitution.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <optional>
 #include <system_error>
+#include <utility>
 
 #include "contact/overloaded.hpp"
 
@@ -35,6 +37,22 @@ std::optional<Number> whole_number(std::string_view text) {
   return parsed.ptr == end && parsed.ec == std::errc() ? std::optional(value) : std::nullopt;
 }
 
+/// "[2000, 12000]"; empty where the text is no list of numbers.
+std::optional<std::vector<double>> list_of_numbers(std::string_view text) {
+  if (!text.starts_with('[') || !text.ends_with(']')) return std::nullopt;
+  std::vector<double> numbers;
+  for (std::size_t begin = 1; begin < text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size() - 1);
+    const std::string_view item = text.substr(begin, end - begin);
+    const std::size_t first = std::min(item.find_first_not_of(' '), item.size());
+    const auto number = whole_number<double>(item.substr(first, item.find_last_not_of(' ') + 1 - first));
+    if (!number) return std::nullopt;
+    numbers.push_back(*number);
+    begin = end + 1;
+  }
+  return numbers;
+}
+
 }  // namespace
 
 TomlValue toml_value(std::string_view text) {
@@ -43,13 +61,20 @@ TomlValue toml_value(std::string_view text) {
   const std::string_view number = text.substr(text.starts_with('+') ? 1 : 0);
   if (const auto whole = whole_number<std::int64_t>(number)) return *whole;
   if (const auto real = whole_number<double>(number)) return *real;
+  if (auto numbers = list_of_numbers(text)) return std::move(*numbers);
   return std::string(text);
 }
 
 std::string toml_text(const TomlValue& value) {
   return std::visit(Overloaded{[](std::int64_t whole) { return std::to_string(whole); },
                                [](double real) { return text_of_number(real); },
-                               [](const std::string& content) { return quoted(content); }},
+                               [](const std::string& content) { return quoted(content); },
+                               [](const std::vector<double>& numbers) {
+                                 std::string list;
+                                 for (const double one : numbers)
+                                   list += (list.empty() ? "" : ", ") + text_of_number(one);
+                                 return "[" + list + "]";
+                               }},
                     value);
 }
 

@@ -6,15 +6,17 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 namespace ehd {
 
 /// A value as TOML has it.
-using TomlValue = std::variant<std::int64_t, double, std::string>;
+using TomlValue = std::variant<std::int64_t, double, std::string, std::vector<double>>;
 /// The text of a value in TOML. A number has the fewest digits that identify it.
 [[nodiscard]] std::string toml_text(const TomlValue& value);
 
-/// The value that a text of the command line stands for: an integer, a number, or a text, with quotes or without.
+/// The value that a text of the command line stands for: an integer, a number, a list of numbers "[2000, 12000]", or a
+/// text, with quotes or without.
 [[nodiscard]] TomlValue toml_value(std::string_view text);
 
 /// A value for a key of a case, "operation.radial_load_N". It replaces the value in the file, or is added to its table.

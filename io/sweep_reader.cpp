@@ -70,10 +70,10 @@ void read_tolerance(const SweepSource& source, Sweep& sweep) {
   const toml::node* node = source.root().get("tolerance");
   if (!node) return;
   if (sweep.bearing)
-    source.fail("tolerance", *node,
-                "belongs to the sweep of a contact; allowed is no tolerance for a bearing, whose contacts are solved "
-                "to " +
-                    plain(bearing_contact_request().tolerance.tightest()));
+    source.fail(
+        "tolerance", *node,
+        "belongs to the sweep of a contact; allowed is no tolerance in the sweep of a bearing, which sets that of "
+        "its contacts");
   const std::string allowed = "a number, more than 0 and up to " + plain(loosest_tolerance);
   const auto value = number_of(*node);
   if (!value) source.fail_type("tolerance", *node, allowed);

@@ -139,8 +139,8 @@ StoredRow kept_row(const Sweep& sweep, std::size_t row, const std::string& hash,
 
 void write_cost(const SweepCost& cost, const std::filesystem::path& folder) {
   OutputFile file(folder / "cost.json");
-  Json json = to_json(cost);
-  json["provenance"] = provenance();
+  Json json{{"schema", "ehd-sweep-cost-1"}, {"provenance", provenance()}};
+  json.update(to_json(cost));
   file.commit(json_text(json));
 }
 

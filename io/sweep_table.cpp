@@ -25,8 +25,8 @@ constexpr std::size_t block = 256;
 
 std::string number_cell(const std::optional<double>& value) { return value ? Json(*value).dump() : ""; }
 
-/// The entry at a path of an object, "film.minimum.hertz": a null pointer where there is none, and JSON's null, which
-/// is neither text nor number, where something on the way is no object.
+/// The entry at a path of an object, "film.minimum.hertz". Null pointer: there is no such entry. JSON's null, which is
+/// neither text nor number: something on the path is no object.
 const Json* entry_at(const Json& json, std::string_view path) {
   static const Json no_entry;
   const Json* at = &json;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "contact/text.hpp"
 
@@ -32,9 +33,12 @@ std::string status_text(StopReason status, bool styled) {
   return (status == StopReason::converged ? "\033[32m" : "\033[31m") + text + "\033[0m";
 }
 
-/// A reading times `unit`, with as many digits as its error leaves.
-std::string digits(Quantity quantity, const Reading& reading, double unit) {
-  if (!reading.error) return plain(reading.value * unit);
+constexpr int digits_without_error = 3;  // on 64 intervals, the fewest that converge, films are known to 1 %
+
+/// A reading times `unit`, with as many digits as its error leaves. A closed form has no error.
+std::string digits(const ContactRun& run, Quantity quantity, const Reading& reading, double unit) {
+  if (!reading.error && run.solver.empty()) return plain(reading.value * unit);
+  if (!reading.error) return plain(reading.value * unit, digits_without_error) + " (error unknown)";
   if (has_absolute_error(quantity)) return with_absolute_error(reading.value * unit, *reading.error * unit);
   return with_error(reading.value * unit, reading.error);
 }
@@ -86,7 +90,7 @@ std::string digits_in_SI(const ContactRun& run, Quantity quantity, const Reading
   const SIScale scale = row_of(quantity).SI;
   const auto SI_per_hertz = run.SI_per_hertz(scale);
   const ShownUnit unit = shown_unit(scale);
-  return SI_per_hertz ? digits(quantity, reading, *SI_per_hertz * unit.per_SI) + " " + unit.name : "";
+  return SI_per_hertz ? digits(run, quantity, reading, *SI_per_hertz * unit.per_SI) + " " + unit.name : "";
 }
 
 /// A row a quantity, in SI first where that is known; the self checks stand in a line below.
@@ -99,11 +103,12 @@ std::string observables_table(const ContactRun& run) {
   for (const auto& [quantity, reading] : run.solution.observables) {
     if (is_self_check(quantity)) continue;
     const QuantityRow& row = row_of(quantity);
+    const bool shows_place = reading.place && row.SI != SIScale::length;  // a length is a place itself
     rows.push_back({std::string(row.name)});
     if (in_SI) rows.back().push_back(digits_in_SI(run, quantity, reading));
-    rows.back().insert(rows.back().end(),
-                       {digits(quantity, reading, 1), row.in_moes_units && moes ? digits(quantity, reading, *moes) : "",
-                        reading.place ? plain(*reading.place) : ""});
+    rows.back().insert(rows.back().end(), {digits(run, quantity, reading, 1),
+                                           row.in_moes_units && moes ? digits(run, quantity, reading, *moes) : "",
+                                           shows_place ? plain(*reading.place, digits_without_error) : ""});
   }
   return rows.size() > 1 ? "\n" + aligned(rows, 1, "  ") : "";
 }
@@ -147,21 +152,77 @@ std::string cost_line(const ContactRun& run) {
 
 }  // namespace
 
-std::string aligned(const std::vector<std::vector<std::string>>& rows, std::size_t left, const std::string& indent) {
+namespace {
+
+std::vector<std::size_t> widths_of(const Rows& rows) {
   std::vector<std::size_t> widths;
   for (const auto& row : rows) {
     widths.resize(std::max(widths.size(), row.size()));
     for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], width(row[c]));
   }
+  return widths;
+}
+
+constexpr std::size_t between_columns = 2;
+
+/// The columns of each part: the first `left` of the table in all of them, then as many others as fit.
+std::vector<std::vector<std::size_t>> parts_of(const std::vector<std::size_t>& widths, std::size_t left,
+                                               std::size_t indent) {
+  std::vector<std::size_t> first;
+  std::size_t begin = indent;
+  for (std::size_t c = 0; c < std::min(left, widths.size()); ++c) {
+    first.push_back(c);
+    begin += widths[c] + between_columns;
+  }
+  std::vector<std::vector<std::size_t>> parts{first};
+  std::size_t line = begin;
+  for (std::size_t c = first.size(); c < widths.size(); ++c) {
+    if (line + widths[c] > widest_table && parts.back().size() > first.size()) {
+      parts.push_back(first);
+      line = begin;
+    }
+    parts.back().push_back(c);
+    line += widths[c] + between_columns;
+  }
+  return parts;
+}
+
+/// Some columns of the rows, aligned.
+std::string lines_of(const Rows& rows, const std::vector<std::size_t>& widths, const std::vector<std::size_t>& columns,
+                     std::size_t left, const std::string& indent) {
   std::string text;
   for (const auto& row : rows) {
     std::string line = indent;
-    for (std::size_t c = 0; c < row.size(); ++c) {
+    for (const std::size_t c : columns) {
+      if (c >= row.size()) continue;
       const std::string padding(widths[c] - width(row[c]), ' ');
-      line += (c > 0 ? "  " : "") + (c < left ? row[c] + padding : padding + row[c]);
+      line += (c > 0 ? std::string(between_columns, ' ') : "") + (c < left ? row[c] + padding : padding + row[c]);
     }
     text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
   }
+  return text;
+}
+
+}  // namespace
+
+std::size_t table_width(const Rows& rows, const std::string& indent) {
+  std::size_t line = indent.size();
+  for (const std::size_t one : widths_of(rows)) line += one + between_columns;
+  return line - between_columns;
+}
+
+std::string aligned(const Rows& rows, std::size_t left, const std::string& indent) {
+  const std::vector<std::size_t> widths = widths_of(rows);
+  std::vector<std::size_t> all(widths.size());
+  std::iota(all.begin(), all.end(), 0);
+  return lines_of(rows, widths, all, left, indent);
+}
+
+std::string aligned_in_parts(const Rows& rows, std::size_t left, const std::string& indent) {
+  const std::vector<std::size_t> widths = widths_of(rows);
+  std::string text;
+  for (const auto& columns : parts_of(widths, left, indent.size()))
+    text += (text.empty() ? "" : "\n") + lines_of(rows, widths, columns, left, indent);
   return text;
 }
 
@@ -169,9 +230,8 @@ std::string human_plan(const Plan& plan) {
   std::string text = "runs\n";
   for (const auto& stage : plan.run) text += "  " + stage + "\n";
   text += "skipped, and why\n";
-  std::vector<std::vector<std::string>> rows;
-  for (const auto& stage : plan.skipped) rows.push_back({stage.stage, stage.why});
-  return text + aligned(rows, 2, "  ");
+  for (const auto& stage : plan.skipped) text += fmt::format("  {}\n      {}\n", stage.stage, stage.why);
+  return text;
 }
 
 std::string human_table(const ContactRun& run, const std::string& title, bool styled) {

@@ -33,8 +33,8 @@ TemporaryNote::TemporaryNote(const std::string& name) {
   for (std::size_t i = 0; i < notes.size(); ++i) {
     int expected = empty;
     if (!notes[i].state.compare_exchange_strong(expected, being_written)) continue;
-    // Either the handler sees `being_written` and does not read the name, or it has begun before, and this thread waits
-    // for the end of the process.
+    // Two orders are possible. The handler comes later: it sees `being_written` and does not read the name. The handler
+    // came first: this thread waits for the end of the process.
     while (process_ends) ::pause();
     std::memcpy(notes[i].name, name.c_str(), name.size() + 1);
     notes[i].state = noted;

@@ -21,7 +21,7 @@ constexpr std::size_t longest_text = 60;  // of a value in a message
 std::size_t byte_of_column(std::string_view line, std::size_t column) {
   std::size_t i = 0;
   for (std::size_t c = 1; c < column && i < line.size(); ++c)
-    i += std::max<std::size_t>(utf8_length(line.substr(i)), 1);
+    i += static_cast<unsigned char>(line[i]) < 0x80 ? 1 : std::max<std::size_t>(utf8_length(line.substr(i)), 1);
   return std::min(i, line.size());
 }
 
@@ -49,19 +49,44 @@ std::string source_of(const toml::node& node, const std::vector<std::string>& li
 }
 
 /// toml++ reads 1e-400 as 0. A number that is 0 has no digit but 0 before its exponent.
-void require_representable(const std::string& key, const toml::node& node, const std::vector<std::string>& lines,
+void require_representable(std::string_view key, const toml::node& node, const std::string& text,
                            const std::filesystem::path& file) {
   if (const auto* array = node.as_array())
-    for (const toml::node& item : *array) require_representable(key, item, lines, file);
+    for (const toml::node& item : *array) require_representable(key, item, text, file);
   if (const auto* table = node.as_table())
-    for (auto&& [name, item] : *table) require_representable(std::string(name.str()), item, lines, file);
+    for (auto&& [name, item] : *table) require_representable(name.str(), item, text, file);
   const auto* number = node.as_floating_point();
   if (!number || number->get() != 0) return;
-  const std::string source = source_of(node, lines);
+  const std::string source = source_of(node, lines_of(text));
   if (source.substr(0, source.find_first_of("eE")).find_first_of("123456789") == std::string::npos) return;
   throw CaseError(one_line(fmt::format("{}:{}: {} = {}: is too small for a number; allowed is 0, or {}", file.string(),
                                        line_of(node), shortened(key, longest_text), shortened(source, longest_text),
                                        sizes_of_numbers())));
+}
+
+/// What is wrong with a line "key = value" that is no TOML, and what is allowed, in the words of its writer. Empty
+/// where it is none of the usual slips.
+std::string slip_of(std::string_view line) {
+  constexpr std::string_view latin = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ", decimal = "0123456789";
+  const auto equals = line.find('=');
+  if (equals == std::string_view::npos || line.find('=', equals + 1) != std::string_view::npos) return "";
+  const std::string value = trimmed(line.substr(equals + 1, line.find('#') - equals - 1));
+  const auto begins_with = [](std::string_view text, std::string_view any) {
+    return !text.empty() && any.find(text.front()) != std::string_view::npos;
+  };
+  const auto number = value.find_first_not_of("+-.eE_0123456789");
+  if (begins_with(value, latin))
+    return value.find_first_of(" \"'") == std::string::npos
+               ? "is a text without quotation marks; allowed is \"" + value + "\""
+               : "";
+  if (!begins_with(value, decimal) && !begins_with(value, "+-.")) return "";
+  if (number == std::string::npos) return "";
+  const std::string rest = trimmed(std::string_view(value).substr(number));
+  if (rest.front() == ',' && rest.size() > 1 && rest.find_first_not_of(decimal, 1) == std::string::npos)
+    return "has a comma in a number; allowed is a point, " + value.substr(0, number) + "." + rest.substr(1);
+  if (begins_with(rest, latin) || begins_with(rest, "%"))
+    return "has a unit; allowed is the number alone, in the unit that the key names";
+  return "";
 }
 
 }  // namespace
@@ -100,7 +125,7 @@ std::string text_of(const toml::node& node, const std::vector<std::string>& line
 toml::table parse_toml(const std::string& text, const std::filesystem::path& file) {
   try {
     toml::table root = toml::parse(std::string_view(text));
-    require_representable("", root, lines_of(text), file);
+    require_representable("", root, text, file);
     return root;
   } catch (const toml::parse_error& error) {
     const std::vector<std::string> lines = lines_of(text);
@@ -127,8 +152,9 @@ toml::table parse_toml(const std::string& text, const std::filesystem::path& fil
     const std::string content = content_of(line);
     const bool ours = content.find('=') != std::string::npos || content.starts_with('[');
     const std::string source = ours ? shortened(content, longest_text) : "";
+    const std::string slip = slip_of(content), says = slip.empty() ? shortened(what, 200) + "; " + allowed : slip;
     throw CaseError(one_line(file.string() + ":" + std::to_string(line) + (source.empty() ? "" : ": " + source) + ": " +
-                             shortened(what, 200) + "; " + allowed));
+                             shortened(says, 300)));
   }
 }
 

@@ -95,6 +95,7 @@ void fill_balance(BearingResult& result, const BearingSetup& setup, const std::v
   result.displacement_m = ring.displacement_m;
   result.displacement_lateral_m = ring.lateral_displacement_m;
   result.load_zone_deg = bearing::load_zone_deg(ring);
+  result.geometric_load_zone_deg = geometric_load_zone_deg(result, setup.body.geometry.clearance_m);
   result.stiffness_N_per_m = ring.stiffness_N_per_m;
   result.balance_error = ring.balance_error;
   result.rollers = rows_of(setup, ring);

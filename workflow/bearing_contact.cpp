@@ -19,10 +19,11 @@ using bearing::SolveFailure;
 
 namespace {
 
-/// A tenth of the error that a contact force law needs.
-constexpr double first_tolerance = 1e-4;
 /// Relative error of films that a contact force law needs.
 constexpr double needed_tolerance = 1e-3;
+/// A contact force depends on the offset film, whose error is close to that of the central film: a tenth of what a law
+/// needs. The smallest film is only reported.
+constexpr FilmTolerances first_tolerance{needed_tolerance, 0.1 * needed_tolerance};
 /// A contact whose offset film is known less well than this is no solution for a bearing.
 constexpr double largest_offset_error = 1e-2;
 /// A film that is a small part of the approach need not be known as well as one that is all of it. So the error is

@@ -61,6 +61,7 @@ MovingRaceway::MovingRaceway(const BearingResult& result, const BearingSetup& se
   bearing::ResponseCurveRequest request{.lightest_N = curve.lightest_N(), .heaviest_N = curve.heaviest_N()};
   for (const double omega : omegas)
     if (bearing::Omega_of(curve.contact(), curve.heaviest_N(), omega) > slow_Omega) request.omegas.push_back(omega);
+  for (const RollerRow& roller : result.rollers) request.read_at_N.push_back(roller.at(raceway).force_N);
   const auto& made = memory.response_curve(curve.contact(), setup.body.lubricant->lubricant, request);
   if (const auto* failure = std::get_if<bearing::SolveFailure>(&made)) throw LawFailure(*failure);
   response_ = &std::get<ResponseCurve>(made);

@@ -80,8 +80,10 @@ struct BearingResult {
   std::string why;  ///< where status is not converged: why there is no balance, or which accuracy was missed
   double displacement_m = 0;
   double displacement_lateral_m = 0;  ///< towards psi = 90 degrees
-  /// bearing::load_zone_deg; absent where nothing is loaded.
+  /// From the first to the last loaded roller (bearing::load_zone_deg); absent where nothing is loaded.
   std::optional<std::pair<double, double>> load_zone_deg = {};
+  /// Where clearance and displacement alone would load a roller: ehd::geometric_load_zone_deg.
+  std::optional<std::pair<double, double>> geometric_load_zone_deg = {};
   std::array<std::array<double, 2>, 2> stiffness_N_per_m = {};
   std::vector<DynamicRow> dynamics = {};                              ///< where the request has frequencies
   std::optional<RollingTorque> torque = {};                           ///< where the result has curves
@@ -104,5 +106,10 @@ struct BearingResult {
   std::vector<BearingNote> notes;
   std::optional<GradedOil> oil = {};  ///< where the case states its grade
 };
+
+/// Where the ring has moved by more than half the clearance: from one azimuth to the other [deg], with
+/// cos(half the zone) = P_d/(2 delta_r). Absent where it has not; the whole circle where preload holds every roller.
+[[nodiscard]] std::optional<std::pair<double, double>> geometric_load_zone_deg(const BearingResult& result,
+                                                                               double clearance_m);
 
 }  // namespace ehd

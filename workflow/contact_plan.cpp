@@ -10,13 +10,16 @@
 
 namespace ehd {
 
-std::string stage::observe(Quantity quantity) { return "observe " + std::string(to_string(quantity)); }
+namespace {
+constexpr std::string_view observe_word = "observe ";
+}
+
+std::string stage::observe(Quantity quantity) { return std::string(observe_word).append(to_string(quantity)); }
 
 Wanted wanted_by(const Plan& plan) {
   Wanted wanted;
-  for (const Quantity quantity : all_quantities) {
-    if (plan.runs(stage::observe(quantity))) wanted.insert(quantity);
-  }
+  for (const std::string_view stage : plan.run)
+    if (stage.starts_with(observe_word)) wanted.insert(quantity_from(stage.substr(observe_word.size())).value());
   return wanted;
 }
 

@@ -27,7 +27,7 @@ constexpr double found_factor = 3;
 /// Held-out solves of a panel: at least so many, and one for so many coefficients.
 constexpr long fewest_held_out = 32, coefficients_per_held_out = 4;
 /// Where the bend is steep, errors stand along a narrow band, which evenly spread points miss (by 6 times over M 1..7,
-/// L 1..25). So every other held-out point is the one of so many where the highest degrees contribute most.
+/// L 1..25). Every second held-out point is the one among so many where the highest degrees contribute most.
 constexpr int candidates_a_point = 32;
 /// Each solve is asked for this share of the tolerance.
 constexpr double solve_share = 0.2;
@@ -45,6 +45,9 @@ std::pair<double, double> spread_point(int k) {
   };
   return {fraction(1 / golden), fraction(1 / (golden * golden))};
 }
+
+/// Held-out solves of a panel with so many coefficients.
+long held_out_of(long coefficients) { return std::max(fewest_held_out, coefficients / coefficients_per_held_out); }
 
 /// What a table could not have: the reason in one sentence.
 struct NotSolved {
@@ -177,10 +180,6 @@ class GrowingPanel {
   [[nodiscard]] bool worth_growing() const { return largest(solves_) < request_.tolerance; }
 
   static double largest(const ByFilm<double>& values) { return *std::max_element(values.begin(), values.end()); }
-  static long held_out_of(long coefficients) {
-    return std::max(fewest_held_out, coefficients / coefficients_per_held_out);
-  }
-
   /// What the two highest degrees of M, or of L, contribute to a film at a place of the panel, at most. Two, because
   /// one alone vanishes at places where the degrees left out do not.
   [[nodiscard]] double last_terms(double x, double y) const {
@@ -280,6 +279,11 @@ void state_errors(FilmTable& table) {
 }
 
 }  // namespace
+
+long fewest_solves(const FilmRange& range) {
+  constexpr long first_grid = (first_degree + 1) * (first_degree + 1);
+  return static_cast<long>(panel_ends(range).size() - 1) * (first_grid + held_out_of(first_grid));
+}
 
 FilmTable build_film_table(const TableOil& oil, const FilmTableRequest& request, const FilmSource& source) {
   FilmTable table{.solver = default_solver().name,

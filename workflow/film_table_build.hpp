@@ -26,8 +26,11 @@ struct FilmTableRequest {
   FilmRange range;
   double tolerance = 1e-4;
   int most_degree = 60;     ///< in M and in L, up to ChebyshevBasis::highest_degree
-  long most_solves = 4000;  ///< held-out ones among them
+  long most_solves = 4000;  ///< held-out ones among them; at least fewest_solves(range)
 };
+
+/// The solves of the first grids of a range, and of the held-out points that judge them: no table needs fewer.
+[[nodiscard]] long fewest_solves(const FilmRange& range);
 
 /// The table to the tolerance. status: `converged`; `tolerance_not_met`, within the bounds of the request (the table is
 /// there with its errors); `limit_reached`, a contact was not solved (there is no panel).

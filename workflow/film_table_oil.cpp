@@ -3,6 +3,7 @@
 
 #include "contact/nondimensional.hpp"
 #include "contact/oil_laws.hpp"
+#include "workflow/known_oil.hpp"
 
 namespace ehd {
 
@@ -49,11 +50,7 @@ TableOil table_oil(const Case& stated) {
   if (!keys.alpha_per_Pa)
     throw case_error(stated, "lubricant.viscosity",
                      "has no film that depends on L; allowed is " + piezoviscous_names());
-  if (keys.z && found.conditions && !(oil.lubricant.alpha_per_Pa && oil.lubricant.z)) {
-    const Nondimensional made = nondimensionalise(*found.conditions, oil.lubricant, oil.inlet);
-    oil.lubricant.alpha_per_Pa = made.problem.groups.alpha_p_H / made.scales->hertz_pressure_Pa;
-    oil.lubricant.z = std::get<Roelands>(made.problem.viscosity).z;
-  }
+  if (found.conditions) oil.lubricant = with_alpha_and_z(oil.lubricant, *found.conditions);
   try {
     (void)problem_of(oil, {.M = 1, .L = 1});
   } catch (const StatementError& error) {

@@ -6,6 +6,7 @@
 
 #include "bearing/dynamics.hpp"
 #include "workflow/bearing_run.hpp"
+#include "workflow/known_oil.hpp"
 
 namespace ehd {
 
@@ -52,7 +53,6 @@ LawExport export_law(const Case& bearing_case, const LawExportRequest& request, 
                  .title = bearing_case.title,
                  .raceway = request.raceway,
                  .contact = law.curve().contact(),
-                 .lubricant = body.lubricant->lubricant,
                  .datum_m = law.datum_m()};
   made.balance_lightest_N = std::numeric_limits<double>::infinity();
   for (const RollerRow& roller : result.rollers) {
@@ -61,7 +61,9 @@ LawExport export_law(const Case& bearing_case, const LawExportRequest& request, 
   }
   made.lightest_N = below_the_balance * made.balance_lightest_N;
   made.heaviest_N = law.curve().heaviest_N();
-  const Damping damping = damping_of(law, made.lubricant, made.lightest_N, memory);
+  const Lubricant& stated = body.lubricant->lubricant;
+  made.lubricant = with_alpha_and_z(stated, made.contact.at(made.heaviest_N));
+  const Damping damping = damping_of(law, stated, made.lightest_N, memory);
   made.table = bearing::tabulate(law, made.lightest_N, made.heaviest_N, request.knots, damping.over_force);
   const bearing::CurveErrors& errors = law.curve().errors();
   made.force_error = std::max(errors.interpolation_force, errors.joint_force) + errors.solver_offset_film;

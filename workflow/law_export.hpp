@@ -25,7 +25,7 @@ struct LawExport {
   std::string title = {};  ///< of the case, with the values that --set changed
   bearing::Raceway raceway = bearing::Raceway::inner;
   bearing::RacewayContact contact;
-  Lubricant lubricant = {};
+  Lubricant lubricant = {};                               ///< with alpha and z
   double datum_m = 0;                                     ///< x_0
   double lightest_N = 0, heaviest_N = 0;                  ///< contact forces of the table
   double balance_lightest_N = 0, balance_heaviest_N = 0;  ///< of the bearing in balance

@@ -31,6 +31,31 @@ constexpr std::array table{
                .highest = 10,
                .unit = "Pa s",
                .reason = "from liquefied gas, some 1e-4 Pa s, to twice that of an ISO VG 320 oil at 0 degrees C"},
+    UsualRange{.name = "load",
+               .fact = &Facts::load_N_per_m,
+               .lowest = 1e3,
+               .highest = {},
+               .unit = "N/m",
+               .reason = "contacts of bearings carry 1e4 to 1e6 N/m"},
+    UsualRange{.name = "R",
+               .fact = &Facts::reduced_radius_m,
+               .lowest = 1e-4,
+               .highest = 2,
+               .unit = "m",
+               .reason = "a needle of 1 mm on a flat has 0.0005 m, the rolls of mills some 0.5 m"},
+    UsualRange{.name = "E'",
+               .fact = &Facts::reduced_modulus_Pa,
+               .lowest = 1e9,
+               .highest = 2e12,
+               .shown_over_SI = 1e-9,
+               .unit = "GPa",
+               .reason = "plastics have some 3 GPa, steel 226 GPa, diamond 1200 GPa"},
+    UsualRange{.name = "density of the rollers",
+               .fact = &Facts::roller_density_kg_per_m3,
+               .lowest = 900,
+               .highest = 2e4,
+               .unit = "kg/m3",
+               .reason = "plastics have some 1000 kg/m3, steel 7850 kg/m3, tungsten carbide 15600 kg/m3"},
     UsualRange{.name = "p_H",
                .fact = &Facts::hertz_pressure_Pa,
                .lowest = {},
@@ -91,6 +116,9 @@ Facts facts_of(const Statement& statement, const ContactRun& run) {
   if (!conditions) return facts;
   if (conditions->speed_sum_m_per_s) facts.surface_speed_m_per_s = std::abs(*conditions->speed_sum_m_per_s) / 2;
   facts.viscosity_Pa_s = conditions->viscosity_Pa_s;
+  facts.load_N_per_m = conditions->load_N_per_m;
+  facts.reduced_radius_m = conditions->reduced_radius_m;
+  facts.reduced_modulus_Pa = conditions->reduced_modulus_Pa;
   return facts;
 }
 
@@ -102,6 +130,8 @@ Facts facts_of(const BearingCase& body, const std::vector<RollerRow>& rollers) {
   facts.surface_speed_m_per_s =
       std::max(std::abs(speeds.inner_rad_per_s) * (d_m - D) / 2, std::abs(speeds.outer_rad_per_s) * (d_m + D) / 2);
   if (body.lubricant) facts.viscosity_Pa_s = body.lubricant->viscosity_Pa_s;
+  facts.reduced_modulus_Pa = bearing::reduced_modulus_Pa(body.modulus_Pa, body.poisson);
+  facts.roller_density_kg_per_m3 = geometry.density_kg_per_m3;
   facts.rollers_over_circumference = geometry.rollers * D / (std::numbers::pi * d_m);
   facts.length_over_diameter = geometry.length_m / D;
   facts.diameter_over_pitch = D / d_m;

@@ -23,6 +23,10 @@ struct RollerRow;
 struct Facts {
   std::optional<double> surface_speed_m_per_s = {};  ///< the faster raceway; of a contact the mean of both surfaces
   std::optional<double> viscosity_Pa_s = {};
+  std::optional<double> load_N_per_m = {};        ///< of a contact
+  std::optional<double> reduced_radius_m = {};    ///< of a contact
+  std::optional<double> reduced_modulus_Pa = {};  ///< E'
+  std::optional<double> roller_density_kg_per_m3 = {};
   std::optional<double> hertz_pressure_Pa = {};           ///< the highest
   std::optional<double> film_minimum_m = {};              ///< the thinnest
   std::optional<double> rollers_over_circumference = {};  ///< Z D/(pi d_m)

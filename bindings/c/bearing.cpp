@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -16,7 +17,6 @@
 #include "bindings/c/result.hpp"
 #include "contact/interruption.hpp"
 #include "contact/text.hpp"
-#include "io/bearing_json.hpp"
 #include "io/case_reader.hpp"
 #include "workflow/bearing_contact.hpp"
 #include "workflow/bearing_run.hpp"
@@ -72,13 +72,13 @@ int ehd_bearing(const char* case_toml, const char* law, ehd_result** result) {
     const Case one = read_case_in_memory(case_toml);
     if (!std::holds_alternative<BearingCase>(one.body))
       throw case_error(one, "", "this is a contact; allowed is a bearing case (ehd_solve takes this one)");
-    const BearingResult balanced = balance(one, by);
-    auto made = std::make_unique<ehd_result>();
-    made->json = to_json(balanced);
-    made->of_bearing = true;
-    if (!balanced.rollers.empty()) made->laws = laws_of(std::get<BearingCase>(one.body), balanced);
-    *result = made.release();
-    return ended(one.id + ": " + law, balanced.status, balanced.why);
+    BearingResult balanced = balance(one, by);
+    const StopReason status = balanced.status;
+    const std::string why = balanced.why;
+    std::optional<bearing::LawPair> laws;
+    if (!balanced.rollers.empty()) laws = laws_of(std::get<BearingCase>(one.body), balanced);
+    *result = std::make_unique<ehd_result>(std::move(balanced), std::move(laws)).release();
+    return ended(one.id + ": " + law, status, why);
   });
 }
 
@@ -93,7 +93,7 @@ int ehd_law(const ehd_result* bearing, const char* raceway, size_t n, const doub
     require_pointer(approach_m, "approach_m");
     require_pointer(force_N, "force_N");
     require_pointer(stiffness_N_per_m, "stiffness_N_per_m");
-    if (!bearing->of_bearing) throw BadArgument("bearing: is the result of a contact; allowed is one of ehd_bearing");
+    if (!bearing->of_bearing()) throw BadArgument("bearing: is the result of a contact; allowed is one of ehd_bearing");
     if (const double* const bad =
             std::find_if_not(approach_m, approach_m + n, [](double x) { return std::isfinite(x); });
         bad != approach_m + n)

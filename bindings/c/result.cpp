@@ -29,6 +29,11 @@ const Json* step_into(const Json& json, std::string_view name) {
   return whole && item < json.size() ? &json[item] : nullptr;
 }
 
+std::optional<double> as_number(const Json& json) {
+  if (json.is_boolean()) return json.get<bool>() ? 1 : 0;
+  return json.is_number() ? std::optional(json.get<double>()) : std::nullopt;
+}
+
 /// The number at "film.minimum.hertz"; nothing where there is none.
 std::optional<double> number_at(const Json& json, std::string_view path) {
   const Json* at = &json;
@@ -37,8 +42,19 @@ std::optional<double> number_at(const Json& json, std::string_view path) {
     at = step_into(*at, path.substr(begin, end - begin));
     begin = end + 1;
   }
-  if (at && at->is_boolean()) return at->get<bool>() ? 1 : 0;
-  return at && at->is_number() ? std::optional(at->get<double>()) : std::nullopt;
+  return at ? as_number(*at) : std::nullopt;
+}
+
+/// The same of a result. An observed quantity is read without the rest of the JSON, which costs more to make than the
+/// case costs to read.
+std::optional<double> number_of(const ehd_result& result, std::string_view path) {
+  if (const auto* run = std::get_if<ContactRun>(&result.made)) {
+    if (const auto entry = observable_json(*run, path)) return as_number(*entry);
+    const std::size_t dot = std::min(path.rfind('.'), path.size());
+    if (const auto entry = observable_json(*run, path.substr(0, dot)))
+      return number_at(*entry, path.substr(std::min(dot + 1, path.size())));
+  }
+  return number_at(result.json(), path);
 }
 
 }  // namespace
@@ -60,7 +76,7 @@ int ehd_get(const ehd_result* result, const char* path, double* value) {
     require_pointer(result, "result");
     require_pointer(path, "path");
     require_pointer(value, "value");
-    const auto number = number_at(result->json, path);
+    const auto number = number_of(*result, path);
     if (!number) throw unknown_name("path", path, "the path of a number in the JSON of this result");
     *value = *number;
     return EHD_OK;
@@ -74,9 +90,10 @@ size_t ehd_field(const ehd_result* result, const char* name, double* buffer, siz
     require_pointer(result, "result");
     require_pointer(name, "name");
     if (length > 0) require_pointer(buffer, "buffer");
-    const auto column = std::find_if(result->fields.begin(), result->fields.end(),
-                                     [&](const ehd::ProfileColumn& one) { return one.name == name; });
-    if (column == result->fields.end()) throw unknown_name("name", name, "a column of the profile of this result");
+    const std::vector<ehd::ProfileColumn>& fields = result->fields();
+    const auto column =
+        std::find_if(fields.begin(), fields.end(), [&](const ehd::ProfileColumn& one) { return one.name == name; });
+    if (column == fields.end()) throw unknown_name("name", name, "a column of the profile of this result");
     count = static_cast<size_t>(column->values.size());
     std::copy_n(column->values.data(), std::min(count, length), buffer);
     return EHD_OK;

@@ -18,7 +18,6 @@
 #include "contact/text.hpp"
 #include "io/case_keys.hpp"
 #include "io/case_reader.hpp"
-#include "io/contact_json.hpp"
 #include "workflow/contact_run.hpp"
 #include "workflow/parallel.hpp"
 #include "workflow/registry.hpp"
@@ -49,12 +48,11 @@ ContactCase moes_contact(const MoesGroups& groups, const char* lubricant) {
 int hand_over(const std::string& what, const std::function<ContactRun()>& solve, ehd_result** result) {
   Progress progress;
   const Interruptible scope([&progress] { return progress.cancelled(); });
-  const ContactRun run = solve();
-  auto made = std::make_unique<ehd_result>();
-  made->json = to_json(run);
-  if (run.status() != StopReason::diverged && run.solution.fields.X.size() > 0) made->fields = profile_of(run);
+  auto made = std::make_unique<ehd_result>(solve());
+  const SolveRecord& record = std::get<ContactRun>(made->made).solution.record;
+  const int code = ended(what, record.status, record.reason);
   *result = made.release();
-  return ended(what, run.status(), run.solution.record.reason);
+  return code;
 }
 
 }  // namespace

@@ -9,7 +9,8 @@ program example
   real(c_double), allocatable :: H(:), nothing(:)
   integer(c_size_t) :: nodes
 
-  if (ehd_solve_moes(20.0_c_double, 10.0_c_double, c_null_ptr, "fast" // c_null_char, 1e-4_c_double, contact) /= ehd_ok) &
+  if (ehd_solve_moes(20.0_c_double, 10.0_c_double, c_null_ptr, "fast" // c_null_char, 1e-4_c_double, contact) &
+      /= ehd_ok) &
     call give_up()
   if (ehd_get(contact, "film.minimum.hertz" // c_null_char, film) /= ehd_ok) call give_up()
   if (ehd_get(contact, "film.minimum.x" // c_null_char, x) /= ehd_ok) call give_up()

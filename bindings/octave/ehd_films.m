@@ -3,7 +3,8 @@ function films = ehd_films(M, L, varargin)
 %
 %   t = ehd_films([5 50 500], 10, 'tolerance', 1e-4)
 %
-% M, L  Moes' groups, with the sum speed; arrays of one size, or one number and an array. Further pairs: as for ehd_solve.
+% M, L  Moes' groups, with the sum speed; arrays of one size, or one number and an array. Further pairs: as for
+%       ehd_solve.
 %
 % t  arrays of that size: t.minimum, t.central (H = h R/b^2), t.minimum_error, t.central_error (relative), and
 %    t.status, a cell of texts. NaN where there is no film.

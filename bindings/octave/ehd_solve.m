@@ -8,8 +8,9 @@ function result = ehd_solve(varargin)
 %
 % Behind a case, or alone: pairs of an option of `ehd solve` without its dashes, with _ for -, and its value.
 %
-% r  the JSON of `ehd solve`: r.status, r.film.minimum.hertz (H = h R/b^2), r.film.minimum.m (metres, where SI is known),
-%    r.film.minimum.error (relative), ...; the id of the case is r.xCase, because case is a word of the language.
+% r  the JSON of `ehd solve`: r.status, r.film.minimum.hertz (H = h R/b^2), r.film.minimum.m (metres, where SI is
+%    known), r.film.minimum.error (relative), ...; the id of the case is r.xCase, because case is a word of the
+%    language.
 %    Where there is a solution also its fields as columns, from inlet to exit: r.X = x/b, r.P = p/p_H, r.H.
 %
 % SPDX-License-Identifier: GPL-3.0-or-later

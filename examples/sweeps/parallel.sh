@@ -7,5 +7,6 @@ set -eu
 file=$1 folder=$2 shards=$3
 ehd=${EHD:-ehd}
 # A row that does not converge ends its shard with 1, and the merge below says which; 2 and more is a fault.
-seq "$shards" | parallel --halt soon,fail=100% "$ehd" sweep "$file" --output "$folder" --shard "{}/$shards" --threads 1 || true
+seq "$shards" \
+  | parallel --halt soon,fail=100% "$ehd" sweep "$file" --output "$folder" --shard "{}/$shards" --threads 1 || true
 exec "$ehd" sweep "$file" --output "$folder" --merge

@@ -66,10 +66,12 @@ def use_program(prefix):
 def follow_page(prefix, folder):
     """Runs docs/library.md: a block after `name`: becomes that file, a block of sh is run."""
     page = (SOURCE / "docs/library.md").read_text()
-    environment = {key: value for key, value in os.environ.items() if not key.startswith(("CMAKE", "CFLAGS", "CXXFLAGS"))}
+    flags = ("CMAKE", "CFLAGS", "CXXFLAGS")
+    environment = {key: value for key, value in os.environ.items() if not key.startswith(flags)}
     environment["PREFIX"] = str(prefix)
     script, files = ["set -eu"], 0
-    for name, language, text in re.findall(r"(?:`([\w.]+)`:\n\n)?^```(\w+)\n(.*?)^```$", page, re.MULTILINE | re.DOTALL):
+    block = re.compile(r"(?:`([\w.]+)`:\n\n)?^```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+    for name, language, text in block.findall(page):
         if language == "sh":
             script.append(text)
             continue

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A result through the C interface is that of the program.
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <map>
 #include <string>
 
 #include "tests/bindings/held.hpp"
@@ -67,6 +69,29 @@ BOOST_AUTO_TEST_CASE(numbers_are_found_by_their_path) {
     BOOST_TEST(std::string(ehd_last_error()).find("path = ") != std::string::npos);
   }
   BOOST_TEST(untouched == 7);
+}
+
+// The library reads some numbers without making the JSON.
+BOOST_AUTO_TEST_CASE(every_number_of_the_json_is_found_also_before_the_json_is_made) {
+  const auto paths = solve(case_text("steel-roller")).json().flatten();
+  const Held one = solve(case_text("steel-roller"));
+  std::map<std::string, double> early;
+  for (const auto& [pointer, value] : paths.items()) {
+    std::string path = pointer.substr(1);
+    std::replace(path.begin(), path.end(), '/', '.');
+    if (value.is_number()) early[path] = one.get(path.c_str());
+  }
+  BOOST_TEST(early.size() > 50);
+  std::size_t found = 0;
+  const auto numbers = one.json().flatten();
+  for (const auto& [pointer, value] : numbers.items()) {
+    std::string path = pointer.substr(1);
+    std::replace(path.begin(), path.end(), '/', '.');
+    if (!value.is_number()) continue;
+    BOOST_TEST(early.at(path) == value.get<double>(), path);
+    ++found;
+  }
+  BOOST_TEST(found == early.size());
 }
 
 BOOST_AUTO_TEST_CASE(fields_are_the_columns_of_the_profile) {

@@ -30,7 +30,7 @@ BOOST_AUTO_TEST_CASE(a_quick_bench_prints_its_tables_and_leaves_its_files) {
        {"one convolution", "speed-up", "The truths", "reference/fast", "fast.uniform/fast", "covered"})
     BOOST_CHECK_MESSAGE(ended.out.find(text) != std::string::npos, text << " is not in the tables");
   const json bench = json::parse(test::read(out / "bench.json"));
-  BOOST_TEST(bench["schema"] == 1);
+  BOOST_TEST(bench["schema"] == "ehd-bench-1");
   BOOST_TEST(bench["provenance"].contains("compiler"));
   BOOST_TEST(bench["looks"]["fast"] != bench["looks"]["reference"]);  // line styles of the report
   for (const char* part : {"work_precision", "scaling", "batch"}) BOOST_TEST(bench.contains(part));

@@ -28,6 +28,15 @@ BOOST_AUTO_TEST_CASE(set_gives_one_key_another_value_and_the_result_says_so) {
   BOOST_TEST(!json::parse(stated.out).contains("set"));
 }
 
+BOOST_AUTO_TEST_CASE(set_gives_a_key_that_holds_a_list_another_list) {
+  const test::Folder folder;
+  const auto ended = test::ehd_run(folder, "bearing na4908 --law ehd-linear --set 'fit.load_N=[2500, 11e3]' --json -");
+  BOOST_REQUIRE(ended.exit_code == 0);
+  const json result = json::parse(ended.out);
+  BOOST_TEST((result["set"]["fit.load_N"] == json{2500.0, 11000.0}));
+  BOOST_TEST((result["fit"]["inner"]["load_N"] == json{2500.0, 11000.0}));
+}
+
 BOOST_AUTO_TEST_CASE(every_command_that_reads_a_case_takes_set) {
   const test::Folder folder;
   for (const char* arguments : {"plan own-moes-5-5 --set moes.M=7 --json -",
@@ -49,10 +58,13 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_set_is_refused_with_the_nearest_key) {
   const test::Folder folder;
   const std::vector<std::pair<std::string, std::string>> rows{
       {"bearing na4908 --set bearing.clearence_m=5e-6", "did you mean clearance_m?"},
+      {"bearing na4908 --set bearing.clearence_m=5e-6", "ehd: --set bearing.clearence_m=5e-6: is no key of a case"},
       {"bearing na4908 --set clearance_m=5e-6", "did you mean bearing.clearance_m?"},
       {"bearing na4908 --set bearing.clearance_m", "has no value; allowed is KEY=VALUE"},
       {"bearing na4908 --set bearing.rollers=3.5", "is a number; allowed is an integer"},
-      {"solve own-moes-5-5 --set moes.M=-1", "M = -1: is negative"},
+      {"solve own-moes-5-5 --set moes.M=-1", "ehd: --set moes.M=-1: is negative; allowed is 0.001 to 1e6"},
+      {"solve own-moes-5-5 --set moes.M=[1,2]", "ehd: --set moes.M=[1,2]: is a list; allowed is a number"},
+      {"bearing na4908 --set 'fit.load_N=[2000]'", "ehd: --set fit.load_N=[2000]: "},
       {"solve own-moes-5-5 --set moes.M=1 --set moes.M=2", "allowed is each key once"},
       {"solve --M 5 --L 5 --set moes.M=1", "required is a CASE"},
   };
@@ -138,7 +150,9 @@ BOOST_AUTO_TEST_CASE(a_contact_is_converted_there_and_back) {
   EHD_CHECK(error(json::parse(back.out)["L"].get<double>(), 10), verification::Tolerance::round_off(64, 30));
   const auto table = test::ehd_run(folder, "convert M=20 L=10");
   BOOST_TEST(table.out.find("not fixed by these numbers: W, U_mean") != std::string::npos);
-  test::check_refused(folder, "convert M=20 lambda=1", "follows from the numbers before it");
+  test::check_refused(folder, "convert M=20 lambda=1",
+                      "lambda: the numbers before it fix it already, at 0.00925275; allowed is without one of these");
+  BOOST_TEST(json::parse(there.out)["M"].dump() == "20.0");  // as stated, not through logarithms
   test::check_refused(folder, "convert U=1e-11", "did you mean U_mean?");
   test::check_refused(folder, "convert M", "has no value");
   BOOST_TEST(json::parse(test::ehd_run(folder, "convert M=20 L=0 --json -").out)["alpha_p_H"] == 0.0);

@@ -106,12 +106,16 @@ BOOST_AUTO_TEST_CASE(another_program_that_fails_is_a_row_with_its_reason) {
   const auto run_of = [&](const std::string& command, const std::string& more = "") {
     const auto ended = test::ehd_run(folder, compared + "\"mine=" + command + "\"" + more);
     BOOST_TEST(ended.exit_code == 1);
-    return json::parse(ended.out)[0]["runs"].back();
+    BOOST_TEST(ended.error_lines() == 1);
+    json one = json::parse(ended.out)[0]["runs"].back();
+    BOOST_TEST(ended.err == "ehd: own-barus-5-5: mine at 0.01: " + one["reason"].get<std::string>() + "\n");
+    return one;
   };
   json mine = run_of("test {case} && test -n {out} && echo 'no \\033[31m luck' >&2; exit 7");
   BOOST_TEST(mine["status"] == "diverged");
   BOOST_TEST(mine["external"]["exit_code"] == 7);
   BOOST_TEST(mine["external"]["last_line"].get<std::string>().find('\033') == std::string::npos);
+  BOOST_TEST(mine["reason"].get<std::string>().starts_with("it left no submission; exit code 7: no "));
   mine = run_of("cp {case} {out}");
   BOOST_TEST(mine["status"] == "diverged");
   BOOST_TEST(mine["reason"].get<std::string>().find("allowed is ehd-submission-1") != std::string::npos);

@@ -27,7 +27,8 @@ NUMBERS = {  # command: its options, each with values that it refuses
         "--max-solves": ["0", "abc", "1e3"],
         "--format": ["", "CSV", "xml"],
     },
-    "export films own-moes-20-10 --L 3:12": {"--M": ["", ":", "10", "10:", "9:9", "9:1", "nan:9", "1:inf", "1:2:3", "0:1"]},
+    "export films own-moes-20-10 --L 3:12": {
+        "--M": ["", ":", "10", "10:", "9:9", "9:1", "nan:9", "1:inf", "1:2:3", "0:1"]},
     "export films own-moes-20-10 --M 10:100": {"--L": ["", "-1:3", "3:101", "abc:9", "1,2"]},
     "atlas": {"--tolerance": ["1", "abc"], "--threads": ["0", "1025", "abc", "99999999999"], "--only": ["abc"]},
 }

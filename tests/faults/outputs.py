@@ -31,8 +31,8 @@ def keeps_link(room):
 def trap(room):
     """A link under the name that the program used to give its temporary file, for every process in reach."""
     room.write("victim", "untouched")
-    process = subprocess.Popen(["sh", "-c", 'read line; exec "$@"', "sh", room.program.path, *SOLVE, "--json", "a.json"],
-                               cwd=room.path, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL)
+    waiting = ["sh", "-c", 'read line; exec "$@"', "sh", room.program.path, *SOLVE, "--json", "a.json"]
+    process = subprocess.Popen(waiting, cwd=room.path, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL)
     (room.path / f"a.json.partial-{process.pid}").symlink_to("victim")
     process.communicate(b"go\n")
     return None if (room.path / "victim").read_text() == "untouched" else "wrote through a link"

@@ -9,11 +9,13 @@ TITLE = "SIGINT and SIGTERM in the middle, leftovers of SIGKILL"
 PATIENCE_S = 10  # until the temporary files are there, and until the program has ended
 
 # Commands that take some seconds, with an output each.
-SWEEP = 'case = "own-moes-20-10"\nsolver = "reference"\ncombine = "product"\n[keys]\n"moes.M" = { from = 5.0, to = 60.0, points = 200, spacing = "linear" }\n'
+SWEEP = 'case = "own-moes-20-10"\nsolver = "reference"\ncombine = "product"\n[keys]\n' \
+        '"moes.M" = { from = 5.0, to = 60.0, points = 200, spacing = "linear" }\n'
 COMMANDS = {
     "solve": ["solve", "--M", "20", "--L", "10", "--solver", "reference.uniform", "--nodes", "3000",
               "--json", "a.json", "--profile", "a.csv"],
-    "compare": ["compare", "own-moes-100-10", "--solver", "reference.uniform", "--tolerance", "1e-6", "--json", "a.json"],
+    "compare": ["compare", "own-moes-100-10", "--solver", "reference.uniform", "--tolerance", "1e-6",
+                "--json", "a.json"],
     "bearing": ["bearing", "na4908", "--solver", "reference", "--json", "a.json", "--csv", "a.csv"],
     "verify": ["verify", "--output", "out"],
     "bench": ["bench", "--output", "out"],
@@ -108,7 +110,8 @@ def two_at_once(room):
 
 def ignored(room):
     """nohup: a signal that the caller ignores stays ignored."""
-    arguments = ["solve", "--M", "20", "--L", "10", "--solver", "reference.uniform", "--nodes", "500", "--json", "a.json"]
+    arguments = ["solve", "--M", "20", "--L", "10", "--solver", "reference.uniform", "--nodes", "500",
+                 "--json", "a.json"]
     process = subprocess.Popen([room.program.path, *arguments], cwd=room.path, stdout=subprocess.DEVNULL,
                                stderr=subprocess.PIPE, preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN))
     time.sleep(0.1)

@@ -6,7 +6,8 @@ import resource
 import subprocess
 
 TITLE = "refused threads and processes"
-SWEEP = 'case = "na4908"\nlaws = ["hertz"]\ncombine = "product"\n[keys]\n"operation.radial_load_N" = [1e3, 2e3, 3e3, 4e3]\n'
+SWEEP = 'case = "na4908"\nlaws = ["hertz"]\ncombine = "product"\n' \
+        '[keys]\n"operation.radial_load_N" = [1e3, 2e3, 3e3, 4e3]\n'
 TIME_S = 50
 NOBODY = 65534
 # Command, exit codes, text that must be there, texts that must not.

@@ -1,7 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # tests/fuzz/run.sh BUILD SECONDS TARGET...: fuzzes BUILD/ehd_fuzz_TARGET, each for SECONDS, JOBS (1) of them side by
-# side, from the kept inputs. out/fuzz/TARGET keeps what reached new code, for the next run, the log, and what was found.
+# side, from the kept inputs. out/fuzz/TARGET keeps what reached new code, for the next run, the log, and what was
+# found.
 # Exit code 0: no promise was broken; 1: one was.
 set -eu
 cd "$(dirname "$0")/../.."

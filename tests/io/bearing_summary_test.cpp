@@ -50,6 +50,24 @@ BOOST_AUTO_TEST_CASE(the_summary_has_the_numbers_of_the_loaded_rollers_with_thei
   BOOST_TEST(!says(text, "0.2"));  // the film of the unloaded roller
 }
 
+BOOST_AUTO_TEST_CASE(tables_of_motion_print_the_digits_that_are_known) {
+  const Case one = made::needle_bearing(10e-6);
+  BearingResult result = made_result();
+  const bearing::ContactMotion contact{
+      .stiffness_N_per_m = 3.1921234e9, .damping_N_s_per_m = 1181.234, .stiffness_error = 4e6, .damping_error = 30};
+  DynamicRow row{.frequency_Hz = 100, .ring = {}, .rollers = {}};
+  for (const RollerRow& roller : result.rollers)
+    row.rollers.push_back({.azimuth_deg = roller.azimuth_deg, .inner = contact, .outer = contact});
+  row.ring = {.stiffness_N_per_m = {{{8.8261234567e9, 0}, {0, 9.7812345678e9}}},
+              .damping_N_s_per_m = bearing::Matrix2{{{5712.3, 0}, {0, 10712.3}}},
+              .error = 1e-13,
+              .damping_error = 1e-3};
+  result.dynamics = {row};
+  const std::string text = human_table(one, {result});
+  for (const char* phrase : {"3192(4)", "1.18(3)e3", " 8826.1  9781.2  ", "5.71(2)e3", "1.071(2)e4"})
+    BOOST_CHECK_MESSAGE(says(text, phrase), phrase << " is not in\n" << text);
+}
+
 BOOST_AUTO_TEST_CASE(the_rollers_table_has_load_pressure_film_and_lambda_ratio) {
   const Case one = made::needle_bearing(10e-6);
   const std::string text = human_table(one, {made_result()});
@@ -74,18 +92,6 @@ BOOST_AUTO_TEST_CASE(a_law_without_errors_has_no_brackets_and_an_empty_row_is_le
   BOOST_TEST(summary_table(std::get<BearingCase>(one.body), {dry}, {}) == "");
 }
 
-BOOST_AUTO_TEST_CASE(the_load_zone_follows_from_clearance_and_displacement) {
-  BearingResult result = made_result();
-  EHD_CHECK(error(geometric_load_zone_deg(result, 10e-6)->second, 60), Tolerance::round_off(64));
-  EHD_CHECK(error(geometric_load_zone_deg(result, 0)->second, 90), Tolerance::round_off(64));
-  EHD_CHECK(error(geometric_load_zone_deg(result, -1e-3)->second, 180), Tolerance::round_off(64));
-  BOOST_TEST(!geometric_load_zone_deg(result, 21e-6).has_value());
-  result.displacement_lateral_m = 10e-6;  // the ring moves towards 45 degrees
-  const auto zone = geometric_load_zone_deg(result, 0).value();
-  EHD_CHECK(error(zone.first, -45), Tolerance::round_off(64));
-  EHD_CHECK(error(zone.second, 135), Tolerance::round_off(64));
-}
-
 BOOST_AUTO_TEST_CASE(details_and_the_film_of_unloaded_rollers_are_not_in_the_first_table) {
   BearingResult result = made_result();
   result.variants = {{.name = "cut at delta = 0", .rollers = result.rollers}};
@@ -99,6 +105,19 @@ BOOST_AUTO_TEST_CASE(details_and_the_film_of_unloaded_rollers_are_not_in_the_fir
   const std::string details = human_table(one, {result}, {.details = true});
   BOOST_TEST(says(details, "contacts solved"));
   BOOST_TEST(says(details, "loaded rollers 3 as without it, force of roller 1 900 N as without it"));
+}
+
+BOOST_AUTO_TEST_CASE(a_note_that_two_laws_share_is_printed_once) {
+  BearingResult line = made_result(), films = made_result();
+  line.law = bearing::Law::ehd_linear;
+  for (BearingResult* result : {&line, &films}) result->notes.emplace_back(note::NoFilms{.why = "of both"});
+  films.notes.emplace_back(note::NoFilms{.why = "of one"});
+  const std::string text = human_table(made::needle_bearing(10e-6), {line, films});
+  BOOST_TEST(says(text,
+                  "\n  notes on ehd-linear, ehd\n    - no films: of both\n"
+                  "\n  notes on ehd\n    - no films: of one\n"),
+             text);
+  BOOST_TEST(text.find("of both") == text.rfind("of both"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

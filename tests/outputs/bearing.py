@@ -25,7 +25,7 @@ BALANCED = 1e-11
 
 
 class Contacts:
-    """Solved contacts of one raceway: offset film F = delta_dry - delta, minimum film and rolling force over the force."""
+    """Solved contacts of one raceway over the force: offset film F = delta_dry - delta, minimum film, rolling force."""
 
     def __init__(self, program, bearing, raceway, forces):
         self.program, self.bearing, self.raceway = program, bearing, raceway
@@ -158,6 +158,15 @@ def audit_zone(said, result):
     largest = max(one["inner"]["force_N"] for one in rollers)
     loaded = [one["azimuth_deg"] for one in rollers if one["inner"]["force_N"] > 0.01 * largest]
     said.equal("load_zone_deg", result["load_zone_deg"], [min(loaded), max(loaded)])
+
+
+def audit_geometric_zone(said, result, inputs):
+    """cos(half the zone) = P_d/(2 delta_r), about the direction in which the ring has moved."""
+    along, across = result["displacement_m"], result["displacement_lateral_m"]
+    cosine = inputs.bearing.clearance / 2 / math.hypot(along, across)
+    half = math.degrees(math.acos(max(cosine, -1)))
+    for end, sign in zip(result["geometric_load_zone_deg"], (-1, 1), strict=True):
+        said.near("geometric_load_zone_deg", end, math.degrees(math.atan2(across, along)) + sign * half, absolute=1e-9)
 
 
 def audit_stiffness(said, result, inputs):
@@ -326,6 +335,7 @@ def audit_bearing(result, inputs):
                               law not in DRY_LAWS)
     audit_loaded(said, result)
     audit_zone(said, result)
+    audit_geometric_zone(said, result, inputs)
     audit_stiffness(said, result, inputs)
     if "cage" in result:
         audit_cage(said, result["cage"], inputs)
@@ -357,6 +367,7 @@ def audit_csv_row(row, result, bearing):
     if row["azimuth_deg"] not in azimuths:
         return [f"no roller at {row['azimuth_deg']}"]
     roller = azimuths[row["azimuth_deg"]]
+    said.equal("roller", row["roller"], result["rollers"].index(roller) + 1)
     for key, value in row.items():
         for raceway in RACEWAYS:
             if key.startswith(raceway + "_"):
@@ -404,7 +415,8 @@ def solved_contacts(program, bearing, results):
     return {raceway: Contacts(program, bearing, raceway,
                               fitted | {one[raceway]["force_N"] for result in results for one in result["rollers"]
                                         if "film_minimum_m" in one[raceway]}
-                              | {force for result in results for force in result["curve"][raceway]["solved"]["force_N"]})
+                              | {force for result in results
+                                 for force in result["curve"][raceway]["solved"]["force_N"]})
             for raceway in RACEWAYS}
 
 

@@ -1,14 +1,17 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""JSON of the program against the schemas of docs/schema, and the kept submissions against theirs.
+"""Every JSON of the program against the schemas of docs/schema, and the kept submissions against theirs. A schema that
+a source names has to be there, on the list of docs/schema/README.md, and held against a document here.
 
   schemas.py EHD          exit code 0: all valid; 1: one is not; 77: there is no jsonschema
 """
 import copy
 import json
 import pathlib
+import re
 import subprocess
 import sys
+import tempfile
 
 SKIPPED = 77
 try:
@@ -23,6 +26,21 @@ except ImportError:
 
 TOP = pathlib.Path(__file__).resolve().parents[2]
 SCHEMAS = {file.stem: json.loads(file.read_text()) for file in sorted((TOP / "docs" / "schema").glob("*.json"))}
+
+
+ROOMS = ("contact", "fast", "reference", "bearing", "workflow", "io", "verification", "cli", "bindings")
+OWN_NOTES = {"ehd-sweep-journal-2"}  # the head of a sweep's journal, which nobody else reads
+
+
+def require_files():
+    """Each schema that a source names has a file, and a line in the list."""
+    text = "".join(file.read_text() for room in ROOMS for file in (TOP / room).rglob("*.[ch]pp"))
+    named = set(re.findall(r'"(ehd-[a-z-]+-\d+)"', text)) - OWN_NOTES
+    listed = set(re.findall(r"\]\((ehd-[a-z-]+-\d+)\.json\)", (TOP / "docs" / "schema" / "README.md").read_text()))
+    for what, names in (("in the sources", named), ("in docs/schema/README.md", listed)):
+        if names != set(SCHEMAS):
+            differ = ", ".join(sorted(names ^ set(SCHEMAS)))
+            sys.exit(f"schemas: {differ}: either a file of docs/schema or a name {what} is missing")
 
 
 def validator(name):
@@ -46,9 +64,29 @@ def require_valid(document, what):
         sys.exit(f"schemas: {name} accepts an unknown key")
 
 
+def files_of(ehd, folder):
+    """The JSON files that commands leave in a folder."""
+    runs = {
+        "verify": ("verify", "--quick", "--case", "harris-209"),
+        "verify a rung": ("verify", "--quick", "--rung", "2"),
+        "bench": ("bench", "--quick", "--part", "convolution", "--part", "first", "--part", "batch"),
+        "stress": ("stress", "--quick", "--part", "d"),
+        "sweep": ("sweep", TOP / "examples" / "sweeps" / "contact-moes.toml"),
+        "sweep of a bearing": ("sweep", TOP / "tests" / "outputs" / "inputs" / "bearings.toml"),
+    }
+    for what, command in runs.items():
+        out = pathlib.Path(folder) / what.replace(" ", "-")
+        subprocess.run([ehd, *map(str, command), "--output", out], capture_output=True, check=True)
+        for file in sorted(out.glob("*.json")):
+            yield f"{file.name} of ehd {what}", json.loads(file.read_text())
+
+
 def main(ehd):
+    require_files()
+
     def said(*arguments):
-        return json.loads(subprocess.run([ehd, *map(str, arguments)], capture_output=True, text=True, check=True).stdout)
+        ended = subprocess.run([ehd, *map(str, arguments)], capture_output=True, text=True, check=True)
+        return json.loads(ended.stdout)
 
     kept = sorted((TOP / "cases" / "submissions").glob("*.json"))
     documents = [(file.name, json.loads(file.read_text())) for file in kept]
@@ -73,6 +111,8 @@ def main(ehd):
     documents.append(("ehd export films", said("export", "films", "own-moes-20-10", "--M", "10:40", "--L", "5:12",
                                                "--tolerance", 1e-2, "--format", "json")))
     documents.append(("ehd statements", said("statements", "--json", "-")))
+    with tempfile.TemporaryDirectory() as folder:
+        documents += files_of(ehd, folder)
     for what, document in documents:
         require_valid(document, what)
     seen = {document["schema"] for _, document in documents}

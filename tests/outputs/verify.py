@@ -92,7 +92,7 @@ def audit_verify(results):
         said.equal(f"{part['part']}: claims", part["claims"], len(of[0]))
         for name, number in count(*of).items():
             said.equal(f"{part['part']}: {name}", part[name], number)
-    said.equal("schema", results["schema"], 2)
+    said.equal("schema", results["schema"], "ehd-verify-2")
     said.equal("threads", summary["threads"], results["figures"]["threads"])
     said.within("cores", results["provenance"]["cores"], 1)
     for time in [summary["wall_s"], *(topic["wall_s"] for topic in results["topics"])]:

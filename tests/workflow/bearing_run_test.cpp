@@ -538,6 +538,19 @@ BOOST_AUTO_TEST_CASE(the_needle_bearing_of_the_first_balance) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(the_load_zone_follows_from_clearance_and_displacement) {
+  BearingResult result;
+  result.displacement_m = 10e-6;
+  EHD_CHECK(error(geometric_load_zone_deg(result, 10e-6)->second, 60), Tolerance::round_off(64));
+  EHD_CHECK(error(geometric_load_zone_deg(result, 0)->second, 90), Tolerance::round_off(64));
+  EHD_CHECK(error(geometric_load_zone_deg(result, -1e-3)->second, 180), Tolerance::round_off(64));
+  BOOST_TEST(!geometric_load_zone_deg(result, 21e-6).has_value());
+  result.displacement_lateral_m = 10e-6;  // the ring moves towards 45 degrees
+  const auto zone = geometric_load_zone_deg(result, 0).value();
+  EHD_CHECK(error(zone.first, -45), Tolerance::round_off(64));
+  EHD_CHECK(error(zone.second, 135), Tolerance::round_off(64));
+}
+
 BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace ehd

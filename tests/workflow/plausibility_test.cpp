@@ -43,6 +43,8 @@ BOOST_AUTO_TEST_CASE(slips_of_a_unit_are_named) {
   BOOST_TEST((after([](BearingCase& b) { b.geometry.length_m = 10.5; }) == Names{"l/D"}));
   BOOST_TEST((after([](BearingCase& b) { b.lubricant->viscosity_Pa_s = 20; }) == Names{"viscosity"}));
   BOOST_TEST((after([](BearingCase& b) { b.lubricant->viscosity_Pa_s = 2e-5; }) == Names{"viscosity"}));
+  BOOST_TEST((after([](BearingCase& b) { b.modulus_Pa = 2.06e8; }) == Names{"E'"}));
+  BOOST_TEST((after([](BearingCase& b) { b.geometry.density_kg_per_m3 = 7.85; }) == Names{"density of the rollers"}));
   BOOST_TEST((after([](BearingCase& b) { b.geometry.clearance_m = -0.1; }) == Names{"P_d/d_m"}));
   BOOST_TEST((after([](BearingCase& b) { b.geometry.rollers *= 3; }) == Names{"Z D/(pi d_m)"}));
 }
@@ -100,6 +102,11 @@ BOOST_AUTO_TEST_CASE(a_contact_is_judged_in_SI_and_by_its_groups) {
                         .speed_sum_m_per_s = 3.1,
                         .viscosity_Pa_s = 0.021};
   BOOST_TEST(notes(conditions).empty());
+  Conditions in_mm = conditions, in_N_per_mm = conditions;
+  in_mm.reduced_radius_m = 12;
+  in_N_per_mm.load_N_per_m = 110;
+  BOOST_TEST(notes(in_mm).at(0).starts_with("R = 12 m is above 2 m"));
+  BOOST_TEST(notes(in_N_per_mm).at(0).starts_with("load = 110 N/m is below 1e3 N/m"));
   conditions.speed_sum_m_per_s = 500;
   BOOST_REQUIRE(notes(conditions).size() == 1U);
   BOOST_TEST(notes(conditions)[0].starts_with("surface speed = 250 m/s is above 200 m/s"));

@@ -37,11 +37,20 @@ class CaseText(NamedTuple):
 
     text: bytes
     name: Optional[str]  # None: made of keywords; the user has not seen its lines
+    keywords: tuple[str, ...] = ()  # of the call, beside the keys of [lubricant]
 
     def explain(self, error: InputError) -> InputError:
         """The same error with the name of the file. The library says "case:LINE: ", or "ID.toml:LINE: "."""
         place = r"^(?:case|lubricant|[^:\s]+\.toml)(:\d+)?: "
-        return InputError(re.sub(place, lambda at: f"{self.name}{at[1] or ''}: " if self.name else "", str(error)))
+        line = re.sub(place, lambda at: f"{self.name}{at[1] or ''}: " if self.name else "", str(error))
+        # A keyword that is no other goes to [lubricant], where the library refuses it.
+        unknown = re.match(r"(\w+)\b.*: is unknown in (?:the )?\[lubricant\].*; .*\ballowed is ([\w, ]+)", line)
+        if self.name or not unknown:
+            return InputError(line)
+        known = {name.lower(): name for name in (*self.keywords, *unknown[2].split(", "))}
+        meant = difflib.get_close_matches(unknown[1].lower(), known, n=1)
+        return InputError(f"{unknown[1]}: is an unknown keyword; {f'did you mean {known[meant[0]]}? ' if meant else ''}"
+                          f"allowed is {', '.join(known.values())}")
 
 
 def number(name: str, value: object) -> float:
@@ -55,7 +64,10 @@ def whole(name: str, value: object) -> int:
     """An argument that has to be an integer."""
     if not isinstance(value, numbers.Integral):
         raise InputError(f"{name} = {value!r}: is no whole number; allowed is an integer")
-    return int(value)
+    result = int(value)
+    if abs(result) >= 2**31:  # ctypes would cut it
+        raise InputError(f"{name} = {value}: is out of range; allowed is an integer below 2^31")
+    return result
 
 
 def word(name: str, value: object) -> bytes:
@@ -65,17 +77,20 @@ def word(name: str, value: object) -> bytes:
     return value.encode()
 
 
-def _toml(value: Value) -> str:
+def _toml(key: str, value: Value) -> str:
     if isinstance(value, str):
         return json.dumps(value, ensure_ascii=False)
     if isinstance(value, numbers.Integral):
         return str(int(value))
-    return repr(float(value))
+    try:
+        return repr(float(value))
+    except TypeError:
+        raise TypeError(f"{key} = {value!r}: is neither a number nor a text") from None
 
 
 def lines(entries: Mapping[str, Value]) -> str:
     """``key = value`` a line, in TOML."""
-    return "".join(f"{key.rstrip('_')} = {_toml(value)}\n" for key, value in entries.items())
+    return "".join(f"{key.rstrip('_')} = {_toml(key, value)}\n" for key, value in entries.items())
 
 
 def case_from_keywords(statement: Mapping[str, Value]) -> CaseText:
@@ -83,9 +98,6 @@ def case_from_keywords(statement: Mapping[str, Value]) -> CaseText:
     table_of = {key: table for table, keys in _TABLES.items() for key in keys}
     tables: dict[str, dict[str, Value]] = {"": dict(_HEADING)}
     for key, value in statement.items():
-        meant = difflib.get_close_matches(key, _ARGUMENTS, n=1, cutoff=0.8)
-        if meant:
-            raise InputError(f"{key}: is unknown; did you mean {meant[0]}?")
         tables.setdefault(table_of.get(key, "lubricant"), {})[key] = value
     stated_dry = "conditions" in tables and set(tables).isdisjoint({"lubricant", "domain"})
     if not stated_dry or {"speed_sum_m_per_s", "viscosity_Pa_s"} & set(statement):
@@ -93,7 +105,7 @@ def case_from_keywords(statement: Mapping[str, Value]) -> CaseText:
         tables["lubricant"] = {**laws, **tables.get("lubricant", {})}
         tables.setdefault("domain", {"inlet": "flooded"})
     text = lines(tables.pop("")) + "".join(f"[{table}]\n{lines(entries)}" for table, entries in tables.items())
-    return CaseText(text.encode(), None)
+    return CaseText(text.encode(), None, (*_ARGUMENTS, *table_of))
 
 
 def cases_folder() -> Optional[pathlib.Path]:
@@ -126,7 +138,7 @@ def _find(name: str) -> pathlib.Path:
 
 def case_from(case: CaseName) -> CaseText:
     """The text of a case file, by its path or id. A text of more than one line is a case itself."""
-    name = os.fspath(case)
+    name = os.fsdecode(case)
     if "\n" in name:
         return CaseText(_whole(name.encode(), "case"), "case")
     file = _find(name)

@@ -14,6 +14,7 @@ from ._library import STATUS, call
 from ._result import Array, Result, read_only, require_converged, run
 from .errors import InputError
 
+_FILM_ARGUMENTS = ("M", "L", "tolerance", "threads", "raise_on_failure")  # of `films`, beside the keys of the oil
 # The columns of `ehd solve --profile`.
 _FIELDS = ("X", "P", "H", "rho", "eta", "x_m", "p_Pa", "h_m", "H_error", "P_unresolved")
 
@@ -185,7 +186,7 @@ def films(M: npt.ArrayLike, L: npt.ArrayLike, *, tolerance: float = 1e-3, thread
         ended = call("ehd_films", status.size, *addresses[:2], oil, number("tolerance", tolerance),
                      whole("threads", threads), *addresses[2:])
     except InputError as error:
-        raise CaseText(oil, None).explain(error) from None
+        raise CaseText(oil, None, _FILM_ARGUMENTS).explain(error) from None
     words = np.array(STATUS)[status]
     result = Films(*(array.reshape(shape) for array in (*given, *found, words)))
     if raise_on_failure:

@@ -68,7 +68,11 @@ def test_a_solve_that_did_not_converge_says_so():
     ({"M": -1, "L": 10}, "M = -1: is negative; allowed is 0.001 to 1e6"),
     ({"M": float("nan"), "L": 10}, "M = nan: is not finite"),
     ({"M": 20}, "L"),
-    ({"M": 20, "L": 10, "viskosity": "barus"}, "viskosity = \"barus\": is unknown in [lubricant]"),
+    ({"M": 20, "L": 10, "viskosity": "barus"},
+     "viskosity: is an unknown keyword; did you mean viscosity? allowed is solver"),
+    ({"m": 20, "L": 10}, "m: is an unknown keyword; did you mean M? allowed is solver, "),
+    ({"M": 20, "L": 10, "inlett": -4}, "inlett: is an unknown keyword; did you mean inlet?"),
+    ({"M": 20, "L": 10, "lambda": 3}, "lambda: is an unknown keyword; did you mean lambda_?"),
     ({"M": 20, "L": 10, "viscosity": 'a"b\\\n'}, "viscosity = "),
     ({"M": 20, "L": 10, "inlet": 2.0}, "inlet = 2.0: lies inside"),
     ({"M": 20, "L": 10, "solver": "slow"}, "solver = slow: is unknown"),
@@ -99,8 +103,11 @@ def test_a_bad_file_is_named_with_its_line(tmp_path):
             ehd.solve(wrong)
     with pytest.raises(ehd.InputError, match="exclude each other"):
         ehd.solve("own-steel-20-10", M=20)
-    with pytest.raises(TypeError):
-        ehd.solve(M=[20, 30], L=10)
+    for wrong in ([20, 30], None, 20 + 0j):
+        with pytest.raises(TypeError, match="M = .*: is neither a number nor a text"):
+            ehd.solve(M=wrong, L=10)
+    with pytest.raises(ehd.InputError, match="there is no such case"):
+        ehd.solve(b"no-such-case")
 
 
 def test_a_result_does_not_change_and_names_what_is_there():
@@ -126,7 +133,7 @@ def test_a_result_is_the_same_in_another_process():
     ({"tolerance": "x"}, "tolerance = 'x': is no number"),
     ({"tolerance": None}, "tolerance = None: is no number"),
     ({"solver": 3}, "solver = 3: is no name"),
-    ({"tolerence": 1e-3}, "tolerence: is unknown; did you mean tolerance?"),
+    ({"tolerence": 1e-3}, "tolerence: is an unknown keyword; did you mean tolerance?"),
 ])
 def test_a_wrong_argument_is_named(keywords, message):
     with pytest.raises(ehd.InputError, match=re.escape(message)):
@@ -134,6 +141,10 @@ def test_a_wrong_argument_is_named(keywords, message):
 
 
 def test_a_wrong_argument_of_films_and_of_a_bearing_is_named():
+    with pytest.raises(ehd.InputError, match="thread: is an unknown keyword; did you mean threads?"):
+        ehd.films(M=[5], L=[5], thread=2)
+    with pytest.raises(ehd.InputError, match="threads = 4294967298: is out of range"):
+        ehd.films(M=[5], L=[5], threads=2**32 + 2)
     with pytest.raises(ehd.InputError, match="threads = 1.5: is no whole number"):
         ehd.films(M=[5], L=[5], threads=1.5)
     with pytest.raises(ehd.InputError, match="law = 3: is no name"):

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Lines of scripts are at most 120 columns wide; clang-format holds those of C++.
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+constexpr std::ptrdiff_t widest = 120;
+
+/// The numbers of the lines that are wider, from 1. A character in UTF-8 is a column.
+std::vector<int> wide_lines(std::istream& text) {
+  std::vector<int> found;
+  int number = 0;
+  for (std::string line; std::getline(text, line);) {
+    ++number;
+    const auto columns = std::count_if(line.begin(), line.end(),
+                                       [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; });
+    if (columns > widest) found.push_back(number);
+  }
+  return found;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(lines)
+
+BOOST_AUTO_TEST_CASE(a_wide_line_is_found) {
+  std::istringstream text("short\n" + std::string(120, 'a') + "\n" + std::string(121, 'a') + "\n" +
+                          std::string(119, 'a') + "\u00b5\n");
+  BOOST_TEST(wide_lines(text) == std::vector<int>{3}, boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(no_script_has_one) {
+  const std::set<std::string> scripts{".py", ".sh", ".m", ".f90"};
+  const std::filesystem::path top(EHD_SOURCE_DIR);
+  int files = 0;
+  for (const char* folder : {".ci", "bindings", "cases", "cmake", "docs", "examples", "tests", "verification"})
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(top / folder)) {
+      if (!scripts.contains(entry.path().extension().string())) continue;
+      ++files;
+      std::ifstream text(entry.path());
+      for (const int line : wide_lines(text))
+        BOOST_ERROR(std::filesystem::relative(entry.path(), top).string() << ":" << line << ": wider than 120 columns");
+    }
+  BOOST_CHECK_MESSAGE(files >= 50, files << " scripts: were the folders read?");
+}
+
+BOOST_AUTO_TEST_SUITE_END()
