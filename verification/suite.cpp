@@ -22,6 +22,7 @@
 #include "io/provenance.hpp"
 #include "io/tables.hpp"
 #include "verification/claims/topics.hpp"
+#include "verification/report/schemas.hpp"
 #include "verification/solution_memory.hpp"
 #include "verification/traceability.hpp"
 #include "workflow/parallel.hpp"
@@ -29,8 +30,6 @@
 namespace ehd::verification {
 
 namespace {
-
-constexpr int schema = 2;
 
 /// Claims that may stay inconclusive, with the reason. The aim is an empty list.
 const std::map<std::string, std::string> accepted = {};
@@ -121,7 +120,7 @@ Findings run_topic(const Topic& topic, const SuiteRequest& request) {
                        .statement = topic.name,
                        .case_id = topic.case_id};
   if (request.quick && topic.slow) return {.claims = {}, .skipped = {{whole, "slow, and --quick was asked for"}}};
-  // The longest topics begin first; without this line they would begin a second before the deadline.
+  // Long topics begin first. A topic that would not end before the deadline is not begun.
   if (request.deadline.left_s() <= expected_s(topic, request.quick))
     return {.claims = {}, .skipped = {{whole, Deadline::not_run}}};
   try {
@@ -381,7 +380,7 @@ std::string human_summary(const SuiteResult& result, bool all) {
 
 Json to_json(const SuiteResult& result) {
   Json json;
-  json["schema"] = schema;
+  json["schema"] = report::results_schema.name;
   json["provenance"] = provenance();
   Json claims = Json::array(), skipped = Json::array();
   std::size_t count[3] = {0, 0, 0};

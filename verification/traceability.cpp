@@ -61,7 +61,7 @@ const std::vector<TraceablePart>& traceable_parts() {
        "reference: films to ten digits and more (Roelands), to seven (Barus)",
        {"*/certified/film.*", "*/reference/film.*/certified"}},
       {"readme/fast-error-bars",
-       "fast states what its grids prove: its errors hold the truth",
+       "the errors that `fast` states cover the true ones",
        {"*/reference-fast/*", "*/fast/stated-*", "random-fast/*", "box/*/agreement"}},
       {"readme/atlas", "cases/atlas: 351 contacts with the digits that are known", {"atlas/files", "atlas/atlas-*"}},
       {"readme/isoviscous-limit",

@@ -86,7 +86,7 @@ BOOST_AUTO_TEST_CASE(a_rung_is_summed_up_with_its_worst_claim) {
   BOOST_TEST(!rungs_of[5].worst_margin.has_value());
 
   const Json json = to_json(result);
-  BOOST_TEST(json["schema"] == 2);
+  BOOST_TEST(json["schema"] == "ehd-verify-2");
   BOOST_TEST(json["rungs"].size() == static_cast<std::size_t>(rungs));
   BOOST_TEST(json["rungs"][0]["worst_claim"] == "a/two");
   BOOST_TEST(json["traceability"].size() == traceable_parts().size());

@@ -116,7 +116,8 @@ ExternalRun run_external(const ExternalSolver& solver, const Case& contact_case,
   SolveRecord& record = run.solution.record;
   record.cost.wall_s = external.end.wall_s;
   const CommandEnd& end = external.end;
-  record.reason = end.words + (end.last_line.empty() ? "" : ": " + end.last_line);
+  const std::string ended = end.words + (end.last_line.empty() ? "" : ": " + end.last_line);
+  record.reason = ended;
   if (!end.exit_code) {
     const bool by_limit = end.wall_s >= time_limit_s;
     record.status = by_limit ? StopReason::limit_reached : StopReason::diverged;
@@ -128,7 +129,10 @@ ExternalRun run_external(const ExternalSolver& solver, const Case& contact_case,
     if (*end.exit_code == 0) record.reason.clear();
   } catch (const CaseError& fault) {
     record.status = StopReason::diverged;
-    record.reason += "; its submission: " + std::string(fault.what());
+    std::error_code ignored;
+    record.reason = std::filesystem::exists(exchange.submission(), ignored)
+                        ? "its submission is refused: " + std::string(fault.what()) + "; " + ended
+                        : "it left no submission; " + ended;
   }
   for (std::size_t film = 0; film < 2; ++film) {
     const auto at = run.solution.observables.find(judged_films[film]);

@@ -11,6 +11,7 @@
 #include "io/find_case.hpp"
 #include "verification/judge/first_cases.hpp"
 #include "verification/judge/hints.hpp"
+#include "verification/median.hpp"
 #include "verification/studies/profile.hpp"
 #include "workflow/registry.hpp"
 #include "workflow/shown_pressure.hpp"
@@ -147,21 +148,15 @@ std::vector<RegimeDigits> digits_by_regime(const std::vector<JudgedCase>& cases)
     if (digits.empty()) continue;
     row.numbers = digits.size();
     row.missing = digits.size() - given.size();
-    if (!given.empty()) row.median_given = median(std::move(given));
+    if (!given.empty()) row.median_given = verification::median(std::move(given));
     row.worst = *std::min_element(digits.begin(), digits.end());
-    row.median = median(std::move(digits));
+    row.median = verification::median(std::move(digits));
     table.push_back(row);
   }
   return table;
 }
 
 }  // namespace
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t half = values.size() / 2;
-  return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
-}
 
 bool Judgement::gates_hold() const {
   for (const JudgedCase& one : cases) {

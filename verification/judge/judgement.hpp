@@ -71,7 +71,4 @@ struct JudgeRequest {
 /// version than the case has now, a scaling that the case leaves open, a bad profile.
 [[nodiscard]] Judgement judgement_of(const Submission& submission, const JudgeRequest& request = {});
 
-/// The middle one, or the mean of the two in the middle. Not of nothing.
-[[nodiscard]] double median(std::vector<double> values);
-
 }  // namespace ehd::judging

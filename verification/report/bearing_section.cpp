@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "bearing/equilibrium.hpp"
 #include "contact/text.hpp"
 #include "verification/report/bearing_tables.hpp"
 #include "verification/report/report.hpp"
@@ -176,18 +177,21 @@ void add_polars(Page& page, const std::vector<Bearing>& group) {
 /// One row of the table of balances: a law of a bearing.
 std::vector<TableCell> balance_row(const std::string& id, const View& law) {
   double force = 0, film = std::numeric_limits<double>::infinity();
+  std::vector<double> forces;
   for (const View& roller : law.list("rollers")) {
-    const double own = roller["inner"].number("force_N").value_or(0);
-    force = std::max(force, own);
+    forces.push_back(roller["inner"].number("force_N").value_or(0));
+    force = std::max(force, forces.back());
     if (const auto h = roller["inner"].number("film_minimum_m")) film = std::min(film, *h);
   }
+  const auto loaded =
+      std::count_if(forces.begin(), forces.end(), [&](double one) { return bearing::is_loaded(one, force); });
   const View fit = law["fit"]["inner"];
   return {words(id),
           words(law.text("law")),
           verdict_cell(law.text("status")),
           number_cell(scaled(law.number("displacement_m"), micro), 4),
           number_cell(force * kilo, 4),
-          integer_cell(law.number("loaded_rollers")),
+          integer_cell(static_cast<double>(loaded)),
           number_cell(film * micro, 3),
           number_cell(scaled(fit.number("K_N_per_m"), 1 / micro), 5),
           number_cell(fit.number("dF_N"), 4),

@@ -216,9 +216,9 @@ void add_contacts(Page& page, const View& results) {
   page.paragraph(
       "In the figures, the dashed rule is the sum of the errors that both solvers state of the smallest and the "
       "central "
-      "film. These are extrapolated over the grids; the fields are those of the finest one, and lie further apart, by "
-      "its second order: the table below has the error of the films in them. Where the height of a pressure spike is "
-      "not known, curves end at 1.5 <i>p</i><sub>H</sub>, unresolved above. Films above the frame are cut off.");
+      "film. Those two films are extrapolated over the grids. The curves are the fields on the finest grid, which lie "
+      "further apart; the table below has the error of their films. Where the height of a pressure spike is not known, "
+      "the curve ends at 1.5 <i>p</i><sub>H</sub>. Films above the frame are cut off.");
   add_solves(page, cases);
 }
 

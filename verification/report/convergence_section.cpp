@@ -138,6 +138,13 @@ std::vector<TableCell> orders_row(const Study& study, const View& entry, const S
           number_cell(smallest, 2)};
 }
 
+/// Two marks show no curve.
+bool shows_a_curve(const Study& study) {
+  constexpr std::size_t fewest_points = 3;
+  return std::any_of(study.entries.begin(), study.entries.end(),
+                     [](const View& entry) { return entry.list("points").size() >= fewest_points; });
+}
+
 void add_study(Page& page, const Study& study, Table& table) {
   const View& first = study.entries.front();
   std::string where = study.solver;
@@ -165,7 +172,7 @@ void add_study(Page& page, const Study& study, Table& table) {
     if (const auto triangle = triangle_below(panel.series, *order)) panel.triangles.push_back(*triangle);
   }
   figure.panels.push_back(std::move(panel));
-  page.figure(std::move(figure), caption + ".");
+  if (shows_a_curve(study)) page.figure(std::move(figure), caption + ".");
 }
 
 }  // namespace
@@ -178,19 +185,19 @@ void add_convergence(Page& page, const View& results) {
     return;
   }
   page.paragraph(
-      "Errors against a more accurate solution, over the size of the grid. A triangle shows the order that the scheme "
-      "declares. The legend gives the order fitted to the last four points that are clear of the truth's uncertainty "
-      "and of rounding; where errors fall geometrically, the unknowns that add a digit, from four such points on "
-      "(fewer: "
-      "marks without a line). "
-      "Filled marks: the solve converged, and its error is clear of that uncertainty. Hollow marks: "
-      "one of the two is not so. Errors are relative; against a manufactured solution they are absolute, in Hertz "
-      "units.");
+      "Errors against a more accurate solution, over the size of the grid. They are relative; against a manufactured "
+      "solution they are absolute, in Hertz units. A triangle shows the order that the scheme declares, and the legend "
+      "the order that is fitted to the last four points. Where errors fall geometrically, the legend says how many "
+      "unknowns add a digit. Both need four filled marks; with fewer, such marks are not joined. A mark is filled if "
+      "the "
+      "solve converged and its error is above rounding and above the uncertainty of the truth, else hollow. A study of "
+      "fewer than three grids stands in the table alone.");
   Table table;
   table.caption = "Orders, declared and fitted";
   table.columns = {"study", "solver", "case", "quantity", "kind", "declared", "fitted", "points", "smallest error"};
   const auto studies = studies_of(entries);
-  page.begin_fold(std::to_string(studies.size()) + " figures: errors over the size of the grid", "convergence-figures");
+  const auto figures = std::count_if(studies.begin(), studies.end(), shows_a_curve);
+  page.begin_fold(std::to_string(figures) + " figures: errors over the size of the grid", "convergence-figures");
   page.begin_figures();
   for (const Study& study : studies) add_study(page, study, table);
   page.end_figures();

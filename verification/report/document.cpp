@@ -9,6 +9,7 @@
 #include "contact/text.hpp"
 #include "io/file_text.hpp"
 #include "io/json.hpp"
+#include "verification/report/schemas.hpp"
 
 namespace ehd::report {
 
@@ -81,7 +82,7 @@ namespace {
 /// The results of the whole suite, with figures, have 3.4 MB.
 constexpr std::uintmax_t most_bytes = 64 << 20;
 
-Json read_object(const std::filesystem::path& file, int schema, const char* made_by) {
+Json read_object(const std::filesystem::path& file, const FileSchema& schema, const char* made_by) {
   const std::string kind = std::string("a file that ") + made_by + " wrote";
   Json json;
   try {
@@ -92,12 +93,11 @@ Json read_object(const std::filesystem::path& file, int schema, const char* made
   if (!json.is_object())
     throw ReportError(file.string() + ": is no JSON object; required is a file that " + made_by + " wrote");
   const auto found = json.find("schema");
-  if (found == json.end() || !found->is_number_integer())
-    throw ReportError(file.string() + ": has no schema; required is schema " + std::to_string(schema) + ", as " +
-                      made_by + " writes it");
-  if (*found != schema)
-    throw ReportError(file.string() + ": has schema " + found->dump() + "; required is " + std::to_string(schema) +
-                      ", as " + made_by + " writes it");
+  if (found == json.end())
+    throw ReportError(file.string() + ": has no schema; required is " + schema.name + ", as " + made_by + " writes it");
+  if (*found != schema.name && *found != schema.number)
+    throw ReportError(file.string() + ": has schema " + shortened(one_line(found->dump()), 60) + "; required is " +
+                      schema.name + ", as " + made_by + " writes it");
   return json;
 }
 

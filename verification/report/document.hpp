@@ -60,7 +60,6 @@ struct Documents {
   Json results;
   Json bench, stress;  ///< null where absent
 };
-inline constexpr int results_schema = 2, bench_schema = 1, stress_schema = 1;
 
 /// Throws ReportError: no such folder, no results.json, a file that is no JSON object, another schema; and CaseError
 /// for what text_of_file refuses.

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A bearing in small motion: stiffness and damping of its contacts around it, and of the ring over the frequency.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 #include "verification/report/bearing_tables.hpp"
 #include "verification/report/report.hpp"
 
@@ -39,6 +43,25 @@ Figure stiffness_and_damping(const View& values, const Axis& x, const std::vecto
   return figure;
 }
 
+/// Im K = omega times damping leads Re K by this angle; below 0 where the motion is driven.
+void add_phase(Figure& figure, const View& ring, const std::vector<std::pair<std::string, std::string>>& prefixes) {
+  const std::vector<double> frequencies = ring.numbers("frequency_Hz");
+  Panel phase{.x = figure.panels.back().x, .y = {.label = "phase of *K* [deg]"}};
+  figure.panels.back().x.silent = true;
+  for (std::size_t k = 0; k < prefixes.size(); ++k) {
+    const auto& [prefix, name] = prefixes[k];
+    const auto stiffness = ring.numbers(prefix + "_stiffness_N_per_m"),
+               damping = ring.numbers(prefix + "_damping_N_s_per_m");
+    std::vector<double> degrees;
+    for (std::size_t i = 0; i < std::min({frequencies.size(), stiffness.size(), damping.size()}); ++i)
+      degrees.push_back(std::atan2(2 * std::numbers::pi * frequencies[i] * damping[i], stiffness[i]) * 180 /
+                        std::numbers::pi);
+    phase.series.push_back(curve(k, "", frequencies, degrees));
+    phase.series.back().of = name;
+  }
+  figure.panels.push_back(std::move(phase));
+}
+
 }  // namespace
 
 void add_dynamics(Page& page, const std::vector<View>& bearings) {
@@ -58,14 +81,18 @@ void add_dynamics(Page& page, const std::vector<View>& bearings) {
                 "<b>" + escaped(id) +
                     "</b>: stiffness and damping of the contacts around the bearing, slow motion. The "
                     "rollers at the edge of the load zone damp most.");
-    Figure over =
-        stiffness_and_damping(ring, {.label = "frequency [Hz]", .scale = Scale::logarithmic},
-                              ring.numbers("frequency_Hz"), {{"along", "along the load"}, {"across", "across"}});
+    const std::vector<std::pair<std::string, std::string>> directions = {{"along", "along the load"},
+                                                                         {"across", "across"}};
+    Figure over = stiffness_and_damping(ring, {.label = "frequency [Hz]", .scale = Scale::logarithmic},
+                                        ring.numbers("frequency_Hz"), directions);
+    add_phase(over, ring, directions);
     over.id = "fig-motion-ring-" + id;
     over.title = "Stiffness and damping of " + id + " over frequency";
-    over.description = "Diagonal entries of the 2 x 2 stiffness and damping of the ring over the frequency.";
+    over.description =
+        "Diagonal entries of the ring's 2 x 2 stiffness and damping, and their phase, over the frequency.";
     page.figure(std::move(over), "<b>" + escaped(id) +
-                                     "</b>: stiffness and damping of the ring over frequency, rollers' mass included.");
+                                     "</b>: stiffness and damping of the ring over frequency, rollers' mass included; "
+                                     "the phase of <i>K</i> = stiffness + i\u2009<i>\u03c9</i> damping.");
     page.end_figures();
     page.end_fold();
   }

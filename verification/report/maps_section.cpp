@@ -322,7 +322,7 @@ void add_fast(Page& page, const Atlas& atlas) {
     summary += (summary.empty() ? "" : ", ") + std::to_string(count) + " " + escaped(status);
   page.heading("Iterations and cost of <code>fast</code>" +
                (tolerance.empty() ? std::string() : " at tolerance " + escaped(tolerance)));
-  page.paragraph("Of all points: " + summary + ".");
+  page.paragraph("How the solves of the points ended: " + summary + ".");
   page.begin_fold("Maps of iterations, work, time and achieved error");
   page.begin_figures("maps");
   for (const Counted& one : counted)

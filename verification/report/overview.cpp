@@ -6,6 +6,7 @@
 #include <set>
 
 #include "contact/text.hpp"
+#include "io/duration.hpp"
 #include "verification/report/report.hpp"
 
 namespace ehd::report {
@@ -35,7 +36,7 @@ struct Extent {
   }
 };
 
-std::string seconds_of(const std::optional<double>& wall_s) { return wall_s ? plain(*wall_s, 3) + " s" : ""; }
+std::string time_of(const std::optional<double>& wall_s) { return wall_s ? duration(*wall_s) : ""; }
 
 /// For times of single solves: "0.24 ms to 2.8 s each".
 std::string milliseconds_of(const Extent& wall_s) {
@@ -63,7 +64,7 @@ Verified claims_verified(const View& results) {
   row.digits = margins.any() ? "each its own tolerance; the tightest has " + plain(100 * margins.low, 2) + " % left"
                              : "each its own tolerance";
   row.truth = "exact solutions, invariants, orders, the other solver, printed digits";
-  row.cost = seconds_of(summary.number("wall_s"));
+  row.cost = time_of(summary.number("wall_s"));
   if (!skipped.empty()) row.open.push_back(std::to_string(skipped.size()) + " skipped");
   if (summary.flag("quick").value_or(false)) row.open.push_back("slow topics, left out by --quick");
   if (const auto selection = summary.text("selection"); !selection.empty())
@@ -198,7 +199,7 @@ Verified stress_verified(const View& stress) {
                .digits = how_many(number_with(parts, "verdict", "pass"), "passes", "pass") + " of " +
                          std::to_string(parts.size()),
                .truth = "the other solver, 34 digits, repeated and disturbed runs",
-               .cost = seconds_of(stress.number("wall_s"))};
+               .cost = time_of(stress.number("wall_s"))};
   for (const View& part : parts)
     if (const std::string verdict = part.text("verdict"); verdict != "pass")
       row.wrong.push_back(section_link("stress", "stress (" + part.text("id") + ") " + part.text("name")) + ": " +

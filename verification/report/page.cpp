@@ -28,7 +28,7 @@ TableCell integer_cell(const std::optional<double>& value) {
 
 std::string milliseconds(double seconds, int digits) {
   const double value = 1e3 * seconds;
-  return value < 1000 ? plain(value, digits) : fmt::format("{:.0f}", value);
+  return value < std::pow(10, digits) ? plain(value, digits) : fmt::format("{:.0f}", value);
 }
 
 TableCell milliseconds_cell(const std::optional<double>& seconds) {

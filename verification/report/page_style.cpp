@@ -134,6 +134,7 @@ section,h3,tr,figure,svg,details{scroll-margin-top:56px}
 .overview td::before{color:var(--soft)}
 dl{grid-template-columns:1fr}
 dt{margin-top:6px}
+.wide{min-width:28em}
 figure.map .picture svg.plot{min-width:560px}
 .wide-figure .picture svg.plot{min-width:700px}
 }

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double font = 12, small_font = 11;
 constexpr double sample = 28;      // length of a line in the legend
+constexpr double stretch = 1.12;   // DejaVu Sans, where Helvetica is missing, is that much wider than text_width()
 constexpr double drawn_to = 0.08;  // pixels by which a simplified line may leave the curve
 
 std::vector<double> values_on(const Panel& panel, bool right) {
@@ -162,7 +163,7 @@ Drawn legend_svg(const Panel& panel, double left, double right, double top, std:
     if (series.name.empty()) continue;
     auto known = std::find(names.begin(), names.end(), series.name);
     if (known == names.end()) known = names.insert(names.end(), series.name);
-    const Point corner = rows.next(sample + 6 + text_width(series.name, font) + 16);
+    const Point corner = rows.next(sample + 6 + stretch * text_width(series.name, font) + 16);
     const double x = corner.x, y = corner.y + 7;
     svg += fmt::format("<g class=\"key s{}\" data-key=\"{}\">", series.colour, known - names.begin());
     const Line line = series.key_line.value_or(series.line);

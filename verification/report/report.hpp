@@ -36,8 +36,9 @@ void add_claims(Page& page, const View& results);
 void add_contacts(Page& page, const View& results);
 void add_convergence(Page& page, const View& results);
 void add_work_precision(Page& page, const View& bench);
-/// Parts of it: scaling, and many contacts at once.
+/// Parts of it: scaling, many contacts at once; the cost of motion.
 void add_scaling(Page& page, const View& bench);
+void add_response_cost(Page& page, const View& bench);
 void add_maps(Page& page, const View& results);
 void add_stress(Page& page, const View& stress);
 void add_bearing(Page& page, const View& results);

@@ -2,7 +2,7 @@
 // The top of the page: a sentence about everything that is judged, and the table of what was verified.
 #include <algorithm>
 
-#include "contact/text.hpp"
+#include "io/duration.hpp"
 #include "verification/report/report.hpp"
 
 namespace ehd::report {
@@ -45,7 +45,7 @@ void add_headline(Page& page, const View& results, const std::vector<std::string
                                         : "<b>Every claim stands, but not everything on this page does.</b> ";
   verdict += count("pass") + " pass, " + count("fail") + " fail, " + count("inconclusive") + " inconclusive, " +
              std::to_string(results.list("skipped").size()) + " skipped";
-  if (summary.has("wall_s")) verdict += "; " + escaped(plain(*summary.number("wall_s"), 3)) + " s";
+  if (summary.has("wall_s")) verdict += "; " + duration(*summary.number("wall_s"));
   if (summary.has("threads")) verdict += " on " + escaped(summary.cell("threads")) + " threads";
   if (summary.flag("quick").value_or(false)) verdict += "; the quick suite: slow topics are skipped";
   if (const auto selection = summary.text("selection"); !selection.empty())

@@ -140,17 +140,21 @@ std::string markup_to_svg(std::string_view markup) {
   std::string result;
   int level = 0;
   for (const Run& run : runs_of(markup)) {
-    std::string attributes;
+    std::string attributes, text = run.text;
     // dy, because not every program draws baseline-shift. It moves the following text too.
     if (run.level != level) {
       constexpr double shift_em[] = {0.22, 0, -0.36};  // below, on, above the line
       constexpr double small = 0.75;                   // dy counts in the run's own size
       const double dy = shift_em[run.level + 1] - shift_em[level + 1];
       attributes += " dy=\"" + pixels(dy / (run.level == 0 ? 1 : small)) + "em\"";
+      if (text.size() > 1 && text.front() == ' ') {  // librsvg drops a blank that begins such a run
+        result += ' ';
+        text.erase(0, 1);
+      }
     }
     if (run.level != 0) attributes += " font-size=\"75%\"";
     if (run.italic) attributes += " font-style=\"italic\"";
-    result += attributes.empty() ? escaped(run.text) : "<tspan" + attributes + ">" + escaped(run.text) + "</tspan>";
+    result += attributes.empty() ? escaped(text) : "<tspan" + attributes + ">" + escaped(text) + "</tspan>";
     level = run.level;
   }
   return result;

@@ -191,6 +191,7 @@ std::string case_figures(Page& page, const View& bench, const std::vector<View>&
         .id = "fig-work-" + id + "-" + quantity.key,
         .title = "Work and precision: " + id + ", " + quantity.key,
         .description = "Time of a solve over its achieved relative error, a curve a solver, both axes logarithmic."};
+    figure.width = 360;  // three side by side
     Panel panel = precision_panel(bench, rows, id, quantity, failed);
     if (panel.series.empty()) continue;
     panel.title = literal(id);
@@ -261,10 +262,10 @@ void add_work_precision(Page& page, const View& bench) {
   const View result = bench["work_precision"];
   if (result.exists()) {
     std::string note =
-        "Time of a cold solve over the error that it achieves against a truth at least ten times better; lower left is "
-        "better. Every mark is a run, by "
-        "tolerance or by grid; the line joins the runs that no other run of the same solver beats in both. Hollow: the "
-        "error is a bound, the truth is known no better.";
+        "Each mark is a cold solve, asked for a tolerance or given a grid: its time, and the error that it achieves. "
+        "Lower left is better. The line of a solver joins the runs that none of its other runs beats in both time and "
+        "error. The truth is at least ten times more accurate than a filled mark; of a hollow mark only a bound of the "
+        "error is known.";
     if (const auto share = result.number("cpu_share"))
       note += " The process had " + markup_to_html(number_markup(100 * *share, 3)) + "\u2009% of a core.";
     if (const auto c = result.number("c_s"))
@@ -280,6 +281,7 @@ void add_work_precision(Page& page, const View& bench) {
     page.absent("Work against precision is", "ehd bench --part work-precision --output DIR");
   }
   add_scaling(page, bench);
+  add_response_cost(page, bench);
 }
 
 }  // namespace ehd::report

@@ -279,7 +279,8 @@ Part judge_bearings(const std::vector<BearingRow>& rows) {
       tally.require(row.tried > 0 && row.balanced == row.tried,
                     row.law + ": " + std::to_string(row.balanced) + " of " + std::to_string(row.tried) + " balance");
     } else {
-      // 99 % of all that were tried, so that a narrow domain cannot hide refusals; and none of the rest inside it.
+      // At least 99 % of all tried balance, so that a narrow domain cannot hide refusals. No refused one lies inside
+      // it.
       constexpr double least_share = 0.99;
       tally.require(row.tried > 0 && static_cast<double>(row.balanced) >= least_share * static_cast<double>(row.tried),
                     row.law + ": " + std::to_string(row.balanced) + " of " + std::to_string(row.tried) + " balance");

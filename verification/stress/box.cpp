@@ -20,8 +20,6 @@ namespace {
 constexpr double asked = 1e-3, time_limit_s = 30;
 /// A stated error above ten times the tolerance cannot check a film.
 constexpr double widest = 10 * asked;
-/// Solves the points that would take `reference` seconds, and gives up at some of them.
-constexpr const char* quicker = "reference.linear";
 /// Loads lie evenly in log M, materials evenly in L.
 struct Extent {
   int loads, moduli;
@@ -93,7 +91,7 @@ std::vector<BoxPoint> points_of(const Extent& extent, bool quick) {
     points.push_back({.roelands = contact.roelands,
                       .M = M,
                       .L = L,
-                      .dense = by_reference ? certified_solver().name : quicker,
+                      .dense = by_reference ? certified_solver().name : quicker_reference,
                       .reference = {},
                       .fast = {}});
   }
@@ -112,7 +110,7 @@ std::vector<BoxPoint> run_box(const Scope& scope) {
     const Request request{.tolerance = asked, .time_limit_s = time_limit_s};
     point.reference = ended(find_solver(point.dense)->solve(problem, request));
     // Beyond M = 1000 or L = 25 the quicker one may give up.
-    if (point.dense == quicker && point.reference.status != StopReason::converged) {
+    if (point.dense == quicker_reference && point.reference.status != StopReason::converged) {
       point.dense = certified_solver().name;
       point.reference = ended(certified_solver().solve(problem, request));
     }
@@ -201,7 +199,7 @@ Part judge_box(const std::vector<BoxPoint>& points) {
   part.settings = {{"tolerance", asked},
                    {"time_limit_s", time_limit_s},
                    {"inlet", "flooded"},
-                   {"solvers", {certified_solver().name, quicker, default_solver().name}}};
+                   {"solvers", {certified_solver().name, quicker_reference, default_solver().name}}};
   part.table.columns = row_columns;
   part.points = Table{.columns = point_columns};
   Tally tally;

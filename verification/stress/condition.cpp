@@ -41,7 +41,9 @@ Films films_of(const Stated& stated, const RegisteredSolver& solver, int interva
   const Ended end =
       ended(solver.solve(made.problem, {.tolerance = {}, .nodes = intervals, .time_limit_s = time_limit_s}));
   Films result;
-  result.converged = end.status == StopReason::converged && end.film[0] && end.film[1] && end.finite;
+  // Judged are the equations on this grid, also where it is too coarse for the contact.
+  const bool solved = end.status == StopReason::converged || end.status == StopReason::under_resolved;
+  result.converged = solved && end.film[0] && end.film[1] && end.finite;
   result.late = out_of_time(end.status, end.wall_s, time_limit_s);
   const double unit = film_unit(stated, made);
   for (std::size_t k = 0; k < 2; ++k) result.film[k] = result.converged ? *end.film[k] * unit : std::nan("");

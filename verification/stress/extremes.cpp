@@ -32,7 +32,6 @@ constexpr double asked = 1e-3, time_limit_s = 5, dense_time_limit_s = 30;
 /// One in 8 of the cases inside the box is also solved by the certified solver, one in 20 of those outside by another
 /// dense one.
 constexpr int inside_a_truth = 8, outside_a_truth = 20;
-constexpr const char* dense_outside = "reference.linear";
 /// How long a solve may run beyond its limit: one step cannot be interrupted (a dense factorisation, a grid's tables),
 /// and other processes take time.
 constexpr double slack_s = 2;
@@ -103,7 +102,7 @@ ExtremeRow tried(const std::string& kind, const std::string& what, const Stateme
       row.other =
           ended(certified_solver().solve(made.problem, {.tolerance = asked, .time_limit_s = dense_time_limit_s}));
     else if (!row.inside && number % outside_a_truth == 0)
-      row.other = ended(find_solver(dense_outside)->solve(made.problem, request));
+      row.other = ended(find_solver(quicker_reference)->solve(made.problem, request));
   } catch (const StatementError& refused) {
     row.refused = refused.key() + ": " + refused.what();
   } catch (const std::exception& thrown) {

@@ -3,6 +3,9 @@
 // on wrong rows.
 #pragma once
 
+#include <array>
+#include <iterator>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,6 +17,9 @@
 #include "workflow/registry.hpp"
 
 namespace ehd::verification::stress {
+
+/// Solves what would take `reference` seconds a point, and gives up at some points.
+inline constexpr const char* quicker_reference = "reference.linear";
 
 /// A solve in short: how it ended, the two films that a tolerance is about (Hertz units), and their stated relative
 /// errors.
@@ -175,5 +181,27 @@ struct BearingRow {
 };
 [[nodiscard]] std::vector<BearingRow> run_bearings(const Scope& scope);
 [[nodiscard]] Part judge_bearings(const std::vector<BearingRow>& rows);
+
+// (j) -- random small motions -------------------------------------------------------------------------------------
+/// A number as `fast` has it, against `reference`; all relative. NaN where one of them has none.
+struct MotionNumber {
+  double differ = std::numeric_limits<double>::quiet_NaN();
+  double stated = 0, truth_error = 0;  ///< errors that `fast` and `reference` state
+};
+/// kappa is that at Omega; the film is what a waviness leaves at X = 0.
+inline constexpr const char* motion_numbers[] = {"kappa", "kappa_0", "kappa_1", "wavy film"};
+struct MotionPoint {
+  BoxContact contact = {};
+  double Omega = 0;
+  Waviness waviness = {};
+  std::array<MotionNumber, std::size(motion_numbers)> numbers = {};
+  StopReason status = StopReason::diverged;        ///< of kappa by `fast`
+  StopReason truth_status = StopReason::diverged;  ///< of kappa by `reference`
+  bool late = false;                               ///< the time limit ended `fast`
+  int nodes = 0;                                   ///< of the finest grid of `fast`
+  double wall_s = 0, truth_s = 0;
+};
+[[nodiscard]] std::vector<MotionPoint> run_motion(const Scope& scope);
+[[nodiscard]] Part judge_motion(const std::vector<MotionPoint>& points);
 
 }  // namespace ehd::verification::stress

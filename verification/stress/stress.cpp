@@ -13,13 +13,13 @@
 #include "io/tables.hpp"
 #include "verification/bench/child.hpp"
 #include "verification/bench/timing.hpp"
+#include "verification/report/schemas.hpp"
 #include "verification/stress/parts.hpp"
 
 namespace ehd::verification::stress {
 
 namespace {
 
-constexpr int schema = 1;
 constexpr std::size_t most_failures = 20;
 
 std::string shown(const Cell& cell) {
@@ -108,6 +108,7 @@ const std::vector<PartEntry>& parts() {
       {"g", "extremes", [](const Scope& scope) { return judge_extremes(run_extremes(scope)); }},
       {"h", "repeatability", [](const Scope& scope) { return judge_repeats(run_repeats(scope)); }},
       {"i", "bearings", [](const Scope& scope) { return judge_bearings(run_bearings(scope)); }},
+      {"j", "motion", [](const Scope& scope) { return judge_motion(run_motion(scope)); }},
   };
   return list;
 }
@@ -152,7 +153,7 @@ bool all_passed(const std::vector<Part>& parts) {
 }
 
 Json to_json(const std::vector<Part>& parts, double wall_s) {
-  Json json = {{"schema", schema}, {"provenance", provenance()}, {"parts", Json::array()}};
+  Json json = {{"schema", report::stress_schema.name}, {"provenance", provenance()}, {"parts", Json::array()}};
   for (const Part& part : parts) {
     Json one = {{"id", part.id}, {"name", part.name}, {"question", part.question}};
     one["verdict"] = to_string(part.verdict);

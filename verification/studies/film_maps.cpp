@@ -145,7 +145,7 @@ std::string percent_table(const FilmMaps& maps, const std::vector<const MapPoint
     }
     if (any) rows.push_back(std::move(row));
   }
-  return aligned(rows, 1, "    ");
+  return aligned_in_parts(rows, 1, "    ");
 }
 
 /// "0.5 ... 20, 200": runs of neighbouring M of the table where `holds`. A point that is not known ends a run.
@@ -210,8 +210,8 @@ bool is_poor(double deviation) { return std::abs(deviation) >= poor_formula; }
 std::string overview(const std::vector<NamedFormula>& formulas, const std::vector<const MapPoint*>& points) {
   constexpr double bearings_M = 2;
   std::vector<std::vector<std::string>> rows{{"formula", "film", "points", "within 5 %", "30 % off",
-                                              "M >= 2, up to 4 GPa", "within 5 %", "30 % off", "median", "lowest",
-                                              "highest"}};
+                                              "M >= 2, up to 4 GPa", "there within 5 %", "there 30 % off", "median",
+                                              "lowest", "highest"}};
   for (const NamedFormula& formula : formulas) {
     const Field deviation = deviation_of(formula);
     std::vector<MapValue> all, bearings;
@@ -240,7 +240,7 @@ std::string overview(const std::vector<NamedFormula>& formulas, const std::vecto
     }
     rows.push_back(std::move(row));
   }
-  return aligned(rows, 2, "  ");
+  return aligned_in_parts(rows, 2, "  ");
 }
 
 }  // namespace

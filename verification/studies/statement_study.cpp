@@ -275,7 +275,7 @@ std::string human_study(const std::vector<StudyRow>& rows) {
     text += fmt::format(
         "{}dry law against {}: changes of the roller load and of delta_i at psi = 0; \"apart\" and \"loaded\" are the "
         "worst of the distribution\n{}",
-        text.empty() ? "" : "\n", to_string(law), aligned(table, 2, "  "));
+        text.empty() ? "" : "\n", to_string(law), aligned_in_parts(table, 2, "  "));
   }
   text += "\n";
   for (const StudySummary& one : summarise(rows))

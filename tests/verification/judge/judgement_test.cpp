@@ -14,6 +14,7 @@
 #include "verification/judge/first_cases.hpp"
 #include "verification/judge/hints.hpp"
 #include "verification/judge/judgement_text.hpp"
+#include "verification/median.hpp"
 #include "verification/report/judge_page.hpp"
 #include "workflow/registry.hpp"
 
@@ -148,8 +149,8 @@ BOOST_AUTO_TEST_CASE(a_missing_first_case_scores_nothing_and_says_missing) {
 }
 
 BOOST_AUTO_TEST_CASE(the_median_by_regime_counts_a_missing_number_as_0) {
-  BOOST_TEST(median({3, 1, 2}) == 2);
-  BOOST_TEST(median({4, 1, 2, 3}) == 2.5);
+  BOOST_TEST(verification::median({3, 1, 2}) == 2);
+  BOOST_TEST(verification::median({4, 1, 2, 3}) == 2.5);
   const test::Folder folder;
   const std::string id = "atlas-isoviscous-m20-l0-flooded";  // the only one of its regime beside the first case
   json one = result_of(id);

@@ -85,6 +85,16 @@
           if (across > 1 && down > 3) { complain(svg, ": \"" + a.says + "\" and \"" + b.says + "\" overlap"); }
         });
       });
+      var keys = Array.prototype.slice.call(svg.querySelectorAll(".key")).map(function (key) {
+        return { box: key.getBoundingClientRect(), says: key.textContent };
+      });
+      keys.forEach(function (a, i) {
+        keys.slice(i + 1).forEach(function (b) {
+          var across = Math.min(a.box.right, b.box.right) - Math.max(a.box.left, b.box.left);
+          var down = Math.min(a.box.bottom, b.box.bottom) - Math.max(a.box.top, b.box.top);
+          if (across > 1 && down > 3) { complain(svg, ": the keys of \"" + a.says + "\" and \"" + b.says + "\" overlap"); }
+        });
+      });
       svg.querySelectorAll("text").forEach(function (text) {
         var t = text.getBoundingClientRect(), s = svg.getBoundingClientRect();
         if (t.left < s.left - 2 || t.right > s.right + 2 || t.bottom > s.bottom + 2) {

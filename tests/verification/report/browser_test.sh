@@ -102,7 +102,8 @@ done
 says light "paper: rgb(255, 255, 255)"
 says dark "paper: rgb(21, 24, 28)"
 says phone "width: 390"
-for seen in toggle read-out cell filter "filter links" "filter key" index case zoom theme CSV "CSV of a map" SVG targets; do
+for seen in toggle read-out cell filter "filter links" "filter key" index case zoom theme CSV "CSV of a map" SVG \
+    targets; do
   for run in light dark phone; do says "$run" "$seen: works"; done
 done
 if [ -n "$axe" ]; then
@@ -113,5 +114,6 @@ timeout 120 "$browser" --headless --no-sandbox --disable-gpu --user-data-dir="$f
   --print-to-pdf="$folder/report.pdf" "file://$folder/report.html" > /dev/null 2>&1 || complain "print: exit code $?"
 [ -s "$folder/report.pdf" ] || complain "print: nothing came out"
 
-[ "$failed" -eq 0 ] && echo "$figures figures: light, dark, on a phone, without the script, in print${axe:+; axe-core has no objection}"
+[ "$failed" -eq 0 ] \
+  && echo "$figures figures: light, dark, on a phone, without the script, in print${axe:+; axe-core has no objection}"
 exit "$failed"

@@ -40,7 +40,8 @@ BOOST_AUTO_TEST_CASE(markup_sets_symbols_in_italics_and_comes_back_to_the_line) 
   BOOST_TEST(svg.find("font-style=\"italic\">h R</tspan>") != std::string::npos);
   // What goes up by 0.36 em of the line (0.48 of the small type) comes down again.
   BOOST_TEST(svg.find("dy=\"-0.48em\" font-size=\"75%\">2</tspan>") != std::string::npos);
-  BOOST_TEST(svg.find("dy=\"0.36em\"> [m]</tspan>") != std::string::npos);
+  // librsvg drops a blank that begins a tspan.
+  BOOST_TEST(svg.find("</tspan> <tspan dy=\"0.36em\">[m]</tspan>") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(text_from_a_file_is_no_markup) {

@@ -21,7 +21,7 @@ std::vector<std::string> labels(const std::vector<Tick>& ticks) {
 }
 
 /// Tick positions are multiples of a step: a few roundings.
-const ehd::verification::Tolerance rounding = ehd::verification::Tolerance::round_off(4, 1);
+const ehd::verification::Tolerance tick_rounding = ehd::verification::Tolerance::round_off(4, 1);
 
 }  // namespace
 
@@ -33,7 +33,7 @@ BOOST_AUTO_TEST_CASE(steps_are_1_2_or_5_times_a_power_of_ten) {
       const double step = tick_step({0, size}, wanted),
                    mantissa = step / std::pow(10, std::floor(std::log10(step * (1 + 1e-12))));
       const double nearest = mantissa < 1.5 ? 1 : mantissa < 3.5 ? 2 : 5;
-      EHD_CHECK(ehd::error(mantissa, nearest), rounding);
+      EHD_CHECK(ehd::error(mantissa, nearest), tick_rounding);
       BOOST_TEST(size / step <= wanted * (1 + 1e-9));
       BOOST_TEST(size / step >= wanted / 2.5 * (1 - 1e-9));  // the next smaller step is at most 2.5 times finer
     }
@@ -45,7 +45,7 @@ BOOST_AUTO_TEST_CASE(linear_labels_have_the_decimals_that_the_step_needs) {
   BOOST_TEST(labels(linear_ticks({-0.5, 0.5}, 0.25)) == expected, boost::test_tools::per_element());
   const std::vector<std::string> whole{"0", "30", "60", "90"};
   BOOST_TEST(labels(linear_ticks({0, 100}, 30)) == whole, boost::test_tools::per_element());
-  const auto ends = linear_ticks({0, 0.3}, 0.1);  // 3 * 0.1 > 0.3 by rounding
+  const auto ends = linear_ticks({0, 0.3}, 0.1);  // 3 * 0.1 > 0.3 by tick_rounding
   BOOST_TEST(ends.size() == 4u);
   BOOST_TEST(linear_ticks({0, 1e9}, 1).empty());  // a billion ticks are a mistake
   BOOST_TEST(linear_ticks({0, 1}, 0).empty());
@@ -87,10 +87,10 @@ BOOST_AUTO_TEST_CASE(a_range_holds_every_value_that_has_a_place) {
 
 BOOST_AUTO_TEST_CASE(mappings_meet_the_ends_and_have_no_place_for_zero_on_a_log_axis) {
   const Mapping linear(Scale::linear, {-1, 3}, 100, 20), logarithmic(Scale::logarithmic, {1e-4, 1e4}, 0, 80);
-  EHD_CHECK(ehd::error(linear(-1), 100), rounding);
-  EHD_CHECK(ehd::error(linear(1), 60), rounding);
-  EHD_CHECK(ehd::error(logarithmic(1), 40), rounding);
-  EHD_CHECK(ehd::error(logarithmic(10), 50), rounding);
+  EHD_CHECK(ehd::error(linear(-1), 100), tick_rounding);
+  EHD_CHECK(ehd::error(linear(1), 60), tick_rounding);
+  EHD_CHECK(ehd::error(logarithmic(1), 40), tick_rounding);
+  EHD_CHECK(ehd::error(logarithmic(10), 50), tick_rounding);
   for (const double value : {0.0, -1.0, not_a_number, infinity}) BOOST_TEST(std::isnan(logarithmic(value)));
   for (const double value : {not_a_number, infinity}) BOOST_TEST(std::isnan(linear(value)));
 }

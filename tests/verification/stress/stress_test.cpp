@@ -129,6 +129,20 @@ RepeatRow repeat_row() {
           .same_in_process = 3};
 }
 
+/// A hundred points whose stated errors hold by far.
+std::vector<MotionPoint> motion_points() {
+  const MotionNumber number{.differ = 3e-6, .stated = 2e-5, .truth_error = 1e-8};
+  const MotionPoint point{.contact = {.moes = {7, 6}},
+                          .Omega = 2,
+                          .numbers = {number, number, number, number},
+                          .status = StopReason::converged,
+                          .truth_status = StopReason::converged,
+                          .nodes = 256,
+                          .wall_s = 0.01,
+                          .truth_s = 1};
+  return std::vector<MotionPoint>(100, point);
+}
+
 /// The verdict of one row after it was spoilt.
 template <class Row, class Judge, class Spoil>
 Verdict spoilt(Row row, Judge judge, Spoil spoil) {
@@ -164,10 +178,10 @@ BOOST_AUTO_TEST_CASE(every_part_is_listed_once_by_letter_and_name) {
     BOOST_TEST(find_part(part.id) == &part);
     BOOST_TEST(find_part(part.name) == &part);
   }
-  BOOST_TEST(ids == (std::set<std::string>{"a", "b", "c", "d", "e", "f", "g", "h", "i"}),
+  BOOST_TEST(ids == (std::set<std::string>{"a", "b", "c", "d", "e", "f", "g", "h", "i", "j"}),
              boost::test_tools::per_element());
-  BOOST_TEST(names.size() == 9u);
-  BOOST_TEST(!find_part("j"));
+  BOOST_TEST(names.size() == 10u);
+  BOOST_TEST(!find_part("k"));
 }
 
 BOOST_AUTO_TEST_CASE(a_part_that_throws_is_a_part_that_fails) {
@@ -293,7 +307,7 @@ BOOST_AUTO_TEST_CASE(bearings_fail_where_one_does_not_balance_or_is_no_balance) 
   BOOST_TEST((verdict([](auto&, auto& one) { one.balanced = 990, one.refused_outside = 10; }) == Verdict::pass));
   BOOST_TEST((verdict([](auto&, auto& one) { one.balanced = 989, one.refused_outside = 11; }) == Verdict::fail));
   BOOST_TEST((verdict([](auto&, auto& one) { one.balanced = 900, one.refused_outside = 100; }) == Verdict::fail));
-  // A limit is no reason outside; what missed its tolerance is not among the balanced, and inside it is a failure.
+  // A time limit does not excuse a refusal. A missed tolerance is not a balance, and is a failure inside the domain.
   BOOST_TEST((verdict([](auto&, auto& one) { one.refused_outside = 4, one.limits = 1; }) == Verdict::fail));
   BOOST_TEST(
       (verdict([](auto&, auto& one) { one.refused_outside = 4, one.limits = one.late = 1; }) == Verdict::inconclusive));
@@ -513,11 +527,38 @@ BOOST_AUTO_TEST_CASE(repeats_fail_on_one_solution_that_differs) {
   BOOST_TEST(spoilt(repeat_row(), judge_repeats, [](RepeatRow& r) { r.converged = 0; }) == Verdict::inconclusive);
 }
 
+BOOST_AUTO_TEST_CASE(motion_fails_where_three_of_a_hundred_stated_errors_do_not_hold) {
+  const auto verdict = [](std::size_t count, auto spoil) {
+    std::vector<MotionPoint> points = motion_points();
+    for (std::size_t k = 0; k < count; ++k) spoil(points[k]);
+    return judge_motion(points).verdict;
+  };
+  for (std::size_t number = 0; number < std::size(motion_numbers); ++number) {
+    const auto too_small = [&](MotionPoint& p) { p.numbers[number].stated = 2.9e-6; };
+    BOOST_TEST(verdict(2, too_small) == Verdict::pass);
+    BOOST_TEST(verdict(3, too_small) == Verdict::fail);
+    const auto vague = [&](MotionPoint& p) { p.numbers[number].truth_error = 4e-6; };
+    BOOST_TEST(verdict(3, [&](MotionPoint& p) { too_small(p), vague(p); }) == Verdict::pass);  // 3 of 100 undecided
+    BOOST_TEST(verdict(11, [&](MotionPoint& p) { too_small(p), vague(p); }) == Verdict::inconclusive);
+    BOOST_TEST(verdict(100, [&](MotionPoint& p) { p.numbers[number] = {}; }) == Verdict::inconclusive);
+  }
+  const auto not_met = [](MotionPoint& p) { p.status = StopReason::tolerance_not_met; };
+  BOOST_TEST(verdict(1, not_met) == Verdict::fail);
+  BOOST_TEST(verdict(1, [&](MotionPoint& p) { not_met(p), p.contact.moes.L = 13; }) == Verdict::pass);
+  BOOST_TEST(verdict(1, [](MotionPoint& p) { p.status = StopReason::limit_reached, p.late = true; }) ==
+             Verdict::inconclusive);
+  BOOST_TEST(judge_motion({}).verdict == Verdict::inconclusive);
+  const Part part = judge_motion(motion_points());
+  BOOST_TEST(part.table.rows.size() == std::size(motion_numbers));
+  for (const auto& row : part.table.rows) BOOST_TEST(row.size() == part.table.columns.size());
+  for (const auto& row : part.points->rows) BOOST_TEST(row.size() == part.points->columns.size());
+}
+
 BOOST_AUTO_TEST_CASE(wrong_usage_is_one_line_and_leaves_nothing) {
   const test::Folder folder;
   const std::string out = (folder.path() / "out").string();
   for (const auto& [arguments, says] : std::initializer_list<std::pair<std::string, std::string>>{
-           {"--part z", "--part = z: is unknown; allowed is a to i"},
+           {"--part z", "--part = z: is unknown; allowed is a to j"},
            {"--threads 0", "--threads = 0: is out of range"},
            {"extra", "ehd stress --help"}}) {
     test::check_refused(folder, "stress --quick --output '" + out + "' " + arguments, says);
@@ -533,7 +574,7 @@ BOOST_AUTO_TEST_CASE(small_parts_pass_and_leave_their_file) {
   BOOST_TEST(run.exit_code == 0, run.out);
   BOOST_TEST(run.err == "");
   const auto json = nlohmann::json::parse(test::read(out / "stress.json"));
-  BOOST_TEST(json["schema"] == 1);
+  BOOST_TEST(json["schema"] == "ehd-stress-1");
   BOOST_TEST(json["success"] == true);
   BOOST_TEST(json["provenance"].contains("compiler"));
   BOOST_REQUIRE(json["parts"].size() == 4u);

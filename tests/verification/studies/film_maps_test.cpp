@@ -126,7 +126,7 @@ BOOST_AUTO_TEST_CASE(the_median_of_an_even_number_is_the_mean_of_the_middle_two)
       maps.points.push_back(point);
     }
     const std::string text = human_maps(maps, "film.minimum", AtlasLaws::roelands);
-    const auto row = text.substr(text.find("\n  made "), 200);
+    const auto row = text.substr(text.rfind("\n  made "), 200);  // of the table's last part
     const auto line = row.substr(1, row.find('\n', 1) - 1);
     BOOST_TEST(line.find(std::string(" ") + median) != std::string::npos, line);
   }

@@ -61,7 +61,8 @@ by_function() {  # NAME
 
 {
   echo "# Instructions (Ir) counted by verification/bench/callgrind/count.sh; columns: solve, function, count."
-  echo "# $(valgrind --version), $(${CXX:-c++} --version | sed -n 1p), FFTW $(pkg-config --modversion fftw3 2> /dev/null || echo unknown)"
+  fftw=$(pkg-config --modversion fftw3 2> /dev/null || echo unknown)
+  echo "# $(valgrind --version), $(${CXX:-c++} --version | sed -n 1p), FFTW $fftw"
 } > "$folder/head"
 
 : > "$folder/counts"

@@ -114,7 +114,8 @@ def exponent(sizes, which):
 
 
 def table_of(sizes):
-    lines = ["| rows | first run: processor [s] | memory [MB] | known rows again: processor [s] | memory [MB] | rows.json [MB] |",
+    lines = ["| rows | first run: processor [s] | memory [MB] "
+             "| known rows again: processor [s] | memory [MB] | rows.json [MB] |",
              "|---|---|---|---|---|---|"]
     for one in sizes:
         mega = [round(one[which].peak_bytes / 1e6) for which in ("first", "again")]
@@ -166,10 +167,12 @@ def main():
                  f"{killed['merge'].peak_bytes / 1e6:.0f} MB.\n")
     print(text, end="")
     if arguments.page:
-        arguments.page.write_text("# A sweep of a million rows\n\n<!-- Made by `make sweep-million`: do not edit. -->\n\n"
-                                  "    make sweep-million\n\nDry bearings of four rollers, one thread. Known rows again: "
-                                  "the same command once more; nothing is computed,\nthe tables are written from the "
-                                  "journal.\n\n" + text)
+        arguments.page.write_text("# A sweep of a million rows\n\n"
+                                  "<!-- Made by `make sweep-million`: do not edit. -->\n\n"
+                                  "    make sweep-million\n\n"
+                                  "Dry bearings of four rollers, one thread. Known rows again: the same command "
+                                  "once more; nothing is computed,\nthe tables are written from the journal.\n\n"
+                                  + text)
     return 0 if all(holds for *_, holds in claims) else 1
 
 

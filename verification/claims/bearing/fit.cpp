@@ -16,6 +16,37 @@ namespace ehd::verification::bearing_parts {
 
 using std::numbers::pi;
 
+namespace {
+
+/// Of the fitted line against the least squares of f on delta, done here again.
+struct LineErrors {
+  double line = nothing, spread = nothing, correlation = nothing;
+};
+LineErrors errors_of_line(const bearing::LinearFit& fit, const std::vector<double>& approaches_m,
+                          const std::vector<double>& forces_N) {
+  LineErrors errors;
+  const auto sum = [](const std::vector<double>& of) { return std::accumulate(of.begin(), of.end(), 0.0); };
+  const double n = static_cast<double>(forces_N.size()), K = slope(approaches_m, forces_N),
+               dF = (sum(forces_N) - K * sum(approaches_m)) / n;
+  errors.line = worse(std::abs(fit.K_N_per_m / K - 1), std::abs(fit.dF_N / dF - 1));
+  double largest = 0, squares = 0;
+  for (const auto& point : fit.points) {
+    const double off = point.force_N - (K * point.approach_m + dF);
+    largest = std::max(largest, std::abs(off));
+    squares += off * off;
+  }
+  errors.spread = worse(std::abs(fit.residual_N / largest - 1),
+                        std::abs(fit.standard_deviation_N / std::sqrt(squares / (n - 2)) - 1));
+  // Two lines through the points that differ in K turn about their middle: where that lies at delta > 0, a larger K
+  // has a smaller dF.
+  double square_sum = 0;
+  for (const double approach_m : approaches_m) square_sum += approach_m * approach_m;
+  errors.correlation = std::abs(fit.correlation + sum(approaches_m) / std::sqrt(n * square_sum));
+  return errors;
+}
+
+}  // namespace
+
 Findings judge_fit(const Case& bearing_case, ContactMemory& memory) {
   const auto& body = std::get<BearingCase>(bearing_case.body);
   const auto results = run_bearing(bearing_case, {.laws = {bearing::Law::ehd_linear}, .films = true}, memory);
@@ -25,8 +56,8 @@ Findings judge_fit(const Case& bearing_case, ContactMemory& memory) {
     const std::string at = ", " + raceway_name(inner) + " raceway";
     const ByHand contact = by_hand(body, inner);
     const bool fitted = results.size() == 1 && results[0].fit && results[0].datum_m;
-    double points_error = fitted ? 0 : nothing, line_error = nothing, spread_error = nothing,
-           correlation_error = nothing;
+    double points_error = fitted ? 0 : nothing;
+    LineErrors errors;
     int solved = 0;
     if (fitted) {
       const bearing::LinearFit& fit = one_of(*results[0].fit, inner);
@@ -40,40 +71,24 @@ Findings judge_fit(const Case& bearing_case, ContactMemory& memory) {
             worse(points_error, std::abs((dry_m(contact, point.force_N, datum) - point.approach_m) / film - 1));
         ++solved;
       }
-      const auto sum = [](const std::vector<double>& of) { return std::accumulate(of.begin(), of.end(), 0.0); };
-      const double n = static_cast<double>(solved), K = slope(approaches_m, forces_N),
-                   dF = (sum(forces_N) - K * sum(approaches_m)) / n;
-      line_error = worse(std::abs(fit.K_N_per_m / K - 1), std::abs(fit.dF_N / dF - 1));
-      double largest = 0, squares = 0;
-      for (const auto& point : fit.points) {
-        const double off = point.force_N - (K * point.approach_m + dF);
-        largest = std::max(largest, std::abs(off));
-        squares += off * off;
-      }
-      spread_error = worse(std::abs(fit.residual_N / largest - 1),
-                           std::abs(fit.standard_deviation_N / std::sqrt(squares / (n - 2)) - 1));
-      // Two lines through the points that differ in K turn about their middle: where that lies at delta > 0, a larger K
-      // has a smaller dF.
-      double square_sum = 0;
-      for (const double approach_m : approaches_m) square_sum += approach_m * approach_m;
-      correlation_error = std::abs(fit.correlation + sum(approaches_m) / std::sqrt(n * square_sum));
+      errors = errors_of_line(fit, approaches_m, forces_N);
     }
     found.claims.push_back(
         claim(sentence(id + "/points",
                        "the points of the fit are delta_dry less the film that `reference` finds at their loads" + at),
               points_error, 0, film_tolerance(), std::to_string(solved) + " contacts, relative to the offset film"));
     found.claims.push_back(
-        claim(sentence(id + "/line", "K and dF are the least squares of f on delta through them" + at), line_error, 0,
+        claim(sentence(id + "/line", "K and dF are the least squares of f on delta through them" + at), errors.line, 0,
               Tolerance::round_off(64, 1e4), "sums of six products; n Sxx - Sx^2 cancels two digits"));
     found.claims.push_back(claim(sentence(id + "/spread",
                                           "the residual is the largest distance from the line, the deviation that of "
                                           "points - 2 degrees of freedom" +
                                               at),
-                                 spread_error, 0, Tolerance::round_off(64, 1e6),
+                                 errors.spread, 0, Tolerance::round_off(64, 1e6),
                                  "a distance is a hundredth of the force"));
     found.claims.push_back(claim(
         sentence(id + "/correlation", "K and dF are correlated by -Sum delta/sqrt(n Sum delta^2)" + at),
-        correlation_error, 0, Tolerance::round_off(64, 1e4), "sums of six products; n Sxx - Sx^2 cancels two digits"));
+        errors.correlation, 0, Tolerance::round_off(64, 1e4), "sums of six products; n Sxx - Sx^2 cancels two digits"));
     double pressure_error = fitted && !results[0].rollers.empty() ? 0 : nothing, film_error = pressure_error;
     int loaded = 0;
     for (const RollerRow& roller : fitted ? results[0].rollers : std::vector<RollerRow>{}) {

@@ -13,7 +13,7 @@ namespace ehd::verification {
 namespace {
 
 /// From the slow motion of a rotor to a few thousand Hz, where the films of NA4908 begin to be fast.
-const std::vector<double> shown_frequencies_Hz = {10, 100, 1000, 3000, 10000};
+const std::vector<double> shown_frequencies_Hz = {10, 30, 100, 300, 1000, 2000, 3000, 5000, 10000};
 
 Json contacts_in_motion_json(const DynamicRow& row) {
   Json json = Json::object();

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// (j) Stiffness and damping at random contacts and frequencies: `fast` against `reference`, and its stated errors.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/text.hpp"
+#include "verification/bench/timing.hpp"
+#include "verification/claim.hpp"
+#include "verification/stress/parts.hpp"
+#include "verification/studies/draw.hpp"
+#include "workflow/parallel.hpp"
+
+namespace ehd::verification::stress {
+
+namespace {
+
+/// `reference` is asked for a thousandth, so that it can judge stated errors that are far below what is asked of
+/// `fast`.
+constexpr double asked = 1e-4, truth_asked = 1e-7, time_limit_s = 60, truth_time_limit_s = 240;
+constexpr int whole = 160, quick_points = 3;
+constexpr unsigned seed = 20261201;  // not that of the claim response/fast/random
+/// The box that the solvers have to serve, by M, L and Omega.
+constexpr double lightest_M = 0.5, heaviest_M = 1000, largest_L = 20, largest_Omega = 10;
+constexpr double shortest_wave = 0.5, longest_wave = 5, largest_slip = 2;
+constexpr double nearest_cut = -2.5, farthest_cut = -10, lightest_cut_M = 2, share_of_cut = 0.4;
+/// A truth that is ten times tighter than the stated error judges it.
+constexpr double truth_share = 0.1;
+/// At least so many of the stated errors of a number have to be judged.
+constexpr double least_judged = 0.9;
+/// Above it a spike is narrower than the cells of any grid (fast/README.md): kappa may be known less well.
+constexpr double narrow_spikes_L = 12;
+
+MotionPoint drawn_point(Draw& draw) {
+  MotionPoint point;
+  BoxContact& contact = point.contact;
+  contact.moes = {Draw::digits(draw.logarithmic(lightest_M, heaviest_M), 4),
+                  Draw::digits(draw.uniform(0, largest_L), 4)};
+  point.Omega = Draw::digits(draw.uniform(0, largest_Omega), 4);
+  contact.roelands = draw.uniform(0, 1) < 0.5;
+  const double cut = Draw::digits(draw.uniform(farthest_cut, nearest_cut), 4);
+  if (draw.uniform(0, 1) < share_of_cut && contact.moes.M >= lightest_cut_M) contact.inlet = TruncatedAt{cut};
+  point.waviness.wavelength = Draw::digits(draw.logarithmic(shortest_wave, longest_wave), 4);
+  point.waviness.slip = Draw::digits(draw.uniform(0, largest_slip), 4);
+  return point;
+}
+
+std::string name_of(const MotionPoint& point) {
+  const auto* cut = std::get_if<TruncatedAt>(&point.contact.inlet);
+  return point.contact.name() + (cut ? ", cut at " + plain(cut->x) : ", flooded") + ", Omega = " + plain(point.Omega) +
+         ", wave of " + plain(point.waviness.wavelength) + " b at slip " + plain(point.waviness.slip);
+}
+
+MotionNumber compared(std::complex<double> value, double stated, std::complex<double> truth, double truth_error) {
+  return {.differ = std::abs(value - truth) / std::abs(truth), .stated = stated, .truth_error = truth_error};
+}
+
+void solve_point(MotionPoint& point) {
+  const Problem problem = point.contact.problem();
+  ResponseRequest request{
+      .frequencies = {point.Omega}, .waviness = {point.waviness}, .tolerance = asked, .time_limit_s = time_limit_s};
+  const Response found = default_solver().respond(problem, request);
+  request.tolerance = truth_asked;
+  request.time_limit_s = truth_time_limit_s;
+  const Response truth = certified_solver().respond(problem, request);
+  const Stiffness &at = found.frequencies.front(), &exact = truth.frequencies.front();
+  point.status = at.status;
+  point.truth_status = exact.status;
+  point.nodes = found.cost.nodes;
+  point.wall_s = found.cost.wall_s;
+  point.truth_s = truth.cost.wall_s;
+  point.late = out_of_time(found.status, point.wall_s, time_limit_s);
+  if (at.status != StopReason::diverged && exact.status != StopReason::diverged)
+    point.numbers[0] = compared(at.kappa, at.error, exact.kappa, exact.error);
+  const WavinessResponse &wave = found.waviness.front(), &true_wave = truth.waviness.front();
+  if (wave.status != StopReason::diverged && true_wave.status != StopReason::diverged)
+    point.numbers[3] = compared(wave.film, wave.error, true_wave.film, true_wave.error);
+  if (!found.slow || !truth.slow) return;
+  point.numbers[1] = compared(found.slow->kappa_0, found.slow->error_0, truth.slow->kappa_0, truth.slow->error_0);
+  point.numbers[2] = compared(found.slow->kappa_1, found.slow->error_1, truth.slow->kappa_1, truth.slow->error_1);
+}
+
+}  // namespace
+
+std::vector<MotionPoint> run_motion(const Scope& scope) {
+  Draw draw(seed);
+  std::vector<MotionPoint> points;
+  for (int k = 0; k < (scope.quick ? quick_points : whole); ++k) points.push_back(drawn_point(draw));
+  scope.show(std::to_string(points.size()) + " contacts");
+  in_threads(points.size(), scope.threads, [&](std::size_t k) { solve_point(points[k]); });
+  return points;
+}
+
+namespace {
+
+enum class Stated { holds, missed, undecided };
+
+/// Missed where the truth, with its own error, is outside; undecided where the truth is too vague, or nothing is
+/// stated.
+Stated judged_error(const MotionNumber& number) {
+  const auto& [differ, stated, truth_error] = number;
+  if (!std::isfinite(differ) || !std::isfinite(stated) || !std::isfinite(truth_error)) return Stated::undecided;
+  if (differ - truth_error > stated) return Stated::missed;
+  return differ + truth_error <= stated || truth_error <= truth_share * stated ? Stated::holds : Stated::undecided;
+}
+
+/// One of motion_numbers at all points.
+struct Count {
+  long judged = 0, held = 0, within = 0, known = 0;  ///< within `asked` of the truth; stated to be
+  double worst = 0, largest = 0;                     ///< difference over stated error; difference
+  std::vector<double> inflation = {};                ///< stated error over difference
+
+  void add(const MotionNumber& number, Stated stated) {
+    known += number.stated <= asked ? 1 : 0;
+    if (stated == Stated::undecided) return;
+    ++judged;
+    held += stated == Stated::holds ? 1 : 0;
+    within += number.differ + number.truth_error <= asked ? 1 : 0;
+    worst = std::max(worst, number.differ / number.stated);
+    largest = std::max(largest, number.differ);
+    inflation.push_back(number.stated / number.differ);
+  }
+};
+
+const std::vector<Column> number_columns = columns_of(
+    "number | points | judged | stated error holds | differs by at most 1e-4 | states at most 1e-4 | "
+    "difference/stated [most] | difference [most] | stated/difference [median]");
+
+const std::vector<Column> motion_columns = columns_of(
+    "laws | M | L | inlet | Omega | wavelength | slip | status | reference status | intervals | kappa: difference | "
+    "stated | of reference | kappa_0: difference | stated | of reference | kappa_1: difference | stated | of reference "
+    "| wavy film: difference | stated | of reference | time [s] | reference time [s]");
+
+std::vector<Cell> cells_of(const MotionPoint& point) {
+  const auto* cut = std::get_if<TruncatedAt>(&point.contact.inlet);
+  std::vector<Cell> cells{law_name(point.contact.roelands),
+                          point.contact.moes.M,
+                          point.contact.moes.L,
+                          cut ? plain(cut->x) : "flooded",
+                          point.Omega,
+                          point.waviness.wavelength,
+                          point.waviness.slip,
+                          to_string(point.status),
+                          to_string(point.truth_status),
+                          point.nodes};
+  for (const auto& [differ, stated, truth_error] : point.numbers)
+    for (const double number : {differ, stated, truth_error}) cells.emplace_back(number);
+  cells.emplace_back(point.wall_s);
+  cells.emplace_back(point.truth_s);
+  return cells;
+}
+
+/// kappa is to be known below narrow_spikes_L; above it may also end as tolerance-not-met.
+Verdict judge_end(const MotionPoint& point) {
+  const bool allowed = point.status == StopReason::converged ||
+                       (point.status == StopReason::tolerance_not_met && point.contact.moes.L > narrow_spikes_L);
+  return holds_in_time(allowed, point.late);
+}
+
+/// The share of stated errors of one number that do not hold, where nearly all could be judged.
+void judge_share(const Count& count, std::size_t points, const Tolerance& tolerance, const std::string& what,
+                 Tally& tally) {
+  const auto judged = static_cast<double>(count.judged);
+  tally.add(count.judged > 0 ? static_cast<double>(count.judged - count.held) / judged : std::nan(""), 0, tolerance,
+            what + ": share of stated errors that do not hold");
+  if (judged < least_judged * static_cast<double>(points))
+    tally.add(Verdict::inconclusive,
+              fmt::format("{}: only {} of {} stated errors could be judged", what, count.judged, points));
+}
+
+}  // namespace
+
+Part judge_motion(const std::vector<MotionPoint>& points) {
+  Part part{.id = "j",
+            .name = "motion",
+            .question = "Does fast know stiffness and damping to 1e-4 at random contacts, and do its errors hold?"};
+  part.tolerance = Tolerance::required(0.02, "share of stated errors that do not hold: at most 2 in 100");
+  part.settings = {{"tolerance", asked},
+                   {"reference_tolerance", truth_asked},
+                   {"time_limit_s", time_limit_s},
+                   {"seed", seed},
+                   {"M", {lightest_M, heaviest_M}},
+                   {"L", {0, largest_L}},
+                   {"Omega", {0, largest_Omega}},
+                   {"narrow_spikes_L", narrow_spikes_L}};
+  part.table.columns = number_columns;
+  part.points = Table{.columns = motion_columns};
+  Tally tally;
+  Count counts[std::size(motion_numbers)];
+  long converged = 0, mild = 0, mild_converged = 0, unanswered = 0;
+  std::string missed;
+  for (const MotionPoint& point : points) {
+    part.points->rows.push_back(cells_of(point));
+    const long known = point.status == StopReason::converged ? 1 : 0;
+    converged += known;
+    mild += point.contact.moes.L <= narrow_spikes_L ? 1 : 0;
+    mild_converged += point.contact.moes.L <= narrow_spikes_L ? known : 0;
+    unanswered += point.truth_status == StopReason::diverged ? 1 : 0;
+    tally.add(judge_end(point), fmt::format("{}: kappa by fast {}", name_of(point), to_string(point.status)));
+    for (std::size_t k = 0; k < point.numbers.size(); ++k) {
+      const Stated stated = judged_error(point.numbers[k]);
+      counts[k].add(point.numbers[k], stated);
+      if (stated == Stated::missed)
+        missed += fmt::format("; {} at {}: {} stated errors off", motion_numbers[k], name_of(point),
+                              plain(point.numbers[k].differ / point.numbers[k].stated, 3));
+    }
+  }
+  std::string held;
+  for (std::size_t k = 0; k < std::size(motion_numbers); ++k) {
+    const Count& count = counts[k];
+    judge_share(count, points.size(), *part.tolerance, motion_numbers[k], tally);
+    held += fmt::format("{}{} {} of {}", k > 0 ? ", " : "", motion_numbers[k], count.held, count.judged);
+    part.table.rows.push_back({motion_numbers[k], points.size(), count.judged, count.held, count.within, count.known,
+                               count.worst, count.largest,
+                               count.judged > 0 ? std::optional(median(count.inflation)) : std::nullopt});
+  }
+  tally.close(part);
+  part.summary = fmt::format(
+      "kappa is known to 1e-4 at {} of {} points up to L = {}, at {} of {} above; stated errors hold: {}; reference "
+      "has "
+      "no answer at {} points{}",
+      mild_converged, mild, plain(narrow_spikes_L), converged - mild_converged, static_cast<long>(points.size()) - mild,
+      held, unanswered, missed);
+  return part;
+}
+
+}  // namespace ehd::verification::stress
