@@ -149,7 +149,7 @@ def numbers(comparison, suite):
     atlas = len(re.findall(r"^atlas-", (ROOT / "cases/atlas/atlas.csv").read_text(), re.MULTILINE))
     not_standing = int(judged[2]) + int(judged[3])
     return table(("question", "answer", "try it"), [
-        ("Do the two solvers agree?",
+        ("Do the two codes agree?",
          f"At M = 20, L = 10 `fast` states an error of {row[1]} and errs by {row[2]}; `reference` finds {digits}",
          "[`ehd compare`](docs/results/compare.md)"),
         ("Are the results right?", f"{judged[1]} claims hold in the quick suite, {not_standing} do not",

@@ -10,17 +10,21 @@ Every README.md and every page of docs/ but docs/results:
 - the version is one in CMakeLists.txt, CITATION.cff, CHANGELOG.md and cases/references.bib;
 - docs/README.md links every page of docs/;
 - docs/start.md: at most four commands from a clone to a result;
-- a table with the columns "function" and "file": the file has the function.
+- a table with the columns "function" and "file": the file has the function;
+- the commands in not_typed.toml stand on a page, and something runs them, or they are named there as left to people.
 """
 import functools
 import pathlib
 import re
 import subprocess
 import sys
+import tomllib
 
+HERE = pathlib.Path(__file__).resolve().parent
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 ROOMS = [path.name for path in ROOT.iterdir() if path.is_dir() and not path.name.startswith((".", "build", "out"))]
 FILE = re.compile(rf"`((?:{'|'.join(map(re.escape, ROOMS))})/[\w./-]+\.(?:cpp|hpp|ipp|h|py|md|toml|json|sh|f90|m))`")
+NO_STEP = "no step"  # the table of not_typed.toml with what no step runs
 MADE = "docs/results/"  # some of them are not committed
 COMMAND = re.compile(r"(?:^|`|\$ |\| |    )(?:build/)?ehd ([a-z]+)((?: [^`|\n]*)?)", re.MULTILINE)
 CONSOLE = re.compile(r"^```console\n.*?^```", re.MULTILINE | re.DOTALL)
@@ -40,6 +44,13 @@ def help_of(ehd, command):
     """What `ehd COMMAND --help` says; empty for no command."""
     asked = subprocess.run([ehd, command, "--help"], capture_output=True, text=True)
     return asked.stdout if asked.returncode == 0 else ""
+
+
+def lacks_value(ehd, command):
+    """Whether the last word is an option that wants a value: such a command names an option, and cannot be typed."""
+    _, subcommand, *words = command.split()
+    wants_value = re.compile(rf"^ +{re.escape(words[-1])} [A-Z]+\b" if words else r"\Z.", re.MULTILINE)
+    return bool(wants_value.search(help_of(ehd, subcommand)))
 
 
 def code_of(text):
@@ -147,6 +158,28 @@ def forgotten(page, text):
                     if other.name not in linked | {page.name})
 
 
+@functools.cache
+def steps():
+    """{name: command} of .ci/steps.toml"""
+    return {step["name"]: step["command"] for step in tomllib.loads((ROOT / ".ci" / "steps.toml").read_text())["step"]}
+
+
+def stale_rows(tables, texts):
+    """Rows of not_typed.toml whose command stands on no page, and tables that name nothing that runs; targets on pages
+    that neither a step of .ci/steps.toml nor a row has."""
+    code = "\n".join(map(code_of, texts))
+    for by, commands in tables.items():
+        if by not in {NO_STEP, *steps()} and by.removeprefix("make ") not in targets():
+            yield f"not_typed.toml: {by}: neither a target of the Makefile nor a step of .ci/steps.toml"
+        for command in commands:
+            if not re.search(rf"{re.escape(command)}(?=`|  |$)", code, re.MULTILINE):
+                yield f"not_typed.toml: {command}: no page has this command"
+    made = [word for command in steps().values() if command.startswith("make ") for word in command.split()]
+    for target in dict.fromkeys(MAKE.findall(code)):
+        if target not in made and f"make {target}" not in tables.get(NO_STEP, {}):
+            yield f"make {target}: a page has it, and neither .ci/steps.toml nor not_typed.toml"
+
+
 def faults(ehd, page, text):
     return [*wrong_commands(ehd, text), *wrong_targets(text), *wrong_links(page, text), *wrong_files(page, text),
             *wrong_functions(text), *long_starts(page, text), *forgotten(page, text)]
@@ -159,6 +192,7 @@ def main(arguments):
     ehd = str(pathlib.Path(arguments[0]).resolve())
     wrong = [f"{page.relative_to(ROOT)}: {fault}" for page, text in pages() for fault in faults(ehd, page, text)]
     wrong += different_versions(versions())
+    wrong += stale_rows(tomllib.loads((HERE / "not_typed.toml").read_text()), [text for _, text in pages()])
     print(*wrong, sep="\n", end="\n" if wrong else "")
     return 1 if wrong else 0
 

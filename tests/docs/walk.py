@@ -12,8 +12,9 @@ order, in one folder, where examples/ and build/ehd are as in a clone. A command
 VARYING. A number of four digits and more in the words of such a page has to stand in one of its blocks, or in
 docs/results.
 
-A line "    ehd ..." of an indented block is typed as well, and has to succeed, unless it has a place for a word (FILE,
-[--option]) or is in NOT_TYPED.
+A line "    ehd ..." of an indented block is typed as well, and has to succeed, and so has `ehd ...` in a sentence. Left
+out are commands with a place for a word (FILE, [--option]), those that name an option without its value
+(`ehd solve --json`), and those of not_typed.toml, which take minutes.
 """
 import functools
 import os
@@ -22,6 +23,9 @@ import re
 import subprocess
 import sys
 import tempfile
+import tomllib
+
+import names
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SKIPPED = 77
@@ -38,13 +42,8 @@ VARYING = (
     (r"\b\d{4}-\d\d-\d\dT[\d:]+Z", "now"),
     (r"\([^()]*FFTW [^()]*\)", "libraries"),
 )
-# Indented commands that a test does not type: how they begin, or an option of theirs, and who runs them instead.
-NOT_TYPED = {
-    "ehd verify": "make verify", "ehd bench": "the step bench", "ehd stress": "the step stress", "ehd atlas": "an hour",
-    "ehd statements": "make results", "ehd maps": "make results", "--dynamic": "15 s: make results",
-    "na4908-load": "a minute: make engines",
-}
-LOOSE = re.compile(r"^    (?:build/)?(ehd [a-z].*?)(?:  .*|)$", re.MULTILINE)
+LOOSE = re.compile(r"^    (?:build/)?(ehd [a-z].*?)(?:  .*|)$|`(?:build/)?(ehd [a-z]+ [^`\n]+)`", re.MULTILINE)
+PLACE = re.compile(r"\b[A-Z]{2,}\b|[\[{|]|\.\.\.|…")  # for a word: FILE, [--option], one|other
 BLOCK = re.compile(r"(?:`(?P<name>[\w-]+\.\w+)`:\n\n)?^```(?P<kind>\w+)\n(?P<body>.*?)^```$", re.MULTILINE | re.DOTALL)
 
 
@@ -156,10 +155,22 @@ def turns(body):
     return found
 
 
-def loose(text):
-    """Indented commands that can be typed as they stand."""
-    return [command for command in LOOSE.findall(BLOCK.sub("", text))
-            if not re.search(r"\b[A-Z]{2,}\b|[\[{]|\.\.\.", command) and not any(mark in command for mark in NOT_TYPED)]
+@functools.cache
+def not_typed():
+    """{command: who runs it instead}"""
+    tables = tomllib.loads((pathlib.Path(__file__).parent / "not_typed.toml").read_text())
+    return {command: by for by, commands in tables.items() for command in commands}
+
+
+def whole_commands(ehd, text):
+    """The commands of indented lines and of sentences that can be typed as they stand."""
+    found = [indented or inline for indented, inline in LOOSE.findall(BLOCK.sub("", text))]
+    return [command for command in found if not PLACE.search(command) and not names.lacks_value(str(ehd), command)]
+
+
+def loose(ehd, text):
+    """Those of them that a test types, each once."""
+    return [command for command in dict.fromkeys(whole_commands(ehd, text)) if command not in not_typed()]
 
 
 def unfounded(text):
@@ -192,7 +203,7 @@ def walked(ehd, page):
             return f"{block[0][:block.start('body') - block.start()]}{made}```"
 
         text = BLOCK.sub(follow, text)
-        for command in loose(text):
+        for command in loose(ehd, text):
             if re.search(r"^exit code \d", printed := shell.typed(command), re.MULTILINE):
                 faults.append(f"{command}: fails\n{printed}")
     if "```console" in text:

@@ -12,7 +12,7 @@ import names
 import walk
 
 HERE = pathlib.Path(__file__).resolve().parent
-SOLVE = """The film of `my.txt` is 0.07808.
+SOLVE = """The film of `my.txt` is 0.07808: `ehd new contact`, and `ehd solve --json` too.
 
     ehd convert M=20 L=10   # the same in other groups
     ehd convert WORD
@@ -25,7 +25,7 @@ film.minimum
 
 ```console
 $ ehd solve --M 20 --L 10 | grep -f my.txt | head -n 1
-  film.minimum   0.07808(8)   3.976(4)  0.938521
+  film.minimum   0.07808(8)   3.976(4)  0.939
 $ ehd solve --M 20 --L 1000
 --L 1000: is out of range; allowed is 0, or 1e-12 to 100
 exit code 2
@@ -34,11 +34,12 @@ $ ehd convert M=20 L=10 | wc -l
 """
 WALKED = (
     ("another digit", "0.07808(8)", "0.07809(8)"),
-    ("a line less", "  film.minimum   0.07808(8)   3.976(4)  0.938521\n", ""),
+    ("a line less", "  film.minimum   0.07808(8)   3.976(4)  0.939\n", ""),
     ("a number that no block shows", "is 0.07808", "is 0.07809"),
     ("another file", "```text\nfilm.minimum", "```text\nfilm.central"),
     ("a failure that is not said", "exit code 2\n", ""),
     ("an indented command that fails", "    ehd convert M=20 L=10   #", "    ehd convert X=20 L=10   #"),
+    ("a command in a sentence that fails", "`ehd new contact`", "`ehd new conact`"),
     ("a command that is not there", "ehd solve --M 20 --L 10 ", "ehd sovle --M 20 --L 10 "),
 )
 NAMED = """    ehd solve own-moes-20-10 --tolerance 1e-4
@@ -60,6 +61,14 @@ NAMES = (
     ("a heading", "README.md#tests", "README.md#test"),
     ("a function", "`half_width_m`", "`half_with_m`"),
     ("a file of a function", "| `contact/hertz.cpp` |", "| `contact/herz.cpp` |"),
+)
+ROW_PAGE = "`ehd verify --quick`, `make verify`, `make atlas`\n\n    ehd bench --quick  some parts\n"
+ATLAS = {"no step": {"make atlas": "an hour"}}
+ROWS = (
+    ("a target that nothing runs", {}, 1),
+    ("right rows", {**ATLAS, "make verify": {"ehd verify --quick": ""}, "bench, quick": {"ehd bench --quick": ""}}, 0),
+    ("a command of no page", {**ATLAS, "make verify": {"ehd verify": "minutes"}}, 1),
+    ("a target that is not there", {**ATLAS, "make verifi": {"ehd verify --quick": "a minute"}}, 1),
 )
 LONG_START = """```console
 $ git clone URL ehd
@@ -105,6 +114,9 @@ def main(ehd):
         missed.append("names.py: five commands to a result")
     if not names.different_versions({**names.versions(), "CITATION.cff": "0.0.1"}):
         missed.append("names.py: another version")
+    for what, rows, faults in ROWS:
+        if len(list(names.stale_rows(rows, [ROW_PAGE]))) != faults:
+            missed.append(f"names.py: {what} of not_typed.toml")
     print(*missed, sep="\n", end="\n" if missed else "")
     return 1 if missed else 0
 
