@@ -18,7 +18,8 @@ namespace hp = reference::hp;
 ManufacturedErrors errors_of_solver(const RegisteredSolver& solver, const Manufactured& truth, int intervals) {
   Problem problem = truth.problem();
   problem.wanted = {Quantity::film_offset};
-  const Solution solution = solver.solve(problem, {.tolerance = {}, .nodes = intervals});
+  const Solution solution =
+      solver.solve(problem, {.tolerance = {}, .nodes = intervals, .max_iterations = most_manufactured_iterations});
   const Fields& at = solution.fields;
   // A coarse grid of a study of the order may be called under-resolved.
   if (!solved_on_its_grid(solution) || at.X.size() != intervals + 1) return {};

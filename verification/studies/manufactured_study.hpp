@@ -36,6 +36,10 @@ struct ManufacturedContact {
 inline const ManufacturedContact manufactured_contacts[] = {{"compressible", &exact::Manufactured::compressible},
                                                             {"barus", &exact::Manufactured::barus}};
 
+/// Newton's method of a second-order solver. Sources cost a quadrature a node, so a wrong program that never converges
+/// would take many minutes for what a right one does in a second.
+inline constexpr int most_manufactured_iterations = 100;
+
 inline constexpr int manufactured_grids[] = {192, 288, 432, 648};         ///< intervals
 inline constexpr int collocation_elements[] = {48, 72, 108, 162};         ///< of one degree
 inline constexpr int collocation_degrees[] = {6, 8, 10, 12, 14, 16, 18};  ///< on collocation_elements_in_p elements

@@ -17,7 +17,7 @@ using Amplitude = std::complex<double>;
 MotionErrors motion_errors_of_fast(const ManufacturedMotion& truth, int intervals) {
   constexpr double residual = 1e-11;
   const Problem problem = truth.steady().problem();
-  const Request request{.tolerance = {}, .nodes = intervals};
+  const Request request{.tolerance = {}, .nodes = intervals, .max_iterations = most_manufactured_iterations};
   fast::Workspace workspace;
   fast::Run run = fast::begin_mapped(problem, request, workspace);
   const fast::MappedClimb climb = fast::best_climb(run, request);
