@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bearing/build_curve.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -361,8 +363,8 @@ void descend(Refinement& refinement, const CurveRequest& request, LightEnd& end)
       return;
     }
     if (refinement.continuation(refinement.lightest_N(), half).against(request) <= 1) {
-      end.because = "below " + newtons(refinement.lightest_N()) +
-                    " the rigid-roller formula is used; it was checked at " + newtons(half);
+      end.because = fmt::format("below {} the rigid-roller formula is used; it was checked at {}",
+                                newtons(refinement.lightest_N()), newtons(half));
       end.at_rigid_limit = true;
       return;
     }
@@ -403,11 +405,12 @@ std::variant<FilmCurve, SolveFailure> build_curve(const SolvableContact& contact
   Refinement refinement(contacts, request);
   const double top = request.heaviest_N;
   if (const auto failure = refinement.add_point(top))
-    return SolveFailure{.why = "at a contact force of " + newtons(top) + ": " + failure->why, .limit = failure->limit};
+    return SolveFailure{.why = fmt::format("at a contact force of {}: {}", newtons(top), failure->why),
+                        .limit = failure->limit};
   LightEnd end = add_first_points(refinement, request);
   if (refinement.size() < fewest_points)
-    return SolveFailure{.why = "only " + std::to_string(refinement.size()) + " contact forces up to " + newtons(top) +
-                               " could be solved, three are needed; " + end.because,
+    return SolveFailure{.why = fmt::format("only {} contact forces up to {} could be solved, three are needed; {}",
+                                           refinement.size(), newtons(top), end.because),
                         .limit = end.limit};
 
   refinement.split_gaps();

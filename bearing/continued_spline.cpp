@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bearing/continued_spline.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -15,8 +17,8 @@ std::vector<double> logarithms(const std::vector<double>& values, const std::str
   std::vector<double> logs;
   for (const double value : values) {
     if (!(value > 0) || !std::isfinite(value))
-      throw std::invalid_argument("curve over the contact force: a " + name + " is " + std::to_string(value) +
-                                  "; all must be positive and finite");
+      throw std::invalid_argument(
+          fmt::format("curve over the contact force: a {} is {}; all must be positive and finite", name, value));
     logs.push_back(std::log(value));
   }
   return logs;
@@ -28,9 +30,9 @@ ContinuedSpline::ContinuedSpline(const RacewayContact& contact, const std::vecto
                                  const std::vector<double>& values, ClosedForm rigid, const char* name)
     : contact_(contact), rigid_(rigid) {
   if (forces_N.size() < 3 || values.size() != forces_N.size())
-    throw std::invalid_argument("curve over the contact force: " + std::to_string(forces_N.size()) + " forces and " +
-                                std::to_string(values.size()) + " values of the " + name +
-                                "; give equal numbers of each, at least three");
+    throw std::invalid_argument(fmt::format(
+        "curve over the contact force: {} forces and {} values of the {}; give equal numbers of each, at least three",
+        forces_N.size(), values.size(), name));
   if (std::adjacent_find(forces_N.begin(), forces_N.end(), std::greater_equal<>()) != forces_N.end())
     throw std::invalid_argument("curve over the contact force: the forces must increase");
   lightest_N_ = forces_N.front();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bearing/equilibrium.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -101,8 +103,8 @@ std::variant<Equilibrium, NoEquilibrium> balance(const Geometry& geometry, const
   const Place place = find_place(ring, laws, loading);
   Equilibrium result = at_place(ring, place);
   if (place.state.groups.empty() || !is_finite(place.state.force_N))
-    return NoEquilibrium{"roller forces are not finite at a displacement of " + plain(result.displacement_m) +
-                         " m (load " + plain(load) + " N)"};
+    return NoEquilibrium{fmt::format("roller forces are not finite at a displacement of {} m (load {} N)",
+                                     plain(result.displacement_m), plain(load))};
 
   // A result that is returned balances: all rollers, each in its own direction.
   double worst_N = put_rollers(result, ring, place);
@@ -113,10 +115,10 @@ std::variant<Equilibrium, NoEquilibrium> balance(const Geometry& geometry, const
   result.balance_error = scale > 0 ? worst_N / scale : 0;
   if (!(result.balance_error <= largest_balance_error)) {
     const bool jump = ring.plane() && (jumps(laws.inner) || jumps(laws.outer));
-    return NoEquilibrium{
-        "the forces balance only to " + plain(result.balance_error) + " of the larger of load and roller forces, " +
-        plain(scale) + " N" +
-        (jump ? "; rollers on the jump of a law that is cut at delta = 0 are balanced in the radial form only" : "")};
+    return NoEquilibrium{fmt::format(
+        "the forces balance only to {} of the larger of load and roller forces, {} N{}", plain(result.balance_error),
+        plain(scale),
+        jump ? "; rollers on the jump of a law that is cut at delta = 0 are balanced in the radial form only" : "")};
   }
   if (const auto refused = refusal_of_a_law(laws, result)) return NoEquilibrium{*refused};
   return result;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bearing/fit.hpp"
 
+#include <fmt/format.h>
 #include <gsl/gsl_fit.h>
 
 #include <algorithm>
@@ -126,7 +127,7 @@ std::variant<LinearFit, SolveFailure> fit_contacts(const SolvableContact& contac
   for (const double force_N : fit_forces_N(lowest_N, highest_N, points)) {
     const ContactResult result = contacts.at(force_N);
     if (const auto* failure = std::get_if<SolveFailure>(&result)) {
-      return SolveFailure{.why = "at a contact force of " + plain(force_N, 4) + " N: " + failure->why,
+      return SolveFailure{.why = fmt::format("at a contact force of {} N: {}", plain(force_N, 4), failure->why),
                           .limit = failure->limit};
     }
     const auto& contact = std::get<SolvedContact>(result);

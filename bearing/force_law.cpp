@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bearing/force_law.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -38,10 +40,10 @@ constexpr int rising_samples = 400;
 constexpr double rising_from = 1.0 / 64;
 
 std::string beyond_the_logarithm(double force_N, double heaviest_N) {
-  return "a contact would carry " + plain(force_N) +
-         " N, beyond the domain of its law: the half width must stay below an eighth of the length in the logarithm, "
-         "allowed is up to " +
-         plain(heaviest_N) + " N";
+  return fmt::format(
+      "a contact would carry {} N, beyond the domain of its law: the half width must stay below an eighth of the "
+      "length in the logarithm, allowed is up to {} N",
+      plain(force_N), plain(heaviest_N));
 }
 
 /// From N and mm: f = c l^(8/9) delta^(10/9).
@@ -150,10 +152,10 @@ CurveLaw::CurveLaw(std::shared_ptr<const FilmCurve> curve, double datum_m)
   for (int k = 0; k <= rising_samples; ++k) {
     const double f = lightest * std::pow(heaviest / lightest, static_cast<double>(k) / rising_samples);
     if (compliance(f) > 0) continue;
-    throw std::domain_error("the approach does not increase with the contact force at " + plain(f, 4) +
-                            " N (datum x_0 = " + plain(datum_m, 4) + " m, contact half width " +
-                            plain(hertz::half_width_m(curve_->contact().at(f)), 4) +
-                            " m); state a larger datum.x0_m or another datum.law");
+    throw std::domain_error(
+        fmt::format("the approach does not increase with the contact force at {} N (datum x_0 = {} m, contact half "
+                    "width {} m); state a larger datum.x0_m or another datum.law",
+                    plain(f, 4), plain(datum_m, 4), plain(hertz::half_width_m(curve_->contact().at(f)), 4)));
   }
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bearing/response_curve.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -195,15 +197,16 @@ class ResponsePoints {
     if (solved_.contains(force_N)) return std::nullopt;
     ResponseResult result = contacts_.at(force_N, request_.omegas);
     if (auto* failure = std::get_if<SolveFailure>(&result))
-      return SolveFailure{.why = "response at a contact force of " + plain(force_N, 4) + " N: " + failure->why,
-                          .limit = failure->limit};
+      return SolveFailure{
+          .why = fmt::format("response at a contact force of {} N: {}", plain(force_N, 4), failure->why),
+          .limit = failure->limit};
     auto& response = std::get<SolvedResponse>(result);
     const bool lightest = force_N <= request_.lightest_N;
     if (!(response.slow.stiffness > 0) || (lightest && !(response.slow.damping > 0)))
-      return SolveFailure{.why = "at a contact force of " + plain(force_N, 4) + " N kappa_0 = " +
-                                 plain(response.slow.stiffness) + " and kappa_1 = " + plain(response.slow.damping) +
-                                 "; a curve over the force needs a positive kappa_0, and a positive kappa_1 where it "
-                                 "goes over to a rigid cylinder"};
+      return SolveFailure{
+          .why = fmt::format("at a contact force of {} N kappa_0 = {} and kappa_1 = {}; a curve over the force needs a "
+                             "positive kappa_0, and a positive kappa_1 where it goes over to a rigid cylinder",
+                             plain(force_N, 4), plain(response.slow.stiffness), plain(response.slow.damping))};
     solved_.emplace(force_N, std::move(response));
     return std::nullopt;
   }

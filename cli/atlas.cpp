@@ -2,6 +2,8 @@
 // ehd atlas: the certified solutions over M and L, with the digits that are known.
 #include "verification/atlas/atlas.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -49,11 +51,12 @@ std::string progress_line(std::size_t done, std::size_t all, const verification:
     return with_absolute_error(at->second.value, at->second.error);
   };
   const std::string counter = std::to_string(done), total = std::to_string(all);
-  return "[" + std::string(total.size() - std::min(total.size(), counter.size()), ' ') + counter + "/" + total + "] " +
-         record.id + ": " + std::string(to_string(record.status)) + ", " +
-         (motion ? "kappa_0 " + known("stiffness 0") + ", kappa_1 " + known("damping 0")
-                 : "H_min " + known("H_min") + ", H_cen " + known("H_cen")) +
-         ", " + plain(record.wall_s, 3) + " s";
+  return fmt::format("[{}{}/{}] {}: {}, {}, {} s",
+                     std::string(total.size() - std::min(total.size(), counter.size()), ' '), counter, total, record.id,
+                     to_string(record.status),
+                     motion ? fmt::format("kappa_0 {}, kappa_1 {}", known("stiffness 0"), known("damping 0"))
+                            : fmt::format("H_min {}, H_cen {}", known("H_min"), known("H_cen")),
+                     plain(record.wall_s, 3));
 }
 
 int atlas(const AtlasOptions& options) {
@@ -87,7 +90,7 @@ int atlas(const AtlasOptions& options) {
   request.progress = [&](std::size_t done, std::size_t all, const verification::AtlasRecord& record, bool reused) {
     reused_so_far += reused ? 1 : 0;
     if (!told && reused_so_far > 0 && (!reused || done == all)) {
-      complain(std::to_string(reused_so_far) + " of " + std::to_string(all) + " points are known from an earlier run");
+      complain(fmt::format("{} of {} points are known from an earlier run", reused_so_far, all));
       told = true;
     }
     if (!reused) complain(progress_line(done, all, record, options.motion));

@@ -110,10 +110,11 @@ std::string statements_of(const Computed& computed, ContactMemory& memory, beari
     }
     const auto statements = judge_paper_statements(clearances);
     if (statements.empty()) continue;
-    text += "\nThe paper's statements, hertz against " + std::string(to_string(law)) +
-            " with the datum of the cases\n" + human_statements(statements);
-    text += "\nThe same for other data (dry/" + std::string(to_string(law)) + " at psi = 0)\n" +
-            human_data(compare_data(computed.cases, law, memory, form), scan_datum(computed.cases, law, memory, form));
+    text += fmt::format("\nThe paper's statements, hertz against {} with the datum of the cases\n{}", to_string(law),
+                        human_statements(statements));
+    text += fmt::format(
+        "\nThe same for other data (dry/{} at psi = 0)\n{}", to_string(law),
+        human_data(compare_data(computed.cases, law, memory, form), scan_datum(computed.cases, law, memory, form)));
   }
   return text;
 }
@@ -130,8 +131,8 @@ std::optional<std::string> csv_of(const Computed& computed) {
     for (const BearingResult& result : computed.results[k])
       for (std::size_t j = 0; j < result.rollers.size(); ++j) {
         const RollerRow& roller = result.rollers[j];
-        rows += computed.cases[k].id + cell(body.geometry.clearance_m) + "," + std::string(to_string(result.law)) +
-                cell(roller.azimuth_deg);
+        rows += fmt::format("{}{},{}{}", computed.cases[k].id, cell(body.geometry.clearance_m), to_string(result.law),
+                            cell(roller.azimuth_deg));
         for (const ContactRow* at : {&roller.inner, &roller.outer})
           rows += cell(at->force_N) + cell(at->displacement_m) + cell(at->film_minimum_m) + cell(at->hertz_pressure_Pa);
         rows += fmt::format(",{}{}{},{}\n", j + 1, cell(roller.inner.lambda_ratio), cell(roller.outer.lambda_ratio),
@@ -302,9 +303,9 @@ void describe_bearing(Command& command) {
   command.examples(bearing_examples);
   command.list("CASE", options->cases, "case files (TOML), ids of benchmark cases, or - for standard input").required();
   command.list("--law", options->laws,
-               "contact law (repeatable): " + bearing::names_of(bearing::Laws::all) + " (" +
-                   bearing::names_of(bearing::Laws::by_default) + "; " +
-                   bearing::names_of(bearing::Laws::by_default_dry) + " alone without a lubricant)");
+               fmt::format("contact law (repeatable): {} ({}; {} alone without a lubricant)",
+                           bearing::names_of(bearing::Laws::all), bearing::names_of(bearing::Laws::by_default),
+                           bearing::names_of(bearing::Laws::by_default_dry)));
   command.text("--solver", options->solver, "solver of the EHD contacts, one of " + solver_names()).showing_default();
   command
       .text("--form", options->form,

@@ -197,7 +197,7 @@ class Bench {
     finish_part(human_table(rows));
     const auto failed = std::find_if(rows.begin(), rows.end(), [](const auto& row) { return !row.why.empty(); });
     if (failed != rows.end()) {
-      complain("ehd: bench: a first solve by " + failed->solver + ": " + failed->why);
+      complain(fmt::format("ehd: bench: a first solve by {}: {}", failed->solver, failed->why));
       sound_ = false;
     }
   }

@@ -53,7 +53,7 @@ std::string problem_of(const Case& any) {
   if (contact.dry()) return "dry contact";
   const Groups groups = nondimensionalise(contact.statement, *contact.lubricant, *contact.inlet).problem.groups;
   constexpr int digits = 4;
-  return "M = " + plain(groups.M, digits) + ", L = " + plain(groups.L, digits);
+  return fmt::format("M = {}, L = {}", plain(groups.M, digits), plain(groups.L, digits));
 }
 
 /// The kinds of a case's expectations: "exact", "computed", …, each once; values without a source yet are "waiting".

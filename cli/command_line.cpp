@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/command_line.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <utility>
 
@@ -32,7 +34,8 @@ std::vector<std::string> names_like(const std::string& word, CLI::App& app) {
 std::string unknown_word(CLI::App& app, const std::string& command) {
   const std::string given = app.remaining().front();
   const std::string word = given.substr(0, given.starts_with("--") ? given.find('=') : std::string::npos);
-  return word + ": unknown; " + did_you_mean(word, names_like(word, app)) + command + " --help shows what is allowed";
+  return fmt::format("{}: unknown; {}{} --help shows what is allowed", word, did_you_mean(word, names_like(word, app)),
+                     command);
 }
 
 /// The options of a command with their names, for the shell that completes them.
@@ -123,7 +126,7 @@ int run_command_line(const Program& program, int argc, char** argv) {
   const auto refuse = [&](const CLI::ParseError* error) {
     const std::string command = program.name + (&chosen() == &app ? "" : " " + chosen().get_name());
     complain(program.name + ": " +
-             (error ? first_line(error->what()) + "; " + command + " --help shows what is allowed"
+             (error ? fmt::format("{}; {} --help shows what is allowed", first_line(error->what()), command)
                     : unknown_word(chosen(), command)));
     return bad_input;
   };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/completion.hpp"
 
+#include <fmt/format.h>
+
 #include "cli/usage.hpp"
 
 namespace ehd::cli {
@@ -19,8 +21,8 @@ std::string function_of(const std::string& program, const std::vector<CommandWor
   for (const CommandWords& command : commands) {
     if (command.name.empty()) continue;
     names += " " + command.name;
-    branches += "    " + command.name + ") options=\"" + joined(command.options) + "\"" +
-                (command.takes_cases ? "; cases=yes" : "") + " ;;\n";
+    branches += fmt::format("    {}) options=\"{}\"{} ;;\n", command.name, joined(command.options),
+                            command.takes_cases ? "; cases=yes" : "");
   }
   return "_" + program + "() {\n" +
          "  local word=\"${COMP_WORDS[COMP_CWORD]}\" options=\"\" cases=\"\"\n"
@@ -51,7 +53,8 @@ std::string completion_script(const std::string& program, const std::vector<Comm
                               const std::string& shell) {
   if (shell == "bash") return function_of(program, commands);
   if (shell == "zsh")
-    return "#compdef " + program + "\nautoload -U +X bashcompinit && bashcompinit\n" + function_of(program, commands);
+    return fmt::format("#compdef {}\nautoload -U +X bashcompinit && bashcompinit\n{}", program,
+                       function_of(program, commands));
   throw option_error("--completion", shell, std::string("is unknown; allowed is ") + completion_shells);
 }
 

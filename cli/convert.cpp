@@ -51,9 +51,10 @@ std::vector<GivenNumber> numbers_of(const std::vector<std::string>& texts) {
     const auto equals = text.find('=');
     const std::string name = text.substr(0, equals);
     if (std::find(names.begin(), names.end(), name) == names.end())
-      throw UsageError("convert: " + name + ": is unknown; " + did_you_mean(name, names) + "allowed is " + list(names));
+      throw UsageError(
+          fmt::format("convert: {}: is unknown; {}allowed is {}", name, did_you_mean(name, names), list(names)));
     if (equals == std::string::npos)
-      throw UsageError("convert: " + name + ": has no value; allowed is " + name + "=NUMBER");
+      throw UsageError(fmt::format("convert: {}: has no value; allowed is {}=NUMBER", name, name));
     const auto row = static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
     const Interval allowed{
         .low = 0, .high = std::numeric_limits<double>::max(), .open_low = !scaled_numbers()[row].may_vanish()};

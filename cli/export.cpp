@@ -65,7 +65,7 @@ struct Ends {
 Ends ends_from(const char* option, const std::optional<std::string>& text, double least, double most) {
   const std::string allowed =
       fmt::format("; allowed is LOW:HIGH with {} <= LOW < HIGH <= {}", plain(least), plain(most));
-  if (!text) throw UsageError(std::string("export films: ") + option + " is missing" + allowed);
+  if (!text) throw UsageError(fmt::format("export films: {} is missing{}", option, allowed));
   const auto colon = text->find(':');
   if (colon == std::string::npos) throw option_error(option, *text, "is no range" + allowed);
   Ends ends;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ehd maps: the film formulas and the cut inlet over M and L, from the atlas.
+#include <fmt/format.h>
+
 #include <memory>
 #include <optional>
 #include <string>
@@ -52,7 +54,7 @@ int maps(const MapsOptions& options) {
     const FilmTable table = verification::table_of_the_atlas(0);
     if (!table.panels.empty()) print(verification::table_beside_formulas(all, table));
     if (table.status == StopReason::converged) return success;
-    complain("ehd: maps: " + std::string(to_string(table.status)) + ": " + table.reason);
+    complain(fmt::format("ehd: maps: {}: {}", to_string(table.status), table.reason));
     return not_met;
   }
   OutputFolder folder(options.output);

@@ -39,8 +39,9 @@ Request RequestOptions::request() const {
   const bool of_a_film = tolerance_minimum || tolerance_central;
   if (tolerance && nodes) throw UsageError("--tolerance and --nodes exclude each other; allowed is one of them");
   if (of_a_film && (tolerance || nodes))
-    throw UsageError(std::string(tolerance_minimum ? "--tolerance-minimum" : "--tolerance-central") + " and " +
-                     (tolerance ? "--tolerance" : "--nodes") + " exclude each other; allowed is one of them");
+    throw UsageError(fmt::format("{} and {} exclude each other; allowed is one of them",
+                                 tolerance_minimum ? "--tolerance-minimum" : "--tolerance-central",
+                                 tolerance ? "--tolerance" : "--nodes"));
   if (of_a_film) {
     request.tolerance = {};
     if (tolerance_minimum)
@@ -110,10 +111,10 @@ void require_memory(const RegisteredSolver& solver, const Request& request) {
   if (needed <= available) return;
   int fitting = *request.nodes;
   while (fitting > fewest_nodes && solver.memory_bytes(fitting) > available) fitting /= 2;
-  throw option_error("--nodes", std::to_string(*request.nodes),
-                     "would not fit into memory (" + solver.name + " needs about " + plain(needed / gigabyte, 2) +
-                         " GB, available are " + plain(available / gigabyte, 2) + " GB); allowed is up to about " +
-                         std::to_string(fitting));
+  throw option_error(
+      "--nodes", std::to_string(*request.nodes),
+      fmt::format("would not fit into memory ({} needs about {} GB, available are {} GB); allowed is up to about {}",
+                  solver.name, plain(needed / gigabyte, 2), plain(available / gigabyte, 2), fitting));
 }
 
 }  // namespace ehd::cli

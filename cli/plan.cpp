@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ehd plan: the stages of a run, and the skipped ones with the reason. Nothing is solved.
+#include <fmt/format.h>
+
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -72,7 +74,7 @@ int plan(const PlanOptions& options) {
   object["plan"] = to_json(made);
   options.changes.put_into(object);
   json.commit(object);
-  if (!json.to_standard_output()) print(any.id + ": " + any.title + "\n" + human_plan(made));
+  if (!json.to_standard_output()) print(fmt::format("{}: {}\n{}", any.id, any.title, human_plan(made)));
   return success;
 }
 
@@ -84,7 +86,7 @@ void describe_plan(Command& command) {
   command.examples(plan_examples);
   command.text("CASE", options->case_name, "a case file (TOML), the id of a benchmark case, or - for standard input")
       .required();
-  command.text("--solver", options->solver, "one of " + solver_names() + " (" + default_solver().name + ")");
+  command.text("--solver", options->solver, fmt::format("one of {} ({})", solver_names(), default_solver().name));
   options->request.add_to(command);
   options->changes.add_to(command);
   command.list("--quantity", options->quantities, "only this quantity (repeatable)");

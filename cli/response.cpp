@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ehd response: stiffness and damping of a contact's film, and what the film leaves of a waviness.
+#include <fmt/format.h>
+
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -85,7 +87,8 @@ ResponseQuestion question_of(const ResponseOptions& options) {
 std::string default_tolerances() {
   std::string text;
   for (const RegisteredSolver& solver : solvers())
-    if (solver.respond) text += (text.empty() ? "" : ", ") + plain(solver.response_tolerance) + " by " + solver.name;
+    if (solver.respond)
+      text += fmt::format("{}{} by {}", text.empty() ? "" : ", ", plain(solver.response_tolerance), solver.name);
   return text;
 }
 
@@ -108,7 +111,7 @@ int respond(const ResponseOptions& options) {
   json.commit(result);
   if (!json.to_standard_output()) print(human_table(run, title));
   if (run.response.status == StopReason::converged) return success;
-  complain("ehd: " + title + ": " + std::string(to_string(run.response.status)) + ": " + run.response.reason);
+  complain(fmt::format("ehd: {}: {}: {}", title, to_string(run.response.status), run.response.reason));
   return not_met;
 }
 

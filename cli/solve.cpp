@@ -63,7 +63,7 @@ void require_laws_possible(const SolveOptions& options, const Lubricant& lubrica
   const LawKeys keys = row_of(lubricant.viscosity).keys;
   if (!keys.alpha_per_Pa)
     throw option_error("--viscosity", *options.viscosity,
-                       "contradicts --L = " + *options.L + "; allowed is " + piezoviscous_names() + ", or --L 0");
+                       fmt::format("contradicts --L = {}; allowed is {}, or --L 0", *options.L, piezoviscous_names()));
   if (!lubricant.alpha_per_Pa) {
     const std::string needs = "needs pressures in Pa, which the groups alone leave open; required is --alpha-per-Pa, " +
                               text_of(row_of_case_key("lubricant.alpha_per_Pa").allowed);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ehd statements: the paper's statements under the choices that the paper leaves open.
+#include <fmt/format.h>
+
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -66,14 +68,13 @@ int statements(const StatementsOptions& options) {
   result["contacts_from_memory"] = memory.recalls();
   json.commit(result);
   if (!json.to_standard_output())
-    print(human_study(rows) + "\n  " + std::to_string(memory.solves()) + " contacts solved, " +
-          std::to_string(memory.recalls()) + " taken from memory\n");
+    print(fmt::format("{}\n  {} contacts solved, {} taken from memory\n", human_study(rows), memory.solves(),
+                      memory.recalls()));
   int missing = 0;
   for (const StudyRow& row : rows) {
     if (!row.statements.empty()) continue;
     ++missing;
-    complain("ehd: statements: " + row.factor + " " + row.value + ", " + std::string(to_string(row.law)) + ": " +
-             row.why);
+    complain(fmt::format("ehd: statements: {} {}, {}: {}", row.factor, row.value, to_string(row.law), row.why));
   }
   return missing == 0 ? success : not_met;
 }

@@ -2,6 +2,8 @@
 // ehd stress: numerical stability under starts, precision, rounding, condition and extreme inputs.
 #include "verification/stress/stress.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <memory>
 #include <optional>
@@ -58,7 +60,7 @@ int stress(const StressOptions& options) {
   Progress progress;
   for (const PartEntry* entry : chosen) {
     scope.progress = [&](const std::string& what) {
-      progress.step(results.size(), chosen.size(), "(" + entry->id + ") " + entry->name + ": " + what);
+      progress.step(results.size(), chosen.size(), fmt::format("({}) {}: {}", entry->id, entry->name, what));
     };
     scope.show("...");
     Part part = run_part(*entry, scope);
@@ -72,7 +74,8 @@ int stress(const StressOptions& options) {
   if (all_passed(results)) return success;
   std::string open;
   for (const Part& part : results) {
-    if (part.verdict != verification::Verdict::pass) open += (open.empty() ? "" : ", ") + part.id + " " + part.name;
+    if (part.verdict != verification::Verdict::pass)
+      open += fmt::format("{}{} {}", open.empty() ? "" : ", ", part.id, part.name);
   }
   complain("ehd: stress: not passed: " + open);
   return not_met;

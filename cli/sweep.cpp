@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ehd sweep: a case over lists and ranges of its keys.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
@@ -79,8 +81,8 @@ class Bar {
     shown_ = now;
     constexpr std::size_t width = 24;
     const std::size_t full = all > 0 ? width * known / all : width;
-    std::string line = "[" + std::string(full, '#') + std::string(width - full, ' ') + "] " + std::to_string(known) +
-                       "/" + std::to_string(all) + " rows";
+    std::string line =
+        fmt::format("[{}{}] {}/{} rows", std::string(full, '#'), std::string(width - full, ' '), known, all);
     if (computed > 0 && known < all) {
       const double passed = std::chrono::duration<double>(now - begin_).count();
       line += ", " + duration(passed * static_cast<double>(all - known) / static_cast<double>(computed)) + " left";
@@ -99,15 +101,14 @@ class Bar {
 std::string summary(const Sweep& sweep, const SweepCost& cost, const std::string& what) {
   std::string laws;
   for (const bearing::Law law : sweep.laws) laws += (laws.empty() ? ", laws " : ", ") + std::string(to_string(law));
-  std::string text = sweep.id + ": " + std::to_string(cost.rows) + " rows of " + sweep.case_id + laws + what + "\n";
-  text += "  rows computed " + std::to_string(cost.computed) + ", known before or equal to another " +
-          std::to_string(cost.rows - cost.computed - cost.not_run) +
-          (cost.not_run > 0 ? ", not run " + std::to_string(cost.not_run) : "") + ", not converged " +
-          std::to_string(cost.failures.rows) + "\n";
+  std::string text = fmt::format("{}: {} rows of {}{}{}\n", sweep.id, cost.rows, sweep.case_id, laws, what);
+  text += fmt::format("  rows computed {}, known before or equal to another {}{}, not converged {}\n", cost.computed,
+                      cost.rows - cost.computed - cost.not_run,
+                      cost.not_run > 0 ? ", not run " + std::to_string(cost.not_run) : "", cost.failures.rows);
   if (cost.computed > 0)
-    text += "  contact solves made " + std::to_string(cost.solves) + ", saved " + std::to_string(cost.saved()) +
-            " (rows that share a contact solve it once)\n  time " + duration(cost.wall_s) + " on " +
-            std::to_string(cost.threads) + (cost.threads == 1 ? " thread\n" : " threads\n");
+    text += fmt::format(
+        "  contact solves made {}, saved {} (rows that share a contact solve it once)\n  time {} on {}{}", cost.solves,
+        cost.saved(), duration(cost.wall_s), cost.threads, cost.threads == 1 ? " thread\n" : " threads\n");
   return text;
 }
 
@@ -142,7 +143,7 @@ int sweep(const SweepOptions& options) {
     what = ", merged";
   } else if (shard) {
     cost = run_shard(asked, request, folder.path(), *shard);
-    what = ", shard " + std::to_string(shard->number) + " of " + std::to_string(shard->of);
+    what = fmt::format(", shard {} of {}", shard->number, shard->of);
   } else {
     cost = run_sweep(asked, request, folder.path());
   }
@@ -151,8 +152,8 @@ int sweep(const SweepOptions& options) {
   if (!shard) text += "  " + (folder.path() / "rows.csv").string() + ", rows.json\n";
   print(text);
   if (cost.failures.rows == 0) return success;
-  complain("ehd: sweep: " + std::to_string(cost.failures.rows) + " of " + std::to_string(cost.rows) +
-           " rows did not converge; " + cost.failures.first);
+  complain(fmt::format("ehd: sweep: {} of {} rows did not converge; {}", cost.failures.rows, cost.rows,
+                       cost.failures.first));
   return not_met;
 }
 

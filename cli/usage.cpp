@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/usage.hpp"
 
+#include <fmt/format.h>
+
 #include <charconv>
 #include <cmath>
 #include <new>
@@ -19,7 +21,7 @@ std::string allowed_is(const Allowed& range) { return "; allowed is " + text_of(
 }  // namespace
 
 UsageError option_error(const std::string& option, const std::string& value, const std::string& message) {
-  return UsageError(option + " = " + value + ": " + message);
+  return UsageError(fmt::format("{} = {}: {}", option, value, message));
 }
 
 int run_guarded(const std::function<int()>& body) {
@@ -38,7 +40,7 @@ int run_guarded(const std::function<int()>& body) {
   } catch (const OutputError& error) {
     return refuse("ehd: " + std::string(error.what()));
   } catch (const StatementError& error) {
-    return refuse("ehd: " + error.key() + ": " + error.what());
+    return refuse(fmt::format("ehd: {}: {}", error.key(), error.what()));
   } catch (const std::bad_alloc&) {
     complain("ehd: memory is exhausted; a smaller --nodes or a larger --tolerance needs less");
     return not_met;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ehd verify: the verification suite.
+#include <fmt/format.h>
+
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -55,8 +57,8 @@ int verify(const VerifyOptions& options) {
   try {
     Progress progress;
     request.progress = [&](const verification::SuiteProgress& now) {
-      progress.show("verify " + std::to_string(now.done) + "/" + std::to_string(now.all) + ", " +
-                    duration(now.elapsed_s) + ", about " + duration(now.left_s) + " left: " + now.name);
+      progress.show(fmt::format("verify {}/{}, {}, about {} left: {}", now.done, now.all, duration(now.elapsed_s),
+                                duration(now.left_s), now.name));
     };
     result = verification::run_suite(request);
     if (options.output && !request.deadline.passed()) {
@@ -86,8 +88,8 @@ int verify(const VerifyOptions& options) {
   }
   std::size_t standing = 0;
   for (const auto& claim : result.claims) standing += claim.verdict == verification::Verdict::pass ? 1 : 0;
-  complain("ehd: verify: " + std::to_string(result.claims.size() - standing) + " of " +
-           std::to_string(result.claims.size()) + " claims do not stand");
+  complain(
+      fmt::format("ehd: verify: {} of {} claims do not stand", result.claims.size() - standing, result.claims.size()));
   return not_met;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/nondimensional.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numbers>
 
@@ -71,8 +73,9 @@ StatedOil roelands_in_SI(const Lubricant& lubricant, std::optional<double> visco
       const double implied = *lubricant.z * span / lubricant.p0_Pa;
       const double off = *lubricant.alpha_per_Pa / implied - 1;
       if (std::abs(off) > exact_relation)
-        notes.push_back("alpha_per_Pa and z are used as given; alpha is " + plain(100 * off) +
-                        " % off alpha = z (ln eta_0 + 9.67)/p_0 = " + plain(implied) + " 1/Pa");
+        notes.push_back(fmt::format(
+            "alpha_per_Pa and z are used as given; alpha is {} % off alpha = z (ln eta_0 + 9.67)/p_0 = {} 1/Pa",
+            plain(100 * off), plain(implied)));
     }
     return {*lubricant.alpha_per_Pa, *lubricant.z};
   }
@@ -165,11 +168,12 @@ Viscosity viscosity_of(const Lubricant& lubricant, const StatedOil& oil, bool in
     const std::string name(law.name);
     if (!lubricant.z && !in_SI)
       throw StatementError("lubricant.z", "is missing; " + name + " needs it where eta_0 is unknown");
-    if (!(oil.z > 0)) throw StatementError("lubricant.z", "z = " + plain(oil.z) + "; " + name + " needs z > 0");
+    if (!(oil.z > 0)) throw StatementError("lubricant.z", fmt::format("z = {}; {} needs z > 0", plain(oil.z), name));
     if (!(lubricant.p0_Pa > 0))
-      throw StatementError("lubricant.p0_Pa", "p_0 = " + plain(lubricant.p0_Pa) + " Pa; " + name + " needs p_0 > 0");
+      throw StatementError("lubricant.p0_Pa",
+                           fmt::format("p_0 = {} Pa; {} needs p_0 > 0", plain(lubricant.p0_Pa), name));
     if (!std::isfinite(lubricant.p0_Pa / hertz_pressure_Pa))
-      throw StatementError("L", "L = " + plain(groups.L) + " is too small for " + name + "; L = 0 is its limit");
+      throw StatementError("L", fmt::format("L = {} is too small for {}; L = 0 is its limit", plain(groups.L), name));
     inputs.p0 = lubricant.p0_Pa / hertz_pressure_Pa;
     inputs.z = oil.z;
   }
@@ -207,9 +211,8 @@ Nondimensional nondimensionalise(const Statement& statement, const Lubricant& lu
     return result;
   }
   if (groups.alpha_p_H != 0 && !piezoviscous)
-    throw StatementError("lubricant.viscosity", std::string(to_string(lubricant.viscosity)) +
-                                                    " contradicts L > 0; allowed is " + piezoviscous_names() +
-                                                    ", or L = 0");
+    throw StatementError("lubricant.viscosity", fmt::format("{} contradicts L > 0; allowed is {}, or L = 0",
+                                                            to_string(lubricant.viscosity), piezoviscous_names()));
 
   // 3. p_H from alpha where groups alone are stated: p_H = alpha p_H/alpha.
   if (!result.scales && oil.alpha_per_Pa && *oil.alpha_per_Pa > 0)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/oil_grade.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -125,10 +127,11 @@ std::vector<std::string> notes_of(const GradedOil& oil, const std::vector<std::s
   if (oil.viscosity_index)
     stated += std::string(oil.iso_vg ? "," : "") + " viscosity index " + shown(*oil.viscosity_index);
   std::vector<std::string> notes{
-      stated + ": " + shown(oil.viscosity_40C_mm2_per_s) + " mm2/s at 40 C, " + shown(oil.viscosity_100C_mm2_per_s) +
-      " at 100 C" + (oil.iso_vg ? " (ASTM D2270)" : "") + "; at " + shown(oil.temperature_C) + " C " +
-      shown(oil.viscosity_mm2_per_s) + " mm2/s (ASTM D341) times " + shown(oil.density_kg_per_m3) +
-      " kg/m3 (ASTM D1250) is eta_0 = " + shown(oil.viscosity_Pa_s) + " Pa s"};
+      fmt::format("{}: {} mm2/s at 40 C, {} at 100 C{}; at {} C {} mm2/s (ASTM D341) times {} kg/m3 (ASTM D1250) is "
+                  "eta_0 = {} Pa s",
+                  stated, shown(oil.viscosity_40C_mm2_per_s), shown(oil.viscosity_100C_mm2_per_s),
+                  oil.iso_vg ? " (ASTM D2270)" : "", shown(oil.temperature_C), shown(oil.viscosity_mm2_per_s),
+                  shown(oil.density_kg_per_m3), shown(oil.viscosity_Pa_s))};
   if (oil.estimated_alpha_per_Pa)
     notes.push_back("alpha = " + shown(*oil.estimated_alpha_per_Pa) +
                     " 1/Pa is estimated from eta_0 for a mineral oil (Wooster 1937), perhaps 20 % off, which moves a "

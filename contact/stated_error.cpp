@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/stated_error.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,8 +15,8 @@ std::optional<std::string> too_coarse(const ErrorBudget& film_minimum, const Err
   if (minimum < least_error_under_resolved && central < least_error_under_resolved) return std::nullopt;
   if (!std::isfinite(minimum) || !std::isfinite(central))
     return "the grid is too coarse to state an error of its films";
-  return "the grid is too coarse: the stated error of the films is " + plain(100 * std::max(minimum, central), 3) +
-         " %, not below " + plain(100 * least_error_under_resolved) + " %";
+  return fmt::format("the grid is too coarse: the stated error of the films is {} %, not below {} %",
+                     plain(100 * std::max(minimum, central), 3), plain(100 * least_error_under_resolved));
 }
 
 bool solved_on_its_grid(const Solution& solution) {

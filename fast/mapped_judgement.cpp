@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fast/mapped_judgement.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -130,8 +132,8 @@ class Pressures {
 
   void drop(Quantity quantity, const char* why) {
     if (seen_.erase(quantity) > 0 && wanted_.contains(quantity))
-      notes_.push_back(std::string(to_string(quantity)) + " omitted: " + why +
-                       ". Try a smaller tolerance, or more nodes.");
+      notes_.push_back(
+          fmt::format("{} omitted: {}. Try a smaller tolerance, or more nodes.", to_string(quantity), why));
   }
 
   Observables& seen_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fast/uniform_judgement.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -91,8 +93,8 @@ Ending ending_of(const UniformClimb& climb, const Run& run, const Request& reque
   if (climb.grids.empty()) return diverged_ending();
   if (climb.refused > 0)
     return {.status = StopReason::tolerance_not_met,
-            .reason = "Newton does not converge on " + std::to_string(climb.refused) +
-                      " intervals; the values are those of " + std::to_string(climb.grids.back().nodes)};
+            .reason = fmt::format("Newton does not converge on {} intervals; the values are those of {}", climb.refused,
+                                  climb.grids.back().nodes)};
   if (request.nodes) return given_grid_ending(record.film_minimum, record.film_central);
   if (!request.tolerance.met_by(record.film_minimum, record.film_central)) return tolerance_ending();
   return {.status = StopReason::converged};

@@ -279,7 +279,8 @@ std::string human_table(const Case& bearing_case, const std::vector<BearingResul
   std::string text = heading(bearing_case) +
                      summary_table(std::get<BearingCase>(bearing_case.body), results, view.errors) +
                      rollers_table(results, columns_of);
-  if (view.details) text += "\n" + rollers_table(results, approach_column) + cost_table(results) + ring_table(results);
+  if (view.details)
+    text += fmt::format("\n{}{}{}", rollers_table(results, approach_column), cost_table(results), ring_table(results));
   text += cage_table(results) + dynamics_table(results);
   for (const BearingResult& result : results) text += contacts_in_motion(result);
   for (const BearingResult& result : results) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/bibliography.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <sstream>
 
@@ -34,7 +36,7 @@ std::string BibliographyEntry::citation() const {
   if (!field("year").empty()) line += " (" + field("year") + ")";
   if (!field("title").empty()) line += ", " + field("title");
   if (!field("version").empty()) line += ", version " + field("version");
-  if (!field("journal").empty()) line += ", " + field("journal") + " " + field("volume");
+  if (!field("journal").empty()) line += fmt::format(", {} {}", field("journal"), field("volume"));
   if (!field("pages").empty()) {
     std::string pages = field("pages");
     if (const auto dashes = pages.find("--"); dashes != std::string::npos) pages.replace(dashes, 2, "-");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/case_citation.hpp"
 
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string_view>
@@ -41,9 +43,9 @@ std::string digits_of(const Case& any) {
   for (const Expectation& one : any.expectations) {
     if (one.waiting) continue;
     if (!text.empty()) text += ", ";
-    text += one.quantity + (one.law.empty() ? "" : " by " + one.law) + " = " + one.digits + " (" +
-            std::string(to_string(one.scaling)) + ", " + std::string(to_string(one.kind)) + ", relative uncertainty " +
-            plain(one.uncertainty, 2) + ")";
+    text += fmt::format("{}{} = {} ({}, {}, relative uncertainty {})", one.quantity,
+                        one.law.empty() ? "" : " by " + one.law, one.digits, to_string(one.scaling),
+                        to_string(one.kind), plain(one.uncertainty, 2));
   }
   return text.empty() ? "waits for digits that nobody here has read" : text;
 }
@@ -52,16 +54,16 @@ std::string entry_of(const Case& any) {
   const std::string id = any.id + "@" + std::to_string(any.version);
   const Json head = result_head("");
   const std::string commit = head["provenance"].value("commit", "");
-  std::string entry = "@misc{ehd-" + any.id + "-v" + std::to_string(any.version) + ",\n";
+  std::string entry = fmt::format("@misc{{ehd-{}-v{},\n", any.id, any.version);
   const auto field = [&](const std::string& name, const std::string& text) {
-    entry += "  " + name + std::string(12 - name.size(), ' ') + " = {" + text + "},\n";
+    entry += fmt::format("  {}{} = {{{}}},\n", name, std::string(12 - name.size(), ' '), text);
   };
   field("author", "{The ehd authors}");
-  field("title", "{Benchmark case " + tex(id) + ": " + tex(any.title) + "}");
+  field("title", fmt::format("{{Benchmark case {}: {}}}", tex(id), tex(any.title)));
   const bool in_atlas = any.file.parent_path().filename() == "atlas";
-  field("howpublished", "ehd, version " + head["provenance"].value("version", "") +
-                            (commit.empty() ? "" : ", commit " + commit.substr(0, 12)) + ", cases/" +
-                            (in_atlas ? "atlas/" : "") + tex(any.id) + ".toml");
+  field("howpublished",
+        fmt::format("ehd, version {}{}, cases/{}{}.toml", head["provenance"].value("version", ""),
+                    commit.empty() ? "" : ", commit " + commit.substr(0, 12), in_atlas ? "atlas/" : "", tex(any.id)));
   field("note", tex(digits_of(any)) + "; source of the case: " + tex(any.source));
   return entry + "}\n";
 }

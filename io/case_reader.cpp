@@ -111,7 +111,7 @@ Case read_case_in_memory(std::string text) {
 
 ContactCase read_moes_contact(const MoesGroups& groups, const std::string& lubricant) {
   const std::string name = "lubricant";
-  const std::string text = checked_case_text("[" + name + "]\n" + lubricant, name);
+  const std::string text = checked_case_text(fmt::format("[{}]\n{}", name, lubricant), name);
   const CaseTree body(text, name);
   for (const CaseTable& table : case_tables())
     if (!table.name.empty() && table.name != name && body.has(std::string(table.name)))

@@ -128,7 +128,8 @@ std::string film_table_c(const FilmTable& table) {
           "; /* of M, of L */\n";
   text += "static const double PREFIX_log_L[2] = " + braced({log_low, std::log1p(range.L_high) - log_low}) + ";\n";
   text += "static const double PREFIX_shift[4] = " + braced(shifts) + ";\n\n";
-  return with_prefix(text + coefficient_arrays(table) + "\n" + panels(table) + evaluator, film_table_c_prefix(table));
+  return with_prefix(fmt::format("{}{}\n{}{}", text, coefficient_arrays(table), panels(table), evaluator),
+                     film_table_c_prefix(table));
 }
 
 }  // namespace ehd

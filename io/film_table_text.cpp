@@ -92,7 +92,7 @@ std::vector<std::string> film_table_words(const FilmTable& table) {
       fmt::format("Films of {} (version {}) over M {} to {}, L {} to {}: {}", table.case_id, table.version,
                   plain(table.range.M_low), plain(table.range.M_high), plain(table.range.L_low),
                   plain(table.range.L_high), to_string(table.status)),
-      "Case: " + table.title, "Oil: " + oil_words(table), "Made by " + made_by() + ", solver " + table.solver,
+      "Case: " + table.title, "Oil: " + oil_words(table), fmt::format("Made by {}, solver {}", made_by(), table.solver),
       fmt::format("{} solves, and {} held-out ones that found the errors; asked for {}", table.solves, table.held_out,
                   plain(table.tolerance))};
   for (const FilmPanel& panel : table.panels)

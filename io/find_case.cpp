@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/find_case.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <optional>
@@ -65,8 +67,9 @@ std::filesystem::path find_case(const std::string& path_or_id) {
   std::vector<std::string> ids;
   for (const auto& entry : entries_of_cases(error))
     if (entry.path().extension() == ".toml") ids.push_back(entry.path().stem().string());
-  throw CaseError(one_line(path_or_id + ": there is no such case; " + did_you_mean(path_or_id, ids) +
-                           "allowed is a path to a case file, or an id that `ehd cases` lists"));
+  throw CaseError(one_line(
+      fmt::format("{}: there is no such case; {}allowed is a path to a case file, or an id that `ehd cases` lists",
+                  path_or_id, did_you_mean(path_or_id, ids))));
 }
 
 Case read_named_case(const std::string& path_id_or_dash, const std::vector<Substitution>& substitutions) {

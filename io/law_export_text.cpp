@@ -55,7 +55,7 @@ constexpr const char* how_to_interpolate =
 }  // namespace
 
 std::string law_export_prefix(const LawExport& law) {
-  return "ehd_" + identifier(law.case_id) + "_" + std::string(to_string(law.raceway));
+  return fmt::format("ehd_{}_{}", identifier(law.case_id), to_string(law.raceway));
 }
 
 std::vector<std::string> law_export_words(const LawExport& law) {

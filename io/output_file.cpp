@@ -30,8 +30,8 @@ constexpr std::size_t temporary_digits = 16;
 constexpr mode_t mode_bits = 07777;
 
 [[noreturn]] void cannot_write(const std::filesystem::path& path, const std::string& why) {
-  throw OutputError(one_line(path.string() + ": cannot be written (" + why + "); allowed is a file in a folder that " +
-                             "exists and may be written"));
+  throw OutputError(one_line(fmt::format(
+      "{}: cannot be written ({}); allowed is a file in a folder that exists and may be written", path.string(), why)));
 }
 
 std::string temporary_prefix(const std::filesystem::path& path) {

@@ -2,6 +2,7 @@
 #include "io/provenance.hpp"
 
 #include <fftw3.h>
+#include <fmt/format.h>
 #include <gsl/gsl_version.h>
 
 #include <Eigen/Core>
@@ -59,15 +60,14 @@ Json provenance() {
   }
   json["compiler"] = compiler();
   json["flags"] = EHD_COMPILE_FLAGS;
-  json["libraries"] = {{"Eigen", std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) + "." +
-                                     std::to_string(EIGEN_MINOR_VERSION)},
-                       {"FFTW", std::string(fftw_version)},
-                       {"GSL", std::string(gsl_version)},
-                       {"nlohmann_json", std::to_string(NLOHMANN_JSON_VERSION_MAJOR) + "." +
-                                             std::to_string(NLOHMANN_JSON_VERSION_MINOR) + "." +
-                                             std::to_string(NLOHMANN_JSON_VERSION_PATCH)},
-                       {"tomlplusplus", EHD_TOMLPLUSPLUS_VERSION},
-                       {"CLI11", EHD_CLI11_VERSION}};
+  json["libraries"] = {
+      {"Eigen", fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
+      {"FFTW", std::string(fftw_version)},
+      {"GSL", std::string(gsl_version)},
+      {"nlohmann_json",
+       fmt::format("{}.{}.{}", NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH)},
+      {"tomlplusplus", EHD_TOMLPLUSPLUS_VERSION},
+      {"CLI11", EHD_CLI11_VERSION}};
   if (const auto model = cpu()) json["cpu"] = *model;
   json["cores"] = std::thread::hardware_concurrency();
   json["date"] = now();

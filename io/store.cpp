@@ -2,6 +2,7 @@
 #include "io/store.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/file.h>
 #include <unistd.h>
 
@@ -33,7 +34,7 @@ constexpr std::size_t before_text = check_digits + 1 + hash_digits + 1;
 /// A line of the file: CHECKSUM CONTENT. The content of a row is HASH TEXT. CHECKSUM: the first digits of the content's
 /// hash.
 std::string journal_line(const std::string& content) {
-  return content_hash(content).substr(0, check_digits) + " " + content + "\n";
+  return fmt::format("{} {}\n", content_hash(content).substr(0, check_digits), content);
 }
 
 /// The next line, as std::getline. A line longer than any row ends the reading, as if the file ended within it: the
@@ -95,8 +96,7 @@ SweepJournal::SweepJournal(const std::filesystem::path& folder, const JournalHea
 SweepJournal::SweepJournal(const std::filesystem::path& folder, const JournalHeader& header,
                            std::vector<HashNumber> wanted)
     : folder_(folder), file_(folder / journal_name), wanted_(in_order(std::move(wanted))) {
-  const std::string again =
-      "; required is to run again --shard " + std::to_string(header.shard) + "/" + std::to_string(header.of);
+  const std::string again = fmt::format("; required is to run again --shard {}/{}", header.shard, header.of);
   require_file_or_none();
   if (!fault_of_file(file_).empty()) refuse(file_, "the shard is missing" + again);
   const Read found = read();

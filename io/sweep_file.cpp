@@ -71,7 +71,8 @@ Case Sweep::case_of(std::size_t row) const {
     const std::string what = error.what();
     const std::optional<std::size_t> at = key_in_message(keys, what);
     std::string all;
-    for (const Substitution& one : values) all += (all.empty() ? "" : ", ") + one.key + " = " + toml_text(one.value);
+    for (const Substitution& one : values)
+      all += fmt::format("{}{} = {}", all.empty() ? "" : ", ", one.key, toml_text(one.value));
     throw CaseError(one_line(fmt::format(
         "{}:{}: {}: row {} ({}) is no case: {}", file.string(), at ? keys[*at].line : keys_line,
         at ? keys[*at].key + " = " + toml_text(values[*at].value) : "[keys]", row, shortened(all, longest_row), what)));

@@ -47,7 +47,7 @@ void read_films(const SweepSource& source, Sweep& sweep) {
     source.fail("films", *films, "belongs to the sweep of a contact; allowed is no films for a bearing");
   if (sweep.solver != default_solver().name)
     source.fail("films", *films,
-                "is made by " + default_solver().name + "; allowed is that solver, not " + sweep.solver);
+                fmt::format("is made by {}; allowed is that solver, not {}", default_solver().name, sweep.solver));
   const toml::table* table = node ? node->as_table() : nullptr;
   if (!table) source.missing("[table]", "[table] with M = [LOW, HIGH] and L = [LOW, HIGH]");
   source.require_known(*table, " in [table]", {"M", "L"});

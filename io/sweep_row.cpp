@@ -130,7 +130,8 @@ std::string row_hash(const Sweep& sweep, const SweepRequest& request, std::size_
     content += fmt::format("table {} {} {} {}\n", number_text(range.M_low), number_text(range.M_high),
                            number_text(range.L_low), number_text(range.L_high));
   }
-  for (const Substitution& one : sweep.values_of(row)) content += one.key + " = " + toml_text(one.value) + "\n";
+  for (const Substitution& one : sweep.values_of(row))
+    content += fmt::format("{} = {}\n", one.key, toml_text(one.value));
   return content_hash(content + sweep.case_text);
 }
 

@@ -33,7 +33,7 @@ std::string trimmed(std::string_view line) {
 
 std::string sizes_of_numbers() {
   using Limits = std::numeric_limits<double>;
-  return "a size of " + plain(Limits::min(), 2) + " to " + plain(Limits::max(), 2);
+  return fmt::format("a size of {} to {}", plain(Limits::min(), 2), plain(Limits::max(), 2));
 }
 
 /// The text of the value in the file: its first line.
@@ -83,7 +83,7 @@ std::string slip_of(std::string_view line) {
   if (number == std::string::npos) return "";
   const std::string rest = trimmed(std::string_view(value).substr(number));
   if (rest.front() == ',' && rest.size() > 1 && rest.find_first_not_of(decimal, 1) == std::string::npos)
-    return "has a comma in a number; allowed is a point, " + value.substr(0, number) + "." + rest.substr(1);
+    return fmt::format("has a comma in a number; allowed is a point, {}.{}", value.substr(0, number), rest.substr(1));
   if (begins_with(rest, latin) || begins_with(rest, "%"))
     return "has a unit; allowed is the number alone, in the unit that the key names";
   return "";
@@ -153,8 +153,8 @@ toml::table parse_toml(const std::string& text, const std::filesystem::path& fil
     const bool ours = content.find('=') != std::string::npos || content.starts_with('[');
     const std::string source = ours ? shortened(content, longest_text) : "";
     const std::string slip = slip_of(content), says = slip.empty() ? shortened(what, 200) + "; " + allowed : slip;
-    throw CaseError(one_line(file.string() + ":" + std::to_string(line) + (source.empty() ? "" : ": " + source) + ": " +
-                             shortened(says, 300)));
+    throw CaseError(one_line(
+        fmt::format("{}:{}{}: {}", file.string(), line, source.empty() ? "" : ": " + source, shortened(says, 300))));
   }
 }
 

@@ -40,7 +40,7 @@ std::string build_text() {
                                  built.at("flags").get<std::string>());
   std::string separator = " ";
   for (const auto& [name, version] : built.at("libraries").items())
-    text += std::exchange(separator, ", ") + name + " " + version.get<std::string>();
+    text += fmt::format("{}{} {}", std::exchange(separator, ", "), name, version.get<std::string>());
   return text;
 }
 

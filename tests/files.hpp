@@ -2,6 +2,7 @@
 // Case files of a test, in a folder that goes with it.
 #pragma once
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -18,8 +19,7 @@ class Folder {
  public:
   Folder() {
     static std::atomic<int> count{0};
-    path_ = std::filesystem::temp_directory_path() /
-            ("ehd-test-" + std::to_string(::getpid()) + "-" + std::to_string(count++));
+    path_ = std::filesystem::temp_directory_path() / fmt::format("ehd-test-{}-{}", ::getpid(), count++);
     std::filesystem::create_directories(path_);
   }
   ~Folder() {

@@ -2,6 +2,7 @@
 // The program run as its users run it.
 #pragma once
 
+#include <fmt/format.h>
 #include <sys/wait.h>
 
 #include <algorithm>
@@ -44,8 +45,7 @@ inline void check_without_null(const std::string& what, const std::string& text)
 /// null.
 [[nodiscard]] inline Ended ehd_run(const Folder& folder, const std::string& arguments) {
   const auto out = folder.path() / "stdout.txt", err = folder.path() / "stderr.txt";
-  const std::string command =
-      std::string("'") + EHD_PROGRAM + "' " + arguments + " > '" + out.string() + "' 2> '" + err.string() + "'";
+  const std::string command = fmt::format("'{}' {} > '{}' 2> '{}'", EHD_PROGRAM, arguments, out.string(), err.string());
   const auto before = json_files(folder);
   const int status = std::system(command.c_str());
   Ended ended{.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1, .out = read(out), .err = read(err)};

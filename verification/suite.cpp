@@ -253,8 +253,8 @@ SuiteResult run_topics(const SuiteRequest& request, std::vector<Topic> topics,
   std::erase_if(topics, [&](const Topic& topic) { return request.case_id && topic.case_id.empty(); });
   const std::string allowed_rungs = rungs_of(topics);
   const auto nothing = [&] {
-    return NothingSelected("there is nothing to verify for " + selection(request) + "; allowed here is --rung " +
-                           allowed_rungs);
+    return NothingSelected(
+        fmt::format("there is nothing to verify for {}; allowed here is --rung {}", selection(request), allowed_rungs));
   };
   std::erase_if(topics, [&](const Topic& topic) { return request.rung && !topic.rungs.contains(*request.rung); });
   if (topics.empty()) throw nothing();
@@ -319,11 +319,11 @@ std::string numbers_of(const Claim& claim) {
   std::string text;
   constexpr int digits = 8;
   if (claim.measured && claim.expected && std::isfinite(*claim.measured))
-    text += "measured " + plain(*claim.measured, digits) + ", expected " + plain(*claim.expected, digits) + "; ";
+    text += fmt::format("measured {}, expected {}; ", plain(*claim.measured, digits), plain(*claim.expected, digits));
   text += "error " + (std::isfinite(claim.error) ? plain(claim.error, 3) : std::string("unknown"));
   if (claim.uncertainty != 0) text += " +- " + plain(claim.uncertainty, 2);
-  return text + (claim.verdict == Verdict::pass ? " <= " : ", tolerance ") + plain(claim.tolerance.value(), 3) + " (" +
-         claim.tolerance.reason() + ")";
+  return fmt::format("{}{}{} ({})", text, claim.verdict == Verdict::pass ? " <= " : ", tolerance ",
+                     plain(claim.tolerance.value(), 3), claim.tolerance.reason());
 }
 
 }  // namespace
@@ -341,12 +341,11 @@ std::string human_summary(const SuiteResult& result, bool all) {
     for (const Claim& claim : result.claims) {
       if (claim.says.rung != rung) continue;
       if (claim.finding) {
-        lines += "  finding  " + claim.says.statement + "\n        " + claim.note + "\n";
+        lines += fmt::format("  finding  {}\n        {}\n", claim.says.statement, claim.note);
         continue;
       }
       if (!all && claim.verdict == Verdict::pass) continue;
-      lines += "  " + std::string(to_string(claim.verdict)) + "  " + claim.says.statement + "\n        " +
-               numbers_of(claim) + "\n";
+      lines += fmt::format("  {}  {}\n        {}\n", to_string(claim.verdict), claim.says.statement, numbers_of(claim));
       if (!claim.note.empty()) lines += "        " + claim.note + "\n";
       if (claim.verdict == Verdict::inconclusive) {
         if (const auto reason = accepted_as_inconclusive(claim.says.id)) lines += "        accepted: " + *reason + "\n";
@@ -354,14 +353,14 @@ std::string human_summary(const SuiteResult& result, bool all) {
     }
     for (const SkippedClaim& one : result.skipped) {
       if (one.says.rung != rung) continue;
-      if (all || nothing_judged) lines += "  skipped  " + one.says.statement + ": " + one.why + "\n";
+      if (all || nothing_judged) lines += fmt::format("  skipped  {}: {}\n", one.says.statement, one.why);
     }
     if (summary.pass + summary.fail + summary.inconclusive + summary.skipped == 0) continue;
     total[0] += summary.pass;
     total[1] += summary.fail;
     total[2] += summary.inconclusive;
     const std::string name(rung_names[rung]);
-    if (!lines.empty()) text += "rung " + std::to_string(rung) + ", " + name + "\n" + lines + "\n";
+    if (!lines.empty()) text += fmt::format("rung {}, {}\n{}\n", rung, name, lines);
     table.push_back({std::to_string(rung), name, summary.worst_margin ? summary.worst_claim : "-",
                      std::to_string(summary.pass), std::to_string(summary.fail), std::to_string(summary.inconclusive),
                      std::to_string(summary.skipped),
@@ -372,8 +371,8 @@ std::string human_summary(const SuiteResult& result, bool all) {
   text += aligned(table, 3);
   if (nothing_judged) {
     const std::size_t rows = result.skipped.size();
-    text += "nothing could be judged: " + std::to_string(rows) + (rows == 1 ? " row is" : " rows are") +
-            " skipped, for the reasons above\n";
+    text += fmt::format("nothing could be judged: {}{} skipped, for the reasons above\n", rows,
+                        rows == 1 ? " row is" : " rows are");
   }
   return text;
 }

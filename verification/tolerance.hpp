@@ -2,6 +2,8 @@
 // A tolerance: a number together with its reason. There is no constructor from double.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <limits>
 #include <string>
 #include <string_view>
@@ -21,11 +23,11 @@ class Tolerance {
   /// The relative residual at which the iteration stopped, times its effect on the observable.
   [[nodiscard]] static Tolerance iteration(double residual, double amplification = 1) {
     return {residual * amplification, "iteration",
-            "stopped at residual " + text(residual) + ", amplification " + text(amplification)};
+            fmt::format("stopped at residual {}, amplification {}", text(residual), text(amplification))};
   }
   /// An estimated discretisation error with a safety factor.
   [[nodiscard]] static Tolerance discretisation(double estimate, double safety) {
-    return {estimate * safety, "discretisation", "estimate " + text(estimate) + " x safety " + text(safety)};
+    return {estimate * safety, "discretisation", fmt::format("estimate {} x safety {}", text(estimate), text(safety))};
   }
   /// Relative half unit of the last digit of a decimal text ("0.0741" -> 0.00005/0.0741).
   [[nodiscard]] static Tolerance published_digits(std::string_view digits) {

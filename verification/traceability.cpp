@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/traceability.hpp"
 
+#include <fmt/format.h>
 #include <fnmatch.h>
 
 #include <nlohmann/json.hpp>
@@ -120,7 +121,7 @@ std::string human_trace(const std::vector<TraceRow>& rows) {
   for (const TraceRow& row : rows) {
     table.push_back({row.part.id, std::to_string(row.pass), std::to_string(row.fail), std::to_string(row.inconclusive),
                      std::to_string(row.skipped)});
-    text += row.part.id + ": " + row.part.text + "\n ";
+    text += fmt::format("{}: {}\n ", row.part.id, row.part.text);
     for (const std::string& pattern : row.part.patterns) text += " " + pattern;
     text += "\n";
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "workflow/bearing_plan.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <variant>
 
@@ -44,9 +46,8 @@ Plan plan_bearing(const BearingCase& body, const std::vector<bearing::Law>& aske
   const auto cages = bearing::mirror_groups(azimuths);
   const int mirrored = body.geometry.rollers - static_cast<int>(cages.size());
   if (mirrored > 0)
-    plan.decide("balance of mirrored rollers", std::to_string(mirrored) + " of " +
-                                                   std::to_string(body.geometry.rollers) +
-                                                   " rollers mirror another and carry the same");
+    plan.decide("balance of mirrored rollers",
+                fmt::format("{} of {} rollers mirror another and carry the same", mirrored, body.geometry.rollers));
   plan.decide(bearing_stage::across, form == bearing::Form::radial ? "the radial form is asked for"
                                      : bearing::symmetric_to_load(azimuths)
                                          ? "the cage stands symmetric to the load, and so does the ring"

@@ -152,9 +152,9 @@ void require_solvable_load(const Case& bearing_case, const BearingCase& body) {
   const double most_N = largest_M * rollers * std::min(force_at_M_1_N(contacts.inner), force_at_M_1_N(contacts.outer));
   if (body.operation.radial_load_N <= most_N) return;
   throw case_error(bearing_case, "operation.radial_load_N",
-                   "gives a roller more than M = " + plain(largest_M) + ", where no contact with a film is solved; " +
-                       "allowed with this speed and oil is up to " + plain(most_N, 3) + " N, or a dry law (--law " +
-                       bearing::names_of(bearing::Laws::dry) + ")");
+                   fmt::format("gives a roller more than M = {}, where no contact with a film is solved; allowed with "
+                               "this speed and oil is up to {} N, or a dry law (--law {})",
+                               plain(largest_M), plain(most_N, 3), bearing::names_of(bearing::Laws::dry)));
 }
 
 }  // namespace
@@ -164,20 +164,19 @@ void require_possible(const Case& bearing_case, const BearingRequest& request) {
   for (const bearing::Law law : request.laws) {
     if (needs_ring_thickness(law) && !body.ring_thickness_m)
       throw case_error(bearing_case, "bearing.ring_thickness_m",
-                       "is missing; law " + std::string(to_string(law)) +
-                           " needs it at the outer raceway (allowed without: " +
-                           bearing::names_of(bearing::Laws::dry_without_ring_thickness) + ")");
+                       fmt::format("is missing; law {} needs it at the outer raceway (allowed without: {})",
+                                   to_string(law), bearing::names_of(bearing::Laws::dry_without_ring_thickness)));
     if (!needs_film(law)) continue;
     if (!body.lubricant && request.explicitly)
       throw case_error(bearing_case, "lubricant",
-                       "is missing; law " + std::string(to_string(law)) + " needs it (allowed without: the dry laws, " +
-                           bearing::names_of(bearing::Laws::dry) + ")");
+                       fmt::format("is missing; law {} needs it (allowed without: the dry laws, {})", to_string(law),
+                                   bearing::names_of(bearing::Laws::dry)));
     if (!body.lubricant || !at_rest(body)) continue;
     const std::string both = "operation.inner_speed_rpm", one = "operation.speed_rpm";
     throw case_error(bearing_case, bearing_case.lines.contains(both) ? both : one,
-                     "leaves the rings at rest against each other, where law " + std::string(to_string(law)) +
-                         " does not exist; allowed is a relative speed, or a dry law (--law " +
-                         bearing::names_of(bearing::Laws::dry) + ")");
+                     fmt::format("leaves the rings at rest against each other, where law {} does not exist; allowed is "
+                                 "a relative speed, or a dry law (--law {})",
+                                 to_string(law), bearing::names_of(bearing::Laws::dry)));
   }
   if (body.lubricant && std::any_of(request.laws.begin(), request.laws.end(), bearing::needs_film))
     require_solvable_load(bearing_case, body);

@@ -2,6 +2,8 @@
 // Results of the C interface that free themselves, and the cases of the tests.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <cstdlib>
 #include <fstream>
 #include <memory>
@@ -58,7 +60,7 @@ template <class Call>
 /// The text of a benchmark case.
 [[nodiscard]] inline std::string case_text(const std::string& id) {
   std::ostringstream text;
-  text << std::ifstream(std::string(EHD_SOURCE_DIR) + "/cases/" + id + ".toml").rdbuf();
+  text << std::ifstream(fmt::format("{}/cases/{}.toml", EHD_SOURCE_DIR, id)).rdbuf();
   return text.str();
 }
 

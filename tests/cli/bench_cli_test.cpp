@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ehd bench as a process.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -120,7 +122,7 @@ BOOST_AUTO_TEST_CASE(wrong_usage_is_one_line_and_leaves_nothing) {
            {"--part scaling --solver reference", "uses no FFT"},
            {"--time-limit 0", "--time-limit = 0: is out of range"},
            {"extra", "ehd bench --help"}}) {
-    test::check_refused(folder, "bench --quick --output '" + out + "' " + arguments, says);
+    test::check_refused(folder, fmt::format("bench --quick --output '{}' {}", out, arguments), says);
     BOOST_TEST(!std::filesystem::exists(out), arguments);
   }
   BOOST_TEST(test::ehd_run(folder, "bench --quick --output '" + file + "'").exit_code == 2);

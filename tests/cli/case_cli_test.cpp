@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Stating a case: --set, standard input, ehd new, ehd convert.
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -145,8 +147,8 @@ BOOST_AUTO_TEST_CASE(a_contact_is_converted_there_and_back) {
   BOOST_REQUIRE(there.exit_code == 0);
   const json groups = json::parse(there.out);
   BOOST_TEST(!groups.contains("W"));
-  const auto back = test::ehd_run(
-      folder, "convert lambda=" + groups["lambda"].dump() + " alpha_p_H=" + groups["alpha_p_H"].dump() + " --json -");
+  const auto back = test::ehd_run(folder, fmt::format("convert lambda={} alpha_p_H={} --json -",
+                                                      groups["lambda"].dump(), groups["alpha_p_H"].dump()));
   EHD_CHECK(error(json::parse(back.out)["L"].get<double>(), 10), verification::Tolerance::round_off(64, 30));
   const auto table = test::ehd_run(folder, "convert M=20 L=10");
   BOOST_TEST(table.out.find("not fixed by these numbers: W, U_mean") != std::string::npos);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The program as a process: exit codes and streams.
+#include <fmt/format.h>
+
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -146,8 +148,8 @@ BOOST_AUTO_TEST_CASE(the_error_of_a_film_is_the_sum_of_its_parts) {
 BOOST_AUTO_TEST_CASE(files_are_written_beside_the_table) {
   const test::Folder folder;
   const auto result = folder.path() / "result.json", profile = folder.path() / "profile.csv";
-  const auto ended = test::ehd_run(
-      folder, "solve own-moes-5-5 --tolerance 1e-2 --json " + result.string() + " --profile " + profile.string());
+  const auto ended = test::ehd_run(folder, fmt::format("solve own-moes-5-5 --tolerance 1e-2 --json {} --profile {}",
+                                                       result.string(), profile.string()));
   BOOST_TEST(ended.exit_code == 0);
   BOOST_TEST(ended.out.find("film.minimum") != std::string::npos);
   BOOST_TEST(json::parse(test::read(result))["case"] == "own-moes-5-5");
@@ -252,10 +254,10 @@ BOOST_AUTO_TEST_CASE(a_file_that_cannot_be_written_or_is_the_case_is_refused) {
       {"solve own-moes-5-5 --wisdom -", "--wisdom = -: is no file; allowed is a file's name"},
       {"solve own-moes-5-5 --json a --profile a", "--profile = a: is the same file as --json"},
       {"solve own-moes-5-5 --json a.json --profile ./a.json", "--profile = ./a.json: is the same file as --json"},
-      {"solve " + dry + " --json " + dry, "is the same file as the case"},
-      {"solve " + dry + " --profile " + dry_otherwise, "is the same file as the case"},
-      {"compare " + fluid + " --json " + fluid, "is the same file as the case fluid"},
-      {"plan " + dry + " --json " + dry, "is the same file as the case"},
+      {fmt::format("solve {} --json {}", dry, dry), "is the same file as the case"},
+      {fmt::format("solve {} --profile {}", dry, dry_otherwise), "is the same file as the case"},
+      {fmt::format("compare {} --json {}", fluid, fluid), "is the same file as the case fluid"},
+      {fmt::format("plan {} --json {}", dry, dry), "is the same file as the case"},
       {"solve own-moes-5-5 --json ''", "cannot be written"},
   };
   check_refused(folder, rows);
@@ -343,7 +345,7 @@ BOOST_AUTO_TEST_CASE(a_table_of_films_goes_to_standard_output_or_into_a_file) {
   BOOST_TEST(table["lubricant"]["z"].get<double>() > 0);  // from eta_0: the case states alpha alone
   BOOST_TEST(table["lubricant"]["alpha_per_Pa"] == 2e-8);
   const auto file = folder.path() / "films.c";
-  const auto written = test::ehd_run(folder, films + "c --output '" + file.string() + "'");
+  const auto written = test::ehd_run(folder, fmt::format("{}c --output '{}'", films, file.string()));
   BOOST_TEST(written.exit_code == 0);
   BOOST_TEST(written.out.find("stated error") != std::string::npos);
   BOOST_TEST(test::read(file).find("int ehd_na4908_film(") != std::string::npos);
@@ -535,7 +537,7 @@ BOOST_AUTO_TEST_CASE(an_id_is_preferred_to_a_file_of_that_name_unless_it_is_writ
   const std::string here = "'" + folder.path().string() + "'";
   const std::string program = "'" + std::string(EHD_PROGRAM) + "'";
   const auto in_folder = [&](const std::string& name) {
-    return std::system(("cd " + here + " && " + program + " plan " + name + " > /dev/null 2>&1").c_str());
+    return std::system(fmt::format("cd {} && {} plan {} > /dev/null 2>&1", here, program, name).c_str());
   };
   BOOST_TEST(in_folder("dry-steel") == 0);
   BOOST_TEST(in_folder("./dry-steel") != 0);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The shells' completion, as bash runs it.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <filesystem>
@@ -22,7 +24,7 @@ std::vector<std::string> offered(const std::string& line) {
       "completion.sh", test::read(folder.path() / "stdout.txt") + "COMP_WORDS=(" + line +
                            ")\nCOMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n_ehd\nprintf '%s\\n' \"${COMPREPLY[@]}\"\n");
   const std::string path = std::filesystem::path(EHD_PROGRAM).parent_path().string();
-  const std::string command = "PATH='" + path + "':\"$PATH\" bash '" + script.string() + "' > '" + out.string() + "'";
+  const std::string command = fmt::format("PATH='{}':\"$PATH\" bash '{}' > '{}'", path, script.string(), out.string());
   BOOST_REQUIRE(std::system(command.c_str()) == 0);
   std::istringstream lines(test::read(out));
   std::vector<std::string> words;

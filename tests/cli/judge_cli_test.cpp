@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ehd judge, ehd compare --external and ehd cases ID: what they write and how they end.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -22,8 +24,8 @@ std::string quoted(const std::filesystem::path& file) { return "'" + file.string
 /// A program that answers every case with the films of own-barus-5-5, and says something.
 std::string answering(const test::Folder& folder, int exit_code) {
   const auto answer = folder.write("answer.json", submission_text);
-  return "\"mine=cp " + quoted(answer) + " {out} && grep -q lambda {case} && echo said {tolerance} >&2; exit " +
-         std::to_string(exit_code) + "\"";
+  return fmt::format("\"mine=cp {} {{out}} && grep -q lambda {{case}} && echo said {{tolerance}} >&2; exit {}\"",
+                     quoted(answer), exit_code);
 }
 
 const std::string compared = "compare own-barus-5-5 --solver fast --tolerance 1e-2 --json - --external ";
@@ -39,8 +41,8 @@ BOOST_AUTO_TEST_CASE(a_submission_is_judged_in_words_and_as_json) {
   BOOST_TEST(words.exit_code == 0);
   BOOST_TEST(words.out.find("missing") != std::string::npos);
   const auto ended =
-      test::ehd_run(folder, "judge " + quoted(file) + " --json - --badge " + quoted(folder.path() / "b.svg") +
-                                " --output " + quoted(folder.path() / "page"));
+      test::ehd_run(folder, fmt::format("judge {} --json - --badge {} --output {}", quoted(file),
+                                        quoted(folder.path() / "b.svg"), quoted(folder.path() / "page")));
   BOOST_TEST(ended.exit_code == 0);
   const json judgement = json::parse(ended.out);
   BOOST_TEST(judgement["schema"] == "ehd-judgement-1");
@@ -57,8 +59,7 @@ BOOST_AUTO_TEST_CASE(a_failed_gate_ends_with_1_and_a_bad_file_with_2) {
     std::string profile = "X,P,H\n";
     for (int i = 0; i <= 40; ++i) {
       const double X = -1 + i / 20.0;
-      profile += std::to_string(X) + "," + std::to_string(std::sqrt(std::max(0.0, 1 - X * X))) + "," +
-                 std::to_string(i % 3 == 0 ? 1 + bent : 1) + "\n";
+      profile += fmt::format("{},{},{}\n", X, std::sqrt(std::max(0.0, 1 - X * X)), i % 3 == 0 ? 1 + bent : 1);
     }
     (void)folder.write("p.csv", profile);
   };
@@ -78,7 +79,7 @@ BOOST_AUTO_TEST_CASE(a_failed_gate_ends_with_1_and_a_bad_file_with_2) {
   test::check_refused(folder, "judge nowhere.json", "there is no such file");
   test::check_refused(folder, "judge " + quoted(folder.path()), "is a directory");
   test::check_refused(folder, "judge /dev/zero", "is not a regular file");
-  test::check_refused(folder, "judge " + quoted(file) + " --json " + quoted(file), "is the same file");
+  test::check_refused(folder, fmt::format("judge {} --json {}", quoted(file), quoted(file)), "is the same file");
   (void)folder.write("bad.json", "{\"schema\": \"other\"}");
   test::check_refused(folder, "judge " + quoted(folder.path() / "bad.json"), "allowed is ehd-submission-1");
 }
@@ -104,7 +105,7 @@ BOOST_AUTO_TEST_CASE(another_program_is_compared_by_what_it_leaves) {
 BOOST_AUTO_TEST_CASE(another_program_that_fails_is_a_row_with_its_reason) {
   const test::Folder folder;
   const auto run_of = [&](const std::string& command, const std::string& more = "") {
-    const auto ended = test::ehd_run(folder, compared + "\"mine=" + command + "\"" + more);
+    const auto ended = test::ehd_run(folder, fmt::format("{}\"mine={}\"{}", compared, command, more));
     BOOST_TEST(ended.exit_code == 1);
     BOOST_TEST(ended.error_lines() == 1);
     json one = json::parse(ended.out)[0]["runs"].back();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fast/mapped.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -17,7 +19,7 @@ namespace {
 constexpr int known = static_cast<int>(std::size(truths));
 
 std::string name_of(const Truth& truth) {
-  return "M " + std::to_string(truth.M) + " L " + std::to_string(truth.L) + (truth.flooded ? " flooded" : " cut at -4");
+  return fmt::format("M {} L {}{}", truth.M, truth.L, truth.flooded ? " flooded" : " cut at -4");
 }
 
 std::pair<Quantity, double> films_of(const Truth& truth, int which) {

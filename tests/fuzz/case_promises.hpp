@@ -2,6 +2,8 @@
 // What the case reader promises of ANY bytes (case_broken).
 #pragma once
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -47,8 +49,8 @@ inline std::string broken_by_scales(const Scales& scales) {
     return "the unit of film is " + plain(*unit) + " m";
   if (scales.dowson &&
       !(positive(scales.dowson->W) && positive(scales.dowson->U_mean) && not_negative(scales.dowson->G)))
-    return "W, U, G = " + plain(scales.dowson->W) + ", " + plain(scales.dowson->U_mean) + ", " +
-           plain(scales.dowson->G);
+    return fmt::format("W, U, G = {}, {}, {}", plain(scales.dowson->W), plain(scales.dowson->U_mean),
+                       plain(scales.dowson->G));
   return "";
 }
 
@@ -56,10 +58,10 @@ inline std::string broken_by_scales(const Scales& scales) {
 inline std::string broken_by_problem(const Problem& problem) {
   const Groups& groups = problem.groups;
   if (!(positive(groups.M) && not_negative(groups.L) && positive(groups.lambda) && not_negative(groups.alpha_p_H)))
-    return "M, L, lambda, alpha p_H = " + plain(groups.M) + ", " + plain(groups.L) + ", " + plain(groups.lambda) +
-           ", " + plain(groups.alpha_p_H);
+    return fmt::format("M, L, lambda, alpha p_H = {}, {}, {}, {}", plain(groups.M), plain(groups.L),
+                       plain(groups.lambda), plain(groups.alpha_p_H));
   if (!(groups.M >= smallest_M && groups.M <= largest_M && groups.L <= largest_L))
-    return "M = " + plain(groups.M) + " or L = " + plain(groups.L) + " is out of range";
+    return fmt::format("M = {} or L = {} is out of range", plain(groups.M), plain(groups.L));
   Array pressure(3);
   pressure << 0, 1, 4;
   const auto log_viscosity = evaluate(problem.viscosity, pressure);
@@ -67,12 +69,12 @@ inline std::string broken_by_problem(const Problem& problem) {
   // ln eta may be as large as it likes (solvers refuse what they cannot do), but it is a number, and grows.
   for (Eigen::Index i = 0; i < pressure.size(); ++i) {
     if (std::isnan(log_viscosity.value(i)) || std::isnan(log_viscosity.slope(i)) || !(log_viscosity.slope(i) >= 0))
-      return "ln(eta/eta_0) = " + plain(log_viscosity.value(i)) + ", slope " + plain(log_viscosity.slope(i)) +
-             " at P = " + plain(pressure(i));
+      return fmt::format("ln(eta/eta_0) = {}, slope {} at P = {}", plain(log_viscosity.value(i)),
+                         plain(log_viscosity.slope(i)), plain(pressure(i)));
     constexpr double densest = 1.4;  // both printed laws end at 1.34 and 1.353
     if (!(density.value(i) >= 1 && density.value(i) <= densest && not_negative(density.slope(i))))
-      return "rho/rho_0 = " + plain(density.value(i)) + ", slope " + plain(density.slope(i)) +
-             " at P = " + plain(pressure(i));
+      return fmt::format("rho/rho_0 = {}, slope {} at P = {}", plain(density.value(i)), plain(density.slope(i)),
+                         plain(pressure(i)));
   }
   return "";
 }
@@ -146,12 +148,13 @@ inline std::string broken_by_body(const Case& read, const BearingCase& body) {
     }
     // The literal bound of a reported balance.
     if (!(result.balance_error <= bearing::largest_balance_error) || !std::isfinite(result.displacement_m))
-      return "balance error " + plain(result.balance_error) + ", displacement " + plain(result.displacement_m) + " m";
+      return fmt::format("balance error {}, displacement {} m", plain(result.balance_error),
+                         plain(result.displacement_m));
     for (const RollerRow& roller : result.rollers) {
       for (const ContactRow& row : {roller.inner, roller.outer}) {
         if (!not_negative(row.force_N) || !std::isfinite(row.displacement_m) ||
             (row.hertz_pressure_Pa && !positive(*row.hertz_pressure_Pa)))
-          return "a roller carries " + plain(row.force_N) + " N at " + plain(row.displacement_m) + " m";
+          return fmt::format("a roller carries {} N at {} m", plain(row.force_N), plain(row.displacement_m));
       }
     }
   }
@@ -170,7 +173,8 @@ inline std::string case_broken(std::string_view bytes) {
   if (read.id + ".toml" != file) return "the id is not the file's name: " + read.id;
   for (const Expectation& expectation : read.expectations) {
     if (!std::isfinite(expectation.value) || !(expectation.uncertainty >= 0) || !std::isfinite(expectation.uncertainty))
-      return expectation.quantity + " = " + plain(expectation.value) + " +- " + plain(expectation.uncertainty);
+      return fmt::format("{} = {} +- {}", expectation.quantity, plain(expectation.value),
+                         plain(expectation.uncertainty));
   }
   return std::visit([&](const auto& body) { return broken_by_body(read, body); }, read.body);
 }

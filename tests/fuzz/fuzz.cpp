@@ -2,6 +2,8 @@
 // The main of every fuzz target: libFuzzer makes up bytes, NAME_broken says which promise they break ("" for none).
 // CMake compiles this file once a target, with EHD_PROMISES and EHD_BROKEN. `make fuzz`; docs/fuzzing.md tells what
 // becomes of a finding.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -55,7 +57,7 @@ std::string any_number(std::mt19937& random) {
                                               "-1.0000000000000002"};
   if (random() % 2 == 0) return edges[random() % edges.size()];
   const int digits = static_cast<int>(random() % 99999) + 1, exponent = static_cast<int>(random() % 41) - 24;
-  return (random() % 8 == 0 ? "-" : "") + std::to_string(digits) + "e" + std::to_string(exponent);
+  return fmt::format("{}{}e{}", random() % 8 == 0 ? "-" : "", digits, exponent);
 }
 
 /// Gives one number of a line, or what stands behind its first "=", another value.

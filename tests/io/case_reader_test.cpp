@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/case_reader.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <set>
 #include <string>
@@ -136,7 +138,7 @@ void check_refused(const std::vector<std::string>& base, const std::vector<BadLi
   for (const BadLine& row : rows) {
     const auto file = folder.write("mine.toml", with_line(base, row.replaced, row.replacement));
     const std::string message = message_of(file);
-    const std::string place = file.string() + ":" + std::to_string(row.line) + ": ";
+    const std::string place = fmt::format("{}:{}: ", file.string(), row.line);
     const auto says = [&](std::string_view phrase) { return message.find(phrase) != std::string::npos; };
     BOOST_TEST_CONTEXT("line " << row.replaced << " replaced by: " << row.replacement.substr(0, 80)) {
       BOOST_CHECK_MESSAGE(message.starts_with(place), "expected " << place << ", got: " << message);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sweeps: what the file says, and that rows depend on nothing but themselves.
+#include <fmt/format.h>
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -152,7 +153,9 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_with_a_sweep_is_one_line_before_anything_is_c
       {head("combine = \"product\"\n[keys]\n"), 3, {"[keys]", "is empty"}},
       {head("combine = \"product\"\nspeed = 3\n"), 3, {"speed = 3", "is unknown", "allowed is case, laws"}},
       {head("combine = \"product\"\ncombine = \"zip\"\n"), 3, {"duplicate"}},
-      {keys(load + "[1.0]\n" + load + "[2.0]\n"), 5, {load + "[2.0]: is a duplicate (cannot redefine existing array)"}},
+      {keys(fmt::format("{}[1.0]\n{}[2.0]\n", load, load)),
+       5,
+       {load + "[2.0]: is a duplicate (cannot redefine existing array)"}},
       {head("laws = [\"hertz\", \"tomato\"]\n"), 2, {"laws = \"tomato\"", "is unknown", "ehd-linear"}},
       {head("laws = []\n"), 2, {"laws = []", "is empty"}},
       {head("laws = [\"hertz\", \"hertz\"]\n"), 2, {"duplicate"}},
@@ -206,7 +209,7 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_with_a_sweep_is_one_line_before_anything_is_c
       message = error.what();
     }
     BOOST_TEST_CONTEXT("the sweep\n" << bad.text << "is refused with: " << message) {
-      BOOST_TEST(message.starts_with(file.string() + ":" + std::to_string(bad.line) + ": "));
+      BOOST_TEST(message.starts_with(fmt::format("{}:{}: ", file.string(), bad.line)));
       BOOST_TEST(message.find('\n') == std::string::npos);
       BOOST_TEST((message.find("allowed is") != std::string::npos ||
                   message.find("allowed with") != std::string::npos ||
@@ -225,7 +228,7 @@ BOOST_AUTO_TEST_CASE(the_program_refuses_with_one_line_and_leaves_nothing) {
        {quoted(bad), quoted(folder.path() / "none.toml"), quoted(good) + " --shard 3/2", quoted(good) + " --shard 0/2",
         quoted(good) + " --shard 2", quoted(good) + " --threads 0", quoted(good) + " --merge --shard 1/2",
         quoted(good) + " --merge --fresh", quoted(good) + " --merge"}) {
-    const auto ended = test::ehd_run(folder, "sweep " + arguments + " --output " + quoted(out));
+    const auto ended = test::ehd_run(folder, fmt::format("sweep {} --output {}", arguments, quoted(out)));
     BOOST_TEST_CONTEXT(arguments << ": " << ended.err) {
       BOOST_TEST(ended.exit_code == 2);
       BOOST_TEST(ended.error_lines() == 1);
@@ -298,8 +301,9 @@ BOOST_AUTO_TEST_CASE(a_row_of_a_bearing_says_what_ehd_bearing_says_of_that_case)
     for (const char* raceway : {"inner", "outer"})
       film = std::min(film, roller[raceway]["film_minimum_m"].get<double>());
   }
-  BOOST_TEST(csv.back().starts_with("5,50000.0,7500,ehd,converged," + last["displacement_m"].dump() + "," +
-                                    Json(largest).dump() + ",0.0," + Json(film).dump() + ","));
+  BOOST_TEST(
+      csv.back().starts_with(fmt::format("5,50000.0,7500,ehd,converged,{},{},0.0,{},", last["displacement_m"].dump(),
+                                         Json(largest).dump(), Json(film).dump())));
 }
 
 // Later columns stand behind all others: the datum, use outside the fit, lambda ratio, lateral displacement.
@@ -424,7 +428,7 @@ combine = "zip"
 "domain.inlet" = ["flooded", -4.0]
 )");
   const auto out = folder.path() / "out";
-  const auto ended = test::ehd_run(folder, "sweep " + quoted(file) + " --output " + quoted(out));
+  const auto ended = test::ehd_run(folder, fmt::format("sweep {} --output {}", quoted(file), quoted(out)));
   BOOST_TEST(ended.exit_code == 0);
   BOOST_TEST(ended.err == "");
   const Json rows = Json::parse(test::read(out / "rows.json"));
@@ -548,7 +552,8 @@ BOOST_AUTO_TEST_CASE(a_row_that_does_not_converge_is_a_row_with_its_reason) {
   const Folder folder;
   const auto file = folder.write("s.toml", small_sweep);
   const auto out = folder.path() / "out";
-  const auto ended = test::ehd_run(folder, "sweep " + quoted(file) + " --max-iterations 1 --output " + quoted(out));
+  const auto ended =
+      test::ehd_run(folder, fmt::format("sweep {} --max-iterations 1 --output {}", quoted(file), quoted(out)));
   BOOST_TEST(ended.exit_code == 1);
   BOOST_TEST(ended.error_lines() == 1);
   BOOST_TEST(ended.err.find("6 of 6 rows did not converge; row 0: ehd-linear: limit-reached: ") != std::string::npos);
@@ -563,7 +568,8 @@ BOOST_AUTO_TEST_CASE(a_row_that_does_not_converge_is_a_row_with_its_reason) {
   const Json rows = Json::parse(test::read(out / "rows.json"));
   BOOST_TEST(rows["rows"][0]["results"][2]["status"] == "limit-reached");
   // Known rows fail again, without being computed.
-  const auto again = test::ehd_run(folder, "sweep " + quoted(file) + " --max-iterations 1 --output " + quoted(out));
+  const auto again =
+      test::ehd_run(folder, fmt::format("sweep {} --max-iterations 1 --output {}", quoted(file), quoted(out)));
   BOOST_TEST(again.exit_code == 1);
   BOOST_TEST(again.out.find("rows computed 0") != std::string::npos);
 }
@@ -746,12 +752,12 @@ BOOST_AUTO_TEST_CASE(a_shard_reads_the_cases_of_its_own_rows) {
   const Folder folder;
   const auto file = folder.write("s.toml", keys("\"bearing.rollers\" = [22, -1]\n") + "");
   const auto shard = [&](const char* part) {
-    return test::ehd_run(folder,
-                         "sweep " + quoted(file) + " --output " + quoted(folder.path() / "out") + " --shard " + part);
+    return test::ehd_run(
+        folder, fmt::format("sweep {} --output {} --shard {}", quoted(file), quoted(folder.path() / "out"), part));
   };
   BOOST_TEST(shard("1/2").exit_code == 0);
   BOOST_TEST(shard("2/2").exit_code == 2);
-  test::check_refused(folder, "sweep " + quoted(file) + " --output " + quoted(folder.path() / "out") + " --merge",
+  test::check_refused(folder, fmt::format("sweep {} --output {} --merge", quoted(file), quoted(folder.path() / "out")),
                       "2-of-2");
 }
 
@@ -770,14 +776,14 @@ BOOST_AUTO_TEST_CASE(merged_shards_are_the_unsharded_files_bit_for_bit) {
   const Folder folder;
   const auto file = folder.write("s.toml", small_sweep);
   const auto whole = folder.path() / "whole", parts = folder.path() / "parts";
-  BOOST_TEST(test::ehd_run(folder, "sweep " + quoted(file) + " --output " + quoted(whole)).exit_code == 0);
+  BOOST_TEST(test::ehd_run(folder, fmt::format("sweep {} --output {}", quoted(file), quoted(whole))).exit_code == 0);
   for (const char* shard : {"3/4", "1/4", "4/4", "2/4"}) {
     const auto ended =
-        test::ehd_run(folder, "sweep " + quoted(file) + " --output " + quoted(parts) + " --shard " + shard);
+        test::ehd_run(folder, fmt::format("sweep {} --output {} --shard {}", quoted(file), quoted(parts), shard));
     BOOST_TEST(ended.exit_code == 0);
     BOOST_TEST(!std::filesystem::exists(parts / "rows.csv"));
   }
-  const auto merged = test::ehd_run(folder, "sweep " + quoted(file) + " --output " + quoted(parts) + " --merge");
+  const auto merged = test::ehd_run(folder, fmt::format("sweep {} --output {} --merge", quoted(file), quoted(parts)));
   BOOST_TEST(merged.exit_code == 0);
   BOOST_TEST(merged.err == "");
   BOOST_TEST((Files(parts) == Files(whole)));
@@ -835,16 +841,16 @@ BOOST_AUTO_TEST_CASE(a_rank_of_a_launcher_is_its_shard) {
   const Folder folder;
   const auto file = folder.write("s.toml", dry_sweep);
   const auto parts = folder.path() / "parts";
-  const std::string script = std::string("sh '") + EHD_SOURCE_DIR + "/examples/sweeps/rank.sh' " + quoted(file) + " " +
-                             quoted(parts) + " > /dev/null 2>&1";
+  const std::string script = fmt::format("sh '{}/examples/sweeps/rank.sh' {} {} > /dev/null 2>&1", EHD_SOURCE_DIR,
+                                         quoted(file), quoted(parts));
   const std::string program = "EHD='" + std::string(EHD_PROGRAM) + "' ";
   // As srun, Open MPI and MPICH tell a process which one it is.
   for (const char* rank :
        {"SLURM_PROCID=0 SLURM_NTASKS=3", "OMPI_COMM_WORLD_RANK=1 OMPI_COMM_WORLD_SIZE=3", "PMI_RANK=2 PMI_SIZE=3"})
-    BOOST_TEST(
-        std::system(
-            ("env -u SLURM_PROCID -u OMPI_COMM_WORLD_RANK -u PMI_RANK " + program + rank + " " + script).c_str()) == 0,
-        rank);
+    BOOST_TEST(std::system(
+                   fmt::format("env -u SLURM_PROCID -u OMPI_COMM_WORLD_RANK -u PMI_RANK {}{} {}", program, rank, script)
+                       .c_str()) == 0,
+               rank);
   for (const char* name : {"1-of-3", "2-of-3", "3-of-3"})
     BOOST_TEST(std::filesystem::exists(parts / "shards" / name / "journal"), name);
   BOOST_TEST(std::system(("env -u SLURM_PROCID -u OMPI_COMM_WORLD_RANK -u PMI_RANK " + program + script).c_str()) != 0);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/claim.hpp"
 
+#include <fmt/format.h>
 #include <stdlib.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -74,7 +75,7 @@ std::string contact_case(const std::string& id, const std::string& minimum) {
 }
 
 int exit_code(const std::string& arguments) {
-  const int status = std::system(("'" + std::string(EHD_PROGRAM) + "' " + arguments + " > /dev/null 2>&1").c_str());
+  const int status = std::system(fmt::format("'{}' {} > /dev/null 2>&1", EHD_PROGRAM, arguments).c_str());
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 

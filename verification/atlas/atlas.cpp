@@ -26,8 +26,8 @@ void make_folder(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error || !std::filesystem::is_directory(folder, error))
-    throw OutputError(one_line(folder.string() + ": cannot be made (" + (error ? error.message() : "it is no folder") +
-                               "); allowed is a folder that exists or can be made"));
+    throw OutputError(one_line(fmt::format("{}: cannot be made ({}); allowed is a folder that exists or can be made",
+                                           folder.string(), error ? error.message() : "it is no folder")));
 }
 
 /// The record of an earlier run with the same point, solver and tolerance. Absent where a longer time limit may give

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Comparison of atlas.csv with the case files beside it.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -45,14 +47,15 @@ std::string difference(const AtlasColumn& column, const AtlasRow& row, const Exp
   const std::string name(column.name), digits = row.at(name), error = row.at(column.error_name());
   const std::string in_case = expected ? expected->digits : "";
   if (in_case != digits)
-    return name + " is " + (in_case.empty() ? "absent" : in_case) + ", not " + (digits.empty() ? "absent" : digits);
+    return fmt::format("{} is {}, not {}", name, in_case.empty() ? "absent" : in_case,
+                       digits.empty() ? "absent" : digits);
   if (digits.empty()) return "";
   if (expected->scaling != Scaling::hertz || expected->kind != ExpectationKind::computed)
     return name + " is not a computed one in Hertz units";
   const double uncertainty =
       column.absolute ? expected->uncertainty * std::abs(expected->value) : expected->uncertainty;
   if (!(std::abs(uncertainty - std::stod(error)) <= two_digits * uncertainty))
-    return "the uncertainty of " + name + " is " + plain(uncertainty) + ", not " + error;
+    return fmt::format("the uncertainty of {} is {}, not {}", name, plain(uncertainty), error);
   return "";
 }
 
@@ -68,7 +71,7 @@ std::string difference(const AtlasRow& row, const Case& read) {
   const auto as_row = atlas_row(point, {});
   for (std::size_t i = 0; i < columns_of_the_point; ++i) {
     if (as_row[i] != row.at(atlas_columns()[i]))
-      return atlas_columns()[i] + " is " + as_row[i] + ", not " + row.at(atlas_columns()[i]);
+      return fmt::format("{} is {}, not {}", atlas_columns()[i], as_row[i], row.at(atlas_columns()[i]));
   }
   if (!same_lubricant(*contact->lubricant, point.contact().lubricant.value()))
     return "has another lubricant than " + row.at("laws");

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // kappa.csv and waviness.csv, written and read back: every cell is checked.
+#include <fmt/format.h>
+
 #include <sstream>
 
 #include "contact/nondimensional.hpp"
@@ -61,7 +63,8 @@ std::vector<AtlasRow> read_motion_table(const MotionTable& table, const std::fil
   const auto file = folder / table.file;
   const auto text = atlas_text(file);
   const auto refuse = [&](int line, const std::string& what) {
-    return CaseError(one_line(file.string() + (line > 0 ? ":" + std::to_string(line) : "") + ": " + what));
+    return CaseError(
+        one_line(fmt::format("{}{}: {}", file.string(), line > 0 ? ":" + std::to_string(line) : "", what)));
   };
   if (!text) throw refuse(0, "there is no such file; required is the table that `ehd atlas --motion` writes");
   const std::vector<std::string> columns = columns_of(table);
@@ -80,8 +83,8 @@ std::vector<AtlasRow> read_motion_table(const MotionTable& table, const std::fil
     AtlasRow row;
     for (std::size_t i = 0; i < cells.size(); ++i) row[columns[i]] = cells[i];
     if (const auto bad = wrong_motion_cell(table, row))
-      throw refuse(number, bad->column + " = " + shortened(row.at(bad->column), most_quoted) + ": " + bad->what +
-                               "; allowed is " + bad->allowed);
+      throw refuse(number, fmt::format("{} = {}: {}; allowed is {}", bad->column,
+                                       shortened(row.at(bad->column), most_quoted), bad->what, bad->allowed));
     rows.push_back(std::move(row));
   }
   if (!header)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/atlas/points.hpp"
 
+#include <fmt/format.h>
+
 #include "contact/nondimensional.hpp"
 #include "contact/text.hpp"
 
@@ -36,17 +38,18 @@ std::optional<AtlasLaws> atlas_laws_from(std::string_view text) {
 
 std::string AtlasPoint::id() const {
   const auto* cut = std::get_if<TruncatedAt>(&inlet);
-  return "atlas-" + std::string(to_string(laws)) + "-m" + plain(M) + "-l" + plain(L) + "-" +
-         (cut ? "cut" + plain(-cut->x) : "flooded");
+  return fmt::format("atlas-{}-m{}-l{}-{}", to_string(laws), plain(M), plain(L),
+                     cut ? "cut" + plain(-cut->x) : "flooded");
 }
 
 std::string AtlasPoint::title() const {
   const std::string law = laws == AtlasLaws::isoviscous ? "isoviscous, incompressible"
                           : laws == AtlasLaws::barus    ? "Barus, incompressible"
                                                         : "Roelands, compressible";
-  return "Atlas: M = " + plain(M) + ", L = " + plain(L) + ", " + law + ", " +
-         (std::holds_alternative<Flooded>(inlet) ? "" : "inlet cut at X = ") + inlet_text(inlet) +
-         (numerical_test() ? " (a numerical test: p_H = " + plain(hertz_pressure_Pa() / 1e9, 2) + " GPa)" : "");
+  return fmt::format(
+      "Atlas: M = {}, L = {}, {}, {}{}{}", plain(M), plain(L), law,
+      std::holds_alternative<Flooded>(inlet) ? "" : "inlet cut at X = ", inlet_text(inlet),
+      numerical_test() ? " (a numerical test: p_H = " + plain(hertz_pressure_Pa() / 1e9, 2) + " GPa)" : "");
 }
 
 double AtlasPoint::hertz_pressure_Pa() const {

@@ -48,7 +48,7 @@ std::string case_text_of(const AtlasPoint& point, const AtlasRecord& record, int
   text += "\n[lubricant]\nviscosity = \"" + std::string(to_string(lubricant.viscosity)) + "\"\n";
   text += "density = \"" + std::string(to_string(lubricant.density)) + "\"\n";
   if (lubricant.alpha_per_Pa) text += "alpha_per_Pa = " + plain(*lubricant.alpha_per_Pa) + "\n";
-  if (lubricant.z) text += "z = " + plain(*lubricant.z) + "\np0_Pa = " + plain(lubricant.p0_Pa) + "\n";
+  if (lubricant.z) text += fmt::format("z = {}\np0_Pa = {}\n", plain(*lubricant.z), plain(lubricant.p0_Pa));
   text += "\n[domain]\ninlet = " +
           (std::holds_alternative<Flooded>(point.inlet) ? "\"flooded\"" : inlet_text(point.inlet)) + "\n";
   const auto known = known_of(record);

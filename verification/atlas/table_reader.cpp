@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // atlas.csv read back: every cell is checked.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <sstream>
 
@@ -72,7 +74,7 @@ std::optional<WrongCell> wrong_cell(const AtlasRow& row) {
 AtlasTable read_atlas_table(const std::filesystem::path& csv) {
   const auto text = atlas_text(csv);
   const auto refuse = [&](int line, const std::string& what) {
-    return CaseError(one_line(csv.string() + (line > 0 ? ":" + std::to_string(line) : "") + ": " + what));
+    return CaseError(one_line(fmt::format("{}{}: {}", csv.string(), line > 0 ? ":" + std::to_string(line) : "", what)));
   };
   if (!text) throw refuse(0, "there is no such file; required is the table that `ehd atlas` writes");
   AtlasTable table;
@@ -91,12 +93,12 @@ AtlasTable read_atlas_table(const std::filesystem::path& csv) {
       continue;
     }
     if (cells.size() != atlas_columns().size())
-      throw refuse(number, shortened(line, most_quoted) + ": has " + std::to_string(cells.size()) +
-                               " cells; allowed is " + std::to_string(atlas_columns().size()));
+      throw refuse(number, fmt::format("{}: has {} cells; allowed is {}", shortened(line, most_quoted), cells.size(),
+                                       atlas_columns().size()));
     auto row = row_of(cells);
     if (const auto wrong = wrong_cell(row))
-      throw refuse(number, wrong->column + " = " + shortened(row.at(wrong->column), most_quoted) + ": " + wrong->what +
-                               "; allowed is " + wrong->allowed);
+      throw refuse(number, fmt::format("{} = {}: {}; allowed is {}", wrong->column,
+                                       shortened(row.at(wrong->column), most_quoted), wrong->what, wrong->allowed));
     table.rows.push_back(std::move(row));
   }
   if (!header) throw refuse(std::max(number, 1), "has no header; required is the table that `ehd atlas` writes");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/bench/answer_cost.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -168,8 +170,8 @@ std::string human_table(const std::vector<AnswerCost>& rows) {
                      std::to_string(row.solves), plain(milli * spread.middle, 3), in_c(spread.middle),
                      in_c(spread.mean), in_c(spread.most), in_c(spread.slowest), plain(micro * row.c_s, 3)});
   }
-  return "What an answer costs, processor time; c: one padded convolution of " + std::to_string(unit_intervals) +
-         " intervals\n" + aligned(table, 2, "  ") + "\n";
+  return fmt::format("What an answer costs, processor time; c: one padded convolution of {} intervals\n{}\n",
+                     unit_intervals, aligned(table, 2, "  "));
 }
 
 }  // namespace ehd::verification

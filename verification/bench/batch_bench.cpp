@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/bench/batch_bench.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -35,8 +37,8 @@ std::vector<BatchRow> run_batch(const BatchRequest& request) {
       for (std::size_t i = first; i < rows.size(); ++i) {
         BatchRow& row = rows[i];
         if (request.progress)
-          request.progress(std::to_string(row.problems) + " contacts by " + row.solver + ", " +
-                           std::to_string(row.threads) + " threads, round " + std::to_string(round + 1));
+          request.progress(
+              fmt::format("{} contacts by {}, {} threads, round {}", row.problems, row.solver, row.threads, round + 1));
         const Stopwatch watch;
         auto solutions = solve_all(*solver, request.problems,
                                    {.tolerance = request.tolerance, .time_limit_s = request.time_limit_s}, row.threads);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/bench/box_bench.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -88,7 +90,7 @@ std::vector<BoxRow> run_box_bench(const BoxRequest& request) {
   for (const RegisteredSolver* solver : request.solvers) {
     for (Setting setting : request.settings) {
       setting.solver = solver->name;
-      if (request.progress) request.progress("box by " + solver->name + " at " + setting.text());
+      if (request.progress) request.progress(fmt::format("box by {} at {}", solver->name, setting.text()));
       for (std::size_t i = 0; i < request.contacts.size(); ++i)
         rows.push_back(row_of(*solver, setting, request.contacts[i], request, truths.empty() ? nullptr : &truths[i]));
     }
@@ -155,7 +157,7 @@ class Group {
       covered_ += *row.achieved[k] <= *row.reported[k] + *row.truth_error[k] ? 1 : 0;
       if (!largest_[k] || *row.achieved[k] > *largest_[k]) {
         largest_[k] = row.achieved[k];
-        place_[k] = "(" + plain(row.contact.moes.M) + ", " + plain(row.contact.moes.L) + ")";
+        place_[k] = fmt::format("({}, {})", plain(row.contact.moes.M), plain(row.contact.moes.L));
       }
       if (k == 0 && row.contact.moes.L <= mild_L) mild_ = std::max(mild_.value_or(0), *row.achieved[k]);
     }

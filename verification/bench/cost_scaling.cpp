@@ -34,7 +34,7 @@ constexpr double trend_repeat_s = 5;  ///< longer than usual, since the trend is
 
 bool same(const MoesGroups& a, const MoesGroups& b) { return a.M == b.M && a.L == b.L; }
 
-std::string name_of(const MoesGroups& contact) { return "(" + plain(contact.M) + ", " + plain(contact.L) + ")"; }
+std::string name_of(const MoesGroups& contact) { return fmt::format("({}, {})", plain(contact.M), plain(contact.L)); }
 
 }  // namespace
 
@@ -165,7 +165,7 @@ std::vector<ScalingRow> run_scaling(const ScalingRequest& request) {
         } else if (solver->memory_bytes(n) > available_memory_bytes()) {
           row.reason = "not run: it would not fit into memory";
         } else {
-          if (request.progress) request.progress(name_of(contact) + ": " + solver->name + ", n = " + std::to_string(n));
+          if (request.progress) request.progress(fmt::format("{}: {}, n = {}", name_of(contact), solver->name, n));
           const Request asked = Setting{.solver = solver->name, .nodes = n}.request(request.time_limit_s);
           const ChildEnd end = [&, one = solver]() -> ChildEnd {
             try {
@@ -326,7 +326,7 @@ std::string stages_table(const std::vector<ScalingRow>& rows) {
     if (row.stage_s.empty() || row.wall_s.empty()) continue;
     std::string split;
     for (const auto& [stage, seconds] : row.stage_s)
-      split += (split.empty() ? "" : ", ") + stage + " " + plain(100 * seconds / row.wall_s.front(), 2) + " %";
+      split += fmt::format("{}{} {} %", split.empty() ? "" : ", ", stage, plain(100 * seconds / row.wall_s.front(), 2));
     table.push_back({name_of(row.contact), row.solver, std::to_string(row.nodes), split});
   }
   return table.empty() ? "" : "\nwhere the first solve's time went\n" + aligned(table, 4, "  ");
@@ -335,7 +335,7 @@ std::string stages_table(const std::vector<ScalingRow>& rows) {
 }  // namespace
 
 std::string human_table(const std::vector<ScalingRow>& rows) {
-  return costs_table(rows) + reasons_list(rows) + exponents_table(rows) + stages_table(rows) + "\n";
+  return fmt::format("{}{}{}{}\n", costs_table(rows), reasons_list(rows), exponents_table(rows), stages_table(rows));
 }
 
 }  // namespace ehd::verification

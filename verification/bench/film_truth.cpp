@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/bench/film_truth.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -34,7 +36,7 @@ std::optional<FilmTruth> digits_as_truth(const Case& contact_case, const Contact
     truth.value[film] = digits->value * (reading->value / measured->value);
     truth.error[film] = digits->uncertainty;
     truth.words[film] =
-        "the case's " + digits->digits + " (relative uncertainty " + plain(digits->uncertainty, 2) + ")";
+        fmt::format("the case's {} (relative uncertainty {})", digits->digits, plain(digits->uncertainty, 2));
   }
   return truth;
 }
@@ -45,8 +47,8 @@ FilmTruth solution_as_truth(const JudgedRun& best, const std::string& which) {
     const Reading& reading = *reading_of(best.run.solution, judged_films[film]);
     truth.value[film] = reading.value;
     truth.error[film] = *reading.error;
-    truth.words[film] =
-        which + best.run.solver + " at " + plain(best.tolerance) + ", which states " + plain(*reading.error, 2);
+    truth.words[film] = fmt::format("{}{} at {}, which states {}", which, best.run.solver, plain(best.tolerance),
+                                    plain(*reading.error, 2));
   }
   return truth;
 }

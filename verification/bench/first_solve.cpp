@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/bench/first_solve.hpp"
 
+#include <fmt/format.h>
+
 #include <ctime>
 #include <nlohmann/json.hpp>
 
@@ -98,8 +100,9 @@ std::string human_table(const std::vector<FirstSolveRow>& rows) {
     }
     table.push_back(cells);
   }
-  return "The first solve of a process and a later one, processor time; c: one padded convolution of " +
-         std::to_string(unit_intervals) + " intervals\n" + aligned(table, 1, "  ") + "\n";
+  return fmt::format(
+      "The first solve of a process and a later one, processor time; c: one padded convolution of {} intervals\n{}\n",
+      unit_intervals, aligned(table, 1, "  "));
 }
 
 }  // namespace ehd::verification

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/bench/response_cost.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -161,10 +163,11 @@ std::string human_table(const ResponseCost& cost) {
     bearings.push_back({row.bearing, std::to_string(row.contact_solves), std::to_string(row.responses),
                         plain(milli * row.balance_s, 3), plain(milli * row.dynamic_s, 3),
                         plain(row.dynamic_s / row.balance_s, 3)});
-  return "What motion costs, processor time; slow: kappa_0 and kappa_1 with their steady states; a frequency: the mean "
-         "of " +
-         std::to_string(swept_Omegas.size()) + " more, Omega = " + plain(swept_Omegas.front()) + " ... " +
-         plain(swept_Omegas.back()) + "\n" + aligned(rows, 1, "  ") + aligned(bearings, 1, "  ") + "\n";
+  return fmt::format(
+      "What motion costs, processor time; slow: kappa_0 and kappa_1 with their steady states; a frequency: the mean of "
+      "{} more, Omega = {} ... {}\n{}{}\n",
+      swept_Omegas.size(), plain(swept_Omegas.front()), plain(swept_Omegas.back()), aligned(rows, 1, "  "),
+      aligned(bearings, 1, "  "));
 }
 
 }  // namespace ehd::verification

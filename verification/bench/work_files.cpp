@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The files of the work-precision benchmark: JSON and CSV.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -189,7 +191,7 @@ std::string work_precision_csv(const WorkPrecisionResult& result) {
   for (const Judged judged : all_judged) {
     const std::string name(to_string(judged));
     if (judged != Judged::pressure) csv += "," + name + "_reported";
-    csv += "," + name + "_achieved," + name + "_truth_error";
+    csv += fmt::format(",{}_achieved,{}_truth_error", name, name);
   }
   csv += "\n";
   for (const WorkRow& row : result.rows) csv += csv_line(csv_cells(row));

@@ -117,7 +117,7 @@ SolvedTruth solve_truth(const Case& contact_case, bool quick) {
   stated.reason = record.reason;
   stated.wall_s = record.cost.wall_s;
   if (!std::isfinite(errors[best])) {
-    stated.reason = solver.name + " ended " + std::string(to_string(record.status)) + ": " + record.reason;
+    stated.reason = fmt::format("{} ended {}: {}", solver.name, to_string(record.status), record.reason);
     return truth;
   }
   stated.status = record.status;

@@ -23,7 +23,7 @@ std::string milliseconds(double seconds) { return plain(1e3 * seconds, 3); }
 
 std::string crossover_text(const Crossover& at, const ComparedSolvers& pair) {
   const std::string &tight = at.rises ? pair.over : pair.solver, &loose = at.rises ? pair.solver : pair.over;
-  return loose + " is ahead down to " + plain(at.looser) + ", " + tight + " from " + plain(at.tighter);
+  return fmt::format("{} is ahead down to {}, {} from {}", loose, plain(at.looser), tight, plain(at.tighter));
 }
 
 double geometric_mean(const std::vector<double>& values) {
@@ -47,7 +47,8 @@ std::string truths_table(const WorkPrecisionResult& result) {
                      pressure > 0 ? plain(pressure, 2) : "-", dash(truth.from_digits[0], 2),
                      dash(truth.from_digits[1], 2), plain(truth.wall_s, 3)});
   }
-  return "The truths: " + certified_solver().name + ", with the errors that it states\n" + aligned(table, 2, "  ");
+  return fmt::format("The truths: {}, with the errors that it states\n{}", certified_solver().name,
+                     aligned(table, 2, "  "));
 }
 
 std::string rows_table(const WorkPrecisionResult& result) {
@@ -69,9 +70,10 @@ std::string rows_table(const WorkPrecisionResult& result) {
     table.push_back(cells);
   }
   constexpr double percent = 100;
-  return "Every run: time is the median of cold solves; this process had " + plain(percent * result.cpu_share, 3) +
-         " % of a core" + (result.cpu_share < undisturbed_share ? ", so that times are too long: measure again" : "") +
-         "\n" + aligned(table, 4, "  ");
+  return fmt::format("Every run: time is the median of cold solves; this process had {} % of a core{}\n{}",
+                     plain(percent * result.cpu_share, 3),
+                     result.cpu_share < undisturbed_share ? ", so that times are too long: measure again" : "",
+                     aligned(table, 4, "  "));
 }
 
 std::string crossovers_list(const WorkPrecisionResult& result, Judged judged) {
@@ -79,7 +81,8 @@ std::string crossovers_list(const WorkPrecisionResult& result, Judged judged) {
   for (const Truth& truth : result.truths) {
     for (const ComparedSolvers& pair : compared_solvers()) {
       const auto by_level = ratios(result.rows, truth.case_id, pair.solver, pair.over, judged, error_levels(judged));
-      if (const auto at = crossover(by_level)) text += "  " + truth.case_id + ": " + crossover_text(*at, pair) + "\n";
+      if (const auto at = crossover(by_level))
+        text += fmt::format("  {}: {}\n", truth.case_id, crossover_text(*at, pair));
     }
   }
   return text.empty() ? "" : "\n  crossovers\n" + text;
@@ -115,7 +118,7 @@ std::string equal_error_table(const WorkPrecisionResult& result, Judged judged) 
       std::vector<std::string> cells{truth.case_id, plain(level)};
       for (const auto& solver : result.solvers) {
         const WorkRow* best = quickest(result.rows, truth.case_id, solver, judged, level);
-        cells.push_back(best ? milliseconds(median(best->wall_s)) + " (" + best->setting.text() + ")" : "-");
+        cells.push_back(best ? fmt::format("{} ({})", milliseconds(median(best->wall_s)), best->setting.text()) : "-");
       }
       for (const ComparedSolvers& pair : compared_solvers()) {
         const auto at = ratios(result.rows, truth.case_id, pair.solver, pair.over, judged, {level});
@@ -160,7 +163,7 @@ std::string failures_list(const WorkPrecisionResult& result) {
   }
   if (lines.empty()) return "";
   std::string text = "What did not converge, was not run or not judged, and why\n";
-  for (const auto& [what, how] : lines) text += "  " + what + ": " + how + "\n";
+  for (const auto& [what, how] : lines) text += fmt::format("  {}: {}\n", what, how);
   return text + "\n";
 }
 
@@ -181,10 +184,10 @@ std::string missed_list(const WorkPrecisionResult& result) {
 }  // namespace
 
 std::string human_table(const WorkPrecisionResult& result) {
-  std::string text = truths_table(result) + "\n" + rows_table(result) + "\n" + failures_list(result);
+  std::string text = fmt::format("{}\n{}\n{}", truths_table(result), rows_table(result), failures_list(result));
   for (const Judged judged : {Judged::film_central, Judged::film_minimum, Judged::pressure})
     text += equal_error_table(result, judged) + "\n";
-  return text + coverage_table(result) + missed_list(result) + "\n";
+  return fmt::format("{}{}{}\n", text, coverage_table(result), missed_list(result));
 }
 
 }  // namespace ehd::verification

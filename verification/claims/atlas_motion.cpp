@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rung 10: the atlas of motion (cases/atlas/kappa.csv, waviness.csv). Both solvers meet a sample of its points, at
 // tolerances that the atlas was not made with.
+#include <fmt/format.h>
+
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -64,9 +66,10 @@ Findings judge_motion(const std::string& id) {
       }
     }
     findings.claims.push_back(claim(
-        {.id = "atlas/motion/" + id + "/" + solver->name,
+        {.id = fmt::format("atlas/motion/{}/{}", id, solver->name),
          .rung = rung_of_points,
-         .statement = solver->name + " at " + plain(tolerance) + " meets the stiffness, damping and waves of " + id,
+         .statement =
+             fmt::format("{} at {} meets the stiffness, damping and waves of {}", solver->name, plain(tolerance), id),
          .solver = solver->name},
         numbers > 0 ? worst : nothing, 0, Tolerance::required(1, "the errors of both cover the difference"),
         std::to_string(numbers) + " numbers, farthest: " + where));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rung 10: the atlas (cases/atlas). Its table and its case files agree. Both main solvers meet a sample of its points,
 // at tolerances that the atlas was not made with.
+#include <fmt/format.h>
+
 #include <cmath>
 #include <filesystem>
 #include <string>
@@ -79,11 +81,12 @@ Findings judge_point(const std::string& id) {
     const std::string ended = converged(run.solution) ? "" : "; " + how_it_ended(run.solution);
     for (const Expectation& expectation : point.expectations) {
       const std::string name = solver->name + " at " + plain(tolerance);
-      Sentence says{.id = "atlas/" + id + "/" + solver->name + "/" + expectation.quantity,
-                    .rung = rung,
-                    .statement = name + " meets " + expectation.quantity + " = " + expectation.digits + " of " + id,
-                    .case_id = {},
-                    .solver = solver->name};
+      Sentence says{
+          .id = fmt::format("atlas/{}/{}/{}", id, solver->name, expectation.quantity),
+          .rung = rung,
+          .statement = fmt::format("{} meets {} = {} of {}", name, expectation.quantity, expectation.digits, id),
+          .case_id = {},
+          .solver = solver->name};
       const bool film = is_judged_film(expectation);
       if (expectation.waiting) {
         says.statement = id + " waits for the digits of " + expectation.quantity;
@@ -98,9 +101,8 @@ Findings judge_point(const std::string& id) {
       const double reported = measured && measured->error ? *measured->error : nothing;
       found.claims.push_back(claim_value(says, measured ? measured->value : nothing, expectation.value, 0,
                                          Tolerance::discretisation(reported + expectation.uncertainty, 1),
-                                         "tolerance = reported error " + plain(reported, 2) +
-                                             " + uncertainty in the atlas " + plain(expectation.uncertainty, 2) +
-                                             ended));
+                                         fmt::format("tolerance = reported error {} + uncertainty in the atlas {}{}",
+                                                     plain(reported, 2), plain(expectation.uncertainty, 2), ended)));
     }
   }
   return found;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rung 11: the bearing cases. Equilibrium, geometry and the dry laws are checked with the printed formulas, not with
 // bearing/'s own functions. The paper's statements are reported as computed, whether they hold or not.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -107,9 +109,9 @@ Findings judge_bearing(const Case& bearing_case, SharedMemory& shared) {
   for (const BearingResult& result : results) {
     const std::string law(to_string(result.law));
     const auto says = [&](const std::string& what, const std::string& statement) {
-      return Sentence{.id = bearing_case.id + "/" + law + "/" + what,
+      return Sentence{.id = fmt::format("{}/{}/{}", bearing_case.id, law, what),
                       .rung = 11,
-                      .statement = bearing_case.id + " by the law " + law + ": " + statement,
+                      .statement = fmt::format("{} by the law {}: {}", bearing_case.id, law, statement),
                       .case_id = bearing_case.id};
     };
     const bool balanced = result.status == StopReason::converged && !result.rollers.empty();
@@ -130,11 +132,12 @@ Findings judge_bearing(const Case& bearing_case, SharedMemory& shared) {
   }
 
   for (const Expectation& expectation : bearing_case.expectations) {
-    Sentence says{.id = bearing_case.id + "/" + expectation.law + "/" + expectation.quantity + "/" +
-                        (expectation.waiting ? "waiting" : expectation.digits),
+    Sentence says{.id = fmt::format("{}/{}/{}/{}", bearing_case.id, expectation.law, expectation.quantity,
+                                    expectation.waiting ? "waiting" : expectation.digits),
                   .rung = 11,
-                  .statement = expectation.quantity + (expectation.waiting ? "" : " = " + expectation.digits) + " of " +
-                               bearing_case.id + " by the law " + expectation.law,
+                  .statement = fmt::format("{}{} of {} by the law {}", expectation.quantity,
+                                           expectation.waiting ? "" : " = " + expectation.digits, bearing_case.id,
+                                           expectation.law),
                   .case_id = bearing_case.id};
     if (expectation.waiting) {
       found.skipped.push_back({says, "waits for the source's number"});
@@ -196,25 +199,27 @@ void judge_printed(const PrintedVerdicts& printed, const std::vector<PaperStatem
                    Findings& found) {
   const std::string name(to_string(printed.law)), where = "what docs/results/bearing-measured.md prints";
   const auto says = [&](const std::string& id, const std::string& statement) {
-    return Sentence{
-        .id = "paper/" + name + "/" + id, .rung = 11, .statement = statement + ", law " + name, .case_id = "na4908"};
+    return Sentence{.id = fmt::format("paper/{}/{}", name, id),
+                    .rung = 11,
+                    .statement = statement + ", law " + name,
+                    .case_id = "na4908"};
   };
   for (const bool expected : {true, false})
     for (const char letter : expected ? printed.hold : printed.do_not) {
       const auto one = std::find_if(statements.begin(), statements.end(),
                                     [&](const PaperStatement& of) { return of.letter == letter; });
-      found.claims.push_back(claim_fact(says(std::string("verdict/") + letter,
-                                             std::string("paper's (") + letter + ") " +
-                                                 (expected ? "holds" : "does not hold") + " for NA4908, as printed"),
-                                        one != statements.end() && one->holds == expected, where,
-                                        one == statements.end() ? "not judged" : one->numbers));
+      found.claims.push_back(claim_fact(
+          says(std::string("verdict/") + letter,
+               fmt::format("paper's ({}) {} for NA4908, as printed", letter, expected ? "holds" : "does not hold")),
+          one != statements.end() && one->holds == expected, where,
+          one == statements.end() ? "not judged" : one->numbers));
     }
   for (const char letter : {'a', 'b', 'c'}) {
     const PaperStatement* const one = find_statement(statements, letter);
     const bool expected = printed.hold_at_top.find(letter) != std::string::npos;
     found.claims.push_back(claim_fact(says(std::string("verdict-at-psi-0/") + letter,
-                                           std::string("at psi = 0 alone the paper's (") + letter + ") " +
-                                               (expected ? "holds" : "does not hold") + " for NA4908, as printed"),
+                                           fmt::format("at psi = 0 alone the paper's ({}) {} for NA4908, as printed",
+                                                       letter, expected ? "holds" : "does not hold")),
                                       one && one->holds_at_top == expected, where, one ? one->numbers : "not judged"));
   }
   found.claims.push_back(claim_fact(says("x0/nowhere", "(a), (b), (c) and (d) hold together with no x_0, as printed"),
@@ -229,7 +234,7 @@ void judge_printed(const PrintedVerdicts& printed, const std::vector<PaperStatem
     }
     const double x0_m = ranges.size() != 1 ? nothing : end.low ? ranges.front().first : ranges.front().second;
     found.claims.push_back(
-        claim_value(says(std::string("x0/") + end.id, std::string(end.what) + " x_0 = " + end.mm + " mm"), 1e3 * x0_m,
+        claim_value(says(std::string("x0/") + end.id, fmt::format("{} x_0 = {} mm", end.what, end.mm)), 1e3 * x0_m,
                     std::stod(end.mm), 0,
                     Tolerance::published_digits(end.mm) +
                         Tolerance::required(scan.precision - 1, "precision of the search for the ends"),
@@ -258,10 +263,10 @@ Findings judge_paper(const std::vector<Case>& clearances, SharedMemory& shared) 
                                        .case_id = "na4908"},
                                       statements.size() == 4, "a judgement for each statement"));
     for (const PaperStatement& one : statements) {
-      found.claims.push_back(claim_finding({.id = "paper/" + name + "/" + one.letter,
+      found.claims.push_back(claim_finding({.id = fmt::format("paper/{}/{}", name, one.letter),
                                             .rung = 11,
-                                            .statement = std::string("paper's (") + one.letter + "), law " + name +
-                                                         ": " + one.statement + ": computed: " + verdict_of(one),
+                                            .statement = fmt::format("paper's ({}), law {}: {}: computed: {}",
+                                                                     one.letter, name, one.statement, verdict_of(one)),
                                             .case_id = "na4908"},
                                            one.numbers));
     }
@@ -269,12 +274,13 @@ Findings judge_paper(const std::vector<Case>& clearances, SharedMemory& shared) 
     found.claims.push_back(claim_finding(
         {.id = "paper/" + name + "/datum",
          .rung = 11,
-         .statement = "the datum x_0 with which (a) to (d) all hold, law " + name + ": " +
-                      words_of(scan, scan.all_hold_m) +
-                      "; each judged at psi = 0 alone: " + words_of(scan, scan.at_top_m),
+         .statement =
+             fmt::format("the datum x_0 with which (a) to (d) all hold, law {}: {}; each judged at psi = 0 alone: {}",
+                         name, words_of(scan, scan.all_hold_m), words_of(scan, scan.at_top_m)),
          .case_id = "na4908"},
-        "scanned from " + plain(1e3 * scan.lowest_m, 3) + " to " + plain(1e3 * scan.highest_m, 3) +
-            " mm in steps of a factor " + plain(scan.step, 4) + ", ends to a factor " + plain(scan.precision, 4)));
+        fmt::format("scanned from {} to {} mm in steps of a factor {}, ends to a factor {}",
+                    plain(1e3 * scan.lowest_m, 3), plain(1e3 * scan.highest_m, 3), plain(scan.step, 4),
+                    plain(scan.precision, 4))));
     for (const PrintedVerdicts& printed : printed_verdicts())
       if (printed.law == law) judge_printed(printed, statements, scan, found);
   }

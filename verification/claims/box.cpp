@@ -3,6 +3,8 @@
 // covers all L of an M.
 #include "verification/studies/box.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -29,11 +31,13 @@ using Row = BoxContact;
 Problem problem_of(const Row& row, double L) { return problem_at({row.moes.M, L}, row.roelands, row.inlet); }
 
 std::string name_of(const Row& row) {
-  return "M = " + plain(row.moes.M) + ", " + law_name(row.roelands) + (row.flooded() ? ", flooded" : ", cut at -4");
+  return fmt::format("M = {}, {}{}", plain(row.moes.M), law_name(row.roelands),
+                     row.flooded() ? ", flooded" : ", cut at -4");
 }
 
 std::string id_of(const Row& row) {
-  return "box/" + plain(row.moes.M) + (row.roelands ? "-roelands" : "-barus") + (row.flooded() ? "-flooded" : "-cut");
+  return fmt::format("box/{}{}{}", plain(row.moes.M), row.roelands ? "-roelands" : "-barus",
+                     row.flooded() ? "-flooded" : "-cut");
 }
 
 Findings judge_row(const Row& row) {
@@ -46,8 +50,8 @@ Findings judge_row(const Row& row) {
     const Solution reference = remembered(truth).solve(problem, {.tolerance = tolerance});
     const Solution fast = remembered(usual).solve(problem, {.tolerance = tolerance});
     if (!converged(reference) || !converged(fast)) {
-      unsolved += " L = " + plain(L) + " (" + truth + " " + std::string(to_string(reference.record.status)) + ", " +
-                  usual + " " + std::string(to_string(fast.record.status)) + ")";
+      unsolved += fmt::format(" L = {} ({} {}, {} {})", plain(L), truth, to_string(reference.record.status), usual,
+                              to_string(fast.record.status));
       worst = nothing;
       worst_at = "L = " + plain(L);
       continue;
@@ -90,12 +94,13 @@ Findings judge_twin_row(const Row& row, const SolverTwins& twins) {
     if (worst = worse(worst, differ); worst == differ) worst_at = "worst at L = " + plain(L);
   }
   Findings found;
-  found.claims.push_back(claim(
-      {.id = id_of(row) + "/twins",
-       .rung = 7,
-       .statement = second + " equals " + first + " in film and pressure on 256 cells for L = 0..25 at " + name_of(row),
-       .solver = first + ", " + second},
-      worst, 0, Tolerance::required(1e-8, "what both iterate to, required of the twins"), worst_at));
+  found.claims.push_back(
+      claim({.id = id_of(row) + "/twins",
+             .rung = 7,
+             .statement = fmt::format("{} equals {} in film and pressure on 256 cells for L = 0..25 at {}", second,
+                                      first, name_of(row)),
+             .solver = first + ", " + second},
+            worst, 0, Tolerance::required(1e-8, "what both iterate to, required of the twins"), worst_at));
   return found;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rungs 3, 6, 8 and 10 for each contact case. Both solvers converge within the requested tolerance, keep load and flux,
 // agree within their reported errors, and meet every number that the case expects.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -57,13 +59,13 @@ Findings judge_expectations(const Case& contact_case, const ContactRun& asked, c
   Findings found;
   const std::string name = solver ? solver->name : "closed form";
   for (const Expectation& expectation : contact_case.expectations) {
-    Sentence says{
-        .id = contact_case.id + "/" + name + "/" + expectation.quantity + "/" +
-              (expectation.waiting ? "waiting" : expectation.digits),
-        .rung = solver ? 10 : 3,
-        .statement = name + " meets " + expectation.quantity + " = " + expectation.digits + " of " + contact_case.id,
-        .case_id = contact_case.id,
-        .solver = solver ? solver->name : ""};
+    Sentence says{.id = fmt::format("{}/{}/{}/{}", contact_case.id, name, expectation.quantity,
+                                    expectation.waiting ? "waiting" : expectation.digits),
+                  .rung = solver ? 10 : 3,
+                  .statement = fmt::format("{} meets {} = {} of {}", name, expectation.quantity, expectation.digits,
+                                           contact_case.id),
+                  .case_id = contact_case.id,
+                  .solver = solver ? solver->name : ""};
     if (expectation.waiting) {
       says.statement = contact_case.id + " waits for the digits of " + expectation.quantity;
       found.skipped.push_back({says, "the source's number is not available here"});
@@ -72,11 +74,12 @@ Findings judge_expectations(const Case& contact_case, const ContactRun& asked, c
     const ContactRun run = reporting(contact_case, asked, solver, expectation.quantity);
     const auto measured = converged(run.solution) ? measure(run, expectation) : std::nullopt;
     if (expectation.kind == ExpectationKind::fit) {
-      says.statement = name + " beside the regression " + expectation.quantity + " = " + expectation.digits;
+      says.statement = fmt::format("{} beside the regression {} = {}", name, expectation.quantity, expectation.digits);
       found.skipped.push_back(
-          {says, measured ? "a regression neither passes nor fails; computed " + plain(measured->value) + ", " +
-                                plain(100 * (measured->value / expectation.value - 1), 2) + " % off"
-                          : "a regression neither passes nor fails; not computed: " + how_it_ended(run.solution)});
+          {says, measured
+                     ? fmt::format("a regression neither passes nor fails; computed {}, {} % off",
+                                   plain(measured->value), plain(100 * (measured->value / expectation.value - 1), 2))
+                     : "a regression neither passes nor fails; not computed: " + how_it_ended(run.solution)});
       continue;
     }
     const auto quantity = quantity_from(expectation.quantity);
@@ -99,10 +102,11 @@ Findings judge_expectations(const Case& contact_case, const ContactRun& asked, c
                                          Tolerance::discretisation(0, 1), "error " + error.from));
       continue;
     }
-    found.claims.push_back(claim_value(says, measured->value, expectation.value, 0,
-                                       Tolerance::discretisation(*error.value + expectation.uncertainty, 1),
-                                       "tolerance = error " + plain(*error.value, 2) + " (" + error.from +
-                                           ") + uncertainty of the expectation " + plain(expectation.uncertainty, 2)));
+    found.claims.push_back(
+        claim_value(says, measured->value, expectation.value, 0,
+                    Tolerance::discretisation(*error.value + expectation.uncertainty, 1),
+                    fmt::format("tolerance = error {} ({}) + uncertainty of the expectation {}", plain(*error.value, 2),
+                                error.from, plain(expectation.uncertainty, 2))));
   }
   return found;
 }
@@ -117,7 +121,7 @@ void judge_end(Findings& found, const Case& contact_case, const ContactRun& run)
   const auto says = [&](const std::string& what, const std::string& statement) {
     return Sentence{.id = prefix + "/" + what,
                     .rung = 6,
-                    .statement = run.solver + " " + statement + " on " + contact_case.id,
+                    .statement = fmt::format("{} {} on {}", run.solver, statement, contact_case.id),
                     .case_id = contact_case.id,
                     .solver = run.solver};
   };
@@ -141,10 +145,10 @@ void judge_agreement(Findings& found, const Case& contact_case, const ContactRun
     const Reading *a = reading(one.solution, film), *b = reading(two.solution, film);
     const bool known = a && b && a->error && b->error;
     found.claims.push_back(
-        claim_value({.id = contact_case.id + "/" + one.solver + "-" + two.solver + "/" + std::string(to_string(film)),
+        claim_value({.id = fmt::format("{}/{}-{}/{}", contact_case.id, one.solver, two.solver, to_string(film)),
                      .rung = 8,
-                     .statement = one.solver + " and " + two.solver + " agree on " + std::string(to_string(film)) +
-                                  " of " + contact_case.id + " within the errors that they report",
+                     .statement = fmt::format("{} and {} agree on {} of {} within the errors that they report",
+                                              one.solver, two.solver, to_string(film), contact_case.id),
                      .case_id = contact_case.id,
                      .solver = one.solver + ", " + two.solver},
                     value_of(b), value_of(a), 0,
@@ -194,15 +198,15 @@ Findings judge_certified(const Case& contact_case) {
   for (auto& claim : found.claims) claim.says.id += "/certified";
   for (auto& row : found.skipped) row.says.id += "/certified";
   const auto within = [&](Quantity quantity, double bound) {
-    found.claims.push_back(claim({.id = contact_case.id + "/certified/" + std::string(to_string(quantity)),
-                                  .rung = 6,
-                                  .statement = solver.name + " knows " + std::string(to_string(quantity)) + " of " +
-                                               contact_case.id + " to " + plain(bound),
-                                  .case_id = contact_case.id,
-                                  .solver = solver.name},
-                                 error_of(reading(run.solution, quantity)), 0,
-                                 Tolerance::required(bound, "the digits that README.md says of `reference`"),
-                                 how_it_ended(run.solution)));
+    found.claims.push_back(claim(
+        {.id = contact_case.id + "/certified/" + std::string(to_string(quantity)),
+         .rung = 6,
+         .statement =
+             fmt::format("{} knows {} of {} to {}", solver.name, to_string(quantity), contact_case.id, plain(bound)),
+         .case_id = contact_case.id,
+         .solver = solver.name},
+        error_of(reading(run.solution, quantity)), 0,
+        Tolerance::required(bound, "the digits that README.md says of `reference`"), how_it_ended(run.solution)));
   };
   for (const Quantity film : judged_films) within(film, tolerance);
   for (const Expectation& expectation : contact_case.expectations)
@@ -239,26 +243,26 @@ Findings judge_stated_errors(const Case& contact_case) {
       // At X = 0 a film is a difference of terms of size 1.
       const double by_rounding =
           std::numeric_limits<double>::epsilon() / value_of(observed(run.solution, Quantity::film_minimum));
-      found.claims.push_back(claim_fact({.id = contact_case.id + "/" + solver.name + "/stated/rounding",
-                                         .rung = 8,
-                                         .statement = "the iteration error that " + solver.name + " states of " +
-                                                      contact_case.id + " is at least the rounding error of a film",
-                                         .case_id = contact_case.id,
-                                         .solver = solver.name},
-                                        stated >= by_rounding, "eps/H_min",
-                                        plain(stated, 2) + " against " + plain(by_rounding, 2)));
+      found.claims.push_back(claim_fact(
+          {.id = fmt::format("{}/{}/stated/rounding", contact_case.id, solver.name),
+           .rung = 8,
+           .statement = fmt::format("the iteration error that {} states of {} is at least the rounding error of a film",
+                                    solver.name, contact_case.id),
+           .case_id = contact_case.id,
+           .solver = solver.name},
+          stated >= by_rounding, "eps/H_min", plain(stated, 2) + " against " + plain(by_rounding, 2)));
     }
     for (const Expectation& expectation : contact_case.expectations) {
       if (!is_judged_film(expectation) || expectation.waiting || expectation.kind == ExpectationKind::fit) continue;
       // Also the stated error of a run that did not converge must hold.
       const auto measured = measure(run, expectation);
       const double stated = measured && measured->error ? *measured->error : nothing;
-      const Sentence says{.id = contact_case.id + "/" + solver.name + "/stated" +
-                                (asked.tolerance ? "-" + plain(*asked.tolerance) : "") + "/" + expectation.quantity +
-                                "/" + expectation.digits,
+      const Sentence says{.id = fmt::format("{}/{}/stated{}/{}/{}", contact_case.id, solver.name,
+                                            asked.tolerance ? "-" + plain(*asked.tolerance) : "", expectation.quantity,
+                                            expectation.digits),
                           .rung = 8,
-                          .statement = solver.name + asked.how() + " states an error that holds " +
-                                       expectation.quantity + " of " + contact_case.id,
+                          .statement = fmt::format("{}{} states an error that holds {} of {}", solver.name, asked.how(),
+                                                   expectation.quantity, contact_case.id),
                           .case_id = contact_case.id,
                           .solver = solver.name};
       if (!measured && run.status() == StopReason::under_resolved) {
@@ -267,7 +271,7 @@ Findings judge_stated_errors(const Case& contact_case) {
       }
       found.claims.push_back(claim_value(says, measured ? measured->value : nothing, expectation.value, 0,
                                          Tolerance::discretisation(stated + expectation.uncertainty, 1),
-                                         "stated " + plain(stated, 2) + "; " + std::string(to_string(run.status()))));
+                                         fmt::format("stated {}; {}", plain(stated, 2), to_string(run.status()))));
     }
   }
   return found;

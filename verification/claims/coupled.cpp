@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rung 5: the coupled equations against manufactured solutions with real deflection, both laws and full film
 // (verification/studies/manufactured_study.hpp). Orders are fitted over four grids.
+#include <fmt/format.h>
+
 #include <cmath>
 #include <functional>
 #include <string>
@@ -32,14 +34,14 @@ Findings judge_solver(const Contact& contact, const RegisteredSolver& solver) {
   for (const auto& [what, member] : manufactured_quantities) {
     std::vector<double> y;
     for (const Errors& one : errors) y.push_back(std::log(one.*member));
-    found.claims.push_back(order_claim(
-        {.id = "manufactured/" + contact.name + "/" + solver.name + "/" + what,
-         .rung = 5,
-         .statement =
-             solver.name + " reaches the manufactured " + what + " (" + contact.name + ") with its declared order",
-         .solver = solver.name},
-        slope(x, y), solver.description.formal_order, order_over_four_grids(),
-        "error " + three_digits(errors.back().*member) + " on " + std::to_string(grids[3]) + " cells"));
+    found.claims.push_back(
+        order_claim({.id = fmt::format("manufactured/{}/{}/{}", contact.name, solver.name, what),
+                     .rung = 5,
+                     .statement = fmt::format("{} reaches the manufactured {} ({}) with its declared order",
+                                              solver.name, what, contact.name),
+                     .solver = solver.name},
+                    slope(x, y), solver.description.formal_order, order_over_four_grids(),
+                    fmt::format("error {} on {} cells", three_digits(errors.back().*member), grids[3])));
   }
   return found;
 }
@@ -57,10 +59,10 @@ Findings judge_collocation_in_h(const Contact& contact) {
       y.push_back(std::log(errors_of_collocation(truth, elements, degree).pressure));
     }
     found.claims.push_back(order_claim(
-        {.id = "manufactured/" + contact.name + "/collocation/degree-" + std::to_string(degree),
+        {.id = fmt::format("manufactured/{}/collocation/degree-{}", contact.name, degree),
          .rung = 5,
-         .statement = "collocation of degree " + std::to_string(degree) + " reaches the manufactured pressure (" +
-                      contact.name + ") with order " + std::to_string(degree + 1),
+         .statement = fmt::format("collocation of degree {} reaches the manufactured pressure ({}) with order {}",
+                                  degree, contact.name, degree + 1),
          .solver = certified_solver().name},
         slope(x, y), degree + 1, order_over_four_grids(),
         "error " + three_digits(std::exp(y.back())) + " on 162 elements"));
@@ -106,13 +108,14 @@ Findings judge_motion_of_fast(const Contact& contact) {
     std::vector<double> y;
     for (const MotionErrors& one : errors) y.push_back(std::log(one.*member));
     found.claims.push_back(order_claim(
-        {.id = "manufactured/" + contact.name + "/motion/fast/" + what,
+        {.id = fmt::format("manufactured/{}/motion/fast/{}", contact.name, what),
          .rung = 5,
-         .statement = "the harmonic equations of fast reach the manufactured " + std::string(what) + " (" +
-                      contact.name + ") with the order of its grids",
+         .statement =
+             fmt::format("the harmonic equations of fast reach the manufactured {} ({}) with the order of its grids",
+                         what, contact.name),
          .solver = "fast"},
         slope(x, y), default_solver().description.formal_order, order_over_four_grids(),
-        "error " + three_digits(errors.back().*member) + " on " + std::to_string(manufactured_grids[3]) + " cells"));
+        fmt::format("error {} on {} cells", three_digits(errors.back().*member), manufactured_grids[3])));
   }
   return found;
 }
@@ -128,14 +131,14 @@ Findings judge_motion_of_collocation(const Contact& contact) {
       y.push_back(std::log(motion_errors_of_collocation(truth, elements, degree).pressure));
     }
     found.claims.push_back(order_claim(
-        {.id = "manufactured/" + contact.name + "/motion/collocation/degree-" + std::to_string(degree),
+        {.id = fmt::format("manufactured/{}/motion/collocation/degree-{}", contact.name, degree),
          .rung = 5,
-         .statement = "harmonic collocation of degree " + std::to_string(degree) +
-                      " reaches the manufactured pressure (" + contact.name + ") with order " +
-                      std::to_string(degree + 1),
+         .statement =
+             fmt::format("harmonic collocation of degree {} reaches the manufactured pressure ({}) with order {}",
+                         degree, contact.name, degree + 1),
          .solver = certified_solver().name},
         slope(x, y), degree + 1, order_over_four_grids(),
-        "error " + three_digits(std::exp(y.back())) + " on " + std::to_string(motion_elements[3]) + " elements"));
+        fmt::format("error {} on {} elements", three_digits(std::exp(y.back())), motion_elements[3])));
   }
   return found;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rung 8: the errors that a table of films states, against solves at random contacts that the table has not seen: most
 // by the default solver to a thirtieth of the table's tolerance, some by the certified one.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -67,14 +69,14 @@ void add_misses(const FilmTable& table, const MoesGroups& at, const Solution& so
 Claim covers(const JudgedTable& judged, const FilmTable& table, std::size_t k, const TableMiss& miss,
              const std::string& by, std::size_t points) {
   const std::string film(to_string(table_films[k]));
-  return claim({.id = "film-table/" + table_name(judged) + "/" + by + "/" + film,
+  return claim({.id = fmt::format("film-table/{}/{}/{}", table_name(judged), by, film),
                 .rung = 8,
-                .statement = "the error of " + film + " that the table of " + table_name(judged) + " states covers " +
-                             std::to_string(points) + " random solves by " + by,
+                .statement = fmt::format("the error of {} that the table of {} states covers {} random solves by {}",
+                                         film, table_name(judged), points, by),
                 .solver = by},
                miss.worst, miss.truth, Tolerance::required(1, "the table states this error"),
-               "stated " + plain(table.errors[k].stated, 2) + ", found " + plain(table.errors[k].found, 2) +
-                   "; largest at M = " + plain(miss.at.M) + ", L = " + plain(miss.at.L));
+               fmt::format("stated {}, found {}; largest at M = {}, L = {}", plain(table.errors[k].stated, 2),
+                           plain(table.errors[k].found, 2), plain(miss.at.M), plain(miss.at.L)));
 }
 
 Findings judge_table(const JudgedTable& judged) {
@@ -82,16 +84,16 @@ Findings judge_table(const JudgedTable& judged) {
   const FilmTableRequest request{.range = judged.range, .tolerance = judged.tolerance};
   const FilmTable table = build_film_table(of, request, film_solves(of, request, 1, 60));
   Findings found;
-  found.claims.push_back(
-      claim_fact({.id = "film-table/" + table_name(judged) + "/built",
-                  .rung = 8,
-                  .statement = "a table of films over M " + plain(judged.range.M_low) + " to " +
-                               plain(judged.range.M_high) + ", L " + plain(judged.range.L_low) + " to " +
-                               plain(judged.range.L_high) + " meets " + plain(judged.tolerance),
-                  .solver = table.solver},
-                 table.status == StopReason::converged, "of the table",
-                 std::to_string(table.solves) + " solves, " + std::to_string(table.held_out) + " held-out ones" +
-                     (table.reason.empty() ? "" : "; " + table.reason)));
+  found.claims.push_back(claim_fact(
+      {.id = "film-table/" + table_name(judged) + "/built",
+       .rung = 8,
+       .statement = fmt::format("a table of films over M {} to {}, L {} to {} meets {}", plain(judged.range.M_low),
+                                plain(judged.range.M_high), plain(judged.range.L_low), plain(judged.range.L_high),
+                                plain(judged.tolerance)),
+       .solver = table.solver},
+      table.status == StopReason::converged, "of the table",
+      fmt::format("{} solves, {} held-out ones{}", table.solves, table.held_out,
+                  table.reason.empty() ? "" : "; " + table.reason)));
   if (table.panels.empty()) return found;
 
   Draw draw(table_seed);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rung 8: grid studies of the second-order solvers. Limit and error are estimated from the grids and then compared with
 // the high-order reference. The reference's flooded inlet is compared with inlets cut further and further out.
+#include <fmt/format.h>
+
 #include <cmath>
 #include <string>
 #include <vector>
@@ -41,12 +43,12 @@ Findings judge_study(const Study& study, MoesGroups moes) {
   Findings found;
   for (const Quantity film : judged_films) {
     const auto says = [&](const std::string& what, const std::string& statement) {
-      return Sentence{.id = "grids/" + solver.name + "/" + point + "/" + std::string(to_string(film)) + "/" + what,
+      return Sentence{.id = fmt::format("grids/{}/{}/{}/{}", solver.name, point, to_string(film), what),
                       .rung = 8,
                       .statement = statement,
                       .solver = solver.name};
     };
-    const std::string of = " of " + solver.name + "'s " + std::string(to_string(film)) + " at M-L = " + point;
+    const std::string of = fmt::format(" of {}'s {} at M-L = {}", solver.name, to_string(film), point);
     std::vector<GridValue> values;
     std::string unsolved;
     for (std::size_t i = 0; i < solutions.size(); ++i) {
@@ -67,11 +69,10 @@ Findings judge_study(const Study& study, MoesGroups moes) {
     constexpr double iterated_to = 1e-9;  // relative, of the films on a given grid
     const GridStudy seen = study_grids(values, solver.description.formal_order, iterated_to);
     const double off = std::abs(values.back().value / exact->value - 1);
-    const std::string note = std::string(to_string(seen.trend)) +
-                             (seen.observed_order ? ", order " + plain(*seen.observed_order, 3) : "") +
-                             ", uncertainty " + plain(seen.uncertainty, 2) + ", error " + plain(off, 2) + " on " +
-                             plain(values.back().cells) + " cells" +
-                             (values.size() < study.grids.size() ? ", without under-resolved grids" : "");
+    const std::string note = fmt::format("{}{}, uncertainty {}, error {} on {} cells{}", to_string(seen.trend),
+                                         seen.observed_order ? ", order " + plain(*seen.observed_order, 3) : "",
+                                         plain(seen.uncertainty, 2), plain(off, 2), plain(values.back().cells),
+                                         values.size() < study.grids.size() ? ", without under-resolved grids" : "");
     if (!std::isfinite(seen.uncertainty)) {
       // Differences that grow from grid to grid have no limit. These grids were chosen because their study has one.
       found.claims.push_back(claim(says("covered", "the grid study" + of + " covers its error"), nothing, 0,
@@ -109,7 +110,7 @@ Findings judge_flooded(MoesGroups moes) {
     const Solution solution = solver.solve(problem_of(moes, inlet), {.tolerance = tolerance});
     const Reading* seen = reading(solution, Quantity::film_central);
     if (!seen) {
-      ended += "cut " + plain(cut) + " " + std::string(to_string(solution.record.status)) + "; ";
+      ended += fmt::format("cut {} {}; ", plain(cut), to_string(solution.record.status));
       return nothing;
     }
     error = worse(error, seen->error.value());

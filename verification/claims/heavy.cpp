@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rungs 6 and 8 beyond the box: loads M up to 1e6, where the film is down to 2e-8 of b^2/R. The default solver ends
 // converged up to L = 100; where the certified solver takes seconds, up to L = 2, their films agree.
+#include <fmt/format.h>
+
 #include <cmath>
 #include <string>
 #include <vector>
@@ -32,7 +34,7 @@ Findings judge_convergence(double M) {
   for (const BoxContact& contact : contacts_of({.M = {M}, .L = heavy_L})) {
     const Solution solution =
         remembered(default_solver().name).solve(contact.problem(), {.tolerance = heavy_tolerance});
-    if (!converged(solution)) unsolved += " (" + contact_name(contact) + ": " + how_it_ended(solution) + ")";
+    if (!converged(solution)) unsolved += fmt::format(" ({}: {})", contact_name(contact), how_it_ended(solution));
   }
   return {.claims = {claim_fact({.id = heavy_id(M) + "/converged",
                                  .rung = 6,

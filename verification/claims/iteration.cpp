@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rung 6: how the solvers iterate. Jacobians are derivatives, Newton's method contracts quadratically, the rate of a
 // multigrid cycle does not depend on the number of intervals, and iteration counts stay as recorded.
+#include <fmt/format.h>
+
 #include <Eigen/Dense>
 #include <chrono>
 #include <cmath>
@@ -269,7 +271,7 @@ Findings judge_multigrid(MoesGroups moes) {
   double worst = 0;
   for (const double rate : rates) worst = worse(worst, rate);
   const std::string point = plain(moes.M) + "-" + plain(moes.L);
-  const std::string at = " at (" + plain(moes.M) + "," + plain(moes.L) + ")";
+  const std::string at = fmt::format(" at ({},{})", plain(moes.M), plain(moes.L));
   found.claims.push_back(
       claim({.id = "iteration/fast.uniform/multigrid-rate/" + point,
              .rung = 6,
@@ -314,9 +316,9 @@ Findings judge_counts(const RecordedCount& recorded) {
   const Cost& cost = solution.record.cost;
   Findings found;
   const auto add = [&](const std::string& what, double now, double then) {
-    Claim judged = claim({.id = "iteration/" + solver + "/" + what + "/" + M + "-" + L,
+    Claim judged = claim({.id = fmt::format("iteration/{}/{}/{}-{}", solver, what, M, L),
                           .rung = 6,
-                          .statement = solver + " needs as many " + what + " at (" + M + "," + L + ") as recorded",
+                          .statement = fmt::format("{} needs as many {} at ({},{}) as recorded", solver, what, M, L),
                           .solver = solver},
                          converged(solution) ? std::abs(std::log(now / then)) : nothing, 0,
                          Tolerance::calibrated(std::log(1.5), "a factor 1.5 either way of the count recorded"));
@@ -353,10 +355,9 @@ Findings judge_coarsest_grid(const BoxContact& contact, const std::string& point
   for (const RegisteredSolver& solver : solvers()) {
     const Solution solution = solver.solve(contact.problem(), {.tolerance = {}, .nodes = 16});
     found.claims.push_back(claim_fact(
-        {.id = "iteration/" + std::string(solver.name) + "/16-intervals/" + point,
+        {.id = fmt::format("iteration/{}/16-intervals/{}", solver.name, point),
          .rung = 6,
-         .statement =
-             std::string(solver.name) + " calls 16 intervals at " + contact.name() + ", flooded, under-resolved",
+         .statement = fmt::format("{} calls 16 intervals at {}, flooded, under-resolved", solver.name, contact.name()),
          .solver = solver.name},
         solution.record.status == StopReason::under_resolved,
         "a given grid is converged only where the stated error of both films is below 10 %", how_it_ended(solution)));

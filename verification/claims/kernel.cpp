@@ -172,8 +172,8 @@ Findings judge_mapped_operator() {
     found.claims.push_back(claim(
         {.id = "operator/mapped-" + std::to_string(intervals),
          .rung = 2,
-         .statement = "FFT and smooth remainder make the dense product on " + std::to_string(intervals) +
-                      " mapped cells" + (whole ? "" : ", but for what interpolation leaves of a film")},
+         .statement = fmt::format("FFT and smooth remainder make the dense product on {} mapped cells{}", intervals,
+                                  whole ? "" : ", but for what interpolation leaves of a film")},
         whole ? apart / dense.size : length / pi * apart / film, 0,
         whole ? Tolerance::round_off(4 * std::log2(2.0 * intervals) + 2 * std::sqrt(intervals) +
                                      0.1 / (nearest * intervals))

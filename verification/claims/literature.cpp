@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rungs 10 and 11: numbers of the literature that make no case: values of formulas, tables, and computed films whose
 // inlet is only known to lie "at -8 or wider". cases/README.md says where each item of the literature is judged.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -136,11 +138,11 @@ Findings judge_printed_powers() {
       }
       error = worse(error, std::abs(computed / power - 1));
     }
-    const std::string law = std::string(printed.c) + " G^" + printed.G + " U^" + printed.U + " W^" + printed.W;
+    const std::string law = fmt::format("{} G^{} U^{} W^{}", printed.c, printed.G, printed.U, printed.W);
     found.claims.push_back(
-        claim({.id = std::string("formulas/printed/") + printed.name + "/" + printed.of,
+        claim({.id = fmt::format("formulas/printed/{}/{}", printed.name, printed.of),
                .rung = 10,
-               .statement = std::string(printed.name) + ", " + printed.of + ": evaluated as printed, " + law},
+               .statement = fmt::format("{}, {}: evaluated as printed, {}", printed.name, printed.of, law)},
               error, 0, Tolerance::round_off(64, 10), "three points (M, L, G)"));
   }
   return found;
@@ -162,8 +164,8 @@ Findings judge_formulas() {
     Claim judged =
         claim({.id = std::string("formulas/agreement/") + name,
                .rung = 10,
-               .statement = std::string(name) + " at (20,10), G = 5000, lies " + plain(percent) +
-                            " % from the computed H_min 3.784"},
+               .statement = fmt::format("{} at (20,10), G = 5000, lies {} % from the computed H_min 3.784", name,
+                                        plain(percent))},
               std::abs(deviation - percent / 100), 0,
               Tolerance::calibrated(half_digit + half_digit / computed, "half digits of the percentage and of 3.784"));
     judged.measured = 100 * deviation;
@@ -185,8 +187,8 @@ Findings judge_formulas() {
     found.skipped.push_back({{.id = std::string("formulas/pan-hamrock/") + row.id,
                               .rung = 10,
                               .statement = std::string("Pan & Hamrock's ") + row.what + " at (20,10), flooded"},
-                             "a regression neither passes nor fails; formula " + plain(row.formula, 4) + ", computed " +
-                                 plain(row.computed, 5)});
+                             fmt::format("a regression neither passes nor fails; formula {}, computed {}",
+                                         plain(row.formula, 4), plain(row.computed, 5))});
   return found;
 }
 
@@ -216,14 +218,14 @@ Findings judge_moes_statement() {
       ++points;
       if (std::abs(formula.deviation) <= std::abs(worst)) continue;
       worst = formula.deviation;
-      where = "M = " + plain(point.at.M) + ", L = " + plain(point.at.L);
+      where = fmt::format("M = {}, L = {}", plain(point.at.M), plain(point.at.L));
     }
   }
   if (points == 0) return {.claims = {}, .skipped = {{says, "the atlas has no such film"}}};
   Sentence computed = says;
   computed.statement += std::string(": computed: ") + (std::abs(worst) <= close_formula ? "holds" : "does not hold");
-  return {.claims = {claim_finding(computed, "largest deviation " + plain(100 * worst, 3) + " % at " + where + ", of " +
-                                                 std::to_string(points) + " points of the atlas"),
+  return {.claims = {claim_finding(computed, fmt::format("largest deviation {} % at {}, of {} points of the atlas",
+                                                         plain(100 * worst, 3), where, points)),
                      claim({.id = "formulas/deviation-of-the-film",
                             .rung = 10,
                             .statement = "a map's deviation, applied to the certified film, gives the formula's film"},
@@ -277,7 +279,7 @@ void judge_between(Findings& found, const Ends& ends, const Between& one) {
              .case_id = {},
              .solver = default_solver().name},
             outside, 0, Tolerance::discretisation(one.uncertainty + std::max(first_error, second_error), 1),
-            "cut at -8 " + plain(first, 6) + ", flooded " + plain(second, 6));
+            fmt::format("cut at -8 {}, flooded {}", plain(first, 6), plain(second, 6)));
   judged.measured = one.value < low ? low : std::min(one.value, high);
   judged.expected = one.value;
   found.claims.push_back(std::move(judged));
@@ -311,8 +313,8 @@ Findings judge_barus_films() {
     for (const auto& [quantity, text] :
          {std::pair{Quantity::film_minimum, row.minimum}, {Quantity::film_central, row.central}})
       judge_between(found, ends,
-                    {.id = "barus/" + point + "/" + std::string(to_string(quantity)),
-                     .what = std::string(to_string(quantity)) + " = " + text + " at M-L = " + point,
+                    {.id = fmt::format("barus/{}/{}", point, to_string(quantity)),
+                     .what = fmt::format("{} = {} at M-L = {}", to_string(quantity), text, point),
                      .quantity = quantity,
                      .value = std::stod(text),
                      .unit = moes_film_per_hertz_film(row.M),
@@ -354,8 +356,8 @@ Findings judge_three_fluids() {
       const double digits = relative_half_unit(number.text);
       judge_between(
           found, ends,
-          {.id = std::string("fluids/") + fluid.name + "/" + std::string(to_string(number.quantity)),
-           .what = std::string(to_string(number.quantity)) + " = " + number.text + " of " + fluid.name + " at (20,10)",
+          {.id = fmt::format("fluids/{}/{}", fluid.name, to_string(number.quantity)),
+           .what = fmt::format("{} = {} of {} at (20,10)", to_string(number.quantity), number.text, fluid.name),
            .quantity = number.quantity,
            .value = std::stod(number.text),
            .unit = 1,

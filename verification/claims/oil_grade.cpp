@@ -2,6 +2,8 @@
 // Rungs 0 and 10: an oil by its grade has the viscosity that its standards define.
 #include "contact/oil_grade.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <vector>
 
@@ -65,7 +67,7 @@ Claim falling_claim() {
                      .rung = 0,
                      .statement = "viscosity and density of an oil fall with temperature, -50 to 150 C"},
                     falls && ran, "every grade from 7, index 95",
-                    plain(lowest, 3) + " to " + plain(highest, 3) + " mm2/s");
+                    fmt::format("{} to {} mm2/s", plain(lowest, 3), plain(highest, 3)));
 }
 
 /// The index of an oil is found again from the viscosity at 100 C that it gives.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Properties that hold for any inputs: units, similarity, monotony, scaling laws, conservation. Inputs are drawn from
 // fixed seeds, over the range in which bearings and gears run. These claims need no other solver's solution.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -116,7 +118,7 @@ Findings judge_units() {
        .statement = "and " + std::to_string(solved) + " of them have films and errors that are the same bit for bit",
        .solver = default_solver().name},
       films_same == films_seen && films_seen > 0, "a solver sees groups alone",
-      std::to_string(films_same) + " of " + std::to_string(films_seen) + " films"));
+      fmt::format("{} of {} films", films_same, films_seen)));
   return found;
 }
 
@@ -267,8 +269,7 @@ Findings judge_lines(bool roelands) {
           ++(change > errors ? count.right : change < -errors ? count.wrong : count.undecided);
           count.smallest = std::min(count.smallest, change / errors);  // shown beside the verdict, no part of it
           if (change < -errors)
-            against[speed] +=
-                " " + std::string(to_string(film)) + " at M = " + plain(at.M, 4) + ", L = " + plain(at.L, 4) + ";";
+            against[speed] += fmt::format(" {} at M = {}, L = {};", to_string(film), plain(at.M, 4), plain(at.L, 4));
         }
         before = std::move(now);
         at_before = at;
@@ -281,15 +282,14 @@ Findings judge_lines(bool roelands) {
     found.claims.push_back(claim_fact(
         {.id = std::string("properties/monotone/") + (speed ? "speed-" : "load-") + (roelands ? "roelands" : "barus"),
          .rung = 9,
-         .statement = std::string("minimum film and flux ") + (speed ? "grow with the speed" : "shrink with the load") +
-                      " beyond the stated errors, at " + std::to_string(lines) + " random contacts in steps of two, " +
-                      law_name(roelands),
+         .statement =
+             fmt::format("minimum film and flux {} beyond the stated errors, at {} random contacts in steps of two, {}",
+                         speed ? "grow with the speed" : "shrink with the load", lines, law_name(roelands)),
          .solver = default_solver().name},
         all > 0 && count.right == all, "every step of two is decided and has that direction",
-        std::to_string(count.right) + " of " + std::to_string(all) + " steps, " + std::to_string(count.undecided) +
-            " within the errors, " + std::to_string(count.unsolved) + " without films; smallest change " +
-            plain(count.smallest, 3) + " times the errors" +
-            (against[speed].empty() ? "" : "; against it:" + against[speed])));
+        fmt::format("{} of {} steps, {} within the errors, {} without films; smallest change {} times the errors{}",
+                    count.right, all, count.undecided, count.unsolved, plain(count.smallest, 3),
+                    against[speed].empty() ? "" : "; against it:" + against[speed])));
   }
   return found;
 }
@@ -313,18 +313,19 @@ Findings judge_flux() {
       const double value = value_of(reading(solution, quantity));
       if (!(value <= worst) && !std::isnan(worst)) {
         worst = value;
-        worst_at = "worst at M = " + plain(at.M, 4) + ", L = " + plain(at.L, 4) + ", " + law_name(roelands) +
-                   (flooded ? ", flooded" : ", cut at -4");
+        worst_at = fmt::format("worst at M = {}, L = {}, {}{}", plain(at.M, 4), plain(at.L, 4), law_name(roelands),
+                               flooded ? ", flooded" : ", cut at -4");
       }
     }
     const bool flux = quantity == Quantity::flux_variation;
-    found.claims.push_back(claim(
-        {.id = std::string("properties/conserved/") + (flux ? "flux" : "load"),
-         .rung = 6,
-         .statement = std::string(flux ? "the flux is the same at every face" : "the pressure carries the load") +
-                      " of " + std::to_string(contacts) + " random contacts, within the accuracy asked of the films",
-         .solver = default_solver().name},
-        worst, 0, Tolerance::required(tolerance, "the accuracy asked of the films"), worst_at));
+    found.claims.push_back(
+        claim({.id = std::string("properties/conserved/") + (flux ? "flux" : "load"),
+               .rung = 6,
+               .statement =
+                   fmt::format("{} of {} random contacts, within the accuracy asked of the films",
+                               flux ? "the flux is the same at every face" : "the pressure carries the load", contacts),
+               .solver = default_solver().name},
+              worst, 0, Tolerance::required(tolerance, "the accuracy asked of the films"), worst_at));
   }
   return found;
 }

@@ -2,6 +2,8 @@
 // Rungs 6 and 8: both main solvers at random points of the box M 0.05..5000, L 0..30, both law sets. Rung 6: the solver
 // converges, or says why it does not. Rung 8: its error bars hold. Runs of the reference are compared with its own
 // solution at a tolerance a thousand times tighter, which has other meshes; runs of fast with the reference.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -37,8 +39,8 @@ struct Run {
 
 std::string name_of(const Run& run) {
   const auto* cut = std::get_if<TruncatedAt>(&run.inlet);
-  return "M = " + plain(run.moes.M) + ", L = " + plain(run.moes.L) + ", " + law_name(run.roelands) + ", " +
-         (cut ? "inlet " + plain(cut->x) : "flooded") + ", tolerance " + plain(run.tolerance);
+  return fmt::format("M = {}, L = {}, {}, {}, tolerance {}", plain(run.moes.M), plain(run.moes.L),
+                     law_name(run.roelands), cut ? "inlet " + plain(cut->x) : "flooded", plain(run.tolerance));
 }
 
 /// The tolerance is drawn from 1e-3..1e-8 by its logarithm; by Barus' law from 1e-3..1e-5, because the truth has fewer
@@ -93,24 +95,26 @@ Findings judge_bars(bool roelands, int runs) {
     if (!known) continue;
     ++judged;
     covered += inside ? 1 : 0;
-    if (!inside) beyond += (beyond.empty() ? "" : "; ") + name_of(run) + ": " + plain(worst, 3) + " bars off";
+    if (!inside) beyond += fmt::format("{}{}: {} bars off", beyond.empty() ? "" : "; ", name_of(run), plain(worst, 3));
   }
   std::sort(ratios.begin(), ratios.end());
   const double median = ratios.empty() ? nothing : ratios[ratios.size() / 2];
   const std::string law = law_name(roelands), id = "bars/" + std::string(roelands ? "roelands" : "barus");
-  const std::string counts = std::to_string(covered) + " of " + std::to_string(judged) + " runs covered, " +
-                             std::to_string(drawn_runs - judged) + " more drawn without a truth ten times tighter (" +
-                             std::to_string(without_film) + " of them without a film); median of bar over error " +
-                             plain(median, 3) + (beyond.empty() ? "" : "; beyond: " + beyond);
+  const std::string counts = fmt::format(
+      "{} of {} runs covered, {} more drawn without a truth ten times tighter ({} of them without a film); median of "
+      "bar over error {}{}",
+      covered, judged, drawn_runs - judged, without_film, plain(median, 3),
+      beyond.empty() ? "" : "; beyond: " + beyond);
   Findings found;
   const Tolerance promised = Tolerance::required(0.02, "at least 98 runs in 100");
-  found.claims.push_back(
-      claim({.id = id + "/covered",
-             .rung = 8,
-             .statement = "the reference's error bars hold the films of a solution a thousand times tighter at " +
-                          std::to_string(runs) + " random runs, " + law,
-             .solver = solver.name},
-            judged == runs ? 1 - covered / static_cast<double>(judged) : nothing, 0, promised, counts));
+  found.claims.push_back(claim(
+      {.id = id + "/covered",
+       .rung = 8,
+       .statement = fmt::format(
+           "the reference's error bars hold the films of a solution a thousand times tighter at {} random runs, {}",
+           runs, law),
+       .solver = solver.name},
+      judged == runs ? 1 - covered / static_cast<double>(judged) : nothing, 0, promised, counts));
   found.claims.push_back(
       claim({.id = id + "/tight",
              .rung = 8,
@@ -136,12 +140,12 @@ struct RandomEnds {
     physical_converged += of_oil && ended ? 1 : 0;
     const double bar = worse(solution.record.film_minimum.total(), solution.record.film_central.total());
     if (ended && !(bar <= run.tolerance && solution.fields.H.size() > 0 && solution.fields.H.allFinite()))
-      dishonest += " " + name_of(run) + ": converged with error " + plain(bar, 2) + ";";
+      dishonest += fmt::format(" {}: converged with error {};", name_of(run), plain(bar, 2));
     if (!ended && solution.record.reason.empty())
-      dishonest += " " + name_of(run) + ": " + std::string(to_string(solution.record.status)) + " without a reason;";
+      dishonest += fmt::format(" {}: {} without a reason;", name_of(run), to_string(solution.record.status));
     if (!ended)
-      unsolved += (unsolved.empty() ? "" : "; ") + name_of(run) + ": " +
-                  std::string(to_string(solution.record.status)) + (of_oil ? "" : " (above 4 GPa)");
+      unsolved += fmt::format("{}{}: {}{}", unsolved.empty() ? "" : "; ", name_of(run),
+                              to_string(solution.record.status), of_oil ? "" : " (above 4 GPa)");
     if (solution.record.cost.wall_s > slowest_s) {
       slowest_s = solution.record.cost.wall_s;
       slowest_at = name_of(run);
@@ -155,9 +159,9 @@ struct RandomEnds {
         claim_fact(std::move(honest), dishonest.empty(), "of every solve", dishonest.empty() ? text() : dishonest));
   }
   [[nodiscard]] std::string text() const {
-    return std::to_string(converged) + " of " + std::to_string(solves) + " converged, " +
-           std::to_string(physical_converged) + " of " + std::to_string(physical) + " up to 4 GPa; slowest " +
-           plain(slowest_s, 2) + " s at " + slowest_at + (unsolved.empty() ? "" : "; not: " + unsolved);
+    return fmt::format("{} of {} converged, {} of {} up to 4 GPa; slowest {} s at {}{}", converged, solves,
+                       physical_converged, physical, plain(slowest_s, 2), slowest_at,
+                       unsolved.empty() ? "" : "; not: " + unsolved);
   }
 };
 
@@ -223,8 +227,7 @@ Findings judge_fast(double tolerance, int runs) {
       if (undecided(difference, *a->error, b->error.value())) continue;
       known = true;
       const double ratio = difference / *a->error;
-      if (ratio > 1)
-        beyond += " " + name_of(run) + ", " + std::string(to_string(film)) + ": " + plain(ratio, 3) + " bars off;";
+      if (ratio > 1) beyond += fmt::format(" {}, {}: {} bars off;", name_of(run), to_string(film), plain(ratio, 3));
       inside = inside && ratio <= 1;
       worst = worse(worst, ratio);
     }
@@ -238,8 +241,8 @@ Findings judge_fast(double tolerance, int runs) {
       found,
       {.id = id + "/converged",
        .rung = 6,
-       .statement = "fast converges to " + at + " at " + std::to_string(points) +
-                    " random flooded points of both law sets where p_H is up to 4 GPa",
+       .statement = fmt::format(
+           "fast converges to {} at {} random flooded points of both law sets where p_H is up to 4 GPa", at, points),
        .solver = fast.name},
       Tolerance::required(0.01, "at least 99 points in 100"),
       {.id = id + "/honest",
@@ -253,9 +256,8 @@ Findings judge_fast(double tolerance, int runs) {
              .solver = fast.name + ", " + reference.name},
             judged > 0 ? 1 - covered / static_cast<double>(judged) : nothing, 0,
             Tolerance::required(0.03, "at least 97 points in 100"),
-            std::to_string(covered) + " of " + std::to_string(judged) + " points, " + std::to_string(without_truth) +
-                " more without a truth ten times tighter; at most " + plain(worst, 2) + " bars off" +
-                (beyond.empty() ? "" : "; beyond:" + beyond)));
+            fmt::format("{} of {} points, {} more without a truth ten times tighter; at most {} bars off{}", covered,
+                        judged, without_truth, plain(worst, 2), beyond.empty() ? "" : "; beyond:" + beyond)));
   return found;
 }
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rung 9: the corners of Moes' diagram, approached.
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -58,10 +60,10 @@ Findings judge_martin(const RegisteredSolver& solver) {
   };
   const double far = departure(0, heavier), near = departure(1, lighter);
   const double uncertainty = (films[0].minimum.error + 4 * films[1].minimum.error) / 3;
-  const std::string note = "departures " + plain(far, 4) + " at M = 0.2, " + plain(near, 4) + " at 0.1; " +
-                           films[0].ended + ", " + films[1].ended;
+  const std::string note = fmt::format("departures {} at M = 0.2, {} at 0.1; {}, {}", plain(far, 4), plain(near, 4),
+                                       films[0].ended, films[1].ended);
   const auto says = [&](const std::string& what, const std::string& statement) {
-    return Sentence{.id = "regimes/martin/" + solver.name + "/" + what,
+    return Sentence{.id = fmt::format("regimes/martin/{}/{}", solver.name, what),
                     .rung = 9,
                     .statement = solver.name + "'s " + statement,
                     .solver = solver.name};
@@ -96,13 +98,13 @@ Findings judge_ertel_grubin() {
     const Films films = films_at(default_solver(), {row.M, row.L}, 1e-3);
     const double above = 100 * (films.central.moes / exact::ertel_grubin_film(row.M, row.L) - 1);
     const std::string point = plain(row.M) + "-" + plain(row.L);
-    Claim judged = claim(
-        {.id = "regimes/ertel-grubin/" + point,
-         .rung = 9,
-         .statement = "the central film at M-L = " + point + " lies " + row.percent + " % above Ertel and Grubin's",
-         .solver = default_solver().name},
-        std::abs(above - std::stod(row.percent)), 100 * films.central.error,
-        Tolerance::calibrated(0.5, "half a unit of the literature's percentage"), films.ended);
+    Claim judged = claim({.id = "regimes/ertel-grubin/" + point,
+                          .rung = 9,
+                          .statement = fmt::format("the central film at M-L = {} lies {} % above Ertel and Grubin's",
+                                                   point, row.percent),
+                          .solver = default_solver().name},
+                         std::abs(above - std::stod(row.percent)), 100 * films.central.error,
+                         Tolerance::calibrated(0.5, "half a unit of the literature's percentage"), films.ended);
     judged.measured = above;
     judged.expected = std::stod(row.percent);
     found.claims.push_back(judged);
@@ -126,14 +128,14 @@ Findings judge_isoviscous_elastic() {
       const double expected = minimum ? row.minimum : row.couette;
       const std::string name = minimum ? "minimum" : "Couette";
       found.claims.push_back(
-          claim_value({.id = "regimes/isoviscous-elastic/" + plain(row.M) + "/" + name,
+          claim_value({.id = fmt::format("regimes/isoviscous-elastic/{}/{}", plain(row.M), name),
                        .rung = 9,
-                       .statement = "the isoviscous elastic " + name + " film times M^(1/5) at M = " + plain(row.M) +
-                                    " is " + plain(expected),
+                       .statement = fmt::format("the isoviscous elastic {} film times M^(1/5) at M = {} is {}", name,
+                                                plain(row.M), plain(expected)),
                        .solver = default_solver().name},
                       film.moes * scale, expected, 0, Tolerance::discretisation(film.error + row.uncertainty, 1),
-                      "tolerance = reported error " + plain(film.error, 2) +
-                          " + the uncertainty of the computed films; " + films.ended));
+                      fmt::format("tolerance = reported error {} + the uncertainty of the computed films; {}",
+                                  plain(film.error, 2), films.ended)));
     }
   }
   return found;
@@ -176,7 +178,7 @@ Findings judge_isoviscous_elastic_limit() {
     const double scale = std::pow(M, 0.2);
     for (auto [approach, film] :
          {std::pair{&couette, films.couette}, {&minimum, films.minimum}, {&central, films.central}}) {
-      if (!std::isfinite(film.moes)) approach->ended += "M = " + plain(M) + " " + films.ended + "; ";
+      if (!std::isfinite(film.moes)) approach->ended += fmt::format("M = {} {}; ", plain(M), films.ended);
       approach->values.push_back({M, film.moes * scale});
       approach->error = worse(approach->error, film.error);
     }
@@ -191,10 +193,11 @@ Findings judge_isoviscous_elastic_limit() {
   const Limit flux = limit_of(couette, remainder);
   for (const Row& row : {Row{"Couette", &couette, "2.49", "2.489479"}, Row{"minimum", &minimum, "1.98", "1.982128"}}) {
     const Limit limit = limit_of(*row.approach, remainder);
-    const std::string note = plain(limit.value, 9) + " +- " + plain(limit.value * limit.error, 2) + ", remainder M^-" +
-                             plain(limit.order, 5) + ", M = 250 ... 16000; " + row.approach->ended;
+    const std::string note =
+        fmt::format("{} +- {}, remainder M^-{}, M = 250 ... 16000; {}", plain(limit.value, 9),
+                    plain(limit.value * limit.error, 2), plain(limit.order, 5), row.approach->ended);
     const auto says = [&](const std::string& what, const std::string& statement) {
-      return Sentence{.id = "regimes/isoviscous-elastic-limit/" + std::string(row.name) + "/" + what,
+      return Sentence{.id = fmt::format("regimes/isoviscous-elastic-limit/{}/{}", row.name, what),
                       .rung = 9,
                       .statement = statement,
                       .solver = certified_solver().name};
@@ -203,11 +206,11 @@ Findings judge_isoviscous_elastic_limit() {
     found.claims.push_back(claim_value(
         says("order", "the " + film + " goes to its limit like M^(-4/5)"), limit.order, remainder, 0,
         Tolerance::asymptotic(0.01, "the next power is a further M^(-2/5) or smaller, 2 % at 16000"), note));
-    found.claims.push_back(
-        claim_value(says("printed", "the limit of the " + film + " is the one that README.md prints, " + row.digits),
-                    limit.value, std::stod(row.digits), limit.error, Tolerance::published_digits(row.digits), note));
+    found.claims.push_back(claim_value(
+        says("printed", fmt::format("the limit of the {} is the one that README.md prints, {}", film, row.digits)),
+        limit.value, std::stod(row.digits), limit.error, Tolerance::published_digits(row.digits), note));
     Claim known = claim(
-        says("digits", "the limit of the " + film + ", " + row.near + " ..., is known to five digits or more"),
+        says("digits", fmt::format("the limit of the {}, {} ..., is known to five digits or more", film, row.near)),
         limit.error, 0, Tolerance::required(5e-6, "half a unit of the fifth digit and better than three digits"), note);
     known.measured = limit.value;
     known.finding = true;
@@ -234,7 +237,7 @@ Findings judge_blok() {
   std::string ended;
   for (const double stiff : {25.0, 35.0, 50.0, 70.0}) {
     const Films films = films_at(certified_solver(), {M, stiff}, tolerance);
-    if (!std::isfinite(films.couette.moes)) ended += "L = " + plain(stiff) + " " + films.ended + "; ";
+    if (!std::isfinite(films.couette.moes)) ended += fmt::format("L = {} {}; ", plain(stiff), films.ended);
     const double scale = std::pow(stiff, -2.0 / 3);
     L.push_back(stiff);
     couette.push_back(films.couette.moes * scale / blok.couette - 1);
@@ -247,11 +250,11 @@ Findings judge_blok() {
     bool falls = true;
     std::string note = "above Blok's by";
     for (std::size_t i = 0; i < above.size(); ++i) {
-      note += " " + plain(100 * above[i], 3) + " % (L = " + plain(L[i]) + ")";
+      note += fmt::format(" {} % (L = {})", plain(100 * above[i], 3), plain(L[i]));
       falls = falls && above[i] > error && (i == 0 || above[i] < above[i - 1] - 2 * error);
     }
     const double order = -std::log(above.back() / above.front()) / std::log(L.back() / L.front());
-    note += "; like L^-" + plain(order, 3) + "; " + ended;
+    note += fmt::format("; like L^-{}; {}", plain(order, 3), ended);
     found.claims.push_back(claim_fact({.id = "regimes/blok/" + name,
                                        .rung = 9,
                                        .statement = "at M = 1 the " + name + " film comes down to Blok's as L grows",
@@ -285,7 +288,7 @@ Findings judge_ertel_grubin_trend() {
       const Films films = films_at(certified_solver(), {all_M[j], all_L[i]}, tolerance);
       above[i][j] = films.central.moes / exact::ertel_grubin_film(all_M[j], all_L[i]) - 1;
       if (!std::isfinite(above[i][j]))
-        ended += "M = " + plain(all_M[j]) + ", L = " + plain(all_L[i]) + " " + films.ended + "; ";
+        ended += fmt::format("M = {}, L = {} {}; ", plain(all_M[j]), plain(all_L[i]), films.ended);
       error = worse(error, films.central.error);
       note += " " + plain(100 * above[i][j], 3) + " %";
     }

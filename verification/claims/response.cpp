@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rungs 6, 8 and 9: the harmonic response of the certified solver against what is known exactly.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -35,7 +37,7 @@ Findings judge_slope(MoesGroups moes, const Inlet& inlet) {
   found.claims.push_back(claim_value(
       response_says("slope/" + contact_name(moes, inlet), 6, "kappa(0) is the slope of the load over the offset"),
       known_kappa(at).real(), expected, uncertainty, Tolerance::required(1e-8, "kappa to eight digits"),
-      "kappa(0) = " + plain(at.kappa.real(), 11) + ", n = " + std::to_string(response.cost.nodes)));
+      fmt::format("kappa(0) = {}, n = {}", plain(at.kappa.real(), 11), response.cost.nodes)));
   return found;
 }
 
@@ -96,10 +98,10 @@ Findings judge_driven_slowly() {
     Sentence says = response_says("slow/driven/" + std::string(name), 6,
                                   "slow motion is driven, not damped, at M = 0.7, L = 25: " + std::string(name));
     says.solver = name;
-    found.claims.push_back(claim_fact(says, slow < 0 && moving < 0, "kappa_1 < 0, and Im kappa < 0 at Omega = 0.3",
-                                      "kappa_1 = " + plain(response.slow->kappa_1, 9) +
-                                          ", Im kappa = " + plain(at.kappa.imag(), 9) + " at 0.3, " +
-                                          plain(response.frequencies.back().kappa.imag(), 9) + " at 1"));
+    found.claims.push_back(
+        claim_fact(says, slow < 0 && moving < 0, "kappa_1 < 0, and Im kappa < 0 at Omega = 0.3",
+                   fmt::format("kappa_1 = {}, Im kappa = {} at 0.3, {} at 1", plain(response.slow->kappa_1, 9),
+                               plain(at.kappa.imag(), 9), plain(response.frequencies.back().kappa.imag(), 9))));
   }
   return found;
 }
@@ -118,7 +120,7 @@ Findings judge_stated(MoesGroups moes, const Inlet& inlet) {
   const auto compare = [&](Complex value, double error, Complex truth, double truth_error) {
     const double differ = std::abs(value - truth) / std::abs(truth);
     worst = worse(worst, differ / (error + truth_error));
-    note += plain(differ, 2) + "/" + plain(error, 2) + " ";
+    note += fmt::format("{}/{} ", plain(differ, 2), plain(error, 2));
   };
   for (std::size_t k = 0; k < fine.frequencies.size(); ++k)
     compare(known_kappa(coarse.frequencies[k]), coarse.frequencies[k].error, fine.frequencies[k].kappa,
@@ -168,8 +170,8 @@ Findings judge_rigid_response() {
     slow.emplace_back(M, known ? response.slow->kappa_1 / damping : nothing);
     fast.emplace_back(M, known_kappa(response.frequencies.front()).imag() / damping);
     error = worse(error, 2.5 * error_of(film) + response.slow->error_1 + response.frequencies.front().error);
-    note += "M = " + plain(M) + ": " + plain(stiffness.back().second, 7) + ", " + plain(slow.back().second, 7) + ", " +
-            plain(fast.back().second, 7) + "; ";
+    note += fmt::format("M = {}: {}, {}, {}; ", plain(M), plain(stiffness.back().second, 7),
+                        plain(slow.back().second, 7), plain(fast.back().second, 7));
   }
   // The next term is M^4 ln^2 M: of order 1e-5 at the middle point.
   const Tolerance remainder = Tolerance::asymptotic(std::pow(0.025, 4) * std::pow(std::log(0.025), 2) * 10,
@@ -224,8 +226,8 @@ Findings judge_punch() {
   for (const Stiffness& at : response.frequencies) chi.push_back(1.0 / known_kappa(at));
   const Complex d1 = chi[1] - chi[0], d2 = chi[2] - chi[1];
   const double limit = (chi[2] + d2 * d2 / (d1 - d2)).real();
-  const std::string note = "chi = " + plain(chi[0].real(), 7) + ", " + plain(chi[1].real(), 7) + ", " +
-                           plain(chi[2].real(), 7) + " at 1e6, 1e7, 1e8; X* = " + plain(exit, 9);
+  const std::string note = fmt::format("chi = {}, {}, {} at 1e6, 1e7, 1e8; X* = {}", plain(chi[0].real(), 7),
+                                       plain(chi[1].real(), 7), plain(chi[2].real(), 7), plain(exit, 9));
   Findings found;
   found.claims.push_back(
       claim_value(response_says("punch/limit", 9, "an incompressible contact is a flat punch as Omega -> infinity"),

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rungs 6 and 8: the response by `fast` against that of the certified solver, against its own steady slope, and its
 // order from grid to grid.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -32,7 +34,7 @@ class Apart {
     const double differ = std::abs(value - truth) / std::abs(truth);
     const bool known = status == StopReason::converged && std::isfinite(truth_error);
     worst_ = worse(worst_, known ? differ / (error + truth_error) : nothing);
-    note_ += what + " " + plain(differ, 2) + "/" + plain(error, 2) + "  ";
+    note_ += fmt::format("{} {}/{}  ", what, plain(differ, 2), plain(error, 2));
   }
   [[nodiscard]] double worst() const { return worst_; }
   [[nodiscard]] const std::string& note() const { return note_; }
@@ -55,8 +57,8 @@ void compare_all(const Response& found, const Response& truth, Apart& apart) {
   }
   for (std::size_t k = 0; k < found.waviness.size(); ++k) {
     const WavinessResponse &at = found.waviness[k], &exact = truth.waviness[k];
-    apart.compare("wave " + plain(at.waviness.wavelength) + ", slip " + plain(at.waviness.slip), at.film, at.error,
-                  at.status, exact.film, exact.error);
+    apart.compare(fmt::format("wave {}, slip {}", plain(at.waviness.wavelength), plain(at.waviness.slip)), at.film,
+                  at.error, at.status, exact.film, exact.error);
   }
 }
 
@@ -76,7 +78,7 @@ Findings judge_both_solvers(MoesGroups moes, const Inlet& inlet) {
   findings.claims.push_back(
       claim(fast_says("agreement/" + name, 8, "fast and reference agree on kappa and wavy films within stated errors"),
             apart.worst(), 0, Tolerance::required(1, "an error bar covers the error"),
-            "difference/stated at 1e-4, n = " + std::to_string(found.cost.nodes) + ": " + apart.note()));
+            fmt::format("difference/stated at 1e-4, n = {}: {}", found.cost.nodes, apart.note())));
   const auto known = [](const auto& at) { return at.status == StopReason::converged; };
   findings.claims.push_back(
       claim_fact(fast_says("tolerance/" + name, 8, "fast knows kappa and wavy films to 1e-4, Omega up to 10"),
@@ -109,16 +111,15 @@ Findings judge_random_frequencies(int wanted) {
     if (differ <= at.error)
       ++covered;
     else
-      beyond += "; M = " + plain(moes.M) + ", L = " + plain(moes.L) + ", Omega = " + plain(Omega) + ": " +
-                plain(differ / at.error, 3) + " bars off";
+      beyond += fmt::format("; M = {}, L = {}, Omega = {}: {} bars off", plain(moes.M), plain(moes.L), plain(Omega),
+                            plain(differ / at.error, 3));
   }
   Findings findings;
-  findings.claims.push_back(
-      claim(fast_says("random/covered", 8, "the stated error of kappa by fast holds at random points"),
-            judged == wanted ? 1 - covered / static_cast<double>(judged) : nothing, 0,
-            Tolerance::required(0.02, "at least 98 in 100"),
-            std::to_string(covered) + " of " + std::to_string(judged) + " covered, " + std::to_string(drawn) +
-                " drawn, " + std::to_string(unknown) + " not known to 1e-4" + beyond));
+  findings.claims.push_back(claim(
+      fast_says("random/covered", 8, "the stated error of kappa by fast holds at random points"),
+      judged == wanted ? 1 - covered / static_cast<double>(judged) : nothing, 0,
+      Tolerance::required(0.02, "at least 98 in 100"),
+      fmt::format("{} of {} covered, {} drawn, {} not known to 1e-4{}", covered, judged, drawn, unknown, beyond)));
   return findings;
 }
 
@@ -134,7 +135,7 @@ Findings judge_narrow_spike(MoesGroups moes) {
       claim(fast_says("narrow/" + contact_name(moes, Flooded{}), 8,
                       "averaged over maps, fast knows the film's lag where a spike passes between the nodes"),
             differ, 0, Tolerance::required(2e-3, "a third of what one map leaves"),
-            known ? "stated " + plain(found.slow->lag_error, 2) + ", n = " + std::to_string(found.cost.nodes) : ""));
+            known ? fmt::format("stated {}, n = {}", plain(found.slow->lag_error, 2), found.cost.nodes) : ""));
   findings.claims.push_back(claim(
       fast_says("narrow/stated/" + contact_name(moes, Flooded{}), 8, "the stated error of that lag covers the error"),
       known ? differ / (found.slow->lag_error + truth.slow->lag_error) : nothing, 0,
@@ -157,7 +158,7 @@ Findings judge_own_slope(MoesGroups moes, const Inlet& inlet) {
                             "kappa(0) by fast is the slope of the load over the offset of its steady solves"),
                   known_kappa(at).real(), expected, 0,
                   Tolerance::discretisation(at.error + expected / std::numbers::pi * steady.uncertainty, 1),
-                  "kappa(0) = " + plain(at.kappa.real(), 9) + ", slope " + plain(expected, 9)));
+                  fmt::format("kappa(0) = {}, slope {}", plain(at.kappa.real(), 9), plain(expected, 9))));
   return findings;
 }
 
@@ -179,7 +180,7 @@ Findings judge_grid_order(MoesGroups moes, double Omega) {
     if (!at.evaluate(run.setting, state, workspace.grids.of(climb.grids[k].nodes), run.counters)) continue;
     fast::Harmonic harmonic(run.setting, at.nodes, state, workspace.grids, run.counters);
     kappa.push_back(-1.0 / harmonic.of_load(fast::Complex(0, Omega), 1e-10).u.offset);
-    note += " " + plain(kappa.back().real(), 9) + " + " + plain(kappa.back().imag(), 9) + " i";
+    note += fmt::format(" {} + {} i", plain(kappa.back().real(), 9), plain(kappa.back().imag(), 9));
   }
   const double order =
       kappa.size() == 4 ? observed_order(std::abs(kappa[1] - kappa[0]), std::abs(kappa[3] - kappa[2]), 4) : nothing;

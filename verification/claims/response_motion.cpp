@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rungs 6, 8 and 9: the harmonic response against steps in time, against causality, and its answer to waviness.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -38,8 +40,8 @@ Findings judge_time(double Omega) {
   found.claims.push_back(
       claim(response_says(at + "kappa", 8, "implicit steps of the full equations in time give the same kappa"),
             std::abs(both - kappa) / std::abs(kappa), 0, Tolerance::required(1e-3, "a part in a thousand"),
-            plain(both.real(), 6) + " + " + plain(both.imag(), 6) + " i from 64 and 128 intervals and steps, " +
-                plain(kappa.real(), 6) + " + " + plain(kappa.imag(), 6) + " i harmonic"));
+            fmt::format("{} + {} i from 64 and 128 intervals and steps, {} + {} i harmonic", plain(both.real(), 6),
+                        plain(both.imag(), 6), plain(kappa.real(), 6), plain(kappa.imag(), 6))));
   const Amplitude longest = stepped(128, 64), middle = fine, shortest = stepped(128, 256);
   found.claims.push_back(claim_value(response_says(at + "order", 8, "these steps are of second order in time"),
                                      observed_order(std::abs(longest - middle), std::abs(middle - shortest), 2), 2, 0,
@@ -65,8 +67,8 @@ Findings judge_amplitude() {
     const auto found = motion(part);
     beyond.push_back(std::abs(found.kappa - linear) / std::abs(linear));
     films.push_back(found.film);
-    note += plain(100 * beyond.back(), 2) + " % where the bodies move by " + plain(part) +
-            " of the film at X = 0 and " + "it by " + plain(films.back(), 2) + "; ";
+    note += fmt::format("{} % where the bodies move by {} of the film at X = 0 and it by {}; ",
+                        plain(100 * beyond.back(), 2), plain(part), plain(films.back(), 2));
   }
   Findings found;
   found.claims.push_back(claim_value(
@@ -78,9 +80,8 @@ Findings judge_amplitude() {
       response_says("time/linear", 8,
                     "the linear response holds to 1 % while the film moves by a twentieth of its mean"),
       a_square * moderate * moderate, 0, Tolerance::required(per_cent, "what a rotor's model asks of a stiffness"),
-      "off by " + plain(a_square, 3) + " (film amplitude/mean film)^2: 1 % at " +
-          plain(std::sqrt(per_cent / a_square), 2) + ", 10 % at " + plain(std::sqrt(10 * per_cent / a_square), 2) +
-          " of the mean film"));
+      fmt::format("off by {} (film amplitude/mean film)^2: 1 % at {}, 10 % at {} of the mean film", plain(a_square, 3),
+                  plain(std::sqrt(per_cent / a_square), 2), plain(std::sqrt(10 * per_cent / a_square), 2))));
   return found;
 }
 
@@ -119,7 +120,7 @@ Findings judge_causality() {
                   2 / pi * (integral + beyond), 1 / response.slow->kappa_0 - punch, 0,
                   Tolerance::asymptotic(2 / pi * beyond * std::pow(high_end, -1.0 / 3) * 10 + 1e-5,
                                         "next power of what lies beyond 1e8, times 10, and the tolerance of kappa"),
-                  std::to_string(Omega.size()) + " frequencies; " + plain(2 / pi * beyond, 3) + " from beyond 1e8"));
+                  fmt::format("{} frequencies; {} from beyond 1e8", Omega.size(), plain(2 / pi * beyond, 3))));
   return found;
 }
 
@@ -175,7 +176,7 @@ Findings judge_short_waves() {
   for (const WavinessResponse& at : response.waviness) {
     const double k = at.waviness.wavenumber();
     lift.push_back((known_film(at) - 1.0) / Amplitude(0, -3 * slope / (k * k)));
-    note += plain(at.amplitude_ratio(), 8) + " at " + plain(at.waviness.wavelength) + "; ";
+    note += fmt::format("{} at {}; ", plain(at.amplitude_ratio(), 8), plain(at.waviness.wavelength));
   }
   const double off = std::abs(lift[3] - 1.0);
   Findings found;
@@ -183,7 +184,7 @@ Findings judge_short_waves() {
       claim(response_says("waviness/short", 9, "in pure rolling short waves pass, lifted by -3 i P_0'/(H_0 k^2)"),
             std::abs(2.0 * lift[3] - lift[2] - 1.0), 0,
             Tolerance::asymptotic(3 * off * off, "square of the remainder of first order, times 3"),
-            note + "off by " + plain(std::abs(lift[2] - 1.0), 2) + ", " + plain(off, 2)));
+            fmt::format("{}off by {}, {}", note, plain(std::abs(lift[2] - 1.0), 2), plain(off, 2))));
   found.claims.push_back(
       claim(response_says("waviness/short/limit", 9, "the amplitude of short waves stays as it is, to the third order"),
             std::abs(response.waviness.back().amplitude_ratio() - 1), 0,
@@ -203,7 +204,7 @@ Findings judge_long_waves() {
                                                "long waves leave the film as it is, at least like 1/wavelength"),
                                  longer / shorter, 0,
                                  Tolerance::asymptotic(0.25 * (1 + 2 * pi / 50), "1/4, and the next power at 50 b"),
-                                 plain(shorter, 5) + " at 50 b, " + plain(longer, 5) + " at 200 b"));
+                                 fmt::format("{} at 50 b, {} at 200 b", plain(shorter, 5), plain(longer, 5))));
   }
   return found;
 }

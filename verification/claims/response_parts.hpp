@@ -2,6 +2,8 @@
 // What the claims about the harmonic response share.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <complex>
 #include <numbers>
 #include <string>
@@ -54,7 +56,8 @@ struct OffsetSlope {
 }
 
 [[nodiscard]] inline std::string contact_name(MoesGroups moes, const Inlet& inlet) {
-  return plain(moes.M) + "-" + plain(moes.L) + (std::holds_alternative<Flooded>(inlet) ? "/flooded" : "/cut");
+  return fmt::format("{}-{}{}", plain(moes.M), plain(moes.L),
+                     std::holds_alternative<Flooded>(inlet) ? "/flooded" : "/cut");
 }
 
 /// Order of errors at steps that differ by `ratio`.

@@ -2,6 +2,8 @@
 // Rung 4: the Reynolds equation of every scheme on gaps that do not deform. The scheme is evaluated at P = 0, where
 // nothing deflects, and sources give the film any shape. The lubricant is isoviscous, so that the flux is linear in P.
 // The pressure then follows face by face from the scheme's own wedge and mobility. Truths by quadrature.
+#include <fmt/format.h>
+
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
@@ -156,9 +158,9 @@ Findings judge_scheme(const Named& scheme) {
     }
     const auto add = [&](const std::string& what, const std::vector<double>& y) {
       found.claims.push_back(order_claim(
-          {.id = "reynolds/" + solver.name + "/" + gap.name + "/" + what,
+          {.id = fmt::format("reynolds/{}/{}/{}", solver.name, gap.name, what),
            .rung = 4,
-           .statement = solver.name + " reaches the " + what + " of " + gap.sentence + " with its order",
+           .statement = fmt::format("{} reaches the {} of {} with its order", solver.name, what, gap.sentence),
            .solver = solver.name},
           slope(x, y), declared,
           Tolerance::calibrated(0.2, "fitted orders of one face after another, over four grids, are read to a fifth"),
@@ -269,10 +271,10 @@ Findings judge_collocation() {
         y.push_back(std::log(collocated_error(gap, truth, elements, degree)));
       }
       found.claims.push_back(
-          order_claim({.id = "reynolds/collocation/" + gap.name + "/degree-" + std::to_string(degree),
+          order_claim({.id = fmt::format("reynolds/collocation/{}/degree-{}", gap.name, degree),
                        .rung = 4,
-                       .statement = "collocation of degree " + std::to_string(degree) + " reaches the pressure of " +
-                                    gap.sentence + " with order " + std::to_string(degree + 1),
+                       .statement = fmt::format("collocation of degree {} reaches the pressure of {} with order {}",
+                                                degree, gap.sentence, degree + 1),
                        .solver = certified_solver().name},
                       slope(x, y), degree + 1, order_over_four_grids(),
                       "error " + three_digits(std::exp(y.back())) + " on 162 elements"));

@@ -2,6 +2,8 @@
 // Rung 8: the errors that the solvers state, against the films of the certified solver at 1e-7. Every solver runs with
 // several tolerances and on several given grids: at contacts where a stated error was once too small, in which every
 // one has to hold, and at random contacts, in which 98 of 100 have to.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -83,10 +85,11 @@ struct StatedCount {
   [[nodiscard]] std::string text() const {
     std::vector<double> sorted = inflation;
     std::sort(sorted.begin(), sorted.end());
-    return std::to_string(held) + " of " + std::to_string(judged) + " stated errors hold, " +
-           std::to_string(undecided) + " more where the truth cannot tell; stated over true " +
-           (sorted.empty() ? "unknown" : plain(sorted[sorted.size() / 2], 2)) + " in the median; largest error " +
-           plain(worst, 3) + " of the stated one, " + worst_at;
+    return fmt::format(
+        "{} of {} stated errors hold, {} more where the truth cannot tell; stated over true {} in the median; largest "
+        "error {} of the stated one, {}",
+        held, judged, undecided, sorted.empty() ? "unknown" : plain(sorted[sorted.size() / 2], 2), plain(worst, 3),
+        worst_at);
   }
 };
 using StatedCounts = std::map<std::string, StatedCount>;  ///< by solver
@@ -102,8 +105,8 @@ void count_stated_errors(const BoxContact& contact, StatedCounts& counts) {
       if (seen) ++counts[run.solver].films;
       if (!seen || !seen->error || !exact) continue;
       counts[run.solver].add(std::abs(seen->value / exact->value - 1), *seen->error, error_of(exact),
-                             contact.name() + ", " + (contact.flooded() ? "flooded" : "cut") + ", " + run.how() + ", " +
-                                 std::string(to_string(film)));
+                             fmt::format("{}, {}, {}, {}", contact.name(), contact.flooded() ? "flooded" : "cut",
+                                         run.how(), to_string(film)));
     }
   }
 }
@@ -115,10 +118,11 @@ Findings judge_contact_once_too_small(const BoxContact& contact) {
   for (const RegisteredSolver& solver : solvers()) {
     const StatedCount& count = counts[solver.name];
     const Sentence says{
-        .id = "stated-errors/" + plain(contact.moes.M) + "-" + plain(contact.moes.L) + "/" + solver.name,
+        .id = fmt::format("stated-errors/{}-{}/{}", plain(contact.moes.M), plain(contact.moes.L), solver.name),
         .rung = 8,
-        .statement = "every error of a film that " + solver.name + " states at " + contact.name() +
-                     ", flooded, holds, for several tolerances and grids",
+        .statement =
+            fmt::format("every error of a film that {} states at {}, flooded, holds, for several tolerances and grids",
+                        solver.name, contact.name()),
         .solver = solver.name};
     if (count.films == 0)
       found.skipped.push_back({says, "no film is reported: its grids are too coarse for this contact"});
@@ -143,10 +147,10 @@ Findings judge_random_stated_errors(bool roelands) {
   for (const RegisteredSolver& solver : solvers()) {
     const StatedCount& count = counts[solver.name];
     found.claims.push_back(
-        claim({.id = "stated-errors/random/" + std::string(roelands ? "roelands" : "barus") + "/" + solver.name,
+        claim({.id = fmt::format("stated-errors/random/{}/{}", roelands ? "roelands" : "barus", solver.name),
                .rung = 8,
-               .statement = "the errors of films that " + solver.name + " states at " +
-                            std::to_string(random_contacts_a_law) + " random contacts hold, " + law_name(roelands),
+               .statement = fmt::format("the errors of films that {} states at {} random contacts hold, {}",
+                                        solver.name, random_contacts_a_law, law_name(roelands)),
                .solver = solver.name},
               count.judged > 0 ? 1 - count.held / static_cast<double>(count.judged) : nothing, 0,
               Tolerance::required(0.02, "at least 98 in 100"), count.text()));

@@ -3,6 +3,8 @@
 // asymptotic tail beyond (fast/inlet_tail.hpp); what the tail leaves out moves the films. So the same contact is solved
 // with the reach of the solver and with 16, 32 and 64: no two of the films may differ by more than the solver states.
 // All of them are solved on the mapped grids of `fast`, which are extrapolated: differences of 1e-10 are seen.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -84,17 +86,17 @@ Findings judge_truncation(const BoxContact& contact) {
       const std::string film(to_string(judged_films[k]));
       const double widest = film_spread(all, k);
       found.claims.push_back(
-          claim({.id = "truncation/" + plain(contact.moes.M) + "-" + plain(contact.moes.L) + "/" + solver.name + "/" +
-                       plain(asked.tolerance) + "/" + film,
+          claim({.id = fmt::format("truncation/{}-{}/{}/{}/{}", plain(contact.moes.M), plain(contact.moes.L),
+                                   solver.name, plain(asked.tolerance), film),
                  .rung = 8,
-                 .statement = "the truncation that " + solver.name + " at " + plain(asked.tolerance) + " states of " +
-                              film + " covers its moves between a reach of " + plain(reach, 3) +
-                              ", 16, 32 and 64, at " + contact.name() + ", flooded",
+                 .statement = fmt::format("the truncation that {} at {} states of {} covers its moves between a reach "
+                                          "of {}, 16, 32 and 64, at {}, flooded",
+                                          solver.name, plain(asked.tolerance), film, plain(reach, 3), contact.name()),
                  .solver = solver.name},
                 widest, std::abs(widest - film_spread(before, k)),
                 Tolerance::required(budget.truncation, "the truncation that the solver states"),
-                "from 16 to 32 " + plain(std::abs(all[0][k] / all[1][k] - 1), 2) + ", from 32 to 64 " +
-                    plain(std::abs(all[1][k] / all[2][k] - 1), 2)));
+                fmt::format("from 16 to 32 {}, from 32 to 64 {}", plain(std::abs(all[0][k] / all[1][k] - 1), 2),
+                            plain(std::abs(all[1][k] / all[2][k] - 1), 2))));
     }
   }
   return found;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rung 7: twins (fast.uniform and reference.uniform) solve the same discrete equations, each with its own code.
+#include <fmt/format.h>
+
 #include <string>
 #include <utility>
 
@@ -30,13 +32,13 @@ Findings judge_twins(const SolverTwins& twins, MoesGroups moes, int intervals) {
   const Tolerance bound = Tolerance::required(1e-8, "what both iterate to, required of the twins");
   const auto says = [&](const std::string& what) {
     return Sentence{
-        .id = "twins/" + M + "-" + L + "/" + cells + "/" + what,
+        .id = fmt::format("twins/{}-{}/{}/{}", M, L, cells, what),
         .rung = 7,
-        .statement = second + " equals " + first + " in " + what + " at (" + M + "," + L + "), " + cells + " cells",
+        .statement = fmt::format("{} equals {} in {} at ({},{}), {} cells", second, first, what, M, L, cells),
         .solver = first + ", " + second};
   };
-  const std::string ends = first + " " + std::string(to_string(one.record.status)) + ", " + second + " " +
-                           std::string(to_string(two.record.status));
+  const std::string ends =
+      fmt::format("{} {}, {} {}", first, to_string(one.record.status), second, to_string(two.record.status));
   for (const Quantity quantity : {Quantity::film_minimum, Quantity::film_central, Quantity::pressure_exit}) {
     found.claims.push_back(claim_value(says(std::string(to_string(quantity))), value(two, quantity),
                                        value(one, quantity), 0, bound, ends));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/judge/csv_reader.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -73,8 +75,8 @@ bool CsvReader::next() {
     throw refusal(place(), "has more than " + std::to_string(most_rows_) + " rows; allowed are fewer");
   split();
   if (cells_.size() != header_.size())
-    throw refusal(place(), "has " + std::to_string(cells_.size()) + " cells; allowed are " +
-                               std::to_string(header_.size()) + ", as the header has");
+    throw refusal(place(),
+                  fmt::format("has {} cells; allowed are {}, as the header has", cells_.size(), header_.size()));
   return true;
 }
 
@@ -93,7 +95,7 @@ double CsvReader::number(std::size_t column) const {
 std::string CsvReader::place() const { return file_.string() + ":" + std::to_string(line_); }
 
 CaseError CsvReader::refuse(std::size_t column, const std::string& what) const {
-  return refusal(place(), header_[column] + " = " + shortened(cells_[column], longest_cell) + ": " + what);
+  return refusal(place(), fmt::format("{} = {}: {}", header_[column], shortened(cells_[column], longest_cell), what));
 }
 
 }  // namespace ehd::judging

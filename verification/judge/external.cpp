@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/judge/external.hpp"
 
+#include <fmt/format.h>
 #include <stdlib.h>  // mkdtemp
 
 #include <cerrno>
@@ -31,7 +32,7 @@ class Exchange {
   Exchange() {
     std::string name =
         (std::filesystem::temp_directory_path() / ("ehd-external-" + std::string(unique_letters, 'X'))).string();
-    if (!::mkdtemp(name.data())) throw OutputError(name + ": cannot be made (" + std::strerror(errno) + ")");
+    if (!::mkdtemp(name.data())) throw OutputError(fmt::format("{}: cannot be made ({})", name, std::strerror(errno)));
     folder_ = name;
     case_note_ = TemporaryNote(problem().string());
     out_note_ = TemporaryNote(submission().string());
@@ -61,10 +62,8 @@ Observables observed_in(const Submission& submission, const Case& contact_case) 
   for (const SubmittedResult& result : submission.results) {
     if (result.case_id != contact_case.id) continue;
     if (result.version != contact_case.version)
-      throw refusal(result.place, "version = " + std::to_string(result.version) +
-                                      ": is not the one asked for; allowed "
-                                      "is " +
-                                      std::to_string(contact_case.version));
+      throw refusal(result.place, fmt::format("version = {}: is not the one asked for; allowed is {}", result.version,
+                                              contact_case.version));
     Observables observed;
     for (const SubmittedNumber& number : result.numbers) {
       const auto unit = scales.unit(number.quantity, number.scaling);
@@ -131,7 +130,7 @@ ExternalRun run_external(const ExternalSolver& solver, const Case& contact_case,
     record.status = StopReason::diverged;
     std::error_code ignored;
     record.reason = std::filesystem::exists(exchange.submission(), ignored)
-                        ? "its submission is refused: " + std::string(fault.what()) + "; " + ended
+                        ? fmt::format("its submission is refused: {}; {}", fault.what(), ended)
                         : "it left no submission; " + ended;
   }
   for (std::size_t film = 0; film < 2; ++film) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/judge/judgement.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -27,7 +29,7 @@ constexpr std::size_t most_speed_checks = 12;  // a mistake of units is the same
 /// The case of a result, checked. Throws CaseError.
 Case case_of(const SubmittedResult& result) {
   const auto refuse = [&](const std::string& what) {
-    return refusal(result.place, "case = " + result.case_id + ": " + what);
+    return refusal(result.place, fmt::format("case = {}: {}", result.case_id, what));
   };
   std::filesystem::path file;
   try {
@@ -39,9 +41,11 @@ Case case_of(const SubmittedResult& result) {
   Case found = read_case(file);
   if (!std::holds_alternative<ContactCase>(found.body)) throw refuse("is a bearing; allowed is a contact");
   if (result.version != found.version)
-    throw refusal(result.place, "version = " + std::to_string(result.version) + ": is not the version of " + found.id +
-                                    "; allowed is " + std::to_string(found.version) +
-                                    ", whose numbers may be others: solve it again");
+    throw refusal(
+        result.place,
+        fmt::format(
+            "version = {}: is not the version of {}; allowed is {}, whose numbers may be others: solve it again",
+            result.version, found.id, found.version));
   return found;
 }
 
@@ -51,9 +55,8 @@ std::vector<Compared> compared_numbers(const SubmittedResult& result, const Case
   for (const SubmittedNumber& number : result.numbers) {
     const auto unit = scales.unit(number.quantity, number.scaling);
     if (!unit)
-      throw refusal(result.place, "scaling = " + std::string(to_string(number.scaling)) + ": " +
-                                      std::string(to_string(number.quantity)) +
-                                      " has no such scale in this case; allowed is hertz");
+      throw refusal(result.place, fmt::format("scaling = {}: {} has no such scale in this case; allowed is hertz",
+                                              to_string(number.scaling), to_string(number.quantity)));
     const auto at = std::find_if(certified.begin(), certified.end(),
                                  [&](const Certified& one) { return one.quantity == number.quantity; });
     if (at == certified.end()) {

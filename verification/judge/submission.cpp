@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/judge/submission.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <string_view>
 
@@ -35,7 +37,7 @@ Scaling submitted_scaling(const std::string& place, const std::string& name) {
   if (scaling) return *scaling;
   std::vector<std::string> names;
   for (const Scaling one : all_scalings) names.emplace_back(to_string(one));
-  throw refusal(place, "scaling = " + quoted(name) + ": is unknown; allowed is " + list(names));
+  throw refusal(place, fmt::format("scaling = {}: is unknown; allowed is {}", quoted(name), list(names)));
 }
 
 void require_case_id(const std::string& place, const std::string& id) {
@@ -47,7 +49,7 @@ void require_case_id(const std::string& place, const std::string& id) {
 void require_number(const std::string& place, const SubmittedNumber& number) {
   const std::string name(to_string(number.quantity));
   const auto refuse = [&](const std::string& key, double value, const char* what) {
-    throw refusal(place, key + " = " + plain(value) + ": " + what);
+    throw refusal(place, fmt::format("{} = {}: {}", key, plain(value), what));
   };
   if (!std::isfinite(number.value)) refuse(name, number.value, "is not finite; allowed is a finite number");
   if (is_film(number.quantity) && !(number.value > 0))

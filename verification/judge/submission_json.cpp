@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -31,8 +33,8 @@ void require_known(const View& object, const std::vector<std::string>& known, bo
     if (!value.exists()) throw refusal(value.path(), "is null; allowed is a value, or no key");
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;
     if (or_quantity && quantity_from(key)) continue;
-    throw refusal(object.path(), shortened(key, longest_text) + ": is unknown; allowed is " + list(known) +
-                                     (or_quantity ? ", and quantities such as film.minimum" : ""));
+    throw refusal(object.path(), fmt::format("{}: is unknown; allowed is {}{}", shortened(key, longest_text),
+                                             list(known), or_quantity ? ", and quantities such as film.minimum" : ""));
   }
 }
 
@@ -94,7 +96,7 @@ SubmittedResult result_from(const View& entry, const std::filesystem::path& file
 Submission submission_from(const View& root, const std::filesystem::path& file) {
   const std::string schema = line_in(root, "schema", true);
   if (schema != submission_schema)
-    throw refusal(root.path(), "schema = " + schema + ": is unknown; allowed is " + submission_schema);
+    throw refusal(root.path(), fmt::format("schema = {}: is unknown; allowed is {}", schema, submission_schema));
   require_known(root, {"schema", "solver", "hardware", "results"});
   const View solver = root["solver"];
   if (!solver.exists()) throw refusal(root.path(), "solver: is missing; required is an object with a name");

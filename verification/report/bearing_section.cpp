@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The bearing: loads and displacements over the azimuth, as in the paper's figures.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -115,9 +117,9 @@ void add_forces(Page& page, const std::vector<Bearing>& group) {
                   .title = "Contact forces of " + bearing.id,
                   .description = "Contact force of each roller at the inner raceway over its azimuth, a curve a law."};
     figure.panels.push_back(azimuth_panel(OverAzimuth::force, clearance_label(bearing.clearance_text), bearing.laws));
-    page.figure(std::move(figure), "<b>" + escaped(bearing.id) +
-                                       "</b>: contact force over azimuth (the paper's figure 2), inner raceway, " +
-                                       markup_to_html(clearance_label(bearing.clearance_text)) + ".");
+    page.figure(std::move(figure),
+                fmt::format("<b>{}</b>: contact force over azimuth (the paper's figure 2), inner raceway, {}.",
+                            escaped(bearing.id), markup_to_html(clearance_label(bearing.clearance_text))));
   }
 }
 
@@ -129,16 +131,17 @@ void add_displacements(Page& page, const Bearing& first) {
           "Displacement of each roller at the inner raceway over its azimuth, a curve a law; negative is a gap."};
   displacement.panels.push_back(
       azimuth_panel(OverAzimuth::displacement, clearance_label(first.clearance_text), first.laws));
-  page.figure(std::move(displacement),
-              "<b>" + escaped(first.id) + "</b>: displacement over azimuth (the paper's figure 3), " +
-                  markup_to_html(clearance_label(first.clearance_text)) + "; negative where there is a gap.");
+  page.figure(
+      std::move(displacement),
+      fmt::format("<b>{}</b>: displacement over azimuth (the paper's figure 3), {}; negative where there is a gap.",
+                  escaped(first.id), markup_to_html(clearance_label(first.clearance_text))));
 }
 
 /// One figure a law: delta_i over psi, a curve a clearance.
 void add_clearances(Page& page, const std::vector<Bearing>& group) {
   const Bearing& first = group.front();
   for (const BearingCurves& law : first.laws) {
-    Figure figure{.id = "fig-clearance-" + first.id + "-" + law.law,
+    Figure figure{.id = fmt::format("fig-clearance-{}-{}", first.id, law.law),
                   .title = "Displacements at all clearances, " + law.law,
                   .description = "Displacement of each roller over its azimuth under the law " + law.law +
                                  ", a curve a clearance."};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/report/bearing_tables.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <string>
@@ -115,15 +117,16 @@ void add_study(Page& page, const View& study) {
     for (const View& range : row.list("x0_all_hold_m")) {
       const std::vector<double> ends = range.numbers();
       if (ends.size() != 2) continue;
-      ranges += (ranges.empty() ? "" : ", ") + plain(milli * ends[0], 2) + " to " + plain(milli * ends[1], 2);
+      ranges +=
+          fmt::format("{}{} to {}", ranges.empty() ? "" : ", ", plain(milli * ends[0], 2), plain(milli * ends[1], 2));
     }
     if (ranges.empty() && row.has("x0_all_hold_m")) ranges = "nowhere";
     table.rows.push_back(
         {words(row.text("factor")), words(row.text("value")), words(row.text("law")), holds("a"),
          words(percent("a", "change") + ", " + percent("a", "apart")), holds("b"),
          words(percent("b", "least") + " to " + percent("b", "most")), holds("c"),
-         words(percent("c", "middle") + " (" + percent("c", "apart") + "), " + percent("c", "largest")), holds("d"),
-         words(ranges)});
+         words(fmt::format("{} ({}), {}", percent("c", "middle"), percent("c", "apart"), percent("c", "largest"))),
+         holds("d"), words(ranges)});
   }
   page.add_folded("Every choice: " + std::to_string(table.rows.size()) + " rows", table);
 }
@@ -142,8 +145,8 @@ void add_force_laws(Page& page, const std::vector<View>& laws) {
   page.begin_fold("Force and smallest film over displacement: " + std::to_string(contacts.size()) + " contacts");
   page.begin_figures();
   for (const auto& [id, raceway] : contacts) {
-    Figure figure{.id = "fig-law-" + id + "-" + raceway,
-                  .title = "Contact force laws of " + id + ", " + raceway + " raceway",
+    Figure figure{.id = fmt::format("fig-law-{}-{}", id, raceway),
+                  .title = fmt::format("Contact force laws of {}, {} raceway", id, raceway),
                   .description = "Contact force over displacement, a curve a law; below, the minimum film."};
     Panel force, film;
     force.height = 200;
@@ -175,9 +178,9 @@ void add_force_laws(Page& page, const std::vector<View>& laws) {
     force.x.silent = !film.series.empty();
     figure.panels.push_back(std::move(force));
     if (!film.series.empty()) figure.panels.push_back(std::move(film));
-    page.figure(std::move(figure), "<b>" + escaped(id) + "</b>, " + escaped(raceway) +
-                                       " raceway: contact force over displacement" +
-                                       (figure.panels.size() > 1 ? ", and the minimum film below." : "."));
+    page.figure(std::move(figure),
+                fmt::format("<b>{}</b>, {} raceway: contact force over displacement{}", escaped(id), escaped(raceway),
+                            figure.panels.size() > 1 ? ", and the minimum film below." : "."));
   }
   page.end_figures();
   page.end_fold();

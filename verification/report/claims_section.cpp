@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The ladder, every claim with its numbers, and which claims support which statement.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -23,7 +25,7 @@ std::string identifier(const std::string& id) {
 
 /// The same as a link to the claim.
 std::string claim_link(const std::string& id) {
-  return "<a href=\"#" + claim_anchor(id) + "\">" + identifier(id) + "</a>";
+  return fmt::format("<a href=\"#{}\">{}</a>", claim_anchor(id), identifier(id));
 }
 
 std::string share_percent(const std::optional<double>& share) {
@@ -41,7 +43,7 @@ std::string tolerance_text(const View& claim) {
   const View tolerance = claim["tolerance"];
   const std::string basis = tolerance.text("basis"), reason = tolerance.text("reason");
   std::string text = tolerance.cell("value", 3);
-  if (!basis.empty()) text += " (" + basis + (reason.empty() || reason == basis ? "" : ": " + reason) + ")";
+  if (!basis.empty()) text += fmt::format(" ({}{})", basis, reason.empty() || reason == basis ? "" : ": " + reason);
   return text;
 }
 
@@ -51,14 +53,14 @@ std::string numbers_of(const View& claim) {
   if (claim.has("expected")) text += (text.empty() ? "" : ", ") + std::string("expected ") + claim.cell("expected", 10);
   if (claim.has("error")) text += (text.empty() ? "" : "; ") + std::string("error ") + claim.cell("error", 3);
   if (claim.number("uncertainty").value_or(0) > 0) text += " \u00b1 " + claim.cell("uncertainty", 2);
-  return text + (text.empty() ? "" : "; ") + "tolerance " + tolerance_text(claim);
+  return fmt::format("{}{}tolerance {}", text, text.empty() ? "" : "; ", tolerance_text(claim));
 }
 
 void add_claim_in_full(Page& page, const View& claim) {
   const std::string verdict = claim.text("verdict");
-  std::string block = "<div class=\"claim " + slug(verdict) + "\"><p><b>" + escaped(verdict) +
-                      "</b>: " + escaped(claim.text("statement")) + "</p>";
-  block += "<p>" + identifier(claim.text("id")) + ", rung " + escaped(claim.cell("rung"));
+  std::string block = fmt::format("<div class=\"claim {}\"><p><b>{}</b>: {}</p>", slug(verdict), escaped(verdict),
+                                  escaped(claim.text("statement")));
+  block += fmt::format("<p>{}, rung {}", identifier(claim.text("id")), escaped(claim.cell("rung")));
   if (const auto of = where(claim); !of.empty()) block += ", " + escaped(of);
   block += "</p><p>" + escaped(numbers_of(claim)) + "</p>";
   if (const auto note = claim.text("note"); !note.empty()) block += "<p>" + escaped(note) + "</p>";
@@ -120,8 +122,8 @@ TableCell verdict_count(const View& rung, const std::string& verdict) {
   TableCell cell{escaped(rung.cell(verdict, 15)), "number"};
   if (!(rung.number(verdict).value_or(0) > 0)) return cell;
   if (verdict != "pass") cell.css += " " + verdict;
-  cell.html = "<a href=\"#claims\" data-rung=\"" + escaped(rung.cell("rung")) + "\" data-verdict=\"" + verdict + "\">" +
-              cell.html + "</a>";
+  cell.html = fmt::format("<a href=\"#claims\" data-rung=\"{}\" data-verdict=\"{}\">{}</a>", escaped(rung.cell("rung")),
+                          verdict, cell.html);
   return cell;
 }
 
@@ -164,11 +166,11 @@ void add_all_claims(Page& page, const View& results, const std::vector<View>& cl
     page.begin_fold("All " + std::to_string(claims.size()) + " claims, to filter by words (key /), rung and verdict",
                     "claims");
     page.add(
-        "<div class=\"controls\" data-for=\"all-claims\"><label>words <input "
-        "type=\"search\"></label>"
-        "<label>rung <select data-column=\"1\"><option value=\"\">all</option>" +
-        rungs + "</select></label><label>verdict <select data-column=\"2\"><option value=\"\">all</option>" + options +
-        "</select></label><output></output></div>\n<div id=\"all-claims\">");
+        fmt::format("<div class=\"controls\" data-for=\"all-claims\"><label>words <input "
+                    "type=\"search\"></label><label>rung <select data-column=\"1\"><option "
+                    "value=\"\">all</option>{}</select></label><label>verdict <select data-column=\"2\"><option "
+                    "value=\"\">all</option>{}</select></label><output></output></div>\n<div id=\"all-claims\">",
+                    rungs, options));
     Table table;
     table.css = "claims";
     table.columns = {"claim", "rung", "verdict", "margin", "statement and numbers"};
@@ -181,7 +183,7 @@ void add_all_claims(Page& page, const View& results, const std::vector<View>& cl
       const std::string id = claim.text("id");
       // A link leads to the first claim of an id.
       table.ids.push_back(page.unique(claim_anchor(id)));
-      table.rows.push_back({{"<a href=\"#" + table.ids.back() + "\">" + identifier(id) + "</a>", ""},
+      table.rows.push_back({{fmt::format("<a href=\"#{}\">{}</a>", table.ids.back(), identifier(id)), ""},
                             {escaped(claim.cell("rung")), ""},
                             verdict_cell(verdict),
                             {share_percent(claim.number("margin")), "number"},

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pressure and film of one contact: the figure, and a small picture for a table.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -83,7 +85,7 @@ std::string spark_path(const std::vector<double>& x, const std::vector<double>& 
   constexpr double coarse = 0.3;  // pixels
   std::string d;
   for (const auto& piece : pieces(points, {0, 0, width, height})) d += path_data(simplified(piece, coarse));
-  return d.empty() ? "" : "<g class=\"" + std::string(css) + "\"><path class=\"line\" d=\"" + d + "\"/></g>";
+  return d.empty() ? "" : fmt::format("<g class=\"{}\"><path class=\"line\" d=\"{}\"/></g>", css, d);
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pressure and film of each case by two solvers, and their difference on an axis of its own.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -133,11 +135,12 @@ void add_case(Page& page, const View& one, Table& table) {
   std::string caption = "<b>" + escaped(id) + "</b>";
   if (one.has("version")) caption += "@" + escaped(one.cell("version"));
   if (!title.empty()) caption += ": " + escaped(title);
-  const Opener opener = page.opener("figure-of-" + id,
-                                    (curves.empty() ? "" : contact_spark(curves.back())) +
-                                        "<span class=\"unseen\">Figure of " + escaped(id) + "</span>",
-                                    "Figure of " + escaped(id),
-                                    page.figure_html(std::move(figure), caption + ". " + description_of(one) + "."));
+  const Opener opener =
+      page.opener("figure-of-" + id,
+                  fmt::format("{}<span class=\"unseen\">Figure of {}</span>",
+                              curves.empty() ? "" : contact_spark(curves.back()), escaped(id)),
+                  "Figure of " + escaped(id),
+                  page.figure_html(std::move(figure), fmt::format("{}. {}.", caption, description_of(one))));
   table.below.push_back(opener.fold);
   table.ids.push_back(page.unique("case-" + id));
   const Compared both = compared(one);
@@ -190,12 +193,11 @@ void add_contacts(Page& page, const View& results) {
   const Compared first = compared(cases.front());
   const std::string truth = escaped(first.truth.text("solver")), solver = escaped(first.solver.text("solver"));
   page.paragraph(
-      "Each case by <code>" + truth + "</code> and <code>" + solver +
-      "</code>. Error found: the larger difference of the two films between both solvers. Error stated: what <code>" +
-      solver +
-      "</code> says of its films. A difference beyond what both solvers state together would be "
-      "red. The small picture opens the figure: pressure and film, and below how far the solvers' fields "
-      "are apart.");
+      fmt::format("Each case by <code>{}</code> and <code>{}</code>. Error found: the larger difference of the two "
+                  "films between both solvers. Error stated: what <code>{}</code> says of its films. A difference "
+                  "beyond what both solvers state together would be red. The small picture opens the figure: pressure "
+                  "and film, and below how far the solvers' fields are apart.",
+                  truth, solver, solver));
   Table table;
   table.css = "cases";
   table.caption = "Films of the cases (Hertz units)";

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Convergence: error over intervals, degree or unknowns, with declared and fitted orders.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -150,7 +152,7 @@ void add_study(Page& page, const Study& study, Table& table) {
   std::string where = study.solver;
   if (!study.where.empty()) where += (where.empty() ? "" : ", ") + study.where;
   const bool manufactured = first.text("id").starts_with("manufactured");
-  Figure figure{.id = "fig-convergence-" + study.solver + "-" + study.where + "-" + study.abscissa,
+  Figure figure{.id = fmt::format("fig-convergence-{}-{}-{}", study.solver, study.where, study.abscissa),
                 .title = "Convergence: " + where,
                 .description = (manufactured ? "Absolute error over " : "Relative error over ") + study.abscissa +
                                ", with declared and fitted orders."};

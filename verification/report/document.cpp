@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/report/document.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -14,11 +16,11 @@
 namespace ehd::report {
 
 void View::refuse(const char* required) const {
-  throw ReportError(path_ + ": is " +
-                    (json_->is_array()    ? "a list"
-                     : json_->is_object() ? "an object"
-                                          : "a " + std::string(json_->type_name())) +
-                    "; required is " + required);
+  throw ReportError(fmt::format("{}: is {}; required is {}", path_,
+                                json_->is_array()    ? "a list"
+                                : json_->is_object() ? "an object"
+                                                     : "a " + std::string(json_->type_name()),
+                                required));
 }
 
 View View::operator[](const std::string& key) const {
@@ -32,8 +34,7 @@ std::vector<View> View::list() const {
   std::vector<View> views;
   if (!json_) return views;
   if (!json_->is_array()) refuse("a list");
-  for (std::size_t i = 0; i < json_->size(); ++i)
-    views.emplace_back((*json_)[i], path_ + "[" + std::to_string(i) + "]");
+  for (std::size_t i = 0; i < json_->size(); ++i) views.emplace_back((*json_)[i], fmt::format("{}[{}]", path_, i));
   return views;
 }
 
@@ -88,16 +89,17 @@ Json read_object(const std::filesystem::path& file, const FileSchema& schema, co
   try {
     json = json_from(text_of_file(file, {.name = kind, .most_bytes = most_bytes}));
   } catch (const JsonError& wrong) {
-    throw ReportError(file.string() + ": " + one_line(wrong.what()) + "; required is " + kind);
+    throw ReportError(fmt::format("{}: {}; required is {}", file.string(), one_line(wrong.what()), kind));
   }
   if (!json.is_object())
-    throw ReportError(file.string() + ": is no JSON object; required is a file that " + made_by + " wrote");
+    throw ReportError(fmt::format("{}: is no JSON object; required is a file that {} wrote", file.string(), made_by));
   const auto found = json.find("schema");
   if (found == json.end())
-    throw ReportError(file.string() + ": has no schema; required is " + schema.name + ", as " + made_by + " writes it");
+    throw ReportError(
+        fmt::format("{}: has no schema; required is {}, as {} writes it", file.string(), schema.name, made_by));
   if (*found != schema.name && *found != schema.number)
-    throw ReportError(file.string() + ": has schema " + shortened(one_line(found->dump()), 60) + "; required is " +
-                      schema.name + ", as " + made_by + " writes it");
+    throw ReportError(fmt::format("{}: has schema {}; required is {}, as {} writes it", file.string(),
+                                  shortened(one_line(found->dump()), 60), schema.name, made_by));
   return json;
 }
 
@@ -112,8 +114,8 @@ Documents read_documents(const std::filesystem::path& folder) {
     return std::filesystem::status(folder / name, error).type() != std::filesystem::file_type::not_found;
   };
   if (!there("results.json"))
-    throw ReportError(folder.string() + ": has no results.json; required is one that ehd verify --output " +
-                      folder.string() + " makes");
+    throw ReportError(fmt::format("{}: has no results.json; required is one that ehd verify --output {} makes",
+                                  folder.string(), folder.string()));
   Documents documents;
   documents.results = read_object(folder / "results.json", results_schema, "ehd verify --output");
   if (there("bench.json")) documents.bench = read_object(folder / "bench.json", bench_schema, "ehd bench --output");

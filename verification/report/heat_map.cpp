@@ -110,8 +110,10 @@ std::string contours_svg(const HeatMap& map, const CellGrid& grid) {
       ends.push_back(points.back());
     }
     if (d.empty()) continue;
-    svg += "<path class=\"contour-halo\" stroke-width=\"4\" d=\"" + d +
-           "\"/><path class=\"contour\" stroke-width=\"1.6\" d=\"" + d + "\"" + dash_attribute(level.line) + "/>";
+    svg += fmt::format(
+        "<path class=\"contour-halo\" stroke-width=\"4\" d=\"{}\"/><path class=\"contour\" stroke-width=\"1.6\" "
+        "d=\"{}\"{}/>",
+        d, d, dash_attribute(level.line));
     if (level.label.empty()) continue;
     // The label stands right of the map, at the line's rightmost end: on the map it would hide a number.
     const Point end = *std::max_element(ends.begin(), ends.end(), [](Point a, Point b) { return a.x < b.x; });
@@ -132,19 +134,17 @@ std::string number_svg(const Cell& cell, const std::optional<Rgb>& colour, Point
   constexpr double dark = 0.179;
   const bool white = colour && luminance(*colour) < dark;
   const std::string ink =
-      colour ? std::string(" style=\"fill:") + (white ? "#fff" : "#000") + ";stroke:" + hex(*colour) + "\""
-             : std::string();
+      colour ? fmt::format(" style=\"fill:{};stroke:{}\"", white ? "#fff" : "#000", hex(*colour)) : std::string();
   const double size = std::min(10.5, 10.5 * (width - 3) / std::max(1.0, text_width(literal(cell.text), 10.5)));
   return text_svg({centre.x, centre.y + 3.6}, literal(cell.text), "middle", "cell-text",
-                  ink + " font-size=\"" + pixels(size) + "\"");
+                  fmt::format("{} font-size=\"{}\"", ink, pixels(size)));
 }
 
 /// What the page's script needs: the read-out, and x, y, value to save.
 std::string page_data(const Cell& cell, double x, double y) {
-  return " data-hint=\"" + escaped(cell.hint) + "\" data-row=\"" +
-         (cell.value && std::isfinite(*cell.value) ? fmt::format("{:.7g},{:.7g},{:.9g}", x, y, *cell.value)
-                                                   : fmt::format("{:.7g},{:.7g},", x, y)) +
-         "\"";
+  return fmt::format(" data-hint=\"{}\" data-row=\"{}\"", escaped(cell.hint),
+                     cell.value && std::isfinite(*cell.value) ? fmt::format("{:.7g},{:.7g},{:.9g}", x, y, *cell.value)
+                                                              : fmt::format("{:.7g},{:.7g},", x, y));
 }
 
 struct Cells {
@@ -162,14 +162,15 @@ Cells cells_svg(const HeatMap& map, const CellGrid& grid, const std::string& hat
       if (at >= map.cells.size()) continue;
       const Cell& cell = map.cells[at];
       const Point centre = grid.at({static_cast<double>(i), static_cast<double>(j)});
-      const std::string rectangle = "x=\"" + pixels(centre.x - w / 2) + "\" y=\"" + pixels(centre.y - h / 2) +
-                                    "\" width=\"" + pixels(w) + "\" height=\"" + pixels(h) + "\"";
+      const std::string rectangle =
+          fmt::format("x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"", pixels(centre.x - w / 2),
+                      pixels(centre.y - h / 2), pixels(w), pixels(h));
       const auto colour = palette(cell.value);
-      drawn.svg += "<g class=\"datum\"" + (place == Place::page ? page_data(cell, map.x[i], map.y[j]) : "") +
-                   "><rect " + rectangle +
-                   (colour ? " class=\"cell\" fill=\"" + hex(*colour) + "\"" : " class=\"blank\"") + "/>";
+      drawn.svg += fmt::format("<g class=\"datum\"{}><rect {}{}/>",
+                               place == Place::page ? page_data(cell, map.x[i], map.y[j]) : "", rectangle,
+                               colour ? " class=\"cell\" fill=\"" + hex(*colour) + "\"" : " class=\"blank\"");
       if (cell.hatched && colour) {
-        drawn.svg += "<rect " + rectangle + " class=\"cell\" fill=\"url(#" + escaped(hatch) + ")\"/>";
+        drawn.svg += fmt::format("<rect {} class=\"cell\" fill=\"url(#{})\"/>", rectangle, escaped(hatch));
         drawn.hatched = true;
       }
       if (!cell.text.empty()) drawn.numbers += number_svg(cell, colour, centre, w);
@@ -210,15 +211,16 @@ Keys keys_svg(const HeatMap& map, const CellGrid& grid, const std::string& hatch
   std::string svg;
   for (const auto& [line, label] : map.keys) {
     const auto [x, y] = rows.next(44 + text_width(label, 12));
-    svg += "<path class=\"axis\" stroke-width=\"1.6\" d=\"" + path_data({{x, y + 8}, {x + 26, y + 8}}) + "\"" +
-           dash_attribute(line) + "/>" + text_svg({x + 31, y + 12}, label, "start");
+    svg += fmt::format("<path class=\"axis\" stroke-width=\"1.6\" d=\"{}\"{}/>{}",
+                       path_data({{x, y + 8}, {x + 26, y + 8}}), dash_attribute(line),
+                       text_svg({x + 31, y + 12}, label, "start"));
   }
   if (hatched) {
     const std::string label = "hatched: *p*_{H} > 4 GPa, a numerical test";
     const auto [x, y] = rows.next(40 + text_width(label, 12));
-    const std::string place = "x=\"" + pixels(x) + "\" y=\"" + pixels(y + 1) + "\" width=\"22\" height=\"13\"";
-    svg += "<rect class=\"blank\" " + place + " style=\"fill:#f4f4f4\"/><rect " + place + " fill=\"url(#" +
-           escaped(hatch) + ")\"/>" + text_svg({x + 27, y + 12}, label, "start");
+    const std::string place = fmt::format("x=\"{}\" y=\"{}\" width=\"22\" height=\"13\"", pixels(x), pixels(y + 1));
+    svg += fmt::format("<rect class=\"blank\" {} style=\"fill:#f4f4f4\"/><rect {} fill=\"url(#{})\"/>{}", place, place,
+                       escaped(hatch), text_svg({x + 27, y + 12}, label, "start"));
   }
   return {svg, rows.last_top() + (svg.empty() ? 0 : 20)};
 }

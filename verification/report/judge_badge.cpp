@@ -48,8 +48,9 @@ std::string judge_badge(const Json& judgement) {
                      R"(<rect x="{3}" width="{4}" height="{1}" fill="{5}"/>{6}{7}</svg>)"
                      "\n",
                      pixels(left + right), pixels(height),
-                     escaped(view["solver"].text("name") + ": " + label + ": " + value), pixels(left), pixels(right),
-                     gates_hold ? "#0e3a6e" : "#b04e0a", text(margin, label), text(left + margin, value));
+                     escaped(fmt::format("{}: {}: {}", view["solver"].text("name"), label, value)), pixels(left),
+                     pixels(right), gates_hold ? "#0e3a6e" : "#b04e0a", text(margin, label),
+                     text(left + margin, value));
 }
 
 }  // namespace ehd::report

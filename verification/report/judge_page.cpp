@@ -154,7 +154,7 @@ void add_gates_and_hints(Page& page, const View& judgement) {
   if (!gates.rows.empty()) page.add(gates);
   for (const View& one : judgement.list("cases"))
     for (const View& hint : one.list("hints"))
-      page.paragraph("<b>" + escaped(one.text("case")) + "</b>: " + escaped(hint.text()));
+      page.paragraph(fmt::format("<b>{}</b>: {}", escaped(one.text("case")), escaped(hint.text())));
 }
 
 void add_solver(Page& page, const View& judgement) {

@@ -94,7 +94,7 @@ std::optional<HeatMap> map_of(const Atlas& atlas, const std::string& laws, const
     for (const double M : map.x) {
       const View* point = point_at(atlas, laws, M, L);
       Cell cell;
-      cell.hint = "M = " + plain(M) + ", L = " + plain(L) + ": ";
+      cell.hint = fmt::format("M = {}, L = {}: ", plain(M), plain(L));
       if (point) {
         cell.value = shown.value(*point);
         cell.hatched = point->flag("numerical_test").value_or(false);
@@ -243,11 +243,11 @@ void add_formulas(Page& page, const Atlas& atlas) {
       return std::nullopt;
     };
     add_maps_of(page, atlas,
-                {.id = "fig-formula-" + name + "-" + quantity,
+                {.id = fmt::format("fig-formula-{}-{}", name, quantity),
                  .title = name + " against the certified " + quantity,
                  .description = "Deviation in per cent, a number a cell; contour lines at 5 and 30 per cent.",
                  .heading = literal(name) + ", " + literal(quantity),
-                 .caption = "<b>" + escaped(name) + "</b>: deviation of its " + escaped(quantity) + " [%].",
+                 .caption = fmt::format("<b>{}</b>: deviation of its {} [%].", escaped(name), escaped(quantity)),
                  .value = deviation,
                  .text = percent,
                  .hint = percent_hint,
@@ -319,7 +319,7 @@ void add_fast(Page& page, const Atlas& atlas) {
   }
   std::string summary;
   for (const auto& [status, count] : endings)
-    summary += (summary.empty() ? "" : ", ") + std::to_string(count) + " " + escaped(status);
+    summary += fmt::format("{}{} {}", summary.empty() ? "" : ", ", count, escaped(status));
   page.heading("Iterations and cost of <code>fast</code>" +
                (tolerance.empty() ? std::string() : " at tolerance " + escaped(tolerance)));
   page.paragraph("How the solves of the points ended: " + summary + ".");

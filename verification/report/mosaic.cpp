@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/report/mosaic.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <stdexcept>
@@ -30,8 +32,8 @@ MosaicTile tile_of(const std::string& svg) {
 
 /// A picture within a picture stands where its x and y say.
 std::string placed(const MosaicTile& tile, double x, double y) {
-  return std::string(picture_begins) + "x=\"" + pixels(x) + "\" y=\"" + pixels(y) + "\" width=\"" + pixels(tile.width) +
-         "\" height=\"" + pixels(tile.height) + "\" " + tile.svg.substr(picture_begins.size());
+  return fmt::format("{}x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" {}", picture_begins, pixels(x), pixels(y),
+                     pixels(tile.width), pixels(tile.height), tile.svg.substr(picture_begins.size()));
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Provenance of the numbers, and how to cite them.
+#include <fmt/format.h>
+
 #include "verification/report/report.hpp"
 
 namespace ehd::report {
@@ -10,7 +12,7 @@ void add_provenance(Page& page, const std::string& title, const View& provenance
   if (!provenance.exists()) return;
   std::string list = "<dl>";
   const auto row = [&](const char* name, const std::string& value) {
-    if (!value.empty()) list += "<dt>" + std::string(name) + "</dt><dd>" + escaped(value) + "</dd>";
+    if (!value.empty()) list += fmt::format("<dt>{}</dt><dd>{}</dd>", name, escaped(value));
   };
   row("version", provenance.cell("version"));
   std::string commit = provenance.text("commit");
@@ -21,7 +23,7 @@ void add_provenance(Page& page, const std::string& title, const View& provenance
   row("flags", provenance.text("flags"));
   std::string libraries;
   for (const auto& [name, version] : provenance["libraries"].members())
-    libraries += (libraries.empty() ? "" : ", ") + name + " " + version.cell();
+    libraries += fmt::format("{}{} {}", libraries.empty() ? "" : ", ", name, version.cell());
   row("libraries", libraries);
   std::string cpu = provenance.text("cpu");
   if (provenance.has("cores")) cpu += (cpu.empty() ? "" : ", ") + provenance.cell("cores") + " cores";

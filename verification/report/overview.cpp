@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The first table: what was verified, to how many digits, by which truth, at which cost; and what was not.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -18,7 +20,7 @@ std::string how_many(std::size_t count, const std::string& one, const std::strin
 }
 
 std::string section_link(const char* section, const std::string& text) {
-  return "<a href=\"#" + std::string(section) + "\">" + escaped(text) + "</a>";
+  return fmt::format("<a href=\"#{}\">{}</a>", section, escaped(text));
 }
 
 /// Least and largest of the values that are known.
@@ -42,7 +44,7 @@ std::string time_of(const std::optional<double>& wall_s) { return wall_s ? durat
 std::string milliseconds_of(const Extent& wall_s) {
   if (!wall_s.any()) return "";
   const auto text = [](double s) { return s < 1 ? plain(1e3 * s, 2) + " ms" : plain(s, 2) + " s"; };
-  return text(wall_s.low) + " to " + text(wall_s.high) + " each";
+  return fmt::format("{} to {} each", text(wall_s.low), text(wall_s.high));
 }
 
 std::size_t number_with(const std::vector<View>& list, const std::string& key, const std::string& value) {
@@ -96,15 +98,15 @@ Verified cases_verified(const View& results) {
     digits.add(digits_of(found));
     if (const auto allowed = difference.number("stated"); found && allowed && *found > *allowed) ++beyond;
   }
-  Verified row{.what = section_link("contacts", how_many(cases.size(), "case", "cases")) + ": films by <code>" +
-                       escaped(solver) + "</code>",
+  Verified row{.what = fmt::format("{}: films by <code>{}</code>",
+                                   section_link("contacts", how_many(cases.size(), "case", "cases")), escaped(solver)),
                .digits = digits.any() ? digits.text(2) + " digits" : "",
                .truth = "<code>" + escaped(truth) + "</code>, another discretisation of the same equations",
                .cost = milliseconds_of(times)};
   if (open > 0) row.open.push_back(how_many(open, "case", "cases") + " without two converged solves");
   if (beyond > 0)
-    row.wrong.push_back(section_link("contacts", "cases") + ": in " + std::to_string(beyond) +
-                        " the films differ by more than both solvers state");
+    row.wrong.push_back(fmt::format("{}: in {} the films differ by more than both solvers state",
+                                    section_link("contacts", "cases"), beyond));
   return row;
 }
 
@@ -153,9 +155,9 @@ Verified work_verified(const View& bench) {
   for (const View& one : coverage) {
     undecided += one.number("undecided").value_or(0);
     if (const double missed = one.number("missed").value_or(0); missed > 0)
-      row.wrong.push_back(section_link("work-precision", "benchmark") + ": " + plain(missed) + " stated errors of " +
-                          escaped(one.text("solver")) + " do not cover the true one (" + escaped(one.text("quantity")) +
-                          ")");
+      row.wrong.push_back(fmt::format("{}: {} stated errors of {} do not cover the true one ({})",
+                                      section_link("work-precision", "benchmark"), plain(missed),
+                                      escaped(one.text("solver")), escaped(one.text("quantity"))));
   }
   if (undecided > 0) row.open.push_back(plain(undecided) + " stated errors that the truth cannot judge");
   constexpr double enough = 0.9;  // of a core; docs/bench.md
@@ -202,8 +204,8 @@ Verified stress_verified(const View& stress) {
                .cost = time_of(stress.number("wall_s"))};
   for (const View& part : parts)
     if (const std::string verdict = part.text("verdict"); verdict != "pass")
-      row.wrong.push_back(section_link("stress", "stress (" + part.text("id") + ") " + part.text("name")) + ": " +
-                          escaped(verdict));
+      row.wrong.push_back(section_link("stress", fmt::format("stress ({}) {}", part.text("id"), part.text("name"))) +
+                          ": " + escaped(verdict));
   return row;
 }
 
@@ -232,8 +234,8 @@ Verified bearing_verified(const View& figures) {
   const auto false_ones = static_cast<std::size_t>(std::count_if(
       statements.begin(), statements.end(), [](const View& one) { return !one.flag("holds").value_or(true); }));
   if (false_ones > 0)
-    row.open.push_back(std::to_string(false_ones) + " of " + std::to_string(statements.size()) +
-                       " statements of the paper do not hold as computed");
+    row.open.push_back(
+        fmt::format("{} of {} statements of the paper do not hold as computed", false_ones, statements.size()));
   if (open > 0) row.open.push_back(how_many(open, "balance", "balances") + " not converged");
   row.open.push_back("the datum <i>x</i><sub>0</sub>: a choice, its effect is in the budget");
   return row;

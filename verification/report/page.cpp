@@ -55,7 +55,7 @@ std::string html(const Table& table) {
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
     const bool number =
         !table.rows.empty() && i < table.rows.front().size() && table.rows.front()[i].css.starts_with("number");
-    text += std::string("<th scope=\"col\"") + (number ? " class=\"number\"" : "") + ">" + table.columns[i] + "</th>";
+    text += fmt::format("<th scope=\"col\"{}>{}</th>", number ? " class=\"number\"" : "", table.columns[i]);
   }
   text += "</tr></thead><tbody>\n";
   for (std::size_t k = 0; k < table.rows.size(); ++k) {
@@ -65,12 +65,12 @@ std::string html(const Table& table) {
     for (std::size_t i = 0; i < row.size(); ++i) {
       const std::string css = row[i].css.empty() ? "" : " class=\"" + escaped(row[i].css) + "\"";
       const bool heads = i == 0 && table.first_is_heading;
-      text += (heads ? "<th scope=\"row\"" : "<td") + css + ">" + row[i].html + (heads ? "</th>" : "</td>");
+      text +=
+          fmt::format("{}{}>{}{}", heads ? "<th scope=\"row\"" : "<td", css, row[i].html, heads ? "</th>" : "</td>");
     }
     text += "</tr>\n";
     if (k < table.below.size())
-      text +=
-          "<tr class=\"below\"><td colspan=\"" + std::to_string(row.size()) + "\">" + table.below[k] + "</td></tr>\n";
+      text += fmt::format("<tr class=\"below\"><td colspan=\"{}\">{}</td></tr>\n", row.size(), table.below[k]);
   }
   return text + "</tbody></table></div>\n";
 }
@@ -106,9 +106,10 @@ std::string without_tags(const std::string& html) {
 std::string framed(const std::string& id, const std::string& svg, const std::string& caption_html, const char* css) {
   // Maps scroll on a phone; the keyboard has to reach what scrolls.
   const char* const reached = std::string_view(css) == "map" ? " tabindex=\"0\"" : "";
-  return "<figure class=\"" + std::string(css) + "\"><div class=\"picture\"" + reached + ">" + svg +
-         "</div><figcaption>" + caption_html + " <a class=\"anchor\" href=\"#" + id +
-         "\">link</a></figcaption></figure>\n";
+  return fmt::format(
+      "<figure class=\"{}\"><div class=\"picture\"{}>{}</div><figcaption>{} <a class=\"anchor\" "
+      "href=\"#{}\">link</a></figcaption></figure>\n",
+      css, reached, svg, caption_html, id);
 }
 
 }  // namespace
@@ -124,12 +125,12 @@ void Page::section(const std::string& id, const std::string& title) {
   if (open_) body_ += "</section>\n";
   open_ = true;
   const std::string own = unique(id);
-  navigation_ += "<a href=\"#" + own + "\">" + title + "</a>\n";
-  body_ += "<section id=\"" + own + "\"><h2>" + title + "</h2>\n";
+  navigation_ += fmt::format("<a href=\"#{}\">{}</a>\n", own, title);
+  body_ += fmt::format("<section id=\"{}\"><h2>{}</h2>\n", own, title);
 }
 
 void Page::heading(const std::string& title) {
-  body_ += "<h3 id=\"" + unique(without_tags(title)) + "\">" + title + "</h3>\n";
+  body_ += fmt::format("<h3 id=\"{}\">{}</h3>\n", unique(without_tags(title)), title);
 }
 
 void Page::paragraph(const std::string& html, const std::string& css) {
@@ -148,14 +149,14 @@ void Page::add_folded(const std::string& summary, const Table& table) {
 }
 
 void Page::absent(const std::string& what, const std::string& command) {
-  paragraph(escaped(what) + " not in this folder: <code>" + escaped(command) + "</code> makes it.", "absent");
+  paragraph(fmt::format("{} not in this folder: <code>{}</code> makes it.", escaped(what), escaped(command)), "absent");
 }
 
 Opener Page::opener(const std::string& id, const std::string& link, const std::string& summary,
                     const std::string& content) {
   const std::string own = unique(id);
-  return {.link = "<a class=\"opens\" href=\"#" + own + "\">" + link + "</a>",
-          .fold = "<details id=\"" + own + "\"><summary>" + summary + "</summary>" + content + "</details>"};
+  return {.link = fmt::format("<a class=\"opens\" href=\"#{}\">{}</a>", own, link),
+          .fold = fmt::format("<details id=\"{}\"><summary>{}</summary>{}</details>", own, summary, content)};
 }
 
 void Page::begin_figures(const std::string& css) { body_ += "<div class=\"figures " + css + "\">\n"; }

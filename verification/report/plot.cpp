@@ -43,7 +43,7 @@ std::vector<Tick> ticks_for(const Axis& axis, const Range& range, int wanted) {
 }
 
 std::string line_svg(Point from, Point to, const char* css) {
-  return "<path class=\"" + std::string(css) + "\" d=\"" + path_data({from, to}) + "\"/>";
+  return fmt::format("<path class=\"{}\" d=\"{}\"/>", css, path_data({from, to}));
 }
 
 double tick_label_width(const std::vector<Tick>& ticks) {
@@ -107,8 +107,8 @@ std::string page_data(const Series& series, const std::vector<Point>& points, co
     marked += (marks == 0 ? "" : " ") + std::to_string(i);
     ++marks;
   }
-  std::string data = " data-name=\"" + escaped(markup_to_text(series.name.empty() ? series.of : series.name)) +
-                     "\" data-values=\"" + values + "\"";
+  std::string data = fmt::format(" data-name=\"{}\" data-values=\"{}\"",
+                                 escaped(markup_to_text(series.name.empty() ? series.of : series.name)), values);
   if (series.right) data += " data-right=\"1\"";
   if (series.marker != Marker::none && marks < points.size()) data += " data-marked=\"" + marked + "\"";
   return data;
@@ -124,11 +124,10 @@ std::string series_svg(const Series& series, std::size_t key, const Mapping& to_
   if (series.line != Line::none) {
     for (const auto& piece : pieces(points, box)) d += path_data(simplified(piece, drawn_to));
   }
-  std::string svg =
-      "<g class=\"series s" + std::to_string(series.colour) + "\" data-key=\"" + std::to_string(key) + "\"";
+  std::string svg = fmt::format("<g class=\"series s{}\" data-key=\"{}\"", series.colour, key);
   if (place == Place::page) svg += page_data(series, points, box);
   svg += ">";
-  if (!d.empty()) svg += "<path class=\"line\" d=\"" + d + "\"" + dash_attribute(series.line) + "/>";
+  if (!d.empty()) svg += fmt::format("<path class=\"line\" d=\"{}\"{}/>", d, dash_attribute(series.line));
   Point last;
   bool any = false;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -151,8 +150,8 @@ std::string triangle_svg(const SlopeTriangle& one, const Mapping& to_x, const Ma
   const Point a{to_x(one.x), to_y(one.y)};
   const Point b{to_x(one.x * one.factor), to_y(one.y * std::pow(one.factor, -one.order))};
   if (!std::isfinite(a.x + a.y + b.x + b.y)) return "";
-  return "<g class=\"slope\"><path class=\"axis\" d=\"" + path_data({a, {a.x, b.y}, b, a}) + "\"/>" +
-         text_svg({a.x - 4, (a.y + b.y) / 2 + 4}, number_markup(one.order, 3), "end", "small halo") + "</g>";
+  return fmt::format("<g class=\"slope\"><path class=\"axis\" d=\"{}\"/>{}</g>", path_data({a, {a.x, b.y}, b, a}),
+                     text_svg({a.x - 4, (a.y + b.y) / 2 + 4}, number_markup(one.order, 3), "end", "small halo"));
 }
 
 /// The names of the series in rows above the frame. Series of one name share a key: the name's place in `names`.
@@ -168,7 +167,8 @@ Drawn legend_svg(const Panel& panel, double left, double right, double top, std:
     svg += fmt::format("<g class=\"key s{}\" data-key=\"{}\">", series.colour, known - names.begin());
     const Line line = series.key_line.value_or(series.line);
     if (line != Line::none)
-      svg += "<path class=\"line\" d=\"" + path_data({{x, y}, {x + sample, y}}) + "\"" + dash_attribute(line) + "/>";
+      svg +=
+          fmt::format("<path class=\"line\" d=\"{}\"{}/>", path_data({{x, y}, {x + sample, y}}), dash_attribute(line));
     svg += marker_svg(series.marker, {x + sample / 2, y}, series.hollow) +
            text_svg({x + sample + 5, y + 4}, series.name, "start") + "</g>\n";
   }
@@ -221,17 +221,19 @@ std::string axis_data(const std::string& name, const Axis& axis, const Range& ra
 std::string frame_svg(const Panel& panel, const Ready& axes, const AxisMarks& marks, const Box& box, Place place) {
   std::string svg = "<g class=\"frame\"";
   if (place == Place::page) {
-    svg += " data-box=\"" + pixels(box.left) + "," + pixels(box.top) + "," + pixels(box.right) + "," +
-           pixels(box.bottom) + "\"" + axis_data("x", panel.x, axes.x) + axis_data("y", panel.y, axes.y) +
-           (panel.right ? axis_data("right", *panel.right, axes.right) : "");
+    svg += fmt::format(" data-box=\"{},{},{},{}\"{}{}{}", pixels(box.left), pixels(box.top), pixels(box.right),
+                       pixels(box.bottom), axis_data("x", panel.x, axes.x), axis_data("y", panel.y, axes.y),
+                       panel.right ? axis_data("right", *panel.right, axes.right) : "");
   }
   const std::string outline = path_data({{box.left, box.top},
                                          {box.right, box.top},
                                          {box.right, box.bottom},
                                          {box.left, box.bottom},
                                          {box.left, box.top}});
-  return svg + "><path class=\"grid\" d=\"" + marks.grid + "\"/><path class=\"axis ticks\" d=\"" + marks.ticks +
-         "\"/><path class=\"axis\" d=\"" + outline + "\"/><g class=\"ticks-text\">" + marks.labels + "</g></g>\n";
+  return fmt::format(
+      "{}><path class=\"grid\" d=\"{}\"/><path class=\"axis ticks\" d=\"{}\"/><path class=\"axis\" d=\"{}\"/><g "
+      "class=\"ticks-text\">{}</g></g>\n",
+      svg, marks.grid, marks.ticks, outline, marks.labels);
 }
 
 /// How values become pixels inside a frame.
@@ -297,7 +299,7 @@ Drawn draw_panel(const Panel& panel, const Ready& axes, const Margins& margins, 
   const double middle = (box.top + box.bottom) / 2;
   const auto upright = [&](double at, const std::string& label) {
     return text_svg({at, middle}, label, "middle", "axis-label",
-                    " transform=\"rotate(-90 " + pixels(at) + " " + pixels(middle) + ")\"");
+                    fmt::format(" transform=\"rotate(-90 {} {})\"", pixels(at), pixels(middle)));
   };
   svg += upright(14, panel.y.label);
   if (panel.right) svg += upright(width - 6, panel.right->label);

@@ -30,10 +30,10 @@ std::string legend_svg(const PolarPlot& plot, LegendRows& rows) {
   for (std::size_t k = 0; k < plot.series.size(); ++k) {
     const PolarSeries& series = plot.series[k];
     const auto [x, y] = rows.next(28 + 6 + text_width(series.name, 12) + 14);
-    svg += "<g class=\"key s" + std::to_string(series.colour) + "\" data-key=\"" + std::to_string(k) +
-           "\"><path class=\"line\" d=\"" + path_data({{x, y + 7}, {x + 28, y + 7}}) + "\"" +
-           dash_attribute(series.line) + "/>" + marker_svg(series.marker, {x + 14, y + 7}, true) +
-           text_svg({x + 33, y + 11}, series.name, "start") + "</g>\n";
+    svg +=
+        fmt::format("<g class=\"key s{}\" data-key=\"{}\"><path class=\"line\" d=\"{}\"{}/>{}{}</g>\n", series.colour,
+                    k, path_data({{x, y + 7}, {x + 28, y + 7}}), dash_attribute(series.line),
+                    marker_svg(series.marker, {x + 14, y + 7}, true), text_svg({x + 33, y + 11}, series.name, "start"));
   }
   return svg;
 }
@@ -43,8 +43,8 @@ std::string grid_svg(const Dial& dial, const std::vector<Tick>& ticks) {
   std::string svg;
   for (const Tick& tick : ticks) {
     if (!(tick.value > 0)) continue;
-    svg += "<circle class=\"grid\" cx=\"" + pixels(dial.centre.x) + "\" cy=\"" + pixels(dial.centre.y) + "\" r=\"" +
-           pixels(dial.radius * tick.value / dial.full) + "\"/>";
+    svg += fmt::format("<circle class=\"grid\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>", pixels(dial.centre.x),
+                       pixels(dial.centre.y), pixels(dial.radius * tick.value / dial.full));
   }
   for (int angle = 0; angle < 360; angle += spoke_deg) {
     svg += "<path class=\"grid\" d=\"" + path_data({dial.centre, dial.at(angle, dial.full)}) + "\"/>";
@@ -76,17 +76,18 @@ std::string series_svg(const PolarSeries& series, std::size_t key, const Dial& d
     outline.push_back(spot.at);
     const std::string hint =
         fmt::format("{:.4g}\u00b0: {:.5g}", spot.angle > 180 ? spot.angle - 360 : spot.angle, spot.value);
-    marks += "<g class=\"datum\"" +
-             (place == Place::page ? " data-hint=\"" + escaped(markup_to_text(series.name)) + ", " + hint +
-                                         fmt::format("\" data-row=\"{:.7g},{:.7g}\"", spot.angle, spot.value)
-                                   : std::string()) +
-             ">" + marker_svg(series.marker, spot.at, true) + "</g>";
+    marks += fmt::format("<g class=\"datum\"{}>{}</g>",
+                         place == Place::page
+                             ? fmt::format(" data-hint=\"{}, {}{}", escaped(markup_to_text(series.name)), hint,
+                                           fmt::format("\" data-row=\"{:.7g},{:.7g}\"", spot.angle, spot.value))
+                             : std::string(),
+                         marker_svg(series.marker, spot.at, true));
   }
   if (!outline.empty()) outline.push_back(outline.front());
-  return "<g class=\"series s" + std::to_string(series.colour) + "\" data-key=\"" + std::to_string(key) +
-         (place == Place::page ? "\" data-name=\"" + escaped(markup_to_text(series.name)) : std::string()) +
-         "\"><path class=\"line\" d=\"" + path_data(outline) + "\"" + dash_attribute(series.line) + "/>" + marks +
-         "</g>\n";
+  return fmt::format("<g class=\"series s{}\" data-key=\"{}{}\"><path class=\"line\" d=\"{}\"{}/>{}</g>\n",
+                     series.colour, key,
+                     place == Place::page ? "\" data-name=\"" + escaped(markup_to_text(series.name)) : std::string(),
+                     path_data(outline), dash_attribute(series.line), marks);
 }
 
 }  // namespace

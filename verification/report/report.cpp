@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/report/report.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -31,7 +33,7 @@ void require_verdict(const View& judged) {
   const std::string verdict = value.text();
   constexpr std::size_t shown = 60;
   if (verdict != "pass" && verdict != "fail" && verdict != "inconclusive")
-    refuse(value.path(), "\"" + shortened(verdict, shown) + "\" is no verdict; required is " + allowed);
+    refuse(value.path(), fmt::format("\"{}\" is no verdict; required is {}", shortened(verdict, shown), allowed));
 }
 
 void require_rung(const View& row) {

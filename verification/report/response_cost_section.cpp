@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The results of `ehd bench`, continued: what a frequency of a contact costs, and a bearing's motion beside its
 // balance.
+#include <fmt/format.h>
+
 #include <map>
 #include <utility>
 
@@ -24,7 +26,7 @@ Figure cost_figure(const std::vector<View>& rows) {
     const auto time = row.number("frequency_s"), c = row.number("c_s"), error = row.number("achieved");
     const auto L = row.number("L");
     if (!L || !time || !c || !error || !(*time > 0) || !(*error > 0)) continue;
-    const std::string name = "M = " + row.cell("M") + ", to " + row.cell("tolerance", 2);
+    const std::string name = fmt::format("M = {}, to {}", row.cell("M"), row.cell("tolerance", 2));
     const auto [at, added] = curves.try_emplace(name, cost.series.size());
     if (added) {
       const Look look = look_of_curve(at->second);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The results of `ehd bench`, continued: cost over the size of the grid, and many contacts in threads.
+#include <fmt/format.h>
+
 #include <map>
 
 #include "verification/report/report.hpp"
@@ -34,7 +36,7 @@ void add_curves_of_size(Page& page, const View& bench, const std::vector<View>& 
     for (const View& row : rows) {
       const auto n = row.number("nodes_asked"), value = row.number(one.key);
       if (!n || !value || row.text("status") != "converged") continue;
-      const std::string name = row.text("solver") + ", M = " + row.cell("M") + ", L = " + row.cell("L");
+      const std::string name = fmt::format("{}, M = {}, L = {}", row.text("solver"), row.cell("M"), row.cell("L"));
       if (!at.contains(name)) {
         Look look = look_of_solver(bench, row.text("solver"));
         if (of_solver[row.text("solver")]++ > 0) look.line = Line::solid;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/report/shapes.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -79,22 +81,22 @@ std::string path_data(const std::vector<Point>& points) {
   if (points.size() < 2) return "";
   std::string d;
   for (std::size_t i = 0; i < points.size(); ++i)
-    d += (i == 0 ? "M" : "L") + pixels(points[i].x) + " " + pixels(points[i].y);
+    d += fmt::format("{}{} {}", i == 0 ? "M" : "L", pixels(points[i].x), pixels(points[i].y));
   return d;
 }
 
 std::string marker_svg(Marker marker, Point at, bool hollow) {
   const std::string css = std::string(" class=\"mark") + (hollow ? " hollow" : "") + "\"";
   const auto shape = [&](const std::vector<Point>& corners) {
-    return "<path" + css + " d=\"" + path_data(corners) + "Z\"/>";
+    return fmt::format("<path{} d=\"{}Z\"/>", css, path_data(corners));
   };
   const auto strokes = [&](Point a, Point b, Point c, Point d) {
-    return "<path" + css + " d=\"" + path_data({a, b}) + path_data({c, d}) + "\"/>";
+    return fmt::format("<path{} d=\"{}{}\"/>", css, path_data({a, b}), path_data({c, d}));
   };
   const double x = at.x, y = at.y;
   switch (marker) {
     case Marker::none: return "";
-    case Marker::circle: return "<circle" + css + " cx=\"" + pixels(x) + "\" cy=\"" + pixels(y) + "\" r=\"3.2\"/>";
+    case Marker::circle: return fmt::format("<circle{} cx=\"{}\" cy=\"{}\" r=\"3.2\"/>", css, pixels(x), pixels(y));
     case Marker::square: return shape({{x - 3, y - 3}, {x + 3, y - 3}, {x + 3, y + 3}, {x - 3, y + 3}});
     case Marker::triangle: return shape({{x, y - 4}, {x + 3.6, y + 2.8}, {x - 3.6, y + 2.8}});
     case Marker::diamond: return shape({{x, y - 4.2}, {x + 4.2, y}, {x, y + 4.2}, {x - 4.2, y}});
@@ -117,9 +119,9 @@ std::string dash_attribute(Line line) {
 
 std::string text_svg(Point at, const std::string& markup, const std::string& anchor, const std::string& css,
                      const std::string& more) {
-  return "<text x=\"" + pixels(at.x) + "\" y=\"" + pixels(at.y) + "\"" +
-         (anchor == "start" ? "" : " text-anchor=\"" + anchor + "\"") + (css.empty() ? "" : " class=\"" + css + "\"") +
-         more + ">" + markup_to_svg(markup) + "</text>";
+  return fmt::format("<text x=\"{}\" y=\"{}\"{}{}{}>{}</text>", pixels(at.x), pixels(at.y),
+                     anchor == "start" ? "" : " text-anchor=\"" + anchor + "\"",
+                     css.empty() ? "" : " class=\"" + css + "\"", more, markup_to_svg(markup));
 }
 
 Point LegendRows::next(double width) {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The results of `ehd stress`: a table and a verdict for each part.
+#include <fmt/format.h>
+
 #include "verification/report/report.hpp"
 
 namespace ehd::report {
@@ -32,8 +34,8 @@ std::string details_of(const View& part) {
   if (const View tolerance = part["tolerance"]; tolerance.exists()) {
     const std::string reason = tolerance.text("reason");
     text += "<p>" +
-            escaped("Tolerance " + tolerance.cell("value", 3) + ", " + tolerance.text("basis") +
-                    (reason.empty() ? "" : ": " + reason)) +
+            escaped(fmt::format("Tolerance {}, {}{}", tolerance.cell("value", 3), tolerance.text("basis"),
+                                reason.empty() ? "" : ": " + reason)) +
             ".</p>\n";
   }
   for (const View& failure : part.list("failures"))
@@ -54,7 +56,7 @@ void add_stress(Page& page, const View& stress) {
   Table table;
   table.columns = {"part", "question", "verdict", "in numbers", "time [s]"};
   for (const View& part : stress.list("parts")) {
-    const std::string name = "(" + escaped(part.text("id")) + ") " + escaped(part.text("name"));
+    const std::string name = fmt::format("({}) {}", escaped(part.text("id")), escaped(part.text("name")));
     const Opener opener = page.opener("stress-" + part.text("id"), name, "Rows of " + name, details_of(part));
     table.rows.push_back({{opener.link, ""},
                           {escaped(part.text("question")), "wide"},

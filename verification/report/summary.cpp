@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The top of the page: a sentence about everything that is judged, and the table of what was verified.
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "io/duration.hpp"
@@ -43,8 +45,8 @@ void add_headline(Page& page, const View& results, const std::vector<std::string
                         : !all_stand    ? "<b>Not every claim stands.</b> "
                         : wrong.empty() ? "<b>Every claim stands.</b> "
                                         : "<b>Every claim stands, but not everything on this page does.</b> ";
-  verdict += count("pass") + " pass, " + count("fail") + " fail, " + count("inconclusive") + " inconclusive, " +
-             std::to_string(results.list("skipped").size()) + " skipped";
+  verdict += fmt::format("{} pass, {} fail, {} inconclusive, {} skipped", count("pass"), count("fail"),
+                         count("inconclusive"), results.list("skipped").size());
   if (summary.has("wall_s")) verdict += "; " + duration(*summary.number("wall_s"));
   if (summary.has("threads")) verdict += " on " + escaped(summary.cell("threads")) + " threads";
   if (summary.flag("quick").value_or(false)) verdict += "; the quick suite: slow topics are skipped";

@@ -154,7 +154,7 @@ std::string markup_to_svg(std::string_view markup) {
     }
     if (run.level != 0) attributes += " font-size=\"75%\"";
     if (run.italic) attributes += " font-style=\"italic\"";
-    result += attributes.empty() ? escaped(text) : "<tspan" + attributes + ">" + escaped(text) + "</tspan>";
+    result += attributes.empty() ? escaped(text) : fmt::format("<tspan{}>{}</tspan>", attributes, escaped(text));
     level = run.level;
   }
   return result;
@@ -233,34 +233,39 @@ std::string picture_style() {
       "svg.plot .hollow{fill:var(--paper)}";
   for (int i = 1; i <= 6; ++i) {
     const std::string n = std::to_string(i);
-    style += "svg.plot .s" + n + " .line{stroke:var(--s" + n + ")}" + "svg.plot .s" + n + " .mark{fill:var(--s" + n +
-             ");stroke:var(--s" + n + ");stroke-width:1.2}" + "svg.plot .s" + n + " .mark.hollow{fill:var(--paper)}" +
-             "svg.plot .s" + n + " .label{fill:var(--s" + n + ")}";
+    style += fmt::format(
+        "svg.plot .s{} .line{{stroke:var(--s{})}}svg.plot .s{} "
+        ".mark{{fill:var(--s{});stroke:var(--s{});stroke-width:1.2}}svg.plot .s{} "
+        ".mark.hollow{{fill:var(--paper)}}svg.plot .s{} .label{{fill:var(--s{})}}",
+        n, n, n, n, n, n, n, n);
   }
   return style;
 }
 
 std::string picture(const Picture& frame, const std::string& content, Place place) {
   const std::string id = escaped(frame.id), width = pixels(frame.width), height = pixels(frame.height);
-  std::string result = "<svg class=\"plot\" id=\"" + id + "\" role=\"img\" viewBox=\"0 0 " + width + " " + height +
-                       "\" aria-labelledby=\"" + id + "-title " + id + "-desc\"";
+  std::string result = fmt::format(
+      "<svg class=\"plot\" id=\"{}\" role=\"img\" viewBox=\"0 0 {} {}\" aria-labelledby=\"{}-title {}-desc\"", id,
+      width, height, id, id);
   if (place == Place::file) {
-    result = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + result +
-             " xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width + "\" height=\"" + height + "\"";
+    result = fmt::format(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n{} xmlns=\"http://www.w3.org/2000/svg\" width=\"{}\" "
+        "height=\"{}\"",
+        result, width, height);
   } else {
     std::string axes;
     for (const std::string& one : frame.axes)
       axes += (axes.empty() ? "" : "|") + replaced(markup_to_text(one), "|", "/");
-    result += (axes.empty() ? "" : " data-axes=\"" + escaped(axes) + "\"") +
-              " style=\"max-width:" + pixels(1.2 * frame.width) + "px\"";
+    result += fmt::format("{} style=\"max-width:{}px\"", axes.empty() ? "" : " data-axes=\"" + escaped(axes) + "\"",
+                          pixels(1.2 * frame.width));
   }
-  result += ">\n<title id=\"" + id + "-title\">" + escaped(frame.title) + "</title><desc id=\"" + id + "-desc\">" +
-            escaped(frame.description) + "</desc>\n";
+  result += fmt::format(">\n<title id=\"{}-title\">{}</title><desc id=\"{}-desc\">{}</desc>\n", id,
+                        escaped(frame.title), id, escaped(frame.description));
   if (place == Place::file) {
     std::string style = picture_style();
     for (const auto& [name, value] : variables(light_colours())) style = replaced(style, "var(" + name + ")", value);
     result +=
-        "<style>" + style + "</style>\n<rect width=\"" + width + "\" height=\"" + height + "\" fill=\"#ffffff\"/>\n";
+        fmt::format("<style>{}</style>\n<rect width=\"{}\" height=\"{}\" fill=\"#ffffff\"/>\n", style, width, height);
   }
   return result + content + "</svg>\n";
 }

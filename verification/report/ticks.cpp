@@ -25,7 +25,7 @@ std::string fixed(double value, int decimals) {
 
 std::string power_label(int exponent, bool plainly) {
   if (plainly) return exponent >= 0 ? fixed(std::pow(10, exponent), 0) : fixed(std::pow(10, exponent), -exponent);
-  return "10^{" + std::string(exponent < 0 ? "\u2212" : "") + std::to_string(std::abs(exponent)) + "}";
+  return fmt::format("10^{{{}{}}}", exponent < 0 ? "\u2212" : "", std::abs(exponent));
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The results of `ehd bench`: time against achieved error, in the manner of the SciML benchmarks (error to the right,
 // time upwards, both logarithmic, a line a solver, failures as rows), and ratios of times at equal error.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -117,8 +119,8 @@ void add_ratios(Page& page, const View& result) {
   for (const std::string& name : names) {
     for (const Quantity& quantity : quantities) {
       Figure figure{
-          .id = "fig-ratio-" + name + "-" + quantity.key,
-          .title = "Ratio of times " + name + " at equal error of " + quantity.key,
+          .id = fmt::format("fig-ratio-{}-{}", name, quantity.key),
+          .title = fmt::format("Ratio of times {} at equal error of {}", name, quantity.key),
           .description =
               "Time of the first solver over that of the second, over the error that both achieve; a curve a case."};
       Panel panel;
@@ -188,8 +190,8 @@ std::string case_figures(Page& page, const View& bench, const std::vector<View>&
   for (const Quantity& quantity : quantities) {
     std::size_t failed = 0;
     Figure figure{
-        .id = "fig-work-" + id + "-" + quantity.key,
-        .title = "Work and precision: " + id + ", " + quantity.key,
+        .id = fmt::format("fig-work-{}-{}", id, quantity.key),
+        .title = fmt::format("Work and precision: {}, {}", id, quantity.key),
         .description = "Time of a solve over its achieved relative error, a curve a solver, both axes logarithmic."};
     figure.width = 360;  // three side by side
     Panel panel = precision_panel(bench, rows, id, quantity, failed);
@@ -197,12 +199,12 @@ std::string case_figures(Page& page, const View& bench, const std::vector<View>&
     panel.title = literal(id);
     figure.panels.push_back(std::move(panel));
     std::string caption =
-        "<b>" + escaped(id) + "</b>, " + escaped(quantity.key) + "; truth: " + escaped(truth.text("solver"));
+        fmt::format("<b>{}</b>, {}; truth: {}", escaped(id), escaped(quantity.key), escaped(truth.text("solver")));
     if (const auto error = truth[quantity.key].number("error"))
       caption += ", to " + markup_to_html(number_markup(*error, 2));
     if (failed > 0)
-      caption += "; " + std::to_string(failed) +
-                 (failed == 1 ? " run did not converge and is" : " runs did not converge and are") + " not drawn";
+      caption += fmt::format("; {}{} not drawn", failed,
+                             failed == 1 ? " run did not converge and is" : " runs did not converge and are");
     html += page.figure_html(std::move(figure), caption + ".");
   }
   return html;

@@ -2,6 +2,8 @@
 // (i) Ten thousand random bearings. Every dry law balances all of them. The laws with films balance those in their
 // domain, and refuse others with a reason. Every balance is checked by bisection. The error that a film curve states
 // below its lightest contact is held against contacts there that the curve has not seen.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -217,7 +219,7 @@ void add(BearingRow& row, const Outcome& outcome, const std::string& name) {
     ++row.refused_outside;
     const auto same_kind = [&](const std::string& reason) { return reason.starts_with(outcome.outside); };
     if (std::none_of(row.reasons.begin(), row.reasons.end(), same_kind))
-      row.reasons.push_back(outcome.outside + " (" + name + ": " + outcome.why + ")");
+      row.reasons.push_back(fmt::format("{} ({}: {})", outcome.outside, name, outcome.why));
   }
 }
 
@@ -238,7 +240,7 @@ std::vector<BearingRow> run_bearings(const Scope& scope) {
       for (Outcome& outcome : of_films(drawn, seed, i < bearings_with_unseen))
         outcomes[i].push_back(std::move(outcome));
     const std::lock_guard guard(lock);
-    if (++done % 100 == 0) scope.show("random bearings: " + std::to_string(done) + " of " + std::to_string(bearings));
+    if (++done % 100 == 0) scope.show(fmt::format("random bearings: {} of {}", done, bearings));
   });
   std::vector<BearingRow> rows;
   for (const bearing::Law law : dry) rows.push_back({.law = std::string(to_string(law))});
@@ -277,32 +279,34 @@ Part judge_bearings(const std::vector<BearingRow>& rows) {
     tally.add(row.worst_bisection, 0, balance, row.law + ", against bisection");
     if (!law || !needs_film(*law)) {
       tally.require(row.tried > 0 && row.balanced == row.tried,
-                    row.law + ": " + std::to_string(row.balanced) + " of " + std::to_string(row.tried) + " balance");
+                    fmt::format("{}: {} of {} balance", row.law, row.balanced, row.tried));
     } else {
       // At least 99 % of all tried balance, so that a narrow domain cannot hide refusals. No refused one lies inside
       // it.
       constexpr double least_share = 0.99;
       tally.require(row.tried > 0 && static_cast<double>(row.balanced) >= least_share * static_cast<double>(row.tried),
-                    row.law + ": " + std::to_string(row.balanced) + " of " + std::to_string(row.tried) + " balance");
+                    fmt::format("{}: {} of {} balance", row.law, row.balanced, row.tried));
       tally.require(row.refused_inside == 0,
-                    row.law + ": " + std::to_string(row.refused_inside) + " refused inside the domain");
+                    fmt::format("{}: {} refused inside the domain", row.law, row.refused_inside));
       tally.add(holds_in_time(row.limits == 0, row.limits == row.late),
-                row.law + ": " + std::to_string(row.limits) + " ended by a limit");
-      tally.require(row.missed_inside == 0, row.law + ": " + std::to_string(row.missed_inside) +
-                                                " with contacts that missed their tolerance, inside the domain");
+                fmt::format("{}: {} ended by a limit", row.law, row.limits));
+      tally.require(row.missed_inside == 0,
+                    fmt::format("{}: {} with contacts that missed their tolerance, inside the domain", row.law,
+                                row.missed_inside));
     }
     if (law && std::holds_alternative<bearing::FromCurves>(bearing::row_of(*law).make)) {
       tally.require(row.unseen >= fewest_unseen,
-                    row.law + ": " + std::to_string(row.unseen) + " unseen contacts below the curves");
-      tally.require(row.worst_unseen <= 1, row.law + ": an unseen contact is " + plain(row.worst_unseen, 3) +
-                                               " times the stated error off its curve");
+                    fmt::format("{}: {} unseen contacts below the curves", row.law, row.unseen));
+      tally.require(row.worst_unseen <= 1,
+                    fmt::format("{}: an unseen contact is {} times the stated error off its curve", row.law,
+                                plain(row.worst_unseen, 3)));
     }
     for (const std::string& one : row.inside) inside.push_back(row.law + ", " + one);
   }
   tally.close(part);
   part.failures.insert(part.failures.end(), inside.begin(), inside.end());
-  part.summary = std::to_string(balanced) + " of " + std::to_string(all) + " balances found; " +
-                 std::to_string(tally.passed()) + " of " + std::to_string(tally.judged()) + " requirements met";
+  part.summary =
+      fmt::format("{} of {} balances found; {} of {} requirements met", balanced, all, tally.passed(), tally.judged());
   return part;
 }
 

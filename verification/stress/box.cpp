@@ -36,8 +36,7 @@ Verdict judge_point(const BoxPoint& point, Tally& tally) {
   const Ended &one = point.reference, &two = point.fast;
   if (!one.finite || !two.finite) return tally.require(false, where + ": a number is not finite");
   const bool both = one.status == StopReason::converged && two.status == StopReason::converged;
-  const std::string said =
-      point.dense + " " + std::string(to_string(one.status)) + ", fast " + std::string(to_string(two.status));
+  const std::string said = fmt::format("{} {}, fast {}", point.dense, to_string(one.status), to_string(two.status));
   for (const Ended* end : {&one, &two}) {
     if (end->status == StopReason::converged && !end->has_films())
       return tally.require(false, where + ": converged without a film");
@@ -54,7 +53,7 @@ Verdict judge_point(const BoxPoint& point, Tally& tally) {
   }
   if (!one.has_films() || !two.has_films())
     return both || (one.has_films() || two.has_films())
-               ? tally.add(Verdict::inconclusive, where + ": nothing to hold the film against (" + said + ")")
+               ? tally.add(Verdict::inconclusive, fmt::format("{}: nothing to hold the film against ({})", where, said))
                : tally.add(Verdict::pass, where);  // refused by both
   double differ = 0, stated = 0;
   for (std::size_t k = 0; k < 2; ++k) {
@@ -62,10 +61,10 @@ Verdict judge_point(const BoxPoint& point, Tally& tally) {
     for (const Ended* end : {&one, &two})
       if (end->status != StopReason::converged) stated = worse(stated, *end->error[k]);
   }
-  const std::string what = where + " (" + said + "), difference of the films";
+  const std::string what = fmt::format("{} ({}), difference of the films", where, said);
   if (differ > 2 * asked + widest && differ <= 2 * asked + stated)
-    return tally.add(Verdict::inconclusive, what + ": " + plain(differ, 3) + ", within an error of " +
-                                                plain(stated, 3) + " that says nothing");
+    return tally.add(Verdict::inconclusive, fmt::format("{}: {}, within an error of {} that says nothing", what,
+                                                        plain(differ, 3), plain(stated, 3)));
   return tally.add(
       differ, 0,
       Tolerance::required(2 * asked + stated, "what was asked of both, and what one that did not converge states"),

@@ -5,6 +5,8 @@
 //
 // Rounding of a film on n equal cells from X_a: terms of size 1 + X_a^2/2 in a sum of n products, relative to the film,
 // plus what the iteration leaves. This rounding over the step bounds the error of a difference quotient.
+#include <fmt/format.h>
+
 #include <array>
 #include <cmath>
 #include <map>
@@ -208,7 +210,7 @@ Part judge_condition(const std::vector<ConditionRow>& rows) {
   Tally tally;
   double largest = 0, worst_slope = 0, worst_ulp = 0;
   for (const ConditionRow& row : rows) {
-    const std::string where = row.contact + ", " + row.solver + ", " + row.quantity;
+    const std::string where = fmt::format("{}, {}, {}", row.contact, row.solver, row.quantity);
     part.table.rows.push_back({row.contact, row.solver, row.quantity, row.amplification[0], row.large_step[0],
                                row.amplification[1], row.large_step[1], row.by_groups[1], row.ulp_move[0],
                                row.ulp_move[1], row.floor});
@@ -238,9 +240,10 @@ Part judge_condition(const std::vector<ConditionRow>& rows) {
     }
   }
   tally.close(part);
-  part.summary = "largest amplification " + plain(largest, 3) + "; 1e-8 and 1e-3 agree within " +
-                 plain(worst_slope, 2) + " of what rounding allows, one ulp moves films by at most " +
-                 plain(worst_ulp, 2) + " of condition x ulp + rounding";
+  part.summary = fmt::format(
+      "largest amplification {}; 1e-8 and 1e-3 agree within {} of what rounding allows, one ulp moves films by at most "
+      "{} of condition x ulp + rounding",
+      plain(largest, 3), plain(worst_slope, 2), plain(worst_ulp, 2));
   return part;
 }
 

@@ -190,8 +190,8 @@ std::vector<ExtremeRow> hurried(const Scope& scope) {
   for (const RegisteredSolver& solver : solvers()) {
     for (const Limit& limit : limits) {
       ExtremeRow row{.kind = limits_kind,
-                     .what = solver.name + ", tolerance " + plain(limit.tolerance) + ", " + plain(limit.seconds) +
-                             " s, " + std::to_string(limit.iterations) + " iterations"};
+                     .what = fmt::format("{}, tolerance {}, {} s, {} iterations", solver.name, plain(limit.tolerance),
+                                         plain(limit.seconds), limit.iterations)};
       row.time_limit_s = limit.seconds > 0 ? limit.seconds : 0;
       const Stopwatch watch;
       try {
@@ -313,17 +313,17 @@ void judge_end(const ExtremeRow& row, const std::string& where, Sum& sum, Counts
             where + ", seconds");
   counts.not_finite += end.finite ? 0 : 1;
   counts.late += row.wall_s <= row.time_limit_s + slack_s ? 0 : 1;
-  tally.require(end.finite, where + ": a number is not finite (" + status + ")");
+  tally.require(end.finite, fmt::format("{}: a number is not finite ({})", where, status));
   if (converged) {
     tally.require(end.has_films() && *end.film[0] > 0 && *end.film[1] > 0,
                   where + ": converged without a positive film");
     return;
   }
   ++counts.refused;
-  tally.require(!end.reason.empty(), where + ": ended as " + status + " without a reason");
+  tally.require(!end.reason.empty(), fmt::format("{}: ended as {} without a reason", where, status));
   if (row.kind != limits_kind)
     tally.add(holds_in_time(!row.inside, out_of_time(end.status, row.wall_s, row.time_limit_s)),
-              where + ": ended as " + status + " inside the box");
+              fmt::format("{}: ended as {} inside the box", where, status));
 }
 
 void judge_against_other(const ExtremeRow& row, const std::string& where, Sum& sum, Counts& counts, Tally& tally) {

@@ -212,7 +212,7 @@ std::vector<Cell> cells_of(const GridRow& row) {
 /// How the solve ended: as the head of this file allows.
 void judge_end(const GridRow& row, Counts& counts, Tally& tally) {
   const std::string where = place_of(row), status(to_string(row.status));
-  const std::string end = where + ": " + status + " (" + row.why + ")";
+  const std::string end = fmt::format("{}: {} ({})", where, status, row.why);
   const bool converged = row.status == StopReason::converged, under_resolved = row.status == StopReason::under_resolved;
   const bool equal_cells = on_equal_cells(*find_solver(row.solver));
   const bool fine_enough =
@@ -230,12 +230,13 @@ void judge_end(const GridRow& row, Counts& counts, Tally& tally) {
     const bool missed = under_resolved || row.status == StopReason::tolerance_not_met;
     const bool too_few = under_resolved && row.nodes < fewest_with_a_film;
     tally.require(converged || too_few || (missed && has_bars(row)),
-                  end + ", " + (has_bars(row) ? "with" : "without") + " films and errors");
+                  fmt::format("{}, {} films and errors", end, has_bars(row) ? "with" : "without"));
   }
   if (row.cells > 0 && row.cells < surely_blind) {
     ++counts.blind;
     counts.called += under_resolved ? 1 : 0;
-    tally.require(under_resolved, where + ": " + plain(row.cells, 2) + " cells in the inlet zone, but " + status);
+    tally.require(under_resolved,
+                  fmt::format("{}: {} cells in the inlet zone, but {}", where, plain(row.cells, 2), status));
   }
   if (row.cells > surely_seeing) tally.require(converged || !fine_enough, end);
 }

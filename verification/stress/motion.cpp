@@ -48,8 +48,9 @@ MotionPoint drawn_point(Draw& draw) {
 
 std::string name_of(const MotionPoint& point) {
   const auto* cut = std::get_if<TruncatedAt>(&point.contact.inlet);
-  return point.contact.name() + (cut ? ", cut at " + plain(cut->x) : ", flooded") + ", Omega = " + plain(point.Omega) +
-         ", wave of " + plain(point.waviness.wavelength) + " b at slip " + plain(point.waviness.slip);
+  return fmt::format("{}{}, Omega = {}, wave of {} b at slip {}", point.contact.name(),
+                     cut ? ", cut at " + plain(cut->x) : ", flooded", plain(point.Omega),
+                     plain(point.waviness.wavelength), plain(point.waviness.slip));
 }
 
 MotionNumber compared(std::complex<double> value, double stated, std::complex<double> truth, double truth_error) {

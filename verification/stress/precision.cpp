@@ -4,6 +4,8 @@
 // - reference.uniform and fast.uniform: equal cells. Their code is written in double, so their equations (README.md of
 //   reference/) are written again here for any scalar; only the laws are shared. Both solvers have one truth.
 // In the longer scalars chord steps with an LU in double are enough, because the residual decides the solution.
+#include <fmt/format.h>
+
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -361,7 +363,7 @@ Part judge_precision(const std::vector<PrecisionRow>& rows) {
   Tally tally;
   double worst = 0, largest = 0;
   for (const PrecisionRow& row : rows) {
-    const std::string where = row.contact + ", " + row.equations + ", " + row.arithmetic;
+    const std::string where = fmt::format("{}, {}, {}", row.contact, row.equations, row.arithmetic);
     part.table.rows.push_back({row.contact, row.equations, row.arithmetic, row.unknowns, row.condition, row.minimum,
                                row.central, row.pressure, row.tolerance, row.contraction});
     if (!row.tolerance) {
@@ -376,8 +378,8 @@ Part judge_precision(const std::vector<PrecisionRow>& rows) {
     if (row.arithmetic == "double") keep_larger(part.tolerance, *row.tolerance);
   }
   tally.close(part);
-  part.summary = "films in double are at most " + plain(largest, 2) + " from those of 34 digits, every row within " +
-                 plain(worst, 2) + " of its bound";
+  part.summary = fmt::format("films in double are at most {} from those of 34 digits, every row within {} of its bound",
+                             plain(largest, 2), plain(worst, 2));
   return part;
 }
 

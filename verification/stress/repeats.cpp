@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // (h) The same problem again: in this thread, in two threads, in another process. Every bit is compared, except times.
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "contact/text.hpp"
@@ -110,7 +112,7 @@ Part judge_repeats(const std::vector<RepeatRow>& rows) {
   for (const RepeatRow& row : rows) {
     part.table.rows.push_back(
         {row.solver, row.request, row.contacts, row.converged, row.same_again, row.same_in_two, row.same_in_process});
-    const std::string where = row.solver + ", " + row.request + ": ";
+    const std::string where = fmt::format("{}, {}: ", row.solver, row.request);
     if (row.contacts == 0 || row.converged == 0) {
       tally.add(Verdict::inconclusive, where + "no contact was solved");
       continue;
@@ -129,8 +131,7 @@ Part judge_repeats(const std::vector<RepeatRow>& rows) {
     }
   }
   tally.close(part);
-  part.summary = std::to_string(same) + " of " + std::to_string(solves) +
-                 " repeated solves are the same bit for bit, every solver";
+  part.summary = fmt::format("{} of {} repeated solves are the same bit for bit, every solver", same, solves);
   return part;
 }
 

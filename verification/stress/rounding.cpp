@@ -6,6 +6,8 @@
 // of 4 eps each (rung 2). The bound is twice that, because the mode and rounding to nearest both err, plus what the
 // iteration leaves. Solvers that fit their grids to the solution may choose another grid: their films may move by the
 // sum of the errors that both runs state.
+#include <fmt/format.h>
+
 #include <cfenv>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -150,7 +152,7 @@ Part judge_rounding(const std::vector<RoundingRow>& rows) {
     const bool is_directed = row.mode != modes[0].name;
     directed += is_directed ? 1 : 0;
     moved += is_directed && (row.minimum != 0 || row.central != 0) ? 1 : 0;
-    const std::string where = row.solver + ", " + row.contact + ", " + row.mode;
+    const std::string where = fmt::format("{}, {}, {}", row.solver, row.contact, row.mode);
     part.table.rows.push_back({row.solver, row.contact, row.mode, to_string(row.status), row.minimum, row.central,
                                row.tolerance, row.to_rounding ? "operations x condition" : "stated errors"});
     tally.add(holds_in_time(row.status == StopReason::converged, row.late),
@@ -172,9 +174,9 @@ Part judge_rounding(const std::vector<RoundingRow>& rows) {
   if (directed == 0 || moved == 0)
     tally.add(Verdict::inconclusive, "not one bit of one film moves in a directed mode: it cannot have been in force");
   tally.close(part);
-  part.summary = std::to_string(converged) + " of " + std::to_string(rows.size()) +
-                 " solves converge; films on fixed grids move by at most " + plain(farthest, 2) +
-                 ", every film by at most " + plain(worst, 2) + " of its bound";
+  part.summary = fmt::format(
+      "{} of {} solves converge; films on fixed grids move by at most {}, every film by at most {} of its bound",
+      converged, rows.size(), plain(farthest, 2), plain(worst, 2));
   return part;
 }
 

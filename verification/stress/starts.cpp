@@ -4,6 +4,8 @@
 // - reference.uniform and fast.uniform: on 128 equal cells, inlet cut at -4;
 // - reference: its collocation on one mesh, with 1e-2 as the floor of the fluidity, where the solver itself begins;
 // - fast: from a made-up neighbour. The films must be those of a cold start within the stated errors.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -245,7 +247,7 @@ std::vector<StartRow> run_starts(const Scope& scope) {
   using Maker = Level (*)(const Problem&);
   const Maker makers[] = {of_reference_uniform, of_fast_uniform, of_reference, of_fast};
   std::vector<StartRow> rows(contacts.size() * std::size(makers) * std::size(families));
-  scope.show(std::to_string(rows.size()) + " x " + std::to_string(starts) + " starts");
+  scope.show(fmt::format("{} x {} starts", rows.size(), starts));
   in_threads(rows.size(), scope.threads, [&](std::size_t index) {
     const auto family_at = index % std::size(families), maker_at = index / std::size(families) % std::size(makers);
     const BoxContact& contact = contacts[index / std::size(families) / std::size(makers)];
@@ -281,7 +283,7 @@ Part judge_starts(const std::vector<StartRow>& rows) {
   for (const StartRow& row : rows) {
     part.table.rows.push_back(
         {row.level, row.contact, row.family, row.starts, row.converged, row.worst, row.tolerance});
-    const std::string where = row.level + ", " + row.contact + ", " + row.family;
+    const std::string where = fmt::format("{}, {}, {}", row.level, row.contact, row.family);
     starts += row.starts;
     converged += row.converged;
     tally.require(row.dishonest == 0, where + ": numbers that are not finite in what is called solved");
@@ -298,9 +300,9 @@ Part judge_starts(const std::vector<StartRow>& rows) {
     if (row.tolerance && row.level.ends_with("Newton")) keep_larger(part.tolerance, *row.tolerance);
   }
   tally.close(part);
-  part.summary = std::to_string(converged) + " of " + std::to_string(starts) +
-                 " random starts converge, to the same solution (at most " + plain(worst, 2) +
-                 " of the tolerance); the others fail honestly";
+  part.summary = fmt::format(
+      "{} of {} random starts converge, to the same solution (at most {} of the tolerance); the others fail honestly",
+      converged, starts, plain(worst, 2));
   return part;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/stress/stress.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <exception>
@@ -73,8 +75,9 @@ Verdict Tally::add(Verdict verdict, const std::string& what) {
 
 Verdict Tally::add(double error, double uncertainty, const Tolerance& tolerance, const std::string& what) {
   return add(judge(error, uncertainty, tolerance),
-             what + ": " + plain(error, 3) + (uncertainty > 0 ? " +- " + plain(uncertainty, 3) : "") + " against " +
-                 plain(tolerance.value(), 3) + " (" + tolerance.basis() + ": " + tolerance.reason() + ")");
+             fmt::format("{}: {}{} against {} ({}: {})", what, plain(error, 3),
+                         uncertainty > 0 ? " +- " + plain(uncertainty, 3) : "", plain(tolerance.value(), 3),
+                         tolerance.basis(), tolerance.reason()));
 }
 
 Verdict Tally::require(bool holds, const std::string& what) { return add(holds ? Verdict::pass : Verdict::fail, what); }
@@ -178,7 +181,8 @@ Json to_json(const std::vector<Part>& parts, double wall_s) {
 
 std::string human_text(const Part& part) {
   std::vector<std::vector<std::string>> rows(1);
-  for (const auto& [name, unit] : part.table.columns) rows[0].push_back(unit.empty() ? name : name + " [" + unit + "]");
+  for (const auto& [name, unit] : part.table.columns)
+    rows[0].push_back(unit.empty() ? name : fmt::format("{} [{}]", name, unit));
   std::size_t left = part.table.columns.size();  // columns of text
   for (const auto& row : part.table.rows) {
     rows.emplace_back();
@@ -187,10 +191,9 @@ std::string human_text(const Part& part) {
         std::find_if(row.begin(), row.end(), [](const Cell& cell) { return std::holds_alternative<double>(cell); });
     left = std::min(left, static_cast<std::size_t>(number - row.begin()));
   }
-  std::string text = "(" + part.id + ") " + part.name + ": " + part.question + "\n" + aligned(rows, left, "  ");
+  std::string text = fmt::format("({}) {}: {}\n{}", part.id, part.name, part.question, aligned(rows, left, "  "));
   for (const auto& failure : part.failures) text += "  " + one_line(failure) + "\n";
-  return text + "  " + std::string(to_string(part.verdict)) + " in " + plain(part.wall_s, 2) + " s: " + part.summary +
-         "\n\n";
+  return fmt::format("{}  {} in {} s: {}\n\n", text, to_string(part.verdict), plain(part.wall_s, 2), part.summary);
 }
 
 std::string human_summary(const std::vector<Part>& parts) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/studies/box.hpp"
 
+#include <fmt/format.h>
+
 #include "contact/text.hpp"
 
 namespace ehd::verification {
@@ -23,7 +25,7 @@ Problem problem_at(MoesGroups moes, bool roelands, Inlet inlet) {
 double hertz_pressure_Pa(const Groups& groups) { return groups.alpha_p_H / oil_alpha_per_Pa; }
 
 std::string BoxContact::name() const {
-  return "M = " + plain(moes.M) + ", L = " + plain(moes.L) + ", " + law_name(roelands);
+  return fmt::format("M = {}, L = {}, {}", plain(moes.M), plain(moes.L), law_name(roelands));
 }
 
 std::vector<BoxContact> contacts_of(const Box& box) {

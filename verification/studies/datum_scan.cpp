@@ -193,7 +193,7 @@ std::string words_of(const DatumScan& scan, const DatumScan::Ranges& ranges, int
   };
   std::string words;
   for (const auto& [low, high] : ranges)
-    words += (words.empty() ? "" : ", ") + end(low, true) + " to " + end(high, false) + " mm";
+    words += fmt::format("{}{} to {} mm", words.empty() ? "" : ", ", end(low, true), end(high, false));
   return words.empty() ? "nowhere" : words;
 }
 
@@ -223,7 +223,7 @@ std::string human_data(const std::vector<DatumRow>& rows, const DatumScan& scan)
       "in steps of {:.2g} %, ends to {:.2g} %; what is narrower than a step may be missed:\n",
       1e3 * scan.lowest_m, 1e3 * scan.highest_m, 100 * (scan.step - 1), 100 * (scan.precision - 1));
   const auto line = [&](const std::string& what, const DatumScan::Ranges& list) {
-    text += "    " + what + ": " + words_of(scan, list) + "\n";
+    text += fmt::format("    {}: {}\n", what, words_of(scan, list));
   };
   const std::string close = plain(100 * close_load) + " %", similar = plain(100 * similar_load) + " %";
   line("there is a balance", scan.balanced_m);

@@ -61,7 +61,7 @@ FilmMaps film_maps(const AtlasTable& table) {
   FilmMaps maps{.source = "cases/atlas/atlas.csv", .M = {}, .L = {}, .points = {}};
   std::set<double> all_M, all_L;
   std::map<std::string, const Row*> cut;  // by "laws M L"
-  const auto key = [](const Row& row) { return row.at("laws") + " " + row.at("M") + " " + row.at("L"); };
+  const auto key = [](const Row& row) { return fmt::format("{} {} {}", row.at("laws"), row.at("M"), row.at("L")); };
   for (const Row& row : table.rows)
     if (row.at("inlet") == "-4") cut[key(row)] = &row;
   for (const Row& row : table.rows) {
@@ -268,8 +268,8 @@ std::string human_maps(const FilmMaps& maps, std::string_view quantity, AtlasLaw
                      overview(formulas, points);
   for (const NamedFormula& formula : formulas) {
     const Field deviation = deviation_of(formula);
-    text +=
-        "\n" + formula.name + ", " + formula.of + ": deviation in percent\n" + percent_table(maps, points, deviation);
+    text += fmt::format("\n{}, {}: deviation in percent\n{}", formula.name, formula.of,
+                        percent_table(maps, points, deviation));
     std::vector<std::vector<std::string>> regions{{"L", "within 5 % at M =", "30 % or more off at M ="}};
     for (const double L : maps.L) {
       if (std::none_of(points.begin(), points.end(),
@@ -285,8 +285,8 @@ std::string human_maps(const FilmMaps& maps, std::string_view quantity, AtlasLaw
   for (const auto& [name, member] : costs) {
     if (!quantity.empty() && quantity != name) continue;
     const auto cost = member;
-    text += "\nInlet cut at X = -4, " + std::string(name) + " against flooded, in percent\n" +
-            percent_table(maps, points, [cost](const MapPoint& point) { return point.*cost; });
+    text += fmt::format("\nInlet cut at X = -4, {} against flooded, in percent\n{}", name,
+                        percent_table(maps, points, [cost](const MapPoint& point) { return point.*cost; }));
   }
   return text;
 }
@@ -297,24 +297,24 @@ namespace {
 
 std::string point_cells(const MapPoint& point) {
   const double pressure = point.at.hertz_pressure_Pa();
-  return std::string(to_string(point.at.laws)) + "," + plain(point.at.M) + "," + plain(point.at.L) + "," +
-         (pressure > 0 ? plain(pressure / 1e9) : std::string()) + "," + (point.at.numerical_test() ? "yes" : "no");
+  return fmt::format("{},{},{},{},{}", to_string(point.at.laws), plain(point.at.M), plain(point.at.L),
+                     pressure > 0 ? plain(pressure / 1e9) : std::string(), point.at.numerical_test() ? "yes" : "no");
 }
 constexpr std::string_view point_header = "laws,M,L,p_H_GPa,numerical_test";
 
 }  // namespace
 
 std::string formula_maps_csv(const FilmMaps& maps) {
-  std::string text =
-      "# Film formulas over the atlas: films in Moes units, flooded; deviation = formula/certified - 1; G = " +
-      plain(usual_G) + "\n" + std::string(point_header) +
-      ",quantity,certified_moes,certified_error,formula,formula_moes,deviation\n";
+  std::string text = fmt::format(
+      "# Film formulas over the atlas: films in Moes units, flooded; deviation = formula/certified - 1; G = "
+      "{}\n{},quantity,certified_moes,certified_error,formula,formula_moes,deviation\n",
+      plain(usual_G), point_header);
   for (const MapPoint& point : maps.points) {
     for (const MapFormula& formula : point.formulas) {
       const auto& certified = point.film(formula.of);
-      text += point_cells(point) + "," + formula.of + "," + plain(certified->value, most_digits) + "," +
-              plain(certified->error) + "," + formula.name + "," + plain(formula.moes, 6) + "," +
-              plain(formula.deviation, 6) + "\n";
+      text +=
+          fmt::format("{},{},{},{},{},{},{}\n", point_cells(point), formula.of, plain(certified->value, most_digits),
+                      plain(certified->error), formula.name, plain(formula.moes, 6), plain(formula.deviation, 6));
     }
   }
   return text;
@@ -328,8 +328,8 @@ std::string inlet_maps_csv(const FilmMaps& maps) {
     for (const auto& [name, cost] :
          {std::pair{"film.minimum", point.minimum_cost}, {"film.central", point.central_cost}}) {
       if (!cost) continue;
-      text += point_cells(point) + "," + name + "," + plain(point.film(name)->value, most_digits) + "," +
-              plain(cost->value, 6) + "," + plain(cost->error, 2) + "\n";
+      text += fmt::format("{},{},{},{},{}\n", point_cells(point), name, plain(point.film(name)->value, most_digits),
+                          plain(cost->value, 6), plain(cost->error, 2));
     }
   }
   return text;

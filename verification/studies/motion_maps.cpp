@@ -177,8 +177,8 @@ std::vector<double> driven_frequencies(const MotionMaps& maps, AtlasLaws laws, M
 }
 
 std::string human_motion_maps(const MotionMaps& maps) {
-  return "from cases/atlas/kappa.csv and waviness.csv; at most four digits; -: not known\n\n" + slow_maps(maps) +
-         driven_maps(maps) + waviness_maps(maps);
+  return fmt::format("from cases/atlas/kappa.csv and waviness.csv; at most four digits; -: not known\n\n{}{}{}",
+                     slow_maps(maps), driven_maps(maps), waviness_maps(maps));
 }
 
 }  // namespace ehd::verification

@@ -232,8 +232,8 @@ PaperStatement judge_d(const std::vector<ClearanceComparison>& all) {
       side += fmt::format("{}{:.2f}", comma, 1e6 * at_side);
       count += fmt::format("{}{}", comma, loaded_rollers(here.rollers));
     }
-    statement.numbers += std::string(film ? "; EHD: " : "dry: ") + "delta_i at 0 deg " + top + " um, nearest 90 deg " +
-                         side + " um, loaded rollers " + count;
+    statement.numbers += fmt::format("{}delta_i at 0 deg {} um, nearest 90 deg {} um, loaded rollers {}",
+                                     film ? "; EHD: " : "dry: ", top, side, count);
   }
   return statement;
 }
@@ -303,8 +303,8 @@ std::string cell_of(const PaperStatement& statement) {
 std::string human_statements(const std::vector<PaperStatement>& statements) {
   std::string text;
   for (const PaperStatement& statement : statements)
-    text += std::string("  (") + statement.letter + ") " + verdict_of(statement) + ": " + statement.statement +
-            "\n      " + statement.numbers + "\n";
+    text += fmt::format("  ({}) {}: {}\n      {}\n", statement.letter, verdict_of(statement), statement.statement,
+                        statement.numbers);
   return text;
 }
 

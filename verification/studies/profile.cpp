@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/studies/profile.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -15,8 +17,8 @@ namespace ehd::verification {
 Profile::Profile(const Array& X, const Array& values, const std::vector<Eigen::Index>& elements) {
   const Eigen::Index nodes = X.size();
   if (nodes < 2 || values.size() != nodes)
-    throw std::invalid_argument("a profile has " + std::to_string(nodes) + " places and " +
-                                std::to_string(values.size()) + " values; required are as many of each, at least 2");
+    throw std::invalid_argument(fmt::format(
+        "a profile has {} places and {} values; required are as many of each, at least 2", nodes, values.size()));
   if (!elements.empty() && (elements.size() < 2 || elements.front() != 0 || elements.back() != nodes - 1))
     throw std::invalid_argument("the elements of a profile do not reach from its first node to its last");
   begins_.push_back(0);

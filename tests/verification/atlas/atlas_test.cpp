@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/atlas/atlas.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -626,7 +628,7 @@ BOOST_AUTO_TEST_CASE(a_table_that_is_none_is_refused_with_its_line) {
       {"", "has no header"},
       {"a,b\n", "t.csv:1: a,b: other columns"},
       {"# c\n" + header + "\n1,2,3\n", "t.csv:3: 1,2,3: has 3 cells"},
-      {header + "\n" + row + "\n", "t.csv:2: M = twenty: is not a number"},
+      {fmt::format("{}\n{}\n", header, row), "t.csv:2: M = twenty: is not a number"},
   };
   for (const auto& [text, said] : rows) {
     const auto file = folder.write("t.csv", text);
@@ -685,7 +687,7 @@ BOOST_AUTO_TEST_CASE(a_damaged_cell_is_refused_with_its_line_and_column) {
         (void)read_atlas_table(file);
         BOOST_ERROR("not refused");
       } catch (const CaseError& refused) {
-        const std::string says = "damaged.csv:2: " + std::string(edit.column) + " = " + edit.value + ": " + edit.said;
+        const std::string says = fmt::format("damaged.csv:2: {} = {}: {}", edit.column, edit.value, edit.said);
         BOOST_TEST(std::string(refused.what()).find(says) != std::string::npos, refused.what());
       }
     }
@@ -751,9 +753,9 @@ BOOST_AUTO_TEST_CASE(wrong_usage_of_the_command_is_one_line_and_exit_code_2) {
 BOOST_AUTO_TEST_CASE(an_interrupted_command_says_what_it_leaves) {
   const test::Folder folder;
   const std::string output = (folder.path() / "atlas").string(), err = (folder.path() / "err.txt").string();
-  const std::string command = "timeout -s INT 0.8 '" + std::string(EHD_PROGRAM) +
-                              "' atlas --threads 1 --only roelands-m5000-l30 --output '" + output + "' > '" + output +
-                              ".out' 2> '" + err + "'";
+  const std::string command = fmt::format(
+      "timeout -s INT 0.8 '{}' atlas --threads 1 --only roelands-m5000-l30 --output '{}' > '{}.out' 2> '{}'",
+      EHD_PROGRAM, output, output, err);
   BOOST_TEST(std::system(command.c_str()) != 0);
   BOOST_TEST(test::read(err) ==
              "ehd: atlas: interrupted; the solved points are kept, and the same command goes on from there\n");
@@ -764,7 +766,7 @@ BOOST_AUTO_TEST_CASE(an_interrupted_command_says_what_it_leaves) {
 BOOST_AUTO_TEST_CASE(a_point_made_by_the_command_is_a_case_by_its_id) {
   const test::Folder folder;
   const std::string cases = folder.path().string(), id = "atlas-isoviscous-m0.2-l0-flooded";
-  const std::string output = "atlas --only " + id + " --tolerance 1e-6 --output " + cases + "/atlas";
+  const std::string output = fmt::format("atlas --only {} --tolerance 1e-6 --output {}/atlas", id, cases);
   const auto made = test::ehd_run(folder, output);
   BOOST_TEST(made.exit_code == 0, made.err);
   BOOST_TEST(made.error_lines() == 1, made.err);

@@ -2,6 +2,8 @@
 // Submissions are read as strictly as case files: one line, or a result.
 #include "verification/judge/submission.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <string>
 
@@ -77,7 +79,7 @@ BOOST_AUTO_TEST_CASE(bad_json_is_one_line) {
   refused(submission_with("{" + good + R"(, "profile": "../p.csv"})"), "allowed is a file beside the submission");
   refused(submission_with("{" + good + R"(, "profile": "/etc/passwd"})"), "allowed is a file beside the submission");
   refused(submission_with("{" + good + R"(, "profile": "none.csv"})"), "there is no such file");
-  refused(submission_with("{" + good + "}, {" + good + "}"), "is there twice");
+  refused(submission_with(fmt::format("{{{}}}, {{{}}}", good, good)), "is there twice");
   refused(submission_with(R"({"case": "own-barus-5-5", "version": 1, "scaling": "hertz"})"), "has no quantity");
   refused(submission_with(R"({"case": "own-barus-5-5", "version": 2, "scaling": "hertz", "film.minimum": 1})"),
           "is not the version of own-barus-5-5");

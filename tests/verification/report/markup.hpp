@@ -2,6 +2,8 @@
 // Enough of XML and HTML to see that elements close in order.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <set>
 #include <string>
 #include <vector>
@@ -35,7 +37,7 @@ namespace ehd::verification::test {
     at = end + 1;
     if (closes) {
       if (open.empty() || open.back() != name)
-        return "</" + name + "> closes " + (open.empty() ? "nothing" : "<" + open.back() + ">");
+        return fmt::format("</{}> closes {}", name, open.empty() ? "nothing" : "<" + open.back() + ">");
       open.pop_back();
     } else if (!alone && !empty.contains(name)) {
       open.push_back(name);

@@ -2,6 +2,8 @@
 // The page from made results, and the command around it.
 #include "verification/report/report.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -498,7 +500,7 @@ BOOST_AUTO_TEST_CASE(solve_and_bearing_draw_a_picture_whole_or_not_at_all) {
     std::filesystem::remove(plot);
     // Refused before anything is computed: an impossible path, the same file twice.
     for (const std::string& more : {" --plot " + (folder.path() / "none" / "plot.svg").string() + " --json -",
-                                    " --plot " + plot.string() + " --json " + plot.string()}) {
+                                    fmt::format(" --plot {} --json {}", plot.string(), plot.string())}) {
       const auto refused = test::ehd_run(folder, arguments + more);
       BOOST_TEST(refused.exit_code == 2, arguments + more);
       BOOST_TEST(refused.error_lines() == 1, arguments + more);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ehd stress: every verdict fails on rows that are wrong and stays open on rows that say nothing; the program's files
 // and exit codes; the small parts themselves.
+#include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -561,7 +563,7 @@ BOOST_AUTO_TEST_CASE(wrong_usage_is_one_line_and_leaves_nothing) {
            {"--part z", "--part = z: is unknown; allowed is a to j"},
            {"--threads 0", "--threads = 0: is out of range"},
            {"extra", "ehd stress --help"}}) {
-    test::check_refused(folder, "stress --quick --output '" + out + "' " + arguments, says);
+    test::check_refused(folder, fmt::format("stress --quick --output '{}' {}", out, arguments), says);
     BOOST_TEST(!std::filesystem::exists(out), arguments);
   }
 }

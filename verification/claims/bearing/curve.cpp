@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rung 11: the film curve of the law ehd, from the heaviest roller to the rigid cylinder.
+#include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
 #include <string>
@@ -19,7 +21,7 @@ Findings judge_curve(const Case& bearing_case, ContactMemory& memory) {
   const bool balanced = results.size() == 1 && !results[0].rollers.empty() && results[0].datum_m;
   for (const bool inner : {true, false}) {
     const ByHand contact = by_hand(body, inner);
-    const std::string id = "curve/" + bearing_case.id + "/" + raceway_name(inner);
+    const std::string id = fmt::format("curve/{}/{}", bearing_case.id, raceway_name(inner));
     const std::string at = ", " + raceway_name(inner) + " raceway";
     const auto martin_film_m = [&](double force_N) {
       return exact::Martin{}.load_sum * body.lubricant->viscosity_Pa_s * contact.sum_speed_m_per_s * contact.radius_m *

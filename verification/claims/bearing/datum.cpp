@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rung 11: the datum x_0 of the approach, for each way to state it.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -47,7 +49,7 @@ Findings judge_datum(const Case& bearing_case, ContactMemory& memory) {
     for (const auto& [name, results, force] :
          {std::tuple{"palmgren", &by_default, largest}, std::tuple{"palmgren-load", &named, named_N}}) {
       found.claims.push_back(claim_value(
-          sentence(std::string("datum/") + name + "/" + raceway,
+          sentence(fmt::format("datum/{}/{}", name, raceway),
                    "with Palmgren's datum the dry log kernel has Palmgren's approach at the " +
                        std::string(name == std::string("palmgren") ? "largest dry roller load" : "load that is named") +
                        at),

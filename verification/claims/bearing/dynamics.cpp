@@ -3,6 +3,8 @@
 // its contacts against responses that `reference` solves at the rollers' loads.
 #include "bearing/dynamics.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -161,7 +163,7 @@ double against_reference(const BearingCase& body, const BearingResult& result, c
   const Complex K =
       contact_by_hand(contact, force_N, one_of(*result.datum_m, inner), known_kappa(response.frequencies.front()));
   const bearing::ContactMotion& said = one_of(row.rollers[j], inner);
-  note += plain(force_N, 4) + " N: " + plain(K.real(), 5) + " N/m, " + plain(K.imag() / omega, 5) + " N s/m; ";
+  note += fmt::format("{} N: {} N/m, {} N s/m; ", plain(force_N, 4), plain(K.real(), 5), plain(K.imag() / omega, 5));
   return worse(std::abs(said.stiffness_N_per_m - K.real()) / said.stiffness_error,
                std::abs(said.damping_N_s_per_m.value_or(nothing) - K.imag() / omega) / said.damping_error);
 }
@@ -219,8 +221,8 @@ void judge_contacts_in_motion(Findings& found, const std::string& id, const Bear
       claim_finding(sentence(id + "/across",
                              "the rollers at the edge of the load zone damp most: damping across the load over that "
                              "along it"),
-                    plain(damping[1][1] / damping[0][0], 3) + " at " + plain(running_Hz) + " Hz (" +
-                        plain(damping[0][0], 4) + " and " + plain(damping[1][1], 4) + " N s/m)"));
+                    fmt::format("{} at {} Hz ({} and {} N s/m)", plain(damping[1][1] / damping[0][0], 3),
+                                plain(running_Hz), plain(damping[0][0], 4), plain(damping[1][1], 4))));
 }
 
 /// k + i omega c = (E'/4) kappa per length, Omega = omega b/u_m, against Martin's film and the damping of exact/martin.

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rung 11: the straight line of the law ehd-linear, its points, and the rollers balanced with it.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -52,7 +54,7 @@ Findings judge_fit(const Case& bearing_case, ContactMemory& memory) {
   const auto results = run_bearing(bearing_case, {.laws = {bearing::Law::ehd_linear}, .films = true}, memory);
   Findings found;
   for (const bool inner : {true, false}) {
-    const std::string id = "fit/" + bearing_case.id + "/" + raceway_name(inner);
+    const std::string id = fmt::format("fit/{}/{}", bearing_case.id, raceway_name(inner));
     const std::string at = ", " + raceway_name(inner) + " raceway";
     const ByHand contact = by_hand(body, inner);
     const bool fitted = results.size() == 1 && results[0].fit && results[0].datum_m;

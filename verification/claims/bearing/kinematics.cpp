@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rung 11: radii, speeds and centrifugal forces, and the contacts that a bearing asks a solver for.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -87,8 +89,8 @@ Findings judge_kinematics(const Case& na4908) {
                                               : ring == "against" ? "rings turning against each other"
                                                                   : "the " + ring + " ring turning";
     for (const bool inner : {true, false})
-      add(ring + "/" + raceway_name(inner) + "/speed",
-          "rolling without slip gives the sum speed at the " + raceway_name(inner) + " raceway, " + who,
+      add(fmt::format("{}/{}/speed", ring, raceway_name(inner)),
+          fmt::format("rolling without slip gives the sum speed at the {} raceway, {}", raceway_name(inner), who),
           bearing::sum_speed_m_per_s(geometry, speeds), by_hand(turned, inner).sum_speed_m_per_s);
     const double cage =
         (turn.inner_rpm * 48 + turn.outer_rpm * 58) / 106 * pi / 30;  // r_i : r_o = 48 : 58, d_m = 53 mm

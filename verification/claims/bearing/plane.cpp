@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rung 11: the ring that moves along and across the load: its stiffness, the full relation in it, and its agreement
 // with the radial form.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -178,7 +180,7 @@ Findings judge_forms(const Case& bearing_case) {
     }
     const std::string name(to_string(result.law));
     found.claims.push_back(claim(
-        sentence("forms/" + bearing_case.id + "/" + name,
+        sentence(fmt::format("forms/{}/{}", bearing_case.id, name),
                  bearing_case.id + ": under a symmetric cage the form in two displacements gives the radial one, law " +
                      name),
         worst, 0, Tolerance::asymptotic(bound, "a cage turned by 1e-9 degrees, and twice what a balance promises"),

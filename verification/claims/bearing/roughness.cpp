@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rung 11: the lambda ratio of a roller contact, minimum film over composite roughness.
+#include <fmt/format.h>
+
 #include <cmath>
 #include <string>
 
@@ -24,7 +26,7 @@ Findings judge_roughness(const Case& bearing_case, ContactMemory& memory) {
       ratio_error = std::abs(row.lambda_ratio.value_or(nothing) / (film_m / roughness_m) - 1);
     }
     found.claims.push_back(
-        claim(sentence("roughness/" + bearing_case.id + "/" + raceway_name(inner),
+        claim(sentence(fmt::format("roughness/{}/{}", bearing_case.id, raceway_name(inner)),
                        "roller 1's lambda ratio is the film that `reference` finds at its load over the roughness, " +
                            raceway_name(inner) + " raceway"),
               ratio_error, 0, film_tolerance()));

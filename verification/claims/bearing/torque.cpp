@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rung 11: the rolling torque of a bearing, from the rolling forces of its contacts.
+#include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
 #include <string>
@@ -57,7 +59,7 @@ Findings judge_torque(const Case& bearing_case, ContactMemory& memory) {
                "torque times the speed of the rings is u_s l F_t of all contacts, F_t by `reference` at the "
                "rollers' loads"),
       result.torque->torque_N_m * turn_rad_per_s, surfaces_W, 0, film_tolerance(),
-      plain(result.torque->torque_N_m, 6) + " N m, " + plain(surfaces_W, 6) + " W"));
+      fmt::format("{} N m, {} W", plain(result.torque->torque_N_m, 6), plain(surfaces_W, 6))));
   found.claims.push_back(
       claim(sentence(id + "/stated", "the stated error of the torque covers that of its rolling forces"),
             std::abs(result.torque->torque_N_m * turn_rad_per_s / surfaces_W - 1) / result.torque->error, 0,
@@ -69,8 +71,8 @@ Findings judge_torque(const Case& bearing_case, ContactMemory& memory) {
                "the power that the surfaces give to each film is what its flow dissipates: compression costs no work "
                "(compressible oil)"),
       worse(inner.worst_contact, outer.worst_contact), 0, Tolerance::discretisation(estimate, 2),
-      "all contacts together " + plain(inner.dissipated_W + outer.dissipated_W, 6) + " of " + plain(surfaces_W, 6) +
-          " W"));
+      fmt::format("all contacts together {} of {} W", plain(inner.dissipated_W + outer.dissipated_W, 6),
+                  plain(surfaces_W, 6))));
   for (const bool at_inner : {true, false}) {
     const ByHand contact = by_hand(body, at_inner);
     const bearing::FilmCurve& curve = one_of(*result.curve, at_inner);

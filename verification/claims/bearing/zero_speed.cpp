@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rung 11: the film vanishes as the speed does, and the full relation becomes a dry law.
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -44,7 +46,7 @@ Findings judge_zero_speed(const Case& bearing_case, ContactMemory& memory) {
   const bool all = by_speed.size() == 3;
   std::string about;
   for (const auto& [rpm, difference] : by_speed)
-    about += (about.empty() ? "" : ", ") + plain(difference, 3) + " at " + plain(rpm) + " rpm";
+    about += fmt::format("{}{} at {} rpm", about.empty() ? "" : ", ", plain(difference, 3), plain(rpm));
   Findings found;
   found.claims.push_back(
       claim(sentence("zero-speed/" + bearing_case.id,

@@ -115,8 +115,8 @@ std::vector<Series> film_series(const Case& one, const std::string& solver, cons
   std::vector<Series> list;
   for (const Quantity quantity : judged_films) {
     const std::string film(to_string(quantity));
-    list.push_back({.id = "grids/" + one.id + "/" + solver + "/" + film,
-                    .title = title + film + " of " + one.id,
+    list.push_back({.id = fmt::format("grids/{}/{}/{}", one.id, solver, film),
+                    .title = fmt::format("{}{} of {}", title, film, one.id),
                     .solver = solver,
                     .contact_case = one.id,
                     .quantity = film});
@@ -170,7 +170,8 @@ std::vector<Series> grid_series(const Case& one, const RegisteredSolver& solver,
     }
   }
   if (!extrapolated) return reported;
-  for (Series& series : reported) series.title = solver.name + ", extrapolated: " + series.quantity + " of " + one.id;
+  for (Series& series : reported)
+    series.title = fmt::format("{}, extrapolated: {} of {}", solver.name, series.quantity, one.id);
   for (Series& series : own) {
     series.id += "/own";
     reported.push_back(std::move(series));
@@ -208,7 +209,7 @@ std::vector<Series> tolerance_series(const Case& one, const std::vector<double>&
 
 Series manufactured(const std::string& id, const std::string& title, const std::string& solver,
                     const ManufacturedContact& contact, const std::string& quantity) {
-  return {.id = "manufactured/" + contact.name + "/" + id,
+  return {.id = fmt::format("manufactured/{}/{}", contact.name, id),
           .title = title,
           .solver = solver,
           .contact_case = "manufactured, " + contact.name,
@@ -224,8 +225,8 @@ std::vector<Series> manufactured_solver(const ManufacturedContact& contact, cons
   std::vector<Series> list;
   for (const auto& [quantity, member] : manufactured_quantities) {
     list.push_back(manufactured(solver.name + "/" + quantity,
-                                solver.name + ": manufactured " + quantity + ", " + contact.name, solver.name, contact,
-                                quantity));
+                                fmt::format("{}: manufactured {}, {}", solver.name, quantity, contact.name),
+                                solver.name, contact, quantity));
     list.back().declared_order = solver.description.formal_order;
   }
   for (const int intervals : manufactured_grids) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/studies/figures/curves.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -44,13 +46,13 @@ std::vector<std::size_t> divided(const std::vector<double>& X, const std::vector
 
 Thinning thin(const std::vector<double>& X, const std::vector<ThinnedCurve>& curves, std::size_t most) {
   if (X.size() < 2 || most < 2)
-    throw std::invalid_argument("a curve of " + std::to_string(X.size()) + " points thinned to " +
-                                std::to_string(most) + "; required are at least 2 of each");
+    throw std::invalid_argument(
+        fmt::format("a curve of {} points thinned to {}; required are at least 2 of each", X.size(), most));
   for (const ThinnedCurve& curve : curves)
     if (curve.values.size() != X.size() || curve.allowed.size() != X.size())
-      throw std::invalid_argument("a curve has " + std::to_string(curve.values.size()) + " values and " +
-                                  std::to_string(curve.allowed.size()) + " bounds over " + std::to_string(X.size()) +
-                                  " abscissae; required are as many of each");
+      throw std::invalid_argument(
+          fmt::format("a curve has {} values and {} bounds over {} abscissae; required are as many of each",
+                      curve.values.size(), curve.allowed.size(), X.size()));
   Thinning thinning;
   constexpr double looser = 1.5;
   for (thinning.kept = divided(X, curves, 1); thinning.kept.size() > most;
