@@ -74,7 +74,13 @@ std::string slip_of(std::string_view line) {
   const auto begins_with = [](std::string_view text, std::string_view any) {
     return !text.empty() && any.find(text.front()) != std::string_view::npos;
   };
+  // A value of these words is TOML: the line is wrong elsewhere.
+  const auto begins_with_value = [&](std::string_view text) {
+    const std::string_view word = text.substr(0, text.find_first_not_of(latin));
+    return word == "nan" || word == "inf" || word == "true" || word == "false";
+  };
   const auto number = value.find_first_not_of("+-.eE_0123456789");
+  if (begins_with_value(value)) return "";
   if (begins_with(value, latin))
     return value.find_first_of(" \"'") == std::string::npos
                ? "is a text without quotation marks; allowed is \"" + value + "\""
@@ -82,6 +88,7 @@ std::string slip_of(std::string_view line) {
   if (!begins_with(value, decimal) && !begins_with(value, "+-.")) return "";
   if (number == std::string::npos) return "";
   const std::string rest = trimmed(std::string_view(value).substr(number));
+  if (begins_with_value(rest)) return "";
   if (rest.front() == ',' && rest.size() > 1 && rest.find_first_not_of(decimal, 1) == std::string::npos)
     return fmt::format("has a comma in a number; allowed is a point, {}.{}", value.substr(0, number), rest.substr(1));
   if (begins_with(rest, latin) || begins_with(rest, "%"))

@@ -16,13 +16,13 @@ inline bool names_no_number(std::string_view text) {
   std::string word;
   bool quoted = false;
   for (const char c : std::string(text) + " ") {
-    if (c == '"') quoted = !quoted;
     if (std::isalnum(static_cast<unsigned char>(c))) {
       word += c;
       continue;
     }
     if (!quoted && (word == "nan" || word == "inf")) return true;
     word.clear();
+    if (c == '"') quoted = !quoted;
   }
   return false;
 }

@@ -259,6 +259,8 @@ BOOST_AUTO_TEST_CASE(duplicates_and_what_is_no_toml_are_refused) {
       {9, "viscosity = barus", 9, "is a text without quotation marks; allowed is \"barus\""},
       {9, "viscosity = inner", 9, "is a text without quotation marks; allowed is \"inner\""},
       {9, "viscosity = barus law", 9, "allowed is TOML"},
+      {9, "[viscosity = nan", 9, "allowed is TOML"},
+      {9, "\"viscosity\" ity\" = -inf", 9, "allowed is TOML"},
       {7, "Ä = 9", 7, "'Ä' outside a string or comment; allowed is ASCII"},
       {7, "L = 9\u00A0", 7, "outside a string or comment"},
       {7, "L = ９", 7, "outside a string or comment"},
