@@ -53,12 +53,17 @@ void put(Json& object, const std::string& key, std::initializer_list<double> val
 }
 
 Json json_from(std::string_view text) {
+  const auto no_json_at = [](std::size_t byte) {
+    return JsonError(fmt::format("is no JSON (it breaks at byte {})", byte));
+  };
+  // Json's parser takes a null byte for the end of the text.
+  if (const auto null = text.find('\0'); null != std::string_view::npos) throw no_json_at(null + 1);
   StrictParse strict;
   try {
     return Json::parse(
         text, [&strict](int depth, Json::parse_event_t event, Json& parsed) { return strict(depth, event, parsed); });
   } catch (const Json::parse_error& broken) {
-    throw JsonError(fmt::format("is no JSON (it breaks at byte {})", broken.byte));
+    throw no_json_at(broken.byte);
   } catch (const Json::out_of_range&) {
     throw JsonError("holds a number that is out of range");
   }
