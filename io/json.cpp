@@ -56,7 +56,8 @@ Json json_from(std::string_view text) {
   const auto no_json_at = [](std::size_t byte) {
     return JsonError(fmt::format("is no JSON (it breaks at byte {})", byte));
   };
-  // Json's parser takes a null byte for the end of the text.
+  // Json's parser leaves out a byte-order mark, and takes a null byte for the end of the text.
+  if (text.starts_with("\xEF\xBB\xBF")) throw no_json_at(1);
   if (const auto null = text.find('\0'); null != std::string_view::npos) throw no_json_at(null + 1);
   StrictParse strict;
   try {

@@ -43,6 +43,7 @@ BOOST_AUTO_TEST_CASE(a_text_that_this_project_never_writes_is_refused) {
   BOOST_TEST(json_refusal("{}{}") == "is no JSON (it breaks at byte 3)");
   BOOST_TEST(json_refusal("") == "is no JSON (it breaks at byte 1)");
   BOOST_TEST(json_refusal(std::string("{}\0", 3)) == "is no JSON (it breaks at byte 3)");
+  BOOST_TEST(json_refusal("\xEF\xBB\xBF{}") == "is no JSON (it breaks at byte 1)");
   BOOST_TEST(json_refusal("\"\xff\"").starts_with("is no JSON"));
   BOOST_TEST(json_refusal(repeated("[", 64) + repeated("]", 64)) == "read");
   BOOST_TEST(json_refusal(repeated("[", 66) + repeated("]", 66)) == "has more than 64 levels");
