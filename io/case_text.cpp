@@ -116,14 +116,16 @@ std::string text_of_standard_input() {
   return bytes;
 }
 
-std::string id_of_file(const std::filesystem::path& file) {
-  const std::string id = file.stem().string();
+bool is_id(std::string_view text) {
   const auto begins = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); };
   const auto belongs = [&](char c) { return begins(c) || c == '.' || c == '-' || c == '_'; };
-  if (!id.empty() && begins(id.front()) && std::all_of(id.begin(), id.end(), belongs)) return id;
-  refuse(file, 0,
-         "the file's name without .toml is no id; allowed is letters, digits, dot, dash and underscore, beginning with "
-         "a letter or a digit");
+  return !text.empty() && begins(text.front()) && std::all_of(text.begin(), text.end(), belongs);
+}
+
+std::string id_of_file(const std::filesystem::path& file) {
+  const std::string id = file.stem().string();
+  if (is_id(id)) return id;
+  refuse(file, 0, fmt::format("the file's name without .toml is no id; allowed is {}", allowed_in_id));
 }
 
 std::string checked_case_text(std::string text, const std::filesystem::path& file, TomlFile what) {

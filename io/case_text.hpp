@@ -27,8 +27,12 @@ inline constexpr const char* standard_input = "standard input";
 /// What stands on standard input, up to just above the largest size that checked_case_text takes.
 [[nodiscard]] std::string text_of_standard_input();
 
-/// The name of a file without .toml is an id: letters, digits, dot, dash and underscore, beginning with a letter or a
-/// digit, so that every file system, shell and table takes it. Throws CaseError for another name.
+/// An id, so that every file system, shell and table takes it.
+inline constexpr const char* allowed_in_id =
+    "letters, digits, dot, dash and underscore, beginning with a letter or a digit";
+[[nodiscard]] bool is_id(std::string_view text);
+
+/// The name of a file without .toml. Throws CaseError where it is no id.
 [[nodiscard]] std::string id_of_file(const std::filesystem::path& file);
 
 /// The lines of a text, without line ends (LF or CRLF).

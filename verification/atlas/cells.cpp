@@ -32,9 +32,4 @@ std::string wrong_with(const std::string& cell, const Allowed& allowed) {
   return low_enough && value <= allowed.high ? "" : "is out of range";
 }
 
-bool is_id(const std::string& cell) {
-  constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789.-_";
-  return !cell.empty() && cell.find_first_not_of(letters) == std::string::npos;
-}
-
 }  // namespace ehd::verification

@@ -25,9 +25,6 @@ struct Allowed {
 /// The fault of a number's cell; empty where there is none.
 [[nodiscard]] std::string wrong_with(const std::string& cell, const Allowed& allowed);
 
-/// Letters, digits, dot, dash and underscore.
-[[nodiscard]] bool is_id(const std::string& cell);
-
 /// A cell that `ehd atlas` would not write.
 struct WrongCell {
   std::string column, what, allowed;

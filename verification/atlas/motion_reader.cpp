@@ -7,6 +7,7 @@
 #include "contact/nondimensional.hpp"
 #include "contact/text.hpp"
 #include "io/case_reader.hpp"
+#include "io/case_text.hpp"
 #include "verification/atlas/cells.hpp"
 #include "verification/atlas/motion.hpp"
 #include "verification/bench/csv.hpp"
@@ -24,7 +25,7 @@ std::vector<std::string> columns_of(const MotionTable& table) {
 
 /// The first cell of a row that `ehd atlas --motion` would not write.
 std::optional<WrongCell> wrong_motion_cell(const MotionTable& table, const AtlasRow& row) {
-  if (!is_id(row.at("id"))) return WrongCell{"id", "is no id", "letters, digits, dot, dash and underscore"};
+  if (!is_id(row.at("id"))) return WrongCell{"id", "is no id", allowed_in_id};
   if (!atlas_laws_from(row.at("laws"))) return WrongCell{"laws", "is unknown", "isoviscous, barus, roelands"};
   const auto wrong = [&](const std::string& column, const Allowed& allowed) -> std::optional<WrongCell> {
     const std::string what = wrong_with(row.at(column), allowed);

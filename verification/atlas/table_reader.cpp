@@ -8,6 +8,7 @@
 #include "contact/nondimensional.hpp"
 #include "contact/text.hpp"
 #include "io/case_reader.hpp"
+#include "io/case_text.hpp"
 #include "io/contact_json.hpp"
 #include "verification/atlas/cells.hpp"
 #include "verification/atlas/columns.hpp"
@@ -52,8 +53,7 @@ std::optional<WrongCell> wrong_cell(const AtlasRow& row) {
       return WrongCell{error, row.at(error).empty() ? "is missing" : "has no value before it",
                        "a number and its uncertainty, or neither"};
   }
-  if (const std::string& id = row.at("id"); !is_id(id))
-    return WrongCell{"id", "is no id", "letters, digits, dot, dash and underscore"};
+  if (const std::string& id = row.at("id"); !is_id(id)) return WrongCell{"id", "is no id", allowed_in_id};
   if (!stop_reason_from(row.at("status")))
     return WrongCell{"status", "is unknown", "converged, tolerance-not-met, under-resolved, limit-reached, diverged"};
   const auto laws = atlas_laws_from(row.at("laws"));

@@ -654,6 +654,7 @@ BOOST_AUTO_TEST_CASE(a_damaged_cell_is_refused_with_its_line_and_column) {
     const char *column, *value, *said;
   } edits[] = {
       {"H_min", "abc", "is not a number; allowed is a positive number"},
+      {"id", "-m20-l10", "is no id; allowed is letters, digits, dot, dash and underscore, beginning with a letter"},
       {"H_min", "1e400", "is out of range; allowed is a positive number"},
       {"H_cen", "nan", "is not finite; allowed is a positive number"},
       {"H_cen", "inf", "is not finite; allowed is a positive number"},
