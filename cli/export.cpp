@@ -47,9 +47,9 @@ Examples:
   ehd export law na4908 --raceway inner --format c --output inner.c    force, stiffness, film and damping over delta
   ehd export law na4908 --raceway outer --format matlab --output ehd_na4908_outer_law.m
 
-films: minimum, central and Couette film and the offset H_0 over M and L, as Chebyshev coefficients (docs/films-table.md).
-The C form has a function that evaluates them, with derivatives. Further solves, which the table does not use, measure
-its errors.
+films: minimum, central and Couette film and the offset H_0 over M and L, as Chebyshev coefficients
+(docs/films-table.md). The C form has a function that evaluates them, with derivatives. Further solves, which the table
+does not use, measure its errors.
 
 law: force, stiffness, film and damping of a raceway over the approach, as knots with cubic Hermite polynomials between
 them (docs/law-table.md). The C and MATLAB forms have a function that evaluates them. The file states the error of the

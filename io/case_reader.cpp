@@ -104,8 +104,8 @@ Case read_case_in_memory(std::string text) {
   const std::string checked = checked_case_text(std::move(text), nameless_case);
   constexpr std::size_t longest_name = 60;  // in the message
   if (checked.find_first_of("=\n") == std::string::npos)
-    throw CaseError(fmt::format("{} = {}: is a name, not the text of a case; allowed is what a case file holds (TOML)",
-                                nameless_case, shortened(one_line(checked), longest_name)));
+    throw CaseError(fmt::format("{} = {}: is a name; allowed is the text of a case file (TOML)", nameless_case,
+                                shortened(one_line(checked), longest_name)));
   return case_of(checked, {});
 }
 

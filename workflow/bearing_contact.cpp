@@ -21,8 +21,9 @@ namespace {
 
 /// Relative error of films that a contact force law needs.
 constexpr double needed_tolerance = 1e-3;
-/// A contact force depends on the offset film, whose error is close to that of the central film: a tenth of what a law
-/// needs. The smallest film is only reported.
+/// A contact force depends on the offset film. No tolerance can be asked of that film, but the error of the central
+/// film is close to its own. So the central film is asked for to a tenth of what a law needs. The smallest film is only
+/// reported.
 constexpr FilmTolerances first_tolerance{needed_tolerance, 0.1 * needed_tolerance};
 /// A contact whose offset film is known less well than this is no solution for a bearing.
 constexpr double largest_offset_error = 1e-2;

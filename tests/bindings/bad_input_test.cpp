@@ -142,8 +142,8 @@ BOOST_AUTO_TEST_CASE(bad_case_text_names_its_line) {
   check_refused(solve(bad), ": M = -2");
   BOOST_TEST(std::string(ehd_last_error()).starts_with("own-moes-20-10.toml:"));
   check_refused(solve(""), "case: is empty");
-  check_refused(solve("own-moes-20-10"), "case = own-moes-20-10: is a name, not the text of a case; allowed is what");
-  check_refused(bearing("/etc/na4908.toml", "hertz"), "is a name, not the text of a case");
+  check_refused(solve("own-moes-20-10"), "case = own-moes-20-10: is a name; allowed is the text of a case file");
+  check_refused(bearing("/etc/na4908.toml", "hertz"), "is a name; allowed is the text of a case file");
   check_refused(solve("\x01"), "control character");
   check_refused(solve("\xff"), "UTF-8");
   check_refused(solve(std::string(100000, '#')), "is larger than");

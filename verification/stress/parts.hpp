@@ -188,7 +188,7 @@ struct MotionNumber {
   double differ = std::numeric_limits<double>::quiet_NaN();
   double stated = 0, truth_error = 0;  ///< errors that `fast` and `reference` state
 };
-/// kappa is that at Omega; the film is what a waviness leaves at X = 0.
+/// "kappa" is taken at Omega. "wavy film" is the amplitude of the film at X = 0, from a wavy body.
 inline constexpr const char* motion_numbers[] = {"kappa", "kappa_0", "kappa_1", "wavy film"};
 struct MotionPoint {
   BoxContact contact = {};

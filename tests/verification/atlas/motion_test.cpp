@@ -61,7 +61,7 @@ BOOST_AUTO_TEST_CASE(waves_of_all_contacts_have_the_same_similar_wavelengths) {
       const double similar = similar_wavelength({point.M, point.L}, wave.wavelength);
       double nearest = 1;
       for (const double listed : similar_wavelengths) nearest = std::min(nearest, std::abs(similar / listed - 1));
-      BOOST_TEST(nearest < 1e-3);
+      EHD_CHECK(nearest, Tolerance::required(1e-3, "waves have four digits"));
       ++waves;
     }
   }

@@ -8,6 +8,21 @@
     try { seen.push(name + ": " + look()); } catch (thrown) { seen.push("error: " + name + ": " + thrown); }
   }
   function complain(svg, what) { seen.push("error: " + svg.id + " " + what); }
+  // No two of these elements may touch: their boxes, in the page.
+  function expect_apart(svg, what, elements) {
+    var shown = Array.prototype.slice.call(elements).map(function (element) {
+      return { box: element.getBoundingClientRect(), says: element.textContent };
+    });
+    shown.forEach(function (a, i) {
+      shown.slice(i + 1).forEach(function (b) {
+        var across = Math.min(a.box.right, b.box.right) - Math.max(a.box.left, b.box.left);
+        var down = Math.min(a.box.bottom, b.box.bottom) - Math.max(a.box.top, b.box.top);
+        if (across > 1 && down > 3) {
+          complain(svg, ": " + what + "\"" + a.says + "\" and \"" + b.says + "\" overlap");
+        }
+      });
+    });
+  }
   function verdict(works, otherwise) { return works ? "works" : "does not work: " + otherwise; }
   function pointer(svg, element, x, y) {
     element.dispatchEvent(new PointerEvent("pointermove", { clientX: x, clientY: y, bubbles: true }));
@@ -73,28 +88,9 @@
         complain(svg, "has no title");
       }
       if (/NaN|undefined|Infinity/.test(svg.innerHTML)) { complain(svg, "has numbers that are none"); }
-      // Numbers, names of axes and the legend must not touch: their boxes, in the page.
-      var labels = svg.querySelectorAll(".frame text, .axis-label, .key text");
-      var texts = Array.prototype.slice.call(labels).map(function (text) {
-        return { box: text.getBoundingClientRect(), says: text.textContent };
-      });
-      texts.forEach(function (a, i) {
-        texts.slice(i + 1).forEach(function (b) {
-          var across = Math.min(a.box.right, b.box.right) - Math.max(a.box.left, b.box.left);
-          var down = Math.min(a.box.bottom, b.box.bottom) - Math.max(a.box.top, b.box.top);
-          if (across > 1 && down > 3) { complain(svg, ": \"" + a.says + "\" and \"" + b.says + "\" overlap"); }
-        });
-      });
-      var keys = Array.prototype.slice.call(svg.querySelectorAll(".key")).map(function (key) {
-        return { box: key.getBoundingClientRect(), says: key.textContent };
-      });
-      keys.forEach(function (a, i) {
-        keys.slice(i + 1).forEach(function (b) {
-          var across = Math.min(a.box.right, b.box.right) - Math.max(a.box.left, b.box.left);
-          var down = Math.min(a.box.bottom, b.box.bottom) - Math.max(a.box.top, b.box.top);
-          if (across > 1 && down > 3) { complain(svg, ": the keys of \"" + a.says + "\" and \"" + b.says + "\" overlap"); }
-        });
-      });
+      // Numbers, names of axes and the legend.
+      expect_apart(svg, "", svg.querySelectorAll(".frame text, .axis-label, .key text"));
+      expect_apart(svg, "the keys of ", svg.querySelectorAll(".key"));
       svg.querySelectorAll("text").forEach(function (text) {
         var t = text.getBoundingClientRect(), s = svg.getBoundingClientRect();
         if (t.left < s.left - 2 || t.right > s.right + 2 || t.bottom > s.bottom + 2) {

@@ -271,6 +271,30 @@ Json force_laws() {
   return laws;
 }
 
+Json cost_of_motion() {
+  Json frequencies = Json::array();
+  for (const double L : {5.0, 10.0})
+    frequencies.push_back({{"solver", "fast"},
+                           {"M", 20.0},
+                           {"L", L},
+                           {"tolerance", 1e-4},
+                           {"status", "converged"},
+                           {"steady_s", 1e-3},
+                           {"slow_s", 2e-3},
+                           {"frequency_s", 1e-4 * L},
+                           {"c_s", 2e-6},
+                           {"nodes", 512},
+                           {"stated", 1e-5},
+                           {"achieved", 1e-6 * L}});
+  return {{"frequencies", frequencies},
+          {"bearings",
+           {{{"bearing", "made-tight"},
+             {"balance_s", 0.02},
+             {"dynamic_s", 0.05},
+             {"contact_solves", 30},
+             {"responses", 25}}}}};
+}
+
 }  // namespace
 
 /// results.json with every part.
@@ -340,30 +364,9 @@ Json made_bench() {
                        {"ns_per_n_log2_n", 100.0},
                        {"time_per_unit", 10.0},
                        {"peak_bytes", 1e3 * nodes}});
-  Json frequencies = Json::array();
-  for (const double L : {5.0, 10.0})
-    frequencies.push_back({{"solver", "fast"},
-                           {"M", 20.0},
-                           {"L", L},
-                           {"tolerance", 1e-4},
-                           {"status", "converged"},
-                           {"steady_s", 1e-3},
-                           {"slow_s", 2e-3},
-                           {"frequency_s", 1e-4 * L},
-                           {"c_s", 2e-6},
-                           {"nodes", 512},
-                           {"stated", 1e-5},
-                           {"achieved", 1e-6 * L}});
-  const Json motion = {{"frequencies", frequencies},
-                       {"bearings",
-                        {{{"bearing", "made-tight"},
-                          {"balance_s", 0.02},
-                          {"dynamic_s", 0.05},
-                          {"contact_solves", 30},
-                          {"responses", 25}}}}};
   return {{"schema", 1},
           {"provenance", provenance()},
-          {"response", motion},
+          {"response", cost_of_motion()},
           {"looks", {{"reference", 1}, {"fast", 2}}},
           {"work_precision",
            {{"solvers", {"reference", "fast"}},

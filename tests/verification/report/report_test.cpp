@@ -314,7 +314,8 @@ BOOST_AUTO_TEST_CASE(work_and_precision_has_two_yardsticks) {
     const std::string word = "data-" + name + "-range=\"";
     return std::stod(with.substr(with.find(word) + word.size()));
   };
-  BOOST_TEST(std::abs(low("y") / low("right") / 5e-3 - 1) < 1e-6);  // c = 5 us; ends are written to ten digits
+  constexpr double c_ms = 5e-3;
+  EHD_CHECK(error(low("y") / low("right"), c_ms), Tolerance::required(1e-6, "ends are written to ten digits"));
   const std::string without =
       figure(made_page([](report::Documents& documents) { documents.bench["work_precision"].erase("c_s"); }));
   BOOST_TEST(count_of(without, "data-right") == 0u);
