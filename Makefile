@@ -172,8 +172,8 @@ mutants:    ## Build each wrong program of verification/mutants, run its rung of
 	@sh cmake/setup.sh python3
 	@python3 verification/mutants/run.py $(if $(ONLY),--only $(ONLY)) $(if $(PART),--part $(PART)) --jobs $(JOBS)
 
-submissions: program  ## Remake cases/submissions: this project's solvers and a template, for ehd judge (a minute)
-	@sh cmake/setup.sh python3-numpy
+submissions: program  ## Remake cases/submissions: this project's solvers and the templates, for ehd judge (2 minutes)
+	@sh cmake/setup.sh python3-numpy gfortran octave
 	@/usr/bin/python3 cases/submissions/make.py $(BUILD)/ehd
 
 atlas: program  ## Solve the atlas of line contacts into cases/atlas (goes on where an earlier run ended; an hour)
@@ -184,9 +184,10 @@ results: program  ## Remake docs/results, docs/figures and what the pages show o
 	@sh cmake/setup.sh python3 python3-numpy python3-matplotlib
 	@python3 docs/results/make.py $(BUILD)/ehd
 
-results-check: program  ## Fail where one of those is not what the program prints now (1 minute)
+results-check: program  ## Fail where one of those, or of cases/submissions, is not what the program finds now (2 minutes)
 	@sh cmake/setup.sh python3 python3-numpy python3-matplotlib
 	@python3 docs/results/make.py --check $(BUILD)/ehd
+	@/usr/bin/python3 cases/submissions/make.py --check $(BUILD)/ehd
 
 start-minutes:  ## Clone, build and compute as docs/start.md says, with minutes: docs/results/start.md (git; 5 minutes)
 	@python3 tests/docs/minutes.py docs/results/start.md

@@ -20,12 +20,16 @@ using Clock = std::chrono::steady_clock;
 
 /// Intervals of the finest grid of the steady climb, and of the finest grid of all.
 constexpr int first_nodes = 256, largest_nodes = 16384;
-/// Above this L and M a narrow spike passes between the nodes. A number then moves with the spike's place in its cell,
-/// over one period a cell: by 4e-3 of itself at (8, 22), on 256 and on 8192 intervals, but by 1e-6 at (195, 16). So it
-/// is averaged over maps whose spikes stand so many cells of the coarsest grid away from that of the first; in cells of
-/// finer grids that is twice, four times, ... as much, evenly spread as well. Two maps show how far a number moves; all
-/// five are taken where two do not know it. Below M = 1 it moves by 4e-5 at most.
+/// Above narrow_spikes_L and narrow_spikes_M a narrow spike passes between the nodes. A number then moves with the
+/// spike's place in its cell, over one period a cell: by 4e-3 of itself at (8, 22), on 256 and on 8192 intervals, but
+/// by 1e-6 at (195, 16). So it is averaged over maps whose spikes stand so many cells of the coarsest grid away from
+/// that of the first; in cells of finer grids that is twice, four times, ... as much, evenly spread as well. Two maps
+/// show how far a number moves; all five are taken where two do not know it. Below M = 1 it moves by 4e-5 at most.
 constexpr double narrow_spikes_L = 12, narrow_spikes_M = 1;
+/// kappa of heavy contacts moves from this L on, what is left of a wave does not. With kappa on one map up to L = 12,
+/// 13 of 1344 errors at 192 contacts (M of 10..1000, L of 8..12.4) were up to three times as large as stated, also with
+/// of_irregular = 3; with this, 1 of 1343.
+constexpr double heavy_M = 30, narrow_spikes_L_of_heavy = 9.5;
 constexpr double beside_first[] = {-0.2, 0.2, -0.4, 0.4};
 constexpr std::size_t few_maps = 2, all_maps = 1 + std::size(beside_first);
 constexpr int largest_nodes_of_few = 512, largest_nodes_of_all = 4096;
@@ -43,8 +47,8 @@ constexpr std::size_t fewest_grids = 3;
 constexpr double least_ratio = 5, largest_ratio = 13;
 constexpr double of_move_before = 1.0 / 8, of_second_before = 1.0 / 32, of_raw_move = 1.0 / 32;
 /// So many times as large is the error of irregular moves on one map, and of those of a mean over maps; and that of all
-/// moves on one map above narrow_spikes_L. With 2 instead of 3, kappa_1 of (150, 12) was 1.22 stated errors off.
-constexpr double of_irregular = 3, of_irregular_mean = 1.5, of_narrow_spikes = 2.5;
+/// moves on one map where spikes are narrow.
+constexpr double of_irregular = 2, of_irregular_mean = 1.5, of_narrow_spikes = 2.5;
 /// This part of the maps' spread is in the error of a mean over all, and over few, there of the largest on any grid.
 constexpr double of_spread = 0.6, of_spread_of_few = 3;
 /// What the moving tail of a flooded contact leaves in kappa, relative, over Omega^2 min(1, lambda). Against the
@@ -98,9 +102,13 @@ class ResponseSolve {
 
  private:
   [[nodiscard]] bool refine();
+  /// Whether kappa moves with the spike's place in its cell.
+  [[nodiscard]] bool moves_kappa() const {
+    return problem_.groups.L > (problem_.groups.M > heavy_M ? narrow_spikes_L_of_heavy : narrow_spikes_L);
+  }
   /// More maps may be needed, and can be had.
   [[nodiscard]] bool may_average() const {
-    return problem_.groups.L > narrow_spikes_L && problem_.groups.M > narrow_spikes_M && !none_beside_;
+    return narrow_spikes_ && problem_.groups.M > narrow_spikes_M && !none_beside_;
   }
   [[nodiscard]] bool spent() const {
     return std::ranges::any_of(maps_, [](const auto& map) { return map->spent(); });
@@ -151,6 +159,7 @@ class ResponseSolve {
   std::vector<std::unique_ptr<HarmonicGrids>> maps_;  ///< their k-th grids have the same number of intervals
   std::size_t used_ = 1;                              ///< maps that the present number is taken from
   bool none_beside_ = false;                          ///< the first map has none beside it
+  bool narrow_spikes_ = false;                        ///< they move the present number
 };
 
 HarmonicGrids& ResponseSolve::add_map() {
@@ -220,7 +229,7 @@ Judged ResponseSolve::judged(const Sequence& sequence, double Omega, double wave
   found.value = value;
   const Harmonic& finest = (*maps_.front())[m - 1];
   if (wavenumber * finest.widest_cell() > largest_phase) return found;
-  if (used_ == 1 && problem_.groups.L > narrow_spikes_L) error *= of_narrow_spikes;
+  if (used_ == 1 && narrow_spikes_) error *= of_narrow_spikes;
   error += used_ == few_maps ? of_spread_of_few * sequence.largest_spread : of_spread * sequence.spread;
   const Setting& setting = run().setting;
   const double tail = setting.with_tail ? tail_error * std::min(1.0, setting.groups.lambda) * Omega * Omega : 0;
@@ -252,6 +261,7 @@ Judged ResponseSolve::certified(double Omega, double wavenumber, bool refines, c
 Stiffness ResponseSolve::stiffness(double Omega, bool refines) {
   std::vector<StepOf<Complex>> u;
   Sequence lag;
+  narrow_spikes_ = moves_kappa();
   const Judged kappa = certified(Omega, Omega, refines, [&](std::size_t k, Sequence& sequence) {
     if (k == 0) u.assign(used_, {}), lag = {};
     double residual = 0;
@@ -282,6 +292,7 @@ Stiffness ResponseSolve::stiffness(double Omega, bool refines) {
 Judged ResponseSolve::wavy_film(const Waviness& waviness) {
   std::vector<StepOf<Complex>> u;
   const double Omega = waviness.Omega();
+  narrow_spikes_ = problem_.groups.L > narrow_spikes_L;
   return certified(Omega, std::max(Omega, waviness.wavenumber()), true, [&](std::size_t k, Sequence& sequence) {
     if (k == 0) u.assign(used_, {});
     double residual = 0;
@@ -300,6 +311,7 @@ Judged ResponseSolve::wavy_film(const Waviness& waviness) {
 /// kappa = -1/(u_0 + s u_1) = kappa_0 + s kappa_1; the lag is u_1.
 SlowStiffness ResponseSolve::slow() {
   Judged stiff, damped, lagging;
+  narrow_spikes_ = moves_kappa();
   on_few_then_all(true, [&] {
     std::vector<Step> u_0(used_), u_1(used_);
     Sequence stiffness, damping, lag;

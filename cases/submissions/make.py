@@ -2,19 +2,22 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Remakes the submissions of this folder: make submissions.
 
-  make.py EHD [--only NAME]
+  make.py EHD [--only NAME]           writes them
+  make.py --check EHD                 fails where one differs from what its solver finds now, beyond rounding
 
-This project's own solvers, and the template of examples/solvers, on the first ten cases of ehd judge. No times and no
-profiles, so that another machine makes the same text up to rounding. The template needs NumPy.
+This project's own solvers, and the templates of examples/solvers, on the first ten cases of ehd judge. No times and no
+profiles, so that another machine makes the same text up to rounding. The templates need NumPy, gfortran and Octave;
+--check judges those that can run here.
 """
 import json
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
-TEMPLATE = HERE.parents[1] / "examples" / "solvers" / "line_contact.py"
+SOLVERS = HERE.parents[1] / "examples" / "solvers"
 OWN = {  # file: (solver, tolerance)
     "ehd-reference": ("reference", "1e-8"),
     "ehd-fast-1e-6": ("fast", "1e-6"),
@@ -23,6 +26,7 @@ OWN = {  # file: (solver, tolerance)
 }
 TEMPLATE_TOLERANCE = "5e-3"
 DIGITS = 12
+SAME = 1e-7  # relative; an iteration that ends elsewhere moves a number by less
 
 
 def run(*command, codes=(0, 1)):
@@ -70,39 +74,78 @@ def own(ehd, cases, solver, tolerance):
             "solver": {"name": f"ehd {solver}", "version": f"tolerance {tolerance}"}, "results": results}
 
 
-def template(ehd, cases):
+def templates(folder):
+    """The command of each that can run here; the Fortran one is compiled into the folder."""
+    found = {}
+    if subprocess.run([sys.executable, "-c", "import numpy"], capture_output=True).returncode == 0:
+        found["line-contact-py"] = [sys.executable, SOLVERS / "line_contact.py"]
+    if shutil.which("gfortran"):
+        program = pathlib.Path(folder, "line_contact")
+        subprocess.run(["gfortran", "-O2", "-o", program, SOLVERS / "line_contact.f90"], check=True, cwd=folder)
+        found["line-contact-f90"] = [program]
+    if shutil.which("octave-cli"):
+        found["line-contact-m"] = ["octave-cli", "--norc", SOLVERS / "line_contact.m"]
+    return found
+
+
+def template(ehd, cases, command, folder):
     made = None
-    with tempfile.TemporaryDirectory() as folder:
-        problem, out = pathlib.Path(folder, "case.json"), pathlib.Path(folder, "out.json")
-        for case in cases:
-            problem.write_text(json.dumps(json.loads(run(ehd, "cases", case, "--json"))["cases"][0]["problem"]))
-            out.unlink(missing_ok=True)
-            subprocess.run([sys.executable, TEMPLATE, problem, out, TEMPLATE_TOLERANCE], stderr=subprocess.DEVNULL)
-            if not out.exists():
-                continue  # it found nothing: the case is missing
-            one = json.loads(out.read_text())
-            for result in one["results"]:
-                result.pop("wall_s"), result.pop("profile")
-                for key, value in result.items():
-                    if "." in key:
-                        result[key] = rounded(value)
-                result["stated_error"] = float(f"{result['stated_error']:.1e}")
-            made = made or one | {"results": []}
-            made["results"] += one["results"]
+    problem, out = pathlib.Path(folder, "case.json"), pathlib.Path(folder, "out.json")
+    for case in cases:
+        problem.write_text(json.dumps(json.loads(run(ehd, "cases", case, "--json"))["cases"][0]["problem"]))
+        out.unlink(missing_ok=True)
+        subprocess.run([*command, problem, out, TEMPLATE_TOLERANCE], stderr=subprocess.DEVNULL)
+        if not out.exists():
+            continue  # it found nothing: the case is missing
+        one = json.loads(out.read_text())
+        for result in one["results"]:
+            result.pop("wall_s", None), result.pop("profile", None)
+            for key, value in result.items():
+                if "." in key:
+                    result[key] = rounded(value)
+            result["stated_error"] = float(f"{result['stated_error']:.1e}")
+        made = made or one | {"results": []}
+        made["results"] += one["results"]
     return made
 
 
-def main(ehd, only=None):
+def differences(kept, made, where=""):
+    if isinstance(kept, dict) and isinstance(made, dict) and kept.keys() == made.keys():
+        return [line for key in kept for line in differences(kept[key], made[key], f"{where}/{key}")]
+    if isinstance(kept, list) and isinstance(made, list) and len(kept) == len(made):
+        return [line for k, one in enumerate(kept) for line in differences(one, made[k], f"{where}/{k}")]
+    if isinstance(kept, float) and isinstance(made, float):
+        same = 0.11 if where.endswith("stated_error") else SAME  # stated errors have two digits
+        return [] if abs(made - kept) <= same * abs(kept) else [f"{where}: kept {kept}, now {made}"]
+    return [] if kept == made else [f"{where}: kept {kept}, now {made}"]
+
+
+def main(check, ehd, only=None):
     cases = first_cases(ehd)
     makers = {name: lambda one=one: own(ehd, cases, *one) for name, one in OWN.items()}
-    makers["line-contact-py"] = lambda: template(ehd, cases)
-    for name, make in makers.items():
-        if only in (None, name):
-            (HERE / f"{name}.json").write_text(json.dumps(make(), indent=2) + "\n")
-            print(HERE / f"{name}.json")
+    wrong = []
+    with tempfile.TemporaryDirectory() as folder:
+        for name, command in templates(folder).items():
+            makers[name] = lambda command=command: template(ehd, cases, command, folder)
+        for name, make in makers.items():
+            if only not in (None, name):
+                continue
+            file = HERE / f"{name}.json"
+            if check:
+                wrong += differences(json.loads(file.read_text()), make(), file.name)
+            else:
+                file.write_text(json.dumps(make(), indent=2) + "\n")
+                print(file)
+    if wrong:
+        sys.exit("\n".join(wrong) + "\nto remake them: make submissions")
+    if check:
+        print(f"cases/submissions: {', '.join(makers)} as their solvers find now")
 
 
 if __name__ == "__main__":
-    if len(sys.argv) not in (2, 4):
+    words = sys.argv[1:]
+    check = words[:1] == ["--check"]
+    words = words[1:] if check else words
+    if not (len(words) == 1 or (len(words) == 3 and words[1] == "--only" and not check)):
         sys.exit(__doc__)
-    main(sys.argv[1], *sys.argv[3:])
+    main(check, words[0], *words[2:])
