@@ -11,6 +11,7 @@
 #include <new>
 
 #include "cli/usage.hpp"
+#include "io/child_processes.hpp"
 #include "io/temporary_files.hpp"
 
 namespace ehd::cli {
@@ -27,6 +28,7 @@ void tell(const char* text) { [[maybe_unused]] const auto written = ::write(STDE
 /// Calls only what a signal handler may call.
 extern "C" void end_by_signal(int signal) {
   if (::getpid() == owner) {
+    kill_child_processes();  // they may be writing
     remove_temporary_files();
     if (signal != SIGPIPE) {
       if (behind_progress) tell("\n");
@@ -41,6 +43,7 @@ extern "C" void end_by_signal(int signal) {
 /// The C++ library comes here without an exception where it has no memory for one.
 [[noreturn]] void end_without_memory() {
   const std::exception_ptr thrown = std::current_exception();
+  kill_child_processes();
   remove_temporary_files();
   try {
     if (thrown) std::rethrow_exception(thrown);

@@ -66,6 +66,15 @@ void find_highest_certified(Response& found, double tolerance, const std::functi
   found.highest_certified = low;
 }
 
+void answer_nothing(Response& found, const ResponseRequest& request, StopReason status, std::string_view why) {
+  found = {};
+  for (const double Omega : request.frequencies) found.frequencies.push_back({.Omega = Omega, .status = status});
+  for (const Waviness& waviness : request.waviness)
+    found.waviness.push_back({.waviness = waviness, .status = status});
+  found.status = status;
+  found.reason = why;
+}
+
 void conclude(Response& found, double tolerance, bool spent, std::string_view why) {
   const auto known = [](const auto& at) { return is_known(at); };
   const bool slow = found.slow && found.slow->error_0 <= tolerance && found.slow->error_1 <= tolerance;

@@ -11,6 +11,7 @@
 
 #include <complex>
 #include <functional>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -38,12 +39,15 @@ struct ResponseRequest {
   double time_limit_s = 300;
 };
 
+/// Of a number that was not computed.
+inline constexpr double unknown_error = std::numeric_limits<double>::infinity();
+
 /// kappa at one frequency.
 struct Stiffness {
   double Omega = 0;
   std::complex<double> kappa = {};
-  double error = 0;      ///< of kappa, relative to |kappa|
-  double lag_error = 0;  ///< of the lag, relative; nothing at Omega = 0
+  double error = unknown_error;  ///< of kappa, relative to |kappa|
+  double lag_error = 0;          ///< of the lag, relative; nothing at Omega = 0
   StopReason status = StopReason::diverged;
   /// -Im(1/kappa)/Omega
   [[nodiscard]] double lag() const { return kappa.imag() / Omega / std::norm(kappa); }
@@ -72,7 +76,7 @@ struct Kappa {
 struct WavinessResponse {
   Waviness waviness;
   std::complex<double> film = {};  ///< H_1 at X = 0
-  double error = 0;                ///< of it, relative to |H_1(0)|
+  double error = unknown_error;    ///< of it, relative to |H_1(0)|
   StopReason status = StopReason::diverged;
   [[nodiscard]] double amplitude_ratio() const { return std::abs(film); }
   [[nodiscard]] double phase_deg() const { return std::arg(film) * 180 / std::numbers::pi; }
@@ -90,6 +94,9 @@ struct Response {
   Cost cost = {};
   std::vector<std::string> notes = {};
 };
+
+/// `found` answers the request with nothing: every number is unknown, for this reason.
+void answer_nothing(Response& found, const ResponseRequest& request, StopReason status, std::string_view why);
 
 /// Sets highest_certified: by bisection with `certified` where kappa is known at some requested Omega and not at all,
 /// until `spent`.

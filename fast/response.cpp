@@ -376,8 +376,8 @@ Response ResponseSolve::solve() {
   for (const double Omega : request_.frequencies) found.frequencies.push_back({.Omega = Omega});
   for (const Waviness& waviness : request_.waviness) found.waviness.push_back({.waviness = waviness});
   if (!add_map().climb()) {
-    found.status = spent() ? StopReason::limit_reached : StopReason::diverged;
-    found.reason = "the steady state was not found";
+    answer_nothing(found, request_, spent() ? StopReason::limit_reached : StopReason::diverged,
+                   "the steady state was not found");
     return found;
   }
   found.slow = slow();

@@ -93,7 +93,7 @@ Json cost_json(const Cost& cost) {
 Json fields_json(const Solution& solution) {
   Json json;
   put(json, "film_error", field_error(solution));
-  json["pressure_resolved"] = !pressure_cut(solution);
+  json["pressure_resolved"] = pressure_known(solution);
   return json;
 }
 

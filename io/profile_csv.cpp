@@ -6,11 +6,28 @@
 #include <cmath>
 #include <optional>
 
+#include "contact/observables.hpp"
 #include "contact/stated_error.hpp"
 #include "contact/text.hpp"
 #include "workflow/shown_pressure.hpp"
 
 namespace ehd {
+
+namespace {
+
+/// A spike that the grid does not resolve bends the film up to so far away [b]: contact/stated_error.hpp.
+constexpr double reach_of_spike = 0.03;
+
+/// The relative error of H at the nodes; NaN beside a spike of unknown height, where it is not known.
+Array film_errors(const Solution& solution, double error) {
+  const Array& X = solution.fields.X;
+  const Array errors = Array::Constant(X.size(), error);
+  const auto spike = observed::pressure_spike(solution.fields);
+  if (!spike || !spike->place || solution.observables.contains(Quantity::pressure_spike)) return errors;
+  return ((X - *spike->place).abs() <= reach_of_spike).select(std::nan(""), errors);
+}
+
+}  // namespace
 
 std::vector<ProfileColumn> profile_of(const ContactRun& run) {
   const Fields& fields = run.solution.fields;
@@ -35,7 +52,7 @@ std::vector<ProfileColumn> profile_of(const ContactRun& run) {
     columns.push_back({"p_Pa", "Pa", P * run.scales->hertz_pressure_Pa});
     columns.push_back({"h_m", "m", fields.H * *film});
   }
-  if (film_error) columns.push_back({"H_error", "relative", Array::Constant(nodes, *film_error)});
+  if (film_error) columns.push_back({"H_error", "relative", film_errors(run.solution, *film_error)});
   if (cut) columns.push_back({"P_unresolved", "1: cut at " + plain(*cut), is_cut.select(1.0, Array::Zero(nodes))});
   return columns;
 }

@@ -16,9 +16,9 @@ struct ProfileColumn {
 
 /// Columns X, P, H, rho, eta (and x_m, p_Pa, h_m where SI is known). rho and eta are relative to rho_0 and eta_0, and
 /// absent for a dry contact; where eta/eta_0 overflows, it is NaN. H_error is the relative error of the fields
-/// (contact/stated_error.hpp), the same at every node, absent where it is not known. Where the spike's height is not
-/// known, P and p_Pa are cut at 1.5 p_H (workflow/shown_pressure.hpp), rho and eta are NaN there, and a last column
-/// P_unresolved is 1.
+/// (contact/stated_error.hpp), the same at every node, NaN beside a spike of unknown height, absent where it is not
+/// known at all. A spike of unknown height is cut: P and p_Pa at 1.5 p_H (workflow/shown_pressure.hpp), rho and eta are
+/// NaN there, and a last column P_unresolved is 1.
 [[nodiscard]] std::vector<ProfileColumn> profile_of(const ContactRun& run);
 
 /// The columns under a header line with units; a NaN is left empty.

@@ -60,6 +60,9 @@ void remove_temporary_files() noexcept {
   process_ends = true;
   for (const Note& note : notes)
     if (note.state == noted) ::unlink(note.name);
+  // A folder goes when its files have gone. rmdir leaves a file as it is.
+  for (const Note& note : notes)
+    if (note.state == noted) ::rmdir(note.name);
 }
 
 }  // namespace ehd

@@ -6,8 +6,9 @@
 
 namespace ehd {
 
-/// The note of one temporary file. remove_temporary_files() removes the file while the note exists. There is room for
-/// 64 notes with names up to 4095 bytes. A file beyond that has no note; the next run with the same output removes it.
+/// The note of one temporary file or folder. remove_temporary_files() removes it while the note exists. There is room
+/// for 64 notes with names up to 4095 bytes. A file beyond that has no note; the next run with the same output removes
+/// it.
 class TemporaryNote {
  public:
   TemporaryNote() = default;
@@ -23,7 +24,7 @@ class TemporaryNote {
   int place_ = -1;
 };
 
-/// Removes every file with a note. For a signal handler that ends the process: calls only what a handler may call, and
+/// Removes every file with a note, then every folder with a note that is empty. For a signal handler that ends the process: calls only what a handler may call, and
 /// from then on no note is written.
 void remove_temporary_files() noexcept;
 

@@ -3,9 +3,11 @@
 
 namespace ehd {
 
+bool pressure_known(const Solution& solution) { return solution.observables.contains(Quantity::pressure_maximum); }
+
 std::optional<double> pressure_cut(const Solution& solution) {
   const Array& P = solution.fields.P;
-  if (P.size() == 0 || solution.observables.contains(Quantity::pressure_maximum)) return std::nullopt;
+  if (P.size() == 0 || pressure_known(solution)) return std::nullopt;
   // A pressure that is not finite is not known either.
   return P.maxCoeff() <= shown_of_unresolved ? std::nullopt : std::optional(shown_of_unresolved);
 }

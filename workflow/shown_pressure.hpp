@@ -12,8 +12,10 @@ namespace ehd {
 /// near 1, so that it stays visible; a spike on too coarse a grid was seen at 10 to 25.
 inline constexpr double shown_of_unresolved = 1.5;
 
-/// `shown_of_unresolved` where the fields exceed it and pressure.maximum is not among the observables: its value is
-/// then not known (the spike is not resolved, or nobody asked for it). Empty where the pressure may be shown as it is.
+/// pressure.maximum is among the observables. Otherwise a spike may be higher than the fields show.
+[[nodiscard]] bool pressure_known(const Solution& solution);
+
+/// `shown_of_unresolved` where the fields exceed it and the pressure is not known. Empty where the pressure may be shown as it is.
 [[nodiscard]] std::optional<double> pressure_cut(const Solution& solution);
 
 }  // namespace ehd

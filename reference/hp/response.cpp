@@ -228,8 +228,8 @@ Response ResponseSolve::solve() {
   for (const double Omega : request_.frequencies) found.frequencies.push_back({.Omega = Omega});
   for (const Waviness& waviness : request_.waviness) found.waviness.push_back({.waviness = waviness});
   if (!find_steady()) {
-    found.status = meter_.spent() ? StopReason::limit_reached : StopReason::diverged;
-    found.reason = "the steady state was not found";
+    answer_nothing(found, request_, meter_.spent() ? StopReason::limit_reached : StopReason::diverged,
+                   "the steady state was not found");
     return found;
   }
   // Low frequencies first: each takes the meshes over from the one before.

@@ -76,6 +76,12 @@ READERS = {
     "sweep: merge": ("o/shards/1-of-1/journal", ["sweep", "s.toml", "--output", "o", "--merge"],
                      [*NO_TEXT, missing]),
     "atlas: table": ("o/atlas.csv", ["atlas", "--only", "roelands-m20-l10-", "--output", "o"], NO_TEXT),
+    "response CASE": ("c.toml", ["response", "c.toml"], [*NO_TEXT, missing]),
+    "export CASE": ("c.toml", ["export", "law", "c.toml", "--raceway", "inner"], [*NO_TEXT, missing]),
+    "judge": ("mine.csv", ["judge", "mine.csv"], [*NO_TEXT, missing]),
+    "judge: JSON": ("mine.json", ["judge", "mine.json"], [*NO_TEXT, missing]),
+    "atlas: motion": ("o/kappa.csv", ["atlas", "--motion", "--only", "roelands-m1-l5-", "--output", "o"], NO_TEXT),
+    "maps": ("k/atlas/atlas.csv", ["maps"], [*NO_TEXT, missing]),
     "cases": ("k/c.toml", ["cases"], NO_TEXT),
     "cases: references": ("k/references.bib", ["cases"], [*NO_FILE, missing]),
 }

@@ -10,9 +10,10 @@ from room import Ended, Skipped, wrong_with
 TITLE = "little memory: a ladder of ulimit -v over the commands"
 KB = 1024
 LOADER_FAILED = 127  # the dynamic loader could not map a library; the program has not begun
-TIME_S = 30
+TIME_S = 60  # the slowest of these takes 5 s where memory is plenty
 
 SWEEP = 'case = "own-moes-20-10"\ncombine = "product"\n[keys]\n"moes.M" = [10.0, 20.0, 30.0]\n'
+MINE = "case,version,quantity,value,scaling,stated_error\nown-moes-20-10,1,film.minimum,0.0742,hertz,1e-3\n"
 BIG = ["solve", "--M", "20", "--L", "10", "--solver", "fast.uniform", "--nodes"]
 # Command, then the steps of the ladder in kB above the smallest limit at which --version runs.
 LADDERS = {
@@ -32,6 +33,17 @@ LADDERS = {
     "stress": (["stress", "--quick", "--part", "h", "--output", "out"], (0, 2000)),
     "maps": (["maps", "--output", "out"], (0, 1000, 4000)),
     "report": (["report", "."], (0, 1000)),
+    "response": (["response", "own-moes-20-10", "--omega", "1", "--json", "a.json"], (0, 500, 1000, 2000, 4000)),
+    "response, dense": (["response", "own-moes-20-10", "--solver", "reference"], (0, 1000, 4000, 16000)),
+    "bearing --dynamic": (["bearing", "na4908", "--law", "ehd", "--dynamic", "--json", "a.json"],
+                          (0, 1000, 2000, 4000, 8000)),
+    "export law": (["export", "law", "na4908", "--raceway", "inner", "--output", "law.csv"], (0, 1000, 4000)),
+    "judge": (["judge", "mine.csv", "--output", "out"], (0, 500, 2000)),
+    "convert": (["convert", "M=20", "L=10"], (0, 500, 1000)),
+    "new": (["new", "bearing", "a.toml"], (0, 500, 1000)),
+    "sweep --merge": (["sweep", "s.toml", "--output", "done", "--merge"], (0, 500, 2000, 8000)),
+    "compare --external": (["compare", "own-moes-20-10", "--solver", "fast", "--tolerance", "1e-2", "--external",
+                            "mine=true {case} {out}"], (0, 1000, 4000)),
 }
 
 
@@ -65,10 +77,13 @@ def smallest(program):
 def ladder(arguments, step):
     def attack(room):
         room.write("s.toml", SWEEP)
+        room.write("mine.csv", MINE)
+        if "--merge" in arguments:
+            room.run("sweep", "s.toml", "--output", "done", "--shard", "1/1")
         limit = smallest(room.program) + step
         ended = run_with(room.program, limit, *arguments, folder=room.path)
         if ended.late:
-            return None  # it computes: no fault of the memory
+            return f"ulimit -v {limit}: did not end in {TIME_S} s"
         if ended.code in (0, LOADER_FAILED):
             return None
         wrong = wrong_with(ended, (1, 2)) if ended.err.count("\n") <= 1 else []

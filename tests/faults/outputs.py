@@ -1,12 +1,20 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Output files: modes, links, full devices, several files of one command."""
 
+import atexit
+import functools
 import os
+import pathlib
 import resource
+import shutil
 import subprocess
+import tempfile
+
+from room import Skipped
 
 TITLE = "output files: modes, links, together or not at all"
 SOLVE = ["solve", "--M", "20", "--L", "10"]
+SWEEP = 'case = "na4908"\nlaws = ["hertz"]\ncombine = "zip"\n[keys]\n"operation.radial_load_N" = [1e3, 2e3]\n'
 
 
 def keeps_mode(mode):
@@ -28,14 +36,50 @@ def keeps_link(room):
     return None if "converged" in (room.path / "real.json").read_text() else "the file behind the link is old"
 
 
-def trap(room):
-    """A link under the name that the program used to give its temporary file, for every process in reach."""
-    room.write("victim", "untouched")
-    waiting = ["sh", "-c", 'read line; exec "$@"', "sh", room.program.path, *SOLVE, "--json", "a.json"]
-    process = subprocess.Popen(waiting, cwd=room.path, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL)
-    (room.path / f"a.json.partial-{process.pid}").symlink_to("victim")
-    process.communicate(b"go\n")
-    return None if (room.path / "victim").read_text() == "untouched" else "wrote through a link"
+@functools.cache
+def watcher():
+    """calls.c as a library for LD_PRELOAD."""
+    folder = tempfile.mkdtemp(prefix="ehd-calls-")
+    atexit.register(shutil.rmtree, folder)
+    library = pathlib.Path(folder, "calls.so")
+    source = pathlib.Path(__file__).with_name("calls.c")
+    subprocess.run(["cc", "-shared", "-fPIC", "-o", library, source, "-ldl"], check=True)
+    return library
+
+
+def calls(room, *arguments):
+    """What the program opened to write, synced and renamed, in order: (what, path in the room)."""
+    log = room.path / "calls"
+    ended = room.run(*arguments, environment={"LD_PRELOAD": str(watcher()), "EHD_CALLS": str(log)})
+    if ended.code != 0 or not log.exists():
+        raise Skipped("the program does not run under LD_PRELOAD (a sanitizer does not)")
+    seen = [line.split(" ", 1) for line in log.read_text().splitlines()]
+    return [(what, os.path.relpath(room.path / path, room.path)) for what, path in seen]
+
+
+def whole_on_disk(room):
+    """Each temporary file is new and no link, on disk before it gets its name, and its name is on disk after that."""
+    seen = calls(room, *SOLVE, "--json", "a.json", "--profile", "a.csv")
+    temporary = [path for what, path in seen if what == "made" and ".partial-" in path]
+    wrong = [f"{path} is made without O_EXCL and O_NOFOLLOW" for what, path in seen if what == "made-carelessly"]
+    if len({path.split(".partial-")[0] for path in temporary}) != 2:
+        return f"two temporary files were expected: {seen}"
+    for path in temporary:
+        if ("renamed", path) not in seen:
+            wrong.append(f"{path} is not renamed")
+            continue
+        renamed = seen.index(("renamed", path))
+        if ("synced", path) not in seen[:renamed]:
+            wrong.append(f"{path} is not on disk before it is renamed")
+        if ("synced", ".") not in seen[renamed:]:
+            wrong.append(f"the folder is not on disk after {path} is renamed")
+    return "; ".join(wrong) or None
+
+
+def journal_on_disk(room):
+    room.write("s.toml", SWEEP)
+    synced = [path for what, path in calls(room, "sweep", "s.toml", "--output", "out") if what == "synced"]
+    return None if "out/rows/journal" in synced else f"the journal is not on disk at the end: {synced}"
 
 
 def too_large(room):
@@ -76,7 +120,8 @@ def inputs():
     for mode in (0o600, 0o640, 0o664, 0o755):
         yield f"mode {mode:o}", keeps_mode(mode)
     yield "a link to a file", keeps_link
-    yield "a link in place of the temporary file", trap
+    yield "temporary files: O_EXCL, O_NOFOLLOW, fsync of file and folder", whole_on_disk
+    yield "the journal of a sweep: fsync", journal_on_disk
     yield "the second of two outputs is too large", too_large
     yield "a closed pipe", closed_pipe
     yield "a name of 255 characters", long_name

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Signals in the middle of the work of every command that takes a while."""
 
+import os
 import signal
 import subprocess
 import time
@@ -23,6 +24,13 @@ COMMANDS = {
     "statements": ["statements", "--json", "a.json"],
     "sweep": ["sweep", "s.toml", "--output", "out", "--threads", "1"],
     "atlas": ["atlas", "--output", "out", "--threads", "1", "--only", "roelands-m5000-l30"],
+    "atlas --motion": ["atlas", "--motion", "--output", "out", "--threads", "1", "--only", "roelands-m200-l15"],
+    "response": ["response", "own-moes-100-10", "--solver", "reference", "--tolerance", "1e-12", "--json", "a.json",
+                 *(word for Omega in range(1, 100) for word in ("--omega", str(Omega)))],
+    "bearing --dynamic": ["bearing", "na4908", "--solver", "reference", "--law", "ehd", "--dynamic",
+                          "--json", "a.json"],
+    "export films": ["export", "films", "own-moes-20-10", "--M", "2:1000", "--L", "2.5:20", "--tolerance", "1e-6",
+                     "--output", "films.c"],
 }
 
 
@@ -36,10 +44,10 @@ def hear_signals():
         signal.signal(number, signal.SIG_DFL)
 
 
-def started(room, arguments, ready):
+def started(room, arguments, ready, **environment):
     room.write("s.toml", SWEEP)
     process = subprocess.Popen([room.program.path, *arguments], cwd=room.path, stdout=subprocess.PIPE,
-                               stderr=subprocess.PIPE, preexec_fn=hear_signals)
+                               stderr=subprocess.PIPE, preexec_fn=hear_signals, env={**os.environ, **environment})
     end = time.monotonic() + PATIENCE_S
     while not ready() and process.poll() is None and time.monotonic() < end:
         time.sleep(0.01)
@@ -120,7 +128,39 @@ def ignored(room):
     return None if process.returncode in (0, 1) else f"ended with {process.returncode}"
 
 
+def with_child(number):
+    """The solver that `compare --external` runs ends with the program, and so does the folder between them."""
+    def attack(room):
+        child = "touch started; sleep 60 # {case} {out}"
+        arguments = ["compare", "own-moes-20-10", "--solver", "fast", "--tolerance", "1e-2", "--external",
+                     f"mine=cd {room.path}; {child}", "--json", "a.json"]
+        folder = room.path / "exchange"
+        folder.mkdir()
+        process = started(room, arguments, lambda: "started" in room.files(), TMPDIR=str(folder))
+        process.send_signal(number)
+        process.communicate(timeout=PATIENCE_S)
+        if process.returncode != -number:
+            return f"did not end by signal {number}, but with {process.returncode}"
+        time.sleep(0.1)
+        alive = [pid for pid in os.listdir("/proc") if pid.isdigit() and cwd_of(pid) == str(room.path)]
+        if alive:
+            for pid in alive:
+                os.kill(int(pid), signal.SIGKILL)
+            return "the external solver lives on"
+        return f"leaves {list(folder.iterdir())}" if list(folder.iterdir()) else None
+    return attack
+
+
+def cwd_of(pid):
+    try:
+        return os.readlink(f"/proc/{pid}/cwd")
+    except OSError:
+        return None
+
+
 def inputs():
+    for number in (signal.SIGINT, signal.SIGTERM):
+        yield f"compare --external, {number.name}", with_child(number)
     for command in COMMANDS:
         for number in (signal.SIGINT, signal.SIGTERM):
             yield f"{command}, {number.name}", interrupted(command, number)

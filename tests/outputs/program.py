@@ -27,17 +27,27 @@ class Program:
         return done.stdout
 
     def json(self, *arguments, allowed=(0,)):
-        return json.loads(self.run(*arguments, "--json", "-", allowed=allowed))
+        return without_null(json.loads(self.run(*arguments, "--json", "-", allowed=allowed)))
 
     @staticmethod
     def read_json(path):
-        return json.loads(path.read_text())
+        return without_null(json.loads(path.read_text()), path.name)
 
     def write(self, name, text):
         """A file in the folder; its path."""
         path = self.folder / name
         path.write_text(text)
         return path
+
+
+def without_null(value, place="standard output"):
+    """The value; ends the audit where it holds a null: what is not known is absent."""
+    if value is None:
+        raise SystemExit(f"{place}: is null; required is a value, or no key")
+    if isinstance(value, (dict, list)):
+        for key, inner in value.items() if isinstance(value, dict) else enumerate(value):
+            without_null(inner, f"{place}/{key}")
+    return value
 
 
 def side_by_side(calls):

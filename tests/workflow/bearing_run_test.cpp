@@ -177,6 +177,16 @@ BOOST_AUTO_TEST_CASE(equal_contacts_are_solved_once_across_laws_and_clearances) 
   BOOST_TEST((contacts.wanted == needed));
 }
 
+// The slowest bearing that was met: 0.1 m of interference took a minute. Its forces reach far beyond every contact that
+// can be solved, so that each roller was solved again and again.
+BOOST_AUTO_TEST_CASE(a_bearing_of_absurd_interference_asks_for_few_contacts) {
+  CountedContacts contacts;
+  ContactMemory memory(contacts.solver());
+  const long most_solves = 150;  // the program needs 100; three ordinary clearances need 40
+  (void)run(needle_bearing(-0.1), {bearing::Law::ehd_linear, bearing::Law::ehd}, memory);
+  BOOST_TEST(contacts.total <= most_solves);
+}
+
 // Counter: mirrored rollers are balanced once.
 BOOST_AUTO_TEST_CASE(mirrored_rollers_are_balanced_once) {
   CountedContacts contacts;

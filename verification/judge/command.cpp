@@ -17,6 +17,7 @@
 #include <system_error>
 
 #include "contact/text.hpp"
+#include "io/child_processes.hpp"
 
 namespace ehd::judging {
 
@@ -109,6 +110,7 @@ CommandEnd run_command(const std::string& command, double time_limit_s) {
   if (child < 0) throw refused("no process");
   if (child == 0) become(command.c_str(), into.number, parent);
   ::setpgid(child, child);  // the first of the two calls counts
+  const ChildNote note(child);
   into.close();
   const Descriptor ended(static_cast<int>(::syscall(SYS_pidfd_open, child, 0)));  // readable when the child has ended
   if (ended.number < 0) throw refused("no descriptor of a process");

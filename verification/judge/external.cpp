@@ -34,6 +34,7 @@ class Exchange {
         (std::filesystem::temp_directory_path() / ("ehd-external-" + std::string(unique_letters, 'X'))).string();
     if (!::mkdtemp(name.data())) throw OutputError(fmt::format("{}: cannot be made ({})", name, std::strerror(errno)));
     folder_ = name;
+    folder_note_ = TemporaryNote(name);
     case_note_ = TemporaryNote(problem().string());
     out_note_ = TemporaryNote(submission().string());
   }
@@ -48,7 +49,7 @@ class Exchange {
 
  private:
   std::filesystem::path folder_;
-  TemporaryNote case_note_, out_note_;
+  TemporaryNote folder_note_, case_note_, out_note_;
 };
 
 void replace(std::string& text, std::string_view word, const std::string& by) {

@@ -24,9 +24,9 @@ class Contact(Result):
 
     The fields are read-only float64 arrays of one length: ``X`` = x/b, ``P`` = p/p_H and ``H`` = h R/b^2 with the half
     width b and the pressure p_H of the dry contact; ``rho`` and ``eta``, relative to ambient pressure, where there is a
-    lubricant; ``x_m``, ``p_Pa``, ``h_m`` where SI is known; ``H_error``, the relative error of the film. Where the
-    spike is not resolved there is ``P_unresolved``: at nodes where it is 1, the pressure is cut, and rho and eta are
-    NaN. A diverged solve has no fields.
+    lubricant; ``x_m``, ``p_Pa``, ``h_m`` where SI is known; ``H_error``, the relative error of the film,
+    NaN beside a spike of unknown height. Where such a spike is higher than 1.5 there is ``P_unresolved``: at nodes
+    where it is 1, the pressure is cut, and rho and eta are NaN. A diverged solve has no fields.
     """
 
     __slots__ = ("_fields",)

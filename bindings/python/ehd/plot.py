@@ -48,7 +48,7 @@ def contact(result: Contact, axes: Optional[Any] = None) -> Any:
     right = left.twinx()
     resolved = result.fields.pressure_resolved
     pressure, = left.plot(result.X, result.P, color=_FIRST, linewidth=1.2,
-                          label="pressure" if resolved else "pressure (spike not resolved, cut)")
+                          label="pressure" if resolved else "pressure (maximum not known)")
     film, = right.plot(result.X, result.H, color=_SECOND, linewidth=1.2, linestyle="--", label="film")
     left.set(xlim=(_LEFT, _RIGHT), ylim=(0, None), xlabel="$X = x/b$", ylabel="$p/p_H$")
     central = float(np.interp(0.0, result.X, result.H))

@@ -19,7 +19,7 @@ def test_a_contact_is_drawn_with_its_own_numbers(tmp_path):
 def test_a_spike_that_is_not_resolved_is_said_to_be_so():
     r = ehd.solve("own-steel-20-10", tolerance=1e-1)
     data = r.to_dict()
-    for resolved, label in ((True, "pressure"), (False, "pressure (spike not resolved, cut)")):
+    for resolved, label in ((True, "pressure"), (False, "pressure (maximum not known)")):
         copy = ehd.Contact({**data, "fields": {**data["fields"], "pressure_resolved": resolved}},
                            {name: getattr(r, name) for name in "XPH"})
         left, _ = ehd.plot.contact(copy)
