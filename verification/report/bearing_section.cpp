@@ -177,6 +177,13 @@ void add_polars(Page& page, const std::vector<Bearing>& group) {
   page.end_figures();
 }
 
+/// The number with its error in brackets; `digits` digits where no error is known.
+TableCell number_with_error(const std::optional<double>& value, const std::optional<double>& absolute_error,
+                            int digits) {
+  if (!value || !std::isfinite(*value) || !absolute_error) return number_cell(value, digits);
+  return {with_absolute_error(*value, absolute_error), "number"};
+}
+
 /// One row of the table of balances: a law of a bearing.
 std::vector<TableCell> balance_row(const std::string& id, const View& law) {
   double force = 0, film = std::numeric_limits<double>::infinity();
@@ -184,18 +191,23 @@ std::vector<TableCell> balance_row(const std::string& id, const View& law) {
   for (const View& roller : law.list("rollers")) {
     forces.push_back(roller["inner"].number("force_N").value_or(0));
     force = std::max(force, forces.back());
-    if (const auto h = roller["inner"].number("film_minimum_m")) film = std::min(film, *h);
+    for (const char* raceway : {"inner", "outer"})
+      film = std::min(film, roller[raceway].number("film_minimum_m").value_or(film));
   }
+  const auto errors = errors_of_balance(law);
+  const auto displacement_error = errors ? std::optional(errors->displacement_m * micro) : std::nullopt;
+  const auto force_error = errors ? std::optional(errors->largest_force_N * kilo) : std::nullopt;
+  const auto film_error = errors ? scaled(errors->smallest_film, film * micro) : std::nullopt;
   const auto loaded =
       std::count_if(forces.begin(), forces.end(), [&](double one) { return bearing::is_loaded(one, force); });
   const View fit = law["fit"]["inner"];
   return {words(id),
           words(law.text("law")),
           verdict_cell(law.text("status")),
-          number_cell(scaled(law.number("displacement_m"), micro), 4),
-          number_cell(force * kilo, 4),
+          number_with_error(scaled(law.number("displacement_m"), micro), displacement_error, 4),
+          number_with_error(force * kilo, force_error, 4),
           integer_cell(static_cast<double>(loaded)),
-          number_cell(film * micro, 3),
+          number_with_error(film * micro, film_error, 3),
           number_cell(scaled(fit.number("K_N_per_m"), 1 / micro), 5),
           number_cell(fit.number("dF_N"), 4),
           number_cell(fit.number("residual_N"), 3)};
@@ -203,7 +215,9 @@ std::vector<TableCell> balance_row(const std::string& id, const View& law) {
 
 void add_balances(Page& page, const std::vector<Bearing>& group) {
   Table table;
-  table.caption = "Balance and fit, inner raceway: <i>f</i> = <i>K</i> <i>\u03b4</i> + \u0394<i>F</i>";
+  table.caption =
+      "Balance, and fit of the inner raceway: <i>f</i> = <i>K</i> <i>\u03b4</i> + \u0394<i>F</i>. In brackets: the "
+      "error, in units of the last digit";
   table.columns = {"case",
                    "law",
                    "status",

@@ -38,6 +38,22 @@ void add_statements(Page& page, const std::vector<View>& statements) {
   page.add(table);
 }
 
+std::optional<BearingErrors> errors_of_balance(const View& law) {
+  const auto budget = law.list("error_budget");
+  const bool has_fit_row =
+      std::any_of(budget.begin(), budget.end(), [](const View& row) { return row.text("source") == "fit"; });
+  if (budget.empty() || (law.has("fit") && !has_fit_row)) return std::nullopt;
+  BearingErrors errors;
+  for (const View& row : budget) {
+    if (row.text("source") == "datum") continue;
+    errors.displacement_m += row.number("displacement_m").value_or(0);
+    errors.largest_force_N += row.number("largest_force_N").value_or(0);
+    if (const auto film = row.number("smallest_film_relative"))
+      errors.smallest_film = errors.smallest_film.value_or(0) + *film;
+  }
+  return errors;
+}
+
 void add_budgets(Page& page, const std::vector<View>& bearings) {
   if (bearings.empty()) return;  // the section has said so
   Table table;

@@ -2,11 +2,17 @@
 // Parts of the section "Bearing": error budgets, the paper's statements, contact force laws.
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "io/bearing_summary.hpp"
 #include "verification/report/page.hpp"
 
 namespace ehd::report {
+
+/// The errors of one law's balance: the sum of its budget but for the datum, which is a choice. Absent for a dry law,
+/// and for a fitted one without the row "fit".
+[[nodiscard]] std::optional<BearingErrors> errors_of_balance(const View& law);
 
 /// By how much each simplification may move a balance: one table for all bearings.
 void add_budgets(Page& page, const std::vector<View>& bearings);

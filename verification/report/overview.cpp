@@ -9,6 +9,7 @@
 
 #include "contact/text.hpp"
 #include "io/duration.hpp"
+#include "verification/report/bearing_tables.hpp"
 #include "verification/report/report.hpp"
 
 namespace ehd::report {
@@ -219,11 +220,9 @@ Verified bearing_verified(const View& figures) {
     for (const View& law : bearing.list("laws")) {
       laws.insert(law.text("law"));
       if (!law.text("status").empty() && law.text("status") != "converged") ++open;
-      double bound = 0;
-      for (const View& source : law.list("error_budget"))
-        if (source.text("kind") == "bound") bound += source.number("displacement_m").value_or(0);
-      if (const auto displacement = law.number("displacement_m"); bound > 0 && displacement && *displacement != 0)
-        digits.add(digits_of(bound / *displacement));
+      const auto errors = errors_of_balance(law);
+      if (const auto displacement = law.number("displacement_m"); errors && displacement && *displacement != 0)
+        digits.add(digits_of(errors->displacement_m / std::abs(*displacement)));
     }
   }
   Verified row{.what = section_link("bearing", how_many(bearings.size(), "bearing", "bearings") + " under " +

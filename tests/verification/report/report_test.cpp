@@ -259,6 +259,21 @@ BOOST_AUTO_TEST_CASE(the_first_table_has_a_line_a_part_and_says_what_is_absent) 
   BOOST_TEST(changed[7].digits == "stiffness: 3 to 4 digits; damping: 2 digits");
 }
 
+// A line that is fitted is off by its distance from the full relation; the datum is a choice.
+BOOST_AUTO_TEST_CASE(a_balance_has_the_errors_of_its_budget_and_the_first_table_has_the_worst) {
+  const auto digits = [](const Json& results) {
+    return report::everything_verified({results, "results.json"}, {}, {})[6].digits;
+  };
+  Json results = test::made_results();
+  BOOST_TEST(digits(results) == "displacement: 1.4 to 3.3 digits");
+  const std::string page = made_page();
+  BOOST_TEST(count_of(page, "<td class=\"number\">5.0(3)</td><td class=\"number\">9.00(2)</td>") == 1u);  // 0.201 um
+  BOOST_TEST(count_of(page, "<td class=\"number\">5.000(3)</td>") == 1u);
+  BOOST_TEST(count_of(page, "<td class=\"number\">0.4000(4)</td>") == 1u);
+  results["figures"]["bearing"][0]["laws"][1]["error_budget"].erase(0);  // the fit's distance is not known
+  BOOST_TEST(digits(results) == "displacement: 3.3 digits");
+}
+
 BOOST_AUTO_TEST_CASE(no_legend_has_one_name_twice) {
   const std::string page = made_page();
   BOOST_TEST(count_of(page, "film.minimum, extrapolated: fitted 1.9<") == 1u);
