@@ -45,9 +45,44 @@ BOOST_AUTO_TEST_SUITE(bearing_summary)
 BOOST_AUTO_TEST_CASE(the_summary_has_the_numbers_of_the_loaded_rollers_with_their_errors) {
   const Case one = made::needle_bearing(10e-6);
   const std::string text = summary_table(std::get<BearingCase>(one.body), {made_result()}, some_errors);
-  for (const char* phrase : {"10.00(2)", "900(3)", "1202(3)", "-60.0 to 60.0", "3 of 4", "0.3000(3)", "500.1"})
+  for (const char* phrase :
+       {"10.00(2)", "900(3)", "1202(3)", "+-60.00(7)", "3 of 4", "0.3000(3)", "3.000(3)", " 500\n"})
     BOOST_CHECK_MESSAGE(says(text, phrase), phrase << " is not in\n" << text);
   BOOST_TEST(!says(text, "0.2"));  // the film of the unloaded roller
+}
+
+// d(psi) = cot psi d(delta)/delta = 0.066 degrees above; without clearance it is 0, under preload the zone is the
+// circle.
+BOOST_AUTO_TEST_CASE(a_load_zone_has_an_error_where_the_ring_moves_along_the_load_alone) {
+  const auto zone = [](double clearance_m, double across_m) {
+    const Case one = made::needle_bearing(clearance_m);
+    BearingResult result = made_result();
+    result.displacement_lateral_m = across_m;
+    const std::string text = summary_table(std::get<BearingCase>(one.body), {result}, some_errors);
+    const auto at = text.find("load zone [deg]"), end = text.find('\n', at);
+    return text.substr(text.rfind("  ", end) + 2, end - text.rfind("  ", end) - 2);
+  };
+  BOOST_TEST(zone(0, 0) == "+-90");
+  BOOST_TEST(zone(-30e-6, 0) == "+-180.0");
+  BOOST_TEST(zone(10e-6, 10e-6) == "-24.3 to 114.3");
+}
+
+// The motion at 0 Hz is the same stiffness by another way; a line is off by its distance from the full relation.
+BOOST_AUTO_TEST_CASE(a_stiffness_has_an_error_from_motion_at_rest_or_from_the_full_relation) {
+  const Case one = made::needle_bearing(10e-6);
+  BearingResult films = made_result(), line = made_result(), dry = made_result();
+  films.dynamics = {{.frequency_Hz = 100}, {.frequency_Hz = 0}};
+  films.dynamics.back().ring = {.stiffness_N_per_m = {{{5.0022e8, 0}, {0, 4.9978e8}}}, .error = 2e-3};
+  line.law = bearing::Law::ehd_linear;
+  line.fit.emplace();
+  line.stiffness_N_per_m[0][0] = 4.87e8;
+  dry.law = bearing::Law::hertz;
+  const auto text = [&](const std::vector<BearingResult>& results) {
+    return summary_table(std::get<BearingCase>(one.body), results, some_errors);
+  };
+  BOOST_TEST(says(text({films}), " 500(3)\n"));  // 2e-3 of the trace, and 0.1
+  BOOST_TEST(says(text({dry, line, films}), " 500.1    4.9(2)e2      500(3)\n"), text({dry, line, films}));
+  BOOST_TEST(says(text({line}), " 487\n"));
 }
 
 BOOST_AUTO_TEST_CASE(tables_of_motion_print_the_digits_that_are_known) {
