@@ -69,6 +69,58 @@ std::pair<std::string, std::string> parts_of(const std::string& path) {
   return {path.substr(0, dot), dot == std::string::npos ? "" : path.substr(dot + 1)};
 }
 
+/// What an unknown key may have been meant to be: a path, and its words in a message. Empty where nothing is near.
+struct Meant {
+  std::string path, words;
+};
+
+/// Both can stand in one case.
+bool stand_together(const CaseTable& one, const CaseTable& other) {
+  const bool two_statements = one.role == TableRole::statement && other.role == TableRole::statement;
+  return !two_statements && ((one.in_contact && other.in_contact) || (one.in_bearing && other.in_bearing));
+}
+
+/// A key of another table than the one where it stands. First come the tables that such a case has to have, with their
+/// near keys too, then those that it may have, then all.
+Meant meant_elsewhere(const std::string& key, const std::string& table_name) {
+  const CaseTable* const table = find_case_table(table_name);
+  const auto may_stand = [table](const CaseTable& other) { return table && stand_together(*table, other); };
+  const auto has_to_stand = [&](const CaseTable& other) { return may_stand(other) && other.required; };
+  const auto any = [](const CaseTable&) { return true; };
+  const auto found = [&](const auto& admits, bool exactly) -> Meant {
+    for (const CaseTable& other : case_tables()) {
+      if (other.name.empty() || other.name == table_name || !admits(other)) continue;
+      const auto names = names_of_keys(other);
+      const bool has_it = std::find(names.begin(), names.end(), key) != names.end();
+      const std::string name = has_it ? key : exactly ? "" : near_miss(key, names);
+      if (!name.empty())
+        return {.path = fmt::format("{}.{}", other.name, name), .words = fmt::format("{} in [{}]", name, other.name)};
+    }
+    return {};
+  };
+  for (Meant meant : {found(has_to_stand, true), found(has_to_stand, false), found(may_stand, true), found(any, true)})
+    if (!meant.path.empty()) return meant;
+  return {};
+}
+
+Meant meant_by(const std::string& key, const std::string& table, bool is_table,
+               const std::vector<std::string>& allowed) {
+  if (const std::string name = near_miss(key, allowed); !name.empty())
+    return {.path = table.empty() ? name : table + "." + name,
+            .words = find_case_table(name) && is_table ? "[" + name + "]" : name};
+  return meant_elsewhere(key, table);
+}
+
+/// What an unknown "table.key" may have been meant to be; empty where nothing is near.
+std::string path_meant_by(const std::string& path) {
+  const auto [table, key] = parts_of(path);
+  if (const CaseTable* row = find_case_table(table); row && is_substitutable(*row)) {
+    const std::string name = near_miss(key, names_of_keys(*row));
+    return name.empty() ? meant_elsewhere(key, table).path : name;
+  }
+  return near_miss(path, substitutable_paths());
+}
+
 void require_substitutable(const std::string& path) {
   const auto [table_name, key] = parts_of(path);
   const CaseTable* table = find_case_table(table_name);
@@ -77,25 +129,10 @@ void require_substitutable(const std::string& path) {
   if (std::find(keys.begin(), keys.end(), key) != keys.end()) return;
   const std::string allowed = table ? fmt::format("in [{}] {}", table_name, list(keys))
                                     : "table.key with one of the tables " + list(names_of_substitutable_tables());
-  throw CaseError(one_line(fmt::format(
-      "{}: is no key of a case that can be given another value; {}allowed is {}", shortened(path, longest_text),
-      did_you_mean(table ? key : path, table ? keys : substitutable_paths()), allowed)));
-}
-
-/// What an unknown key may have been meant to be: a path, and its words in a message. Empty where nothing is near.
-struct Meant {
-  std::string path, words;
-};
-Meant meant_by(const std::string& key, const std::string& table, bool is_table,
-               const std::vector<std::string>& allowed) {
-  if (const std::string name = near_miss(key, allowed); !name.empty())
-    return {.path = table.empty() ? name : table + "." + name,
-            .words = find_case_table(name) && is_table ? "[" + name + "]" : name};
-  for (const CaseTable& other : case_tables())
-    for (const CaseKey& row : other.keys)
-      if (row.name == key && !other.name.empty())
-        return {.path = fmt::format("{}.{}", other.name, key), .words = fmt::format("{} in [{}]", key, other.name)};
-  return {};
+  const std::string meant = path_meant_by(path);
+  throw CaseError(one_line(fmt::format("{}: is no key of a case that can be given another value; {}allowed is {}",
+                                       shortened(path, longest_text),
+                                       meant.empty() ? "" : "did you mean " + meant + "? ", allowed)));
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/near_miss.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <numeric>
 #include <tuple>
@@ -11,7 +13,8 @@ namespace ehd {
 namespace {
 
 constexpr std::size_t most_differences = 2;
-constexpr std::size_t shortest_part = 4;      // from the middle of a name
+constexpr std::size_t shortest_part = 4;      // from the middle of a name, or one of its words: units are shorter
+constexpr std::size_t shortest_start = 3;     // of a word: dia for diameter
 constexpr std::size_t longest_compared = 60;  // no name is longer; a longer word would cost time for nothing
 
 /// Characters to insert, remove or replace until one text is the other.
@@ -38,25 +41,86 @@ std::string shortest(const std::vector<std::string>& names, const Predicate& has
   return found;
 }
 
+std::string in_small_letters(std::string text) {
+  for (char& c : text)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return text;
+}
+
+/// "load_N_per_m": load, n, per, m.
+std::vector<std::string> words_of(const std::string& name) {
+  std::vector<std::string> words{""};
+  for (const char c : in_small_letters(name)) {
+    if (c == '_')
+      words.emplace_back();
+    else
+      words.back() += c;
+  }
+  return words;
+}
+
+/// How many words of the given one the name has too, some as their beginning; 0 where only units are common.
+std::size_t common_words(const std::vector<std::string>& given, const std::vector<std::string>& name) {
+  std::size_t common = 0;
+  bool more_than_units = false;
+  for (const std::string& word : given) {
+    const bool there = std::any_of(name.begin(), name.end(), [&](const std::string& other) {
+      return other == word || (word.size() >= shortest_start && other.starts_with(word));
+    });
+    if (!there) continue;
+    ++common;
+    more_than_units = more_than_units || word.size() >= shortest_part;
+  }
+  return more_than_units ? common : 0;
+}
+
+/// The shortest of the names that have most words of the given one; empty where none has any.
+std::string of_most_common_words(const std::string& given, const std::vector<std::string>& names) {
+  std::string found;
+  std::size_t most = 0;
+  for (const std::string& name : names) {
+    const std::size_t common = common_words(words_of(given), words_of(name));
+    if (common > most || (common == most && most > 0 && name.size() < found.size()))
+      std::tie(most, found) = std::pair(common, name);
+  }
+  return found;
+}
+
 }  // namespace
 
 std::string near_miss(const std::string& word, const std::vector<std::string>& names) {
-  if (word.size() > longest_compared) return "";
+  if (word.empty() || word.size() > longest_compared) return "";
   std::string nearest;
   std::size_t least = std::min(most_differences + 1, (word.size() + 1) / 2);
   for (const std::string& name : names) {
-    const std::size_t apart = distance(word, name);
+    const std::size_t apart = distance(in_small_letters(word), in_small_letters(name));
     if (apart < least) std::tie(least, nearest) = std::pair(apart, name);
   }
   if (!nearest.empty()) return nearest;
   nearest = shortest(names, [&](const std::string& name) { return name.starts_with(word); });
   if (!nearest.empty() || word.size() < shortest_part) return nearest;
-  return shortest(names, [&](const std::string& name) { return name.find(word) != std::string::npos; });
+  nearest = shortest(names, [&](const std::string& name) { return name.find(word) != std::string::npos; });
+  return nearest.empty() ? of_most_common_words(word, names) : nearest;
 }
 
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& names) {
   const std::string meant = near_miss(word, names);
   return meant.empty() ? "" : "did you mean " + meant + "? ";
+}
+
+std::string is_unknown(const std::string& word, const std::string& allowed) {
+  std::vector<std::string> items, bare;
+  for (std::size_t begin = 0; begin < allowed.size();) {
+    const std::size_t end = std::min(allowed.find(", ", begin), allowed.size());
+    items.push_back(allowed.substr(begin, end - begin));
+    bare.push_back(items.back());
+    std::erase(bare.back(), '"');
+    begin = end + 2;
+  }
+  const auto at = std::find(bare.begin(), bare.end(), near_miss(word, bare));
+  const std::string meant =
+      at == bare.end() ? "" : fmt::format("did you mean {}? ", items[static_cast<std::size_t>(at - bare.begin())]);
+  return fmt::format("is unknown; {}allowed is {}", meant, allowed);
 }
 
 }  // namespace ehd

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The name that somebody may have meant: for unknown keys, options, subcommands and cases.
+// The name that somebody may have meant: for unknown keys, options, subcommands, cases and words.
 #pragma once
 
 #include <string>
@@ -7,12 +7,16 @@
 
 namespace ehd {
 
-/// The nearest of the names where at most two characters differ, and fewer than half of the word's. Else the shortest
-/// name that begins with the word; else, from four characters on, the shortest that contains it. Empty where there is
-/// none.
+/// The nearest of the names where at most two characters differ, and fewer than half of the word's; capital letters are
+/// small ones here. Else the shortest name that begins with the word; else, from four characters on, the shortest that
+/// contains it, or the one that has most of its words between "_". Empty where there is none.
 [[nodiscard]] std::string near_miss(const std::string& word, const std::vector<std::string>& names);
 
 /// "did you mean NAME? ", or nothing.
 [[nodiscard]] std::string did_you_mean(const std::string& word, const std::vector<std::string>& names);
+
+/// "is unknown; did you mean NAME? allowed is ALLOWED", of a word that is none of the allowed: "one, two", each as it
+/// is or in quotation marks.
+[[nodiscard]] std::string is_unknown(const std::string& word, const std::string& allowed);
 
 }  // namespace ehd

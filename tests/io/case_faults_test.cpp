@@ -70,6 +70,23 @@ BOOST_AUTO_TEST_CASE(unknown_keys_come_first_with_the_nearest_key_which_then_doe
        "12: nonsense = 4: is unknown in [domain]; allowed is inlet", "5: [moes] L: is missing"});
 }
 
+BOOST_AUTO_TEST_CASE(the_nearest_key_is_one_of_the_table_or_of_those_that_the_case_has_to_have) {
+  check_lines(
+      "id = \"mine\"\nversion = 1\ntitle = \"t\"\nsource = \"own\"\n[bearing]\nrollers = 9\n"
+      "pitch_diameter_m = 0.06\nroller_dia_m = 0.01\nlength_m = 0.01\nclearance_m = 0\nrotating = \"inner\"\n"
+      "density_kg_per_m3 = 7850\nspeed = 3000\nload_N = 5000\nlaw = \"palmgren\"\n"
+      "[material]\nmodulus_Pa = 2.06e11\npoisson = 0.3\n",
+      {"8: roller_dia_m = 0.01: is unknown in [bearing]; did you mean roller_diameter_m? allowed is",
+       "13: speed = 3000: is unknown in [bearing]; did you mean speed_rpm in [operation]? allowed is",
+       "14: load_N = 5000: is unknown in [bearing]; did you mean radial_load_N in [operation]? allowed is",
+       "15: law = \"palmgren\": is unknown in [bearing]; did you mean law in [datum]? allowed is"});
+  check_lines(
+      "id = \"mine\"\nversion = 1\ntitle = \"t\"\nsource = \"own\"\n[conditions]\nload_N_m = 1e5\n"
+      "reduced_radius_m = 0.01\nreduced_modulus_Pa = 2.2e11\nspeed_m_per_s = 3\n",
+      {"6: load_N_m = 1e5: is unknown in [conditions]; did you mean load_N_per_m? allowed is",
+       "9: speed_m_per_s = 3: is unknown in [conditions]; did you mean speed_sum_m_per_s? allowed is"});
+}
+
 // The oil is stated by its grade: no viscosity is missing, but the temperature is.
 BOOST_AUTO_TEST_CASE(a_mistyped_grade_counts_as_the_grade) {
   check_lines(

@@ -20,4 +20,28 @@ BOOST_AUTO_TEST_CASE(the_nearest_name_is_named_and_a_far_one_is_not) {
   BOOST_TEST(did_you_mean("viscosity", names) == "");
 }
 
+BOOST_AUTO_TEST_CASE(words_between_underscores_count_and_units_alone_do_not) {
+  const std::vector<std::string> conditions{"load_N_per_m", "reduced_radius_m", "speed_sum_m_per_s", "viscosity_Pa_s"};
+  BOOST_TEST(ehd::near_miss("load_N_m", conditions) == "load_N_per_m");
+  BOOST_TEST(ehd::near_miss("speed_m_per_s", conditions) == "speed_sum_m_per_s");
+  BOOST_TEST(ehd::near_miss("length_m_per_s", conditions) == "");
+  const std::vector<std::string> bearing{"rollers", "pitch_diameter_m", "roller_diameter_m", "length_m"};
+  BOOST_TEST(ehd::near_miss("roller_dia_m", bearing) == "roller_diameter_m");
+}
+
+BOOST_AUTO_TEST_CASE(capital_letters_are_small_ones) {
+  const std::vector<std::string> names{"lambda", "M", "L", "W", "U_mean"};
+  BOOST_TEST(ehd::near_miss("l", names) == "L");
+  BOOST_TEST(ehd::near_miss("u_mean", names) == "U_mean");
+  BOOST_TEST(ehd::near_miss("la", names) == "lambda");
+}
+
+BOOST_AUTO_TEST_CASE(an_unknown_word_is_refused_with_the_nearest_as_it_is_written) {
+  BOOST_TEST(is_unknown("fst", "reference, fast") == "is unknown; did you mean fast? allowed is reference, fast");
+  BOOST_TEST(is_unknown("baruss", "\"barus\", \"roelands\"") ==
+             "is unknown; did you mean \"barus\"? allowed is \"barus\", \"roelands\"");
+  BOOST_TEST(is_unknown("magic", "reference, fast") == "is unknown; allowed is reference, fast");
+  BOOST_TEST(is_unknown("", "reference, fast") == "is unknown; allowed is reference, fast");
+}
+
 BOOST_AUTO_TEST_SUITE_END()
