@@ -100,7 +100,7 @@ std::vector<std::string> parts_named(const std::vector<std::string>& names) {
   if (names.empty()) return {std::begin(usual_parts), std::end(usual_parts)};
   for (const auto& name : names) {
     if (std::find(std::begin(all_parts), std::end(all_parts), name) == std::end(all_parts))
-      throw option_error("--part", name, fmt::format("is unknown; allowed is {}", fmt::join(all_parts, ", ")));
+      throw unknown_word_error("--part", name, fmt::format("{}", fmt::join(all_parts, ", ")));
   }
   return names;
 }

@@ -55,7 +55,7 @@ std::string completion_script(const std::string& program, const std::vector<Comm
   if (shell == "zsh")
     return fmt::format("#compdef {}\nautoload -U +X bashcompinit && bashcompinit\n{}", program,
                        function_of(program, commands));
-  throw option_error("--completion", shell, std::string("is unknown; allowed is ") + completion_shells);
+  throw unknown_word_error("--completion", shell, completion_shells);
 }
 
 }  // namespace ehd::cli

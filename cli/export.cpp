@@ -90,7 +90,7 @@ Writer writer_named(const std::string& format, const CaseChanges& changes) {
       return json_text(json);
     };
   if (format == "c") return film_table_c;
-  throw option_error("--format", format, "is unknown; allowed is csv, json, c");
+  throw unknown_word_error("--format", format, "csv, json, c");
 }
 
 /// The table, with the contacts solved so far shown on a terminal.
@@ -161,7 +161,7 @@ void require_own_options(const ExportOptions& options) {
 int export_any(const ExportOptions& options) {
   require_own_options(options);
   if (options.what == "films") return export_films(options);
-  if (options.what != "law") throw UsageError("export: WHAT = " + options.what + ": is unknown; allowed is films, law");
+  if (options.what != "law") throw unknown_word_error("export: WHAT", options.what, "films, law");
   LawExportOptions law = options.law;
   law.case_name = options.case_name;
   law.changes = options.changes;

@@ -29,7 +29,7 @@ LawWriter law_writer_named(const std::string& format, const CaseChanges& changes
     };
   if (format == "c") return law_export_c;
   if (format == "matlab") return law_export_matlab;
-  throw option_error("--format", format, "is unknown; allowed is csv, json, c, matlab");
+  throw unknown_word_error("--format", format, "csv, json, c, matlab");
 }
 
 bearing::Raceway raceway_named(const std::optional<std::string>& name) {

@@ -37,10 +37,10 @@ The numbers are the certified ones of cases/atlas, which ehd atlas made. Only --
 int maps(const MapsOptions& options) {
   const std::string quantity = options.quantity.value_or("");
   if (options.quantity && quantity != "film.minimum" && quantity != "film.central")
-    throw option_error("--quantity", quantity, "is unknown; allowed is film.minimum, film.central");
+    throw unknown_word_error("--quantity", quantity, "film.minimum, film.central");
   const auto laws = verification::atlas_laws_from(options.laws);
   if (!laws || *laws == verification::AtlasLaws::isoviscous)  // L = 0 is a row of both maps
-    throw option_error("--laws", options.laws, "is unknown; allowed is roelands, barus");
+    throw unknown_word_error("--laws", options.laws, "roelands, barus");
   if (options.table && (options.output || options.quantity))
     throw UsageError("maps: --table excludes --output and --quantity; allowed is it alone");
   if (options.motion && (options.table || options.output || options.quantity))

@@ -35,9 +35,9 @@ std::string text_of(const NewOptions& options, const std::string& id) {
   if (options.what == "contact") return case_template(CaseKind::contact, id);
   if (options.what == "bearing") return case_template(CaseKind::bearing, id);
   if (options.what == "keys" && !options.file) return case_key_tables();
-  throw option_error("WHAT", options.what,
-                     options.what == "keys" ? "is for standard output; allowed is no FILE with it"
-                                            : "is unknown; allowed is contact, bearing, keys");
+  if (options.what == "keys")
+    throw option_error("WHAT", options.what, "is for standard output; allowed is no FILE with it");
+  throw unknown_word_error("WHAT", options.what, "contact, bearing, keys");
 }
 
 int make_new(const NewOptions& options) {

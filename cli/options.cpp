@@ -61,7 +61,7 @@ Request RequestOptions::request() const {
 
 const RegisteredSolver& solver_named(const std::string& name) {
   const auto* solver = find_solver(name);
-  if (!solver) throw option_error("--solver", name, "is unknown; allowed is " + solver_names());
+  if (!solver) throw unknown_word_error("--solver", name, solver_names());
   return *solver;
 }
 
@@ -70,9 +70,7 @@ Wanted quantities_named(const std::vector<std::string>& names) {
   Wanted wanted;
   for (const auto& name : names) {
     const auto quantity = quantity_from(name);
-    if (!quantity)
-      throw option_error("--quantity", name,
-                         "is unknown; allowed is " + names_of_quantities([](Quantity) { return true; }));
+    if (!quantity) throw unknown_word_error("--quantity", name, names_of_quantities([](Quantity) { return true; }));
     wanted.insert(*quantity);
   }
   return wanted;
@@ -82,7 +80,7 @@ std::vector<bearing::Law> laws_named(const std::vector<std::string>& names) {
   std::vector<bearing::Law> laws;
   for (const auto& name : names) {
     const auto law = bearing::law_from(name);
-    if (!law) throw option_error("--law", name, "is unknown; allowed is " + bearing::names_of(bearing::Laws::all));
+    if (!law) throw unknown_word_error("--law", name, bearing::names_of(bearing::Laws::all));
     if (std::find(laws.begin(), laws.end(), *law) == laws.end()) laws.push_back(*law);
   }
   return laws;

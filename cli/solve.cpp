@@ -95,13 +95,12 @@ ContactCase contact_from(const SolveOptions& options) {
   Lubricant lubricant;
   if (options.viscosity) {
     const auto law = viscosity_law_from(*options.viscosity);
-    if (!law)
-      throw option_error("--viscosity", *options.viscosity, "is unknown; allowed is " + names_of(viscosity_laws()));
+    if (!law) throw unknown_word_error("--viscosity", *options.viscosity, names_of(viscosity_laws()));
     lubricant.viscosity = *law;
   }
   if (options.density) {
     const auto law = density_law_from(*options.density);
-    if (!law) throw option_error("--density", *options.density, "is unknown; allowed is " + names_of(density_laws()));
+    if (!law) throw unknown_word_error("--density", *options.density, names_of(density_laws()));
     lubricant.density = *law;
   }
   if (options.alpha) {  // it sets p_H, which 0 cannot

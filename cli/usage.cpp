@@ -10,6 +10,7 @@
 
 #include "cli/output.hpp"
 #include "contact/nondimensional.hpp"
+#include "io/near_miss.hpp"
 #include "workflow/case.hpp"
 
 namespace ehd::cli {
@@ -22,6 +23,10 @@ std::string allowed_is(const Allowed& range) { return "; allowed is " + text_of(
 
 UsageError option_error(const std::string& option, const std::string& value, const std::string& message) {
   return UsageError(fmt::format("{} = {}: {}", option, value, message));
+}
+
+UsageError unknown_word_error(const std::string& option, const std::string& value, const std::string& allowed) {
+  return option_error(option, value, is_unknown(value, allowed));
 }
 
 int run_guarded(const std::function<int()>& body) {

@@ -21,6 +21,10 @@ class UsageError : public std::runtime_error {
 /// "OPTION = VALUE: message", for every refused option.
 [[nodiscard]] UsageError option_error(const std::string& option, const std::string& value, const std::string& message);
 
+/// "OPTION = VALUE: is unknown; did you mean ...? allowed is ALLOWED", a list of words: "one, two".
+[[nodiscard]] UsageError unknown_word_error(const std::string& option, const std::string& value,
+                                            const std::string& allowed);
+
 /// Runs a subcommand's body and returns the exit code. Wrong input (CaseError, UsageError, OutputError, StatementError)
 /// ends in one line on standard error and exit code 2, lack of memory in one line and exit code 1.
 [[nodiscard]] int run_guarded(const std::function<int()>& body);

@@ -12,6 +12,7 @@
 #include "contact/text.hpp"
 #include "io/case_keys.hpp"
 #include "io/case_tree.hpp"
+#include "io/near_miss.hpp"
 
 namespace ehd {
 
@@ -99,8 +100,7 @@ std::string text(const CaseTree& tree, const std::string& key, const std::string
 std::string word(const CaseTree& tree, const std::string& key) {
   const std::vector<std::string> words = std::get<allowed::Word>(row_of_case_key(key).allowed).words();
   const std::string chosen = text(tree, key);
-  if (std::find(words.begin(), words.end(), chosen) == words.end())
-    tree.fail(key, "is unknown; allowed is " + allowed_of(key));
+  if (std::find(words.begin(), words.end(), chosen) == words.end()) tree.fail(key, is_unknown(chosen, allowed_of(key)));
   return chosen;
 }
 

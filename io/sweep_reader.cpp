@@ -13,6 +13,7 @@
 #include "io/case_reader.hpp"
 #include "io/case_text.hpp"
 #include "io/find_case.hpp"
+#include "io/near_miss.hpp"
 #include "io/sweep_file.hpp"
 #include "io/sweep_films.hpp"
 #include "io/sweep_source.hpp"
@@ -63,7 +64,7 @@ void read_solver(const SweepSource& source, Sweep& sweep) {
   const toml::node* node = source.root().get("solver");
   if (!node) return;
   sweep.solver = source.text("solver", *node, "one of " + solver_names());
-  if (!find_solver(sweep.solver)) source.fail("solver", *node, "is unknown; allowed is " + solver_names());
+  if (!find_solver(sweep.solver)) source.fail("solver", *node, is_unknown(sweep.solver, solver_names()));
 }
 
 void read_tolerance(const SweepSource& source, Sweep& sweep) {

@@ -66,7 +66,7 @@ std::string SweepSource::choice(const std::string& key, const toml::node& node,
                                 const std::vector<std::string>& allowed) const {
   std::string chosen = text(key, node, quoted_list(allowed));
   if (std::find(allowed.begin(), allowed.end(), chosen) == allowed.end())
-    fail(key, node, "is unknown; allowed is " + quoted_list(allowed));
+    fail(key, node, is_unknown(chosen, quoted_list(allowed)));
   return chosen;
 }
 

@@ -94,7 +94,7 @@ BOOST_AUTO_TEST_CASE(a_new_bearing_is_balanced_as_it_stands_and_never_overwritte
   BOOST_TEST(test::read(file) == text);
   const auto balanced = test::ehd_run(folder, "bearing " + file.string() + " --law hertz");
   BOOST_TEST(balanced.exit_code == 0);
-  test::check_refused(folder, "new ring", "is unknown; allowed is contact, bearing, keys");
+  test::check_refused(folder, "new ring", "is unknown; did you mean bearing? allowed is contact, bearing, keys");
   test::check_refused(folder, "new bearing " + (folder.path() / "mine.txt").string(), "allowed is NAME.toml");
 }
 
@@ -133,6 +133,22 @@ BOOST_AUTO_TEST_CASE(near_misses_of_options_commands_and_cases_are_named) {
   test::check_refused(folder, "solve own-moes-5-5 --tolerence 1e-3", "--tolerence: unknown; did you mean --tolerance?");
   test::check_refused(folder, "bear na4908", "did you mean bearing?");
   test::check_refused(folder, "solve own-moes-5-6", "did you mean own-moes-5-5?");
+}
+
+BOOST_AUTO_TEST_CASE(near_misses_of_words_are_named) {
+  const test::Folder folder;
+  for (const auto& [arguments, says] :
+       {std::pair{"solve own-moes-5-5 --solver fst", "--solver = fst: is unknown; did you mean fast? allowed is"},
+        {"bearing na4908 --law ehdlinear", "--law = ehdlinear: is unknown; did you mean ehd-linear? allowed is"},
+        {"solve steel-roller --set lubricant.viscosity=baruss", "is unknown; did you mean \"barus\"? allowed is"},
+        {"new baering", "WHAT = baering: is unknown; did you mean bearing? allowed is contact, bearing, keys"},
+        {"export film own-moes-5-5", "export: WHAT = film: is unknown; did you mean films? allowed is films, law"},
+        {"export films own-moes-5-5 --M 1:9 --L 3:12 --format jsn", "did you mean json?"},
+        {"bench --part coste", "--part = coste: is unknown; did you mean cost? allowed is"},
+        {"solve --M 20 --L 10 --density dowson-higinson", "did you mean dowson-higginson?"},
+        {"bearing na4908 --set bearing.load_N=1e4", "did you mean operation.radial_load_N?"},
+        {"convert l=10", "l: is unknown; did you mean L?"}})
+    test::check_refused(folder, arguments, says);
 }
 
 BOOST_AUTO_TEST_CASE(alpha_of_nothing_is_refused_with_what_is_allowed) {

@@ -227,7 +227,7 @@ BOOST_AUTO_TEST_CASE(an_option_outside_its_range_is_refused) {
       {"solve own-moes-5-5 --nodes 64.5", "is not an integer"},
       {"solve own-moes-5-5 --nodes 99999999999", "is out of range; allowed is an integer, 16 to 2147483647"},
       {"solve own-moes-5-5 --nodes 2000000000 --solver reference", "would not fit into memory"},
-      {"solve own-moes-5-5 --quantity film.maximum", "is unknown; allowed is film.minimum"},
+      {"solve own-moes-5-5 --quantity film.maximum", "is unknown; did you mean film.minimum? allowed is film.minimum"},
       {"solve own-moes-5-5 --max-iterations 0", "is out of range"},
       {"solve own-moes-5-5 --time-limit 0", "is out of range"},
       {"bearing na4908 --time-limit-total 0", "is out of range; allowed is a number, more than 0"},

@@ -303,7 +303,8 @@ BOOST_AUTO_TEST_CASE(a_number_outside_its_range_is_refused) {
 
 BOOST_AUTO_TEST_CASE(a_wrong_law_or_domain_is_refused) {
   const std::vector<BadLine> rows{
-      {9, "viscosity = \"Barus\"", 9, "is unknown; allowed is \"isoviscous\", \"barus\", \"roelands\""},
+      {9, "viscosity = \"Barus\"", 9,
+       "is unknown; did you mean \"barus\"? allowed is \"isoviscous\", \"barus\", \"roelands\""},
       {9, "viscosity = \"isoviscous\"", 9, "isoviscous contradicts L > 0"},
       {9, "", 8, "[lubricant] viscosity: is missing"},
       {10, "", 8, "[lubricant] density: is missing"},
