@@ -47,9 +47,33 @@ std::optional<double> scaled(std::optional<double> value, double factor) {
   return value;
 }
 
+namespace {
+
+std::string without_tags(const std::string& html) {
+  std::string text;
+  bool inside = false;
+  for (const char c : html) {
+    if (c == '<') inside = true;
+    if (!inside) text += c;
+    if (c == '>') inside = false;
+  }
+  return text;
+}
+
+/// One cell; `column` is its head, which a folded row repeats before it.
+std::string cell_html(const TableCell& cell, bool heads, const std::string& column) {
+  const char* const tag = heads ? "th" : "td";
+  return fmt::format("<{}{}{}{}>{}</{}>", tag, heads ? " scope=\"row\"" : "",
+                     heads || column.empty() ? "" : fmt::format(" data-column=\"{}\"", without_tags(column)),
+                     cell.css.empty() ? "" : fmt::format(" class=\"{}\"", escaped(cell.css)), cell.html, tag);
+}
+
+}  // namespace
+
 std::string html(const Table& table) {
-  std::string text =
-      "<div class=\"scroll\" tabindex=\"0\"><table" + (table.css.empty() ? "" : " class=\"" + table.css + "\"") + ">";
+  const std::string css = table.css + (table.folds ? (table.css.empty() ? "folds" : " folds") : "");
+  std::string text = fmt::format("<div class=\"scroll\" tabindex=\"0\"><table{}>",
+                                 css.empty() ? "" : fmt::format(" class=\"{}\"", css));
   if (!table.caption.empty()) text += "<caption>" + table.caption + "</caption>";
   text += "<thead><tr>";
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
@@ -62,12 +86,9 @@ std::string html(const Table& table) {
     const auto& row = table.rows[k];
     const bool named = k < table.ids.size() && !table.ids[k].empty();
     text += named ? "<tr id=\"" + escaped(table.ids[k]) + "\">" : "<tr>";
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      const std::string css = row[i].css.empty() ? "" : " class=\"" + escaped(row[i].css) + "\"";
-      const bool heads = i == 0 && table.first_is_heading;
-      text +=
-          fmt::format("{}{}>{}{}", heads ? "<th scope=\"row\"" : "<td", css, row[i].html, heads ? "</th>" : "</td>");
-    }
+    for (std::size_t i = 0; i < row.size(); ++i)
+      text += cell_html(row[i], i == 0 && table.first_is_heading,
+                        table.folds && i < table.columns.size() ? table.columns[i] : "");
     text += "</tr>\n";
     if (k < table.below.size())
       text += fmt::format("<tr class=\"below\"><td colspan=\"{}\">{}</td></tr>\n", row.size(), table.below[k]);
@@ -90,17 +111,6 @@ std::string slug(std::string_view name) {
 }
 
 namespace {
-
-std::string without_tags(const std::string& html) {
-  std::string text;
-  bool inside = false;
-  for (const char c : html) {
-    if (c == '<') inside = true;
-    if (!inside) text += c;
-    if (c == '>') inside = false;
-  }
-  return text;
-}
 
 /// A picture with its caption, and a link to itself.
 std::string framed(const std::string& id, const std::string& svg, const std::string& caption_html, const char* css) {

@@ -41,6 +41,7 @@ struct Table {
   std::vector<std::string> below = {};  ///< HTML below each row, across all columns
   std::string css = {};
   bool first_is_heading = true;  ///< the first cell of a row heads it
+  bool folds = false;            ///< on a phone a row is a paragraph, each number behind the head of its column
 };
 [[nodiscard]] std::string html(const Table& table);
 

@@ -122,7 +122,14 @@ section,h3,tr,figure,svg,details{scroll-margin-top:56px}
 }
 @media (max-width:600px){
 .page{padding:0 12px}
-.overview thead{position:absolute;clip-path:inset(50%)}
+.overview thead,.folds thead{position:absolute;width:1px;height:1px;overflow:hidden;clip-path:inset(50%)}
+.folds tr,.folds .below>td{display:block;border:0}
+.folds tr{border-bottom:1px solid var(--grid);padding:6px 0}
+.folds .below{border:0;padding:0}
+.folds th[scope=row]{font-weight:700}
+.folds td,.folds th[scope=row]{display:inline-block;border:0;padding:1px 14px 1px 0;min-width:0;text-align:left}
+.folds td:empty{display:none}
+.folds td[data-column]:not(.name,:has(.opens))::before{content:attr(data-column) ": ";color:var(--soft);font-weight:400}
 .overview tr,.overview td,.overview th[scope=row]{display:block;min-width:0;border:0;padding:1px 0}
 .overview tr{border-bottom:1px solid var(--grid);padding:6px 0}
 .overview th[scope=row]{font-weight:700}

@@ -45,6 +45,13 @@
   function scrolls_sideways() { return Math.max(0, document.documentElement.scrollWidth - window.innerWidth); }
   attempt("width", function () { return window.innerWidth; });
   attempt("overflow", scrolls_sideways);
+  attempt("height", function () { return document.documentElement.scrollHeight; });
+  attempt("folded tables", function () {
+    var wide = all("table.folds").filter(function (table) {
+      return table.parentNode.scrollWidth > table.parentNode.clientWidth;
+    });
+    return verdict(window.innerWidth > 600 || wide.length === 0, wide.length + " scroll sideways");
+  });
   attempt("shown", function () {
     return all("svg.plot").filter(function (svg) { return !svg.closest("details:not([open])"); }).length;
   });

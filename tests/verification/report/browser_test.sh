@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # browser_test.sh EHD MADE_REPORT [AXE]: the report of made results in headless Chromium: no console message, every
-# figure with its data, light and dark, a phone's width without sideways scrolling, headings and links, the script's
+# figure with its data, light and dark, a phone's width without sideways scrolling, its height, headings and links, the script's
 # switches, zoom, saved files; with AXE, the file axe.min.js, also its rules of WCAG 2.1 A and AA. Exit code: 0 all is
 # well, 1 something is not (a line each), 77 no browser is installed.
 set -eu
@@ -43,10 +43,11 @@ sed '/^<script>$/,/^<\/script>$/d' "$folder/report.html" > "$folder/plain.html"
 grep -q '<script' "$folder/plain.html" && { echo "the page's script was not taken out"; exit 1; }
 with_probe "$folder/report.html" > "$folder/probe.html"
 with_probe "$folder/plain.html" > "$folder/plain-probe.html"
-# A window is never narrower than 500 pixels, a frame in it may be.
-cat > "$folder/phone.html" << END
-<!DOCTYPE html><html><head><title>phone</title></head><body>
-<iframe src="probe.html" width="390" height="844" style="border:0"></iframe>
+# framed WIDTH HEIGHT: the page in a frame. A window is never narrower than 500 pixels, a frame in it may be.
+framed() {
+  cat << END
+<!DOCTYPE html><html><head><title>frame</title></head><body>
+<iframe src="probe.html" width="$1" height="$2" style="border:0"></iframe>
 <script>window.addEventListener("message", function (e) {
   var result = document.createElement("pre");
   result.id = "probe";
@@ -54,6 +55,9 @@ cat > "$folder/phone.html" << END
   document.body.appendChild(result);
 });</script></body></html>
 END
+}
+framed 390 844 > "$folder/phone.html"
+framed 1400 900 > "$folder/wide.html"
 
 failed=0
 complain() {
@@ -87,6 +91,7 @@ look light probe.html 1
 look dark probe.html 0
 look phone phone.html 1
 look plain plain-probe.html 1
+look wide wide.html 1
 
 figures=$(grep -c '<svg class="plot"' "$folder/report.html")
 [ "$figures" -gt 40 ] || complain "the page has only $figures figures"
@@ -102,6 +107,11 @@ done
 says light "paper: rgb(255, 255, 255)"
 says dark "paper: rgb(21, 24, 28)"
 says phone "width: 390"
+says phone "folded tables: works"
+says wide "width: 1400"
+most_height=10333  # a third of the 31,000 pixels of the page that had nothing folded
+height=$(sed -n 's/^height: //p' "$folder/wide.txt")
+[ "${height:-$((most_height + 1))}" -le "$most_height" ] || complain "the closed page is ${height:-?} pixels high"
 for seen in toggle read-out cell filter "filter links" "filter key" index case zoom theme CSV "CSV of a map" SVG \
     targets; do
   for run in light dark phone; do says "$run" "$seen: works"; done
