@@ -28,8 +28,9 @@ Examples:
   ehd new keys                         every key of a case as a table (Markdown)
 
 Each key stands with its unit, default and meaning. Optional keys, and the other ways to state the same, are comments.
-A file that exists is never overwritten. Bearings of the types NU, NJ, NUP, N and NA have one template: they differ in
-flanges, which a radial load does not use. docs/your-contact.md and docs/your-bearing.md go through one of each.)";
+A file that exists is never overwritten. No option names the type of a bearing: NU, NJ, NUP, N and NA have one
+template, for they differ in flanges, which a radial load does not use; what other types change is a table in
+docs/your-bearing.md. It and docs/your-contact.md go through one case each.)";
 
 std::string text_of(const NewOptions& options, const std::string& id) {
   if (options.what == "contact") return case_template(CaseKind::contact, id);
