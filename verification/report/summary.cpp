@@ -53,8 +53,10 @@ void add_headline(Page& page, const View& results, const std::vector<std::string
   if (const auto selection = summary.text("selection"); !selection.empty())
     verdict += "; only <code>" + escaped(selection) + "</code>";
   verdict += ".";
+  const char* const link = "of the <a href=\"#stress\">stress</a>";
   if (stress_parts > 0 && wrong.empty())
-    verdict += " All " + std::to_string(stress_parts) + " parts of the <a href=\"#stress\">stress</a> pass.";
+    verdict += stress_parts == 1 ? fmt::format(" The one part {} passes.", link)
+                                 : fmt::format(" All {} parts {} pass.", stress_parts, link);
   for (const std::string& one : wrong) verdict += " " + one + ".";
   page.paragraph(verdict, all_stand && wrong.empty() ? "verdict pass" : "verdict fail");
 }
