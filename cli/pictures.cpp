@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/pictures.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -23,6 +25,8 @@ using report::PolarPlot;
 
 constexpr double micro = 1e6, mega = 1e-6, kilo = 1e-3;
 constexpr std::size_t longest_title = 80;
+constexpr std::size_t most_columns = 3;   // of a picture of several bearings
+constexpr double width_of_several = 400;  // of a picture among them
 
 std::string shown(const std::string& title) { return report::literal(shortened(one_line(title), longest_title)); }
 
@@ -79,13 +83,16 @@ Figure over_azimuth(const std::string& id, const std::string& title, const std::
   return figure;
 }
 
-std::string polar_tile(const std::vector<BearingCurves>& laws) {
-  PolarPlot plot{.id = "polar",
+/// `largest_N`: what the outer circle reaches at least.
+PolarPlot polar_plot(const std::string& id, const std::string& heading, const std::vector<BearingCurves>& laws,
+                     double largest_N) {
+  PolarPlot plot{.id = id,
                  .title = "Loads round the bearing",
                  .description = "Contact force of each roller at the inner raceway as radius, azimuth as angle.",
-                 .heading = "Load on each roller; the external load points down",
+                 .heading = heading,
                  .radius_label = "contact force *f*_{i} [kN]",
-                 .series = {}};
+                 .series = {},
+                 .reaches = kilo * largest_N};
   for (const BearingCurves& law : laws) {
     const report::Look look = report::look_of_law(law.law);
     report::PolarSeries series{.name = report::literal(law.law),
@@ -97,7 +104,28 @@ std::string polar_tile(const std::vector<BearingCurves>& laws) {
     for (double& force : series.radius) force *= kilo;
     plot.series.push_back(std::move(series));
   }
-  return draw(plot, report::Place::page);
+  return plot;
+}
+
+double largest_force_N(const std::vector<BearingCurves>& laws) {
+  double largest = 0;
+  for (const BearingCurves& law : laws)
+    for (const double force : law.force_N) largest = std::max(largest, force);
+  return largest;
+}
+
+/// The loads round each bearing, all to the same radius.
+std::vector<std::string> polar_tiles(const std::vector<std::string>& names,
+                                     const std::vector<std::vector<BearingCurves>>& bearings) {
+  double largest = 0;
+  for (const auto& laws : bearings) largest = std::max(largest, largest_force_N(laws));
+  std::vector<std::string> tiles;
+  for (std::size_t k = 0; k < bearings.size(); ++k) {
+    PolarPlot plot = polar_plot(fmt::format("polar-{}", k), names[k], bearings[k], largest);
+    plot.width = width_of_several;
+    tiles.push_back(draw(plot, report::Place::page));
+  }
+  return tiles;
 }
 
 /// All panels of one kind show the same range.
@@ -139,29 +167,38 @@ std::string contact_picture(const ContactRun& run, const std::string& title) {
 
 std::optional<std::string> bearing_picture(const std::vector<Case>& cases,
                                            const std::vector<std::vector<BearingResult>>& results) {
+  const bool alone = cases.size() == 1;
   std::vector<Figure> figures;
-  std::vector<std::string> tiles;
+  std::vector<std::string> names;
+  std::vector<std::vector<BearingCurves>> bearings;
   for (std::size_t k = 0; k < cases.size(); ++k) {
-    const std::vector<BearingCurves> laws = curves_of(results[k]);
+    std::vector<BearingCurves> laws = curves_of(results[k]);
     if (laws.empty()) continue;
-    if (cases.size() == 1) tiles.push_back(polar_tile(laws));
-    Figure figure = over_azimuth("bearing-" + std::to_string(k), cases.size() == 1 ? "" : shown(cases[k].id), laws);
-    figure.width = cases.size() == 1 ? 520 : 400;
-    for (Panel& panel : figure.panels) panel.height = cases.size() == 1 ? 170 : 160;
+    names.push_back(shown(cases[k].id));
+    Figure figure = over_azimuth("bearing-" + std::to_string(k), alone ? "" : names.back(), laws);
+    figure.width = alone ? 520 : width_of_several;
+    for (Panel& panel : figure.panels) panel.height = alone ? 170 : 160;
     figures.push_back(std::move(figure));
+    bearings.push_back(std::move(laws));
   }
   if (figures.empty()) return std::nullopt;
   share_axes(figures);
+  std::vector<std::string> tiles;
+  const std::string down = "the external load points down";
+  const bool polar = bearings.size() <= most_columns;
+  if (alone)
+    tiles = {draw(polar_plot("polar", "Load on each roller; " + down, bearings.front(), 0), report::Place::page)};
+  else if (polar)
+    tiles = polar_tiles(names, bearings);
   for (const Figure& figure : figures) tiles.push_back(draw(figure, report::Place::page));
   const report::Picture frame{.id = "bearing",
                               .title = "Forces and displacements of the rollers",
                               .description = "Contact force and displacement of each roller, a curve a law."};
-  constexpr std::size_t most_columns = 3;
-  const bool alone = cases.size() == 1;
   return report::mosaic(frame,
-                        alone ? shown(cases.front().id + ": " + cases.front().title)
-                              : "Contact forces and displacements over the azimuth",
-                        tiles, alone ? 2 : most_columns);
+                        alone   ? shown(cases.front().id + ": " + cases.front().title)
+                        : polar ? "Contact forces and displacements over the azimuth; " + down
+                                : "Contact forces and displacements over the azimuth",
+                        tiles, alone ? 2 : std::min(bearings.size(), most_columns));
 }
 
 }  // namespace ehd::cli

@@ -14,8 +14,9 @@ namespace ehd::cli {
 /// Pressure and film over the contact: in um and MPa where the case is stated in SI, else in Hertz units.
 [[nodiscard]] std::string contact_picture(const ContactRun& run, const std::string& title);
 
-/// One bearing: the loads round it in polar coordinates, beside forces and displacements over the azimuth. Several:
-/// forces and displacements of each, on the same axes. A curve a law; absent where no law balanced.
+/// One bearing: the loads round it in polar coordinates, beside forces and displacements over the azimuth. Two or
+/// three: the same for each, one above the other and on the same axes. More: forces and displacements of each alone. A
+/// curve a law; absent where no law balanced.
 [[nodiscard]] std::optional<std::string> bearing_picture(const std::vector<Case>& cases,
                                                          const std::vector<std::vector<BearingResult>>& results);
 

@@ -102,7 +102,7 @@ std::string draw(const PolarPlot& plot, Place place) {
   LegendRows legend(10, plot.width, y);
   svg += legend_svg(plot, legend);
   y = legend.last_top() + (22 + 14);
-  std::vector<double> values{0};
+  std::vector<double> values{0, plot.reaches};
   for (const PolarSeries& series : plot.series) values.insert(values.end(), series.radius.begin(), series.radius.end());
   Range range = range_of(values, Scale::linear);
   range.low = 0;

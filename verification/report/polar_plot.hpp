@@ -24,6 +24,7 @@ struct PolarPlot {
   std::string radius_label;        ///< markup, with the unit
   std::vector<PolarSeries> series;
   double width = 380;
+  double reaches = 0;  ///< the outer circle is at this radius or beyond
 };
 [[nodiscard]] std::string draw(const PolarPlot& plot, Place place);
 

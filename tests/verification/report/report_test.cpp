@@ -198,6 +198,7 @@ BOOST_AUTO_TEST_CASE(the_headline_covers_everything_that_is_judged_on_the_page) 
   };
   const std::string good = page_of("pass", 0);
   BOOST_TEST(count_of(good, "<b>Every claim stands.</b>") == 1u);
+  BOOST_TEST(count_of(good, " The one part of the <a href=\"#stress\">stress</a> passes.") == 1u);
   BOOST_TEST(count_of(good, "class=\"verdict pass\"") == 1u);
   for (const auto& [part, missed, said] : {std::tuple{"fail", 0, "stress (a) box</a>: fail"},
                                            {"inconclusive", 0, "stress (a) box</a>: inconclusive"},
@@ -496,9 +497,12 @@ BOOST_AUTO_TEST_CASE(a_picture_has_the_units_of_its_case) {
   BOOST_TEST(count_of(groups, "[MPa]") == 0u);
   const std::string one = drawn("bearing na4908 --law hertz"), two = drawn("bearing na4908 na4908-10um --law hertz");
   BOOST_TEST(count_of(one, "id=\"polar\"") == 1u);
-  BOOST_TEST(count_of(two, "id=\"polar\"") == 0u);
-  BOOST_TEST(count_of(two, "<svg ") == 3u);  // side by side
-  BOOST_TEST(count_of(two, ">na4908-10um</text>") == 1u);
+  BOOST_TEST(count_of(two, "id=\"polar-0\"") + count_of(two, "id=\"polar-1\"") == 2u);
+  BOOST_TEST(count_of(two, "<svg ") == 5u);                // side by side
+  BOOST_TEST(count_of(two, ">na4908-10um</text>") == 2u);  // above each of its pictures
+  const std::string four = drawn("bearing na4908 na4908-2.5um na4908-10um harris-209 --law hertz");
+  BOOST_TEST(count_of(four, "id=\"polar") == 0u);
+  BOOST_TEST(count_of(four, "<svg ") == 5u);
 }
 
 BOOST_AUTO_TEST_CASE(solve_and_bearing_draw_a_picture_whole_or_not_at_all) {
