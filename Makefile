@@ -148,9 +148,12 @@ python: program library  ## Test the Python package, with figures, Dask, noteboo
 	@sh cmake/setup.sh $(PYTHON_PACKAGES)
 	@EHD_PYTHON_COMPLETE=1 ctest --test-dir $(BUILD) --output-on-failure -R '^bindings\.python$$' --no-tests=error
 
-octave: program  ## Test the functions for Octave and MATLAB (installs octave, 219 MB; 10 s)
-	@sh cmake/setup.sh octave
+octave: program  ## Test the functions, their page, the template and the exported law in Octave (installs octave, 219 MB; 30 s)
+	@sh cmake/setup.sh octave gfortran python3-numpy
 	@tests/bindings/octave/run.sh $(BUILD)/ehd
+	@EHD_REQUIRE_OCTAVE=1 python3 tests/cli/templates.py $(BUILD)/ehd
+	@cmake --build $(BUILD) --parallel $(JOBS) --target test_io
+	@EHD_REQUIRE_OCTAVE=1 $(BUILD)/test_io --run_test=law_export_text/the_matlab_form_agrees_in_octave
 
 # valgrind may not know this machine's vector instructions: built without them, in a folder of its own.
 callgrind:  ## Count instructions of three solves, name the functions whose count changed (KEEP=1 keeps the counts; 5 minutes)
