@@ -3,7 +3,8 @@
 """consumers.py BUILD: the installed program and library, used as a newcomer would.
 
 BUILD is installed into an empty folder, which is then moved: nothing may point back to the place of the installation.
-The program runs as an ordinary user where this script runs as root. The blocks of docs/library.md are saved and run, in
+Where this script runs as root, the program runs as an ordinary user who sees an empty folder in place of the source
+tree: nothing may be found there. The blocks of docs/library.md are saved and run, in
 order, with the flags of the page: none of the flags that the library was compiled with. Nothing is skipped: a compiler
 that is missing is a failure with its name."""
 
@@ -17,6 +18,15 @@ import tempfile
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 NOBODY = 65534
+INSTALLED = ["bin/ehd", "include/ehd/ehd.h", "lib/libehd.so", "lib/libehd.so.0", "lib/pkgconfig/ehd.pc",
+             "lib/cmake/ehd/ehd-config.cmake", "lib/python3/dist-packages/ehd/__init__.py",
+             "share/ehd/cases/na4908.toml", "share/ehd/fortran/ehd.f90", "share/ehd/octave/ehd_solve.m",
+             "share/bash-completion/completions/ehd", "share/zsh/vendor-completions/_ehd"]
+if shutil.which("help2man"):
+    INSTALLED += ["share/man/man1/ehd.1.gz", "share/man/man1/ehd-solve.1.gz"]
+# sh -c HIDE FOLDER COMMAND...: the command as an ordinary user, to whom the folder is empty.
+AS_NOBODY = f"setpriv --reuid={NOBODY} --regid={NOBODY} --clear-groups"
+HIDE = f'mount -t tmpfs none "$0" && exec {AS_NOBODY} "$@"'
 
 
 def run(command, **options):
@@ -37,22 +47,30 @@ def install(build, folder):
     first, moved = folder / "first", folder / "moved"
     run(["cmake", "--install", str(build), "--prefix", str(first)])
     first.rename(moved)
-    for name in ("bin/ehd", "include/ehd/ehd.h", "share/ehd/cases/na4908.toml", "share/ehd/fortran/ehd.f90"):
+    for name in INSTALLED:
         need((moved / name).is_file(), f"{name} was not installed")
-    for name in ("libehd.so", "libehd.so.0", "pkgconfig/ehd.pc", "cmake/ehd/ehd-config.cmake"):
-        need((moved / "lib" / name).is_file(), f"lib/{name} was not installed")
     for file in (moved / "lib/pkgconfig/ehd.pc", *(moved / "lib/cmake/ehd").iterdir()):
         for place in (str(first), str(SOURCE)):
             need(place not in file.read_text(), f"{file.name} names {place}")
     return moved
 
 
-def use_program(prefix):
-    as_user = {"user": NOBODY, "group": NOBODY, "extra_groups": []} if os.getuid() == 0 else {}
-    environment = {key: value for key, value in os.environ.items() if key != "EHD_CASES"}
+def as_newcomer():
+    """What runs a command as HIDE says; else as it is, with a line that says so."""
+    hidden = ["unshare", "--mount", "sh", "-c", HIDE, str(SOURCE)]
+    sees = subprocess.run([*hidden, "ls", str(SOURCE)], text=True, capture_output=True)
+    if sees.returncode == 0:
+        need(sees.stdout == "", f"{SOURCE} is not hidden: {sees.stdout}")
+        return hidden
+    print("consumers.py: the source tree is in sight: only root can hide it")
+    return AS_NOBODY.split() if os.getuid() == 0 else []
+
+
+def use_program(prefix, newcomer):
+    environment = {key: value for key, value in os.environ.items() if not key.startswith("EHD_")}
 
     def ehd(*arguments):
-        return run([str(prefix / "bin/ehd"), *arguments], env=environment, cwd="/", **as_user)
+        return run([*newcomer, str(prefix / "bin/ehd"), *arguments], env=environment, cwd="/")
 
     # A case that the source tree does not have: the cases are those beside the program.
     text = (prefix / "share/ehd/cases/dry-steel.toml").read_text()
@@ -61,6 +79,19 @@ def use_program(prefix):
     need("converged" in ehd("solve", "own-moes-20-10"), "ehd solve")
     need("ehd-linear" in ehd("bearing", "na4908"), "ehd bearing")
     need("pass" in ehd("verify", "--quick", "--rung", "1"), "ehd verify")
+
+
+def use_python(prefix, newcomer):
+    """The line of docs/python.md for an installation, by Debian's Python, which has NumPy where any has it."""
+    line = re.search(r"^    (PYTHONPATH=\$PREFIX.*)$", (SOURCE / "docs/python.md").read_text(), re.MULTILINE)
+    need(line, "docs/python.md has no line for an installation")
+    environment = {key: value for key, value in os.environ.items() if not key.startswith(("EHD_", "PYTHON"))}
+    environment |= {"PREFIX": str(prefix), "PATH": f"/usr/bin:{os.environ['PATH']}"}
+    if subprocess.run(["python3", "-c", "import numpy"], env=environment, capture_output=True).returncode != 0:
+        print("consumers.py: Python was not tried: there is no NumPy")
+        return
+    output = run([*newcomer, "sh", "-ec", line[1]], env=environment, cwd="/")
+    need("hertz=0.078" in output, f"{line[1]}\nprints {output}")
 
 
 def follow_page(prefix, folder):
@@ -98,7 +129,9 @@ def main():
         folder = pathlib.Path(name)
         folder.chmod(0o755)  # for the ordinary user
         prefix = install(pathlib.Path(sys.argv[1]), folder)
-        use_program(prefix)
+        newcomer = as_newcomer()
+        use_program(prefix, newcomer)
+        use_python(prefix, newcomer)
         (folder / "work").mkdir()
         follow_page(prefix, folder / "work")
 
