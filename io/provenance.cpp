@@ -4,6 +4,7 @@
 #include <fftw3.h>
 #include <fmt/format.h>
 #include <gsl/gsl_version.h>
+#include <xxhash.h>
 
 #include <Eigen/Core>
 #include <chrono>
@@ -60,6 +61,7 @@ Json provenance() {
   }
   json["compiler"] = compiler();
   json["flags"] = EHD_COMPILE_FLAGS;
+  const unsigned xxhash = XXH_versionNumber();  // of the library that is loaded, as for FFTW and GSL
   json["libraries"] = {
       {"Eigen", fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
       {"FFTW", std::string(fftw_version)},
@@ -67,7 +69,9 @@ Json provenance() {
       {"nlohmann_json",
        fmt::format("{}.{}.{}", NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH)},
       {"tomlplusplus", EHD_TOMLPLUSPLUS_VERSION},
-      {"CLI11", EHD_CLI11_VERSION}};
+      {"CLI11", EHD_CLI11_VERSION},
+      {"fmt", fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100)},
+      {"xxhash", fmt::format("{}.{}.{}", xxhash / 10000, xxhash / 100 % 100, xxhash % 100)}};
   if (const auto model = cpu()) json["cpu"] = *model;
   json["cores"] = std::thread::hardware_concurrency();
   json["date"] = now();

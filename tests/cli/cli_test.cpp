@@ -554,7 +554,8 @@ BOOST_AUTO_TEST_CASE(help_and_version_are_printed_with_exit_code_0) {
   const auto version = test::ehd_run(folder, "--version");
   BOOST_TEST(version.exit_code == 0);
   BOOST_TEST(version.out.starts_with("ehd "));
-  for (const char* part : {"FFTW 3.", "\ncompiler ", "\nflags ", "\nlibraries ", "GSL 2."})
+  for (const char* part : {"FFTW 3.", "\ncompiler ", "\nflags ", "\nlibraries ", "CLI11 ", "Eigen 3.", "GSL 2.", "fmt ",
+                           "nlohmann_json 3.", "tomlplusplus ", "xxhash 0."})
     BOOST_CHECK_MESSAGE(version.out.find(part) != std::string::npos, part << " is not in " << version.out);
 }
 
