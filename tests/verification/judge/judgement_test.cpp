@@ -2,6 +2,8 @@
 // A submission made from the atlas with known errors is scored exactly as it has to be.
 #include "verification/judge/judgement.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -193,14 +195,18 @@ BOOST_AUTO_TEST_CASE(usual_mistakes_of_unit_get_a_hint) {
   BOOST_TEST(hint_of(result_of(id), film, middle) == "");
   BOOST_TEST(hint_of(result_of(id), film * 1.5, middle * 1.3) == "");  // wrong, but in no usual way
 
-  // The same contact with the mean speed where the sum belongs.
+  // The same contact with the mean speed where the sum belongs, and the sum where the mean speed does.
   const Case stated = case_called(id);
   const auto& contact = std::get<ContactCase>(stated.body);
-  Problem problem = nondimensionalise(contact.statement, *contact.lubricant, *contact.inlet).problem;
-  problem.groups = groups_from(HertzGroups{.lambda = 2 * problem.groups.lambda, .alpha_p_H = problem.groups.alpha_p_H});
-  const Solution twice = default_solver().solve(problem, Request{.tolerance = 1e-3});
-  BOOST_TEST(hint_of(result_of(id), twice.observables.at(minimum).value, twice.observables.at(central).value)
-                 .find("is your u the mean speed?") != std::string::npos);
+  for (const auto& [factor, question] :
+       {std::pair(2.0, "is your u the mean speed?"), std::pair(0.5, "did you put the mean speed where")}) {
+    Problem problem = nondimensionalise(contact.statement, *contact.lubricant, *contact.inlet).problem;
+    const HertzGroups groups{.lambda = factor * problem.groups.lambda, .alpha_p_H = problem.groups.alpha_p_H};
+    problem.groups = groups_from(groups);
+    const auto films = default_solver().solve(problem, Request{.tolerance = 1e-3}).observables;
+    BOOST_TEST(hint_of(result_of(id), films.at(minimum).value, films.at(central).value).find(question) !=
+               std::string::npos);
+  }
 
   json micrometres = result_of(in_SI);
   micrometres["scaling"] = "SI";
@@ -210,6 +216,27 @@ BOOST_AUTO_TEST_CASE(usual_mistakes_of_unit_get_a_hint) {
   BOOST_REQUIRE(certified.size() >= 2u);
   BOOST_TEST(hint_of(micrometres, certified[0].value * metres * 1e6, certified[1].value * metres * 1e6).find("um") !=
              std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(the_pressure_of_a_profile_is_compared_with_the_certified_solver_s) {
+  const test::Folder folder;
+  const std::string id = "own-barus-5-5";
+  const Fields fields = run_contact(case_called(id), certified_solver(), Request{.tolerance = 1e-6}).solution.fields;
+  json one = result_of(id);
+  one["profile"] = "p.csv";
+  const auto error_of_multiple = [&](double factor) {
+    std::string rows = "X,P,H\n";
+    for (Eigen::Index i = 0; i < fields.X.size(); ++i)
+      rows += fmt::format("{},{},{}\n", fields.X[i], fields.P[i] * factor, fields.H[i]);
+    (void)folder.write("p.csv", rows);
+    const Judgement judgement = judged(folder, {one});
+    BOOST_TEST(human_text(judgement).find("P (L2)") != std::string::npos);
+    return of_case(judgement, id).profile.value().pressure_error.value();
+  };
+  // The solver's P is a polynomial between these nodes, a profile's is linear there.
+  const double interpolation = error_of_multiple(1), off = 0.1;
+  EHD_CHECK(interpolation, Tolerance::required(1e-3, "the profile is the solver's own"));
+  EHD_CHECK(std::abs(error_of_multiple(1 + off) - off), Tolerance::discretisation(interpolation, 1 + off));
 }
 
 BOOST_AUTO_TEST_CASE(the_page_and_the_badge_show_every_submission_and_no_total) {
