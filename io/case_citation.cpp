@@ -10,6 +10,7 @@
 
 #include "contact/text.hpp"
 #include "io/problem_json.hpp"
+#include "io/provenance.hpp"
 #include "io/result_head.hpp"
 
 namespace ehd {
@@ -60,6 +61,7 @@ std::string entry_of(const Case& any) {
   };
   field("author", "{The ehd authors}");
   field("title", fmt::format("{{Benchmark case {}: {}}}", tex(id), tex(any.title)));
+  if (const std::string year = commit_year(); !year.empty()) field("year", year);
   const bool in_atlas = any.file.parent_path().filename() == "atlas";
   field("howpublished",
         fmt::format("ehd, version {}{}, cases/{}{}.toml", head["provenance"].value("version", ""),

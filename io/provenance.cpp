@@ -78,4 +78,6 @@ Json provenance() {
   return json;
 }
 
+std::string commit_year() { return EHD_COMMIT_YEAR; }
+
 }  // namespace ehd

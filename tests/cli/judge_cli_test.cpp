@@ -143,6 +143,9 @@ BOOST_AUTO_TEST_CASE(a_case_is_cited_shown_and_given_to_programs) {
                            "@article{kostreva1984,", "@software{own,"})
     BOOST_CHECK_MESSAGE(bibtex.out.find(part) != std::string::npos, part << " is not in " << bibtex.out);
   BOOST_TEST(bibtex.out.find("martin1916") == std::string::npos);
+  // The year stands beside the commit, or there is neither.
+  BOOST_TEST((bibtex.out.find(", commit ") != std::string::npos) ==
+             (bibtex.out.find("\n  year         = {20") != std::string::npos));
 
   const auto shown = test::ehd_run(folder, "cases own-barus-5-5 --show");
   BOOST_TEST(shown.out == test::read(std::string(EHD_SOURCE_DIR) + "/cases/own-barus-5-5.toml"));

@@ -42,6 +42,7 @@ VARYING = (
     (r"\b\d{4}-\d\d-\d\dT[\d:]+Z", "now"),
     (r"\([^()]*FFTW [^()]*\)", "libraries"),
 )
+YEAR = re.compile(r"  year         = \{\d{4}\},")  # of the commit: there is none without git
 LOOSE = re.compile(r"^    (?:build/)?(ehd [a-z].*?)(?:  .*|)$|`(?:build/)?(ehd [a-z]+ [^`\n]+)`", re.MULTILINE)
 PLACE = re.compile(r"\b[A-Z]{2,}\b|[\[{|]|\.\.\.|…")  # for a word: FILE, [--option], one|other
 BLOCK = re.compile(r"(?:`(?P<name>[\w-]+\.\w+)`:\n\n)?^```(?P<kind>\w+)\n(?P<body>.*?)^```$", re.MULTILINE | re.DOTALL)
@@ -55,15 +56,17 @@ class Skipped(Exception):
     """A page that needs what is not installed."""
 
 
-def varying(line):
+def constant(text):
+    """The lines of a text, without what may differ between two runs."""
+    lines = [line for line in text.splitlines() if not YEAR.fullmatch(line)]
     for pattern, word in VARYING:
-        line = re.sub(pattern, word, line)
-    return line
+        lines = [re.sub(pattern, word, line) for line in lines]
+    return lines
 
 
 def same(shown, printed):
     """Whether two texts say the same, line by line, up to VARYING."""
-    return [varying(line) for line in shown.splitlines()] == [varying(line) for line in printed.splitlines()]
+    return constant(shown) == constant(printed)
 
 
 @functools.cache
