@@ -140,11 +140,11 @@ browser-test: configure  ## Open the report in headless Chromium, with axe-core 
 
 .PHONY: library python octave site dist dist-check
 PYTHON_PACKAGES = python3-numpy python3-pytest python3-matplotlib python3-distributed python3-mypy python3-nbconvert \
-  python3-ipykernel
+  python3-ipykernel python3-pandas
 library: configure  ## Build the library that Python and C load: build/libehd.so.0
 	@cmake --build $(BUILD) --parallel $(JOBS) --target ehd_shared
 
-python: program library  ## Test the Python package, with figures, Dask, notebooks and types: nothing is skipped (1 minute)
+python: program library  ## Test the Python package, with figures, Dask, notebooks and types: nothing is skipped (2 minutes)
 	@sh cmake/setup.sh $(PYTHON_PACKAGES)
 	@EHD_PYTHON_COMPLETE=1 ctest --test-dir $(BUILD) --output-on-failure -R '^bindings\.python$$' --no-tests=error
 

@@ -16,20 +16,51 @@ from .errors import NotConvergedError
 
 
 class Law:
-    """The contact force law of one raceway, as the bearing was balanced with. Arrays of any shape are accepted."""
+    """The contact force law of one raceway, as the bearing was balanced with. Arrays of any shape are accepted.
+
+    Examples
+    --------
+    >>> import ehd
+    >>> law = ehd.bearing("na4908", law="hertz").law("inner")
+    >>> law.force([1e-6, 2e-6]).round()
+    array([2676., 5781.])
+    >>> f"{law.stiffness(2e-6):.2e} N/m"
+    '3.21e+09 N/m'
+    """
 
     def __init__(self, handle: Handle, raceway: str) -> None:
         self._handle, self._raceway = handle, raceway
 
     def force(self, approach_m: npt.ArrayLike) -> Array:
-        """Contact force [N] at approaches [m]; 0 where the contact is unloaded.
+        """Contact force; 0 where the contact is unloaded.
 
         Warns where a force lies outside the range that the law is meant for.
+
+        Parameters
+        ----------
+        approach_m
+            Approaches of the two bodies [m].
+
+        Returns
+        -------
+        numpy.ndarray
+            Force [N] at each approach.
         """
         return self._at(approach_m)[0]
 
     def stiffness(self, approach_m: npt.ArrayLike) -> Array:
-        """Slope of the force over the approach [N/m]; warns like `force`."""
+        """Slope of the force over the approach; warns like `force`.
+
+        Parameters
+        ----------
+        approach_m
+            Approaches of the two bodies [m].
+
+        Returns
+        -------
+        numpy.ndarray
+            Stiffness [N/m] at each approach.
+        """
         return self._at(approach_m)[1]
 
     def _at(self, approach_m: npt.ArrayLike) -> tuple[Array, Array]:
@@ -78,6 +109,11 @@ class Bearing(Result):
         ----------
         raceway
             ``"inner"`` or ``"outer"``.
+
+        Returns
+        -------
+        Law
+            Force and stiffness over the approach.
 
         Notes
         -----

@@ -46,6 +46,13 @@ def judge(*submissions: Union[str, "os.PathLike[str]"]) -> Any:
     ------
     InputError
         The program's line about a file that it refuses.
+
+    Examples
+    --------
+    >>> import ehd
+    >>> judged = ehd.judge("cases/submissions/ehd-fast-1e-6.json")
+    >>> judged.gates_hold, judged.honesty.missed
+    (True, 0)
     """
     files = [str(pathlib.Path(name)) for name in submissions]
     command = [_program(), "judge", "--json", "-", "--", *files]

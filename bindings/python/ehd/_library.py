@@ -79,6 +79,11 @@ def library() -> ctypes.CDLL:
 def version() -> str:
     """Version of the library, with its commit and the libraries it is built on.
 
+    Returns
+    -------
+    str
+        One line.
+
     Examples
     --------
     >>> import ehd

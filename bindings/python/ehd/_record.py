@@ -64,7 +64,13 @@ class Record(Mapping[str, Any]):
         return f"{type(self).__name__}({', '.join(_shown(name, value) for name, value in self._data.items())})"
 
     def to_dict(self) -> dict[str, Any]:
-        """The JSON object itself, as ``json.loads`` reads it; to be left as it is."""
+        """The JSON object itself, to be left as it is.
+
+        Returns
+        -------
+        dict
+            As ``json.loads`` reads it.
+        """
         data: dict[str, Any] = self._data
         return data
 

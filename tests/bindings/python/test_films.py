@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+import dataclasses
 import pickle
 
 import ehd
 import numpy as np
 import pytest
+from conftest import needs
 
 
 def test_each_film_is_that_of_a_solve():
@@ -60,3 +62,11 @@ def test_bad_input_is_one_line(arguments, says):
     with pytest.raises(ehd.InputError) as caught:
         ehd.films(**arguments)
     assert says in str(caught.value) and "\n" not in str(caught.value)
+
+
+def test_pandas_takes_the_arrays_of_one_dimension():
+    pandas = needs("pandas", "python3-pandas")
+    t = ehd.films([20, 30], 10)
+    table = pandas.DataFrame(dataclasses.asdict(t))
+    assert list(table.columns) == [field.name for field in dataclasses.fields(t)]
+    assert (table.minimum == t.minimum).all() and list(table.status) == ["converged"] * 2

@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The package's own table of the C interface against ehd/ehd.h."""
+"""The package's own table of the C interface against ehd/ehd.h; its docstrings against its functions."""
 
+import inspect
 import re
 
+import ehd
+import pytest
 from conftest import SOURCE
 from ehd import _library
 
@@ -25,3 +28,26 @@ def test_the_words_of_a_status_stand_in_the_order_of_their_numbers():
     for number, word in enumerate(_library.STATUS):
         assert numbers[word.upper().replace("-", "_")] == str(number)
     assert (numbers["OK"], numbers["BAD_INPUT"]) == (str(_library.CONVERGED), str(_library.BAD_INPUT))
+
+
+def public_functions():
+    """(name, function): those of ehd.__all__, and the methods of its classes."""
+    for name in ehd.__all__:
+        thing = getattr(ehd, name)
+        members = [("", thing)] if inspect.isfunction(thing) else inspect.getmembers(thing, inspect.isfunction)
+        yield from ((f"{name}.{member}".strip("."), function) for member, function in members
+                    if function.__module__.startswith("ehd") and not member.startswith("_"))
+
+
+@pytest.mark.parametrize("name, function", public_functions())
+def test_a_docstring_says_what_a_function_takes_and_returns(name, function):
+    signature = inspect.signature(function)
+    text = inspect.getdoc(function)
+    assert "Returns\n-------\n" in text or signature.return_annotation in (None, "None"), name
+    assert "Parameters\n----------\n" in text or not set(signature.parameters) - {"self"}, name
+    assert all(re.search(rf"^(\w+, )*\**{taken}\b", text, re.MULTILINE)
+               for taken in signature.parameters if taken not in ("self", "statement")), name
+
+
+def test_the_functions_are_found():
+    assert {"solve", "Law.force", "Bearing.law", "plot.contact", "judge"} <= {name for name, _ in public_functions()}
