@@ -62,7 +62,7 @@ def main(build):
             worst = max(worst, call / solve - 1) if limited else worst
             print(f"{words:32}  {call:22.0f}  {solve:18.0f}  {100 * (call / solve - 1):6.2f} %", flush=True)
     if worst >= LIMIT:
-        sys.exit(f"in_process.py: {100 * worst:.1f} % is not below {100 * LIMIT:.0f} %")
+        sys.exit(f"in_process.py: {100 * worst:.2f} % is not below {100 * LIMIT:.0f} %")
 
 
 if __name__ == "__main__":
