@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -16,6 +17,7 @@
 #include "cli/subcommands.hpp"
 #include "cli/usage.hpp"
 #include "contact/text.hpp"
+#include "io/duration.hpp"
 #include "verification/atlas/motion.hpp"
 #include "workflow/registry.hpp"
 
@@ -85,6 +87,7 @@ int atlas(const AtlasOptions& options) {
   if (options.output && options.output->empty()) throw option_error("--output", "", "is empty; allowed is a folder");
   request.folder = options.output ? std::filesystem::path(*options.output) : verification::atlas_folder();
 
+  const auto begin = std::chrono::steady_clock::now();
   std::size_t reused_so_far = 0;
   bool told = false;
   request.progress = [&](std::size_t done, std::size_t all, const verification::AtlasRecord& record, bool reused) {
@@ -93,7 +96,11 @@ int atlas(const AtlasOptions& options) {
       complain(fmt::format("{} of {} points are known from an earlier run", reused_so_far, all));
       told = true;
     }
-    if (!reused) complain(progress_line(done, all, record, options.motion));
+    if (reused) return;
+    const double passed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    const double left_s = passed_s * static_cast<double>(all - done) / static_cast<double>(done - reused_so_far);
+    complain(fmt::format("{}{}", progress_line(done, all, record, options.motion),
+                         done < all ? ", about " + duration(left_s) + " left" : ""));
   };
   say_when_interrupted("ehd: atlas: interrupted; the solved points are kept, and the same command goes on from there");
   const auto result = options.motion ? verification::run_motion_atlas(request, certified_solver())

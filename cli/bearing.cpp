@@ -249,10 +249,14 @@ int bearing(const BearingOptions& options) {
   const ContactSolver solve = deadline.limiting(solver.solve);
   Progress progress;
   long solved = 0;
-  std::string current;
+  const auto show = [&](const std::string& what) {  // how many contacts a bearing needs is not known beforehand
+    const std::size_t done = computed.results.size();
+    const std::size_t all = computed.cases.size();
+    progress.step(done, all, done < all ? fmt::format("{}: {}", computed.cases[done].id, what) : what);
+  };
   ContactMemory memory(
       [&](const Problem& problem, const Request& with) {
-        progress.show(fmt::format("{}: contact {} ...", current, ++solved));
+        show(fmt::format("contact {} ...", ++solved));
         return solve(problem, with);
       },
       request);
@@ -263,14 +267,13 @@ int bearing(const BearingOptions& options) {
   long responses = 0;
   memory.respond_by(
       [&](const Problem& problem, const ResponseRequest& with) {
-        progress.show(fmt::format("{}: response {} ...", current, ++responses));
+        show(fmt::format("response {} ...", ++responses));
         return deadline.limiting(bearing_responder())(problem, with);
       },
       response_request);
 
   Account account;
   for (const Case& one : computed.cases) {
-    current = one.id;
     computed.results.push_back(run_bearing(one, asked.of(one), memory));
     add_case(account, one, computed.results.back(), asked, memory);
   }

@@ -160,6 +160,7 @@ class Bench {
   }
 
   void finish_part(const std::string& table) {
+    ++finished_;
     progress_.show("");
     print(table);
   }
@@ -270,7 +271,10 @@ class Bench {
   std::vector<Case> cases_;             ///< of work-precision
   std::optional<OutputFolder> folder_;  ///< made after all options are checked
   Progress progress_;
-  std::function<void(const std::string&)> show_ = [this](const std::string& what) { progress_.show("bench " + what); };
+  std::size_t finished_ = 0;  ///< parts
+  std::function<void(const std::string&)> show_ = [this](const std::string& what) {
+    progress_.step(finished_, parts_.size(), "bench " + what);
+  };
   Json json_;
   bool sound_ = true;
 };

@@ -100,7 +100,7 @@ FilmTable build(const TableOil& oil, const FilmTableRequest& request, const Expo
   Progress progress;
   std::size_t solved = 0;
   return build_film_table(oil, request, [&](const std::vector<MoesGroups>& contacts) {
-    progress.show(fmt::format("{} contacts solved, {} more ...", solved, contacts.size()));
+    progress.step(solved, solved + contacts.size(), "contacts; their errors may ask for more");
     solved += contacts.size();
     return solves(contacts);
   });

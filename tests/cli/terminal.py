@@ -1,0 +1,50 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What only a terminal sees: colour, and a line with the time left.   terminal.py EHD     exit code 0: all hold"""
+import os
+import pty
+import re
+import subprocess
+import sys
+
+
+def on_terminal(ehd, *arguments, **environment):
+    """What the command writes on a terminal of its own."""
+    master, slave = pty.openpty()
+    kept = {key: value for key, value in os.environ.items() if key != "NO_COLOR"}
+    process = subprocess.Popen([ehd, *arguments], stdin=subprocess.DEVNULL, stdout=slave, stderr=slave,
+                               env={**kept, "TERM": "xterm", **environment})
+    os.close(slave)
+    written = b""
+    try:
+        while read := os.read(master, 65536):
+            written += read
+    except OSError:  # so ends a terminal whose last program has gone
+        pass
+    os.close(master)
+    if process.wait() != 0:
+        sys.exit(f"terminal.py: ehd {arguments}: exit code {process.returncode}\n{written.decode()}")
+    return written.decode()
+
+
+def require(holds, what, written):
+    if not holds:
+        sys.exit(f"terminal.py: {what}:\n{written!r}")
+
+
+def main(ehd):
+    solve = ("solve", "--M", "20", "--L", "10")
+    styled = on_terminal(ehd, *solve)
+    require("\033[32mconverged" in styled, "a terminal shows no colour", styled)
+    for environment in ({"NO_COLOR": "1"}, {"TERM": "dumb"}):
+        plain = on_terminal(ehd, *solve, **environment)
+        require("converged" in plain and "\033" not in plain, f"there is colour with {environment}", plain)
+    written = on_terminal(ehd, "compare", "own-moes-20-10", "--solver", "reference", "--solver", "reference.uniform",
+                          "--tolerance", "1e-2", "--tolerance", "1e-3")  # some seconds
+    require(re.search(r"\r\d/\d, [\d.]+ m?s, about [\d.]+ m?s left: ", written), "the time left is not shown", written)
+    require(re.search(r"\r +\r+own-moes-20-10: ", written), "the line stays before the table", written)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1]))
