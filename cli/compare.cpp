@@ -255,11 +255,11 @@ int compare(const CompareOptions& options) {
                        {"runs", runs}});
     list.push_back(comparison);
     if (json.to_standard_output()) continue;
-    constexpr std::size_t names = 1;
+    constexpr std::size_t names = 2;  // solver and tolerance
     const bool all = std::ranges::all_of(rows, converged);
     print(fmt::format("{}: {}\n{}{}  achieved: H_min against {}\n            H_cen against {}\n\n", contact_case.id,
-                      contact_case.title, aligned(table_of(rows), names, "  "), all ? "" : "  * not converged\n",
-                      against[0], against[1]));
+                      contact_case.title, aligned_in_parts(table_of(rows), names, "  "),
+                      all ? "" : "  * not converged\n", against[0], against[1]));
     if (idle_s) print(fmt::format("  an idle call of the shell takes {} ms\n\n", plain(1e3 * *idle_s, 2)));
   }
   for (Json& compared : list) options.changes.put_into(compared);

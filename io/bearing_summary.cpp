@@ -161,7 +161,7 @@ std::string summary_table(const BearingCase& body, const std::vector<BearingResu
   std::erase_if(rows, [](const auto& row) {
     return std::all_of(row.begin() + 1, row.end(), [](const std::string& cell) { return cell == "-"; });
   });
-  return aligned(rows, 1, "  ") + "\n";
+  return aligned_in_parts(rows, 1, "  ") + "\n";
 }
 
 }  // namespace ehd

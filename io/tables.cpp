@@ -226,6 +226,17 @@ std::string aligned_in_parts(const Rows& rows, std::size_t left, const std::stri
   return text;
 }
 
+std::string wrapped(const std::string& line, const std::string& indent) {
+  std::string text, left = line;
+  while (width(left) > widest_table) {
+    const auto space = left.rfind(' ', widest_table);
+    if (space == std::string::npos || left.find_first_not_of(' ') > space) break;  // one long word
+    text += left.substr(0, space) + "\n";
+    left = indent + left.substr(space + 1);
+  }
+  return text + left + "\n";
+}
+
 std::string human_plan(const Plan& plan) {
   std::string text = "runs\n";
   for (const auto& stage : plan.run) text += "  " + stage + "\n";

@@ -25,4 +25,7 @@ inline constexpr std::size_t widest_table = 100;
 [[nodiscard]] std::string aligned_in_parts(const std::vector<std::vector<std::string>>& rows, std::size_t left,
                                            const std::string& indent = "");
 
+/// A line of words, wrapped to the width of a table; what follows its first line stands behind `indent`.
+[[nodiscard]] std::string wrapped(const std::string& line, const std::string& indent);
+
 }  // namespace ehd

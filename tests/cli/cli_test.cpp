@@ -57,10 +57,17 @@ BOOST_AUTO_TEST_CASE(a_solve_prints_a_table_and_exits_with_0) {
 // Notes are sentences, and sources are citations: a terminal wraps them.
 BOOST_AUTO_TEST_CASE(tables_are_at_most_100_columns_wide) {
   const test::Folder folder;
-  for (const char* command :
-       {"solve own-moes-5-5 --tolerance 1e-5", "bearing na4908 --details", "cases", "plan na4908",
-        "compare own-moes-5-5 --tolerance 1e-2", "response own-moes-5-5 --omega 0.1", "solve steel-roller",
-        "bearing na4908 --law hertz --law iso --law ehd-linear --law ehd --details"}) {
+  const std::string source = EHD_SOURCE_DIR;
+  const std::string seven_laws =
+      "/tests/outputs/inputs/roller-bearing.toml --law hertz --law iso --law lundberg "
+      "--law tripp --law houpert --law ehd-linear --law ehd";
+  for (const std::string& command : std::vector<std::string>{
+           "solve own-moes-5-5 --tolerance 1e-5", "bearing na4908 --details", "cases", "plan na4908",
+           "compare own-moes-5-5 --tolerance 1e-2", "compare own-moes-20-10 --tolerance 1e-6",
+           "response own-moes-5-5 --omega 0.1", "solve steel-roller",
+           "bearing na4908 --law hertz --law iso --law ehd-linear --law ehd --details",
+           "bearing " + source + seven_laws, "judge " + source + "/cases/submissions/line-contact-py.json",
+           "bench --quick --part batch --part cost", "stress --quick --part e"}) {
     std::istringstream lines(test::ehd_run(folder, command).out);
     int seen = 0;
     for (std::string line; std::getline(lines, line) && !line.starts_with("sources"); ++seen) {

@@ -26,4 +26,12 @@ BOOST_AUTO_TEST_CASE(a_column_that_fits_nowhere_stands_alone) {
   BOOST_TEST(aligned_in_parts({{"key", wide, "b"}}, 1) == "key  " + wide + "\n\nkey  b\n");
 }
 
+BOOST_AUTO_TEST_CASE(a_long_line_is_wrapped_between_its_words) {
+  BOOST_TEST(wrapped("  short", "    ") == "  short\n");
+  const std::string words(50, 'x');
+  BOOST_TEST(wrapped(words + " " + words + " y", "  ") == words + "\n  " + words + " y\n");
+  BOOST_TEST(wrapped(words + " " + words.substr(1), "  ") == words + " " + words.substr(1) + "\n");  // 100 characters
+  BOOST_TEST(wrapped("  " + words + words, "  ") == "  " + words + words + "\n");
+}
+
 BOOST_AUTO_TEST_SUITE_END()

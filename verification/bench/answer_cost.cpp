@@ -171,7 +171,7 @@ std::string human_table(const std::vector<AnswerCost>& rows) {
                      in_c(spread.mean), in_c(spread.most), in_c(spread.slowest), plain(micro * row.c_s, 3)});
   }
   return fmt::format("What an answer costs, processor time; c: one padded convolution of {} intervals\n{}\n",
-                     unit_intervals, aligned(table, 2, "  "));
+                     unit_intervals, aligned_in_parts(table, 2, "  "));
 }
 
 }  // namespace ehd::verification

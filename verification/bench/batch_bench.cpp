@@ -84,7 +84,7 @@ std::string human_table(const std::vector<BatchRow>& rows) {
                      std::to_string(row.problems), std::to_string(row.converged), std::to_string(row.threads),
                      plain(seconds, 3), plain(static_cast<double>(row.problems) / seconds, 3), plain(row.speed_up, 3)});
   }
-  return "Many contacts, one solve a thread\n" + aligned(table, 2, "  ") + "\n";
+  return "Many contacts, one solve a thread\n" + aligned_in_parts(table, 2, "  ") + "\n";
 }
 
 }  // namespace ehd::verification

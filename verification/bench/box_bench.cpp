@@ -202,7 +202,7 @@ std::string human_table(const std::vector<BoxRow>& rows) {
     first = row;
   }
   return "The box, Roelands compressible: M of 0.5 .. 5000 (flooded from 0.05), L of 0 .. 30\n" +
-         aligned(table, 3, "  ") + "\n";
+         aligned_in_parts(table, 3, "  ") + "\n";
 }
 
 }  // namespace ehd::verification

@@ -294,7 +294,7 @@ std::string costs_table(const std::vector<ScalingRow>& rows) {
                      dash(row.ns_per_n_log_n(), 3), ran ? plain(row.peak_bytes / megabyte, 3) : "-",
                      ran ? plain(row.peak_bytes / row.nodes, 3) : "-"});
   }
-  return "Cost against the number of intervals, each size in a process of its own\n" + aligned(table, 2, "  ");
+  return "Cost against the number of intervals, each size in a process of its own\n" + aligned_in_parts(table, 3, "  ");
 }
 
 std::string reasons_list(const std::vector<ScalingRow>& rows) {
@@ -317,19 +317,20 @@ std::string exponents_table(const std::vector<ScalingRow>& rows) {
       table.push_back({name_of(row.contact), row.solver, plain(*exponent, 3)});
   }
   if (table.size() == 1) return "";
-  return fmt::format("\nfitted from n = {}\n{}", far_enough, aligned(table, 2, "  "));
+  return fmt::format("\nfitted from n = {}\n{}", far_enough, aligned_in_parts(table, 2, "  "));
 }
 
 std::string stages_table(const std::vector<ScalingRow>& rows) {
-  std::vector<std::vector<std::string>> table;
+  std::vector<std::vector<std::string>> table{{"M, L", "solver", "intervals"}};
   for (const ScalingRow& row : rows) {
-    if (row.stage_s.empty() || row.wall_s.empty()) continue;
-    std::string split;
-    for (const auto& [stage, seconds] : row.stage_s)
-      split += fmt::format("{}{} {} %", split.empty() ? "" : ", ", stage, plain(100 * seconds / row.wall_s.front(), 2));
-    table.push_back({name_of(row.contact), row.solver, std::to_string(row.nodes), split});
+    if (row.stage_s.empty() || row.wall_s.empty()) continue;  // every row has the same stages: fast/run.cpp
+    table.push_back({name_of(row.contact), row.solver, std::to_string(row.nodes)});
+    for (const auto& [stage, seconds] : row.stage_s) {
+      if (table.size() == 2) table.front().push_back(stage);
+      table.back().push_back(plain(100 * seconds / row.wall_s.front(), 2));
+    }
   }
-  return table.empty() ? "" : "\nwhere the first solve's time went\n" + aligned(table, 4, "  ");
+  return table.size() == 1 ? "" : "\nwhere the first solve's time went [%]\n" + aligned_in_parts(table, 3, "  ");
 }
 
 }  // namespace

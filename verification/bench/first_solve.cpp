@@ -101,8 +101,8 @@ std::string human_table(const std::vector<FirstSolveRow>& rows) {
     table.push_back(cells);
   }
   return fmt::format(
-      "The first solve of a process and a later one, processor time; c: one padded convolution of {} intervals\n{}\n",
-      unit_intervals, aligned(table, 1, "  "));
+      "The first solve of a process and a later one, processor time; c: a padded convolution of {} intervals\n{}\n",
+      unit_intervals, aligned_in_parts(table, 1, "  "));
 }
 
 }  // namespace ehd::verification

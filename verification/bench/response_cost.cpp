@@ -166,8 +166,8 @@ std::string human_table(const ResponseCost& cost) {
   return fmt::format(
       "What motion costs, processor time; slow: kappa_0 and kappa_1 with their steady states; a frequency: the mean of "
       "{} more, Omega = {} ... {}\n{}{}\n",
-      swept_Omegas.size(), plain(swept_Omegas.front()), plain(swept_Omegas.back()), aligned(rows, 1, "  "),
-      aligned(bearings, 1, "  "));
+      swept_Omegas.size(), plain(swept_Omegas.front()), plain(swept_Omegas.back()), aligned_in_parts(rows, 1, "  "),
+      aligned_in_parts(bearings, 1, "  "));
 }
 
 }  // namespace ehd::verification

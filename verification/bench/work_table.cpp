@@ -48,7 +48,7 @@ std::string truths_table(const WorkPrecisionResult& result) {
                      dash(truth.from_digits[1], 2), plain(truth.wall_s, 3)});
   }
   return fmt::format("The truths: {}, with the errors that it states\n{}", certified_solver().name,
-                     aligned(table, 2, "  "));
+                     aligned_in_parts(table, 2, "  "));
 }
 
 std::string rows_table(const WorkPrecisionResult& result) {
@@ -73,7 +73,7 @@ std::string rows_table(const WorkPrecisionResult& result) {
   return fmt::format("Every run: time is the median of cold solves; this process had {} % of a core{}\n{}",
                      plain(percent * result.cpu_share, 3),
                      result.cpu_share < undisturbed_share ? ", so that times are too long: measure again" : "",
-                     aligned(table, 4, "  "));
+                     aligned_in_parts(table, 4, "  "));
 }
 
 std::string crossovers_list(const WorkPrecisionResult& result, Judged judged) {
@@ -105,7 +105,7 @@ std::string means_table(const WorkPrecisionResult& result, Judged judged) {
                        plain(*smallest, 3), plain(*largest, 3)});
     }
   }
-  return table.size() > 1 ? "\n" + aligned(table, 1, "  ") : "";
+  return table.size() > 1 ? "\n" + aligned_in_parts(table, 1, "  ") : "";
 }
 
 std::string equal_error_table(const WorkPrecisionResult& result, Judged judged) {
@@ -129,7 +129,7 @@ std::string equal_error_table(const WorkPrecisionResult& result, Judged judged) 
   }
   return fmt::format("Best time [ms] at an achieved error in {} of at most (and what was asked for)\n",
                      to_string(judged)) +
-         aligned(table, 1, "  ") + means_table(result, judged) + crossovers_list(result, judged);
+         aligned_in_parts(table, 1, "  ") + means_table(result, judged) + crossovers_list(result, judged);
 }
 
 std::string coverage_table(const WorkPrecisionResult& result) {
@@ -142,7 +142,7 @@ std::string coverage_table(const WorkPrecisionResult& result) {
                        std::to_string(found.undecided), dash(found.median_excess, 3), dash(found.worst_excess, 3)});
     }
   }
-  return "Errors reported against achieved, of every run that reports one\n" + aligned(table, 2, "  ");
+  return "Errors reported against achieved, of every run that reports one\n" + aligned_in_parts(table, 2, "  ");
 }
 
 /// Neighbouring rows of one solver with the same status and reason share a line.
@@ -178,7 +178,7 @@ std::string missed_list(const WorkPrecisionResult& result) {
     }
   }
   constexpr std::size_t columns = 6;
-  return table.empty() ? "" : "\n  missed\n" + aligned(table, columns, "  ");
+  return table.empty() ? "" : "\n  missed\n" + aligned_in_parts(table, columns, "  ");
 }
 
 }  // namespace

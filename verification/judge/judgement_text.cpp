@@ -61,7 +61,7 @@ std::string digits_table(const Judgement& judgement) {
     if (times) row.push_back(one.wall_s ? plain(*one.wall_s, 3) : "-");
     rows.push_back(std::move(row));
   }
-  return aligned(rows, 2, "  ");
+  return aligned_in_parts(rows, 2);
 }
 
 std::string regime_table(const Judgement& judgement) {
@@ -70,7 +70,7 @@ std::string regime_table(const Judgement& judgement) {
     rows.push_back({regime_words(row.regime), std::to_string(row.numbers), std::to_string(row.missing),
                     fmt::format("{:.1f}", row.median), fmt::format("{:.1f}", row.worst),
                     row.median_given ? fmt::format("{:.1f}", *row.median_given) : "-"});
-  return aligned(rows, 1, "  ");
+  return aligned_in_parts(rows, 1);
 }
 
 std::string gate_lines(const Judgement& judgement) {

@@ -191,16 +191,20 @@ std::string human_text(const Part& part) {
         std::find_if(row.begin(), row.end(), [](const Cell& cell) { return std::holds_alternative<double>(cell); });
     left = std::min(left, static_cast<std::size_t>(number - row.begin()));
   }
-  std::string text = fmt::format("({}) {}: {}\n{}", part.id, part.name, part.question, aligned(rows, left, "  "));
+  std::string text = wrapped(fmt::format("({}) {}: {}", part.id, part.name, part.question), "    ") +
+                     aligned_in_parts(rows, left, "  ");
   for (const auto& failure : part.failures) text += "  " + one_line(failure) + "\n";
-  return fmt::format("{}  {} in {} s: {}\n\n", text, to_string(part.verdict), plain(part.wall_s, 2), part.summary);
+  const std::string end = fmt::format("{} in {} s: {}", to_string(part.verdict), plain(part.wall_s, 2), part.summary);
+  return text + wrapped("  " + end, "    ") + "\n";
 }
 
 std::string human_summary(const std::vector<Part>& parts) {
-  std::vector<std::vector<std::string>> rows{{"part", "", "verdict", "time [s]", ""}};
+  std::vector<std::vector<std::string>> rows{{"part", "", "verdict", "time [s]"}};
   for (const Part& part : parts)
-    rows.push_back({part.id, part.name, std::string(to_string(part.verdict)), plain(part.wall_s, 2), part.summary});
-  return aligned(rows, 5);
+    rows.push_back({part.id, part.name, std::string(to_string(part.verdict)), plain(part.wall_s, 2)});
+  std::string text = aligned(rows, 3) + "\n";
+  for (const Part& part : parts) text += wrapped(fmt::format("{}  {}", part.id, part.summary), "   ");
+  return text;
 }
 
 }  // namespace ehd::verification::stress
