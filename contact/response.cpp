@@ -13,6 +13,10 @@ namespace {
 
 /// Of the interval, in ln Omega, that holds the highest certified frequency.
 constexpr int halvings = 6;
+/// Where no requested frequency is known, lower ones are tried, each 2^6 times lower than the one before. Omega = 1e9
+/// takes four such steps to a flooded contact's 93.
+constexpr double lower_by = 64;
+constexpr int most_lower = 8;
 
 bool is_known(const auto& at) { return at.status == StopReason::converged; }
 
@@ -55,13 +59,9 @@ void find_highest_certified(Response& found, double tolerance, const std::functi
   for (const Stiffness& at : found.frequencies)
     if (is_known(at) && at.Omega < high) low = std::max(low, at.Omega);
   if (std::isfinite(high)) {
-    double bottom = low > 0 ? low : high * std::exp2(-2 * halvings);
-    for (int k = 0; k < halvings && !spent(); ++k) {
-      const double middle = std::sqrt(bottom * high);
-      const bool known = certified(middle);
-      (known ? bottom : high) = middle;
-      if (known) low = middle;
-    }
+    const auto halve_at = [&](double Omega) { (certified(Omega) ? low : high) = Omega; };
+    for (int k = 0; k < most_lower && low == 0 && !spent(); ++k) halve_at(high / lower_by);
+    for (int k = 0; k < halvings && low > 0 && !spent(); ++k) halve_at(std::sqrt(low * high));
   }
   found.highest_certified = low;
 }

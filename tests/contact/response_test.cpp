@@ -30,12 +30,22 @@ Response known_up_to(double last, std::vector<double> frequencies) {
 BOOST_AUTO_TEST_SUITE(response)
 
 BOOST_AUTO_TEST_CASE(the_highest_certified_frequency_is_bracketed) {
-  for (const auto& requested : {std::vector<double>{1, 20}, {20, 1, 50}, {20}}) {
+  for (const auto& requested : {std::vector<double>{1, 20}, {20, 1, 50}, {20}, {1e9}, {1e6, 1e9}}) {
     const double certified = known_up_to(7, requested).highest_certified.value();
     BOOST_TEST(certified <= 7);
-    // Six halvings of [low, 20]; low is 20 * 2^-12 where no frequency is known.
-    BOOST_TEST(certified * std::exp2(12.0 / 64) > 7);
+    // Six halvings of [1, 20], or of two frequencies that are 2^6 apart where none of the request is known.
+    BOOST_TEST(certified * std::exp2(6.0 / 64) > 7);
   }
+}
+
+BOOST_AUTO_TEST_CASE(a_contact_that_is_known_at_rest_alone_ends_after_eight_frequencies) {
+  Response found = known_up_to(0, {});
+  found.frequencies = {{.Omega = 1e9, .status = StopReason::tolerance_not_met}};
+  int asked = 0;
+  find_highest_certified(
+      found, 1e-4, [&](double) { return ++asked < 0; }, never);
+  BOOST_TEST(found.highest_certified.value() == 0);
+  BOOST_TEST(asked == 8);
 }
 
 BOOST_AUTO_TEST_CASE(all_known_is_the_last_requested) {
