@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/response.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "contact/text.hpp"
 
@@ -29,6 +32,18 @@ Kappa kappa_of(double chi, double chi_error, double Omega, double lag, double la
           .damping = lag / size,
           .stiffness_error = by_own * chi_error + by_other * Omega * std::abs(delay) * lag_error,
           .damping_error = by_own * lag_error + by_other * std::abs(lag) * chi_error};
+}
+
+/// "; kappa_1 is known to 1.3e-4 only": the numbers of slow motion that miss the tolerance. They have no row of their
+/// own in the table of frequencies.
+std::string missed_of(const SlowStiffness& slow, double tolerance) {
+  std::string text;
+  for (const auto& [name, error] : {std::pair("kappa_0", slow.error_0), std::pair("kappa_1", slow.error_1)}) {
+    if (error <= tolerance) continue;
+    text += std::isfinite(error) ? fmt::format("; {} is known to {} only", name, rounded_up(error, 2))
+                                 : fmt::format("; {} is not known", name);
+  }
+  return text;
 }
 
 }  // namespace
@@ -77,11 +92,11 @@ void answer_nothing(Response& found, const ResponseRequest& request, StopReason 
 
 void conclude(Response& found, double tolerance, bool spent, std::string_view why) {
   const auto known = [](const auto& at) { return is_known(at); };
-  const bool slow = found.slow && found.slow->error_0 <= tolerance && found.slow->error_1 <= tolerance;
+  const std::string slow = found.slow ? missed_of(*found.slow, tolerance) : "; no slow motion was found";
   const bool kappa = std::all_of(found.frequencies.begin(), found.frequencies.end(), known);
-  const bool all = slow && kappa && std::all_of(found.waviness.begin(), found.waviness.end(), known);
+  const bool all = slow.empty() && kappa && std::all_of(found.waviness.begin(), found.waviness.end(), known);
   found.status = all ? StopReason::converged : spent ? StopReason::limit_reached : StopReason::tolerance_not_met;
-  if (!all) found.reason = why;
+  if (!all) found.reason = fmt::format("{}{}", why, slow);
   if (!kappa && found.highest_certified)
     found.reason += "; kappa is certified up to Omega = " + plain(*found.highest_certified, 3);
 }

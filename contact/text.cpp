@@ -22,6 +22,14 @@ std::string plain(double value, int digits) {
   return text;
 }
 
+std::string rounded_up(double value, int digits) {
+  if (!(value > 0) || !std::isfinite(value)) return plain(value, digits);
+  const double unit = std::pow(10.0, std::floor(std::log10(value)) - digits + 1);
+  // 0.02 over its unit of 0.001 may be 20 + 4e-15.
+  constexpr double rounding = 1e-12;
+  return plain(std::ceil(value / unit * (1 - rounding)) * unit, digits);
+}
+
 std::string with_absolute_error(double value, std::optional<double> absolute_error) {
   constexpr int most_digits = 15;  // what a double holds
   if (!std::isfinite(value) || !absolute_error || !std::isfinite(*absolute_error) || *absolute_error < 0)

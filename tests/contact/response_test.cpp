@@ -78,10 +78,22 @@ BOOST_AUTO_TEST_CASE(one_number_outside_its_tolerance_is_said) {
   vague.slow->error_1 = testing::not_a_number;
   conclude(vague, 1e-4, false, "why");
   BOOST_TEST((vague.status == StopReason::tolerance_not_met));
+  BOOST_TEST(vague.reason == "why; kappa_1 is not known");
   Response wavy = known_up_to(7, {3});
   wavy.waviness.emplace_back().status = StopReason::tolerance_not_met;
   conclude(wavy, 1e-4, true, "why");
   BOOST_TEST((wavy.status == StopReason::limit_reached));
+}
+
+// The command exits 1 then although each frequency of its table says "converged".
+BOOST_AUTO_TEST_CASE(a_number_of_slow_motion_that_misses_is_named_with_its_error_rounded_up) {
+  Response found = known_up_to(7, {3});
+  found.slow->error_1 = 1.301e-4;
+  conclude(found, 1e-4, false, "why");
+  BOOST_TEST(found.reason == "why; kappa_1 is known to 0.00014 only");
+  found.slow->error_0 = 1e-2;
+  conclude(found, 1e-4, false, "why");
+  BOOST_TEST(found.reason == "why; kappa_0 is known to 0.01 only; kappa_1 is known to 0.00014 only");
 }
 
 // Exact: 1/kappa + datum in complex numbers; the errors are the changes that the errors of compliance and lag make.

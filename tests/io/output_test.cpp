@@ -244,6 +244,15 @@ BOOST_AUTO_TEST_CASE(digits_printed_are_digits_known) {
   BOOST_TEST(plain(1e6) == "1e6");
 }
 
+BOOST_AUTO_TEST_CASE(an_error_above_a_bound_is_not_rounded_to_the_bound) {
+  BOOST_TEST(rounded_up(0.02001, 2) == "0.021");
+  BOOST_TEST(rounded_up(0.02, 2) == "0.02");
+  BOOST_TEST(rounded_up(1.3e-4, 2) == "0.00013");
+  BOOST_TEST(rounded_up(9.91e-4, 2) == "0.001");
+  BOOST_TEST(rounded_up(6.7, 1) == "7");
+  BOOST_TEST(rounded_up(0, 2) == "0");
+}
+
 BOOST_AUTO_TEST_CASE(a_message_is_one_line_whatever_it_quotes) {
   BOOST_TEST(one_line("a\nb\r\x1b[1m\xFFü") == "a\\nb\\x0D\\x1B[1m\\xFFü");
   BOOST_TEST(shortened("über", 1) == "...");
