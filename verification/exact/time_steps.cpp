@@ -17,6 +17,7 @@ constexpr double small_change = 1e-6;  // of the differences that make the matri
 constexpr double settled = 1e-10;      // of the unknowns, against amplitudes of 1e-4
 constexpr int iterations_a_matrix = 6;
 constexpr int most_iterations = 60;
+constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
 /// Int Int of ln|u| twice: hats of width 1 integrate ln|u| to its second difference.
 double twice_integrated_log(double u) { return u == 0 ? 0 : u * u / 2 * (std::log(std::abs(u)) - 1.5); }
@@ -27,12 +28,25 @@ struct Moment {
   double load = 0;
 };
 
-/// Linear between the two nodes about X = 0.
+/// The cubic through the four nodes about X = 0: its error is small beside that of second order, which falls regularly
+/// with the intervals wherever 0 stands between the nodes.
 double film_at_centre(const Moment& at) {
-  const auto right = std::upper_bound(at.X.begin(), at.X.end(), 0.0) - at.X.begin();
-  const double part = -at.X[right - 1] / (at.X[right] - at.X[right - 1]);
-  return at.H[right - 1] + part * (at.H[right] - at.H[right - 1]);
+  constexpr Eigen::Index nodes = 4;
+  const Eigen::Index first = std::upper_bound(at.X.begin(), at.X.end(), 0.0) - at.X.begin() - nodes / 2;
+  double film = 0;
+  for (Eigen::Index i = first; i < first + nodes; ++i) {
+    double part = at.H[i];
+    for (Eigen::Index j = first; j < first + nodes; ++j)
+      if (j != i) part *= -at.X[j] / (at.X[i] - at.X[j]);
+    film += part;
+  }
+  return film;
 }
+
+/// R(X) = amplitude cos(wavenumber X - phase), added to the gap.
+struct Feature {
+  double amplitude = 0, wavenumber = 0, phase = 0;
+};
 
 class Contact {
  public:
@@ -44,15 +58,16 @@ class Contact {
             twice_integrated_log(i - j + 1) - 2 * twice_integrated_log(i - j) + twice_integrated_log(i - j - 1);
   }
 
-  /// y: P_1 … P_(n-1), X*.
-  [[nodiscard]] Moment moment(const Eigen::VectorXd& y, double offset) const {
+  /// y: P_1 … P_(n-1), X*, H_0.
+  [[nodiscard]] Moment moment(const Eigen::VectorXd& y, const Feature& feature) const {
     Moment at;
     const double h = (y[n_ - 1] - inlet_) / n_;
     at.P = Array::Zero(n_ + 1);
     at.P.segment(1, n_ - 1) = y.head(n_ - 1).array();
     at.X = Array::LinSpaced(n_ + 1, inlet_, y[n_ - 1]);
     at.load = h * at.P.sum();
-    at.H = offset + at.X.square() / 2 - (h * (kernel_ * at.P.matrix()).array() + h * std::log(h) * at.P.sum()) / pi;
+    at.H = y[n_] + at.X.square() / 2 + feature.amplitude * (feature.wavenumber * at.X - feature.phase).cos() -
+           (h * (kernel_ * at.P.matrix()).array() + h * std::log(h) * at.P.sum()) / pi;
     at.f = evaluate(problem_.density, at.P).value * at.H;
     at.faces = (at.X.head(n_) + at.X.tail(n_)) / 2;
     at.mass = h * at.f.tail(n_);  // the middle of a cell, to second order; the last cell is half as wide
@@ -113,59 +128,121 @@ class Root {
   bool made_ = false;
 };
 
-}  // namespace
-
-MotionInTime motion_by_time_steps(const Problem& problem, const Fields& start, const TimeSteps& request) {
-  using Residual = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
-  const MotionInTime failed{.kappa = std::numeric_limits<double>::quiet_NaN(),
-                            .film = std::numeric_limits<double>::quiet_NaN()};
-  const int n = request.intervals;
-  const Contact contact(problem, n, start.X[0]);
-  const double exit = start.X[start.X.size() - 1];
-  Eigen::VectorXd y(n);
+/// y of a steady solution, on n equal intervals.
+Eigen::VectorXd on_equal_intervals(const Fields& start, int n) {
+  const double inlet = start.X[0], exit = start.X[start.X.size() - 1];
+  Eigen::VectorXd y(n + 1);
   for (int i = 1; i < n; ++i) {
-    const double X = start.X[0] + (exit - start.X[0]) * i / n;
+    const double X = inlet + (exit - inlet) * i / n;
     const auto right = std::upper_bound(start.X.begin(), start.X.end(), X) - start.X.begin();
     const double part = (X - start.X[right - 1]) / (start.X[right] - start.X[right - 1]);
     y[i - 1] = start.P[right - 1] + part * (start.P[right] - start.P[right - 1]);
   }
-  y[n - 1] = exit;
-  const Array rest = Array::Zero(n + 1);
-  Residual residual = [&](const Eigen::VectorXd& at) {
-    return contact.balance(contact.moment(at, start.offset), rest.head(n), rest);
-  };
-  if (!Root<Residual>().find(y, residual)) return failed;
+  y[n - 1] = exit, y[n] = start.offset;
+  return y;
+}
 
-  const double step = 2 * pi / (request.Omega * request.steps);
-  Moment before = contact.moment(y, start.offset), last = before;
-  double offset = start.offset;
-  residual = [&](const Eigen::VectorXd& at) {
-    const Moment now = contact.moment(at, offset);
-    const auto rate = [&](const Array& a, const Array& b, const Array& c) -> Array {
-      return (3 * a - 4 * b + c) / (2 * step);
+/// The contact from rest, one step after the other.
+class Motion {
+ public:
+  Motion(const Problem& problem, const Fields& start, int intervals)
+      : n_(intervals), contact_(problem, intervals, start.X[0]), y_(on_equal_intervals(start, intervals)) {}
+
+  /// At the offset of the start.
+  [[nodiscard]] bool rests() {
+    const Array rest = Array::Zero(n_ + 1);
+    const double offset = y_[n_];
+    const auto residual = [&](const Eigen::VectorXd& at) {
+      return with_last(contact_.balance(contact_.moment(at, {}), rest.head(n_), rest), at[n_] - offset);
     };
-    Array speed(n + 1);
-    speed << rate(now.faces, last.faces, before.faces), (3 * now.X[n] - 4 * last.X[n] + before.X[n]) / (2 * step);
-    return contact.balance(now, rate(now.mass, last.mass, before.mass), speed);
-  };
-  Root<Residual> root;
+    if (!Root<decltype(residual)>().find(y_, residual)) return false;
+    before_ = now_ = contact_.moment(y_, {});
+    load_ = now_.load;
+    return true;
+  }
+  /// H_0 is given.
+  [[nodiscard]] bool step_at(double offset, double step) {
+    return advance(step, {}, [&](const Eigen::VectorXd& at, const Moment&) { return at[n_] - offset; });
+  }
+  /// The load is that at rest.
+  [[nodiscard]] bool step_over(const Feature& feature, double step) {
+    return advance(step, feature, [&](const Eigen::VectorXd&, const Moment& at) { return at.load - load_; });
+  }
+  [[nodiscard]] const Moment& now() const { return now_; }
+
+ private:
+  using Residual = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
+
+  [[nodiscard]] static Eigen::VectorXd with_last(const Eigen::VectorXd& first, double last) {
+    Eigen::VectorXd all(first.size() + 1);
+    all << first, last;
+    return all;
+  }
+  /// What the bodies do closes the equations: condition(y, moment) = 0.
+  template <class Condition>
+  [[nodiscard]] bool advance(double step, const Feature& feature, const Condition& condition) {
+    const Residual residual = [&](const Eigen::VectorXd& at) {
+      const Moment next = contact_.moment(at, feature);
+      const auto rate = [&](const Array& a, const Array& b, const Array& c) -> Array {
+        return (3 * a - 4 * b + c) / (2 * step);
+      };
+      Array speed(n_ + 1);
+      speed << rate(next.faces, now_.faces, before_.faces),
+          (3 * next.X[n_] - 4 * now_.X[n_] + before_.X[n_]) / (2 * step);
+      return with_last(contact_.balance(next, rate(next.mass, now_.mass, before_.mass), speed), condition(at, next));
+    };
+    if (!root_.find(y_, residual)) return false;
+    before_ = now_;
+    now_ = contact_.moment(y_, feature);
+    return true;
+  }
+
+  int n_;
+  Contact contact_;
+  Eigen::VectorXd y_;
+  Root<Residual> root_;
+  Moment before_, now_;
+  double load_ = 0;
+};
+
+}  // namespace
+
+MotionInTime motion_by_time_steps(const Problem& problem, const Fields& start, const TimeSteps& request) {
+  const MotionInTime failed{.kappa = not_known, .film = not_known};
+  Motion motion(problem, start, request.intervals);
+  if (!motion.rests()) return failed;
+  const double step = 2 * pi / (request.Omega * request.steps);
   std::complex<double> load = 0, film = 0;
   double mean_film = 0;
   for (int k = 1; k <= request.periods * request.steps; ++k) {
     const double angle = 2 * pi * k / request.steps;
-    offset = start.offset + std::abs(start.offset) * request.amplitude * std::sin(angle);
-    if (!root.find(y, residual)) return failed;
-    before = last;
-    last = contact.moment(y, offset);
+    if (!motion.step_at(start.offset + std::abs(start.offset) * request.amplitude * std::sin(angle), step))
+      return failed;
     if (k <= (request.periods - 1) * request.steps) continue;
-    const double central = film_at_centre(last);
-    load += last.load * std::polar(2.0 / request.steps, -angle);
+    const double central = film_at_centre(motion.now());
+    load += motion.now().load * std::polar(2.0 / request.steps, -angle);
     film += central * std::polar(2.0 / request.steps, -angle);
     mean_film += central / request.steps;
   }
   // H_01 e^(i Omega T) with H_0 = offset + Re(H_01 e^(i Omega T)): sin is -i.
   return {.kappa = -load / (std::complex<double>(0, -1) * std::abs(start.offset) * request.amplitude),
           .film = std::abs(film) / mean_film};
+}
+
+std::complex<double> film_by_time_steps(const Problem& problem, const Fields& start, const WavinessSteps& request) {
+  Motion motion(problem, start, request.intervals);
+  if (!motion.rests()) return not_known;
+  const double step = 2 * pi / (request.waviness.Omega() * request.steps),
+               amplitude = request.amplitude * film_at_centre(motion.now());
+  std::complex<double> film = 0;
+  for (int k = 1; k <= request.periods * request.steps; ++k) {
+    const double angle = 2 * pi * k / request.steps;
+    const double grown = k < request.steps ? (1 - std::cos(angle / 2)) / 2 : 1;  // over the first period
+    if (!motion.step_over({grown * amplitude, request.waviness.wavenumber(), angle}, step)) return not_known;
+    if (k > (request.periods - 1) * request.steps)
+      film += film_at_centre(motion.now()) * std::polar(2.0 / request.steps, -angle);
+  }
+  return film / amplitude;
 }
 
 }  // namespace ehd::verification::exact
