@@ -176,7 +176,19 @@ Findings judge_rigid_response() {
   // The next term is M^4 ln^2 M: of order 1e-5 at the middle point.
   const Tolerance remainder = Tolerance::asymptotic(std::pow(0.025, 4) * std::pow(std::log(0.025), 2) * 10,
                                                     "M^4 (ln M)^2 at M = 0.025, times 10");
+  // M^2 (a + b ln M) behaves like M^2 ln M, and a moves the order by a/(b (ln M)^2).
+  const auto remainder_order = [](const std::vector<std::pair<double, double>>& points) {
+    return observed_order(points[1].second - 1, points[2].second - 1, 2);
+  };
+  const double order = 2 + std::log2(std::log(0.025) / std::log(0.0125));
+  const Tolerance square = Tolerance::asymptotic(1 / std::pow(std::log(0.025), 2), "M^2 beside M^2 ln M at M = 0.025");
   Findings found;
+  found.claims.push_back(
+      claim_value(response_says("rigid/stiffness/order", 9, "kappa(0) H(0) goes to pi/2 like M^2 ln M"),
+                  remainder_order(stiffness), order, 0, square, note));
+  found.claims.push_back(
+      claim_value(response_says("rigid/damping/order", 9, "kappa_1 goes to that of a rigid roller like M^2 ln M"),
+                  remainder_order(slow), order, 0, square, note));
   found.claims.push_back(claim_value(response_says("rigid/stiffness", 9, "kappa(0) H(0) goes to pi/2 as M -> 0"),
                                      limit_of_light_loads(stiffness), 1, 10 * error, remainder, note));
   found.claims.push_back(
