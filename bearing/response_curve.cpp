@@ -83,18 +83,24 @@ ResponseCurve::ResponseCurve(RacewayContact contact, std::vector<double> omegas,
     const auto damping = [this, k](const Point& point) {
       return point.response.at[k].damping / damping_scale(point.force_N);
     };
+    SolverErrors solver;
+    for (const auto& [force_N, response] : points)
+      solver.meet(relative_errors(force_N, Omega_of(contact_, force_N, omegas_[k]), response.at[k]));
     frequencies_.push_back({MonotoneSpline(log_force, read_points(points, departure), MonotoneSpline::Limit::none),
-                            MonotoneSpline(log_force, read_points(points, damping), MonotoneSpline::Limit::none)});
+                            MonotoneSpline(log_force, read_points(points, damping), MonotoneSpline::Limit::none),
+                            solver});
   }
-  for (const auto& [force_N, response] : points) {
-    std::vector<std::pair<Kappa, double>> all{{response.slow, 0}};
-    for (std::size_t k = 0; k < omegas_.size(); ++k)
-      all.emplace_back(response.at[k], Omega_of(contact_, force_N, omegas_[k]));
-    for (const auto& [kappa, Omega] : all) {
-      largest_solver_stiffness_ = std::max(largest_solver_stiffness_, kappa.stiffness_error / size(kappa, Omega));
-      largest_solver_damping_ = std::max(largest_solver_damping_, kappa.damping_error / damping_scale(force_N));
-    }
-  }
+  for (const auto& [force_N, response] : points) slow_solver_.meet(relative_errors(force_N, 0, response.slow));
+}
+
+ResponseCurve::SolverErrors ResponseCurve::relative_errors(double force_N, double Omega, const Kappa& kappa) const {
+  return {.stiffness = kappa.stiffness_error / size(kappa, Omega),
+          .damping = kappa.damping_error / damping_scale(force_N)};
+}
+
+void ResponseCurve::SolverErrors::meet(const SolverErrors& other) {
+  stiffness = std::max(stiffness, other.stiffness);
+  damping = std::max(damping, other.damping);
 }
 
 double ResponseCurve::damping_scale(double force_N) const {
@@ -122,12 +128,11 @@ double ResponseCurve::slow_lag(double force_N) const {
   return here.value * std::exp(a * t15 + c * t15 * t15);
 }
 
-Kappa ResponseCurve::with_errors(double force_N, double omega, Kappa kappa) const {
+Kappa ResponseCurve::with_errors(double force_N, double omega, Kappa kappa, const SolverErrors& solver) const {
   const bool below = force_N < forces_N_.front();
-  kappa.stiffness_error = (largest_solver_stiffness_ + (below ? errors_.stiffness_below : errors_.stiffness)) *
+  kappa.stiffness_error = (solver.stiffness + (below ? errors_.stiffness_below : errors_.stiffness)) *
                           size(kappa, Omega_of(contact_, force_N, omega));
-  kappa.damping_error =
-      (largest_solver_damping_ + (below ? errors_.damping_below : errors_.damping)) * damping_scale(force_N);
+  kappa.damping_error = (solver.damping + (below ? errors_.damping_below : errors_.damping)) * damping_scale(force_N);
   return kappa;
 }
 
@@ -137,7 +142,8 @@ double ResponseCurve::slow_damping(double force_N) const {
 }
 
 Kappa ResponseCurve::slow(double force_N) const {
-  return with_errors(force_N, 0, {.stiffness = kappa_0_.at(force_N).value, .damping = slow_damping(force_N)});
+  return with_errors(force_N, 0, {.stiffness = kappa_0_.at(force_N).value, .damping = slow_damping(force_N)},
+                     slow_solver_);
 }
 
 Kappa ResponseCurve::at(double force_N, std::size_t k) const {
@@ -150,7 +156,7 @@ Kappa ResponseCurve::at(double force_N, std::size_t k) const {
     departure *= part;
     damping = slow_damping(force_N) * (1 + part * (at_joint - 1));
   }
-  return with_errors(force_N, omegas_[k], {.stiffness = kappa_0 * (1 + departure), .damping = damping});
+  return with_errors(force_N, omegas_[k], {.stiffness = kappa_0 * (1 + departure), .damping = damping}, fast.solver);
 }
 
 namespace {

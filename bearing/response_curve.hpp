@@ -80,22 +80,29 @@ class ResponseCurve {
   [[nodiscard]] double damping_scale(double force_N) const;
 
  private:
+  /// Errors that the solver states, the largest of all points, relative.
+  struct SolverErrors {
+    double stiffness = 0, damping = 0;
+    void meet(const SolverErrors& other);
+  };
   /// Of one frequency: Re kappa/kappa_0 - 1, and Im kappa/Omega over damping_scale.
   struct Frequency {
     MonotoneSpline departure, damping;
+    SolverErrors solver;
   };
   [[nodiscard]] double inside(const MonotoneSpline& spline, double force_N) const;
   [[nodiscard]] double lag_inside(double force_N) const;  ///< of slow motion, from the lightest point on
   [[nodiscard]] double slow_lag(double force_N) const;
   [[nodiscard]] double slow_damping(double force_N) const;
-  [[nodiscard]] Kappa with_errors(double force_N, double omega, Kappa kappa) const;
+  [[nodiscard]] SolverErrors relative_errors(double force_N, double Omega, const Kappa& kappa) const;
+  [[nodiscard]] Kappa with_errors(double force_N, double omega, Kappa kappa, const SolverErrors& solver) const;
 
   RacewayContact contact_;
   std::vector<double> omegas_, forces_N_;
   ContinuedSpline kappa_0_;
   MonotoneSpline slow_lag_;
   std::vector<Frequency> frequencies_;
-  double largest_solver_stiffness_ = 0, largest_solver_damping_ = 0;  ///< relative, that the solver states
+  SolverErrors slow_solver_;
   ResponseErrors errors_;
 };
 

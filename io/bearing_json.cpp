@@ -6,6 +6,7 @@
 #include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "io/bearing_notes.hpp"
@@ -99,6 +100,24 @@ Json to_json(const FilmCurve& curve) {
   return json;
 }
 
+/// kappa of slow motion at the contacts that were solved. Errors are absolute.
+Json to_json(const bearing::ResponseCurve& curve) {
+  std::vector<double> kappa_0, kappa_1, error_0, error_1;
+  for (const double force_N : curve.forces_N()) {
+    const bearing::Kappa slow = curve.slow(force_N);
+    kappa_0.push_back(slow.stiffness);
+    kappa_1.push_back(slow.damping);
+    error_0.push_back(slow.stiffness_error);
+    error_1.push_back(slow.damping_error);
+  }
+  return {{"datum_m", curve.contact().length_m},
+          {"force_N", curve.forces_N()},
+          {"kappa_0", kappa_0},
+          {"kappa_0_error", error_0},
+          {"kappa_1", kappa_1},
+          {"kappa_1_error", error_1}};
+}
+
 Json to_json(const bearing::ContactMotion& contact) {
   return numbers({{"stiffness_N_per_m", contact.stiffness_N_per_m}, {"damping_N_s_per_m", contact.damping_N_s_per_m}});
 }
@@ -156,6 +175,9 @@ Json to_json(const BearingResult& result) {
   }
   if (result.fit) json["fit"] = {{"inner", to_json(result.fit->inner)}, {"outer", to_json(result.fit->outer)}};
   if (result.curve) json["curve"] = {{"inner", to_json(result.curve->inner)}, {"outer", to_json(result.curve->outer)}};
+  if (result.response)
+    for (const bearing::Raceway raceway : {bearing::Raceway::inner, bearing::Raceway::outer})
+      json["curve"][std::string(to_string(raceway))]["response"] = to_json(result.response->at(raceway));
   if (result.datum_m)
     json["datum"] = numbers({{"inner_x0_m", result.datum_m->inner}, {"outer_x0_m", result.datum_m->outer}});
   for (const VariantResult& variant : result.variants) {

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <string>
 #include <variant>
 
 #include "bearing/dynamics.hpp"
@@ -41,6 +43,8 @@ class MovingRaceway {
                 const std::vector<double>& omegas, ContactMemory& memory);
 
   [[nodiscard]] ContactMotion at(double force_N, double omega) const;
+  /// Null where the law has none.
+  [[nodiscard]] const ResponseCurve* response() const { return response_; }
 
  private:
   [[nodiscard]] ContactMotion with_film(double force_N, double omega) const;
@@ -101,14 +105,25 @@ ContactMotion MovingRaceway::at(double force_N, double omega) const {
   return {.stiffness_N_per_m = slope, .stiffness_error = law_error_ * slope};
 }
 
+double largest_error(const DynamicRow& row) { return std::max(row.ring.error, row.ring.damping_error.value_or(0)); }
+
+/// Names the lowest frequency that is not known well enough, and the highest asked one below it.
 void judge_dynamics(BearingResult& result) {
-  for (const DynamicRow& row : result.dynamics) {
-    const double error = std::max(row.ring.error, row.ring.damping_error.value_or(0));
-    if (error <= largest_dynamic_error || result.status != StopReason::converged) continue;
-    result.status = StopReason::tolerance_not_met;
-    result.why = fmt::format("at {} Hz stiffness and damping are known to {} only; {} is needed",
-                             plain(row.frequency_Hz), plain(error, 2), plain(largest_dynamic_error));
-  }
+  if (result.status != StopReason::converged) return;
+  const DynamicRow* unknown = nullptr;
+  for (const DynamicRow& row : result.dynamics)
+    if (!(largest_error(row) <= largest_dynamic_error) && (!unknown || row.frequency_Hz < unknown->frequency_Hz))
+      unknown = &row;
+  if (!unknown) return;
+  std::optional<double> known_Hz;
+  for (const DynamicRow& row : result.dynamics)
+    if (row.frequency_Hz < unknown->frequency_Hz) known_Hz = std::max(known_Hz.value_or(0), row.frequency_Hz);
+  result.status = StopReason::tolerance_not_met;
+  result.why =
+      fmt::format("at {} Hz stiffness and damping are known to {} only; {} is needed; {}", plain(unknown->frequency_Hz),
+                  rounded_up(largest_error(*unknown), 2), plain(largest_dynamic_error),
+                  known_Hz ? fmt::format("of those asked, frequencies up to {} Hz are known", plain(*known_Hz))
+                           : std::string("of those asked, no lower frequency is known"));
 }
 
 }  // namespace
@@ -129,6 +144,7 @@ void fill_dynamics(BearingResult& result, const BearingSetup& setup, const beari
     row.ring = bearing::ring_motion(row.rollers, mass_kg, omegas[k]);
     result.dynamics.push_back(std::move(row));
   }
+  if (inner.response() && outer.response()) result.response = {*inner.response(), *outer.response()};
   result.notes.emplace_back(note::Dynamics{.damped = result.dynamics.front().ring.damping_N_s_per_m.has_value()});
   judge_dynamics(result);
 }

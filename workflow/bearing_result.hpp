@@ -93,6 +93,8 @@ struct BearingResult {
   std::optional<bearing::BothRaceways<bearing::LinearFit>> fit = {};  ///< of a law made from fits
   /// The films are read from it; a law made from curves follows it.
   std::optional<bearing::BothRaceways<bearing::FilmCurve>> curve = {};
+  /// kappa over the force at the same raceways, where the request has frequencies and the law has curves.
+  std::optional<bearing::BothRaceways<bearing::ResponseCurve>> response = {};
   std::vector<VariantResult> variants;
   double balance_error = 0;
   double wall_s = 0;

@@ -93,6 +93,25 @@ BOOST_AUTO_TEST_CASE(at_rest_the_stiffness_is_that_of_the_balance) {
   BOOST_TEST(ring.error < 0.01);
 }
 
+BOOST_AUTO_TEST_CASE(the_json_has_kappa_of_slow_motion_over_the_force) {
+  ContactMemory memory = made_memory();
+  const BearingResult result = moved(needle_bearing(0), bearing::Law::ehd, {0}, memory);
+  const Json json = to_json(result);
+  for (const bearing::Raceway raceway : {bearing::Raceway::inner, bearing::Raceway::outer}) {
+    const Json& response = json.at("curve").at(std::string(to_string(raceway))).at("response");
+    BOOST_REQUIRE(result.response.has_value());
+    const bearing::ResponseCurve& curve = result.response->at(raceway);
+    for (const char* key : {"force_N", "kappa_0", "kappa_0_error", "kappa_1", "kappa_1_error"})
+      BOOST_TEST(response.at(key).size() == curve.forces_N().size(), key);
+    const double last_N = curve.forces_N().back();
+    BOOST_TEST(response.at("kappa_0").back().get<double>() == curve.slow(last_N).stiffness);
+    BOOST_TEST(response.at("kappa_1").back().get<double>() == curve.slow(last_N).damping);
+    BOOST_TEST(response.at("datum_m").get<double>() == 0.122);
+  }
+  const Json still = to_json(moved(needle_bearing(0), bearing::Law::ehd, {}, memory));
+  BOOST_TEST(!still.at("curve").at("inner").contains("response"));
+}
+
 // Counter: 22 rollers in mirrored pairs have 12 contacts a raceway, those below the curve none of their own; four more
 // continue the curve to light loads. Many clearances share a curve through all loads.
 BOOST_AUTO_TEST_CASE(responses_are_solved_once_and_at_the_loads_of_the_rollers_alone) {
@@ -138,6 +157,26 @@ BOOST_AUTO_TEST_CASE(a_heavy_contact_of_a_bearing_is_answered_by_the_default_sol
   BOOST_REQUIRE(found.slow.has_value());
   BOOST_TEST(found.cost.krylov_iterations > 0);  // `reference` has none
   EHD_CHECK(found.slow->lag_error, Tolerance::required(1e-2, "half of the 2 % that the damping of a bearing may err"));
+}
+
+// Light contacts have a smaller Omega at the same frequency; Omega = 1 is 25 kHz at the heaviest.
+BOOST_AUTO_TEST_CASE(a_frequency_that_is_not_known_ends_with_the_highest_asked_one_that_is) {
+  const auto why = [](const std::vector<double>& frequencies_Hz) {
+    ContactMemory memory(made_solution);
+    memory.respond_by([](const Problem& problem, const ResponseRequest& request) {
+      Response response = made_response(problem, request);
+      for (Stiffness& at : response.frequencies)
+        if (at.Omega > 0.5) at.lag_error = 0.1;
+      return response;
+    });
+    const BearingResult result = moved(needle_bearing(0), bearing::Law::ehd, frequencies_Hz, memory);
+    BOOST_TEST((result.status == StopReason::tolerance_not_met));
+    return result.why;
+  };
+  const std::string some = why({40000, 30000, 100, 5000}), none = why({30000});
+  BOOST_TEST(some.starts_with("at 30000 Hz stiffness and damping are known to "));
+  BOOST_TEST(some.ends_with("0.02 is needed; of those asked, frequencies up to 5000 Hz are known"));
+  BOOST_TEST(none.ends_with("0.02 is needed; of those asked, no lower frequency is known"));
 }
 
 BOOST_AUTO_TEST_CASE(a_law_without_a_film_has_stiffness_alone) {
