@@ -101,6 +101,8 @@ def main(ehd):
     documents.append(("ehd plan of a bearing", said("plan", "na4908", "--json", "-")))
     for law in ("hertz", "ehd-linear"):
         documents.append((f"ehd bearing by {law}", said("bearing", "na4908", "--law", law, "--json", "-")))
+    documents.append(("ehd bearing --dynamic", said("bearing", "na4908", "--law", "ehd", "--dynamic",
+                                                    "--frequency", 100, "--json", "-")))
     documents.append(("ehd response", said("response", "own-moes-5-5", "--omega", 1, "--wavelength", 2, "--tolerance",
                                            1e-3, "--json", "-")))
     answer = f"mine=cp {TOP / 'cases' / 'submissions' / 'ehd-fast-1e-3.json'} {{out}}; test {{case}}"
