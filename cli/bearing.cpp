@@ -17,10 +17,10 @@
 #include "cli/subcommands.hpp"
 #include "cli/usage.hpp"
 #include "contact/text.hpp"
+#include "io/bearing_csv.hpp"
 #include "io/bearing_json.hpp"
 #include "io/bearing_table.hpp"
 #include "io/contact_json.hpp"
-#include "io/csv.hpp"
 #include "io/json.hpp"
 #include "io/output_file.hpp"
 #include "io/tables.hpp"
@@ -117,33 +117,6 @@ std::string statements_of(const Computed& computed, ContactMemory& memory, beari
         human_data(compare_data(computed.cases, law, memory, form), scan_datum(computed.cases, law, memory, form)));
   }
   return text;
-}
-
-/// A row a roller, with the quantities of the paper's figures; nothing where no law has a balance. Two files may hold
-/// cases with one id: the last column tells them apart.
-std::optional<std::string> csv_of(const Computed& computed) {
-  std::string rows;
-  const auto cell = [](const std::optional<double>& value) {
-    return "," + (value ? plain(*value, 17) : std::string());
-  };
-  for (std::size_t k = 0; k < computed.cases.size(); ++k) {
-    const auto& body = std::get<BearingCase>(computed.cases[k].body);
-    for (const BearingResult& result : computed.results[k])
-      for (std::size_t j = 0; j < result.rollers.size(); ++j) {
-        const RollerRow& roller = result.rollers[j];
-        rows += fmt::format("{}{},{}{}", computed.cases[k].id, cell(body.geometry.clearance_m), to_string(result.law),
-                            cell(roller.azimuth_deg));
-        for (const ContactRow* at : {&roller.inner, &roller.outer})
-          rows += cell(at->force_N) + cell(at->displacement_m) + cell(at->film_minimum_m) + cell(at->hertz_pressure_Pa);
-        rows += fmt::format(",{}{}{},{}\n", j + 1, cell(roller.inner.lambda_ratio), cell(roller.outer.lambda_ratio),
-                            csv_cell(computed.cases[k].file.string()));
-      }
-  }
-  if (rows.empty()) return std::nullopt;
-  return "case,clearance_m,law,azimuth_deg,inner_force_N,inner_displacement_m,inner_film_minimum_m,"
-         "inner_hertz_pressure_Pa,outer_force_N,outer_displacement_m,outer_film_minimum_m,outer_hertz_pressure_Pa,"
-         "roller,inner_lambda_ratio,outer_lambda_ratio,file\n" +
-         rows;
 }
 
 /// The cases that were named. Throws UsageError, CaseError.
@@ -280,7 +253,7 @@ int bearing(const BearingOptions& options) {
   if (!json.to_standard_output()) account.text += statements_of(computed, memory, asked.form);
   progress.show("");
   if (csv) {
-    if (const auto rows = csv_of(computed))
+    if (const auto rows = bearing_csv(computed.cases, computed.results))
       csv->append(*rows);
     else
       account.complaints.push_back("ehd: bearing: nothing balanced, and no CSV is written");
@@ -326,7 +299,7 @@ void describe_bearing(Command& command) {
   command.text("--json", options->json, "the results as JSON into a file, or - for standard output");
   command.text("--plot", options->plot,
                "loads round the bearing, forces and displacements over the azimuth as a figure: FILE.svg or FILE.png");
-  command.text("--csv", options->csv, "forces, displacements and films as CSV, one row per roller");
+  command.text("--csv", options->csv, "forces, displacements and films as CSV, one row per roller (and frequency)");
   command.runs([options] { return bearing(*options); });
 }
 

@@ -188,8 +188,8 @@ std::vector<std::vector<std::size_t>> parts_of(const std::vector<std::size_t>& w
 }
 
 /// Some columns of the rows, aligned.
-std::string table_lines(const Rows& rows, const std::vector<std::size_t>& widths, const std::vector<std::size_t>& columns,
-                     std::size_t left, const std::string& indent) {
+std::string printed_lines(const Rows& rows, const std::vector<std::size_t>& widths,
+                          const std::vector<std::size_t>& columns, std::size_t left, const std::string& indent) {
   std::string text;
   for (const auto& row : rows) {
     std::string line = indent;
@@ -215,14 +215,14 @@ std::string aligned(const Rows& rows, std::size_t left, const std::string& inden
   const std::vector<std::size_t> widths = widths_of(rows);
   std::vector<std::size_t> all(widths.size());
   std::iota(all.begin(), all.end(), 0);
-  return table_lines(rows, widths, all, left, indent);
+  return printed_lines(rows, widths, all, left, indent);
 }
 
 std::string aligned_in_parts(const Rows& rows, std::size_t left, const std::string& indent) {
   const std::vector<std::size_t> widths = widths_of(rows);
   std::string text;
   for (const auto& columns : parts_of(widths, left, indent.size()))
-    text += (text.empty() ? "" : "\n") + table_lines(rows, widths, columns, left, indent);
+    text += (text.empty() ? "" : "\n") + printed_lines(rows, widths, columns, left, indent);
   return text;
 }
 
