@@ -153,6 +153,7 @@ BOOST_AUTO_TEST_CASE(what_has_no_response_is_refused_in_one_line) {
       {"response own-moes-5-5 --omega -1", "--omega = -1: is out of range; allowed is"},
       {"response own-moes-5-5 --omega nan", "--omega = nan"},
       {"response own-moes-5-5 --wavelength 0", "--wavelength = 0: is out of range"},
+      {"response own-moes-5-5 --wavelength 0.001", "--wavelength = 0.001: is out of range; allowed is"},
       {"response own-moes-5-5 --wavelength 1 --slip 3", "--slip = 3: is out of range"},
       {"response own-moes-5-5 --slip 0.5", "--slip = 0.5: belongs to a waviness; allowed with --wavelength"},
       {"response own-moes-5-5 --tolerance 1", "--tolerance = 1: is out of range"},

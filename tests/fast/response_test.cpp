@@ -2,6 +2,7 @@
 #include "fast/response.hpp"
 
 #include <complex>
+#include <vector>
 
 #include "tests/check.hpp"
 #include "tests/fast/problems.hpp"
@@ -43,6 +44,19 @@ BOOST_AUTO_TEST_CASE(answers_keep_the_order_of_the_request_and_the_tolerance) {
   for (const Stiffness& at : found.frequencies) EHD_CHECK(at.error, asked);
   for (const WavinessResponse& at : found.waviness) EHD_CHECK(at.error, asked);
   BOOST_TEST(found.cost.krylov_iterations > 0);
+}
+
+// Counter: the steady state and its grids are solved once, whatever the number of frequencies.
+BOOST_AUTO_TEST_CASE(fifty_frequencies_share_the_steady_state) {
+  const Problem problem = roelands_problem(5, 5, TruncatedAt{-4});
+  std::vector<double> frequencies;
+  for (int k = 1; k <= 50; ++k) frequencies.push_back(0.1 * k);
+  const Response one = answer(problem, {.frequencies = {frequencies.back()}, .tolerance = 1e-4}),
+                 fifty = answer(problem, {.frequencies = frequencies, .tolerance = 1e-4});
+  BOOST_TEST((fifty.status == StopReason::converged));
+  BOOST_TEST(one.cost.newton_iterations > 0);
+  BOOST_TEST(fifty.cost.newton_iterations == one.cost.newton_iterations);
+  BOOST_TEST(fifty.cost.krylov_iterations > one.cost.krylov_iterations);
 }
 
 // The tail of a flooded inlet limits what is known at high frequencies, and no grid helps.

@@ -27,6 +27,12 @@ BOOST_AUTO_TEST_CASE(stiffness_at_rest_has_the_digits_of_another_program) {
   BOOST_TEST(found.highest_certified.value() == 0.0);
 }
 
+BOOST_AUTO_TEST_CASE(a_moderate_load_has_the_digits_of_another_program) {
+  const Response found = response(roelands_problem(20, 10, TruncatedAt{-50}), {.frequencies = {}});
+  BOOST_REQUIRE(found.slow.has_value());
+  EHD_CHECK(error(found.slow->kappa_0, 4.3454066), Tolerance::published_digits("4.3454066"));
+}
+
 BOOST_AUTO_TEST_CASE(answers_keep_the_order_of_the_request_and_the_tolerance) {
   const Response found = response(roelands_problem(5, 5, TruncatedAt{-4}),
                                   {.frequencies = {7, 0.5, 2}, .waviness = {{2, 1}, {1, 0}}, .tolerance = 1e-6});
