@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A bearing in small motion: stiffness and damping of its contacts around it, and of the ring over the frequency.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
 
+#include "contact/text.hpp"
 #include "verification/report/bearing_tables.hpp"
 #include "verification/report/report.hpp"
 
@@ -13,6 +19,8 @@ namespace {
 
 constexpr const char* axis_stiffness = "stiffness [N/\u00b5m]";
 constexpr const char* axis_damping = "damping [N s/m]";
+/// What the keys of the ring's curves begin with, and the names of these curves.
+const std::vector<std::pair<std::string, std::string>> directions = {{"along", "along the load"}, {"across", "across"}};
 
 Series curve(std::size_t k, const std::string& name, std::vector<double> x, std::vector<double> y) {
   const Look look = look_of_curve(k);
@@ -62,6 +70,30 @@ void add_phase(Figure& figure, const View& ring, const std::vector<std::pair<std
   figure.panels.push_back(std::move(phase));
 }
 
+/// The ring over clearance and speed. Results of earlier versions have neither.
+void add_changes(Page& page, const View& bearing, const std::string& id) {
+  struct Change {
+    const char *key, *places, *id, *label, *name;
+    Scale scale;
+  };
+  for (const Change& one :
+       {Change{"over_clearance", "clearance_um", "clearance", "clearance [\u00b5m]", "clearance", Scale::linear},
+        Change{"over_speed", "part_of_speed", "speed", "speed / speed of the case", "speed", Scale::logarithmic}}) {
+    const View ring = bearing[one.key];
+    const std::vector<double> places = ring.numbers(one.places);
+    if (places.empty()) continue;
+    Figure figure = stiffness_and_damping(ring, {.label = one.label, .scale = one.scale}, places, directions);
+    figure.id = fmt::format("fig-motion-{}-{}", one.id, id);
+    figure.title = fmt::format("Stiffness and damping of {} over {}", id, one.name);
+    figure.description =
+        fmt::format("Diagonal entries of the ring's 2 x 2 stiffness and damping, over the {}.", one.name);
+    page.figure(std::move(figure),
+                fmt::format("<b>{}</b>: stiffness and damping of the ring over the {}, all else as "
+                            "in the case; at {} Hz.",
+                            escaped(id), one.name, plain(bearing.number("frequency_of_changes_Hz").value_or(0))));
+  }
+}
+
 }  // namespace
 
 void add_dynamics(Page& page, const std::vector<View>& bearings) {
@@ -81,8 +113,6 @@ void add_dynamics(Page& page, const std::vector<View>& bearings) {
                 "<b>" + escaped(id) +
                     "</b>: stiffness and damping of the contacts around the bearing, slow motion. The "
                     "rollers at the edge of the load zone damp most.");
-    const std::vector<std::pair<std::string, std::string>> directions = {{"along", "along the load"},
-                                                                         {"across", "across"}};
     Figure over = stiffness_and_damping(ring, {.label = "frequency [Hz]", .scale = Scale::logarithmic},
                                         ring.numbers("frequency_Hz"), directions);
     add_phase(over, ring, directions);
@@ -93,6 +123,7 @@ void add_dynamics(Page& page, const std::vector<View>& bearings) {
     page.figure(std::move(over), "<b>" + escaped(id) +
                                      "</b>: stiffness and damping of the ring over frequency, rollers' mass included; "
                                      "the phase of <i>K</i> = stiffness + i\u2009<i>\u03c9</i> damping.");
+    add_changes(page, bearing, id);
     page.end_figures();
     page.end_fold();
   }

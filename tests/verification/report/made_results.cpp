@@ -254,7 +254,20 @@ Json dynamics() {
              {"along_stiffness_N_per_m", {8.8e9, 8.7e9}},
              {"along_damping_N_s_per_m", {5700.0, 5600.0}},
              {"across_stiffness_N_per_m", {9.8e9, 9.7e9}},
-             {"across_damping_N_s_per_m", {10700.0, 10600.0}}}}}};
+             {"across_damping_N_s_per_m", {10700.0, 10600.0}}}},
+           {"frequency_of_changes_Hz", 100.0},
+           {"over_clearance",
+            {{"clearance_um", {0.0, 10.0}},
+             {"along_stiffness_N_per_m", {8.8e9, 7.9e9}},
+             {"along_damping_N_s_per_m", {5700.0, 5100.0}},
+             {"across_stiffness_N_per_m", {9.8e9, 4.1e9}},
+             {"across_damping_N_s_per_m", {10700.0, 9300.0}}}},
+           {"over_speed",
+            {{"part_of_speed", {0.5, 1.0}},
+             {"along_stiffness_N_per_m", {8.7e9, 8.8e9}},
+             {"along_damping_N_s_per_m", {8100.0, 5700.0}},
+             {"across_stiffness_N_per_m", {9.7e9, 9.8e9}},
+             {"across_damping_N_s_per_m", {15200.0, 10700.0}}}}}};
 }
 
 Json force_laws() {

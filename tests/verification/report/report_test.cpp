@@ -91,6 +91,8 @@ BOOST_AUTO_TEST_CASE(every_part_of_the_results_has_its_figures) {
                          "fig-polar-made-loose",
                          "fig-motion-around-made-tight",
                          "fig-motion-ring-made-tight",
+                         "fig-motion-clearance-made-tight",
+                         "fig-motion-speed-made-tight",
                          "fig-law-made-tight-inner"})
     BOOST_TEST(count_of(page, "id=\"" + std::string(id) + "\"") == 1u, id << " is not there once");
   BOOST_TEST(count_of(page, "no data") == 0u);
