@@ -3,9 +3,8 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <variant>
 
-#include "contact/overloaded.hpp"
+#include "workflow/contact_cache.hpp"
 
 namespace ehd::verification {
 
@@ -13,32 +12,6 @@ namespace {
 
 /// The full suite without its random points makes 1,901 solutions with about 57 MB of fields.
 constexpr double most_bytes_of_a_run = 256e6;
-
-/// The problem and the request as numbers. Each list of varying length is preceded by its length.
-std::vector<double> numbers_of(const Problem& problem, const Request& request) {
-  std::vector<double> numbers{problem.groups.M, problem.groups.L, problem.groups.lambda, problem.groups.alpha_p_H};
-  const auto append = [&](const std::vector<double>& more) {
-    numbers.push_back(static_cast<double>(more.size()));
-    numbers.insert(numbers.end(), more.begin(), more.end());
-  };
-  const auto append_if = [&](const auto& value) {
-    append(value ? std::vector<double>{static_cast<double>(*value)} : std::vector<double>{});
-  };
-  append(cache_key(problem.viscosity));
-  append(cache_key(problem.density));
-  append(std::visit(Overloaded{[](const Flooded&) { return std::vector<double>{}; },
-                               [](const TruncatedAt& cut) { return std::vector<double>{cut.x}; }},
-                    problem.inlet));
-  std::vector<double> wanted;
-  for (const Quantity quantity : problem.wanted) wanted.push_back(static_cast<double>(quantity));
-  append(wanted);
-  append_if(request.tolerance.minimum);
-  append_if(request.tolerance.central);
-  append_if(request.nodes);
-  append_if(request.iteration_share);
-  append({static_cast<double>(request.max_iterations), request.time_limit_s});
-  return numbers;
-}
 
 double bytes_of(const Fields& fields) {
   const auto values = fields.X.size() + fields.P.size() + fields.H.size() + fields.density.size() +
@@ -50,7 +23,7 @@ double bytes_of(const Fields& fields) {
 
 Solution SolutionMemory::solve(const RegisteredSolver& solver, const Problem& problem, const Request& request) {
   if (problem.sources) return solver.solve(problem, request);
-  const Key key{solver.name, numbers_of(problem, request)};
+  const Key key{solver.name, solve_key(problem, request)};
   {
     const std::lock_guard lock(mutex_);
     if (const auto at = known_.find(key); at != known_.end()) {

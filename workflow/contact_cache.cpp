@@ -35,15 +35,13 @@ KeptSolution kept(const Solution& solution) {
 
 }  // namespace
 
-ContactCache::ContactCache(ContactSolver solver, std::size_t most) : solver_(std::move(solver)), most_(most) {}
-
-ContactCache::Key ContactCache::key_of(const Problem& problem, const Request& request) {
+std::vector<double> solve_key(const Problem& problem, const Request& request) {
   // Structured bindings name every member: a struct that gets another one does not compile here.
   const auto& [groups, viscosity, density, inlet, wanted, sources] = problem;
   const auto& [M, L, lambda, alpha_p_H] = groups;
   const auto& [tolerance, nodes, iteration_share, max_iterations, time_limit_s] = request;
-  static_cast<void>(sources);  // a problem with sources has no key
-  Key key{M, L, lambda, alpha_p_H};
+  static_cast<void>(sources);  // no caller keeps a problem with sources
+  std::vector<double> key{M, L, lambda, alpha_p_H};
   append(key, cache_key(viscosity));
   append(key, cache_key(density));
   append(key, std::visit(InletKey{}, inlet));
@@ -56,12 +54,14 @@ ContactCache::Key ContactCache::key_of(const Problem& problem, const Request& re
   return key;
 }
 
+ContactCache::ContactCache(ContactSolver solver, std::size_t most) : solver_(std::move(solver)), most_(most) {}
+
 KeptSolution ContactCache::solve(const Problem& problem, const Request& request) {
   std::promise<KeptSolution> promise;
   {
     std::unique_lock lock(mutex_);
     if (!problem.sources) {
-      Key key = key_of(problem, request);
+      std::vector<double> key = solve_key(problem, request);
       const auto at = known_.find(key);
       if (at != known_.end()) {
         ++recalls_;

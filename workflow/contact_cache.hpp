@@ -20,6 +20,10 @@ namespace ehd {
 
 using ContactSolver = std::function<Solution(const Problem&, const Request&)>;
 
+/// Problem and request as numbers; equal keys mean the same solve. Sources are functions and have no place in a key: a
+/// caller keeps no problem that has some.
+[[nodiscard]] std::vector<double> solve_key(const Problem& problem, const Request& request);
+
 /// The part of a solution that the cache keeps: no fields.
 struct KeptSolution {
   StopReason status = StopReason::diverged;
@@ -41,13 +45,10 @@ class ContactCache {
   [[nodiscard]] long recalls() const;  ///< answers without a call
 
  private:
-  using Key = std::vector<double>;
-  static Key key_of(const Problem& problem, const Request& request);
-
   ContactSolver solver_;
   std::size_t most_;
   mutable std::mutex mutex_;
-  std::map<Key, std::shared_future<KeptSolution>> known_;
+  std::map<std::vector<double>, std::shared_future<KeptSolution>> known_;
   long solves_ = 0, recalls_ = 0;
 };
 
