@@ -22,6 +22,7 @@ space := $() $()
 # What clang-tidy reads, and what clang-format formats.
 TIDY_ROOMS = contact reference fast bearing workflow
 FORMAT_ROOMS = $(TIDY_ROOMS) io bindings verification cli tests
+FORMATTED = find $(FORMAT_ROOMS) -name '*.[ch]pp' -o -name '*.ipp' -o -path bindings/c/ehd/ehd.h
 
 .DEFAULT_GOAL := help
 .PHONY: help setup configure program build install deb verify verify-full test sanitizer-build sanitizer-program sanitize \
@@ -217,11 +218,11 @@ dist-check: dist  ## Unpack that tarball, without a network build and test it, r
 
 format:     ## Format every source file with clang-format 14
 	@sh cmake/setup.sh clang-format
-	@find $(FORMAT_ROOMS) -name '*.[ch]pp' -exec clang-format -i {} +
+	@$(FORMATTED) | xargs clang-format -i
 
 format-check:  ## Name the source files that clang-format 14 would change; fails if there are any (10 s)
 	@sh cmake/setup.sh clang-format
-	@wrong=$$(find $(FORMAT_ROOMS) -name '*.[ch]pp' | sort | while read -r file; do \
+	@wrong=$$($(FORMATTED) | sort | while read -r file; do \
 	  clang-format "$$file" | cmp -s - "$$file" || echo "  $$file"; done); \
 	if [ -n "$$wrong" ]; then echo "not formatted (make format does it):"; echo "$$wrong"; exit 1; fi
 

@@ -111,8 +111,8 @@ EHD_API int ehd_films(size_t n, const double *M, const double *L, const char *lu
  *   stiffness_N_per_m    n slopes df/d(approach) [N/m]
  * EHD_NOT_MET where some forces lie above the range that the law is meant for (they are given, continued beyond it),
  * and where there is no law because the bearing has no balance (nothing is changed). */
-EHD_API int ehd_law(const ehd_result *bearing, const char *raceway, size_t n, const double *approach_m,
-                    double *force_N, double *stiffness_N_per_m);
+EHD_API int ehd_law(const ehd_result *bearing, const char *raceway, size_t n, const double *approach_m, double *force_N,
+                    double *stiffness_N_per_m);
 
 /* From now on, ehd_solve, ehd_solve_moes, ehd_bearing and ehd_films of THIS thread call callback(done, user): at their
  * begin, then at most 50 times a second, always in this thread. A return value other than 0 cancels the call, which
