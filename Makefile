@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The commands that a user types; CMake does the work. Variables: BUILD (folder), JOBS, CMAKE_FLAGS (passed to CMake),
-# CTEST_FLAGS (passed to ctest), PREFIX (of make install), FUZZ_SECONDS (of each target), FILES (for tidy), CHECKS (words in the names
-# of the steps that check-all runs).
+# CTEST_FLAGS (passed to ctest), PREFIX (of make install), FUZZ_SECONDS (of each target), FILES (for tidy), SINCE (for
+# tidy-changed), CHECKS (words in the names of the steps that check-all runs).
 
 BUILD ?= build
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
@@ -25,9 +25,10 @@ FORMAT_ROOMS = $(TIDY_ROOMS) io bindings verification cli tests
 FORMATTED = find $(FORMAT_ROOMS) -name '*.[ch]pp' -o -name '*.ipp' -o -path bindings/c/ehd/ehd.h
 
 .DEFAULT_GOAL := help
-.PHONY: help setup configure program build install deb verify verify-full test sanitizer-build sanitizer-program sanitize \
-  sanitize-slow sanitize-threads fuzz faults engines sweep-million check-all bench callgrind in-process kernels mutants stress report \
-  browser-test atlas submissions results results-check results-full format format-check tidy tidy-changed clean
+.PHONY: help setup configure program build install deb verify verify-full test sanitizer-build sanitizer-program \
+  sanitize sanitize-slow sanitize-threads fuzz faults engines sweep-million check-all bench callgrind in-process \
+  kernels mutants stress report browser-test atlas submissions results results-check results-full format format-check \
+  tidy tidy-changed clean
 
 help:       ## List the targets
 	@sed -n 's/^\([a-z][a-z-]*\):[^#]*## \(.*\)/  make \1\t\2/p' $(firstword $(MAKEFILE_LIST)) | expand -t 25
@@ -47,7 +48,7 @@ program: configure
 build: program  ## Build the program: build/ehd (4 minutes on two cores)
 	@echo "$(BUILD)/ehd is built. Next: make verify (the paper's bearing and the quick suite), or $(BUILD)/ehd --help"
 
-verify: program  ## Balance the paper's bearing, run the quick suite; results in out/verify/results.json (after the build less than a minute)
+verify: program  ## Balance the paper's bearing, run the quick suite into out/verify (after the build a minute)
 	@$(BUILD)/ehd bearing na4908
 	@$(BUILD)/ehd verify --quick --output out/verify
 	@echo "Left out: the slow topics of the suite and the paper's statements (make verify-full), the tests (make test)."
@@ -61,7 +62,7 @@ install: program  ## Install program, library and cases under PREFIX (/usr/local
 	@cmake --install $(BUILD) --prefix $(PREFIX)
 
 # A build folder of its own: packages run on every machine of the architecture.
-deb:        ## Make Debian packages in build-deb/deb: ehd, libehd0, libehd-dev, python3-ehd; lintian; try them (5 minutes)
+deb:        ## Make Debian packages in build-deb/deb: ehd, libehd0, libehd-dev, python3-ehd; try them (5 minutes)
 	@sh cmake/setup.sh dpkg-dev help2man lintian
 	@$(MAKE) --no-print-directory configure BUILD=$(BUILD)-deb \
 	  CMAKE_FLAGS="-DEHD_NATIVE=OFF -DBUILD_TESTING=OFF -DCMAKE_INSTALL_PREFIX=/usr $(CMAKE_FLAGS)"
@@ -87,16 +88,17 @@ sanitizer-program: sanitizer-build  ## Build the program by clang with the sanit
 
 # SANITIZED: folders of tests/. A test that takes minutes here has the label slow-sanitized, with its reason in
 # tests/CMakeLists.txt.
-sanitize: sanitizer-build  ## Tests with AddressSanitizer and UndefinedBehaviorSanitizer by clang (SANITIZED="contact fast": some; 15 minutes)
+sanitize: sanitizer-build  ## Tests with clang's sanitizers of addresses and behaviour (SANITIZED=io: some; 15 minutes)
 	@cmake --build $(BUILD)-sanitize --parallel $(JOBS) --target $(SANITIZED:%=test_%)
-	@ctest --test-dir $(BUILD)-sanitize --output-on-failure --parallel $(JOBS) --label-exclude '^slow-sanitized$$' --no-tests=error \
-	  --tests-regex '^($(subst $(space),|,$(strip $(SANITIZED))))\.' $(CTEST_FLAGS)
+	@ctest --test-dir $(BUILD)-sanitize --output-on-failure --parallel $(JOBS) --no-tests=error \
+	  --label-exclude '^slow-sanitized$$' --tests-regex '^($(subst $(space),|,$(strip $(SANITIZED))))\.' $(CTEST_FLAGS)
 
 sanitize-slow: sanitizer-build  ## The tests that make sanitize leaves out, because they take minutes there (10 minutes)
 	@cmake --build $(BUILD)-sanitize --parallel $(JOBS) --target test_reference
-	@ctest --test-dir $(BUILD)-sanitize --output-on-failure --label-regex '^slow-sanitized$$' --no-tests=error $(CTEST_FLAGS)
+	@ctest --test-dir $(BUILD)-sanitize --output-on-failure --no-tests=error --label-regex '^slow-sanitized$$' \
+	  $(CTEST_FLAGS)
 
-fuzz: sanitizer-build  ## Feed random bytes to everything that is read, by libFuzzer (FUZZED="case row": some; 8 minutes)
+fuzz: sanitizer-build  ## Feed random bytes to all that is read, by libFuzzer (FUZZED="case row": some; 8 minutes)
 	@cmake --build $(BUILD)-sanitize --parallel $(JOBS) --target $(FUZZED:%=ehd_fuzz_%)
 	@JOBS=$(JOBS) tests/fuzz/run.sh $(BUILD)-sanitize $(FUZZ_SECONDS) $(FUZZED)
 
@@ -104,7 +106,8 @@ sanitize-threads:  ## The tests that use threads, and part of the suite, with Th
 	@sh cmake/setup.sh clang libclang-rt-dev
 	@$(MAKE) --no-print-directory configure BUILD=$(BUILD)-threads \
 	  CMAKE_FLAGS="$(SANITIZER_FLAGS) -DEHD_SANITIZE=thread $(CMAKE_FLAGS)"
-	@cmake --build $(BUILD)-threads --parallel $(JOBS) --target test_workflow test_io test_bindings test_verification ehd_program
+	@cmake --build $(BUILD)-threads --parallel $(JOBS) \
+	  --target test_workflow test_io test_bindings test_verification ehd_program
 	@ctest --test-dir $(BUILD)-threads --output-on-failure --label-regex '^threads$$' --no-tests=error $(CTEST_FLAGS)
 	@$(BUILD)-threads/ehd verify --quick --rung 7
 
@@ -112,11 +115,11 @@ faults: program  ## Attack the program with bad input, faults and signals; a tab
 	@sh cmake/setup.sh python3
 	@python3 tests/faults/run.py $(BUILD)/ehd
 
-engines: program  ## Sweeps under GNU parallel, Open MPI and Slurm, tasks killed: the rows of one process, bit for bit (2 minutes)
+engines: program  ## Sweeps under GNU parallel, Open MPI and Slurm: the rows of one process, bit for bit (2 minutes)
 	@sh cmake/setup.sh python3 parallel openmpi-bin slurm-wlm munge
 	@python3 tests/engines/run.py $(BUILD)/ehd
 
-sweep-million: program  ## A sweep of a million rows: memory, time, killed processes; docs/results/sweep-million.md (half an hour, 11 GB)
+sweep-million: program  ## A sweep of a million rows into docs/results/sweep-million.md (half an hour, 11 GB)
 	@sh cmake/setup.sh python3
 	@python3 verification/bench/sweeps/million.py $(BUILD)/ehd --page docs/results/sweep-million.md
 
@@ -127,7 +130,7 @@ check-all:  ## Every check of .ci/steps.toml, red where one is left out; times i
 bench: program  ## Run time and work against achieved error, scaling, batches; results in out/bench (10 to 15 minutes)
 	@$(BUILD)/ehd bench --output out/bench
 
-stress: program  ## Numerical stability: starts, precision, rounding, extremes, random bearings; results in out/stress (half an hour)
+stress: program  ## Stability: starts, precision, rounding, extremes, random bearings; in out/stress (half an hour)
 	@$(BUILD)/ehd stress --output out/stress
 
 report: program  ## Make out/verify/report.html from what verify, bench and stress left in out/ (2 seconds)
@@ -145,11 +148,11 @@ PYTHON_PACKAGES = python3-numpy python3-pytest python3-matplotlib python3-distri
 library: configure  ## Build the library that Python and C load: build/libehd.so.0
 	@cmake --build $(BUILD) --parallel $(JOBS) --target ehd_shared
 
-python: program library  ## Test the Python package, with figures, Dask, notebooks and types: nothing is skipped (2 minutes)
+python: program library  ## Test the Python package, its figures, Dask, notebooks, types: nothing skipped (2 minutes)
 	@sh cmake/setup.sh $(PYTHON_PACKAGES)
 	@EHD_PYTHON_COMPLETE=1 ctest --test-dir $(BUILD) --output-on-failure -R '^bindings\.python$$' --no-tests=error
 
-octave: program  ## Test the functions, their page, the template and the exported law in Octave (installs octave, 219 MB; 30 s)
+octave: program  ## Test all that needs Octave: functions, page, template, exported law (installs 219 MB; 30 s)
 	@sh cmake/setup.sh octave gfortran python3-numpy
 	@tests/bindings/octave/run.sh $(BUILD)/ehd
 	@EHD_REQUIRE_OCTAVE=1 python3 tests/cli/templates.py $(BUILD)/ehd
@@ -157,7 +160,7 @@ octave: program  ## Test the functions, their page, the template and the exporte
 	@EHD_REQUIRE_OCTAVE=1 $(BUILD)/test_io --run_test=law_export_text/the_matlab_form_agrees_in_octave
 
 # valgrind may not know this machine's vector instructions: built without them, in a folder of its own.
-callgrind:  ## Count instructions of three solves, name the functions whose count changed (KEEP=1 keeps the counts; 5 minutes)
+callgrind:  ## Count instructions of three solves, name the functions that changed (KEEP=1 keeps the counts; 5 minutes)
 	@sh cmake/setup.sh valgrind
 	@$(MAKE) --no-print-directory program BUILD=$(BUILD)-callgrind CMAKE_FLAGS="-DEHD_NATIVE=OFF -DBUILD_TESTING=OFF"
 	@verification/bench/callgrind/count.sh $(if $(KEEP),--keep) $(BUILD)-callgrind/ehd
@@ -172,7 +175,7 @@ kernels: configure  ## Time the kernels of fast/ in multiples of one FFT convolu
 	@$(BUILD)/ehd_kernels
 
 # Built in out/mutants, from a copy of the tree: the tree itself is never changed.
-mutants:    ## Build each wrong program of verification/mutants, run its rung of the quick suite (half an hour; ONLY=part of an id; PART=3/10: a tenth)
+mutants:    ## Run each wrong program of verification/mutants (half an hour; ONLY=part of an id; PART=3/10: a tenth)
 	@sh cmake/setup.sh python3
 	@python3 verification/mutants/run.py $(if $(ONLY),--only $(ONLY)) $(if $(PART),--part $(PART)) --jobs $(JOBS)
 
@@ -188,7 +191,7 @@ results: program  ## Remake docs/results, docs/figures and what the pages show o
 	@sh cmake/setup.sh python3 python3-numpy python3-matplotlib
 	@python3 docs/results/make.py $(BUILD)/ehd
 
-results-check: program  ## Fail where one of those, or of cases/submissions, is not what the program finds now (2 minutes)
+results-check: program  ## Fail where one of those, or of cases/submissions, is not as the program finds it (2 minutes)
 	@sh cmake/setup.sh python3 python3-numpy python3-matplotlib
 	@python3 docs/results/make.py --check $(BUILD)/ehd
 	@/usr/bin/python3 cases/submissions/make.py --check $(BUILD)/ehd
@@ -200,7 +203,7 @@ results-full: program  ## Make the slow pages of docs/results: ladder, stress, b
 	@sh cmake/setup.sh python3
 	@python3 docs/results/make.py --full $(BUILD)/ehd
 
-site:       ## Make the site of the pages, and of the report that make report left: build/site/html/index.html (mkdocs; 5 s)
+site:       ## Make the site of the pages and of the report, build/site/html/index.html (mkdocs; 5 s)
 	@sh cmake/setup.sh python3 mkdocs mkdocs-material libjs-katex
 	@python3 docs/site/make.py $(BUILD)/site
 
@@ -213,7 +216,8 @@ dist:       ## Make out/dist/ehd-VERSION.tar.gz of the last commit (a second)
 dist-check: dist  ## Unpack that tarball, without a network build and test it, remake its pages and compare (15 minutes)
 	@sh cmake/setup.sh gfortran
 	@cd out/dist && rm -rf ehd-$(VERSION) && tar xzf ehd-$(VERSION).tar.gz && cd ehd-$(VERSION) && \
-	offline=; if unshare --net true 2> /dev/null; then offline="unshare --net"; else echo "the network stays: unshare needs root"; fi && \
+	offline=; if unshare --net true 2> /dev/null; then offline="unshare --net"; \
+	else echo "the network stays: unshare needs root"; fi && \
 	$$offline $(MAKE) --no-print-directory test results-check JOBS=$(JOBS)
 
 format:     ## Format every source file with clang-format 14
@@ -236,12 +240,20 @@ tidy:       ## Check the rooms that compute with clang-tidy (FILES="contact/text
 	@printf '%s\n' $(if $(FILES),$(FILES),$(foreach room,$(TIDY_ROOMS),$(wildcard $(room)/*.cpp $(room)/*/*.cpp))) \
 	  | xargs -P $(JOBS) -n 1 clang-tidy --quiet --warnings-as-errors='*' -p $(BUILD)-tidy 2> /dev/null
 
-# The sources of those rooms that the last commit changed; a header is read with the sources that changed with it.
-tidy-changed:  ## make tidy on what the last commit changed (nothing: says so)
-	@git rev-parse --quiet --verify HEAD~ > /dev/null || { echo "no commit to compare with: every source"; exec $(MAKE) --no-print-directory tidy; }; \
-	changed=$$(git diff --name-only --diff-filter=d HEAD~ -- $(TIDY_ROOMS) | grep '\.cpp$$' | tr '\n' ' '); \
-	if [ -z "$$changed" ]; then echo "no source of $(TIDY_ROOMS) has changed"; \
-	else $(MAKE) --no-print-directory tidy FILES="$$changed"; fi
+# The commits since SINCE count: what origin/main does not have, or, where it has all or is not known, ten commits. Of a
+# changed header the sources that include it themselves are read.
+SINCE ?= $(shell base=$$(git merge-base HEAD origin/main 2> /dev/null); head=$$(git rev-parse HEAD); \
+  if [ -n "$$base" ] && [ "$$base" != "$$head" ]; then echo "$$base"; else git rev-parse --quiet --verify HEAD~10; fi)
+tidy-changed:  ## make tidy on what the last commits changed (SINCE=commit: since then; nothing: says so)
+	@since=$(SINCE); [ -n "$$since" ] || { echo "no commit to compare with: every source"; \
+	  exec $(MAKE) --no-print-directory tidy; }; \
+	changed=$$(git diff --name-only --diff-filter=d "$$since" -- $(TIDY_ROOMS) | grep '\.[chi]pp$$'); \
+	sources=$$(for file in $$changed; do case $$file in \
+	  *.cpp) echo "$$file" ;; \
+	  *) grep -rlF --include='*.cpp' "#include \"$$file\"" $(TIDY_ROOMS) ;; \
+	esac; done | sort -u | tr '\n' ' '); \
+	if [ -z "$$sources" ]; then echo "no source of $(TIDY_ROOMS) has changed since $$since"; \
+	else echo "changed since $$since: $$sources"; $(MAKE) --no-print-directory tidy FILES="$$sources"; fi
 
 clean:      ## Remove the build folder
 	@rm -rf $(BUILD)

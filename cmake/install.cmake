@@ -13,7 +13,8 @@ install(SCRIPT cmake/install_made.cmake COMPONENT ehd)
 
 install(TARGETS ehd_shared EXPORT ehd LIBRARY COMPONENT libehd0 NAMELINK_COMPONENT libehd-dev)
 install(FILES bindings/c/ehd/ehd.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ehd COMPONENT libehd-dev)
-install(FILES bindings/fortran/ehd.f90 bindings/fortran/example.f90 DESTINATION ${CMAKE_INSTALL_DATADIR}/ehd/fortran COMPONENT libehd-dev)
+install(FILES bindings/fortran/ehd.f90 bindings/fortran/example.f90
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/ehd/fortran COMPONENT libehd-dev)
 
 set(cmake_folder ${CMAKE_INSTALL_LIBDIR}/cmake/ehd)
 install(EXPORT ehd NAMESPACE ehd:: FILE ehd-targets.cmake DESTINATION ${cmake_folder} COMPONENT libehd-dev)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lines of scripts are at most 120 columns wide; clang-format holds those of C++.
+// Lines of scripts and of what builds and checks are at most 120 columns wide; clang-format holds those of C++.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <filesystem>
@@ -37,17 +37,21 @@ BOOST_AUTO_TEST_CASE(a_wide_line_is_found) {
 }
 
 BOOST_AUTO_TEST_CASE(no_script_has_one) {
-  const std::set<std::string> scripts{".py", ".sh", ".m", ".f90"};
+  const std::set<std::string> endings{".py", ".sh", ".m", ".f90", ".cmake"}, names{"CMakeLists.txt", "steps.toml"};
   const std::filesystem::path top(EHD_SOURCE_DIR);
   int files = 0;
-  for (const char* folder : {".ci", "bindings", "cases", "cmake", "docs", "examples", "tests", "verification"})
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(top / folder)) {
-      if (!scripts.contains(entry.path().extension().string())) continue;
-      ++files;
-      std::ifstream text(entry.path());
-      for (const int line : wide_lines(text))
-        BOOST_ERROR(std::filesystem::relative(entry.path(), top).string() << ":" << line << ": wider than 120 columns");
-    }
+  const auto read = [&](const std::filesystem::path& file) {
+    ++files;
+    std::ifstream text(file);
+    for (const int line : wide_lines(text))
+      BOOST_ERROR(std::filesystem::relative(file, top).string() << ":" << line << ": wider than 120 columns");
+  };
+  for (const char* file : {"Makefile", "CMakeLists.txt"}) read(top / file);
+  for (const char* folder : {".ci", "bearing", "bindings", "cases", "cli", "cmake", "contact", "docs", "examples",
+                             "fast", "io", "reference", "tests", "verification", "workflow"})
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(top / folder))
+      if (endings.contains(entry.path().extension().string()) || names.contains(entry.path().filename().string()))
+        read(entry.path());
   BOOST_CHECK_MESSAGE(files >= 50, files << " scripts: were the folders read?");
 }
 
