@@ -67,7 +67,7 @@ LinearFit fit_line(const std::vector<FitPoint>& points, FitOf of) {
                                 " points; a line needs at least two of different approach and force");
   const Line line = of == FitOf::force ? least_squares(approaches, forces) : turned(least_squares(forces, approaches));
   if (!(line.slope > 0))
-    throw std::invalid_argument("fit_line: the slope is " + std::to_string(line.slope) +
+    throw std::invalid_argument("fit_line: the slope is " + plain(line.slope) +
                                 " N/m; a contact force increases with the approach");
   LinearFit fit;
   fit.K_N_per_m = line.slope;

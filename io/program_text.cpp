@@ -4,11 +4,17 @@
 #include <fmt/format.h>
 
 #include <cctype>
+#include <charconv>
 #include <nlohmann/json.hpp>
 
 #include "io/provenance.hpp"
 
 namespace ehd {
+
+std::string shortest(double value) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}
 
 std::string exact_number(double value) {
   const std::string text = fmt::format("{}", value);

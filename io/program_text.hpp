@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parts of tables that are written as a program's source.
+// Numbers as programs read them back, and parts of tables that are written as a program's source.
 #pragma once
 
 #include <string>
@@ -8,6 +8,8 @@
 
 namespace ehd {
 
+/// The shortest text that tells a number from every other: 0.1, 2, 1e+06.
+[[nodiscard]] std::string shortest(double value);
 /// A double as C and MATLAB read it back exactly: 0.1, 2.0, 1e-07.
 [[nodiscard]] std::string exact_number(double value);
 /// "{0.1, 2.0}".

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "contact/overloaded.hpp"
+#include "io/program_text.hpp"
 
 namespace ehd {
 
@@ -16,10 +17,8 @@ namespace {
 
 std::string text_of_number(double value) {
   if (!std::isfinite(value)) return std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf";
-  char text[32];
-  const auto end = std::to_chars(text, text + sizeof text, value).ptr;
-  const std::string shortest(text, end);
-  return shortest.find_first_of(".e") == std::string::npos ? shortest + ".0" : shortest;
+  const std::string text = shortest(value);
+  return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
 }
 
 std::string quoted(const std::string& content) {

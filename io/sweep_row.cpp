@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <fstream>
 #include <new>
 #include <nlohmann/json.hpp>
@@ -12,6 +11,7 @@
 #include "io/bearing_json.hpp"
 #include "io/contact_json.hpp"
 #include "io/content_hash.hpp"
+#include "io/program_text.hpp"
 #include "io/provenance.hpp"
 #include "workflow/contact_memory.hpp"
 #include "workflow/contact_run.hpp"
@@ -43,12 +43,6 @@ void strip_times(Json& json) {
     for (const char* time : {"wall_s", "planning_s", "total_s", "stage_s"}) json.erase(time);
   if (json.is_structured())
     for (auto& inner : json) strip_times(inner);
-}
-
-/// The shortest text that tells the number from every other.
-std::string number_text(double value) {
-  char text[32];
-  return {text, std::to_chars(text, text + sizeof text, value).ptr};
 }
 
 /// The results of a bearing, one a law. The row has a memory of its own, so that the counts are this row's; solutions
@@ -122,13 +116,13 @@ std::string row_hash(const Sweep& sweep, const SweepRequest& request, std::size_
   static const std::string program = program_identity();
   const double tolerance = sweep.bearing ? bearing_contact_request().tolerance.tightest() : sweep.tolerance;
   std::string content = fmt::format("{}\n{}\n{}\n{} {}\n{}\n", row_schema, program, sweep.solver,
-                                    request.max_iterations, number_text(request.time_limit_s), number_text(tolerance));
+                                    request.max_iterations, shortest(request.time_limit_s), shortest(tolerance));
   for (const bearing::Law law : sweep.laws) content += std::string(to_string(law)) + " ";
   content += "\n" + sweep.case_id + "\n";
   if (sweep.table) {
     const FilmRange& range = sweep.table->range;
-    content += fmt::format("table {} {} {} {}\n", number_text(range.M_low), number_text(range.M_high),
-                           number_text(range.L_low), number_text(range.L_high));
+    content += fmt::format("table {} {} {} {}\n", shortest(range.M_low), shortest(range.M_high), shortest(range.L_low),
+                           shortest(range.L_high));
   }
   for (const Substitution& one : sweep.values_of(row))
     content += fmt::format("{} = {}\n", one.key, toml_text(one.value));

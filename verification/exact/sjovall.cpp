@@ -10,6 +10,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "contact/text.hpp"
+
 namespace ehd::verification::exact {
 
 namespace {
@@ -32,7 +34,7 @@ double integrand(double s, void* parameters) {
 }  // namespace
 
 double SjovallIntegral::operator()(double eps) const {
-  if (!(eps > 0)) throw std::domain_error("Sjovall integral: eps = " + std::to_string(eps) + "; it must be positive");
+  if (!(eps > 0)) throw std::domain_error("Sjovall integral: eps = " + plain(eps) + "; it must be positive");
   Integrand of{eps, exponent, eps < 1 ? std::acos(1 - 2 * eps) : pi};
   gsl_function function{integrand, &of};
   constexpr std::size_t intervals = 1000;
