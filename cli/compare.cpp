@@ -202,7 +202,7 @@ std::vector<Request> requests_of(const CompareOptions& options) {
 }
 
 /// Throws UsageError, CaseError.
-std::vector<Case> contacts_of(const CompareOptions& options) {
+std::vector<Case> contact_cases_of(const CompareOptions& options) {
   std::vector<Case> cases;
   for (const auto& name : options.cases) {
     cases.push_back(options.changes.read(name));
@@ -220,7 +220,7 @@ int compare(const CompareOptions& options) {
   const std::vector<judging::ExternalSolver> externals = externals_of(options);
   const std::optional<double> idle_s = externals.empty() ? std::nullopt : std::optional(judging::idle_call_s());
   // Everything that can be refused is refused before the first solve.
-  const std::vector<Case> cases = contacts_of(options);
+  const std::vector<Case> cases = contact_cases_of(options);
   require_distinct(files_of(cases), {{"--json", options.json.value_or("")}});
   JsonTarget json(options.json);
 

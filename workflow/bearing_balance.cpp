@@ -60,7 +60,7 @@ BearingSetup::BearingSetup(const BearingCase& of, bearing::Form balance_form, in
     : body(of),
       form(balance_form),
       cage_positions(positions),
-      contacts(contacts_of(of)),
+      contacts(raceway_contacts_of(of)),
       loading{of.operation.radial_load_N, bearing::centrifugal_force_N(of.geometry, speeds_of(of))} {}
 
 std::vector<Equilibrium> balance_all_positions(const BearingSetup& setup, const LawPair& laws) {

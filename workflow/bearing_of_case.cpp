@@ -34,7 +34,7 @@ RacewayContact contact_of(const BearingCase& body, bearing::Raceway raceway) {
 
 }  // namespace
 
-bearing::BothRaceways<RacewayContact> contacts_of(const BearingCase& body) {
+bearing::BothRaceways<RacewayContact> raceway_contacts_of(const BearingCase& body) {
   return {contact_of(body, bearing::Raceway::inner), contact_of(body, bearing::Raceway::outer)};
 }
 

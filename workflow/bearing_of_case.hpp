@@ -11,7 +11,7 @@ namespace ehd {
 [[nodiscard]] bearing::RollerContact roller_contact_of(const BearingCase& body);
 [[nodiscard]] bearing::Speeds speeds_of(const BearingCase& body);
 /// The contact of a roller with each raceway; its viscosity is 0 where the case has no lubricant.
-[[nodiscard]] bearing::BothRaceways<bearing::RacewayContact> contacts_of(const BearingCase& body);
+[[nodiscard]] bearing::BothRaceways<bearing::RacewayContact> raceway_contacts_of(const BearingCase& body);
 /// The rings do not move against each other.
 [[nodiscard]] bool at_rest(const BearingCase& body);
 /// The datum follows from the dry balance.

@@ -147,7 +147,7 @@ namespace {
 /// The most loaded roller carries at least the radial load over the number of rollers. Beyond largest_M no contact with
 /// a film is solved.
 void require_solvable_load(const Case& bearing_case, const BearingCase& body) {
-  const auto contacts = contacts_of(body);
+  const auto contacts = raceway_contacts_of(body);
   const double rollers = body.geometry.rollers;
   const double most_N = largest_M * rollers * std::min(force_at_M_1_N(contacts.inner), force_at_M_1_N(contacts.outer));
   if (body.operation.radial_load_N <= most_N) return;

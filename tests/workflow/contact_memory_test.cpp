@@ -19,7 +19,7 @@ namespace {
 struct Needle {
   Case one = needle_bearing(0);
   const BearingCase& body = std::get<BearingCase>(one.body);
-  bearing::RacewayContact contact = contacts_of(body).inner;
+  bearing::RacewayContact contact = raceway_contacts_of(body).inner;
   const Lubricant& oil = body.lubricant->lubricant;
 };
 

@@ -16,6 +16,7 @@
 #include "verification/exact/flat_punch.hpp"
 #include "verification/exact/martin.hpp"
 #include "verification/solution_memory.hpp"
+#include "verification/studies/box.hpp"
 #include "workflow/registry.hpp"
 
 namespace ehd::verification {
@@ -66,16 +67,14 @@ Findings judge_slow(MoesGroups moes, const Inlet& inlet) {
 }
 
 /// Not proved, so that only what was tried is claimed.
-Findings judge_sign(std::vector<double> all_M, std::vector<double> all_L) {
+Findings judge_sign(const Box& box) {
   double least = 1e300;
   std::string note;
-  for (const double M : all_M) {
-    for (const double L : all_L) {
-      const Response response = certified_response(response_problem({M, L}, Flooded{}), {.tolerance = 1e-5});
-      const bool known = response.status == StopReason::converged;
-      least = known ? std::min(least, response.slow->kappa_1 * (1 - response.slow->error_1)) : nothing;
-      note += plain(known ? response.slow->kappa_1 : nothing, 4) + " ";
-    }
+  for (const BoxContact& contact : contacts_of(box)) {
+    const Response response = certified_response(response_problem(contact.moes, contact.inlet), {.tolerance = 1e-5});
+    const bool known = response.status == StopReason::converged;
+    least = known ? std::min(least, response.slow->kappa_1 * (1 - response.slow->error_1)) : nothing;
+    note += plain(known ? response.slow->kappa_1 : nothing, 4) + " ";
   }
   Findings found;
   found.claims.push_back(
@@ -295,14 +294,15 @@ std::vector<Topic> response_topics() {
   }
   topics.push_back({.name = "response slow", .rungs = {6}, .judge = [] { return judge_slow({5, 5}, cut_at_4); }});
   topics.push_back({.name = "response slow", .rungs = {6}, .judge = [] { return judge_slow({3, 6}, Flooded{}); }});
-  topics.push_back({.name = "response sign",
-                    .rungs = {6},
-                    .slow = true,
-                    .judge =
-                        [] {
-                          return judge_sign({1, 5, 20, 100, 500}, {4, 8, 12});
-                        },
-                    .expected_s = 20});
+  topics.push_back(
+      {.name = "response sign",
+       .rungs = {6},
+       .slow = true,
+       .judge =
+           [] {
+             return judge_sign({.M = {1, 5, 20, 100, 500}, .L = {4, 8, 12}, .roelands = {true}, .flooded = {true}});
+           },
+       .expected_s = 20});
   topics.push_back({.name = "response driven", .rungs = {6}, .judge = judge_driven_slowly});
   topics.push_back({.name = "response rigid", .rungs = {9}, .judge = judge_rigid_response});
   topics.push_back({.name = "response dry", .rungs = {9}, .judge = judge_dry});
