@@ -102,7 +102,7 @@ BOOST_AUTO_TEST_CASE(any_number_of_intervals_works) {
       // 97 intervals state an error of H_min of more than 10 %.
       BOOST_REQUIRE(solution.record.status == (n == 97 ? StopReason::under_resolved : StopReason::converged));
       BOOST_CHECK_EQUAL(solution.fields.X.size(), n + 1);
-      EHD_CHECK(error(film(solution, Quantity::film_central), .0856067317967),
+      EHD_CHECK(error(film(solution, Quantity::film_central), truth_at(20, 10).central),
                 Tolerance::discretisation(reported(solution, Quantity::film_central), 1));
     }
     ++rows;
@@ -149,11 +149,11 @@ BOOST_AUTO_TEST_CASE(work_does_not_grow_with_the_grid) {
 
 BOOST_AUTO_TEST_CASE(kernel_products_to_discretisation_error_are_as_few_as_promised) {
   // Start and all grids included, n = 4096; (1000, 10) as in the method's table.
-  const std::pair<Truth, double> rows[] = {{{5, 5, false, .242348656788, .300522502074}, 13},
-                                           {{20, 10, false, .0741426753998, .0856067317967}, 13},
-                                           {{100, 10, false, .0121609125334, .013493910275}, 26},
-                                           {{200, 15, false, .0072455216009, .0078653033017}, 26},
-                                           {{1000, 10, false, 8.9959560167e-4, 9.6476425613e-4}, 49}};
+  const std::pair<Truth, double> rows[] = {{truth_at(5, 5), 13},
+                                           {truth_at(20, 10), 13},
+                                           {truth_at(100, 10), 26},
+                                           {truth_at(200, 15), 26},
+                                           {truth_at(1000, 10), 49}};
   for (const auto& [truth, products] : rows) {
     BOOST_TEST_CONTEXT("M " << truth.M << " L " << truth.L) {
       const Problem problem = problem_of(truth);
@@ -230,7 +230,7 @@ BOOST_AUTO_TEST_CASE(limits_end_a_solve_as_such) {
   BOOST_CHECK(late.record.status == StopReason::limit_reached);
   const Solution strict = fast::Uniform{}.solve(problem, {.tolerance = 1e-12});
   BOOST_CHECK(strict.record.status == StopReason::tolerance_not_met);
-  EHD_CHECK(error(film(strict, Quantity::film_minimum), .0741426753998),
+  EHD_CHECK(error(film(strict, Quantity::film_minimum), truth_at(20, 10).minimum),
             Tolerance::discretisation(reported(strict, Quantity::film_minimum), 1));
 }
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rungs 6, 8 and 10 of reference.uniform. Truths: this project's high-order collocation (10 digits), inlet -4.
+// Rungs 6, 8 and 10 of reference.uniform.
 #include "reference/uniform.hpp"
 
 #include "tests/check.hpp"
 #include "tests/reference/problems.hpp"
+#include "tests/truths.hpp"
 
 using namespace ehd;
 using namespace ehd::testing;
@@ -15,10 +16,10 @@ static_assert(Solver<Uniform>);
 namespace {
 
 /// Both films within the error that the solution states for itself.
-void check_stated_errors(const Solution& solution, double minimum, double central) {
-  EHD_CHECK(error(value(solution, Quantity::film_minimum), minimum),
+void check_stated_errors(const Solution& solution, const Truth& truth) {
+  EHD_CHECK(error(value(solution, Quantity::film_minimum), truth.minimum),
             Tolerance::discretisation(stated_error(solution, Quantity::film_minimum), 1));
-  EHD_CHECK(error(value(solution, Quantity::film_central), central),
+  EHD_CHECK(error(value(solution, Quantity::film_central), truth.central),
             Tolerance::discretisation(stated_error(solution, Quantity::film_central), 1));
 }
 
@@ -29,10 +30,10 @@ BOOST_AUTO_TEST_SUITE(uniform)
 BOOST_AUTO_TEST_CASE(films_of_one_grid_are_within_their_stated_error) {
   const Solution mild = Uniform{}.solve(roelands_problem(5, 5, TruncatedAt{-4}), on_nodes(512));
   BOOST_REQUIRE(mild.record.status == StopReason::converged);
-  check_stated_errors(mild, .242348656788, .300522502074);
+  check_stated_errors(mild, truth_at(5, 5));
   const Solution moderate = Uniform{}.solve(roelands_problem(20, 10, TruncatedAt{-4}), on_nodes(512));
   BOOST_REQUIRE(moderate.record.status == StopReason::converged);
-  check_stated_errors(moderate, .0741426753998, .0856067317967);
+  check_stated_errors(moderate, truth_at(20, 10));
   BOOST_TEST(moderate.fields.X.size() == 513);
   BOOST_TEST(moderate.record.cost.nodes == 512);
   EHD_CHECK(stated_error(moderate, Quantity::film_central),
@@ -56,12 +57,12 @@ BOOST_AUTO_TEST_CASE(a_grid_reports_its_own_film_not_an_extrapolated_one) {
 }
 
 BOOST_AUTO_TEST_CASE(central_film_converges_with_the_declared_order) {
-  for (const auto& [M, L, central] : {std::tuple{5.0, 5.0, .300522502074}, {20.0, 10.0, .0856067317967}}) {
+  for (const Truth& truth : {truth_at(5, 5), truth_at(20, 10)}) {
     std::vector<double> errors;
     for (const int n : {128, 256, 512, 1024}) {
-      const Solution solution = Uniform{}.solve(roelands_problem(M, L, TruncatedAt{-4}), on_nodes(n));
+      const Solution solution = Uniform{}.solve(roelands_problem(truth.M, truth.L, TruncatedAt{-4}), on_nodes(n));
       BOOST_REQUIRE(solution.record.status == StopReason::converged);
-      errors.push_back(error(value(solution, Quantity::film_central), central));
+      errors.push_back(error(value(solution, Quantity::film_central), truth.central));
     }
     EHD_CHECK(std::abs(fitted_order(errors) - Uniform::description.formal_order),
               Tolerance::calibrated(0.15, "pairwise ratios 3.6..4.1 over these grids"));
@@ -75,7 +76,7 @@ BOOST_AUTO_TEST_CASE(a_grid_that_cannot_see_the_inlet_zone_is_under_resolved) {
     const Solution solution = Uniform{}.solve(problem, on_nodes(n));
     BOOST_REQUIRE(solution.record.status == StopReason::under_resolved);
     BOOST_TEST(!solution.record.reason.empty());
-    check_stated_errors(solution, 8.9959560167e-4, 9.6476425613e-4);
+    check_stated_errors(solution, truth_at(1000, 10));
     // The equations themselves are solved: a small residual proves nothing.
     EHD_CHECK(value(solution, Quantity::flux_variation), Tolerance::required(1e-8, "the residual that misleads"));
   }
@@ -87,7 +88,7 @@ BOOST_AUTO_TEST_CASE(a_grid_that_cannot_see_the_inlet_zone_is_under_resolved) {
 BOOST_AUTO_TEST_CASE(tolerance_is_met_by_doubling_the_grid) {
   const Solution solution = Uniform{}.solve(roelands_problem(5, 5, TruncatedAt{-4}), within(1e-3));
   BOOST_REQUIRE(solution.record.status == StopReason::converged);
-  check_stated_errors(solution, .242348656788, .300522502074);
+  check_stated_errors(solution, truth_at(5, 5));
   EHD_CHECK(stated_error(solution, Quantity::film_minimum), Tolerance::required(1e-3, "--tolerance 1e-3"));
   EHD_CHECK(stated_error(solution, Quantity::film_central), Tolerance::required(1e-3, "--tolerance 1e-3"));
   BOOST_REQUIRE_GE(solution.record.grids.size(), 3);
@@ -100,13 +101,13 @@ BOOST_AUTO_TEST_CASE(a_tolerance_is_never_met_on_a_grid_that_cannot_see_the_inle
   const Solution solution = Uniform{}.solve(roelands_problem(200, 15, TruncatedAt{-4}), request);
   BOOST_REQUIRE(solution.record.status == StopReason::converged);
   BOOST_TEST(solution.record.grids.back().inlet_cells >= 1.5);
-  check_stated_errors(solution, .0072455216009, .0078653033017);
+  check_stated_errors(solution, truth_at(200, 15));
 }
 
 BOOST_AUTO_TEST_CASE(flooded_inlet_is_reached_by_stretched_cells) {
   const Solution solution = Uniform{}.solve(roelands_problem(5, 5, Flooded{}), on_nodes(512));
   BOOST_REQUIRE(solution.record.status == StopReason::converged);
-  check_stated_errors(solution, .244974049968, .304553206653);
+  check_stated_errors(solution, truth_at(5, 5, true));
   BOOST_TEST(solution.fields.X[0] < -500);
   BOOST_TEST(solution.record.film_central.truncation > 0);
   EHD_CHECK(solution.record.film_central.truncation, Tolerance::required(1e-5, "flooded: truncation below 1e-5"));
@@ -125,7 +126,7 @@ BOOST_AUTO_TEST_CASE(limits_end_a_solve_with_a_reason) {
   const Solution time = Uniform{}.solve(problem, request);
   BOOST_TEST((time.record.status == StopReason::limit_reached));
   BOOST_REQUIRE(time.observables.contains(Quantity::film_central));
-  check_stated_errors(time, .0741426753998, .0856067317967);
+  check_stated_errors(time, truth_at(20, 10));
   const Solution memory = Uniform{}.solve(problem, on_nodes(Uniform::largest_nodes + 1));
   BOOST_TEST((memory.record.status == StopReason::limit_reached));
   BOOST_TEST(memory.observables.empty());

@@ -132,23 +132,16 @@ BOOST_AUTO_TEST_CASE(the_median_of_an_even_number_is_the_mean_of_the_middle_two)
   }
 }
 
-// The agreement that the literature's computed film shows at M = 20, L = 10: D-H 1977 +1.3 %, D-H 1966 +1.9 %,
-// Hamrock-Jacobson -2.9 %, Pan-Hamrock -4.9 %, of a film cut at a wide inlet (0.2 % lower than flooded).
-BOOST_AUTO_TEST_CASE(the_known_agreement_at_20_10_is_in_the_atlas) {
+BOOST_AUTO_TEST_CASE(the_atlas_has_maps_with_formulas_and_costs) {
   const FilmMaps maps = ehd::verification::film_maps(atlas_folder());
   BOOST_TEST(maps.M.size() == 16U);
   BOOST_TEST(maps.L.size() == 7U);
   const MapPoint* point = find(maps, AtlasLaws::roelands, 20, 10);
   BOOST_REQUIRE(point);
-  for (const auto& [name, percent] : {std::pair{"Dowson & Higginson 1977", 1.3},
-                                      {"Dowson & Higginson 1966", 1.9},
-                                      {"Hamrock & Jacobson 1984", -2.9},
-                                      {"Pan & Hamrock 1989", -4.9}}) {
-    const MapFormula* formula = find(*point, name, "film.minimum");
-    BOOST_REQUIRE(formula);
-    EHD_CHECK(std::abs(100 * formula->deviation - percent),
-              Tolerance::calibrated(0.25, "half a printed digit, and the inlet of the printed comparison"));
-  }
+  // The claims formulas/agreement judge what these say at this contact.
+  for (const char* name :
+       {"Dowson & Higginson 1977", "Dowson & Higginson 1966", "Hamrock & Jacobson 1984", "Pan & Hamrock 1989"})
+    BOOST_TEST(find(*point, name, "film.minimum"), name);
   BOOST_TEST(point->minimum_cost.has_value());
   const MapPoint* light = find(maps, AtlasLaws::barus, 1, 5);
   BOOST_REQUIRE(light);
