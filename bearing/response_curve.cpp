@@ -20,6 +20,9 @@ namespace {
 
 using Point = ResponseCurve::Point;
 
+/// Relative step of the force for the slope of the lag: its rounding and its curvature err by 1e-11 and 1e-5.
+constexpr double lag_slope_step = 1e-5;
+
 template <class Read>
 std::vector<double> read_points(const std::vector<Point>& points, const Read& read) {
   std::vector<double> values;
@@ -121,8 +124,8 @@ double ResponseCurve::slow_lag(double force_N) const {
   const double lightest_N = forces_N_.front();
   if (force_N >= lightest_N) return lag_inside(force_N);
   const ValueAndExponent at_joint = martin_lag(contact_, lightest_N), here = martin_lag(contact_, force_N);
-  const double step = 1e-5, joint = lag_inside(lightest_N);
-  const double exponent = std::log(lag_inside(lightest_N * (1 + step)) / joint) / std::log1p(step);
+  const double joint = lag_inside(lightest_N);
+  const double exponent = std::log(lag_inside(lightest_N * (1 + lag_slope_step)) / joint) / std::log1p(lag_slope_step);
   const double v = std::log(joint / at_joint.value), d = exponent - at_joint.exponent;
   const double c = (d - 1.5 * v) / 1.5, a = v - c, t15 = std::pow(force_N / lightest_N, 1.5);
   return here.value * std::exp(a * t15 + c * t15 * t15);

@@ -39,17 +39,26 @@ template <class Scalar>
 
 namespace detail {
 
-/// The zeros of f in (-1, 1), increasing, from `count` starts; f returns value and derivative. Newton's method doubles
-/// the digits each time, so that starts good to 1e-3 need at most seven steps in any type used here.
+/// Newton's method doubles the digits each time, so that starts good to 1e-3 need at most seven steps in any type used
+/// here; the others are spare. It has settled where it moves by less than so many units of rounding.
+inline constexpr int most_newton_steps = 12, settled_roundings = 4;
+/// An interval of length 2, halved so often, is shorter than the rounding of a double.
+inline constexpr int bisections = 60;
+/// Cells of the search for a zero: so many for each zero, and for so many zeros more than there are.
+inline constexpr int cells_per_zero = 40, spare_zeros = 2;
+/// The cells are shifted by this part of one, so that none ends at 0, where odd functions have a zero.
+inline constexpr double cell_shift = 0.37;
+
+/// The zero of f near `start` by Newton's method; f returns value and derivative.
 template <class Scalar, class Function>
 Scalar refined_zero(double start, const Function& f) {
   using std::abs;
   Scalar t(start);
-  for (int step = 0; step < 12; ++step) {
+  for (int step = 0; step < most_newton_steps; ++step) {
     const auto [value, slope] = f(t);
     const Scalar move = value / slope;
     t -= move;
-    if (abs(move) < Scalar(4) * std::numeric_limits<Scalar>::epsilon()) break;
+    if (abs(move) < Scalar(settled_roundings) * std::numeric_limits<Scalar>::epsilon()) break;
   }
   return t;
 }
@@ -58,7 +67,7 @@ Scalar refined_zero(double start, const Function& f) {
 template <class Function>
 double bisected(const Function& f, double a, double b) {
   const bool rising = f(a) < 0;
-  for (int step = 0; step < 60; ++step) {
+  for (int step = 0; step < bisections; ++step) {
     const double middle = (a + b) / 2;
     if ((f(middle) < 0) == rising)
       a = middle;
@@ -72,8 +81,8 @@ double bisected(const Function& f, double a, double b) {
 template <class Function>
 std::vector<double> sign_changes(const Function& f, int count) {
   std::vector<double> zeros;
-  const int cells = 40 * (count + 2);
-  const auto at = [&](int i) { return -std::cos(std::numbers::pi * (i + 0.37) / (cells + 0.74)); };
+  const int cells = cells_per_zero * (count + spare_zeros);
+  const auto at = [&](int i) { return -std::cos(std::numbers::pi * (i + cell_shift) / (cells + 2 * cell_shift)); };
   for (int i = 0; i < cells; ++i) {
     if ((f(at(i)) < 0) != (f(at(i + 1)) < 0)) zeros.push_back(bisected(f, at(i), at(i + 1)));
   }

@@ -8,6 +8,13 @@
 
 namespace ehd::reference::hp {
 
+namespace detail {
+/// Nearer to X = 0 than this part of x, the closed form of the tail's deflection is a difference of terms like 1/v, and
+/// the series is taken; so many terms leave 1e-40, less than the rounding of 34 digits.
+inline constexpr double tail_series_below = 0.1;
+inline constexpr int tail_series_end = 40;
+}  // namespace detail
+
 template <class Scalar>
 std::pair<Scalar, Scalar> tail_deflection(const Scalar& lambda, const Scalar& x, const Scalar& X) {
   using std::abs;
@@ -15,10 +22,10 @@ std::pair<Scalar, Scalar> tail_deflection(const Scalar& lambda, const Scalar& x,
   using std::log1p;
   const Scalar v = X / x, one(1), two(2);
   Scalar B = log(x), slope(0);
-  if (abs(v) < Scalar(0.1)) {
+  if (abs(v) < Scalar(detail::tail_series_below)) {
     B += one / two;
     Scalar power(1);  // (-v)^(j-1)
-    for (int j = 1; j < 40; ++j, power *= -v) {
+    for (int j = 1; j < detail::tail_series_end; ++j, power *= -v) {
       const Scalar coefficient = one / Scalar(j) - one / Scalar(j + 2);
       B += coefficient * power * v;
       slope += Scalar(j) * coefficient * power;

@@ -46,8 +46,19 @@ constexpr NewtonLimits given_mesh_newton{.iterations = 30, .step = 1e-9};
 /// What tells the elements of a mesh with a given number of intervals apart.
 constexpr Resolution layout_resolution{.film = 1e-8, .spike = 1e-3};
 
-/// Few intervals do better with low degrees, as many elements can then follow the solution.
-int degree_for(int intervals) { return intervals >= 400 ? 12 : intervals >= 160 ? 8 : intervals >= 80 ? 6 : 4; }
+/// The degree of a mesh of at least so many intervals. Few intervals do better with low degrees, as many elements can
+/// then follow the solution.
+struct DegreeFrom {
+  int intervals, degree;
+};
+constexpr DegreeFrom degrees[] = {{400, 12}, {160, 8}, {80, 6}};
+constexpr int lowest_degree = 4;
+
+int degree_for(int intervals) {
+  for (const DegreeFrom& from : degrees)
+    if (intervals >= from.intervals) return from.degree;
+  return lowest_degree;
+}
 
 /// Rounding of a film in units of the machine's epsilon and of the terms that H is a difference of.
 constexpr double rounding_units = 10;

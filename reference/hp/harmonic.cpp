@@ -13,6 +13,10 @@ namespace {
 
 using std::numbers::pi;
 constexpr Complex i_unit(0, 1);
+/// Nearer to X = 0 than this part of x, the closed form of the tail's film is a difference of terms like 1/v^2, and the
+/// series is taken; so many terms leave 1e-20.
+constexpr double tail_series_below = 0.1;
+constexpr int tail_series_terms = 20;
 
 /// t of the places where an element has rows: its collocation points, then its right end.
 VectorOf<double> row_places_of(const ReferenceElement<double>& shape) {
@@ -48,9 +52,9 @@ MatrixOf<double> integrals_to_right_end(const ReferenceElement<double>& shape) {
 double film_of_tail_load(double x, double X) {
   const double v = X / x;
   double B = std::log(x);
-  if (std::abs(v) < 0.1) {
+  if (std::abs(v) < tail_series_below) {
     double power = 1;  // (-v)^k: ln(1 + v) + Sum (-v)^k/(k + 3)
-    for (int k = 0; k < 20; ++k, power *= -v) B += power / (k + 3) + (k > 0 ? -power / k : 0);
+    for (int k = 0; k < tail_series_terms; ++k, power *= -v) B += power / (k + 3) + (k > 0 ? -power / k : 0);
   } else {
     const double room = 1 + v;
     if (room > 0) B += (1 + 1 / (v * v * v)) * std::log(room);  // its factor vanishes at v = -1

@@ -16,6 +16,12 @@ namespace ehd::reference::hp {
 
 namespace detail {
 
+/// Up to this (degree + 1) acosh(u) the forward recurrence is taken: it loses less than a digit.
+inline constexpr double forward_reach = 1.5;
+/// Miller's recurrence begins so many steps, times the binary digits, over acosh(u) above the degree. Its error shrinks
+/// as e^(-2 acosh(u)) a step: ln(2)/2 = 0.347 would do, the rest is a reserve.
+inline constexpr double miller_steps = 0.38;
+
 /// m_k from Q_0 … Q_(degree+1), k >= 1; `beyond` = Q_(degree+1).
 template <class Scalar, class Out>
 void moments_from_Q(int degree, const VectorOf<Scalar>& Q, Out&& m) {
@@ -66,15 +72,15 @@ void moments_outside(int degree, const Scalar& beyond, VectorOf<Scalar>& work, O
   const Scalar u = Scalar(1) + beyond;
   const Scalar acosh_u = log1p(beyond + sqrt(beyond * (beyond + Scalar(2))));
   work[0] = log1p(Scalar(2) / beyond) / Scalar(2);
-  if (Scalar(degree + 1) * acosh_u <= Scalar(1.5)) {
-    // So near that the forward recurrence loses less than a digit. k + 1 times Q_(k+1) with u = 1 + beyond.
+  if (Scalar(degree + 1) * acosh_u <= Scalar(detail::forward_reach)) {
+    // k + 1 times Q_(k+1) with u = 1 + beyond.
     work[1] = u * work[0] - Scalar(1);
     for (int k = 1; k <= degree; ++k)
       work[k + 1] = (Scalar(2 * k + 1) * u * work[k] - Scalar(k) * work[k - 1]) / Scalar(k + 1);
   } else {
-    // Miller: r_k = Q_k/Q_(k-1) downwards from far above; the error shrinks as e^(-2 acosh(u)) a step.
+    // Miller: r_k = Q_k/Q_(k-1) downwards from far above.
     constexpr double digits = std::numeric_limits<Scalar>::digits;
-    const int first = degree + 2 + static_cast<int>(0.38 * digits / static_cast<double>(acosh_u));
+    const int first = degree + 2 + static_cast<int>(detail::miller_steps * digits / static_cast<double>(acosh_u));
     Scalar ratio(0);
     for (int k = first; k > degree + 1; --k) ratio = Scalar(k) / (Scalar(2 * k + 1) * u - Scalar(k + 1) * ratio);
     for (int k = degree + 1; k >= 1; --k) {

@@ -18,6 +18,8 @@ using Function = std::function<double(double)>;
 constexpr double asked = 2e-14,  // GSL refuses less than 50 eps
     granted_relative = 1e-13, granted_absolute = 1e-15;
 constexpr std::size_t most_intervals = 1000;
+/// Brent's method takes some ten steps; bisection alone would take about 60.
+constexpr int most_root_steps = 200;
 
 double call(double x, void* function) { return (*static_cast<const Function*>(function))(x); }
 
@@ -96,7 +98,7 @@ double root(const Function& f, double a, double b) {
   if (gsl_root_fsolver_set(solver.get(), &function, a, b) != GSL_SUCCESS)
     return std::numeric_limits<double>::quiet_NaN();
   constexpr double precision = 4 * std::numeric_limits<double>::epsilon();
-  for (int step = 0; step < 200; ++step) {
+  for (int step = 0; step < most_root_steps; ++step) {
     if (gsl_root_fsolver_iterate(solver.get()) != GSL_SUCCESS) break;
     if (gsl_root_test_interval(gsl_root_fsolver_x_lower(solver.get()), gsl_root_fsolver_x_upper(solver.get()), 0,
                                precision) == GSL_SUCCESS)

@@ -37,6 +37,8 @@ constexpr std::size_t most_messages = 20;
 /// The curves of so many bearings are held against unseen contacts; at least so many contacts make a verdict.
 constexpr std::size_t bearings_with_unseen = 500;
 constexpr long fewest_unseen = 200;
+/// Halvings of ln(viscosity): so many end at its rounding.
+constexpr int viscosity_halvings = 60;
 
 /// The same bearing with rings that move against each other, which a film needs.
 RandomBearing moving(RandomBearing drawn, unsigned seed) {
@@ -73,7 +75,7 @@ Case case_of(const RandomBearing& drawn, unsigned seed) {
   const double target = draw.uniform(5, thickest_L);
   if (L(eta) > thickest_L) {
     double low = std::exp(-9.67), high = eta;  // alpha is 0 at the low end
-    for (int k = 0; k < 60; ++k) {
+    for (int k = 0; k < viscosity_halvings; ++k) {
       const double middle = std::sqrt(low * high);
       (L(middle) < target ? low : high) = middle;
     }

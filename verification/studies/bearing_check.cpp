@@ -17,6 +17,10 @@ using bearing::RollerState;
 namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+/// Forces [N] between which a root is sought, nearly all that a double holds, and the factor of one step outwards.
+constexpr double smallest_tried_N = 1e-300, largest_tried_N = 1e300, search_factor = 16;
+/// From 1 to 1e300 some 1,050 halvings end at the last bit.
+constexpr int most_force_halvings = 2000;
 
 struct QuadVector {
   Quad x, y;
@@ -59,9 +63,9 @@ struct Roller {
   [[nodiscard]] double force_N(double s) const {
     if (begins && !(s > 0)) return 0;
     double low = 1, high = 1;
-    while (needs_m(low) > s && low > 1e-300) low /= 16;
-    while (needs_m(high) < s && high < 1e300) high *= 16;
-    for (int k = 0; k < 2000; ++k) {
+    while (needs_m(low) > s && low > smallest_tried_N) low /= search_factor;
+    while (needs_m(high) < s && high < largest_tried_N) high *= search_factor;
+    for (int k = 0; k < most_force_halvings; ++k) {
       const double middle = low + (high - low) / 2;
       if (!(middle > low && middle < high)) break;
       (needs_m(middle) < s ? low : high) = middle;

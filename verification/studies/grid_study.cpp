@@ -11,6 +11,9 @@ namespace ehd::verification {
 namespace {
 
 constexpr double smallest_order = 1e-2, largest_order = 20;
+/// An order is sought to this part of itself: grids know a few digits of it. Some 50 halvings do.
+constexpr double order_precision = 1e-12;
+constexpr int most_order_halvings = 200;
 
 /// The order at which (f2 - f1)/(f3 - f2) = `ratio`, 0 < ratio < 1, n1 > n2 > n3: with f = f0 + c n^-p that quotient is
 /// (n2^-p - n1^-p)/(n3^-p - n2^-p), which falls with p.
@@ -20,7 +23,7 @@ std::optional<double> order_of(double n1, double n2, double n3, double ratio) {
   double low = smallest_order, high = largest_order;
   if (!(excess(low) > 0)) return std::nullopt;  // slower than any power worth the name
   if (excess(high) > 0) return high;
-  for (int k = 0; k < 200 && high - low > 1e-12 * high; ++k) {
+  for (int k = 0; k < most_order_halvings && high - low > order_precision * high; ++k) {
     const double middle = (low + high) / 2;
     (excess(middle) > 0 ? low : high) = middle;
   }
