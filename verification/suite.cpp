@@ -55,35 +55,10 @@ std::vector<LoadedCase> load_cases(const SuiteRequest& request) {
 
 std::vector<Topic> topics_of(const SuiteRequest& request, const std::vector<LoadedCase>& cases) {
   std::vector<Topic> topics;
-  for (auto& list : {input_topics(),
-                     oil_grade_topics(),
-                     law_topics(),
-                     property_topics(),
-                     kernel_topics(),
-                     exact_topics(),
-                     reynolds_topics(),
-                     coupled_topics(),
-                     iteration_topics(),
-                     contact_topics(cases),
-                     twin_topics(),
-                     box_topics(),
-                     heavy_topics(),
-                     random_topics(request.random_runs),
-                     grid_topics(),
-                     truncation_topics(),
-                     stated_error_topics(),
-                     film_table_topics(),
-                     regime_topics(),
-                     response_topics(),
-                     response_motion_topics(),
-                     fast_response_topics(),
-                     atlas_topics(),
-                     atlas_motion_topics(),
-                     literature_topics(),
-                     bearing_topics(cases),
-                     bearing_part_topics(cases)}) {
-    topics.insert(topics.end(), list.begin(), list.end());
-  }
+  const auto add = [&](const std::vector<Topic>& more) { topics.insert(topics.end(), more.begin(), more.end()); };
+#define EHD_ADD_TOPICS(NAME, PARAMETERS, ARGUMENTS) add(NAME##_topics ARGUMENTS);
+  EHD_TOPICS(EHD_ADD_TOPICS)
+#undef EHD_ADD_TOPICS
   return topics;
 }
 

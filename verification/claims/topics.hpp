@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The topics of the suite, a file a topic. A new topic is one file here, one line below and one in suite.cpp.
+// The topics of the suite, a file a topic. A new topic is one file here, which defines NAME_topics, and one line below.
 #pragma once
 
 #include <functional>
@@ -10,6 +10,40 @@
 
 #include "verification/claim.hpp"
 #include "workflow/case.hpp"
+
+/// In the order of the suite. LINE(name, parameters, arguments): what NAME_topics takes, and what suite.cpp gives it
+/// from its request and the cases.
+#define EHD_TOPICS(LINE)                                                                        \
+  LINE(input, (), ())                                                                           \
+  LINE(oil_grade, (), ())                                                                       \
+  LINE(law, (), ())                                                                             \
+  LINE(property, (), ())                                                                        \
+  LINE(kernel, (), ())                                                                          \
+  LINE(exact, (), ())                                                                           \
+  LINE(reynolds, (), ())                                                                        \
+  LINE(coupled, (), ())                                                                         \
+  LINE(iteration, (), ())                                                                       \
+  /* One for each case, bearings left out; a case that could not be read is a failing claim. */ \
+  LINE(contact, (const std::vector<LoadedCase>& cases), (cases))                                \
+  LINE(twin, (), ())                                                                            \
+  LINE(box, (), ())                                                                             \
+  LINE(heavy, (), ())                                                                           \
+  /* Random runs for each law set and question; of fast five times as many points. */           \
+  LINE(random, (int runs), (request.random_runs))                                               \
+  LINE(grid, (), ())                                                                            \
+  LINE(truncation, (), ())                                                                      \
+  LINE(stated_error, (), ())                                                                    \
+  LINE(film_table, (), ())                                                                      \
+  LINE(regime, (), ())                                                                          \
+  LINE(response, (), ())                                                                        \
+  LINE(response_motion, (), ())                                                                 \
+  LINE(fast_response, (), ())                                                                   \
+  LINE(atlas, (), ())                                                                           \
+  LINE(atlas_motion, (), ())                                                                    \
+  LINE(literature, (), ())                                                                      \
+  LINE(bearing, (const std::vector<LoadedCase>& cases), (cases))                                \
+  /* Parts of NA4908 where it is in the list; both forms of balance of every bearing case. */   \
+  LINE(bearing_part, (const std::vector<LoadedCase>& cases), (cases))
 
 namespace ehd::verification {
 
@@ -29,35 +63,8 @@ struct LoadedCase {
   std::variant<Case, CaseError> content;
 };
 
-[[nodiscard]] std::vector<Topic> input_topics();
-[[nodiscard]] std::vector<Topic> oil_grade_topics();
-[[nodiscard]] std::vector<Topic> law_topics();
-[[nodiscard]] std::vector<Topic> property_topics();
-[[nodiscard]] std::vector<Topic> kernel_topics();
-[[nodiscard]] std::vector<Topic> exact_topics();
-[[nodiscard]] std::vector<Topic> reynolds_topics();
-[[nodiscard]] std::vector<Topic> coupled_topics();
-[[nodiscard]] std::vector<Topic> iteration_topics();
-[[nodiscard]] std::vector<Topic> twin_topics();
-[[nodiscard]] std::vector<Topic> box_topics();
-[[nodiscard]] std::vector<Topic> heavy_topics();
-/// `runs` random runs for each law set and question; of fast five times as many points.
-[[nodiscard]] std::vector<Topic> random_topics(int runs);
-[[nodiscard]] std::vector<Topic> grid_topics();
-[[nodiscard]] std::vector<Topic> truncation_topics();
-[[nodiscard]] std::vector<Topic> stated_error_topics();
-[[nodiscard]] std::vector<Topic> film_table_topics();
-[[nodiscard]] std::vector<Topic> regime_topics();
-[[nodiscard]] std::vector<Topic> response_topics();
-[[nodiscard]] std::vector<Topic> response_motion_topics();
-[[nodiscard]] std::vector<Topic> fast_response_topics();
-[[nodiscard]] std::vector<Topic> atlas_topics();
-[[nodiscard]] std::vector<Topic> atlas_motion_topics();
-[[nodiscard]] std::vector<Topic> literature_topics();
-/// A topic for each case in the list, bearings left out; a case that could not be read is a failing claim.
-[[nodiscard]] std::vector<Topic> contact_topics(const std::vector<LoadedCase>& cases);
-[[nodiscard]] std::vector<Topic> bearing_topics(const std::vector<LoadedCase>& cases);
-/// Parts of NA4908 where it is in the list; both forms of balance of every bearing case.
-[[nodiscard]] std::vector<Topic> bearing_part_topics(const std::vector<LoadedCase>& cases);
+#define EHD_DECLARE_TOPICS(NAME, PARAMETERS, ARGUMENTS) [[nodiscard]] std::vector<Topic> NAME##_topics PARAMETERS;
+EHD_TOPICS(EHD_DECLARE_TOPICS)
+#undef EHD_DECLARE_TOPICS
 
 }  // namespace ehd::verification
