@@ -24,27 +24,25 @@ std::string function_of(const std::string& program, const std::vector<CommandWor
     branches += fmt::format("    {}) options=\"{}\"{} ;;\n", command.name, joined(command.options),
                             command.takes_cases ? "; cases=yes" : "");
   }
-  return "_" + program + "() {\n" +
-         "  local word=\"${COMP_WORDS[COMP_CWORD]}\" options=\"\" cases=\"\"\n"
-         "  COMPREPLY=()\n"
-         "  if [ \"$COMP_CWORD\" -eq 1 ]; then\n"
-         "    COMPREPLY=($(compgen -W \"" +
-         joined(commands.front().options) + names +
-         "\" -- \"$word\"))\n"
-         "    return\n"
-         "  fi\n"
-         "  case \"${COMP_WORDS[1]}\" in\n" +
-         branches +
-         "  esac\n"
-         "  case \"$word\" in\n"
-         "    -*) COMPREPLY=($(compgen -W \"$options\" -- \"$word\")) ;;\n"
-         "    *) [ -z \"$cases\" ] || COMPREPLY=($(compgen -W \"$(" +
-         program +
-         " cases 2> /dev/null | sed -n '2,/^$/s/ .*//p')\" -- \"$word\")) ;;\n"
-         "  esac\n"
-         "}\n"
-         "complete -o default -F _" +
-         program + " " + program + "\n";
+  constexpr const char* whole = R"sh(_{program}() {{
+  local word="${{COMP_WORDS[COMP_CWORD]}}" options="" cases=""
+  COMPREPLY=()
+  if [ "$COMP_CWORD" -eq 1 ]; then
+    COMPREPLY=($(compgen -W "{words}{names}" -- "$word"))
+    return
+  fi
+  case "${{COMP_WORDS[1]}}" in
+{branches}  esac
+  case "$word" in
+    -*) COMPREPLY=($(compgen -W "$options" -- "$word")) ;;
+    *) [ -z "$cases" ] || COMPREPLY=($(compgen -W "$({program} cases 2> /dev/null)sh"
+                                R"sh( | sed -n '2,/^$/s/ .*//p')" -- "$word")) ;;
+  esac
+}}
+complete -o default -F _{program} {program}
+)sh";
+  return fmt::format(whole, fmt::arg("program", program), fmt::arg("words", joined(commands.front().options)),
+                     fmt::arg("names", names), fmt::arg("branches", branches));
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/sweep_table.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string_view>
@@ -197,8 +199,8 @@ Json build_provenance() {
 std::string head_of_json(const Sweep& sweep, const std::string& sweep_hash) {
   Json stated = sweep.to_json();
   stated["hash"] = sweep_hash;
-  return "{\"schema\":" + Json(table_schema).dump() + ",\n\"provenance\":" + build_provenance().dump() +
-         ",\n\"sweep\":" + stated.dump(-1, ' ', false, Json::error_handler_t::replace) + ",\n\"rows\":[";
+  return fmt::format("{{\"schema\":{},\n\"provenance\":{},\n\"sweep\":{},\n\"rows\":[", Json(table_schema).dump(),
+                     build_provenance().dump(), stated.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 }  // namespace

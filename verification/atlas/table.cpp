@@ -39,26 +39,25 @@ std::map<std::string, KnownDigits> known_of(const AtlasRecord& record) {
 std::string case_text_of(const AtlasPoint& point, const AtlasRecord& record, int version) {
   const ContactCase contact = point.contact();
   const Lubricant& lubricant = *contact.lubricant;
-  std::string text = "# Written by `ehd atlas`: README.md in this folder.\n";
-  text += "id = \"" + point.id() + "\"\n";
-  text += "version = " + std::to_string(version) + "\n";
-  text += "title = \"" + point.title() + "\"\n";
-  text += "source = \"own\"\n";
-  text += "\n[moes]\nM = " + plain(point.M) + "\nL = " + plain(point.L) + "\n";
-  text += "\n[lubricant]\nviscosity = \"" + std::string(to_string(lubricant.viscosity)) + "\"\n";
-  text += "density = \"" + std::string(to_string(lubricant.density)) + "\"\n";
-  if (lubricant.alpha_per_Pa) text += "alpha_per_Pa = " + plain(*lubricant.alpha_per_Pa) + "\n";
+  std::string text = fmt::format(
+      "# Written by `ehd atlas`: README.md in this folder.\n"
+      "id = \"{}\"\nversion = {}\ntitle = \"{}\"\nsource = \"own\"\n\n"
+      "[moes]\nM = {}\nL = {}\n\n"
+      "[lubricant]\nviscosity = \"{}\"\ndensity = \"{}\"\n",
+      point.id(), version, point.title(), plain(point.M), plain(point.L), to_string(lubricant.viscosity),
+      to_string(lubricant.density));
+  if (lubricant.alpha_per_Pa) text += fmt::format("alpha_per_Pa = {}\n", plain(*lubricant.alpha_per_Pa));
   if (lubricant.z) text += fmt::format("z = {}\np0_Pa = {}\n", plain(*lubricant.z), plain(lubricant.p0_Pa));
-  text += "\n[domain]\ninlet = " +
-          (std::holds_alternative<Flooded>(point.inlet) ? "\"flooded\"" : inlet_text(point.inlet)) + "\n";
+  text += fmt::format("\n[domain]\ninlet = {}\n",
+                      std::holds_alternative<Flooded>(point.inlet) ? "\"flooded\"" : inlet_text(point.inlet));
   const auto known = known_of(record);
   for (const AtlasColumn& column : columns_of_values) {
     if (!column.quantity) continue;
     const auto at = known.find(std::string(column.name));
-    const std::string heading = "\n[[expect]]\nquantity = \"" + std::string(to_string(*column.quantity)) + "\"\n";
+    const std::string heading = fmt::format("\n[[expect]]\nquantity = \"{}\"\n", to_string(*column.quantity));
     if (at != known.end()) {
-      text += heading + "value = \"" + at->second.text +
-              "\"\nscaling = \"hertz\"\nuncertainty = " + at->second.relative + "\nkind = \"computed\"\n";
+      text += fmt::format("{}value = \"{}\"\nscaling = \"hertz\"\nuncertainty = {}\nkind = \"computed\"\n", heading,
+                          at->second.text, at->second.relative);
     } else if (*column.quantity == Quantity::film_minimum || *column.quantity == Quantity::film_central) {
       text += heading + "status = \"waiting\"\n";
     }

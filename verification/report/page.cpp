@@ -192,21 +192,36 @@ void Page::figure(PolarPlot plot, const std::string& caption_html) {
 }
 
 std::string Page::document(const std::string& title) const {
-  return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
-         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-         "<meta name=\"color-scheme\" content=\"light dark\">\n"
-         // A page that asks for an icon would look for one on the network.
-         "<link rel=\"icon\" href=\"data:,\">\n<title>" +
-         escaped(title) + "</title>\n<style>\n:root{" + light_colours() +
-         "}\n@media screen and (prefers-color-scheme:dark){:root:not([data-theme=light]){" + dark_colours() +
-         "}}\n@media screen{:root[data-theme=dark]{" + dark_colours() + "}}\n" + page_style() +
-         // Apart, since the script puts it into pictures that are saved, with the colours of `data-colours`.
-         "</style>\n<style id=\"picture-style\" data-colours=\"" + light_colours() + "\">" + picture_style() +
-         "</style></head>\n<body>\n<a class=\"skip\" href=\"#content\">To the content</a>\n<nav "
-         "aria-label=\"Sections\">\n" +
-         navigation_ + "</nav>\n<div class=\"page\"><header><h1>" + escaped(title) +
-         "</h1></header>\n<main id=\"content\">\n" + body_ + (open_ ? "</section>\n" : "") +
-         "</main></div>\n<script>\n" + figure_script() + page_script() + "</script>\n</body></html>\n";
+  // A page that asks for an icon would look for one on the network. The style of pictures stands apart, since the
+  // script puts it into pictures that are saved, with the colours of `data-colours`.
+  constexpr const char* whole = R"(<!DOCTYPE html>
+<html lang="en"><head><meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta name="color-scheme" content="light dark">
+<link rel="icon" href="data:,">
+<title>{title}</title>
+<style>
+:root{{{light}}}
+@media screen and (prefers-color-scheme:dark){{:root:not([data-theme=light]){{{dark}}}}}
+@media screen{{:root[data-theme=dark]{{{dark}}}}}
+{page_style}</style>
+<style id="picture-style" data-colours="{light}">{picture_style}</style></head>
+<body>
+<a class="skip" href="#content">To the content</a>
+<nav aria-label="Sections">
+{navigation}</nav>
+<div class="page"><header><h1>{title}</h1></header>
+<main id="content">
+{body}{end}</main></div>
+<script>
+{figure_script}{page_script}</script>
+</body></html>
+)";
+  return fmt::format(whole, fmt::arg("title", escaped(title)), fmt::arg("light", light_colours()),
+                     fmt::arg("dark", dark_colours()), fmt::arg("page_style", page_style()),
+                     fmt::arg("picture_style", picture_style()), fmt::arg("navigation", navigation_),
+                     fmt::arg("body", body_), fmt::arg("end", open_ ? "</section>\n" : ""),
+                     fmt::arg("figure_script", figure_script()), fmt::arg("page_script", page_script()));
 }
 
 }  // namespace ehd::report

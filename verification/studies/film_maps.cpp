@@ -258,14 +258,15 @@ std::string known_percent(const MapValue& fraction) {
 std::string human_maps(const FilmMaps& maps, std::string_view quantity, AtlasLaws laws) {
   const auto points = points_of(maps, laws);
   const auto formulas = formulas_of(maps, quantity);
-  std::string text = "Film formulas against the certified films of " + maps.source + ", " +
-                     std::string(to_string(laws)) +
-                     (laws == AtlasLaws::roelands ? " (z = 0.68, Dowson-Higginson density)" : ", incompressible") +
-                     ", flooded\nPublished fits, for comparison only. Power laws with G = " + plain(usual_G) +
-                     ", mean speed in U.\nPercent = 100 (formula/film - 1), as many digits as are known, 0 where "
-                     "it is within its own error; * p_H above 4 GPa; - not known; L = 0 is "
-                     "isoviscous and incompressible.\n\n" +
-                     overview(formulas, points);
+  std::string text = fmt::format(
+      "Film formulas against the certified films of {}, {}{}, flooded\n"
+      "Published fits, for comparison only. Power laws with G = {}, mean speed in U.\n"
+      "Percent = 100 (formula/film - 1), as many digits as are known, 0 where it is within its own error; * p_H above "
+      "4 "
+      "GPa; - not known; L = 0 is isoviscous and incompressible.\n\n{}",
+      maps.source, to_string(laws),
+      laws == AtlasLaws::roelands ? " (z = 0.68, Dowson-Higginson density)" : ", incompressible", plain(usual_G),
+      overview(formulas, points));
   for (const NamedFormula& formula : formulas) {
     const Field deviation = deviation_of(formula);
     text += fmt::format("\n{}, {}: deviation in percent\n{}", formula.name, formula.of,

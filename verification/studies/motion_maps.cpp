@@ -41,7 +41,7 @@ std::string map_text(const std::string& title, const std::vector<double>& all_M,
     for (std::size_t i = 0; i < lines.size(); ++i) lines[i].push_back(column[i]);
   }
   if (lines.front().size() == 1) return "";
-  return title + "\n\n" + aligned(lines, 0, "  ") + "\n";
+  return fmt::format("{}\n\n{}\n", title, aligned(lines, 0, "  "));
 }
 
 const AtlasRow* kappa_at(const MotionMaps& maps, AtlasLaws laws, MoesGroups moes, double Omega) {
