@@ -84,8 +84,7 @@ void find_highest_certified(Response& found, double tolerance, const std::functi
 void answer_nothing(Response& found, const ResponseRequest& request, StopReason status, std::string_view why) {
   found = {};
   for (const double Omega : request.frequencies) found.frequencies.push_back({.Omega = Omega, .status = status});
-  for (const Waviness& waviness : request.waviness)
-    found.waviness.push_back({.waviness = waviness, .status = status});
+  for (const Waviness& waviness : request.waviness) found.waviness.push_back({.waviness = waviness, .status = status});
   found.status = status;
   found.reason = why;
 }

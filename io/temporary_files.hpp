@@ -24,8 +24,8 @@ class TemporaryNote {
   int place_ = -1;
 };
 
-/// Removes every file with a note, then every folder with a note that is empty. For a signal handler that ends the process: calls only what a handler may call, and
-/// from then on no note is written.
+/// Removes every file with a note, then every folder with a note that is empty. For a signal handler that ends the
+/// process: calls only what a handler may call, and from then on no note is written.
 void remove_temporary_files() noexcept;
 
 }  // namespace ehd

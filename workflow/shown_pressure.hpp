@@ -15,7 +15,8 @@ inline constexpr double shown_of_unresolved = 1.5;
 /// pressure.maximum is among the observables. Otherwise a spike may be higher than the fields show.
 [[nodiscard]] bool pressure_known(const Solution& solution);
 
-/// `shown_of_unresolved` where the fields exceed it and the pressure is not known. Empty where the pressure may be shown as it is.
+/// `shown_of_unresolved` where the fields exceed it and the pressure is not known. Empty where the pressure may be
+/// shown as it is.
 [[nodiscard]] std::optional<double> pressure_cut(const Solution& solution);
 
 }  // namespace ehd

@@ -270,7 +270,8 @@ def audit_row(k, inputs):
     else:  # not known beside a spike, the last maximum of the pressure, whose height is not reported
         said.equal("spike", inputs.spike_reported, False)
         nodes = inputs.profile
-        spike = [at["X"] for left, at, right in zip(nodes, nodes[1:], nodes[2:]) if left["P"] < at["P"] > right["P"]][-1]
+        tops = [at["X"] for left, at, right in zip(nodes, nodes[1:], nodes[2:]) if left["P"] < at["P"] > right["P"]]
+        spike = tops[-1]
         said.near("X without an error", row["X"], spike, absolute=0.04)
     groups, unit_m = scales_of(inputs.case)
     p_H, lubricant = groups.get("hertz_pressure_Pa"), inputs.case["lubricant"]

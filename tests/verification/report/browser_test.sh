@@ -1,9 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # browser_test.sh EHD MADE_REPORT [AXE]: the report of made results in headless Chromium: no console message, every
-# figure with its data, light and dark, a phone's width without sideways scrolling, its height, headings and links, the script's
-# switches, zoom, saved files; with AXE, the file axe.min.js, also its rules of WCAG 2.1 A and AA. Exit code: 0 all is
-# well, 1 something is not (a line each), 77 no browser is installed.
+# figure with its data, light and dark, a phone's width without sideways scrolling, its height, headings and links,
+# the script's switches, zoom, saved files; with AXE, the file axe.min.js, also its rules of WCAG 2.1 A and AA. Exit
+# code: 0 all is well, 1 something is not (a line each), 77 no browser is installed.
 set -eu
 ehd=$1
 made_report=$2
