@@ -28,9 +28,9 @@ Examples:
   ehd new keys                         every key of a case as a table (Markdown)
 
 Each key stands with its unit, default and meaning. Optional keys, and the other ways to state the same, are comments.
-A file that exists is never overwritten. No option names the type of a bearing: NU, NJ, NUP, N and NA have one
-template, for they differ in flanges, which a radial load does not use; what other types change is a table in
-docs/your-bearing.md. It and docs/your-contact.md go through one case each.)";
+A file that exists is never overwritten. No option names the type of a bearing. NU, NJ, NUP, N and NA have one template:
+they differ in flanges, which a radial load does not use. docs/your-bearing.md has a table of what other types change,
+and goes through one case. docs/your-contact.md does so for a contact.)";
 
 std::string text_of(const NewOptions& options, const std::string& id) {
   if (options.what == "contact") return case_template(CaseKind::contact, id);

@@ -35,7 +35,7 @@ Examples:
   ehd verify --random-runs 50 --rung 8  error bars at 50 random runs of each law set, in six minutes
   ehd verify --output out/verify        leaves out/verify/results.json
 
---time-limit-total begins no new topic when it is over. A topic that has begun is judged to its end.
+After the time of --time-limit-total no new topic begins. A topic that has begun is judged to its end.
 
 Rungs: 0 inputs, 1 kernel, 2 operator, 3 elasticity, 4 Reynolds, 5 coupled, 6 solvers, 7 twins, 8 grids, 9 regimes,
 10 published, 11 bearing. Exit code: 0 every claim passes, or all are skipped, each with its reason; 1 a claim fails or

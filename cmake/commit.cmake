@@ -28,7 +28,7 @@ else()
   file(STRINGS ${CMAKE_CURRENT_LIST_DIR}/commit.txt commit REGEX "^[0-9a-f]+$")
   file(STRINGS ${CMAKE_CURRENT_LIST_DIR}/commit.txt day REGEX "^[0-9]+-")
 endif()
-string(REGEX MATCH "^[0-9]*" year "${day}")
+string(REGEX MATCH "^[0-9]+" year "${day}")
 file(CONFIGURE OUTPUT ${HEADER} CONTENT
      "#pragma once
 

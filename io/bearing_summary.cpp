@@ -17,7 +17,7 @@ namespace {
 
 constexpr double um_per_m = 1e6, MPa_per_Pa = 1e-6, N_per_um = 1e-6, deg_per_rad = 180 / std::numbers::pi;
 constexpr double rounding_deg = 1e-6;  // a load zone that lies less askew is symmetric
-/// Of a stiffness without a stated error: na4908 and my-bearing had 1e-3 to 2e-3 where the motion at 0 Hz states it.
+/// Digits of a stiffness whose error is not stated. Motion at 0 Hz states 1e-3 for my-bearing and 2e-3 for na4908.
 constexpr int unstated_digits = 3;
 
 const RollerRow& most_loaded(const BearingResult& result) {

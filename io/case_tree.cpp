@@ -115,8 +115,10 @@ Meant meant_by(const std::string& key, const std::string& table, bool is_table,
 std::string path_meant_by(const std::string& path) {
   const auto [table, key] = parts_of(path);
   if (const CaseTable* row = find_case_table(table); row && is_substitutable(*row)) {
-    const std::string name = near_miss(key, names_of_keys(*row));
-    return name.empty() ? meant_elsewhere(key, table).path : name;
+    if (const std::string name = near_miss(key, names_of_keys(*row)); !name.empty()) return name;
+    const std::string other = meant_elsewhere(key, table).path;
+    const CaseTable* found = find_case_table(parts_of(other).first);
+    return found && is_substitutable(*found) ? other : "";
   }
   return near_miss(path, substitutable_paths());
 }

@@ -105,7 +105,11 @@ ContactMotion MovingRaceway::at(double force_N, double omega) const {
   return {.stiffness_N_per_m = slope, .stiffness_error = law_error_ * slope};
 }
 
-double largest_error(const DynamicRow& row) { return std::max(row.ring.error, row.ring.damping_error.value_or(0)); }
+/// NaN where one of the two is.
+double largest_error(const DynamicRow& row) {
+  const double stiffness = row.ring.error, damping = row.ring.damping_error.value_or(0);
+  return std::isnan(damping) || damping > stiffness ? damping : stiffness;
+}
 
 /// Names the lowest frequency that is not known well enough, and the highest asked one below it.
 void judge_dynamics(BearingResult& result) {

@@ -41,7 +41,8 @@ def main(ehd):
         require("converged" in plain and "\033" not in plain, f"there is colour with {environment}", plain)
     written = on_terminal(ehd, "compare", "own-moes-20-10", "--solver", "reference", "--solver", "reference.uniform",
                           "--tolerance", "1e-2", "--tolerance", "1e-3")  # some seconds
-    require(re.search(r"\r\d/\d, [\d.]+ m?s, about [\d.]+ m?s left: ", written), "the time left is not shown", written)
+    time_left = r"\r\d/\d, [\d.]+ (s|min|h), about [\d.]+ (s|min|h) left: "
+    require(re.search(time_left, written), "the time left is not shown", written)
     require(re.search(r"\r +\r+own-moes-20-10: ", written), "the line stays before the table", written)
     return 0
 

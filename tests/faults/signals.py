@@ -63,8 +63,8 @@ def partial(room):
 
 def interrupted(command, number):
     def attack(room):
-        at_work = {"sweep": lambda: "out/rows/journal" in room.files(),
-                   "atlas": lambda: "out/.progress" in room.files()}.get(command, lambda: partial(room))
+        begun = {"sweep": "out/rows/journal", "atlas": "out/.progress", "atlas --motion": "out/.progress"}.get(command)
+        at_work = (lambda: begun in room.files()) if begun else (lambda: partial(room))
         try:
             process = started(room, COMMANDS[command], at_work)
         except TooEarly as early:
@@ -141,8 +141,12 @@ def with_child(number):
         process.communicate(timeout=PATIENCE_S)
         if process.returncode != -number:
             return f"did not end by signal {number}, but with {process.returncode}"
-        time.sleep(0.1)
-        alive = [pid for pid in os.listdir("/proc") if pid.isdigit() and cwd_of(pid) == str(room.path)]
+        def living():
+            return [pid for pid in os.listdir("/proc") if pid.isdigit() and cwd_of(pid) == str(room.path)]
+        end = time.monotonic() + PATIENCE_S
+        while living() and time.monotonic() < end:
+            time.sleep(0.01)
+        alive = living()
         if alive:
             for pid in alive:
                 os.kill(int(pid), signal.SIGKILL)

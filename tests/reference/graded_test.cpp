@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rungs 8 to 10 of reference.linear. Truths: this project's high-order collocation unless said otherwise. Films of
-// Barus' and Kostreva's contacts are judged by the claims of their cases.
+// Barus' and Kostreva's contacts on 256 intervals are judged by the claims of their cases.
 #include "reference/graded.hpp"
 
 #include "contact/film_formulas.hpp"

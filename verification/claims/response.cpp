@@ -180,7 +180,8 @@ Findings judge_rigid_response() {
     return observed_order(points[1].second - 1, points[2].second - 1, 2);
   };
   const double order = 2 + std::log2(std::log(0.025) / std::log(0.0125));
-  const Tolerance square = Tolerance::asymptotic(1 / std::pow(std::log(0.025), 2), "M^2 beside M^2 ln M at M = 0.025");
+  const Tolerance square = Tolerance::asymptotic(1 / std::pow(std::log(0.025), 2),
+                                                 "M^2 beside M^2 ln M at M = 0.025, coefficients of equal size");
   Findings found;
   found.claims.push_back(
       claim_value(response_says("rigid/stiffness/order", 9, "kappa(0) H(0) goes to pi/2 like M^2 ln M"),

@@ -14,7 +14,9 @@
 #include <csignal>
 #include <cstring>
 #include <limits>
+#include <optional>
 #include <system_error>
+#include <utility>
 
 #include "contact/text.hpp"
 #include "io/child_processes.hpp"
@@ -110,7 +112,7 @@ CommandEnd run_command(const std::string& command, double time_limit_s) {
   if (child < 0) throw refused("no process");
   if (child == 0) become(command.c_str(), into.number, parent);
   ::setpgid(child, child);  // the first of the two calls counts
-  const ChildNote note(child);
+  std::optional<ChildNote> note(std::in_place, child);
   into.close();
   const Descriptor ended(static_cast<int>(::syscall(SYS_pidfd_open, child, 0)));  // readable when the child has ended
   if (ended.number < 0) throw refused("no descriptor of a process");
@@ -120,6 +122,7 @@ CommandEnd run_command(const std::string& command, double time_limit_s) {
                begin + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(time_limit_s)));
   const std::chrono::duration<double> passed = Clock::now() - begin;
   ::kill(-child, SIGKILL);
+  note.reset();  // after waitpid the number may be that of another group
   int status = 0;
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }

@@ -262,8 +262,7 @@ std::string human_maps(const FilmMaps& maps, std::string_view quantity, AtlasLaw
       "Film formulas against the certified films of {}, {}{}, flooded\n"
       "Published fits, for comparison only. Power laws with G = {}, mean speed in U.\n"
       "Percent = 100 (formula/film - 1), as many digits as are known, 0 where it is within its own error; * p_H above "
-      "4 "
-      "GPa; - not known; L = 0 is isoviscous and incompressible.\n\n{}",
+      "4 GPa; - not known; L = 0 is isoviscous and incompressible.\n\n{}",
       maps.source, to_string(laws),
       laws == AtlasLaws::roelands ? " (z = 0.68, Dowson-Higginson density)" : ", incompressible", plain(usual_G),
       overview(formulas, points));
