@@ -58,7 +58,7 @@ Solution check_truth(const Truth& truth, double tolerance) {
     for (const auto& [film, known] :
          {std::pair{Quantity::film_minimum, truth.minimum}, {Quantity::film_central, truth.central}}) {
       EHD_CHECK(error(value(solution, film), known),
-                Tolerance::discretisation(stated_error(solution, film) + truths_known_to, 1));
+                Tolerance::discretisation(stated_error(solution, film) + truth.known_to, 1));
       EHD_CHECK(stated_error(solution, film), Tolerance::required(tolerance, "--tolerance"));
       BOOST_TEST(stated_error(solution, film) > 0);
     }
