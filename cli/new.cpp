@@ -29,8 +29,8 @@ Examples:
 
 Each key stands with its unit, default and meaning. Optional keys, and the other ways to state the same, are comments.
 A file that exists is never overwritten. No option names the type of a bearing. NU, NJ, NUP, N and NA have one template:
-they differ in flanges, which a radial load does not use. docs/your-bearing.md has a table of what other types change,
-and goes through one case. docs/your-contact.md does so for a contact.)";
+they differ in flanges, and a radial load does not use these. docs/your-bearing.md shows how to state the other types,
+and goes through one case. docs/your-contact.md goes through a contact.)";
 
 std::string text_of(const NewOptions& options, const std::string& id) {
   if (options.what == "contact") return case_template(CaseKind::contact, id);

@@ -23,7 +23,7 @@
 //   of the load: -i Omega lambda [ 2 N_1(X_a)/(5 x^4) + (4/15 H_1(X_a) - 11/90 W_1/pi)/x^3 ].
 // This load, spread like y^-4, deflects the surface within. What is neglected is smaller by (ln y)/y^2.
 //
-// In double alone, though J is a template: rounding leaves 1e-12 of kappa at (5, 5), and 1e-8 is what is certified.
+// Only double is offered. Rounding changes kappa by 1e-12 at (5, 5). The certified error is 1e-8.
 #pragma once
 
 #include <complex>

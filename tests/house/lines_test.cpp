@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lines of scripts and of what builds and checks are at most 120 columns wide; clang-format holds those of C++.
+// Scripts, Makefile, CMake files and CI steps have lines of at most 120 columns. clang-format holds those of C++.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <filesystem>
