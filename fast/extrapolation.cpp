@@ -37,8 +37,12 @@ Moves moves_of(const std::vector<double>& f) {
   return moves;
 }
 
+double last_move(const std::vector<double>& f) { return std::abs(1 - f[f.size() - 2] / f.back()); }
+
 /// The error of the central film in parts of moves, as extrapolation.hpp has it: b and c, then d_0 and d_1.
 constexpr double central_three_mild = 0.15, central_three = 0.25, central_three_on_first_map = 0.8;
+/// Beyond this L three grids may agree on a wrong central film: the last move of either film counts too.
+constexpr double central_move_L = 12, central_move = 0.25;
 struct CentralParts {
   double s, r;
 };
@@ -58,7 +62,7 @@ struct SmallestParts {
   double s, r, r_before;
 };
 struct SmallestFactors {
-  double three, move;  ///< of three grids: of r_3, of f_3 - f_2
+  double three, move;  ///< of three grids: of r_3, of the last move of either film
   SmallestParts regular, irregular;
   double s_before;
 };
@@ -82,9 +86,9 @@ constexpr double wide_spike_L = 8;
 /// On a map that is not settled.
 constexpr SmallestParts of_unsettled{.s = 1.5, .r = 2, .r_before = 0.35};
 constexpr double unsettled_s_before = 0.5;
-/// There three grids may miss the spike, unless it is wide: the last move of the film counts too.
+/// There three grids may miss the spike, unless it is wide: the last move of either film counts too.
 constexpr double unsettled_three_wide = 0.5, unsettled_three_middle = 1, unsettled_three_stiff = 1.6;
-constexpr double unsettled_move = 0.5;
+constexpr double unsettled_move = 0.55;
 
 SmallestFactors smallest_factors(MapFit fit, double L) {
   SmallestFactors of = L <= wide_spike_L ? smallest_mild : L <= mild_L ? smallest_middle : smallest_stiff;
@@ -129,18 +133,22 @@ double central_film_error(const std::vector<double>& central, const std::vector<
     const double three = L <= mild_L            ? central_three_mild
                          : fit == MapFit::first ? central_three_on_first_map
                                                 : central_three;
-    return three * std::max(std::abs(own.r), std::abs(smallest.r));
+    const double move = L <= central_move_L ? 0 : std::max(last_move(central), last_move(minimum));
+    return std::max(three * std::max(std::abs(own.r), std::abs(smallest.r)), central_move * move);
   }
   const CentralParts& by = own.regular() ? of.regular : of.irregular;
   const double tie = std::max(of.smallest_at_least, of.smallest_by_film * std::min(1.0, central.back()));
   return std::max({by.s * std::abs(own.s), by.r * std::abs(own.r), tie * std::abs(smallest.s)});
 }
 
-double smallest_film_error(const std::vector<double>& minimum, MapFit fit, double L) {
+double smallest_film_error(const std::vector<double>& minimum, const std::vector<double>& central, MapFit fit,
+                           double L) {
   const Moves own = moves_of(minimum);
   const SmallestFactors of = smallest_factors(fit, L);
-  if (minimum.size() == 3)
-    return std::max(of.three * std::abs(own.r), of.move * std::abs(minimum[2] - minimum[1]) / minimum[2]);
+  if (minimum.size() == 3) {
+    const double move = central.size() < 2 ? last_move(minimum) : std::max(last_move(minimum), last_move(central));
+    return std::max(of.three * std::abs(own.r), of.move * move);
+  }
   const SmallestParts& by = own.regular() ? of.regular : of.irregular;
   return std::max({by.s * std::abs(own.s), by.r * std::abs(own.r), by.r_before * std::abs(own.r_before),
                    of.s_before * std::abs(own.s_before)});

@@ -81,10 +81,12 @@ double film_discretisation(const MappedClimb& climb, Quantity film, double L) {
   const double n = grids.back().nodes;
   if (grids.size() == 1) return error_of_one_grid / (n * n);
   const double least = grids.size() < few_grids ? least_of_few_grids / (n * n) : 0;
-  const std::vector<double> smallest = values_of(grids, Quantity::film_minimum), own_values = values_of(grids, film);
-  if (grids.size() >= fewest_for_own_rule && own_values.size() == grids.size())
-    return film == Quantity::film_central ? central_film_error(own_values, smallest, climb.fit, L)
-                                          : std::max(smallest_film_error(smallest, climb.fit, L), least);
+  const std::vector<double> smallest = values_of(grids, Quantity::film_minimum),
+                            at_centre = values_of(grids, Quantity::film_central);
+  if (grids.size() >= fewest_for_own_rule) {
+    if (film == Quantity::film_minimum) return std::max(smallest_film_error(smallest, at_centre, climb.fit, L), least);
+    if (at_centre.size() == grids.size()) return central_film_error(at_centre, smallest, climb.fit, L);
+  }
   const double minimum = relative_error(grids, Quantity::film_minimum);
   const double central = relative_error(grids, Quantity::film_central);
   const double own = film == Quantity::film_minimum ? minimum : central;

@@ -68,11 +68,15 @@ BOOST_AUTO_TEST_CASE(the_central_film_is_judged_by_its_own_moves_and_by_the_smal
   const std::vector<double> three{0.31, 0.302, 0.3005}, three_minimum{0.21, 0.202, 0.2005};
   const double move = (4 * 0.2005 - 5 * 0.202 + 0.21) / 3 / 0.2005;
   const double allowed[] = {fast::central_film_error(three, three_minimum, MapFit::first, 5) / move,
-                            fast::central_film_error(three, three_minimum, MapFit::again, 20) / move,
+                            fast::central_film_error(three, three_minimum, MapFit::again, 12) / move,
                             fast::central_film_error(three, three_minimum, MapFit::first, 20) / move};
   EHD_CHECK(error(allowed[0], 0.15), Tolerance::round_off(64, 100));
-  EHD_CHECK(error(allowed[1], 0.25), Tolerance::round_off(64, 100));
+  EHD_CHECK(error(allowed[1], 0.15), Tolerance::round_off(64, 100));
   EHD_CHECK(error(allowed[2], 0.8), Tolerance::round_off(64, 100));
+  // Beside a narrow spike at least a share of the last move of either film, where R stands still.
+  const std::vector<double> standing{0.3105, 0.3025, 0.3005}, standing_minimum{0.21, 0.202, 0.2};
+  EHD_CHECK(error(fast::central_film_error(standing, standing_minimum, MapFit::again, 20), 0.25 * 0.01),
+            Tolerance::round_off(64, 1000));
 }
 
 BOOST_AUTO_TEST_CASE(the_smallest_film_is_covered_where_a_regular_sequence_promises_a_wrong_limit) {
@@ -96,7 +100,7 @@ BOOST_AUTO_TEST_CASE(the_smallest_film_is_covered_where_a_regular_sequence_promi
     const auto limit = limit_of(grids);
     const double off = std::abs(limit.value / truth - 1);
     EHD_CHECK(off + truth_error,
-              Tolerance::discretisation(fast::smallest_film_error(grids, fast::MapFit::settled, L), 1));
+              Tolerance::discretisation(fast::smallest_film_error(grids, {}, fast::MapFit::settled, L), 1));
     BOOST_TEST(limit.error < off * truth);  // else the sequence shows nothing
   }
 }
@@ -106,11 +110,15 @@ BOOST_AUTO_TEST_CASE(the_error_of_the_smallest_film_follows_its_moves_and_the_ma
   // Three grids: a share of the last move of R, more of it on a first map.
   const std::vector<double> three{0.21, 0.202, 0.2005};
   const double move = std::abs((4 * 0.2005 - 0.202) / 3 - (4 * 0.202 - 0.21) / 3) / 0.2005;
-  EHD_CHECK(error(fast::smallest_film_error(three, MapFit::settled, mild), 0.25 * move), Tolerance::round_off(64));
-  EHD_CHECK(error(fast::smallest_film_error(three, MapFit::again, mild), 0.5 * move), Tolerance::round_off(64));
-  EHD_CHECK(error(fast::smallest_film_error(three, MapFit::first, stiff), 1.6 * move), Tolerance::round_off(64, 100));
-  // Beside a narrow spike the last move of the film counts too, where R stands still.
-  EHD_CHECK(error(fast::smallest_film_error({0.2105, 0.2025, 0.2005}, MapFit::first, 12), 0.5 * 0.002 / 0.2005),
+  EHD_CHECK(error(fast::smallest_film_error(three, {}, MapFit::settled, mild), 0.25 * move), Tolerance::round_off(64));
+  EHD_CHECK(error(fast::smallest_film_error(three, {}, MapFit::again, mild), 0.5 * move), Tolerance::round_off(64));
+  EHD_CHECK(error(fast::smallest_film_error(three, {}, MapFit::first, stiff), 1.6 * move),
+            Tolerance::round_off(64, 100));
+  // Beside a narrow spike the last move of either film counts too, where R stands still.
+  const std::vector<double> standing{0.2105, 0.2025, 0.2005}, central{0.31, 0.304, 0.3};
+  EHD_CHECK(error(fast::smallest_film_error(standing, {}, MapFit::first, 12), 0.55 * 0.002 / 0.2005),
+            Tolerance::round_off(64, 1000));
+  EHD_CHECK(error(fast::smallest_film_error(standing, central, MapFit::first, 12), 0.55 * 0.004 / 0.3),
             Tolerance::round_off(64, 1000));
   // More grids: the error covers a smooth sequence, and a jump of the last grid.
   const auto smooth = sequence(6, 0.2, 0.1, 0.05, 0.02);
@@ -119,13 +127,13 @@ BOOST_AUTO_TEST_CASE(the_error_of_the_smallest_film_follows_its_moves_and_the_ma
   auto jumps = smooth;
   jumps.back() += jump;
   for (const double L : {mild, stiff}) {
-    const double settled = fast::smallest_film_error(smooth, MapFit::settled, L);
+    const double settled = fast::smallest_film_error(smooth, {}, MapFit::settled, L);
     BOOST_TEST(true_error <= settled);
-    BOOST_TEST(settled < fast::smallest_film_error(smooth, MapFit::again, L));
-    BOOST_TEST(fast::smallest_film_error(jumps, MapFit::settled, L) > jump / 0.2 / 2);
+    BOOST_TEST(settled < fast::smallest_film_error(smooth, {}, MapFit::again, L));
+    BOOST_TEST(fast::smallest_film_error(jumps, {}, MapFit::settled, L) > jump / 0.2 / 2);
   }
-  BOOST_TEST(fast::smallest_film_error(smooth, MapFit::settled, mild) <
-             fast::smallest_film_error(smooth, MapFit::settled, stiff));
+  BOOST_TEST(fast::smallest_film_error(smooth, {}, MapFit::settled, mild) <
+             fast::smallest_film_error(smooth, {}, MapFit::settled, stiff));
 }
 
 BOOST_AUTO_TEST_CASE(from_three_grids_on_second_and_third_order_errors_are_gone) {

@@ -20,6 +20,8 @@ CAGE_POSITIONS = 4
 LOAD_STEP = 1e-4
 # The contacts of the film laws are solved to 1e-4, and here to 1e-5; an offset film keeps about that.
 SOLVED = 2e-4
+# A rolling force is known less well, above all between the points of a curve.
+TORQUE_KNOWN = 5e-3
 # A balance returned is good to 1e-12 of the load: displacements follow to a few times that.
 BALANCED = 1e-11
 
@@ -259,7 +261,7 @@ def audit_torque(said, result, inputs):
     rolling = math.fsum(inputs.contacts[raceway].film("rolling", force) for raceway, force in forces if force > 0)
     said.near("torque_N_m", result["torque_N_m"], bearing.speed_sum * bearing.length * rolling / bearing.turn,
               relative=SOLVED + result["torque_error"])
-    said.within("torque_error", result["torque_error"], 0, 1e-2)
+    said.within("torque_error", result["torque_error"], 0, TORQUE_KNOWN)
 
 
 def audit_curve(said, result, inputs):

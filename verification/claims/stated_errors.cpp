@@ -51,8 +51,11 @@ const StatedRun stated_runs[] = {{"fast", 1e-2},
                                  {"reference", {}, 128}};
 constexpr double stated_truth_tolerance = 1e-7;
 /// Moderate to heavy loads with thin and sharp spikes: here a smooth sequence of grids agreed on a wrong H_min.
-const BoxContact once_too_small[] = {
-    {{281.2, 30}, true}, {{1494.27, 17.747}, true}, {{346.248, 27.4164}, true}, {{100, 10}, false}};
+const BoxContact once_too_small[] = {{{281.2, 30}, true},
+                                     {{1494.27, 17.747}, true},
+                                     {{346.248, 27.4164}, true},
+                                     {{100, 10}, false},
+                                     {{951.2, 28.6305}, true}};
 constexpr int quick_contacts = 2;  ///< the first ones; each takes some 10 s
 constexpr unsigned stated_seed = 20261130;
 constexpr int random_contacts_a_law = 10;
