@@ -4,6 +4,8 @@
 import os
 import shutil
 
+from room import wrong_with
+
 TITLE = "files: pipes, devices, folders, loops, no permission, ..."
 
 SWEEP = """case = "na4908"
@@ -86,6 +88,19 @@ READERS = {
     "cases: references": ("k/references.bib", ["cases"], [*NO_FILE, missing]),
 }
 
+# What an external solver leaves where its submission should be, as a command, and what is said of it.
+SUBMISSIONS = {
+    "a pipe": ("mkfifo {out}", "is not a regular file"),
+    "a device": ("ln -s /dev/zero {out}", "is not a regular file"),
+    "a folder": ("mkdir {out}", "is a directory"),
+    "a loop of links": ("ln -s {out} {out}", "left no submission"),
+    "a huge file": ("truncate -s 3G {out}", "is larger than"),
+    "bytes that are no text": ("printf '\\000\\001' > {out}", "is no JSON"),
+    "an empty file": (": > {out}", "is no JSON"),
+    "nothing": ("true", "left no submission"),
+    "a number that is out of range": ("echo '{\"a\": 1e400}' > {out}", "is out of range"),
+}
+
 # Outputs that cannot be written: the arguments before the name of the file.
 SOLVE = ["solve", "--M", "20", "--L", "10"]
 OUTPUTS = {
@@ -119,6 +134,18 @@ def reading(name, arguments, kind):
         if kind is unreadable:
             how["user"] = room.program.other_user()
         return room.refused(*arguments, **how)
+    return attack
+
+
+def submission(command, says):
+    """The row of the solver is empty, the reason is one line, and the other rows stand."""
+    def attack(room):
+        left = "mine=true {case} {tolerance} {out}; " + command
+        ended = room.run("compare", "own-moes-5-5", "--solver", "fast", "--tolerance", "1e-1", "--external", left)
+        wrong = wrong_with(ended, codes=(1,))
+        wrong += [f"does not say {says!r}"] if says not in ended.err else []
+        wrong += ["has no row of fast"] if "\n  fast" not in ended.out else []
+        return f"{left}: {'; '.join(wrong)}: {ended.err.strip()[:300]!r}" if wrong else None
     return attack
 
 
@@ -179,6 +206,8 @@ def inputs():
     for reader, (name, arguments, kinds) in READERS.items():
         for kind in kinds:
             yield f"{reader} is {kind.__name__}", reading(name, arguments, kind)
+    for what, left in SUBMISSIONS.items():
+        yield f"compare --external leaves {what}", submission(*left)
     for command in ("solve", "bearing", "plan", "compare", "sweep", "report"):
         yield f"{command}: a name of {len(LONG_NAME)} characters", in_long_name([command])
     for command in ("solve", "bearing", "plan", "compare", "sweep"):
