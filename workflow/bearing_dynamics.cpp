@@ -135,6 +135,7 @@ void judge_dynamics(BearingResult& result) {
 void fill_dynamics(BearingResult& result, const BearingSetup& setup, const bearing::LawPair& laws,
                    const std::vector<double>& frequencies_Hz, ContactMemory& memory) {
   std::vector<double> omegas;
+  omegas.reserve(frequencies_Hz.size());
   for (const double frequency_Hz : frequencies_Hz) omegas.push_back(2 * std::numbers::pi * frequency_Hz);
   const MovingRaceway inner(result, setup, Raceway::inner, laws.inner, omegas, memory),
       outer(result, setup, Raceway::outer, laws.outer, omegas, memory);

@@ -281,7 +281,7 @@ void state_errors(FilmTable& table) {
 }  // namespace
 
 long fewest_solves(const FilmRange& range) {
-  constexpr long first_grid = (first_degree + 1) * (first_degree + 1);
+  constexpr long nodes = first_degree + 1, first_grid = nodes * nodes;
   return static_cast<long>(panel_ends(range).size() - 1) * (first_grid + held_out_of(first_grid));
 }
 
