@@ -26,10 +26,10 @@ struct CurveErrors {
   /// Between the points: the larger of two numbers. One is the largest disagreement with an extra solve in a gap. The
   /// other: leave one point out, take the curve's error at that point, divide it by eight (build_curve.hpp).
   double interpolation = 0, interpolation_force = 0;
-  /// Below the lightest point, at any load: twice the largest error that is consistent with a contact solved at half
-  /// the lightest load and with the exponent d ln F/d ln f at the joint (build_curve.cpp, Points::continuation). Where
-  /// no lighter contact can be solved: the same of the curve without its lightest octaves, judged at the lightest
-  /// point; infinite where too few points are left for that.
+  /// Below the lightest point, at any load. A contact solved at half the lightest load and the exponent d ln F/d ln f
+  /// at the joint bound the error there; this is twice that bound (build_curve.cpp, Points::continuation). Where no
+  /// lighter contact can be solved, the curve is made without its lightest octaves and judged at the lightest point.
+  /// Infinite where too few points are left for that.
   double joint = 0, joint_force = 0;
   double solver_offset_film = 0;   ///< largest relative error of an offset film that the solver states
   double solver_minimum_film = 0;  ///< the same of a minimum film

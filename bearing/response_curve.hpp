@@ -55,8 +55,8 @@ struct ResponseErrors {
 /// - Slow motion: kappa_0 as a ContinuedSpline. The lag kappa_1/kappa_0^2 falls over decades and nearly vanishes at
 ///   M = 0.8; it may have either sign. So the spline goes through asinh(lag/s), s of lag_scale.
 /// - At each frequency of the curve: the departure Re kappa/kappa_0 - 1, and Im kappa/Omega over damping_scale.
-/// - Below the lightest point kappa_0 and the lag go over to those of a rigid cylinder (martin.hpp), which departs from
-///   slow motion nowhere; departures fall there like Omega^2 ~ f.
+/// - Below the lightest point kappa_0 and the lag go over to those of a rigid cylinder (martin.hpp). A rigid cylinder
+///   has no departures. Those of the contact fall there like Omega^2 ~ f.
 class ResponseCurve {
  public:
   struct Point {
@@ -121,10 +121,10 @@ struct ResponseCurveRequest {
   friend auto operator<=>(const ResponseCurveRequest&, const ResponseCurveRequest&) = default;
 };
 
-/// Through all loads: equal steps in ln f from the lightest to the heaviest force; a gap whose extra solve disagrees by
-/// more than the bound is split there; extra solves become points. One contact of half the lightest force finds the
-/// error below, which is infinite where that contact has no solution. A failure of any other solve is a SolveFailure,
-/// as is a kappa_0 that is not positive, or a kappa_1 at the lightest force.
+/// Through all loads. The first points are equal steps in ln f from the lightest to the heaviest force. An extra solve
+/// judges each gap and becomes a point. Where it disagrees by more than the bound, the gap is split there. One contact
+/// of half the lightest force finds the error below, which is infinite where that contact has no solution. A failure of
+/// any other solve is a SolveFailure, as is a kappa_0 that is not positive, or a kappa_1 at the lightest force.
 ///
 /// Where read_at_N has few forces, the points are these, the lightest force and two above it, and no other contact is
 /// solved but that of half the lightest force. The errors between the points then count as 0: do not read there.

@@ -100,7 +100,8 @@ Crossing cross(Ring& ring, Vector2 load_N, const Line& line) {
   return crossing;
 }
 
-/// The rollers on the vertical part of a law that lets go at a finite force share what is missing.
+/// A law that is cut at delta = 0 jumps by dF there (force_law.hpp). Rollers on the jump share what the others leave of
+/// the load.
 Place share_the_jump(const Ring& ring, Vector2 load_N, double centrifugal_N, const Crossing& crossing) {
   const double below = crossing.low.state.force_N.x, above = crossing.high.state.force_N.x;
   const double share = (load_N.x - below) / (above - below);

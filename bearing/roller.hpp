@@ -15,7 +15,7 @@ struct ContactState {
 struct RollerState {
   ContactState inner, outer;
   double stiffness_N_per_m = 0;  ///< d f_i/d(delta_i + delta_o), 0 where the inner contact is unloaded
-  bool at_jump = false;          ///< on the vertical part of a law that lets go at a finite force
+  bool at_jump = false;          ///< at delta = 0 of a law that jumps there (force_law.hpp)
 };
 
 /// Splits the total approach delta_i + delta_o of one roller so that f_o = f_i + F_c. Where the inner contact is

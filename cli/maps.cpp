@@ -42,9 +42,9 @@ int maps(const MapsOptions& options) {
   if (!laws || *laws == verification::AtlasLaws::isoviscous)  // L = 0 is a row of both maps
     throw unknown_word_error("--laws", options.laws, "roelands, barus");
   if (options.table && (options.output || options.quantity))
-    throw UsageError("maps: --table excludes --output and --quantity; allowed is it alone");
+    throw UsageError("maps: --table excludes --output and --quantity; allowed is --table alone");
   if (options.motion && (options.table || options.output || options.quantity))
-    throw UsageError("maps: --motion excludes --table, --output and --quantity; allowed is it alone");
+    throw UsageError("maps: --motion excludes --table, --output and --quantity; allowed is --motion alone");
   if (options.motion) {
     print(verification::human_motion_maps(verification::motion_maps(verification::atlas_folder())));
     return success;

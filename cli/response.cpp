@@ -119,7 +119,7 @@ int respond(const ResponseOptions& options) {
 
 void describe_response(Command& command) {
   auto options = std::make_shared<ResponseOptions>();
-  command.summary("Stiffness and damping of a contact's film, and what it leaves of a waviness");
+  command.summary("Stiffness and damping of a contact's film, and the part of a waviness that passes it");
   command.examples(response_examples);
   command.text("CASE", options->case_name, "a contact case (TOML), the id of a benchmark case, or - for standard input")
       .required();

@@ -22,8 +22,8 @@ constexpr double round_off_residual = 1e-11;
 /// height that stays vague is not reported.
 constexpr double spike_safety = 3, vaguest_spike = 0.05;
 
-/// Error by the cut inlet of other quantities, over that of the films: the work before the domain falls with 1/|X_a|
-/// alone, and H_0 holds ln|X_a| of the tail. Measured with fast.uniform against the reference at ten points of
+/// What the cut inlet costs other quantities, over what it costs the films. The work before the domain falls only as
+/// 1/|X_a|, and H_0 holds ln|X_a| of the tail. Measured with fast.uniform against the reference at ten points of
 /// M = 0.05..100, both law sets: rolling force at most 4.7e-5 (reach 4), 2.8e-6 (reach 8); offset 1.3e-5, 1.2e-6, with
 /// the discretisation in it.
 constexpr double truncation_of_work = 20, truncation_of_offset = 5;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // First iterates on the finer grids of one map. Two grids tell where the spike, the exit and H_0 go next, and the
-// pressure is carried along. Without this the spike has to march to its place, about one node a Newton step: there the
-// flux is exponential in P, and what is linearised sees one node ahead.
+// pressure is carried along. Without this the spike marches to its place, about one node a Newton step: the flux is
+// exponential in P there, and its linearisation sees one node ahead.
 #pragma once
 
 #include <optional>

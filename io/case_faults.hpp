@@ -8,8 +8,8 @@ class CaseTree;
 struct CaseTable;
 
 /// `statement`: the table that states the problem; null where that is not clear. Throws one CaseError with a line for
-/// each unknown key and for each missing one, as far as keys alone tell what a case needs; what its values ask for, the
-/// readers find. A missing key is left out where an unknown one was probably meant to be it.
+/// each unknown key and for each missing one. It looks at keys alone; what follows from values, the readers refuse. A
+/// missing key is left out where an unknown one was probably meant to be it.
 void refuse_unknown_and_missing(const CaseTree& tree, const CaseTable* statement);
 
 /// The unknown keys alone, for a tree that is not a whole case. Throws CaseError.

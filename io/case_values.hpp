@@ -36,7 +36,7 @@ class StatementError;
 
 /// The node of a key that must be there.
 [[nodiscard]] const CaseNode& required(const CaseTree& tree, const std::string& key);
-/// Refuses the key for what nondimensionalise says of it, and adds what is allowed where the sentence does not say so.
+/// Refuses the key with the sentence of nondimensionalise. Adds what is allowed where that sentence does not have it.
 [[noreturn]] void fail_statement(const CaseTree& tree, const std::string& key, const StatementError& error);
 /// The interval in the key's row.
 [[nodiscard]] const Interval& interval_of(const std::string& key);

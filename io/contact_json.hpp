@@ -23,7 +23,7 @@ namespace ehd {
 /// The oil's laws, with the constants that they use.
 [[nodiscard]] Json to_json(const Lubricant& lubricant);
 
-/// The status of a result, read back; nothing for a word that is none.
+/// The status of a result, read back. Empty for any other word.
 [[nodiscard]] std::optional<StopReason> stop_reason_from(std::string_view text);
 
 }  // namespace ehd

@@ -13,7 +13,7 @@
 
 namespace ehd {
 
-/// A kept row is none that io/sweep_row writes for this sweep: what() says why.
+/// A kept row does not have the form that io/sweep_row writes for this sweep. what() says why.
 class StoredRowError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -155,7 +155,7 @@ toml::table parse_toml(const std::string& text, const std::filesystem::path& fil
       what = "the file ends in the middle (" + what + ")";
       while (line > 1 && content_of(line).empty()) --line;
     }
-    // A line that is neither a key nor a table is not repeated: the file may be none of ours.
+    // Only a line that looks like a key or a table is repeated: another file may be private.
     const std::string content = content_of(line);
     const bool ours = content.find('=') != std::string::npos || content.starts_with('[');
     const std::string source = ours ? shortened(content, longest_text) : "";

@@ -23,8 +23,9 @@ constexpr int stretch_steps = 60;
 /// Intervals of the first grid where a tolerance is given.
 constexpr int first_intervals = 64;
 
-/// Equal cells where the film lives; for a flooded inlet a quarter of them leaves X = -4 l with the same spacing and
-/// stretches as sinh, the farther the more there are: what is truncated falls as n^-2, like the error of the cells.
+/// Equal cells where the film lives. Of a flooded inlet a quarter of the cells lies before X = -4 l: it begins with the
+/// same spacing and stretches as sinh. More cells reach farther, so that what is cut off falls as n^-2, as the error of
+/// the cells does.
 Grid grid_of(const Inlet& inlet, double expected_film, int intervals) {
   if (const auto* truncated = std::get_if<TruncatedAt>(&inlet)) return uniform_grid(truncated->x, intervals);
   const double l = contact_length(expected_film), far = std::max(far_per_interval * intervals, farthest_inlet) * l;

@@ -38,8 +38,8 @@ class ContactMemory {
   /// The raceway's curve, built once for all laws, clearances and cases that need the same.
   [[nodiscard]] const std::variant<bearing::FilmCurve, bearing::SolveFailure>& curve(
       const bearing::RacewayContact& contact, const Lubricant& lubricant, const bearing::CurveRequest& request);
-  /// The responses of the raceway's contacts over the force, built once likewise. A raceway that is asked for ever
-  /// other forces gets a curve through all loads.
+  /// The responses of the raceway's contacts over the force, built once likewise. Where each request names other
+  /// forces, the curve goes through all loads.
   [[nodiscard]] const std::variant<bearing::ResponseCurve, bearing::SolveFailure>& response_curve(
       const bearing::RacewayContact& contact, const Lubricant& lubricant, const bearing::ResponseCurveRequest& request);
   /// Responses that this run solved.

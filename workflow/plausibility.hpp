@@ -19,7 +19,7 @@ struct BearingCase;
 struct ContactRun;
 struct RollerRow;
 
-/// What is known of a contact or a bearing, in SI; absent is what it has not.
+/// What is known of a contact or a bearing, in SI. Absent: not known, or it has no such thing.
 struct Facts {
   std::optional<double> surface_speed_m_per_s = {};  ///< the faster raceway; of a contact the mean of both surfaces
   std::optional<double> viscosity_Pa_s = {};

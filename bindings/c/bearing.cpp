@@ -89,7 +89,7 @@ int ehd_law(const ehd_result* bearing, const char* raceway, size_t n, const doub
   return guarded([&] {
     require_pointer(bearing, "bearing");
     const bool inner = raceway_named(raceway) == bearing::Raceway::inner;
-    if (n == 0) throw BadArgument("n = 0: is no number of approaches; allowed is 1 or more");
+    if (n == 0) throw BadArgument("n = 0: there are no approaches; allowed is 1 or more");
     require_pointer(approach_m, "approach_m");
     require_pointer(force_N, "force_N");
     require_pointer(stiffness_N_per_m, "stiffness_N_per_m");

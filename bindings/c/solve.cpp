@@ -104,7 +104,7 @@ struct FilmArrays {
   int* status;
 
   void require() const {
-    if (n == 0) throw BadArgument("n = 0: is no number of contacts; allowed is 1 or more");
+    if (n == 0) throw BadArgument("n = 0: there are no contacts; allowed is 1 or more");
     const std::pair<const void*, const char*> arrays[] = {{M, "M"},
                                                           {L, "L"},
                                                           {minimum, "minimum"},

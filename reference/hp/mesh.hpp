@@ -19,8 +19,8 @@ struct Mesh {
   [[nodiscard]] int intervals() const;
 };
 
-/// Elements graded about -l and about the exit, where they begin with `inlet_zone` / 2, and further out to the inlet;
-/// neighbours differ by the ratio `growth` at most, the first element, which takes what is left, by up to 3.
+/// Elements graded about -l and about the exit, where they begin with `inlet_zone` / 2, and further out to the inlet.
+/// Neighbours differ by the ratio `growth` at most. The first element takes what is left, and may differ by 3.
 struct Seed {
   double inlet = 0;
   double exit = 1;

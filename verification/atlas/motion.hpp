@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The atlas of motion: stiffness and damping of the film over M, L and Omega, and what it leaves of a waviness, by the
-// certified solver, as kappa.csv and waviness.csv beside atlas.csv. cases/atlas/README.md explains the columns.
+// The atlas of motion: stiffness and damping of the film over M, L and Omega, and the part of a waviness that passes
+// it. By the certified solver, as kappa.csv and waviness.csv beside atlas.csv. cases/atlas/README.md explains the
+// columns.
 #pragma once
 
 #include <string>

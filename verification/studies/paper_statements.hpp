@@ -38,10 +38,13 @@ struct PaperStatement {
       {};  ///< by the roller at psi = 0 alone; absent for (d), which is about two rollers
   std::string numbers = {};
   std::vector<std::pair<std::string, bool>> parts = {};  ///< where a statement says two things
-  /// Relative changes (EHD against dry) at psi = 0: "change" of (a), "least" and "most" of (b), "middle" and "largest"
-  /// clearance of (c). Of the distributions: "apart" of (a) and (c), the largest change of any roller's load over the
-  /// largest dry load, for (c) at the middle clearance; "loaded" of (b), where delta_i of a roller that the dry law
-  /// loads is smaller by the least; "outside_m", by how much delta_i of the other rollers is larger at most [m].
+  /// Relative changes, EHD against dry, at psi = 0: "change" of (a), "least" and "most" of (b), "middle" and "largest"
+  /// clearance of (c).
+  /// Of whole distributions:
+  /// "apart" of (a) and (c): the largest change of any roller's load over the largest dry load; (c) at the middle
+  ///   clearance.
+  /// "loaded" of (b): delta_i of each roller that the dry law loads is smaller by at least this.
+  /// "outside_m": delta_i of the other rollers is larger by at most this [m].
   std::vector<std::pair<std::string, double>> values = {};
 
   /// By name; absent where the statement has none of that name.
