@@ -25,7 +25,9 @@ The commands of [docs/start.md](../start.md), typed in an empty folder of a mach
 time is that of all cores: half of it is the time on two idle cores.
 
 """
-ENVIRONMENT = {**os.environ, "CCACHE_DISABLE": "1"}  # a newcomer has compiled nothing yet
+# A newcomer has compiled nothing yet and has set no variable of the Makefile.
+NOT_SET = ("BUILD", "CMAKE_FLAGS", "MAKEFLAGS")
+ENVIRONMENT = {name: value for name, value in os.environ.items() if name not in NOT_SET} | {"CCACHE_DISABLE": "1"}
 
 
 def processor_s():
