@@ -199,7 +199,7 @@ results-check: program  ## Fail where one of those, or of cases/submissions, is 
 start-minutes:  ## Clone, build and compute as docs/start.md says, with minutes: docs/results/start.md (git; 5 minutes)
 	@python3 tests/docs/minutes.py docs/results/start.md
 
-results-full: program  ## Make the slow pages of docs/results: ladder, stress, bench (an hour; nobody compares them)
+results-full: program  ## Make the slow pages of docs/results: ladder, stress, bench (15 minutes; nobody compares them)
 	@sh cmake/setup.sh python3
 	@python3 docs/results/make.py --full $(BUILD)/ehd
 

@@ -2,14 +2,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Makes the pages of docs/results, and what the written pages show of the program, from its own output.
 
-  make.py EHD              the quick pages (a minute): make results
-  make.py --only NAME EHD  those of them whose file has NAME in its path
-  make.py --check EHD      the same into a temporary folder; a difference fails: make results-check
-  make.py --full EHD       the slow pages (an hour), which nobody compares: make results-full
+  make.py EHD          the quick pages (a minute): make results
+  make.py --check EHD  the same into a temporary folder; a difference fails: make results-check
+  make.py --full EHD   the slow pages (15 minutes), which nobody compares: make results-full
+  --only NAME          of these, the pages whose file has NAME in its path
 
 Times, and numbers that rounding decides, are left out of the quick pages: another machine has to make the same text.
 Exit code: 0 the pages are there, or are the same; 1 a page differs, or a command failed; 2 wrong usage.
 """
+import argparse
 import difflib
 import functools
 import json
@@ -275,18 +276,24 @@ def quick_pages(ehd):
 # ---- slow pages ----------------------------------------------------------------------------------------------------
 
 
+def verdicts(stress):
+    """What `ehd stress` prints at its end: a verdict and a sentence for each part."""
+    return stress[re.search(r"^part +verdict ", stress, re.MULTILINE).start():]
+
+
 def full_pages(ehd):
-    slow = {"verify": ("ladder-full", "The ladder, full suite"),
-            "stress": ("stress", "Numerical stability"),
-            "bench": ("bench", "Time and work against achieved error")}
+    whole = str
+    slow = {"ladder-full": ("The ladder, full suite", ["verify"], whole),
+            "stress": ("Numerical stability, the quick set", ["stress", "--quick"], verdicts),
+            "bench": ("Time and work against achieved error, the quick set", ["bench", "--quick"], whole)}
 
-    def make(command, title):
+    def make(title, words, shown):
         with tempfile.TemporaryDirectory() as folder:
-            text = fenced(run(ehd, command, "--output", folder))
-        return page(title, ["ehd " + command], text).replace(MADE, MADE_SLOWLY)
+            text = fenced(shown(run(ehd, *words, "--output", folder)))
+        by = run(ehd, "--version").splitlines()[0] + "; " + run(ehd, "bench", "--part", "convolution").strip()
+        return page(title, ["ehd " + " ".join(words)], text, by + ".").replace(MADE, MADE_SLOWLY)
 
-    return {f"docs/results/{name}.md": functools.partial(make, command, title)
-            for command, (name, title) in slow.items()}
+    return {f"docs/results/{name}.md": functools.partial(make, *made) for name, made in slow.items()}
 
 
 # ---- all of them ---------------------------------------------------------------------------------------------------
@@ -304,16 +311,18 @@ def check(pages):
     return same
 
 
-def main(arguments):
-    mode = arguments.pop(0) if arguments and arguments[0] in ("--check", "--full", "--only") else "--quick"
-    only = arguments.pop(0) if mode == "--only" and len(arguments) > 1 else ""
-    if len(arguments) != 1:
-        print(__doc__, file=sys.stderr)
-        return 2
-    ehd = str(pathlib.Path(arguments[0]).resolve())
-    makers = full_pages(ehd) if mode == "--full" else quick_pages(ehd)
-    pages = {name: make() for name, make in makers.items() if only in name}
-    if mode == "--check":
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    which = parser.add_mutually_exclusive_group()
+    which.add_argument("--check", action="store_true", help=argparse.SUPPRESS)
+    which.add_argument("--full", action="store_true", help=argparse.SUPPRESS)
+    parser.add_argument("--only", default="", metavar="NAME", help=argparse.SUPPRESS)
+    parser.add_argument("ehd", metavar="EHD", help="the built program")
+    arguments = parser.parse_args()
+    ehd = str(pathlib.Path(arguments.ehd).resolve())
+    makers = full_pages(ehd) if arguments.full else quick_pages(ehd)
+    pages = {name: make() for name, make in makers.items() if arguments.only in name}
+    if arguments.check:
         return 0 if check(pages) else 1
     for name, text in pages.items():
         (ROOT / name).write_text(text)
@@ -322,4 +331,4 @@ def main(arguments):
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(main())

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The atlas: line contacts over a grid of M and L, solved by the certified solver, as atlas.csv, digits.txt and one
-// case file a point. cases/atlas/README.md explains the columns.
+// case file a point. docs/atlas.md explains the columns.
 #pragma once
 
 #include <cstddef>

@@ -18,7 +18,7 @@ namespace {
 
 // Processor time of a point, measured: kappa_0 and kappa_1 0.05 s at (0.5, 5), 0.3 s at (20, 10), 2 s at (500, 15),
 // Barus 5 s at (500, 10) and more above L = 10; a frequency 0.1 to 0.2 s; a wave of pure rolling 0.2 s at (20, 10), 1 s
-// at (200, 10), of sliding up to 3 s there. 136 points: about four minutes.
+// at (200, 10), of sliding up to 3 s there. All points: about four minutes.
 constexpr double heaviest_motion_M = 500;
 constexpr double roelands_L[] = {2.5, 5, 10, 15}, barus_L[] = {2.5, 5, 10};
 /// Where the film begins to be elastic, damping may be negative in slow motion. More loads and L of light contacts show

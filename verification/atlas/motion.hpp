@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The atlas of motion: stiffness and damping of the film over M, L and Omega, and the part of a waviness that passes
-// it. By the certified solver, as kappa.csv and waviness.csv beside atlas.csv. cases/atlas/README.md explains the
+// it. By the certified solver, as kappa.csv and waviness.csv beside atlas.csv. docs/atlas.md explains the
 // columns.
 #pragma once
 

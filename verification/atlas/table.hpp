@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The files of the atlas: atlas.csv, digits.txt and a case file for each point. cases/atlas/README.md explains the
+// The files of the atlas: atlas.csv, digits.txt and a case file for each point. docs/atlas.md explains the
 // columns.
 #pragma once
 

@@ -156,7 +156,7 @@ Findings judge_bearing(const Case& bearing_case, SharedMemory& shared) {
   return found;
 }
 
-/// Numbers that docs/results/bearing-measured.md prints of NA4908: verdicts, and ends of the ranges of x_0 in mm.
+/// Numbers that docs/results/na4908.md prints of NA4908: verdicts, and ends of the ranges of x_0 in mm.
 struct PrintedEnd {
   const char *what, *id, *mm;  ///< mm empty: the statement holds nowhere
   DatumScan::Ranges DatumScan::*ranges;
@@ -197,7 +197,7 @@ std::vector<PrintedVerdicts> printed_verdicts() {
 /// Compares the judge with the printed table, so that a changed verdict or a moved end is seen.
 void judge_printed(const PrintedVerdicts& printed, const std::vector<PaperStatement>& statements, const DatumScan& scan,
                    Findings& found) {
-  const std::string name(to_string(printed.law)), where = "what docs/results/bearing-measured.md prints";
+  const std::string name(to_string(printed.law)), where = "what docs/results/na4908.md prints";
   const auto says = [&](const std::string& id, const std::string& statement) {
     return Sentence{.id = fmt::format("paper/{}/{}", name, id),
                     .rung = 11,

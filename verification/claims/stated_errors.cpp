@@ -107,7 +107,8 @@ void count_stated_errors(const BoxContact& contact, StatedCounts& counts) {
       const Reading *seen = observed(solution, film), *exact = reading(truth, film);
       if (seen) ++counts[run.solver].films;
       if (!seen || !seen->error || !exact) continue;
-      counts[run.solver].add(std::abs(seen->value / exact->value - 1), *seen->error, error_of(exact),
+      // Relative to the number that the solver gives, as its brackets are.
+      counts[run.solver].add(std::abs(exact->value / seen->value - 1), *seen->error, error_of(exact),
                              fmt::format("{}, {}, {}, {}", contact.name(), contact.flooded() ? "flooded" : "cut",
                                          run.how(), to_string(film)));
     }
