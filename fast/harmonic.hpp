@@ -8,8 +8,8 @@
 // flexible GMRES with one multigrid cycle, both of which do everything that depends on s; the rest is made once a grid.
 //
 // Tried without gain, at (20, 10) and (200, 12) to 1e-4:
-// - a smoother without the kernel's smooth remainder: a third more GMRES steps, 1.14 times the instructions. Its dipoles
-//   hardly see the remainder inside the grid, but do at the ends;
+// - a smoother without the kernel's smooth remainder: a third more GMRES steps, 1.14 times the instructions. Inside the
+//   grid its dipoles hardly see the remainder; at the ends they do;
 // - GMRES ended at three times the residual: 1.03 times the instructions, because its error is stated too;
 // - a start extrapolated from two coarser grids: as many steps;
 // - the smooth remainder in complex numbers: a third more instructions in all than in two real products.
