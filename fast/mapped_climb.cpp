@@ -20,10 +20,10 @@ constexpr int fewest_halved = 64;
 /// Or iteration stops at this share of the tolerance in the films of each grid, by the estimate of a step:
 /// extrapolation multiplies their errors by 45/21 at most.
 constexpr double film_share = 1.0 / 60, extrapolation_gain = 45.0 / 21;
-/// The residual must be below this part of the tolerance as well. An interpolated start may err most on the far faces;
+/// The residual must be below a tenth of the tolerance as well. An interpolated start may err most on the far faces;
 /// then the first step's contraction says nothing about the films (5e-5 off at (1000, 10) without this).
 constexpr double residual_part = 10;
-/// With Request::iteration_share: the next grid's error is expected to be this part of the error known so far. Errors
+/// With Request::iteration_share: the next grid's error is expected to be a 40th of the error known so far. Errors
 /// fall by 8 or more from grid to grid, and stated errors are some times the true ones. With a fifth, the iteration
 /// moved H_cen of (20, 10) on 1024 intervals by 30 % of its error. Before there are two grids, known_at_first counts.
 constexpr double next_part = 40, known_at_first = 1e-4;

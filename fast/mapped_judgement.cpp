@@ -23,7 +23,7 @@ constexpr double unknown = std::numeric_limits<double>::infinity();
 /// 10).
 constexpr double error_of_one_grid = 330;
 /// Two or three coarse grids may agree by chance (M = 0.67, L = 26.5, 145 intervals: 2e-4 off at moves of 3e-5). Below
-/// so many grids the error is at least this number over n^2.
+/// so many grids the error is at least this number over n^2; that of H_cen with a rule of its own is not.
 constexpr std::size_t few_grids = 4;
 constexpr double least_of_few_grids = 5;
 /// Where the oil is isoviscous, or nearly, the last move of two grids is hardly more than the error of the smallest

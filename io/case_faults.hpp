@@ -8,7 +8,7 @@ class CaseTree;
 struct CaseTable;
 
 /// `statement`: the table that states the problem; null where that is not clear. Throws one CaseError with a line for
-/// each unknown key and for each missing one. It looks at keys alone; what follows from values, the readers refuse. A
+/// each unknown key and for each missing one. It looks at keys alone; the readers refuse what follows from values. A
 /// missing key is left out where an unknown one was probably meant to be it.
 void refuse_unknown_and_missing(const CaseTree& tree, const CaseTable* statement);
 

@@ -9,7 +9,7 @@ namespace ehd::reference {
 namespace {
 
 // Shape of the map; map.hpp has the formula. Measured on grids of 400 intervals: other bump weights and widths move the
-// error by a factor of two either way. The wedge matters: with 0 one of eleven contacts fails.
+// error by a factor of two either way. The wedge matters (map.hpp).
 constexpr double contact_width = 0.7;         // of the crowding in the contact, over l
 constexpr double bump_reach = 3;              // beyond this times l a bump adds no nodes
 constexpr double inlet_weight = 3;            // of the crowding before the inlet zone

@@ -3,7 +3,7 @@
 """Makes the pages of docs/results, and what the written pages show of the program, from its own output.
 
   make.py EHD          the quick pages (a minute): make results
-  make.py --check EHD  the same into a temporary folder; a difference fails: make results-check
+  make.py --check EHD  compares instead of writing; a difference fails: make results-check
   make.py --full EHD   the slow pages (15 minutes), which nobody compares: make results-full
   --only NAME          of these, the pages whose file has NAME in its path
 
@@ -321,7 +321,10 @@ def main():
     arguments = parser.parse_args()
     ehd = str(pathlib.Path(arguments.ehd).resolve())
     makers = full_pages(ehd) if arguments.full else quick_pages(ehd)
-    pages = {name: make() for name, make in makers.items() if arguments.only in name}
+    makers = {name: make for name, make in makers.items() if arguments.only in name}
+    if not makers:
+        parser.error(f"--only {arguments.only}: is in the path of no page")
+    pages = {name: make() for name, make in makers.items()}
     if arguments.check:
         return 0 if check(pages) else 1
     for name, text in pages.items():

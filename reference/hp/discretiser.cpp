@@ -43,7 +43,7 @@ constexpr NewtonLimits coarse_newton{.iterations = 25, .step = 1e-4};
 constexpr NewtonLimits scheme_newton{.iterations = 20, .step = 1e-9};
 constexpr NewtonLimits given_mesh_newton{.iterations = 30, .step = 1e-9};
 
-/// A mesh with a given number of intervals is laid out as for these errors.
+/// The mesh of a given number of intervals is laid out to these errors.
 constexpr Resolution layout_resolution{.film = 1e-8, .spike = 1e-3};
 
 /// The degree of a mesh of at least so many intervals. Few intervals do better with low degrees, as many elements can

@@ -6,7 +6,8 @@
   minutes.py FILE    writes that as a page (make start-minutes)
 
 No test compares times: they depend on the machine and on what else it does. So the page also has processor times, the
-number of cores, and c, the time of one padded convolution (docs/bench.md). Exit code: 1 where a command fails."""
+number of cores, and c, the time of one padded convolution (docs/bench.md). Exit code: 1 where a command fails, 2 for
+wrong usage."""
 import os
 import pathlib
 import resource
@@ -25,8 +26,8 @@ The commands of [docs/start.md](../start.md), typed in an empty folder of a mach
 time is that of all cores: half of it is the time on two idle cores.
 
 """
-# A newcomer has compiled nothing yet and has set no variable of the Makefile.
-NOT_SET = ("BUILD", "CMAKE_FLAGS", "MAKEFLAGS")
+# A newcomer has compiled nothing yet and has set none of these.
+NOT_SET = ("BUILD", "CMAKE_FLAGS", "JOBS", "MAKEFLAGS", "CXX", "CXXFLAGS", "EHD_CASES")
 ENVIRONMENT = {name: value for name, value in os.environ.items() if name not in NOT_SET} | {"CCACHE_DISABLE": "1"}
 
 
@@ -57,7 +58,7 @@ def measured(folder):
 
 
 def main(arguments):
-    if len(arguments) > 1:
+    if len(arguments) > 1 or any(word.startswith("-") for word in arguments):
         print(__doc__, file=sys.stderr)
         return 2
     with tempfile.TemporaryDirectory() as name:

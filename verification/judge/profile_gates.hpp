@@ -33,9 +33,9 @@ struct Gate {
 
 /// Load balance, film equation and P >= 0. The quadratures are of second order where the pressure is smooth. A scheme
 /// of first order or higher may have another quadrature; what halving the grid changes bounds the difference. The
-/// tolerance is twice that change, plus the stated error, or 1e-3 where that is smaller or absent. Inconclusive: a
-/// profile with a tolerance above 0.1, which is too coarse to pass, and one that is cut, which says too little to fail.
-/// The film equation is judged relative to the film; in a dry contact, which has none, in Hertz units.
+/// tolerance is twice that change plus the stated error, which counts as 1e-3 where it is smaller or absent.
+/// Inconclusive: a profile with a tolerance above 0.1, which is too coarse to pass, and one that is cut, which says too
+/// little to fail. The film equation is judged relative to the film; in a dry contact, which has none, in Hertz units.
 [[nodiscard]] std::vector<Gate> gates_of(const SubmittedProfile& profile, double stated_error, bool dry = false);
 
 }  // namespace ehd::judging
