@@ -22,8 +22,8 @@ namespace ehd::bearing {
 [[nodiscard]] std::string_view to_string(Form form);  ///< "plane", "radial"
 
 /// Where the ring stands, to more digits than its displacement has: at light load and wide clearance the approach is
-/// 1e-9 m beside a displacement of 1e-4 m. So the position counts from the displacement at which the rollers of two
-/// azimuths just touch; `beyond` is what comes on top.
+/// 1e-9 m beside a displacement of 1e-4 m. So the displacement has two parts. With the first, the rollers of two
+/// azimuths just touch. `beyond` is the second, small one.
 struct Position {
   /// The azimuths a and b at which a roller would just touch: x cos a + y sin a - P_d/2 is the approach at which a
   /// roller begins to carry, and likewise b. Absent where the position counts from the middle.

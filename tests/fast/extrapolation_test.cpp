@@ -73,6 +73,11 @@ BOOST_AUTO_TEST_CASE(the_central_film_is_judged_by_its_own_moves_and_by_the_smal
   EHD_CHECK(error(allowed[0], 0.15), Tolerance::round_off(64, 100));
   EHD_CHECK(error(allowed[1], 0.15), Tolerance::round_off(64, 100));
   EHD_CHECK(error(allowed[2], 0.8), Tolerance::round_off(64, 100));
+  // On a second map beyond L = 15, where R moves more than the films.
+  const std::vector<double> jumping{0.3, 0.31, 0.305}, jumping_minimum{0.2, 0.21, 0.205};
+  const double jump_of_R = (4 * 0.21 - 0.2 - (4 * 0.205 - 0.21)) / 3 / 0.205;
+  EHD_CHECK(error(fast::central_film_error(jumping, jumping_minimum, MapFit::again, 20), 0.25 * jump_of_R),
+            Tolerance::round_off(64, 100));
   // Beside a narrow spike at least a share of the last move of either film, where R stands still.
   const std::vector<double> standing{0.3105, 0.3025, 0.3005}, standing_minimum{0.21, 0.202, 0.2};
   EHD_CHECK(error(fast::central_film_error(standing, standing_minimum, MapFit::again, 20), 0.25 * 0.01),
@@ -111,6 +116,8 @@ BOOST_AUTO_TEST_CASE(the_error_of_the_smallest_film_follows_its_moves_and_the_ma
   const std::vector<double> three{0.21, 0.202, 0.2005};
   const double move = std::abs((4 * 0.2005 - 0.202) / 3 - (4 * 0.202 - 0.21) / 3) / 0.2005;
   EHD_CHECK(error(fast::smallest_film_error(three, {}, MapFit::settled, mild), 0.25 * move), Tolerance::round_off(64));
+  EHD_CHECK(error(fast::smallest_film_error(three, {}, MapFit::settled, 12), 0.4 * move), Tolerance::round_off(64));
+  EHD_CHECK(error(fast::smallest_film_error(three, {}, MapFit::settled, stiff), 0.5 * move), Tolerance::round_off(64));
   EHD_CHECK(error(fast::smallest_film_error(three, {}, MapFit::again, mild), 0.5 * move), Tolerance::round_off(64));
   EHD_CHECK(error(fast::smallest_film_error(three, {}, MapFit::first, stiff), 1.6 * move),
             Tolerance::round_off(64, 100));

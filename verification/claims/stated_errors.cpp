@@ -79,7 +79,7 @@ struct StatedCount {
     ++judged;
     held += wrong ? 0 : 1;
     inflation.push_back(stated / std::max(error, 1e-300));
-    if (const double ratio = error / stated; !(ratio <= worst)) {
+    if (const double ratio = error / stated; !std::isnan(worst) && !(ratio <= worst)) {  // a NaN stays the worst
       worst = ratio;
       worst_truth = truth_error / stated;
       worst_at = where;

@@ -241,8 +241,8 @@ Part judge_condition(const std::vector<ConditionRow>& rows) {
   }
   tally.close(part);
   part.summary = fmt::format(
-      "largest amplification {}. Derivatives by steps of 1e-8 and of 1e-3 differ by at most {} of what rounding "
-      "allows. A change of one ulp moves films by at most {} of condition x ulp + rounding",
+      "The largest derivative dln(film)/dln(input) is {}. Steps of 1e-8 and of 1e-3 give it with a difference of at "
+      "most {} times the bound for rounding. A step of one ulp moves films by at most {} times their bound",
       plain(largest, 3), plain(worst_slope, 2), plain(worst_ulp, 2));
   return part;
 }
