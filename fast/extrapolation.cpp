@@ -42,7 +42,7 @@ double last_move(const std::vector<double>& f) { return std::abs(1 - f[f.size() 
 /// The error of the central film in parts of moves, as extrapolation.hpp has it: b and c, then d_0 and d_1.
 constexpr double central_three_mild = 0.15, central_three = 0.25, central_three_on_first_map = 0.8;
 /// Beyond this L three grids may agree on a wrong central film: the last move of either film counts too.
-constexpr double central_move_L = 12, central_move = 0.25;
+constexpr double central_move_L = 10, central_move = 0.25;
 struct CentralParts {
   double s, r;
 };
@@ -72,12 +72,12 @@ constexpr SmallestFactors smallest_mild{.three = 0.25,
                                         .irregular = {.s = 0.5, .r = 0.9, .r_before = 0.17},
                                         .s_before = 0.1};
 constexpr SmallestFactors smallest_middle{.three = 0.4,
-                                          .move = 0,
+                                          .move = 0.25,
                                           .regular = {.s = 0.8, .r = 0.3, .r_before = 0.01},
                                           .irregular = {.s = 1, .r = 1.5, .r_before = 0.3},
                                           .s_before = 0.3};
 constexpr SmallestFactors smallest_stiff{.three = 0.5,
-                                         .move = 0,
+                                         .move = 0.25,
                                          .regular = {.s = 1, .r = 0.5, .r_before = 0.01},
                                          .irregular = {.s = 1.5, .r = 2, .r_before = 0.4},
                                          .s_before = 1};

@@ -91,6 +91,34 @@ BOOST_AUTO_TEST_CASE(two_grids_cover_the_smallest_film_of_heavy_isoviscous_conta
   }
 }
 
+BOOST_AUTO_TEST_CASE(errors_hold_where_they_were_once_too_small) {
+  struct Case {
+    double M, L, tolerance;
+    const char* why;
+  };
+  constexpr double tight_tolerance = 1e-6;
+  int rows = 0;
+  for (const auto& [M, L, tolerance, why] : {Case{1449.1, 10.045, 1e-4, "three grids agree on a wrong H_min"},
+                                             {1457.608, 11.046, 2e-4, "three grids agree on a wrong H_min"},
+                                             {1827.9, 11.921, 1e-4, "three grids agree on a wrong H_cen"},
+                                             {1.886, 24.13, 1e-3, "a spike at X = 0, three grids"},
+                                             {1.8346, 19.303, 3e-3, "a spike at X = 0, two grids"},
+                                             {417.21, 21.283, 5e-3, "two grids beside a narrow spike"}}) {
+    BOOST_TEST_CONTEXT("M " << M << " L " << L << ": " << why) {
+      const Problem problem = barus_problem(M, L, Flooded{});
+      const Solution asked = fast::Mapped{}.solve(problem, {.tolerance = tolerance}),
+                     tight = fast::Mapped{}.solve(problem, {.tolerance = tight_tolerance});
+      BOOST_CHECK(asked.record.status == StopReason::converged);
+      BOOST_CHECK(tight.record.status == StopReason::converged);
+      for (const Quantity quantity : {Quantity::film_minimum, Quantity::film_central})
+        EHD_CHECK(error(film(asked, quantity), film(tight, quantity)),
+                  Tolerance::discretisation(reported(asked, quantity), 1) + Tolerance::iteration(tight_tolerance));
+      ++rows;
+    }
+  }
+  BOOST_REQUIRE_EQUAL(rows, 6);
+}
+
 BOOST_AUTO_TEST_CASE(the_central_film_alone_takes_fewer_intervals_than_both_films) {
   int fewer = 0;
   for (const Truth& truth : truths) {
