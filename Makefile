@@ -45,7 +45,7 @@ configure: setup
 program: configure
 	@cmake --build $(BUILD) --parallel $(JOBS) --target ehd_program
 
-build: program  ## Build the program: build/ehd (4 minutes on two cores)
+build: program  ## Build the program: build/ehd
 	@echo "$(BUILD)/ehd is built. Next: make verify (the paper's bearing and the quick suite), or $(BUILD)/ehd --help"
 
 verify: program  ## Balance the paper's bearing, run the quick suite into out/verify (after the build a minute)
@@ -72,7 +72,7 @@ deb:        ## Make Debian packages in build-deb/deb: ehd, libehd0, libehd-dev, 
 	@cmake/deb/try.sh $(BUILD)-deb/deb
 	@ls $(BUILD)-deb/deb/*.deb
 
-test: configure  ## Build and run every test (8 minutes)
+test: configure  ## Build and run every test
 	@sh cmake/setup.sh gfortran
 	@cmake --build $(BUILD) --parallel $(JOBS)
 	@ctest --test-dir $(BUILD) --output-on-failure --parallel $(JOBS) $(CTEST_FLAGS)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The collocation equations of the line contact on a mesh of polynomial elements, and their exact Jacobian.
-// README.md, section 2. Everything is a template over the scalar type, so that what rounding does can be measured.
+// docs/certified-solver.md, section 2. Everything is a template over the scalar type, so that what rounding does can be
+// measured.
 //
 // Unknowns: P at the Lobatto nodes (n + 1, the last, at the exit, is 0 and stays so), H_0, the flux C and the exit X*.
 // Equations: rho H^3 (1/eta + delta)/lambda P' - rho H + C = 0 at the n collocation points, the inlet's pressure, the

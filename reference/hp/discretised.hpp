@@ -23,7 +23,7 @@ struct Discretised {
 [[nodiscard]] double size_of(Quantity quantity, double value);
 
 /// Extrapolates `done.seen` linearly from the last floors to floor 0, and states the errors of that. Peaks keep their
-/// values and get an error. Nothing changes where the descent reached 0. README.md, section 4.
+/// values and get an error. Nothing changes where the descent reached 0. docs/certified-solver.md, section 4.
 void carry_to_zero(const Problem& problem, const Wanted& wanted, Discretised& done);
 
 }  // namespace ehd::reference::hp

@@ -13,7 +13,7 @@ namespace ehd::reference::hp {
 
 namespace {
 
-/// X_a of a flooded domain in units of l, with the tail before it; README.md, section 5.
+/// X_a of a flooded domain in units of l, with the tail before it; docs/certified-solver.md, section 5.
 constexpr double flooded_inlet = -800;
 
 /// The second discretisation has this much more degree and its breakpoints shifted by this part of an element. Gauss

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From a problem to solved discretisations of it: the start, the coarse descent, and a mesh for each scheme.
-// README.md, sections 4 and 6.
+// docs/certified-solver.md, sections 4 and 6.
 #pragma once
 
 #include <optional>

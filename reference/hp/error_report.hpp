@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The errors of one discretisation from its difference to a second one. README.md, section 6.
+// The errors of one discretisation from its difference to a second one. docs/certified-solver.md, section 6.
 #pragma once
 
 #include "reference/hp/discretised.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The fluidity 1/eta gets a floor delta, with which Newton's method converges. The floor is lowered from 1e-2 to 0, and
-// the mesh is adapted at every floor. README.md, section 4.
+// the mesh is adapted at every floor. docs/certified-solver.md, section 4.
 #pragma once
 
 #include <optional>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The certified linear response: harmonic.hpp on two discretisations, whose meshes follow the oscillating pressure.
-// README.md, section 7.
+// docs/certified-solver.md, section 7.
 #pragma once
 
 #include "contact/response.hpp"

@@ -269,7 +269,7 @@ BOOST_AUTO_TEST_CASE(films_that_are_carried_to_floor_0_are_nearer_than_those_of_
 }
 
 BOOST_AUTO_TEST_CASE(no_error_is_below_what_rounding_does) {
-  // hp/README.md, section 6: 10 eps (1 + l^2/2)/C, l = 1 here.
+  // docs/certified-solver.md, section 6: 10 eps (1 + l^2/2)/C, l = 1 here.
   const Solution solution = HighOrder{}.solve(roelands_problem(100, 10, TruncatedAt{-4}), within(1e-11));
   const double rounding = 10 * std::numeric_limits<double>::epsilon() * 1.5 / value(solution, film_couette);
   for (const Quantity film : {film_minimum, film_central}) {
