@@ -55,12 +55,10 @@ int statements(const StatementsOptions& options) {
   require_distinct(files_of(cases), {{"--json", options.json.value_or("")}});
   JsonTarget json(options.json);
   Progress progress;
-  long solved = 0;
-  ContactMemory memory([&](const Problem& problem, const Request& request) {
-    progress.show("contact " + std::to_string(++solved) + " ...");
-    return default_solver().solve(problem, request);
-  });
-  const auto rows = study_statements(cases, memory);
+  ContactMemory memory(
+      [](const Problem& problem, const Request& request) { return default_solver().solve(problem, request); });
+  const auto rows = study_statements(
+      cases, memory, [&progress](std::size_t done, std::size_t all) { progress.step(done, all, "choices judged"); });
   progress.show("");
   Json result = result_head("ehd-statements-1");
   result.update(to_json(rows));

@@ -98,22 +98,30 @@ std::string cell(std::string text) {
 
 std::string default_of(const CaseKey& key) { return key.need == Need::always ? "needed" : need_of(key); }
 
-}  // namespace
-
-std::string case_template(CaseKind kind, const std::string& id) {
+/// `of_kind`: comments on this kind of case, lines of the head.
+std::string template_of(CaseKind kind, const std::string& id, const std::string& of_kind) {
   std::string text =
       comment(
           fmt::format("A {} case for ehd. Lines with # are comments: meaning [unit]; what is allowed; default. Every "
                       "number is an example: replace it by your own.",
                       kind == CaseKind::contact ? "contact" : "bearing")) +
-      comment(fmt::format("Then: ehd {} FILE", kind == CaseKind::contact ? "solve" : "bearing"));
-  if (kind == CaseKind::bearing)
-    text += comment(
-        "NU, NJ, NUP, N and NA are one here: flanges carry axial loads, and this load is radial. Of several rows "
-        "state one with its share of the load. docs/your-bearing.md: what each type changes.");
+      comment(fmt::format("Then: ehd {} FILE", kind == CaseKind::contact ? "solve" : "bearing")) + of_kind;
   for (const CaseTable& table : case_tables())
     if (kind == CaseKind::contact ? table.in_contact : table.in_bearing) text += written(table, kind, id);
   return text;
+}
+
+}  // namespace
+
+std::string case_template(CaseKind kind, const std::string& id) {
+  return template_of(kind, id,
+                     kind == CaseKind::contact
+                         ? ""
+                         : comment("One row of rollers between two rings. ehd new types: how to state the others."));
+}
+
+std::string bearing_template(const BearingType& type, const std::string& id) {
+  return template_of(CaseKind::bearing, id, comment(fmt::format("{}: {}. {}", type.name, type.what, type.stated)));
 }
 
 std::string case_key_tables() {

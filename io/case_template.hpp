@@ -3,6 +3,9 @@
 #pragma once
 
 #include <string>
+#include <string_view>
+
+#include "io/bearing_types.hpp"
 
 namespace ehd {
 
@@ -11,6 +14,9 @@ enum class CaseKind { contact, bearing };
 /// A valid case file: every key of that kind of case with its meaning, unit and default.
 /// Optional keys, and other ways to state the problem, are comments.
 [[nodiscard]] std::string case_template(CaseKind kind, const std::string& id);
+
+/// That of a bearing, with a comment that says how this type is stated.
+[[nodiscard]] std::string bearing_template(const BearingType& type, const std::string& id);
 
 /// A table in Markdown for each table of a case. docs/case-format.md has them.
 [[nodiscard]] std::string case_key_tables();

@@ -22,6 +22,7 @@ namespace {
 
 struct Calls {
   int count = 0, cancel_at = 0;  ///< 0: never
+  bool cancel_when_some_are_done = false;
   double last = -1;
   bool falls = false;
   std::thread::id thread = std::this_thread::get_id();
@@ -33,7 +34,8 @@ int on_progress(double done, void* user) {
   calls.falls = calls.falls || done < calls.last;
   calls.last = done;
   calls.elsewhere = calls.elsewhere || std::this_thread::get_id() != calls.thread;
-  return ++calls.count == calls.cancel_at ? 1 : 0;
+  const bool cancel = ++calls.count == calls.cancel_at || (calls.cancel_when_some_are_done && done > 0);
+  return cancel ? 1 : 0;
 }
 
 /// The callback is there while this lives.
@@ -109,6 +111,8 @@ BOOST_AUTO_TEST_CASE(films_are_those_of_single_solves_for_every_number_of_thread
 BOOST_AUTO_TEST_CASE(a_second_user_of_fftw_may_plan_meanwhile) {
   std::atomic<bool> solving = true;
   std::atomic<long> planned = 0;
+  constexpr long enough = 100;
+  constexpr int most_solves = 3000;
   const auto plan = [&](int first) {
     for (int n = first; solving; n = n < 4000 ? n + 2 : first) {
       auto* const numbers = fftw_alloc_complex(static_cast<std::size_t>(n));
@@ -122,18 +126,19 @@ BOOST_AUTO_TEST_CASE(a_second_user_of_fftw_may_plan_meanwhile) {
   std::atomic<int> wrong = 0;
   {
     std::jthread even(plan, 64), odd(plan, 65);
-    for (int k = 0; k < 12; ++k)
+    // On a busy machine the planning threads may have to wait for their turn.
+    for (int k = 0; k < 12 || (planned <= enough && k < most_solves); ++k)
       std::jthread([&] { wrong += solve_moes(20, 10).get("film.minimum.hertz") == alone ? 0 : 1; });
     solving = false;
   }
   BOOST_TEST(wrong == 0);
-  BOOST_TEST(planned > 100);
+  BOOST_TEST(planned > enough);
 }
 
 BOOST_AUTO_TEST_CASE(the_callback_hears_how_far_the_films_are) {
   Calls calls;
   const WithProgress scope(calls);
-  FilmBatch films(400);
+  FilmBatch films(1500);  // longer than the time between two calls
   BOOST_TEST(films.solve(2) == EHD_OK);
   BOOST_TEST(calls.count >= 2);
   BOOST_TEST(calls.last > 0);
@@ -166,14 +171,21 @@ BOOST_AUTO_TEST_CASE(the_callback_cancels_a_solve) {
 
 BOOST_AUTO_TEST_CASE(the_callback_cancels_films_and_bearings) {
   {
-    Calls calls{.cancel_at = 2};
+    Calls calls{.cancel_when_some_are_done = true};
     const WithProgress scope(calls);
     FilmBatch films(3000);
     BOOST_TEST(films.solve(2) == EHD_NOT_MET);
-    BOOST_TEST(calls.count == 2);
+    BOOST_TEST(calls.last > 0);
     BOOST_TEST(films.status.back() == EHD_LIMIT_REACHED);
-    BOOST_TEST(std::isnan(films.minimum.back()));
-    BOOST_TEST(films.status.front() == EHD_CONVERGED);
+    int kept = 0, wrong = 0;
+    for (std::size_t i = 0; i < films.status.size(); ++i) {
+      const bool converged = films.status[i] == EHD_CONVERGED;
+      kept += converged ? 1 : 0;
+      // A solve that was cancelled on its way may have a film of a coarse grid.
+      wrong += converged ? std::isnan(films.minimum[i]) : films.status[i] != EHD_LIMIT_REACHED;
+    }
+    BOOST_TEST(kept > 0);
+    BOOST_TEST(wrong == 0);
   }
   Calls calls{.cancel_at = 1};
   const WithProgress scope(calls);

@@ -94,6 +94,12 @@ BOOST_AUTO_TEST_CASE(a_new_bearing_is_balanced_as_it_stands_and_never_overwritte
   BOOST_TEST(test::read(file) == text);
   const auto balanced = test::ehd_run(folder, "bearing " + file.string() + " --law hertz");
   BOOST_TEST(balanced.exit_code == 0);
+  const auto two_rows = test::ehd_run(folder, "new bearing --type NN");
+  BOOST_TEST(two_rows.out.find("# NN: two rows") != std::string::npos);
+  BOOST_TEST(test::ehd_run(folder, "new types").out.find("NUP") != std::string::npos);
+  test::check_refused(folder, "new bearing --type NM", "is unknown; allowed is NU, NJ");
+  test::check_refused(folder, "new contact --type NU", "allowed is WHAT = bearing with it");
+  test::check_refused(folder, "new types types.toml", "allowed is no FILE with it");
   test::check_refused(folder, "new ring", "is unknown; did you mean bearing? allowed is contact, bearing, keys");
   test::check_refused(folder, "new bearing " + (folder.path() / "mine.txt").string(), "allowed is NAME.toml");
 }

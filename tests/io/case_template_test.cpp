@@ -4,7 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <set>
 #include <string>
+#include <string_view>
 
 #include "io/case_keys.hpp"
 #include "io/case_reader.hpp"
@@ -42,6 +44,22 @@ BOOST_AUTO_TEST_CASE(a_new_case_passes_the_reader) {
   BOOST_TEST(std::holds_alternative<Conditions>(body.statement));
   const Case bearing = read_case(ehd::case_template(CaseKind::bearing, "my.bearing-2"), "my.bearing-2.toml");
   BOOST_TEST(std::get<BearingCase>(bearing.body).lubricant->oil.has_value());
+}
+
+BOOST_AUTO_TEST_CASE(every_type_of_bearing_has_a_template_that_says_how_it_is_stated) {
+  const auto in_one_line = [](std::string text) {
+    for (std::size_t at = 0; (at = text.find("\n#   ")) != std::string::npos;) text.replace(at, 5, " ");
+    return text;
+  };
+  std::set<std::string_view> names;
+  for (const BearingType& type : bearing_types) {
+    BOOST_TEST(names.insert(type.name).second, type.name);
+    const std::string text = bearing_template(type, "mine");
+    BOOST_CHECK_NO_THROW((void)read_case(text, "mine.toml"));
+    BOOST_TEST(in_one_line(text).find(type.stated) != std::string::npos, type.name);
+    for (const std::string& line : lines_of(text)) BOOST_TEST(line.size() <= 100u, line);
+  }
+  BOOST_TEST(names.size() >= 10u);
 }
 
 BOOST_AUTO_TEST_CASE(a_new_case_names_every_key_of_its_kind_with_unit_and_meaning) {

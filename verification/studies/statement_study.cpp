@@ -148,16 +148,25 @@ std::string name_of(const StudyRow& row) { return row.value.empty() ? row.factor
 
 }  // namespace
 
-std::vector<StudyRow> study_statements(const std::vector<Case>& cases, ContactMemory& memory) {
+std::vector<StudyRow> study_statements(const std::vector<Case>& cases, ContactMemory& memory,
+                                       const std::function<void(std::size_t done, std::size_t all)>& progress) {
   std::vector<StudyRow> rows;
   if (!differ_only_in_clearance(cases) || cases.size() < 3) return rows;
   const auto& body = std::get<BearingCase>(cases.front().body);
   if (!body.lubricant) return rows;
+  const std::vector<Choice> all = choices(body);
+  // The full relation has no fit, and does not let go at a finite force.
+  const auto counts = [](bearing::Law law, const Choice& choice) {
+    return law != bearing::Law::ehd || !(choice.cut || choice.of_the_fit);
+  };
+  std::size_t wanted = 0;
   for (const bearing::Law law : film_laws())
-    for (const Choice& choice : choices(body)) {
-      // The full relation has no fit, and does not let go at a finite force.
-      if (law == bearing::Law::ehd && (choice.cut || choice.of_the_fit)) continue;
+    for (const Choice& choice : all) wanted += counts(law, choice) ? 1 : 0;
+  for (const bearing::Law law : film_laws())
+    for (const Choice& choice : all) {
+      if (!counts(law, choice)) continue;
       rows.push_back(judged(choice, cases, law, memory));
+      if (progress) progress(rows.size(), wanted);
     }
   return rows;
 }

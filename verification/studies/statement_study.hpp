@@ -3,6 +3,7 @@
 // statements are judged again. Films do not depend on the datum, so another datum costs no contact solve.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,8 +32,10 @@ struct StudyRow {
 /// the fit from .3, 1, 2 and 4 kN (scaled to the case's own range) to its end; Palmgren met at a fifth, half and 1.2 of
 /// the fit's end, Lundberg, x_0 = R and 20 mm; the other ring turning; ehd-linear cut at delta = 0; lengths of .122 and
 /// .018 m at the same load. Last, two choices at once where one alone changes little: a thick oil, or another length,
-/// with a short x_0.
-[[nodiscard]] std::vector<StudyRow> study_statements(const std::vector<Case>& cases, ContactMemory& memory);
+/// with a short x_0. `progress` hears after each row how many there are, and will be.
+[[nodiscard]] std::vector<StudyRow> study_statements(
+    const std::vector<Case>& cases, ContactMemory& memory,
+    const std::function<void(std::size_t done, std::size_t all)>& progress = {});
 
 /// In how many of a law's rows with one choice changed a statement holds.
 struct StudySummary {
