@@ -72,6 +72,7 @@ class Climber {
                     .film_error = relative * film_share,
                     .film_residual = relative / residual_part};
     };
+    if (is_cut_near_the_contact(run_.problem)) return {.residual = round_off_residual};
     if (!request_.nodes) return within(request_.tolerance.tightest());
     if (!request_.iteration_share) return {.residual = round_off_residual};
     const double known = climb_.grids.size() > 1

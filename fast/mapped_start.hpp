@@ -39,7 +39,7 @@ constexpr int finer_grids[] = {2, 4, 8, 16};
 /// How good a map is made: from the first solution alone, from one more, or from three more.
 enum class Care { least, little, full };
 /// How many maps are made for this tolerance.
-[[nodiscard]] Care care_for(const Request& request, double L);
+[[nodiscard]] Care care_for(const Request& request, const Groups& groups);
 
 /// Of the map that `start` makes.
 [[nodiscard]] MapFit map_fit(const Recipe& recipe, Care care);

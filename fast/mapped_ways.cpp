@@ -69,7 +69,7 @@ Run begin_mapped(const Problem& problem, const Request& request, Workspace& work
 }
 
 MappedClimb best_climb(Run& run, const Request& request, const Solution* from, int neighbours) {
-  const Care care = care_for(request, run.problem.groups.L);
+  const Care care = care_for(request, run.problem.groups);
   MappedClimb best;
   if (from && usable(*from)) best = climb_mapped(run, request, recipes[0], from, care);
   const auto attempt = [&](int fineness) {

@@ -217,7 +217,8 @@ Evaluation<Scalar> Collocation<Scalar>::evaluate(const State<Scalar>& state, con
   const int n = intervals_;
   const Scalar film_inlet = at.H[rows - 1], x = -Scalar(mesh_.inlet), x2 = x * x;
   if (flooded_) {
-    // P' = lambda (H - C)/H^3 with H = X^2/2 + A beyond the first node, in powers of 1/x; docs/certified-solver.md, section 5.
+    // P' = lambda (H - C)/H^3 with H = X^2/2 + A beyond the first node, in powers of 1/x; docs/certified-solver.md,
+    // section 5.
     const Scalar A = film_inlet - x2 / two;
     at.tail_pressure =
         lambda_ * (Scalar(4) / Scalar(3) - (Scalar(16) * A + Scalar(8) * state.flux) / (Scalar(5) * x2)) / (x * x2);

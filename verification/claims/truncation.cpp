@@ -44,7 +44,7 @@ BothFilms films_with_reach(const Problem& problem, double reach, int intervals) 
   fast::Workspace workspace;
   fast::Run run = fast::begin_run(problem, request, workspace, {.reach = reach, .truncation = 0});
   const fast::MappedClimb climb =
-      fast::climb_mapped(run, request, fast::recipes[0], nullptr, fast::care_for(request, problem.groups.L));
+      fast::climb_mapped(run, request, fast::recipes[0], nullptr, fast::care_for(request, problem.groups));
   BothFilms films{nothing, nothing};
   if (!climb.complete) return films;
   Solution solution;

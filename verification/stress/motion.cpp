@@ -29,7 +29,7 @@ constexpr double nearest_cut = -2.5, farthest_cut = -10, lightest_cut_M = 2, sha
 constexpr double truth_share = 0.1;
 /// At least so many of the stated errors of a number have to be judged.
 constexpr double least_judged = 0.9;
-/// Above it a spike is narrower than the cells of any grid (fast/README.md): kappa may be known less well.
+/// Above it a spike is narrower than the cells of any grid (docs/fast-solver.md): kappa may be known less well.
 constexpr double narrow_spikes_L = 12;
 
 MotionPoint drawn_point(Draw& draw) {

@@ -152,7 +152,7 @@ BOOST_AUTO_TEST_CASE(a_node_of_two_elements_has_one_film) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(the_equations_are_those_of_the_readme_row_by_row) {
+BOOST_AUTO_TEST_CASE(the_equations_are_those_of_section_2_row_by_row) {
   // Written out once more with plain functions of one pressure.
   const double M = 7, floor = 1e-3, inlet = -3.3;
   const Problem problem = distinct_problem(M, 6, TruncatedAt{inlet});
@@ -173,12 +173,14 @@ BOOST_AUTO_TEST_CASE(the_equations_are_those_of_the_readme_row_by_row) {
     const double log_eta = roelands.alpha * roelands.p0 / roelands.z * (std::pow(1 + P / roelands.p0, roelands.z) - 1);
     return rho * film * film * film * (std::exp(-log_eta) + floor) / lambda * at.slope[i] - rho * film + 0.31;
   };
+  // ln eta is a difference: rounding moves it by eps times the factor in front.
+  const double condition = roelands.alpha * roelands.p0 / roelands.z;
   for (int i = 0; i < n; ++i) {
-    EHD_CHECK(std::abs(at.residual[i] - balance(i, at.H[i])) / at.scale[i], Tolerance::round_off(50));
+    EHD_CHECK(std::abs(at.residual[i] - balance(i, at.H[i])) / at.scale[i], Tolerance::round_off(20, condition));
     const double X = at.X[i];
     EHD_CHECK(std::abs(sourced.H[i] - at.H[i] - 0.07 * X * X * X), Tolerance::round_off(20, 10));
     EHD_CHECK(std::abs(sourced.residual[i] - balance(i, sourced.H[i]) + 0.05 * X * X + 0.02) / sourced.scale[i],
-              Tolerance::round_off(50));
+              Tolerance::round_off(20, condition));
   }
   EHD_CHECK(error(at.residual[n], state.P[0]), Tolerance::round_off(1));
   EHD_CHECK(std::abs(at.residual[n + 1] - (2 / pi * equations.stretching(1.21) * at.load_integral - 1)),
