@@ -31,8 +31,8 @@ constexpr double least_of_few_grids = 5;
 /// Where the inlet is cut near the contact, so many, and for both films. At 300 contacts (M = 0.01..50, L = 1..45, cut
 /// at -2.5..-1.02) 167 of 6168 films of two and three grids missed by the other rules, at most 4.3 times.
 constexpr double nearest_usual_cut = -2.5, least_near_cut = 50;
-/// Errors are calibrated up to this M. Beyond it the spike is narrow at a smaller L: a film with L > 0.5 counts there as
-/// one beside a narrow spike on an unsettled map, and its error is doubled. Without this 93 of 8600 errors of 300
+/// Errors are calibrated up to this M. Beyond it the spike is narrow at a smaller L: a film with L > 0.5 counts there
+/// as one beside a narrow spike on an unsettled map, and its error is doubled. Without this 93 of 8600 errors of 300
 /// contacts missed (M = 5e3..1e6, L = 0.5..10, both laws, tolerances of 1e-2..1e-5), at most by a factor of 47; with it
 /// one, by 1.02.
 constexpr double calibrated_M = 5000, uncalibrated_safety = 2;

@@ -273,7 +273,8 @@ BOOST_AUTO_TEST_CASE(no_error_is_below_what_rounding_does) {
   const Solution solution = HighOrder{}.solve(roelands_problem(100, 10, TruncatedAt{-4}), within(1e-11));
   const double rounding = 10 * std::numeric_limits<double>::epsilon() * 1.5 / value(solution, film_couette);
   for (const Quantity film : {film_minimum, film_central}) {
-    EHD_CHECK(rounding / stated_error(solution, film), Tolerance::required(1 + 1e-3, "docs/certified-solver.md, section 6, the flux for C"));
+    EHD_CHECK(rounding / stated_error(solution, film),
+              Tolerance::required(1 + 1e-3, "docs/certified-solver.md, section 6, the flux for C"));
   }
 }
 
