@@ -31,8 +31,8 @@ constexpr double least_of_few_grids = 5;
 /// Where the inlet is cut near the contact, so many, and for both films. At 300 contacts (M = 0.01..50, L = 1..45, cut
 /// at -2.5..-1.02) 167 of 6168 films of two and three grids missed by the other rules, at most 4.3 times.
 constexpr double nearest_usual_cut = -2.5, least_near_cut = 50;
-/// Errors are calibrated up to this M. Beyond it the spike is narrow at a smaller L: a film with L > 0.5 counts there
-/// as one beside a narrow spike on an unsettled map, and its error is doubled. Without this 93 of 8600 errors of 300
+/// Beyond this M a film with L > 0.5 counts as one beside a narrow spike on an unsettled map, and its error is doubled.
+/// Without this 93 of 8600 errors of 300
 /// contacts missed (M = 5e3..1e6, L = 0.5..10, both laws, tolerances of 1e-2..1e-5), at most by a factor of 47; with it
 /// one, by 1.02.
 constexpr double calibrated_M = 5000, uncalibrated_safety = 2;
@@ -135,11 +135,11 @@ double error_by_grids(const std::vector<GridRecord>& grids, Quantity film, MapFi
 
 /// Relative, of a film.
 double film_discretisation(const MappedClimb& climb, Quantity film, const Problem& problem) {
-  const double M = problem.groups.M, L = problem.groups.L;
+  const double L = problem.groups.L;
   const std::vector<GridRecord>& grids = climb.grids;
-  const bool calibrated = M <= calibrated_M || L <= nearly_isoviscous_L;
-  double error = calibrated ? error_by_grids(grids, film, climb.fit, L)
-                            : uncalibrated_safety * error_by_grids(grids, film, MapFit::again, std::max(L, mild_L));
+  double error = is_calibrated(problem.groups)
+                     ? error_by_grids(grids, film, climb.fit, L)
+                     : uncalibrated_safety * error_by_grids(grids, film, MapFit::again, std::max(L, mild_L));
   if (grids.size() < few_grids && is_cut_near_the_contact(problem))
     error = std::max(error, least_near_cut / std::pow(grids.back().nodes, 2));
   return film == Quantity::film_central ? std::max(error, roughness_at_centre(climb.fields)) : error;
@@ -215,6 +215,10 @@ ErrorBudget budget_of(const MappedClimb& climb, Quantity quantity, const std::op
 bool is_cut_near_the_contact(const Problem& problem) {
   const auto* const cut = std::get_if<TruncatedAt>(&problem.inlet);
   return cut && cut->x > nearest_usual_cut;
+}
+
+bool is_calibrated(const Groups& groups) {
+  return groups.M <= calibrated_M || groups.L <= nearly_isoviscous_L;
 }
 
 double iteration_error(const MappedClimb& climb) {
