@@ -217,9 +217,7 @@ bool is_cut_near_the_contact(const Problem& problem) {
   return cut && cut->x > nearest_usual_cut;
 }
 
-bool is_calibrated(const Groups& groups) {
-  return groups.M <= calibrated_M || groups.L <= nearly_isoviscous_L;
-}
+bool is_calibrated(const Groups& groups) { return groups.M <= calibrated_M || groups.L <= nearly_isoviscous_L; }
 
 double iteration_error(const MappedClimb& climb) {
   const auto last = std::min(std::ssize(climb.left), grids_that_count);
