@@ -196,7 +196,7 @@ results-check: program  ## Fail where one of those, or of cases/submissions, is 
 	@python3 docs/results/make.py --check $(BUILD)/ehd
 	@/usr/bin/python3 cases/submissions/make.py --check $(BUILD)/ehd
 
-start-minutes:  ## Clone, build and compute as docs/start.md says, with minutes: docs/results/start.md (git; 5 minutes)
+start-minutes:  ## Clone, build and compute as docs/start.md says, with minutes: docs/results/start.md (git; 7 minutes)
 	@python3 tests/docs/minutes.py docs/results/start.md
 
 results-full: program  ## Make the slow pages of docs/results: ladder, stress, bench (15 minutes; nobody compares them)

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/grid_newton.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "contact/hertz.hpp"
+#include "contact/lu_factors.hpp"
 #include "contact/observables.hpp"
 
 namespace ehd::reference {
@@ -108,7 +109,7 @@ NewtonResult newton(const Equations& equations, const State& start, const Budget
     Eigen::MatrixXd J = equations.jacobian(run.state, run.at);
     ++run.kernel_products;
     ++run.iterations;
-    const Eigen::VectorXd change = Eigen::PartialPivLU<Eigen::Ref<Eigen::MatrixXd>>(J).solve(-run.at.residual.matrix());
+    const Eigen::VectorXd change = LuFactors(std::move(J)).solve(-run.at.residual.matrix());
     if (!change.allFinite()) return run;
 
     const double before = merit(run.at);

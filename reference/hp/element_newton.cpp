@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/hp/element_newton.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "contact/hertz.hpp"
+#include "contact/lu_factors.hpp"
 
 namespace ehd::reference::hp {
 
@@ -86,8 +87,7 @@ NewtonRun newton(const Collocation<double>& equations, const State<double>& star
     ++meter.iterations;
     --meter.iterations_left;
     ++run.iterations;
-    const VectorOf<double> change =
-        Eigen::PartialPivLU<Eigen::Ref<MatrixOf<double>>>(J).solve(-rows.cwiseProduct(run.at.residual));
+    const VectorOf<double> change = LuFactors(std::move(J)).solve(-rows.cwiseProduct(run.at.residual));
     if (!change.allFinite()) return run;
 
     const double pressure_change = change.head(n).cwiseAbs().maxCoeff();

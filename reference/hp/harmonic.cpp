@@ -7,6 +7,8 @@
 #include <map>
 #include <numbers>
 
+#include "contact/lu_factors.hpp"
+
 namespace ehd::reference::hp {
 
 namespace {
@@ -175,8 +177,7 @@ ComplexVector Harmonic::of_load(double Omega) const {
 
 SlowMotion Harmonic::of_slow_load() const {
   const VectorOf<double> rows = steady_.run.at.scale.cwiseInverse();
-  MatrixOf<double> A = rows.asDiagonal() * J_;
-  const Eigen::PartialPivLU<Eigen::Ref<MatrixOf<double>>> lu(A);
+  const LuFactors lu(rows.asDiagonal() * J_);
   VectorOf<double> drive = VectorOf<double>::Zero(J_.rows());
   drive[intervals() + 1] = 2 / pi;
   SlowMotion slow;

@@ -3,7 +3,6 @@
 // multigrid cycle does not depend on the number of intervals, and iteration counts stay as recorded.
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
 #include <chrono>
 #include <cmath>
 #include <memory>

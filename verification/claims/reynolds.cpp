@@ -4,7 +4,6 @@
 // The pressure then follows face by face from the scheme's own wedge and mobility. Truths by quadrature.
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -13,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "contact/lu_factors.hpp"
 #include "reference/hp/collocation.hpp"
 #include "verification/claims/films_of_pressure.hpp"
 #include "verification/claims/schemes.hpp"
@@ -240,7 +240,7 @@ double collocated_error(const Gap& gap, const Truth& truth, int elements, int de
     right[i] = at.H[i];
   }
   system(n, 0) = 1;
-  const Eigen::VectorXd x = system.partialPivLu().solve(right);
+  const Eigen::VectorXd x = LuFactors(std::move(system)).solve(right);
   VectorOf<double> P = VectorOf<double>::Zero(n + 1);
   P.head(n) = x.head(n);
   double worst = std::abs(x[n] / truth.flux - 1), largest = 0, expected = 0, before = inlet;

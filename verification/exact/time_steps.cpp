@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/exact/time_steps.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <numbers>
+#include <optional>
+#include <utility>
+
+#include "contact/lu_factors.hpp"
 
 namespace ehd::verification::exact {
 
@@ -105,8 +108,8 @@ class Root {
     for (int k = 0; k < most_iterations; ++k) {
       const Eigen::VectorXd r = residual(y);
       if (!r.allFinite()) return false;
-      if (!made_ || k % iterations_a_matrix == iterations_a_matrix - 1) make(y, residual);
-      const Eigen::VectorXd step = lu_.solve(r);
+      if (!lu_ || k % iterations_a_matrix == iterations_a_matrix - 1) make(y, residual);
+      const Eigen::VectorXd step = lu_->solve(r);
       y -= step;
       if (step.cwiseAbs().maxCoeff() < settled) return true;
     }
@@ -121,11 +124,9 @@ class Root {
       more[j] += small_change, less[j] -= small_change;
       J.col(j) = (residual(more) - residual(less)) / (2 * small_change);
     }
-    lu_.compute(J);
-    made_ = true;
+    lu_.emplace(std::move(J));
   }
-  Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
-  bool made_ = false;
+  std::optional<LuFactors> lu_;
 };
 
 /// y of a steady solution, on n equal intervals.

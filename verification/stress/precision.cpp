@@ -6,10 +6,10 @@
 // In the longer scalars chord steps with an LU in double are enough, because the residual decides the solution.
 #include <fmt/format.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
+#include "contact/lu_factors.hpp"
 #include "contact/observables.hpp"
 #include "contact/text.hpp"
 #include "reference/equations.hpp"
@@ -52,14 +52,14 @@ VectorOf<To> converted(const VectorOf<From>& from) {
 class Factors {
  public:
   Factors(const MatrixOf<double>& jacobian, VectorOf<double> rows)
-      : rows_(std::move(rows)), lu_(MatrixOf<double>(rows_.asDiagonal() * jacobian)) {}
+      : rows_(std::move(rows)), lu_(rows_.asDiagonal() * jacobian) {}
   [[nodiscard]] VectorOf<double> step(const VectorOf<double>& residual) const {
-    return lu_.solve(VectorOf<double>(-rows_.cwiseProduct(residual)));
+    return lu_.solve(-rows_.cwiseProduct(residual));
   }
 
  private:
   VectorOf<double> rows_;
-  Eigen::PartialPivLU<MatrixOf<double>> lu_;
+  LuFactors lu_;
 };
 
 struct ChordRun {
