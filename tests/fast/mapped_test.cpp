@@ -241,7 +241,9 @@ BOOST_AUTO_TEST_CASE(corners_of_the_box_converge) {
                              {0.5, 30.0},
                              {5000.0, 0.0},
                              {5000.0, 30.0},
+                             {3e5, 50.0},
                              {1e6, 0.0},
+                             {1e6, 10.0},
                              {1e6, 30.0}}) {
     for (const bool roelands : {false, true}) {
       for (const bool flooded : {false, true}) {
@@ -258,7 +260,7 @@ BOOST_AUTO_TEST_CASE(corners_of_the_box_converge) {
       }
     }
   }
-  BOOST_REQUIRE_EQUAL(rows, 26);
+  BOOST_REQUIRE_EQUAL(rows, 34);
 }
 
 BOOST_AUTO_TEST_CASE(a_neighbours_solution_as_start_gives_the_same_films_for_fewer_steps) {
