@@ -70,13 +70,14 @@ Harmonic::Harmonic(const Setting& setting, const NodeFields& nodes, const State&
 
 /// The tail's answer to the film and the pressure of a change. Its own film and load become part of the change.
 template <class Scalar>
-void Harmonic::follow(Scalar rate, StepOf<Scalar>& u, ChangeOf<Scalar>& change) const {
-  const Scalar load = jacobian_.length * u.integral + jacobian_.load_by_exit * u.exit;
+void Harmonic::follow(Scalar rate, StepOf<Scalar>& u, ChangeOf<Scalar>& change, const MovedNodes& moved) const {
+  const Scalar load = jacobian_.length * u.integral + jacobian_.load_by_exit * u.exit + moved.error.load;
   u.P[0] = Scalar(0);
-  const Scalar moment = (moment_ * u.P).sum() + moment_by_exit_ * u.exit;
+  const Scalar moment = (moment_ * u.P).sum() + moment_by_exit_ * u.exit + moved.moment;
   MovingTail::Answer<Scalar> tail = MovingTail::Answer<Scalar>::Zero();
   for (int turn = 0; turn < tail_turns; ++turn) {
-    const Scalar flux = jacobian_.density_at_exit * change.film[nodes_.n] + rate * squeeze_.inflow(u, change.film);
+    const Scalar flux =
+        jacobian_.density_at_exit * change.film[nodes_.n] + rate * (squeeze_.inflow(u, change.film) + moved.inflow);
     const auto before = tail;
     tail = tail_->answer(
         rate, MovingTail::Drive<Scalar>{change.film[0], load + tail[0] + load_by_first_ * tail[1], moment, flux});
@@ -193,6 +194,41 @@ Harmonic::Motion<double> Harmonic::of_slow_load(const Step& u, double residual, 
   return solved(0.0, by_rate, residual, coarser);
 }
 
+/// What nodes that move by 1 change in the film and in the residual. The tail answers, too.
+template <class Scalar>
+ChangeOf<Scalar> Harmonic::by_moved_nodes(Scalar rate, const MovedNodes& moved) {
+  StepOf<Scalar> tail{.P = ArrayOf<Scalar>::Zero(nodes_.n + 1)};
+  ChangeOf<Scalar> change, by_tail;
+  change.load = moved.error.load;
+  change.film = moved.film;
+  if (tail_) follow(rate, tail, change, moved);
+  by_tail.film = change.film - moved.film;
+  jacobian_.change_residual(tail, by_tail);
+  change.flux = moved.error.flux + by_tail.flux - rate * moved.squeeze;
+  squeeze_.subtract(rate, tail, change);
+  return change;
+}
+
+template <class Scalar>
+Harmonic::Motion<Scalar> Harmonic::of_moved_nodes(Scalar rate, const MovedNodes& moved, double residual) {
+  ChangeOf<Scalar> drive = by_moved_nodes(rate, moved);
+  drive.flux = -drive.flux;
+  drive.load = -drive.load;
+  return solved(rate, drive, residual);
+}
+
+Harmonic::Motion<double> Harmonic::of_slowly_moved_nodes(const Step& w, const MovedNodes& moved, double residual) {
+  Step at_rest = w;
+  Residual by_rate{.flux = Array::Zero(nodes_.n)};
+  for (const double rate : {rate_step, -rate_step}) {
+    const ChangeOf<double> own = by_moved_nodes(rate, moved);
+    const Residual& change = product(rate, at_rest);
+    by_rate.flux -= (change.flux + own.flux) / (2 * rate);
+    by_rate.load -= (change.load + own.load) / (2 * rate);
+  }
+  return solved(0.0, by_rate, residual);
+}
+
 ArrayOf<Complex> Harmonic::feature(const Waviness& waviness) const {
   return (Complex(0, -waviness.wavenumber()) * X_.cast<Complex>()).exp();
 }
@@ -213,14 +249,11 @@ Harmonic::Motion<Complex> Harmonic::of_waviness(const Waviness& waviness, double
                     {.feature = feature(waviness), .flux = ArrayOf<Complex>::Zero(nodes_.n)}, residual, coarser);
 }
 
-std::optional<Complex> Harmonic::central_film(const Waviness& waviness, StepOf<Complex>& u) {
-  const int n = nodes_.n;
-  if (state_.exit <= 0) return std::nullopt;
-  const ArrayOf<Complex> H_1 = product(Complex(0, waviness.Omega()), u).film + feature(waviness);
-  // The cubic through the four nodes about X = 0, and its slope there.
+/// At X = 0, of the film H_1 at nodes that move by X_1: by the cubic through the four nodes about it.
+Complex Harmonic::at_centre(const ArrayOf<Complex>& H_1, const ArrayOf<Complex>& X_1) const {
   const auto right = std::upper_bound(X_.begin(), X_.end(), 0.0) - X_.begin();
-  const Eigen::Index first = std::clamp<Eigen::Index>(right - 2, 0, n - 3);
-  Complex film = 0;
+  const Eigen::Index first = std::clamp<Eigen::Index>(right - 2, 0, nodes_.n - 3);
+  Complex film = 0, moved = 0;
   double slope = 0;
   for (Eigen::Index j = first; j < first + 4; ++j) {
     double basis = 1, basis_slope = 0;
@@ -230,9 +263,22 @@ std::optional<Complex> Harmonic::central_film(const Waviness& waviness, StepOf<C
       basis *= -X_[k] / (X_[j] - X_[k]);
     }
     film += basis * H_1[j];
+    moved += basis * X_1[j];
     slope += basis_slope * nodes_.H[j];
   }
-  return film - 1.0 - slope * (-setting_.inlet / nodes_.length) * u.exit;
+  return film - slope * moved;
+}
+
+std::optional<Complex> Harmonic::central_film(const Waviness& waviness, StepOf<Complex>& u) {
+  if (state_.exit <= 0) return std::nullopt;
+  const ArrayOf<Complex> H_1 = product(Complex(0, waviness.Omega()), u).film + feature(waviness);
+  return at_centre(H_1, nodes_.grid->place * u.exit) - 1.0;
+}
+
+std::optional<Complex> Harmonic::central_film(Complex rate, StepOf<Complex>& w, const MovedNodes& moved) {
+  if (state_.exit <= 0) return std::nullopt;
+  const ArrayOf<Complex> H_1 = product(rate, w).film + by_moved_nodes(rate, moved).film;
+  return at_centre(H_1, nodes_.grid->place * w.exit + nodes_.length * moved.place);
 }
 
 double Harmonic::widest_cell() const {
@@ -245,6 +291,8 @@ double Harmonic::widest_cell() const {
 
 template Harmonic::Motion<double> Harmonic::of_load(double, double, const Step*);
 template Harmonic::Motion<Complex> Harmonic::of_load(Complex, double, const StepOf<Complex>*);
+template Harmonic::Motion<double> Harmonic::of_moved_nodes(double, const MovedNodes&, double);
+template Harmonic::Motion<Complex> Harmonic::of_moved_nodes(Complex, const MovedNodes&, double);
 template const ChangeOf<double>& Harmonic::product(double, Step&);
 template const ChangeOf<Complex>& Harmonic::product(Complex, StepOf<Complex>&);
 

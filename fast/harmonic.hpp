@@ -21,6 +21,7 @@
 
 #include "contact/response.hpp"
 #include "fast/gmres.hpp"
+#include "fast/moved_nodes.hpp"
 #include "fast/moving_tail.hpp"
 #include "fast/multigrid.hpp"
 
@@ -54,9 +55,15 @@ class Harmonic {
                                            const StepOf<Complex>* coarser = nullptr);
   /// The next term of a slow load: u(s) = u + s u_1, where u is that of the load at rest.
   [[nodiscard]] Motion<double> of_slow_load(const Step& u, double residual, const Step* coarser = nullptr);
+  /// w of moved_nodes.hpp; and its next term, w(s) = w + s w_1, where w is that at rest.
+  template <class Scalar>
+  [[nodiscard]] Motion<Scalar> of_moved_nodes(Scalar rate, const MovedNodes& moved, double residual);
+  [[nodiscard]] Motion<double> of_slowly_moved_nodes(const Step& w, const MovedNodes& moved, double residual);
 
   /// H_1 at X = 0, at rest, without R_1. Empty where the contact does not reach X = 0.
   [[nodiscard]] std::optional<Complex> central_film(const Waviness& waviness, StepOf<Complex>& u);
+  /// The same of w.
+  [[nodiscard]] std::optional<Complex> central_film(Complex rate, StepOf<Complex>& w, const MovedNodes& moved);
   /// (J - s Q) u. Valid until the next call.
   template <class Scalar>
   [[nodiscard]] const ChangeOf<Scalar>& product(Scalar rate, StepOf<Scalar>& u);
@@ -80,13 +87,16 @@ class Harmonic {
 
   template <class Scalar>
   [[nodiscard]] Motion<Scalar> solved(Scalar rate, const ResidualOf<Scalar>& drive, double residual,
-                                      const StepOf<Scalar>* coarser);
+                                      const StepOf<Scalar>* coarser = nullptr);
   template <class Scalar>
   void correct(Scalar rate, const ResidualOf<Scalar>& left, double relative, StepOf<Scalar>& u);
   template <class Scalar>
-  void follow(Scalar rate, StepOf<Scalar>& u, ChangeOf<Scalar>& change) const;
+  void follow(Scalar rate, StepOf<Scalar>& u, ChangeOf<Scalar>& change, const MovedNodes& moved = {}) const;
+  template <class Scalar>
+  [[nodiscard]] ChangeOf<Scalar> by_moved_nodes(Scalar rate, const MovedNodes& moved);
   template <class Scalar>
   [[nodiscard]] bool factorised(Scalar rate);
+  [[nodiscard]] Complex at_centre(const ArrayOf<Complex>& H_1, const ArrayOf<Complex>& X_1) const;
   [[nodiscard]] double norm(const auto& residual) const;
   [[nodiscard]] ArrayOf<Complex> feature(const Waviness& waviness) const;
 

@@ -15,35 +15,29 @@ namespace ehd::fast {
 
 namespace {
 
-/// Secant steps for the place of a spike. Two leave 1e-3 of a cell, since s is nearly linear over a cell.
-constexpr int spike_steps = 3;
+/// In s, 6e-5 cells of 64 intervals: of the difference.
+constexpr double small_move = 1e-6;
 
-}  // namespace
-
+/// The map for a spike that stands about `step` further on in s.
 Map with_moved_spike(const Map& map, double step) {
-  const double spike = map.shape().spike, wanted = map(spike) - step;
   MapShape shape = map.shape();
-  double before = spike, error_before = step, slope = -map.slope(spike);
-  for (int k = 0; k < spike_steps; ++k) {
-    shape.spike = before - error_before / slope;
-    const double error = Map(shape)(spike) - wanted;
-    if (shape.spike == before || error == error_before) break;
-    slope = (error - error_before) / (shape.spike - before);
-    before = shape.spike;
-    error_before = error;
-  }
+  shape.spike += step / map.slope(shape.spike);
   return Map(shape);
 }
+
+}  // namespace
 
 HarmonicGrids::HarmonicGrids(const Problem& problem, const Request& request, double residual, Workspace& workspace)
     : request_(request),
       newton_residual_(std::max(residual, round_off_residual)),
-      run_(begin_mapped(problem, request_, workspace)) {}
+      run_(begin_mapped(problem, request_, workspace)),
+      planning_before_(run_.planning_before + workspace.moved.planning_s()) {}
 
 void HarmonicGrids::add(const NodeFields& nodes, double residual) {
   grids_.push_back(
       {.harmonic = std::make_unique<Harmonic>(run_.setting, nodes, run_.state, run_.workspace.grids, run_.counters),
-       .residual = residual});
+       .residual = residual,
+       .state = run_.state});
   prolongation_.note(run_.state);
 }
 
@@ -56,27 +50,6 @@ bool HarmonicGrids::climb() {
     Grid& grid = run_.workspace.grids.of(climb.grids[k].nodes);
     if (!at.evaluate(run_.setting, run_.state, grid, run_.counters)) return false;
     add(at.nodes, climb.grids[k].residual);
-  }
-  return true;
-}
-
-bool HarmonicGrids::climb_beside(const HarmonicGrids& other, std::size_t count, double cells) {
-  const Run& from = other.run_;
-  const int coarsest = other[0].intervals();
-  {
-    const InStage stage(run_.counters, Stage::grids);
-    const Map& map = *from.workspace.grids.map();
-    run_.workspace.grids.use(std::make_shared<const Map>(with_moved_spike(map, cells / coarsest)),
-                             from.workspace.grids.robust_wedge());
-  }
-  const Known known = known_now(from);
-  while (size() < count) {
-    const int n = other[size()].intervals();
-    run_.state = size() < 2 ? on_present_map(run_, known, from.state.tail, n)
-                            : prolongation_.onto(n, run_.workspace.grids, run_.setting.inlet);
-    const Attempt attempt = solve_on(run_, known.film, {.residual = newton_residual_});
-    if (!attempt.succeeded) return false;
-    add(run_.workspace.now().nodes, attempt.newton.residual);
   }
   return true;
 }
@@ -94,6 +67,23 @@ bool HarmonicGrids::refine(int most) {
     run_.state = last;
   }
   return attempt.succeeded;
+}
+
+const MovedNodes& HarmonicGrids::moved(std::size_t k) {
+  OnGrid& at = grids_[k];
+  if (at.moved) return *at.moved;
+  const InStage stage(run_.counters, Stage::grids);
+  Grids &own = run_.workspace.grids, &moved = run_.workspace.moved;
+  if (!moved_map_) {
+    moved_map_ = std::make_shared<const Map>(with_moved_spike(*own.map(), small_move));
+    moved.use(moved_map_, own.robust_wedge());
+  }
+  const int n = at.harmonic->intervals();
+  return at.moved.emplace(moved_nodes(run_.setting, at.state, own.of(n), moved.of(n), small_move, run_.counters));
+}
+
+double HarmonicGrids::planning_s() const {
+  return run_.workspace.grids.planning_s() + run_.workspace.moved.planning_s() - planning_before_;
 }
 
 }  // namespace ehd::fast

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "fast/harmonic.hpp"
@@ -15,17 +16,16 @@ namespace ehd::fast {
 
 class HarmonicGrids {
  public:
-  /// Plans, tables and arrays are the caller's; each map needs a workspace of its own. Newton's method may leave
-  /// `residual` on the grids after the climb. The time limit starts here.
+  /// Plans, tables and arrays are the caller's. Newton's method may leave `residual` on the grids after the climb. The
+  /// time limit starts here.
   HarmonicGrids(const Problem& problem, const Request& request, double residual, Workspace& workspace);
 
   /// Finds the steady states up to request.nodes on the best map. False where there are none.
   [[nodiscard]] bool climb();
-  /// Finds those of the first `count` grids of `other`, on a map whose nodes near the spike stand `cells` cells of the
-  /// coarsest grid away from those of `other`.
-  [[nodiscard]] bool climb_beside(const HarmonicGrids& other, std::size_t count, double cells);
   /// A grid with twice as many intervals, `most` at most.
   [[nodiscard]] bool refine(int most);
+  /// What moving the nodes of a grid with the spike changes; made once.
+  [[nodiscard]] const MovedNodes& moved(std::size_t k);
 
   [[nodiscard]] std::size_t size() const { return grids_.size(); }
   [[nodiscard]] Harmonic& operator[](std::size_t k) { return *grids_[k].harmonic; }
@@ -33,12 +33,15 @@ class HarmonicGrids {
   /// The residual that Newton's method left on a grid.
   [[nodiscard]] double residual(std::size_t k) const { return grids_[k].residual; }
   [[nodiscard]] const Run& run() const { return run_; }
+  [[nodiscard]] double planning_s() const;
   [[nodiscard]] bool spent() const { return run_.limit_reached || run_.limits.time_is_up(); }
 
  private:
   struct OnGrid {
     std::unique_ptr<Harmonic> harmonic;
     double residual = 0;
+    State state;
+    std::optional<MovedNodes> moved = {};
   };
   /// Of run_.state, with these fields.
   void add(const NodeFields& nodes, double residual);
@@ -46,11 +49,10 @@ class HarmonicGrids {
   const Request request_;
   const double newton_residual_;
   Run run_;
+  const double planning_before_;
   Prolongation prolongation_;
   std::vector<OnGrid> grids_;
+  std::shared_ptr<const Map> moved_map_;
 };
-
-/// The map whose coordinate s at the spike is smaller by `step`, because its spike stands elsewhere.
-[[nodiscard]] Map with_moved_spike(const Map& map, double step);
 
 }  // namespace ehd::fast

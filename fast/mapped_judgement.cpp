@@ -35,7 +35,7 @@ constexpr double nearest_usual_cut = -2.5, least_near_cut = 50;
 /// Without this 93 of 8600 errors of 300 contacts missed (M = 5e3..1e6, L = 0.5..10, both laws, tolerances of
 /// 1e-2..1e-5), at most by a factor of 47; with it one, by 1.02. Up to L = 100 one of 800 errors of 100 other contacts
 /// missed, by 1.4 (L = 74).
-constexpr double calibrated_M = 5000, uncalibrated_safety = 2;
+constexpr double calibrated_M = 5000, calibrated_L = 30, uncalibrated_safety = 2, uncalibrated_safety_of_two = 4;
 /// Where the oil is isoviscous, or nearly, the last move of two grids is hardly more than the error of the smallest
 /// film: the larger move of both films counts so many times. At 45 contacts of M = 1e3..1e6 and L = 0 the error was 0.6
 /// to 0.8 of that move, at two of them 1.3; at 60 of L > 0.5 at most 0.6.
@@ -139,7 +139,8 @@ double film_discretisation(const MappedClimb& climb, Quantity film, const Proble
   const std::vector<GridRecord>& grids = climb.grids;
   double error = is_calibrated(problem.groups)
                      ? error_by_grids(grids, film, climb.fit, L)
-                     : uncalibrated_safety * error_by_grids(grids, film, MapFit::again, std::max(L, mild_L));
+                     : (grids.size() == 2 ? uncalibrated_safety_of_two : uncalibrated_safety) *
+                           error_by_grids(grids, film, MapFit::again, std::max(L, mild_L));
   if (grids.size() < few_grids && is_cut_near_the_contact(problem))
     error = std::max(error, least_near_cut / std::pow(grids.back().nodes, 2));
   return film == Quantity::film_central ? std::max(error, roughness_at_centre(climb.fields)) : error;
@@ -217,7 +218,9 @@ bool is_cut_near_the_contact(const Problem& problem) {
   return cut && cut->x > nearest_usual_cut;
 }
 
-bool is_calibrated(const Groups& groups) { return groups.M <= calibrated_M || groups.L <= nearly_isoviscous_L; }
+bool is_calibrated(const Groups& groups) {
+  return (groups.M <= calibrated_M && groups.L <= calibrated_L) || groups.L <= nearly_isoviscous_L;
+}
 
 double iteration_error(const MappedClimb& climb) {
   const auto last = std::min(std::ssize(climb.left), grids_that_count);

@@ -20,19 +20,10 @@ using Clock = std::chrono::steady_clock;
 
 /// Intervals of the finest grid of the steady climb, and of the finest grid of all.
 constexpr int first_nodes = 256, largest_nodes = 16384;
-/// Above narrow_spikes_L and narrow_spikes_M a narrow spike passes between the nodes. A number then moves with the
-/// spike's place in its cell, over one period a cell: by 4e-3 of itself at (8, 22), on 256 and on 8192 intervals, but
-/// by 1e-6 at (195, 16). So it is averaged over maps whose spikes stand so many cells of the coarsest grid away from
-/// that of the first; in cells of finer grids that is twice, four times, ... as much, evenly spread as well. Two maps
-/// show how far a number moves; all five are taken where two do not know it. Below M = 1 it moves by 4e-5 at most.
-constexpr double narrow_spikes_L = 12, narrow_spikes_M = 1;
-/// kappa of heavy contacts moves from this L on, what is left of a wave does not. With kappa on one map up to L = 12,
-/// 13 of 1344 errors at 192 contacts (M of 10..1000, L of 8..12.4) were up to three times as large as stated, also with
-/// of_irregular = 3; with this, 1 of 1343.
-constexpr double heavy_M = 30, narrow_spikes_L_of_heavy = 9.5;
-constexpr double beside_first[] = {-0.2, 0.2, -0.4, 0.4};
-constexpr std::size_t few_maps = 2, all_maps = 1 + std::size(beside_first);
-constexpr int largest_nodes_of_few = 512, largest_nodes_of_all = 4096;
+/// From these L on, the second for heavy contacts, the spike is narrow and the nodes follow it (moved_nodes.hpp). With
+/// fixed nodes up to L = 12, 13 of 1344 errors at 192 heavy contacts (L of 8..12.4) were up to three times as large as
+/// stated.
+constexpr double narrow_spike_L = 12, narrow_spike_L_of_heavy = 9.5, heavy_M = 30;
 /// Error of a number over the residual that GMRES leaves, twice the largest at 40 contacts (M of 0.5..1000, L of 0..20,
 /// Omega of 0..10, waves of 0.3..5 b), and the part of the tolerance that GMRES may leave in it.
 constexpr double of_kappa = 0.2, of_damping = 60, of_wavy_film = 90, linear_part = 0.1;
@@ -46,11 +37,10 @@ constexpr std::size_t fewest_grids = 3;
 /// part motion.
 constexpr double least_ratio = 5, largest_ratio = 13;
 constexpr double of_move_before = 1.0 / 8, of_second_before = 1.0 / 32, of_raw_move = 1.0 / 32;
-/// So many times as large is the error of irregular moves on one map, and of those of a mean over maps; and that of all
-/// moves on one map where spikes are narrow.
-constexpr double of_irregular = 2, of_irregular_mean = 1.5, of_narrow_spikes = 2.5;
-/// This part of the maps' spread is in the error of a mean over all, and over few, there of the largest on any grid.
-constexpr double of_spread = 0.6, of_spread_of_few = 3;
+/// So many times as large is the error of irregular moves, and that of all moves where the nodes follow a spike: with 1
+/// at 160 random contacts 8 of 629 errors did not hold, at most by a factor of 2.6 (kappa_1 and waves, most at M >
+/// 500).
+constexpr double of_irregular = 2, of_followed_spike = 3;
 /// What the moving tail of a flooded contact leaves in kappa, relative, over Omega^2 min(1, lambda). Against the
 /// reference at (0.5, 2), (1, 4), (2, 15), (8, 6) and 60 random contacts, Omega of 0..100: 1e-9 to 4e-8.
 constexpr double tail_error = 6e-8;
@@ -60,6 +50,7 @@ constexpr double Omega_of_damping = 2;
 constexpr double largest_phase = 0.4;
 /// GMRES leaves less at small Omega, where the lag is a small part of kappa; down to this Omega.
 constexpr double least_Omega = 1e-3;
+constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
 struct Judged {
   Complex value;
@@ -73,79 +64,46 @@ const StepOf<Scalar>* known(const StepOf<Scalar>& u) {
   return u.P.size() > 0 ? &u : nullptr;
 }
 
-/// A number on one grid after the other, each the mean over the maps.
+/// A number on one grid after the other.
 struct Sequence {
   std::vector<Complex> values;
-  /// Of the maps' numbers on the last grid: root of the mean square distance from their mean. And the largest of any
-  /// grid but the coarsest.
-  double spread = 0, largest_spread = 0;
   double iteration = 0;  ///< error that it leaves on the last grid, relative
   double offset = 1;     ///< the tail's error in the number over that in kappa, relative: |H_01| over the number
-
-  void add(const std::vector<Complex>& of_maps) {
-    const double count = static_cast<double>(of_maps.size());
-    const Complex mean = std::accumulate(of_maps.begin(), of_maps.end(), Complex(0)) / count;
-    double squares = 0;
-    for (const Complex& one : of_maps) squares += std::norm(one - mean);
-    values.push_back(mean);
-    spread = std::sqrt(squares / count);
-    if (values.size() > 1) largest_spread = std::max(largest_spread, spread);
-  }
 };
 
 class ResponseSolve {
  public:
   ResponseSolve(const Problem& problem, const ResponseRequest& request, Workspace& workspace)
-      : problem_(problem), request_(request), workspace_(workspace) {}
+      : problem_(problem),
+        request_(request),
+        grids_(problem,
+               {.tolerance = {},
+                .nodes = first_nodes,
+                .max_iterations = request.max_iterations,
+                .time_limit_s = request.time_limit_s},
+               newton_part * request.tolerance, workspace) {}
 
   [[nodiscard]] Response solve();
 
  private:
-  [[nodiscard]] bool refine();
-  /// Whether kappa moves with the spike's place in its cell.
-  [[nodiscard]] bool moves_kappa() const {
-    return problem_.groups.L > (problem_.groups.M > heavy_M ? narrow_spikes_L_of_heavy : narrow_spikes_L);
-  }
-  /// More maps may be needed, and can be had.
-  [[nodiscard]] bool may_average() const {
-    return narrow_spikes_ && problem_.groups.M > narrow_spikes_M && !none_beside_;
-  }
-  [[nodiscard]] bool spent() const {
-    return std::ranges::any_of(maps_, [](const auto& map) { return map->spent(); });
-  }
-  [[nodiscard]] double time_left_s() const {
-    return request_.time_limit_s - std::chrono::duration<double>(Clock::now() - begin_).count();
-  }
-  [[nodiscard]] HarmonicGrids& add_map();
-  [[nodiscard]] const Run& run() const { return maps_.front()->run(); }
-  [[nodiscard]] std::span<const std::unique_ptr<HarmonicGrids>> used() const { return std::span(maps_).first(used_); }
-  /// That all maps in use have.
-  [[nodiscard]] std::size_t grids() const {
-    return (*std::ranges::min_element(used(), {}, [](const auto& map) { return map->size(); }))->size();
-  }
-  void use(std::size_t count);
-  template <class Pass>
-  void on_few_then_all(bool may_make, const Pass& pass);
-  /// number(map, harmonic) of every map in use on the k-th grid.
-  template <class Number>
-  [[nodiscard]] std::vector<Complex> on_maps(std::size_t k, const Number& number) {
-    std::vector<Complex> found;
-    for (std::size_t map = 0; map < used_; ++map) found.push_back(number(map, (*maps_[map])[k]));
-    return found;
+  [[nodiscard]] bool follows_spike() const {
+    const Groups& groups = problem_.groups;
+    return groups.L > (groups.M > heavy_M ? narrow_spike_L_of_heavy : narrow_spike_L);
   }
   struct Extrapolated {
     Complex value;
     double error = 0;
   };
-  [[nodiscard]] Extrapolated extrapolated(const std::vector<Complex>& values) const;
+  [[nodiscard]] static Extrapolated extrapolated(const std::vector<Complex>& values);
   [[nodiscard]] Judged judged(const Sequence& sequence, double Omega, double wavenumber) const;
+  /// One more grid.
+  [[nodiscard]] bool refine() { return grids_.refine(largest_nodes); }
   template <class Next>
   [[nodiscard]] Judged certified(double Omega, double wavenumber, bool refines, const Next& next);
   [[nodiscard]] Stiffness stiffness(double Omega, bool refines = true);
   [[nodiscard]] Judged wavy_film(const Waviness& waviness);
   [[nodiscard]] SlowStiffness slow();
-  void add_slow(std::size_t k, std::vector<Step>& u_0, std::vector<Step>& u_1, Sequence& stiffness, Sequence& damping,
-                Sequence& lag);
+  void add_slow(std::size_t k, Step& u_0, Step& u_1, Sequence& stiffness, Sequence& damping, Sequence& lag);
   void fill(Cost& cost) const;
   /// That GMRES may leave in a number whose error is so many times the residual.
   [[nodiscard]] double residual_for(double amplification) const {
@@ -154,53 +112,15 @@ class ResponseSolve {
 
   const Problem& problem_;
   const ResponseRequest& request_;
-  Workspace& workspace_;
   const Clock::time_point begin_ = Clock::now();
-  std::vector<std::unique_ptr<HarmonicGrids>> maps_;  ///< their k-th grids have the same number of intervals
-  std::size_t used_ = 1;                              ///< maps that the present number is taken from
-  bool none_beside_ = false;                          ///< the first map has none beside it
-  bool narrow_spikes_ = false;                        ///< they move the present number
+  HarmonicGrids grids_;
 };
-
-HarmonicGrids& ResponseSolve::add_map() {
-  const Request steady{
-      .tolerance = {}, .nodes = first_nodes, .max_iterations = request_.max_iterations, .time_limit_s = time_left_s()};
-  Workspace& own = maps_.empty() ? workspace_ : workspace_.beside(maps_.size() - 1);
-  maps_.push_back(std::make_unique<HarmonicGrids>(problem_, steady, newton_part * request_.tolerance, own));
-  return *maps_.back();
-}
-
-/// Takes the present number from so many maps, from the first alone where the others cannot be had.
-void ResponseSolve::use(std::size_t count) {
-  while (maps_.size() < count && !none_beside_) {
-    const double cells = beside_first[maps_.size() - 1];
-    none_beside_ = !add_map().climb_beside(*maps_.front(), fewest_grids, cells);
-  }
-  if (none_beside_) maps_.resize(1);
-  used_ = std::min(count, maps_.size());
-}
-
-/// Calls pass() with few maps in use, and where it is not content with all; maps are made where that is allowed.
-template <class Pass>
-void ResponseSolve::on_few_then_all(bool may_make, const Pass& pass) {
-  use(may_average() ? few_maps : 1);
-  if (pass() || used_ == 1 || spent() || (maps_.size() == used_ && !may_make)) return;
-  use(all_maps);
-  pass();
-}
-
-/// One more grid on every map in use that has no more than the others.
-bool ResponseSolve::refine() {
-  const int most = used_ == 1 ? largest_nodes : used_ == few_maps ? largest_nodes_of_few : largest_nodes_of_all;
-  const std::size_t known = grids();
-  return std::ranges::all_of(used(), [&](const auto& map) { return map->size() > known || map->refine(most); });
-}
 
 /// f_k on the grids, R_k = (4 f_k - f_(k-1))/3 and S_k = (8 R_k - R_(k-1))/7, since errors fall as h^2 and then h^3;
 /// r_k = |R_k - R_(k-1)|. The value is S_m, the error max(|S_m - S_(m-1)|, r_m, r_(m-1)/8, r_(m-2)/32), of three grids
 /// max(r_m, |f_m - f_(m-1)|/32). Where r_(m-1)/r_m or r_(m-2)/r_(m-1) is irregular, the error is of_irregular
-/// times as large. A mean over maps is then R_m, which amplifies their spread least, and its error half as large again.
-ResponseSolve::Extrapolated ResponseSolve::extrapolated(const std::vector<Complex>& f) const {
+/// times as large.
+ResponseSolve::Extrapolated ResponseSolve::extrapolated(const std::vector<Complex>& f) {
   const std::size_t m = f.size();
   // From the finest grid backwards: R(0), R(1), ...
   const auto R = [&](std::size_t back) { return (4.0 * f[m - 1 - back] - f[m - 2 - back]) / 3.0; };
@@ -214,74 +134,60 @@ ResponseSolve::Extrapolated ResponseSolve::extrapolated(const std::vector<Comple
   const bool five = m > fewest_grids + 1;
   const double error =
       std::max({std::abs(S(0) - S(1)), move(0), of_move_before * move(1), five ? of_second_before * move(2) : 0});
-  if (regular(0) && (!five || regular(1))) return {.value = S(0), .error = error};
-  return used_ > 1 ? Extrapolated{.value = R(0), .error = of_irregular_mean * error}
-                   : Extrapolated{.value = S(0), .error = of_irregular * error};
+  return {.value = S(0), .error = regular(0) && (!five || regular(1)) ? error : of_irregular * error};
 }
 
 Judged ResponseSolve::judged(const Sequence& sequence, double Omega, double wavenumber) const {
   const std::size_t m = sequence.values.size();
   Judged found{.value = sequence.values.back()};
   if (!std::isfinite(std::abs(found.value))) return found;
-  found.status = spent() ? StopReason::limit_reached : StopReason::tolerance_not_met;
+  found.status = grids_.spent() ? StopReason::limit_reached : StopReason::tolerance_not_met;
   if (m < fewest_grids) return found;
   auto [value, error] = extrapolated(sequence.values);
   found.value = value;
-  const Harmonic& finest = (*maps_.front())[m - 1];
-  if (wavenumber * finest.widest_cell() > largest_phase) return found;
-  if (used_ == 1 && narrow_spikes_) error *= of_narrow_spikes;
-  error += used_ == few_maps ? of_spread_of_few * sequence.largest_spread : of_spread * sequence.spread;
-  const Setting& setting = run().setting;
+  if (wavenumber * grids_[m - 1].widest_cell() > largest_phase) return found;
+  const Setting& setting = grids_.run().setting;
   const double tail = setting.with_tail ? tail_error * std::min(1.0, setting.groups.lambda) * Omega * Omega : 0;
-  double residual = 0;
-  for (const auto& map : used()) residual = std::max(residual, map->residual(m - 1));
+  if (follows_spike()) error *= of_followed_spike;
   found.error = error / std::abs(found.value);
-  found.error += tail * sequence.offset + run().truncation + sequence.iteration + residual;
+  found.error += tail * sequence.offset + grids_.run().truncation + sequence.iteration + grids_.residual(m - 1);
   if (found.error <= request_.tolerance) found.status = StopReason::converged;
   return found;
 }
 
 /// A number on one grid after the other until it is known; next(k, sequence) adds its value on the k-th grid. Finer
-/// grids, and more maps, are made where it `refines`.
+/// grids are made where it `refines`.
 template <class Next>
 Judged ResponseSolve::certified(double Omega, double wavenumber, bool refines, const Next& next) {
   Judged found;
-  on_few_then_all(refines, [&] {
-    Sequence sequence;
-    for (std::size_t k = 0; k < grids() || (refines && refine()); ++k) {
-      next(k, sequence);
-      found = judged(sequence, Omega, wavenumber);
-      if (found.status == StopReason::converged || found.status == StopReason::diverged || spent()) return true;
-    }
-    return false;
-  });
+  Sequence sequence;
+  for (std::size_t k = 0; k < grids_.size() || (refines && refine()); ++k) {
+    next(k, sequence);
+    found = judged(sequence, Omega, wavenumber);
+    if (found.status == StopReason::converged || found.status == StopReason::diverged || grids_.spent()) break;
+  }
   return found;
 }
 
 Stiffness ResponseSolve::stiffness(double Omega, bool refines) {
-  std::vector<StepOf<Complex>> u;
+  StepOf<Complex> u;
   Sequence lag;
-  narrow_spikes_ = moves_kappa();
+  const Complex rate(0, Omega);
+  const double allowed = residual_for(of_kappa) * std::clamp(Omega, least_Omega, 1.0);
   const Judged kappa = certified(Omega, Omega, refines, [&](std::size_t k, Sequence& sequence) {
-    if (k == 0) u.assign(used_, {}), lag = {};
-    double residual = 0;
-    const auto chi = on_maps(k, [&](std::size_t map, Harmonic& harmonic) {
-      auto motion = harmonic.of_load(Complex(0, Omega), residual_for(of_kappa) * std::clamp(Omega, least_Omega, 1.0),
-                                     known(u[map]));
-      u[map] = std::move(motion.u);
-      residual = std::max(residual, motion.residual);
-      return -u[map].offset;
-    });
-    std::vector<Complex> kappas, lags;
-    for (const Complex& one : chi) {
-      kappas.push_back(1.0 / one);
-      lags.emplace_back(-one.imag() / Omega);
+    auto motion = grids_[k].of_load(rate, allowed, known(u));
+    u = std::move(motion.u);
+    Complex chi = -u.offset;
+    if (follows_spike()) {
+      const auto w = grids_[k].of_moved_nodes(rate, grids_.moved(k), allowed);
+      chi -= shift_with_spike(u.P, w.u.P) * w.u.offset;
+      motion.residual = std::max(motion.residual, w.residual);
     }
-    sequence.add(kappas);
-    sequence.iteration = of_kappa * residual;
-    lag.add(lags);
+    sequence.values.push_back(1.0 / chi);
+    sequence.iteration = of_kappa * motion.residual;
+    lag.values.emplace_back(-chi.imag() / Omega);
     // An error of kappa, all of it in the imaginary part.
-    lag.offset = std::abs(chi.front().imag()) > 0 ? std::abs(chi.front() / chi.front().imag()) : 0;
+    lag.offset = std::abs(chi.imag()) > 0 ? std::abs(chi / chi.imag()) : 0;
     lag.iteration = sequence.iteration * lag.offset;
   });
   Stiffness found{.Omega = Omega, .kappa = kappa.value, .error = kappa.error, .status = kappa.status};
@@ -290,44 +196,42 @@ Stiffness ResponseSolve::stiffness(double Omega, bool refines) {
 }
 
 Judged ResponseSolve::wavy_film(const Waviness& waviness) {
-  std::vector<StepOf<Complex>> u;
-  const double Omega = waviness.Omega();
-  narrow_spikes_ = problem_.groups.L > narrow_spikes_L;
+  StepOf<Complex> u;
+  const double Omega = waviness.Omega(), allowed = residual_for(of_wavy_film);
+  const Complex rate(0, Omega);
   return certified(Omega, std::max(Omega, waviness.wavenumber()), true, [&](std::size_t k, Sequence& sequence) {
-    if (k == 0) u.assign(used_, {});
-    double residual = 0;
-    sequence.add(on_maps(k, [&](std::size_t map, Harmonic& harmonic) {
-      auto motion = harmonic.of_waviness(waviness, residual_for(of_wavy_film), known(u[map]));
-      u[map] = std::move(motion.u);
-      residual = std::max(residual, motion.residual);
-      const auto deflection = harmonic.central_film(waviness, u[map]);
-      return deflection ? 1.0 + *deflection : Complex(std::numeric_limits<double>::quiet_NaN());
-    }));
-    sequence.iteration = of_wavy_film * residual;
-    sequence.offset = std::abs(u.front().offset / sequence.values.back());
+    Harmonic& harmonic = grids_[k];
+    auto motion = harmonic.of_waviness(waviness, allowed, known(u));
+    u = std::move(motion.u);
+    Complex film = 1.0 + harmonic.central_film(waviness, u).value_or(not_known), offset = u.offset;
+    if (follows_spike()) {
+      auto w = harmonic.of_moved_nodes(rate, grids_.moved(k), allowed);
+      const Complex m = shift_with_spike(u.P, w.u.P);
+      film += m * harmonic.central_film(rate, w.u, grids_.moved(k)).value_or(not_known);
+      offset += m * w.u.offset;
+      motion.residual = std::max(motion.residual, w.residual);
+    }
+    sequence.values.push_back(film);
+    sequence.iteration = of_wavy_film * motion.residual;
+    sequence.offset = std::abs(offset / film);
   });
 }
 
 /// kappa = -1/(u_0 + s u_1) = kappa_0 + s kappa_1; the lag is u_1.
 SlowStiffness ResponseSolve::slow() {
   Judged stiff, damped, lagging;
-  narrow_spikes_ = moves_kappa();
-  on_few_then_all(true, [&] {
-    std::vector<Step> u_0(used_), u_1(used_);
-    Sequence stiffness, damping, lag;
-    for (std::size_t k = 0; k < grids() || refine(); ++k) {
-      add_slow(k, u_0, u_1, stiffness, damping, lag);
-      // Each number is that of the first grid on which it is known. Finer grids may agree by chance where a spike
-      // passes between their nodes.
-      if (stiff.status != StopReason::converged) stiff = judged(stiffness, 0, 0);
-      if (damped.status != StopReason::converged) {
-        damped = judged(damping, Omega_of_damping, 0);
-        lagging = judged(lag, Omega_of_damping, 0);
-      }
-      if ((stiff.status == StopReason::converged && damped.status == StopReason::converged) || spent()) return true;
+  Step u_0, u_1;
+  Sequence stiffness, damping, lag;
+  for (std::size_t k = 0; k < grids_.size() || refine(); ++k) {
+    add_slow(k, u_0, u_1, stiffness, damping, lag);
+    // Each number is that of the first grid on which it is known.
+    if (stiff.status != StopReason::converged) stiff = judged(stiffness, 0, 0);
+    if (damped.status != StopReason::converged) {
+      damped = judged(damping, Omega_of_damping, 0);
+      lagging = judged(lag, Omega_of_damping, 0);
     }
-    return false;
-  });
+    if ((stiff.status == StopReason::converged && damped.status == StopReason::converged) || grids_.spent()) break;
+  }
   return {.kappa_0 = stiff.value.real(),
           .kappa_1 = damped.value.real(),
           .error_0 = stiff.error,
@@ -336,38 +240,41 @@ SlowStiffness ResponseSolve::slow() {
           .lag_error = lagging.error};
 }
 
-/// kappa_0, kappa_1 and the lag on the k-th grid; u_0 and u_1 are those of each map's grid before.
-void ResponseSolve::add_slow(std::size_t k, std::vector<Step>& u_0, std::vector<Step>& u_1, Sequence& stiffness,
-                             Sequence& damping, Sequence& lag) {
-  double at_rest = 0, moving = 0;
-  const auto lags = on_maps(k, [&](std::size_t map, Harmonic& harmonic) {
-    auto rest = harmonic.of_load(0.0, residual_for(of_damping), known(u_0[map]));
-    u_0[map] = std::move(rest.u);
-    auto motion = harmonic.of_slow_load(u_0[map], residual_for(of_damping), known(u_1[map]));
-    u_1[map] = std::move(motion.u);
-    at_rest = std::max(at_rest, rest.residual);
-    moving = std::max(moving, motion.residual);
-    return Complex(u_1[map].offset);
-  });
-  stiffness.add(on_maps(k, [&](std::size_t map, const Harmonic&) { return Complex(-1 / u_0[map].offset); }));
-  damping.add(
-      on_maps(k, [&](std::size_t map, const Harmonic&) { return lags[map] / (u_0[map].offset * u_0[map].offset); }));
-  lag.add(lags);
-  stiffness.iteration = of_kappa * at_rest;
-  damping.iteration = lag.iteration = of_damping * std::max(at_rest, moving);
+/// kappa_0, kappa_1 and the lag on the k-th grid; u_0 and u_1 are those of the grid before.
+void ResponseSolve::add_slow(std::size_t k, Step& u_0, Step& u_1, Sequence& stiffness, Sequence& damping,
+                             Sequence& lag) {
+  Harmonic& harmonic = grids_[k];
+  const double allowed = residual_for(of_damping);
+  auto rest = harmonic.of_load(0.0, allowed, known(u_0));
+  u_0 = std::move(rest.u);
+  auto motion = harmonic.of_slow_load(u_0, allowed, known(u_1));
+  u_1 = std::move(motion.u);
+  double offset_0 = u_0.offset, offset_1 = u_1.offset;
+  if (follows_spike()) {  // (u_0 + s u_1) + (m + s m_1) (w + s w_1)
+    const auto w = harmonic.of_moved_nodes(0.0, grids_.moved(k), allowed);
+    const auto w_1 = harmonic.of_slowly_moved_nodes(w.u, grids_.moved(k), allowed);
+    const double m = shift_with_spike(u_0.P, w.u.P);
+    const double m_1 = shift_with_spike<double>(u_1.P + m * w_1.u.P, w.u.P);
+    offset_0 += m * w.u.offset;
+    offset_1 += m * w_1.u.offset + m_1 * w.u.offset;
+    rest.residual = std::max(rest.residual, w.residual);
+    motion.residual = std::max(motion.residual, w_1.residual);
+  }
+  stiffness.values.emplace_back(-1 / offset_0);
+  damping.values.emplace_back(offset_1 / (offset_0 * offset_0));
+  lag.values.emplace_back(offset_1);
+  stiffness.iteration = of_kappa * rest.residual;
+  damping.iteration = lag.iteration = of_damping * std::max(rest.residual, motion.residual);
 }
 
 void ResponseSolve::fill(Cost& cost) const {
-  const HarmonicGrids& first = *maps_.front();
-  cost.nodes = first[first.size() - 1].intervals();
-  cost.levels = static_cast<int>(first.size());
-  for (const auto& map : maps_) {
-    const Run& run = map->run();
-    cost.newton_iterations += run.counters.newton;
-    cost.krylov_iterations += run.counters.krylov;
-    cost.convolutions += run.counters.convolutions;
-    cost.planning_s += run.workspace.grids.planning_s() - run.planning_before;
-  }
+  const Counters& counters = grids_.run().counters;
+  cost.nodes = grids_[grids_.size() - 1].intervals();
+  cost.levels = static_cast<int>(grids_.size());
+  cost.newton_iterations = counters.newton;
+  cost.krylov_iterations = counters.krylov;
+  cost.convolutions = counters.convolutions;
+  cost.planning_s = grids_.planning_s();
   cost.wall_s = std::chrono::duration<double>(Clock::now() - begin_).count() - cost.planning_s;
 }
 
@@ -375,20 +282,20 @@ Response ResponseSolve::solve() {
   Response found;
   for (const double Omega : request_.frequencies) found.frequencies.push_back({.Omega = Omega});
   for (const Waviness& waviness : request_.waviness) found.waviness.push_back({.waviness = waviness});
-  if (!add_map().climb()) {
-    answer_nothing(found, request_, spent() ? StopReason::limit_reached : StopReason::diverged,
+  if (!grids_.climb()) {
+    answer_nothing(found, request_, grids_.spent() ? StopReason::limit_reached : StopReason::diverged,
                    "the steady state was not found");
     return found;
   }
   found.slow = slow();
   for (Stiffness& at : found.frequencies) at = stiffness(at.Omega);
   const auto certified = [&](double Omega) { return stiffness(Omega, false).status == StopReason::converged; };
-  find_highest_certified(found, request_.tolerance, certified, [&] { return spent(); });
+  find_highest_certified(found, request_.tolerance, certified, [&] { return grids_.spent(); });
   for (WavinessResponse& at : found.waviness) {
     const Judged film = wavy_film(at.waviness);
     at.film = film.value, at.error = film.error, at.status = film.status;
   }
-  conclude(found, request_.tolerance, spent(), "the finest grids differ by more than the tolerance");
+  conclude(found, request_.tolerance, grids_.spent(), "the finest grids differ by more than the tolerance");
   fill(found.cost);
   return found;
 }

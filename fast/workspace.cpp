@@ -8,13 +8,7 @@ namespace ehd::fast {
 int Workspace::largest_grid() const {
   int most = 0;
   for (const auto& one : grids_seen_) most = std::max(most, one->n);
-  for (const auto& one : beside_) most = std::max(most, one->largest_grid());
   return most;
-}
-
-Workspace& Workspace::beside(std::size_t k) {
-  while (beside_.size() <= k) beside_.push_back(std::make_unique<Workspace>());
-  return *beside_[k];
 }
 
 Workspace::OnGrid& Workspace::on(int intervals) {

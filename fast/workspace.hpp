@@ -30,6 +30,7 @@ struct Workspace {
   };
 
   Grids grids;
+  Grids moved;  ///< of a map whose nodes have moved a little (moved_nodes.hpp)
   Multigrid multigrid;
   OnGrid* current = nullptr;  ///< of the grid that Newton ended on last
 
@@ -38,12 +39,9 @@ struct Workspace {
   [[nodiscard]] const Discretisation& now() const { return current->now; }
   /// The most intervals of a grid that Newton has worked on.
   [[nodiscard]] int largest_grid() const;
-  /// For the k-th further map of the same contact.
-  [[nodiscard]] Workspace& beside(std::size_t k);
 
  private:
   std::vector<std::unique_ptr<OnGrid>> grids_seen_;
-  std::vector<std::unique_ptr<Workspace>> beside_;
 };
 
 }  // namespace ehd::fast
