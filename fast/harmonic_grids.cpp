@@ -15,8 +15,12 @@ namespace ehd::fast {
 
 namespace {
 
-/// In s, 6e-5 cells of 64 intervals: of the difference.
-constexpr double small_move = 1e-6;
+/// In s, 1e-4 cells of 64 intervals: of the difference.
+constexpr double small_move = 2e-6;
+
+double planning_of(const Workspace& workspace) {
+  return workspace.grids.planning_s() + workspace.moved[0].planning_s() + workspace.moved[1].planning_s();
+}
 
 /// The map for a spike that stands about `step` further on in s.
 Map with_moved_spike(const Map& map, double step) {
@@ -31,7 +35,7 @@ HarmonicGrids::HarmonicGrids(const Problem& problem, const Request& request, dou
     : request_(request),
       newton_residual_(std::max(residual, round_off_residual)),
       run_(begin_mapped(problem, request_, workspace)),
-      planning_before_(run_.planning_before + workspace.moved.planning_s()) {}
+      planning_before_(planning_of(workspace)) {}
 
 void HarmonicGrids::add(const NodeFields& nodes, double residual) {
   grids_.push_back(
@@ -73,17 +77,18 @@ const MovedNodes& HarmonicGrids::moved(std::size_t k) {
   OnGrid& at = grids_[k];
   if (at.moved) return *at.moved;
   const InStage stage(run_.counters, Stage::grids);
-  Grids &own = run_.workspace.grids, &moved = run_.workspace.moved;
-  if (!moved_map_) {
-    moved_map_ = std::make_shared<const Map>(with_moved_spike(*own.map(), small_move));
-    moved.use(moved_map_, own.robust_wedge());
+  Grids& own = run_.workspace.grids;
+  auto& [forward, back] = run_.workspace.moved;
+  if (!moves_) {
+    forward.use(std::make_shared<const Map>(with_moved_spike(*own.map(), small_move)), own.robust_wedge());
+    back.use(std::make_shared<const Map>(with_moved_spike(*own.map(), -small_move)), own.robust_wedge());
+    moves_ = true;
   }
   const int n = at.harmonic->intervals();
-  return at.moved.emplace(moved_nodes(run_.setting, at.state, own.of(n), moved.of(n), small_move, run_.counters));
+  return at.moved.emplace(
+      moved_nodes(run_.setting, at.state, own.of(n), forward.of(n), back.of(n), small_move, run_.counters));
 }
 
-double HarmonicGrids::planning_s() const {
-  return run_.workspace.grids.planning_s() + run_.workspace.moved.planning_s() - planning_before_;
-}
+double HarmonicGrids::planning_s() const { return planning_of(run_.workspace) - planning_before_; }
 
 }  // namespace ehd::fast

@@ -52,7 +52,7 @@ class HarmonicGrids {
   const double planning_before_;
   Prolongation prolongation_;
   std::vector<OnGrid> grids_;
-  std::shared_ptr<const Map> moved_map_;
+  bool moves_ = false;  ///< the moved maps are those of this contact
 };
 
 }  // namespace ehd::fast

@@ -26,7 +26,7 @@ struct MappedClimb {
 /// for 7e-3, ended 5e-3 off where 9e-4 was stated.
 [[nodiscard]] bool is_cut_near_the_contact(const Problem& problem);
 
-/// Errors are calibrated up to M = 5000. Beyond, the spike is narrow at a smaller L; only nearly isoviscous films have
+/// Errors are calibrated up to M = 5000 and L = 30. Beyond, the spike is narrower; only nearly isoviscous films have
 /// none.
 [[nodiscard]] bool is_calibrated(const Groups& groups);
 

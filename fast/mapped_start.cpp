@@ -41,7 +41,7 @@ bool was_near(const Run& run, const State& before) {
 
 }  // namespace
 
-// Beyond the calibrated loads every map is made with full care: the grids of a map made with less may miss the spike,
+// Beyond the calibrated range every map is made with full care: the grids of a map made with less may miss the spike,
 // or end above the tolerance. Of 60 contacts (M = 5e3..1e6, L = 0.5..100, both laws) four did so at 3e-3, and three
 // films missed their error; with full care none. Asked for H_cen alone to 1e-6, seven did so; with full care one.
 Care care_for(const Request& request, const Groups& groups) {

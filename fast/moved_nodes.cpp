@@ -33,21 +33,23 @@ MovedNodes not_known(int n) {
 
 }  // namespace
 
-MovedNodes moved_nodes(const Setting& setting, const State& state, Grid& own, Grid& moved, double step,
+MovedNodes moved_nodes(const Setting& setting, const State& state, Grid& own, Grid& forward, Grid& back, double step,
                        Counters& counters) {
-  Discretisation here, there;
-  State at = state;
-  bool has_film = here.evaluate(setting, at, own, counters);
-  at = state;
-  has_film = has_film && there.evaluate(setting, at, moved, counters);
-  if (!has_film) return not_known(own.n);
-  const Array slope = (moved.slope - own.slope) / step;
+  Discretisation at[3];  // here, forward, back
+  Grid* const grids[] = {&own, &forward, &back};
+  for (int k = 0; k < 3; ++k) {
+    State copy = state;
+    if (!at[k].evaluate(setting, copy, *grids[k], counters)) return not_known(own.n);
+  }
+  const auto& [here, ahead, behind] = at;
+  const auto slope_of = [step](const auto& more, const auto& less) { return (more - less) / (2 * step); };
+  const Array slope = slope_of(forward.slope, back.slope);
   const double length = here.nodes.length;
   MovedNodes found;
-  found.error.flux = (there.error.flux - here.error.flux) / step;
-  found.error.load = (there.error.load - here.error.load) / step;
-  found.place = (moved.place - own.place) / step;
-  found.film = (there.nodes.H - here.nodes.H) / step;
+  found.error.flux = slope_of(ahead.error.flux, behind.error.flux);
+  found.error.load = slope_of(ahead.error.load, behind.error.load);
+  found.place = slope_of(forward.place, back.place);
+  found.film = slope_of(ahead.nodes.H, behind.nodes.H);
   found.moment =
       length / own.n * (state.P * (slope * here.nodes.places(setting.inlet) + own.slope * length * found.place)).sum();
   add_squeeze(here.nodes, slope, found);

@@ -3,6 +3,7 @@
 // second solve allocates next to nothing. One thread at a time.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -30,7 +31,7 @@ struct Workspace {
   };
 
   Grids grids;
-  Grids moved;  ///< of a map whose nodes have moved a little (moved_nodes.hpp)
+  std::array<Grids, 2> moved;  ///< of maps whose nodes have moved a little, forward and back (moved_nodes.hpp)
   Multigrid multigrid;
   OnGrid* current = nullptr;  ///< of the grid that Newton ended on last
 

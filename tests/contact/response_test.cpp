@@ -113,6 +113,12 @@ BOOST_AUTO_TEST_CASE(a_datum_is_a_compliance_in_series) {
             Tolerance::required(1e-3, "differences of a part in 1e6, which keep four digits"));
 }
 
+BOOST_AUTO_TEST_CASE(damping_with_the_own_datum_is_no_further_off_than_kappa) {
+  const Stiffness at{.Omega = 0.5, .kappa = {3, 0.4}, .error = 1e-3, .lag_error = 1};
+  EHD_CHECK(ehd::error(in_series(at, 0).damping_error, at.error * std::abs(at.kappa) / at.Omega),
+            Tolerance::round_off(8));
+}
+
 // kappa_0 and kappa_1 err together where a spike passes between the nodes. A stiff film on a soft datum has the lag's
 // error, not theirs.
 BOOST_AUTO_TEST_CASE(damping_with_a_soft_datum_is_known_as_the_lag_is) {
