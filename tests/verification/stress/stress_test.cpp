@@ -546,7 +546,7 @@ BOOST_AUTO_TEST_CASE(motion_fails_where_three_of_a_hundred_stated_errors_do_not_
   }
   const auto not_met = [](MotionPoint& p) { p.status = StopReason::tolerance_not_met; };
   BOOST_TEST(verdict(1, not_met) == Verdict::fail);
-  BOOST_TEST(verdict(1, [&](MotionPoint& p) { not_met(p), p.contact.moes.L = 13; }) == Verdict::pass);
+  BOOST_TEST(verdict(1, [&](MotionPoint& p) { not_met(p), p.contact.moes.L = 13; }) == Verdict::fail);
   BOOST_TEST(verdict(1, [](MotionPoint& p) { p.status = StopReason::limit_reached, p.late = true; }) ==
              Verdict::inconclusive);
   BOOST_TEST(judge_motion({}).verdict == Verdict::inconclusive);
