@@ -2,11 +2,11 @@
 #include "fast/harmonic_grids.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <utility>
 
 #include "fast/judgement.hpp"
+#include "fast/map.hpp"
 #include "fast/mapped_start.hpp"
 #include "fast/mapped_ways.hpp"
 #include "fast/remap.hpp"

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "fast/harmonic.hpp"
-#include "fast/map.hpp"
 #include "fast/prolongation.hpp"
 #include "fast/run.hpp"
 
