@@ -11,7 +11,7 @@ import numpy.typing as npt
 
 from ._case import CaseName, CaseText, case_from, word
 from ._library import CONVERGED, call
-from ._result import Array, Handle, Result, read_only, require_converged, run
+from ._result import Array, Handle, Result, numbers, read_only, require_converged, run
 from .errors import NotConvergedError
 
 
@@ -64,7 +64,7 @@ class Law:
         return self._at(approach_m)[1]
 
     def _at(self, approach_m: npt.ArrayLike) -> tuple[Array, Array]:
-        given = np.array(approach_m, dtype=np.float64)
+        given = numbers("approach_m", approach_m)
         force, stiffness = np.full(given.shape, np.nan), np.full(given.shape, np.nan)
         ended = call("ehd_law", self._handle.address, self._raceway.encode(), given.size, given.ctypes.data,
                      force.ctypes.data, stiffness.ctypes.data)

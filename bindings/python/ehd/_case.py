@@ -84,8 +84,9 @@ def _toml(key: str, value: Value) -> str:
         return str(int(value))
     try:
         return repr(float(value))
-    except TypeError:
-        raise TypeError(f"{key} = {value!r}: is neither a number nor a text") from None
+    except (TypeError, ValueError):
+        shown = " ".join(repr(value).split())
+        raise InputError(f"{key} = {shown}: is neither a number nor a text; allowed is one of them") from None
 
 
 def lines(entries: Mapping[str, Value]) -> str:

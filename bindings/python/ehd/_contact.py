@@ -11,7 +11,7 @@ import numpy.typing as npt
 
 from ._case import PLAIN_OIL, CaseName, CaseText, Value, case_from, case_from_keywords, lines, number, whole, word
 from ._library import STATUS, call
-from ._result import Array, Result, read_only, require_converged, run
+from ._result import Array, Result, numbers, read_only, require_converged, run
 from .errors import InputError
 
 _FILM_ARGUMENTS = ("M", "L", "tolerance", "threads", "raise_on_failure")  # of `films`, beside the keys of the oil
@@ -175,9 +175,13 @@ def films(M: npt.ArrayLike, L: npt.ArrayLike, *, tolerance: float = 1e-3, thread
     >>> t.minimum[1].round(3)
     array([0.364, 0.101, 0.028, 0.008, 0.002])
     """
-    groups = np.broadcast_arrays(np.asarray(M, dtype=np.float64), np.asarray(L, dtype=np.float64))
-    shape = groups[0].shape
-    given = [np.array(group).ravel() for group in groups]
+    groups = numbers("M", M), numbers("L", L)
+    try:
+        shape = np.broadcast_shapes(*(group.shape for group in groups))
+    except ValueError:
+        raise InputError(f"M, L: have the shapes {groups[0].shape} and {groups[1].shape}; allowed are shapes that can "
+                         "be broadcast") from None
+    given = [np.broadcast_to(group, shape).ravel() for group in groups]
     found = [np.full(given[0].size, np.nan) for _ in range(4)]
     status = np.zeros(given[0].size, dtype=np.intc)
     oil = lines({**PLAIN_OIL, **lubricant}).encode()

@@ -57,6 +57,18 @@ def require_converged(ended: Ended, result: Any) -> None:
         raise NotConvergedError(ended.line, result)
 
 
+def numbers(name: str, values: npt.ArrayLike) -> Array:
+    """A new array of numbers, one row after the other in memory, as the library reads them. Raises InputError."""
+    try:
+        array = np.array(values, dtype=np.float64, order="C")
+    except (TypeError, ValueError) as error:
+        reason = " ".join(str(error).split())
+        raise InputError(f"{name}: is no array of numbers ({reason}); allowed is a number, or numbers") from None
+    if array.size == 0:
+        raise InputError(f"{name}: is empty; allowed is a number, or numbers")
+    return array
+
+
 def read_only(values: Any) -> Any:
     values.setflags(write=False)
     return values

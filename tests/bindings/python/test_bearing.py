@@ -49,6 +49,14 @@ def test_stiffness_is_the_slope_of_the_force():
     np.testing.assert_allclose(law.stiffness(x), slope, rtol=1e-5)  # (h/x)^2 = 1e-6
 
 
+def test_an_array_of_any_order_and_stride_has_its_own_forces(film_bearing):
+    law = film_bearing.law("inner")
+    approach = np.array([[1e-6, 2e-6, 3e-6], [-1e-6, 1.5e-6, 2.5e-6]])
+    each = np.array([[law.force(x) for x in row] for row in approach])
+    for given, expected in ((approach.T, each.T), (approach[:, ::2], each[:, ::2]), (approach[::-1], each[::-1])):
+        np.testing.assert_array_equal(law.force(given), expected)
+
+
 def test_a_copy_from_another_process_has_the_same_law(film_bearing):
     copy = pickle.loads(pickle.dumps(film_bearing))
     assert copy == film_bearing
@@ -66,6 +74,10 @@ def test_bad_input_is_one_line(tmp_path):
         ehd.bearing("na4908", law="hooke")
     with pytest.raises(ehd.InputError, match="middle"):
         ehd.bearing("na4908", law="hertz").law("middle").force(1e-6)
+    for wrong, says in (([], "approach_m: is empty"), ("deep", "approach_m: is no array of numbers"),
+                        ([[1e-6], [1e-6, 2e-6]], "approach_m: is no array of numbers"), (None, "approach_m")):
+        with pytest.raises(ehd.InputError, match=says):
+            ehd.bearing("na4908", law="hertz").law("inner").force(wrong)
     with pytest.raises(ehd.InputError):
         ehd.bearing("own-moes-20-10")
     text = (SOURCE / "examples" / "my-bearing.toml").read_text(encoding="utf-8")

@@ -19,6 +19,14 @@ def test_each_film_is_that_of_a_solve():
         assert t.status[i] == r.status
 
 
+def test_arrays_of_any_order_and_stride_are_read_as_numpy_shows_them():
+    M, L = np.geomspace(5, 50, 6).reshape(2, 3), np.array([[0.0], [5.0], [10.0], [15.0]])
+    t, t_of_copies = ehd.films(M.T[:, ::-1], L[::2].T), ehd.films(M.T[:, ::-1].copy(), L[::2].T.copy())
+    assert t.M.tolist() == M.T[:, ::-1].tolist() and t.L.tolist() == [[0.0, 10.0]] * 3
+    assert t.minimum.tolist() == t_of_copies.minimum.tolist()
+    assert t.minimum[2, 0] == ehd.films(M[1, 2], 0).minimum  # L = 0: isoviscous
+
+
 def test_numbers_do_not_depend_on_threads():
     one, three = (ehd.films(np.linspace(5, 50, 30), 10, threads=threads) for threads in (1, 3))
     assert one.minimum.tobytes() == three.minimum.tobytes() and one.central.tobytes() == three.central.tobytes()
@@ -56,7 +64,12 @@ def test_arrays_are_read_only_also_in_another_process():
     ({"M": 20, "L": 10, "threads": -1}, "threads"),
     ({"M": 20, "L": 10, "viscosity": "roelands"}, "lubricant"),
     ({"M": 20, "L": 10, "oil": "good"}, "oil"),
-    ({"M": [], "L": 10}, "n = 0"),
+    ({"M": [], "L": 10}, "M: is empty"),
+    ({"M": [20], "L": np.empty((0, 3))}, "L: is empty"),
+    ({"M": [20, 30], "L": [5, 10, 15]}, "M, L: have the shapes (2,) and (3,)"),
+    ({"M": [[20], [20, 30]], "L": 10}, "M: is no array of numbers"),
+    ({"M": "many", "L": 10}, "M: is no array of numbers"),
+    ({"M": 20, "L": 1j}, "L: is no array of numbers"),
 ])
 def test_bad_input_is_one_line(arguments, says):
     with pytest.raises(ehd.InputError) as caught:
