@@ -15,8 +15,13 @@ namespace ehd::cli {
 
 namespace {
 
-/// CLI11 adds its help to some messages: only the first line is wanted.
-std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+/// One line of what CLI11 refuses: it adds its help to some messages, and says "--json: 1 required TEXT missing".
+std::string said_by(const CLI::ParseError& error) {
+  const std::string text = error.what(), line = text.substr(0, text.find('\n'));
+  const std::size_t name_ends = line.find(": 1 required ");
+  const bool lacks_value = name_ends != std::string::npos && line.ends_with(" missing");
+  return lacks_value ? line.substr(0, name_ends) + ": has no value" : line;
+}
 
 /// What may stand where an unknown word stands: options for one that begins with a dash, else subcommands.
 std::vector<std::string> names_like(const std::string& word, CLI::App& app) {
@@ -126,7 +131,7 @@ int run_command_line(const Program& program, int argc, char** argv) {
   const auto refuse = [&](const CLI::ParseError* error) {
     const std::string command = program.name + (&chosen() == &app ? "" : " " + chosen().get_name());
     complain(program.name + ": " +
-             (error ? fmt::format("{}; {} --help shows what is allowed", first_line(error->what()), command)
+             (error ? fmt::format("{}; {} --help shows what is allowed", said_by(*error), command)
                     : unknown_word(chosen(), command)));
     return bad_input;
   };

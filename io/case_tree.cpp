@@ -123,17 +123,27 @@ std::string path_meant_by(const std::string& path) {
   return near_miss(path, substitutable_paths());
 }
 
+/// Whether a case file has the key, although it keeps its value: those above the first table, and what is expected.
+bool keeps_its_value(const std::string& table_name, const std::string& key) {
+  const CaseTable* table = find_case_table(key.empty() ? "" : table_name);
+  if (!table || is_substitutable(*table)) return false;
+  const std::vector<std::string> keys = names_of_keys(*table);
+  return std::find(keys.begin(), keys.end(), key.empty() ? table_name : key) != keys.end();
+}
+
 void require_substitutable(const std::string& path) {
   const auto [table_name, key] = parts_of(path);
   const CaseTable* table = find_case_table(table_name);
   if (table && !is_substitutable(*table)) table = nullptr;
   const std::vector<std::string> keys = table ? names_of_keys(*table) : std::vector<std::string>();
   if (std::find(keys.begin(), keys.end(), key) != keys.end()) return;
-  const std::string allowed = table ? fmt::format("in [{}] {}", table_name, list(keys))
-                                    : "table.key with one of the tables " + list(names_of_substitutable_tables());
+  const std::string allowed =
+      table ? list(keys) : "table.key with one of the tables " + list(names_of_substitutable_tables());
+  const std::string fault = keeps_its_value(table_name, key) ? "cannot be given another value"
+                            : table                          ? fmt::format("is unknown in [{}]", table_name)
+                                                             : "is unknown";
   const std::string meant = path_meant_by(path);
-  throw CaseError(one_line(fmt::format("{}: is no key of a case that can be given another value; {}allowed is {}",
-                                       shortened(path, longest_text),
+  throw CaseError(one_line(fmt::format("{}: {}; {}allowed is {}", shortened(path, longest_text), fault,
                                        meant.empty() ? "" : "did you mean " + meant + "? ", allowed)));
 }
 

@@ -96,9 +96,10 @@ std::string near_miss(const std::string& word, const std::vector<std::string>& n
     const std::size_t apart = distance(in_small_letters(word), in_small_letters(name));
     if (apart < least) std::tie(least, nearest) = std::pair(apart, name);
   }
-  if (!nearest.empty()) return nearest;
-  nearest = shortest(names, [&](const std::string& name) { return name.starts_with(word); });
-  if (!nearest.empty() || word.size() < shortest_part) return nearest;
+  const std::string begun = shortest(names, [&](const std::string& name) { return name.starts_with(word); });
+  const bool is_start = !begun.empty() && word.size() >= shortest_start;  // --tol: --tolerance, and not --L
+  if (!nearest.empty() && !(is_start && least == most_differences)) return nearest;
+  if (!begun.empty() || word.size() < shortest_part) return begun;
   nearest = shortest(names, [&](const std::string& name) { return name.find(word) != std::string::npos; });
   return nearest.empty() ? of_most_common_words(word, names) : nearest;
 }

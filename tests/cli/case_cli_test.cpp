@@ -60,7 +60,9 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_set_is_refused_with_the_nearest_key) {
   const test::Folder folder;
   const std::vector<std::pair<std::string, std::string>> rows{
       {"bearing na4908 --set bearing.clearence_m=5e-6", "did you mean clearance_m?"},
-      {"bearing na4908 --set bearing.clearence_m=5e-6", "ehd: --set bearing.clearence_m=5e-6: is no key of a case"},
+      {"bearing na4908 --set bearing.clearence_m=5e-6",
+       "ehd: --set bearing.clearence_m=5e-6: is unknown in [bearing]; did you"},
+      {"solve own-moes-5-5 --set title=x", "--set title=x: cannot be given another value; allowed is table.key with"},
       {"bearing na4908 --set clearance_m=5e-6", "did you mean bearing.clearance_m?"},
       {"bearing na4908 --set bearing.clearance_m", "has no value; allowed is KEY=VALUE"},
       {"bearing na4908 --set bearing.rollers=3.5", "is a number; allowed is an integer"},

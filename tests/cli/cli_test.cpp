@@ -274,6 +274,7 @@ BOOST_AUTO_TEST_CASE(a_contact_stated_by_options_is_refused_like_a_case) {
   const test::Folder folder;
   const Rows rows{
       {"solve --M 20", "--L is missing"},
+      {"solve --M 20 --L 10 --json", "ehd: --json: has no value; ehd solve --help shows what is allowed"},
       {"solve --L 20", "--M is missing"},
       {"solve --M twenty --L 10", "is not a number"},
       {"solve --M 1e308 --L 10", "is out of range"},
