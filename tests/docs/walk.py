@@ -9,8 +9,8 @@ A block of ```console has commands, each after "$ ", and under each what it prin
 together. Any other block after a line "`NAME`:" is a file with that name. Files and commands of a page are taken in its
 order, in one folder, where examples/ and build/ehd are as in a clone. A command has to end with exit code 0; a line
 "exit code N" at the end of its output states another one. Times, and what rounding or the commit decide, may differ:
-VARYING. A number of four digits and more in the words of such a page has to stand in one of its blocks, or in
-docs/results.
+VARYING. A number of four digits and more in the words of such a page, or one with its error in brackets, has to stand
+in one of its blocks, or in docs/results.
 
 A line "    ehd ..." of an indented block is typed as well, and has to succeed, and so has `ehd ...` in a sentence. Left
 out are commands with a place for a word (FILE, [--option]), those that name an option without its value
@@ -181,8 +181,8 @@ def unfounded(text):
     shown = "".join(re.findall(r"^```.*?^```|^    .*?$", text, re.DOTALL | re.MULTILINE))
     shown += "".join(page.read_text() for page in sorted((ROOT / "docs" / "results").glob("*.md")))
     words = re.sub(r"<!-- .*?<!-- end -->|^```.*?^```|^    .*?$|`[^`]*`", "", text, flags=re.DOTALL | re.MULTILINE)
-    return [number for number in re.findall(r"(?<![\w.])\d+\.\d+(?![\w-]|\.\d)", words)
-            if len(re.sub(r"^0\.0*|\.", "", number)) >= 4 and number not in shown]
+    return [number for number in re.findall(r"(?<![\w.])\d+\.\d+(?:\(\d+\))?(?![\w-]|\.\d)", words)
+            if (number.endswith(")") or len(re.sub(r"^0\.0*|\.", "", number)) >= 4) and number not in shown]
 
 
 def walked(ehd, page):

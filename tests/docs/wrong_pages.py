@@ -12,7 +12,7 @@ import names
 import walk
 
 HERE = pathlib.Path(__file__).resolve().parent
-SOLVE = """The film of `my.txt` is 0.07808: `ehd new contact`, and `ehd solve --json` too.
+SOLVE = """The film of `my.txt` is 0.07808, or 3.976(4): `ehd new contact`, and `ehd solve --json` too.
 
     ehd convert M=20 L=10   # the same in other groups
     ehd convert WORD
@@ -36,6 +36,7 @@ WALKED = (
     ("another digit", "0.07808(8)", "0.07809(8)"),
     ("a line less", "  film.minimum   0.07808(8)   3.976(4)  0.939\n", ""),
     ("a number that no block shows", "is 0.07808", "is 0.07809"),
+    ("an error that no block shows", "or 3.976(4)", "or 3.976(5)"),
     ("another file", "```text\nfilm.minimum", "```text\nfilm.central"),
     ("a failure that is not said", "exit code 2\n", ""),
     ("an indented command that fails", "    ehd convert M=20 L=10   #", "    ehd convert X=20 L=10   #"),
