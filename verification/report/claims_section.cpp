@@ -134,7 +134,6 @@ TableCell count_cell(const View& row, const std::string& key, const std::string&
 
 void add_ladder(Page& page, const View& results, const std::map<std::string, View>& by_id) {
   Table table;
-  table.folds = true;
   table.caption = "The ladder: each rung assumes the one above it in this table";
   table.columns = {"rung", "what", "pass", "fail", "inconclusive", "skipped", "tightest margin", "its claim"};
   for (const View& rung : results.list("rungs")) {

@@ -200,7 +200,6 @@ void add_contacts(Page& page, const View& results) {
                   truth, solver, solver));
   Table table;
   table.css = "cases";
-  table.folds = true;
   table.caption = "Films of the cases (Hertz units)";
   table.columns = {"case",
                    "<i>P</i>, <i>H</i>",

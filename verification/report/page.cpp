@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 
@@ -49,13 +50,15 @@ std::optional<double> scaled(std::optional<double> value, double factor) {
 
 namespace {
 
+/// The words of a piece of HTML; a line break is a space.
 std::string without_tags(const std::string& html) {
   std::string text;
   bool inside = false;
-  for (const char c : html) {
-    if (c == '<') inside = true;
-    if (!inside) text += c;
-    if (c == '>') inside = false;
+  for (std::size_t at = 0; at < html.size(); ++at) {
+    if (html[at] == '<') inside = true;
+    if (!inside) text += html[at];
+    if (html[at] == '>') inside = false;
+    if (html.compare(at, 4, "<br>") == 0) text += ' ';
   }
   return text;
 }
@@ -68,10 +71,41 @@ std::string cell_html(const TableCell& cell, bool heads, const std::string& colu
                      cell.css.empty() ? "" : fmt::format(" class=\"{}\"", escaped(cell.css)), cell.html, tag);
 }
 
+/// Characters of the longest piece of a text that no line break parts; an entity counts as one.
+std::size_t longest_piece(const std::string& html, bool breaks_at_spaces) {
+  std::size_t longest = 0, length = 0;
+  bool inside_entity = false;
+  for (const char c : without_tags(html)) {
+    if (c == ' ' && breaks_at_spaces) length = 0;
+    const bool continues = (static_cast<unsigned char>(c) & 0xc0) == 0x80;  // of a character of several bytes
+    if (!inside_entity && !continues) ++length;
+    inside_entity = c == '&' || (inside_entity && c != ';');
+    longest = std::max(longest, length);
+  }
+  return longest;
+}
+
+/// Whether a table is wider than a phone's screen, where its columns are as narrow as words and numbers allow.
+bool is_wide(const Table& table) {
+  constexpr std::size_t phone = 46, gap = 2;  // characters: of 390 pixels, and between two columns
+  std::size_t width = 0;
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    std::size_t column = longest_piece(table.columns[i], true);
+    for (const auto& row : table.rows)
+      if (i < row.size()) {
+        const bool whole = row[i].css.starts_with("number") || row[i].css == "name";
+        column = std::max(column, row[i].css == "wide" ? phone : longest_piece(row[i].html, !whole));
+      }
+    width += column + gap;
+  }
+  return width > phone;
+}
+
 }  // namespace
 
 std::string html(const Table& table) {
-  const std::string css = table.css + (table.folds ? (table.css.empty() ? "folds" : " folds") : "");
+  const bool folds = is_wide(table);
+  const std::string css = table.css + (folds ? (table.css.empty() ? "folds" : " folds") : "");
   std::string text = fmt::format("<div class=\"scroll\" tabindex=\"0\"><table{}>",
                                  css.empty() ? "" : fmt::format(" class=\"{}\"", css));
   if (!table.caption.empty()) text += "<caption>" + table.caption + "</caption>";
@@ -88,7 +122,7 @@ std::string html(const Table& table) {
     text += named ? "<tr id=\"" + escaped(table.ids[k]) + "\">" : "<tr>";
     for (std::size_t i = 0; i < row.size(); ++i)
       text += cell_html(row[i], i == 0 && table.first_is_heading,
-                        table.folds && i < table.columns.size() ? table.columns[i] : "");
+                        folds && i < table.columns.size() ? table.columns[i] : "");
     text += "</tr>\n";
     if (k < table.below.size())
       text += fmt::format("<tr class=\"below\"><td colspan=\"{}\">{}</td></tr>\n", row.size(), table.below[k]);

@@ -33,6 +33,7 @@ inline constexpr double micro = 1e6, milli = 1e3, kilo = 1e-3;
 [[nodiscard]] std::vector<double> scaled(std::vector<double> values, double factor);
 [[nodiscard]] std::optional<double> scaled(std::optional<double> value, double factor);
 
+/// On a phone, a table that would not fit is folded: a row is a paragraph, each cell behind the head of its column.
 struct Table {
   std::string caption = {};               ///< HTML
   std::vector<std::string> columns = {};  ///< HTML
@@ -41,7 +42,6 @@ struct Table {
   std::vector<std::string> below = {};  ///< HTML below each row, across all columns
   std::string css = {};
   bool first_is_heading = true;  ///< the first cell of a row heads it
-  bool folds = false;            ///< on a phone a row is a paragraph, each number behind the head of its column
 };
 [[nodiscard]] std::string html(const Table& table);
 

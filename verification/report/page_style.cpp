@@ -122,26 +122,20 @@ section,h3,tr,figure,svg,details{scroll-margin-top:56px}
 }
 @media (max-width:600px){
 .page{padding:0 12px}
-.overview thead,.folds thead{position:absolute;width:1px;height:1px;overflow:hidden;clip-path:inset(50%)}
+.folds thead{position:absolute;width:1px;height:1px;overflow:hidden;clip-path:inset(50%)}
 .folds tr,.folds .below>td{display:block;border:0}
+.folds .below>td{padding:0}
 .folds tr{border-bottom:1px solid var(--grid);padding:6px 0}
 .folds .below{border:0;padding:0}
 .folds th[scope=row]{font-weight:700}
 .folds td,.folds th[scope=row]{display:inline-block;border:0;padding:1px 14px 1px 0;min-width:0;text-align:left}
 .folds td:empty{display:none}
-.folds td[data-column]:not(.name,:has(.opens))::before{content:attr(data-column) ": ";color:var(--soft);font-weight:400}
-.overview tr,.overview td,.overview th[scope=row]{display:block;min-width:0;border:0;padding:1px 0}
-.overview tr{border-bottom:1px solid var(--grid);padding:6px 0}
-.overview th[scope=row]{font-weight:700}
-.overview td:empty{display:none}
-.overview td:nth-child(2)::before{content:"digits: "}
-.overview td:nth-child(3)::before{content:"truth: "}
-.overview td:nth-child(4)::before{content:"cost: "}
-.overview td:nth-child(5)::before{content:"not verified: "}
-.overview td::before{color:var(--soft)}
+.folds td[data-column]:not(:has(.opens))::before{content:attr(data-column) ": ";color:var(--soft);font-weight:400}
+.overview td:not(:empty){display:block}
+.claims th[scope=row]{min-width:0}
+.folds.claims td[data-column].wide::before{content:none}
 dl{grid-template-columns:1fr}
 dt{margin-top:6px}
-.wide{min-width:28em}
 figure.map .picture svg.plot{min-width:560px}
 .wide-figure .picture svg.plot{min-width:700px}
 }

@@ -107,7 +107,7 @@ done
 says light "paper: rgb(255, 255, 255)"
 says dark "paper: rgb(21, 24, 28)"
 says phone "width: 390"
-says phone "folded tables: works"
+says phone "tables: works"
 says wide "width: 1400"
 most_height=10333  # a third of the 31,000 pixels of the page that had nothing folded
 height=$(sed -n 's/^height: //p' "$folder/wide.txt")
