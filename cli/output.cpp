@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/output.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdlib>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -15,7 +17,24 @@
 
 namespace ehd::cli {
 
-void complain(const std::string& line) { std::cerr << one_line(line) << std::endl; }
+void hold_closed_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    const bool closed = ::fcntl(stream, F_GETFD) < 0 && errno == EBADF;
+    const int wrong_way = stream == STDIN_FILENO ? O_WRONLY : O_RDONLY;
+    if (closed && ::open("/dev/null", wrong_way) < 0) return;  // the lowest free number: that of the stream
+  }
+}
+
+void complain(const std::string& line) {
+  constexpr std::size_t longest = 4000;  // the mistake stands at the begin, what is allowed at the end
+  std::string text = one_line(line);
+  if (text.size() > longest) {
+    std::size_t end = text.size() - longest / 2;
+    while (end < text.size() && utf8_length(std::string_view(text).substr(end)) == 0) ++end;  // within a character
+    text = shortened(text, longest / 2) + " " + text.substr(end);
+  }
+  std::cerr << text << std::endl;
+}
 
 void print(const std::string& text) {
   std::cout << text << std::flush;

@@ -57,9 +57,15 @@ class Progress {
 /// Standard output is a terminal, NO_COLOR is not set and TERM is not "dumb".
 [[nodiscard]] bool styled_output();
 
+/// Where the caller closed a standard stream, the next file to be opened would get its number, and whatever is meant
+/// for the stream would go into that file. Takes the numbers first, so that reading and writing fail as before. Call at
+/// the begin of the program.
+void hold_closed_streams();
+
 /// Writes to standard output and checks that it arrived; throws OutputError.
 void print(const std::string& text);
 /// One line on standard error.
+/// The middle of a line of more than 4000 bytes is left out.
 void complain(const std::string& line);
 
 /// --output DIR: a folder and its files. The folder and those above it are made where they do not exist, and removed at

@@ -33,6 +33,8 @@ NUMBERS = {  # command: its options, each with values that it refuses
     "atlas": {"--tolerance": ["1", "abc"], "--threads": ["0", "1025", "abc", "99999999999"], "--only": ["abc"]},
 }
 
+VERY_LONG = "9" * 100000  # for every option
+
 WHOLE = [  # arguments, and what the refusal says
     (["solve", "--M", "20", "--L", "10", "--tolerence", "1e-3"], ["--tolerence", "did you mean --tolerance?"]),
     (["solve", "--M", "20", "--L", "10", "--tolerence=1e-3"], ["--tolerence", "did you mean --tolerance?"]),
@@ -68,6 +70,8 @@ WHOLE = [  # arguments, and what the refusal says
     (["bearing", "own-moes-20-10"], ["allowed is a bearing case"]),
     (["plan", ""], ["a CASE has a name"]),
     (["export"], ["WHAT"]),
+    (["convert", "M=1e160", "L=1"], ["leaves the range"]),
+    (["convert", "W=1e-160", "U_mean=1e300", "G=1"], ["leaves the range"]),
     (["export", "films", "", "--M", "10:100", "--L", "3:12"], ["a CASE has a name"]),
     (["export", "films", "own-moes-20-10"], ["--M is missing"]),
     (["judge"], ["a FILE is missing"]),
@@ -93,8 +97,8 @@ def refusal(arguments, says):
 def inputs():
     for command, options in NUMBERS.items():
         for option, values in options.items():
-            for value in values:
+            for value in [*values, VERY_LONG]:
                 named = [] if option == "--case" else [option]
-                yield f"{command} {option} {value!r}", refusal([*command.split(), option, value], named)
+                yield f"{command} {option} {value[:30]!r}", refusal([*command.split(), option, value], named)
     for arguments, says in WHOLE:
         yield " ".join(map(repr, arguments)), refusal(arguments, says)

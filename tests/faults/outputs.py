@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Output files: modes, links, full devices, several files of one command."""
+"""Output files: modes, links, full devices, closed streams, several files of one command."""
 
 import atexit
 import functools
+import json
 import os
 import pathlib
 import resource
@@ -112,6 +113,40 @@ def closed_pipe(room):
     return f"leaves {left}" if left else None
 
 
+# Commands that write into a file, with what they print beside it or before it.
+BESIDE = {
+    "compare": ["compare", "own-moes-5-5", "--solver", "fast", "--tolerance", "1e-1", "--json", "a.json"],
+    "compare, not converged": ["compare", "own-moes-5-5", "--solver", "fast", "--tolerance", "1e-6",
+                               "--max-iterations", "1", "--json", "a.json"],
+    "judge": ["judge", "mine.csv", "--json", "a.json"],
+    "solve": [*SOLVE, "--json", "a.json"],
+    "bearing": ["bearing", "na4908", "--law", "hertz", "--json", "a.json"],
+    "response": ["response", "own-moes-5-5", "--json", "a.json"],
+    "convert": ["convert", "M=20", "L=10", "--json", "a.json"],
+}
+
+
+def closed_stream(arguments, streams):
+    """`ehd ... >&-`: the file gets the JSON alone, or nothing."""
+    def attack(room):
+        room.write("mine.csv", "case,version,quantity,value,scaling\nown-barus-5-5,1,film.minimum,0.2,hertz\n")
+        ended = subprocess.run([room.program.path, *arguments], cwd=room.path, stdin=subprocess.DEVNULL,
+                               capture_output=True, preexec_fn=lambda: [os.close(one) for one in streams], check=False)
+        if ended.returncode not in (0, 1, 2):
+            return f"ended with {ended.returncode}: {ended.stderr!r}"
+        if 1 in streams and ended.returncode == 0:
+            return "success, though standard output is closed"
+        left = [file for file in room.files() if file not in ("a.json", "mine.csv")]
+        try:
+            json.loads((room.path / "a.json").read_text())
+        except FileNotFoundError:
+            pass
+        except ValueError:
+            return f"the file is no JSON: {(room.path / 'a.json').read_text()[:200]!r}"
+        return f"leaves {left}" if left else None
+    return attack
+
+
 def long_name(room):
     name = "n" * 255
     ended = room.run(*SOLVE, "--json", name)
@@ -126,4 +161,7 @@ def inputs():
     yield "the journal of a sweep: fsync", journal_on_disk
     yield "the second of two outputs is too large", too_large
     yield "a closed pipe", closed_pipe
+    for name, arguments in BESIDE.items():
+        for streams in ((0,), (1,), (2,), (0, 1, 2)):
+            yield f"{name}: closed {streams}", closed_stream(arguments, streams)
     yield "a name of 255 characters", long_name

@@ -9,6 +9,7 @@ import tempfile
 from dataclasses import dataclass
 
 LONGEST_S = 10  # for a refusal; most take 0.02 s
+LONGEST_LINE = 4096  # of a message
 MEMORY_BYTES = 1 << 30  # so that a file without end fails here and does not stop the machine
 
 
@@ -122,6 +123,8 @@ def wrong_with(ended, codes):
         wrong.append(f"exit code {ended.code}")
     if ended.err.count("\n") != 1 and not faults_of_one_case(ended.err.splitlines()):
         wrong.append(f"{ended.err.count(chr(10))} lines on standard error")
+    if any(len(line) > LONGEST_LINE for line in ended.err.splitlines()):
+        wrong.append("says it in more than a person reads")
     if "internal error" in ended.err:
         wrong.append("says internal error")
     if ended.out and ended.code == 2:
