@@ -161,7 +161,7 @@ std::vector<judging::ExternalRun> run_externals(const Case& contact_case,
   return runs;
 }
 
-Json json_of(const judging::ExternalRun& external, double idle_s) {
+Json json_of(const judging::ExternalRun& external, std::optional<double> idle_s) {
   Json entry = json_of(external.judged);
   Json ended{{"ended", external.end.words}};
   if (external.end.exit_code) ended["exit_code"] = *external.end.exit_code;
@@ -218,7 +218,7 @@ int compare(const CompareOptions& options) {
   if (solvers.empty()) solvers = {&certified_solver(), &default_solver()};
   const std::vector<Request> requests = requests_of(options);
   const std::vector<judging::ExternalSolver> externals = externals_of(options);
-  const std::optional<double> idle_s = externals.empty() ? std::nullopt : std::optional(judging::idle_call_s());
+  const std::optional<double> idle_s = externals.empty() ? std::nullopt : judging::idle_call_s();
   // Everything that can be refused is refused before the first solve.
   const std::vector<Case> cases = contact_cases_of(options);
   require_distinct(files_of(cases), {{"--json", options.json.value_or("")}});
@@ -245,7 +245,7 @@ int compare(const CompareOptions& options) {
     for (const judging::ExternalRun& external : outside) {
       all_converged = all_converged && converged(external.judged);
       if (!converged(external.judged)) complain(failure_of(contact_case, external));
-      runs.push_back(json_of(external, *idle_s));
+      runs.push_back(json_of(external, idle_s));
       rows.push_back(external.judged);
     }
     Json comparison = result_head("ehd-compare-1");

@@ -6,8 +6,8 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstring>
 #include <filesystem>
-#include <system_error>
 
 #include "cli/usage.hpp"
 #include "verification/judge/command.hpp"
@@ -50,12 +50,18 @@ class MemoryFile {
   }
 
  private:
-  static std::system_error failed(const char* what) { return {std::error_code(errno, std::generic_category()), what}; }
+  static OutputError failed(const char* what) {
+    return OutputError(
+        fmt::format("--plot: {} ({}); allowed without it is a name that ends in .svg", what, std::strerror(errno)));
+  }
   int descriptor_;
 };
 
 void require_converter(const std::string& name) {
   const auto ended = judging::run_command(std::string(converter) + " --version", converter_limit_s);
+  if (!ended.exit_code)
+    throw option_error("--plot", name,
+                       fmt::format("{} {}; allowed without it is a name that ends in .svg", converter, ended.words));
   if (ended.exit_code != 0)
     throw option_error("--plot", name,
                        std::string("PNG needs the program ") + converter +

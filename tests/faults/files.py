@@ -149,6 +149,15 @@ def submission(command, says):
     return attack
 
 
+def temporary_folder(name):
+    """What `compare --external` makes for the other solver, where there is no such folder."""
+    def attack(room):
+        room.write("a-file", "")
+        return room.refused("compare", "own-moes-5-5", "--solver", "fast", "--tolerance", "1e-1", "--external",
+                            "mine=true {case} {out}", environment={"TMPDIR": name}, says=["TMPDIR"])
+    return attack
+
+
 def in_long_name(arguments):
     def attack(room):
         room.write("s.toml", SWEEP)
@@ -208,6 +217,8 @@ def inputs():
             yield f"{reader} is {kind.__name__}", reading(name, arguments, kind)
     for what, left in SUBMISSIONS.items():
         yield f"compare --external leaves {what}", submission(*left)
+    for name in ("nowhere", "a-file", LONG_NAME):
+        yield f"compare --external: TMPDIR is {name[:20]}", temporary_folder(name)
     for command in ("solve", "bearing", "plan", "compare", "sweep", "report"):
         yield f"{command}: a name of {len(LONG_NAME)} characters", in_long_name([command])
     for command in ("solve", "bearing", "plan", "compare", "sweep"):

@@ -16,6 +16,10 @@ COMMANDS = {
     "verify": (["verify", "--quick", "--rung", "2"], (0,), "", ()),
     "bench": (["bench", "--part", "scaling", "--quick"], (1,), "not one size was measured", ()),
     "stress": (["stress", "--part", "h", "--quick"], (1,), "inconclusive", ("fail",)),
+    "compare --external": (["compare", "own-moes-5-5", "--solver", "fast", "--tolerance", "1e-1", "--external",
+                            "mine=true {case} {out}"], (1,), "could not be started: no process",
+                           ("internal error", "time limit", "idle call")),
+    "solve --plot": (["solve", "--M", "20", "--L", "10", "--plot", "a.png"], (2,), "allowed", ("internal error",)),
 }
 
 

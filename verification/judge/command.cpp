@@ -2,6 +2,7 @@
 #include "verification/judge/command.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <poll.h>
 #include <sys/prctl.h>
 #include <sys/syscall.h>
@@ -15,7 +16,6 @@
 #include <cstring>
 #include <limits>
 #include <optional>
-#include <system_error>
 #include <utility>
 
 #include "contact/text.hpp"
@@ -28,8 +28,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kept_bytes = 4096, longest_line = 200;
-
-std::system_error refused(const char* what) { return {std::error_code(errno, std::generic_category()), what}; }
 
 /// Closes what it holds.
 struct Descriptor {
@@ -92,43 +90,19 @@ bool wait_for(const Descriptor& child, Descriptor& pipe, Tail& tail, Clock::time
     if (left_ms <= 0) return false;
     constexpr double longest_ms = std::numeric_limits<int>::max() / 2;
     const int ready = ::poll(both, 2, static_cast<int>(std::min(left_ms, longest_ms)) + 1);
-    if (ready < 0 && errno != EINTR) throw refused("poll");
     if (ready <= 0) continue;
     if (both[1].revents != 0 && !tail.read_from(pipe.number)) pipe.close();
     if (both[0].revents != 0) return true;
   }
 }
 
-}  // namespace
+/// From errno.
+CommandEnd not_started(const char* what) {
+  return {.words = fmt::format("could not be started: {} ({})", what, std::strerror(errno)), .last_line = {}};
+}
 
-CommandEnd run_command(const std::string& command, double time_limit_s) {
-  int ends[2];
-  if (::pipe2(ends, O_CLOEXEC) != 0) throw refused("no pipe");
-  Descriptor from(ends[0]), into(ends[1]);
-  ::fcntl(from.number, F_SETFL, O_NONBLOCK);
-  const pid_t parent = ::getpid();
-  const auto begin = Clock::now();
-  const pid_t child = ::fork();
-  if (child < 0) throw refused("no process");
-  if (child == 0) become(command.c_str(), into.number, parent);
-  ::setpgid(child, child);  // the first of the two calls counts
-  std::optional<ChildNote> note(std::in_place, child);
-  into.close();
-  const Descriptor ended(static_cast<int>(::syscall(SYS_pidfd_open, child, 0)));  // readable when the child has ended
-  if (ended.number < 0) throw refused("no descriptor of a process");
-  Tail tail;
-  const bool in_time =
-      wait_for(ended, from, tail,
-               begin + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(time_limit_s)));
-  const std::chrono::duration<double> passed = Clock::now() - begin;
-  ::kill(-child, SIGKILL);
-  note.reset();  // after waitpid the number may be that of another group
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  while (from.number >= 0 && tail.read_from(from.number)) {
-  }
-  CommandEnd end{.words = {}, .last_line = tail.last_line(), .wall_s = passed.count()};
+CommandEnd end_of(int status, bool in_time, const Tail& tail, double wall_s, double time_limit_s) {
+  CommandEnd end{.words = {}, .last_line = tail.last_line(), .wall_s = wall_s};
   if (!in_time) {
     end.words = "ended by the time limit of " + plain(time_limit_s) + " s";
   } else if (WIFEXITED(status)) {
@@ -140,11 +114,51 @@ CommandEnd run_command(const std::string& command, double time_limit_s) {
   return end;
 }
 
-double idle_call_s() {
+}  // namespace
+
+CommandEnd run_command(const std::string& command, double time_limit_s) {
+  int ends[2];
+  if (::pipe2(ends, O_CLOEXEC) != 0) return not_started("no pipe");
+  Descriptor from(ends[0]), into(ends[1]);
+  ::fcntl(from.number, F_SETFL, O_NONBLOCK);
+  const pid_t parent = ::getpid();
+  const auto begin = Clock::now();
+  const pid_t child = ::fork();
+  if (child < 0) return not_started("no process");
+  if (child == 0) become(command.c_str(), into.number, parent);
+  ::setpgid(child, child);  // the first of the two calls counts
+  std::optional<ChildNote> note(std::in_place, child);
+  into.close();
+  const Descriptor ended(static_cast<int>(::syscall(SYS_pidfd_open, child, 0)));  // readable when the child has ended
+  const int why = errno;
+  Tail tail;
+  const bool in_time =
+      ended.number >= 0 &&
+      wait_for(ended, from, tail,
+               begin + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(time_limit_s)));
+  const std::chrono::duration<double> passed = Clock::now() - begin;
+  ::kill(-child, SIGKILL);
+  note.reset();  // after waitpid the number may be that of another group
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (ended.number < 0) {
+    errno = why;
+    return not_started("no descriptor of a process");
+  }
+  while (from.number >= 0 && tail.read_from(from.number)) {
+  }
+  return end_of(status, in_time, tail, passed.count(), time_limit_s);
+}
+
+std::optional<double> idle_call_s() {
   constexpr int calls = 3;
   constexpr double limit_s = 10;
-  double shortest = limit_s;
-  for (int i = 0; i < calls; ++i) shortest = std::min(shortest, run_command(":", limit_s).wall_s);
+  std::optional<double> shortest;
+  for (int i = 0; i < calls; ++i) {
+    const CommandEnd end = run_command(":", limit_s);
+    if (end.exit_code) shortest = std::min(shortest.value_or(limit_s), end.wall_s);
+  }
   return shortest;
 }
 

@@ -5,9 +5,9 @@
 #include <stdlib.h>  // mkdtemp
 
 #include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <system_error>
 #include <variant>
 
 #include "contact/nondimensional.hpp"
@@ -30,9 +30,13 @@ constexpr std::string_view case_word = "{case}", out_word = "{out}", tolerance_w
 class Exchange {
  public:
   Exchange() {
-    std::string name =
-        (std::filesystem::temp_directory_path() / ("ehd-external-" + std::string(unique_letters, 'X'))).string();
-    if (!::mkdtemp(name.data())) throw OutputError(fmt::format("{}: cannot be made ({})", name, std::strerror(errno)));
+    std::error_code error;
+    const std::filesystem::path temporary = std::filesystem::temp_directory_path(error);
+    std::string name = (temporary / ("ehd-external-" + std::string(unique_letters, 'X'))).string();
+    if (!error && !::mkdtemp(name.data())) error = {errno, std::generic_category()};
+    if (error)
+      throw OutputError(fmt::format("TMPDIR: no folder can be made there ({}); allowed is a folder that may be written",
+                                    error.message()));
     folder_ = name;
     folder_note_ = TemporaryNote(name);
     case_note_ = TemporaryNote(problem().string());
