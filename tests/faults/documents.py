@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """JSON files that `ehd report` reads: cut, deep, with numbers that are too large, with entries of other types."""
 
-TITLE = "results.json, bench.json, stress.json: wrong content"
+TITLE = "results.json, bench.json, stress.json, submissions: wrong content"
 
 DEEP = 200000
 TEXTS = {
@@ -40,7 +40,14 @@ def refusal(name, content):
     return attack
 
 
+def wide(room):
+    """A submission whose header has more columns than anybody needs."""
+    room.write("mine.csv", "case," + ",".join(f"c{i}" for i in range(1000000)) + "\n")
+    return room.refused("judge", "mine.csv", says=["mine.csv:1: ", "columns"])
+
+
 def inputs():
+    yield "judge: a million columns", wide
     for name, schema in SCHEMAS.items():
         for what, content in TEXTS.items():
             if isinstance(content, str):

@@ -16,6 +16,7 @@ namespace ehd::judging {
 namespace {
 
 constexpr std::size_t longest_cell = 60;  // bytes of a cell that a message repeats
+constexpr std::size_t most_columns = 64;  // a profile of ours has 10
 
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view blank = " \t\r";
@@ -32,6 +33,8 @@ CsvReader::CsvReader(const std::filesystem::path& file, const FileKind& kind, st
   if (text_.starts_with(byte_order_mark)) at_ = byte_order_mark.size();
   if (!next_line()) throw refusal(file_.string(), "is empty; required is " + std::string(kind.name));
   split();
+  if (cells_.size() > most_columns)
+    throw refusal(place(), fmt::format("has {} columns; allowed are up to {}", cells_.size(), most_columns));
   for (const std::string_view cell : cells_) {
     const std::string name(cell.substr(0, cell.find(' ')));
     if (std::find(header_.begin(), header_.end(), name) != header_.end())

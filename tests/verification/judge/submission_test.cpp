@@ -116,6 +116,9 @@ BOOST_AUTO_TEST_CASE(bad_csv_is_one_line_with_its_number) {
           "bad.csv:4: quantity = film.minimum: is there twice");
   refused(header + "own-barus-5-5,1,film.minimum,0.2,hertz\nown-barus-5-5,2,film.central,0.2,hertz\n",
           "differs from an earlier row");
+  std::string wide = "case";
+  for (int i = 0; i < 100; ++i) wide += ",c" + std::to_string(i);
+  refused(wide + "\n", "bad.csv:1: has 101 columns; allowed are up to 64");
 }
 
 BOOST_AUTO_TEST_CASE(the_two_forms_say_the_same) {
