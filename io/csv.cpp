@@ -5,9 +5,13 @@
 #include <string_view>
 #include <system_error>
 
+#include "contact/text.hpp"
+
 namespace ehd {
 
 namespace {
+
+constexpr std::string_view begins_a_formula = "=+-@";
 
 bool is_number(std::string_view text) {
   if (text.starts_with('+')) text.remove_prefix(1);
@@ -19,13 +23,21 @@ bool is_number(std::string_view text) {
 }  // namespace
 
 std::string csv_cell(const std::string& text) {
-  constexpr std::string_view begins_a_formula = "=+-@";
   const bool formula = !text.empty() && begins_a_formula.find(text.front()) != std::string_view::npos;
   std::string cell = (formula && !is_number(text) ? "'" : "") + text;
   if (cell.find_first_of(",\"\n\r") == std::string::npos) return cell;
   std::string quoted = "\"";
   for (const char c : cell) quoted += c == '"' ? std::string("\"\"") : std::string{c};
   return quoted + "\"";
+}
+
+std::string csv_comment(const std::string& text) {
+  std::string line = "# ";
+  for (const char c : one_line(text)) {
+    if (line.back() == ',' && begins_a_formula.find(c) != std::string_view::npos) line += ' ';
+    line += c;
+  }
+  return line + "\n";
 }
 
 std::string csv_line(const std::vector<std::string>& cells) {

@@ -11,6 +11,9 @@ namespace ehd {
 /// gets a leading apostrophe, so that no spreadsheet runs it.
 [[nodiscard]] std::string csv_cell(const std::string& text);
 
+/// A line of comment before the header: "# text". A spreadsheet cuts it into cells as well, and runs none of them.
+[[nodiscard]] std::string csv_comment(const std::string& text);
+
 /// Cells separated by commas, and a line feed.
 [[nodiscard]] std::string csv_line(const std::vector<std::string>& cells);
 

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/text.hpp"
 #include "io/film_table_text.hpp"
 #include "io/program_text.hpp"
 
@@ -119,7 +118,7 @@ std::string film_table_c(const FilmTable& table) {
   const FilmRange& range = table.range;
   const double log_low = std::log1p(range.L_low);
   std::string text = "/* Films of a lubricated line contact. C99; needs math.h alone. Schema ehd-films-1.\n *\n";
-  for (const std::string& line : film_table_words(table)) text += " * " + one_line(line) + "\n";
+  for (const std::string& line : film_table_words(table)) text += " * " + in_c_comment(line) + "\n";
   text += how_to_use;
   text += fmt::format("#include <math.h>\n\nenum {{ PREFIX_SIZE = {}, PREFIX_PANELS = {} }};\n\n", highest + 1,
                       table.panels.size());

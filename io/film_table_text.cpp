@@ -108,7 +108,7 @@ std::vector<std::string> film_table_words(const FilmTable& table) {
 
 std::string film_table_csv(const FilmTable& table) {
   std::string text = fmt::format("# schema: {}\n", film_table_schema);
-  for (const std::string& line : film_table_words(table)) text += "# " + one_line(line) + "\n";
+  for (const std::string& line : film_table_words(table)) text += csv_comment(line);
   text += fmt::format("# x = {}\n# y = {}\n# film = shift + exp(sum of coefficient T_i(x) T_j(y)), in units of b^2/R\n",
                       film_table_x, film_table_y);
   text += csv_line({"M_low", "M_high", "L_low", "L_high", "film", "shift", "i", "j", "coefficient"});

@@ -123,7 +123,7 @@ std::string law_export_c(const LawExport& law) {
   const bearing::TabulatedLaw& table = law.table;
   const std::size_t knots = table.approach_m.size();
   std::string text = "/* Contact force law of a roller bearing. C99; needs math.h alone. Schema ehd-law-1.\n *\n";
-  for (const std::string& line : law_export_words(law)) text += " * " + one_line(line) + "\n";
+  for (const std::string& line : law_export_words(law)) text += " * " + in_c_comment(line) + "\n";
   text += c_usage;
   text += fmt::format("\nenum {{ PREFIX_KNOTS = {} }};\n", knots);
   text += "extern const double PREFIX_error[4], PREFIX_range[2];\nconst double PREFIX_error[4] = " +

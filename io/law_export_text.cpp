@@ -89,7 +89,7 @@ std::vector<std::string> law_export_words(const LawExport& law) {
 std::string law_export_csv(const LawExport& law) {
   const std::vector<Column> columns = columns_of(law.table);
   std::string text = fmt::format("# schema: {}\n", law_schema);
-  for (const std::string& line : law_export_words(law)) text += "# " + one_line(line) + "\n";
+  for (const std::string& line : law_export_words(law)) text += csv_comment(line);
   std::vector<std::string> names;
   for (const Column& column : columns) names.emplace_back(column.name);
   text += csv_line(names);

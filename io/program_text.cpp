@@ -7,6 +7,7 @@
 #include <charconv>
 #include <nlohmann/json.hpp>
 
+#include "contact/text.hpp"
 #include "io/provenance.hpp"
 
 namespace ehd {
@@ -32,6 +33,16 @@ std::string identifier(std::string_view text) {
   for (char& c : name)
     if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
   return name;
+}
+
+std::string in_c_comment(const std::string& text) {
+  std::string line;
+  for (const char c : one_line(text)) {
+    const char before = line.empty() ? ' ' : line.back();
+    if ((before == '*' && c == '/') || (before == '/' && c == '*')) line += ' ';
+    line += c;
+  }
+  return line;
 }
 
 std::string with_prefix(std::string text, const std::string& prefix) {

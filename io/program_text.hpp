@@ -16,6 +16,8 @@ namespace ehd {
 [[nodiscard]] std::string braced(const std::vector<double>& values);
 /// Each byte that is no letter or digit becomes an underscore: "own_moes_20_10".
 [[nodiscard]] std::string identifier(std::string_view text);
+/// A line for a C comment: blanks part what would end the comment or seem to begin another.
+[[nodiscard]] std::string in_c_comment(const std::string& text);
 /// Every PREFIX replaced.
 [[nodiscard]] std::string with_prefix(std::string text, const std::string& prefix);
 /// Where a file comes from: "ehd 0.1.0, commit 0123abc, 2026-01-31T12:00:00Z".

@@ -24,4 +24,9 @@ BOOST_AUTO_TEST_CASE(commas_quotation_marks_and_line_feeds_are_quoted) {
   BOOST_TEST(csv_line({"a,b", "c\"d", "e\nf", "g"}) == "\"a,b\",\"c\"\"d\",\"e\nf\",g\n");
 }
 
+BOOST_AUTO_TEST_CASE(no_cell_of_a_comment_is_run) {
+  BOOST_TEST(csv_comment("Case: a,=1+1,@b, -2") == "# Case: a, =1+1, @b, -2\n");
+  BOOST_TEST(csv_comment("two\nlines") == "# two\\nlines\n");
+}
+
 BOOST_AUTO_TEST_SUITE_END()
