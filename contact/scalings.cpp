@@ -136,7 +136,12 @@ double rounded(double value) {
 std::optional<double> value_by(const KnownEquations& known, const ScaledNumber& row) {
   const Equation rest = known.reduced({.exponents = row.exponents, .value = 0});
   if (rest.leading() != rest.exponents.size()) return std::nullopt;
-  return rounded(row.constant * std::exp(-rest.value));
+  const double value = row.constant * std::exp(-rest.value);
+  if (!std::isnormal(value))
+    throw StatementError(
+        std::string(row.name),
+        "leaves the range of numbers, 1e-307 to 1e308; allowed are numbers nearer to those of a contact");
+  return rounded(value);
 }
 
 }  // namespace

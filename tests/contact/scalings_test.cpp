@@ -84,6 +84,8 @@ BOOST_AUTO_TEST_CASE(a_number_that_follows_from_others_or_is_none_is_refused) {
       {{{"L", 0}, {"alpha_p_H", 1}}, "the numbers before it fix it already, at 0"},
       {{{"G", 5000}, {"L", 0}}, "is 0, so alpha is 0; but a number before it"},
       {{{"M", std::numeric_limits<double>::infinity()}}, "is not positive"},
+      {{{"M", 1e160}, {"L", 1}}, "leaves the range of numbers"},
+      {{{"W", 1e-320}, {"reduced_modulus_Pa", 1}, {"reduced_radius_m", 1}}, "leaves the range of numbers"},
   };
   for (const auto& [given, phrase] : rows) {
     const auto says = [&phrase = phrase](const StatementError& wrong) {
