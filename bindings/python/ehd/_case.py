@@ -57,7 +57,10 @@ def number(name: str, value: object) -> float:
     """An argument that has to be a number."""
     if not isinstance(value, numbers.Real):
         raise InputError(f"{name} = {value!r}: is no number; allowed is one number")
-    return float(value)
+    try:
+        return float(value)
+    except OverflowError:
+        raise _too_large(name) from None
 
 
 def whole(name: str, value: object) -> int:
@@ -66,7 +69,8 @@ def whole(name: str, value: object) -> int:
         raise InputError(f"{name} = {value!r}: is no whole number; allowed is an integer")
     result = int(value)
     if abs(result) >= 2**31:  # ctypes would cut it
-        raise InputError(f"{name} = {value}: is out of range; allowed is an integer below 2^31")
+        shown = f" = {value}" if abs(result) < 2**64 else ""  # Python writes no integer of many thousand digits
+        raise InputError(f"{name}{shown}: is out of range; allowed is an integer below 2^31")
     return result
 
 
@@ -74,17 +78,33 @@ def word(name: str, value: object) -> bytes:
     """An argument that has to be a name."""
     if not isinstance(value, str):
         raise InputError(f"{name} = {value!r}: is no name; allowed is a text")
-    return value.encode()
+    if "\0" in value:  # a text in C ends there
+        raise InputError(f"{name} = {value!r}: is no name; allowed is a text without a null character")
+    return utf8(value, name)
+
+
+def _too_large(name: str) -> InputError:
+    return InputError(f"{name}: is out of range; allowed is a number that a double holds")
+
+
+def utf8(text: str, name: str) -> bytes:
+    """The bytes that the library reads."""
+    try:
+        return text.encode()
+    except UnicodeEncodeError:  # half of a pair of surrogates
+        raise InputError(f"{name}: is no Unicode; allowed is a text that UTF-8 holds") from None
 
 
 def _toml(key: str, value: Value) -> str:
     if isinstance(value, str):
         return json.dumps(value, ensure_ascii=False)
-    if isinstance(value, numbers.Integral):
-        return str(int(value))
     try:
-        return repr(float(value))
+        return str(int(value)) if isinstance(value, numbers.Integral) else repr(float(value))
+    except OverflowError:
+        raise _too_large(key) from None
     except (TypeError, ValueError):
+        if isinstance(value, numbers.Integral):  # Python writes no integer of many thousand digits
+            raise _too_large(key) from None
         shown = " ".join(repr(value).split())
         raise InputError(f"{key} = {shown}: is neither a number nor a text; allowed is one of them") from None
 
@@ -106,7 +126,7 @@ def case_from_keywords(statement: Mapping[str, Value]) -> CaseText:
         tables["lubricant"] = {**laws, **tables.get("lubricant", {})}
         tables.setdefault("domain", {"inlet": "flooded"})
     text = lines(tables.pop("")) + "".join(f"[{table}]\n{lines(entries)}" for table, entries in tables.items())
-    return CaseText(text.encode(), None, (*_ARGUMENTS, *table_of))
+    return CaseText(utf8(text, "the keywords"), None, (*_ARGUMENTS, *table_of))
 
 
 def cases_folder() -> Optional[pathlib.Path]:
@@ -141,7 +161,7 @@ def case_from(case: CaseName) -> CaseText:
     """The text of a case file, by its path or id. A text of more than one line is a case itself."""
     name = os.fsdecode(case)
     if "\n" in name:
-        return CaseText(_whole(name.encode(), "case"), "case")
+        return CaseText(_whole(utf8(name, "case"), "case"), "case")
     file = _find(name)
     try:
         text = file.read_bytes()

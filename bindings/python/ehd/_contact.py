@@ -9,7 +9,7 @@ from typing import Any, Optional
 import numpy as np
 import numpy.typing as npt
 
-from ._case import PLAIN_OIL, CaseName, CaseText, Value, case_from, case_from_keywords, lines, number, whole, word
+from ._case import PLAIN_OIL, CaseName, CaseText, Value, case_from, case_from_keywords, lines, number, utf8, whole, word
 from ._library import STATUS, call
 from ._result import Array, Result, numbers, read_only, require_converged, run
 from .errors import InputError
@@ -184,7 +184,7 @@ def films(M: npt.ArrayLike, L: npt.ArrayLike, *, tolerance: float = 1e-3, thread
     given = [np.broadcast_to(group, shape).ravel() for group in groups]
     found = [np.full(given[0].size, np.nan) for _ in range(4)]
     status = np.zeros(given[0].size, dtype=np.intc)
-    oil = lines({**PLAIN_OIL, **lubricant}).encode()
+    oil = utf8(lines({**PLAIN_OIL, **lubricant}), "the lubricant")
     addresses = [array.ctypes.data for array in (*given, *found, status)]
     try:
         ended = call("ehd_films", status.size, *addresses[:2], oil, number("tolerance", tolerance),

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 import csv
+import fractions
 import pickle
 import re
 
@@ -139,6 +140,22 @@ def test_a_result_is_the_same_in_another_process():
 def test_a_wrong_argument_is_named(keywords, message):
     with pytest.raises(ehd.InputError, match=re.escape(message)):
         ehd.solve(M=20, L=10, **keywords)
+
+
+def test_what_no_double_and_no_text_of_c_holds_is_named():
+    with pytest.raises(ehd.InputError, match="threads: is out of range"):
+        ehd.films(M=20, L=10, threads=10**5000)
+    for huge in (10**400, 10**5000, fractions.Fraction(10**400)):
+        with pytest.raises(ehd.InputError, match="tolerance: is out of range"):
+            ehd.solve(M=20, L=10, tolerance=huge)
+    for huge in (10**5000, fractions.Fraction(10**400)):
+        with pytest.raises(ehd.InputError, match="M: is out of range"):
+            ehd.solve(M=huge, L=10)
+    with pytest.raises(ehd.InputError, match="solver = .* is no name"):
+        ehd.solve(M=20, L=10, solver="fast\0er")
+    for half in ({"M": 20, "L": 10, "title": "\ud800"}, {"case": "id = 'a'\n\ud800"}):
+        with pytest.raises(ehd.InputError, match="is no Unicode"):
+            ehd.solve(**half)
 
 
 def test_a_wrong_argument_of_films_and_of_a_bearing_is_named():
