@@ -79,11 +79,6 @@ Option& Option::showing_default() {
   return *this;
 }
 
-Option& Option::excluding(const Option& other) {
-  option_.excludes(&other.option_);
-  return *this;
-}
-
 void Command::summary(const std::string& line) { app_.description(line); }
 
 void Command::examples(const std::string& text) { app_.footer(text); }

@@ -23,7 +23,6 @@ class Option {
   Option& called(const std::string& value_name);  ///< the name of its value in the help: "--output DIR"
   Option& required();
   Option& showing_default();  ///< the help shows the value that the variable holds now: "TEXT=fast"
-  Option& excluding(const Option& other);
 
  private:
   CLI::Option& option_;

@@ -99,7 +99,6 @@ void fill_balance(BearingResult& result, const BearingSetup& setup, const std::v
   result.stiffness_N_per_m = ring.stiffness_N_per_m;
   result.balance_error = ring.balance_error;
   result.rollers = rows_of(setup, ring);
-  result.roller_groups = ring.groups;
   result.rollers_balanced = ring.rollers_balanced;
   result.newton_iterations = ring.newton_iterations;
   if (setup.cage_positions > 0) result.cage = turn_of(positions);

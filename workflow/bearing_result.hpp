@@ -98,11 +98,10 @@ struct BearingResult {
   std::vector<VariantResult> variants;
   double balance_error = 0;
   double wall_s = 0;
-  long contact_solves = 0;   ///< contacts that this law is the first to need
-  long contact_recalls = 0;  ///< contacts that it took from memory
-  long responses = 0;        ///< contacts whose response this law is the first to need
-  int roller_groups = 0;     ///< rollers that are not another's mirror image
-  long rollers_balanced = 0;
+  long contact_solves = 0;    ///< contacts that this law is the first to need
+  long contact_recalls = 0;   ///< contacts that it took from memory
+  long responses = 0;         ///< contacts whose response this law is the first to need
+  long rollers_balanced = 0;  ///< those that are not another's mirror image, once an iteration
   int newton_iterations = 0;
   Plan plan;
   std::vector<BearingNote> notes;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "bearing/fit.hpp"
 #include "bearing/law_table.hpp"
 #include "contact/approach.hpp"
 #include "contact/hertz.hpp"
@@ -90,8 +91,10 @@ BOOST_AUTO_TEST_CASE(every_dry_law_balances_and_says_what_it_needs) {
   for (std::size_t k = 0; k < laws.size(); ++k) {
     BOOST_TEST((results[k].law == laws[k]));
     BOOST_TEST((results[k].status == StopReason::converged), results[k].why);
-    if (k > 0) BOOST_TEST(std::abs(results[k].displacement_m / results[0].displacement_m - 1) < 0.3);
-    if (k > 0) BOOST_TEST(results[k].displacement_m != results[0].displacement_m);
+    if (k == 0) continue;
+    EHD_CHECK(error(results[k].displacement_m, results[0].displacement_m),
+              Tolerance::calibrated(0.3, "the largest is lundberg, 26 % above hertz at no clearance"));
+    BOOST_TEST(results[k].displacement_m != results[0].displacement_m);
   }
   BOOST_TEST(contacts.total == 0);
 }
@@ -192,7 +195,6 @@ BOOST_AUTO_TEST_CASE(mirrored_rollers_are_balanced_once) {
   CountedContacts contacts;
   ContactMemory memory(contacts.solver());
   for (const BearingResult& result : run(needle_bearing(0), {bearing::Law::hertz, bearing::Law::ehd}, memory)) {
-    BOOST_TEST(result.roller_groups == 12);
     BOOST_TEST(result.rollers_balanced == 12 * result.newton_iterations);
   }
 }
@@ -504,7 +506,7 @@ BOOST_AUTO_TEST_CASE(a_line_that_does_not_describe_its_contacts_says_so_first) {
 
   const Json good = to_json(run(needle_bearing(10e-6), {bearing::Law::ehd_linear}, memory).at(0));
   BOOST_TEST(good["fit"]["inner"]["describes_contacts"].get<bool>());
-  BOOST_TEST(good["fit"]["inner"]["misfit"].get<double>() < 0.05);
+  BOOST_TEST(good["fit"]["inner"]["misfit"].get<double>() <= bearing::largest_misfit);
   for (const auto& note : good["notes"])
     BOOST_TEST(note.get<std::string>().find("does not describe") == std::string::npos);
 }

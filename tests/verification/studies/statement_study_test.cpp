@@ -90,8 +90,9 @@ BOOST_AUTO_TEST_CASE(a_choice_changes_what_it_says) {
   BOOST_TEST(std::is_sorted(thicker.rbegin(), thicker.rend()));  // a thicker film holds the bodies further apart
   const auto turned = value("rotating ring", "change", 'a'), as_is = value("as the case", "change", 'a');
   BOOST_REQUIRE_EQUAL(turned.size(), 1u);
-  BOOST_TEST(turned[0] != as_is[0]);  // the cage, and so the centrifugal force, is another
-  BOOST_TEST(std::abs(turned[0] - as_is[0]) < 0.1 * std::abs(as_is[0]));
+  BOOST_TEST(turned[0] != as_is[0]);    // the cage, and so the centrifugal force, is another
+  constexpr double small_change = 0.1;  // the films stay; centrifugal forces are a small part of the load
+  BOOST_TEST(std::abs(turned[0] - as_is[0]) < small_change * std::abs(as_is[0]));
   BOOST_TEST(value("length", "change", 'a').size() == 1u);
   // Another dry law moves the loads that EHD is compared with. Another density moves no film of the synthetic contact.
   for (const double change : value("K_Hertz", "change", 'a')) BOOST_TEST(change != as_is[0]);
