@@ -8,39 +8,54 @@ namespace {
 template <class Law>
 std::vector<double> key_of(const Law& law) {
   std::vector<double> key{static_cast<double>(law.index())};
-  const std::vector<double> parameters = std::visit([](const auto& formula) { return formula.parameters(); }, law);
-  key.insert(key.end(), parameters.begin(), parameters.end());
+  for (const LawParameter& one : parameters(law)) key.push_back(one.value);
   return key;
 }
 
 }  // namespace
 
 Viscosity in_units_of(const Viscosity& law, double unit) {
-  return std::visit([&](const ViscosityFormula auto& formula) -> Viscosity { return formula.in_units_of(unit); }, law);
+  return std::visit([&](const ViscosityFormula auto& one) -> Viscosity { return one.in_units_of(unit); }, law);
 }
 
 Density in_units_of(const Density& law, double unit) {
-  return std::visit([&](const DensityFormula auto& formula) -> Density { return formula.in_units_of(unit); }, law);
+  return std::visit([&](const DensityFormula auto& one) -> Density { return one.in_units_of(unit); }, law);
 }
 
 bool is_trivial(const Viscosity& law) {
-  return std::visit([](const ViscosityFormula auto& formula) { return formula.trivial; }, law);
+  return std::visit([](const ViscosityFormula auto& one) { return one.trivial; }, law);
 }
 
 bool is_trivial(const Density& law) {
-  return std::visit([](const DensityFormula auto& formula) { return formula.trivial; }, law);
+  return std::visit([](const DensityFormula auto& one) { return one.trivial; }, law);
 }
 
 double ambient_slope(const Viscosity& law) {
-  return std::visit([](const ViscosityFormula auto& formula) { return formula.ambient_slope(); }, law);
+  return std::visit([](const ViscosityFormula auto& one) { return one.ambient_slope(); }, law);
 }
 
 std::string_view name(const Viscosity& law) {
-  return std::visit([](const ViscosityFormula auto& formula) { return formula.name; }, law);
+  return std::visit([](const ViscosityFormula auto& one) { return one.name; }, law);
 }
 
 std::string_view name(const Density& law) {
-  return std::visit([](const DensityFormula auto& formula) { return formula.name; }, law);
+  return std::visit([](const DensityFormula auto& one) { return one.name; }, law);
+}
+
+std::string_view formula(const Viscosity& law) {
+  return std::visit([](const ViscosityFormula auto& one) { return one.formula; }, law);
+}
+
+std::string_view formula(const Density& law) {
+  return std::visit([](const DensityFormula auto& one) { return one.formula; }, law);
+}
+
+std::vector<LawParameter> parameters(const Viscosity& law) {
+  return std::visit([](const ViscosityFormula auto& one) { return one.parameters(); }, law);
+}
+
+std::vector<LawParameter> parameters(const Density& law) {
+  return std::visit([](const DensityFormula auto& one) { return one.parameters(); }, law);
 }
 
 std::vector<double> cache_key(const Viscosity& law) { return key_of(law); }

@@ -25,6 +25,12 @@ struct LawValues {
   ArrayOf<Scalar> slope;
 };
 
+/// A number of a law. The name is that of ehd cases --json, where pressures are in units of p_H.
+struct LawParameter {
+  std::string_view name;
+  double value;
+};
+
 /// The keys of a case's [lubricant] that a viscosity law reads. z is Roelands' exponent: a law that reads z gets alpha
 /// from z, or z from alpha, where the case states one of them and eta_0.
 struct LawKeys {
@@ -45,13 +51,14 @@ struct LawInputs {
 /// eta = eta_0.
 struct Isoviscous {
   static constexpr std::string_view name = "isoviscous";
+  static constexpr std::string_view formula = "ln(eta/eta_0) = 0";
   static constexpr LawKeys keys{};
   static constexpr bool trivial = true;
 
   [[nodiscard]] static Isoviscous from(const LawInputs& /*inputs*/) { return {}; }
   [[nodiscard]] Isoviscous in_units_of(double /*unit*/) const { return {}; }
   [[nodiscard]] double ambient_slope() const { return 0; }
-  [[nodiscard]] std::vector<double> parameters() const { return {}; }
+  [[nodiscard]] std::vector<LawParameter> parameters() const { return {}; }
 
   template <class Scalar>
   void evaluate(const ArrayOf<Scalar>& /*pressure*/, LawValues<Scalar>& out) const {
@@ -63,6 +70,7 @@ struct Isoviscous {
 /// ln(eta/eta_0) = alpha p. alpha: 1/pressure.
 struct Barus {
   static constexpr std::string_view name = "barus";
+  static constexpr std::string_view formula = "ln(eta/eta_0) = alpha_p_H P";
   static constexpr LawKeys keys{.alpha_per_Pa = true};
   static constexpr bool trivial = false;
 
@@ -71,9 +79,9 @@ struct Barus {
   [[nodiscard]] static Barus from(const LawInputs& inputs) { return {inputs.alpha}; }
   [[nodiscard]] Barus in_units_of(double unit) const { return {alpha * unit}; }
   [[nodiscard]] double ambient_slope() const { return alpha; }
-  [[nodiscard]] std::vector<double> parameters() const {
+  [[nodiscard]] std::vector<LawParameter> parameters() const {
     const auto& [own_alpha] = *this;  // names every member: a further one does not compile here
-    return {own_alpha};
+    return {{"alpha_p_H", own_alpha}};
   }
 
   template <class Scalar>
@@ -86,6 +94,7 @@ struct Barus {
 /// ln(eta/eta_0) = (alpha p_0/z) ((1 + p/p_0)^z - 1). alpha: 1/pressure; p_0: pressure; z: 1.
 struct Roelands {
   static constexpr std::string_view name = "roelands";
+  static constexpr std::string_view formula = "ln(eta/eta_0) = (alpha_p_H p0_over_p_H/z) ((1 + P/p0_over_p_H)^z - 1)";
   static constexpr LawKeys keys{.alpha_per_Pa = true, .z = true, .p0_Pa = true};
   static constexpr bool trivial = false;
 
@@ -98,9 +107,9 @@ struct Roelands {
   }
   [[nodiscard]] Roelands in_units_of(double unit) const { return {.alpha = alpha * unit, .p0 = p0 / unit, .z = z}; }
   [[nodiscard]] double ambient_slope() const { return alpha; }
-  [[nodiscard]] std::vector<double> parameters() const {
+  [[nodiscard]] std::vector<LawParameter> parameters() const {
     const auto& [own_alpha, own_p0, own_z] = *this;  // names every member: a further one does not compile here
-    return {own_alpha, own_p0, own_z};
+    return {{"alpha_p_H", own_alpha}, {"p0_over_p_H", own_p0}, {"z", own_z}};
   }
 
   template <class Scalar>
@@ -121,10 +130,11 @@ using Viscosity = std::variant<Isoviscous, Barus, Roelands>;
 /// rho = rho_0.
 struct Incompressible {
   static constexpr std::string_view name = "incompressible";
+  static constexpr std::string_view formula = "rho/rho_0 = 1";
   static constexpr bool trivial = true;
 
   [[nodiscard]] Incompressible in_units_of(double /*unit*/) const { return {}; }
-  [[nodiscard]] std::vector<double> parameters() const { return {}; }
+  [[nodiscard]] std::vector<LawParameter> parameters() const { return {}; }
 
   template <class Scalar>
   void evaluate(const ArrayOf<Scalar>& /*pressure*/, LawValues<Scalar>& out) const {
@@ -136,15 +146,16 @@ struct Incompressible {
 /// rho/rho_0 = 1 + a p/(1 + c p); a, c: 1/pressure. Both printed Dowson-Higginson forms are of this shape.
 struct DowsonHigginson {
   static constexpr std::string_view name = "dowson-higginson";
+  static constexpr std::string_view formula = "rho/rho_0 = 1 + density_a P/(1 + density_c P)";
   static constexpr bool trivial = false;
 
   double a = 0;
   double c = 0;
 
   [[nodiscard]] DowsonHigginson in_units_of(double unit) const { return {.a = a * unit, .c = c * unit}; }
-  [[nodiscard]] std::vector<double> parameters() const {
+  [[nodiscard]] std::vector<LawParameter> parameters() const {
     const auto& [own_a, own_c] = *this;  // names every member: a further one does not compile here
-    return {own_a, own_c};
+    return {{"density_a", own_a}, {"density_c", own_c}};
   }
 
   template <class Scalar>
@@ -165,13 +176,14 @@ using Density = std::variant<Incompressible, DowsonHigginson>;
 
 // ---- what every law answers ----------------------------------------------------------------------------------------
 
-/// A law of density: its name, whether it is constant, its parameters, its values.
+/// A law of density: its name, its formula in the names of its parameters, whether it is constant, its values.
 template <class Law>
 concept DensityFormula = requires(const Law law, double unit, const ArrayOf<double>& pressure, LawValues<double>& out) {
   { Law::name } -> std::convertible_to<std::string_view>;
+  { Law::formula } -> std::convertible_to<std::string_view>;
   { Law::trivial } -> std::convertible_to<bool>;
   { law.in_units_of(unit) } -> std::same_as<Law>;
-  { law.parameters() } -> std::same_as<std::vector<double>>;
+  { law.parameters() } -> std::same_as<std::vector<LawParameter>>;
   { law.evaluate(pressure, out) } -> std::same_as<void>;
 };
 
@@ -196,6 +208,10 @@ concept ViscosityFormula = DensityFormula<Law> && requires(const Law law, const 
 
 [[nodiscard]] std::string_view name(const Viscosity& law);
 [[nodiscard]] std::string_view name(const Density& law);
+[[nodiscard]] std::string_view formula(const Viscosity& law);
+[[nodiscard]] std::string_view formula(const Density& law);
+[[nodiscard]] std::vector<LawParameter> parameters(const Viscosity& law);
+[[nodiscard]] std::vector<LawParameter> parameters(const Density& law);
 
 /// The law as numbers, for the key of a cache: its place in the variant, then all its parameters. Two laws are the same
 /// exactly if their keys are equal.
@@ -207,7 +223,7 @@ template <class Scalar>
 void evaluate(const Viscosity& law, const ArrayOf<Scalar>& pressure, LawValues<Scalar>& out) {
   out.value.resize(pressure.size());
   out.slope.resize(pressure.size());
-  std::visit([&](const ViscosityFormula auto& formula) { formula.evaluate(pressure, out); }, law);
+  std::visit([&](const ViscosityFormula auto& one) { one.evaluate(pressure, out); }, law);
 }
 
 /// rho/rho_0 and its derivative. Storage of `out` is reused.
@@ -215,7 +231,7 @@ template <class Scalar>
 void evaluate(const Density& law, const ArrayOf<Scalar>& pressure, LawValues<Scalar>& out) {
   out.value.resize(pressure.size());
   out.slope.resize(pressure.size());
-  std::visit([&](const DensityFormula auto& formula) { formula.evaluate(pressure, out); }, law);
+  std::visit([&](const DensityFormula auto& one) { one.evaluate(pressure, out); }, law);
 }
 
 template <class Law, class Scalar>

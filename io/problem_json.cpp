@@ -2,48 +2,21 @@
 #include "io/problem_json.hpp"
 
 #include <nlohmann/json.hpp>
+#include <string>
 #include <variant>
 
 #include "contact/nondimensional.hpp"
-#include "contact/overloaded.hpp"
+#include "contact/rheology.hpp"
 #include "io/result_head.hpp"
 
 namespace ehd {
 
 namespace {
 
-// A visit a law: a new law does not compile until it is written down here.
-
-Json law_json(const Viscosity& law) {
-  Json json{{"law", name(law)}};
-  std::visit(Overloaded{
-                 [&](const Isoviscous&) { json["formula"] = "ln(eta/eta_0) = 0"; },
-                 [&](const Barus& barus) {
-                   json["formula"] = "ln(eta/eta_0) = alpha_p_H P";
-                   put(json, "alpha_p_H", barus.alpha);
-                 },
-                 [&](const Roelands& roelands) {
-                   json["formula"] = "ln(eta/eta_0) = (alpha_p_H p0_over_p_H/z) ((1 + P/p0_over_p_H)^z - 1)";
-                   put(json, "alpha_p_H", roelands.alpha);
-                   put(json, "p0_over_p_H", roelands.p0);
-                   put(json, "z", roelands.z);
-                 },
-             },
-             law);
-  return json;
-}
-
-Json law_json(const Density& law) {
-  Json json{{"law", name(law)}};
-  std::visit(Overloaded{
-                 [&](const Incompressible&) { json["formula"] = "rho/rho_0 = 1"; },
-                 [&](const DowsonHigginson& dowson) {
-                   json["formula"] = "rho/rho_0 = 1 + density_a P/(1 + density_c P)";
-                   put(json, "density_a", dowson.a);
-                   put(json, "density_c", dowson.c);
-                 },
-             },
-             law);
+template <class Law>
+Json law_json(const Law& law) {
+  Json json{{"law", name(law)}, {"formula", formula(law)}};
+  for (const LawParameter& one : parameters(law)) put(json, std::string(one.name), one.value);
   return json;
 }
 

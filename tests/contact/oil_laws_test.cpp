@@ -32,6 +32,9 @@ struct WithoutKeys : Answering<WithoutKeys> {
 struct WithoutParameters : Answering<WithoutParameters> {
   void parameters() const {}
 };
+struct WithoutFormula : Answering<WithoutFormula> {
+  static constexpr int formula = 0;
+};
 struct WithoutAmbientSlope : Answering<WithoutAmbientSlope> {
   void ambient_slope() const {}
 };
@@ -46,6 +49,7 @@ static_assert(ViscosityFormula<WholeLaw>);
 static_assert(!ViscosityFormula<Foreign> && !DensityFormula<Foreign>);
 static_assert(!ViscosityFormula<WithoutKeys>);
 static_assert(!ViscosityFormula<WithoutParameters>);
+static_assert(!ViscosityFormula<WithoutFormula>);
 static_assert(!ViscosityFormula<WithoutAmbientSlope>);
 static_assert(!ViscosityFormula<WithoutValues>);
 static_assert(!ViscosityFormula<WithoutTrivial>);
