@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "contact/conditions.hpp"
+#include "contact/enum_words.hpp"
 
 namespace ehd::bearing {
 
@@ -31,6 +32,7 @@ enum class Raceway { inner, outer };
 [[nodiscard]] inline std::string_view to_string(Raceway raceway) {
   return raceway == Raceway::inner ? "inner" : "outer";
 }
+inline constexpr auto both_raceways = all_words<Raceway>;
 
 template <class T>
 struct BothRaceways {

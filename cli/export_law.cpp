@@ -35,17 +35,16 @@ LawWriter law_writer_named(const std::string& format, const CaseChanges& changes
 bearing::Raceway raceway_named(const std::optional<std::string>& name) {
   const std::string allowed = "allowed is inner or outer";
   if (!name) throw UsageError("export law: --raceway is missing; " + allowed);
-  for (const bearing::Raceway raceway : {bearing::Raceway::inner, bearing::Raceway::outer})
-    if (*name == to_string(raceway)) return raceway;
+  if (const auto raceway = word_from<bearing::Raceway>(*name)) return *raceway;
   throw option_error("--raceway", *name, "is unknown; " + allowed);
 }
 
 LawExportRequest request_of(const LawExportOptions& options) {
-  if (options.law != "ehd")
-    throw option_error(
-        "--law", options.law,
-        "has no table: only ehd is tabulated, the other laws are formulas (ehd bearing --json has their numbers); "
-        "allowed is ehd");
+  if (const auto tabulated = to_string(bearing::Law::ehd); options.law != tabulated)
+    throw option_error("--law", options.law,
+                       fmt::format("has no table: only {0} is tabulated, the other laws are formulas (ehd bearing "
+                                   "--json has their numbers); allowed is {0}",
+                                   tabulated));
   LawExportRequest request{.raceway = raceway_named(options.raceway)};
   if (options.knots) request.knots = parse_integer("--knots", *options.knots, {.low = 4, .high = 10000});
   return request;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "bearing/law_table.hpp"
 #include "cli/case_choice.hpp"
 
 namespace ehd::cli {
@@ -12,7 +13,7 @@ namespace ehd::cli {
 struct LawExportOptions {
   std::string case_name, format;
   CaseChanges changes;
-  std::string law = "ehd";
+  std::string law{to_string(bearing::Law::ehd)};
   std::optional<std::string> raceway, knots, output, time_limit, time_limit_total;
 };
 

@@ -2,6 +2,7 @@
 // ehd maps: the film formulas and the cut inlet over M and L, from the atlas.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -9,6 +10,7 @@
 #include "cli/output.hpp"
 #include "cli/subcommands.hpp"
 #include "cli/usage.hpp"
+#include "contact/quantities.hpp"
 #include "verification/atlas/atlas.hpp"
 #include "verification/studies/film_maps.hpp"
 #include "verification/studies/motion_maps.hpp"
@@ -34,10 +36,16 @@ Examples:
 
 The numbers are the certified ones of cases/atlas, which ehd atlas made. Only --table solves; nothing is judged.)";
 
+Quantity film_named(const std::string& name) {
+  const auto quantity = quantity_from(name);
+  if (!quantity || std::ranges::find(judged_films, *quantity) == judged_films.end())
+    throw unknown_word_error("--quantity", name,
+                             fmt::format("{}, {}", to_string(judged_films[0]), to_string(judged_films[1])));
+  return *quantity;
+}
+
 int maps(const MapsOptions& options) {
-  const std::string quantity = options.quantity.value_or("");
-  if (options.quantity && quantity != "film.minimum" && quantity != "film.central")
-    throw unknown_word_error("--quantity", quantity, "film.minimum, film.central");
+  const auto quantity = options.quantity ? std::optional(film_named(*options.quantity)) : std::nullopt;
   const auto laws = verification::atlas_laws_from(options.laws);
   if (!laws || *laws == verification::AtlasLaws::isoviscous)  // L = 0 is a row of both maps
     throw unknown_word_error("--laws", options.laws, "roelands, barus");

@@ -19,21 +19,21 @@ double moes_film_formula(const MoesGroups& moes) {
 }
 
 std::vector<FilmFormula> film_formulas(const MoesGroups& moes, double G) {
-  std::vector<FilmFormula> formulas{{"Moes (Venner 1991)", "film.couette", moes_film_formula(moes)}};
+  std::vector<FilmFormula> formulas{{"Moes (Venner 1991)", Quantity::film_couette, moes_film_formula(moes)}};
   if (!(moes.L > 0) || !(G > 0)) return formulas;
   const DowsonGroups groups = dowson_from(moes, G);
   const double moes_per_film_ratio = 1 / std::sqrt(2 * groups.U_mean);  // h/R -> (h/R) U_s^(-1/2)
-  const auto add = [&](const char* name, const char* of, double c, double a, double u, double w) {
+  const auto add = [&](const char* name, Quantity of, double c, double a, double u, double w) {
     formulas.push_back(
         {name, of,
          c * std::pow(groups.G, a) * std::pow(groups.U_mean, u) * std::pow(groups.W, w) * moes_per_film_ratio});
   };
-  add("Dowson & Higginson 1966", "film.minimum", 1.6, 0.6, 0.7, -0.13);
-  add("Dowson & Higginson 1977", "film.minimum", 2.65, 0.54, 0.70, -0.13);
-  add("Hamrock & Jacobson 1984", "film.minimum", 3.07, 0.57, 0.71, -0.11);
-  add("Pan & Hamrock 1989", "film.minimum", 1.714, 0.568, 0.694, -0.128);
-  add("Dowson & Toyoda 1978", "film.central", 3.06, 0.56, 0.69, -0.10);
-  add("Pan & Hamrock 1989", "film.central", 2.922, 0.470, 0.692, -0.166);
+  add("Dowson & Higginson 1966", Quantity::film_minimum, 1.6, 0.6, 0.7, -0.13);
+  add("Dowson & Higginson 1977", Quantity::film_minimum, 2.65, 0.54, 0.70, -0.13);
+  add("Hamrock & Jacobson 1984", Quantity::film_minimum, 3.07, 0.57, 0.71, -0.11);
+  add("Pan & Hamrock 1989", Quantity::film_minimum, 1.714, 0.568, 0.694, -0.128);
+  add("Dowson & Toyoda 1978", Quantity::film_central, 3.06, 0.56, 0.69, -0.10);
+  add("Pan & Hamrock 1989", Quantity::film_central, 2.922, 0.470, 0.692, -0.166);
   return formulas;
 }
 

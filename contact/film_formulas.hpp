@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "contact/nondimensional.hpp"
+#include "contact/quantities.hpp"
 
 namespace ehd {
 
@@ -15,7 +16,7 @@ inline constexpr double usual_G = 5000;
 /// One formula evaluated at one point; film in Moes units (h/R) U_s^(-1/2).
 struct FilmFormula {
   std::string name;  ///< "Dowson & Higginson 1977"
-  std::string of;    ///< "film.minimum" | "film.central" | "film.couette"
+  Quantity of = Quantity::film_minimum;
   double moes_film = 0;
 };
 

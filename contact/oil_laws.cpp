@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/oil_laws.hpp"
 
-#include <algorithm>
 #include <utility>
 
 namespace ehd {
@@ -27,6 +26,7 @@ constexpr auto viscosity_table =
 constexpr bool is_row(ViscosityLaw law, std::string_view name) {
   return viscosity_table[static_cast<std::size_t>(law)].name == name;
 }
+static_assert(word_count<ViscosityLaw>() == viscosity_law_count, "each viscosity law is a word and a struct");
 static_assert(is_row(ViscosityLaw::isoviscous, Isoviscous::name) && is_row(ViscosityLaw::barus, Barus::name) &&
                   is_row(ViscosityLaw::roelands, Roelands::name),
               "the enum ViscosityLaw has the order of the variant Viscosity");
@@ -47,13 +47,6 @@ constexpr bool in_order_of_the_enum() {
 }
 static_assert(in_order_of_the_enum(), "each density law has one row, in the order of the enum");
 
-template <class Table, class Law>
-std::optional<Law> law_named(const Table& table, std::string_view text) {
-  const auto at = std::find_if(table.begin(), table.end(), [&](const auto& row) { return row.name == text; });
-  if (at == table.end()) return std::nullopt;
-  return at->law;
-}
-
 }  // namespace
 
 const std::array<ViscosityLawRow, viscosity_law_count>& viscosity_laws() { return viscosity_table; }
@@ -73,12 +66,7 @@ std::string piezoviscous_names() {
 std::string_view to_string(ViscosityLaw law) { return row_of(law).name; }
 std::string_view to_string(DensityLaw law) { return row_of(law).name; }
 
-std::optional<ViscosityLaw> viscosity_law_from(std::string_view text) {
-  return law_named<decltype(viscosity_table), ViscosityLaw>(viscosity_table, text);
-}
-
-std::optional<DensityLaw> density_law_from(std::string_view text) {
-  return law_named<decltype(density_table), DensityLaw>(density_table, text);
-}
+std::optional<ViscosityLaw> viscosity_law_from(std::string_view text) { return word_from<ViscosityLaw>(text); }
+std::optional<DensityLaw> density_law_from(std::string_view text) { return word_from<DensityLaw>(text); }
 
 }  // namespace ehd

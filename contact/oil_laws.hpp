@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "contact/conditions.hpp"
+#include "contact/enum_words.hpp"
 #include "contact/rheology.hpp"
 
 namespace ehd {
@@ -29,7 +30,7 @@ struct DensityLawRow {
 /// Each alternative of Viscosity is one row; the enum ViscosityLaw has the same order.
 inline constexpr std::size_t viscosity_law_count = std::variant_size_v<Viscosity>;
 /// More rows than alternatives of Density: two printed laws have one shape.
-inline constexpr std::size_t density_law_count = 3;
+inline constexpr std::size_t density_law_count = word_count<DensityLaw>();
 
 [[nodiscard]] const std::array<ViscosityLawRow, viscosity_law_count>& viscosity_laws();
 [[nodiscard]] const std::array<DensityLawRow, density_law_count>& density_laws();

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/quantities.hpp"
 
-#include <algorithm>
-
+#include "contact/hertz.hpp"
 #include "contact/observables.hpp"
 #include "contact/solution.hpp"
 
@@ -55,22 +54,22 @@ constexpr std::array<QuantityRow, quantity_count> table{{
      .meaning = "the constant H_0 of the film equation",
      .unit = "h R/b^2",
      .error = ErrorKind::absolute,
-     .in_dry_contact = true,
      .kostreva_factor = kostreva_film,
      .json_entry = "film.offset",
      .json_value = "hertz",
-     .observe = observed::film_offset},
+     .observe = observed::film_offset,
+     .when_dry = [] { return Reading{.value = hertz::dry_offset()}; }},
     {.quantity = Quantity::pressure_maximum,
      .kind = QuantityKind::pressure_peak,
      .name = "pressure.maximum",
      .meaning = "largest pressure",
      .unit = "p/p_H",
-     .in_dry_contact = true,
      .SI = SIScale::pressure,
      .kostreva_factor = kostreva_pressure,
      .json_entry = "pressure.maximum",
      .json_value = "hertz",
-     .observe = observed::pressure_maximum},
+     .observe = observed::pressure_maximum,
+     .when_dry = [] { return Reading{.value = 1, .place = 0.0}; }},
     {.quantity = Quantity::pressure_spike,
      .kind = QuantityKind::pressure_peak,
      .name = "pressure.spike",
@@ -86,22 +85,22 @@ constexpr std::array<QuantityRow, quantity_count> table{{
      .name = "pressure.exit",
      .meaning = "place X* where the pressure ends",
      .unit = "x/b",
-     .in_dry_contact = true,
      .SI = SIScale::length,
      .kostreva_factor = kostreva_pressure,
      .json_entry = "pressure.exit_x",
-     .observe = observed::pressure_exit},
+     .observe = observed::pressure_exit,
+     .when_dry = [] { return Reading{.value = 1}; }},
     {.quantity = Quantity::approach,
      .kind = QuantityKind::approach,
      .name = "approach",
      .meaning = "approach of the bodies with datum b: -H_0",
      .unit = "delta R/b^2",
      .error = ErrorKind::absolute,
-     .in_dry_contact = true,
      .SI = SIScale::film,
      .json_entry = "approach",
      .json_value = "hertz",
-     .observe = observed::approach},
+     .observe = observed::approach,
+     .when_dry = [] { return Reading{.value = -hertz::dry_offset()}; }},
     {.quantity = Quantity::rolling_force,
      .kind = QuantityKind::force,
      .name = "rolling_force",
@@ -142,17 +141,13 @@ const QuantityRow& row_of(Quantity quantity) { return table[static_cast<std::siz
 
 std::string_view to_string(Quantity quantity) { return row_of(quantity).name; }
 
-std::optional<Quantity> quantity_from(std::string_view text) {
-  const auto* const at = std::find_if(table.begin(), table.end(), [&](const auto& row) { return row.name == text; });
-  if (at == table.end()) return std::nullopt;
-  return at->quantity;
-}
+std::optional<Quantity> quantity_from(std::string_view text) { return word_from<Quantity>(text); }
 
 bool has_absolute_error(Quantity quantity) { return row_of(quantity).error == ErrorKind::absolute; }
 bool is_film(Quantity quantity) { return row_of(quantity).kind == QuantityKind::film; }
 bool is_pressure_peak(Quantity quantity) { return row_of(quantity).kind == QuantityKind::pressure_peak; }
 bool is_self_check(Quantity quantity) { return row_of(quantity).kind == QuantityKind::self_check; }
-bool exists_when_dry(Quantity quantity) { return row_of(quantity).in_dry_contact; }
+bool exists_when_dry(Quantity quantity) { return row_of(quantity).when_dry != nullptr; }
 
 std::string names_of_quantities(bool (*holds)(Quantity)) {
   std::string names;

@@ -11,6 +11,8 @@
 #include <string>
 #include <string_view>
 
+#include "contact/enum_words.hpp"
+
 namespace ehd {
 
 struct Fields;
@@ -29,17 +31,11 @@ enum class Quantity {
   approach,
   rolling_force,
   load_error,
-  flux_variation,  // the last one: quantity_count follows from it
+  flux_variation,
 };
 
-inline constexpr std::size_t quantity_count = static_cast<std::size_t>(Quantity::flux_variation) + 1;
-
-/// All quantities in the order of the enum.
-inline constexpr std::array<Quantity, quantity_count> all_quantities = [] {
-  std::array<Quantity, quantity_count> all{};
-  for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<Quantity>(i);
-  return all;
-}();
+inline constexpr std::size_t quantity_count = word_count<Quantity>();
+inline constexpr auto all_quantities = all_words<Quantity>;
 
 enum class QuantityKind {
   film,           ///< a film thickness; always positive
@@ -70,7 +66,6 @@ struct QuantityRow {
   std::string_view meaning;  ///< in a few words, for help texts
   std::string_view unit;     ///< of Reading::value, in Hertz scaling
   ErrorKind error = ErrorKind::relative;
-  bool in_dry_contact = false;                 ///< Hertz' solution without a lubricant has the quantity
   bool in_moes_units = false;                  ///< (h/R) U_s^(-1/2) is also reported
   SIScale SI = SIScale::none;                  ///< how the quantity is reported in SI
   std::optional<double> kostreva_factor = {};  ///< value in Kostreva's scaling over the value in Hertz units, if any
@@ -78,6 +73,8 @@ struct QuantityRow {
   std::string_view json_value = {};  ///< key of Reading::value inside that entry; empty: the entry is the value
   /// Reads the quantity off the fields. Empty where the fields do not have it.
   std::optional<Reading> (*observe)(const Fields& fields);
+  /// The exact value in Hertz' solution without a lubricant; null where that has none.
+  Reading (*when_dry)() = nullptr;
   /// Where the record of a solve keeps the parts of the error; null for most quantities.
   ErrorBudget SolveRecord::*budget = nullptr;
 };

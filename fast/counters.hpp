@@ -9,6 +9,8 @@
 #include <string_view>
 #include <utility>
 
+#include "contact/enum_words.hpp"
+
 namespace ehd::fast {
 
 /// The parts of a solve that are timed. `other`: starts, interpolation, line search, observation.
@@ -16,6 +18,7 @@ enum class Stage { product, laws, residual, linearise, factorise, smooth, coarse
 inline constexpr std::string_view stage_names[] = {
     "kernel products",        "laws",          "residual",          "linearisation",   "factorisation",
     "smoothing and transfer", "coarsest grid", "orthogonalisation", "maps and tables", "other"};
+static_assert(std::size(stage_names) == word_count<Stage>(), "each stage has a name");
 
 /// A stop watch that belongs to one stage at a time; 30 ns a change.
 class StageClock {

@@ -176,7 +176,7 @@ Json to_json(const BearingResult& result) {
   if (result.fit) json["fit"] = {{"inner", to_json(result.fit->inner)}, {"outer", to_json(result.fit->outer)}};
   if (result.curve) json["curve"] = {{"inner", to_json(result.curve->inner)}, {"outer", to_json(result.curve->outer)}};
   if (result.response)
-    for (const bearing::Raceway raceway : {bearing::Raceway::inner, bearing::Raceway::outer})
+    for (const bearing::Raceway raceway : bearing::both_raceways)
       json["curve"][std::string(to_string(raceway))]["response"] = to_json(result.response->at(raceway));
   if (result.datum_m)
     json["datum"] = numbers({{"inner_x0_m", result.datum_m->inner}, {"outer_x0_m", result.datum_m->outer}});

@@ -58,8 +58,12 @@ std::vector<std::string> names_of_rows(const Rows& rows) {
 std::vector<std::string> viscosity_names() { return names_of_rows(viscosity_laws()); }
 std::vector<std::string> density_names() { return names_of_rows(density_laws()); }
 std::vector<std::string> law_names() { return names_of_rows(bearing::law_rows()); }
-std::vector<std::string> ring_names() { return {"inner", "outer"}; }
-std::vector<std::string> datum_names() { return {"palmgren", "lundberg", "x0"}; }
+std::vector<std::string> ring_names() {
+  return {std::string(to_string(bearing::Raceway::inner)), std::string(to_string(bearing::Raceway::outer))};
+}
+std::vector<std::string> datum_names() {
+  return {std::string(PalmgrenDatum::name), std::string(LundbergDatum::name), std::string(LengthDatum::name)};
+}
 std::vector<std::string> status_names() { return {"waiting"}; }
 std::vector<std::string> scaling_names() {
   std::vector<std::string> names;

@@ -110,7 +110,7 @@ Json to_json(const LawExport& law) {
   json["version"] = law.version;
   json["title"] = law.title;
   json["raceway"] = to_string(law.raceway);
-  json["law"] = "ehd";
+  json["law"] = to_string(bearing::Law::ehd);
   put(json, "datum_x0_m", law.datum_m);
   put(json["contact"], "length_m", law.contact.length_m);
   put(json["contact"], "reduced_radius_m", law.contact.reduced_radius_m);

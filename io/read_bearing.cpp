@@ -87,9 +87,9 @@ BearingLubricant read_bearing_oil(const CaseTree& tree) {
 Datum read_datum(const CaseTree& tree) {
   const auto load = maybe_number(tree, "datum.load_N");
   const auto x0 = maybe_number(tree, "datum.x0_m");
-  const std::string law = tree.has("datum") ? word(tree, "datum.law") : "palmgren";
-  if (law == "palmgren") return PalmgrenDatum{.load_N = load};
-  if (law == "lundberg") return LundbergDatum{};
+  const std::string law = tree.has("datum") ? word(tree, "datum.law") : std::string(PalmgrenDatum::name);
+  if (law == PalmgrenDatum::name) return PalmgrenDatum{.load_N = load};
+  if (law == LundbergDatum::name) return LundbergDatum{};
   if (!x0)
     tree.fail("datum.x0_m", "is missing; required with law = \"x0\" is a length, " + interval_of("datum.x0_m").text());
   return LengthDatum{.x0_m = *x0};

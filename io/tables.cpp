@@ -129,10 +129,9 @@ std::string formulas_table(const ContactRun& run) {
   const double shown_per_moes = metres ? unit.per_SI * *metres / *moes : 1;
   Rows rows;
   for (const auto& formula : run.formulas) {
-    const auto quantity = quantity_from(formula.of);
-    const Reading* reading = quantity ? find(run, *quantity) : nullptr;
+    const Reading* reading = find(run, formula.of);
     const double film = reading ? reading->value * *moes : 0;
-    rows.push_back({formula.name, formula.of, plain(shown_per_moes * formula.moes_film, 4),
+    rows.push_back({formula.name, std::string(to_string(formula.of)), plain(shown_per_moes * formula.moes_film, 4),
                     film > 0 ? plain(100 * (formula.moes_film / film - 1), 2) + " %" : ""});
   }
   return fmt::format("\nfilm formulas, {} (published fits, for comparison only{})\n{}",

@@ -158,7 +158,7 @@ void fill_torque(BearingResult& result, const BearingSetup& setup) {
   if (!result.curve || result.rollers.empty()) return;
   double sum_N_per_m = 0;
   for (const RollerRow& roller : result.rollers)
-    for (const Raceway raceway : {Raceway::inner, Raceway::outer}) {
+    for (const Raceway raceway : bearing::both_raceways) {
       const double force_N = roller.at(raceway).force_N;
       if (!(force_N > 0)) continue;  // the straight line lets rollers go
       const auto rolling = result.curve->at(raceway).rolling_force_N_per_m(force_N);

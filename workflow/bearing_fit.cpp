@@ -56,7 +56,7 @@ void fill_films_of_fit(BearingResult& result, const BearingSetup& setup, double 
 /// Before all other notes: nothing else of such a result is to be read first.
 void note_poor_lines(BearingResult& result) {
   auto at = result.notes.begin();
-  for (const auto raceway : {bearing::Raceway::inner, bearing::Raceway::outer})
+  for (const auto raceway : bearing::both_raceways)
     if (!result.fit->at(raceway).describes_contacts())
       at = std::next(result.notes.insert(at, note::PoorLine{.raceway = raceway}));
 }

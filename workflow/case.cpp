@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "workflow/case.hpp"
 
-#include <algorithm>
-
 #include "contact/text.hpp"
 
 namespace ehd {
@@ -14,13 +12,6 @@ bool is_heading(const std::string& key) { return key == "id" || key == "version"
 
 std::string table_text(const std::string& path) {
   return path.starts_with("expect") ? std::string("[[expect]]") : "[" + path + "]";
-}
-
-template <class Enum, std::size_t count>
-std::optional<Enum> named(const std::array<Enum, count>& all, std::string_view text) {
-  const auto* const at = std::find_if(all.begin(), all.end(), [&](Enum one) { return to_string(one) == text; });
-  if (at == all.end()) return std::nullopt;
-  return *at;
 }
 
 }  // namespace
@@ -45,11 +36,9 @@ std::string_view to_string(Scaling scaling) {
   return "";
 }
 
-std::optional<ExpectationKind> expectation_kind_from(std::string_view text) {
-  return named(all_expectation_kinds, text);
-}
+std::optional<ExpectationKind> expectation_kind_from(std::string_view text) { return word_from<ExpectationKind>(text); }
 
-std::optional<Scaling> scaling_from(std::string_view text) { return named(all_scalings, text); }
+std::optional<Scaling> scaling_from(std::string_view text) { return word_from<Scaling>(text); }
 
 CaseError case_error(const Case& where, const std::string& key, const std::string& message) {
   const auto dot = key.rfind('.');

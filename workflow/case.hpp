@@ -3,7 +3,6 @@
 // io/case_reader.hpp reads them from a file. Solvers never see a Case.
 #pragma once
 
-#include <array>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -16,6 +15,7 @@
 #include "bearing/fit_of.hpp"
 #include "bearing/geometry.hpp"
 #include "contact/conditions.hpp"
+#include "contact/enum_words.hpp"
 #include "contact/oil_grade.hpp"
 
 namespace ehd {
@@ -35,13 +35,12 @@ class CaseError : public std::runtime_error {
 };
 
 enum class ExpectationKind { exact, published, computed, fit };
-inline constexpr std::array all_expectation_kinds{ExpectationKind::exact, ExpectationKind::published,
-                                                  ExpectationKind::computed, ExpectationKind::fit};
+inline constexpr auto all_expectation_kinds = all_words<ExpectationKind>;
 [[nodiscard]] std::string_view to_string(ExpectationKind kind);  ///< "exact", …
 [[nodiscard]] std::optional<ExpectationKind> expectation_kind_from(std::string_view text);
 
 enum class Scaling { hertz, moes, SI, kostreva };
-inline constexpr std::array all_scalings{Scaling::hertz, Scaling::moes, Scaling::SI, Scaling::kostreva};
+inline constexpr auto all_scalings = all_words<Scaling>;
 [[nodiscard]] std::string_view to_string(Scaling scaling);  ///< "hertz", …
 [[nodiscard]] std::optional<Scaling> scaling_from(std::string_view text);
 
@@ -73,11 +72,16 @@ struct BearingOperation {
   double radial_load_N = 0;
 };
 
+/// Where the approach is 0: the words of `datum.law`.
 struct PalmgrenDatum {
+  static constexpr std::string_view name = "palmgren";
   std::optional<double> load_N = {};  ///< default: the largest roller load of the dry solution
 };
-struct LundbergDatum {};
+struct LundbergDatum {
+  static constexpr std::string_view name = "lundberg";
+};
 struct LengthDatum {
+  static constexpr std::string_view name = "x0";
   double x0_m = 0;
 };
 using Datum = std::variant<PalmgrenDatum, LundbergDatum, LengthDatum>;

@@ -22,29 +22,13 @@ Fields dry_fields() {
   return fields;
 }
 
-/// A quantity of the dry contact in Hertz units, which is exact; empty where the dry contact has none. A visit: a new
-/// quantity does not compile until it is decided here.
-std::optional<Reading> dry_reading(Quantity quantity) {
-  switch (quantity) {
-    case Quantity::film_offset: return Reading{.value = hertz::dry_offset(), .error = 0.0};
-    case Quantity::pressure_maximum: return Reading{.value = 1, .place = 0.0, .error = 0.0};
-    case Quantity::pressure_exit: return Reading{.value = 1, .error = 0.0};
-    case Quantity::approach: return Reading{.value = -hertz::dry_offset(), .error = 0.0};
-    case Quantity::film_minimum:
-    case Quantity::film_central:
-    case Quantity::film_couette:
-    case Quantity::pressure_spike:
-    case Quantity::rolling_force:
-    case Quantity::load_error:
-    case Quantity::flux_variation: return std::nullopt;
-  }
-  return std::nullopt;
-}
-
 Observables dry_observables(const Wanted& wanted) {
   Observables observed;
   for (const Quantity quantity : wanted)
-    if (const auto reading = dry_reading(quantity)) observed[quantity] = *reading;
+    if (exists_when_dry(quantity)) {
+      observed[quantity] = row_of(quantity).when_dry();
+      observed[quantity].error = 0;
+    }
   return observed;
 }
 

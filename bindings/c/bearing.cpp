@@ -51,9 +51,7 @@ BearingResult balance(const Case& one, bearing::Law law) {
 
 bearing::Raceway raceway_named(const char* name) {
   require_pointer(name, "raceway");
-  const std::string_view word = name;
-  if (word == "inner") return bearing::Raceway::inner;
-  if (word == "outer") return bearing::Raceway::outer;
+  if (const auto raceway = word_from<bearing::Raceway>(name)) return *raceway;
   throw unknown_name("raceway", name, "inner, outer");
 }
 

@@ -55,7 +55,7 @@ BOOST_AUTO_TEST_CASE(the_laws_are_the_printed_approaches) {
   for (const double f : {0.31, 47.0, 8900.0, 61e3}) {
     RollerContact contact = roller();
     contact.force_N = f;
-    for (const Raceway raceway : {Raceway::inner, Raceway::outer}) {
+    for (const Raceway raceway : both_raceways) {
       EHD_CHECK(error(approach(lundberg_law(roller(), raceway), f), lundberg_approach_m(contact, raceway)),
                 Tolerance::round_off(4));
       EHD_CHECK(error(approach(tripp_law(roller(), raceway), f), tripp_approach_m(contact, raceway)),
@@ -73,7 +73,7 @@ BOOST_AUTO_TEST_CASE(lundberg_is_the_dry_approach_with_the_length_as_datum) {
   contact.force_N = 9100;
   const Geometry geometry{
       .rollers = 1, .pitch_diameter_m = contact.pitch_diameter_m, .roller_diameter_m = contact.roller_diameter_m};
-  for (const Raceway raceway : {Raceway::inner, Raceway::outer}) {
+  for (const Raceway raceway : both_raceways) {
     const Conditions conditions{.load_N_per_m = contact.force_N / contact.length_m,
                                 .reduced_radius_m = reduced_radius_m(geometry, raceway),
                                 .reduced_modulus_Pa = reduced_modulus_Pa(contact.modulus_Pa, contact.poisson)};

@@ -123,7 +123,7 @@ inline std::string broken_by_body(const Case& read, const ContactCase& contact) 
 /// Geometry, kinematics, and the balance by the dry laws: the part that needs no contact solve.
 inline std::string broken_by_body(const Case& read, const BearingCase& body) {
   const bearing::Geometry& geometry = body.geometry;
-  for (const auto raceway : {bearing::Raceway::inner, bearing::Raceway::outer}) {
+  for (const auto raceway : bearing::both_raceways) {
     if (!positive(bearing::reduced_radius_m(geometry, raceway)))
       return "a reduced radius is " + plain(bearing::reduced_radius_m(geometry, raceway)) + " m";
   }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "contact/nondimensional.hpp"
+#include "contact/rheology.hpp"
 #include "contact/text.hpp"
 
 namespace ehd::verification {
@@ -23,18 +24,14 @@ std::string inlet_text(const Inlet& inlet) {
 
 std::string_view to_string(AtlasLaws laws) {
   switch (laws) {
-    case AtlasLaws::isoviscous: return "isoviscous";
-    case AtlasLaws::barus: return "barus";
-    case AtlasLaws::roelands: return "roelands";
+    case AtlasLaws::isoviscous: return Isoviscous::name;
+    case AtlasLaws::barus: return Barus::name;
+    case AtlasLaws::roelands: return Roelands::name;
   }
   return "";
 }
 
-std::optional<AtlasLaws> atlas_laws_from(std::string_view text) {
-  for (const AtlasLaws laws : all_atlas_laws)
-    if (text == to_string(laws)) return laws;
-  return std::nullopt;
-}
+std::optional<AtlasLaws> atlas_laws_from(std::string_view text) { return word_from<AtlasLaws>(text); }
 
 std::string AtlasPoint::id() const {
   const auto* cut = std::get_if<TruncatedAt>(&inlet);

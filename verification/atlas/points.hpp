@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "contact/enum_words.hpp"
 #include "verification/studies/box.hpp"
 #include "workflow/case.hpp"
 
@@ -17,7 +18,7 @@ enum class AtlasLaws {
   barus,       ///< Barus, incompressible
   roelands,    ///< Roelands z = 0.68, p_0 = 1.96e8 Pa, Dowson and Higginson's density
 };
-inline constexpr AtlasLaws all_atlas_laws[] = {AtlasLaws::isoviscous, AtlasLaws::barus, AtlasLaws::roelands};
+inline constexpr auto all_atlas_laws = all_words<AtlasLaws>;
 [[nodiscard]] std::string_view to_string(AtlasLaws laws);
 [[nodiscard]] std::optional<AtlasLaws> atlas_laws_from(std::string_view text);
 

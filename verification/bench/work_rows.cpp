@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "contact/quantities.hpp"
 #include "contact/text.hpp"
 #include "verification/bench/timing.hpp"
 #include "workflow/registry.hpp"
@@ -27,8 +28,8 @@ std::vector<ComparedSolvers> compared_solvers() {
 
 std::string_view to_string(Judged judged) {
   switch (judged) {
-    case Judged::film_minimum: return "film.minimum";
-    case Judged::film_central: return "film.central";
+    case Judged::film_minimum: return to_string(Quantity::film_minimum);
+    case Judged::film_central: return to_string(Quantity::film_central);
     case Judged::pressure: return "pressure";
   }
   return "";

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "contact/enum_words.hpp"
 #include "contact/solution.hpp"
 #include "verification/bench/setting.hpp"
 
@@ -26,7 +27,7 @@ struct ComparedSolvers {
 
 /// Judged are the films, and the pressure as a function (L2, relative, over the interval that both cover).
 enum class Judged { film_minimum, film_central, pressure };
-inline constexpr Judged all_judged[] = {Judged::film_minimum, Judged::film_central, Judged::pressure};
+inline constexpr auto all_judged = all_words<Judged>;
 [[nodiscard]] std::string_view to_string(Judged judged);  ///< "film.minimum", "film.central", "pressure"
 
 /// The true error lies between |achieved - truth| and achieved + truth.

@@ -134,7 +134,8 @@ Findings judge_printed_powers() {
         computed = spike.minimum_place * half_width;
       } else {
         for (const FilmFormula& formula : film_formulas({.M = M, .L = L}, G))
-          if (formula.name == printed.name && formula.of == printed.of) computed = formula.moes_film * std::sqrt(U_s);
+          if (formula.name == printed.name && to_string(formula.of) == printed.of)
+            computed = formula.moes_film * std::sqrt(U_s);
       }
       error = worse(error, std::abs(computed / power - 1));
     }
@@ -160,7 +161,7 @@ Findings judge_formulas() {
   for (const auto& [name, percent] : agreement) {
     double deviation = nothing;
     for (const FilmFormula& formula : formulas)
-      if (formula.name == name && formula.of == "film.minimum") deviation = formula.moes_film / computed - 1;
+      if (formula.name == name && formula.of == Quantity::film_minimum) deviation = formula.moes_film / computed - 1;
     Claim judged =
         claim({.id = std::string("formulas/agreement/") + name,
                .rung = 10,
@@ -214,7 +215,7 @@ Findings judge_moes_statement() {
     }
     if (point.at.laws == AtlasLaws::roelands || point.at.M < lightest) continue;
     for (const MapFormula& formula : point.formulas) {
-      if (formula.of != "film.couette") continue;
+      if (formula.of != Quantity::film_couette) continue;
       ++points;
       if (std::abs(formula.deviation) <= std::abs(worst)) continue;
       worst = formula.deviation;

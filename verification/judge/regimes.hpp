@@ -5,6 +5,7 @@
 #include <array>
 #include <string_view>
 
+#include "contact/enum_words.hpp"
 #include "contact/problem.hpp"
 
 namespace ehd::judging {
@@ -32,6 +33,7 @@ inline constexpr std::array all_regimes{
     Regime{Load::light, Material::low},     Regime{Load::light, Material::high}, Regime{Load::moderate, Material::low},
     Regime{Load::moderate, Material::high}, Regime{Load::heavy, Material::low},  Regime{Load::heavy, Material::high},
 };
+static_assert(all_regimes.size() == word_count<Load>() * word_count<Material>());
 
 [[nodiscard]] constexpr std::string_view to_string(Load load) {
   switch (load) {

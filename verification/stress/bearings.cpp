@@ -105,7 +105,7 @@ std::string outside_films_domain(const RandomBearing& drawn, const BearingCase& 
     inner_N = std::max(inner_N, roller.inner.force_N);
   // Without a roller load palmgren's datum is met at the centrifugal force.
   const double datum_N = inner_N > 0 ? inner_N : drawn.loading.centrifugal_N;
-  for (const auto raceway : {bearing::Raceway::inner, bearing::Raceway::outer}) {
+  for (const auto raceway : bearing::both_raceways) {
     const double R = bearing::reduced_radius_m(drawn.geometry, raceway), l = drawn.geometry.length_m;
     const double force_N = raceway == bearing::Raceway::inner ? inner_N : inner_N + drawn.loading.centrifugal_N;
     const double U = eta * u / (E * R), w = force_N / l;
@@ -184,7 +184,7 @@ std::vector<Outcome> of_films(const RandomBearing& at_any_speed, unsigned seed, 
     const auto pair = laws_of(body, results[0]);
     if (pair) check(outcome, drawn, *pair, results[0].displacement_m);
     if (with_unseen && results[0].curve)
-      for (const auto raceway : {bearing::Raceway::inner, bearing::Raceway::outer})
+      for (const auto raceway : bearing::both_raceways)
         meet(outcome.unseen, unseen_below(results[0].curve->at(raceway), body.lubricant->lubricant));
   }
   return outcomes;

@@ -52,9 +52,13 @@ AtlasPoint point_of(const Row& row) {
 
 }  // namespace
 
-const std::optional<MapValue>& MapPoint::film(std::string_view quantity) const {
-  if (quantity == "film.minimum") return minimum;
-  return quantity == "film.central" ? central : couette;
+const std::optional<MapValue>& MapPoint::film(Quantity quantity) const {
+  if (quantity == Quantity::film_minimum) return minimum;
+  return quantity == Quantity::film_central ? central : couette;
+}
+
+const std::optional<MapValue>& MapPoint::cost(Quantity film) const {
+  return film == Quantity::film_minimum ? minimum_cost : central_cost;
 }
 
 FilmMaps film_maps(const AtlasTable& table) {
@@ -173,23 +177,25 @@ std::string runs_of_M(const FilmMaps& maps, const std::vector<const MapPoint*>& 
 }
 
 struct NamedFormula {
-  std::string name, of;
+  std::string name;
+  Quantity of;
 };
 
-std::vector<NamedFormula> formulas_of(const FilmMaps& maps, std::string_view quantity) {
+std::vector<NamedFormula> formulas_of(const FilmMaps& maps, std::optional<Quantity> quantity) {
   std::vector<NamedFormula> names;
   for (const MapPoint& point : maps.points) {
     for (const MapFormula& formula : point.formulas) {
-      const bool asked =
-          quantity.empty() || formula.of == quantity || (quantity == "film.central" && formula.of == "film.couette");
+      const bool asked = !quantity || formula.of == quantity ||
+                         (quantity == Quantity::film_central && formula.of == Quantity::film_couette);
       if (asked && std::none_of(names.begin(), names.end(), [&](const NamedFormula& one) {
             return one.name == formula.name && one.of == formula.of;
           }))
         names.push_back({formula.name, formula.of});
     }
   }
-  std::stable_sort(names.begin(), names.end(),
-                   [](const NamedFormula& one, const NamedFormula& other) { return one.of > other.of; });
+  std::stable_sort(names.begin(), names.end(), [](const NamedFormula& one, const NamedFormula& other) {
+    return to_string(one.of) > to_string(other.of);
+  });
   return names;
 }
 
@@ -226,8 +232,8 @@ std::string overview(const std::vector<NamedFormula>& formulas, const std::vecto
       return std::to_string(
           std::count_if(values.begin(), values.end(), [&](const MapValue& one) { return holds(one.value); }));
     };
-    std::vector<std::string> row{formula.name, formula.of, std::to_string(all.size()), count(all, is_close),
-                                 count(all, is_poor)};
+    std::vector<std::string> row{formula.name, std::string(to_string(formula.of)), std::to_string(all.size()),
+                                 count(all, is_close), count(all, is_poor)};
     row.push_back(std::to_string(bearings.size()));
     row.push_back(count(bearings, is_close));
     row.push_back(count(bearings, is_poor));
@@ -255,7 +261,7 @@ std::string known_percent(const MapValue& fraction) {
   return fmt::format("{:+.{}f}", value, decimals);
 }
 
-std::string human_maps(const FilmMaps& maps, std::string_view quantity, AtlasLaws laws) {
+std::string human_maps(const FilmMaps& maps, std::optional<Quantity> quantity, AtlasLaws laws) {
   const auto points = points_of(maps, laws);
   const auto formulas = formulas_of(maps, quantity);
   std::string text = fmt::format(
@@ -268,7 +274,7 @@ std::string human_maps(const FilmMaps& maps, std::string_view quantity, AtlasLaw
       overview(formulas, points));
   for (const NamedFormula& formula : formulas) {
     const Field deviation = deviation_of(formula);
-    text += fmt::format("\n{}, {}: deviation in percent\n{}", formula.name, formula.of,
+    text += fmt::format("\n{}, {}: deviation in percent\n{}", formula.name, to_string(formula.of),
                         percent_table(maps, points, deviation));
     std::vector<std::vector<std::string>> regions{{"L", "within 5 % at M =", "30 % or more off at M ="}};
     for (const double L : maps.L) {
@@ -280,13 +286,10 @@ std::string human_maps(const FilmMaps& maps, std::string_view quantity, AtlasLaw
     }
     text += "\n" + aligned(regions, 3, "    ");
   }
-  const std::pair<const char*, std::optional<MapValue> MapPoint::*> costs[] = {
-      {"film.minimum", &MapPoint::minimum_cost}, {"film.central", &MapPoint::central_cost}};
-  for (const auto& [name, member] : costs) {
-    if (!quantity.empty() && quantity != name) continue;
-    const auto cost = member;
-    text += fmt::format("\nInlet cut at X = -4, {} against flooded, in percent\n{}", name,
-                        percent_table(maps, points, [cost](const MapPoint& point) { return point.*cost; }));
+  for (const Quantity film : judged_films) {
+    if (quantity && quantity != film) continue;
+    text += fmt::format("\nInlet cut at X = -4, {} against flooded, in percent\n{}", to_string(film),
+                        percent_table(maps, points, [film](const MapPoint& point) { return point.cost(film); }));
   }
   return text;
 }
@@ -312,9 +315,9 @@ std::string formula_maps_csv(const FilmMaps& maps) {
   for (const MapPoint& point : maps.points) {
     for (const MapFormula& formula : point.formulas) {
       const auto& certified = point.film(formula.of);
-      text +=
-          fmt::format("{},{},{},{},{},{},{}\n", point_cells(point), formula.of, plain(certified->value, most_digits),
-                      plain(certified->error), formula.name, plain(formula.moes, 6), plain(formula.deviation, 6));
+      text += fmt::format("{},{},{},{},{},{},{}\n", point_cells(point), to_string(formula.of),
+                          plain(certified->value, most_digits), plain(certified->error), formula.name,
+                          plain(formula.moes, 6), plain(formula.deviation, 6));
     }
   }
   return text;
@@ -325,11 +328,11 @@ std::string inlet_maps_csv(const FilmMaps& maps) {
       "# Inlet cut at X = -4 over the atlas: films in Moes units; cost = cut/flooded - 1, its uncertainty absolute\n" +
       std::string(point_header) + ",quantity,flooded_moes,cost,cost_error\n";
   for (const MapPoint& point : maps.points) {
-    for (const auto& [name, cost] :
-         {std::pair{"film.minimum", point.minimum_cost}, {"film.central", point.central_cost}}) {
+    for (const Quantity film : judged_films) {
+      const auto& cost = point.cost(film);
       if (!cost) continue;
-      text += fmt::format("{},{},{},{},{}\n", point_cells(point), name, plain(point.film(name)->value, most_digits),
-                          plain(cost->value, 6), plain(cost->error, 2));
+      text += fmt::format("{},{},{},{},{}\n", point_cells(point), to_string(film),
+                          plain(point.film(film)->value, most_digits), plain(cost->value, 6), plain(cost->error, 2));
     }
   }
   return text;

@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "contact/quantities.hpp"
 #include "verification/atlas/atlas.hpp"
 
 namespace ehd::verification {
@@ -22,7 +22,7 @@ struct MapValue {
 /// A formula at one point of the atlas.
 struct MapFormula {
   std::string name;
-  std::string of;        ///< "film.minimum" | "film.central" | "film.couette"
+  Quantity of = Quantity::film_minimum;
   double moes = 0;       ///< the formula's film, Moes units
   double deviation = 0;  ///< formula/certified - 1
 };
@@ -34,7 +34,10 @@ struct MapPoint {
   std::optional<MapValue> minimum_cost, central_cost;  ///< film cut at -4 over flooded - 1; absent for M < 2
   std::vector<MapFormula> formulas;                    ///< of the films that are known
 
-  [[nodiscard]] const std::optional<MapValue>& film(std::string_view quantity) const;  ///< "film.minimum" …
+  /// The minimum, the central or the Couette film.
+  [[nodiscard]] const std::optional<MapValue>& film(Quantity quantity) const;
+  /// What the cut inlet costs: of one of judged_films.
+  [[nodiscard]] const std::optional<MapValue>& cost(Quantity film) const;
 };
 
 struct FilmMaps {
@@ -56,9 +59,9 @@ inline constexpr double poor_formula = 0.30;   ///< "30 % or more off"
 [[nodiscard]] std::string known_percent(const MapValue& fraction);
 
 /// For every formula of `quantity` the deviations in percent over M and L, and for each L the M where it is close and
-/// where it is poor; then what an inlet cut at -4 costs. `quantity`: "film.minimum"; "film.central", with the Couette
-/// film; empty: both. `laws`: barus or roelands; L = 0 is isoviscous in both.
-[[nodiscard]] std::string human_maps(const FilmMaps& maps, std::string_view quantity, AtlasLaws laws);
+/// where it is poor; then what an inlet cut at -4 costs. `quantity`: one of judged_films, the central film with the
+/// Couette film; absent: both. `laws`: barus or roelands; L = 0 is isoviscous in both.
+[[nodiscard]] std::string human_maps(const FilmMaps& maps, std::optional<Quantity> quantity, AtlasLaws laws);
 
 /// A line for each formula and point, after a header line; all quantities and laws.
 [[nodiscard]] std::string formula_maps_csv(const FilmMaps& maps);

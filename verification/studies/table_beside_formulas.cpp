@@ -32,14 +32,13 @@ Deviations deviations_of(const FilmMaps& maps, const FilmTable& table) {
     const auto films = films_at(table, at);
     if (point.at.laws != AtlasLaws::roelands || !films) continue;
     for (std::size_t k = 0; k < table_film_count; ++k) {
-      const std::string film(to_string(table_films[k]));
-      const auto& certified = point.film(film);
+      const auto& certified = point.film(table_films[k]);
       if (has_absolute_error(table_films[k]) || !certified) continue;
       const double moes = (*films)[k].value * moes_film_per_hertz_film(at.M);
-      found[{film, table_row_name}].push_back(std::abs(moes / certified->value - 1));
+      found[{std::string(to_string(table_films[k])), table_row_name}].push_back(std::abs(moes / certified->value - 1));
     }
     for (const MapFormula& formula : point.formulas)
-      found[{formula.of, formula.name}].push_back(std::abs(formula.deviation));
+      found[{std::string(to_string(formula.of)), formula.name}].push_back(std::abs(formula.deviation));
   }
   return found;
 }

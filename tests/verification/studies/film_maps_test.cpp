@@ -28,7 +28,7 @@ const MapPoint* find(const FilmMaps& maps, AtlasLaws laws, double M, double L) {
   return nullptr;
 }
 
-const MapFormula* find(const MapPoint& point, const std::string& name, const std::string& of) {
+const MapFormula* find(const MapPoint& point, const std::string& name, Quantity of) {
   for (const MapFormula& formula : point.formulas)
     if (formula.name == name && formula.of == of) return &formula;
   return nullptr;
@@ -66,10 +66,10 @@ BOOST_AUTO_TEST_CASE(a_deviation_is_the_formula_over_the_certified_film) {
   // H_min/R = 3.07 U^0.71 G^0.57 W^-0.11 at M = W (2U)^(-1/2), L = G (2U)^(1/4), from the definitions.
   const double G = 5000, U = std::pow(10 / G, 4) / 2, W = 20 * std::sqrt(2 * U);
   const double hamrock = 3.07 * std::pow(U, 0.71) * std::pow(G, 0.57) * std::pow(W, -0.11) / std::sqrt(2 * U);
-  const MapFormula* formula = find(point, "Hamrock & Jacobson 1984", "film.minimum");
+  const MapFormula* formula = find(point, "Hamrock & Jacobson 1984", Quantity::film_minimum);
   BOOST_REQUIRE(formula);
   EHD_CHECK(error(formula->deviation, hamrock / moes - 1), Tolerance::round_off(200));
-  BOOST_TEST(find(point, "Dowson & Toyoda 1978", "film.central") == nullptr);  // that film is not known
+  BOOST_TEST(find(point, "Dowson & Toyoda 1978", Quantity::film_central) == nullptr);  // that film is not known
 }
 
 BOOST_AUTO_TEST_CASE(the_cost_of_a_cut_is_relative_to_flooded_and_carries_both_errors) {
@@ -99,12 +99,13 @@ BOOST_AUTO_TEST_CASE(a_cost_within_its_own_error_is_printed_as_none) {
   table.rows[1]["H_min"] = "0.079988";  // 1.5e-4 thinner, known to 2.1e-4
   const auto maps = ehd::verification::film_maps(table);
   BOOST_TEST(std::abs(maps.points.at(0).minimum_cost->value) > 1e-4);
-  const std::string text = human_maps(maps, "film.minimum", AtlasLaws::roelands);
+  const std::string text = human_maps(maps, Quantity::film_minimum, AtlasLaws::roelands);
   const auto costs = text.substr(text.find("Inlet cut at"));
   BOOST_TEST(costs.find("0.0") == std::string::npos, costs);
   table.rows[1]["H_min_error"] = "1e-7";
   table.rows[0]["H_min_error"] = "1e-7";
-  const std::string known = human_maps(ehd::verification::film_maps(table), "film.minimum", AtlasLaws::roelands);
+  const std::string known =
+      human_maps(ehd::verification::film_maps(table), Quantity::film_minimum, AtlasLaws::roelands);
   BOOST_TEST(known.find("-0.01", known.find("Inlet cut at")) != std::string::npos, known);
 }
 
@@ -121,11 +122,12 @@ BOOST_AUTO_TEST_CASE(the_median_of_an_even_number_is_the_mean_of_the_middle_two)
       point.at.M = 10.0 + static_cast<double>(maps.points.size());
       point.at.L = 10;
       point.minimum = MapValue{1, 1e-9};
-      point.formulas.push_back({.name = "made", .of = "film.minimum", .moes = 1 + deviation, .deviation = deviation});
+      point.formulas.push_back(
+          {.name = "made", .of = Quantity::film_minimum, .moes = 1 + deviation, .deviation = deviation});
       maps.M.push_back(point.at.M);
       maps.points.push_back(point);
     }
-    const std::string text = human_maps(maps, "film.minimum", AtlasLaws::roelands);
+    const std::string text = human_maps(maps, Quantity::film_minimum, AtlasLaws::roelands);
     const auto row = text.substr(text.rfind("\n  made "), 200);  // of the table's last part
     const auto line = row.substr(1, row.find('\n', 1) - 1);
     BOOST_TEST(line.find(std::string(" ") + median) != std::string::npos, line);
@@ -141,7 +143,7 @@ BOOST_AUTO_TEST_CASE(the_atlas_has_maps_with_formulas_and_costs) {
   // The claims formulas/agreement judge what these say at this contact.
   for (const char* name :
        {"Dowson & Higginson 1977", "Dowson & Higginson 1966", "Hamrock & Jacobson 1984", "Pan & Hamrock 1989"})
-    BOOST_TEST(find(*point, name, "film.minimum"), name);
+    BOOST_TEST(find(*point, name, Quantity::film_minimum), name);
   BOOST_TEST(point->minimum_cost.has_value());
   const MapPoint* light = find(maps, AtlasLaws::barus, 1, 5);
   BOOST_REQUIRE(light);

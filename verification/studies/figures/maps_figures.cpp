@@ -65,8 +65,10 @@ Json point_json(const MapPoint& point) {
   if (point.central_cost) put(json, "inlet_cost_central", point.central_cost->value);
   json["formulas"] = Json::array();
   for (const MapFormula& formula : point.formulas)
-    json["formulas"].push_back(
-        {{"name", formula.name}, {"quantity", formula.of}, {"moes", formula.moes}, {"deviation", formula.deviation}});
+    json["formulas"].push_back({{"name", formula.name},
+                                {"quantity", to_string(formula.of)},
+                                {"moes", formula.moes},
+                                {"deviation", formula.deviation}});
   return json;
 }
 
