@@ -52,7 +52,7 @@ Kappa in_series(const Stiffness& at, double compliance) {
   const std::complex<double> chi = 1.0 / at.kappa;
   Kappa kappa = kappa_of(chi.real() + compliance, at.error * std::abs(chi), at.Omega, at.lag(),
                          at.lag_error * std::abs(at.lag()));
-  if (compliance == 0 && at.Omega > 0)  // the imaginary part is no further off than kappa
+  if (compliance == 0 && at.Omega > 0)  // Im kappa errs by no more than kappa
     kappa.damping_error = std::min(kappa.damping_error, at.error * std::abs(at.kappa) / at.Omega);
   return kappa;
 }

@@ -24,12 +24,13 @@ constexpr double unknown = std::numeric_limits<double>::infinity();
 /// the largest error was 4e-2 at 64 intervals, 9e-3 at 128, 4e-3 at 256; on 16, 12 % at (20, 10) and 35 % at (1000,
 /// 10).
 constexpr double error_of_one_grid = 330;
-/// Two or three coarse grids may agree by chance (M = 0.67, L = 26.5, 145 intervals: 2e-4 off at moves of 3e-5). Below
-/// so many grids the error is at least this number over n^2; that of H_cen with a rule of its own is not.
+/// Two or three coarse grids may agree by chance (M = 0.67, L = 26.5, 145 intervals: 2e-4 off at moves of 3e-5). With
+/// fewer than `few_grids` the error is at least `least_of_few_grids`/n^2, except that of H_cen with a rule of its own.
 constexpr std::size_t few_grids = 4;
 constexpr double least_of_few_grids = 5;
-/// Where the inlet is cut near the contact, so many, and for both films. At 300 contacts (M = 0.01..50, L = 1..45, cut
-/// at -2.5..-1.02) 167 of 6168 films of two and three grids missed by the other rules, at most 4.3 times.
+/// Where the inlet is cut near the contact, at least `least_near_cut`/n^2, for both films. At 300 contacts (M =
+/// 0.01..50, L = 1..45, cut at -2.5..-1.02) 167 of 6168 films of two and three grids missed by the other rules, at
+/// most 4.3 times.
 constexpr double nearest_usual_cut = -2.5, least_near_cut = 50;
 /// Beyond this M or this L a film with L > 0.5 counts as one beside a narrow spike on an unsettled map, and its error
 /// is doubled. Without this 93 of 8600 errors of 300 contacts missed (M = 5e3..1e6, L = 0.5..10, both laws, tolerances
@@ -66,7 +67,7 @@ constexpr std::size_t spike_moves = 3;
 /// On fewer grids than a spike needs, a maximum whose error is larger is taken for a spike, unless L is so small that
 /// there is none.
 constexpr double vaguest_smooth_maximum = 3e-3, spike_free_L = 2.5;
-/// From so many grids on each film has an error rule of its own.
+/// From this number of grids on each film has an error rule of its own.
 constexpr std::size_t fewest_for_own_rule = 3;
 /// The last five grids determine the limit and its error. A coarser grid on which Newton stalled does not matter: at
 /// (2000, 30) flooded Newton left 5e-4 on 1024 intervals, while the last grid had 65,536.

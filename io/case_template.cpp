@@ -98,7 +98,7 @@ std::string cell(std::string text) {
 
 std::string default_of(const CaseKey& key) { return key.need == Need::always ? "needed" : need_of(key); }
 
-/// `of_kind`: comments on this kind of case, lines of the head.
+/// `of_kind`: the lines of the head that only this kind of case has.
 std::string template_of(CaseKind kind, const std::string& id, const std::string& of_kind) {
   std::string text =
       comment(

@@ -33,7 +33,7 @@ struct NewtonResult {
   NewtonEnd end = NewtonEnd::no_solution;
   State state;
   Evaluation at;
-  double iteration_error = 0;  ///< of the film, relative: the last step times its ratio of residuals, after over before
+  double iteration_error = 0;  ///< of the film, relative: last step x residual after it / residual before it
   int iterations = 0;
   long kernel_products = 0;  ///< film evaluations and Jacobians
   long viscosity_points = 0, density_points = 0;
