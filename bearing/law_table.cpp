@@ -91,7 +91,7 @@ bool is_one_of(const LawRow& row, Laws which) {
 
 std::span<const LawRow> law_rows() { return table; }
 
-const LawRow& row_of(Law law) { return table[static_cast<std::size_t>(law)]; }
+const LawRow& row_of(Law law) { return table.at(static_cast<std::size_t>(law)); }
 
 std::string_view to_string(Law law) { return row_of(law).name; }
 

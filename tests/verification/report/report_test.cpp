@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <regex>
 #include <set>
 #include <string>
 #include <tuple>
@@ -34,6 +35,12 @@ std::string made_page(const std::function<void(report::Documents&)>& change = {}
   return report::report_html(documents);
 }
 
+/// The page without the heads that the cells of a folding table repeat.
+std::string without_columns(const std::string& page) {
+  static const std::regex column(" data-column=\"[^\"]*\"");
+  return std::regex_replace(page, column, "");
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(report_report)
@@ -42,7 +49,7 @@ BOOST_AUTO_TEST_CASE(a_balance_has_its_number_of_loaded_rollers) {
   const std::string row =
       "made-tight</th><td class=\"name\">hertz</td><td class=\"converged\">converged</td>"
       "<td class=\"number\">5</td><td class=\"number\">9</td><td class=\"number\">7</td>";
-  BOOST_TEST(made_page().find(row) != std::string::npos);  // 5 um, 9 kN, 7 rollers
+  BOOST_TEST(without_columns(made_page()).find(row) != std::string::npos);  // 5 um, 9 kN, 7 rollers
 }
 
 BOOST_AUTO_TEST_CASE(a_study_of_two_grids_stands_in_the_table_alone) {
@@ -269,7 +276,7 @@ BOOST_AUTO_TEST_CASE(a_balance_has_the_errors_of_its_budget_and_the_first_table_
   };
   Json results = test::made_results();
   BOOST_TEST(digits(results) == "displacement: 1.4 to 3.3 digits");
-  const std::string page = made_page();
+  const std::string page = without_columns(made_page());
   BOOST_TEST(count_of(page, "<td class=\"number\">5.0(3)</td><td class=\"number\">9.00(2)</td>") == 1u);  // 0.201 um
   BOOST_TEST(count_of(page, "<td class=\"number\">5.000(3)</td>") == 1u);
   BOOST_TEST(count_of(page, "<td class=\"number\">0.4000(4)</td>") == 1u);
