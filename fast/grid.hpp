@@ -19,6 +19,9 @@ namespace ehd::fast {
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
+/// Of a product: `rough` takes the smooth remainder from a small table. Enough for a smoother.
+enum class Accuracy { full, rough };
+
 struct Grid {
   int n = 0;              ///< intervals
   Array place;            ///< phi_i, n + 1
@@ -32,9 +35,9 @@ struct Grid {
 
   /// y_i = Sum_j K_ij P_j over j = 1..n-1, and the integral S of P over phi, so that
   /// Int P ln|X_i - X'| dX' = l (y_i + ln l S) on [X_a, X*], l = X* - X_a. P_0 and P_n are ignored.
-  void product(const Array& P, Array& y, double& integral);
+  void product(const Array& P, Array& y, double& integral, Accuracy accuracy = Accuracy::full);
   /// Of a complex P: two real products.
-  void product(const ArrayOf<Complex>& P, ArrayOf<Complex>& y, Complex& integral);
+  void product(const ArrayOf<Complex>& P, ArrayOf<Complex>& y, Complex& integral, Accuracy accuracy = Accuracy::full);
   /// Column of P_0 in the product; made once.
   [[nodiscard]] const Array& first_column();
   /// K_ij for 0 < j < n, dense; made once.
@@ -43,7 +46,7 @@ struct Grid {
   [[nodiscard]] double weight(int k) const { return toeplitz->weight(k); }
 
   Convolution* toeplitz = nullptr;
-  std::optional<SmoothRemainder> remainder;
+  std::optional<SmoothRemainder> remainder, rough_remainder;
 
  private:
   Array density_;                  ///< phi' P
@@ -75,6 +78,8 @@ class Grids {
   void make_mapped(Grid& grid);
   [[nodiscard]] Convolution& kernel(int intervals, Rule rule);
   [[nodiscard]] std::shared_ptr<const RemainderTable> table(int cells);
+  /// The remainder on n + 1 nodes by the table of so many cells.
+  [[nodiscard]] SmoothRemainder remainder(int n, int cells);
   /// The map's nodes; from the finest made so far where that holds them.
   [[nodiscard]] const MapNodes& nodes(int n);
 
@@ -83,6 +88,7 @@ class Grids {
   std::vector<Kernel> kernels_;
   std::vector<std::unique_ptr<Grid>> uniform_, mapped_;
   std::vector<std::shared_ptr<const RemainderTable>> tables_;
+  std::vector<std::shared_ptr<const RemainderRule>> rules_;  ///< outlive maps, as FFT plans do
   std::vector<MapNodes> nodes_;
 };
 

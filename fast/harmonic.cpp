@@ -89,7 +89,7 @@ void Harmonic::follow(Scalar rate, StepOf<Scalar>& u, ChangeOf<Scalar>& change, 
 
 template <class Scalar>
 const ChangeOf<Scalar>& Harmonic::product(Scalar rate, StepOf<Scalar>& u) {
-  auto& change = jacobian_.change_film(u, counters_);
+  auto& change = jacobian_.change_film(u, counters_, Accuracy::full);
   if (tail_) {
     follow(rate, u, change);
     const Scalar load = change.load;

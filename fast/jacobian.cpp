@@ -106,10 +106,10 @@ void Jacobian::linearise_exit(const Setting& setting, const NodeFields& nodes, d
 }
 
 template <class Scalar>
-ChangeOf<Scalar>& Jacobian::change_film(StepOf<Scalar>& step, Counters& counters) const {
+ChangeOf<Scalar>& Jacobian::change_film(StepOf<Scalar>& step, Counters& counters, Accuracy accuracy) const {
   const int n = n_;
   const Stage before = counters.clock.change_to(Stage::product);
-  grid_->product(step.P, step.product, step.integral);
+  grid_->product(step.P, step.product, step.integral, accuracy);
   counters.clock.change_to(before);
   for (int part = 0; part < parts_of<Scalar>; ++part) counters.count_product(n);
   const Scalar constant = step.offset - length * std::log(length) * step.integral / pi;
@@ -140,13 +140,13 @@ void Jacobian::change_residual(const StepOf<Scalar>& step, ChangeOf<Scalar>& cha
 }
 
 const Residual& Jacobian::apply(Step& step, Counters& counters) const {
-  auto& change = change_film(step, counters);
+  auto& change = change_film(step, counters, Accuracy::full);
   change_residual(step, change);
   return change;
 }
 
-template ChangeOf<double>& Jacobian::change_film(Step&, Counters&) const;
-template ChangeOf<Complex>& Jacobian::change_film(StepOf<Complex>&, Counters&) const;
+template ChangeOf<double>& Jacobian::change_film(Step&, Counters&, Accuracy) const;
+template ChangeOf<Complex>& Jacobian::change_film(StepOf<Complex>&, Counters&, Accuracy) const;
 template void Jacobian::change_residual(const Step&, ChangeOf<double>&) const;
 template void Jacobian::change_residual(const StepOf<Complex>&, ChangeOf<Complex>&) const;
 

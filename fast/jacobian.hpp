@@ -16,6 +16,7 @@ namespace ehd::fast {
 struct Counters;
 struct Grid;
 struct NodeFields;
+enum class Accuracy;
 
 /// Here by_x means "derivative by x". Storage is used again; one thread at a time.
 class Jacobian {
@@ -35,7 +36,7 @@ class Jacobian {
   /// Its two parts, of real and complex steps (which cost two products): what the step changes in the film, and with
   /// that in the residual.
   template <class Scalar>
-  [[nodiscard]] ChangeOf<Scalar>& change_film(StepOf<Scalar>& step, Counters& counters) const;
+  [[nodiscard]] ChangeOf<Scalar>& change_film(StepOf<Scalar>& step, Counters& counters, Accuracy accuracy) const;
   template <class Scalar>
   void change_residual(const StepOf<Scalar>& step, ChangeOf<Scalar>& change) const;
 

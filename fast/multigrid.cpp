@@ -82,12 +82,29 @@ bool MultigridOf<Scalar>::factorise(Scalar rate, Counters& counters) {
   const InStage stage(counters, Stage::factorise);
   rate_ = rate;
   for (std::size_t k = 0; k + 1 < levels_.size(); ++k) levels_[k]->assemble_band(rate);
+  factorise_bands();
   counters.clock.change_to(Stage::coarsest);
   const Level& last = *levels_.back();
   return coarsest_.factorise(*last.nodes, *last.jacobian, last.squeeze, rate);
 }
 
-/// The matrix of r_i = F_i - F_(i-1) in the dipole variable, factorised.
+/// The coarse levels one after another, in turn with the finest.
+template <class Scalar>
+void MultigridOf<Scalar>::factorise_bands() {
+  if (levels_.size() < 2) return;
+  using Rows = typename BandedOf<Scalar>::Factorisation;
+  Rows finest(levels_[0]->band);
+  for (std::size_t k = 1; k + 1 < levels_.size(); ++k) {
+    Rows coarse(levels_[k]->band);
+    while (coarse.next()) finest.next();
+    levels_[k]->smooths = coarse.succeeded();
+  }
+  while (finest.next()) {
+  }
+  levels_[0]->smooths = finest.succeeded();
+}
+
+/// The matrix of r_i = F_i - F_(i-1) in the dipole variable.
 template <class Scalar>
 void MultigridOf<Scalar>::Level::assemble_band(Scalar rate) {
   const Jacobian& J = *jacobian;
@@ -125,7 +142,6 @@ void MultigridOf<Scalar>::Level::assemble_band(Scalar rate) {
     }
     before = now;
   }
-  smooths = band.factorise();
 }
 
 /// Makes a step that removes the rough part of the error, and updates the error.
@@ -144,7 +160,7 @@ void MultigridOf<Scalar>::Level::smooth(Scalar rate, Counters& counters) {
   const Array& per = nodes->grid->inverse_slope;
   for (int j = 1; j < n; ++j)
     P[j] = per[j] * (2.0 * d[j - 1] - (j > 1 ? d[j - 2] : Scalar(0)) - (j < n - 1 ? d[j] : Scalar(0)));
-  ChangeOf<Scalar>& change = jacobian->change_film(step, counters);
+  ChangeOf<Scalar>& change = jacobian->change_film(step, counters, Accuracy::rough);
   jacobian->change_residual(step, change);
   if (squeeze) squeeze->subtract(rate, step, change);
   error.flux -= change.flux;

@@ -61,6 +61,7 @@ class MultigridOf {
 
   void linearise(const Setting& setting, const NodeFields& finest, const Jacobian& jacobian, const Squeeze* squeeze,
                  const State& state, Grids& grids, Counters& counters);
+  void factorise_bands();
   void down(std::size_t index, Counters& counters);
   [[nodiscard]] Level& level_of(int intervals);
 

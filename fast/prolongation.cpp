@@ -15,6 +15,8 @@ constexpr double next_move = 0.25;
 constexpr double next_spike_move = 0.4;
 /// Upstream of the spike its move fades within this part of its distance from the exit.
 constexpr double fading = 0.5;
+/// So many of these reaches upstream nothing moves: exp(-40) of a move is lost in rounding.
+constexpr double unmoved = 6.4;
 /// A move beyond this part of that distance is not believed.
 constexpr double largest_move = 0.2;
 /// A spike's peak is at most so many of these distances from the middle of its fall. Where the pressure falls from the
@@ -73,7 +75,7 @@ struct Move {
   [[nodiscard]] double at(double X) const {
     if (X > spike) return spike_move + (exit_move - spike_move) * (X - spike) / (exit - spike);
     const double away = (spike - X) / reach;
-    return spike_move * std::exp(-away * away);
+    return away < unmoved ? spike_move * std::exp(-away * away) : 0;
   }
 };
 

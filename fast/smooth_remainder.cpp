@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ehd::fast {
 
@@ -31,30 +32,25 @@ RemainderTable RemainderTable::of(const Array& place, const Array& slope) {
   return table;
 }
 
-SmoothRemainder::SmoothRemainder(int n, std::shared_ptr<const RemainderTable> table)
-    : n_(n), direct_(table->cells == n), table_(std::move(table)) {
-  if (direct_) return;
-  const int cells = table_->cells, order = std::min(points, cells + 1);
-  base_.resize(static_cast<std::size_t>(n) + 1);
-  pattern_.resize(static_cast<std::size_t>(n) + 1);
+RemainderRule RemainderRule::of(int n, int cells) {
+  RemainderRule rule{.n = n, .cells = cells, .base = {}, .pattern = {}, .weights = {}};
+  const int order = std::min(points, cells + 1);
+  rule.base.resize(static_cast<std::size_t>(n) + 1);
+  rule.pattern.resize(static_cast<std::size_t>(n) + 1);
   const bool periodic = n % cells == 0;
   const int parts = periodic ? n / cells : 1;
   std::vector<int> known(static_cast<std::size_t>(points * parts), -1);
   for (int i = 0; i <= n; ++i) {
-    const double at = static_cast<double>(i) * cells / n;
+    const auto node = static_cast<std::size_t>(i);
     const int cell = std::min(static_cast<int>(static_cast<long>(i) * cells / n), cells - 1);
     const int base = std::clamp(cell - (order / 2 - 1), 0, cells + 1 - order);
-    int* known_pattern = nullptr;
-    if (periodic && i < n) {
-      const int place = (cell - base) * parts + i % parts;
-      known_pattern = &known[static_cast<std::size_t>(place)];
-      base_[static_cast<std::size_t>(i)] = base;
-      if (*known_pattern >= 0) {
-        pattern_[static_cast<std::size_t>(i)] = *known_pattern;
-        continue;
-      }
+    rule.base[node] = base;
+    int* const same = periodic && i < n ? &known[static_cast<std::size_t>((cell - base) * parts + i % parts)] : nullptr;
+    if (same && *same >= 0) {
+      rule.pattern[node] = *same;
+      continue;
     }
-    base_[static_cast<std::size_t>(i)] = base;
+    const double at = static_cast<double>(i) * cells / n;
     Weights w = Weights::Zero();
     for (int a = 0; a < order; ++a) {
       double product = 1;
@@ -63,44 +59,51 @@ SmoothRemainder::SmoothRemainder(int n, std::shared_ptr<const RemainderTable> ta
       }
       w[a] = product;
     }
-    pattern_[static_cast<std::size_t>(i)] = static_cast<int>(weights_.size());
-    if (known_pattern) *known_pattern = pattern_[static_cast<std::size_t>(i)];
-    weights_.push_back(w);
+    rule.pattern[node] = static_cast<int>(rule.weights.size());
+    if (same) *same = rule.pattern[node];
+    rule.weights.push_back(w);
   }
+  return rule;
 }
 
+SmoothRemainder::SmoothRemainder(std::shared_ptr<const RemainderTable> table)
+    : n_(table->cells), table_(std::move(table)) {}
+
+SmoothRemainder::SmoothRemainder(std::shared_ptr<const RemainderTable> table, std::shared_ptr<const RemainderRule> rule)
+    : n_(rule->n), table_(std::move(table)), rule_(std::move(rule)) {}
+
 void SmoothRemainder::add(const Array& x, Array& y) const {
-  if (direct_) {
+  if (!rule_) {
     y.matrix().noalias() += table_->values * x.matrix();
     return;
   }
   const int cells = table_->cells;
+  const RemainderRule& rule = *rule_;
   in_.setZero(cells + 1 + points);  // the last few take what short tables' padding weights (zeros) add
   for (int i = 0; i <= n_;) {
-    const int base = base_[static_cast<std::size_t>(i)];
-    Weights sum = Weights::Zero();
-    for (; i <= n_ && base_[static_cast<std::size_t>(i)] == base; ++i) sum += weights(i) * x[i];
+    const int base = rule.first(i);
+    RemainderRule::Weights sum = RemainderRule::Weights::Zero();
+    for (; i <= n_ && rule.first(i) == base; ++i) sum += rule.at(i) * x[i];
     in_.segment<points>(base) += sum.matrix();
   }
   out_.setZero(cells + 1 + points);
   out_.head(cells + 1).noalias() = table_->values * in_.head(cells + 1);
-  for (int i = 0; i <= n_; ++i)
-    y[i] += (weights(i) * out_.segment<points>(base_[static_cast<std::size_t>(i)]).array()).sum();
+  for (int i = 0; i <= n_; ++i) y[i] += (rule.at(i) * out_.segment<points>(rule.first(i)).array()).sum();
 }
 
 double SmoothRemainder::entry(int i, int j) const {
-  if (direct_) return table_->values(i, j);
-  const int a = base_[static_cast<std::size_t>(i)], b = base_[static_cast<std::size_t>(j)];
+  if (!rule_) return table_->values(i, j);
+  const int a = rule_->first(i), b = rule_->first(j);
   double sum = 0;
   for (int k = 0; k < points && a + k <= table_->cells; ++k) {
     for (int m = 0; m < points && b + m <= table_->cells; ++m)
-      sum += weights(i)[k] * weights(j)[m] * table_->values(a + k, b + m);
+      sum += rule_->at(i)[k] * rule_->at(j)[m] * table_->values(a + k, b + m);
   }
   return sum;
 }
 
 void SmoothRemainder::add_row(int i, double* row) const {
-  if (direct_) {
+  if (!rule_) {
     Eigen::Map<Eigen::VectorXd>(row, n_ + 1) += table_->values.col(i);  // symmetric
   } else {
     for (int j = 0; j <= n_; ++j) row[j] += entry(i, j);

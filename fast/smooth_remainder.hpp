@@ -22,14 +22,32 @@ struct RemainderTable {
   static RemainderTable of(const Array& place, const Array& slope);
 };
 
+/// Lagrange interpolation from a table of so many cells to n + 1 nodes: the same for every map.
+struct RemainderRule {
+  static constexpr int points = 8;
+  using Weights = Eigen::Array<double, points, 1>;
+
+  int n = 0, cells = 0;
+  std::vector<int> base, pattern;  ///< of each node: first table node, and which weights
+  std::vector<Weights, Eigen::aligned_allocator<Weights>> weights;
+
+  static RemainderRule of(int n, int cells);
+  [[nodiscard]] const Weights& at(int i) const {
+    return weights[static_cast<std::size_t>(pattern[static_cast<std::size_t>(i)])];
+  }
+  [[nodiscard]] int first(int i) const { return base[static_cast<std::size_t>(i)]; }
+};
+
 /// The product with Lambda on n + 1 nodes. Direct where n equals the table's cells, else n must be a multiple of them
 /// or any other number (then interpolation weights are kept node by node).
 class SmoothRemainder {
  public:
-  static constexpr int points = 8;  ///< of the interpolation
+  static constexpr int points = RemainderRule::points;
 
-  SmoothRemainder() = default;
-  SmoothRemainder(int n, std::shared_ptr<const RemainderTable> table);
+  /// The table itself, on as many nodes.
+  explicit SmoothRemainder(std::shared_ptr<const RemainderTable> table);
+  /// On the nodes of the rule, which has as many cells as the table.
+  SmoothRemainder(std::shared_ptr<const RemainderTable> table, std::shared_ptr<const RemainderRule> rule);
 
   /// y_i += Sum_j Lambda_ij x_j, sizes n + 1.
   void add(const Array& x, Array& y) const;
@@ -39,16 +57,9 @@ class SmoothRemainder {
   void add_row(int i, double* row) const;
 
  private:
-  using Weights = Eigen::Array<double, points, 1>;
-  [[nodiscard]] const Weights& weights(int i) const {
-    return weights_[static_cast<std::size_t>(pattern_[static_cast<std::size_t>(i)])];
-  }
-
   int n_ = 0;
-  bool direct_ = true;
   std::shared_ptr<const RemainderTable> table_;
-  std::vector<int> base_, pattern_;  ///< of each node: first table node, and which weights
-  std::vector<Weights, Eigen::aligned_allocator<Weights>> weights_;
+  std::shared_ptr<const RemainderRule> rule_;  ///< none: the nodes are those of the table
   mutable Eigen::VectorXd in_, out_;
 };
 

@@ -45,6 +45,30 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(banded_solve_equals_a_dense_one, Scalar, Scalars) 
   EHD_CHECK((x.matrix() - expected).norm() / expected.norm(), Tolerance::round_off(n, 10));
 }
 
+BOOST_AUTO_TEST_CASE(two_factorisations_in_turn_are_those_one_after_the_other) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  fast::Banded bands[2];
+  for (fast::Banded& band : bands) {
+    band.resize(&band == bands ? 40 : 17);
+    for (int i = 0; i < band.rows(); ++i) {
+      for (double& entry : band.row(i)) entry = uniform(random);
+      band.row(i)[fast::Banded::lower] += 6;
+    }
+  }
+  fast::Banded alone[2] = {bands[0], bands[1]};
+  fast::Banded::Factorisation longer(bands[0]), shorter(bands[1]);
+  while (shorter.next()) BOOST_REQUIRE(longer.next());
+  while (longer.next()) {
+  }
+  BOOST_TEST(longer.succeeded());
+  BOOST_TEST(shorter.succeeded());
+  for (int k = 0; k < 2; ++k) {
+    BOOST_REQUIRE(alone[k].factorise());
+    for (int i = 0; i < alone[k].rows(); ++i) BOOST_TEST(bands[k].row(i) == alone[k].row(i));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_vanishing_pivot_is_refused) {
   fast::Banded band;
   band.resize(3);
@@ -52,6 +76,11 @@ BOOST_AUTO_TEST_CASE(a_vanishing_pivot_is_refused) {
   band.row(1)[fast::Banded::lower] = 0;
   band.row(1)[fast::Banded::lower + 1] = 1;
   BOOST_CHECK(!band.factorise());
+  fast::Banded::Factorisation again(band);
+  while (again.next()) {
+  }
+  BOOST_TEST(!again.next());  // and stays refused
+  BOOST_TEST(!again.succeeded());
 }
 
 BOOST_AUTO_TEST_SUITE_END()
