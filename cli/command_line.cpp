@@ -15,7 +15,8 @@ namespace ehd::cli {
 
 namespace {
 
-/// One line of what CLI11 refuses: it adds its help to some messages, and says "--json: 1 required TEXT missing".
+/// The first line of a message of CLI11, which adds its help to some. "--json: 1 required TEXT missing" becomes
+/// "--json: has no value".
 std::string said_by(const CLI::ParseError& error) {
   const std::string text = error.what(), line = text.substr(0, text.find('\n'));
   const std::size_t name_ends = line.find(": 1 required ");

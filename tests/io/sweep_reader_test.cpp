@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a sweep file says, and what is refused before anything is computed.
+// Reading a sweep file: its values, and the mistakes that are refused before anything is computed.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -227,7 +227,7 @@ BOOST_AUTO_TEST_CASE(a_row_that_does_not_converge_is_a_row_with_its_reason) {
   BOOST_TEST(csv[1].find(",hertz,converged,") != std::string::npos);
   BOOST_TEST(csv[2].find(",ehd-linear,limit-reached,,,,") != std::string::npos);
   BOOST_TEST(csv[2].find("M = ") != std::string::npos);
-  // No balance, no count of what lies outside the fit; the datum is known.
+  // Without a balance nothing is counted as outside the fit. The datum is known all the same.
   BOOST_TEST(std::count(csv[2].begin(), csv[2].end(), ',') >= std::count(csv[0].begin(), csv[0].end(), ','));
   BOOST_TEST(csv[2].ends_with(",,"));
   const Json rows = Json::parse(test::read(out / "rows.json"));
