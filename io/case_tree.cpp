@@ -147,6 +147,20 @@ void require_substitutable(const std::string& path) {
                                        meant.empty() ? "" : "did you mean " + meant + "? ", allowed)));
 }
 
+/// What may stand in a table; above the first one that is the tables, too.
+bool may_stand_in(const CaseTable& table, std::string_view key) {
+  const auto named = [key](const auto& row) { return row.name == key; };
+  return std::any_of(table.keys.begin(), table.keys.end(), named) ||
+         (table.role == TableRole::heading && !key.empty() && find_case_table(key));
+}
+std::vector<std::string> names_in(const CaseTable& table) {
+  std::vector<std::string> names = names_of_keys(table);
+  if (table.role != TableRole::heading) return names;
+  for (const CaseTable& other : case_tables())
+    if (other.role != TableRole::heading) names.emplace_back(other.name);
+  return names;
+}
+
 }  // namespace
 
 /// Goes through the parser's tree once and puts its nodes into a CaseTree.
@@ -155,14 +169,7 @@ class TreeBuilder {
   TreeBuilder(CaseTree& tree, const std::string& text) : tree_(tree), lines_(lines_of(text)) {}
 
   void add(const toml::table& root) {
-    std::vector<std::string> allowed;
-    for (const CaseTable& table : case_tables()) {
-      if (table.role == TableRole::heading)
-        allowed = names_of_keys(table);
-      else
-        allowed.emplace_back(table.name);
-    }
-    add_keys(root, "", allowed);
+    add_keys(root, "", *find_case_table(""));
     for (auto&& [name, node] : root) {
       const CaseTable* table = find_case_table(name.str());
       if (!table || table->role == TableRole::heading) continue;
@@ -177,7 +184,7 @@ class TreeBuilder {
   void add_table(const toml::node& node, const CaseTable& table) {
     const std::string name(table.name);
     if (!node.is_table()) tree_.fail(name, fmt::format("is {}; allowed is a table, [{}]", type_of(node), name));
-    add_keys(*node.as_table(), name, names_of_keys(table));
+    add_keys(*node.as_table(), name, table);
   }
 
   void add_expectations(const toml::node& node, const CaseTable& table) {
@@ -188,12 +195,13 @@ class TreeBuilder {
     for (const toml::node& entry : *array) {
       const std::string path = fmt::format("{}.{}", name, tree_.expectations_++);
       put(path, entry);
-      add_keys(*entry.as_table(), path, names_of_keys(table));
+      add_keys(*entry.as_table(), path, table);
     }
   }
 
-  void add_keys(const toml::table& table, const std::string& path, const std::vector<std::string>& allowed) {
-    keep_unknown(table, path, allowed);
+  void add_keys(const toml::table& table, const std::string& path, const CaseTable& row) {
+    const auto known = [&](const auto& entry) { return may_stand_in(row, entry.first.str()); };
+    if (!std::all_of(table.begin(), table.end(), known)) keep_unknown(table, path, names_in(row));
     for (auto&& [key, node] : table) put((path.empty() ? "" : path + ".") + std::string(key.str()), node);
   }
 
