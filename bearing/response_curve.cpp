@@ -234,9 +234,12 @@ class ResponsePoints {
   std::map<double, SolvedResponse> solved_;
 };
 
+/// Forces that differ by less are one.
+constexpr double same_force = 1e-9;
+
 std::vector<double> first_forces(const ResponseCurveRequest& request) {
   const double span = std::log(request.heaviest_N / request.lightest_N);
-  const int gaps = std::max(2, static_cast<int>(std::ceil(span / std::log(request.widest_gap) - 1e-9)));
+  const int gaps = std::max(2, static_cast<int>(std::ceil(span / std::log(request.widest_gap) - same_force)));
   std::vector<double> forces;
   forces.reserve(static_cast<std::size_t>(gaps) + 1);
   for (int k = 0; k < gaps; ++k) forces.push_back(request.lightest_N * std::exp(span * k / gaps));
@@ -244,8 +247,6 @@ std::vector<double> first_forces(const ResponseCurveRequest& request) {
   return forces;
 }
 
-/// Forces that differ by less are one.
-constexpr double same_force = 1e-9;
 /// A curve through all loads takes 30 to 50 points (NA4908). One that is read at fewer forces goes through them.
 constexpr std::size_t few_forces = 30, fewest_points = 3;
 /// Two points in ln f above the lightest give the exponents with which the curve continues below. Damping of NA4908

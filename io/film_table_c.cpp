@@ -117,9 +117,10 @@ std::string film_table_c(const FilmTable& table) {
   }
   const FilmRange& range = table.range;
   const double log_low = std::log1p(range.L_low);
-  std::string text = "/* Films of a lubricated line contact. C99; needs math.h alone. Schema ehd-films-1.\n *\n";
-  for (const std::string& line : film_table_words(table)) text += " * " + in_c_comment(line) + "\n";
-  text += how_to_use;
+  // Words of the user keep their letters.
+  std::string words = "/* Films of a lubricated line contact. C99; needs math.h alone. Schema ehd-films-1.\n *\n";
+  for (const std::string& line : film_table_words(table)) words += " * " + in_c_comment(line) + "\n";
+  std::string text = how_to_use;
   text += fmt::format("#include <math.h>\n\nenum {{ PREFIX_SIZE = {}, PREFIX_PANELS = {} }};\n\n", highest + 1,
                       table.panels.size());
   text += "extern const double PREFIX_error[4];\nconst double PREFIX_error[4] = " + braced(errors) + ";\n";
@@ -127,8 +128,8 @@ std::string film_table_c(const FilmTable& table) {
           "; /* of M, of L */\n";
   text += "static const double PREFIX_log_L[2] = " + braced({log_low, std::log1p(range.L_high) - log_low}) + ";\n";
   text += "static const double PREFIX_shift[4] = " + braced(shifts) + ";\n\n";
-  return with_prefix(fmt::format("{}{}\n{}{}", text, coefficient_arrays(table), panels(table), evaluator),
-                     film_table_c_prefix(table));
+  text += fmt::format("{}\n{}{}", coefficient_arrays(table), panels(table), evaluator);
+  return words + with_prefix(std::move(text), film_table_c_prefix(table));
 }
 
 }  // namespace ehd

@@ -122,9 +122,10 @@ std::string c_unknown_pairs(std::size_t count) {
 std::string law_export_c(const LawExport& law) {
   const bearing::TabulatedLaw& table = law.table;
   const std::size_t knots = table.approach_m.size();
-  std::string text = "/* Contact force law of a roller bearing. C99; needs math.h alone. Schema ehd-law-1.\n *\n";
-  for (const std::string& line : law_export_words(law)) text += " * " + in_c_comment(line) + "\n";
-  text += c_usage;
+  // Words of the user keep their letters.
+  std::string words = "/* Contact force law of a roller bearing. C99; needs math.h alone. Schema ehd-law-1.\n *\n";
+  for (const std::string& line : law_export_words(law)) words += " * " + in_c_comment(line) + "\n";
+  std::string text = c_usage;
   text += fmt::format("\nenum {{ PREFIX_KNOTS = {} }};\n", knots);
   text += "extern const double PREFIX_error[4], PREFIX_range[2];\nconst double PREFIX_error[4] = " +
           braced({table.errors.force, table.errors.stiffness, table.errors.film, table.errors.damping.value_or(-1)}) +
@@ -134,16 +135,18 @@ std::string law_export_c(const LawExport& law) {
   text += "};\n/* A value and its slope at each knot. */\n";
   text += c_pairs("log_force", logarithms_of(table.force_N)) + c_pairs("log_film", logarithms_of(table.film_minimum_m));
   text += table.damping_N_s_per_m ? c_pairs("damping", pairs_of(*table.damping_N_s_per_m)) : c_unknown_pairs(knots);
-  return with_prefix(text + c_evaluator, law_export_prefix(law));
+  return words + with_prefix(text + c_evaluator, law_export_prefix(law));
 }
 
 std::string law_export_matlab(const LawExport& law) {
   const bearing::TabulatedLaw& table = law.table;
-  std::string text =
-      "function [force_N, stiffness_N_per_m, film_minimum_m, damping_N_s_per_m] = PREFIX_law(delta_m)\n"
-      "% Contact force law of a roller bearing, for MATLAB (R2016b on) and Octave. Schema ehd-law-1.\n%\n";
-  for (const std::string& line : law_export_words(law)) text += "% " + one_line(line) + "\n";
-  text += "%\n% delta_m: of any size. NaN outside the table, and for a damping that is not known.\n";
+  const std::string prefix = law_export_prefix(law);
+  std::string words = fmt::format(
+      "function [force_N, stiffness_N_per_m, film_minimum_m, damping_N_s_per_m] = {}_law(delta_m)\n"
+      "% Contact force law of a roller bearing, for MATLAB (R2016b on) and Octave. Schema ehd-law-1.\n%\n",
+      prefix);
+  for (const std::string& line : law_export_words(law)) words += "% " + one_line(line) + "\n";
+  std::string text = "%\n% delta_m: of any size. NaN outside the table, and for a damping that is not known.\n";
   text += "  % delta, ln(force) and its slope, ln(film) and its slope, damping and its slope\n  T = [\n";
   const Pairs force = logarithms_of(table.force_N), film = logarithms_of(table.film_minimum_m);
   for (std::size_t k = 0; k < table.approach_m.size(); ++k) {
@@ -153,7 +156,7 @@ std::string law_export_matlab(const LawExport& law) {
                                                   exact_number(table.damping_N_s_per_m->slopes[k]))
                                     : " NaN NaN\n";
   }
-  return with_prefix(text + "  ];" + matlab_evaluator, law_export_prefix(law));
+  return words + with_prefix(text + "  ];" + matlab_evaluator, prefix);
 }
 
 }  // namespace ehd

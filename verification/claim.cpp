@@ -41,7 +41,7 @@ Claim claim_fact(Sentence says, bool holds, std::string where, std::string note)
 }
 
 Claim claim_finding(Sentence says, std::string note) {
-  Claim found = claim_fact(std::move(says), true, "a finding: it stands whichever way it turns out", std::move(note));
+  Claim found = claim_fact(std::move(says), true, "a finding: what was measured, not what has to be", std::move(note));
   found.finding = true;
   return found;
 }

@@ -343,6 +343,7 @@ BOOST_AUTO_TEST_CASE(a_wrong_expectation_is_refused) {
       {18, "value = 0.0741", 18, "is a number; allowed is a text"},
       {18, "value = \"0,0741\"", 18, "is not a decimal number"},
       {18, "value = \"nan\"", 18, "is not a decimal number"},
+      {18, "value = \"0e400\"", 18, "is out of range"},
       {18, "value = 0.07", 18, "value = 0.07: is a number; allowed is a text like \"0.07414\""},
       {18, "value = \"1e308\"", 18, "is out of range"},
       {18, "value = \"5e-324\"", 18, "is out of range"},

@@ -150,6 +150,16 @@ BOOST_AUTO_TEST_CASE(the_c_form_compiles_without_warnings_and_agrees_to_rounding
   }
 }
 
+BOOST_AUTO_TEST_CASE(words_of_a_title_keep_their_letters_in_programs) {
+  LawExport law = made_law(true);
+  law.title = "A PREFIX of mine";
+  for (const std::string& text : {law_export_c(law), law_export_matlab(law)}) {
+    BOOST_TEST(text.find(law.title) != std::string::npos);
+    BOOST_TEST(text.find("PREFIX_") == std::string::npos);
+    BOOST_TEST(text.find(law_export_prefix(law) + "_law(") != std::string::npos);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(the_matlab_form_agrees_in_octave) {
   if (std::system("command -v octave-cli > /dev/null 2>&1") != 0) {
     BOOST_REQUIRE_MESSAGE(!std::getenv("EHD_REQUIRE_OCTAVE"), "octave-cli is not installed");  // make octave

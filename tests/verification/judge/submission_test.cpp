@@ -69,7 +69,7 @@ BOOST_AUTO_TEST_CASE(bad_json_is_one_line) {
   refused(R"({"schema": "ehd-submission-1", "solver": {"name": "n"}, "results": []})", "results: is missing or empty");
   refused(submission_with("{" + good + R"(, "film.minimun": 1})"), "film.minimun: is unknown");
   refused(submission_with("{" + good + R"(, "load_error": 1})"), "load_error: is unknown");
-  refused(submission_with("{" + good + R"(, "film.central": NaN})"), "is no JSON");
+  refused(submission_with("{" + good + R"(, "film.central": NaN})"), "NaN at byte");
   refused(submission_with("{" + good + R"(, "film.central": "NaN"})"), "required is a number");
   refused(submission_with("{" + good + R"(, "film.central": null})"), "is null");
   refused(submission_with("{" + good + R"(, "film.central": 1e999})"), "out of range");
