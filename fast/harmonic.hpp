@@ -32,19 +32,24 @@ class Harmonic {
   /// About `state`, which solves the equations of its grid, with these fields there. `grids` must keep its map.
   Harmonic(const Setting& setting, const NodeFields& nodes, const State& state, Grids& grids, Counters& counters);
 
-  /// u with the part of the drive, in the norm of Newton's method, that it leaves.
+  /// u with the part of the drive, in the norm of Newton's method, that it leaves. Where the nodes follow the spike, u
+  /// is at nodes that move by m.
   template <class Scalar>
   struct Motion {
     StepOf<Scalar> u;
+    Scalar m{0};
     double residual = 1;
   };
-  /// For a load of amplitude 1, R_1 = 0. `coarser`: of the grid with half as many intervals, where the iteration then
-  /// begins. It ends where at most `residual` of the drive is left, or where it leads no further.
+  /// For a load of amplitude 1, R_1 = 0. Nodes follow the spike where `moved` is given. `coarser`: of the grid with
+  /// half as many intervals, where the iteration then begins. It ends where at most `residual` of the drive is left, or
+  /// where it leads no further.
   template <class Scalar>
-  [[nodiscard]] Motion<Scalar> of_load(Scalar rate, double residual, const StepOf<Scalar>* coarser = nullptr);
+  [[nodiscard]] Motion<Scalar> of_load(Scalar rate, double residual, const MovedNodes* moved = nullptr,
+                                       const Motion<Scalar>* coarser = nullptr);
   /// For a waviness of amplitude 1 at a constant load.
   [[nodiscard]] Motion<Complex> of_waviness(const Waviness& waviness, double residual,
-                                            const StepOf<Complex>* coarser = nullptr);
+                                            const MovedNodes* moved = nullptr,
+                                            const Motion<Complex>* coarser = nullptr);
   /// What drives a motion besides the bodies.
   struct Sources {
     ArrayOf<Complex> feature;  ///< R_1 at the nodes, n + 1
@@ -52,46 +57,59 @@ class Harmonic {
     Complex load = 0;          ///< W_1
   };
   [[nodiscard]] Motion<Complex> of_sources(Complex rate, const Sources& sources, double residual,
-                                           const StepOf<Complex>* coarser = nullptr);
-  /// The next term of a slow load: u(s) = u + s u_1, where u is that of the load at rest.
-  [[nodiscard]] Motion<double> of_slow_load(const Step& u, double residual, const Step* coarser = nullptr);
-  /// w of moved_nodes.hpp; and its next term, w(s) = w + s w_1, where w is that at rest.
-  template <class Scalar>
-  [[nodiscard]] Motion<Scalar> of_moved_nodes(Scalar rate, const MovedNodes& moved, double residual);
-  [[nodiscard]] Motion<double> of_slowly_moved_nodes(const Step& w, const MovedNodes& moved, double residual);
+                                           const MovedNodes* moved = nullptr, const Motion<Complex>* coarser = nullptr);
+  /// The next term of a slow load: u(s) = u + s u_1, m(s) = m + s m_1, where `rest` is that of the load at rest.
+  [[nodiscard]] Motion<double> of_slow_load(const Motion<double>& rest, double residual,
+                                            const MovedNodes* moved = nullptr, const Motion<double>* coarser = nullptr);
 
-  /// H_1 at X = 0, at rest, without R_1. Empty where the contact does not reach X = 0.
-  [[nodiscard]] std::optional<Complex> central_film(const Waviness& waviness, StepOf<Complex>& u);
-  /// The same of w.
-  [[nodiscard]] std::optional<Complex> central_film(Complex rate, StepOf<Complex>& w, const MovedNodes& moved);
+  /// H_1 at X = 0, without R_1, of a motion just found. Empty where the contact does not reach X = 0.
+  [[nodiscard]] std::optional<Complex> central_film(const Waviness& waviness, Motion<Complex>& motion,
+                                                    const MovedNodes* moved = nullptr);
   /// (J - s Q) u. Valid until the next call.
   template <class Scalar>
-  [[nodiscard]] const ChangeOf<Scalar>& product(Scalar rate, StepOf<Scalar>& u);
+  [[nodiscard]] const ChangeOf<Scalar>& product(Scalar rate, StepOf<Scalar>& u) {
+    return change_by(rate, u);
+  }
 
   [[nodiscard]] int intervals() const { return nodes_.n; }
   /// The widest cell of -1 < X < X*, which disturbances have to cross.
   [[nodiscard]] double widest_cell() const;
 
  private:
+  /// Nodes that follow the spike, at one rate.
+  template <class Scalar>
+  struct Following {
+    ChangeOf<Scalar> by_m;  ///< what m = 1 changes: R_m - s q of moved_nodes.hpp, and what the tail answers
+    StepOf<Scalar> answer;  ///< about what the contact answers to it
+  };
   /// What only one kind of number needs.
   template <class Scalar>
   struct SolverOf {
     MultigridOf<Scalar> multigrid;
     GmresOf<Scalar> gmres;
-    std::vector<StepOf<Scalar>> preconditioned;
+    std::vector<Motion<Scalar>> preconditioned;
     ArrayOf<Scalar> right_side;
     ResidualOf<Scalar> unscaled;
     bool prepared = false;
     std::optional<Scalar> factorised = {};  ///< the rate
+    std::optional<Following<Scalar>> following = {};
   };
 
   template <class Scalar>
   [[nodiscard]] Motion<Scalar> solved(Scalar rate, const ResidualOf<Scalar>& drive, double residual,
-                                      const StepOf<Scalar>* coarser = nullptr);
+                                      const MovedNodes* moved, const Motion<Scalar>* coarser);
   template <class Scalar>
-  void correct(Scalar rate, const ResidualOf<Scalar>& left, double relative, StepOf<Scalar>& u);
+  void correct(Scalar rate, const ResidualOf<Scalar>& left, double relative, Motion<Scalar>& motion);
   template <class Scalar>
-  void follow(Scalar rate, StepOf<Scalar>& u, ChangeOf<Scalar>& change, const MovedNodes& moved = {}) const;
+  void let_nodes_follow(Scalar rate, const MovedNodes* moved);
+  template <class Scalar>
+  void take_spike_out(Motion<Scalar>& motion) const;
+  template <class Scalar>
+  [[nodiscard]] ChangeOf<Scalar>& change_by(Scalar rate, StepOf<Scalar>& u);
+  template <class Scalar>
+  [[nodiscard]] const ChangeOf<Scalar>& change_by(Scalar rate, Motion<Scalar>& motion);
+  template <class Scalar>
+  void answer_of_tail(Scalar rate, StepOf<Scalar>& u, ChangeOf<Scalar>& change, const MovedNodes& moved = {}) const;
   template <class Scalar>
   [[nodiscard]] ChangeOf<Scalar> by_moved_nodes(Scalar rate, const MovedNodes& moved);
   template <class Scalar>

@@ -7,7 +7,6 @@
 
 #include "fast/judgement.hpp"
 #include "fast/map.hpp"
-#include "fast/mapped_start.hpp"
 #include "fast/mapped_ways.hpp"
 #include "fast/remap.hpp"
 
@@ -31,9 +30,11 @@ Map with_moved_spike(const Map& map, double step) {
 
 }  // namespace
 
-HarmonicGrids::HarmonicGrids(const Problem& problem, const Request& request, double residual, Workspace& workspace)
+HarmonicGrids::HarmonicGrids(const Problem& problem, const Request& request, double residual, Care care,
+                             Workspace& workspace)
     : request_(request),
       newton_residual_(std::max(residual, round_off_residual)),
+      care_(care),
       run_(begin_mapped(problem, request_, workspace)),
       planning_before_(planning_of(workspace)) {}
 
@@ -46,7 +47,7 @@ void HarmonicGrids::add(const NodeFields& nodes, double residual) {
 }
 
 bool HarmonicGrids::climb() {
-  const MappedClimb climb = best_climb(run_, request_);
+  const MappedClimb climb = best_climb(run_, request_, care_);
   if (!climb.complete) return false;
   Discretisation at;
   for (std::size_t k = 0; k < climb.states.size(); ++k) {

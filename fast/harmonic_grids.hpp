@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fast/harmonic.hpp"
+#include "fast/mapped_start.hpp"
 #include "fast/prolongation.hpp"
 #include "fast/run.hpp"
 
@@ -16,8 +17,8 @@ namespace ehd::fast {
 class HarmonicGrids {
  public:
   /// Plans, tables and arrays are the caller's. Newton's method may leave `residual` on the grids after the climb. The
-  /// time limit starts here.
-  HarmonicGrids(const Problem& problem, const Request& request, double residual, Workspace& workspace);
+  /// map is made with `care`. The time limit starts here.
+  HarmonicGrids(const Problem& problem, const Request& request, double residual, Care care, Workspace& workspace);
 
   /// Finds the steady states up to request.nodes on the best map. False where there are none.
   [[nodiscard]] bool climb();
@@ -47,6 +48,7 @@ class HarmonicGrids {
 
   const Request request_;
   const double newton_residual_;
+  const Care care_;
   Run run_;
   const double planning_before_;
   Prolongation prolongation_;

@@ -12,7 +12,7 @@ namespace {
 
 Solution solve_mapped(const Problem& problem, const Request& request, Workspace& workspace, const Solution* from) {
   Run run = begin_mapped(problem, request, workspace);
-  MappedClimb climb = best_climb(run, request, from);
+  MappedClimb climb = best_climb(run, request, care_for(request, problem.groups), from);
 
   Solution solution;
   SolveRecord& record = solution.record;

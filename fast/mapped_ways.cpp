@@ -36,9 +36,10 @@ MappedClimb climb_from_milder(Run& run, const Request& request, int neighbours) 
   rough.time_limit_s = request.time_limit_s - std::chrono::duration<double>(now - run.begin).count();
   rough.max_iterations = request.max_iterations - static_cast<int>(run.counters.newton);
   const Problem other = milder(run.problem);
+  const Care care = care_for(rough, other.groups);
   Run beside = begin_mapped(other, rough, run.workspace);
   const Solution neighbour{
-      .fields = best_climb(beside, rough, nullptr, neighbours + 1).fields, .observables = {}, .record = {}};
+      .fields = best_climb(beside, rough, care, nullptr, neighbours + 1).fields, .observables = {}, .record = {}};
   run.counters.newton += beside.counters.newton;
   run.counters.krylov += beside.counters.krylov;
   run.counters.convolutions += beside.counters.convolutions;
@@ -68,8 +69,7 @@ Run begin_mapped(const Problem& problem, const Request& request, Workspace& work
   return run;
 }
 
-MappedClimb best_climb(Run& run, const Request& request, const Solution* from, int neighbours) {
-  const Care care = care_for(request, run.problem.groups);
+MappedClimb best_climb(Run& run, const Request& request, Care care, const Solution* from, int neighbours) {
   MappedClimb best;
   if (from && usable(*from)) best = climb_mapped(run, request, recipes[0], from, care);
   const auto attempt = [&](int fineness) {

@@ -6,10 +6,10 @@
 //
 // The nodes move by m, in s of the map, each by its part dphi_i = m dphi_i/dm. To first order
 //
-//   (J - s Q) u = drive,  (J - s Q) w = -R_m + s q,  answer u + m w for any m,
+//   (J - s Q) u + m (R_m - s q) = drive,
 //   q_i = Sum_(j > i) (dw_j (rho H)_j + w_j rho_j dH_j) + (rho H)_f dX_f, as Q of squeeze.hpp.
 //
-// Exact derivatives do not depend on m, discrete ones do. m is that where u + m w is smallest under the spike.
+// Exact derivatives do not depend on m, discrete ones do. m is that where about nothing of u is left under the spike.
 #pragma once
 
 #include "contact/array.hpp"
@@ -35,7 +35,7 @@ struct MovedNodes {
 [[nodiscard]] MovedNodes moved_nodes(const Setting& setting, const State& state, Grid& own, Grid& forward, Grid& back,
                                      double step, Counters& counters);
 
-/// The m where u + m w is smallest, weighted by |w|^2: so the spike alone counts.
+/// The m where u + m w is smallest, weighted by |w|^2, w what the pressure answers to m = 1: so the spike alone counts.
 template <class Scalar>
 [[nodiscard]] Scalar shift_with_spike(const ArrayOf<Scalar>& u, const ArrayOf<Scalar>& w) {
   const Array weight = w.abs2();

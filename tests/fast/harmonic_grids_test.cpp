@@ -12,7 +12,7 @@ BOOST_AUTO_TEST_SUITE(harmonic_grids)
 BOOST_AUTO_TEST_CASE(each_grid_has_twice_the_intervals_and_its_own_moved_nodes) {
   const Problem problem = roelands_problem(5, 15, TruncatedAt{-4});
   fast::Workspace workspace;
-  fast::HarmonicGrids grids(problem, {.tolerance = {}, .nodes = 128}, 1e-8, workspace);
+  fast::HarmonicGrids grids(problem, {.tolerance = {}, .nodes = 128}, 1e-8, fast::Care::full, workspace);
   BOOST_REQUIRE(grids.climb());
   BOOST_REQUIRE_EQUAL(grids.size(), 2);
   BOOST_REQUIRE(grids.refine(256));

@@ -114,6 +114,16 @@ BOOST_AUTO_TEST_CASE(three_grids_are_enough_for_a_bearing_beside_a_narrow_spike)
   BOOST_TEST(found.cost.nodes == 256);
 }
 
+// The first map is good enough at a loose tolerance, and more maps are more steps.
+BOOST_AUTO_TEST_CASE(a_loose_tolerance_takes_the_first_map) {
+  const auto steps = [](double tolerance) {
+    return answer(roelands_problem(20, 10, Flooded{}), {.frequencies = {}, .tolerance = tolerance}).cost;
+  };
+  const Cost loose = steps(5e-3), close = steps(0.9e-3);
+  BOOST_TEST(loose.newton_iterations < close.newton_iterations);
+  BOOST_TEST(loose.nodes == 256);
+}
+
 // The lag is the imaginary part over Omega, and small: its error is its own, not that of kappa over Omega.
 BOOST_AUTO_TEST_CASE(the_lag_of_a_slow_motion_has_its_own_error) {
   const Response found = answer(roelands_problem(5, 5, TruncatedAt{-4}), {.frequencies = {1e-2}, .tolerance = 1e-4});

@@ -170,7 +170,7 @@ Findings judge_grid_order(MoesGroups moes, double Omega) {
   const Problem problem = response_problem(moes, cut_at_4);
   const Request request{.tolerance = {}, .nodes = 1024};
   fast::Run run = fast::begin_mapped(problem, request, workspace);
-  const fast::MappedClimb climb = fast::best_climb(run, request);
+  const fast::MappedClimb climb = fast::best_climb(run, request, fast::Care::full);
   std::vector<fast::Complex> kappa;
   std::string note = "kappa =";
   for (std::size_t k = 0; k < climb.states.size(); ++k) {

@@ -20,7 +20,7 @@ MotionErrors motion_errors_of_fast(const ManufacturedMotion& truth, int interval
   const Request request{.tolerance = {}, .nodes = intervals, .max_iterations = most_manufactured_iterations};
   fast::Workspace workspace;
   fast::Run run = fast::begin_mapped(problem, request, workspace);
-  const fast::MappedClimb climb = fast::best_climb(run, request);
+  const fast::MappedClimb climb = fast::best_climb(run, request, fast::Care::full);
   if (climb.states.empty() || climb.grids.back().nodes != intervals) return {};
   fast::State state = climb.states.back();
   fast::Discretisation at;
