@@ -22,8 +22,8 @@ constexpr int tail_turns = 2;
 constexpr int most_restarts = 4;
 /// A restart that leaves more than this share is the last.
 constexpr double useful_restart = 0.5;
-/// The part of its drive that the answer to moved nodes may leave. With 0.1 m was up to 1 % off beside spikes narrower
-/// than a cell, and moves from grid to grid were irregular: (20, 20) from 8192 intervals on.
+/// The part of its drive that the answer to moved nodes may leave. With 0.1 the shift m was up to 1 % off beside spikes
+/// narrower than a cell, and moves from grid to grid were irregular: at (20, 20) from 8192 intervals on.
 constexpr double rough_answer = 0.01;
 /// (J - s Q) u by s, at s = 0: by a central difference of this half width. The tail alone makes Q depend on s.
 constexpr double rate_step = 1e-2;
@@ -135,9 +135,11 @@ bool Harmonic::factorised(Scalar rate) {
   if (!std::exchange(solver.prepared, true))
     solver.multigrid.prepare_motion(setting_, nodes_, jacobian_, squeeze_, state_, grids_, counters_);
   if (solver.factorised == rate) return true;
-  solver.factorised = rate;
+  solver.factorised.reset();
   solver.following.reset();
-  return solver.multigrid.factorise(rate, counters_);
+  if (!solver.multigrid.factorise(rate, counters_)) return false;
+  solver.factorised = rate;
+  return true;
 }
 
 /// Makes what following the spike needs, at the rate of the factors. Null: the nodes stay.

@@ -3,6 +3,7 @@
 //
 //   (J - s Q) u = drive,  u = (P_1, H_01, X*_1) at fixed phi,
 //
+// where nodes follow a spike, with one unknown more (moved_nodes.hpp),
 // with Newton's own Jacobian J (jacobian.hpp) and the squeeze Q (squeeze.hpp). The far inlet of a flooded contact
 // follows the motion (moving_tail.hpp), which the product contains and the preconditioner leaves out. Solved by
 // flexible GMRES with one multigrid cycle, both of which do everything that depends on s; the rest is made once a grid.
@@ -40,7 +41,7 @@ class Harmonic {
     Scalar m{0};
     double residual = 1;
   };
-  /// For a load of amplitude 1, R_1 = 0. Nodes follow the spike where `moved` is given. `coarser`: of the grid with
+  /// For a load of amplitude 1, R_1 = 0. Nodes follow the spike where `moved` is given, that of this grid. `coarser`: of the grid with
   /// half as many intervals, where the iteration then begins. It ends where at most `residual` of the drive is left, or
   /// where it leads no further.
   template <class Scalar>
@@ -80,7 +81,7 @@ class Harmonic {
   template <class Scalar>
   struct Following {
     ChangeOf<Scalar> by_m;  ///< what m = 1 changes: R_m - s q of moved_nodes.hpp, and what the tail answers
-    StepOf<Scalar> answer;  ///< about what the contact answers to it
+    StepOf<Scalar> answer;  ///< what the contact answers to it, roughly
   };
   /// What only one kind of number needs.
   template <class Scalar>

@@ -9,7 +9,8 @@
 //   (J - s Q) u + m (R_m - s q) = drive,
 //   q_i = Sum_(j > i) (dw_j (rho H)_j + w_j rho_j dH_j) + (rho H)_f dX_f, as Q of squeeze.hpp.
 //
-// Exact derivatives do not depend on m, discrete ones do. m is that where about nothing of u is left under the spike.
+// Exact derivatives do not depend on m, discrete ones do. m is chosen so that almost nothing of u is left under
+// the spike.
 #pragma once
 
 #include "contact/array.hpp"
@@ -35,7 +36,8 @@ struct MovedNodes {
 [[nodiscard]] MovedNodes moved_nodes(const Setting& setting, const State& state, Grid& own, Grid& forward, Grid& back,
                                      double step, Counters& counters);
 
-/// The m where u + m w is smallest, weighted by |w|^2, w what the pressure answers to m = 1: so the spike alone counts.
+/// w: what the pressure answers to m = 1. The m where u + m w is smallest with the weight |w|^2, by which the spike
+/// alone counts.
 template <class Scalar>
 [[nodiscard]] Scalar shift_with_spike(const ArrayOf<Scalar>& u, const ArrayOf<Scalar>& w) {
   const Array weight = w.abs2();

@@ -21,14 +21,14 @@ using Clock = std::chrono::steady_clock;
 
 /// Intervals of the finest grid of the steady climb, and of the finest grid of all.
 constexpr int first_nodes = 256, largest_nodes = 16384;
-/// From here on the spike may be narrow, and the nodes follow it (moved_nodes.hpp). With fixed nodes 13 of 1344 errors
-/// at 192 heavy contacts (L of 8..12.4) were up to three times as large as stated; between L = 10 and 12 three of some
-/// 50 at M of 2..8, up to 1.4 times; some at L of 8.9..9.2, and at 1e-5 at (10.3, 7.9).
+/// Above both the spike may be narrow, and the nodes follow it (moved_nodes.hpp). Below this M there is none. With fixed
+/// nodes 13 of 1344 errors at 192 heavy contacts (L of 8..12.4) were up to three times as large as stated; between
+/// L = 10 and 12 three of some 50 at M of 2..8, up to 1.4 times. Some of L = 8.9..9.2 missed, (67, 6.9) did, and at
+/// 1e-5 (10.3, 7.9).
 constexpr double narrow_spike_L = 5, narrow_spike_M = 0.5;
-/// Error of a number over the residual that GMRES leaves, twice the largest at 40 contacts (M of 0.5..1000, L of 0..20,
-/// Omega of 0..10, waves of 0.3..5 b), and the part of the tolerance that GMRES may leave in it.
-constexpr double of_kappa = 0.2, of_damping = 60, of_wavy_film = 90, linear_part = 0.1;
-/// From this tolerance on the first map is good enough: care_of_maps().
+/// The part of the tolerance that GMRES may leave in a number.
+constexpr double linear_part = 0.1;
+/// From this tolerance on, the first map is good enough: care_of_maps().
 constexpr double tolerance_of_first_map = 1e-3;
 /// The part of the tolerance that Newton's method may leave as its residual: 60 times as much in the damping.
 constexpr double newton_part = 1e-5;
@@ -61,8 +61,18 @@ struct Judged {
   StopReason status = StopReason::diverged;
 };
 
-/// Where the nodes follow the spike, the first map is good: it gathers fewer of them there. At 220 random contacts and
-/// 1e-3 it takes 0.7 of the time, and misses as few errors; at 1e-5 it misses 7 of 400, better maps none.
+/// Error of a number over the residual that GMRES leaves. The largest at 900 random contacts (M of .02..1000, L of
+/// 0..22, Omega of 0..10, waves of .5..5 b): kappa 10 at M of .02..0.1, 6 up to 0.5, 0.8 up to 2, 0.4 beyond; damping
+/// 30 up to M = 20, 50 up to 200, 430 up to 1000; wavy film 30, 70 and 980.
+struct Amplification {
+  explicit Amplification(double M)
+      : of_kappa(std::clamp(2 / M, 0.5, 20.0)), of_damping(std::max(60.0, M / 2)), of_wavy_film(std::max(90.0, M)) {}
+  double of_kappa, of_damping, of_wavy_film;
+};
+
+/// From 1e-3 on the first map is good enough in the calibrated range. Where the nodes follow the spike it is even
+/// better, because fewer of them gather there: at 220 random contacts it takes 0.7 of the time. With it 7 of 400 errors
+/// at 1e-5 were too small, with better maps none.
 Care care_of_maps(const Groups& groups, double tolerance) {
   return tolerance >= tolerance_of_first_map && is_calibrated(groups) ? Care::least : Care::full;
 }
@@ -123,6 +133,7 @@ class ResponseSolve {
 
   const Problem& problem_;
   const ResponseRequest& request_;
+  const Amplification amplification_{problem_.groups.M};
   const Clock::time_point begin_ = Clock::now();
   HarmonicGrids grids_;
 };
@@ -185,12 +196,12 @@ Stiffness ResponseSolve::stiffness(double Omega, bool refines) {
   Harmonic::Motion<Complex> motion;
   Sequence lag;
   const Complex rate(0, Omega);
-  const double allowed = residual_for(of_kappa) * std::clamp(Omega, least_Omega, 1.0);
+  const double allowed = residual_for(amplification_.of_kappa) * std::clamp(Omega, least_Omega, 1.0);
   const Judged kappa = certified(Omega, Omega, refines, [&](std::size_t k, Sequence& sequence) {
     motion = grids_[k].of_load(rate, allowed, moved(k), known(motion));
     const Complex chi = -motion.u.offset;
     sequence.values.push_back(1.0 / chi);
-    sequence.iteration = of_kappa * motion.residual;
+    sequence.iteration = amplification_.of_kappa * motion.residual;
     lag.values.emplace_back(-chi.imag() / Omega);
     // An error of kappa, all of it in the imaginary part.
     lag.offset = std::abs(chi.imag()) > 0 ? std::abs(chi / chi.imag()) : 0;
@@ -203,13 +214,13 @@ Stiffness ResponseSolve::stiffness(double Omega, bool refines) {
 
 Judged ResponseSolve::wavy_film(const Waviness& waviness) {
   Harmonic::Motion<Complex> motion;
-  const double Omega = waviness.Omega(), allowed = residual_for(of_wavy_film);
+  const double Omega = waviness.Omega(), allowed = residual_for(amplification_.of_wavy_film);
   return certified(Omega, std::max(Omega, waviness.wavenumber()), true, [&](std::size_t k, Sequence& sequence) {
     Harmonic& harmonic = grids_[k];
     motion = harmonic.of_waviness(waviness, allowed, moved(k), known(motion));
     const Complex film = 1.0 + harmonic.central_film(waviness, motion, moved(k)).value_or(not_known);
     sequence.values.push_back(film);
-    sequence.iteration = of_wavy_film * motion.residual;
+    sequence.iteration = amplification_.of_wavy_film * motion.residual;
     sequence.offset = std::abs(motion.u.offset / film);
   });
 }
@@ -241,15 +252,15 @@ SlowStiffness ResponseSolve::slow() {
 void ResponseSolve::add_slow(std::size_t k, Harmonic::Motion<double>& rest, Harmonic::Motion<double>& next,
                              Sequence& stiffness, Sequence& damping, Sequence& lag) {
   Harmonic& harmonic = grids_[k];
-  const double allowed = residual_for(of_damping);
+  const double allowed = residual_for(amplification_.of_damping);
   rest = harmonic.of_load(0.0, allowed, moved(k), known(rest));
   next = harmonic.of_slow_load(rest, allowed, moved(k), known(next));
   const double offset_0 = rest.u.offset, offset_1 = next.u.offset;
   stiffness.values.emplace_back(-1 / offset_0);
   damping.values.emplace_back(offset_1 / (offset_0 * offset_0));
   lag.values.emplace_back(offset_1);
-  stiffness.iteration = of_kappa * rest.residual;
-  damping.iteration = lag.iteration = of_damping * std::max(rest.residual, next.residual);
+  stiffness.iteration = amplification_.of_kappa * rest.residual;
+  damping.iteration = lag.iteration = amplification_.of_damping * std::max(rest.residual, next.residual);
 }
 
 void ResponseSolve::fill(Cost& cost) const {

@@ -147,7 +147,7 @@ void require_substitutable(const std::string& path) {
                                        meant.empty() ? "" : "did you mean " + meant + "? ", allowed)));
 }
 
-/// What may stand in a table; above the first one that is the tables, too.
+/// Whether the key may stand in the table. Above the first table the names of tables may stand, too.
 bool may_stand_in(const CaseTable& table, std::string_view key) {
   const auto named = [key](const auto& row) { return row.name == key; };
   return std::any_of(table.keys.begin(), table.keys.end(), named) ||

@@ -71,10 +71,12 @@ void read_value(const CaseTree& tree, const std::string& path, Expectation& expe
   const char* begin = digits.data() + (digits.front() == '+' ? 1 : 0);
   const auto parsed = std::from_chars(begin, digits.data() + digits.size(), expectation.value);
   const double size = std::abs(expectation.value);
-  const auto refuse = [&] { tree.fail(key, "is out of range; allowed is a size of 0, or " + value_sizes.text()); };
-  if (parsed.ec != std::errc() || !(size == 0 || value_sizes.contains(size))) refuse();
+  if (parsed.ec != std::errc() || !(size == 0 || value_sizes.contains(size)))
+    tree.fail(key, "is out of range; allowed is a size of 0, or " + value_sizes.text());
   expectation.uncertainty = relative_half_unit(digits);
-  if (!std::isfinite(expectation.uncertainty)) refuse();  // 0e400: nothing could be wrong
+  // Of 0e300 nothing could be wrong.
+  if (!(expectation.uncertainty <= value_sizes.high))
+    tree.fail(key, "has a last digit that is out of range; allowed is a zero like \"0.000\"");
 }
 
 // -- contacts

@@ -4,8 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace ehd {
@@ -15,11 +18,14 @@ namespace {
 constexpr int most_levels = 64;           // results have up to 8; Json's own destructor and dump recurse
 constexpr std::size_t most_keys = 10000;  // results have up to 200; Json looks a key up in linear time
 
-/// The word at a byte that breaks a text, where it is a number that JSON does not have. Else empty.
-std::string_view no_number_at(std::string_view text, std::size_t byte) {
+/// A word at a byte that breaks a text, where it is a number that JSON does not have; its own first byte.
+std::optional<std::pair<std::string_view, std::size_t>> no_number_at(std::string_view text, std::size_t byte) {
+  const auto is_of_a_word = [&](std::size_t at) {
+    return at < text.size() && std::isalnum(static_cast<unsigned char>(text[at]));
+  };
   for (const std::string_view word : {"-Infinity", "Infinity", "-inf", "inf", "NaN", "nan"}) {
-    const std::size_t from = byte > word.size() ? byte - word.size() : 0;
-    if (text.find(word, from) < byte) return word;
+    const std::size_t at = text.find(word, byte > word.size() ? byte - word.size() : 0);
+    if (at < byte && !is_of_a_word(at - 1) && !is_of_a_word(at + word.size())) return {{word, at + 1}};
   }
   return {};
 }
@@ -63,10 +69,10 @@ void put(Json& object, const std::string& key, std::initializer_list<double> val
 
 Json json_from(std::string_view text) {
   const auto no_json_at = [text](std::size_t byte) {
-    const std::string_view word = no_number_at(text, byte);
-    if (word.empty()) return JsonError(fmt::format("is no JSON (it breaks at byte {})", byte));
-    return JsonError(
-        fmt::format("is no JSON: {} at byte {} is no number of JSON; leave out what is not known", word, byte));
+    const auto word = no_number_at(text, byte);
+    if (!word) return JsonError(fmt::format("is no JSON (it breaks at byte {})", byte));
+    return JsonError(fmt::format("is no JSON: {} at byte {}; JSON has no such number; leave out what is not known",
+                                 word->first, word->second));
   };
   // Json's parser leaves out a byte-order mark, and takes a null byte for the end of the text.
   if (text.starts_with("\xEF\xBB\xBF")) throw no_json_at(1);

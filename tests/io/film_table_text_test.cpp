@@ -102,10 +102,12 @@ BOOST_AUTO_TEST_CASE(the_csv_has_a_comment_with_the_oil_a_header_and_a_line_for_
 BOOST_AUTO_TEST_CASE(the_c_form_compiles_without_warnings_and_agrees_to_rounding) {
   const test::Folder folder;
   FilmTable table = made_table();
-  table.title = "an oil */ #error /* of a stranger";
+  table.title = "a PREFIX */ #error /* of a stranger";
   const std::string prefix = film_table_c_prefix(table);
   BOOST_TEST(prefix == "ehd_made_oil_1_5");
-  (void)folder.write("films.c", film_table_c(table));
+  const std::string text = film_table_c(table);
+  BOOST_TEST(text.find("a PREFIX") != std::string::npos);
+  (void)folder.write("films.c", text);
   // Reads M and L; prints, for each film, the status, the value and the derivatives.
   (void)folder.write("main.c",
                      "#include <stdio.h>\nint " + prefix +

@@ -40,7 +40,9 @@ BOOST_AUTO_TEST_CASE(a_text_that_this_project_never_writes_is_refused) {
   BOOST_TEST(json_refusal("{\"a\":-1e999}") == "holds a number that is out of range");
   BOOST_TEST(json_refusal("{\"a\":1,\"b\":{\"a\":1},\"a\":1}") == "has a key twice: a");
   for (const std::string word : {"nan", "NaN", "inf", "-inf", "Infinity", "-Infinity"})
-    BOOST_TEST(json_refusal("{\"a\":" + word + "}").starts_with("is no JSON: " + word + " at byte "));
+    BOOST_TEST(json_refusal("{\"a\":" + word + "}").starts_with("is no JSON: " + word + " at byte 6; "));
+  for (const std::string word : {"nano", "tnan", "infinite", "1inf", "-info"})
+    BOOST_TEST(json_refusal("{\"a\":" + word + "}").starts_with("is no JSON (it breaks at byte "), word);
   BOOST_TEST(json_refusal("{\"a\":no}") == "is no JSON (it breaks at byte 7)");
   BOOST_TEST(json_refusal("{}{}") == "is no JSON (it breaks at byte 3)");
   BOOST_TEST(json_refusal("") == "is no JSON (it breaks at byte 1)");

@@ -208,7 +208,7 @@ std::vector<Topic> fast_response_topics() {
     agreement(moes, Flooded{}, true);
     if (moes.M > 2) agreement(moes, cut_at_4, true);
   }
-  // Heavy contacts, whose spikes are narrow below L = 12 already.
+  // Heavy contacts: there the spike is narrow at L = 11, too.
   for (const MoesGroups moes : {MoesGroups{100, 11}, {1000, 11}}) agreement(moes, Flooded{}, true);
   topics.push_back({.name = "response fast random",
                     .rungs = {8},
