@@ -321,7 +321,7 @@ std::vector<Topic> contact_topics(const std::vector<LoadedCase>& cases) {
     topics.push_back({.name = contact_case.id + ", certified",
                       .rungs = {6, 10},
                       .case_id = contact_case.id,
-                      .slow = true,
+                      .slow = is_slow(contact_case),
                       .judge = [contact_case] { return judge_certified(contact_case); }});
   }
   return topics;

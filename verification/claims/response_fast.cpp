@@ -204,6 +204,7 @@ std::vector<Topic> fast_response_topics() {
   };
   agreement({5, 5}, cut_at_4, false);
   agreement({3, 6}, Flooded{}, false);
+  agreement({0.1, 2}, cut_at_4, false);  // light: what GMRES leaves counts most here
   for (const MoesGroups moes : {MoesGroups{1, 3}, {8, 12}, {20, 10}, {100, 5}, {150, 12}, {500, 8}}) {
     agreement(moes, Flooded{}, true);
     if (moes.M > 2) agreement(moes, cut_at_4, true);
