@@ -41,9 +41,9 @@ class Harmonic {
     Scalar m{0};
     double residual = 1;
   };
-  /// For a load of amplitude 1, R_1 = 0. Nodes follow the spike where `moved` is given, that of this grid. `coarser`: of the grid with
-  /// half as many intervals, where the iteration then begins. It ends where at most `residual` of the drive is left, or
-  /// where it leads no further.
+  /// For a load of amplitude 1, R_1 = 0. Nodes follow the spike where `moved` is given, that of this grid. `coarser`:
+  /// of the grid with half as many intervals, where the iteration then begins. It ends where at most `residual` of the
+  /// drive is left, or where it leads no further.
   template <class Scalar>
   [[nodiscard]] Motion<Scalar> of_load(Scalar rate, double residual, const MovedNodes* moved = nullptr,
                                        const Motion<Scalar>* coarser = nullptr);

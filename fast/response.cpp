@@ -21,10 +21,10 @@ using Clock = std::chrono::steady_clock;
 
 /// Intervals of the finest grid of the steady climb, and of the finest grid of all.
 constexpr int first_nodes = 256, largest_nodes = 16384;
-/// Above both the spike may be narrow, and the nodes follow it (moved_nodes.hpp). Below this M there is none. With fixed
-/// nodes 13 of 1344 errors at 192 heavy contacts (L of 8..12.4) were up to three times as large as stated; between
-/// L = 10 and 12 three of some 50 at M of 2..8, up to 1.4 times. Some of L = 8.9..9.2 missed, (67, 6.9) did, and at
-/// 1e-5 (10.3, 7.9).
+/// Above both the spike may be narrow, and the nodes follow it (moved_nodes.hpp). Below this M there is none. With
+/// fixed nodes 13 of 1344 errors at 192 heavy contacts (L of 8..12.4) were up to three times as large as stated;
+/// between L = 10 and 12 three of some 50 at M of 2..8, up to 1.4 times. Some of L = 8.9..9.2 missed, (67, 6.9) did,
+/// and at 1e-5 (10.3, 7.9).
 constexpr double narrow_spike_L = 5, narrow_spike_M = 0.5;
 /// The part of the tolerance that GMRES may leave in a number.
 constexpr double linear_part = 0.1;
