@@ -69,10 +69,10 @@ BOOST_AUTO_TEST_CASE(beside_a_narrow_spike_derivatives_converge_as_h2_only_with_
   BOOST_TEST(fixed > 5 * std::abs(before.lag));  // else the test shows nothing
 }
 
-// The answer to moved nodes must be known well enough: from one multigrid cycle the nodes were up to 8 % off here, and
-// the moves fell by 2.2.
+// The answer to moved nodes must be known well enough. Where 0.9 of its drive is left, the order of the lag is 2.9
+// here.
 BOOST_AUTO_TEST_CASE(beside_a_spike_narrower_than_a_cell_moves_fall_by_four) {
-  const Problem problem = roelands_problem(200, 20, TruncatedAt{-4});
+  const Problem problem = roelands_problem(200, 20, Flooded{});
   fast::Workspace workspace;
   HarmonicGrids grids(problem, {.tolerance = {}, .nodes = 4096}, linear_residual, Care::full, workspace);
   BOOST_REQUIRE(grids.climb());
