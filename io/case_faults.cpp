@@ -48,6 +48,12 @@ constexpr std::array needed_keys{
     NeededKey{"lubricant.temperature_C", [](const CaseTree& tree) { return means_grade(tree); }},
 };
 
+/// Whether another key can make it needed, in some table.
+bool may_be_needed(const CaseKey& key) {
+  return key.need == Need::always ||
+         std::ranges::any_of(needed_keys, [&](const NeededKey& needed) { return needed.path.ends_with(key.name); });
+}
+
 bool is_needed(const CaseTree& tree, const std::string& path, const CaseKey& key) {
   if (key.need == Need::always) return true;
   const auto* const row = std::find_if(needed_keys.begin(), needed_keys.end(),
@@ -79,7 +85,7 @@ std::vector<MissingKey> missing_keys(const CaseTree& tree, const CaseTable* stat
   for (const CaseTable& table : case_tables()) {
     for (const std::string& path : tables_to_check(tree, table, statement))
       for (const CaseKey& key : table.keys) {
-        if (key.need == Need::never || (key.bearing_only && in_contact)) continue;
+        if (key.need == Need::never || (key.bearing_only && in_contact) || !may_be_needed(key)) continue;
         const std::string name = (path.empty() ? "" : path + ".") + std::string(key.name);
         if (!tree.has(name) && is_needed(tree, name, key)) missing.push_back({name, text_of(key.allowed)});
       }

@@ -202,7 +202,11 @@ class TreeBuilder {
   void add_keys(const toml::table& table, const std::string& path, const CaseTable& row) {
     const auto known = [&](const auto& entry) { return may_stand_in(row, entry.first.str()); };
     if (!std::all_of(table.begin(), table.end(), known)) keep_unknown(table, path, names_in(row));
-    for (auto&& [key, node] : table) put((path.empty() ? "" : path + ".") + std::string(key.str()), node);
+    for (auto&& [key, node] : table) {
+      std::string whole = path.empty() ? "" : path + ".";
+      whole += key.str();
+      put(whole, node);
+    }
   }
 
   void put(const std::string& path, const toml::node& node) {
