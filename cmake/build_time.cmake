@@ -5,7 +5,7 @@ option(EHD_PRECOMPILE "Parse the largest headers once for several targets" ON)
 option(EHD_UNITY "Compile several files of a room at once" ON)
 
 # gcc frees memory only from 800 MB on, not from 128. That saves 5 to 10 % of the time of the larger files. The largest
-# then takes 1.1 GB. No option of the program: `ehd --version` does not name it.
+# then takes 1.1 GB. It changes no code, so that `ehd --version` need not name it.
 cmake_host_system_information(RESULT memory_MB QUERY TOTAL_PHYSICAL_MEMORY)
 cmake_host_system_information(RESULT cores QUERY NUMBER_OF_LOGICAL_CORES)
 math(EXPR memory_of_a_core_MB "${memory_MB} / ${cores}")

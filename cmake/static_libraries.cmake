@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# A program with the property EHD_STATIC_LIBRARIES holds FFTW, GSL and xxHash: to load them takes a fifth of a short
-# run. libehd.so takes the shared ones, because Debian's static ones are not made for shared libraries.
+# A target with the property EHD_STATIC_LIBRARIES is linked with static FFTW, GSL and xxHash. The program has it,
+# because loading the shared ones takes a fifth of a short run. libehd.so does not: Debian's static libraries cannot
+# become part of a shared one.
 option(EHD_STATIC "Link FFTW, GSL and xxHash into the program (on for local builds, off for packages)" ${EHD_NATIVE})
 
-# ehd_library(NAME SHARED BESIDE FILES...): the target NAME is SHARED, a list of targets or files, or the static FILES
-# in the folder of the file BESIDE. Where one of them is missing, the shared ones serve.
+# ehd_library(NAME SHARED BESIDE FILES...): makes the target NAME. It stands for the static FILES, or for SHARED, a list
+# of targets or files. The static files are looked for in the folder of the file BESIDE. If one of them is missing,
+# SHARED serves.
 function(ehd_library name shared beside)
   get_filename_component(folder ${beside} DIRECTORY)
   set(static)

@@ -112,7 +112,7 @@ ChangeOf<Scalar>& Harmonic::change_by(Scalar rate, StepOf<Scalar>& u) {
   return change;
 }
 
-/// The same where nodes follow: m of them are part of it.
+/// The same with the part of nodes that move by m.
 template <class Scalar>
 const ChangeOf<Scalar>& Harmonic::change_by(Scalar rate, Motion<Scalar>& motion) {
   ChangeOf<Scalar>& change = change_by(rate, motion.u);
@@ -142,7 +142,7 @@ bool Harmonic::factorised(Scalar rate) {
   return true;
 }
 
-/// Makes what following the spike needs, at the rate of the factors. Null: the nodes stay.
+/// From here on the nodes follow the spike, at the rate of the factors. Null: they stay.
 template <class Scalar>
 void Harmonic::let_nodes_follow(Scalar rate, const MovedNodes* moved) {
   auto& following = std::get<SolverOf<Scalar>>(solvers_).following;

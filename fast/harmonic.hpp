@@ -3,10 +3,10 @@
 //
 //   (J - s Q) u = drive,  u = (P_1, H_01, X*_1) at fixed phi,
 //
-// where nodes follow a spike, with one unknown more (moved_nodes.hpp),
 // with Newton's own Jacobian J (jacobian.hpp) and the squeeze Q (squeeze.hpp). The far inlet of a flooded contact
 // follows the motion (moving_tail.hpp), which the product contains and the preconditioner leaves out. Solved by
 // flexible GMRES with one multigrid cycle, both of which do everything that depends on s; the rest is made once a grid.
+// Where the nodes follow a spike there is one more unknown (moved_nodes.hpp).
 //
 // Tried without gain, at (20, 10) to 1e-4, 512 intervals:
 // - a smoother without the kernel's smooth remainder: a third more GMRES steps, 1.14 times the instructions. Inside the

@@ -36,8 +36,8 @@ struct MovedNodes {
 [[nodiscard]] MovedNodes moved_nodes(const Setting& setting, const State& state, Grid& own, Grid& forward, Grid& back,
                                      double step, Counters& counters);
 
-/// w: what the pressure answers to m = 1. The m where u + m w is smallest with the weight |w|^2, by which the spike
-/// alone counts.
+/// The m that makes u + m w smallest; w is the pressure's answer to m = 1. Weighted by |w|^2, so that the spike alone
+/// counts.
 template <class Scalar>
 [[nodiscard]] Scalar shift_with_spike(const ArrayOf<Scalar>& u, const ArrayOf<Scalar>& w) {
   const Array weight = w.abs2();

@@ -74,7 +74,7 @@ void read_value(const CaseTree& tree, const std::string& path, Expectation& expe
   if (parsed.ec != std::errc() || !(size == 0 || value_sizes.contains(size)))
     tree.fail(key, "is out of range; allowed is a size of 0, or " + value_sizes.text());
   expectation.uncertainty = relative_half_unit(digits);
-  // Of 0e300 nothing could be wrong.
+  // Half a digit of 0e300 is 5e299: every measured value would agree.
   if (!(expectation.uncertainty <= value_sizes.high))
     tree.fail(key, "has a last digit that is out of range; allowed is a zero like \"0.000\"");
 }

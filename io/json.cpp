@@ -18,7 +18,7 @@ namespace {
 constexpr int most_levels = 64;           // results have up to 8; Json's own destructor and dump recurse
 constexpr std::size_t most_keys = 10000;  // results have up to 200; Json looks a key up in linear time
 
-/// A word at a byte that breaks a text, where it is a number that JSON does not have; its own first byte.
+/// NaN, inf, -Infinity, ... at the byte where the parser stopped: the word and its first byte. Empty for anything else.
 std::optional<std::pair<std::string_view, std::size_t>> no_number_at(std::string_view text, std::size_t byte) {
   const auto is_of_a_word = [&](std::size_t at) {
     return at < text.size() && std::isalnum(static_cast<unsigned char>(text[at]));
