@@ -22,7 +22,7 @@ namespace {
 /// (bearing_dynamics.cpp). That solver is asked for half, because finer grids follow only where a number misses what
 /// was asked for. If a lag is not known well enough then, the solver is asked once more, at this
 /// part of the tolerance.
-constexpr double accepted = 1e-2, asked = 5e-3, asked_again = 0.25;
+constexpr double accepted = 1e-2, first_asked = 5e-3, asked_again = 0.25;
 /// Where the certified solver is needed, the contact is heavy, and a looser tolerance saves it half of its time at
 /// most.
 constexpr double certified_tolerance = 1e-6;
@@ -61,7 +61,7 @@ ContactResponder bearing_responder() {
 
 ResponseRequest bearing_response_request() {
   ResponseRequest request;
-  request.tolerance = asked;
+  request.tolerance = first_asked;
   return request;
 }
 

@@ -54,9 +54,9 @@ const AtlasRow* kappa_at(const MotionMaps& maps, AtlasLaws laws, MoesGroups moes
 
 /// Digits of a map: those that are known, at most four.
 std::string short_number(const AtlasRow& row, const std::string& column) {
-  constexpr int most_digits = 4;
+  constexpr int map_digits = 4;
   const std::string& text = row.at(column);
-  return text.empty() ? "-" : plain(std::stod(text), std::min(most_digits, count_digits(text)));
+  return text.empty() ? "-" : plain(std::stod(text), std::min(map_digits, count_digits(text)));
 }
 
 std::string slow_maps(const MotionMaps& maps) {
