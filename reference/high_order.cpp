@@ -135,20 +135,19 @@ Solution Solve::within(const FilmTolerances& asked) {
     const Resolution resolution{.film = std::max(working, discretiser_.expected_rounding()),
                                 .spike = spike_resolution,
                                 .defect = defect_resolution};
-    const auto first = discretiser_.discretised(descended, scheme, resolution, working);
-    if (!first) break;
-    const auto second = discretiser_.discretised(first->floors, second_to(scheme), resolution, working);
-    if (!second) break;
-    Solution refined = reported(*first, *second, nullptr);
+    const auto both = discretiser_.two_discretised(descended, scheme, resolution, working);
+    if (!both) break;
+    const auto& [first, second] = *both;
+    Solution refined = reported(first, second, nullptr);
     const double error = std::max(refined.record.film_minimum.total(), refined.record.film_central.total());
     const bool met = asked.met_by(refined.record.film_minimum, refined.record.film_central);
 
     // 4. The best solution so far stays.
     if (error < last_error) {
       solution = std::move(refined);
-      why = first->last().floor > 0 ? "the fluidity's floor could not be lowered below " + plain(first->last().floor, 2)
-                                    : "the two discretisations differ by more than the tolerance";
-      grids_ = {record_of(*first), record_of(*second)};
+      why = first.last().floor > 0 ? "the fluidity's floor could not be lowered below " + plain(first.last().floor, 2)
+                                   : "the two discretisations differ by more than the tolerance";
+      grids_ = {record_of(first), record_of(second)};
     }
     if (met) return finished(std::move(solution), StopReason::converged, "");
     if (error > hopeless_reduction * last_error && error < unknown) break;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "contact/film_formulas.hpp"
 #include "contact/nondimensional.hpp"
@@ -160,6 +161,16 @@ std::optional<Discretised> Discretiser::discretised(const std::vector<Resolved>&
     return done;
   }
   return std::nullopt;
+}
+
+std::optional<TwoDiscretised> Discretiser::two_discretised(const std::vector<Resolved>& coarse, const Scheme& scheme,
+                                                           const Resolution& resolution, double tolerance) {
+  auto first = discretised(coarse, scheme, resolution, tolerance);
+  if (!first) return std::nullopt;
+  auto second = discretised(first->floors, second_to(scheme), resolution, tolerance);
+  if (!second) second = discretised(coarse, second_to(scheme), resolution, tolerance);
+  if (!second) return std::nullopt;
+  return TwoDiscretised{std::move(*first), std::move(*second)};
 }
 
 std::optional<Discretised> Discretiser::laid_out(const Discretised& guide, const std::vector<Resolved>& coarse,

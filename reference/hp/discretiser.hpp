@@ -25,6 +25,10 @@ inline constexpr Scheme fine_scheme{.degree = 12};
 /// The second discretisation that goes with a scheme: higher degree, no common breakpoint, half the inlet.
 [[nodiscard]] Scheme second_to(const Scheme& scheme);
 
+struct TwoDiscretised {
+  Discretised first, second;
+};
+
 class Discretiser {
  public:
   /// The problem must outlive the discretiser.
@@ -37,6 +41,10 @@ class Discretiser {
   /// Descends on meshes of the scheme, from the lowest of `floors` at which such a mesh has a solution.
   [[nodiscard]] std::optional<Discretised> discretised(const std::vector<Resolved>& floors, const Scheme& scheme,
                                                        const Resolution& resolution, double tolerance);
+  /// The scheme from `coarse`, and its second one from the floors of the first, or else from `coarse`. Empty where one
+  /// of them has no mesh.
+  [[nodiscard]] std::optional<TwoDiscretised> two_discretised(const std::vector<Resolved>& coarse, const Scheme& scheme,
+                                                              const Resolution& resolution, double tolerance);
   /// A mesh of exactly `intervals` intervals, made for the solution that `guide` left at its floors; where those give
   /// no solution, for the smoother ones of the coarse descent.
   [[nodiscard]] std::optional<Discretised> laid_out(const Discretised& guide, const std::vector<Resolved>& coarse,

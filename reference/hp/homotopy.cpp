@@ -20,8 +20,9 @@ constexpr double largest_merged_ratio = 4.5, merged_excess = 0.05, merged_tail =
 constexpr double lowest_floor = 1e-18;
 /// The factor by which the floor falls: at first, at most, and where the descent gives up.
 constexpr double first_factor = 10, largest_factor = 1e6, smallest_factor = 1.2;
-/// A descent step that succeeds multiplies the factor by this; one that fails takes its root.
-constexpr double factor_growth = 10;
+/// A step that succeeds multiplies the factor by the first number. A step that fails takes its root. From then on a
+/// step that succeeds raises the factor to the second number: one failure costs as much as four successes.
+constexpr double factor_growth = 10, factor_power = 1.25;
 /// Floors to extrapolate from are this many times apart.
 constexpr double floor_ratio = 3;
 /// Rounding of a balance in units of the machine's epsilon and of its terms.
@@ -154,14 +155,16 @@ std::vector<Resolved> descent(const Problem& problem, const Resolved& top, const
                               const HomotopyLimits& limits, Meter& meter) {
   std::vector<Resolved> floors{top};
   double factor = first_factor;
+  bool has_failed = false;
   while (floors.back().floor > 0 && !meter.spent()) {
     Resolved next = floors.back();
     next.floor = next.floor / factor < lowest_floor ? 0 : next.floor / factor;
     if (auto solved = resolved(problem, next, resolution, limits, meter)) {
       floors.push_back(std::move(*solved));
-      factor = std::min(factor_growth * factor, largest_factor);
+      factor = std::min(has_failed ? std::pow(factor, factor_power) : factor_growth * factor, largest_factor);
       continue;
     }
+    has_failed = true;
     factor = std::sqrt(factor);
     if (factor < smallest_factor || floor_gap(floors) < limits.settled) break;
   }

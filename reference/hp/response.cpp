@@ -98,13 +98,12 @@ bool ResponseSolve::find_steady() {
   const Resolution resolution{.film = std::max(working, discretiser.expected_rounding()),
                               .spike = pressure_resolution,
                               .defect = flux_resolution};
-  const auto first = discretiser.discretised(coarse, fine_scheme, resolution, working);
-  if (!first) return false;
-  const auto second = discretiser.discretised(first->floors, second_to(fine_scheme), resolution, working);
-  if (!second) return false;
+  const auto steady_states = discretiser.two_discretised(coarse, fine_scheme, resolution, working);
+  if (!steady_states) return false;
+  const auto& [first, second] = *steady_states;
   meter_ = discretiser.meter();
-  rounding_ = discretiser.rounding_of(first->last().run.state.flux);
-  for (const Discretised* steady : {&*first, &*second}) {
+  rounding_ = discretiser.rounding_of(first.last().run.state.flux);
+  for (const Discretised* steady : {&first, &second}) {
     const auto apart = floors_apart(steady->floors);
     both_.push_back({Harmonic(problem_, steady->last()), std::nullopt});
     if (steady->last().floor > 0 && apart.size() > 1)
