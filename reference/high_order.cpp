@@ -135,7 +135,7 @@ Solution Solve::within(const FilmTolerances& asked) {
     const Resolution resolution{.film = std::max(working, discretiser_.expected_rounding()),
                                 .spike = spike_resolution,
                                 .defect = defect_resolution};
-    const auto both = discretiser_.two_discretised(descended, scheme, resolution, working);
+    const auto both = discretiser_.discretised_twice(descended, scheme, resolution, working);
     if (!both) break;
     const auto& [first, second] = *both;
     Solution refined = reported(first, second, nullptr);

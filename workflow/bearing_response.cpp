@@ -20,8 +20,8 @@ namespace {
 
 /// Errors that a curve takes from the default solver; a bearing states about as much, and 2 % of its damping is allowed
 /// (bearing_dynamics.cpp). That solver is asked for half, because finer grids follow only where a number misses what
-/// was asked for. If a lag is not known well enough then, the solver is asked once more, at this
-/// part of the tolerance.
+/// was asked for. If a lag is not known well enough then, the solver is asked once more, at the last of these parts of
+/// the tolerance.
 constexpr double accepted = 1e-2, first_asked = 5e-3, asked_again = 0.25;
 /// Where the certified solver is needed, the contact is heavy, and a looser tolerance saves it half of its time at
 /// most.

@@ -163,14 +163,15 @@ std::optional<Discretised> Discretiser::discretised(const std::vector<Resolved>&
   return std::nullopt;
 }
 
-std::optional<TwoDiscretised> Discretiser::two_discretised(const std::vector<Resolved>& coarse, const Scheme& scheme,
-                                                           const Resolution& resolution, double tolerance) {
+std::optional<DiscretisedTwice> Discretiser::discretised_twice(const std::vector<Resolved>& coarse,
+                                                               const Scheme& scheme, const Resolution& resolution,
+                                                               double tolerance) {
   auto first = discretised(coarse, scheme, resolution, tolerance);
   if (!first) return std::nullopt;
   auto second = discretised(first->floors, second_to(scheme), resolution, tolerance);
   if (!second) second = discretised(coarse, second_to(scheme), resolution, tolerance);
   if (!second) return std::nullopt;
-  return TwoDiscretised{std::move(*first), std::move(*second)};
+  return DiscretisedTwice{std::move(*first), std::move(*second)};
 }
 
 std::optional<Discretised> Discretiser::laid_out(const Discretised& guide, const std::vector<Resolved>& coarse,

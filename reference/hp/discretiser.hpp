@@ -25,7 +25,8 @@ inline constexpr Scheme fine_scheme{.degree = 12};
 /// The second discretisation that goes with a scheme: higher degree, no common breakpoint, half the inlet.
 [[nodiscard]] Scheme second_to(const Scheme& scheme);
 
-struct TwoDiscretised {
+/// One problem on the meshes of two schemes.
+struct DiscretisedTwice {
   Discretised first, second;
 };
 
@@ -41,10 +42,11 @@ class Discretiser {
   /// Descends on meshes of the scheme, from the lowest of `floors` at which such a mesh has a solution.
   [[nodiscard]] std::optional<Discretised> discretised(const std::vector<Resolved>& floors, const Scheme& scheme,
                                                        const Resolution& resolution, double tolerance);
-  /// The scheme from `coarse`, and its second one from the floors of the first, or else from `coarse`. Empty where one
-  /// of them has no mesh.
-  [[nodiscard]] std::optional<TwoDiscretised> two_discretised(const std::vector<Resolved>& coarse, const Scheme& scheme,
-                                                              const Resolution& resolution, double tolerance);
+  /// discretised() by the scheme and by its second one. The second one descends from the floors of the first; where
+  /// these give it no solution, it descends from `coarse`. Empty where one of the two has no solution.
+  [[nodiscard]] std::optional<DiscretisedTwice> discretised_twice(const std::vector<Resolved>& coarse,
+                                                                  const Scheme& scheme, const Resolution& resolution,
+                                                                  double tolerance);
   /// A mesh of exactly `intervals` intervals, made for the solution that `guide` left at its floors; where those give
   /// no solution, for the smoother ones of the coarse descent.
   [[nodiscard]] std::optional<Discretised> laid_out(const Discretised& guide, const std::vector<Resolved>& coarse,

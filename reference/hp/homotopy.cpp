@@ -20,9 +20,11 @@ constexpr double largest_merged_ratio = 4.5, merged_excess = 0.05, merged_tail =
 constexpr double lowest_floor = 1e-18;
 /// The factor by which the floor falls: at first, at most, and where the descent gives up.
 constexpr double first_factor = 10, largest_factor = 1e6, smallest_factor = 1.2;
-/// A step that succeeds multiplies the factor by the first number. A step that fails takes its root. From then on a
-/// step that succeeds raises the factor to the second number: one failure costs as much as four successes.
-constexpr double factor_growth = 10, factor_power = 1.25;
+/// Each step that succeeds multiplies the factor by this, as long as no step has failed.
+constexpr double factor_growth = 10;
+/// A step that fails takes the square root of the factor. Each step that succeeds after it raises the factor to this
+/// power. A failure costs as much as four successes, so that the factor must grow slowly.
+constexpr double power_after_a_failure = 1.25;
 /// Floors to extrapolate from are this many times apart.
 constexpr double floor_ratio = 3;
 /// Rounding of a balance in units of the machine's epsilon and of its terms.
@@ -161,7 +163,7 @@ std::vector<Resolved> descent(const Problem& problem, const Resolved& top, const
     next.floor = next.floor / factor < lowest_floor ? 0 : next.floor / factor;
     if (auto solved = resolved(problem, next, resolution, limits, meter)) {
       floors.push_back(std::move(*solved));
-      factor = std::min(has_failed ? std::pow(factor, factor_power) : factor_growth * factor, largest_factor);
+      factor = std::min(has_failed ? std::pow(factor, power_after_a_failure) : factor_growth * factor, largest_factor);
       continue;
     }
     has_failed = true;

@@ -16,8 +16,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// The steady state is resolved to this part of the tolerance, and to no less than the second number.
-constexpr double steady_part = 0.01, finest_steady = 1e-13;
+/// Parts of the tolerance to which the steady state is resolved: the second where slow motion is not known well enough
+/// about the first.
+constexpr double steady_parts[] = {1e-2, 1e-4};
+constexpr double finest_steady = 1e-13;
 /// Of the steady meshes, as in high_order.cpp.
 constexpr double pressure_resolution = 1e-3, flux_resolution = 1e-2;
 /// Error over difference of the two discretisations; error_report.cpp says where the number comes from.
@@ -41,12 +43,6 @@ struct Twice {
   Complex first, second;
 };
 
-/// One of the two discretisations: its mesh as it is now, and the floor before its last one, where it ended above 0.
-struct Discretisation {
-  Harmonic harmonic;
-  std::optional<Harmonic> higher_floor;
-};
-
 Complex kappa_of(const Harmonic& harmonic, double Omega) { return -1.0 / harmonic.offset(harmonic.of_load(Omega)); }
 
 class ResponseSolve {
@@ -68,8 +64,11 @@ class ResponseSolve {
     StopReason status = StopReason::diverged;
   };
 
-  [[nodiscard]] bool find_steady();
-  /// Refines both meshes until `excess` is at most 1 everywhere; false where they cannot.
+  /// The steady state, to this part of the tolerance; false where none is found.
+  [[nodiscard]] bool find_steady(double part);
+  /// A steady state, and slow motion about it; nothing where no steady state is found.
+  [[nodiscard]] std::optional<SlowStiffness> find_slow();
+  /// Refines all meshes until `excess` is at most 1 everywhere; false where they cannot.
   template <class Excess>
   [[nodiscard]] bool refine(const Excess& excess);
   [[nodiscard]] Judged judged(const Twice& values, double floor_error) const;
@@ -79,18 +78,19 @@ class ResponseSolve {
   [[nodiscard]] Judged certified(const Value& value, const Excess& excess);
   [[nodiscard]] Stiffness stiffness(double Omega);
   [[nodiscard]] Judged wavy_film(const Waviness& waviness);
-  [[nodiscard]] SlowStiffness slow() const;
+  [[nodiscard]] SlowStiffness slow();
 
   const Problem& problem_;
   const ResponseRequest& request_;
   Clock::time_point begin_ = Clock::now();
   Meter meter_;
   double rounding_ = 0;
-  std::vector<Discretisation> both_;
+  std::vector<Harmonic> both_;            ///< the two discretisations, on their meshes as they are now
+  std::optional<Harmonic> higher_floor_;  ///< the first one at the floor before its last, where that is above 0
 };
 
-bool ResponseSolve::find_steady() {
-  const double working = std::max(steady_part * request_.tolerance, finest_steady);
+bool ResponseSolve::find_steady(double part) {
+  const double working = std::max(part * request_.tolerance, finest_steady);
   Discretiser discretiser(problem_, meter_);
   const auto top = discretiser.start();
   if (!top) return false;
@@ -98,23 +98,24 @@ bool ResponseSolve::find_steady() {
   const Resolution resolution{.film = std::max(working, discretiser.expected_rounding()),
                               .spike = pressure_resolution,
                               .defect = flux_resolution};
-  const auto steady_states = discretiser.two_discretised(coarse, fine_scheme, resolution, working);
+  const auto steady_states = discretiser.discretised_twice(coarse, fine_scheme, resolution, working);
+  meter_ = discretiser.meter();
   if (!steady_states) return false;
   const auto& [first, second] = *steady_states;
-  meter_ = discretiser.meter();
   rounding_ = discretiser.rounding_of(first.last().run.state.flux);
-  for (const Discretised* steady : {&first, &second}) {
-    const auto apart = floors_apart(steady->floors);
-    both_.push_back({Harmonic(problem_, steady->last()), std::nullopt});
-    if (steady->last().floor > 0 && apart.size() > 1)
-      both_.back().higher_floor.emplace(problem_, steady->floors[apart[1]]);
-  }
+  both_ = {Harmonic(problem_, first.last()), Harmonic(problem_, second.last())};
+  higher_floor_.reset();
+  if (const auto apart = floors_apart(first.floors); first.last().floor > 0 && apart.size() > 1)
+    higher_floor_.emplace(problem_, first.floors[apart[1]]);
   return true;
 }
 
 template <class Excess>
 bool ResponseSolve::refine(const Excess& excess) {
-  for (auto& [harmonic, higher_floor] : both_) {
+  std::vector<Harmonic*> all{&both_.front(), &both_.back()};
+  if (higher_floor_) all.push_back(&*higher_floor_);
+  for (Harmonic* one : all) {
+    Harmonic& harmonic = *one;
     for (int pass = 0;; ++pass) {
       const std::vector<double> found = excess(harmonic);
       if (*std::max_element(found.begin(), found.end()) <= 1) break;
@@ -135,12 +136,12 @@ bool ResponseSolve::refine(const Excess& excess) {
 /// The move to floor 0 of a number that is linear in a small floor.
 template <class Value>
 double ResponseSolve::floor_error(const Value& value) const {
-  const auto& [harmonic, higher_floor] = both_.front();
+  const Harmonic& harmonic = both_.front();
   const double floor = harmonic.steady().floor;
   if (floor == 0) return 0;
-  if (!higher_floor) return std::numeric_limits<double>::infinity();
-  const double part = floor / (higher_floor->steady().floor - floor);
-  return floor_safety_of_response * part * std::abs(value(*higher_floor) - value(harmonic));
+  if (!higher_floor_) return std::numeric_limits<double>::infinity();
+  const double part = floor / (higher_floor_->steady().floor - floor);
+  return floor_safety_of_response * part * std::abs(value(*higher_floor_) - value(harmonic));
 }
 
 ResponseSolve::Judged ResponseSolve::judged(const Twice& values, double floor_error) const {
@@ -162,7 +163,7 @@ ResponseSolve::Judged ResponseSolve::certified(const Value& value, const Excess&
   for (const double part : allowed_parts) {
     const double allowed = part * request_.tolerance;
     const bool resolved = refine([&](const Harmonic& harmonic) { return excess(harmonic, allowed); });
-    const Judged found = judged({value(both_.front().harmonic), value(both_.back().harmonic)}, floor_error(value));
+    const Judged found = judged({value(both_.front()), value(both_.back())}, floor_error(value));
     const double before = best.error;
     if (found.error < best.error || best.status == StopReason::diverged) best = found;
     if (found.status == StopReason::converged || !resolved || found.error > hopeless * before) break;
@@ -179,7 +180,7 @@ Stiffness ResponseSolve::stiffness(double Omega) {
   Stiffness found{.Omega = Omega, .kappa = kappa.value, .error = kappa.error, .status = kappa.status};
   if (Omega == 0) return found;
   const auto lag = [&](const Harmonic& harmonic) { return Complex(-(1.0 / kappa_of(harmonic, Omega)).imag() / Omega); };
-  const Judged judged_lag = judged({lag(both_.front().harmonic), lag(both_.back().harmonic)}, floor_error(lag));
+  const Judged judged_lag = judged({lag(both_.front()), lag(both_.back())}, floor_error(lag));
   // Rounding is that of kappa, all of it in the imaginary part.
   found.lag_error = judged_lag.error + rounding_ * std::abs(kappa.value / kappa.value.imag());
   return found;
@@ -198,7 +199,7 @@ ResponseSolve::Judged ResponseSolve::wavy_film(const Waviness& waviness) {
                    });
 }
 
-SlowStiffness ResponseSolve::slow() const {
+SlowStiffness ResponseSolve::slow() {
   const auto of = [](const Harmonic& harmonic) {  // kappa = -1/(u_0 + i Omega u_1)
     const SlowMotion u = harmonic.of_slow_load();
     const double u_0 = harmonic.offset(u.u_0), u_1 = harmonic.offset(u.u_1);
@@ -211,9 +212,14 @@ SlowStiffness ResponseSolve::slow() const {
     return Complex(damping / (stiffness * stiffness));
   };
   const auto of_both = [&](const auto& value) {
-    return judged({value(both_.front().harmonic), value(both_.back().harmonic)}, floor_error(value));
+    return judged({value(both_.front()), value(both_.back())}, floor_error(value));
   };
-  const Judged stiff = of_both(kappa_0), damping = of_both(kappa_1), lagging = of_both(lag);
+  const Judged damping = certified(kappa_1, [](const Harmonic& harmonic, double allowed) {
+    const SlowMotion terms = harmonic.of_slow_load();
+    const ComplexVector u = terms.u_0 + Complex(0, 1) * terms.u_1;  // both terms, as if Omega = 1
+    return harmonic.excess(u, 1, allowed, std::abs(harmonic.offset(u)));
+  });
+  const Judged stiff = of_both(kappa_0), lagging = of_both(lag);
   return {.kappa_0 = stiff.value.real(),
           .kappa_1 = damping.value.real(),
           .error_0 = stiff.error,
@@ -222,11 +228,23 @@ SlowStiffness ResponseSolve::slow() const {
           .lag_error = lagging.error};
 }
 
+std::optional<SlowStiffness> ResponseSolve::find_slow() {
+  std::optional<SlowStiffness> found;
+  for (const double part : steady_parts) {
+    if (!find_steady(part)) break;
+    found = slow();
+    const bool known = std::max(found->error_0, found->error_1) <= request_.tolerance;
+    if (known || both_.front().steady().floor == 0) break;  // without a floor, a finer steady state changes little
+  }
+  return found;
+}
+
 Response ResponseSolve::solve() {
   Response found;
   for (const double Omega : request_.frequencies) found.frequencies.push_back({.Omega = Omega});
   for (const Waviness& waviness : request_.waviness) found.waviness.push_back({.waviness = waviness});
-  if (!find_steady()) {
+  found.slow = find_slow();
+  if (!found.slow) {
     answer_nothing(found, request_, meter_.spent() ? StopReason::limit_reached : StopReason::diverged,
                    "the steady state was not found");
     return found;
@@ -236,13 +254,10 @@ Response ResponseSolve::solve() {
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::sort(order.begin(), order.end(),
             [&](std::size_t a, std::size_t b) { return request_.frequencies[a] < request_.frequencies[b]; });
-  found.slow = slow();
-  for (const std::size_t k : order) {
-    found.frequencies[k] = stiffness(request_.frequencies[k]);
-  }
+  for (const std::size_t k : order) found.frequencies[k] = stiffness(request_.frequencies[k]);
   const auto certified = [&](double Omega) {
     const auto value = [&](const Harmonic& harmonic) { return kappa_of(harmonic, Omega); };
-    const Judged kappa = judged({value(both_.front().harmonic), value(both_.back().harmonic)}, floor_error(value));
+    const Judged kappa = judged({value(both_.front()), value(both_.back())}, floor_error(value));
     return kappa.status == StopReason::converged;
   };
   const auto spent = [&] { return meter_.spent(); };
@@ -252,11 +267,11 @@ Response ResponseSolve::solve() {
     at.film = film.value, at.error = film.error, at.status = film.status;
   }
   conclude(found, request_.tolerance, meter_.spent(), "the two discretisations differ by more than the tolerance");
-  if (const double floor = both_.front().harmonic.steady().floor; floor > 0)
+  if (const double floor = both_.front().steady().floor; floor > 0)
     found.notes.push_back("the fluidity's floor could not be lowered below " + plain(floor, 2) +
                           ": values are those of this floor, and their errors include the move to floor 0");
   found.cost.wall_s = std::chrono::duration<double>(Clock::now() - begin_).count();
-  found.cost.nodes = both_.front().harmonic.intervals();
+  found.cost.nodes = both_.front().intervals();
   found.cost.newton_iterations = meter_.iterations;
   return found;
 }

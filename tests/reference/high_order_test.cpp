@@ -255,6 +255,14 @@ BOOST_AUTO_TEST_CASE(a_fluidity_that_could_not_be_lowered_is_in_the_bars) {
   BOOST_TEST(rows == 4);
 }
 
+// The first discretisation of this contact reaches floor 0 at once. From there the second one finds no solution.
+BOOST_AUTO_TEST_CASE(the_second_discretisation_may_begin_higher_than_the_first) {
+  const Solution solution = HighOrder{}.solve(roelands_problem(20, 20, Flooded{}), within(1e-3));
+  BOOST_REQUIRE(solution.record.status == StopReason::converged);
+  BOOST_TEST(solution.record.grids.size() == 2U);
+  check_numbers(solution);
+}
+
 BOOST_AUTO_TEST_CASE(films_that_are_carried_to_floor_0_are_nearer_than_those_of_the_floor) {
   // Couette film at (20, 10), cut at -4, Barus, from 1e-9, stated error 6e-10.
   const double truth = 0.1033155300687, truth_error = 1e-9;

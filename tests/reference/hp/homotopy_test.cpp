@@ -94,6 +94,31 @@ BOOST_AUTO_TEST_CASE(descent_goes_down_to_the_physics_and_resolves_every_floor) 
   BOOST_TEST(rows == 4);
 }
 
+// Barus at (20, 10): the descent fails on its way.
+BOOST_AUTO_TEST_CASE(after_a_failure_the_factor_between_floors_grows_slowly) {
+  const Problem problem = barus_problem(20, 10, TruncatedAt{-4});
+  const Resolution resolution{};
+  Meter meter = generous();
+  const auto top = resolved(problem, coarse_top(problem, 0.0856, 1e-2, 0.0856), resolution, limits, meter);
+  BOOST_REQUIRE(top.has_value());
+  const auto floors = descent(problem, *top, resolution, limits, meter);
+  bool has_failed = false;
+  int slow = 0;
+  double before = 1;  // ln of the factor, of the step before
+  for (std::size_t i = 1; i < floors.size() && floors[i].floor > 0; ++i) {
+    const double factor = std::log(floors[i - 1].floor / floors[i].floor);
+    if (has_failed) {
+      BOOST_TEST(factor <= 1.25 * before * (1 + 1e-9), i);
+      ++slow;
+    }
+    const double expected = i == 1 ? std::log(10) : before + std::log(10);
+    has_failed = has_failed || factor < 0.9 * expected;
+    before = factor;
+  }
+  BOOST_TEST(has_failed);
+  BOOST_TEST(slow > 2);
+}
+
 BOOST_AUTO_TEST_CASE(a_finer_resolution_is_nearer_to_the_truth_by_what_it_allows) {
   const Problem problem = roelands_problem(20, 10, TruncatedAt{-4});
   const Resolved fine = physics(problem, 0.0856, 15, 1e-10), start = physics(problem, 0.0856, 8, 1e-2, 1e-2);
