@@ -116,10 +116,10 @@ ChangeOf<Scalar>& Harmonic::change_by(Scalar rate, StepOf<Scalar>& u) {
 template <class Scalar>
 const ChangeOf<Scalar>& Harmonic::change_by(Scalar rate, Motion<Scalar>& motion) {
   ChangeOf<Scalar>& change = change_by(rate, motion.u);
-  if (const auto& following = std::get<SolverOf<Scalar>>(solvers_).following) {
-    change.flux += motion.m * following->by_m.flux;
-    change.load += motion.m * following->by_m.load;
-    change.film += motion.m * following->by_m.film;
+  if (const auto& by_m = std::get<SolverOf<Scalar>>(solvers_).by_m) {
+    change.flux += motion.m * by_m->flux;
+    change.load += motion.m * by_m->load;
+    change.film += motion.m * by_m->film;
   }
   return change;
 }
@@ -136,33 +136,52 @@ bool Harmonic::factorised(Scalar rate) {
     solver.multigrid.prepare_motion(setting_, nodes_, jacobian_, squeeze_, state_, grids_, counters_);
   if (solver.factorised == rate) return true;
   solver.factorised.reset();
-  solver.following.reset();
+  solver.by_m.reset();
   if (!solver.multigrid.factorise(rate, counters_)) return false;
   solver.factorised = rate;
   return true;
 }
 
-/// From here on the nodes follow the spike, at the rate of the factors. Null: they stay.
+/// From here on the nodes follow the spike, at the rate of the factors. Null: they stay. The answer of the rate before
+/// serves again where it is good enough: it hardly depends on the rate.
 template <class Scalar>
 void Harmonic::let_nodes_follow(Scalar rate, const MovedNodes* moved) {
-  auto& following = std::get<SolverOf<Scalar>>(solvers_).following;
-  if (moved && following) return;
-  following.reset();
+  auto& solver = std::get<SolverOf<Scalar>>(solvers_);
+  if (moved && solver.by_m) return;
+  solver.by_m.reset();
   if (!moved) return;
-  Following<Scalar> made{.by_m = by_moved_nodes(rate, *moved), .answer = {}};
-  Motion<Scalar> answer{.u = {.P = ArrayOf<Scalar>::Zero(nodes_.n + 1)}};
-  correct(rate, {.flux = -made.by_m.flux, .load = -made.by_m.load}, rough_answer, answer);
-  made.answer = std::move(answer.u);
-  following = std::move(made);
+  ChangeOf<Scalar> by_m = by_moved_nodes(rate, *moved);
+  Motion<Scalar> answer{.u = answer_before<Scalar>()};
+  const auto& change = change_by(rate, answer.u);
+  const ResidualOf<Scalar> left{.flux = -by_m.flux - change.flux, .load = -by_m.load - change.load};
+  const double relative = norm(left) / norm(by_m);
+  if (!(relative <= rough_answer)) correct(rate, left, rough_answer / relative, answer);
+  solver.answer = std::move(answer.u);
+  solver.by_m = std::move(by_m);
+}
+
+/// What the contact answers to moved nodes at the rate before, else at rest, else nothing.
+template <class Scalar>
+StepOf<Scalar> Harmonic::answer_before() const {
+  const StepOf<Scalar>& own = std::get<SolverOf<Scalar>>(solvers_).answer;
+  if (own.P.size() > 0) return own;
+  StepOf<Scalar> answer{.P = ArrayOf<Scalar>::Zero(nodes_.n + 1)};
+  const Step& at_rest = std::get<SolverOf<double>>(solvers_).answer;
+  if (at_rest.P.size() > 0) {
+    answer.P = at_rest.P.template cast<Scalar>();
+    answer.offset = at_rest.offset;
+    answer.exit = at_rest.exit;
+  }
+  return answer;
 }
 
 /// Moves the nodes until nothing is left under the spike.
 template <class Scalar>
 void Harmonic::take_spike_out(Motion<Scalar>& motion) const {
-  const auto& following = std::get<SolverOf<Scalar>>(solvers_).following;
-  if (!following) return;
-  const Scalar m = shift_with_spike(motion.u.P, following->answer.P);
-  add(motion.u, m, following->answer);
+  const auto& solver = std::get<SolverOf<Scalar>>(solvers_);
+  if (!solver.by_m) return;
+  const Scalar m = shift_with_spike(motion.u.P, solver.answer.P);
+  add(motion.u, m, solver.answer);
   motion.m += m;
 }
 

@@ -77,12 +77,6 @@ class Harmonic {
   [[nodiscard]] double widest_cell() const;
 
  private:
-  /// Nodes that follow the spike, at one rate.
-  template <class Scalar>
-  struct Following {
-    ChangeOf<Scalar> by_m;  ///< what m = 1 changes: R_m - s q of moved_nodes.hpp, and what the tail answers
-    StepOf<Scalar> answer;  ///< what the contact answers to it, roughly
-  };
   /// What only one kind of number needs.
   template <class Scalar>
   struct SolverOf {
@@ -93,7 +87,10 @@ class Harmonic {
     ResidualOf<Scalar> unscaled;
     bool prepared = false;
     std::optional<Scalar> factorised = {};  ///< the rate
-    std::optional<Following<Scalar>> following = {};
+    /// Where the nodes follow the spike, at the rate of the factors: what m = 1 changes, R_m - s q of moved_nodes.hpp,
+    /// and what the tail answers.
+    std::optional<ChangeOf<Scalar>> by_m = {};
+    StepOf<Scalar> answer = {};  ///< what the contact answers to it, roughly; at first that of another rate
   };
 
   template <class Scalar>
@@ -103,6 +100,8 @@ class Harmonic {
   void correct(Scalar rate, const ResidualOf<Scalar>& left, double relative, Motion<Scalar>& motion);
   template <class Scalar>
   void let_nodes_follow(Scalar rate, const MovedNodes* moved);
+  template <class Scalar>
+  [[nodiscard]] StepOf<Scalar> answer_before() const;
   template <class Scalar>
   void take_spike_out(Motion<Scalar>& motion) const;
   template <class Scalar>

@@ -36,7 +36,9 @@ HarmonicGrids::HarmonicGrids(const Problem& problem, const Request& request, dou
       newton_residual_(std::max(residual, round_off_residual)),
       care_(care),
       run_(begin_mapped(problem, request_, workspace)),
-      planning_before_(planning_of(workspace)) {}
+      planning_before_(planning_of(workspace)) {
+  run_.residual_on_given_grids = newton_residual_;
+}
 
 void HarmonicGrids::add(const NodeFields& nodes, double residual) {
   grids_.push_back(

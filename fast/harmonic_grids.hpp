@@ -16,8 +16,8 @@ namespace ehd::fast {
 
 class HarmonicGrids {
  public:
-  /// Plans, tables and arrays are the caller's. Newton's method may leave `residual` on the grids after the climb. The
-  /// map is made with `care`. The time limit starts here.
+  /// Plans, tables and arrays are the caller's. Newton's method may leave `residual` on each grid. The map is made with
+  /// `care`. The time limit starts here.
   HarmonicGrids(const Problem& problem, const Request& request, double residual, Care care, Workspace& workspace);
 
   /// Finds the steady states up to request.nodes on the best map. False where there are none.

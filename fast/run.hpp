@@ -9,6 +9,7 @@
 
 #include "contact/solver.hpp"
 #include "fast/counters.hpp"
+#include "fast/judgement.hpp"
 #include "fast/newton_krylov.hpp"
 #include "fast/start.hpp"
 #include "fast/workspace.hpp"
@@ -36,6 +37,8 @@ struct Run {
   State state = {};
   bool has_state = false;
   bool limit_reached = false;
+  /// Where Newton's method ends on the grids of Request::nodes, without iteration_share.
+  double residual_on_given_grids = round_off_residual;
 };
 
 /// The time limit starts here.

@@ -27,4 +27,18 @@ BOOST_AUTO_TEST_CASE(each_grid_has_twice_the_intervals_and_its_own_moved_nodes) 
   }
 }
 
+// Counter: 5e-8 is what a bearing's contacts are asked for.
+BOOST_AUTO_TEST_CASE(the_climb_ends_at_the_residual_that_is_asked_for) {
+  const Problem problem = roelands_problem(5, 5, Flooded{});
+  const auto steps = [&](double residual) {
+    fast::Workspace workspace;
+    fast::HarmonicGrids grids(problem, {.tolerance = {}, .nodes = 256}, residual, fast::Care::least, workspace);
+    BOOST_REQUIRE(grids.climb());
+    for (std::size_t k = 0; k < grids.size(); ++k)
+      EHD_CHECK(grids.residual(k), Tolerance::required(residual, "the residual that the grids are asked for"));
+    return grids.run().counters.newton;
+  };
+  BOOST_TEST(steps(5e-8) + 3 <= steps(1e-10));
+}
+
 BOOST_AUTO_TEST_SUITE_END()
