@@ -20,6 +20,7 @@ import functools
 import os
 import pathlib
 import re
+import signal
 import subprocess
 import sys
 import tempfile
@@ -140,9 +141,15 @@ class Shell:
             return self.build(words)
         for script in (word for word in re.findall(r"[\w./-]+\.py\b", command) if (self.folder / word).exists()):
             self.has_python_for((self.folder / script).read_text())
-        ended = subprocess.run(["sh", "-c", command], cwd=self.folder, env=self.environment, timeout=TIMEOUT_S,
-                               stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-        return ended.stdout + (f"exit code {ended.returncode}\n" if ended.returncode else "")
+        with subprocess.Popen(["sh", "-c", command], cwd=self.folder, env=self.environment, start_new_session=True,
+                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                              text=True) as running:
+            try:
+                printed, _ = running.communicate(timeout=TIMEOUT_S)
+            except subprocess.TimeoutExpired:
+                os.killpg(running.pid, signal.SIGKILL)  # the shell, and what it started
+                raise
+        return printed + (f"exit code {running.returncode}\n" if running.returncode else "")
 
 
 def turns(body):
