@@ -142,8 +142,8 @@ bool Harmonic::factorised(Scalar rate) {
   return true;
 }
 
-/// From here on the nodes follow the spike, at the rate of the factors. Null: they stay. The answer of the rate before
-/// serves again where it is good enough: it hardly depends on the rate.
+/// From here on the nodes follow the spike, at the rate of the factors. Null: they stay. The contact's answer to it
+/// begins with that of the rate before, and is often good enough: it hardly depends on the rate.
 template <class Scalar>
 void Harmonic::let_nodes_follow(Scalar rate, const MovedNodes* moved) {
   auto& solver = std::get<SolverOf<Scalar>>(solvers_);
@@ -151,28 +151,31 @@ void Harmonic::let_nodes_follow(Scalar rate, const MovedNodes* moved) {
   solver.by_m.reset();
   if (!moved) return;
   ChangeOf<Scalar> by_m = by_moved_nodes(rate, *moved);
-  Motion<Scalar> answer{.u = answer_before<Scalar>()};
-  const auto& change = change_by(rate, answer.u);
-  const ResidualOf<Scalar> left{.flux = -by_m.flux - change.flux, .load = -by_m.load - change.load};
-  const double relative = norm(left) / norm(by_m);
-  if (!(relative <= rough_answer)) correct(rate, left, rough_answer / relative, answer);
+  Motion<Scalar> answer{.u = {.P = ArrayOf<Scalar>::Zero(nodes_.n + 1)}};
+  ResidualOf<Scalar> left{.flux = -by_m.flux, .load = -by_m.load};
+  if (auto before = answer_before<Scalar>()) {
+    const auto& change = change_by(rate, *before);
+    const ResidualOf<Scalar> left_by_it{.flux = left.flux - change.flux, .load = left.load - change.load};
+    const double residual = norm(left_by_it) / norm(left);
+    if (residual < answer.residual) {
+      answer = {.u = std::move(*before), .residual = residual};
+      left = left_by_it;
+    }
+  }
+  if (answer.residual > rough_answer) correct(rate, left, rough_answer / answer.residual, answer);
   solver.answer = std::move(answer.u);
   solver.by_m = std::move(by_m);
 }
 
-/// What the contact answers to moved nodes at the rate before, else at rest, else nothing.
+/// What the contact answers to moved nodes at the rate before, else at rest.
 template <class Scalar>
-StepOf<Scalar> Harmonic::answer_before() const {
+std::optional<StepOf<Scalar>> Harmonic::answer_before() const {
   const StepOf<Scalar>& own = std::get<SolverOf<Scalar>>(solvers_).answer;
   if (own.P.size() > 0) return own;
-  StepOf<Scalar> answer{.P = ArrayOf<Scalar>::Zero(nodes_.n + 1)};
   const Step& at_rest = std::get<SolverOf<double>>(solvers_).answer;
-  if (at_rest.P.size() > 0) {
-    answer.P = at_rest.P.template cast<Scalar>();
-    answer.offset = at_rest.offset;
-    answer.exit = at_rest.exit;
-  }
-  return answer;
+  if (at_rest.P.size() == 0) return std::nullopt;
+  return StepOf<Scalar>{
+      .P = at_rest.P.template cast<Scalar>(), .offset = Scalar(at_rest.offset), .exit = Scalar(at_rest.exit)};
 }
 
 /// Moves the nodes until nothing is left under the spike.

@@ -101,7 +101,7 @@ class Harmonic {
   template <class Scalar>
   void let_nodes_follow(Scalar rate, const MovedNodes* moved);
   template <class Scalar>
-  [[nodiscard]] StepOf<Scalar> answer_before() const;
+  [[nodiscard]] std::optional<StepOf<Scalar>> answer_before() const;
   template <class Scalar>
   void take_spike_out(Motion<Scalar>& motion) const;
   template <class Scalar>

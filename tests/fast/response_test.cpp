@@ -59,7 +59,6 @@ BOOST_AUTO_TEST_CASE(fifty_frequencies_share_the_steady_state) {
   BOOST_TEST(fifty.cost.krylov_iterations > one.cost.krylov_iterations);
 }
 
-// The tail of a flooded inlet limits what is known at high frequencies, and no grid helps.
 // Counter: what the contact answers to moved nodes is found at rest, and serves other frequencies.
 BOOST_AUTO_TEST_CASE(beside_a_spike_a_frequency_takes_over_the_answer_to_moved_nodes) {
   const Problem problem = roelands_problem(20, 10, TruncatedAt{-4});
@@ -74,6 +73,7 @@ BOOST_AUTO_TEST_CASE(beside_a_spike_a_frequency_takes_over_the_answer_to_moved_n
   EHD_CHECK(std::abs(among / alone - 1.0), Tolerance::iteration(1e-5));
 }
 
+// The tail of a flooded inlet limits what is known at high frequencies, and no grid helps.
 BOOST_AUTO_TEST_CASE(a_frequency_beyond_what_is_known_names_the_highest_certified_one) {
   const Response found = answer(roelands_problem(5, 5, Flooded{}), {.frequencies = {1, 1000}, .tolerance = 1e-4});
   BOOST_TEST((found.status == StopReason::tolerance_not_met));
