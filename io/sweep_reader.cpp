@@ -152,6 +152,8 @@ Sweep read_sweep_statement(const std::filesystem::path& file) {
   Sweep sweep;
   sweep.file = file;
   sweep.id = id_of_file(file);
+  if (const toml::node* id = source.root().get("id"); id && !source.root().get("case"))
+    source.fail("id", *id, "belongs to a case; allowed is a sweep, which names its case: case = \"ID or FILE\"");
   source.require_known(source.root(), "", {"case", "laws", "solver", "tolerance", "films", "table", "combine", "keys"});
   read_case_of_sweep(source, sweep);
   read_laws(source, sweep);

@@ -102,6 +102,7 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_with_a_sweep_is_one_line_before_anything_is_c
       {"combine = \"product\"\n", 1, {"case", "is missing"}},
       {"case = \"nobody\"\ncombine = \"product\"\n", 1, {"case = \"nobody\"", "no such case"}},
       {"case = 3\n", 1, {"case = 3", "is an integer"}},
+      {"title = \"a case\"\nid = \"mine\"\n", 2, {"id = \"mine\"", "belongs to a case", "allowed is a sweep"}},
       {head("[keys]\n" + load + "[1.0]\n"), 1, {"combine", "is missing", "\"zip\""}},
       {head("combine = \"both\"\n[keys]\n" + load + "[1.0]\n"), 2, {"combine = \"both\"", "is unknown"}},
       {head("combine = \"product\"\n"), 1, {"[keys]", "is missing"}},
