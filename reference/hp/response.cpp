@@ -16,12 +16,13 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Parts of the tolerance to which the steady state is resolved: the second where slow motion is not known well enough
-/// about the first.
+/// The steady state is solved to the first part of the tolerance. Where slow motion is then not known well enough, it
+/// is solved to the second part.
 constexpr double steady_parts[] = {1e-2, 1e-4};
+/// It is never solved to less than this.
 constexpr double finest_steady = 1e-13;
-/// Steady states finer than this are not sought a second time: the descent then ends where Newton's method does, not
-/// where it may. At (5, 14) and (100, 14), Barus, asked for 1e-8, the second was no better and took twice the time.
+/// No second steady state is solved to less than this. There Newton's method fails before the descent is deep enough:
+/// at (5, 14) and (100, 14), Barus, asked for 1e-8, the second steady state was no better and took twice the time.
 constexpr double finest_again = 1e-11;
 /// Of the steady meshes, as in high_order.cpp.
 constexpr double pressure_resolution = 1e-3, flux_resolution = 1e-2;
@@ -91,7 +92,7 @@ class ResponseSolve {
 
   /// The steady state to this error, from the floors of the one before; false where none is found.
   [[nodiscard]] bool find_steady(double working);
-  /// A steady state, and slow motion about it; nothing where no steady state is found.
+  /// Slow motion about the steady state, of two the one about which it is known better; nothing where none is found.
   [[nodiscard]] std::optional<SlowStiffness> find_slow();
   /// Refines all meshes until `excess` is at most 1 everywhere; false where they cannot.
   template <class Excess>
@@ -131,7 +132,7 @@ template <class Excess>
 bool ResponseSolve::refine(const Excess& excess) {
   std::vector<Harmonic*> all{&steady_.both.front(), &steady_.both.back()};
   if (steady_.higher_floor) all.push_back(&*steady_.higher_floor);
-  for (Harmonic* one : all) {
+  for (Harmonic* const one : all) {
     Harmonic& harmonic = *one;
     for (int pass = 0;; ++pass) {
       const std::vector<double> found = excess(harmonic);

@@ -27,7 +27,7 @@ BOOST_AUTO_TEST_CASE(each_grid_has_twice_the_intervals_and_its_own_moved_nodes) 
   }
 }
 
-// Counter: 5e-8 is what a bearing's contacts are asked for.
+// Counter of Newton steps. A bearing asks for a residual of 5e-8.
 BOOST_AUTO_TEST_CASE(the_climb_ends_at_the_residual_that_is_asked_for) {
   const Problem problem = roelands_problem(5, 5, Flooded{});
   const auto steps = [&](double residual) {

@@ -59,7 +59,7 @@ BOOST_AUTO_TEST_CASE(fifty_frequencies_share_the_steady_state) {
   BOOST_TEST(fifty.cost.krylov_iterations > one.cost.krylov_iterations);
 }
 
-// Counter: what the contact answers to moved nodes is found at rest, and serves other frequencies.
+// Counter of GMRES steps. The contact's answer to moved nodes is found at rest, and used again at other frequencies.
 BOOST_AUTO_TEST_CASE(beside_a_spike_a_frequency_takes_over_the_answer_to_moved_nodes) {
   const Problem problem = roelands_problem(20, 10, TruncatedAt{-4});
   const auto asked = [&](const std::vector<double>& frequencies) {

@@ -75,7 +75,7 @@ BOOST_AUTO_TEST_CASE(where_the_floor_hides_kappa_1_the_descent_goes_on) {
   const Response found = response(barus_problem(100, 14, TruncatedAt{-4}), {.frequencies = {}, .tolerance = 1e-4});
   BOOST_TEST((found.status == StopReason::converged));
   BOOST_REQUIRE(found.slow.has_value());
-  BOOST_TEST(found.slow->error_1 < 1e-4);
+  EHD_CHECK(found.slow->error_1, Tolerance::required(1e-4, "the tolerance of the request"));
 }
 
 BOOST_AUTO_TEST_CASE(a_limit_that_the_start_meets_ends_as_a_limit) {
