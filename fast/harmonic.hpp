@@ -118,6 +118,7 @@ class Harmonic {
   [[nodiscard]] double norm(const auto& residual) const;
   [[nodiscard]] ArrayOf<Complex> feature(const Waviness& waviness) const;
 
+  std::optional<MovingTail> tail_;
   const Setting setting_;
   const NodeFields nodes_;
   const State state_;
@@ -126,11 +127,10 @@ class Harmonic {
   Jacobian jacobian_;
   Squeeze squeeze_;
   Array X_;
-  double flux_scale_;
-  std::optional<MovingTail> tail_;
   Eigen::Matrix<double, Eigen::Dynamic, 6> film_by_tail_;  ///< of P_1(X_a), and 1, X, …, X^4
   Array moment_;                                           ///< Int P X dX by P_j, n + 1
   double moment_by_exit_ = 0, load_by_first_ = 0;          ///< of the load by P_1(X_a) within the grid
+  double flux_scale_;
   std::tuple<SolverOf<double>, SolverOf<Complex>> solvers_;
 };
 

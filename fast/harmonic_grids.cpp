@@ -41,10 +41,10 @@ HarmonicGrids::HarmonicGrids(const Problem& problem, const Request& request, dou
 }
 
 void HarmonicGrids::add(const NodeFields& nodes, double residual) {
-  grids_.push_back(
-      {.harmonic = std::make_unique<Harmonic>(run_.setting, nodes, run_.state, run_.workspace.grids, run_.counters),
-       .residual = residual,
-       .state = run_.state});
+  OnGrid& at = grids_.emplace_back();
+  at.harmonic = std::make_unique<Harmonic>(run_.setting, nodes, run_.state, run_.workspace.grids, run_.counters);
+  at.residual = residual;
+  at.state = run_.state;
   prolongation_.note(run_.state);
 }
 
