@@ -29,6 +29,7 @@ struct Waviness {
       1;  ///< s: the feature moves at s u_m. 1 is pure rolling, 0 a feature at rest, 2 the other surface at rest
   [[nodiscard]] double wavenumber() const { return 2 * std::numbers::pi / wavelength; }
   [[nodiscard]] double Omega() const { return slip * wavenumber(); }
+  bool operator==(const Waviness&) const = default;
 };
 
 struct ResponseRequest {

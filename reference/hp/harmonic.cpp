@@ -169,18 +169,20 @@ ComplexVector Harmonic::solved(double Omega, const ComplexVector& drive) const {
   return Eigen::PartialPivLU<Eigen::Ref<MatrixOf<Complex>>>(A).solve(rows.cwiseProduct(drive));
 }
 
-ComplexVector Harmonic::of_load(double Omega) const {
+const ComplexVector& Harmonic::of_load(double Omega) const {
+  if (of_load_ && of_load_->first == Omega) return of_load_->second;
   ComplexVector drive = ComplexVector::Zero(J_.rows());
   drive[intervals() + 1] = 2 / pi;
-  return solved(Omega, drive);
+  return of_load_.emplace(Omega, solved(Omega, drive)).second;
 }
 
-SlowMotion Harmonic::of_slow_load() const {
+const SlowMotion& Harmonic::of_slow_load() const {
+  if (of_slow_load_) return *of_slow_load_;
   const VectorOf<double> rows = steady_.run.at.scale.cwiseInverse();
   const LuFactors lu(rows.asDiagonal() * J_);
   VectorOf<double> drive = VectorOf<double>::Zero(J_.rows());
   drive[intervals() + 1] = 2 / pi;
-  SlowMotion slow;
+  SlowMotion& slow = of_slow_load_.emplace();
   slow.u_0 = lu.solve(rows.cwiseProduct(drive));
   slow.u_1 = lu.solve(rows.cwiseProduct(-squeeze(slow.u_0)));
   return slow;
@@ -190,7 +192,8 @@ ArrayOf<Complex> Harmonic::feature(const Waviness& waviness) const {
   return (-i_unit * waviness.wavenumber() * steady_.run.at.X).exp();
 }
 
-ComplexVector Harmonic::of_waviness(const Waviness& waviness) const {
+const ComplexVector& Harmonic::of_waviness(const Waviness& waviness) const {
+  if (of_waviness_ && of_waviness_->first == waviness) return of_waviness_->second;
   const auto& at = steady_.run.at;
   const int n = intervals();
   const int exit = steady_.equations->row_of_right_end(steady_.equations->mesh().elements() - 1);
@@ -203,7 +206,7 @@ ComplexVector Harmonic::of_waviness(const Waviness& waviness) const {
   ComplexVector drive = ComplexVector::Zero(J_.rows());
   drive.head(n) = -((by_film_ * R).head(n) + squeeze).matrix();
   drive[n + 2] = at.density.value[exit] * R[exit];
-  return solved(waviness.Omega(), drive);
+  return of_waviness_.emplace(waviness, solved(waviness.Omega(), drive)).second;
 }
 
 ComplexVector Harmonic::of_sources(double Omega, const Sources& sources) const {

@@ -50,9 +50,9 @@ class Harmonic {
   Harmonic(const Problem& problem, Resolved steady);
 
   /// u for a load of amplitude 1, R_1 = 0.
-  [[nodiscard]] ComplexVector of_load(double Omega) const;
+  [[nodiscard]] const ComplexVector& of_load(double Omega) const;
   /// u for a waviness of amplitude 1 at a constant load.
-  [[nodiscard]] ComplexVector of_waviness(const Waviness& waviness) const;
+  [[nodiscard]] const ComplexVector& of_waviness(const Waviness& waviness) const;
   /// What drives a motion besides the bodies.
   struct Sources {
     ArrayOf<Complex> feature;  ///< R_1 at the rows
@@ -60,7 +60,7 @@ class Harmonic {
     Complex load = 0;          ///< W_1
   };
   [[nodiscard]] ComplexVector of_sources(double Omega, const Sources& sources) const;
-  [[nodiscard]] SlowMotion of_slow_load() const;
+  [[nodiscard]] const SlowMotion& of_slow_load() const;
   /// K u.
   [[nodiscard]] VectorOf<double> squeeze(const VectorOf<double>& u) const { return K_ * u; }
 
@@ -98,6 +98,12 @@ class Harmonic {
   VectorOf<double> tail_load_;     ///< the tail's load is i Omega tail_load_ . u; 0 where the inlet is cut
   ArrayOf<double> tail_film_;      ///< film that a tail's load of 1 causes, rows
   VectorOf<double> tail_squeeze_;  ///< Int_X^X* rho tail_film_ dX', at the points
+
+  /// The last answer of each kind. A caller asks for one several times: first where it needs a finer mesh, then for its
+  /// amplitude, its lag and how it moves with the floor. References to it are valid until the next question of its kind.
+  mutable std::optional<std::pair<double, ComplexVector>> of_load_ = {};
+  mutable std::optional<std::pair<Waviness, ComplexVector>> of_waviness_ = {};
+  mutable std::optional<SlowMotion> of_slow_load_ = {};
 };
 
 }  // namespace ehd::reference::hp

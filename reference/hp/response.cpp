@@ -192,7 +192,7 @@ ResponseSolve::Judged ResponseSolve::certified(const Value& value, const Excess&
 Stiffness ResponseSolve::stiffness(double Omega) {
   const Judged kappa = certified([&](const Harmonic& harmonic) { return kappa_of(harmonic, Omega); },
                                  [&](const Harmonic& harmonic, double allowed) {
-                                   const ComplexVector u = harmonic.of_load(Omega);
+                                   const ComplexVector& u = harmonic.of_load(Omega);
                                    return harmonic.excess(u, Omega, allowed, std::abs(harmonic.offset(u)));
                                  });
   Stiffness found{.Omega = Omega, .kappa = kappa.value, .error = kappa.error, .status = kappa.status};
@@ -212,14 +212,14 @@ ResponseSolve::Judged ResponseSolve::wavy_film(const Waviness& waviness) {
   };
   return certified([&](const Harmonic& harmonic) { return film(harmonic, harmonic.of_waviness(waviness)); },
                    [&](const Harmonic& harmonic, double allowed) {
-                     const ComplexVector u = harmonic.of_waviness(waviness);
+                     const ComplexVector& u = harmonic.of_waviness(waviness);
                      return harmonic.excess(u, Omega, allowed, std::abs(film(harmonic, u)), &waviness);
                    });
 }
 
 SlowStiffness ResponseSolve::slow() {
   const auto of = [](const Harmonic& harmonic) {  // kappa = -1/(u_0 + i Omega u_1)
-    const SlowMotion u = harmonic.of_slow_load();
+    const SlowMotion& u = harmonic.of_slow_load();
     const double u_0 = harmonic.offset(u.u_0), u_1 = harmonic.offset(u.u_1);
     return std::pair(-1 / u_0, u_1 / (u_0 * u_0));
   };
@@ -233,7 +233,7 @@ SlowStiffness ResponseSolve::slow() {
     return judged({value(steady_.both.front()), value(steady_.both.back())}, floor_error(value));
   };
   const Judged damping = certified(kappa_1, [](const Harmonic& harmonic, double allowed) {
-    const SlowMotion terms = harmonic.of_slow_load();
+    const SlowMotion& terms = harmonic.of_slow_load();
     const ComplexVector u = terms.u_0 + Complex(0, 1) * terms.u_1;  // both terms, as if Omega = 1
     return harmonic.excess(u, 1, allowed, std::abs(harmonic.offset(u)));
   });
