@@ -69,6 +69,18 @@ Json slow_json(const ResponseRun& run) {
   return json;
 }
 
+Json cost_json(const Cost& cost) {
+  Json json;
+  put(json, "wall_s", cost.wall_s);
+  put(json, "planning_s", cost.planning_s);
+  put(json, "total_s", cost.wall_s + cost.planning_s);
+  json["convolutions"] = cost.convolutions;
+  json["newton_iterations"] = cost.newton_iterations;
+  json["krylov_iterations"] = cost.krylov_iterations;
+  json["nodes"] = cost.nodes;
+  return json;
+}
+
 }  // namespace
 
 Json to_json(const ResponseRun& run) {
@@ -87,9 +99,7 @@ Json to_json(const ResponseRun& run) {
   for (const Stiffness& at : run.response.frequencies) json["response"].push_back(stiffness_json(run, at));
   if (!run.response.waviness.empty()) json["waviness"] = Json::array();
   for (const WavinessResponse& at : run.response.waviness) json["waviness"].push_back(waviness_json(at));
-  put(json["cost"], "wall_s", run.response.cost.wall_s);
-  json["cost"]["nodes"] = run.response.cost.nodes;
-  json["cost"]["newton_iterations"] = run.response.cost.newton_iterations;
+  json["cost"] = cost_json(run.response.cost);
   json["notes"] = run.notes;
   return json;
 }

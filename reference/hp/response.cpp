@@ -300,6 +300,7 @@ Response ResponseSolve::solve() {
   found.cost.wall_s = std::chrono::duration<double>(Clock::now() - begin_).count();
   found.cost.nodes = steady_.both.front().intervals();
   found.cost.newton_iterations = meter_.iterations;
+  found.cost.convolutions = meter_.kernel_products;
   return found;
 }
 

@@ -62,8 +62,11 @@ def audit(result, steady, truth, case):
     said.equal("wavelength", wave["wavelength"], 1)
     said.equal("slip", wave["slip"], 0.5)
     near_truth(said, "wavy film", film(wave), wave["error"], film(exact))
-    for name, number in result["cost"].items():
+    cost = result["cost"]
+    for name, number in cost.items():
         said.within(name, number, 0)
+    said.near("cost.total_s", cost["total_s"], cost["wall_s"] + cost["planning_s"], relative=ROUND_OFF)
+    said.equal("cost.krylov_iterations of a dense solver", truth["cost"]["krylov_iterations"], 0)
     return said
 
 
