@@ -291,4 +291,24 @@ Observables observe(const Fields& fields, const Wanted& wanted) {
   return seen;
 }
 
+double roughness_at_centre(const Fields& fields) {
+  const Array &X = fields.X, &H = fields.H;
+  constexpr Index nodes_at_centre = 8, k = 3;  // k neighbours on each side
+  const Index right = std::lower_bound(X.begin(), X.end(), 0.0) - X.begin();
+  const Index first = std::max(right - nodes_at_centre / 2, k);
+  const Index last = std::min(right + nodes_at_centre / 2, X.size() - k);
+  double largest = 0;
+  Array nodes(2 * k), films(2 * k);
+  for (Index i = first; i < last; ++i) {
+    nodes << X.segment(i - k, k), X.segment(i + 1, k);
+    films << H.segment(i - k, k), H.segment(i + 1, k);
+    largest = std::max(largest, std::abs(interpolate(nodes, films, X[i]) / H[i] - 1));
+  }
+  return largest;
+}
+
+void keep_wanted(Observables& observables, const Wanted& wanted) {
+  std::erase_if(observables, [&](const auto& entry) { return !wanted.contains(entry.first); });
+}
+
 }  // namespace ehd

@@ -20,10 +20,6 @@ std::vector<double> values_of(const std::vector<GridRecord>& grids, Quantity qua
   return values;
 }
 
-void keep_wanted(Observables& observables, const Wanted& wanted) {
-  std::erase_if(observables, [&](const auto& entry) { return !wanted.contains(entry.first); });
-}
-
 Ending limit_ending() {
   return {.status = StopReason::limit_reached, .reason = "the limit on iterations or time was reached"};
 }

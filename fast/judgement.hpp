@@ -16,12 +16,6 @@ constexpr double iteration_share = 1.0 / 30;
 /// Newton's target on grids of a given number where the caller asks for nothing else: round-off.
 constexpr double round_off_residual = 1e-11;
 
-/// No grid of a moderate size sees the spike's width (1e-4 at (20, 10), 2e-11 at (200, 15)), so grids agree on a height
-/// before it is right. Measured with fast.uniform against the ten-digit heights of six points, flooded and -4, at four
-/// tolerances: an estimate below 3 % was never too small, one of 9 % up to five times. Estimates are multiplied, and a
-/// height that stays vague is not reported.
-constexpr double spike_safety = 3, vaguest_spike = 0.05;
-
 /// What the cut inlet costs other quantities, over what it costs the films. The work before the domain falls only as
 /// 1/|X_a|, and H_0 holds ln|X_a| of the tail. Measured with fast.uniform against the reference at ten points of
 /// M = 0.05..100, both law sets: rolling force at most 4.7e-5 (reach 4), 2.8e-6 (reach 8); offset 1.3e-5, 1.2e-6, with
@@ -30,9 +24,6 @@ constexpr double truncation_of_work = 20, truncation_of_offset = 5;
 
 /// A quantity on the grids, coarse to fine, without those before a grid that lacks it.
 [[nodiscard]] std::vector<double> values_of(const std::vector<GridRecord>& grids, Quantity quantity);
-
-/// Removes what was observed for the judgement alone.
-void keep_wanted(Observables& observables, const Wanted& wanted);
 
 /// How a solve ended, with a sentence where it did not converge.
 struct Ending {

@@ -10,6 +10,7 @@
 #include <string>
 #include <variant>
 
+#include "contact/known_pressures.hpp"
 #include "contact/observables.hpp"
 #include "fast/extrapolation.hpp"
 #include "fast/mapped_climb.hpp"
@@ -45,35 +46,15 @@ constexpr double nearly_isoviscous_L = 0.5, of_two_isoviscous = 1.5;
 /// Beside a narrow spike the error of two grids is up to 1.15 times the larger move (M = 390..480, L = 17..30, Barus).
 /// So beyond L = 15 that move counts 1.2 times.
 constexpr double of_two_narrow = 1.2;
-/// Under a spike the film has a kink. Where the kink stands at X = 0, the grids agree on a wrong H_cen: at
-/// (1.886, 24.13), Barus, three grids agree to 1.3e-5 and are 1.7e-3 off. The film is rough there: nodes lie off the
-/// polynomials through their six neighbours. The largest of these distances, at eight nodes around X = 0, is the least
-/// error of H_cen. Of 68 central films that missed without it (500 contacts, Barus, M = 1..4, L = 7..30, and others)
-/// none misses with it. Of 10,000 new central films of two grids three miss, at most by a factor of 1.4.
-constexpr Eigen::Index nodes_at_centre = 8, neighbours_each_side = 3;
 /// The work at a spike does not follow the films' expansion: its error is multiplied. Against the reference at 102
 /// problems (M of 0.1..300, L of 0..16, both law sets), four tolerances: without this, and without the last move of the
 /// pressures, 97 % of the maxima, 90 % of the spikes and 98 % of the rolling forces were covered.
 constexpr double work_safety = 3;
-/// With fewer grids a spike has no error estimate.
-constexpr std::size_t fewest_for_spike = 4;
-/// Error of a pressure maximum and of a spike: spike_safety times the largest of its last moves, the earlier ones
-/// divided by 2 and 4. Heights of 752 contacts (M of 0.05..5000, L of 0..30) on 512 to 2048 intervals of the three
-/// kinds of map, against 4096 intervals: of 2038 errors below 5 %, 5 missed; of the last move alone 161 of 2890, on 256
-/// intervals 6 of 403. Through the program, against `reference` at 350 contacts of M = 0.3..500, four tolerances: 0 of
-/// 575.
-constexpr double less_each_spike_move = 2;
-constexpr std::size_t spike_moves = 3;
-/// On fewer grids than a spike needs, a maximum whose error is larger is taken for a spike, unless L is so small that
-/// there is none.
-constexpr double vaguest_smooth_maximum = 3e-3, spike_free_L = 2.5;
 /// From this number of grids on each film has an error rule of its own.
 constexpr std::size_t fewest_for_own_rule = 3;
 /// The last five grids determine the limit and its error. A coarser grid on which Newton stalled does not matter: at
 /// (2000, 30) flooded Newton left 5e-4 on 1024 intervals, while the last grid had 65,536.
 constexpr std::ptrdiff_t grids_that_count = 5;
-/// An unknown spike grows with the grids; half as high again was met.
-constexpr double unknown_spike_growth = 0.5;
 
 /// The limit of a quantity; empty where the finest grid lacks it.
 std::optional<Limit> limit_on(const std::vector<GridRecord>& grids, Quantity quantity) {
@@ -81,31 +62,9 @@ std::optional<Limit> limit_on(const std::vector<GridRecord>& grids, Quantity qua
   if (values.empty()) return std::nullopt;
   Limit limit = limit_of(values);
   // A spike passes between nodes, so that its height does not follow the films' expansion: at least the last moves.
-  const bool pressure = quantity == Quantity::pressure_maximum || quantity == Quantity::pressure_spike;
-  double share = spike_safety;
-  for (std::size_t m = values.size(), back = 0; pressure && back < spike_moves && back + 2 <= m; ++back) {
-    limit.error = std::max(limit.error, share * std::abs(values[m - 1 - back] - values[m - 2 - back]));
-    share /= less_each_spike_move;
-  }
+  if (is_pressure_peak(quantity)) limit.error = std::max(limit.error, error_of_moves(values));
   if (quantity == Quantity::rolling_force) limit.error *= work_safety;
   return limit;
-}
-
-/// Relative; 0 where no node near X = 0 has three neighbours on each side.
-double roughness_at_centre(const Fields& fields) {
-  const Array &X = fields.X, &H = fields.H;
-  constexpr Eigen::Index k = neighbours_each_side;
-  const Eigen::Index right = std::lower_bound(X.begin(), X.end(), 0.0) - X.begin();
-  const Eigen::Index first = std::max(right - nodes_at_centre / 2, k);
-  const Eigen::Index last = std::min(right + nodes_at_centre / 2, X.size() - k);
-  double largest = 0;
-  Array nodes(2 * k), films(2 * k);
-  for (Eigen::Index i = first; i < last; ++i) {
-    nodes << X.segment(i - k, k), X.segment(i + 1, k);
-    films << H.segment(i - k, k), H.segment(i + 1, k);
-    largest = std::max(largest, std::abs(interpolate(nodes, films, X[i]) / H[i] - 1));
-  }
-  return largest;
 }
 
 double relative_error(const std::vector<GridRecord>& grids, Quantity quantity) {
@@ -147,53 +106,6 @@ double film_discretisation(const MappedClimb& climb, Quantity film, const Proble
     error = std::max(error, least_near_cut / std::pow(grids.back().nodes, 2));
   return film == Quantity::film_central ? std::max(error, roughness_at_centre(climb.fields)) : error;
 }
-
-/// Which pressures are known well enough to be reported. The others are removed, with a note.
-class Pressures {
- public:
-  Pressures(Observables& seen, const Wanted& wanted, std::vector<std::string>& notes)
-      : seen_(seen), wanted_(wanted), notes_(notes) {}
-
-  void judge(std::size_t grids, double L) {
-    const auto spike = seen_.find(Quantity::pressure_spike);
-    if (spike != seen_.end()) judge_spike(spike->second, grids);
-    const auto maximum = seen_.find(Quantity::pressure_maximum);
-    // The maximum may be a spike itself.
-    const bool smooth = L <= spike_free_L || grids >= fewest_for_spike;
-    const double vaguest = smooth ? vaguest_spike : vaguest_smooth_maximum;
-    if (maximum != seen_.end() && !(maximum->second.error.value_or(1) < vaguest))
-      drop(Quantity::pressure_maximum, "its height is not known to 5 %");
-  }
-
- private:
-  void judge_spike(Reading& spike, std::size_t grids) {
-    if (grids < fewest_for_spike) spike.error.reset();
-    const double vague = spike.error.value_or(1);
-    const bool known = vague < vaguest_spike;
-    const auto maximum = seen_.find(Quantity::pressure_maximum);
-    if (maximum != seen_.end()) {
-      const double height = spike.value * (1 + (known ? vague : std::max(unknown_spike_growth, vague)));
-      const bool may_be_higher = height > maximum->second.value || maximum->second.place == spike.place;
-      if (may_be_higher && known) {
-        const double above = std::abs(height / maximum->second.value - 1);
-        maximum->second.error = std::max({maximum->second.error.value_or(1), vague, above});
-      } else if (may_be_higher) {
-        drop(Quantity::pressure_maximum, "the spike, whose height is not known to 5 %, may be higher");
-      }
-    }
-    if (!known) drop(Quantity::pressure_spike, "its height is not known to 5 %");
-  }
-
-  void drop(Quantity quantity, const char* why) {
-    if (seen_.erase(quantity) > 0 && wanted_.contains(quantity))
-      notes_.push_back(
-          fmt::format("{} omitted: {}. Try a smaller tolerance, or more nodes.", to_string(quantity), why));
-  }
-
-  Observables& seen_;
-  const Wanted& wanted_;
-  std::vector<std::string>& notes_;
-};
 
 /// The error of one quantity. `of_films`: relative, the smallest that any is given; `film`: the central one.
 ErrorBudget budget_of(const MappedClimb& climb, Quantity quantity, const std::optional<Limit>& limit, double of_films,
@@ -252,7 +164,7 @@ void judge(const MappedClimb& climb, const Problem& problem, Solution& solution)
     reading.error = budget_of(climb, quantity, limit, of_films, central ? central->value : 1).total();
     if (!std::isfinite(*reading.error)) reading.error.reset();
   }
-  Pressures(observables, problem.wanted, record.notes).judge(grids, problem.groups.L);
+  keep_known_pressures(observables, problem.wanted, climb.fields, grids, problem.groups.L, record.notes);
   keep_wanted(observables, problem.wanted);
 }
 

@@ -63,10 +63,7 @@ bool usable(const Solution& start) {
 }  // namespace
 
 Run begin_mapped(const Problem& problem, const Request& request, Workspace& workspace) {
-  Run run = begin_run(problem, request, workspace, flooded_inlet);
-  // The error of the smallest film depends on whether there is a spike, which may be the pressure maximum as well.
-  run.observed.insert(Quantity::pressure_spike);
-  return run;
+  return begin_run(problem, request, workspace, flooded_inlet);
 }
 
 MappedClimb best_climb(Run& run, const Request& request, Care care, const Solution* from, int neighbours) {

@@ -68,7 +68,8 @@ Run begin_run(const Problem& problem, const Request& request, Workspace& workspa
           .truncation = cut ? 0 : far.truncation,
           .begin = begin,
           .planning_before = workspace.grids.planning_s()};
-  run.observed.insert({Quantity::film_minimum, Quantity::film_central});
+  // A spike may be the pressure maximum, and the error of the smallest film depends on whether there is one.
+  run.observed.insert({Quantity::film_minimum, Quantity::film_central, Quantity::pressure_spike});
   return run;
 }
 

@@ -8,6 +8,8 @@
 #include <limits>
 
 #include "contact/estimate.hpp"
+#include "contact/known_pressures.hpp"
+#include "contact/observables.hpp"
 #include "fast/uniform.hpp"
 
 namespace ehd::fast {
@@ -19,6 +21,7 @@ double discretisation_error(const std::vector<GridRecord>& grids, Quantity quant
   const std::vector<double> values = values_of(grids, quantity);
   if (values.empty()) return std::numeric_limits<double>::infinity();
   const GridEstimate judged = estimate(values, Uniform::description.formal_order);
+  if (is_pressure_peak(quantity)) return peak_error(quantity, values, judged, judged.error);
   return has_absolute_error(quantity) ? judged.error * std::abs(judged.value) : judged.error;
 }
 
@@ -46,29 +49,13 @@ void put_errors(const UniformClimb& climb, const Run& run, const SolveRecord& re
   }
 }
 
-/// A spike is reported with its uncertainty or not at all; nor is a pressure maximum that is the spike.
-void judge_spike(const Wanted& wanted, Observables& observables, std::vector<std::string>& notes) {
-  const auto spike = observables.find(Quantity::pressure_spike);
-  if (spike == observables.end()) return;
-  if (spike->second.error) *spike->second.error *= spike_safety;
-  if (spike->second.error.value_or(1) < vaguest_spike) return;
-  if (wanted.contains(Quantity::pressure_spike))
-    notes.push_back("pressure.spike omitted: its height is not known to 5 %. Try a smaller tolerance, or more nodes.");
-  const auto maximum = observables.find(Quantity::pressure_maximum);
-  if (maximum != observables.end() && maximum->second.place == spike->second.place) {
-    observables.erase(maximum);
-    if (wanted.contains(Quantity::pressure_maximum))
-      notes.push_back("pressure.maximum omitted: it is the spike. Try a smaller tolerance, or more nodes.");
-  }
-  observables.erase(spike);
-}
-
 }  // namespace
 
 double error_of_inlet_cells(double cells) { return 0.5 / (cells * cells); }
 
 ErrorBudget error_budget(const UniformClimb& climb, Quantity quantity, double truncation) {
-  return {.discretisation = discretisation_error(climb.grids, quantity),
+  const double least = quantity == Quantity::film_central ? roughness_at_centre(climb.fields) : 0;
+  return {.discretisation = std::max(discretisation_error(climb.grids, quantity), least),
           .iteration = climb.iteration,
           .truncation = truncation * (quantity == Quantity::rolling_force ? truncation_of_work : 1)};
 }
@@ -81,7 +68,8 @@ void judge(const UniformClimb& climb, const Run& run, Solution& solution) {
     film->discretisation = at_least(film->discretisation, least_error(climb));
   solution.observables = climb.grids.back().observed;
   put_errors(climb, run, record, solution.observables);
-  judge_spike(run.problem.wanted, solution.observables, record.notes);
+  keep_known_pressures(solution.observables, run.problem.wanted, climb.fields,
+                       values_of(climb.grids, Quantity::pressure_spike).size(), run.problem.groups.L, record.notes);
   keep_wanted(solution.observables, run.problem.wanted);
 }
 

@@ -43,8 +43,7 @@ struct Truncation {
 /// A quantity as a sequence of grids gives it.
 struct Judged {
   double value = 0;
-  double error = 0;      ///< relative
-  bool settles = false;  ///< the last differences fall
+  double error = 0;  ///< relative
 };
 
 /// Fewer cells than this in the inlet zone cannot see it.

@@ -100,13 +100,16 @@ def audit_films(said, result, inputs):
             said.within(f"film.{name}.error", films[name]["error"], 0, inputs.tolerance)
 
 
+SUM_OF_THREE = 1e-15  # a source may be as small as round-off
+
+
 def audit_error(said, name, entry):
     """A stated error is not negative, and is the sum of its sources."""
     said.within(f"{name}.error", entry["error"], 0)
     if sources := entry.get("errors"):
         for source, value in sources.items():
             said.within(f"{name}.errors.{source}", value, 0)
-        said.near(f"{name}.error", entry["error"], sum(sources.values()), relative=ROUND_OFF)
+        said.near(f"{name}.error", entry["error"], sum(sources.values()), relative=SUM_OF_THREE)
 
 
 def audit_fields(said, result, inputs):
