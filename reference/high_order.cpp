@@ -119,6 +119,10 @@ Solution Solve::within(const FilmTolerances& asked) {
   // 1. A solution where the fluidity cannot fall below 1e-2 of its ambient value.
   const auto top = discretiser_.start();
   if (!top) return no_start();
+
+  // 2. From there down to the physics, on a coarse mesh.
+  std::vector<Resolved> floors = discretiser_.coarse_descent(*top, asked.tightest());
+
   Solution solution;
   double last_error = std::numeric_limits<double>::infinity();
   double working = asked.tightest();  // floors and meshes are judged by it
@@ -127,15 +131,12 @@ Solution Solve::within(const FilmTolerances& asked) {
     if (attempt > 0) working *= next_working;
     if (attempt > 0 && working < finest_working) break;
 
-    // 2. From there down to the physics, on a coarse mesh.
-    const auto descended = discretiser_.coarse_descent(*top, working);
-
     // 3. Two discretisations, and the error from their difference.
     const Scheme scheme = working >= fine_tolerance ? coarse_scheme : fine_scheme;
     const Resolution resolution{.film = std::max(working, discretiser_.expected_rounding()),
                                 .spike = spike_resolution,
                                 .defect = defect_resolution};
-    const auto both = discretiser_.discretised_twice(descended, scheme, resolution, working);
+    const auto both = discretiser_.discretised_twice(floors, scheme, resolution, working);
     if (!both) break;
     const auto& [first, second] = *both;
     Solution refined = reported(first, second, nullptr);
@@ -152,6 +153,7 @@ Solution Solve::within(const FilmTolerances& asked) {
     if (met) return finished(std::move(solution), StopReason::converged, "");
     if (error > hopeless_reduction * last_error && error < unknown) break;
     last_error = error;
+    floors.insert(floors.end(), first.floors.begin(), first.floors.end());  // where the next attempt goes on
   }
   if (solution.observables.empty()) return no_mesh();
   return ended(std::move(solution), StopReason::tolerance_not_met, why);
