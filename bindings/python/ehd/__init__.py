@@ -7,6 +7,8 @@
 Record(minimum, central, couette, offset)
 """
 
+from typing import TYPE_CHECKING
+
 from . import plot
 from ._bearing import Bearing, Law, bearing
 from ._contact import Contact, Films, films, solve
@@ -20,3 +22,11 @@ __all__ = [
     "Bearing", "Contact", "Films", "InputError", "Law", "NotConvergedError", "Record", "Result",
     "bearing", "films", "judge", "plot", "solve", "version",
 ]
+
+if TYPE_CHECKING:
+    __version__: str
+else:
+    def __getattr__(name: str) -> str:
+        if name == "__version__":  # "0.2.0"; asked for at its first use, because that loads the library
+            return version().split()[0]
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

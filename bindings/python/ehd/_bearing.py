@@ -9,10 +9,15 @@ from typing import Any, Optional
 import numpy as np
 import numpy.typing as npt
 
-from ._case import CaseName, CaseText, case_from, word
+from ._case import CaseName, CaseText, case_from, shown, word
 from ._library import CONVERGED, call
 from ._result import Array, Handle, Result, numbers, read_only, require_converged, run
-from .errors import NotConvergedError
+from .errors import InputError, NotConvergedError
+
+
+def _require_raceway(raceway: object) -> None:
+    if not isinstance(raceway, str) or raceway not in ("inner", "outer"):
+        raise InputError(f"raceway = {shown(raceway)}: is unknown; allowed is inner, outer")
 
 
 class Law:
@@ -119,6 +124,7 @@ class Bearing(Result):
         -----
         A bearing that came from another process is balanced again at the first call, with the same numbers.
         """
+        _require_raceway(raceway)
         handle: Optional[Handle] = self._handle
         if handle is None:
             handle, _ = run("ehd_bearing", self._case, self["law"].encode())

@@ -11,6 +11,8 @@ import pathlib
 import re
 from typing import Mapping, NamedTuple, Optional, Union
 
+import numpy as np
+
 from ._library import prefix
 from .errors import InputError
 
@@ -53,9 +55,33 @@ class CaseText(NamedTuple):
                           f"allowed is {', '.join(known.values())}")
 
 
+def shown(value: object) -> str:
+    """A wrong argument, in one line."""
+    return " ".join(repr(value).split())
+
+
+# The kinds of NumPy's types that a double would take in silence, with a loss or a guess. Of the others "i", "u" and "f"
+# are numbers, and "O" is known by its elements.
+_NO_NUMBERS = {"b": "truth values", "c": "complex numbers", "U": "texts", "S": "texts", "M": "dates", "m": "durations"}
+
+
+def no_numbers(values: object) -> str:
+    """What a number, an array or a sequence has that is no number: "texts"; empty where there is nothing of it."""
+    if type(values) in (int, float):  # most elements of a list
+        return ""
+    if isinstance(values, (list, tuple)):
+        return next(filter(None, map(no_numbers, values)), "")
+    if isinstance(values, np.ma.MaskedArray) and np.any(values.mask):
+        return "masked values"
+    array = np.asarray(values)
+    if array.dtype.kind == "O" and array.ndim > 0:
+        return no_numbers(array.ravel().tolist())
+    return _NO_NUMBERS.get(array.dtype.kind, "")
+
+
 def number(name: str, value: object) -> float:
     """An argument that has to be a number."""
-    if not isinstance(value, numbers.Real):
+    if not isinstance(value, numbers.Real) or isinstance(value, bool):
         raise InputError(f"{name} = {value!r}: is no number; allowed is one number")
     try:
         return float(value)
@@ -65,12 +91,12 @@ def number(name: str, value: object) -> float:
 
 def whole(name: str, value: object) -> int:
     """An argument that has to be an integer."""
-    if not isinstance(value, numbers.Integral):
+    if not isinstance(value, numbers.Integral) or isinstance(value, bool):
         raise InputError(f"{name} = {value!r}: is no whole number; allowed is an integer")
     result = int(value)
     if abs(result) >= 2**31:  # ctypes would cut it
-        shown = f" = {value}" if abs(result) < 2**64 else ""  # Python writes no integer of many thousand digits
-        raise InputError(f"{name}{shown}: is out of range; allowed is an integer below 2^31")
+        digits = f" = {value}" if abs(result) < 2**64 else ""  # Python writes no integer of many thousand digits
+        raise InputError(f"{name}{digits}: is out of range; allowed is an integer below 2^31")
     return result
 
 
@@ -99,14 +125,14 @@ def _toml(key: str, value: Value) -> str:
     if isinstance(value, str):
         return json.dumps(value, ensure_ascii=False)
     try:
-        return str(int(value)) if isinstance(value, numbers.Integral) else repr(float(value))
+        if not no_numbers(value):
+            return str(int(value)) if isinstance(value, numbers.Integral) else repr(float(value))
     except OverflowError:
         raise _too_large(key) from None
     except (TypeError, ValueError):
         if isinstance(value, numbers.Integral):  # Python writes no integer of many thousand digits
             raise _too_large(key) from None
-        shown = " ".join(repr(value).split())
-        raise InputError(f"{key} = {shown}: is neither a number nor a text; allowed is one of them") from None
+    raise InputError(f"{key} = {shown(value)}: is neither a number nor a text; allowed is one of them")
 
 
 def lines(entries: Mapping[str, Value]) -> str:
@@ -157,9 +183,16 @@ def _find(name: str) -> pathlib.Path:
                      "or the text of a case")
 
 
+def file_name(name: str, value: object, allowed: str) -> str:
+    """An argument that has to be a path, or a text."""
+    if not isinstance(value, (str, bytes, os.PathLike)):
+        raise InputError(f"{name} = {shown(value)}: is no path; allowed is {allowed}")
+    return os.fsdecode(value)
+
+
 def case_from(case: CaseName) -> CaseText:
     """The text of a case file, by its path or id. A text of more than one line is a case itself."""
-    name = os.fsdecode(case)
+    name = file_name("case", case, "the path, the id or the text of a case")
     if "\n" in name:
         return CaseText(_whole(utf8(name, "case"), "case"), "case")
     file = _find(name)

@@ -10,6 +10,7 @@ import shutil
 import subprocess
 from typing import Any, Union
 
+from ._case import file_name
 from ._library import BAD_INPUT, prefix
 from ._record import Record
 from .errors import InputError
@@ -54,7 +55,7 @@ def judge(*submissions: Union[str, "os.PathLike[str]"]) -> Any:
     >>> judged.gates_hold, judged.honesty.missed
     (True, 0)
     """
-    files = [str(pathlib.Path(name)) for name in submissions]
+    files = [str(pathlib.Path(file_name("submission", name, "the path of a submission"))) for name in submissions]
     command = [_program(), "judge", "--json", "-", "--", *files]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode == BAD_INPUT:

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from ._case import CaseText
+from ._case import CaseText, no_numbers
 from ._library import CONVERGED, Ended, call, library
 from ._record import Record
 from .errors import InputError, NotConvergedError
@@ -60,8 +60,11 @@ def require_converged(ended: Ended, result: Any) -> None:
 def numbers(name: str, values: npt.ArrayLike) -> Array:
     """A new array of numbers, one row after the other in memory, as the library reads them. Raises InputError."""
     try:
+        misfits = no_numbers(values)
+        if misfits:
+            raise TypeError(f"it has {misfits}")
         array = np.array(values, dtype=np.float64, order="C")
-    except (TypeError, ValueError) as error:
+    except (TypeError, ValueError, OverflowError) as error:
         reason = " ".join(str(error).split())
         raise InputError(f"{name}: is no array of numbers ({reason}); allowed is a number, or numbers") from None
     if array.size == 0:

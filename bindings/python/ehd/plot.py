@@ -7,8 +7,9 @@ from typing import Any, Optional
 
 import numpy as np
 
-from ._bearing import Bearing
+from ._bearing import Bearing, _require_raceway
 from ._contact import Contact
+from .errors import InputError
 
 _FIRST, _SECOND = "#1f4e79", "#b3541e"  # told apart in grey print as well: 30 % and 45 % of white
 _LEFT, _RIGHT = -2.0, 1.6  # X of the figure: the inlet's rise to the exit of the lightest contacts
@@ -21,6 +22,11 @@ def _new_axes(count: int) -> Any:
     figure, axes = pyplot.subplots(count, 1, sharex=True, figsize=(3.4, 2.3 * count), layout="constrained")
     del figure
     return axes
+
+
+def _require(result: object, kind: type, origin: str) -> None:
+    if not isinstance(result, kind):
+        raise InputError(f"result: is a {type(result).__name__}; allowed is a {kind.__name__}, from {origin}")
 
 
 def contact(result: Contact, axes: Optional[Any] = None) -> Any:
@@ -44,6 +50,7 @@ def contact(result: Contact, axes: Optional[Any] = None) -> Any:
     >>> left, right = ehd.plot.contact(ehd.solve("own-moes-20-10", tolerance=1e-4))
     >>> left.figure.savefig(os.devnull, format="pdf")
     """
+    _require(result, Contact, "ehd.solve")
     left = _new_axes(1) if axes is None else axes
     right = left.twinx()
     resolved = result.fields.pressure_resolved
@@ -81,6 +88,8 @@ def bearing(result: Bearing, axes: Optional[Any] = None, *, raceway: str = "inne
     >>> axes = ehd.plot.bearing(ehd.bearing("na4908", law="ehd"))
     >>> axes = ehd.plot.bearing(ehd.bearing("na4908", law="hertz"), axes)
     """
+    _require(result, Bearing, "ehd.bearing")
+    _require_raceway(raceway)
     # From -180 to 180 degrees, so that the load is in the middle.
     azimuth = (result.rollers["azimuth_deg"] + 180.0) % 360.0 - 180.0
     order = np.argsort(azimuth)

@@ -32,6 +32,16 @@ assert(refused(@() ehd_solve('it''s; echo "no" case')));
 assert(refused(@() ehd_solve('M', -1, 'L', 10)));
 assert(refused(@() ehd_bearing('na4908', 'law', 'hooke')));
 
+% What makes no word of a command line: numbers without their names, a lost value, and what is not one number.
+assert(refused(@() ehd_solve(20, 10)));
+assert(refused(@() ehd_solve(20)));
+assert(refused(@() ehd_solve('M', 20, 'L')));
+for wrong = {[20 30], [], 20i, {20}, true, struct()}
+  assert(refused(@() ehd_solve('M', wrong{1}, 'L', 10)));
+end
+assert(refused(@() ehd_bearing(4908)));
+assert(refused(@() ehd_films(20, 10, 'tolerance', [1e-3 1e-4])));
+
 % What did not converge comes back.
 loose = ehd_solve('M', 20, 'L', 10, 'nodes', 16);
 assert(strcmp(loose.status, 'under-resolved'));

@@ -72,12 +72,18 @@ def test_forces_outside_the_range_come_with_a_warning(film_bearing):
 def test_bad_input_is_one_line(tmp_path):
     with pytest.raises(ehd.InputError, match="law"):
         ehd.bearing("na4908", law="hooke")
-    with pytest.raises(ehd.InputError, match="middle"):
-        ehd.bearing("na4908", law="hertz").law("middle").force(1e-6)
+    dry = ehd.bearing("na4908", law="hertz")
+    for raceway in ("middle", None, ["inner"]):
+        with pytest.raises(ehd.InputError) as caught:
+            dry.law(raceway)  # at once, not at the first force
+        assert str(caught.value) == f"raceway = {raceway!r}: is unknown; allowed is inner, outer"
+    with pytest.raises(ehd.InputError, match="case = None: is no path"):
+        ehd.bearing(None)
     for wrong, says in (([], "approach_m: is empty"), ("deep", "approach_m: is no array of numbers"),
-                        ([[1e-6], [1e-6, 2e-6]], "approach_m: is no array of numbers"), (None, "approach_m")):
+                        ([[1e-6], [1e-6, 2e-6]], "approach_m: is no array of numbers"), (None, "approach_m"),
+                        (True, "approach_m: is no array of numbers"), (["1e-6"], "approach_m: is no array of numbers")):
         with pytest.raises(ehd.InputError, match=says):
-            ehd.bearing("na4908", law="hertz").law("inner").force(wrong)
+            dry.law("inner").force(wrong)
     with pytest.raises(ehd.InputError):
         ehd.bearing("own-moes-20-10")
     text = (SOURCE / "examples" / "my-bearing.toml").read_text(encoding="utf-8")

@@ -85,6 +85,11 @@ def test_a_solve_that_did_not_converge_says_so():
     ({"M": np.eye(2), "L": 10}, "M = array([[1., 0.], [0., 1.]]): is neither a number nor a text"),
     ({"M": 20, "L": None}, "L = None: is neither a number nor a text"),
     ({"M": 20 + 0j, "L": 10}, "M = (20+0j): is neither a number nor a text"),
+    ({"M": np.complex128(20 + 5j), "L": 10}, "M = (20+5j): is neither a number nor a text; allowed is one of them"),
+    ({"M": True, "L": 10}, "M = True: is neither a number nor a text; allowed is one of them"),
+    ({"M": 20, "L": np.bool_(True)}, "L = True: is neither a number nor a text; allowed is one of them"),
+    ({"M": b"20", "L": 10}, "M = b'20': is neither a number nor a text; allowed is one of them"),
+    ({"M": np.ma.array(20.0, mask=True), "L": 10}, "is neither a number nor a text; allowed is one of them"),
     ({}, "the contact is missing"),
 ])
 def test_bad_keywords_are_named_in_one_line(keywords, says):
@@ -110,6 +115,9 @@ def test_a_bad_file_is_named_with_its_line(tmp_path):
         ehd.solve("own-steel-20-10", M=20)
     with pytest.raises(ehd.InputError, match="there is no such case"):
         ehd.solve(b"no-such-case")
+    for wrong in (3, {"M": 20}):
+        with pytest.raises(ehd.InputError, match="case = .*: is no path; allowed is the path, the id or the text of a"):
+            ehd.solve(wrong)
 
 
 def test_a_result_does_not_change_and_names_what_is_there():

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 import dataclasses
+import fractions
 import pickle
 
 import ehd
@@ -69,12 +70,36 @@ def test_arrays_are_read_only_also_in_another_process():
     ({"M": [20, 30], "L": [5, 10, 15]}, "M, L: have the shapes (2,) and (3,)"),
     ({"M": [[20], [20, 30]], "L": 10}, "M: is no array of numbers"),
     ({"M": "many", "L": 10}, "M: is no array of numbers"),
-    ({"M": 20, "L": 1j}, "L: is no array of numbers"),
+    ({"M": 20, "L": 1j}, "L: is no array of numbers (it has complex numbers)"),
+    ({"M": [20, 30 + 0j], "L": 10}, "M: is no array of numbers (it has complex numbers)"),
+    ({"M": np.array([20 + 5j]), "L": 10}, "M: is no array of numbers (it has complex numbers)"),
+    ({"M": np.ma.array([20.0, -999.0], mask=[0, 1]), "L": 10}, "M: is no array of numbers (it has masked values)"),
+    ({"M": [np.ma.array([20.0, -999.0], mask=[0, 1])], "L": 10}, "M: is no array of numbers (it has masked values)"),
+    ({"M": True, "L": 10}, "M: is no array of numbers (it has truth values)"),
+    ({"M": [20.0, True], "L": 10}, "M: is no array of numbers (it has truth values)"),
+    ({"M": 20, "L": np.array([10, 5]) > 7}, "L: is no array of numbers (it has truth values)"),
+    ({"M": ["20"], "L": 10}, "M: is no array of numbers (it has texts)"),
+    ({"M": [b"20"], "L": 10}, "M: is no array of numbers (it has texts)"),
+    ({"M": np.array([20, "30"], dtype=object), "L": 10}, "M: is no array of numbers (it has texts)"),
+    ({"M": np.array(["2020-01-01"], dtype="M8[D]"), "L": 10}, "M: is no array of numbers (it has dates)"),
+    ({"M": 10**400, "L": 10}, "M: is no array of numbers"),
+    ({"M": 20, "L": 10, "tolerance": True}, "tolerance = True: is no number"),
+    ({"M": 20, "L": 10, "threads": True}, "threads = True: is no whole number"),
 ])
 def test_bad_input_is_one_line(arguments, says):
     with pytest.raises(ehd.InputError) as caught:
         ehd.films(**arguments)
     assert says in str(caught.value) and "\n" not in str(caught.value)
+    if "is no array" in says:
+        assert str(caught.value).endswith("; allowed is a number, or numbers")
+
+
+@pytest.mark.parametrize("given", [
+    np.array([20, 30]), np.array([20, 30], dtype=np.float32), np.array([20.0, fractions.Fraction(30)], dtype=object),
+    (20, np.float64(30)), [fractions.Fraction(20), 30], range(20, 31, 10), np.ma.array([20.0, 30.0], mask=[0, 0]),
+])
+def test_numbers_of_every_kind_are_taken(given):
+    assert ehd.films(given, 10).minimum.tolist() == ehd.films([20.0, 30.0], 10).minimum.tolist()
 
 
 def test_pandas_takes_the_arrays_of_one_dimension():

@@ -51,3 +51,11 @@ def test_a_docstring_says_what_a_function_takes_and_returns(name, function):
 
 def test_the_functions_are_found():
     assert {"solve", "Law.force", "Bearing.law", "plot.contact", "judge"} <= {name for name, _ in public_functions()}
+
+
+def test_the_version_is_that_of_the_library(program):
+    assert re.fullmatch(r"\d+\.\d+\.\d+", ehd.__version__)
+    assert ehd.version().startswith(f"{ehd.__version__} (")
+    assert program("--version").stdout.startswith(f"ehd {ehd.__version__} ")
+    with pytest.raises(AttributeError, match="slove"):
+        ehd.slove

@@ -44,6 +44,14 @@ def test_a_refused_file_is_bad_input():
 
 
 @pytest.mark.usefixtures("stand_in")
+@pytest.mark.parametrize("wrong", [None, {}, 3])
+def test_what_is_no_path_is_bad_input(wrong):
+    with pytest.raises(ehd.InputError) as caught:
+        ehd.judge("mine.json", wrong)
+    assert str(caught.value) == f"submission = {wrong!r}: is no path; allowed is the path of a submission"
+
+
+@pytest.mark.usefixtures("stand_in")
 def test_a_program_that_crashes_is_no_judgement():
     with pytest.raises(RuntimeError, match="ended with 3"):
         ehd.judge("crash.json")

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 import ehd
 import numpy as np
+import pytest
 from conftest import needs
 
 needs("matplotlib", "python3-matplotlib").use("Agg")
@@ -44,3 +45,17 @@ def test_bearings_are_compared_in_the_same_axes(tmp_path):
     assert axes[0].get_ylim()[0] == 0 and axes[0].get_ylim()[1] > 1e-3 * dry.rollers.inner.force_N.max()
     axes[0].figure.savefig(tmp_path / "bearing.pdf")
     assert ehd.plot.bearing(dry, raceway="outer").shape == (1,)
+
+
+def test_what_is_drawn_elsewhere_is_refused_in_one_line():
+    r, b = ehd.solve(M=20, L=10), ehd.bearing("na4908", law="hertz")
+    for draw, wrong, says in (
+            (ehd.plot.contact, b, "result: is a Bearing; allowed is a Contact, from ehd.solve"),
+            (ehd.plot.contact, None, "result: is a NoneType; allowed is a Contact, from ehd.solve"),
+            (ehd.plot.bearing, r, "result: is a Contact; allowed is a Bearing, from ehd.bearing"),
+            (ehd.plot.bearing, "na4908", "result: is a str; allowed is a Bearing, from ehd.bearing")):
+        with pytest.raises(ehd.InputError) as caught:
+            draw(wrong)
+        assert str(caught.value) == says
+    with pytest.raises(ehd.InputError, match="raceway = 'middle': is unknown; allowed is inner, outer"):
+        ehd.plot.bearing(b, raceway="middle")

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/case_citation.hpp"
+
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "io/find_case.hpp"
+
+using namespace ehd;
+
+namespace {
+
+/// What LaTeX would refuse or misread in a text: a special character without its backslash, where a formula between $
+/// and $ may have ^ and _. Empty where there is nothing of it.
+std::string misread_by_latex(std::string_view text) {
+  bool in_formula = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '\\') {
+      ++i;  // and what it protects
+    } else if (text[i] == '$') {
+      in_formula = !in_formula;
+    } else if (std::string_view(in_formula ? "%&#~" : "%&#~^_").find(text[i]) != std::string_view::npos) {
+      return std::string(text.substr(i - std::min<std::size_t>(i, 20), 40));
+    }
+  }
+  return in_formula ? "a $ without its other" : "";
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(case_citation)
+
+BOOST_AUTO_TEST_CASE(latex_reads_every_entry_of_the_bibliography) {
+  const auto bibliography = read_bibliography(cases_folder() / "references.bib");
+  BOOST_TEST(bibliography.size() >= 25u);
+  for (const auto& [key, entry] : bibliography)
+    BOOST_CHECK_MESSAGE(misread_by_latex(entry.text).empty(), key << ": " << misread_by_latex(entry.text));
+  const std::string sources = bibtex_of_sources(bibliography);
+  BOOST_TEST(sources.find("$c_L = 35948\\, l^{8/9}$") != std::string::npos);  // as it stands in the file
+}
+
+BOOST_AUTO_TEST_CASE(latex_reads_the_entry_of_every_case) {
+  const auto bibliography = read_bibliography(cases_folder() / "references.bib");
+  const auto cases = all_cases();
+  BOOST_TEST(cases.size() >= 40u);
+  for (const Case& any : cases) {
+    const std::string entries = bibtex_of_cases({any}, bibliography);
+    BOOST_CHECK_MESSAGE(misread_by_latex(entries).empty(), any.id << ": " << misread_by_latex(entries));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_words_of_a_case_are_protected) {
+  Case any;
+  any.id = "mine";
+  any.version = 1;
+  any.title = "50 % of c_L & #1, {x^2} ~ \\y for 3 $";
+  any.source = "own";
+  const std::string entries = bibtex_of_cases({any}, {});
+  BOOST_TEST(entries.find("50 \\% of c\\_L \\& \\#1, \\{x\\textasciicircum{}2\\} \\textasciitilde{} "
+                          "\\textbackslash{}y for 3 \\$") != std::string::npos,
+             entries);
+  BOOST_TEST(misread_by_latex(entries).empty(), misread_by_latex(entries));
+}
+
+BOOST_AUTO_TEST_CASE(what_latex_would_misread_is_found) {
+  for (const char* wrong : {"c_L = 35948 l^(8/9)", "U^0.7", "50 %", "a & b", "#1", "$x", "$50 %$", "$x$ and y_1"})
+    BOOST_CHECK_MESSAGE(!misread_by_latex(wrong).empty(), wrong);
+  for (const char* right : {"$c_L = 35948\\, l^{8/9}$", "c\\_L", "50 \\%", "\\$3", "$a$ or $b_1$"})
+    BOOST_CHECK_MESSAGE(misread_by_latex(right).empty(), right);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
