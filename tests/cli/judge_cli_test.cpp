@@ -54,12 +54,13 @@ BOOST_AUTO_TEST_CASE(a_submission_is_judged_in_words_and_as_json) {
 
 BOOST_AUTO_TEST_CASE(a_failed_gate_ends_with_1_and_a_bad_file_with_2) {
   const test::Folder folder;
-  // Hertz' pressure: the film between the bodies is flat. `bent` raises every third node.
-  const auto write_profile = [&](double bent) {
-    std::string profile = "X,P,H\n";
+  // Hertz' pressure: the film between the bodies is flat. `bent` raises every third node. The first row says that P is
+  // cut there.
+  const auto write_profile = [&](double bent, double times = 1) {
+    std::string profile = "X,P,H,P_unresolved\n";
     for (int i = 0; i <= 40; ++i) {
-      const double X = -1 + i / 20.0;
-      profile += fmt::format("{},{},{}\n", X, std::sqrt(std::max(0.0, 1 - X * X)), i % 3 == 0 ? 1 + bent : 1);
+      const double X = -1 + i / 20.0, P = times * std::sqrt(std::max(0.0, 1 - X * X));
+      profile += fmt::format("{},{},{},{}\n", X, P, i % 3 == 0 ? 1 + bent : 1, i == 0 ? 1 : 0);
     }
     (void)folder.write("p.csv", profile);
   };
@@ -74,6 +75,8 @@ BOOST_AUTO_TEST_CASE(a_failed_gate_ends_with_1_and_a_bad_file_with_2) {
   BOOST_TEST(failed.exit_code == 1);
   BOOST_TEST(failed.err.find("a gate of a profile failed") != std::string::npos);
   BOOST_TEST(json::parse(failed.out)["gates_hold"] == false);
+  write_profile(0, 1.3);
+  BOOST_TEST(test::ehd_run(folder, "judge " + quoted(file)).exit_code == 1);
 
   test::check_refused(folder, "judge", "a FILE is missing");
   test::check_refused(folder, "judge nowhere.json", "there is no such file");

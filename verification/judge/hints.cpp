@@ -70,17 +70,43 @@ void guess_prefix(std::optional<Guess>& best, const std::vector<Compared>& numbe
 /// Every film that is far off is the certified value of another film.
 void guess_swap(std::optional<Guess>& best, const std::vector<Compared>& numbers,
                 const std::vector<Certified>& certified) {
+  Guess found;
   for (const Compared& one : numbers) {
     if (!is_film(one.number.quantity) || one.error() <= far_off) continue;
+    const Certified* closest = nullptr;
     for (const Certified& other : certified) {
       if (other.quantity == one.number.quantity || !is_film(other.quantity)) continue;
-      const double left = relative_error(one.value, other.value);
-      if (explains(left, one.error()) && (!best || left < best->left))
-        best = Guess{.left = left,
-                     .words = fmt::format("{} is close to the certified {}: are two films swapped?",
-                                          to_string(one.number.quantity), to_string(other.quantity))};
+      if (!closest || relative_error(one.value, other.value) < relative_error(one.value, closest->value))
+        closest = &other;
     }
+    if (!closest) return;
+    const double left = relative_error(one.value, closest->value);
+    if (!explains(left, one.error())) return;
+    found.left = std::max(found.left, left);
+    found.words += fmt::format("{}{} is close to the certified {}", found.words.empty() ? "" : ", ",
+                               to_string(one.number.quantity), to_string(closest->quantity));
   }
+  found.words += ": are two films swapped?";
+  if (!best || found.left < best->left) best = found;
+}
+
+/// A film in Moes units is h/R (E'R/(eta_0 u))^(1/2): over the same film in the unit of another speed, `factor` u.
+double moes_unit_ratio(double factor) { return 1 / std::sqrt(factor); }
+
+/// The film itself is right, and another speed stands in its unit.
+void guess_moes_unit(std::optional<Guess>& best, const std::vector<Compared>& numbers) {
+  constexpr struct {
+    double factor;
+    const char* words;
+  } mistakes[] = {
+      {0.5, "the films fit Moes units of half the speed: did you put the mean speed where the sum u_1 + u_2 belongs?"},
+      {2, "the films fit Moes units of twice the speed: is your u the mean speed? Here these have the sum u_1 + u_2"},
+  };
+  for (const auto& mistake : mistakes)
+    guess(best, numbers, mistake.words, [&](const Compared& one) -> std::optional<double> {
+      if (one.number.scaling != Scaling::moes) return std::nullopt;
+      return one.certified.value * moes_unit_ratio(mistake.factor);
+    });
 }
 
 /// The films of the same contact at another speed. Load, geometry and oil keep p_H and b, so lambda alone changes.
@@ -105,10 +131,13 @@ void guess_speed(std::optional<Guess>& best, const Case& contact_case, const std
   for (const auto& mistake : mistakes) {
     const auto solution = at_speed(contact_case, mistake.factor);
     if (!solution) continue;
-    guess(best, numbers, mistake.question, [&](const Compared& one) -> std::optional<double> {
-      const auto at = solution->observables.find(one.number.quantity);
-      return at == solution->observables.end() ? std::nullopt : std::optional(at->second.value);
-    });
+    // Who makes the Moes unit of a film from the same wrong speed has another unit too.
+    for (const double unit : {1.0, moes_unit_ratio(mistake.factor)})
+      guess(best, numbers, mistake.question, [&](const Compared& one) -> std::optional<double> {
+        const auto at = solution->observables.find(one.number.quantity);
+        if (at == solution->observables.end()) return std::nullopt;
+        return at->second.value * (one.number.scaling == Scaling::moes ? unit : 1);
+      });
   }
 }
 
@@ -126,10 +155,41 @@ std::vector<std::string> hints_for(const Case& contact_case, const CaseScales& s
   std::optional<Guess> best;
   guess_scaling(best, scales, numbers);
   guess_prefix(best, numbers);
-  guess_swap(best, numbers, certified_numbers(contact_case, scales));
   if (!best && may_solve) guess_speed(best, contact_case, numbers);
+  guess_moes_unit(best, numbers);
+  guess_swap(best, numbers, certified_numbers(contact_case, scales));
   if (best) hints.push_back(best->words);
   return hints;
+}
+
+std::vector<std::string> profile_hints(const SubmittedProfile& profile, const std::vector<Gate>& gates,
+                                       const CaseScales& scales, std::optional<double> film_minimum,
+                                       double stated_error) {
+  const auto film_gate = [](const std::vector<Gate>& all) {
+    return *std::find_if(all.begin(), all.end(), [](const Gate& gate) { return gate.name == film_equation; });
+  };
+  const Gate film = film_gate(gates);
+  if (film.verdict == verification::Verdict::fail && film.judged) {
+    for (const Scaling other : {Scaling::moes, Scaling::kostreva}) {  // in SI, X and P would not be like this
+      const auto unit = scales.unit(Quantity::film_minimum, other);
+      if (!unit) continue;
+      SubmittedProfile meant = profile;
+      meant.H /= *unit;
+      if (film_gate(gates_of(meant, stated_error)).verdict == verification::Verdict::pass)
+        return {fmt::format("H of the profile fits the scaling \"{}\"; a profile is in Hertz units", to_string(other))};
+    }
+  }
+  if (!film_minimum) return {};
+  // The lowest node is above the lowest point between the nodes: half of the nodes show how much.
+  double smallest = profile.H[0], smallest_of_half = profile.H[0];
+  for (Eigen::Index i = 0; i < profile.H.size(); ++i) {
+    smallest = std::min(smallest, profile.H[i]);
+    if (i % 2 == 0) smallest_of_half = std::min(smallest_of_half, profile.H[i]);
+  }
+  const double between_nodes = std::abs(smallest_of_half - smallest) / *film_minimum;
+  if (relative_error(smallest, *film_minimum) <= film.tolerance.value() + 2 * between_nodes) return {};
+  return {fmt::format("the smallest H of the profile is {}, but film.minimum is {} (Hertz units): which one is right?",
+                      plain(smallest, 4), plain(*film_minimum, 4))};
 }
 
 }  // namespace ehd::judging

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "verification/judge/profile_gates.hpp"
 #include "verification/judge/score.hpp"
 #include "verification/judge/submission.hpp"
 
@@ -21,11 +22,19 @@ struct Compared {
 };
 
 /// Hints for the numbers of one case that are off by more than 2 %: another scaling than the one named, um for m, two
-/// films swapped, the mean speed for the sum. Nothing is solved but for the last, and only where `may_solve`.
+/// films swapped, the mean speed for the sum in a solve or in the unit of a Moes film. Only for the speed of a solve is
+/// anything solved, and only where `may_solve`.
 [[nodiscard]] std::vector<std::string> hints_for(const Case& contact_case, const CaseScales& scales,
                                                  const std::vector<Compared>& numbers, bool may_solve);
 
 /// Whether some number is so far off that a hint is looked for.
 [[nodiscard]] bool needs_hint(const std::vector<Compared>& numbers);
+
+/// Hints for the profile of a lubricated contact beside its gates: H in Moes' or Kostreva's scaling, with which the
+/// film equation would pass; or a smallest H that differs from the submitted film.minimum (in Hertz units) by more than
+/// the film equation's tolerance and twice what half of the nodes would change.
+[[nodiscard]] std::vector<std::string> profile_hints(const SubmittedProfile& profile, const std::vector<Gate>& gates,
+                                                     const CaseScales& scales, std::optional<double> film_minimum,
+                                                     double stated_error);
 
 }  // namespace ehd::judging

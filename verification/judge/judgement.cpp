@@ -49,14 +49,24 @@ Case case_of(const SubmittedResult& result) {
   return found;
 }
 
+/// A number in a scaling that the case does not have for it. The other numbers of a JSON result may be right as they
+/// are.
+CaseError no_such_scale(const SubmittedResult& result, const SubmittedNumber& number, const CaseScales& scales) {
+  std::string allowed;
+  for (const Scaling other : all_scalings)
+    if (scales.unit(number.quantity, other)) allowed += (allowed.empty() ? "" : ", ") + std::string(to_string(other));
+  std::string message = fmt::format("scaling = {}: {} has no such scale in this case; allowed is {}",
+                                    to_string(number.scaling), to_string(number.quantity), allowed);
+  if (!is_film(number.quantity)) message += "; else leave it out, or send a CSV, which has a scaling a row";
+  return refusal(result.place, message);
+}
+
 std::vector<Compared> compared_numbers(const SubmittedResult& result, const CaseScales& scales,
                                        const std::vector<Certified>& certified, JudgedCase& judged) {
   std::vector<Compared> all;
   for (const SubmittedNumber& number : result.numbers) {
     const auto unit = scales.unit(number.quantity, number.scaling);
-    if (!unit)
-      throw refusal(result.place, fmt::format("scaling = {}: {} has no such scale in this case; allowed is hertz",
-                                              to_string(number.scaling), to_string(number.quantity)));
+    if (!unit) throw no_such_scale(result, number, scales);
     const auto at = std::find_if(certified.begin(), certified.end(),
                                  [&](const Certified& one) { return one.quantity == number.quantity; });
     if (at == certified.end()) {
@@ -94,12 +104,26 @@ void compare_pressure(const Case& contact_case, const SubmittedProfile& profile,
   judged.truth = (run.solver.empty() ? "Hertz" : run.solver + " at " + plain(truth_tolerance));
 }
 
-JudgedProfile judged_profile(const Case& contact_case, const SubmittedResult& result) {
+/// The film.minimum of a result in Hertz units.
+std::optional<double> submitted_minimum(const SubmittedResult& result, const CaseScales& scales) {
+  for (const SubmittedNumber& number : result.numbers) {
+    const auto unit = scales.unit(number.quantity, number.scaling);
+    if (number.quantity == Quantity::film_minimum && unit) return number.value / *unit;
+  }
+  return std::nullopt;
+}
+
+JudgedProfile judged_profile(const Case& contact_case, const CaseScales& scales, const SubmittedResult& result,
+                             std::vector<std::string>& hints) {
   JudgedProfile judged{.file = result.profile->filename().string(), .gates = {}, .truth = {}};
   const SubmittedProfile profile = read_profile(*result.profile);
   double stated = 0;
   for (const SubmittedNumber& number : result.numbers) stated = std::max(stated, number.stated_error.value_or(0));
-  judged.gates = gates_of(profile, stated, std::get<ContactCase>(contact_case.body).dry());
+  const bool dry = std::get<ContactCase>(contact_case.body).dry();
+  judged.gates = gates_of(profile, stated, dry);
+  if (!dry)
+    for (std::string& hint : profile_hints(profile, judged.gates, scales, submitted_minimum(result, scales), stated))
+      hints.push_back(std::move(hint));
   compare_pressure(contact_case, profile, judged);
   return judged;
 }
@@ -122,7 +146,7 @@ JudgedCase judged_case(const SubmittedResult& result, std::size_t& speed_checks)
     if (may_solve) ++speed_checks;
     judged.hints = hints_for(contact_case, scales, numbers, may_solve);
   }
-  if (result.profile) judged.profile = judged_profile(contact_case, result);
+  if (result.profile) judged.profile = judged_profile(contact_case, scales, result, judged.hints);
   return judged;
 }
 

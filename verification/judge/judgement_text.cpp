@@ -77,9 +77,13 @@ std::string gate_lines(const Judgement& judgement) {
   std::string text;
   for (const JudgedCase& one : judgement.cases) {
     if (!one.profile) continue;
-    for (const Gate& gate : one.profile->gates)
-      text += fmt::format("  {:<12}  {}: {} {}, allowed {} ({})\n", to_string(gate.verdict), one.id, gate.name,
-                          plain(gate.error, 2), plain(gate.tolerance.value(), 2), gate.quadrature);
+    for (const Gate& gate : one.profile->gates) {
+      const std::string found = gate.judged ? fmt::format("{}, allowed {} ({})", plain(gate.error, 2),
+                                                          plain(gate.tolerance.value(), 2), gate.quadrature)
+                                            : gate.quadrature;
+      text += fmt::format("  {:<12}  {}: {}{} {}\n", to_string(gate.verdict), one.id, gate.name, gate.judged ? "" : ":",
+                          found);
+    }
   }
   return text;
 }

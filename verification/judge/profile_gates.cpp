@@ -19,21 +19,25 @@ using verification::Verdict;
 
 constexpr FileKind profile_kind{.name = "a profile (CSV with columns X, P, H)", .most_bytes = 32 << 20};
 constexpr Eigen::Index fewest_nodes = 16, most_nodes = 100000;
-constexpr double widest = 1e6;        // |X|: the lightest case of the atlas begins at -6000
-constexpr double highest = 1e6;       // |P|: the sharpest spikes of Barus' law stay below 100
-constexpr double thickest = 1e12;     // |H|: the gap X^2/2 at the widest X is 5e11
-constexpr double usual_error = 1e-3;  // the program's own default tolerance: gates ask for no more than three digits
-constexpr double safety = 2;          // over a first-order scheme, whose error is what halving the grid changes
-constexpr double coarsest = 0.1;      // a gate with a larger tolerance would let everything through
-constexpr double loaded = 0.1;        // the film equation is judged where P is above this part of its maximum
+constexpr double widest = 1e6;         // |X|: the lightest case of the atlas begins at -6000
+constexpr double highest = 1e6;        // |P|: the sharpest spikes of Barus' law stay below 100
+constexpr double thickest = 1e12;      // |H|: the gap X^2/2 at the widest X is 5e11
+constexpr double usual_error = 1e-3;   // the program's own default tolerance: gates ask for no more than three digits
+constexpr double safety = 2;           // over a first-order scheme, whose error is what halving the grid changes
+constexpr double coarsest = 0.1;       // a gate with a larger tolerance would let everything through
+constexpr double tallest_spike = 100;  // p/p_H: the sharpest spikes of Barus' law stay below
+constexpr double same_limit = 1e-9;    // relative: cut rows show one limit, printed with 10 digits or more
+constexpr double loaded = 0.1;         // the film equation is judged where P is above this part of its maximum
 constexpr Eigen::Index most_places = 400;  // so many nodes of the film equation, each an integral over all nodes
 
-/// Every second node, with the first and the last.
+/// Every second node, with the first and the last. A node beside a cut one is cut, so that no cut is lost.
 SubmittedProfile halved(const SubmittedProfile& profile) {
   const Eigen::Index n = profile.X.size(), kept = n / 2 + 1;
-  SubmittedProfile half{.X = Array(kept), .P = Array(kept), .H = Array(kept)};
+  SubmittedProfile half{.X = Array(kept), .P = Array(kept), .H = Array(kept), .cut = ArrayOf<bool>(kept)};
   for (Eigen::Index i = 0; i < kept; ++i) {
     const Eigen::Index at = i + 1 < kept ? 2 * i : n - 1;
+    const Eigen::Index first = std::max<Eigen::Index>(at - 1, 0), last = std::min(at + 1, n - 1);
+    half.cut[i] = profile.cut.segment(first, last - first + 1).any();
     half.X[i] = profile.X[at];
     half.P[i] = profile.P[at];
     half.H[i] = profile.H[at];
@@ -44,6 +48,27 @@ SubmittedProfile halved(const SubmittedProfile& profile) {
 double trapezoid(const SubmittedProfile& profile) {
   const Eigen::Index n = profile.X.size() - 1;
   return ((profile.X.tail(n) - profile.X.head(n)) * (profile.P.tail(n) + profile.P.head(n))).sum() / 2;
+}
+
+/// The rows that say that P is cut, and show the largest P. P = 0 at the inlet is no spike that was cut.
+ArrayOf<bool> cut_at_limit(const SubmittedProfile& profile) {
+  if (profile.cut.size() != profile.P.size()) return ArrayOf<bool>::Constant(profile.P.size(), false);
+  return profile.cut && profile.P >= (1 - same_limit) * profile.P.maxCoeff();
+}
+
+/// What the trapezoid rule gives for 1 in the cut rows and 0 in the others.
+double width_of_cut(const SubmittedProfile& profile) {
+  return trapezoid({.X = profile.X, .P = profile.cut.cast<double>(), .H = {}});
+}
+
+/// The load that P lacks: 0 where P has load enough.
+double missing_load(const SubmittedProfile& profile) { return std::max(0.0, pi / 2 - trapezoid(profile)); }
+
+/// The profile with the missing load in its cut rows.
+SubmittedProfile with_missing_load(SubmittedProfile profile) {
+  const double missing = missing_load(profile), width = width_of_cut(profile);
+  if (width > 0) profile.P += missing / width * profile.cut.cast<double>();
+  return profile;
 }
 
 /// The load before the first node, where the pressure of a flooded inlet falls as |X|^-3.
@@ -73,6 +98,17 @@ double median_of(std::vector<double> values) {
   return *middle;
 }
 
+/// Nodes of the film equation: under pressure, and in the halved profile too.
+std::vector<Eigen::Index> places_under_pressure(const SubmittedProfile& profile) {
+  const double edge = loaded * profile.P.maxCoeff();
+  std::vector<Eigen::Index> candidates, places;
+  for (Eigen::Index i = 0; i + 1 < profile.X.size(); i += 2)
+    if (edge > 0 && profile.P[i] >= edge) candidates.push_back(i);
+  const auto step = std::max<std::size_t>(1, candidates.size() / static_cast<std::size_t>(most_places));
+  for (std::size_t k = 0; k < candidates.size(); k += step) places.push_back(candidates[k]);
+  return places;
+}
+
 /// What is left of H(X) - X^2/2 + (1/pi) Int P ln|X - s| ds at some nodes when its median, H_0, is taken away, over the
 /// film `scale` there.
 std::vector<double> film_residual(const SubmittedProfile& integrated, const SubmittedProfile& at, const Array& scale,
@@ -97,6 +133,7 @@ Gate decided(std::string name, std::string quadrature, double error, double unce
   const bool coarse = tolerance.value() > coarsest;
   return {.name = std::move(name),
           .quadrature = std::move(quadrature),
+          .judged = true,
           .error = error,
           .uncertainty = uncertainty,
           .tolerance = tolerance,
@@ -105,51 +142,106 @@ Gate decided(std::string name, std::string quadrature, double error, double unce
                               : Verdict::pass};
 }
 
+/// A gate that fails because the profile has nothing to judge.
+Gate nothing_to_judge(std::string name, std::string what, const Tolerance& tolerance) {
+  return {.name = std::move(name),
+          .quadrature = std::move(what),
+          .judged = false,
+          .error = 1,
+          .uncertainty = 0,
+          .tolerance = tolerance,
+          .verdict = Verdict::fail};
+}
+
 Tolerance gate_tolerance(double uncertainty, double stated_error) {
   return Tolerance::discretisation(uncertainty, safety) +
-         Tolerance::required(std::max(stated_error, usual_error), "the stated error, 1e-3 at least");
+         Tolerance::required(std::clamp(stated_error, usual_error, coarsest), "the stated error, from 1e-3 to 0.1");
 }
 
 Gate load_gate(const SubmittedProfile& profile, const SubmittedProfile& half, double stated_error) {
   const double load = trapezoid(profile), error = std::abs(2 / pi * load - 1);
   const double uncertainty = 2 / pi * (std::abs(load - trapezoid(half)) + load_before(profile));
-  return decided("load balance", "trapezoid rule over all nodes", error, uncertainty,
-                 gate_tolerance(uncertainty, stated_error));
+  Gate gate = decided("load balance", "trapezoid rule over all nodes", error, uncertainty,
+                      gate_tolerance(uncertainty, stated_error));
+  // Spikes in the cut rows hold what is missing. They cannot hold less than nothing.
+  const double missing = missing_load(profile);
+  if (gate.verdict == Verdict::fail && missing > 0 && missing <= tallest_spike * width_of_cut(profile))
+    gate.verdict = Verdict::inconclusive;
+  return gate;
 }
 
-Gate film_gate(const SubmittedProfile& profile, const SubmittedProfile& half, double stated_error, bool dry) {
-  const Array scale = dry ? Array(Array::Ones(profile.X.size())) : profile.H;
-  // Places are nodes of the halved profile too.
-  const double edge = loaded * profile.P.maxCoeff();
-  std::vector<Eigen::Index> candidates, places;
-  for (Eigen::Index i = 0; i + 1 < profile.X.size(); i += 2)
-    if (profile.P[i] >= edge) candidates.push_back(i);
-  const auto step = std::max<std::size_t>(1, candidates.size() / static_cast<std::size_t>(most_places));
-  for (std::size_t k = 0; k < candidates.size(); k += step) places.push_back(candidates[k]);
-  const char* const quadrature = "pressure linear between the nodes, its logarithmic integral exact; H_0 fitted";
-  // No pressure to speak of, or no film under it: nothing that an equation could hold for.
-  const bool closed = std::any_of(places.begin(), places.end(), [&](Eigen::Index i) { return !(scale[i] > 0); });
-  if (!(edge > 0) || places.empty() || closed)
-    return decided("film equation", quadrature, widest, 0, gate_tolerance(0, stated_error));
-  const auto residual = film_residual(profile, profile, scale, places),
-             coarser = film_residual(half, profile, scale, places);
-  double uncertainty = 0, thinnest = widest;
+/// What is left of the film equation at some places, over the film there.
+struct FilmLeft {
+  std::vector<double> residual;
+  double uncertainty = 0;  ///< what half of the nodes would change
+};
+
+FilmLeft film_left(const SubmittedProfile& profile, const SubmittedProfile& half, const Array& scale,
+                   const std::vector<Eigen::Index>& places) {
+  FilmLeft left{.residual = film_residual(profile, profile, scale, places)};
+  const auto coarser = film_residual(half, profile, scale, places);
+  double thinnest = widest;
   for (std::size_t k = 0; k < places.size(); ++k) {
-    uncertainty = std::max(uncertainty, std::abs(residual[k] - coarser[k]));
+    left.uncertainty = std::max(left.uncertainty, std::abs(left.residual[k] - coarser[k]));
     thinnest = std::min(thinnest, scale[places[k]]);
   }
   // The pressure before the first node bends the film by 2/(pi |X_0|) of its load, over the contact's width.
-  uncertainty += 2 / pi * load_before(profile) / std::max(std::abs(profile.X[0]), 1.0) / thinnest;
-  return decided("film equation", quadrature, largest(residual), uncertainty,
-                 gate_tolerance(uncertainty, stated_error));
+  left.uncertainty += 2 / pi * load_before(profile) / std::max(std::abs(profile.X[0]), 1.0) / thinnest;
+  return left;
+}
+
+/// Whether the cut rows can explain that the film equation fails: it holds outside of them, once the missing load
+/// stands in them. How the load is spread over them is not known. At the distances near and far from their ends, that
+/// moves the film by missing/pi ln(far/near) at most, and its median, H_0, by the median of that.
+bool cut_explains(const SubmittedProfile& profile, const SubmittedProfile& half, const Array& scale,
+                  const std::vector<Eigen::Index>& places, double stated_error) {
+  if (!profile.cut.any()) return false;
+  Eigen::Index first = 0, last = profile.X.size() - 1;
+  while (!profile.cut[first]) ++first;
+  while (!profile.cut[last]) --last;
+  const double begin = profile.X[std::max<Eigen::Index>(first - 1, 0)],
+               end = profile.X[std::min(last + 1, profile.X.size() - 1)];
+  std::vector<Eigen::Index> outside;
+  std::vector<double> unknown;
+  const double missing = missing_load(profile);
+  for (const Eigen::Index i : places) {
+    const double to_begin = std::abs(profile.X[i] - begin), to_end = std::abs(profile.X[i] - end);
+    if (profile.X[i] >= begin && profile.X[i] <= end) continue;
+    outside.push_back(i);
+    unknown.push_back(missing / pi * std::abs(std::log(to_end / to_begin)));
+  }
+  if (outside.empty()) return true;
+  const FilmLeft left = film_left(with_missing_load(profile), with_missing_load(half), scale, outside);
+  const double allowed = gate_tolerance(left.uncertainty, stated_error).value(), of_offset = median_of(unknown);
+  for (std::size_t k = 0; k < outside.size(); ++k)
+    if (!(std::abs(left.residual[k]) <= allowed + (unknown[k] + of_offset) / scale[outside[k]])) return false;
+  return true;
+}
+
+Gate film_gate(const SubmittedProfile& profile, const SubmittedProfile& half, double stated_error, bool dry) {
+  const auto nothing = [&](const char* what) {
+    return nothing_to_judge(film_equation, what, gate_tolerance(0, stated_error));
+  };
+  const Array scale = dry ? Array(Array::Ones(profile.X.size())) : profile.H;
+  if (!(profile.P.maxCoeff() > 0)) return nothing("no pressure to judge");
+  const auto places = places_under_pressure(profile);
+  if (places.empty()) return nothing("too few nodes under pressure to judge");
+  if (std::any_of(places.begin(), places.end(), [&](Eigen::Index i) { return !(scale[i] > 0); }))
+    return nothing("no film to judge: H is not above 0 under the pressure");
+  const FilmLeft left = film_left(profile, half, scale, places);
+  Gate gate = decided(film_equation, "pressure linear between the nodes, its logarithmic integral exact; H_0 fitted",
+                      largest(left.residual), left.uncertainty, gate_tolerance(left.uncertainty, stated_error));
+  if (gate.verdict == Verdict::fail && cut_explains(profile, half, scale, places, stated_error))
+    gate.verdict = Verdict::inconclusive;
+  return gate;
 }
 
 Gate sign_gate(const SubmittedProfile& profile) {
   constexpr double rounding = 1e-9;
+  const Tolerance tolerance = Tolerance::required(rounding, "cavitation: rounding alone may leave P below 0");
   const double most = profile.P.abs().maxCoeff();
-  const double error = most > 0 ? std::max(0.0, -profile.P.minCoeff()) / most : 1;
-  return decided("P >= 0", "smallest P over the largest", error, 0,
-                 Tolerance::required(rounding, "cavitation: rounding alone may leave P below 0"));
+  if (!(most > 0)) return nothing_to_judge("P >= 0", "no pressure to judge", tolerance);
+  return decided("P >= 0", "smallest P over the largest", std::max(0.0, -profile.P.minCoeff()) / most, 0, tolerance);
 }
 
 }  // namespace
@@ -159,9 +251,10 @@ SubmittedProfile read_profile(const std::filesystem::path& file) {
   const std::size_t columns[] = {csv.column("X"), csv.column("P"), csv.column("H")};
   const std::size_t unresolved = csv.column("P_unresolved", false);
   std::vector<double> values[3];
-  bool cut = false;
+  std::vector<Eigen::Index> cut;
   while (csv.next()) {
-    cut = cut || (unresolved < csv.size() && csv.number(unresolved) != 0);
+    if (unresolved < csv.size() && csv.number(unresolved) != 0)
+      cut.push_back(static_cast<Eigen::Index>(values[0].size()));
     for (std::size_t c = 0; c < 3; ++c) {
       const double value = csv.number(columns[c]);
       if (c == 0 && std::abs(value) > widest)
@@ -179,16 +272,16 @@ SubmittedProfile read_profile(const std::filesystem::path& file) {
   if (nodes < fewest_nodes)
     throw refusal(file.string(), "has " + std::to_string(nodes) + " rows; required are 16 at least");
   const auto field = [&](std::size_t c) { return Array(Eigen::Map<const Array>(values[c].data(), nodes)); };
-  return {.X = field(0), .P = field(1), .H = field(2), .cut = cut};
+  SubmittedProfile profile{.X = field(0), .P = field(1), .H = field(2), .cut = ArrayOf<bool>::Constant(nodes, false)};
+  for (const Eigen::Index row : cut) profile.cut[row] = true;
+  return profile;
 }
 
-std::vector<Gate> gates_of(const SubmittedProfile& profile, double stated_error, bool dry) {
+std::vector<Gate> gates_of(const SubmittedProfile& submitted, double stated_error, bool dry) {
+  SubmittedProfile profile = submitted;
+  profile.cut = cut_at_limit(submitted);
   const SubmittedProfile half = halved(profile);
-  std::vector<Gate> gates{load_gate(profile, half, stated_error), film_gate(profile, half, stated_error, dry)};
-  for (Gate& gate : gates)
-    if (profile.cut && gate.verdict == Verdict::fail) gate.verdict = Verdict::inconclusive;
-  gates.push_back(sign_gate(profile));
-  return gates;
+  return {load_gate(profile, half, stated_error), film_gate(profile, half, stated_error, dry), sign_gate(profile)};
 }
 
 }  // namespace ehd::judging

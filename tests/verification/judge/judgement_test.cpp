@@ -209,6 +209,37 @@ BOOST_AUTO_TEST_CASE(usual_mistakes_of_unit_get_a_hint) {
                std::string::npos);
   }
 
+  // The same in Moes units: of the case, or of the wrong speed.
+  for (const char* const each :
+       {"own-moes-20-10", "own-moes-5-5", "own-moes-100-10", "own-barus-3-4-flooded", "own-isoviscous-10-0"}) {
+    const Case one = case_called(each);
+    const auto& body = std::get<ContactCase>(one.body);
+    json in_moes = result_of(each);
+    in_moes["scaling"] = "moes";
+    for (const auto& [factor, question] : {std::pair(2.0, "twice the speed: is your u the mean speed?"),
+                                           std::pair(0.5, "half the speed: did you put")}) {
+      Problem problem = nondimensionalise(body.statement, *body.lubricant, *body.inlet).problem;
+      const double M_of_case = problem.groups.M;
+      problem.groups =
+          groups_from(HertzGroups{.lambda = factor * problem.groups.lambda, .alpha_p_H = problem.groups.alpha_p_H});
+      const auto films = default_solver().solve(problem, Request{.tolerance = 1e-3}).observables;
+      for (const double M : {M_of_case, problem.groups.M}) {
+        const double unit = moes_film_per_hertz_film(M);
+        const std::string hint = hint_of(in_moes, films.at(minimum).value * unit, films.at(central).value * unit);
+        BOOST_CHECK_MESSAGE(hint.find(question) != std::string::npos, each << ", M = " << M << ": " << hint);
+      }
+    }
+    const CaseScales scales(body);
+    const auto digits = certified_numbers(one, scales);
+    BOOST_REQUIRE(digits.size() >= 2u);
+    const double root_2 = std::sqrt(2), unit = *scales.unit(minimum, Scaling::moes);
+    const auto of_unit = [&](double off) { return hint_of(in_moes, digits[0].value * off, digits[1].value * off); };
+    BOOST_TEST(of_unit(unit * root_2).find("Moes units of half the speed") != std::string::npos);
+    BOOST_TEST(of_unit(unit / root_2).find("Moes units of twice the speed") != std::string::npos);
+  }
+  // A film that is close to another one is no swap where the other film is explained by nothing.
+  BOOST_TEST(hint_of(result_of(id), middle, middle * 1.5) == "");
+
   json micrometres = result_of(in_SI);
   micrometres["scaling"] = "SI";
   const CaseScales scales(std::get<ContactCase>(case_called(in_SI).body));
@@ -238,6 +269,42 @@ BOOST_AUTO_TEST_CASE(the_pressure_of_a_profile_is_compared_with_the_certified_so
   const double interpolation = error_of_multiple(1), off = 0.1;
   EHD_CHECK(interpolation, Tolerance::required(1e-3, "the profile is the solver's own"));
   EHD_CHECK(std::abs(error_of_multiple(1 + off) - off), Tolerance::discretisation(interpolation, 1 + off));
+}
+
+BOOST_AUTO_TEST_CASE(a_profile_that_contradicts_its_films_gets_a_hint) {
+  const test::Folder folder;
+  const std::string id = "own-moes-20-10";
+  const Fields fields = run_contact(case_called(id), default_solver(), Request{.tolerance = 1e-4}).solution.fields;
+  json one = result_of(id);
+  one["film.minimum"] = digits_in(id, minimum);
+  one["profile"] = "p.csv";
+  const auto judged_with = [&](const Array& P, const Array& H) {
+    std::string rows = "X,P,H\n";
+    for (Eigen::Index i = 0; i < H.size(); ++i) rows += fmt::format("{},{},{}\n", fields.X[i], P[i], H[i]);
+    (void)folder.write("p.csv", rows);
+    return judged(folder, {one});
+  };
+  BOOST_TEST(of_case(judged_with(fields.P, fields.H), id).hints.empty());
+
+  // The film equation holds whatever H_0 is.
+  const Judgement raised = judged_with(fields.P, fields.H + 0.5);
+  BOOST_TEST(raised.gates_hold());
+  BOOST_REQUIRE(of_case(raised, id).hints.size() == 1u);
+  const std::string& hint = of_case(raised, id).hints[0];
+  BOOST_TEST(hint.find("smallest H of the profile is 0.574") != std::string::npos);
+  BOOST_TEST(hint.find("film.minimum is 0.07414") != std::string::npos);
+
+  const Judgement in_moes = judged_with(fields.P, fields.H * moes_film_per_hertz_film(20));
+  BOOST_TEST(!in_moes.gates_hold());
+  BOOST_REQUIRE(of_case(in_moes, id).hints.size() == 1u);
+  BOOST_TEST(of_case(in_moes, id).hints[0].find("H of the profile fits the scaling \"moes\"") != std::string::npos);
+
+  const Judgement empty = judged_with(Array::Zero(fields.P.size()), fields.H);
+  BOOST_TEST(!empty.gates_hold());
+  BOOST_TEST(human_text(empty).find("film equation: no pressure to judge\n") != std::string::npos);
+  const Json document = to_json(empty);
+  BOOST_REQUIRE(document["cases"][4]["case"] == id);
+  for (const auto& gate : document["cases"][4]["profile"]["gates"]) BOOST_TEST(gate["error"] == 1.0);
 }
 
 BOOST_AUTO_TEST_CASE(the_page_and_the_badge_show_every_submission_and_no_total) {

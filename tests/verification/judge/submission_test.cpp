@@ -9,6 +9,7 @@
 
 #include "io/case_reader.hpp"
 #include "io/find_case.hpp"
+#include "io/profile_csv.hpp"
 #include "tests/check.hpp"
 #include "tests/files.hpp"
 #include "verification/judge/judgement.hpp"
@@ -92,6 +93,10 @@ BOOST_AUTO_TEST_CASE(bad_json_is_one_line) {
           "scaling = inch: is unknown");
   refused(submission_with(R"({"case": "own-barus-5-5", "version": 1, "scaling": "SI", "film.minimum": 1})"),
           "has no such scale");
+  // In scaling moes the films are right; the exit alone has no such scale.
+  refused(submission_with(
+              R"({"case": "own-barus-5-5", "version": 1, "scaling": "moes", "film.minimum": 3, "pressure.exit": 1})"),
+          "leave it out, or send a CSV, which has a scaling a row");
   refused(R"({"schema": "ehd-submission-1", "solver": {"name": "a\u001b[31m"}, "results": []})", "control character");
   refused(R"({"schema": "ehd-submission-1", "solver": {"name": ")" + std::string(300, 'x') + R"("}, "results": []})",
           "is too long");
@@ -194,8 +199,7 @@ BOOST_AUTO_TEST_CASE(gates_hold_for_a_solution_and_fail_for_each_wrong_equation)
 
 BOOST_AUTO_TEST_CASE(a_profile_without_pressure_or_without_a_film_fails_the_film_equation) {
   constexpr Eigen::Index nodes = 20;
-  const SubmittedProfile flat{
-      .X = Array::LinSpaced(nodes, -2, 1), .P = Array::Ones(nodes), .H = Array::Ones(nodes), .cut = false};
+  const SubmittedProfile flat{.X = Array::LinSpaced(nodes, -2, 1), .P = Array::Ones(nodes), .H = Array::Ones(nodes)};
   SubmittedProfile negative = flat, peak = flat, closed = flat;
   negative.P = -1;
   peak.P = 0;
@@ -205,8 +209,13 @@ BOOST_AUTO_TEST_CASE(a_profile_without_pressure_or_without_a_film_fails_the_film
     const std::vector<Gate> gates = gates_of(wrong, 0);
     BOOST_TEST(gates[1].name == "film equation");
     BOOST_TEST((gates[1].verdict == verification::Verdict::fail));
+    BOOST_TEST(!gates[1].judged);
+    BOOST_TEST(gates[1].error == 1);
     for (const Gate& gate : gates) BOOST_TEST(std::isfinite(gate.tolerance.value()));
   }
+  SubmittedProfile zeros = flat;
+  zeros.P = 0;
+  for (const std::size_t gate : {1U, 2U}) BOOST_TEST(gates_of(zeros, 0)[gate].quadrature == "no pressure to judge");
 }
 
 BOOST_AUTO_TEST_CASE(a_dry_contact_and_a_cut_spike_are_no_faults) {
@@ -221,8 +230,55 @@ BOOST_AUTO_TEST_CASE(a_dry_contact_and_a_cut_spike_are_no_faults) {
   SubmittedProfile cut = solved_profile("own-moes-20-10", 1e-4);
   cut.P = cut.P.min(0.5);
   BOOST_TEST((gates_of(cut, 0)[film].verdict == Verdict::fail));
-  cut.cut = true;
+  cut.cut = cut.P >= 0.5;
   BOOST_TEST((gates_of(cut, 0)[film].verdict == Verdict::inconclusive));
+}
+
+BOOST_AUTO_TEST_CASE(a_cut_excuses_no_more_than_its_rows_can_hold) {
+  using verification::Verdict;
+  constexpr auto load = 0U, film = 1U;
+  const test::Folder folder;
+  const auto times = [](SubmittedProfile profile, double factor) {
+    profile.P *= factor;
+    return gates_of(profile, 0);
+  };
+  for (const auto& [id, tolerance] : {std::pair("own-barus-20-10", 1e-2), std::pair("own-barus-20-10", 1e-3),
+                                      std::pair("own-barus-20-10", 1e-4), std::pair("own-barus-20-10-flooded", 1e-4)}) {
+    BOOST_TEST_CONTEXT(id << " at " << tolerance) {
+      // The program's own profile, whose spike is not resolved.
+      const ContactRun run = run_contact(read_case(find_case(id)), default_solver(), Request{.tolerance = tolerance});
+      const SubmittedProfile shown = read_profile(folder.write("p.csv", profile_csv(run)));
+      BOOST_REQUIRE(shown.cut.any());
+      for (const Gate& gate : gates_of(shown, 0))
+        BOOST_CHECK_MESSAGE(gate.verdict != Verdict::fail,
+                            gate.name << ": " << gate.error << " > " << gate.tolerance.value());
+      // Too much load is no cut.
+      BOOST_TEST((times(shown, 1.3)[load].verdict == Verdict::fail));
+      BOOST_TEST((times(shown, 1.3)[film].verdict == Verdict::fail));
+      // A spike may hold the load that is missing; but then the film has another shape.
+      BOOST_TEST((times(shown, 0.9)[load].verdict == Verdict::inconclusive));
+      BOOST_TEST((times(shown, 0.9)[film].verdict == Verdict::fail));
+      // No spike is as tall as this.
+      BOOST_TEST((times(shown, 0.7)[load].verdict == Verdict::fail));
+    }
+  }
+  // A row that shows less than the largest P is not cut, whatever it says.
+  SubmittedProfile flagged = solved_profile("own-moes-20-10", 1e-4);
+  flagged.cut = ArrayOf<bool>::Constant(flagged.X.size(), false);
+  flagged.cut[0] = flagged.cut[flagged.cut.size() - 1] = true;
+  for (const double factor : {1.3, 0.7})
+    for (const std::size_t gate : {load, film}) BOOST_TEST((times(flagged, factor)[gate].verdict == Verdict::fail));
+  flagged.cut = true;
+  BOOST_TEST((times(flagged, 1.3)[load].verdict == Verdict::fail));
+  for (const double factor : {1.3, 0.7}) BOOST_TEST((times(flagged, factor)[film].verdict == Verdict::fail));
+}
+
+BOOST_AUTO_TEST_CASE(a_large_stated_error_lets_no_wrong_profile_through) {
+  SubmittedProfile wrong = solved_profile("own-moes-20-10", 1e-4);
+  wrong.P *= 1.3;
+  for (const double stated : {0.1, 0.5, 1.0})
+    for (const std::size_t gate : {0U, 1U})
+      BOOST_TEST((gates_of(wrong, stated)[gate].verdict == verification::Verdict::fail));
 }
 
 BOOST_AUTO_TEST_SUITE_END()
