@@ -163,11 +163,8 @@ struct Account {
   bool all_balanced = true;
 };
 
-/// The sum of the numerical errors. The datum is not among them: the case chooses it. Absent for a fitted law without
-/// the law ehd beside it: how far the line is off is then unknown.
-std::optional<BearingErrors> errors_in(const std::vector<BudgetRow>& budget, bool fitted) {
-  const auto is_fit = [](const BudgetRow& row) { return row.source == fit_source; };
-  if (fitted && std::none_of(budget.begin(), budget.end(), is_fit)) return std::nullopt;
+/// The sum of the numerical errors. The datum is not among them: the case chooses it.
+BearingErrors errors_in(const std::vector<BudgetRow>& budget) {
   BearingErrors errors;
   for (const BudgetRow& row : budget) {
     if (row.source == datum_source) continue;
@@ -188,7 +185,7 @@ void add_case(Account& account, const Case& one, const std::vector<BearingResult
     const auto budget = budget_of(one, results, result.law, memory);
     if (!budget.empty()) {
       account.list.back()["error_budget"] = to_json(budget);
-      if (const auto errors = errors_in(budget, result.fit.has_value())) view.errors[result.law] = *errors;
+      view.errors[result.law] = errors_in(budget);
       budgets += fmt::format("\n  error budget of {}: what may move its balance\n{}", to_string(result.law),
                              human_budget(budget));
     }

@@ -122,17 +122,32 @@ bool is_detail(const BearingNote& note) {
          std::holds_alternative<note::NoVariant>(note);
 }
 
-std::vector<std::string> notes_of(const BearingResult& result, bool details) {
+bool is_warning(const BearingNote& note) { return std::holds_alternative<note::PoorLine>(note); }
+
+template <class Wanted>
+std::vector<std::string> texts_of(const BearingResult& result, const Wanted& wanted) {
   std::vector<std::string> texts;
   for (const BearingNote& note : result.notes)
-    if (details || !is_detail(note)) texts.push_back(std::visit(Words{result}, note));
+    if (wanted(note)) texts.push_back(std::visit(Words{result}, note));
+  return texts;
+}
+
+std::vector<std::string> with_reason(std::vector<std::string> texts, const BearingResult& result) {
   if (!result.rollers.empty() && !result.why.empty()) texts.push_back(result.why);
   return texts;
 }
 
 }  // namespace
 
-std::vector<std::string> notes_of(const BearingResult& result) { return notes_of(result, true); }
-std::vector<std::string> main_notes_of(const BearingResult& result) { return notes_of(result, false); }
+std::vector<std::string> notes_of(const BearingResult& result) {
+  return with_reason(texts_of(result, [](const BearingNote&) { return true; }), result);
+}
+
+std::vector<std::string> warnings_of(const BearingResult& result) { return texts_of(result, is_warning); }
+
+std::vector<std::string> remarks_of(const BearingResult& result, bool details) {
+  const auto wanted = [&](const BearingNote& note) { return !is_warning(note) && (details || !is_detail(note)); };
+  return with_reason(texts_of(result, wanted), result);
+}
 
 }  // namespace ehd

@@ -65,13 +65,14 @@ struct Column {
     const double force_N = most_loaded(result).inner.force_N;
     return errors ? with_absolute_error(force_N, errors->largest_force_N) : plain(force_N);
   }
-  /// p_H grows with the root of the force.
+  /// On the raceway where it is larger. p_H grows with the root of the force.
   [[nodiscard]] std::string largest_pressure() const {
     const RollerRow& roller = most_loaded(result);
     if (!roller.inner.hertz_pressure_Pa) return "-";
-    const double MPa =
-        MPa_per_Pa * std::max(*roller.inner.hertz_pressure_Pa, roller.outer.hertz_pressure_Pa.value_or(0));
-    return errors ? with_error(MPa, errors->largest_force_N / roller.inner.force_N / 2) : plain(MPa, 5);
+    const bool inner = *roller.inner.hertz_pressure_Pa >= roller.outer.hertz_pressure_Pa.value_or(0);
+    const ContactRow& contact = inner ? roller.inner : roller.outer;
+    const double MPa = MPa_per_Pa * *contact.hertz_pressure_Pa;
+    return errors ? with_error(MPa, errors->largest_force_N / contact.force_N / 2) : plain(MPa, 5);
   }
   /// From cos psi = P_d/(2 delta): d(psi) = cot psi d(delta)/delta. No error is known of a ring that moves across too.
   [[nodiscard]] std::string load_zone() const {
@@ -116,6 +117,7 @@ struct Column {
       error = stiffness_error_N_per_um(result);
     else if (full)
       error = std::abs(along(result) - along(*full));
+    if (error.value_or(0) > along(result) / 2) return "-";  // not even its first digit is known
     return error ? with_absolute_error(along(result), error) : plain(along(result), unstated_digits);
   }
 };

@@ -254,7 +254,7 @@ std::string failures(const std::vector<BearingResult>& results) {
 std::string remarks(const std::vector<BearingResult>& results, bool details) {
   std::vector<std::pair<std::string, std::string>> laws_of_notes;  // in the order in which the notes appear
   for (const BearingResult& result : results)
-    for (const std::string& note : details ? notes_of(result) : main_notes_of(result)) {
+    for (const std::string& note : remarks_of(result, details)) {
       const auto known =
           std::find_if(laws_of_notes.begin(), laws_of_notes.end(), [&](const auto& one) { return one.first == note; });
       if (known == laws_of_notes.end())
@@ -274,10 +274,18 @@ std::string remarks(const std::vector<BearingResult>& results, bool details) {
   return text;
 }
 
+/// Before the numbers that they are about.
+std::string warnings(const std::vector<BearingResult>& results) {
+  std::string text;
+  for (const BearingResult& result : results)
+    for (const std::string& warning : warnings_of(result)) text += fmt::format("  {}: {}\n", name_of(result), warning);
+  return text.empty() ? text : text + "\n";
+}
+
 }  // namespace
 
 std::string human_table(const Case& bearing_case, const std::vector<BearingResult>& results, const BearingView& view) {
-  std::string text = heading(bearing_case) +
+  std::string text = heading(bearing_case) + warnings(results) +
                      summary_table(std::get<BearingCase>(bearing_case.body), results, view.errors) +
                      rollers_table(results, columns_of);
   if (view.details)

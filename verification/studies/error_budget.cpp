@@ -113,14 +113,41 @@ BudgetRow difference(const BearingResult& one, const BearingResult& other) {
   return row;
 }
 
+/// What the solver's errors at the contacts of the fit move.
+BudgetRow bound_of_line(const Case& bearing_case, const BearingResult& line) {
+  const auto laws = laws_of(std::get<BearingCase>(bearing_case.body), line);
+  if (!laws) return {};
+  return Linearised(line, laws->inner, laws->outer).bound([&](double f, bool at_inner) {
+    return (at_inner ? line.fit->inner : line.fit->outer).approach_error_m(f);
+  });
+}
+
 }  // namespace
+
+void BudgetRow::meet(const BudgetRow& other) {
+  displacement_m = std::max(displacement_m, other.displacement_m);
+  largest_force_N = std::max(largest_force_N, other.largest_force_N);
+  any_force_N = std::max(any_force_N, other.any_force_N);
+}
 
 std::vector<BudgetRow> budget_of(const Case& bearing_case, const std::vector<BearingResult>& results, bearing::Law law,
                                  ContactMemory& memory) {
   const BearingResult* const result = balance_by(law, results);
   if (!result || !needs_film(law) || !result->curve || !result->datum_m) return {};
-  if (law == bearing::Law::ehd_linear && !result->fit) return {};
-  const auto laws = laws_of(std::get<BearingCase>(bearing_case.body), *result);
+  const bool fitted = law == bearing::Law::ehd_linear;
+  if (fitted && !result->fit) return {};
+  const auto again = [&](const Case& one, bearing::Law by) {
+    return run_bearing(one, {.laws = {by}, .explicitly = true, .films = true, .form = result->form}, memory);
+  };
+  // What the law stands for: the line stands for the full relation.
+  std::vector<BearingResult> solved;
+  const BearingResult* full = balance_by(bearing::Law::ehd, results);
+  if (!full) {
+    solved = again(bearing_case, bearing::Law::ehd);
+    full = balance_by(bearing::Law::ehd, solved);
+  }
+  if (!full || !full->curve) return {};
+  const auto laws = laws_of(std::get<BearingCase>(bearing_case.body), *full);
   if (!laws) return {};
   std::vector<BudgetRow> rows;
   const auto add = [&rows](BudgetRow row, std::string source, std::string of) {
@@ -130,48 +157,38 @@ std::vector<BudgetRow> budget_of(const Case& bearing_case, const std::vector<Bea
   };
 
   // 1. The fit: the difference from the full relation.
-  const BearingResult* const full = balance_by(bearing::Law::ehd, results);
-  if (law == bearing::Law::ehd_linear && full) add(difference(*result, *full), fit_source, "ehd-linear against ehd");
+  if (fitted) add(difference(*result, *full), "fit", "ehd-linear against ehd");
 
+  // 2. The curve and the solver: bounds of the full relation's errors. Films are those of the law's own balance.
+  const std::string whose = fitted ? ", law ehd" : "";
   const auto thinnest = thinnest_film(*result);
-  const Linearised linear(*result, laws->inner, laws->outer);
+  const Linearised linear(*full, laws->inner, laws->outer);
   const auto curve_of = [&](bool at_inner) -> const FilmCurve& {
-    return at_inner ? result->curve->inner : result->curve->outer;
+    return at_inner ? full->curve->inner : full->curve->outer;
   };
-  // 2. The curve: bounds of its errors. ehd-linear takes its films from the curve, but not its balance.
-  const bool on_curve = law == bearing::Law::ehd;
-  {
-    BudgetRow between, below;
-    between.bound = below.bound = true;
-    if (on_curve) {
-      between = linear.bound([&](double f, bool at_inner) {
-        const FilmCurve& curve = curve_of(at_inner);
-        return f >= curve.lightest_N() ? curve.errors().interpolation_force * curve.rise_m(f) : 0;
-      });
-      below = linear.bound([&](double f, bool at_inner) {
-        const FilmCurve& curve = curve_of(at_inner);
-        return f < curve.lightest_N() ? curve.errors().joint_force * curve.rise_m(f) : 0;
-      });
-    }
-    if (thinnest) {
-      const FilmCurve& curve = curve_of(thinnest->inner);
-      if (thinnest->force_N >= curve.lightest_N())
-        between.smallest_film = curve.errors().interpolation;
-      else
-        below.smallest_film = curve.errors().joint;
-    }
-    const std::string films = on_curve ? "" : ", films";
-    add(std::move(between), "interpolation", "extra solves at every contact" + films);
-    add(std::move(below), "rigid limit", "below the lightest solve" + films);
-  }
+  BudgetRow between = linear.bound([&](double f, bool at_inner) {
+    const FilmCurve& curve = curve_of(at_inner);
+    return f >= curve.lightest_N() ? curve.errors().interpolation_force * curve.rise_m(f) : 0;
+  });
+  BudgetRow below = linear.bound([&](double f, bool at_inner) {
+    const FilmCurve& curve = curve_of(at_inner);
+    return f < curve.lightest_N() ? curve.errors().joint_force * curve.rise_m(f) : 0;
+  });
   BudgetRow solver = linear.bound([&](double f, bool at_inner) {
-    if (!on_curve) return (at_inner ? result->fit->inner : result->fit->outer).approach_error_m(f);
     const FilmCurve& curve = curve_of(at_inner);
     return curve.errors().solver_offset_film * curve.offset_film(f).value;
   });
-  if (thinnest) solver.smallest_film = curve_of(thinnest->inner).errors().solver_minimum_film;
+  if (fitted) solver.meet(bound_of_line(bearing_case, *result));
+  if (thinnest) {
+    const FilmCurve& curve = curve_of(thinnest->inner);
+    (thinnest->force_N >= curve.lightest_N() ? between : below).smallest_film =
+        thinnest->force_N >= curve.lightest_N() ? curve.errors().interpolation : curve.errors().joint;
+    solver.smallest_film = curve.errors().solver_minimum_film;
+  }
+  add(std::move(between), "interpolation", "extra solves at every contact" + whose);
+  add(std::move(below), "rigid limit", "below the lightest solve" + whose);
   add(std::move(solver), "contact solver",
-      on_curve ? "its stated errors, every contact" : "its stated errors, contacts of the fit");
+      fitted ? "its stated errors, ehd and the fit" : "its stated errors, every contact");
 
   // 3. The datum, which is a choice: the differences that other data make.
   const auto& body = std::get<BearingCase>(bearing_case.body);
@@ -184,9 +201,8 @@ std::vector<BudgetRow> budget_of(const Case& bearing_case, const std::vector<Bea
     if (own) continue;
     Case other = bearing_case;
     std::get<BearingCase>(other.body).datum = datum;
-    const auto again =
-        run_bearing(other, {.laws = {law}, .explicitly = true, .films = true, .form = result->form}, memory);
-    if (const BearingResult* const moved = balance_by(law, again)) add(difference(*moved, *result), datum_source, name);
+    const auto there = again(other, law);
+    if (const BearingResult* const moved = balance_by(law, there)) add(difference(*moved, *result), datum_source, name);
   }
   return rows;
 }
@@ -207,7 +223,9 @@ Json to_json(const std::vector<BudgetRow>& rows) {
 std::string human_budget(const std::vector<BudgetRow>& rows) {
   std::vector<std::vector<std::string>> table{{"error", "of", "delta um", "largest N", "any N", "film %"}};
   for (const BudgetRow& row : rows) {
-    const auto cell = [&](double value, int digits) { return (row.bound ? "< " : "") + plain(value, digits); };
+    const auto cell = [&](double value, int digits) {
+      return row.bound && value == 0 ? "-" : (row.bound ? "< " : "") + plain(value, digits);
+    };
     table.push_back({row.source, row.of, cell(1e6 * row.displacement_m, 2), cell(row.largest_force_N, 3),
                      cell(row.any_force_N, 3), row.smallest_film ? cell(100 * *row.smallest_film, 2) : "-"});
   }

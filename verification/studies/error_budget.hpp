@@ -17,9 +17,8 @@
 
 namespace ehd::verification {
 
-/// The source of the row that compares ehd-linear with ehd, and of those that say what another datum changes: a choice
-/// of the case, not an error of the numerics.
-inline constexpr const char *fit_source = "fit", *datum_source = "datum";
+/// The source of the rows that say what another datum changes: a choice of the case, not an error of the numerics.
+inline constexpr const char* datum_source = "datum";
 
 struct BudgetRow {
   std::string source;                        ///< "fit", "interpolation", "rigid limit", "contact solver", "datum"
@@ -29,11 +28,15 @@ struct BudgetRow {
   double largest_force_N = 0;                ///< of the most loaded roller, inner raceway
   double any_force_N = 0;                    ///< of the roller whose force changes most
   std::optional<double> smallest_film = {};  ///< relative, of the thinnest minimum film at any contact
+
+  /// Of displacement and forces the larger ones.
+  void meet(const BudgetRow& other);
 };
 
-/// The rows of one EHD law among the results of a case; empty for a dry law, and where a balance is missing. "fit"
-/// needs both EHD laws among the results. The case's datum is compared with palmgren, lundberg (where it is not that
-/// itself) and twice its x_0. The datum does not change the contacts: they are taken from the memory.
+/// The rows of one EHD law among the results of a case; empty for a dry law, and where a balance is missing. The line
+/// ehd-linear is as far off as it differs from ehd ("fit") and as ehd itself is; ehd is balanced where it is not among
+/// the results, on the curve that the memory has. The case's datum is compared with palmgren, lundberg (where it is not
+/// that itself) and twice its x_0. The datum does not change the contacts: they are taken from the memory.
 [[nodiscard]] std::vector<BudgetRow> budget_of(const Case& bearing_case, const std::vector<BearingResult>& results,
                                                bearing::Law law, ContactMemory& memory);
 

@@ -85,19 +85,21 @@ BOOST_AUTO_TEST_CASE(the_fits_row_is_the_difference_of_the_two_laws) {
   BOOST_TEST(std::count_if(rows.begin(), rows.end(), [](const BudgetRow& row) { return row.source == "datum"; }) == 2);
 }
 
-// The line's films are the curve's, whose errors are in its budget; its balance is of the fit's own contacts, which
-// are.
-BOOST_AUTO_TEST_CASE(the_lines_budget_has_its_films_interpolation_and_its_fits_own_contacts) {
+// The line is compared with ehd, so that it is known no better than ehd. Its own contacts are those of the fit.
+BOOST_AUTO_TEST_CASE(the_lines_budget_has_the_bounds_of_ehd_and_its_fits_own_contacts) {
   ContactMemory memory(synthetic(0));
   const auto results = run(memory);
   const auto rows = budget_of(needle_bearing(), results, bearing::Law::ehd_linear, memory);
   const BearingResult& line = results[1];
   const BudgetRow &between = row_of(rows, "interpolation"), &below = row_of(rows, "rigid limit");
+  const auto full = budget_of(needle_bearing(), results, bearing::Law::ehd, memory);
   for (const BudgetRow* row : {&between, &below}) {
     BOOST_TEST(row->bound);
-    BOOST_TEST(row->displacement_m == 0);
-    BOOST_TEST(row->any_force_N == 0);
+    BOOST_TEST(row->displacement_m == row_of(full, row->source).displacement_m);
+    BOOST_TEST(row->any_force_N == row_of(full, row->source).any_force_N);
   }
+  BOOST_TEST(between.displacement_m > 0);
+  BOOST_TEST(row_of(rows, "contact solver").displacement_m >= row_of(full, "contact solver").displacement_m);
   // The thinnest film is under the most loaded roller, far above the lightest solved contact.
   BOOST_REQUIRE(between.smallest_film.has_value());
   BOOST_TEST((*between.smallest_film == line.curve->inner.errors().interpolation ||
@@ -113,6 +115,16 @@ BOOST_AUTO_TEST_CASE(the_lines_budget_has_its_films_interpolation_and_its_fits_o
   const BudgetRow own = row_of(rows, "contact solver");
   EHD_CHECK(error(tenfold.displacement_m, 10 * own.displacement_m), Tolerance::round_off(100));
   EHD_CHECK(error(tenfold.any_force_N, 10 * own.any_force_N), Tolerance::round_off(100));
+}
+
+// Without ehd among the results the budget of the line is the same.
+BOOST_AUTO_TEST_CASE(the_lines_budget_does_not_depend_on_the_laws_that_were_asked_for) {
+  ContactMemory memory(synthetic(0));
+  const auto results = run(memory);
+  const auto beside = budget_of(needle_bearing(), results, bearing::Law::ehd_linear, memory);
+  const auto alone = budget_of(needle_bearing(), {results[1]}, bearing::Law::ehd_linear, memory);
+  BOOST_REQUIRE(alone.size() == beside.size());
+  for (std::size_t k = 0; k < alone.size(); ++k) BOOST_TEST(alone[k].displacement_m == beside[k].displacement_m);
 }
 
 BOOST_AUTO_TEST_CASE(a_dry_law_has_no_budget_and_the_full_one_has_no_fit) {
