@@ -100,7 +100,8 @@ class Harmonic {
   VectorOf<double> tail_squeeze_;  ///< Int_X^X* rho tail_film_ dX', at the points
 
   /// The last answer of each kind. A caller asks for one several times: first where it needs a finer mesh, then for its
-  /// amplitude, its lag and how it moves with the floor. References to it are valid until the next question of its kind.
+  /// amplitude, its lag and how it moves with the floor. References to it are valid until the next question of its
+  /// kind.
   mutable std::optional<std::pair<double, ComplexVector>> of_load_ = {};
   mutable std::optional<std::pair<Waviness, ComplexVector>> of_waviness_ = {};
   mutable std::optional<SlowMotion> of_slow_load_ = {};
