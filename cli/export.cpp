@@ -186,8 +186,8 @@ void describe_export(Command& command) {
   command.text("--raceway", options->law.raceway, "law: inner or outer").called("RACEWAY");
   command.text("--law", options->law.law, "law: ehd; the other laws are formulas").showing_default();
   command.text("--knots", options->law.knots, "law: number of knots (32)").called("N");
-  command.text("--M", options->M, "range of Moes' load parameter").called("LOW:HIGH");
-  command.text("--L", options->L, "range of Moes' material parameter").called("LOW:HIGH");
+  command.text("--M", options->M, "range of Moes' load group").called("LOW:HIGH");
+  command.text("--L", options->L, "range of Moes' lubricant group").called("LOW:HIGH");
   command.text("--tolerance", options->request.tolerance, "error allowed in every film of the table (1e-4)")
       .called("T");
   command.text("--format", options->format, "csv, json or c; law: matlab too").called("FORMAT").showing_default();

@@ -241,8 +241,8 @@ void describe_solve(Command& command) {
   command.summary("Solve one contact");
   command.examples(solve_examples);
   command.text("CASE", options->case_name, "a case file (TOML), the id of a benchmark case, or - for standard input");
-  command.text("--M", options->M, "Moes load parameter, 1e-3 to 1e6 (instead of a CASE, with --L)");
-  command.text("--L", options->L, "Moes material parameter, 0 to 100");
+  command.text("--M", options->M, "Moes' load group, 1e-3 to 1e6 (instead of a CASE, with --L)");
+  command.text("--L", options->L, "Moes' lubricant group, 0 to 100");
   command.text("--inlet", options->inlet, "flooded, or X = x/b where the domain begins (flooded)");
   command.text("--viscosity", options->viscosity, names_of(viscosity_laws()) + " (barus)");
   command.text("--density", options->density, names_of(density_laws()) + " (incompressible)");

@@ -30,7 +30,7 @@ struct Martin {
   [[nodiscard]] double pressure(double angle) const;
 };
 
-/// Martin's contact at Moes' load parameter M (L = 0, M -> 0), films in Moes units and in Hertz units. The elastic
+/// Martin's contact at Moes' load group M (L = 0, M -> 0), films in Moes units and in Hertz units. The elastic
 /// contact differs from it by O(M^2).
 struct MartinContact {
   explicit MartinContact(double M);

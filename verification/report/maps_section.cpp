@@ -86,8 +86,8 @@ std::pair<std::vector<double>, std::vector<double>> covered(
 /// The map of one law set; absent where no point has the quantity.
 std::optional<HeatMap> map_of(const Atlas& atlas, const std::string& laws, const Shown& shown) {
   HeatMap map;
-  map.x_label = "load parameter *M*";
-  map.y_label = "material parameter *L*";
+  map.x_label = "load group *M*";
+  map.y_label = "lubricant group *L*";
   bool any = false;
   std::tie(map.x, map.y) = covered(atlas, laws, shown.value);
   for (const double L : map.y) {

@@ -223,7 +223,7 @@
     seen.push("CSV: " + verdict(lines[0] === "x-axis,y-axis,curve,x,y" && lines.length === 1 + 6 * 81 &&
       lines[1] === "X = x/b,P = p/pH,P reference,-2,0", lines.length + " lines, " + lines[1]));
     var map = press("fig-film-minimum-roelands", "CSV").trim().split("\n");
-    seen.push("CSV of a map: " + verdict(map[0] === "load parameter M,material parameter L,\"Minimum film HMoes, Roelands, compressible\"" &&
+    seen.push("CSV of a map: " + verdict(map[0] === "load group M,lubricant group L,\"Minimum film HMoes, Roelands, compressible\"" &&
       map[1] === "0.1,0,5.98578694", map.slice(0, 2).join(" | ")));
     var svg = press("fig-case-made-light", "SVG");
     var read = new DOMParser().parseFromString(svg, "image/svg+xml");
