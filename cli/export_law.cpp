@@ -50,6 +50,19 @@ LawExportRequest request_of(const LawExportOptions& options) {
   return request;
 }
 
+/// A table whose damping is this much worse than the law's own needs a word: its header is easily overlooked.
+constexpr double poor_table_of_damping = 0.05;
+constexpr int knots_for_damping = 200;  ///< they resolve the place near M = 0.8 where the damping nearly vanishes
+
+void warn_of_damping(const LawExport& law, int knots) {
+  const double error = law.table.errors.damping.value_or(0);
+  if (error <= poor_table_of_damping || knots >= knots_for_damping) return;
+  complain(
+      fmt::format("ehd: export law: {}: between its {} knots the table misses the damping by up to {} %; --knots "
+                  "{} resolves it",
+                  law.case_id, knots, plain(100 * error, 2), knots_for_damping));
+}
+
 }  // namespace
 
 int export_law(const LawExportOptions& options) {
@@ -74,6 +87,7 @@ int export_law(const LawExportOptions& options) {
     progress.show("contacts of " + one.id + " ...");
     const LawExport law = export_law(one, request, memory);
     progress.show("");
+    warn_of_damping(law, request.knots);
     if (!file) {
       print(write(law));
       return success;

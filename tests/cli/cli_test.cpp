@@ -412,6 +412,15 @@ BOOST_AUTO_TEST_CASE(an_exported_law_states_its_oil_with_the_numbers_that_follow
              std::string::npos);
 }
 
+BOOST_AUTO_TEST_CASE(a_table_that_misses_the_damping_says_so) {
+  const test::Folder folder;
+  const auto coarse = test::ehd_run(folder, "export law na4908 --raceway inner");
+  BOOST_TEST(coarse.exit_code == 0);
+  BOOST_TEST(coarse.err.find("misses the damping by up to 3") != std::string::npos, coarse.err);
+  BOOST_TEST(coarse.error_lines() == 1);
+  BOOST_TEST(test::ehd_run(folder, "export law na4908 --raceway inner --knots 200").err == "");
+}
+
 BOOST_AUTO_TEST_CASE(the_csv_of_a_bearing_numbers_the_rollers_and_is_not_there_without_any) {
   const test::Folder folder;
   const auto file = folder.path() / "loads.csv";
