@@ -9,6 +9,7 @@
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/usage.hpp"
+#include "contact/text.hpp"
 #include "io/law_export_text.hpp"
 #include "io/output_file.hpp"
 #include "workflow/law_export.hpp"
