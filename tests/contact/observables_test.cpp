@@ -226,4 +226,14 @@ BOOST_AUTO_TEST_CASE(martins_film_has_his_rolling_force) {
   EHD_CHECK(error(force * M, 1.4475), Tolerance::discretisation(0.00005 / 1.4475 + step * step / (6 * beyond), 1));
 }
 
+// A parabola lies on every polynomial through six nodes; a kink of slope 1 at X = 0 does not.
+BOOST_AUTO_TEST_CASE(a_kink_of_the_film_at_the_centre_is_rough) {
+  Fields fields;
+  fields.X = Array::LinSpaced(41, -1, 1);
+  fields.H = 1 + fields.X.square();
+  EHD_CHECK(roughness_at_centre(fields), Tolerance::round_off(1000));
+  fields.H += fields.X.abs();
+  BOOST_TEST(roughness_at_centre(fields) > 0.01);  // a fifth of what the kink changes H by in a cell
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -39,7 +39,7 @@ BOOST_AUTO_TEST_CASE(latex_reads_every_entry_of_the_bibliography) {
   for (const auto& [key, entry] : bibliography)
     BOOST_CHECK_MESSAGE(misread_by_latex(entry.text).empty(), key << ": " << misread_by_latex(entry.text));
   const std::string sources = bibtex_of_sources(bibliography);
-  BOOST_TEST(sources.find("$c_L = 35948\\, l^{8/9}$") != std::string::npos);  // as it stands in the file
+  BOOST_TEST(sources.find("$c_L = 35948\\, l^{8/9}$") != std::string::npos);  // the text of the file, unchanged
 }
 
 BOOST_AUTO_TEST_CASE(latex_reads_the_entry_of_every_case) {
