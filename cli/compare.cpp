@@ -47,12 +47,14 @@ Examples:
   ehd compare own-barus-5-5 --external mine='python3 mine.py {case} {out} {tolerance}'
 
 stated: the error that a solver gives. achieved: the difference from the truth; < where the truth is known less than ten
-times better than that. The truth is the digits of the case, if it has some of both films. Otherwise reference runs once
-more, a hundred times tighter, and the run that states the smallest error is the truth. No run is judged by itself.
+times better than that. ! where either is above the tolerance asked for. The truth is the digits of the case, if it has
+some of both films. Otherwise reference runs once more, a hundred times tighter, and the run that states the smallest
+error is the truth. No run is judged by itself.
 
 --external runs another program by the shell, for each case and tolerance. {case} is a JSON file with the groups, the
 laws as formulas and the inlet. The program writes a submission (docs/judge.md) into {out}. Its time includes its start;
-the time of an empty call is printed too. An external run is never the truth.
+the time of an empty call is printed too. An external run is never the truth. Films far off the case's digits that fit a
+usual mistake get a hint on standard error.
 
 Exit code: 0 every run converged; 1 one did not; 2 bad input or usage.)";
 
@@ -112,6 +114,25 @@ std::string failure_of(const Case& contact_case, const judging::ExternalRun& ext
                      row.run.solution.record.reason);
 }
 
+std::string hint_of(const Case& contact_case, const judging::ExternalRun& external, const std::string& hint) {
+  return fmt::format("ehd: {}: {} at {}: {}", contact_case.id, external.judged.run.solver,
+                     plain(external.judged.tolerance), hint);
+}
+
+bool states_more(const Row& row, std::size_t film) {
+  const std::optional<double>& stated = row.films[film].reported;
+  return stated && *stated > row.tolerance;
+}
+
+bool misses(const Row& row) {
+  for (std::size_t film = 0; film < 2; ++film)
+    if (states_more(row, film) || row.films[film].beyond(row.tolerance)) return true;
+  return false;
+}
+
+/// Behind an error that is above the tolerance asked for.
+constexpr const char* missed = "!";
+
 std::vector<std::vector<std::string>> table_of(const std::vector<Row>& rows) {
   std::vector<std::vector<std::string>> table{
       {"solver", "asked", "H_min", "stated", "achieved", "H_cen", "stated", "achieved", "ms", "work"}};
@@ -119,9 +140,10 @@ std::vector<std::vector<std::string>> table_of(const std::vector<Row>& rows) {
     std::vector<std::string> cells{row.run.solver + (converged(row) ? "" : "*"), plain(row.tolerance)};
     for (std::size_t film = 0; film < 2; ++film) {
       const Reading* reading = verification::reading_of(row.run.solution, judged_films[film]);
+      const verification::AchievedError& error = row.films[film];
       cells.push_back(reading ? with_error(reading->value, reading->error) : "-");
-      cells.push_back(verification::dash(row.films[film].reported, 2));
-      cells.push_back(row.films[film].words());
+      cells.push_back(verification::dash(error.reported, 2) + (states_more(row, film) ? missed : ""));
+      cells.push_back(error.words() + (error.beyond(row.tolerance) ? missed : ""));
     }
     const Cost& cost = row.run.solution.record.cost;
     cells.push_back(plain(1e3 * cost.wall_s, 3));
@@ -134,12 +156,16 @@ std::vector<std::vector<std::string>> table_of(const std::vector<Row>& rows) {
 Json json_of(const Row& row) {
   Json entry = to_json(row.run);
   put(entry, "tolerance", row.tolerance);
-  Json known = Json::object(), below = Json::object();
+  Json known = Json::object(), below = Json::object(), within = Json::object();
   for (std::size_t film = 0; film < 2; ++film) {
-    put(known, std::string(to_string(judged_films[film])), row.films[film].known());
-    put(below, std::string(to_string(judged_films[film])), row.films[film].bound());
+    const std::string name(to_string(judged_films[film]));
+    put(known, name, row.films[film].known());
+    put(below, name, row.films[film].bound());
+    const bool met = row.films[film].within(row.tolerance);
+    if (met || row.films[film].beyond(row.tolerance)) within[name] = met;
   }
   entry["achieved_error"] = known;
+  entry["within_tolerance"] = within;
   if (!below.empty()) entry["achieved_error_below"] = below;
   return entry;
 }
@@ -168,6 +194,7 @@ Json json_of(const judging::ExternalRun& external, std::optional<double> idle_s)
   if (!external.end.last_line.empty()) ended["last_line"] = external.end.last_line;
   put(ended, "wall_s", external.end.wall_s);
   put(ended, "idle_s", idle_s);
+  if (!external.hints.empty()) ended["hints"] = external.hints;
   entry["external"] = ended;
   return entry;
 }
@@ -245,6 +272,7 @@ int compare(const CompareOptions& options) {
     for (const judging::ExternalRun& external : outside) {
       all_converged = all_converged && converged(external.judged);
       if (!converged(external.judged)) complain(failure_of(contact_case, external));
+      for (const std::string& hint : external.hints) complain(hint_of(contact_case, external, hint));
       runs.push_back(json_of(external, idle_s));
       rows.push_back(external.judged);
     }
@@ -256,10 +284,11 @@ int compare(const CompareOptions& options) {
     list.push_back(comparison);
     if (json.to_standard_output()) continue;
     constexpr std::size_t names = 2;  // solver and tolerance
-    const bool all = std::ranges::all_of(rows, converged);
+    std::string legend = std::ranges::all_of(rows, converged) ? "" : "  * not converged\n";
+    if (std::ranges::any_of(rows, misses)) legend += fmt::format("  {} above the tolerance asked for\n", missed);
     print(fmt::format("{}: {}\n{}{}  achieved: H_min against {}\n            H_cen against {}\n\n", contact_case.id,
-                      contact_case.title, aligned_in_parts(table_of(rows), names, "  "),
-                      all ? "" : "  * not converged\n", against[0], against[1]));
+                      contact_case.title, aligned_in_parts(table_of(rows), names, "  "), legend, against[0],
+                      against[1]));
     if (idle_s) print(fmt::format("  an idle call of the shell takes {} ms\n\n", plain(1e3 * *idle_s, 2)));
   }
   for (Json& compared : list) options.changes.put_into(compared);

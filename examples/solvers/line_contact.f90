@@ -171,6 +171,10 @@ program line_contact
   end if
   viscosity = word_after('"law"', index(text, '"viscosity"'))
   density = word_after('"law"', index(text, '"density"'))
+  if (all(viscosity /= [character(len=16) :: 'isoviscous', 'barus', 'roelands'])) then
+    write (0, '(a)') 'line_contact: the viscosity law is unknown; required is isoviscous, barus or roelands'
+    stop 2
+  end if
   lambda = number('"lambda"'); alpha = number('"alpha_p_H"'); inlet = number('"inlet"')
   p0 = number('"p0_over_p_H"'); z = number('"z"'); a = number('"density_a"'); c = number('"density_c"')
 
@@ -204,7 +208,7 @@ program line_contact
     n = 2*n
   end do
   call write_submission()
-  if (error > tolerance) stop 1
+  if (.not. error <= tolerance) stop 1
 contains
   subroutine read_text(name)
     character(len=*), intent(in) :: name

@@ -79,6 +79,10 @@ if !isfield(problem, 'inlet') || ischar(problem.inlet)
   fputs(stderr, "line_contact: the inlet is not cut; required is a case with a number for its inlet\n");
   exit(2);
 end
+if !any(strcmp(problem.viscosity.law, {'isoviscous', 'barus', 'roelands'}))
+  fputs(stderr, "line_contact: the viscosity law is unknown; required is isoviscous, barus or roelands\n");
+  exit(2);
+end
 lambda = problem.groups.lambda; stated = 1; n = 128; P = [];
 while n <= 512 && stated > tolerance
   X = linspace(problem.inlet, 1.6, n + 1)';
@@ -98,4 +102,4 @@ fprintf(file, ['{"schema": "ehd-submission-1", "solver": {"name": "line_contact.
   ' {"case": "%s", "version": %d, "scaling": "hertz", "film.minimum": %.16g, "film.central": %.16g, ' ...
   '"stated_error": %.3g}]}\n'], id{1}, problem.version, now(1), now(2), stated);
 fclose(file);
-exit(double(stated > tolerance));
+exit(double(!(stated <= tolerance)));

@@ -18,6 +18,8 @@ import numpy as np
 def laws(problem):
     """ln(eta/eta_0) and rho/rho_0 with their slopes, for an oil whose alpha p_H is `share` of the case's."""
     v, d = problem["viscosity"], problem["density"]
+    if v["law"] not in ("isoviscous", "barus", "roelands"):
+        sys.exit("line_contact: the viscosity law is unknown; required is isoviscous, barus or roelands")
 
     def log_viscosity(P, share):
         if v["law"] == "isoviscous":

@@ -138,6 +138,57 @@ BOOST_AUTO_TEST_CASE(another_program_that_fails_is_a_row_with_its_reason) {
   test::check_refused(folder, "compare own-barus-5-5 --external 'mine=prog {case}'", "has no {out}");
 }
 
+BOOST_AUTO_TEST_CASE(compare_marks_errors_above_the_tolerance_asked_for) {
+  const test::Folder folder;
+  const auto run_of = [&](const std::string& films, int exit_code = 0, const std::string& asked = "1e-2") {
+    const auto answer =
+        folder.write("answer.json", R"({"schema": "ehd-submission-1", "solver": {"name": "n"}, "results": [)"
+                                    R"({"case": "own-barus-5-5", "version": 1, "scaling": "hertz", )" +
+                                        films + "}]}");
+    const std::string command = fmt::format(
+        "compare own-barus-5-5 --solver fast --tolerance {} --external \"mine=cp {} {{out}}; test {{case}}\"", asked,
+        quoted(answer));
+    const auto words = test::ehd_run(folder, command), data = test::ehd_run(folder, command + " --json -");
+    for (const auto& ended : {words, data}) BOOST_TEST(ended.exit_code == exit_code);
+    const auto row = words.out.substr(words.out.find("  mine"));
+    struct Told {
+      std::string row, out, err;
+      json run;
+    };
+    return Told{row.substr(0, row.find('\n')), words.out, words.err, json::parse(data.out)[0]["runs"].back()};
+  };
+  const std::string legend = "! above the tolerance asked for\n";
+
+  const auto met = run_of(R"("film.minimum": 0.2469, "film.central": 0.3241, "stated_error": 1e-2)");
+  BOOST_TEST(met.out.find('!') == std::string::npos, met.out);
+  BOOST_TEST((met.run["within_tolerance"] == json{{"film.minimum", true}, {"film.central", true}}));
+
+  const auto missed = run_of(R"("film.minimum": 0.27, "film.central": 0.3241, "stated_error": 1e-3)");
+  BOOST_TEST(missed.row.find("0.094!") != std::string::npos, missed.row);
+  BOOST_TEST(std::count(missed.row.begin(), missed.row.end(), '!') == 1);
+  BOOST_TEST(missed.out.find(legend) != std::string::npos, missed.out);
+  BOOST_TEST((missed.run["within_tolerance"] == json{{"film.minimum", false}, {"film.central", true}}));
+  BOOST_TEST(missed.run["status"] == "converged");  // as its exit code says
+
+  const auto states_more = run_of(R"("film.minimum": 0.2469, "film.central": 0.3241, "stated_error": 0.5)");
+  BOOST_TEST(std::count(states_more.row.begin(), states_more.row.end(), '!') == 2);
+  BOOST_TEST(states_more.out.find(legend) != std::string::npos);
+
+  // The digits are known to 2e-12: they tell nothing of a tolerance below that.
+  const auto untold = run_of(R"("film.minimum": 0.246708437314, "film.central": 0.3241)", 1, "1e-12");
+  BOOST_TEST((untold.run["within_tolerance"] == json{{"film.central", false}}));
+
+  const auto in_moes = run_of(R"("film.minimum": 3.141, "film.central": 4.126)");
+  BOOST_TEST(in_moes.err.find("own-barus-5-5: mine at 0.01: the films fit the scaling \"moes\"") != std::string::npos,
+             in_moes.err);
+  BOOST_TEST(in_moes.run["external"]["hints"].size() == 1u);
+  BOOST_TEST(!met.run["external"].contains("hints"));
+
+  const auto no_film = run_of(R"("pressure.exit": 1.1)", 1);
+  BOOST_TEST(no_film.run["status"] == "diverged");
+  BOOST_TEST(no_film.err.find("has neither film.minimum nor film.central") != std::string::npos, no_film.err);
+}
+
 BOOST_AUTO_TEST_CASE(a_case_is_cited_shown_and_given_to_programs) {
   const test::Folder folder;
   const auto bibtex = test::ehd_run(folder, "cases kostreva-100lb-500rpm --bibtex");

@@ -86,6 +86,17 @@ def judge(ehd, folder, name, command):
             f"{name}: {mine.get('profile')}")
 
 
+def refuse(ehd, folder, name, command):
+    """A law that the solver does not have is no isoviscous oil, and a tolerance that is no number is not met."""
+    problem, out = pathlib.Path(folder, "wrong.json"), pathlib.Path(folder, f"wrong-{name}.json")
+    case = output(ehd, "cases", CASES[-1], "--json")["cases"][0]["problem"]
+    for law, tolerance in (("carreau", "1e-2"), (case["viscosity"]["law"], "nan")):
+        problem.write_text(json.dumps(case | {"viscosity": case["viscosity"] | {"law": law}}, indent=2))
+        ended = subprocess.run([*command.split(), problem, out, tolerance], capture_output=True)
+        require(ended.returncode != 0, f"{name}: law {law}, tolerance {tolerance}: exit code 0")
+        require(law != "carreau" or not out.exists(), f"{name}: it has an answer for the law {law}")
+
+
 def main(ehd):
     with tempfile.TemporaryDirectory() as folder:
         found = commands(folder)
@@ -93,6 +104,7 @@ def main(ehd):
         for name, command in found.items():
             compare(ehd, name, command)
             judge(ehd, folder, name, command)
+            refuse(ehd, folder, name, command)
         for name, needs in (("python", "NumPy"), ("fortran", "gfortran"), ("octave", "octave-cli")):
             print(f"{name}: {'holds' if name in found else 'not run: there is no ' + needs}")
     return 0 if found else SKIPPED

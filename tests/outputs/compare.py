@@ -10,7 +10,7 @@ from program import TOP, read_case
 CASE = "own-moes-20-10"
 SOLVERS, TOLERANCES = ("reference", "fast"), (1e-2, 1e-4)
 TIMES = ("wall_s", "planning_s", "total_s", "stage_s")
-OF_COMPARE = ("tolerance", "achieved_error")
+OF_COMPARE = ("tolerance", "achieved_error", "within_tolerance")
 
 
 def audit_run(said, name, run, single, tolerance, digits):
@@ -25,6 +25,8 @@ def audit_run(said, name, run, single, tolerance, digits):
         expected = abs(run["film"][film]["hertz"] / digits[film] - 1)
         said.near(f"{name}: achieved_error of film.{film}", run["achieved_error"][f"film.{film}"], expected,
                   absolute=ROUND_OFF)
+        said.equal(f"{name}: within_tolerance of film.{film}", run["within_tolerance"].get(f"film.{film}"),
+                   expected <= tolerance)
 
 
 def audit_compare(result, case, singles):

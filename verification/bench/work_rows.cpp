@@ -42,8 +42,8 @@ std::string AchievedError::words() const {
 
 Covered covered(const AchievedError& error) {
   if (!error.reported || !error.achieved) return Covered::undecided;
-  if (*error.achieved + error.truth <= *error.reported) return Covered::yes;
-  if (*error.achieved - error.truth > *error.reported) return Covered::no;
+  if (error.within(*error.reported)) return Covered::yes;
+  if (error.beyond(*error.reported)) return Covered::no;
   return Covered::undecided;
 }
 

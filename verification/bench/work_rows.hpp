@@ -37,6 +37,8 @@ struct AchievedError {
   double truth = 0;                     ///< error that the truth states, relative
   /// The error is at most `level`, even with the error of the truth.
   [[nodiscard]] bool within(double level) const { return achieved && *achieved + truth <= level; }
+  /// The error is above `level`, whatever the error of the truth.
+  [[nodiscard]] bool beyond(double level) const { return achieved && *achieved - truth > level; }
   /// The achieved error as a number, where the truth is known well enough; else its upper bound.
   [[nodiscard]] std::optional<double> known() const {
     return achieved && *achieved >= truth_margin * truth ? achieved : std::nullopt;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A CSV that somebody else's program wrote, row by row: a header, then as many cells a row; no quotation marks.
+// A CSV that somebody else's program wrote, row by row: a header, then as many cells a row, quoted as RFC 4180 has it.
+// Beyond that, lines may end with CR alone, blanks around a cell do not count, and blank lines are left out.
 #pragma once
 
 #include <cstddef>
 #include <filesystem>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "io/file_text.hpp"
@@ -24,26 +24,28 @@ class CsvReader {
   [[nodiscard]] const std::vector<std::string>& header() const { return header_; }
 
   /// Goes to the next row that is not empty; false at the end. Throws CaseError: another number of cells, too many
-  /// rows.
+  /// rows, a quotation mark where none belongs.
   [[nodiscard]] bool next();
-  [[nodiscard]] std::string cell(std::size_t column) const { return std::string(cells_[column]); }
+  [[nodiscard]] const std::string& cell(std::size_t column) const { return cells_[column]; }
   /// A finite number. Throws CaseError.
   [[nodiscard]] double number(std::size_t column) const;
 
-  [[nodiscard]] std::string place() const;  ///< "FILE:LINE"
+  [[nodiscard]] std::string place() const;  ///< "FILE:LINE", where the row begins
   /// "FILE:LINE: column = value: what"
   [[nodiscard]] CaseError refuse(std::size_t column, const std::string& what) const;
 
  private:
-  [[nodiscard]] bool next_line();
-  void split();
+  [[nodiscard]] bool read_row();
+  [[nodiscard]] std::string read_cell();
+  [[nodiscard]] std::string read_quoted();
+  [[nodiscard]] bool ends_cell() const;
+  void skip_blanks();
+  bool skip_line_end();
   std::filesystem::path file_;
   std::string text_;
   std::size_t at_ = 0, rows_ = 0, most_rows_ = 0;
-  int line_ = 0;
-  std::string_view current_;
-  std::vector<std::string> header_;
-  std::vector<std::string_view> cells_;
+  int line_ = 1, row_line_ = 0;  ///< where at_ is; where the row begins
+  std::vector<std::string> header_, cells_;
 };
 
 }  // namespace ehd::judging

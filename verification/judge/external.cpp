@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <stdlib.h>  // mkdtemp
 
+#include <algorithm>
 #include <cerrno>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -15,6 +16,7 @@
 #include "io/output_file.hpp"
 #include "io/problem_json.hpp"
 #include "io/temporary_files.hpp"
+#include "verification/judge/hints.hpp"
 #include "verification/judge/score.hpp"
 #include "verification/judge/submission.hpp"
 
@@ -61,23 +63,42 @@ void replace(std::string& text, std::string_view word, const std::string& by) {
     text.replace(at, word.size(), by);
 }
 
-/// The films of the submission's result for this case, as observables.
-Observables observed_in(const Submission& submission, const Case& contact_case) {
-  const CaseScales scales(std::get<ContactCase>(contact_case.body));
+/// The submission's result for this case.
+const SubmittedResult& result_in(const Submission& submission, const Case& contact_case) {
   for (const SubmittedResult& result : submission.results) {
     if (result.case_id != contact_case.id) continue;
     if (result.version != contact_case.version)
       throw refusal(result.place, fmt::format("version = {}: is not the one asked for; allowed is {}", result.version,
                                               contact_case.version));
-    Observables observed;
-    for (const SubmittedNumber& number : result.numbers) {
-      const auto unit = scales.unit(number.quantity, number.scaling);
-      if (!unit) throw refusal(result.place, "has a scaling that the case leaves open; allowed is hertz");
-      observed[number.quantity] = {.value = number.value / *unit, .error = number.stated_error};
-    }
-    return observed;
+    const auto is_judged = [](const SubmittedNumber& number) {
+      return std::ranges::find(judged_films, number.quantity) != judged_films.end();
+    };
+    if (std::ranges::none_of(result.numbers, is_judged))
+      throw refusal(result.place, "has neither film.minimum nor film.central; required is one of them");
+    return result;
   }
   throw refusal(submission.file.string(), "has no result for " + contact_case.id + "; required is one");
+}
+
+/// Its numbers as observables.
+Observables observed_in(const SubmittedResult& result, const CaseScales& scales) {
+  Observables observed;
+  for (const SubmittedNumber& number : result.numbers) {
+    const auto unit = scales.unit(number.quantity, number.scaling);
+    if (!unit) throw refusal(result.place, "has a scaling that the case leaves open; allowed is hertz");
+    observed[number.quantity] = {.value = number.value / *unit, .error = number.stated_error};
+  }
+  return observed;
+}
+
+std::vector<std::string> hints_of(const SubmittedResult& result, const Observables& observed, const Case& contact_case,
+                                  const CaseScales& scales) {
+  std::vector<Compared> numbers;
+  for (const Certified& certified : certified_numbers(contact_case, scales))
+    for (const SubmittedNumber& number : result.numbers)
+      if (number.quantity == certified.quantity)
+        numbers.push_back({.number = number, .value = observed.at(number.quantity).value, .certified = certified});
+  return hints_for(contact_case, scales, numbers, false);
 }
 
 }  // namespace
@@ -128,7 +149,11 @@ ExternalRun run_external(const ExternalSolver& solver, const Case& contact_case,
     return external;
   }
   try {
-    run.solution.observables = observed_in(read_submission(exchange.submission()), contact_case);
+    const Submission submission = read_submission(exchange.submission());
+    const SubmittedResult& result = result_in(submission, contact_case);
+    const CaseScales scales(contact);
+    run.solution.observables = observed_in(result, scales);
+    external.hints = hints_of(result, run.solution.observables, contact_case, scales);
     record.status = *end.exit_code == 0 ? StopReason::converged : StopReason::tolerance_not_met;
     if (*end.exit_code == 0) record.reason.clear();
   } catch (const CaseError& fault) {

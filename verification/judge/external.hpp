@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "verification/bench/film_truth.hpp"
 #include "verification/judge/command.hpp"
@@ -21,11 +22,12 @@ struct ExternalSolver {
 
 /// One call. The run has the films that the submission gives, in Hertz units, with the error that it states. Its
 /// status: converged (exit code 0), tolerance-not-met (another exit code, but films), limit-reached (the time limit),
-/// diverged (no films); its reason says how the command ended and what it said last. An external run is never the
+/// diverged (neither film); its reason says how the command ended and what it said last. An external run is never the
 /// truth.
 struct ExternalRun {
   verification::JudgedRun judged;
   CommandEnd end;
+  std::vector<std::string> hints = {};  ///< for films far off the case's digits; nothing is solved for them
 };
 [[nodiscard]] ExternalRun run_external(const ExternalSolver& solver, const Case& contact_case, double tolerance,
                                        double time_limit_s);

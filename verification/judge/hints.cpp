@@ -163,7 +163,7 @@ std::vector<std::string> hints_for(const Case& contact_case, const CaseScales& s
 }
 
 std::vector<std::string> profile_hints(const SubmittedProfile& profile, const std::vector<Gate>& gates,
-                                       const CaseScales& scales, std::optional<double> film_minimum,
+                                       const CaseScales& scales, std::optional<FilmMinimum> film_minimum,
                                        double stated_error) {
   const auto film_gate = [](const std::vector<Gate>& all) {
     return *std::find_if(all.begin(), all.end(), [](const Gate& gate) { return gate.name == film_equation; });
@@ -186,10 +186,19 @@ std::vector<std::string> profile_hints(const SubmittedProfile& profile, const st
     smallest = std::min(smallest, profile.H[i]);
     if (i % 2 == 0) smallest_of_half = std::min(smallest_of_half, profile.H[i]);
   }
-  const double between_nodes = std::abs(smallest_of_half - smallest) / *film_minimum;
-  if (relative_error(smallest, *film_minimum) <= film.tolerance.value() + 2 * between_nodes) return {};
-  return {fmt::format("the smallest H of the profile is {}, but film.minimum is {} (Hertz units): which one is right?",
-                      plain(smallest, 4), plain(*film_minimum, 4))};
+  const double between_nodes = std::abs(smallest_of_half - smallest) / film_minimum->value,
+               allowed = std::max(film.tolerance.value(), film_minimum->submitted ? 0 : far_off);
+  if (relative_error(smallest, film_minimum->value) <= allowed + 2 * between_nodes) return {};
+  return {fmt::format("the smallest H of the profile is {}, but {} is {} (Hertz units){}", plain(smallest, 4),
+                      film_minimum->submitted ? "film.minimum" : "the certified film.minimum",
+                      plain(film_minimum->value, 4), film_minimum->submitted ? ": which one is right?" : "")};
+}
+
+std::optional<std::string> mirror_hint(const SubmittedProfile& profile, const verification::Profile& certified,
+                                       double error) {
+  const verification::Profile turned{-profile.X.reverse(), profile.P.reverse()};
+  if (!explains(verification::relative_l2_error(turned, certified), error)) return std::nullopt;
+  return "P of the profile fits with X turned round: here X increases from the inlet to the exit";
 }
 
 }  // namespace ehd::judging

@@ -10,6 +10,7 @@
 #include "verification/judge/profile_gates.hpp"
 #include "verification/judge/score.hpp"
 #include "verification/judge/submission.hpp"
+#include "verification/studies/profile.hpp"
 
 namespace ehd::judging {
 
@@ -30,11 +31,22 @@ struct Compared {
 /// Whether some number is so far off that a hint is looked for.
 [[nodiscard]] bool needs_hint(const std::vector<Compared>& numbers);
 
+/// A film.minimum in Hertz units that a profile has to agree with.
+struct FilmMinimum {
+  double value = 0;
+  bool submitted = true;  ///< false: nothing was submitted, and it is the certified one
+};
+
 /// Hints for the profile of a lubricated contact beside its gates: H in Moes' or Kostreva's scaling, with which the
-/// film equation would pass; or a smallest H that differs from the submitted film.minimum (in Hertz units) by more than
-/// the film equation's tolerance and twice what half of the nodes would change.
+/// film equation would pass; or a smallest H that differs from film.minimum by more than the film equation's tolerance
+/// (2 % at least for the certified one) and twice what half of the nodes would change.
 [[nodiscard]] std::vector<std::string> profile_hints(const SubmittedProfile& profile, const std::vector<Gate>& gates,
-                                                     const CaseScales& scales, std::optional<double> film_minimum,
+                                                     const CaseScales& scales, std::optional<FilmMinimum> film_minimum,
                                                      double stated_error);
+
+/// A hint for a pressure that fits the certified one with X turned round. The gates cannot see that: elasticity is
+/// symmetric. `error`: the distance (relative L2) of P as it stands.
+[[nodiscard]] std::optional<std::string> mirror_hint(const SubmittedProfile& profile,
+                                                     const verification::Profile& certified, double error);
 
 }  // namespace ehd::judging

@@ -91,40 +91,49 @@ Score score_of(const Certified& certified, const std::vector<Compared>& numbers)
   return score;
 }
 
-/// P beside the certified solver's, where neither is cut at its spike.
-void compare_pressure(const Case& contact_case, const SubmittedProfile& profile, JudgedProfile& judged) {
+/// P beside the certified solver's. Nothing is compared where one of the two profiles is cut at its spike: the cut
+/// would be most of the difference.
+void compare_pressure(const Case& contact_case, const SubmittedProfile& profile, JudgedProfile& judged,
+                      std::vector<std::string>& hints) {
+  if (is_cut(profile)) return;
   const RegisteredSolver& solver = certified_solver();
   const ContactRun run =
       run_contact(contact_case, solver, Request{.tolerance = truth_tolerance, .time_limit_s = truth_limit_s});
   if (run.status() != StopReason::converged || pressure_cut(run.solution)) return;
-  const double error =
-      verification::relative_l2_error({profile.X, profile.P}, verification::pressure_profile(run.solution.fields));
+  const verification::Profile certified = verification::pressure_profile(run.solution.fields);
+  const double error = verification::relative_l2_error({profile.X, profile.P}, certified);
   if (!std::isfinite(error)) return;
   judged.pressure_error = error;
   judged.truth = (run.solver.empty() ? "Hertz" : run.solver + " at " + plain(truth_tolerance));
+  if (auto hint = mirror_hint(profile, certified, error)) hints.push_back(std::move(*hint));
 }
 
-/// The film.minimum of a result in Hertz units.
-std::optional<double> submitted_minimum(const SubmittedResult& result, const CaseScales& scales) {
+/// The film.minimum of a result; where it has none, the certified one.
+std::optional<FilmMinimum> minimum_of(const SubmittedResult& result, const CaseScales& scales,
+                                      const std::vector<Score>& scores) {
   for (const SubmittedNumber& number : result.numbers) {
     const auto unit = scales.unit(number.quantity, number.scaling);
-    if (number.quantity == Quantity::film_minimum && unit) return number.value / *unit;
+    if (number.quantity == Quantity::film_minimum && unit) return FilmMinimum{.value = number.value / *unit};
   }
+  for (const Score& score : scores)
+    if (score.certified.quantity == Quantity::film_minimum)
+      return FilmMinimum{.value = score.certified.value, .submitted = false};
   return std::nullopt;
 }
 
 JudgedProfile judged_profile(const Case& contact_case, const CaseScales& scales, const SubmittedResult& result,
-                             std::vector<std::string>& hints) {
+                             JudgedCase& of) {
   JudgedProfile judged{.file = result.profile->filename().string(), .gates = {}, .truth = {}};
   const SubmittedProfile profile = read_profile(*result.profile);
   double stated = 0;
   for (const SubmittedNumber& number : result.numbers) stated = std::max(stated, number.stated_error.value_or(0));
   const bool dry = std::get<ContactCase>(contact_case.body).dry();
   judged.gates = gates_of(profile, stated, dry);
+  const auto minimum = minimum_of(result, scales, of.scores);
   if (!dry)
-    for (std::string& hint : profile_hints(profile, judged.gates, scales, submitted_minimum(result, scales), stated))
-      hints.push_back(std::move(hint));
-  compare_pressure(contact_case, profile, judged);
+    for (std::string& hint : profile_hints(profile, judged.gates, scales, minimum, stated))
+      of.hints.push_back(std::move(hint));
+  compare_pressure(contact_case, profile, judged, of.hints);
   return judged;
 }
 
@@ -146,7 +155,7 @@ JudgedCase judged_case(const SubmittedResult& result, std::size_t& speed_checks)
     if (may_solve) ++speed_checks;
     judged.hints = hints_for(contact_case, scales, numbers, may_solve);
   }
-  if (result.profile) judged.profile = judged_profile(contact_case, scales, result, judged.hints);
+  if (result.profile) judged.profile = judged_profile(contact_case, scales, result, judged);
   return judged;
 }
 

@@ -28,6 +28,7 @@ constexpr double coarsest = 0.1;       // a gate with a larger tolerance would l
 constexpr double tallest_spike = 100;  // p/p_H: the sharpest spikes of Barus' law stay below
 constexpr double same_limit = 1e-9;    // relative: cut rows show one limit, printed with 10 digits or more
 constexpr double loaded = 0.1;         // the film equation is judged where P is above this part of its maximum
+constexpr std::size_t fewest_places = 2;   // H_0 is fitted: the film equation of one node holds whatever P is
 constexpr Eigen::Index most_places = 400;  // so many nodes of the film equation, each an integral over all nodes
 
 /// Every second node, with the first and the last. A node beside a cut one is cut, so that no cut is lost.
@@ -225,7 +226,7 @@ Gate film_gate(const SubmittedProfile& profile, const SubmittedProfile& half, do
   const Array scale = dry ? Array(Array::Ones(profile.X.size())) : profile.H;
   if (!(profile.P.maxCoeff() > 0)) return nothing("no pressure to judge");
   const auto places = places_under_pressure(profile);
-  if (places.empty()) return nothing("too few nodes under pressure to judge");
+  if (places.size() < fewest_places) return nothing("too few nodes under pressure to judge");
   if (std::any_of(places.begin(), places.end(), [&](Eigen::Index i) { return !(scale[i] > 0); }))
     return nothing("no film to judge: H is not above 0 under the pressure");
   const FilmLeft left = film_left(profile, half, scale, places);
@@ -276,6 +277,8 @@ SubmittedProfile read_profile(const std::filesystem::path& file) {
   for (const Eigen::Index row : cut) profile.cut[row] = true;
   return profile;
 }
+
+bool is_cut(const SubmittedProfile& profile) { return cut_at_limit(profile).any(); }
 
 std::vector<Gate> gates_of(const SubmittedProfile& submitted, double stated_error, bool dry) {
   SubmittedProfile profile = submitted;

@@ -23,6 +23,9 @@ struct SubmittedProfile {
 /// increase, a number that is not finite, a missing column.
 [[nodiscard]] SubmittedProfile read_profile(const std::filesystem::path& file);
 
+/// Some row says that P is cut, and shows the largest P of the profile.
+[[nodiscard]] bool is_cut(const SubmittedProfile& profile);
+
 inline constexpr const char* film_equation = "film equation";  ///< the name of that gate
 
 struct Gate {

@@ -8,12 +8,14 @@
 
 #include "contact/text.hpp"
 #include "io/case_keys.hpp"
+#include "io/file_text.hpp"
 
 namespace ehd::judging {
 
 namespace {
 
 constexpr std::size_t longest_message = 400, most_quoted = 60;  // bytes
+constexpr double largest_number = 1e100;                        // relative errors of it are finite
 
 bool can_be_submitted(Quantity quantity) { return !is_self_check(quantity); }
 
@@ -23,6 +25,15 @@ std::string quoted(const std::string& text) { return shortened(text, most_quoted
 
 CaseError refusal(const std::string& place, const std::string& what) {
   return CaseError(shortened(one_line(place + ": " + what), longest_message));
+}
+
+std::string submitted_text(const std::filesystem::path& file, const FileKind& kind) {
+  std::string text = text_of_file(file, kind);
+  if (text.find('\0') != std::string::npos)
+    throw refusal(file.string(), "is binary, or UTF-16; required is UTF-8 text: " + std::string(kind.name));
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  if (text.starts_with(byte_order_mark)) text.erase(0, byte_order_mark.size());
+  return text;
 }
 
 Quantity submitted_quantity(const std::string& place, const std::string& name) {
@@ -52,6 +63,8 @@ void require_number(const std::string& place, const SubmittedNumber& number) {
     throw refusal(place, fmt::format("{} = {}: {}", key, plain(value), what));
   };
   if (!std::isfinite(number.value)) refuse(name, number.value, "is not finite; allowed is a finite number");
+  if (std::abs(number.value) > largest_number)
+    refuse(name, number.value, "is out of range; allowed is a size up to 1e100");
   if (is_film(number.quantity) && !(number.value > 0))
     refuse(name, number.value, "is not positive; allowed is a film thickness above 0");
   if (number.stated_error && !(*number.stated_error > 0 && *number.stated_error <= 1))
@@ -59,7 +72,8 @@ void require_number(const std::string& place, const SubmittedNumber& number) {
 }
 
 Submission read_submission(const std::filesystem::path& file) {
-  return file.extension() == ".csv" ? read_submission_csv(file) : read_submission_json(file);
+  const std::filesystem::path ending = file.extension();
+  return ending == ".csv" || ending == ".CSV" ? read_submission_csv(file) : read_submission_json(file);
 }
 
 }  // namespace ehd::judging

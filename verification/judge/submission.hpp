@@ -13,6 +13,10 @@
 #include "contact/quantities.hpp"
 #include "workflow/case.hpp"
 
+namespace ehd {
+struct FileKind;
+}  // namespace ehd
+
 namespace ehd::judging {
 
 inline constexpr const char* submission_schema = "ehd-submission-1";
@@ -40,8 +44,9 @@ struct Submission {
   std::vector<SubmittedResult> results;      ///< each case once
 };
 
-/// By the file's ending: .csv, else JSON. As strict as the reader of case files: throws CaseError, one line with the
-/// place, what is wrong and what is allowed, for an unknown key or quantity, a number that is not finite, a case twice.
+/// By the file's ending: .csv (or .CSV), else JSON. As strict as the reader of case files: throws CaseError, one line
+/// with the place, what is wrong and what is allowed, for an unknown key or quantity, a number that is not finite, a
+/// case twice.
 [[nodiscard]] Submission read_submission(const std::filesystem::path& file);
 
 // The two readers, and what both refuse.
@@ -50,6 +55,9 @@ struct Submission {
 [[nodiscard]] Submission read_submission_csv(const std::filesystem::path& file);
 
 inline constexpr std::size_t most_results = 10000;  ///< the atlas has 351 cases
+/// The text of a file that somebody handed in, without a byte-order mark. Throws CaseError: text_of_file, and a null
+/// byte.
+[[nodiscard]] std::string submitted_text(const std::filesystem::path& file, const FileKind& kind);
 /// "PLACE: what", on one line, shortened.
 [[nodiscard]] CaseError refusal(const std::string& place, const std::string& what);
 /// A quantity by its name. Throws CaseError for an unknown one, and for a self-check.
@@ -57,7 +65,7 @@ inline constexpr std::size_t most_results = 10000;  ///< the atlas has 351 cases
 [[nodiscard]] Scaling submitted_scaling(const std::string& place, const std::string& name);
 /// An id of a case, so that it is no path. Throws CaseError.
 void require_case_id(const std::string& place, const std::string& id);
-/// Finite, positive for a film, a stated error in (0, 1]. Throws CaseError.
+/// Of a size up to 1e100, positive for a film, a stated error in (0, 1]. Throws CaseError.
 void require_number(const std::string& place, const SubmittedNumber& number);
 
 }  // namespace ehd::judging

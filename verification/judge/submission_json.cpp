@@ -124,7 +124,9 @@ Submission submission_from(const View& root, const std::filesystem::path& file) 
 
 Submission read_submission_json(const std::filesystem::path& file) {
   try {
-    const Json json = json_from(text_of_file(file, json_kind));
+    const std::string text = submitted_text(file, json_kind);
+    if (text.find_first_not_of(" \t\r\n") == std::string::npos) throw JsonError("is no JSON: the file is empty");
+    const Json json = json_from(text);
     return submission_from(View(json, file.string()), file);
   } catch (const JsonError& wrong) {
     throw refusal(file.string(), std::string(wrong.what()) + "; required is " + std::string(json_kind.name));

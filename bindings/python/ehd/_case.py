@@ -32,6 +32,9 @@ _ARGUMENTS = ("solver", "tolerance", "raise_on_failure")  # of `solve`, beside t
 _HEADING: dict[str, Value] = {"id": "keywords", "version": 1, "title": "stated by keywords", "source": "own"}
 # What `ehd solve --M 20 --L 10` assumes.
 PLAIN_OIL: dict[str, Value] = {"viscosity": "barus", "density": "incompressible"}
+_MOST_BYTES = 64 * 1024  # of a case: the library refuses a longer text
+_LONGEST_ID, _LONGEST_PATH = 60, 400  # in a message
+_ID = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]{0,199}")  # of a case
 
 
 class CaseText(NamedTuple):
@@ -169,18 +172,27 @@ def cases_folder() -> Optional[pathlib.Path]:
 def _find(name: str) -> pathlib.Path:
     """The file of a case, found as the program finds it: a path, or an id below the folder of cases."""
     path = pathlib.Path(name)
+    wrong = InputError(f"{_short(name, _LONGEST_ID)}: there is no such case; allowed is a path to a case file, the id "
+                       "of a benchmark case, or the text of a case")
+    if not name or "\0" in name:  # no path has a null character
+        raise wrong
     if "/" in name or path.suffix == ".toml":
         return path
     folder = cases_folder()
-    if folder is not None:
+    if folder is not None and _ID.fullmatch(name):  # no pattern, such as "*"
         found = [folder / f"{name}.toml", *sorted(folder.glob(f"*/{name}.toml"))]
         for candidate in found:
             if candidate.is_file():
                 return candidate
-    if path.exists():
+    if os.path.exists(path):
         return path
-    raise InputError(f"{name}: there is no such case; allowed is a path to a case file, the id of a benchmark case, "
-                     "or the text of a case")
+    raise wrong
+
+
+def _short(name: str, longest: int) -> str:
+    """A wrong name in a message: its beginning, in printable characters. '' where it is empty."""
+    line = "".join(c if c.isprintable() else ascii(c)[1:-1] for c in name[:longest])
+    return (line or "''") + ("..." if len(name) > longest else "")
 
 
 def file_name(name: str, value: object, allowed: str) -> str:
@@ -190,17 +202,25 @@ def file_name(name: str, value: object, allowed: str) -> str:
     return os.fsdecode(value)
 
 
+def _bytes_of(file: pathlib.Path) -> bytes:
+    """No more than a byte above what a case may have: a pipe would block, and /dev/zero has no end."""
+    name, allowed = _short(str(file), _LONGEST_PATH), "allowed is the path of a case file"
+    if os.path.exists(file) and not (os.path.isfile(file) or os.path.isdir(file)):
+        raise InputError(f"{name}: is not a regular file; {allowed}")
+    try:
+        with file.open("rb") as stream:
+            return stream.read(_MOST_BYTES + 1)
+    except OSError as error:
+        raise InputError(f"{name}: {error.strerror}; {allowed}") from error
+
+
 def case_from(case: CaseName) -> CaseText:
     """The text of a case file, by its path or id. A text of more than one line is a case itself."""
     name = file_name("case", case, "the path, the id or the text of a case")
     if "\n" in name:
         return CaseText(_whole(utf8(name, "case"), "case"), "case")
     file = _find(name)
-    try:
-        text = file.read_bytes()
-    except OSError as error:
-        raise InputError(f"{file}: {error.strerror}; allowed is the path of a case file") from error
-    return CaseText(_whole(text, str(file)), str(file))
+    return CaseText(_whole(_bytes_of(file), str(file)), str(file))
 
 
 def _whole(text: bytes, name: str) -> bytes:

@@ -10,7 +10,7 @@ import shutil
 import subprocess
 from typing import Any, Union
 
-from ._case import file_name
+from ._case import file_name, shown
 from ._library import BAD_INPUT, prefix
 from ._record import Record
 from .errors import InputError
@@ -28,6 +28,14 @@ def _program() -> str:
     if found is None:
         raise FileNotFoundError("the program ehd is not found; EHD_PROGRAM may name the file")
     return found
+
+
+def _file(submission: Any) -> str:
+    allowed = "the path of a submission"
+    name = file_name("submission", submission, allowed)
+    if not name or "\0" in name:
+        raise InputError(f"submission = {shown(submission)}: is no path; allowed is {allowed}")
+    return str(pathlib.Path(name))
 
 
 def judge(*submissions: Union[str, "os.PathLike[str]"]) -> Any:
@@ -55,8 +63,7 @@ def judge(*submissions: Union[str, "os.PathLike[str]"]) -> Any:
     >>> judged.gates_hold, judged.honesty.missed
     (True, 0)
     """
-    files = [str(pathlib.Path(file_name("submission", name, "the path of a submission"))) for name in submissions]
-    command = [_program(), "judge", "--json", "-", "--", *files]
+    command = [_program(), "judge", "--json", "-", "--", *map(_file, submissions)]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode == BAD_INPUT:
         raise InputError(done.stderr.strip())

@@ -120,6 +120,30 @@ def test_a_bad_file_is_named_with_its_line(tmp_path):
             ehd.solve(wrong)
 
 
+@pytest.mark.parametrize(("wrong", "says"), [
+    ("", "^'': there is no such case"),
+    ("*", r"^\*: there is no such case"),  # a pattern would find a case of the atlas
+    ("x\0y", r"^x\\x00y: there is no such case"),
+    ("x" * 100000, r"^x{60}\.\.\.: there is no such case"),
+    ("/" + "x" * 100000, r"^/x{399}\.\.\.: File name too long"),
+    ("/dev/zero", "^/dev/zero: is not a regular file"),
+])
+def test_a_hostile_name_of_a_case_is_one_line(wrong, says):
+    with pytest.raises(ehd.InputError, match=says) as caught:
+        ehd.solve(wrong)
+    assert "\n" not in str(caught.value)
+
+
+def test_a_large_file_is_not_read_to_its_end(tmp_path):
+    file = tmp_path / "large.toml"
+    with file.open("wb") as stream:
+        stream.truncate(2**40)  # a hole: it takes no room on the disk
+        stream.seek(0)
+        stream.write(b"#" * (64 * 1024 + 1))
+    with pytest.raises(ehd.InputError, match="is larger than 64 KiB"):
+        ehd.solve(file)
+
+
 def test_a_result_does_not_change_and_names_what_is_there():
     r = ehd.solve(M=20, L=10)
     with pytest.raises(AttributeError):

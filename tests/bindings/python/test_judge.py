@@ -44,7 +44,7 @@ def test_a_refused_file_is_bad_input():
 
 
 @pytest.mark.usefixtures("stand_in")
-@pytest.mark.parametrize("wrong", [None, {}, 3])
+@pytest.mark.parametrize("wrong", [None, {}, 3, "", "mine\0.json"])
 def test_what_is_no_path_is_bad_input(wrong):
     with pytest.raises(ehd.InputError) as caught:
         ehd.judge("mine.json", wrong)

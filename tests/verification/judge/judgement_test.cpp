@@ -118,6 +118,18 @@ BOOST_AUTO_TEST_CASE(known_errors_in_the_digits_of_the_atlas_are_scored_exactly)
   BOOST_TEST(judgement.missed == 2u);
 }
 
+BOOST_AUTO_TEST_CASE(every_first_case_certifies_both_films_to_seven_digits) {
+  for (const FirstCase& first : first_cases) {
+    const Case one = case_called(std::string(first.id));
+    const auto digits = certified_numbers(one, CaseScales(std::get<ContactCase>(one.body)));
+    for (const Quantity film : {minimum, central}) {
+      const auto at = std::find_if(digits.begin(), digits.end(), [&](const auto& any) { return any.quantity == film; });
+      BOOST_REQUIRE_MESSAGE(at != digits.end(), first.id);
+      BOOST_CHECK_MESSAGE(at->uncertainty <= 1e-7, first.id << ": " << at->digits << ", " << at->uncertainty);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_missing_first_case_scores_nothing_and_says_missing) {
   const test::Folder folder;
   std::vector<json> results;
@@ -269,6 +281,36 @@ BOOST_AUTO_TEST_CASE(the_pressure_of_a_profile_is_compared_with_the_certified_so
   const double interpolation = error_of_multiple(1), off = 0.1;
   EHD_CHECK(interpolation, Tolerance::required(1e-3, "the profile is the solver's own"));
   EHD_CHECK(std::abs(error_of_multiple(1 + off) - off), Tolerance::discretisation(interpolation, 1 + off));
+}
+
+BOOST_AUTO_TEST_CASE(a_cut_profile_is_not_compared_and_a_mirrored_one_gets_a_hint) {
+  const test::Folder folder;
+  const std::string id = "own-moes-20-10";
+  const Fields fields = run_contact(case_called(id), default_solver(), Request{.tolerance = 1e-4}).solution.fields;
+  json one = result_of(id);
+  one["profile"] = "p.csv";
+  const auto judged_with = [&](const Array& X, const Array& P, const Array& H, bool says_cut) {
+    std::string rows = "X,P,H,P_unresolved\n";
+    for (Eigen::Index i = 0; i < X.size(); ++i)
+      rows += fmt::format("{},{},{},{}\n", X[i], P[i], H[i], says_cut && P[i] == P.maxCoeff() ? 1 : 0);
+    (void)folder.write("p.csv", rows);
+    return of_case(judged(folder, {one}), id);
+  };
+  const Array cut = fields.P.min(0.5);
+  BOOST_TEST(judged_with(fields.X, cut, fields.H, false).profile->pressure_error.has_value());
+  BOOST_TEST(!judged_with(fields.X, cut, fields.H, true).profile->pressure_error.has_value());
+
+  const JudgedCase right = judged_with(fields.X, fields.P, fields.H, false);
+  BOOST_TEST(right.hints.empty());
+  const JudgedCase mirrored = judged_with(-fields.X.reverse(), fields.P.reverse(), fields.H.reverse(), false);
+  for (const Gate& gate : mirrored.profile->gates) BOOST_TEST((gate.verdict == verification::Verdict::pass));
+  BOOST_REQUIRE(mirrored.hints.size() == 1u);
+  BOOST_TEST(mirrored.hints[0].find("X turned round") != std::string::npos);
+
+  // Without a film.minimum beside it, the film of a profile is held against the certified one.
+  const JudgedCase raised = judged_with(fields.X, fields.P, fields.H + 0.5, false);
+  BOOST_REQUIRE(raised.hints.size() == 1u);
+  BOOST_TEST(raised.hints[0].find("but the certified film.minimum is 0.07414") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(a_profile_that_contradicts_its_films_gets_a_hint) {

@@ -62,7 +62,9 @@ BOOST_AUTO_TEST_CASE(bad_json_is_one_line) {
     const std::string message = refusal_of(folder, "bad.json", text);
     BOOST_CHECK_MESSAGE(message.find(says) != std::string::npos, says << " is not in: " << message);
   };
-  refused("", "is no JSON");
+  refused("", "is no JSON: the file is empty");
+  refused("\xEF\xBB\xBF \n", "is no JSON: the file is empty");
+  refused(std::string("{\0}\0", 4), "is binary, or UTF-16");
   refused("[1", "is no JSON");
   refused("{}", "schema: is missing");
   refused(R"({"schema": "ehd-submission-2", "solver": {"name": "n"}, "results": []})", "allowed is ehd-submission-1");
@@ -75,6 +77,7 @@ BOOST_AUTO_TEST_CASE(bad_json_is_one_line) {
   refused(submission_with("{" + good + R"(, "film.central": null})"), "is null");
   refused(submission_with("{" + good + R"(, "film.central": 1e999})"), "out of range");
   refused(submission_with("{" + good + R"(, "film.central": -0.1})"), "is not positive");
+  refused(submission_with("{" + good + R"(, "film.central": 1e101})"), "film.central = 1e101: is out of range");
   refused(submission_with("{" + good + R"(, "stated_error": 0})"), "stated_error = 0");
   refused(submission_with("{" + good + R"(, "wall_s": -1})"), "wall_s = -1");
   refused(submission_with("{" + good + R"(, "profile": "../p.csv"})"), "allowed is a file beside the submission");
@@ -121,6 +124,9 @@ BOOST_AUTO_TEST_CASE(bad_csv_is_one_line_with_its_number) {
           "bad.csv:4: quantity = film.minimum: is there twice");
   refused(header + "own-barus-5-5,1,film.minimum,0.2,hertz\nown-barus-5-5,2,film.central,0.2,hertz\n",
           "differs from an earlier row");
+  refused(header + "\"own-barus-5-5\n\",1,film.minimum,0.2,hertz\n", "case = own-barus-5-5\\n: is no id");
+  refused(header + "own-barus-5-5,1,film.minimum,\"0,2\",hertz\n", "value = 0,2: is not a number");
+  refused(header + "own-barus-5-5,1,film.minimum,-1e200,hertz\n", "film.minimum = -1e200: is out of range");
   std::string wide = "case";
   for (int i = 0; i < 100; ++i) wide += ",c" + std::to_string(i);
   refused(wide + "\n", "bad.csv:1: has 101 columns; allowed are up to 64");
@@ -142,6 +148,19 @@ BOOST_AUTO_TEST_CASE(the_two_forms_say_the_same) {
       BOOST_TEST((by_json.cases[i].scores[k].honesty == by_csv.cases[i].scores[k].honesty));
     }
   BOOST_TEST(by_csv.met == 1u);
+
+  // The same files as other programs write them.
+  const auto digits = [](const std::filesystem::path& file) {
+    const JudgedCase& second = judgement_of(read_submission(file)).cases[1];
+    BOOST_TEST(second.id == "own-barus-5-5");
+    return second.scores[0].digits;
+  };
+  const double expected = by_json.cases[1].scores[0].digits;
+  BOOST_TEST(expected > 4);
+  BOOST_TEST(digits(folder.write("b.json", "\xEF\xBB\xBF" + submission_with("{" + good + "}"))) == expected);
+  BOOST_TEST(digits(folder.write("B.CSV",
+                                 "\"case\",\"version\",\"quantity\",\"value\",\"scaling\"\r\"own-barus-5-5\",\"1\","
+                                 "\"film.minimum\",\"0.2467\",\"hertz\"\r")) == expected);
 }
 
 BOOST_AUTO_TEST_CASE(a_bad_profile_is_one_line) {
@@ -168,6 +187,19 @@ BOOST_AUTO_TEST_CASE(a_bad_profile_is_one_line) {
   for (int i = 0; i <= 100000; ++i) long_one += std::to_string(i) + ",0,1\n";
   refused(long_one, "has more than 100000 rows");
   refused(std::string(std::size_t{40} << 20, 'x'), "is larger than 32 MiB");
+}
+
+BOOST_AUTO_TEST_CASE(a_profile_may_be_quoted) {
+  const test::Folder folder;
+  std::string plain = "X,P,H,note\n", quoted = "\"X [x/b]\",\"P\",\"H\",\"note\"\r\n";
+  for (int i = 0; i < 20; ++i) {
+    plain += fmt::format("{},0.5,1,\n", i);
+    quoted += fmt::format("\"{}\", \"0.5\",1,\"row {},\r\n \"\"{}\"\"\"\r\n", i, i, i);
+  }
+  const SubmittedProfile one = read_profile(folder.write("a.csv", plain)),
+                         two = read_profile(folder.write("b.csv", quoted));
+  BOOST_TEST(one.X.size() == 20);
+  BOOST_TEST(((one.X == two.X).all() && (one.P == two.P).all() && (one.H == two.H).all()));
 }
 
 BOOST_AUTO_TEST_CASE(gates_hold_for_a_solution_and_fail_for_each_wrong_equation) {
@@ -200,12 +232,13 @@ BOOST_AUTO_TEST_CASE(gates_hold_for_a_solution_and_fail_for_each_wrong_equation)
 BOOST_AUTO_TEST_CASE(a_profile_without_pressure_or_without_a_film_fails_the_film_equation) {
   constexpr Eigen::Index nodes = 20;
   const SubmittedProfile flat{.X = Array::LinSpaced(nodes, -2, 1), .P = Array::Ones(nodes), .H = Array::Ones(nodes)};
-  SubmittedProfile negative = flat, peak = flat, closed = flat;
+  SubmittedProfile negative = flat, peak = flat, other_peak = flat, closed = flat;
   negative.P = -1;
   peak.P = 0;
-  peak.P[5] = 1;  // not a node of the halved profile
+  peak.P[5] = 1;          // not a node of the halved profile
+  other_peak.P[6] = 1e5;  // H_0 is fitted: at one node alone nothing would be left
   closed.H = 0;
-  for (const SubmittedProfile& wrong : {negative, peak, closed}) {
+  for (const SubmittedProfile& wrong : {negative, peak, other_peak, closed}) {
     const std::vector<Gate> gates = gates_of(wrong, 0);
     BOOST_TEST(gates[1].name == "film equation");
     BOOST_TEST((gates[1].verdict == verification::Verdict::fail));
