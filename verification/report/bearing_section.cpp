@@ -87,6 +87,24 @@ std::string operation(const View& bearing) {
   return text;
 }
 
+/// One scale for panels of one quantity, so that they can be compared.
+void align(const std::vector<Panel*>& panels) {
+  std::vector<double> values;
+  for (const Panel* panel : panels)
+    for (const Series& series : panel->series) values.insert(values.end(), series.y.begin(), series.y.end());
+  const Range range = range_of(values, Scale::linear);
+  for (Panel* panel : panels) {
+    if (!panel->y.low) panel->y.low = range.low;
+    panel->y.high = range.high;
+  }
+}
+
+void align(std::vector<Figure>& figures) {
+  std::vector<Panel*> panels;
+  for (Figure& figure : figures) panels.push_back(&figure.panels.front());
+  align(panels);
+}
+
 /// delta_i over psi of one law at all clearances.
 Panel clearances_panel(const std::vector<Bearing>& group, const std::string& law) {
   std::vector<BearingCurves> curves;
@@ -111,16 +129,23 @@ Panel clearances_panel(const std::vector<Bearing>& group, const std::string& law
 }
 
 /// One figure a bearing: f_i over psi, a curve a law.
-void add_forces(Page& page, const std::vector<Bearing>& group) {
+std::vector<Figure> force_figures(const std::vector<Bearing>& group) {
+  std::vector<Figure> figures;
   for (const Bearing& bearing : group) {
     Figure figure{.id = "fig-force-" + bearing.id,
                   .title = "Contact forces of " + bearing.id,
                   .description = "Contact force of each roller at the inner raceway over its azimuth, a curve a law."};
     figure.panels.push_back(azimuth_panel(OverAzimuth::force, clearance_label(bearing.clearance_text), bearing.laws));
-    page.figure(std::move(figure),
-                fmt::format("<b>{}</b>: contact force over azimuth (the paper's figure 2), inner raceway, {}.",
-                            escaped(bearing.id), markup_to_html(clearance_label(bearing.clearance_text))));
+    figures.push_back(std::move(figure));
   }
+  align(figures);
+  return figures;
+}
+
+void add_force(Page& page, const Bearing& bearing, Figure figure) {
+  page.figure(std::move(figure),
+              fmt::format("<b>{}</b>: contact force over azimuth (the paper's figure 2), inner raceway, {}.",
+                          escaped(bearing.id), markup_to_html(clearance_label(bearing.clearance_text))));
 }
 
 void add_displacements(Page& page, const Bearing& first) {
@@ -140,19 +165,29 @@ void add_displacements(Page& page, const Bearing& first) {
 /// One figure a law: delta_i over psi, a curve a clearance.
 void add_clearances(Page& page, const std::vector<Bearing>& group) {
   const Bearing& first = group.front();
+  std::vector<Figure> figures;
   for (const BearingCurves& law : first.laws) {
     Figure figure{.id = fmt::format("fig-clearance-{}-{}", first.id, law.law),
                   .title = "Displacements at all clearances, " + law.law,
                   .description = "Displacement of each roller over its azimuth under the law " + law.law +
                                  ", a curve a clearance."};
     figure.panels.push_back(clearances_panel(group, law.law));
-    page.figure(std::move(figure), "Displacement over azimuth at all clearances (the paper's figure 4), law <b>" +
-                                       escaped(law.law) + "</b>.");
+    figures.push_back(std::move(figure));
   }
+  align(figures);
+  for (std::size_t k = 0; k < figures.size(); ++k)
+    page.figure(std::move(figures[k]), "Displacement over azimuth at all clearances (the paper's figure 4), law <b>" +
+                                           escaped(first.laws[k].law) + "</b>.");
 }
 
+/// One radial scale for all, so that the plots can be compared.
 void add_polars(Page& page, const std::vector<Bearing>& group) {
   page.begin_figures("polars");
+  double largest = 0;
+  for (const Bearing& bearing : group)
+    for (const BearingCurves& law : bearing.laws)
+      for (const double force : law.force_N)
+        if (std::isfinite(force)) largest = std::max(largest, force * kilo);
   for (const Bearing& bearing : group) {
     PolarPlot plot{
         .id = "fig-polar-" + bearing.id,
@@ -161,7 +196,8 @@ void add_polars(Page& page, const std::vector<Bearing>& group) {
             "Contact force of each roller at the inner raceway as radius, azimuth as angle, the load pointing down.",
         .heading = clearance_label(bearing.clearance_text),
         .radius_label = axis_force,
-        .series = {}};
+        .series = {},
+        .reaches = largest};
     for (const BearingCurves& law : bearing.laws) {
       const Look look = look_of_law(law.law);
       plot.series.push_back({.name = literal(law.law),
@@ -239,14 +275,15 @@ void add_family(Page& page, const std::vector<Bearing>& group) {
   page.heading(escaped(what) + (operation(first.view).empty() ? "" : ": " + operation(first.view)));
   if (!first.title.empty()) page.paragraph(escaped(first.title) + ".");
   add_balances(page, group);
+  auto forces = force_figures(group);
   page.begin_figures();
-  add_forces(page, {first});
+  add_force(page, first, std::move(forces.front()));
   add_displacements(page, first);
   page.end_figures();
   page.begin_fold("Load distributions round the bearing" + std::string(group.size() > 1 ? ", and all clearances" : ""));
   if (group.size() > 1) {
     page.begin_figures();
-    add_forces(page, {group.begin() + 1, group.end()});
+    for (std::size_t k = 1; k < group.size(); ++k) add_force(page, group[k], std::move(forces[k]));
     add_clearances(page, group);
     page.end_figures();
   }

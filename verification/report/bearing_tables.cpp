@@ -127,8 +127,9 @@ void add_study(Page& page, const View& study) {
     };
     const auto percent = [&](const char* letter, const char* name) {
       const auto value = by_letter[letter]["values"].number(name);
-      return value ? plain(100 * *value, 2) : std::string("-");
+      return value ? markup_to_html(number_markup(100 * *value, 2)) : std::string("\u2013");
     };
+    const auto ready = [](const std::string& html) { return TableCell{html, ""}; };
     std::string ranges;
     for (const View& range : row.list("x0_all_hold_m")) {
       const std::vector<double> ends = range.numbers();
@@ -139,9 +140,9 @@ void add_study(Page& page, const View& study) {
     if (ranges.empty() && row.has("x0_all_hold_m")) ranges = "nowhere";
     table.rows.push_back(
         {words(row.text("factor")), words(row.text("value")), words(row.text("law")), holds("a"),
-         words(percent("a", "change") + ", " + percent("a", "apart")), holds("b"),
-         words(percent("b", "least") + " to " + percent("b", "most")), holds("c"),
-         words(fmt::format("{} ({}), {}", percent("c", "middle"), percent("c", "apart"), percent("c", "largest"))),
+         ready(percent("a", "change") + ", " + percent("a", "apart")), holds("b"),
+         ready(percent("b", "least") + " to " + percent("b", "most")), holds("c"),
+         ready(fmt::format("{} ({}), {}", percent("c", "middle"), percent("c", "apart"), percent("c", "largest"))),
          holds("d"), words(ranges)});
   }
   page.add_folded("Every choice: " + std::to_string(table.rows.size()) + " rows", table);
@@ -165,9 +166,10 @@ void add_force_laws(Page& page, const std::vector<View>& laws) {
                   .title = fmt::format("Contact force laws of {}, {} raceway", id, raceway),
                   .description = "Contact force over displacement, a curve a law; below, the minimum film."};
     Panel force, film;
+    force.title = literal(fmt::format("{}, {} raceway", id, raceway));
     force.height = 200;
     film.height = 110;
-    force.y = {.label = "*f* [kN]", .low = 0};
+    force.y = {.label = "contact force *f* [kN]", .low = 0};
     film.y = {.label = "*h*_{min} [\u00b5m]", .scale = Scale::logarithmic};
     for (const View& one : laws) {
       if (one.text("id") != id || one.text("raceway") != raceway) continue;

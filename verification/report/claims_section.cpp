@@ -83,7 +83,7 @@ void add_margins(Page& page, const std::vector<View>& claims) {
                 .description =
                     "One mark a claim: error plus uncertainty over tolerance, logarithmic, by rung 0 to 11. Right of 1 "
                     "a claim does not stand.",
-                .width = 900};
+                .width = 480};
   Panel panel;
   panel.x = {.label = "(error + uncertainty) / tolerance", .scale = Scale::logarithmic, .low = least, .high = 4};
   panel.y = {.label = "rung", .low = -0.7, .high = 11.7, .step = 1, .downward = true};
@@ -106,7 +106,7 @@ void add_margins(Page& page, const std::vector<View>& claims) {
     if (!series.x.empty()) panel.series.push_back(std::move(series));
   }
   if (panel.series.empty()) return;
-  panel.height = 300;
+  panel.height = 400;
   figure.panels.push_back(std::move(panel));
   page.begin_figures("wide-figure");
   page.figure(std::move(figure),
@@ -141,7 +141,7 @@ void add_ladder(Page& page, const View& results, const std::map<std::string, Vie
     const auto claim = by_id.find(worst);
     std::string text = worst.empty() ? "" : identifier(worst);
     if (claim != by_id.end()) text = escaped(claim->second.text("statement")) + "<br>" + claim_link(worst);
-    table.rows.push_back({{escaped(rung.cell("rung")), ""},
+    table.rows.push_back({{"<span class=\"folded\">rung </span>" + escaped(rung.cell("rung")), ""},
                           words(rung.text("name")),
                           verdict_count(rung, "pass"),
                           verdict_count(rung, "fail"),
@@ -260,7 +260,7 @@ void add_findings(Page& page, const std::vector<View>& claims) {
 }  // namespace
 
 void add_claims(Page& page, const View& results) {
-  page.section("ladder", "Claims, rung by rung");
+  page.section("ladder", "Claims, rung by rung", "Claims");
   const auto claims = results.list("claims");
   std::map<std::string, View> by_id;
   for (const View& claim : claims) by_id.emplace(claim.text("id"), claim);

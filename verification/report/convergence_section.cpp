@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "contact/text.hpp"
 #include "verification/report/report.hpp"
 
 namespace ehd::report {
@@ -115,6 +116,7 @@ Series curve_of(const View& entry, const Study& study, std::size_t number) {
   if (study.geometric) {
     const auto rate = unknowns_a_digit(series);
     series.name += rate ? ": a digit every " + number_markup(*rate, 2) : "";
+    if (rate && study.abscissa == "degree") series.name += " in *p*";
     if (!rate) series.line = Line::none;  // marks without a line: nothing is claimed between them
   } else if (const auto fitted = entry.number("fitted_order")) {
     series.name += ": fitted " + number_markup(*fitted, 3);
@@ -160,12 +162,13 @@ void add_study(Page& page, const Study& study, Table& table) {
   panel.title = literal(where);
   panel.x = {.label = abscissa_label(study.abscissa), .scale = study.geometric ? Scale::linear : Scale::logarithmic};
   panel.y = {.label = manufactured ? "error [Hertz units]" : "relative error", .scale = Scale::logarithmic};
-  std::string caption;
+  std::string declared;
   for (const View& entry : study.entries) {
     panel.series.push_back(curve_of(entry, study, panel.series.size()));
     table.rows.push_back(orders_row(study, entry, panel.series.back()));
-    if (const auto title = entry.text("title"); !title.empty())
-      caption += (caption.empty() ? "" : "; ") + escaped(title);
+    if (const auto order = entry.number("declared_order"); order && !study.geometric)
+      declared +=
+          fmt::format("{}{} for {}", declared.empty() ? "" : ", ", plain(*order, 3), escaped(curve_name(entry, study)));
   }
   const auto declares = std::find_if(study.entries.begin(), study.entries.end(),
                                      [](const View& one) { return one.number("declared_order").value_or(0) > 0; });
@@ -174,7 +177,13 @@ void add_study(Page& page, const Study& study, Table& table) {
     if (const auto triangle = triangle_below(panel.series, *order)) panel.triangles.push_back(*triangle);
   }
   figure.panels.push_back(std::move(panel));
-  if (shows_a_curve(study)) page.figure(std::move(figure), caption + ".");
+  const std::string order = study.geometric    ? "errors fall geometrically, without an order"
+                            : declared.empty() ? "no order is declared"
+                                               : "declared order: " + declared;
+  if (shows_a_curve(study))
+    page.figure(std::move(figure),
+                fmt::format("<b>{}</b>: {} over {}; {}.", escaped(where),
+                            manufactured ? "absolute error" : "relative error", escaped(study.abscissa), order));
 }
 
 }  // namespace
@@ -190,7 +199,8 @@ void add_convergence(Page& page, const View& results) {
       "Errors against a more accurate solution, over the size of the grid. They are relative; against a manufactured "
       "solution they are absolute, in Hertz units. A triangle shows the order that the scheme declares, and the legend "
       "the order that is fitted to the last four points. Where errors fall geometrically, the legend says how many "
-      "unknowns add a digit. Both need four filled marks; with fewer, such marks are not joined. A mark is filled if "
+      "unknowns add a digit. Both need four filled marks; with fewer, such marks are not joined. No order is declared "
+      "of <i>H</i><sub>min</sub> beside a pressure spike, nor of extrapolated films. A mark is filled if "
       "the "
       "solve converged and its error is above rounding and above the uncertainty of the truth, else hollow. A study of "
       "fewer than three grids stands in the table alone.");

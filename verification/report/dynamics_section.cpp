@@ -34,7 +34,8 @@ Series curve(std::size_t k, const std::string& name, std::vector<double> x, std:
 }
 
 /// Two panels, stiffness above damping. `prefixes`: what the keys of each curve begin with, and its name.
-Figure stiffness_and_damping(const View& values, const Axis& x, const std::vector<double>& places,
+Figure stiffness_and_damping(const std::string& title_markup, const View& values, const Axis& x,
+                             const std::vector<double>& places,
                              const std::vector<std::pair<std::string, std::string>>& prefixes) {
   Figure figure;
   Panel stiffness{.x = x, .y = {.label = axis_stiffness, .low = 0}},
@@ -47,6 +48,7 @@ Figure stiffness_and_damping(const View& values, const Axis& x, const std::vecto
     damping.series.push_back(curve(k, "", places, values.numbers(prefix + "_damping_N_s_per_m")));
     damping.series.back().of = name;  // the legend above serves both
   }
+  stiffness.title = title_markup;
   figure.panels = {stiffness, damping};
   return figure;
 }
@@ -77,12 +79,14 @@ void add_changes(Page& page, const View& bearing, const std::string& id) {
     Scale scale;
   };
   for (const Change& one :
-       {Change{"over_clearance", "clearance_um", "clearance", "clearance [\u00b5m]", "clearance", Scale::linear},
+       {Change{"over_clearance", "clearance_um", "clearance", "diametral clearance *P*_{d} [\u00b5m]", "clearance",
+               Scale::linear},
         Change{"over_speed", "part_of_speed", "speed", "speed / speed of the case", "speed", Scale::logarithmic}}) {
     const View ring = bearing[one.key];
     const std::vector<double> places = ring.numbers(one.places);
     if (places.empty()) continue;
-    Figure figure = stiffness_and_damping(ring, {.label = one.label, .scale = one.scale}, places, directions);
+    Figure figure = stiffness_and_damping(literal(id) + ", ring", ring, {.label = one.label, .scale = one.scale},
+                                          places, directions);
     figure.id = fmt::format("fig-motion-{}-{}", one.id, id);
     figure.title = fmt::format("Stiffness and damping of {} over {}", id, one.name);
     figure.description =
@@ -103,9 +107,10 @@ void add_dynamics(Page& page, const std::vector<View>& bearings) {
     page.begin_fold("Stiffness and damping: around the bearing, and over the frequency");
     page.begin_figures();
     const View contacts = bearing["contacts"], ring = bearing["ring"];
-    Figure around =
-        stiffness_and_damping(contacts, {.label = "azimuth *\u03c8* [deg]", .low = 0, .high = 180, .step = 30},
-                              contacts.numbers("azimuth_deg"), {{"inner", "inner"}, {"outer", "outer"}});
+    Figure around = stiffness_and_damping(literal(id) + ", each roller's contacts", contacts,
+                                          {.label = "azimuth *\u03c8* [deg]", .low = 0, .high = 180, .step = 30},
+                                          contacts.numbers("azimuth_deg"),
+                                          {{"inner", "inner raceway"}, {"outer", "outer raceway"}});
     around.id = "fig-motion-around-" + id;
     around.title = "Contacts of " + id + " in motion";
     around.description = "Stiffness and damping of each roller's contacts over the azimuth, slow motion.";
@@ -113,8 +118,9 @@ void add_dynamics(Page& page, const std::vector<View>& bearings) {
                 "<b>" + escaped(id) +
                     "</b>: stiffness and damping of the contacts around the bearing, slow motion. The "
                     "rollers at the edge of the load zone damp most.");
-    Figure over = stiffness_and_damping(ring, {.label = "frequency [Hz]", .scale = Scale::logarithmic},
-                                        ring.numbers("frequency_Hz"), directions);
+    Figure over =
+        stiffness_and_damping(literal(id) + ", ring", ring, {.label = "frequency [Hz]", .scale = Scale::logarithmic},
+                              ring.numbers("frequency_Hz"), directions);
     add_phase(over, ring, directions);
     over.id = "fig-motion-ring-" + id;
     over.title = "Stiffness and damping of " + id + " over frequency";

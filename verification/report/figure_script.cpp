@@ -100,12 +100,23 @@ figures.drawing = (function () {
       text.appendChild(power);
     }
     parent.appendChild(text);
+    return text;
+  }
+  // A label that touches the one before it is taken away.
+  function thin(texts) {
+    var last = null;
+    texts.forEach(function (text) {
+      var box = text.getBBox();
+      var touches = last && box.x < last.x + last.width + 4 && last.x < box.x + box.width + 4 &&
+        box.y < last.y + last.height - 2 && last.y < box.y + box.height - 2;
+      if (touches) { text.remove(); } else { last = box; }
+    });
   }
   function draw_frame(frame) {
     var box = box_of(frame), grid = "", marks = "", texts = frame.querySelector(".ticks-text");
     texts.textContent = "";
     ["x", "y", "right"].forEach(function (name) {
-      var axis = figures.axis(frame, name);
+      var axis = figures.axis(frame, name), labels = [];
       if (!axis) { return; }
       ticks(axis).forEach(function (tick) {
         var at = axis.place(tick.value), length = tick.major ? 5 : 3, edge = name === "right" ? box[2] : box[0];
@@ -113,14 +124,15 @@ figures.drawing = (function () {
           marks += "M" + at + " " + box[3] + "v" + -length;
           if (!tick.major) { return; }
           grid += "M" + at + " " + box[1] + "V" + box[3];
-          label(texts, at, box[3] + 15, "middle", tick);
+          labels.push(label(texts, at, box[3] + 15, "middle", tick));
           return;
         }
         marks += "M" + edge + " " + at + "h" + (name === "right" ? -length : length);
         if (!tick.major) { return; }
         if (name === "y") { grid += "M" + box[0] + " " + at + "H" + box[2]; }
-        label(texts, edge + (name === "right" ? 6 : -6), at + 4, name === "right" ? "start" : "end", tick);
+        labels.push(label(texts, edge + (name === "right" ? 6 : -6), at + 4, name === "right" ? "start" : "end", tick));
       });
+      thin(labels);
     });
     frame.querySelector(".grid").setAttribute("d", grid);
     frame.querySelector(".ticks").setAttribute("d", marks);

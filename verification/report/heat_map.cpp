@@ -7,12 +7,17 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <set>
+#include <utility>
 
 namespace ehd::report {
 
 namespace {
 
-constexpr double row_height = 27;  // pixels
+constexpr double row_height = 22;      // pixels, at least
+constexpr double number_size = 10.5;   // of the type in a cell, where the cell is wide enough
+constexpr double other_type = 1.12;    // DejaVu Sans, where Helvetica is missing, is that much wider than text_width()
+constexpr double around_number = 2.5;  // pixels between a number and a contour line
 
 using Rgb = std::array<double, 3>;
 
@@ -81,23 +86,84 @@ class Palette {
 /// From the indices (i, j) of contour_lines, which may be fractions, to pixels: cell centres are evenly spaced.
 struct CellGrid {
   Box box;
-  std::size_t columns = 0, rows = 0;
+  std::size_t columns = 0, rows = 0;  ///< as drawn
+  bool upright = false;               ///< i runs upward and j to the right
   [[nodiscard]] double cell_width() const { return (box.right - box.left) / static_cast<double>(columns); }
   [[nodiscard]] double cell_height() const { return (box.bottom - box.top) / static_cast<double>(rows); }
   [[nodiscard]] Point at(Point index) const {
+    if (upright) std::swap(index.x, index.y);
     return {box.left + (index.x + 0.5) * cell_width(), box.bottom - (index.y + 0.5) * cell_height()};
+  }
+  [[nodiscard]] Point at(std::size_t i, std::size_t j) const {
+    return at(Point{static_cast<double>(i), static_cast<double>(j)});
   }
 };
 
-std::string contours_svg(const HeatMap& map, const CellGrid& grid) {
+double size_of_number(const std::string& text, double cell_width) {
+  return number_size *
+         std::min(1.0, (cell_width - 3) / std::max(1.0, other_type * text_width(literal(text), number_size)));
+}
+
+/// The boxes of the numbers, with some air: contour lines stay outside.
+std::vector<Box> number_boxes(const HeatMap& map, const CellGrid& grid) {
+  constexpr double height = 0.36;  // of the type: half of a digit
+  std::vector<Box> boxes;
+  for (std::size_t at = 0; at < std::min(map.cells.size(), map.x.size() * map.y.size()); ++at) {
+    const std::string& text = map.cells[at].text;
+    if (text.empty()) continue;
+    const double size = size_of_number(text, grid.cell_width());
+    const Point centre = grid.at(at % map.x.size(), at / map.x.size());
+    const double across = other_type * text_width(literal(text), size) / 2 + around_number,
+                 up = height * size + around_number;
+    boxes.push_back({centre.x - across, centre.y - up, centre.x + across, centre.y + up});
+  }
+  return boxes;
+}
+
+/// The labels of contour lines stand right of the map or above it, where a line ends: on the map they would hide a
+/// number.
+class ContourLabels {
+ public:
+  explicit ContourLabels(const CellGrid& grid) : grid_(grid) {}
+
+  /// The label of a level at one of the ends of its lines; empty where there is no place.
+  [[nodiscard]] std::string at_one_of(const std::vector<Point>& ends, const std::string& label) {
+    const double width = other_type * text_width(label, 11);
+    for (const Point& end : ends) {
+      const bool right = grid_.box.right - end.x < 0.6 * grid_.cell_width();
+      if (!right && end.y - grid_.box.top > 0.6 * grid_.cell_height()) continue;
+      const Point from = right ? Point{grid_.box.right + 5, end.y + 4} : Point{end.x - width / 2, grid_.box.top - 4};
+      const Box box{from.x - 3, from.y - 10, from.x + width + 3, from.y + 2};
+      const bool free = std::none_of(taken_.begin(), taken_.end(), [&](const Box& other) {
+        return box.left < other.right && other.left < box.right && box.top < other.bottom && other.top < box.bottom;
+      });
+      if (!free) continue;
+      taken_.push_back(box);
+      return text_svg(from, label, "start", "small contour-label");
+    }
+    return "";
+  }
+
+ private:
+  const CellGrid& grid_;
+  std::vector<Box> taken_;
+};
+
+struct Contours {
+  std::string svg;
+  std::set<Line> lines = {};  ///< that are drawn: the others have no entry in the legend
+};
+Contours contours_svg(const HeatMap& map, const CellGrid& grid) {
   std::vector<double> values;
   for (const Cell& cell : map.cells) {
     const double value = cell.value.value_or(std::numeric_limits<double>::quiet_NaN());
     values.push_back(map.logarithmic ? (value > 0 ? std::log(value) : std::numeric_limits<double>::quiet_NaN())
                                      : value);
   }
-  std::string svg;
-  std::vector<Point> labels;
+  constexpr double least = 4;  // pixels of a piece of a line
+  const std::vector<Box> numbers = number_boxes(map, grid);
+  ContourLabels labels(grid);
+  Contours drawn;
   for (const ContourLevel& level : map.contours) {
     std::string d;
     std::vector<Point> ends;
@@ -105,39 +171,30 @@ std::string contours_svg(const HeatMap& map, const CellGrid& grid) {
     for (const auto& line : contour_lines(values, map.x.size(), map.y.size(), at)) {
       std::vector<Point> points;
       for (const Point& index : line) points.push_back(grid.at(index));
-      d += path_data(points);
+      for (const auto& piece : pieces_outside(points, numbers, least)) d += path_data(piece);
       ends.push_back(points.front());
       ends.push_back(points.back());
     }
     if (d.empty()) continue;
-    svg += fmt::format(
-        "<path class=\"contour-halo\" stroke-width=\"4\" d=\"{}\"/><path class=\"contour\" stroke-width=\"1.6\" "
+    drawn.lines.insert(level.line);
+    drawn.svg += fmt::format(
+        "<path class=\"contour-halo\" stroke-width=\"4\" d=\"{}\"/><path class=\"contour\" stroke-width=\"{}\" "
         "d=\"{}\"{}/>",
-        d, d, dash_attribute(level.line));
-    if (level.label.empty()) continue;
-    // The label stands right of the map, at the line's rightmost end: on the map it would hide a number.
-    const Point end = *std::max_element(ends.begin(), ends.end(), [](Point a, Point b) { return a.x < b.x; });
-    if (grid.box.right - end.x > grid.cell_width()) continue;
-    const Point place{grid.box.right + 5, end.y + 4};
-    const bool free =
-        std::none_of(labels.begin(), labels.end(), [&](Point other) { return std::abs(other.y - place.y) < 12; });
-    if (!free) continue;
-    svg += text_svg(place, level.label, "start", "small");
-    labels.push_back(place);
+        d, level.line == Line::solid ? "2" : "1.4", d, dash_attribute(level.line));
+    if (!level.label.empty()) drawn.svg += labels.at_one_of(ends, level.label);
   }
-  return svg;
+  return drawn;
 }
 
-/// A cell's number in dark or white ink. Its rim has the cell's colour, so that contour lines do not cross the number.
+/// A cell's number in dark or white ink. Its rim has the cell's colour, so that hatching does not cross the number.
 std::string number_svg(const Cell& cell, const std::optional<Rgb>& colour, Point centre, double width) {
   // Where white and black have the same contrast to the cell, 4.58; elsewhere the better one has more. AA asks for 4.5.
   constexpr double dark = 0.179;
   const bool white = colour && luminance(*colour) < dark;
   const std::string ink =
       colour ? fmt::format(" style=\"fill:{};stroke:{}\"", white ? "#fff" : "#000", hex(*colour)) : std::string();
-  const double size = std::min(10.5, 10.5 * (width - 3) / std::max(1.0, text_width(literal(cell.text), 10.5)));
   return text_svg({centre.x, centre.y + 3.6}, literal(cell.text), "middle", "cell-text",
-                  fmt::format("{} font-size=\"{}\"", ink, pixels(size)));
+                  fmt::format("{} font-size=\"{}\"", ink, pixels(size_of_number(cell.text, width))));
 }
 
 /// What the page's script needs: the read-out, and x, y, value to save.
@@ -150,7 +207,7 @@ std::string page_data(const Cell& cell, double x, double y) {
 struct Cells {
   std::string svg;
   std::string numbers;  ///< drawn over the contour lines
-  bool hatched = false;
+  bool hatched = false, blank = false;
 };
 Cells cells_svg(const HeatMap& map, const CellGrid& grid, const std::string& hatch, Place place) {
   const Palette palette(map);
@@ -161,11 +218,12 @@ Cells cells_svg(const HeatMap& map, const CellGrid& grid, const std::string& hat
       const std::size_t at = j * map.x.size() + i;
       if (at >= map.cells.size()) continue;
       const Cell& cell = map.cells[at];
-      const Point centre = grid.at({static_cast<double>(i), static_cast<double>(j)});
+      const Point centre = grid.at(i, j);
       const std::string rectangle =
           fmt::format("x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"", pixels(centre.x - w / 2),
                       pixels(centre.y - h / 2), pixels(w), pixels(h));
       const auto colour = palette(cell.value);
+      drawn.blank = drawn.blank || !colour;
       drawn.svg += fmt::format("<g class=\"datum\"{}><rect {}{}/>",
                                place == Place::page ? page_data(cell, map.x[i], map.y[j]) : "", rectangle,
                                colour ? " class=\"cell\" fill=\"" + hex(*colour) + "\"" : " class=\"blank\"");
@@ -189,16 +247,23 @@ std::string hatch_svg(const std::string& hatch) {
 /// Numbers and names along both axes.
 std::string axes_svg(const HeatMap& map, const CellGrid& grid) {
   const Box& box = grid.box;
+  const auto& across = grid.upright ? map.y : map.x;
+  const auto& upward = grid.upright ? map.x : map.y;
   std::string svg;
-  for (std::size_t i = 0; i < map.x.size(); ++i)
-    svg +=
-        text_svg({grid.at({static_cast<double>(i), 0}).x, box.bottom + 14}, number_markup(map.x[i]), "middle", "small");
-  for (std::size_t j = 0; j < map.y.size(); ++j)
-    svg +=
-        text_svg({box.left - 6, grid.at({0, static_cast<double>(j)}).y + 4}, number_markup(map.y[j]), "end", "small");
+  for (std::size_t i = 0; i < across.size(); ++i) {
+    const double at = box.left + (static_cast<double>(i) + 0.5) * grid.cell_width();
+    svg += text_svg({at, box.bottom + 14}, number_markup(across[i]), "middle", "small");
+  }
+  for (std::size_t j = 0; j < upward.size(); ++j) {
+    const double at = box.bottom - (static_cast<double>(j) + 0.5) * grid.cell_height();
+    svg += text_svg({box.left - 6, at + 4}, number_markup(upward[j]), "end", "small");
+  }
   const double middle = (box.top + box.bottom) / 2;
-  return svg + text_svg({(box.left + box.right) / 2, box.bottom + 31}, map.x_label) +
-         text_svg({16, middle}, map.y_label, "middle", "", " transform=\"rotate(-90 16 " + pixels(middle) + ")\"");
+  return svg +
+         text_svg({(box.left + box.right) / 2, box.bottom + 31}, grid.upright ? map.y_label : map.x_label, "middle",
+                  "axis-label") +
+         text_svg({16, middle}, grid.upright ? map.x_label : map.y_label, "middle", "axis-label",
+                  " transform=\"rotate(-90 16 " + pixels(middle) + ")\"");
 }
 
 /// The legend of lines and hatching, in rows below the map.
@@ -206,22 +271,26 @@ struct Keys {
   std::string svg;
   double bottom = 0;
 };
-Keys keys_svg(const HeatMap& map, const CellGrid& grid, const std::string& hatch, bool hatched) {
+Keys keys_svg(const HeatMap& map, const CellGrid& grid, const std::string& hatch, const Cells& cells,
+              const std::set<Line>& lines) {
   LegendRows rows(grid.box.left, map.width, grid.box.bottom + 38);
   std::string svg;
   for (const auto& [line, label] : map.keys) {
-    const auto [x, y] = rows.next(44 + text_width(label, 12));
+    if (!lines.contains(line)) continue;
+    const auto [x, y] = rows.next(44 + other_type * text_width(label, 12));
     svg += fmt::format("<path class=\"axis\" stroke-width=\"1.6\" d=\"{}\"{}/>{}",
                        path_data({{x, y + 8}, {x + 26, y + 8}}), dash_attribute(line),
                        text_svg({x + 31, y + 12}, label, "start"));
   }
-  if (hatched) {
-    const std::string label = "hatched: *p*_{H} > 4 GPa, a numerical test";
-    const auto [x, y] = rows.next(40 + text_width(label, 12));
+  const auto sample = [&](const std::string& label, const std::string& css, const std::string& over) {
+    const auto [x, y] = rows.next(40 + other_type * text_width(label, 12));
     const std::string place = fmt::format("x=\"{}\" y=\"{}\" width=\"22\" height=\"13\"", pixels(x), pixels(y + 1));
-    svg += fmt::format("<rect class=\"blank\" {} style=\"fill:#f4f4f4\"/><rect {} fill=\"url(#{})\"/>{}", place, place,
-                       escaped(hatch), text_svg({x + 27, y + 12}, label, "start"));
-  }
+    svg += fmt::format("<rect class=\"blank\" {}{}/>{}{}", place, css,
+                       over.empty() ? "" : fmt::format("<rect {} fill=\"url(#{})\"/>", place, over),
+                       text_svg({x + 27, y + 12}, label, "start"));
+  };
+  if (cells.hatched) sample("hatched: *p*_{H} > 4 GPa, a numerical test", " style=\"fill:#f4f4f4\"", escaped(hatch));
+  if (cells.blank) sample("empty: not known", "", "");
   return {svg, rows.last_top() + (svg.empty() ? 0 : 20)};
 }
 
@@ -296,21 +365,48 @@ std::vector<std::vector<Point>> contour_lines(const std::vector<double>& values,
   return lines;
 }
 
+namespace {
+
+/// A heading in one line, or in two: broken after the comma that leaves the shortest lines.
+std::vector<std::string> heading_lines(const std::string& heading, double width) {
+  const auto wide = [](const std::string& text) { return other_type * text_width(text, 13); };
+  if (heading.empty()) return {};
+  std::vector<std::string> lines{heading};
+  double widest = wide(heading);
+  if (widest <= width) return lines;
+  for (std::size_t comma = heading.find(", "); comma != std::string::npos; comma = heading.find(", ", comma + 1)) {
+    const std::string first = heading.substr(0, comma + 1), second = heading.substr(comma + 2);
+    const double longer = std::max(wide(first), wide(second));
+    if (!(longer < widest)) continue;
+    widest = longer;
+    lines = {first, second};
+  }
+  return lines;
+}
+
+}  // namespace
+
 std::string draw(const HeatMap& map, Place place) {
-  const double left = 58, right = map.width - (map.contours.empty() || map.contours.front().label.empty() ? 10 : 52);
+  const bool labelled =
+      std::any_of(map.contours.begin(), map.contours.end(), [](const auto& level) { return !level.label.empty(); });
+  const double left = 58, right = map.width - (labelled ? 34 : 10);
   double top = 8;
   std::string svg;
-  if (!map.heading.empty()) {
-    svg += text_svg({8, 17}, map.heading, "start", "head");
-    top = 26;
+  for (const std::string& line : heading_lines(map.heading, map.width - 12)) {
+    svg += text_svg({8, top + 9}, line, "start", "head");
+    top += 18;
   }
-  const CellGrid grid{
-      {left, top, right, top + row_height * static_cast<double>(map.y.size())}, map.x.size(), map.y.size()};
+  if (labelled) top += 13;
+  CellGrid grid{{left, top, right, top}, map.x.size(), map.y.size(), map.x.size() > map.y.size()};
+  if (grid.upright) std::swap(grid.columns, grid.rows);
+  const double name = other_type * text_width(grid.upright ? map.x_label : map.y_label, 12) + 6;
+  grid.box.bottom += std::max(name, row_height * static_cast<double>(grid.rows));
   const std::string hatch = map.id + "-hatch";
   const Cells cells = cells_svg(map, grid, hatch, place);
   if (cells.hatched) svg += hatch_svg(hatch);
-  svg += cells.svg + contours_svg(map, grid) + cells.numbers + axes_svg(map, grid);
-  const Keys keys = keys_svg(map, grid, hatch, cells.hatched);
+  const Contours contours = contours_svg(map, grid);
+  svg += cells.svg + contours.svg + cells.numbers + axes_svg(map, grid);
+  const Keys keys = keys_svg(map, grid, hatch, cells, contours.lines);
   return picture({map.id, map.title, map.description, map.width, keys.bottom, {map.x_label, map.y_label, map.heading}},
                  svg + keys.svg, place);
 }

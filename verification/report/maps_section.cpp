@@ -173,7 +173,7 @@ void add_films(Page& page, const Atlas& atlas) {
                  .description = "Film in Moes units, flooded, a number a cell, with contour lines.",
                  .heading = film.heading + " film *H*_{Moes}",
                  .caption = "<i>H</i><sub>Moes</sub> = (<i>h</i>/<i>R</i>) <i>U</i><sub>s</sub><sup>\u22121/2</sup>, "
-                            "flooded, by <code>reference</code>; contour lines at 1, 2, 5 \u2026.",
+                            "flooded, by <code>reference</code>; contour lines at 1, 2 and 5 of each decade.",
                  .value = [&](const View& point) { return point.number("film_" + film.name + "_moes"); },
                  .text = [](double value) { return plain(value, 3); },
                  .hint = [](double value) { return "H_Moes = " + plain(value, 8); },
@@ -331,7 +331,7 @@ void add_fast(Page& page, const Atlas& atlas) {
                  .title = one.heading + " of fast over M and L",
                  .description = one.heading + ", a number a cell, with contour lines.",
                  .heading = one.heading,
-                 .caption = one.heading + " of <code>fast</code>; contour lines at 1, 2, 5 \u2026.",
+                 .caption = one.heading + " of <code>fast</code>; contour lines at 1, 2 and 5 of each decade.",
                  .value = [&](const View& point) { return scaled(point["fast"].number(one.key), one.factor); },
                  .text = [&](double value) { return plain(value, one.digits); },
                  .hint = [&](double value) { return plain(value, 4) + one.unit; },
@@ -358,7 +358,7 @@ void add_fast(Page& page, const Atlas& atlas) {
 }  // namespace
 
 void add_maps(Page& page, const View& results) {
-  page.section("maps", "Maps over M and L");
+  page.section("maps", "Maps over M and L", "Maps");
   const View maps = results["figures"]["maps"];
   Atlas atlas{.M = maps.numbers("M"), .L = maps.numbers("L"), .points = maps.list("points"), .law_sets = {}};
   for (auto* axis : {&atlas.M, &atlas.L}) {
@@ -374,7 +374,11 @@ void add_maps(Page& page, const View& results) {
     // The isoviscous row, L = 0, is part of the other sets where there are any.
     if (own && (laws != "isoviscous" || atlas.law_sets.empty())) atlas.law_sets.push_back(laws);
   }
-  if (const auto source = maps.text("source"); !source.empty()) page.paragraph("Points: " + escaped(source) + ".");
+  const auto source = maps.text("source");
+  page.paragraph(
+      "Each cell is one contact, its number the computed value; colours and contour lines show the same numbers. "
+      "Contour lines are straight between the centres of the cells." +
+      (source.empty() ? std::string() : " The points are those of <code>" + escaped(source) + "</code>."));
   add_films(page, atlas);
   add_formulas(page, atlas);
   add_inlet(page, atlas);

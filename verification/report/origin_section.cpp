@@ -36,7 +36,7 @@ void add_provenance(Page& page, const std::string& title, const View& provenance
 }  // namespace
 
 void add_origin(Page& page, const View& results, const View& bench, const View& stress) {
-  page.section("origin", "Provenance, how to cite");
+  page.section("origin", "Provenance, how to cite", "Provenance");
   const View provenance = results["provenance"];
   page.begin_fold("Version, compiler, libraries, machine");
   add_provenance(page, "The suite (results.json)", provenance);

@@ -1,20 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The first table: what was verified, to how many digits, by which truth, at which cost; and what was not.
+#include "verification/report/overview.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 
 #include "contact/text.hpp"
 #include "io/duration.hpp"
-#include "verification/report/bearing_tables.hpp"
-#include "verification/report/report.hpp"
 
 namespace ehd::report {
 
-namespace {
+std::string digits_in(const Extent& digits, bool with_word) {
+  const std::string worst = digits_text(digits.low), best = digits_text(digits.high);
+  const std::string first = worst + (with_word ? " digits" : "");
+  return worst == best ? first : first + " at worst, " + best + " at best";
+}
 
 std::string how_many(std::size_t count, const std::string& one, const std::string& many) {
   return std::to_string(count) + " " + (count == 1 ? one : many);
@@ -24,20 +27,16 @@ std::string section_link(const char* section, const std::string& text) {
   return fmt::format("<a href=\"#{}\">{}</a>", section, escaped(text));
 }
 
-/// Least and largest of the values that are known.
-struct Extent {
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  void add(const std::optional<double>& value) {
-    if (!value || !std::isfinite(*value)) return;
-    low = std::min(low, *value);
-    high = std::max(high, *value);
-  }
-  [[nodiscard]] bool any() const { return low <= high; }
-  [[nodiscard]] std::string text(int digits) const {
-    const std::string first = plain(low, digits), last = plain(high, digits);
-    return first == last ? first : first + " to " + last;
-  }
-};
+Verified absent_part(const char* section, const std::string& what) {
+  return {.what = section_link(section, what), .digits = "", .truth = "", .cost = "", .open = {"not in this folder"}};
+}
+
+namespace {
+
+constexpr const char* quick_option = "<code class=\"name\">--quick</code>";
+constexpr double close_formula = 0.05;  // a deviation that the maps call good
+/// Both films that every solver is judged by.
+constexpr const char* both_films = "<i>H</i><sub>min</sub> and <i>H</i><sub>cen</sub>";
 
 std::string time_of(const std::optional<double>& wall_s) { return wall_s ? duration(*wall_s) : ""; }
 
@@ -53,23 +52,24 @@ std::size_t number_with(const std::vector<View>& list, const std::string& key, c
       std::count_if(list.begin(), list.end(), [&](const View& one) { return one.text(key) == value; }));
 }
 
-Verified absent_part(const char* section, const std::string& what) {
-  return {.what = section_link(section, what), .digits = "", .truth = "", .cost = "", .open = {"not in this folder"}};
-}
-
 Verified claims_verified(const View& results) {
   const auto claims = results.list("claims"), skipped = results.list("skipped");
   const View summary = results["summary"];
-  Verified row{.what = section_link("claims", how_many(claims.size(), "claim", "claims") + " of the suite")};
+  Verified row{.what = section_link("ladder", how_many(claims.size(), "claim", "claims") + " of the suite")};
   Extent margins;
   for (const View& claim : claims)
     if (stands(claim) && claim["tolerance"].number("value").value_or(0) > 0) margins.add(claim.number("margin"));
-  row.digits = margins.any() ? "each its own tolerance; the tightest has " + plain(100 * margins.low, 2) + " % left"
-                             : "each its own tolerance";
-  row.truth = "exact solutions, invariants, orders, the other solver, printed digits";
+  row.digits = "no common number: each claim has its own tolerance";
+  if (margins.any()) row.digits += ", of which the tightest has " + plain(100 * margins.low, 2) + " % left";
+  row.truth = "exact solutions, invariants, declared orders, the other solver, published digits";
   row.cost = time_of(summary.number("wall_s"));
-  if (!skipped.empty()) row.open.push_back(std::to_string(skipped.size()) + " skipped");
-  if (summary.flag("quick").value_or(false)) row.open.push_back("slow topics, left out by --quick");
+  if (!skipped.empty())
+    row.open.push_back(std::to_string(skipped.size()) + " skipped, each with its reason in the section");
+  if (const double not_run = summary.number("not_run").value_or(0); not_run > 0)
+    row.wrong.push_back(fmt::format("{}: {} {} not run to the end", section_link("ladder", "claims"), plain(not_run),
+                                    not_run == 1 ? "topic was" : "topics were"));
+  if (summary.flag("quick").value_or(false))
+    row.open.push_back(std::string("slow topics, left out by ") + quick_option);
   if (const auto selection = summary.text("selection"); !selection.empty())
     row.open.push_back("all but <code>" + escaped(selection) + "</code>");
   const auto accepted = static_cast<std::size_t>(std::count_if(claims.begin(), claims.end(), [](const View& claim) {
@@ -83,7 +83,7 @@ Verified cases_verified(const View& results) {
   const auto cases = results["figures"].list("cases");
   if (cases.empty()) return absent_part("contacts", "Films of the cases");
   Extent digits, times;
-  std::size_t open = 0, beyond = 0;
+  std::size_t open = 0, beyond = 0, unknown = 0;
   std::string truth, solver;
   for (const View& one : cases) {
     const auto solvers = one.list("solvers");
@@ -91,20 +91,27 @@ Verified cases_verified(const View& results) {
     truth = solvers.front().text("solver");
     solver = solvers.back().text("solver");
     times.add(solvers.back().number("wall_s"));
-    if (number_with(solvers, "status", "converged") < solvers.size()) ++open;
+    const bool converged = number_with(solvers, "status", "converged") == solvers.size();
+    if (!converged) ++open;
+    const auto certain = certain_error(one);
+    digits.add(digits_of(certain));
+    if (converged && !certain) ++unknown;
     const View difference = one["difference"];
     std::optional<double> found;
     for (const char* film : {"film_minimum", "film_central"})
       if (const auto value = difference.number(film)) found = std::max(found.value_or(0), std::abs(*value));
-    digits.add(digits_of(found));
     if (const auto allowed = difference.number("stated"); found && allowed && *found > *allowed) ++beyond;
   }
-  Verified row{.what = fmt::format("{}: films by <code>{}</code>",
-                                   section_link("contacts", how_many(cases.size(), "case", "cases")), escaped(solver)),
-               .digits = digits.any() ? digits.text(2) + " digits" : "",
-               .truth = "<code>" + escaped(truth) + "</code>, another discretisation of the same equations",
+  Verified row{.what = fmt::format("{}: {} by <code>{}</code>",
+                                   section_link("contacts", how_many(cases.size(), "case", "cases")), both_films,
+                                   escaped(solver)),
+               .digits = digits.any() ? digits_in(digits) : "",
+               .truth = "<code>" + escaped(truth) +
+                        "</code>, another discretisation of the same equations; the error that it states is counted",
                .cost = milliseconds_of(times)};
   if (open > 0) row.open.push_back(how_many(open, "case", "cases") + " without two converged solves");
+  if (unknown > 0) row.open.push_back("films of " + how_many(unknown, "case", "cases") + ": no error is known");
+  row.open.push_back("the curves of pressure and film: their difference is shown, not judged");
   if (beyond > 0)
     row.wrong.push_back(fmt::format("{}: in {} the films differ by more than both solvers state",
                                     section_link("contacts", "cases"), beyond));
@@ -122,13 +129,18 @@ Verified convergence_verified(const View& results) {
       ++fitted;
     }
     for (const View& point : study.list("points"))
-      if (const auto error = point.number("error"); error && *error > 0) errors.add(digits_of(error));
+      if (const auto error = point.number("error"); error && *error > 0)
+        errors.add(digits_of(*error + point.number("uncertainty").value_or(0)));
   }
-  Verified row{.what = section_link("convergence", how_many(studies.size(), "grid study", "grid studies")),
-               .truth = "manufactured solutions; <code>reference</code> to more digits"};
-  if (errors.any()) row.digits = "errors fall to " + plain(errors.high, 2) + " digits";
+  Verified row{.what = section_link("convergence", how_many(studies.size(), "grid study", "grid studies")) +
+                       ": the orders of the schemes",
+               .truth = "manufactured solutions; <code>reference</code> to more digits",
+               .cost = not_recorded};
   if (off.any())
-    row.digits += (row.digits.empty() ? "" : "; ") + ("orders within " + plain(off.high, 2) + " of the declared");
+    row.digits = fmt::format("the {} fitted {} within {} of the declared", fitted,
+                             fitted == 1 ? "order is" : "orders are", rounded_up(off.high, 2));
+  if (errors.any())
+    row.digits += (row.digits.empty() ? "" : "; ") + ("the smallest error has " + digits_text(errors.high) + " digits");
   if (fitted < studies.size())
     row.open.push_back(how_many(studies.size() - fitted, "study", "studies") + " without a declared or a fitted order");
   return row;
@@ -140,58 +152,136 @@ Verified work_verified(const View& bench) {
   const auto rows = result.list("rows"), coverage = result.list("coverage"), truths = result.list("truths");
   Extent digits, times, truth;
   for (const View& row : rows) {
-    for (const char* film : {"film.minimum", "film.central"}) digits.add(digits_of(row[film].number("achieved")));
+    for (const char* film : {"film.minimum", "film.central"})
+      if (const auto achieved = row[film].number("achieved"))
+        digits.add(digits_of(*achieved + row[film].number("truth_error").value_or(0)));
     times.add(row["cost"].number("wall_s"));
   }
   for (const View& one : truths) truth.add(digits_of(one["film.minimum"].number("error")));
-  Verified row{
-      .what = section_link("work-precision", how_many(rows.size(), "run", "runs") + " of the benchmark, on " +
-                                                 how_many(truths.size(), "case", "cases")),
-      .digits = digits.any() ? digits.text(2) + " digits" : "",
-      .truth = truth.any() ? "<code>reference</code>, to " + truth.text(3) + " digits" : "<code>reference</code>",
-      .cost = milliseconds_of(times)};
+  Verified row{.what = section_link("work-precision", how_many(rows.size(), "run", "runs") + " of the benchmark, on " +
+                                                          how_many(truths.size(), "case", "cases")) +
+                       ": " + both_films,
+               .digits = digits.any() ? digits_in(digits) + ", as they were asked for" : "",
+               .truth = truth.any() ? "<code>reference</code>, to " + digits_in(truth) : "<code>reference</code>",
+               .cost = milliseconds_of(times)};
   if (const auto open = rows.size() - number_with(rows, "status", "converged"); open > 0)
     row.open.push_back(how_many(open, "run", "runs") + " not converged, or not run");
-  double undecided = 0;
+  if (bench["settings"].flag("quick").value_or(false))
+    row.open.push_back(std::string("all but a short set, by ") + quick_option);
+  double covered = 0, undecided = 0;
   for (const View& one : coverage) {
+    covered += one.number("covered").value_or(0);
     undecided += one.number("undecided").value_or(0);
     if (const double missed = one.number("missed").value_or(0); missed > 0)
       row.wrong.push_back(fmt::format("{}: {} stated errors of {} do not cover the true one ({})",
                                       section_link("work-precision", "benchmark"), plain(missed),
                                       escaped(one.text("solver")), escaped(one.text("quantity"))));
   }
+  if (covered > 0 && row.wrong.empty())
+    row.digits += fmt::format("{}all {} stated errors that could be judged cover the true one",
+                              row.digits.empty() ? "" : "; ", plain(covered));
+  if (const auto left_out = bench["settings"].list("left_out"); !left_out.empty()) {
+    std::string names;
+    for (const View& part : left_out) names += (names.empty() ? "" : ", ") + escaped(part.text());
+    row.open.push_back("the run was stopped; left out: " + names);
+  }
   if (undecided > 0) row.open.push_back(plain(undecided) + " stated errors that the truth cannot judge");
   constexpr double enough = 0.9;  // of a core; docs/bench.md
   if (const auto share = result.number("cpu_share"); share && *share < enough)
     row.open.push_back("the times: other processes took " + plain(100 * (1 - *share), 2) + " % of the core");
-  const auto batch = bench.list("batch");
-  if (std::any_of(batch.begin(), batch.end(), [](const View& one) { return !one.flag("same_results").value_or(true); }))
+  return row;
+}
+
+/// What the benchmark has beside work and precision.
+Verified costs_verified(const View& bench) {
+  const auto scaling = bench.list("scaling"), batch = bench.list("batch"), costs = bench.list("cost"),
+             frequencies = bench["response"].list("frequencies");
+  if (scaling.empty() && batch.empty() && costs.empty() && frequencies.empty())
+    return absent_part("work-precision", "Scaling, threads, cost of answers and of motion");
+  Verified row{.what = section_link("work-precision", "Scaling, threads, cost of answers and of motion")};
+  const auto same = static_cast<std::size_t>(std::count_if(
+      batch.begin(), batch.end(), [](const View& one) { return one.flag("same_results").value_or(true); }));
+  if (!batch.empty()) {
+    row.digits = fmt::format("{} of {} have the same results bit for bit in any number of threads", same,
+                             how_many(batch.size(), "batch", "batches"));
+    row.truth = "the same contacts in one thread";
+  }
+  Extent motion, times;
+  for (const View& one : frequencies) motion.add(digits_of(one.number("achieved")));
+  if (motion.any()) {
+    row.digits += (row.digits.empty() ? "" : "; ") + ("<i>\u03ba</i> in motion: " + digits_in(motion));
+    row.truth += (row.truth.empty() ? "" : "; ") + std::string("of <i>\u03ba</i>, the certified solver");
+  }
+  for (const View& one : scaling) times.add(one.number("wall_s"));
+  for (const View& one : costs) times.add(one.number("mean_s"));
+  row.cost = milliseconds_of(times);
+  row.open.push_back("times: of one machine, shown and not judged");
+  if (same < batch.size())
     row.wrong.push_back(section_link("work-precision", "benchmark") + ": results depend on the number of threads");
   return row;
 }
 
 Verified maps_verified(const View& results) {
-  const View maps = results["figures"]["maps"];
-  const auto points = maps.list("points");
+  const auto points = results["figures"]["maps"].list("points");
   if (points.empty()) return absent_part("maps", "Maps over M and L");
   Extent certified, achieved, times;
-  std::size_t tests = 0, open = 0;
+  std::size_t tests = 0, by_fast = 0, open = 0;
   for (const View& point : points) {
-    for (const char* film : {"film_minimum_error", "film_central_error"}) certified.add(digits_of(point.number(film)));
     const View fast = point["fast"];
-    for (const char* film : {"deviation_minimum", "deviation_central"}) achieved.add(digits_of(fast.number(film)));
+    for (const std::string film : {"minimum", "central"}) {
+      const auto error = point.number("film_" + film + "_error"), deviation = fast.number("deviation_" + film);
+      certified.add(digits_of(error));
+      if (error && deviation) achieved.add(digits_of(std::abs(*deviation) + *error));
+    }
     times.add(fast.number("wall_s"));
     if (point.flag("numerical_test").value_or(false)) ++tests;
+    if (fast.exists()) ++by_fast;
     if (fast.exists() && fast.text("status") != "converged") ++open;
   }
-  Verified row{.what = section_link("maps", how_many(points.size(), "point", "points") + " over M and L")};
-  if (certified.any()) row.digits = "certified: " + certified.text(2) + " digits";
-  if (achieved.any()) row.digits += "; <code>fast</code> has " + achieved.text(2);
-  row.truth = "<code>reference</code>, recorded in the atlas";
-  row.cost = milliseconds_of(times);
+  Verified row{
+      .what = section_link("maps", how_many(points.size(), "point", "points") + " over M and L") + ": " + both_films,
+      .cost = milliseconds_of(times)};
+  if (certified.any()) {
+    row.digits = "<code>reference</code>: " + digits_in(certified);
+    row.truth =
+        "of <code>reference</code>, the error that it states, as the atlas has it; claims of rung 8 judge such errors";
+  }
+  if (achieved.any()) {
+    row.digits += (row.digits.empty() ? "" : "; ") + ("<code>fast</code>: " + digits_in(achieved, false));
+    row.truth += (row.truth.empty() ? "" : "; ") + std::string("of <code>fast</code>, <code>reference</code>");
+  }
   if (tests > 0) row.open.push_back(how_many(tests, "point", "points") + " above 4 GPa, a numerical test only");
+  if (by_fast < points.size())
+    row.open.push_back("<code>fast</code> at " + how_many(points.size() - by_fast, "point", "points") +
+                       ", where it was not run");
   if (open > 0) row.open.push_back("at " + how_many(open, "point", "points") + " <code>fast</code> did not converge");
-  row.open.push_back("film formulas: published fits, for comparison only");
+  return row;
+}
+
+/// What the maps compare with the certified films, without a verdict.
+Verified comparisons_verified(const View& results) {
+  const auto points = results["figures"]["maps"].list("points");
+  std::set<std::string> formulas;
+  std::size_t near = 0, all = 0, cut = 0;
+  for (const View& point : points) {
+    if (point.has("inlet_cost_minimum") || point.has("inlet_cost_central")) ++cut;
+    if (point.flag("numerical_test").value_or(false)) continue;
+    for (const View& one : point.list("formulas")) {
+      const auto deviation = one.number("deviation");
+      if (!deviation || !std::isfinite(*deviation)) continue;
+      formulas.insert(one.text("name") + one.text("quantity"));
+      ++all;
+      if (std::abs(*deviation) <= close_formula) ++near;
+    }
+  }
+  if (formulas.empty() && cut == 0) return absent_part("maps", "Film formulas, and the cost of a cut inlet");
+  Verified row{.what = section_link("maps", how_many(formulas.size(), "film formula", "film formulas") +
+                                                ", and the cost of a cut inlet"),
+               .truth = "the certified films of the maps",
+               .cost = not_recorded};
+  if (all > 0)
+    row.digits = fmt::format("{} of {} values of formulas below 4 GPa within 5 % of the certified film", near, all);
+  row.open.push_back("the formulas are published fits, for comparison only: nothing is judged");
   return row;
 }
 
@@ -199,10 +289,14 @@ Verified stress_verified(const View& stress) {
   const auto parts = stress.list("parts");
   if (parts.empty()) return absent_part("stress", "Stability under stress");
   Verified row{.what = section_link("stress", how_many(parts.size(), "part", "parts") + " of the stress"),
-               .digits = how_many(number_with(parts, "verdict", "pass"), "passes", "pass") + " of " +
-                         std::to_string(parts.size()),
+               .digits = fmt::format(
+                   "no common number: {} of {}, each with its own tolerance", number_with(parts, "verdict", "pass"),
+                   parts.size() == 1 ? "1 part passes" : std::to_string(parts.size()) + " parts pass"),
                .truth = "the other solver, 34 digits, repeated and disturbed runs",
                .cost = time_of(stress.number("wall_s"))};
+  if (std::any_of(parts.begin(), parts.end(),
+                  [](const View& part) { return part["settings"].flag("quick").value_or(false); }))
+    row.open.push_back(std::string("all but a small form of each part, by ") + quick_option);
   for (const View& part : parts)
     if (const std::string verdict = part.text("verdict"); verdict != "pass")
       row.wrong.push_back(section_link("stress", fmt::format("stress ({}) {}", part.text("id"), part.text("name"))) +
@@ -210,48 +304,20 @@ Verified stress_verified(const View& stress) {
   return row;
 }
 
-Verified bearing_verified(const View& figures) {
-  const auto bearings = figures.list("bearing");
-  if (bearings.empty()) return absent_part("bearing", "Load distributions");
-  Extent digits;
-  std::set<std::string> laws;
-  std::size_t open = 0;
-  for (const View& bearing : bearings) {
-    for (const View& law : bearing.list("laws")) {
-      laws.insert(law.text("law"));
-      if (!law.text("status").empty() && law.text("status") != "converged") ++open;
-      const auto errors = errors_of_balance(law);
-      if (const auto displacement = law.number("displacement_m"); errors && displacement && *displacement != 0)
-        digits.add(digits_of(errors->displacement_m / std::abs(*displacement)));
-    }
+/// Files of one run or of several.
+Verified origin_verified(const View& results, const View& bench, const View& stress) {
+  Verified row{.what = section_link("origin", "Provenance of the numbers"),
+               .truth = "version, commit, compiler and machine stand in each file"};
+  const View suite = results["provenance"];
+  for (const auto& [name, file] :
+       {std::pair<const char*, View>{"results.json", results}, {"bench.json", bench}, {"stress.json", stress}}) {
+    const View provenance = file["provenance"];
+    if (!provenance.exists()) continue;
+    if (provenance.flag("dirty").value_or(false))
+      row.open.push_back(std::string(name) + ": made with changes that no commit has");
+    if (provenance.text("commit") != suite.text("commit"))
+      row.open.push_back(std::string(name) + ": of another commit than results.json");
   }
-  Verified row{.what = section_link("bearing", how_many(bearings.size(), "bearing", "bearings") + " under " +
-                                                   how_many(laws.size(), "law", "laws")),
-               .digits = digits.any() ? "displacement: " + digits.text(2) + " digits" : "",
-               .truth = "balance, symmetry and energy; the error budget of each law"};
-  const auto statements = figures.list("statements");
-  const auto false_ones = static_cast<std::size_t>(std::count_if(
-      statements.begin(), statements.end(), [](const View& one) { return !one.flag("holds").value_or(true); }));
-  if (false_ones > 0)
-    row.open.push_back(
-        fmt::format("{} of {} statements of the paper do not hold as computed", false_ones, statements.size()));
-  if (open > 0) row.open.push_back(how_many(open, "balance", "balances") + " not converged");
-  row.open.push_back("the datum <i>x</i><sub>0</sub>: a choice, its effect is in the budget");
-  return row;
-}
-
-Verified dynamics_verified(const View& figures) {
-  const auto bearings = figures.list("dynamics");
-  if (bearings.empty()) return absent_part("bearing", "Bearings in small motion");
-  Verified row{.what = section_link("bearing", how_many(bearings.size(), "bearing", "bearings") + " in small motion"),
-               .truth = "claims of the rungs 6, 8 and 9: derivatives, causality, small steps in time, limits"};
-  for (const char* quantity : {"stiffness", "damping"}) {
-    Extent digits;
-    for (const View& bearing : bearings)
-      for (const double error : bearing["ring"].numbers(quantity + std::string("_error"))) digits.add(digits_of(error));
-    if (digits.any()) row.digits += (row.digits.empty() ? "" : "; ") + (quantity + (": " + digits.text(2)) + " digits");
-  }
-  if (row.digits.empty()) row.open.push_back("errors of stiffness and damping: not in this folder");
   return row;
 }
 
@@ -259,8 +325,10 @@ Verified dynamics_verified(const View& figures) {
 
 std::vector<Verified> everything_verified(const View& results, const View& bench, const View& stress) {
   const View figures = results["figures"];
-  return {claims_verified(results), cases_verified(results), convergence_verified(results), work_verified(bench),
-          maps_verified(results),   stress_verified(stress), bearing_verified(figures),     dynamics_verified(figures)};
+  return {claims_verified(results),      cases_verified(results),      convergence_verified(results),
+          work_verified(bench),          costs_verified(bench),        maps_verified(results),
+          comparisons_verified(results), stress_verified(stress),      bearing_verified(figures),
+          dynamics_verified(figures),    statements_verified(figures), origin_verified(results, bench, stress)};
 }
 
 }  // namespace ehd::report

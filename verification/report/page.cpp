@@ -148,12 +148,10 @@ namespace {
 
 /// A picture with its caption, and a link to itself.
 std::string framed(const std::string& id, const std::string& svg, const std::string& caption_html, const char* css) {
-  // Maps scroll on a phone; the keyboard has to reach what scrolls.
-  const char* const reached = std::string_view(css) == "map" ? " tabindex=\"0\"" : "";
   return fmt::format(
-      "<figure class=\"{}\"><div class=\"picture\"{}>{}</div><figcaption>{} <a class=\"anchor\" "
+      "<figure class=\"{}\"><div class=\"picture\">{}</div><figcaption>{} <a class=\"anchor\" "
       "href=\"#{}\">link</a></figcaption></figure>\n",
-      css, reached, svg, caption_html, id);
+      css, svg, caption_html, id);
 }
 
 }  // namespace
@@ -165,11 +163,11 @@ std::string Page::unique(const std::string& wanted) {
   return id;
 }
 
-void Page::section(const std::string& id, const std::string& title) {
+void Page::section(const std::string& id, const std::string& title, const std::string& in_index) {
   if (open_) body_ += "</section>\n";
   open_ = true;
   const std::string own = unique(id);
-  navigation_ += fmt::format("<a href=\"#{}\">{}</a>\n", own, title);
+  navigation_ += fmt::format("<a href=\"#{}\">{}</a>\n", own, in_index.empty() ? title : in_index);
   body_ += fmt::format("<section id=\"{}\"><h2>{}</h2>\n", own, title);
 }
 

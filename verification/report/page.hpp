@@ -53,7 +53,8 @@ struct Opener {
 /// Collects the page. Every section, heading and figure gets an id of its own.
 class Page {
  public:
-  void section(const std::string& id, const std::string& title);
+  /// `in_index`: its name in the index, where the title is long.
+  void section(const std::string& id, const std::string& title, const std::string& in_index = "");
   void heading(const std::string& title);  ///< HTML, below a section; its id is its text
   void paragraph(const std::string& html, const std::string& css = "");
   void add(const std::string& html) { body_ += html; }

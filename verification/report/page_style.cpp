@@ -53,6 +53,7 @@ th[scope=row]{font-weight:500}
 thead th{border-bottom:2px solid var(--soft);}
 .number{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}
 .name{white-space:nowrap}
+.folded{display:none}
 thead .number{white-space:normal}
 .wide{min-width:16em}
 td.wide code,th code{display:inline-block}
@@ -83,10 +84,8 @@ gap:22px 26px;align-items:start}
 .figures.wide-figure{grid-template-columns:1fr}
 .figures.trio{grid-template-columns:repeat(auto-fill,minmax(min(100%,340px),1fr))}
 .unseen{position:absolute;width:1px;height:1px;overflow:hidden;clip-path:inset(50%)}
-.figures.maps{grid-template-columns:repeat(auto-fill,minmax(min(100%,540px),1fr))}
 .figures.polars{grid-template-columns:repeat(auto-fill,minmax(min(100%,340px),1fr))}
 figure{margin:0;min-width:0}
-.picture{overflow-x:auto}
 svg.plot{display:block;width:100%;height:auto}
 figcaption{font-size:0.86rem;color:var(--soft);margin-top:2px;overflow-wrap:anywhere}
 figcaption b{color:var(--ink)}
@@ -114,7 +113,7 @@ dd{margin:0;overflow-wrap:anywhere;min-width:0}
 @media (max-width:1000px){
 body{display:block}
 .page{margin:0 auto}
-nav{flex-direction:row;align-items:center;white-space:nowrap;z-index:4;background:var(--paper);padding:4px 12px;
+nav{flex-flow:row wrap;align-items:center;white-space:nowrap;z-index:4;background:var(--paper);padding:4px 12px;
 border-bottom:1px solid var(--grid)}
 nav a{border-left:0;border-bottom:3px solid transparent}
 .js .theme{margin:0 0 0 auto}
@@ -122,12 +121,16 @@ section,h3,tr,figure,svg,details{scroll-margin-top:56px}
 }
 @media (max-width:600px){
 .page{padding:0 12px}
+nav{gap:0;padding:2px 6px;font-size:0.84rem}
+nav a{padding:2px 6px}
+section,h3,tr,figure,svg,details{scroll-margin-top:72px}
 .folds thead{position:absolute;width:1px;height:1px;overflow:hidden;clip-path:inset(50%)}
 .folds tr,.folds .below>td{display:block;border:0}
 .folds .below>td{padding:0}
 .folds tr{border-bottom:1px solid var(--grid);padding:6px 0}
 .folds .below{border:0;padding:0}
 .folds th[scope=row]{font-weight:700}
+.folds .folded{display:inline}
 .folds td,.folds th[scope=row]{display:inline-block;border:0;padding:1px 14px 1px 0;min-width:0;text-align:left}
 .folds td:empty{display:none}
 .folds td[data-column]:not(:has(.opens))::before{content:attr(data-column) ": ";color:var(--soft);font-weight:400}
@@ -136,8 +139,6 @@ section,h3,tr,figure,svg,details{scroll-margin-top:56px}
 .folds.claims td[data-column].wide::before{content:none}
 dl{grid-template-columns:1fr}
 dt{margin-top:6px}
-figure.map .picture svg.plot{min-width:560px}
-.wide-figure .picture svg.plot{min-width:700px}
 }
 @media print{
 body{font-size:10pt}
@@ -147,7 +148,7 @@ nav,.controls,.readout,.tools,.anchor,.skip{display:none!important}
 .js .below:not(:has(details[open])){display:table-row}
 figure,.claim{break-inside:avoid}
 h2,h3{break-after:avoid}
-.scroll,.picture{overflow:visible}
+.scroll{overflow:visible}
 .scroll{container-type:normal}
 .below details>*{position:static;width:auto}
 table{font-size:8pt}
@@ -156,8 +157,6 @@ table{font-size:8pt}
 .spark{width:60px}
 .figures{grid-template-columns:1fr 1fr}
 .figures.wide-figure{grid-template-columns:1fr}
-.figures.maps{grid-template-columns:1fr}
-.figures.maps svg.plot{margin:0 auto}
 details::details-content{content-visibility:visible;block-size:auto}
 thead{display:table-header-group}
 tr{break-inside:avoid}

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <optional>
 
 namespace ehd::report {
 
@@ -42,6 +44,18 @@ std::vector<Tick> ticks_for(const Axis& axis, const Range& range, int wanted) {
   return linear_ticks(range, axis.step.value_or(tick_step(range, wanted)));
 }
 
+/// As many ticks as there is room for their labels, at most about `wanted`.
+std::vector<Tick> ticks_with_room(const Axis& axis, const Range& range, int wanted, const Mapping& to_pixel,
+                                  const std::function<double(const std::string&)>& room) {
+  std::vector<Tick> ticks = ticks_for(axis, range, wanted);
+  Axis thinner = axis;
+  for (int fewer = wanted - 1; fewer > 0 && labels_touch(ticks, to_pixel, room); --fewer) {
+    if (thinner.step) *thinner.step *= 2;
+    ticks = ticks_for(thinner, range, fewer);
+  }
+  return ticks;
+}
+
 std::string line_svg(Point from, Point to, const char* css) {
   return fmt::format("<path class=\"{}\" d=\"{}\"/>", css, path_data({from, to}));
 }
@@ -63,9 +77,10 @@ struct Margins {
 
 struct Ready {  ///< a panel with its axes known
   Range x, y, right;
-  std::vector<Tick> x_ticks, y_ticks, right_ticks;
+  std::vector<Tick> x_ticks = {}, y_ticks = {}, right_ticks = {};
 };
 
+/// Ranges, and the ticks of the vertical axes. Those of x have to know how wide the frame is.
 Ready ready(const Panel& panel) {
   std::vector<double> xs;
   for (const Series& series : panel.series) xs.insert(xs.end(), series.x.begin(), series.x.end());
@@ -76,15 +91,24 @@ Ready ready(const Panel& panel) {
   Ready axes;
   axes.x = range_for(panel.x, xs);
   axes.y = range_for(panel.y, values_on(panel, false));
-  axes.x_ticks = ticks_for(panel.x, axes.x, 6);
   // Six, so that the whole steps to which range_of widens are steps of the ticks.
   const int wanted = panel.height < 150 ? 3 : 6;
-  axes.y_ticks = ticks_for(panel.y, axes.y, wanted);
+  const auto upward = [&](const Axis& axis, const Range& range) {
+    const auto line_height = [](const std::string&) { return small_font + 3; };
+    return ticks_with_room(axis, range, wanted, Mapping(axis.scale, range, panel.height, 0), line_height);
+  };
+  axes.y_ticks = upward(panel.y, axes.y);
   if (panel.right) {
     axes.right = range_for(*panel.right, values_on(panel, true));
-    axes.right_ticks = ticks_for(*panel.right, axes.right, wanted);
+    axes.right_ticks = upward(*panel.right, axes.right);
   }
   return axes;
+}
+
+std::vector<Tick> x_ticks_in(const Panel& panel, const Range& range, double width) {
+  constexpr double gap = 8;
+  const auto room = [](const std::string& label) { return stretch * text_width(label, small_font) + gap; };
+  return ticks_with_room(panel.x, range, 6, Mapping(panel.x.scale, range, 0, width), room);
 }
 
 /// Not so where p is NaN.
@@ -248,6 +272,42 @@ Mappings mappings_of(const Panel& panel, const Ready& axes, const Box& box) {
                            box.bottom, box.top)};
 }
 
+/// Pieces of curves inside a box.
+std::size_t curves_in(const Box& box, const Panel& panel, const Mappings& to) {
+  std::size_t count = 0;
+  for (const Series& series : panel.series) {
+    const Mapping& to_y = series.right ? to.right : to.y;
+    for (std::size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
+      const Point at{to.x(series.x[i]), to_y(series.y[i])};
+      const Point from = i > 0 && series.line != Line::none ? Point{to.x(series.x[i - 1]), to_y(series.y[i - 1])} : at;
+      if (clipped(from, at, box)) ++count;
+    }
+  }
+  return count;
+}
+
+/// The label of a rule: at its right end or at its left one, above it or below, where the fewest curves pass.
+std::string rule_label_svg(const Rule& rule, double at, const Panel& panel, const Mappings& to, const Box& box) {
+  constexpr double height = 11, mark = 5, edge = 5;  // pixels
+  const double width = stretch * text_width(rule.label, small_font);
+  struct Spot {
+    Point text;
+    const char* anchor;
+    std::size_t curves;
+  };
+  std::optional<Spot> best;
+  for (const bool right : {true, false}) {
+    for (const bool above : {true, false}) {
+      const double base = at + (above ? -4 : height + 2), from = right ? box.right - edge - width : box.left + edge + 3;
+      if (base - height < box.top || base > box.bottom) continue;
+      const Box taken{from - mark, base - height - mark, from + width + mark, base + mark};
+      const Spot spot{{right ? box.right - edge : from, base}, right ? "end" : "start", curves_in(taken, panel, to)};
+      if (!best || spot.curves < best->curves) best = spot;
+    }
+  }
+  return best ? text_svg(best->text, rule.label, best->anchor, "small halo") : "";
+}
+
 /// Rules, slope triangles and curves, and last the labels that no curve may hide.
 std::string contents_svg(const Panel& panel, const Mappings& to, const Box& box, Place place,
                          const std::vector<std::string>& names) {
@@ -257,9 +317,7 @@ std::string contents_svg(const Panel& panel, const Mappings& to, const Box& box,
     if (!(at >= box.top && at <= box.bottom)) continue;
     const std::string group = fmt::format("<g class=\"rule-at\" data-value=\"{:.7g}\">", rule.y);
     svg += group + line_svg({box.left, at}, {box.right, at}, "rule") + "</g>";
-    if (!rule.label.empty())
-      labels += group + text_svg({box.right - 5, at + (at - box.top > 16 ? -4 : 13)}, rule.label, "end", "small halo") +
-                "</g>";
+    if (!rule.label.empty()) labels += group + rule_label_svg(rule, at, panel, to, box) + "</g>";
   }
   for (const SlopeTriangle& one : panel.triangles) svg += triangle_svg(one, to.x, to.y);
   bool drawn = false;
@@ -322,6 +380,8 @@ std::string draw(const Figure& figure, Place place) {
     if (panel.right) margins.right = std::max(margins.right, 20 + 16 + tick_label_width(axes.back().right_ticks));
   }
   margins.left = std::max(margins.left, 46.0);
+  for (std::size_t i = 0; i < axes.size(); ++i)
+    axes[i].x_ticks = x_ticks_in(figure.panels[i], axes[i].x, figure.width - margins.left - margins.right);
   std::vector<std::string> names;
   std::string content;
   double top = 4;

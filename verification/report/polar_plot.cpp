@@ -101,13 +101,19 @@ std::string draw(const PolarPlot& plot, Place place) {
   }
   LegendRows legend(10, plot.width, y);
   svg += legend_svg(plot, legend);
-  y = legend.last_top() + (22 + 14);
+  y = legend.last_top() + LegendRows::height + 24;
   std::vector<double> values{0, plot.reaches};
   for (const PolarSeries& series : plot.series) values.insert(values.end(), series.radius.begin(), series.radius.end());
-  Range range = range_of(values, Scale::linear);
-  range.low = 0;
-  if (!(range.high > 0)) range.high = 1;  // no load at all
-  const auto ticks = linear_ticks(range, tick_step(range, 4));
+  double largest = 0;
+  for (const double value : values)
+    if (std::isfinite(value)) largest = std::max(largest, value);
+  constexpr double least = 1e-300;      // below, a step would be no number
+  if (!(largest > least)) largest = 1;  // no load at all
+  constexpr int circles = 6;            // at most: with fewer, the outer one may lie far beyond the loads
+  constexpr double touching = 1e-9;     // of a step: a load on a circle needs no further one
+  const double step = tick_step({0, largest}, circles);
+  const Range range{0, step * std::ceil(largest / step - touching)};
+  const auto ticks = linear_ticks(range, step);
   const double radius = (plot.width - 84) / 2;
   const Dial dial{.centre = {plot.width / 2, y + radius}, .radius = radius, .full = range.high};
   svg += grid_svg(dial, ticks);

@@ -72,6 +72,11 @@ std::optional<double> digits_of(const std::optional<double>& relative_error) {
   return std::clamp(-std::log10(std::abs(*relative_error)), 0.0, most);
 }
 
+std::string digits_text(double digits) {
+  constexpr double rounding = 1e-9;  // -log10 of a power of ten may be 4 - 1e-16
+  return plain(std::floor(10 * digits + rounding) / 10, 3);
+}
+
 std::string report_html(const Documents& documents) {
   const View results(documents.results, "results.json"), bench(documents.bench, "bench.json"),
       stress(documents.stress, "stress.json");

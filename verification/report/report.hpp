@@ -20,14 +20,20 @@ namespace ehd::report {
 /// Digits that a relative error leaves: 4 for 1e-4; none where there is no error or nothing is known. At most 16, those
 /// of a double.
 [[nodiscard]] std::optional<double> digits_of(const std::optional<double>& relative_error);
+/// To a tenth, rounded down: 4.29 digits are "4.2".
+[[nodiscard]] std::string digits_text(double digits);
+/// What is certain of both films of a case (relative): the larger difference between the two solvers, plus the error
+/// that the first of them, the truth, states.
+[[nodiscard]] std::optional<double> certain_error(const View& contact_case);
 
 /// A line of the first table: what was verified, and what of it was not.
 struct Verified {
-  std::string what = {}, digits = {}, truth = {}, cost = {};  ///< HTML
-  std::vector<std::string> open = {};                         ///< HTML; not verified, or left out
-  std::vector<std::string> wrong = {};                        ///< HTML; what does not stand: the headline has it too
+  std::string what = {};                           ///< HTML; with a link to its section
+  std::string digits = {}, truth = {}, cost = {};  ///< HTML
+  std::vector<std::string> open = {};              ///< HTML; not verified, or left out
+  std::vector<std::string> wrong = {};             ///< HTML; what does not stand: the headline has it too
 };
-/// Everything on the page, a line a section.
+/// Everything on the page: a line for each section, and for each part of a section that is verified on its own.
 [[nodiscard]] std::vector<Verified> everything_verified(const View& results, const View& bench, const View& stress);
 
 // The sections, in this order.
@@ -36,7 +42,8 @@ void add_claims(Page& page, const View& results);
 void add_contacts(Page& page, const View& results);
 void add_convergence(Page& page, const View& results);
 void add_work_precision(Page& page, const View& bench);
-/// Parts of it: scaling, many contacts at once; the cost of motion.
+/// Parts of it: what an answer costs; scaling, many contacts at once; the cost of motion.
+void add_answer_cost(Page& page, const View& bench);
 void add_scaling(Page& page, const View& bench);
 void add_response_cost(Page& page, const View& bench);
 void add_maps(Page& page, const View& results);

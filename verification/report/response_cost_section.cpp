@@ -3,6 +3,7 @@
 // balance.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -18,8 +19,10 @@ Figure cost_figure(const std::vector<View>& rows) {
   Figure figure{.id = "fig-response-cost",
                 .title = "Cost of a frequency over L",
                 .description = "Cost of one frequency in convolutions, and its achieved error, over L."};
-  Panel cost{.x = {.label = "*L*"}, .y = {.label = "a frequency [*c*]", .scale = Scale::logarithmic}},
-      achieved{.x = {.label = "*L*"}, .y = {.label = "achieved error of *\u03ba*", .scale = Scale::logarithmic}};
+  Panel cost{.x = {.label = "lubricant group *L*"},
+             .y = {.label = "time of a frequency [*c*]", .scale = Scale::logarithmic}},
+      achieved{.x = {.label = "lubricant group *L*"},
+               .y = {.label = "achieved error of *\u03ba*", .scale = Scale::logarithmic}};
   cost.x.silent = true;
   std::map<std::string, std::size_t> curves;
   for (const View& row : rows) {
@@ -42,6 +45,11 @@ Figure cost_figure(const std::vector<View>& rows) {
   }
   figure.panels = {std::move(cost), std::move(achieved)};
   return figure;
+}
+
+/// Single marks show no more than the table.
+bool shows_a_line(const Panel& panel) {
+  return std::any_of(panel.series.begin(), panel.series.end(), [](const Series& one) { return one.x.size() > 1; });
 }
 
 Table frequency_table(const std::vector<View>& rows) {
@@ -70,14 +78,16 @@ void add_response_cost(Page& page, const View& bench) {
     return;
   }
   const auto rows = result.list("frequencies");
-  page.begin_fold("Cost of a frequency beyond the steady state, and the error that it achieves");
-  page.begin_figures();
-  if (Figure figure = cost_figure(rows); !figure.panels[0].series.empty())
+  Figure figure = cost_figure(rows);
+  if (shows_a_line(figure.panels.front())) {
+    page.begin_fold("Cost of a frequency beyond the steady state, and the error that it achieves");
+    page.begin_figures();
     page.figure(std::move(figure),
                 "Processor time of one more frequency, in <i>c</i>, and the largest error of <i>\u03ba</i> against the "
                 "certified solver; Roelands, flooded.");
-  page.end_figures();
-  page.end_fold();
+    page.end_figures();
+    page.end_fold();
+  }
   page.add_folded("All costs as a table", frequency_table(rows));
   Table table;
   table.caption = "Stiffness and damping of a bearing, law ehd, beside its balance: processor time";

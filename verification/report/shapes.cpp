@@ -44,6 +44,48 @@ std::vector<std::vector<Point>> pieces(const std::vector<Point>& points, const B
   return result;
 }
 
+namespace {
+
+/// The parts of a segment outside all holes, from its beginning to its end.
+std::vector<std::pair<Point, Point>> parts_outside(Point from, Point to, const std::vector<Box>& holes) {
+  std::vector<std::pair<Point, Point>> inside, outside;
+  for (const Box& hole : holes)
+    if (const auto part = clipped(from, to, hole)) inside.push_back(*part);
+  const auto away = [&](const std::pair<Point, Point>& part) {
+    return std::hypot(part.first.x - from.x, part.first.y - from.y);
+  };
+  std::sort(inside.begin(), inside.end(), [&](const auto& a, const auto& b) { return away(a) < away(b); });
+  for (const auto& [enter, leave] : inside) {
+    outside.emplace_back(from, enter);
+    from = leave;
+  }
+  outside.emplace_back(from, to);
+  return outside;
+}
+
+double length_of(const std::vector<Point>& line) {
+  double length = 0;
+  for (std::size_t i = 1; i < line.size(); ++i)
+    length += std::hypot(line[i].x - line[i - 1].x, line[i].y - line[i - 1].y);
+  return length;
+}
+
+}  // namespace
+
+std::vector<std::vector<Point>> pieces_outside(const std::vector<Point>& points, const std::vector<Box>& holes,
+                                               double least) {
+  std::vector<std::vector<Point>> result;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    for (const auto& [from, to] : parts_outside(points[i - 1], points[i], holes)) {
+      const bool goes_on = !result.empty() && result.back().back().x == from.x && result.back().back().y == from.y;
+      if (!goes_on) result.push_back({from});
+      result.back().push_back(to);
+    }
+  }
+  std::erase_if(result, [&](const std::vector<Point>& line) { return !(length_of(line) > least); });
+  return result;
+}
+
 std::vector<Point> simplified(const std::vector<Point>& points, double distance) {
   if (points.size() < 3) return points;
   std::vector<bool> keep(points.size(), false);

@@ -25,6 +25,10 @@ struct Box {
 /// Unbroken pieces of a polyline inside the box; a point that is not finite breaks it.
 [[nodiscard]] std::vector<std::vector<Point>> pieces(const std::vector<Point>& points, const Box& box);
 
+/// The pieces of a polyline outside all holes, which do not overlap; those not longer than `least` are left out.
+[[nodiscard]] std::vector<std::vector<Point>> pieces_outside(const std::vector<Point>& points,
+                                                             const std::vector<Box>& holes, double least);
+
 /// Fewer points; every old one lies within `distance` of the new line (Douglas and Peucker).
 [[nodiscard]] std::vector<Point> simplified(const std::vector<Point>& points, double distance);
 

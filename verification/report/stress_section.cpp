@@ -2,6 +2,8 @@
 // The results of `ehd stress`: a table and a verdict for each part.
 #include <fmt/format.h>
 
+#include <cstdlib>
+
 #include "verification/report/report.hpp"
 
 namespace ehd::report {
@@ -21,7 +23,11 @@ Table rows_of(const View& part) {
       constexpr int digits = 5;
       const std::string text = cell.cell(digits);
       const bool number = !text.empty() && text.find_first_not_of("0123456789.-+e") == std::string::npos;
-      cells.push_back({escaped(text), number ? "number" : slug(text)});
+      // A number, or a text that is one.
+      char* end = nullptr;
+      const double value = number ? std::strtod(text.c_str(), &end) : 0;
+      const bool whole = number && *end == '\0';
+      cells.push_back(whole ? number_cell(value, digits) : TableCell{escaped(text), number ? "number" : slug(text)});
     }
     table.rows.push_back(std::move(cells));
   }
@@ -47,7 +53,7 @@ std::string details_of(const View& part) {
 }  // namespace
 
 void add_stress(Page& page, const View& stress) {
-  page.section("stress", "Stability under stress");
+  page.section("stress", "Stability under stress", "Stress");
   if (!stress.exists()) {
     page.absent("Stress tables (stress.json) are", "ehd stress --output DIR");
     return;

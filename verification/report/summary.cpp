@@ -15,7 +15,7 @@ namespace {
 void add_overview(Page& page, const std::vector<Verified>& verified) {
   Table table;
   table.css = "overview";
-  table.caption = "Everything on this page";
+  table.caption = "Everything on this page, a line a part";
   table.columns = {"what", "to how many digits", "by which truth", "at which cost", "what is not verified"};
   for (const Verified& one : verified) {
     std::string open;
@@ -25,6 +25,11 @@ void add_overview(Page& page, const std::vector<Verified>& verified) {
     table.rows.push_back({{one.what, ""}, {one.digits, ""}, {one.truth, ""}, {one.cost, ""}, {open, ""}});
   }
   page.add(table);
+  page.paragraph(
+      "Digits are decimal digits of a relative error, rounded down: 4 digits are an error of 10<sup>\u22124</sup>. The "
+      "error is the difference from the truth named beside it, plus the error that this truth states of itself. \"At "
+      "worst\" is the run with the fewest digits of that line, \"at best\" the one with the most. What is judged "
+      "passes or fails as a claim or as a part of the stress; what is only shown stands in the last column.");
   page.paragraph(
       "Not verified anywhere on this page: that the equations describe an experiment. They know smooth, infinitely "
       "long "
@@ -41,8 +46,10 @@ void add_headline(Page& page, const View& results, const std::vector<std::string
     return std::to_string(
         std::count_if(claims.begin(), claims.end(), [&](const View& claim) { return claim.text("verdict") == kind; }));
   };
+  const bool stopped = summary.flag("stopped").value_or(false) || summary.number("not_run").value_or(0) > 0;
   std::string verdict = claims.empty()  ? "<b>No claim was judged.</b> "
                         : !all_stand    ? "<b>Not every claim stands.</b> "
+                        : stopped       ? "<b>The run was stopped; what was judged until then stands.</b> "
                         : wrong.empty() ? "<b>Every claim stands.</b> "
                                         : "<b>Every claim stands, but not everything on this page does.</b> ";
   verdict += fmt::format("{} pass, {} fail, {} inconclusive, {} skipped", count("pass"), count("fail"),
@@ -58,7 +65,7 @@ void add_headline(Page& page, const View& results, const std::vector<std::string
     verdict += stress_parts == 1 ? fmt::format(" The one part {} passes.", link)
                                  : fmt::format(" All {} parts {} pass.", stress_parts, link);
   for (const std::string& one : wrong) verdict += " " + one + ".";
-  page.paragraph(verdict, all_stand && wrong.empty() ? "verdict pass" : "verdict fail");
+  page.paragraph(verdict, all_stand && !stopped && wrong.empty() ? "verdict pass" : "verdict fail");
 }
 
 }  // namespace

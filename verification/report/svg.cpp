@@ -115,11 +115,14 @@ std::string pixels(double value) {
 
 std::string number_markup(double value, int digits) {
   if (!std::isfinite(value)) return "?";
-  std::string text = plain(value, digits);
+  constexpr double with_power = 1e-3;  // below: errors of one table look alike, 10^{-4} and 10^{-5}
+  const bool small = value != 0 && std::abs(value) < with_power;
+  std::string text = small ? fmt::format("{:.{}e}", value, digits - 1) : plain(value, digits);
   std::string power;
   if (const auto e = text.find('e'); e != std::string::npos) {
     power = std::to_string(std::atoi(text.c_str() + e + 1));
     text.erase(e);
+    if (text.find('.') != std::string::npos) text.erase(text.find_last_not_of(".0") + 1);
   }
   text = replaced(text, "-", minus_sign);
   if (power.empty()) return text;

@@ -16,7 +16,8 @@ namespace ehd::report {
 /// points out before it draws.
 [[nodiscard]] std::string pixels(double value);
 
-/// A number as people read it: `digits` significant ones, a true minus sign, powers of ten as 10^{-5} (markup).
+/// A number as people read it: `digits` significant ones, a true minus sign, below 0.001 and where it is large a power
+/// of ten: 2.5 10^{-5} (markup).
 [[nodiscard]] std::string number_markup(double value, int digits = 4);
 
 /// The markup of labels: *P* in italics, _{H} and ^{-3} below and above the line; a backslash before * _ ^ \ keeps the

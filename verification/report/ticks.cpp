@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "verification/report/svg.hpp"
 
@@ -23,9 +24,11 @@ std::string fixed(double value, int decimals) {
   return result;
 }
 
-std::string power_label(int exponent, bool plainly) {
-  if (plainly) return exponent >= 0 ? fixed(std::pow(10, exponent), 0) : fixed(std::pow(10, exponent), -exponent);
-  return fmt::format("10^{{{}{}}}", exponent < 0 ? "\u2212" : "", std::abs(exponent));
+/// A digit times a power of ten.
+std::string power_label(int digit, int exponent, bool plainly) {
+  if (plainly) return fixed(digit * std::pow(10, exponent), std::max(0, -exponent));
+  return fmt::format("{}10^{{{}{}}}", digit == 1 ? "" : std::to_string(digit) + "\u2009\u00b7\u2009",
+                     exponent < 0 ? "\u2212" : "", std::abs(exponent));
 }
 
 }  // namespace
@@ -87,29 +90,49 @@ std::vector<Tick> log_ticks(const Range& range, int most_labels) {
   if (!(range.low > 0 && range.high > range.low)) return ticks;
   const double from = std::log10(range.low), to = std::log10(range.high), decades = to - from;
   const int first = static_cast<int>(std::ceil(from - slack)), last = static_cast<int>(std::floor(to + slack));
-  const bool plainly = from >= -3 - slack && to <= 5;
   if (decades < 0.5) {
     for (Tick& tick : linear_ticks(range, tick_step(range, 4))) ticks.push_back(std::move(tick));
     return ticks;
   }
-  const int labelled = std::max(1, last - first + 1);
-  const int every = (labelled + most_labels - 1) / most_labels;
-  constexpr double with_minor = 7, with_two_and_five = 2;
+  const int decade_labels = std::max(1, last - first + 1);
+  const int every = (decade_labels + most_labels - 1) / most_labels;
+  constexpr double with_minor = 7, few_decades = 2;
+  const bool few = decades < few_decades;
+  const bool plainly = from >= (few ? -4 : -3) - slack && to <= 5;
+  const auto inside = [&](double value) {
+    return value >= range.low * (1 - slack) && value <= range.high * (1 + slack);
+  };
+  int steps = 0;  // 1, 2 and 5 of each decade
+  for (int k = first - 1; k <= last; ++k)
+    for (const int digit : {1, 2, 5}) steps += inside(digit * std::pow(10, k)) ? 1 : 0;
+  // Less than two decades have no labels to spare.
+  const bool with_two_and_five = few && (steps <= most_labels || first == last || last < first);
   for (int k = static_cast<int>(std::floor(from - slack)); k <= last; ++k) {
     const double decade = std::pow(10, k);
-    const auto inside = [&](double value) {
-      return value >= range.low * (1 - slack) && value <= range.high * (1 + slack);
-    };
-    if (inside(decade)) ticks.push_back({decade, (k % every) == 0 ? power_label(k, plainly) : ""});
+    if (inside(decade)) ticks.push_back({decade, (k % every) == 0 ? power_label(1, k, plainly) : ""});
     if (decades > with_minor) continue;
     for (int digit = 2; digit <= 9; ++digit) {
       const double value = digit * decade;
       if (!inside(value)) continue;
-      const bool label = decades < with_two_and_five && (digit == 2 || digit == 5);
-      ticks.push_back({value, !label ? "" : plainly ? fixed(value, std::max(0, -k)) : number_markup(value, 3)});
+      const bool label = with_two_and_five && (digit == 2 || digit == 5);
+      ticks.push_back({value, label ? power_label(digit, k, plainly) : ""});
     }
   }
   return ticks;
+}
+
+bool labels_touch(const std::vector<Tick>& ticks, const Mapping& to_pixel,
+                  const std::function<double(const std::string&)>& room) {
+  std::vector<std::pair<double, double>> taken;  // from, to
+  for (const Tick& tick : ticks) {
+    if (tick.label.empty()) continue;
+    const double at = to_pixel(tick.value), half = room(tick.label) / 2;
+    taken.emplace_back(at - half, at + half);
+  }
+  std::sort(taken.begin(), taken.end());
+  for (std::size_t i = 1; i < taken.size(); ++i)
+    if (taken[i].first < taken[i - 1].second) return true;
+  return false;
 }
 
 Mapping::Mapping(Scale scale, Range range, double from_pixel, double to_pixel)

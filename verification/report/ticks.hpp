@@ -2,6 +2,7 @@
 // Axes: places and labels of the ticks.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,7 +31,8 @@ struct Range {
 [[nodiscard]] std::vector<Tick> linear_ticks(const Range& range, double step);
 
 /// Decades, labelled 10^{k} or, from 0.001 to 10000, plainly; at most `most_labels` of them. Below two decades the 2
-/// and the 5 are labelled too, below half a decade round numbers in between. Minor ticks up to seven decades.
+/// and the 5 are labelled too where all three have room, below half a decade round numbers in between. Minor ticks up
+/// to seven decades. All labels of an axis are powers of ten, or none is.
 [[nodiscard]] std::vector<Tick> log_ticks(const Range& range, int most_labels = 7);
 
 /// An axis of a plot.
@@ -55,5 +57,9 @@ class Mapping {
   Range range_;
   double from_, to_;
 };
+
+/// Whether two labels of an axis touch. Each takes `room(label)` pixels along the axis, around its tick.
+[[nodiscard]] bool labels_touch(const std::vector<Tick>& ticks, const Mapping& to_pixel,
+                                const std::function<double(const std::string&)>& room);
 
 }  // namespace ehd::report

@@ -256,7 +256,7 @@ void add_cases(Page& page, const View& bench, const std::vector<View>& rows) {
 }  // namespace
 
 void add_work_precision(Page& page, const View& bench) {
-  page.section("work-precision", "Work and precision");
+  page.section("work-precision", "Work and precision", "Work");
   if (!bench.exists()) {
     page.absent("Times against achieved errors (bench.json) are", "ehd bench --output DIR");
     return;
@@ -282,6 +282,7 @@ void add_work_precision(Page& page, const View& bench) {
   } else {
     page.absent("Work against precision is", "ehd bench --part work-precision --output DIR");
   }
+  add_answer_cost(page, bench);
   add_scaling(page, bench);
   add_response_cost(page, bench);
 }

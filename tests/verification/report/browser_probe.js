@@ -56,6 +56,39 @@
     return verdict(window.innerWidth > 600 || wide.length === 0, wide.length + " scroll sideways, the first is that of " +
       wide.slice(0, 1).map(function (table) { return table.tHead.textContent; }));
   });
+  // Figures fit into the page, and their texts can be read, on a phone too.
+  attempt("pictures", function () {
+    var wide = all(".picture").filter(function (one) { return one.scrollWidth > one.clientWidth; });
+    var small = 99, whose = "";
+    all("svg.plot").forEach(function (svg) {
+      var scale = svg.getBoundingClientRect().width / svg.viewBox.baseVal.width;
+      svg.querySelectorAll("text").forEach(function (text) {
+        var size = scale * parseFloat(getComputedStyle(text).fontSize);
+        if (size < small) { small = size; whose = svg.id + ": " + text.textContent; }
+      });
+    });
+    return verdict(wide.length === 0 && small >= 8, wide.length + " scroll sideways; smallest text " +
+      small.toFixed(1) + " pixels, " + whose);
+  });
+  // A contour line that runs through a number would hide it.
+  attempt("contours", function () {
+    var crossed = [], lines = 0;
+    all("figure.map svg").forEach(function (svg) {
+      var numbers = all("#" + svg.id + " .cell-text").map(function (text) { return text.getBBox(); });
+      all("#" + svg.id + " path.contour").forEach(function (path) {
+        lines += 1;
+        for (var at = 0, length = path.getTotalLength(); at <= length; at += 1) {
+          var point = path.getPointAtLength(at);
+          if (numbers.some(function (box) {
+            // The box of a text is higher than its digits.
+            return point.x > box.x && point.x < box.x + box.width &&
+              point.y > box.y + 0.25 * box.height && point.y < box.y + 0.75 * box.height;
+          })) { crossed.push(svg.id); return; }
+        }
+      });
+    });
+    return verdict(lines > 20 && crossed.length === 0, crossed.length + " of " + lines + " lines, " + crossed[0]);
+  });
   attempt("headings", function () {
     var level = 0, wrong = all("h1,h2,h3,h4,h5,h6").filter(function (head) {
       var own = Number(head.tagName[1]), skips = own > level + 1;
@@ -200,6 +233,24 @@
     var works = Math.abs(ends[0] - home[0] - 0.5 * wide) < 0.02 * wide && Math.abs(ends[1] - ends[0] - 0.25 * wide) < 0.02 * wide;
     return verdict(works && clipped && ranges[1].split(";")[0] === ranges[1].split(";")[1] && ranges[2] !== ranges[1] &&
       ranges[3] === ranges[0] && texts[1] !== texts[0], ranges.join(" | "));
+  });
+  attempt("zoomed ticks", function () {
+    var svg = document.getElementById("fig-work-made-20-10-film-minimum"), touching = 0, labels = 0;
+    var buttons = svg.closest("figure").querySelectorAll(".tools button");
+    function press_and_look(text) {
+      buttons.forEach(function (one) { if (one.textContent === text) { one.click(); } });
+      var boxes = all("#" + svg.id + " .ticks-text text").map(function (one) { return one.getBoundingClientRect(); });
+      labels += boxes.length;
+      boxes.forEach(function (a, i) {
+        boxes.slice(i + 1).forEach(function (b) {
+          touching += Math.min(a.right, b.right) - Math.max(a.left, b.left) > 0 &&
+            Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > 3 ? 1 : 0;
+        });
+      });
+    }
+    // Into the figure and far out of it.
+    ["+", "+", "+", "+", "\u2212", "\u2212", "\u2212", "\u2212", "\u2212", "\u2212", "whole"].forEach(press_and_look);
+    return verdict(touching === 0 && labels > 40, touching + " pairs of " + labels + " labels touch");
   });
   attempt("theme", function () {
     var button = document.querySelector("button.theme"), colours = [];

@@ -100,6 +100,8 @@ for run in light dark phone plain; do
   says "$run" "overflow: 0"
   says "$run" "overflow, all open: 0"
   says "$run" "shown: 3"  # margins, the first bearing: the others open on demand
+  says "$run" "pictures: works"
+  says "$run" "contours: works"
   says "$run" "headings: works"
   says "$run" "links: works"
   says "$run" "anchors: works"
@@ -112,8 +114,8 @@ says wide "width: 1400"
 most_height=10333  # a third of the 31,000 pixels of the page that had nothing folded
 height=$(sed -n 's/^height: //p' "$folder/wide.txt")
 [ "${height:-$((most_height + 1))}" -le "$most_height" ] || complain "the closed page is ${height:-?} pixels high"
-for seen in toggle read-out cell filter "filter links" "filter key" index case zoom theme CSV "CSV of a map" SVG \
-    targets; do
+for seen in toggle read-out cell filter "filter links" "filter key" index case zoom "zoomed ticks" theme CSV \
+    "CSV of a map" SVG targets; do
   for run in light dark phone; do says "$run" "$seen: works"; done
 done
 if [ -n "$axe" ]; then

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/report/heat_map.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "tests/check.hpp"
 #include "tests/verification/report/markup.hpp"
@@ -37,6 +40,31 @@ HeatMap map_of(const std::vector<std::optional<double>>& values) {
               .cells = {}};
   for (const auto& value : values) map.cells.push_back({.value = value, .text = value ? "v" : "", .hint = "a hint"});
   return map;
+}
+
+/// Values of an attribute, in the order of the text.
+std::vector<double> attributes_of(const std::string& svg, const std::string& element, const std::string& name) {
+  std::vector<double> values;
+  for (std::size_t at = 0; (at = svg.find(element, at)) != std::string::npos; ++at) {
+    const std::size_t from = svg.find(name + "=\"", at) + name.size() + 2;
+    values.push_back(std::stod(svg.substr(from)));
+  }
+  return values;
+}
+
+/// Every segment of the path data "M1 2L3 4...".
+std::vector<std::pair<Point, Point>> segments_of(const std::string& data) {
+  std::vector<std::pair<Point, Point>> segments;
+  Point last;
+  for (std::size_t at = 0; at < data.size() && (data[at] == 'M' || data[at] == 'L');) {
+    std::size_t read = 0;
+    const double x = std::stod(data.substr(at + 1), &read);
+    const Point now{x, std::stod(data.substr(at + 1 + read))};
+    if (data[at] == 'L') segments.emplace_back(last, now);
+    last = now;
+    at = data.find_first_of("ML", at + 1);
+  }
+  return segments;
 }
 
 }  // namespace
@@ -145,6 +173,121 @@ BOOST_AUTO_TEST_CASE(maps_without_data_or_of_one_value_are_drawn) {
       }
     }
   }
+}
+
+// A plane over 9 x 5 nodes, every number four digits wide: its lines cross the map through and between the numbers.
+BOOST_AUTO_TEST_CASE(contour_lines_end_before_the_numbers) {
+  HeatMap map{.id = "made",
+              .title = "Made",
+              .description = "Made",
+              .x_label = "*M*",
+              .y_label = "*L*",
+              .x = {},
+              .y = {},
+              .cells = {}};
+  for (int i = 0; i < 9; ++i) map.x.push_back(i + 1);
+  for (int j = 0; j < 5; ++j) map.y.push_back(j);
+  for (int j = 0; j < 5; ++j)
+    for (int i = 0; i < 9; ++i) map.cells.push_back({.value = 2.0 * i + 3 * j, .text = "1234"});
+  for (const double level : {4.0, 8.5, 12.0, 17.0}) map.contours.push_back({.value = level});
+  const std::string svg = draw(map, Place::file);
+  const std::string number = "class=\"cell-text\"", line = "class=\"contour\"";
+  std::vector<ehd::report::Box> numbers;
+  for (std::size_t at = 0; (at = svg.find(number, at)) != std::string::npos; ++at) {
+    const std::string text = svg.substr(svg.rfind("<text", at), svg.find('>', at) - svg.rfind("<text", at));
+    const double x = std::stod(text.substr(text.find("x=\"") + 3)), y = std::stod(text.substr(text.find(" y=\"") + 4)),
+                 size = std::stod(text.substr(text.find("font-size=\"") + 11)), half = text_width("1234", size) / 2;
+    constexpr double digit = 0.7;  // height over the size of the type
+    numbers.push_back({x - half, y - digit * size, x + half, y});
+  }
+  BOOST_REQUIRE(numbers.size() == 45u);
+  std::size_t segments = 0;
+  for (std::size_t at = 0; (at = svg.find(line, at)) != std::string::npos; ++at) {
+    const std::size_t from = svg.find(" d=\"", at) + 4;
+    for (const auto& [a, b] : segments_of(svg.substr(from, svg.find('"', from) - from))) {
+      ++segments;
+      for (const auto& box : numbers)
+        BOOST_TEST(!clipped(a, b, box).has_value(), "a line through the number at " << box.left << ", " << box.bottom);
+    }
+  }
+  BOOST_TEST(segments >= 20u);
+}
+
+BOOST_AUTO_TEST_CASE(the_longer_axis_runs_upward) {
+  const HeatMap map = map_of({1.0, 2.0, 3.0, 4.0, 5.0, 6.0});  // three values of x, two of y
+  const std::string svg = draw(map, Place::page);
+  const auto x = attributes_of(svg, "class=\"cell\" fill", "x"),
+             data = attributes_of(svg, "class=\"datum\"", "data-row");
+  BOOST_TEST(data == (std::vector<double>{1, 10, 100, 1, 10, 100}), boost::test_tools::per_element());  // as before
+  std::vector<double> left, top;
+  for (std::size_t at = 0; (at = svg.find("<g class=\"datum\"", at)) != std::string::npos; ++at) {
+    const std::size_t rectangle = svg.find("<rect x=\"", at);
+    left.push_back(std::stod(svg.substr(rectangle + 9)));
+    top.push_back(std::stod(svg.substr(svg.find(" y=\"", rectangle) + 4)));
+  }
+  BOOST_REQUIRE(left.size() == 6u);
+  BOOST_TEST((left[0] == left[1] && left[1] == left[2] && left[3] == left[4] && left[0] < left[3]));
+  BOOST_TEST((top[0] > top[1] && top[1] > top[2] && top[0] == top[3]));
+}
+
+// The script's phone test looks at the width; here: the texts of a map that is as small as maps get.
+BOOST_AUTO_TEST_CASE(a_small_map_has_room_for_its_names) {
+  HeatMap map = map_of({1.0, 2.0, 3.0, 4.0, 5.0, 6.0});
+  map.x_label = "a name that is longer than three rows";
+  map.heading = "Dowson and Higginson 1966, film.minimum, Roelands, compressible";
+  const std::string svg = draw(map, Place::page);
+  const auto heights = attributes_of(svg, "<rect x=", "height");
+  BOOST_TEST(3 * heights.front() >= text_width(map.x_label, 12));
+  BOOST_TEST(count_of(svg, "class=\"head\"") == 2u);
+  BOOST_TEST(count_of(svg, "Higginson 1966,</text>") == 1u);
+  BOOST_TEST(count_of(svg, ">film.minimum, Roelands, compressible</text>") == 1u);
+  map.heading = "Short";
+  BOOST_TEST(count_of(draw(map, Place::page), "class=\"head\"") == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(the_legend_of_a_map_has_what_is_drawn) {
+  HeatMap map = map_of({1.0, 2.0, 3.0, 4.0, 5.0, 6.0});
+  map.contours = {{2.5, Line::solid, ""}, {40, Line::dashed, ""}};
+  map.keys = {{Line::solid, "drawn"}, {Line::dashed, "beyond all values"}};
+  const std::string svg = draw(map, Place::file);
+  BOOST_TEST(count_of(svg, ">drawn<") == 1u);
+  BOOST_TEST(count_of(svg, "beyond all values") == 0u);
+  BOOST_TEST(count_of(svg, "empty: not known") == 0u);
+  map.cells[4].value.reset();
+  BOOST_TEST(count_of(draw(map, Place::file), "empty: not known") == 1u);
+}
+
+// On the map, a label would hide a number.
+BOOST_AUTO_TEST_CASE(labels_of_contour_lines_stand_beside_the_map_or_above_it) {
+  HeatMap map = map_of({1.0, 2.0, 3.0, 4.0, 5.0, 6.0});
+  map.contours = {{1.5, Line::solid, "1.5"}, {3.5, Line::dashed, "3.5"}, {4.5, Line::solid, "4.5"}};
+  const std::string svg = draw(map, Place::file);
+  const auto x = attributes_of(svg, "<rect x=", "x"), y = attributes_of(svg, "<rect x=", "y"),
+             width = attributes_of(svg, "<rect x=", "width");
+  const double right = *std::max_element(x.begin(), x.end()) + width.front(),
+               top = *std::min_element(y.begin(), y.end());
+  std::size_t labels = 0;
+  const std::string word = "contour-label\"";
+  for (std::size_t at = 0; (at = svg.find(word, at)) != std::string::npos; ++at, ++labels) {
+    const std::string text = svg.substr(svg.rfind("<text", at), 60);
+    BOOST_TEST((std::stod(text.substr(text.find("x=\"") + 3)) > right ||
+                std::stod(text.substr(text.find(" y=\"") + 4)) < top));
+  }
+  BOOST_TEST(labels == 2u);  // that of 1.5 ends at the axes
+}
+
+BOOST_AUTO_TEST_CASE(polar_plots_share_a_scale_that_all_loads_fill) {
+  PolarPlot plot{.id = "made", .title = "Made", .description = "Made", .radius_label = "*f* [kN]", .series = {}};
+  plot.series.push_back({.name = "law", .angle_deg = {-90, 0, 90}, .radius = {1, 4, 1}});
+  const auto circles = [&](double reaches) {
+    plot.reaches = reaches;
+    return count_of(draw(plot, Place::page), "<circle class=\"grid\"");
+  };
+  BOOST_TEST(circles(0) == 4u);     // 1, 2, 3, 4
+  BOOST_TEST(circles(11.2) == 6u);  // 2, 4, ... 12
+  BOOST_TEST(circles(12) == 6u);
+  plot.series.front().radius = {1e-320, 0, not_a_number};
+  for (const double reaches : {0.0, 1e-320, 1e300}) BOOST_TEST(circles(reaches) >= 4u);
 }
 
 BOOST_AUTO_TEST_CASE(polar_plots_point_the_load_down_and_close) {

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/report/plot.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "tests/check.hpp"
 #include "tests/verification/report/markup.hpp"
@@ -132,6 +135,72 @@ BOOST_AUTO_TEST_CASE(a_frame_names_its_ends_from_left_and_from_below) {
   BOOST_TEST(count_of(svg, "data-x-range=\"1,100\" data-x-log=\"1\"") == 1u);
   BOOST_TEST(count_of(svg, "data-y-range=\"10,0\"") == 1u);
   BOOST_TEST(count_of(svg, "data-y-log") == 0u);
+}
+
+// A panel that stands beside two others, with eleven decades; and some with few.
+BOOST_AUTO_TEST_CASE(labels_of_ticks_do_not_touch_in_a_narrow_panel) {
+  for (const auto& [x, fewest] : std::vector<std::pair<std::vector<double>, std::size_t>>{
+           {{5e-11, 2e-3}, 3}, {{1e-12, 1e-2}, 3}, {{0.013, 0.9}, 2}, {{3e-4, 2e-2}, 2}, {{2e-6, 3e-5}, 2}}) {
+    Figure figure = figure_of(x, {1, 2}, Scale::logarithmic);
+    for (const double width : {240.0, 360.0, 480.0}) {
+      figure.width = width;
+      const std::string svg = draw(figure, Place::file);
+      const std::size_t begin = svg.find("<g class=\"ticks-text\">"), end = svg.find("</g>", begin);
+      const std::string texts = svg.substr(begin, end - begin);
+      std::vector<std::pair<double, double>> taken;
+      for (std::size_t at = 0; (at = texts.find("<text x=\"", at)) != std::string::npos; ++at) {
+        const std::string text = texts.substr(at, texts.find("</text>", at) - at);
+        if (count_of(text, "text-anchor=\"middle\"") == 0) continue;  // of y
+        // The power stands in a span of its own, smaller.
+        std::string label;
+        for (std::size_t i = 0, inside = 0; i < text.size(); ++i) {
+          if (text[i] == '<') inside = 1;
+          if (inside == 0) label += text[i];
+          if (text[i] == '>') inside = 0;
+        }
+        const double place = std::stod(text.substr(9)), half = text_width(label, 11) / 2;
+        taken.emplace_back(place - half, place + half);
+      }
+      std::sort(taken.begin(), taken.end());
+      BOOST_TEST(taken.size() >= fewest, taken.size() << " labels, width " << width << ", from " << x.front());
+      for (std::size_t i = 1; i < taken.size(); ++i)
+        BOOST_TEST(taken[i].first > taken[i - 1].second, "width " << width << ", from " << x.front());
+    }
+  }
+}
+
+// The label of a rule stands where no curve passes: at the other end, or on the other side.
+BOOST_AUTO_TEST_CASE(the_label_of_a_rule_avoids_the_curves) {
+  const auto anchor = [](const std::vector<double>& y) {
+    Figure figure = figure_of({0, 1, 2, 3}, y);
+    figure.panels.front().y.low = 0;
+    figure.panels.front().y.high = 10;
+    figure.panels.front().rules.push_back({5, "a rule"});
+    const std::string svg = draw(figure, Place::file);
+    const std::size_t at = svg.rfind("<text", svg.find("a rule"));
+    return svg.substr(at, svg.find("a rule") - at);
+  };
+  BOOST_TEST(count_of(anchor({1, 1, 1, 1}), "text-anchor=\"end\"") == 1u);
+  BOOST_TEST(count_of(anchor({1, 1, 1, 5}), "text-anchor=\"end\"") == 0u);
+  const auto y = [](const std::string& text) { return std::stod(text.substr(text.find(" y=\"") + 4)); };
+  const std::string above = anchor({1, 1, 1, 1}), below = anchor({5.3, 5.3, 5.3, 5.3});
+  BOOST_TEST(count_of(below, "text-anchor=\"end\"") == 1u);
+  BOOST_TEST(y(below) > y(above));
+}
+
+BOOST_AUTO_TEST_CASE(a_line_ends_before_a_hole_and_goes_on_behind_it) {
+  using ehd::report::Box;
+  const std::vector<Point> line{{0, 5}, {6, 5}, {20, 5}};
+  const auto parts = pieces_outside(line, {Box{12, 4, 14, 6}, Box{2, 4, 4, 6}}, 0);
+  BOOST_REQUIRE(parts.size() == 3u);
+  EHD_CHECK(ehd::error(parts[0].back().x, 2), rounding);
+  EHD_CHECK(ehd::error(parts[1].front().x, 4), rounding);
+  BOOST_TEST(parts[1].size() == 3u);  // over the corner at 6
+  EHD_CHECK(ehd::error(parts[1].back().x, 12), rounding);
+  EHD_CHECK(ehd::error(parts[2].front().x, 14), rounding);
+  BOOST_TEST(pieces_outside(line, {Box{12, 4, 14, 6}, Box{2, 4, 4, 6}}, 3).size() == 2u);  // the first has 2
+  BOOST_TEST(pieces_outside(line, {Box{0, 4, 20, 6}}, 0).empty());
+  BOOST_TEST(pieces_outside(line, {}, 0).size() == 1u);
 }
 
 BOOST_AUTO_TEST_CASE(half_a_bearing_is_shown_only_where_the_other_half_is_its_mirror_image) {

@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <optional>
 #include <regex>
 #include <set>
@@ -33,6 +35,23 @@ std::string made_page(const std::function<void(report::Documents&)>& change = {}
       .results = test::made_results(), .bench = test::made_bench(), .stress = test::made_stress()};
   if (change) change(documents);
   return report::report_html(documents);
+}
+
+std::vector<report::Verified> first_table(const std::function<void(report::Documents&)>& change = {}) {
+  report::Documents documents{
+      .results = test::made_results(), .bench = test::made_bench(), .stress = test::made_stress()};
+  if (change) change(documents);
+  return report::everything_verified({documents.results, "results.json"}, {documents.bench, "bench.json"},
+                                     {documents.stress, "stress.json"});
+}
+
+/// The line whose first cell has the words.
+report::Verified line_of(const std::vector<report::Verified>& lines, const std::string& words) {
+  std::vector<report::Verified> found;
+  std::copy_if(lines.begin(), lines.end(), std::back_inserter(found),
+               [&](const report::Verified& line) { return line.what.find(words) != std::string::npos; });
+  BOOST_REQUIRE_EQUAL(found.size(), 1u);
+  return found.front();
 }
 
 /// The page without the heads that the cells of a folding table repeat.
@@ -219,6 +238,27 @@ BOOST_AUTO_TEST_CASE(the_headline_covers_everything_that_is_judged_on_the_page) 
   }
 }
 
+// By a signal or by --time-limit-total: what is missing may be what would have failed.
+BOOST_AUTO_TEST_CASE(a_run_that_was_stopped_is_no_full_pass) {
+  const auto page_of = [](const Json& summary) {
+    return made_page([&](report::Documents& documents) {
+      for (Json& claim : documents.results["claims"]) claim["verdict"] = "pass";
+      documents.results["summary"].update(summary);
+      documents.bench["settings"]["left_out"] = {"batch", "<box>"};
+    });
+  };
+  const std::string whole = page_of(Json::object()), late = page_of({{"not_run", 3}}),
+                    drawn = page_of({{"stopped", true}});
+  BOOST_TEST(count_of(whole, "class=\"verdict pass\"") == 1u);
+  for (const std::string& page : {late, drawn}) {
+    BOOST_TEST(count_of(page, "<b>The run was stopped; what was judged until then stands.</b>") == 1u);
+    BOOST_TEST(count_of(page, "class=\"verdict fail\"") == 1u);
+    BOOST_TEST(count_of(page, "Every claim stands") == 0u);
+  }
+  BOOST_TEST(count_of(late, "</a>: 3 topics were not run to the end.") == 1u);
+  BOOST_TEST(count_of(whole, "the run was stopped; left out: batch, &lt;box&gt;") == 1u);
+}
+
 // Beyond what both solvers state, or with the number of threads: neither is a claim, both are on the page.
 BOOST_AUTO_TEST_CASE(the_headline_covers_cases_and_batches) {
   const auto page_of = [](double found, bool same) {
@@ -238,50 +278,201 @@ BOOST_AUTO_TEST_CASE(the_headline_covers_cases_and_batches) {
 }
 
 BOOST_AUTO_TEST_CASE(the_first_table_has_a_line_a_part_and_says_what_is_absent) {
-  const auto lines = [](const std::function<void(report::Documents&)>& change) {
-    report::Documents documents{
-        .results = test::made_results(), .bench = test::made_bench(), .stress = test::made_stress()};
-    if (change) change(documents);
-    return report::everything_verified({documents.results, "results.json"}, {documents.bench, "bench.json"},
-                                       {documents.stress, "stress.json"});
-  };
   const auto absent = [](const report::Verified& line) {
     return line.open.size() == 1 && line.open.front() == "not in this folder";
   };
-  const auto all = lines({});
+  const auto all = first_table();
   BOOST_TEST(std::none_of(all.begin(), all.end(), absent));
-  const auto bare = lines([](report::Documents& documents) {
+  const auto bare = first_table([](report::Documents& documents) {
     documents.results.erase("figures");
     documents.bench = documents.stress = nullptr;
   });
   BOOST_REQUIRE_EQUAL(bare.size(), all.size());
-  BOOST_TEST(std::count_if(bare.begin(), bare.end(), absent) == static_cast<std::ptrdiff_t>(all.size()) - 1);  // claims
+  constexpr std::ptrdiff_t always = 2;  // claims, provenance
+  BOOST_TEST(std::count_if(bare.begin(), bare.end(), absent) == static_cast<std::ptrdiff_t>(all.size()) - always);
 
-  const auto changed = lines([](report::Documents& documents) {
+  const auto changed = first_table([](report::Documents& documents) {
     documents.results["figures"]["cases"][0]["difference"]["film_central"] = -1e-7;
+    documents.results["figures"]["cases"][0]["solvers"][0]["film"]["central"]["error"] = 9e-7;
     documents.results["figures"]["cases"][1]["solvers"][1]["status"] = "tolerance-not-met";
     documents.bench["work_precision"]["cpu_share"] = 0.4;
   });
-  BOOST_TEST(changed[1].digits == "7 digits");
-  BOOST_REQUIRE_EQUAL(changed[1].open.size(), 1u);
-  BOOST_TEST(changed[1].open.front() == "1 case without two converged solves");
-  BOOST_TEST(changed[3].open.back() == "the times: other processes took 60 % of the core");
-  BOOST_TEST(changed[7].digits == "stiffness: 3 to 4 digits; damping: 2 digits");
+  const report::Verified cases = line_of(changed, "#contacts");
+  BOOST_TEST(cases.digits == "6 digits");
+  BOOST_REQUIRE_EQUAL(cases.open.size(), 2u);
+  BOOST_TEST(cases.open.front() == "1 case without two converged solves");
+  BOOST_TEST(line_of(changed, "of the benchmark").open.back() == "the times: other processes took 60 % of the core");
+  BOOST_TEST(line_of(changed, "in small motion").digits ==
+             "stiffness: 3 digits at worst, 4 at best; damping: 2 digits");
+}
+
+// A section without a line in the first table would look verified.
+BOOST_AUTO_TEST_CASE(the_first_table_leads_to_every_section) {
+  const std::string page = made_page();
+  const std::size_t table = page.find("<table class=\"overview"), end = page.find("</table>", table);
+  BOOST_REQUIRE(table != std::string::npos);
+  const std::string lines = page.substr(table, end - table);
+  std::size_t sections = 0;
+  for (std::size_t at = 0; (at = page.find("<section id=\"", at)) != std::string::npos; ++sections) {
+    at += std::string("<section id=\"").size();
+    const std::string id = page.substr(at, page.find('"', at) - at);
+    if (id != "summary") BOOST_TEST(count_of(lines, "<a href=\"#" + id + "\">") >= 1u, id);
+  }
+  BOOST_TEST(sections == 9u);
+}
+
+// Two solvers that agree to seven digits prove no more digits than the truth itself has.
+BOOST_AUTO_TEST_CASE(digits_count_the_error_of_the_truth) {
+  const auto digits = [](double stated) {
+    return line_of(first_table([&](report::Documents& documents) {
+                     Json& one = documents.results["figures"]["cases"][0];
+                     one["difference"]["film_minimum"] = 1e-7;
+                     one["solvers"][0]["film"]["minimum"]["error"] = stated;
+                   }),
+                   "#contacts")
+        .digits;
+  };
+  BOOST_TEST(digits(0) == "7 digits");
+  BOOST_TEST(digits(4.5e-5) == "4.3 digits");
+  BOOST_TEST(digits(1.1e-4) == "3.9 digits");  // rounded down
+  const auto benchmark = [](double achieved, double truth) {
+    return line_of(first_table([&](report::Documents& documents) {
+                     Json& row = documents.bench["work_precision"]["rows"][0];
+                     documents.bench["work_precision"]["rows"] = Json::array({row});
+                     for (const char* film : {"film.minimum", "film.central"})
+                       documents.bench["work_precision"]["rows"][0][film] = {{"achieved", achieved},
+                                                                             {"truth_error", truth}};
+                   }),
+                   "of the benchmark")
+        .digits;
+  };
+  BOOST_TEST(benchmark(1e-15, 1e-12).starts_with("11.9 digits, as they were asked for"));
+  BOOST_TEST(benchmark(1e-3, 1e-12).find("all 4 stated errors that could be judged cover the true one") !=
+             std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(the_first_table_says_what_a_short_run_and_other_commits_leave_open) {
+  const auto open = [](const std::string& part, const std::function<void(report::Documents&)>& change) {
+    const std::vector<std::string> said = line_of(first_table(change), part).open;
+    return std::accumulate(said.begin(), said.end(), std::string(),
+                           [](const std::string& all, const std::string& one) { return all + one + "; "; });
+  };
+  const std::string quick = "--quick";
+  BOOST_TEST(count_of(open("of the benchmark", {}), quick) == 0u);
+  BOOST_TEST(count_of(open("of the stress", {}), quick) == 0u);
+  BOOST_TEST(count_of(open("of the benchmark",
+                           [](report::Documents& documents) { documents.bench["settings"]["quick"] = true; }),
+                      quick) == 1u);
+  BOOST_TEST(
+      count_of(open("of the stress",
+                    [](report::Documents& documents) { documents.stress["parts"][0]["settings"]["quick"] = true; }),
+               quick) == 1u);
+  const std::string other = "bench.json: of another commit than results.json";
+  BOOST_TEST(count_of(open("Provenance", {}), other) == 0u);
+  BOOST_TEST(count_of(open("Provenance",
+                           [](report::Documents& documents) { documents.bench["provenance"]["commit"] = "f00"; }),
+                      other) == 1u);
+  BOOST_TEST(count_of(open("over M and L", {}), "where it was not run") == 0u);
+  BOOST_TEST(count_of(open("over M and L",
+                           [](report::Documents& documents) {
+                             for (const std::size_t i : {0u, 1u, 2u})
+                               documents.results["figures"]["maps"]["points"][i].erase("fast");
+                           }),
+                      "at 3 points, where it was not run") == 1u);
 }
 
 // A line that is fitted is off by its distance from the full relation; the datum is a choice.
 BOOST_AUTO_TEST_CASE(a_balance_has_the_errors_of_its_budget_and_the_first_table_has_the_worst) {
-  const auto digits = [](const Json& results) {
-    return report::everything_verified({results, "results.json"}, {}, {})[6].digits;
+  const auto line = [](const Json& results) {
+    return line_of(report::everything_verified({results, "results.json"}, {}, {}), "under 3 laws");
   };
   Json results = test::made_results();
-  BOOST_TEST(digits(results) == "displacement: 1.4 to 3.3 digits");
+  BOOST_TEST(line(results).digits == "<code>ehd-linear</code>: 1.3 digits; <code>ehd</code>: 3.2");
+  BOOST_TEST(line(results).open.front() == "no error is stated of <code>hertz</code>");
   const std::string page = without_columns(made_page());
   BOOST_TEST(count_of(page, "<td class=\"number\">5.0(3)</td><td class=\"number\">9.00(2)</td>") == 1u);  // 0.201 um
   BOOST_TEST(count_of(page, "<td class=\"number\">5.000(3)</td>") == 1u);
   BOOST_TEST(count_of(page, "<td class=\"number\">0.4000(4)</td>") == 1u);
   results["figures"]["bearing"][0]["laws"][1]["error_budget"].erase(0);  // the fit's distance is not known
-  BOOST_TEST(digits(results) == "displacement: 3.3 digits");
+  BOOST_TEST(line(results).digits == "<code>ehd</code>: 3.2 digits");
+}
+
+// Panels that stand beside each other to be compared.
+BOOST_AUTO_TEST_CASE(bearings_of_one_family_share_their_scales) {
+  const std::string page = made_page();
+  const auto picture = [&](const std::string& id) {
+    const std::size_t begin = page.find("id=\"" + id + "\"");
+    BOOST_REQUIRE(begin != std::string::npos);
+    return page.substr(begin, page.find("</svg>", begin) - begin);
+  };
+  const auto circles = [&](const std::string& id) {
+    std::vector<std::string> labels;
+    const std::string svg = picture(id), word = "class=\"small halo\">";
+    for (std::size_t at = 0; (at = svg.find(word, at)) != std::string::npos; ++at)
+      labels.push_back(svg.substr(at + word.size(), svg.find('<', at) - at - word.size()));
+    return labels;
+  };
+  const auto range = [&](const std::string& id) {
+    const std::string svg = picture(id), word = "data-y-range=\"";
+    const std::size_t at = svg.find(word) + word.size();
+    return svg.substr(at, svg.find('"', at) - at);
+  };
+  BOOST_TEST(!circles("fig-polar-made-tight").empty());
+  for (const std::string other : {"made-loose", "made-wide"}) {
+    BOOST_TEST(circles("fig-polar-" + other) == circles("fig-polar-made-tight"), boost::test_tools::per_element());
+    BOOST_TEST(range("fig-force-" + other) == range("fig-force-made-tight"));
+  }
+  for (const std::string law : {"ehd-linear", "ehd"})
+    BOOST_TEST(range("fig-clearance-made-tight-" + law) == range("fig-clearance-made-tight-hertz"));
+}
+
+BOOST_AUTO_TEST_CASE(an_answer_has_its_cost_in_ms_and_in_c) {
+  const std::string page = without_columns(made_page());
+  BOOST_TEST(count_of(page,
+                      "<th scope=\"row\">both films to 1e-3</th><td>box</td><td class=\"number\">24</td>"
+                      "<td class=\"number\">0</td><td class=\"number\">24</td><td class=\"number\">6</td>") == 1u);
+  BOOST_TEST(count_of(page, "<td class=\"number\">1200</td></tr>") == 1u);  // 6 ms over 5 us
+  const std::string without = made_page([](report::Documents& documents) { documents.bench.erase("cost"); });
+  BOOST_TEST(count_of(without, "ehd bench --part cost --output DIR") == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(small_numbers_of_the_stress_are_powers_of_ten) {
+  const std::string page =
+      made_page([](report::Documents& documents) { documents.stress["parts"][0]["rows"][0][1] = 6.5947e-14; });
+  BOOST_TEST(count_of(page, ">6.5947\u2009\u00b7\u200910<sup>\u221214</sup></td>") == 1u);
+  BOOST_TEST(count_of(page, ">tolerance-not-met</td>") >= 1u);  // a word stays a word
+}
+
+// Nine names in two lines of a phone: a long title has a short name in the index.
+BOOST_AUTO_TEST_CASE(the_index_is_short) {
+  const std::string page = made_page();
+  const std::size_t begin = page.find("<nav"), end = page.find("</nav>");
+  static const std::regex link("<a href=\"#[^\"]*\">([^<]*)</a>");
+  const std::string index = page.substr(begin, end - begin);
+  std::size_t names = 0;
+  for (std::sregex_iterator at(index.begin(), index.end(), link), last; at != last; ++at, ++names) {
+    const std::string name = (*at)[1];
+    BOOST_TEST((name.size() <= 12 && name.find(' ') == std::string::npos), name);
+  }
+  BOOST_TEST(names == 9u);
+}
+
+BOOST_AUTO_TEST_CASE(a_study_says_which_order_is_declared) {
+  BOOST_TEST(count_of(made_page(),
+                      "<b>fast.uniform, made-20-10</b>: relative error over intervals; declared order: 2 for "
+                      "film.minimum, extrapolated, 2 for film.central, 2 for film.minimum, each grid.") == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(a_figure_of_single_marks_is_left_to_its_table) {
+  const auto figures = [](std::size_t rows) {
+    return count_of(made_page([&](report::Documents& documents) {
+                      Json& all = documents.bench["response"]["frequencies"];
+                      while (all.size() > rows) all.erase(all.size() - 1);
+                    }),
+                    "id=\"fig-response-cost\"");
+  };
+  BOOST_TEST(figures(2) == 1u);
+  BOOST_TEST(figures(1) == 0u);
 }
 
 BOOST_AUTO_TEST_CASE(no_legend_has_one_name_twice) {

@@ -29,6 +29,10 @@ BOOST_AUTO_TEST_CASE(coordinates_are_short_and_never_nan) {
 BOOST_AUTO_TEST_CASE(numbers_have_a_true_minus_and_powers_of_ten) {
   BOOST_TEST(number_markup(-0.25) == "\u22120.25");
   BOOST_TEST(number_markup(1e-7) == "10^{\u22127}");
+  BOOST_TEST(number_markup(1e-4) == "10^{\u22124}");  // as 1e-5 beside it
+  BOOST_TEST(number_markup(-2.5e-4) == "\u22122.5\u2009\u00b7\u200910^{\u22124}");
+  BOOST_TEST(number_markup(1e-3) == "0.001");
+  BOOST_TEST(number_markup(0) == "0");
   BOOST_TEST(markup_to_text(number_markup(2.5e9)) == "2.5\u2009\u00b7\u200910^9");
   BOOST_TEST(number_markup(std::numeric_limits<double>::quiet_NaN()) == "?");
 }

@@ -66,6 +66,27 @@ BOOST_AUTO_TEST_CASE(log_axes_label_decades_and_below_two_of_them_2_and_5) {
   BOOST_TEST(log_ticks({1, 1}).empty());
 }
 
+// All labels of an axis are powers of ten, or none is.
+BOOST_AUTO_TEST_CASE(labels_of_a_log_axis_look_alike) {
+  const std::vector<std::string> powers{"2\u2009\u00b7\u200910^{\u22126}", "5\u2009\u00b7\u200910^{\u22126}",
+                                        "10^{\u22125}", "2\u2009\u00b7\u200910^{\u22125}"};
+  BOOST_TEST(labels(log_ticks({2e-6, 3e-5})) == powers, boost::test_tools::per_element());
+  const std::vector<std::string> plainly{"0.0005", "0.001", "0.002", "0.005", "0.01", "0.02"};
+  BOOST_TEST(labels(log_ticks({4e-4, 3e-2})) == plainly, boost::test_tools::per_element());
+  const std::vector<std::string> decades{"0.001", "0.01"};
+  BOOST_TEST(labels(log_ticks({4e-4, 3e-2}, 3)) == decades, boost::test_tools::per_element());  // no room for 2 and 5
+}
+
+BOOST_AUTO_TEST_CASE(labels_touch_where_their_boxes_overlap) {
+  const Mapping to_pixel(Scale::linear, {0, 10}, 100,
+                         0);  // downwards: the order of the pixels is not that of the ticks
+  const auto room = [](const std::string& label) { return 10.0 * static_cast<double>(label.size()); };
+  BOOST_TEST(!labels_touch({{0, "ab"}, {2, "ab"}, {4.5, "abc"}}, to_pixel, room));
+  BOOST_TEST(labels_touch({{0, "ab"}, {2, "ab"}, {4.4, "abc"}}, to_pixel, room));
+  BOOST_TEST(!labels_touch({{0, "ab"}, {1, ""}, {2, "ab"}}, to_pixel, room));  // a minor tick has no label
+  BOOST_TEST(!labels_touch({}, to_pixel, room));
+}
+
 BOOST_AUTO_TEST_CASE(a_range_holds_every_value_that_has_a_place) {
   const Range linear = range_of({0.3, not_a_number, -1.7, infinity}, Scale::linear);
   BOOST_TEST((linear.low <= -1.7 && linear.high >= 0.3 && std::isfinite(linear.high)));
