@@ -111,9 +111,9 @@ sanitize-threads:  ## The tests that use threads, and part of the suite, with Th
 	@ctest --test-dir $(BUILD)-threads --output-on-failure --label-regex '^threads$$' --no-tests=error $(CTEST_FLAGS)
 	@$(BUILD)-threads/ehd verify --quick --rung 7
 
-faults: program  ## Attack the program with bad input, faults and signals; a table of what was tried (2 minutes)
+faults: program  ## Attack the program with bad input, faults, signals; a table in docs/results/faults.md (2 minutes)
 	@sh cmake/setup.sh python3
-	@python3 tests/faults/run.py $(BUILD)/ehd
+	@python3 tests/faults/run.py $(BUILD)/ehd --page docs/results/faults.md
 
 engines: program  ## Sweeps under GNU parallel, Open MPI and Slurm: the rows of one process, bit for bit (2 minutes)
 	@sh cmake/setup.sh python3 parallel openmpi-bin slurm-wlm munge

@@ -175,14 +175,17 @@ BearingErrors errors_in(const std::vector<BudgetRow>& budget) {
   return errors;
 }
 
-/// Adds one case to the account.
-void add_case(Account& account, const Case& one, const std::vector<BearingResult>& results, const Asked& asked,
+/// Adds one case to the account. A result without a budget gets a note that says so.
+void add_case(Account& account, const Case& one, std::vector<BearingResult>& results, const Asked& asked,
               ContactMemory& memory) {
   std::string budgets;
   BearingView view{.details = asked.details};
-  for (const BearingResult& result : results) {
-    account.list.push_back(to_json(result));
+  for (BearingResult& result : results) {
     const auto budget = budget_of(one, results, result.law, memory);
+    if (budget.empty())
+      if (const auto why = why_no_budget(one, results, result.law, memory))
+        result.notes.emplace_back(note::NoBudget{*why});
+    account.list.push_back(to_json(result));
     if (!budget.empty()) {
       account.list.back()["error_budget"] = to_json(budget);
       view.errors[result.law] = errors_in(budget);

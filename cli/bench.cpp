@@ -5,13 +5,16 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "cli/interruption.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/subcommands.hpp"
@@ -61,6 +64,7 @@ damping beyond its balance); only where they are named, box (times and errors ov
 convolution (c, one padded FFT convolution of n = 512) and first (what the first solve of a process costs beside a later
 one: planning, new memory). DIR/bench.json holds the parts of this run;
 DIR/work_precision.csv, DIR/scaling.csv and DIR/box.csv hold the tables. A solve that fails is a row with its reason.
+After Ctrl-C or SIGTERM, the files hold the finished parts, and bench.json names those that are left out.
 
 Exit code: 0 the tables are complete; 1 no run could be judged, or results depend on the number of threads; 2 wrong
 usage.)";
@@ -132,17 +136,8 @@ class Bench {
     json_["provenance"] = provenance();
     for (const RegisteredSolver& solver : solvers()) json_["looks"][solver.name] = solver.look;
     json_["settings"] = {{"quick", quick_}, {"time_limit_s", time_limit_s_}, {"parts", parts_}};
-    // Scaling runs first, while this process is small: its child processes begin with the memory of this one.
-    if (asked(scaling) && !fft_solvers_.empty()) measure_scaling();
-    if (asked(first_solves) && !fft_solvers_.empty()) measure_first();  // before this process plans a transform
-    if (asked(convolution)) measure_convolution();
-    if (asked(batch) && !fft_solvers_.empty()) measure_batch();
-    if (asked(box) && !fft_solvers_.empty()) measure_box();
-    if (asked(answer_cost) && !fft_solvers_.empty()) measure_cost();
-    if (asked(response_cost)) measure_response();
-    if (asked(work_precision)) measure_work_precision();
-    folder_->write("bench.json", json_text(json_));
-    folder_->commit();
+    measure_parts();
+    write_files();
     return sound_ ? success : not_met;
   }
 
@@ -159,10 +154,51 @@ class Bench {
                          "uses no FFT; allowed in scaling, batch, box, first and cost are those that do");
   }
 
-  void finish_part(const std::string& table) {
-    ++finished_;
+  /// A signal keeps the parts that are finished.
+  void measure_parts() {
+    const KeepWhenInterrupted kept([this] { return keep_finished(); });
+    // Scaling runs first, while this process is small: its child processes begin with the memory of this one.
+    if (asked(scaling) && !fft_solvers_.empty()) measure_scaling();
+    if (asked(first_solves) && !fft_solvers_.empty()) measure_first();  // before this process plans a transform
+    if (asked(convolution)) measure_convolution();
+    if (asked(batch) && !fft_solvers_.empty()) measure_batch();
+    if (asked(box) && !fft_solvers_.empty()) measure_box();
+    if (asked(answer_cost) && !fft_solvers_.empty()) measure_cost();
+    if (asked(response_cost)) measure_response();
+    if (asked(work_precision)) measure_work_precision();
+  }
+
+  /// Records and prints a part: its entry in bench.json and its table in a file of its own, where it has one.
+  void finish_part(const char* part, const std::string& table, const char* key, Json entry,
+                   const std::string& csv_name = {}, std::string csv = {}) {
+    KeepWhenInterrupted::before_recording();
+    {
+      const std::lock_guard lock(recording_);
+      finished_.emplace_back(part);
+      json_[key] = std::move(entry);
+      if (!csv_name.empty()) tables_[csv_name] = std::move(csv);
+    }
     progress_.show("");
     print(table);
+  }
+
+  void write_files() {
+    for (const auto& [name, csv] : tables_) folder_->write(name, csv);
+    folder_->write("bench.json", json_text(json_));
+    folder_->commit();
+  }
+
+  /// In another thread. Names the parts that are not finished. Returns the line for standard error.
+  std::string keep_finished() {
+    const std::lock_guard lock(recording_);
+    if (folder_->path().empty() || finished_.empty()) return "ehd: bench: interrupted; nothing is kept";
+    Json left_out = Json::array();
+    for (const std::string& part : parts_)
+      if (std::find(finished_.begin(), finished_.end(), part) == finished_.end()) left_out.push_back(part);
+    json_["settings"]["left_out"] = left_out;
+    write_files();
+    return fmt::format("ehd: bench: interrupted; {} has {} of {} parts", (folder_->path() / "bench.json").string(),
+                       finished_.size(), parts_.size());
   }
 
   void measure_scaling() {
@@ -170,9 +206,7 @@ class Bench {
     request.time_limit_s = time_limit_s_;
     request.progress = show_;
     const auto rows = run_scaling(request);
-    json_["scaling"] = to_json(rows);
-    folder_->write("scaling.csv", verification::scaling_csv(rows));
-    finish_part(human_table(rows));
+    finish_part(scaling, human_table(rows), "scaling", to_json(rows), "scaling.csv", verification::scaling_csv(rows));
     if (std::none_of(rows.begin(), rows.end(), [](const auto& row) { return row.status.has_value(); })) {
       complain("ehd: bench: not one size was measured: " + (rows.empty() ? "there is none" : rows.front().reason));
       sound_ = false;
@@ -182,10 +216,11 @@ class Bench {
   void measure_convolution() {
     constexpr verification::Repetition many{.least = 200, .least_s = 0.05, .enough_s = 0.5, .most = 100000};
     const double c_s = verification::convolution_s(verification::unit_intervals, many);
-    json_["convolution"] = {{"nodes", verification::unit_intervals}, {"c_s", c_s}};
     constexpr double micro = 1e6;
     finish_part(
-        fmt::format("c = {:.2f} us: one padded convolution of n = {}\n", micro * c_s, verification::unit_intervals));
+        convolution,
+        fmt::format("c = {:.2f} us: one padded convolution of n = {}\n", micro * c_s, verification::unit_intervals),
+        "convolution", {{"nodes", verification::unit_intervals}, {"c_s", c_s}});
   }
 
   void measure_first() {
@@ -194,8 +229,7 @@ class Bench {
     request.time_limit_s = time_limit_s_;
     request.progress = show_;
     const auto rows = verification::run_first_solves(request);
-    json_["first"] = to_json(rows);
-    finish_part(human_table(rows));
+    finish_part(first_solves, human_table(rows), "first", to_json(rows));
     const auto failed = std::find_if(rows.begin(), rows.end(), [](const auto& row) { return !row.why.empty(); });
     if (failed != rows.end()) {
       complain(fmt::format("ehd: bench: a first solve by {}: {}", failed->solver, failed->why));
@@ -210,8 +244,7 @@ class Bench {
     for (unsigned threads = 4; threads <= cores; threads *= 2) request.threads.push_back(threads);
     request.progress = show_;
     const auto rows = run_batch(request);
-    json_["batch"] = to_json(rows);
-    finish_part(human_table(rows));
+    finish_part(batch, human_table(rows), "batch", to_json(rows));
     if (!std::all_of(rows.begin(), rows.end(), [](const auto& row) { return row.same_results; })) {
       complain("ehd: bench: results depend on the number of threads");
       sound_ = false;
@@ -225,9 +258,7 @@ class Bench {
     request.threads = std::max(1u, std::thread::hardware_concurrency());
     request.progress = show_;
     const auto rows = verification::run_box_bench(request);
-    json_["box"] = to_json(rows);
-    folder_->write("box.csv", verification::box_csv(rows));
-    finish_part(human_table(rows));
+    finish_part(box, human_table(rows), "box", to_json(rows), "box.csv", verification::box_csv(rows));
   }
 
   void measure_cost() {
@@ -236,8 +267,7 @@ class Bench {
     request.program = std::filesystem::read_symlink("/proc/self/exe");
     request.progress = show_;
     const auto rows = verification::run_answer_costs(request);
-    json_["cost"] = to_json(rows);
-    finish_part(human_table(rows));
+    finish_part(answer_cost, human_table(rows), "cost", to_json(rows));
   }
 
   /// Of every solver that has a response.
@@ -245,8 +275,7 @@ class Bench {
     verification::ResponseCostRequest request{.quick = quick_, .time_limit_s = time_limit_s_};
     request.progress = show_;
     const auto cost = verification::run_response_costs(request);
-    json_["response"] = to_json(cost);
-    finish_part(human_table(cost));
+    finish_part(response_cost, human_table(cost), "response", to_json(cost));
   }
 
   void measure_work_precision() {
@@ -255,9 +284,8 @@ class Bench {
     request.time_limit_s = time_limit_s_;
     request.progress = show_;
     const auto result = run_work_precision(request);
-    json_["work_precision"] = to_json(result);
-    folder_->write("work_precision.csv", verification::work_precision_csv(result));
-    finish_part(human_table(result));
+    finish_part(work_precision, human_table(result), "work_precision", to_json(result), "work_precision.csv",
+                verification::work_precision_csv(result));
     if (!result.anything_judged()) {
       complain("ehd: bench: not one run could be judged");
       sound_ = false;
@@ -271,9 +299,11 @@ class Bench {
   std::vector<Case> cases_;             ///< of work-precision
   std::optional<OutputFolder> folder_;  ///< made after all options are checked
   Progress progress_;
-  std::size_t finished_ = 0;  ///< parts
+  std::mutex recording_;  ///< of what is finished
+  std::vector<std::string> finished_;
+  std::map<std::string, std::string> tables_;  ///< CSV, by the name of the file
   std::function<void(const std::string&)> show_ = [this](const std::string& what) {
-    progress_.step(finished_, parts_.size(), "bench " + what);
+    progress_.step(finished_.size(), parts_.size(), "bench " + what);
   };
   Json json_;
   bool sound_ = true;

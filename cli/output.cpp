@@ -122,7 +122,7 @@ OutputFolder::~OutputFolder() {
 
 void OutputFolder::open(const std::vector<std::string>& names) {
   if (path_.empty()) return;
-  for (const std::string& name : names) files_.try_emplace(name, path_ / name);
+  for (const std::string& name : names) files_.try_emplace(name, path_ / name, Replaces::file);
 }
 
 void OutputFolder::write(const std::string& name, const std::string& text) {

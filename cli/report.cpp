@@ -25,7 +25,7 @@ folder or a file in it cannot be used.)";
 int report_on(const std::string& folder) {
   try {
     const auto documents = report::read_documents(folder);
-    OutputFile file(std::filesystem::path(folder) / "report.html");
+    OutputFile file(std::filesystem::path(folder) / "report.html", Replaces::file);
     file.commit(report::report_html(documents));
   } catch (const report::ReportError& error) {
     throw UsageError("report: " + std::string(error.what()));

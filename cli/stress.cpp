@@ -6,10 +6,12 @@
 
 #include <algorithm>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "cli/interruption.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/subcommands.hpp"
@@ -36,8 +38,52 @@ Examples:
 Parts: a box (every load and material), b starts (random first states), c precision (double against long double and
 34 digits), d rounding (the four rounding modes), e condition (inputs moved by one ulp and by 1e-8), f grids (2^4 to
 2^20 intervals), g extremes (random and impossible inputs, limits), h repeatability (the same bits again), i random
-bearings (every force law), j motion (random stiffness and damping). Exit code: 0 every part that ran passes; 1 one
-fails or is inconclusive; 2 wrong usage.)";
+bearings (every force law), j motion (random stiffness and damping). After Ctrl-C or SIGTERM, stress.json has the
+finished parts, and the others as inconclusive. Exit code: 0 every part that ran passes; 1 one fails or is
+inconclusive; 2 wrong usage.)";
+
+/// Writes the finished parts; the others are inconclusive. Returns the line for standard error.
+std::string keep_parts(std::vector<verification::stress::Part> parts,
+                       const std::vector<const verification::stress::PartEntry*>& chosen,
+                       const verification::stress::Scope& scope, OutputFolder& folder,
+                       const verification::Stopwatch& watch) {
+  const std::size_t finished = parts.size();
+  if (folder.path().empty() || finished == 0) return "ehd: stress: interrupted; nothing is kept";
+  for (std::size_t k = finished; k < chosen.size(); ++k) parts.push_back(interrupted_part(*chosen[k], scope));
+  folder.write("stress.json", json_text(to_json(parts, watch.seconds())));
+  folder.commit();
+  return fmt::format("ehd: stress: interrupted; {} has {} of {} parts", (folder.path() / "stress.json").string(),
+                     finished, chosen.size());
+}
+
+/// Runs the parts one after the other and prints each. A signal keeps those that are finished.
+std::vector<verification::stress::Part> run_parts(const std::vector<const verification::stress::PartEntry*>& chosen,
+                                                  verification::stress::Scope scope, OutputFolder& folder,
+                                                  const verification::Stopwatch& watch) {
+  using namespace verification::stress;
+  std::vector<Part> results;
+  std::mutex mutex;  // of the results
+  const KeepWhenInterrupted kept([&, scope] {
+    const std::lock_guard lock(mutex);
+    return keep_parts(results, chosen, scope, folder, watch);
+  });
+  Progress progress;
+  for (const PartEntry* entry : chosen) {
+    scope.progress = [&](const std::string& what) {
+      progress.step(results.size(), chosen.size(), fmt::format("({}) {}: {}", entry->id, entry->name, what));
+    };
+    scope.show("...");
+    Part part = run_part(*entry, scope);
+    progress.show("");
+    KeepWhenInterrupted::before_recording();
+    {
+      const std::lock_guard lock(mutex);
+      results.push_back(std::move(part));
+    }
+    print(human_text(results.back()));
+  }
+  return results;
+}
 
 int stress(const StressOptions& options) {
   using namespace verification::stress;
@@ -56,18 +102,7 @@ int stress(const StressOptions& options) {
   OutputFolder folder(options.output);
   folder.open({"stress.json"});
   const verification::Stopwatch watch;
-  std::vector<Part> results;
-  Progress progress;
-  for (const PartEntry* entry : chosen) {
-    scope.progress = [&](const std::string& what) {
-      progress.step(results.size(), chosen.size(), fmt::format("({}) {}: {}", entry->id, entry->name, what));
-    };
-    scope.show("...");
-    Part part = run_part(*entry, scope);
-    progress.show("");
-    print(human_text(part));
-    results.push_back(std::move(part));
-  }
+  const std::vector<Part> results = run_parts(chosen, scope, folder, watch);
   if (results.size() > 1) print(human_summary(results));
   folder.write("stress.json", json_text(to_json(results, watch.seconds())));
   folder.commit();

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/interruption.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/subcommands.hpp"
@@ -35,13 +36,15 @@ Examples:
   ehd verify --random-runs 50 --rung 8  error bars at 50 random runs of each law set, in six minutes
   ehd verify --output out/verify        leaves out/verify/results.json
 
-After the time of --time-limit-total no new topic begins. A topic that has begun is judged to its end.
+After the time of --time-limit-total no topic begins. Solves end at their next iteration, and topics that are not
+finished are left out; nothing bounds what a topic does between solves (a few seconds). After Ctrl-C or SIGTERM,
+results.json has the finished topics. Either way, it is no success.
 
 Rungs: 0 inputs, 1 kernel, 2 operator, 3 elasticity, 4 Reynolds, 5 coupled, 6 solvers, 7 twins, 8 grids, 9 regimes,
 10 published, 11 bearing. Exit code: 0 every claim passes, or all are skipped, each with its reason; 1 a claim fails or
 is inconclusive; 2 wrong usage.)";
 
-int verify(const VerifyOptions& options) {
+verification::SuiteRequest suite_request(const VerifyOptions& options) {
   verification::SuiteRequest request;
   if (options.rung) {
     request.rung = parse_integer("--rung", *options.rung, {.low = 0, .high = verification::rungs - 1});
@@ -50,8 +53,37 @@ int verify(const VerifyOptions& options) {
   request.quick = options.quick;
   if (options.random_runs)
     request.random_runs = parse_integer("--random-runs", *options.random_runs, {.low = 1, .high = 10000});
-
   request.deadline = deadline_in(options.time_limit_total);
+  return request;
+}
+
+/// What a report draws; null without --output, and where the time for everything has passed.
+Json figures_of(const verification::SuiteRequest& request, bool asked, Progress& progress) {
+  if (!asked || request.deadline.passed()) return {};
+  verification::FiguresRequest pictures{.rung = request.rung,
+                                        .case_id = request.case_id,
+                                        .quick = request.quick,
+                                        .threads = request.threads,
+                                        .deadline = request.deadline};
+  pictures.progress = [&](std::size_t done, std::size_t all, const std::string& name) {
+    progress.step(done, all, "figures: " + name);
+  };
+  return verification::figures(pictures);
+}
+
+/// Writes the topics that are finished, without figures. Returns the line for standard error.
+std::string keep_topics(const verification::SuiteRun& run, OutputFolder& folder) {
+  const verification::SuiteResult result = run.stopped();
+  const std::size_t all = result.topics.size(), finished = all - result.not_run;
+  if (folder.path().empty() || finished == 0) return "ehd: verify: interrupted; nothing is kept";
+  folder.write("results.json", json_text(to_json(result)));
+  folder.commit();
+  return fmt::format("ehd: verify: interrupted; {} has {} of {} topics", (folder.path() / "results.json").string(),
+                     finished, all);
+}
+
+int verify(const VerifyOptions& options) {
+  verification::SuiteRequest request = suite_request(options);
   OutputFolder folder(options.output);
   folder.open({"results.json"});
   verification::SuiteResult result;
@@ -62,30 +94,28 @@ int verify(const VerifyOptions& options) {
       progress.show(fmt::format("verify {}/{}, {}, about {} left: {}", now.done, now.all, duration(now.elapsed_s),
                                 duration(now.left_s), now.name));
     };
-    result = verification::run_suite(request);
-    if (options.output && !request.deadline.passed()) {
-      verification::FiguresRequest pictures{
-          .rung = request.rung, .case_id = request.case_id, .quick = request.quick, .threads = request.threads};
-      pictures.progress = [&](std::size_t done, std::size_t all, const std::string& name) {
-        progress.step(done, all, "figures: " + name);
-      };
-      figures = verification::figures(pictures);
-    }
+    verification::SuiteRun run(request);
+    const KeepWhenInterrupted kept([&] { return keep_topics(run, folder); });
+    result = run.judge();
+    figures = figures_of(request, options.output.has_value(), progress);
   } catch (const verification::NothingSelected& nothing) {
     throw UsageError(nothing.what());
   }
   if (options.output) {
     Json json = to_json(result);
-    if (!figures.is_null()) json["figures"] = std::move(figures);
+    if (!figures.is_null()) json["figures"] = figures;
     folder.write("results.json", json_text(json));
     folder.commit();
   }
   print(human_summary(result, options.all));
   if (options.trace) print("\n" + human_trace(trace(verification::traceable_parts(), {result.claims, result.skipped})));
-  if (result.success()) return success;
+  if (result.success()) {
+    if (options.output && figures.is_null()) complain("ehd: verify: no time was left for the report's figures");
+    return success;
+  }
   if (result.not_run > 0) {
     complain("ehd: verify: the time for everything is too short; " + std::to_string(result.not_run) +
-             " topics were not run");
+             " topics were not run, or not to their end");
     return not_met;
   }
   std::size_t standing = 0;

@@ -93,6 +93,7 @@ Json to_json(const FilmCurve& curve) {
   put(json, "load_N", {curve.lightest_N(), curve.heaviest_N()});
   put(json, "interpolation_error", curve.errors().interpolation);
   put(json, "joint_error", curve.errors().joint);
+  put(json, "joint_force_error", curve.errors().joint_force);
   put(json, "force_error", std::max(curve.errors().interpolation_force, curve.errors().joint_force));
   put(json, "solver_error", curve.errors().solver_offset_film);
   json["lightest_because"] = curve.errors().lightest_because;

@@ -96,6 +96,9 @@ struct Words {
     return fmt::format("variant {}: no balance, {}", bearing_stage::variant, none.why);
   }
   std::string operator()(const note::NoFilms& none) const { return "no films: " + none.why; }
+  std::string operator()(const note::NoBudget& none) const {
+    return "no error budget, and so no errors in brackets: " + none.why;
+  }
   std::string operator()(const note::Dynamics& motion) const {
     if (!motion.damped)
       return fmt::format("dynamics: the law {} has no film that moves, so that its damping is unknown, not zero",

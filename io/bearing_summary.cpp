@@ -17,7 +17,8 @@ namespace {
 
 constexpr double um_per_m = 1e6, MPa_per_Pa = 1e-6, N_per_um = 1e-6, deg_per_rad = 180 / std::numbers::pi;
 constexpr double rounding_deg = 1e-6;  // a load zone that lies less askew is symmetric
-/// Digits of a stiffness whose error is not stated. Motion at 0 Hz states 1e-3 for my-bearing and 2e-3 for na4908.
+/// Digits of a number with films whose error is not stated. Motion at 0 Hz states 1e-3 of a stiffness for my-bearing
+/// and 2e-3 for na4908.
 constexpr int unstated_digits = 3;
 
 const RollerRow& most_loaded(const BearingResult& result) {
@@ -50,20 +51,24 @@ std::optional<double> stiffness_error_N_per_um(const BearingResult& result) {
   return std::nullopt;
 }
 
-/// The numbers of one law. Without errors, six digits stand for a dry law that is solved to rounding.
+/// The numbers of one law. A dry law is solved to rounding: six digits. A law with films has three where no error is
+/// known.
 struct Column {
   const BearingCase& body;
   const BearingResult& result;
   const BearingErrors* errors;
   const BearingResult* full;  ///< by the law ehd, where it is beside
 
+  [[nodiscard]] std::string without_error(double value, int digits_of_dry = 6) const {
+    return plain(value, needs_film(result.law) ? unstated_digits : digits_of_dry);
+  }
   [[nodiscard]] std::string displacement() const {
     const double um = um_per_m * result.displacement_m;
-    return errors ? with_absolute_error(um, um_per_m * errors->displacement_m) : plain(um);
+    return errors ? with_absolute_error(um, um_per_m * errors->displacement_m) : without_error(um);
   }
   [[nodiscard]] std::string largest_load() const {
     const double force_N = most_loaded(result).inner.force_N;
-    return errors ? with_absolute_error(force_N, errors->largest_force_N) : plain(force_N);
+    return errors ? with_absolute_error(force_N, errors->largest_force_N) : without_error(force_N);
   }
   /// On the raceway where it is larger. p_H grows with the root of the force.
   [[nodiscard]] std::string largest_pressure() const {
@@ -72,7 +77,7 @@ struct Column {
     const bool inner = *roller.inner.hertz_pressure_Pa >= roller.outer.hertz_pressure_Pa.value_or(0);
     const ContactRow& contact = inner ? roller.inner : roller.outer;
     const double MPa = MPa_per_Pa * *contact.hertz_pressure_Pa;
-    return errors ? with_error(MPa, errors->largest_force_N / contact.force_N / 2) : plain(MPa, 5);
+    return errors ? with_error(MPa, errors->largest_force_N / contact.force_N / 2) : without_error(MPa, 5);
   }
   /// From cos psi = P_d/(2 delta): d(psi) = cot psi d(delta)/delta. No error is known of a ring that moves across too.
   [[nodiscard]] std::string load_zone() const {

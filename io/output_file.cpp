@@ -109,13 +109,14 @@ class SignalsHeld {
 
 }  // namespace
 
-OutputFile::OutputFile(std::filesystem::path path) : path_(std::move(path)) {
+OutputFile::OutputFile(std::filesystem::path path, Replaces replaces) : path_(std::move(path)) {
   std::error_code error;
   const auto status = std::filesystem::status(path_, error);
   if (path_.empty()) cannot_write(path_, "the name is empty");
   if (std::filesystem::is_directory(status)) cannot_write(path_, "it is a directory");
   if (status.type() == std::filesystem::file_type::none) cannot_write(path_, error.message());  // a loop of links
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
+    if (replaces == Replaces::file) cannot_write(path_, "it is a pipe or a device");
     descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC);
     if (descriptor_ < 0) cannot_write(path_, std::strerror(errno));
     return;

@@ -17,13 +17,17 @@ class OutputError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// What may stand under the name already. A file of a folder that the program fills is never a pipe: opening one waits
+/// for a reader, perhaps for ever.
+enum class Replaces { file, file_or_device };
+
 /// A file that appears at commit, with the mode of the file that it replaces. The constructor already opens a temporary
 /// file beside it, so that a path that cannot be written is refused before anything is computed (OutputError). It also
 /// removes temporary files of the same output whose writer was killed. Devices and pipes (/dev/stdout) are written
-/// directly.
+/// directly, or refused.
 class OutputFile {
  public:
-  explicit OutputFile(std::filesystem::path path);
+  explicit OutputFile(std::filesystem::path path, Replaces replaces = Replaces::file_or_device);
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;

@@ -138,7 +138,7 @@ StoredRow kept_row(const Sweep& sweep, std::size_t row, const std::string& hash,
 }
 
 void write_cost(const SweepCost& cost, const std::filesystem::path& folder) {
-  OutputFile file(folder / "cost.json");
+  OutputFile file(folder / "cost.json", Replaces::file);
   Json json{{"schema", "ehd-sweep-cost-1"}, {"provenance", provenance()}};
   json.update(to_json(cost));
   file.commit(json_text(json));
@@ -163,7 +163,8 @@ SweepCost run_sweep(const Sweep& sweep, const SweepRequest& request, const std::
   std::vector<std::size_t> rows(sweep.rows());
   std::iota(rows.begin(), rows.end(), std::size_t{0});
   SweepJournal journal(folder / "rows", {.sweep = hashes.of_sweep}, hashes.of(rows), request.fresh);
-  { const OutputFile csv(folder / "rows.csv"), json(folder / "rows.json"); }  // refused before the work, not after
+  for (const char* name : {"rows.csv", "rows.json", "cost.json"})
+    const OutputFile refused_before_the_work(folder / name, Replaces::file);
   const auto begin = Clock::now();
   SweepCost cost = compute_missing(sweep, request, hashes, rows, journal);
   cost.failures = write_table(

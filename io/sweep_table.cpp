@@ -243,7 +243,7 @@ void Failures::add(const std::optional<std::string>& failure) {
 
 Failures write_table(const Sweep& sweep, const std::string& sweep_hash, const std::filesystem::path& folder,
                      const std::function<StoredRow(std::size_t row)>& row_of, unsigned threads) {
-  OutputFile csv(folder / "rows.csv"), json(folder / "rows.json");
+  OutputFile csv(folder / "rows.csv", Replaces::file), json(folder / "rows.json", Replaces::file);
   json.append(head_of_json(sweep, sweep_hash));
   csv.append(csv_header(sweep));
   struct Written {

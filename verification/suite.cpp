@@ -13,6 +13,7 @@
 #include <thread>
 #include <utility>
 
+#include "contact/interruption.hpp"
 #include "io/case_reader.hpp"
 #include "io/find_case.hpp"
 #include "verification/claims/topics.hpp"
@@ -21,6 +22,13 @@
 #include "workflow/parallel.hpp"
 
 namespace ehd::verification {
+
+/// What a topic came to.
+struct JudgedTopic {
+  Findings findings = {};
+  double took_s = 0;
+  bool left_out = false;
+};
 
 namespace {
 
@@ -82,15 +90,18 @@ double expected_s(const Topic& topic, bool quick) {
   return topic.expected_s > 0 ? topic.expected_s : topic.slow ? slow_s : short_s;
 }
 
-Findings run_topic(const Topic& topic, const SuiteRequest& request) {
-  const Sentence whole{.id = topic.name,
-                       .rung = request.rung.value_or(*topic.rungs.begin()),
-                       .statement = topic.name,
-                       .case_id = topic.case_id};
-  if (request.quick && topic.slow) return {.claims = {}, .skipped = {{whole, "slow, and --quick was asked for"}}};
-  // Long topics begin first. A topic that would not end before the deadline is not begun.
-  if (request.deadline.left_s() <= expected_s(topic, request.quick))
-    return {.claims = {}, .skipped = {{whole, Deadline::not_run}}};
+Sentence whole_of(const Topic& topic, const SuiteRequest& request) {
+  return {.id = topic.name,
+          .rung = request.rung.value_or(*topic.rungs.begin()),
+          .statement = topic.name,
+          .case_id = topic.case_id};
+}
+
+JudgedTopic leave_out(const Topic& topic, const SuiteRequest& request, const char* why) {
+  return {.findings = {.claims = {}, .skipped = {{whole_of(topic, request), why}}}, .left_out = true};
+}
+
+Findings judge_topic(const Topic& topic, const Sentence& whole) {
   try {
     Findings found = topic.judge();
     if (found.claims.empty() && found.skipped.empty())
@@ -103,6 +114,19 @@ Findings run_topic(const Topic& topic, const SuiteRequest& request) {
     return {.claims = {claim_fact(std::move(says), false, "no topic of the suite throws", thrown.what())},
             .skipped = {}};
   }
+}
+
+JudgedTopic run_topic(const Topic& topic, const SuiteRequest& request) {
+  const Sentence whole = whole_of(topic, request);
+  if (request.quick && topic.slow)
+    return {.findings = {.claims = {}, .skipped = {{whole, "slow, and --quick was asked for"}}}};
+  // Long topics begin first. A topic that would not end before the deadline is not begun.
+  if (request.deadline.left_s() <= expected_s(topic, request.quick))
+    return leave_out(topic, request, Deadline::not_run);
+  const Interruptible ends_solves([&] { return request.deadline.passed(); });
+  JudgedTopic topic_ended{.findings = judge_topic(topic, whole)};
+  // Some of its solves may have been ended: nothing is known of what it would have found.
+  return request.deadline.passed() ? leave_out(topic, request, Deadline::out_of_time) : topic_ended;
 }
 
 /// The rungs that any of the topics may judge, "6 to 9" or "8, 10, 11".
@@ -119,46 +143,6 @@ std::string selection(const SuiteRequest& request) {
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-/// What each topic found and how long it took, in the order of the topics.
-struct Judged {
-  std::vector<Findings> findings;
-  std::vector<double> took_s;
-};
-
-/// Judges all topics in threads.
-Judged judge_topics(const SuiteRequest& request, const std::vector<Topic>& topics,
-                    std::chrono::steady_clock::time_point start) {
-  // The longest first, so that no thread starts a long topic when the others are done.
-  std::vector<std::size_t> order(topics.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return expected_s(topics[a], request.quick) > expected_s(topics[b], request.quick);
-  });
-  double all_expected = 0, expected_done = 0;
-  for (const Topic& topic : topics) all_expected += expected_s(topic, request.quick);
-
-  Judged judged{.findings = std::vector<Findings>(topics.size()), .took_s = std::vector<double>(topics.size())};
-  std::size_t done = 0;
-  std::mutex reporting;
-  in_threads(topics.size(), request.threads, [&](std::size_t k) {
-    const std::size_t i = order[k];
-    const auto began = std::chrono::steady_clock::now();
-    judged.findings[i] = run_topic(topics[i], request);
-    const std::lock_guard lock(reporting);
-    judged.took_s[i] = seconds_since(began);
-    ++done;
-    expected_done += expected_s(topics[i], request.quick);
-    if (!request.progress) return;
-    const double elapsed = seconds_since(start);
-    request.progress({.done = done,
-                      .all = topics.size(),
-                      .name = topics[i].name,
-                      .elapsed_s = elapsed,
-                      .left_s = expected_done > 0 ? elapsed * (all_expected - expected_done) / expected_done : 0});
-  });
-  return judged;
 }
 
 void fill_in_versions(SuiteResult& result, const std::map<std::string, int>& versions) {
@@ -193,6 +177,11 @@ std::map<std::string, int> versions_of(const std::vector<LoadedCase>& cases) {
   return versions;
 }
 
+NothingSelected nothing_for(const SuiteRequest& request, const std::string& allowed_rungs) {
+  return NothingSelected(
+      fmt::format("there is nothing to verify for {}; allowed here is --rung {}", selection(request), allowed_rungs));
+}
+
 }  // namespace
 
 std::optional<std::string> accepted_as_inconclusive(const std::string& claim_id) {
@@ -205,42 +194,79 @@ bool SuiteResult::success() const {
     return claim.verdict == Verdict::pass ||
            (claim.verdict == Verdict::inconclusive && accepted_as_inconclusive(claim.says.id));
   };
-  return not_run == 0 && !(claims.empty() && skipped.empty()) && std::all_of(claims.begin(), claims.end(), stands);
+  return !stopped && not_run == 0 && !(claims.empty() && skipped.empty()) &&
+         std::all_of(claims.begin(), claims.end(), stands);
 }
 
-SuiteResult run_suite(const SuiteRequest& request) {
-  const std::vector<LoadedCase> cases = load_cases(request);
-  return run_topics(request, topics_of(request, cases), versions_of(cases));
+struct SuiteRun::State {
+  SuiteRequest request;
+  std::vector<Topic> topics;
+  std::map<std::string, int> versions;
+  std::string allowed_rungs = {};
+  std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+  std::mutex mutex = {};                                ///< of what follows
+  std::vector<std::optional<JudgedTopic>> judged = {};  ///< in the order of the topics
+  double expected_done_s = 0;
+
+  void judge_topics();
+  /// Topics that are not judged are left out.
+  [[nodiscard]] SuiteResult result();
+
+ private:
+  void record(std::size_t topic, JudgedTopic ended, double all_expected_s);
+};
+
+/// Judges all topics in threads.
+void SuiteRun::State::judge_topics() {
+  // The longest first, so that no thread starts a long topic when the others are done.
+  std::vector<std::size_t> order(topics.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return expected_s(topics[a], request.quick) > expected_s(topics[b], request.quick);
+  });
+  double all_expected_s = 0;
+  for (const Topic& topic : topics) all_expected_s += expected_s(topic, request.quick);
+  in_threads(topics.size(), request.threads, [&](std::size_t k) {
+    const std::size_t i = order[k];
+    const auto began = std::chrono::steady_clock::now();
+    JudgedTopic ended = run_topic(topics[i], request);
+    ended.took_s = seconds_since(began);
+    record(i, std::move(ended), all_expected_s);
+  });
 }
 
-SuiteResult run_topics(const SuiteRequest& request, std::vector<Topic> topics,
-                       const std::map<std::string, int>& versions) {
-  const auto start = std::chrono::steady_clock::now();
-  Numbered topic_names;  // of all topics, also of those left out below, so that a topic always has the same name
-  for (Topic& topic : topics) topic.name = topic_names(topic.name);
-  std::erase_if(topics, [&](const Topic& topic) { return request.case_id && topic.case_id.empty(); });
-  const std::string allowed_rungs = rungs_of(topics);
-  const auto nothing = [&] {
-    return NothingSelected(
-        fmt::format("there is nothing to verify for {}; allowed here is --rung {}", selection(request), allowed_rungs));
-  };
-  std::erase_if(topics, [&](const Topic& topic) { return request.rung && !topic.rungs.contains(*request.rung); });
-  if (topics.empty()) throw nothing();
+void SuiteRun::State::record(std::size_t topic, JudgedTopic ended, double all_expected_s) {
+  const std::lock_guard lock(mutex);
+  judged[topic] = std::move(ended);
+  expected_done_s += expected_s(topics[topic], request.quick);
+  if (!request.progress) return;
+  const double elapsed = seconds_since(start);
+  const auto done = std::count_if(judged.begin(), judged.end(), [](const auto& one) { return one.has_value(); });
+  request.progress(
+      {.done = static_cast<std::size_t>(done),
+       .all = topics.size(),
+       .name = topics[topic].name,
+       .elapsed_s = elapsed,
+       .left_s = expected_done_s > 0 ? elapsed * (all_expected_s - expected_done_s) / expected_done_s : 0});
+}
 
-  run_memory().forget();  // the solutions of an earlier run in this program
-  Judged judged = judge_topics(request, topics, start);
+SuiteResult SuiteRun::State::result() {
   SuiteResult result;
   result.threads = request.threads > 0 ? request.threads : std::max(1U, std::thread::hardware_concurrency());
   result.quick = request.quick;
   result.selection = selection(request);
-  for (std::size_t i = 0; i < topics.size(); ++i) result.topics.push_back({topics[i].name, judged.took_s[i]});
-  for (auto& found : judged.findings) {
-    std::move(found.claims.begin(), found.claims.end(), std::back_inserter(result.claims));
-    std::move(found.skipped.begin(), found.skipped.end(), std::back_inserter(result.skipped));
+  {
+    const std::lock_guard lock(mutex);
+    for (std::size_t i = 0; i < topics.size(); ++i) {
+      const JudgedTopic topic =
+          judged[i] ? *judged[i] : leave_out(topics[i], request, "not finished: the program was interrupted");
+      result.topics.push_back({topics[i].name, topic.took_s});
+      result.not_run += topic.left_out ? 1 : 0;
+      result.claims.insert(result.claims.end(), topic.findings.claims.begin(), topic.findings.claims.end());
+      result.skipped.insert(result.skipped.end(), topic.findings.skipped.begin(), topic.findings.skipped.end());
+    }
   }
   fill_in_versions(result, versions);
-  result.not_run = static_cast<std::size_t>(std::count_if(
-      result.skipped.begin(), result.skipped.end(), [](const auto& one) { return one.why == Deadline::not_run; }));
   if (result.selection.empty() && !request.quick &&
       result.not_run == 0) {  // in a selection, a part of the work may have no claim
     for (Claim& one : judge_traceability(trace(traceable_parts(), {result.claims, result.skipped})))
@@ -250,7 +276,6 @@ SuiteResult run_topics(const SuiteRequest& request, std::vector<Topic> topics,
     const auto elsewhere = [&](const auto& one) { return one.says.rung != *request.rung; };
     std::erase_if(result.claims, elsewhere);
     std::erase_if(result.skipped, elsewhere);
-    if (result.claims.empty() && result.skipped.empty()) throw nothing();
   }
   const auto by_rung = [](const auto& a, const auto& b) { return a.says.rung < b.says.rung; };
   std::stable_sort(result.claims.begin(), result.claims.end(), by_rung);
@@ -258,6 +283,45 @@ SuiteResult run_topics(const SuiteRequest& request, std::vector<Topic> topics,
   number_repeated_ids(result);
   result.wall_s = seconds_since(start);
   return result;
+}
+
+SuiteRun::SuiteRun(const SuiteRequest& request) : SuiteRun(request, load_cases(request)) {}
+
+SuiteRun::SuiteRun(const SuiteRequest& request, const std::vector<LoadedCase>& cases)
+    : SuiteRun(request, topics_of(request, cases), versions_of(cases)) {}
+
+SuiteRun::SuiteRun(const SuiteRequest& request, std::vector<Topic> topics, std::map<std::string, int> versions)
+    : state_(new State{.request = request, .topics = std::move(topics), .versions = std::move(versions)}) {
+  std::vector<Topic>& all = state_->topics;
+  Numbered topic_names;  // of all topics, also of those left out below, so that a topic always has the same name
+  for (Topic& topic : all) topic.name = topic_names(topic.name);
+  std::erase_if(all, [&](const Topic& topic) { return request.case_id && topic.case_id.empty(); });
+  state_->allowed_rungs = rungs_of(all);
+  std::erase_if(all, [&](const Topic& topic) { return request.rung && !topic.rungs.contains(*request.rung); });
+  if (all.empty()) throw nothing_for(request, state_->allowed_rungs);
+  state_->judged.resize(all.size());
+}
+
+SuiteRun::~SuiteRun() = default;
+
+SuiteResult SuiteRun::judge() {
+  run_memory().forget();  // the solutions of an earlier run in this program
+  state_->judge_topics();
+  SuiteResult result = state_->result();
+  if (result.claims.empty() && result.skipped.empty()) throw nothing_for(state_->request, state_->allowed_rungs);
+  return result;
+}
+
+SuiteResult SuiteRun::stopped() const {
+  SuiteResult result = state_->result();
+  result.stopped = true;
+  return result;
+}
+
+SuiteResult run_suite(const SuiteRequest& request) { return SuiteRun(request).judge(); }
+
+SuiteResult run_topics(const SuiteRequest& request, std::vector<Topic> topics, std::map<std::string, int> versions) {
+  return SuiteRun(request, std::move(topics), std::move(versions)).judge();
 }
 
 }  // namespace ehd::verification

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -30,7 +31,9 @@ struct SuiteRequest {
   int random_runs = 10;                     ///< for each law set, of the claims about random points
   bool quick = false;                       ///< slow topics are skipped, each with a line that says so
   unsigned threads = 0;                     ///< 0: as many as there are cores
-  Deadline deadline = {};                   ///< topics that are expected to end after it are not run
+  /// A topic that is expected to end after it is not run; one that has not ended by then is left out, and its solves
+  /// end at their next iteration.
+  Deadline deadline = {};
   /// Called after each topic, one thread at a time.
   std::function<void(const SuiteProgress&)> progress = {};
 };
@@ -47,10 +50,11 @@ struct SuiteResult {
   double wall_s = 0;
   unsigned threads = 0;
   bool quick = false;
-  std::size_t not_run = 0;  ///< topics that the deadline left out
+  std::size_t not_run = 0;  ///< topics that the deadline, or the end of the program, left out
+  bool stopped = false;     ///< the program ended before the run did
   std::string selection;    ///< "--rung 7", or empty for everything
-  /// Every topic ran, no claim fails, every inconclusive one is accepted with a reason, and there is a claim, or a
-  /// skipped row that says why there is none.
+  /// The run came to its end, every topic ran, no claim fails, every inconclusive one is accepted with a reason, and
+  /// there is a claim, or a skipped row that says why there is none.
   [[nodiscard]] bool success() const;
 };
 
@@ -63,15 +67,36 @@ class NothingSelected : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Throws NothingSelected, or CaseError for a case that is named and cannot be read. A topic that throws is a failing
-/// claim.
-[[nodiscard]] SuiteResult run_suite(const SuiteRequest& request);
+struct LoadedCase;  // claims/topics.hpp
+struct Topic;
 
-struct Topic;  // claims/topics.hpp
-/// The same for a list of topics; `versions` of the cases by id. Topics, skipped rows and claims that share a name are
-/// numbered ("box", "box 2"). Two claims with one id are an error: one more claim is added, which fails.
+/// A run of the suite. Another thread may look into it.
+class SuiteRun {
+ public:
+  /// Throws NothingSelected, or CaseError for a case that is named and cannot be read.
+  explicit SuiteRun(const SuiteRequest& request);
+  /// The same for a list of topics; `versions` of the cases by id. Topics, skipped rows and claims that share a name
+  /// are numbered ("box", "box 2"). Two claims with one id are an error: one more claim is added, which fails.
+  SuiteRun(const SuiteRequest& request, std::vector<Topic> topics, std::map<std::string, int> versions);
+  ~SuiteRun();
+  SuiteRun(const SuiteRun&) = delete;
+  SuiteRun& operator=(const SuiteRun&) = delete;
+
+  /// Call once. Throws NothingSelected. A topic that throws is a failing claim.
+  [[nodiscard]] SuiteResult judge();
+  /// From any thread: what is judged so far. Topics that are not are left out, each with a row that says so.
+  [[nodiscard]] SuiteResult stopped() const;
+
+ private:
+  SuiteRun(const SuiteRequest& request, const std::vector<LoadedCase>& cases);
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// Both ways to begin a run, and then judge().
+[[nodiscard]] SuiteResult run_suite(const SuiteRequest& request);
 [[nodiscard]] SuiteResult run_topics(const SuiteRequest& request, std::vector<Topic> topics,
-                                     const std::map<std::string, int>& versions);
+                                     std::map<std::string, int> versions);
 
 /// The verdicts on one rung.
 struct RungSummary {

@@ -125,6 +125,7 @@ Json to_json(const SuiteResult& result) {
                      {"threads", result.threads},
                      {"wall_s", result.wall_s}};
   if (result.not_run > 0) json["summary"]["not_run"] = result.not_run;
+  if (result.stopped) json["summary"]["stopped"] = true;
   Json rung_rows = Json::array(), traced = Json::array(), topics = Json::array();
   for (const RungSummary& summary : summarise(result)) {
     Json row = {{"rung", summary.rung}, {"name", rung_names[summary.rung]},     {"pass", summary.pass},

@@ -73,6 +73,10 @@ using Unusual = ehd::Unusual;
 struct ThinFilm {
   double lambda_ratio = 0;
 };
+/// Nothing says how far a balance with films is off.
+struct NoBudget {
+  std::string why;
+};
 
 }  // namespace ehd::note
 
@@ -80,6 +84,6 @@ namespace ehd {
 
 using BearingNote = std::variant<note::PoorLine, note::Datum, note::LateralForce, note::RaisedFit, note::OutsideFit,
                                  note::Curve, note::Oil, note::CutVariant, note::NoVariant, note::NoFilms,
-                                 note::Dynamics, note::Torque, note::Unusual, note::ThinFilm>;
+                                 note::Dynamics, note::Torque, note::Unusual, note::ThinFilm, note::NoBudget>;
 
 }  // namespace ehd

@@ -95,7 +95,7 @@ SUBMISSIONS = {
     "a folder": ("mkdir {out}", "is a directory"),
     "a loop of links": ("ln -s {out} {out}", "left no submission"),
     "a huge file": ("truncate -s 3G {out}", "is larger than"),
-    "bytes that are no text": ("printf '\\000\\001' > {out}", "is no JSON"),
+    "bytes that are no text": ("printf '\\000\\001' > {out}", "is binary"),
     "an empty file": (": > {out}", "is no JSON"),
     "nothing": ("true", "left no submission"),
     "a number that is out of range": ("echo '{\"a\": 1e400}' > {out}", "is out of range"),
@@ -111,6 +111,16 @@ OUTPUTS = {
     "bearing --json": ["bearing", "na4908", "--law", "hertz", "--json"],
     "verify --output": ["verify", "--rung", "3", "--output"],
     "sweep --output": ["sweep", "s.toml", "--output"],
+}
+
+
+# The program's own files in a folder that it fills.
+IN_FOLDER = {
+    "sweep": (["sweep", "s.toml", "--output", "o"], ["rows.csv", "rows.json", "cost.json"]),
+    "verify": (["verify", "--rung", "3", "--output", "o"], ["results.json"]),
+    "bench": (["bench", "--part", "scaling", "--output", "o"], ["bench.json", "scaling.csv"]),
+    "stress": (["stress", "--quick", "--part", "e", "--output", "o"], ["stress.json"]),
+    "report": (["report", "o"], ["report.html"]),
 }
 
 
@@ -191,6 +201,20 @@ def in_loop(arguments):
     return attack
 
 
+def own_pipe(arguments, name):
+    """Opening a pipe waits for a reader. Whoever wants one names it: --json FILE."""
+    def attack(room):
+        room.write("s.toml", SWEEP)
+        if arguments[0] == "report":
+            room.write("o/results.json", '{"schema": 2}')
+        (room.path / "o").mkdir(exist_ok=True)
+        fifo(room.path / "o" / name)
+        before = room.files()
+        wrong = room.refused(*arguments, says=["is a pipe"], leaves=("o/rows", "o/rows/journal"))
+        return wrong or (None if set(before) <= set(room.files()) else "removes the pipe")
+    return attack
+
+
 def in_file(arguments):
     """The output is, or is below, a file of another kind, whose content no message may show."""
     def attack(room):
@@ -223,6 +247,9 @@ def inputs():
         yield f"{command}: a name of {len(LONG_NAME)} characters", in_long_name([command])
     for command in ("solve", "bearing", "plan", "compare", "sweep"):
         yield f"{command}: a file that is no TOML", foreign(command)
+    for command, (arguments, names) in IN_FOLDER.items():
+        for name in names:
+            yield f"{command}: its own {name} is a pipe", own_pipe(arguments, name)
     for output, arguments in OUTPUTS.items():
         yield f"{output}: a name of {len(LONG_NAME)} characters", in_long_name(arguments)
         yield f"{output} in a folder without permission to write", in_closed_folder(arguments)

@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Signals in the middle of the work of every command that takes a while."""
 
+import json
 import os
+import select
 import signal
 import subprocess
 import time
 
-TITLE = "SIGINT and SIGTERM in the middle, leftovers of SIGKILL"
+TITLE = "SIGINT and SIGTERM: what is kept; leftovers of SIGKILL"
+KEEPING_S = 60  # until the first part of a command is finished, beside other attacks
 PATIENCE_S = 10  # until the temporary files are there, and until the program has ended
 
 # Commands that take some seconds, with an output each.
@@ -90,6 +93,93 @@ def interrupted(command, number):
     return attack
 
 
+# Commands whose finished parts are kept: what they print where the first is finished, on a terminal where nothing else
+# says so, and what the file then has to say.
+KEEPING = {
+    "verify": (["verify", "--quick", "--rung", "6", "--output", "out"], b"verify 1/", "results.json",
+               lambda file: file["summary"]["stopped"] and file["summary"]["not_run"] > 0 and file["topics"]
+               and not file["summary"]["success"] and "figures" not in file),
+    "stress": (["stress", "--quick", "--part", "e", "--part", "a", "--output", "out"], b"pass in", "stress.json",
+               lambda file: [part["verdict"] for part in file["parts"]] == ["pass", "inconclusive"]
+               and not file["success"]),
+    "bench": (["bench", "--part", "convolution", "--part", "work-precision", "--output", "out"], b"c = ", "bench.json",
+              lambda file: file["settings"]["left_out"] == ["work-precision"] and "convolution" in file),
+}
+
+
+def at_first_part(room, arguments, mark):
+    """The process, where its output has the mark: both streams are one terminal. And that terminal."""
+    terminal, end = os.openpty()
+    process = subprocess.Popen([room.program.path, *arguments], cwd=room.path, stdout=end, stderr=end,
+                               preexec_fn=hear_signals)
+    os.close(end)
+    seen, late = b"", time.monotonic() + KEEPING_S
+    while mark not in seen and time.monotonic() < late and process.poll() is None:
+        if select.select([terminal], [], [], 0.1)[0]:
+            seen += os.read(terminal, 4096)
+    if mark not in seen:
+        process.kill()
+        process.communicate()
+        os.close(terminal)
+        raise TooEarly(f"no part was finished: {seen[-300:]!r}")
+    return process, terminal
+
+
+def rest_of(terminal):
+    text = b""
+    try:
+        while more := os.read(terminal, 4096):
+            text += more
+    except OSError:  # the other end is closed
+        pass
+    os.close(terminal)
+    return text
+
+
+def keeps_finished(command, number):
+    def attack(room):
+        arguments, mark, name, is_kept = KEEPING[command]
+        try:
+            process, terminal = at_first_part(room, arguments, mark)
+        except TooEarly as early:
+            return str(early)
+        process.send_signal(number)
+        try:
+            process.wait(timeout=PATIENCE_S)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            process.wait()
+            return "did not end in time"
+        text = rest_of(terminal)
+        if process.returncode != -number or text.count(b"interrupted; out/") != 1:
+            return f"ended with {process.returncode}: {text!r}"
+        if partial(room):
+            return f"leaves {partial(room)}"
+        if f"out/{name}" not in room.files():
+            return "the finished parts are not kept"
+        file = json.loads((room.path / "out" / name).read_text())
+        if not is_kept(file):
+            return f"out/{name} does not say what is left out: {json.dumps(file)[:300]}"
+        return None
+    return attack
+
+
+def ended_twice(room):
+    """The second signal does not wait until what is finished has been written."""
+    process = started(room, COMMANDS["verify"], lambda: partial(room))
+    process.send_signal(signal.SIGINT)
+    process.send_signal(signal.SIGTERM)
+    try:
+        _, err = process.communicate(timeout=PATIENCE_S)
+    except subprocess.TimeoutExpired:
+        process.kill()
+        process.communicate()
+        return "did not end in time"
+    if process.returncode not in (-signal.SIGINT, -signal.SIGTERM) or err.count(b"interrupted") != 1:
+        return f"ended with {process.returncode}: {err!r}"
+    return f"leaves {partial(room)}" if partial(room) else None
+
+
 def killed(room):
     arguments = COMMANDS["solve"]
     process = started(room, arguments, lambda: partial(room))
@@ -168,6 +258,10 @@ def inputs():
     for command in COMMANDS:
         for number in (signal.SIGINT, signal.SIGTERM):
             yield f"{command}, {number.name}", interrupted(command, number)
+    for command in KEEPING:
+        for number in (signal.SIGINT, signal.SIGTERM):
+            yield f"{command}, {number.name} after a part", keeps_finished(command, number)
+    yield "verify, two signals", ended_twice
     yield "solve, SIGKILL and again", killed
     yield "two runs at once", two_at_once
     yield "SIGHUP ignored by the caller", ignored

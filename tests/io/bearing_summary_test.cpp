@@ -127,6 +127,21 @@ BOOST_AUTO_TEST_CASE(a_law_without_errors_has_no_brackets_and_an_empty_row_is_le
   BOOST_TEST(summary_table(std::get<BearingCase>(one.body), {dry}, {}) == "");
 }
 
+// Six digits are right of a dry law alone: it is solved to rounding.
+BOOST_AUTO_TEST_CASE(a_law_with_films_but_without_a_budget_has_three_digits_and_a_note) {
+  BearingResult line = made_result();
+  line.law = bearing::Law::ehd_linear;
+  line.displacement_m = 10.1234e-6;
+  line.rollers.front().inner.force_N = 912.345;
+  line.notes.emplace_back(note::NoBudget{.why = "nobody knows"});
+  const std::string text = human_table(made::needle_bearing(10e-6), {line});
+  for (const char* phrase :
+       {" 10.1\n", " 912\n", " 1.2e3\n", "    - no error budget, and so no errors in brackets: nobody knows\n"})
+    BOOST_CHECK_MESSAGE(says(text, phrase), phrase << " is not in\n" << text);
+  line.law = bearing::Law::hertz;
+  BOOST_TEST(says(human_table(made::needle_bearing(10e-6), {line}), " 10.1234\n"));
+}
+
 BOOST_AUTO_TEST_CASE(details_and_the_film_of_unloaded_rollers_are_not_in_the_first_table) {
   BearingResult result = made_result();
   result.variants = {{.name = "cut at delta = 0", .rollers = result.rollers}};

@@ -365,6 +365,7 @@ BOOST_AUTO_TEST_CASE(a_path_that_cannot_be_written_is_refused_at_once) {
 BOOST_AUTO_TEST_CASE(a_full_device_is_an_error) {
   OutputFile full("/dev/full");
   BOOST_CHECK_THROW(full.commit("text"), OutputError);
+  BOOST_CHECK_THROW(OutputFile("/dev/full", Replaces::file), OutputError);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

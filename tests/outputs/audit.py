@@ -20,8 +20,8 @@ sys.dont_write_bytecode = True  # the tree stays clean
 from judge import changes_of, numbers_in, objects  # noqa: E402
 from program import Program, read_case  # noqa: E402
 
-MODULES = ("contact", "oil", "convert", "bearing", "compare", "statements", "sweep", "verify", "figures", "bench",
-           "response")
+MODULES = ("contact", "oil", "convert", "bearing", "motion", "law", "films", "maps", "atlas", "compare", "statements",
+           "sweep", "verify", "figures", "bench", "response")
 
 
 class Exemptions:

@@ -272,8 +272,9 @@ def audit_curve(said, result, inputs):
         said.within(f"curve.{raceway}.load_N[0]", low, 0, heaviest)
         said.within(f"curve.{raceway}.load_N[1]", high, heaviest)
         said.within(f"curve.{raceway}.points", curve["points"], 3)
-        for name in ("interpolation_error", "joint_error", "force_error", "solver_error"):
+        for name in ("interpolation_error", "joint_error", "joint_force_error", "force_error", "solver_error"):
             said.within(f"curve.{raceway}.{name}", curve[name], 0, 1e-2)
+        said.within(f"curve.{raceway}.force_error", curve["force_error"], curve["joint_force_error"])
         audit_solved(said, raceway, curve, inputs.contacts)
     # Every point of curve and fit is a contact that was solved or remembered.
     points = sum(one[raceway]["points"] for one in (result["curve"], result.get("fit")) if one for raceway in RACEWAYS)

@@ -4,6 +4,7 @@
 import concurrent.futures
 import csv
 import json
+import os
 import pathlib
 import subprocess
 import tomllib
@@ -18,10 +19,13 @@ class Program:
         self.path = str(path)
         self.folder = pathlib.Path(folder)
 
-    def run(self, *arguments, allowed=(0,)):
-        """Standard output of `ehd arguments`. Any other exit code ends the audit."""
+    def run(self, *arguments, allowed=(0,), cases=None):
+        """Standard output of `ehd arguments`, with the folder `cases` in place of the benchmark's. Any other exit code
+        ends the audit."""
         command = [self.path, *map(str, arguments)]
-        done = subprocess.run(command, cwd=TOP, capture_output=True, text=True, timeout=600)  # under a sanitizer
+        environment = {**os.environ, "EHD_CASES": str(cases)} if cases else None
+        done = subprocess.run(command, cwd=TOP, capture_output=True, text=True, timeout=600,  # under a sanitizer
+                              env=environment)
         if done.returncode not in allowed:
             raise SystemExit(f"{' '.join(command)}: exit code {done.returncode}\n{done.stderr}")
         return done.stdout
@@ -74,9 +78,9 @@ def to_toml(tables):
 
 
 def read_csv(path):
-    """Rows as dictionaries; the unit in brackets is not part of a column's name. Empty cells are left out."""
+    """Rows as dictionaries, without the unit in brackets behind a column's name, comments and empty cells."""
     with open(path, newline="") as file:
-        rows = csv.reader(file)
+        rows = csv.reader(line for line in file if not line.startswith("#"))
         names = [name.split(" [")[0] for name in next(rows)]
         return [{name: number(cell) for name, cell in zip(names, row, strict=True) if cell} for row in rows]
 

@@ -32,6 +32,39 @@ def alpha_p_hertz(M, L):
     return L * math.sqrt(M / (2 * pi))
 
 
+def film_per_hertz_film(M):
+    """Moes' film over Hertz': H_Moes = 8M/pi H."""
+    return 8 * M / pi
+
+
+def moes_film(M, L):
+    """The central film after Moes, four asymptotes joined (Venner 1991), in his units."""
+    rigid, elastic = 3 / M, 2.621 * M**-0.2
+    s = (7 + 8 * math.exp(-2 * elastic / rigid)) / 5
+    isoviscous = (rigid ** (7 / 3) + elastic ** (7 / 3)) ** (3 * s / 7)
+    if L == 0:
+        return isoviscous ** (1 / s)
+    viscous, both = 1.287 * L ** (2 / 3), 1.311 * M**-0.125 * L**0.75
+    return (isoviscous + (viscous**-3.5 + both**-3.5) ** (-2 * s / 7)) ** (1 / s)
+
+
+# h/R = c G^a U^u W^w with the mean speed in U; which film.
+POWER_LAWS = {
+    ("Dowson & Higginson 1966", "film.minimum"): (1.6, 0.6, 0.7, -0.13),
+    ("Dowson & Higginson 1977", "film.minimum"): (2.65, 0.54, 0.7, -0.13),
+    ("Hamrock & Jacobson 1984", "film.minimum"): (3.07, 0.57, 0.71, -0.11),
+    ("Pan & Hamrock 1989", "film.minimum"): (1.714, 0.568, 0.694, -0.128),
+    ("Dowson & Toyoda 1978", "film.central"): (3.06, 0.56, 0.69, -0.1),
+    ("Pan & Hamrock 1989", "film.central"): (2.922, 0.47, 0.692, -0.166)}
+
+
+def power_law_film(law, M, L, G=5000.0):
+    """A power law's film in Moes' units, (h/R) (2U)^(-1/2)."""
+    c, a, u, w = POWER_LAWS[law]
+    U = (L / G) ** 4 / 2
+    return c * G**a * U**u * (M * math.sqrt(2 * U)) ** w / math.sqrt(2 * U)
+
+
 def approach(w, R, E, offset, datum):
     return 4 * w / (pi * E) * (math.log(datum / half_width(w, R, E)) - 2 * offset)
 

@@ -10,11 +10,15 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
+#include "contact/interruption.hpp"
 #include "io/json.hpp"
 #include "tests/check.hpp"
 #include "verification/claims/topics.hpp"
@@ -90,6 +94,11 @@ const Claim* find(const SuiteResult& result, const std::string& id) {
     if (one.says.id == id) return &one;
   }
   return nullptr;
+}
+
+/// What a topic with one claim, which passes, has for a judge.
+std::function<Findings()> claims_called(const std::string& id) {
+  return [id] { return Findings{.claims = {claim_fact(sentence(id), true, "here")}, .skipped = {}}; };
 }
 
 }  // namespace
@@ -195,9 +204,6 @@ BOOST_AUTO_TEST_CASE(a_wrong_expectation_fails) {
 }
 
 BOOST_AUTO_TEST_CASE(names_that_repeat_are_numbered_and_no_claim_is_lost) {
-  const auto claims_called = [](const std::string& id) {
-    return [id] { return Findings{.claims = {claim_fact(sentence(id), true, "here")}, .skipped = {}}; };
-  };
   const auto throws = []() -> Findings { throw std::runtime_error("nothing works"); };
   const auto topics = [&] {
     return std::vector<Topic>{{.name = "box", .rungs = {6}, .slow = true, .judge = claims_called("box/a")},
@@ -242,6 +248,58 @@ BOOST_AUTO_TEST_CASE(topics_after_the_deadline_are_skipped_and_the_suite_does_no
   BOOST_TEST(late.not_run == 1U);
   BOOST_TEST(!late.success());
   BOOST_TEST(run_topics({.rung = 6, .threads = 1}, topics, {}).success());
+}
+
+// Its findings may be those of solves that were ended.
+BOOST_AUTO_TEST_CASE(a_topic_that_has_not_ended_by_the_deadline_is_left_out_and_its_solves_end) {
+  const Deadline deadline(0.5);
+  long asked = 0;
+  const auto judge = [&] {
+    while (!interrupted()) ++asked;
+    return Findings{.claims = {claim_fact(sentence("late"), true, "here")}, .skipped = {}};
+  };
+  const std::vector<Topic> topics{
+      {.name = "late", .rungs = {6}, .slow = false, .judge = judge},
+      {.name = "early", .rungs = {6}, .slow = false, .judge = claims_called("early"), .expected_s = 0.2}};
+  const SuiteResult cut = run_topics({.rung = 6, .threads = 1, .deadline = deadline}, topics, {});
+  BOOST_TEST(asked > 0);
+  BOOST_TEST(find(cut, "early"));
+  BOOST_TEST(cut.claims.size() == 1u);
+  BOOST_REQUIRE(cut.skipped.size() == 1u);
+  BOOST_TEST(cut.skipped[0].says.id == "late");
+  BOOST_TEST(cut.skipped[0].why == Deadline::out_of_time);
+  BOOST_TEST(cut.not_run == 1u);
+  BOOST_TEST(!cut.success());
+}
+
+BOOST_AUTO_TEST_CASE(a_run_that_is_stopped_keeps_what_is_finished_and_is_no_success) {
+  std::optional<SuiteResult> stopped;
+  const SuiteRun* running = nullptr;
+  const auto judge = [&] {  // another thread looks while this topic is judged
+    std::jthread([&] { stopped = running->stopped(); }).join();
+    return claims_called("second")();
+  };
+  SuiteRun run({.rung = 6, .threads = 1},
+               {{.name = "first", .rungs = {6}, .slow = false, .judge = claims_called("first")},
+                {.name = "second", .rungs = {6}, .slow = false, .judge = judge}},
+               {});
+  running = &run;
+  const SuiteResult whole = run.judge();
+  BOOST_TEST(whole.success());
+  BOOST_REQUIRE(stopped.has_value());
+  BOOST_TEST(find(*stopped, "first"));
+  BOOST_TEST(stopped->claims.size() == 1u);
+  BOOST_REQUIRE(stopped->skipped.size() == 1u);
+  BOOST_TEST(stopped->skipped[0].says.id == "second");
+  BOOST_TEST(stopped->not_run == 1u);
+  BOOST_TEST(!stopped->success());
+  const Json summary = to_json(*stopped)["summary"];
+  BOOST_TEST(summary["success"] == false);
+  BOOST_TEST(summary["stopped"] == true);
+  BOOST_TEST(!to_json(whole)["summary"].contains("stopped"));
+  const SuiteResult before_figures = run.stopped();  // every claim passes, and it is no success all the same
+  BOOST_TEST(before_figures.not_run == 0u);
+  BOOST_TEST(!before_figures.success());
 }
 
 BOOST_AUTO_TEST_CASE(filters_that_leave_nothing_are_refused) {

@@ -105,7 +105,7 @@ void solve_missing(std::vector<Entry>& entries, const AtlasRequest& request, con
     if (!entry.reused) {
       AtlasRecord solved = part.solve(entry.point, entry.record.tolerance, request.time_limit_s);
       solved.solver = entry.record.solver;
-      OutputFile(records / (solved.id + part.record_ending)).commit(json_of(solved));
+      OutputFile(records / (solved.id + part.record_ending), Replaces::file).commit(json_of(solved));
       entry.record = std::move(solved);
     }
     const std::lock_guard lock(reporting);
@@ -158,7 +158,7 @@ std::vector<AtlasResult::Entry> recorded_entries(const AtlasRequest& request, co
 }
 
 void replace_file(const std::filesystem::path& file, const std::string& text) {
-  if (atlas_text(file) != text) OutputFile(file).commit(text);
+  if (atlas_text(file) != text) OutputFile(file, Replaces::file).commit(text);
 }
 
 AtlasResult run_atlas(const AtlasRequest& request, const RegisteredSolver& solver) {
@@ -167,7 +167,7 @@ AtlasResult run_atlas(const AtlasRequest& request, const RegisteredSolver& solve
   AtlasTable before;
   if (!request.only.empty() && atlas_text(csv)) before = read_atlas_table(csv);
   make_folder(request.folder);
-  { const OutputFile writable(csv); }  // refused before anything is computed
+  { const OutputFile writable(csv, Replaces::file); }  // refused before anything is computed
 
   AtlasResult result;
   result.entries = recorded_entries(

@@ -116,15 +116,27 @@ const std::vector<PartEntry>& parts() {
   return list;
 }
 
+namespace {
+
+Part ended_early(const PartEntry& entry, Verdict verdict, const std::string& message) {
+  Part part{.id = entry.id, .name = entry.name, .question = "Does this part run to its end?"};
+  part.verdict = verdict;
+  part.summary = "ended early: " + one_line(message);
+  part.failures = {std::string(to_string(verdict)) + ": " + part.summary};
+  return part;
+}
+
+}  // namespace
+
+Part interrupted_part(const PartEntry& entry, const Scope& scope) {
+  Part part = ended_early(entry, Verdict::inconclusive, "the program was interrupted");
+  part.settings["quick"] = scope.quick;
+  return part;
+}
+
 Part run_part(const PartEntry& entry, const Scope& scope) {
   const Stopwatch watch;
-  const auto ended = [&](Verdict verdict, const std::string& message) {
-    Part part{.id = entry.id, .name = entry.name, .question = "Does this part run to its end?"};
-    part.verdict = verdict;
-    part.summary = "ended early: " + one_line(message);
-    part.failures = {std::string(to_string(verdict)) + ": " + part.summary};
-    return part;
-  };
+  const auto ended = [&](Verdict verdict, const std::string& message) { return ended_early(entry, verdict, message); };
   Part part = [&] {
     try {
       return entry.run(scope);

@@ -94,6 +94,8 @@ struct PartEntry {
 [[nodiscard]] const std::vector<PartEntry>& parts();
 /// Runs and times a part. A part that throws fails with the message: the others still run, and the file is written.
 [[nodiscard]] Part run_part(const PartEntry& entry, const Scope& scope);
+/// A part that did not run to its end, because the program was interrupted: inconclusive.
+[[nodiscard]] Part interrupted_part(const PartEntry& entry, const Scope& scope);
 /// By id or name; nullptr where there is none.
 [[nodiscard]] const PartEntry* find_part(const std::string& text);
 

@@ -122,6 +122,16 @@ BudgetRow bound_of_line(const Case& bearing_case, const BearingResult& line) {
   });
 }
 
+/// By the law ehd, which the line stands for: among the results, or on the curve that the memory has.
+BearingResult full_relation(const Case& bearing_case, const std::vector<BearingResult>& results, bearing::Form form,
+                            ContactMemory& memory) {
+  for (const BearingResult& result : results)
+    if (result.law == bearing::Law::ehd) return result;
+  auto made =
+      run_bearing(bearing_case, {.laws = {bearing::Law::ehd}, .explicitly = true, .films = true, .form = form}, memory);
+  return made.empty() ? BearingResult{} : std::move(made.front());
+}
+
 }  // namespace
 
 void BudgetRow::meet(const BudgetRow& other) {
@@ -139,15 +149,9 @@ std::vector<BudgetRow> budget_of(const Case& bearing_case, const std::vector<Bea
   const auto again = [&](const Case& one, bearing::Law by) {
     return run_bearing(one, {.laws = {by}, .explicitly = true, .films = true, .form = result->form}, memory);
   };
-  // What the law stands for: the line stands for the full relation.
-  std::vector<BearingResult> solved;
-  const BearingResult* full = balance_by(bearing::Law::ehd, results);
-  if (!full) {
-    solved = again(bearing_case, bearing::Law::ehd);
-    full = balance_by(bearing::Law::ehd, solved);
-  }
-  if (!full || !full->curve) return {};
-  const auto laws = laws_of(std::get<BearingCase>(bearing_case.body), *full);
+  const BearingResult full = full_relation(bearing_case, results, result->form, memory);
+  if (full.rollers.empty() || !full.curve) return {};
+  const auto laws = laws_of(std::get<BearingCase>(bearing_case.body), full);
   if (!laws) return {};
   std::vector<BudgetRow> rows;
   const auto add = [&rows](BudgetRow row, std::string source, std::string of) {
@@ -157,14 +161,14 @@ std::vector<BudgetRow> budget_of(const Case& bearing_case, const std::vector<Bea
   };
 
   // 1. The fit: the difference from the full relation.
-  if (fitted) add(difference(*result, *full), "fit", "ehd-linear against ehd");
+  if (fitted) add(difference(*result, full), "fit", "ehd-linear against ehd");
 
   // 2. The curve and the solver: bounds of the full relation's errors. Films are those of the law's own balance.
   const std::string whose = fitted ? ", law ehd" : "";
   const auto thinnest = thinnest_film(*result);
-  const Linearised linear(*full, laws->inner, laws->outer);
+  const Linearised linear(full, laws->inner, laws->outer);
   const auto curve_of = [&](bool at_inner) -> const FilmCurve& {
-    return at_inner ? full->curve->inner : full->curve->outer;
+    return at_inner ? full.curve->inner : full.curve->outer;
   };
   BudgetRow between = linear.bound([&](double f, bool at_inner) {
     const FilmCurve& curve = curve_of(at_inner);
@@ -205,6 +209,15 @@ std::vector<BudgetRow> budget_of(const Case& bearing_case, const std::vector<Bea
     if (const BearingResult* const moved = balance_by(law, there)) add(difference(*moved, *result), datum_source, name);
   }
   return rows;
+}
+
+std::optional<std::string> why_no_budget(const Case& bearing_case, const std::vector<BearingResult>& results,
+                                         bearing::Law law, ContactMemory& memory) {
+  const BearingResult* const result = balance_by(law, results);
+  if (!result || !needs_film(law) || !budget_of(bearing_case, results, law, memory).empty()) return std::nullopt;
+  const BearingResult full = full_relation(bearing_case, results, result->form, memory);
+  if (!full.rollers.empty()) return "no curve of its films could be made";
+  return "the distance from the law ehd is not known, because that has no balance (" + full.why + ")";
 }
 
 Json to_json(const std::vector<BudgetRow>& rows) {

@@ -40,6 +40,11 @@ struct BudgetRow {
 [[nodiscard]] std::vector<BudgetRow> budget_of(const Case& bearing_case, const std::vector<BearingResult>& results,
                                                bearing::Law law, ContactMemory& memory);
 
+/// Why the balance of a law with films has no budget; absent where it has one, and where there is nothing to budget.
+[[nodiscard]] std::optional<std::string> why_no_budget(const Case& bearing_case,
+                                                       const std::vector<BearingResult>& results, bearing::Law law,
+                                                       ContactMemory& memory);
+
 [[nodiscard]] Json to_json(const std::vector<BudgetRow>& rows);
 [[nodiscard]] std::string human_budget(const std::vector<BudgetRow>& rows);
 

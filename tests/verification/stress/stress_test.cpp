@@ -202,6 +202,15 @@ BOOST_AUTO_TEST_CASE(a_part_that_throws_is_a_part_that_fails) {
   BOOST_TEST(run_part(odd, {}).verdict == Verdict::fail);
 }
 
+BOOST_AUTO_TEST_CASE(a_part_that_a_signal_ended_is_inconclusive) {
+  const PartEntry entry{"z", "endless", {}};
+  const Part part = interrupted_part(entry, {.quick = true});
+  BOOST_TEST(part.verdict == Verdict::inconclusive);
+  BOOST_TEST(part.summary == "ended early: the program was interrupted");
+  BOOST_TEST(!all_passed({Part{.id = "a", .verdict = Verdict::pass}, part}));
+  BOOST_TEST(to_json({part}, 1).at("parts")[0].at("settings").at("quick") == true);
+}
+
 // A busy machine ends a solve by its time limit, which says nothing of the solver. A limit on iterations is a failure.
 BOOST_AUTO_TEST_CASE(a_time_limit_is_inconclusive_and_a_limit_on_iterations_fails) {
   constexpr auto limit = StopReason::limit_reached;

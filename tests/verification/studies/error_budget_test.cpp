@@ -127,6 +127,28 @@ BOOST_AUTO_TEST_CASE(the_lines_budget_does_not_depend_on_the_laws_that_were_aske
   for (std::size_t k = 0; k < alone.size(); ++k) BOOST_TEST(alone[k].displacement_m == beside[k].displacement_m);
 }
 
+// With x_0 near the half width the approach of the heavy contacts falls with the force, which the line does not see.
+BOOST_AUTO_TEST_CASE(a_line_without_the_law_ehd_has_no_budget_and_says_why) {
+  Case one = needle_bearing();
+  std::get<BearingCase>(one.body).datum = LengthDatum{1.5e-5};
+  std::get<BearingCase>(one.body).fit = {.load_N = std::pair{500.0, 4000.0}, .points = 6};
+  ContactMemory memory(synthetic(0));
+  const auto results =
+      run_bearing(one, {.laws = {bearing::Law::hertz, bearing::Law::ehd_linear, bearing::Law::ehd}}, memory);
+  BOOST_REQUIRE(!results[1].rollers.empty());
+  BOOST_REQUIRE(results[2].rollers.empty());
+  for (const auto& known : {results, std::vector{results[1]}}) {
+    BOOST_TEST(budget_of(one, known, bearing::Law::ehd_linear, memory).empty());
+    const auto why = why_no_budget(one, known, bearing::Law::ehd_linear, memory);
+    BOOST_REQUIRE(why.has_value());
+    BOOST_TEST(why->find(results[2].why) != std::string::npos, *why);
+  }
+  for (const bearing::Law law : {bearing::Law::hertz, bearing::Law::ehd})
+    BOOST_TEST(!why_no_budget(one, results, law, memory).has_value());
+  ContactMemory another(synthetic(0));
+  BOOST_TEST(!why_no_budget(needle_bearing(), run(another), bearing::Law::ehd_linear, another).has_value());
+}
+
 BOOST_AUTO_TEST_CASE(a_dry_law_has_no_budget_and_the_full_one_has_no_fit) {
   ContactMemory memory(synthetic(0));
   const auto results = run(memory);

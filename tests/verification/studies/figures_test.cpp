@@ -190,4 +190,9 @@ BOOST_AUTO_TEST_CASE(a_rung_without_figures_has_none) {
   BOOST_TEST(made.size() == 1U);  // threads alone
 }
 
+BOOST_AUTO_TEST_CASE(after_the_deadline_there_are_no_figures) {
+  constexpr double passed_s = -1;
+  BOOST_TEST(ehd::verification::figures({.rung = 5, .quick = true, .deadline = ehd::Deadline(passed_s)}).is_null());
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "contact/interruption.hpp"
 #include "io/case_reader.hpp"
 #include "io/find_case.hpp"
 #include "io/json.hpp"
@@ -83,6 +84,8 @@ Json figures(const FiguresRequest& request) {
   std::size_t done = 0;
   std::mutex reporting;
   in_threads(work.size(), request.threads, [&](std::size_t i) {
+    if (request.deadline.passed()) return;
+    const Interruptible ends_solves([&] { return request.deadline.passed(); });
     std::string why;
     try {
       work[i]->run();
@@ -94,6 +97,8 @@ Json figures(const FiguresRequest& request) {
     ++done;
     if (request.progress) request.progress(done, work.size(), work[i]->name);
   });
+
+  if (request.deadline.passed()) return {};
 
   Json json = Json::object();
   json["threads"] = request.threads > 0 ? request.threads : std::max(1u, std::thread::hardware_concurrency());

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "io/json.hpp"
+#include "workflow/deadline.hpp"
 
 namespace ehd::verification {
 
@@ -18,6 +19,7 @@ struct FiguresRequest {
   std::optional<std::string> case_id = {};  ///< profiles (or the bearing) of this case alone
   bool quick = false;                       ///< few grids, few points of the maps, light cases
   unsigned threads = 0;                     ///< 0: as many as there are cores
+  Deadline deadline = {};                   ///< solves end by then, and nothing is returned
   /// Called after each piece of work, one thread at a time.
   std::function<void(std::size_t done, std::size_t all, const std::string& name)> progress = {};
 };
@@ -25,7 +27,7 @@ struct FiguresRequest {
 /// {"threads", "cases", "convergence", "maps", "bearing", "dynamics", "statements", "statement_study", "force_law"}; a
 /// key is absent where its part was not made. "failed": a sentence for each piece that threw (absent where none did).
 /// Times are of cold solves, one in a thread, while `threads` of them share the machine. Throws CaseError for a named
-/// case that cannot be read.
+/// case that cannot be read. Null where the deadline has passed.
 [[nodiscard]] Json figures(const FiguresRequest& request);
 
 }  // namespace ehd::verification
