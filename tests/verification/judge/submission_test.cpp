@@ -151,7 +151,7 @@ BOOST_AUTO_TEST_CASE(the_two_forms_say_the_same) {
 
   // The same files as other programs write them.
   const auto digits = [](const std::filesystem::path& file) {
-    const JudgedCase& second = judgement_of(read_submission(file)).cases[1];
+    const JudgedCase second = judgement_of(read_submission(file)).cases[1];  // a copy: the judgement is a temporary
     BOOST_TEST(second.id == "own-barus-5-5");
     return second.scores[0].digits;
   };
