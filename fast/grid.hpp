@@ -22,6 +22,9 @@ using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::Ro
 /// Of a product: `rough` takes the smooth remainder from a small table. Enough for a smoother.
 enum class Accuracy { full, rough };
 
+/// Of the smooth remainder: `usual` ones suffice for films to 1e-6.
+enum class Tables { usual, fine };
+
 struct Grid {
   int n = 0;              ///< intervals
   Array place;            ///< phi_i, n + 1
@@ -59,13 +62,14 @@ struct Grid {
 class Grids {
  public:
   /// The uniform grid (an empty map), or grids of this map from now on.
-  void use(std::shared_ptr<const Map> map, bool robust_wedge = false);
+  void use(std::shared_ptr<const Map> map, bool robust_wedge = false, Tables tables = Tables::usual);
   /// Ready for products.
   [[nodiscard]] Grid& of(int intervals);
   /// The same without FFT plans, which wait for the first product: for the coarsest grid of a multigrid cycle.
   [[nodiscard]] Grid& unplanned(int intervals);
   [[nodiscard]] const Map* map() const { return map_.get(); }
   [[nodiscard]] bool robust_wedge() const { return robust_wedge_; }
+  [[nodiscard]] Tables tables() const { return fineness_of_tables_; }
   [[nodiscard]] double planning_s() const;
 
  private:
@@ -85,6 +89,7 @@ class Grids {
 
   std::shared_ptr<const Map> map_;
   bool robust_wedge_ = false;
+  Tables fineness_of_tables_ = Tables::usual;
   std::vector<Kernel> kernels_;
   std::vector<std::unique_ptr<Grid>> uniform_, mapped_;
   std::vector<std::shared_ptr<const RemainderTable>> tables_;

@@ -83,8 +83,9 @@ const MovedNodes& HarmonicGrids::moved(std::size_t k) {
   Grids& own = run_.workspace.grids;
   auto& [forward, back] = run_.workspace.moved;
   if (!moves_) {
-    forward.use(std::make_shared<const Map>(with_moved_spike(*own.map(), small_move)), own.robust_wedge());
-    back.use(std::make_shared<const Map>(with_moved_spike(*own.map(), -small_move)), own.robust_wedge());
+    forward.use(std::make_shared<const Map>(with_moved_spike(*own.map(), small_move)), own.robust_wedge(),
+                own.tables());
+    back.use(std::make_shared<const Map>(with_moved_spike(*own.map(), -small_move)), own.robust_wedge(), own.tables());
     moves_ = true;
   }
   const int n = at.harmonic->intervals();

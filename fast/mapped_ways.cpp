@@ -19,6 +19,15 @@ constexpr int most_neighbours = 5;
 /// The tolerance of a neighbour's solution, which is a start only.
 constexpr double neighbour_tolerance = 1e-2;
 
+/// Films to this tolerance, or on more intervals than this, need fine tables.
+constexpr double tight_tolerance = 1e-7;
+constexpr int many_intervals = 4096;
+
+Tables tables_for(const Request& request) {
+  const bool fine = request.nodes ? *request.nodes > many_intervals : request.tolerance.tightest() <= tight_tolerance;
+  return fine ? Tables::fine : Tables::usual;
+}
+
 /// The same contact at half the load, below M = 1 at twice the load: the milder of the two.
 Problem milder(const Problem& problem) {
   Problem other = problem;
@@ -63,7 +72,9 @@ bool usable(const Solution& start) {
 }  // namespace
 
 Run begin_mapped(const Problem& problem, const Request& request, Workspace& workspace) {
-  return begin_run(problem, request, workspace, flooded_inlet);
+  Run run = begin_run(problem, request, workspace, flooded_inlet);
+  run.tables = tables_for(request);
+  return run;
 }
 
 MappedClimb best_climb(Run& run, const Request& request, Care care, const Solution* from, int neighbours) {

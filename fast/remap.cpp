@@ -87,7 +87,7 @@ double film_now(const Run& run) {
 
 void use_first_map(Run& run, const MapRecipe& recipe) {
   const InStage stage(run.counters, Stage::grids);
-  run.workspace.grids.use(std::make_shared<const Map>(expected_shape(run)), recipe.robust_wedge);
+  run.workspace.grids.use(std::make_shared<const Map>(expected_shape(run)), recipe.robust_wedge, run.tables);
 }
 
 State on_present_map(Run& run, const Known& known, const InletTail& tail, int n) {
@@ -110,7 +110,7 @@ State on_new_map(Run& run, const Known& known, const InletTail& tail, const MapR
   {
     const InStage stage(run.counters, Stage::grids);
     const MapShape shape = shape_for(known, run.setting.inlet, recipe);
-    run.workspace.grids.use(std::make_shared<const Map>(shape), recipe.robust_wedge);
+    run.workspace.grids.use(std::make_shared<const Map>(shape), recipe.robust_wedge, run.tables);
   }
   return on_present_map(run, known, tail, n);
 }

@@ -29,8 +29,9 @@ struct Run {
   Workspace& workspace;
   Limits limits;
   Lengths lengths;
-  Wanted observed;        ///< read from every grid: the wanted quantities, and both films
-  double truncation = 0;  ///< relative film error by the cut inlet; 0 where the problem itself cuts
+  Wanted observed;                ///< read from every grid: the wanted quantities, and both films
+  Tables tables = Tables::usual;  ///< of a mapped grid
+  double truncation = 0;          ///< relative film error by the cut inlet; 0 where the problem itself cuts
   std::chrono::steady_clock::time_point begin;
   double planning_before = 0;  ///< of the workspace, when the solve began [s]
   Counters counters = {};

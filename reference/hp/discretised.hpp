@@ -22,7 +22,21 @@ struct Discretised {
 /// The size that an error of the quantity is compared with: |value|, and 1 where errors are absolute.
 [[nodiscard]] double size_of(Quantity quantity, double value);
 
-/// Extrapolates `done.seen` linearly from the last floors to floor 0, and states the errors of that. Peaks keep their
+/// A quantity at a floor of the fluidity.
+struct AtFloor {
+  double floor, value;
+};
+
+/// The quantity at floor 0, and its absolute error.
+struct AtZero {
+  double value, error;
+};
+
+/// From two or three floors, the lowest first. Three floors of which the lowest is at most 1e-6 give the line through
+/// the lower two and the bend delta ln delta; else the line alone counts. docs/certified-solver.md, section 4.
+[[nodiscard]] AtZero carried_to_zero(const std::vector<AtFloor>& floors);
+
+/// Extrapolates `done.seen` from the last floors to floor 0, and states the errors of that. Peaks keep their
 /// values and get an error. Nothing changes where the descent reached 0. docs/certified-solver.md, section 4.
 void carry_to_zero(const Problem& problem, const Wanted& wanted, Discretised& done);
 

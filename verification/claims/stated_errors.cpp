@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rung 8: the errors that the solvers state of films and of pressure peaks, against the certified solver at 1e-7. Every
 // solver runs with several tolerances and on several given grids: at contacts where a stated error was once too small,
-// in which every one has to hold, and at random contacts, in which 98 of 100 have to.
+// in which every one has to hold, and at random contacts, in which 98 of 100 have to. Below 1e-6 the two best solvers
+// judge each other.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -66,6 +67,26 @@ const BoxContact once_too_small[] = {{{281.2, 30}, true},
                                      {{23.15, 15.05}, true, TruncatedAt{-3.8}},
                                      {{29.28, 15.81}, true, TruncatedAt{-1.56}},
                                      {{1.986, 16.7}, false}};
+/// Two solvers judge each other at tight tolerances: the first at `tolerances`, the second at its best.
+struct TightRuns {
+  const char *judged, *judge;
+  std::vector<double> tolerances;
+  double judge_tolerance;
+  std::vector<BoxContact> contacts;
+};
+const TightRuns tight_runs[] = {
+    // The smooth remainder of the kernel from a table of too few cells: up to 60 stated errors.
+    {"fast",
+     "reference",
+     {1e-7, 1e-8, 1e-9},
+     1e-10,
+     {{{10, 0}, false, TruncatedAt{-4}},
+      {{117.938, 0}, false, TruncatedAt{-3.55}},
+      {{300, 2}, false, TruncatedAt{-3.5}},
+      {{3000, 0}, false, TruncatedAt{-4}},
+      {{3000, 2}, false}}},
+    // Descents that end at a floor of the fluidity, whose bend counts: up to 3 stated errors.
+    {"reference", "fast", {1e-6, 1e-7}, 1e-9, {{{500, 8}, false, TruncatedAt{-3}}, {{53.45, 13.89}, false}}}};
 constexpr int quick_contacts = 2;  ///< the first ones; each takes some 10 s
 constexpr unsigned stated_seed = 20261130;
 constexpr int random_contacts_a_law = 10;
@@ -107,22 +128,43 @@ struct StatedCount {
 };
 using StatedCounts = std::map<std::string, StatedCount>;  ///< by solver
 
-void count_stated_errors(const BoxContact& contact, StatedCounts& counts) {
-  const Problem problem = contact.problem();
-  const Solution truth = certified_solver().solve(problem, {.tolerance = stated_truth_tolerance});
-  for (const StatedRun& run : stated_runs) {
-    const Solution solution =
-        find_solver(run.solver)->solve(problem, {.tolerance = run.tolerance, .nodes = run.nodes, .time_limit_s = 60});
-    for (const Quantity quantity : judged_quantities) {
-      const Reading *seen = observed(solution, quantity), *exact = reading(truth, quantity);
-      if (seen && is_film(quantity)) ++counts[run.solver].films;
-      if (!seen || !seen->error || !exact || !exact->error) continue;
-      // Relative to the number that the solver gives, as its brackets are.
-      counts[run.solver].add(std::abs(exact->value / seen->value - 1), *seen->error, error_of(exact),
-                             fmt::format("{}, {}, {}, {}", contact.name(), contact.flooded() ? "flooded" : "cut",
-                                         run.how(), to_string(quantity)));
-    }
+void count_run(const BoxContact& contact, const StatedRun& run, const Solution& truth, StatedCount& count) {
+  const Solution solution =
+      find_solver(run.solver)
+          ->solve(contact.problem(), {.tolerance = run.tolerance, .nodes = run.nodes, .time_limit_s = 60});
+  for (const Quantity quantity : judged_quantities) {
+    const Reading *seen = observed(solution, quantity), *exact = reading(truth, quantity);
+    if (seen && is_film(quantity)) ++count.films;
+    if (!seen || !seen->error || !exact || !exact->error) continue;
+    // Relative to the number that the solver gives, as its brackets are.
+    count.add(std::abs(exact->value / seen->value - 1), *seen->error, error_of(exact),
+              fmt::format("{}, {}, {}, {}", contact.name(), contact.flooded() ? "flooded" : "cut", run.how(),
+                          to_string(quantity)));
   }
+}
+
+void count_stated_errors(const BoxContact& contact, StatedCounts& counts) {
+  const Solution truth = certified_solver().solve(contact.problem(), {.tolerance = stated_truth_tolerance});
+  for (const StatedRun& run : stated_runs) count_run(contact, run, truth, counts[run.solver]);
+}
+
+Findings judge_tight_errors(const TightRuns& runs, const BoxContact& contact) {
+  const Solution truth = find_solver(runs.judge)->solve(contact.problem(), {.tolerance = runs.judge_tolerance});
+  StatedCount count;
+  for (const double tolerance : runs.tolerances) count_run(contact, {runs.judged, tolerance}, truth, count);
+  return {
+      .claims = {claim(
+          {.id = fmt::format("stated-errors/tight/{}-{}/{}", plain(contact.moes.M), plain(contact.moes.L), runs.judged),
+           .rung = 8,
+           .statement =
+               fmt::format("every error of a film or a pressure peak that {} states at {}, {}, holds at tolerances "
+                           "of {} and less, against {}",
+                           runs.judged, contact.name(), contact.flooded() ? "flooded" : "cut",
+                           plain(runs.tolerances.front()), runs.judge),
+           .solver = runs.judged},
+          count.judged > 0 ? count.worst : nothing, count.worst_truth,
+          Tolerance::required(1, "error over stated error"), count.text())},
+      .skipped = {}};
 }
 
 Findings judge_contact_once_too_small(const BoxContact& contact) {
@@ -184,6 +226,13 @@ std::vector<Topic> stated_error_topics() {
                       .slow = &contact - once_too_small >= quick_contacts,
                       .judge = [&contact] { return judge_contact_once_too_small(contact); },
                       .expected_s = 8});
+  for (const TightRuns& runs : tight_runs)
+    for (const BoxContact& contact : runs.contacts)
+      topics.push_back({.name = fmt::format("stated errors, tight, {}", runs.judged),
+                        .rungs = {8},
+                        .slow = runs.judge == std::string("fast"),
+                        .judge = [&runs, &contact] { return judge_tight_errors(runs, contact); },
+                        .expected_s = 1});
   for (const bool roelands : {false, true})
     topics.push_back({.name = "stated errors, random, " + law_name(roelands),
                       .rungs = {8},
