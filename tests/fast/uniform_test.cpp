@@ -41,6 +41,16 @@ BOOST_AUTO_TEST_CASE(reported_errors_cover_the_true_ones_and_meet_the_tolerance)
   BOOST_REQUIRE_EQUAL(rows, 16);
 }
 
+BOOST_AUTO_TEST_CASE(two_grids_state_the_larger_error_for_both_films) {
+  const Solution solution = fast::Uniform{}.solve(barus_problem(0.8625, 24.82, Flooded{}), {.tolerance = 1e-3});
+  BOOST_REQUIRE(solution.record.status == StopReason::converged);
+  BOOST_REQUIRE_EQUAL(solution.record.grids.size(), 2u);
+  // `reference` at 1e-7, known to 2e-8.
+  EHD_CHECK(error(film(solution, Quantity::film_central), 4.2436276854),
+            Tolerance::discretisation(reported(solution, Quantity::film_central), 1));
+  BOOST_CHECK_EQUAL(solution.record.film_central.discretisation, solution.record.film_minimum.discretisation);
+}
+
 BOOST_AUTO_TEST_CASE(four_thousand_nodes_give_three_digits) {
   int rows = 0;
   for (const Truth& truth : moderate) {

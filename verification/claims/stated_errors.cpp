@@ -56,7 +56,7 @@ constexpr Quantity judged_quantities[] = {Quantity::film_minimum, Quantity::film
 /// Moderate to heavy loads with thin and sharp spikes: here a smooth sequence of grids agreed on a wrong H_min. Then
 /// cut contacts, where the dome counted as the maximum beside a spike that is higher, and the heights of spikes
 /// narrower than the cells agreed by chance. Then a light one with a kink of the film at X = 0, which H_cen did not
-/// see.
+/// see. Last, H_cen of two grids that agreed by chance.
 const BoxContact once_too_small[] = {{{281.2, 30}, true},
                                      {{1494.27, 17.747}, true},
                                      {{346.248, 27.4164}, true},
@@ -66,7 +66,8 @@ const BoxContact once_too_small[] = {{{281.2, 30}, true},
                                      {{12.72, 9.581}, true, TruncatedAt{-3.82}},
                                      {{23.15, 15.05}, true, TruncatedAt{-3.8}},
                                      {{29.28, 15.81}, true, TruncatedAt{-1.56}},
-                                     {{1.986, 16.7}, false}};
+                                     {{1.986, 16.7}, false},
+                                     {{0.8625, 24.82}, false}};
 /// Two solvers judge each other at tight tolerances: the first at `tolerances`, the second at its best.
 struct TightRuns {
   const char *judged, *judge;
