@@ -60,7 +60,7 @@ struct ErrorBudget {
 struct GridRecord {
   int nodes = 0;  ///< intervals, inlet to exit
   int newton_iterations = 0;
-  double residual = 0;     ///< final, relative to H_n
+  double residual = 0;     ///< final; relative to H_n, of `fast` and `fast.uniform` to the oil at each face
   double inlet_cells = 0;  ///< cells in the inlet zone of width H_cen^(2/3)
   Observables observed;
 };

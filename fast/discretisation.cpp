@@ -24,6 +24,7 @@ bool Discretisation::evaluate_with_product(const Setting& setting, State& state,
   counters.clock.change_to(Stage::residual);
   faces.evaluate(setting, nodes, state.P);
 
+  oil = (nodes.density.value * nodes.H).head(on.n).max(nodes.exit_flux());
   error.load = nodes.length * nodes.integral + state.tail.load - pi / 2;
   error.flux = faces.flux - nodes.exit_flux();
   if (setting.sources) {
@@ -35,7 +36,7 @@ bool Discretisation::evaluate_with_product(const Setting& setting, State& state,
     error.load -= pi / 2 * setting.sources->load;
   }
   if (!error.flux.allFinite()) return false;
-  rounding = faces.rounding(nodes, state.P);
+  rounding = faces.rounding(nodes, state.P, oil);
   return true;
 }
 

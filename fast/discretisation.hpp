@@ -7,8 +7,6 @@
 // Unknowns P_1..P_(n-1), H_0, X*: as many as equations. Their derivatives are in jacobian.hpp.
 #pragma once
 
-#include <cmath>
-
 #include "contact/array.hpp"
 #include "fast/counters.hpp"
 #include "fast/face_fluxes.hpp"
@@ -22,6 +20,9 @@ struct Discretisation {
   NodeFields nodes;
   FaceFluxes faces;
   Residual error;
+  /// n entries: rho H before each face, at least rho_n H_n. Flux errors are judged in these units: far out the film is
+  /// thousands of times H_n and conducts with its third power, so that an error of a hundred H_n moves no film there.
+  Array oil;
   double rounding = 0;  ///< rounding floor of residual()
 
   /// Everything, of the state. False where the film is not positive or a number is not finite; then only nodes.H is
@@ -31,8 +32,11 @@ struct Discretisation {
   [[nodiscard]] bool evaluate_with_product(const Setting& setting, State& state, Grid& on, Counters& counters);
   /// The tail that belongs to the present fields.
   [[nodiscard]] InletTail tail_of(const Setting& setting, const State& state) const;
-  /// max|e|/(rho_n H_n).
-  [[nodiscard]] double residual() const { return error.flux.abs().maxCoeff() / std::abs(nodes.exit_flux()); }
+  /// max|e_i|/oil_i.
+  [[nodiscard]] double residual() const { return (error.flux / oil).abs().maxCoeff(); }
+  /// max|e_i|/(rho_n H_n): what the self-check of this name finds on the faces; and a bound of its rounding floor.
+  [[nodiscard]] double flux_variation() const { return error.flux.abs().maxCoeff() / nodes.exit_flux(); }
+  [[nodiscard]] double rounding_of_flux_variation() const { return rounding * oil.maxCoeff() / nodes.exit_flux(); }
 };
 
 }  // namespace ehd::fast

@@ -37,12 +37,12 @@ void FaceFluxes::evaluate(const Setting& setting, const NodeFields& nodes, const
   }
 }
 
-double FaceFluxes::rounding(const NodeFields& nodes, const Array& P) const {
+double FaceFluxes::rounding(const NodeFields& nodes, const Array& P, const Array& oil) const {
   const int n = nodes.n;
   const double inverse_length = 1 / nodes.length;
   const auto poiseuille = eps * P.head(n).max(P.tail(n)) * nodes.grid->inverse_spacing * inverse_length;
-  return std::numeric_limits<double>::epsilon() * (poiseuille + (nodes.density.value * nodes.H).head(n)).maxCoeff() /
-         nodes.exit_flux();
+  return std::numeric_limits<double>::epsilon() *
+         ((poiseuille + (nodes.density.value * nodes.H).head(n)) / oil).maxCoeff();
 }
 
 }  // namespace ehd::fast

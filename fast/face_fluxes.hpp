@@ -22,8 +22,8 @@ struct FaceFluxes {
 
   /// Both, of the fields at the nodes and the pressure P.
   void evaluate(const Setting& setting, const NodeFields& nodes, const Array& P);
-  /// Rounding error of the largest |F_i|, in units of rho_n H_n.
-  [[nodiscard]] double rounding(const NodeFields& nodes, const Array& P) const;
+  /// The largest rounding error of an F_i, each in units of `oil` at its face.
+  [[nodiscard]] double rounding(const NodeFields& nodes, const Array& P, const Array& oil) const;
 };
 
 }  // namespace ehd::fast

@@ -75,7 +75,7 @@ Attempt solve_on(Run& run, double film, const Target& target) {
 std::optional<Known> start(Run& run, const Recipe& recipe, const Solution* from, Care care) {
   auto grids = recipe.remaps ? grids_for_maps(care) : std::span<const int>();
   // At loose tolerances a neighbour's solution costs more steps than a start from nothing, because its spike is
-  // sharper: 634 against 546 at 24 problems, 2 and 10 % away in M and L. At tighter tolerances it saves 15 %.
+  // sharper: 634 against 546 at 24 problems, 2 and 10 % away in M and L. At tighter ones it costs as many.
   if (from && care == Care::full) {
     const Known known = known_of(from->fields);
     const InletTail tail = run.setting.with_tail ? first_tail(run.setting, run.lengths.film) : InletTail{};

@@ -28,11 +28,12 @@ struct Limits {
 enum class NewtonEnd { converged, stalled, failed, limit };
 
 /// When Newton is done: the residual is at most `residual` (or near its rounding floor), or the estimated film error is
-/// below `film_error` while the residual is at most `film_residual`.
+/// below `film_error` while the residual is at most `film_residual`. The flux varies by at most `flux_variation` then.
 struct Target {
   double residual = 0;
   double film_error = 0;
   double film_residual = 1e-2;
+  double flux_variation = std::numeric_limits<double>::infinity();
 };
 
 struct NewtonResult {

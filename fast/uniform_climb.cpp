@@ -78,8 +78,14 @@ class Climber {
     const double share = !request_.nodes ? discretisation_share
                          : n < last      ? share_on_the_way
                                          : request_.iteration_share.value_or(0);
-    return {.residual = request_.nodes ? round_off_residual : request_.tolerance.tightest() * iteration_share,
-            .film_error = share * expected_error(n)};
+    Target target{.film_error = share * expected_error(n)};
+    if (request_.nodes) {
+      target.residual = round_off_residual;
+    } else {
+      target.residual = request_.tolerance.tightest() * iteration_share;
+      target.flux_variation = request_.tolerance.tightest();
+    }
+    return target;
   }
 
   /// Discretisation error of H_min and H_cen, the smaller, to expect of the grid.
@@ -118,8 +124,8 @@ class Climber {
   void note(int n, const NewtonResult& newton, const Target& target, long newton_before) {
     run_.has_state = true;
     climb_.iteration = std::max(newton.residual, request_.nodes ? 0 : target.residual);
-    if (target.film_error > 0 && newton.end == NewtonEnd::converged)
-      climb_.iteration = std::min(climb_.iteration, newton.film_error);
+    if (newton.end == NewtonEnd::converged && newton.film_error <= target.film_error)
+      climb_.iteration = target.film_error;
     climb_.fields = fields_of(run_);
     GridRecord grid{.nodes = n,
                     .newton_iterations = static_cast<int>(run_.counters.newton - newton_before),
