@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "cli/completion.hpp"
+#include "cli/help_text.hpp"
 #include "cli/output.hpp"
 #include "cli/usage.hpp"
 #include "io/near_miss.hpp"
@@ -138,7 +139,7 @@ int run_command_line(const Program& program, int argc, char** argv) {
     return success;
   } catch (const CLI::Success&) {  // --help, of the program or of a subcommand
     if (&chosen() == &app && !app.remaining().empty()) return refuse(nullptr);  // ehd frobnicate --help
-    print(&chosen() == &app ? app.help() : chosen().help(program.name));
+    print(help_page(&chosen() == &app ? app.help() : chosen().help(program.name)));
     return success;
   } catch (const CLI::ExtrasError&) {
     return refuse(nullptr);
@@ -150,7 +151,7 @@ int run_command_line(const Program& program, int argc, char** argv) {
       print(completion_script(program.name, words_of(app), *shell));
       return success;
     });
-  if (app.get_subcommands().empty()) print(app.help());
+  if (app.get_subcommands().empty()) print(help_page(app.help()));
   return exit_code;
 }
 

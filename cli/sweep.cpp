@@ -34,13 +34,13 @@ struct SweepOptions {
 const char* const sweep_examples = R"(
 A sweep file:
   case = "na4908"                     # an id, or a path from the folder of this file
-  laws = ["hertz", "ehd"]             # of a bearing; a contact has solver = "fast", tolerance = 1e-3
+  laws = ["hertz", "ehd"]             # of a bearing; of a contact: solver, tolerance
   combine = "product"                 # or "zip"
-  films = "table"                     # of a contact: from one table, over [table] M = [2, 1000], L = [2.5, 20]
+  films = "table"                     # of a contact; with [table] M = [2, 1000], L = [2.5, 20]
   [keys]                              # any key of the case that is a number or a text
   "operation.radial_load_N" = { from = 1e3, to = 5e4, points = 20, spacing = "logarithmic" }
   "bearing.clearance_m" = [0.0, 2.5e-6, 1e-5]
-  "datum.load_N" = [9289.0]           # one x_0 for all rows; the default, palmgren, follows each row's own load
+  "datum.load_N" = [9289.0]           # one x_0; the default follows each row's own load
 
 Examples:
   ehd sweep examples/sweeps/na4908-load-clearance.toml       rows.csv and rows.json into out/sweep/na4908-load-clearance

@@ -576,6 +576,26 @@ BOOST_AUTO_TEST_CASE(help_and_version_are_printed_with_exit_code_0) {
     BOOST_CHECK_MESSAGE(version.out.find(part) != std::string::npos, part << " is not in " << version.out);
 }
 
+BOOST_AUTO_TEST_CASE(help_is_at_most_a_hundred_columns_wide) {
+  const test::Folder folder;
+  const auto check_page = [&](const std::string& arguments) {
+    const std::string page = test::ehd_run(folder, arguments).out;
+    std::istringstream lines(page);
+    for (std::string line; std::getline(lines, line);)
+      BOOST_CHECK_MESSAGE(line.size() <= 100, "ehd " << arguments << ", " << line.size() << " columns: " << line);
+    return page;
+  };
+  const std::string page = check_page("--help");
+  std::istringstream list(page.substr(page.find("Subcommands:\n")));
+  int subcommands = 0;
+  for (std::string line; std::getline(list, line) && !line.empty();) {
+    if (!line.starts_with("  ") || line[2] == ' ') continue;  // the heading, or a line that goes on
+    check_page(line.substr(2, line.find(' ', 2) - 2) + " --help");
+    ++subcommands;
+  }
+  BOOST_TEST(subcommands >= 17);
+}
+
 BOOST_AUTO_TEST_CASE(the_cases_are_listed_with_how_to_cite_them) {
   const test::Folder folder;
   const auto list = test::ehd_run(folder, "cases");
