@@ -61,8 +61,10 @@ Case CaseChanges::read(const std::string& name) const {
   const std::vector<Substitution> substitutions = substitutions_of(settings);
   try {
     Case one = read_named_case(name, substitutions);
-    for (const Substitution& substitution : substitutions)
-      one.title += fmt::format(", {} = {}", substitution.key, toml_text(substitution.value));
+    for (const std::string& setting : settings) {  // as it was typed: 1e4, not 10000.0
+      const auto equals = setting.find('=');
+      one.title += fmt::format(", {} = {}", setting.substr(0, equals), one_line(setting.substr(equals + 1)));
+    }
     return one;
   } catch (const CaseError& error) {
     std::vector<std::string> lines{naming_option(error.what(), substitutions, settings)};

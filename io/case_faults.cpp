@@ -75,6 +75,15 @@ std::vector<std::string> tables_to_check(const CaseTree& tree, const CaseTable& 
   return paths;
 }
 
+/// Also by a table that is mistyped, which is named as unknown.
+bool states_problem(const CaseTree& tree) {
+  return std::ranges::any_of(case_tables(), [&](const CaseTable& table) {
+    return table.role == TableRole::statement &&
+           (tree.has(std::string(table.name)) ||
+            std::ranges::any_of(tree.unknown(), [&](const UnknownKey& key) { return key.meant == table.name; }));
+  });
+}
+
 struct MissingKey {
   std::string path, required;
 };
@@ -102,6 +111,15 @@ std::vector<MissingKey> missing_keys(const CaseTree& tree, const CaseTable* stat
 
 }  // namespace
 
+std::string one_statement() {
+  std::vector<std::string> names;
+  for (const CaseTable& table : case_tables())
+    if (table.role == TableRole::statement) names.push_back(fmt::format("[{}]", table.name));
+  const std::string last = names.back();
+  names.pop_back();
+  return fmt::format("exactly one of {} and {}", list(names), last);
+}
+
 void refuse_unknown_and_missing(const CaseTree& tree, const CaseTable* statement) {
   std::vector<std::string> lines;
   for (const UnknownKey& key : tree.unknown()) lines.push_back(key.message);
@@ -110,6 +128,8 @@ void refuse_unknown_and_missing(const CaseTree& tree, const CaseTable* statement
     if (std::any_of(tree.unknown().begin(), tree.unknown().end(), meant)) continue;
     lines.emplace_back(case_error(tree.places(), key.path, "is missing; required is " + key.required).what());
   }
+  if (!states_problem(tree))
+    lines.emplace_back(case_error(tree.places(), "", "the problem is missing; required is " + one_statement()).what());
   if (!lines.empty()) throw CaseError(lines);
 }
 

@@ -30,16 +30,6 @@ void read_heading(const CaseTree& tree, Case& made) {
   made.source = text(tree, "source");
 }
 
-/// "exactly one of [moes], [conditions], [hertz] and [bearing]"
-std::string one_statement() {
-  std::vector<std::string> names;
-  for (const CaseTable& table : case_tables())
-    if (table.role == TableRole::statement) names.push_back(fmt::format("[{}]", table.name));
-  const std::string last = names.back();
-  names.pop_back();
-  return fmt::format("exactly one of {} and {}", list(names), last);
-}
-
 /// The tables that state a problem, in the order of the file.
 std::vector<const CaseTable*> statements_in(const CaseTree& tree) {
   const auto line = [&](const CaseTable* table) { return tree.line_of(std::string(table->name)); };
@@ -54,7 +44,6 @@ std::vector<const CaseTable*> statements_in(const CaseTree& tree) {
 
 /// The only one of them. Refuses tables that do not belong beside it.
 const CaseTable& only_statement(const CaseTree& tree, const std::vector<const CaseTable*>& present) {
-  if (present.empty()) tree.fail("", "the problem is missing; required is " + one_statement());
   if (present.size() > 1)
     tree.fail(std::string(present[1]->name),
               fmt::format("states the problem again, beside [{}]; allowed is {}", present[0]->name, one_statement()));

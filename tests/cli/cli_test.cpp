@@ -190,7 +190,11 @@ BOOST_AUTO_TEST_CASE(a_dry_case_is_exact_and_has_no_groups_and_no_film) {
 BOOST_AUTO_TEST_CASE(a_wrong_command_line_is_refused) {
   const test::Folder folder;
   const std::string bad =
-      folder.write("bad.toml", "id = \"bad\"\nversion = 1\nx = 2\ntitle = \"t\"\nsource = \"own\"\n").string();
+      folder
+          .write("bad.toml",
+                 "id = \"bad\"\nversion = 1\nx = 2\ntitle = \"t\"\nsource = \"own\"\n[conditions]\nload_N_per_m = "
+                 "1e5\nreduced_radius_m = 0.01\nreduced_modulus_Pa = 2e11\n")
+          .string();
   const Rows rows{
       {"frobnicate", "frobnicate"},
       {"--frobnicate", "frobnicate"},

@@ -48,6 +48,13 @@ BOOST_AUTO_TEST_CASE(every_missing_key_of_a_contact_has_its_line) {
                "1: [domain]: is missing; required is [lubricant] with [domain], or neither for a dry contact"});
 }
 
+BOOST_AUTO_TEST_CASE(a_missing_problem_has_its_line_among_the_others) {
+  check_lines("id = \"mine\"\nversion = 1\ntitel = \"t\"\n[lubricant]\nz = 0.7\n",
+              {"3: titel = \"t\": is unknown; did you mean title?", "1: source: is missing",
+               "1: the problem is missing; required is exactly one of [moes], [conditions], [hertz] and [bearing]"});
+  check_lines("id = \"mine\"\nversion = 1\ntitle = \"t\"\nsource = \"own\"\n", {"1: the problem is missing"});
+}
+
 BOOST_AUTO_TEST_CASE(every_missing_key_of_a_bearing_has_its_line_also_in_a_missing_table) {
   check_lines(
       "id = \"mine\"\nversion = 1\ntitle = \"t\"\nsource = \"own\"\n[bearing]\nrollers = 9\n"
