@@ -78,7 +78,7 @@ Kappa MovingRaceway::kappa(double force_N, double omega) const {
   Kappa slow = response_->slow(force_N);
   const double Omega = bearing::Omega_of(response_->contact(), force_N, omega);
   slow.stiffness_error += slow_departure * Omega * Omega * slow.stiffness;
-  slow.damping_error += slow_departure * Omega * Omega * slow.damping;
+  slow.damping_error += slow_departure * Omega * Omega * response_->damping_scale(force_N);  // damping may vanish
   return slow;
 }
 

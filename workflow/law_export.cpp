@@ -2,6 +2,7 @@
 #include "workflow/law_export.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "bearing/dynamics.hpp"
@@ -34,7 +35,7 @@ Damping damping_of(const bearing::CurveLaw& law, const Lubricant& lubricant, dou
   double error = 0;
   for (const double force_N : {lightest_N, curve.lightest_N(), curve.heaviest_N()}) {
     const bearing::ContactMotion at = motion(force_N);
-    error = std::max(error, at.damping_error / *at.damping_N_s_per_m);
+    error = std::max(error, at.damping_error / std::abs(*at.damping_N_s_per_m));
   }
   return {.over_force = [motion](double force_N) { return *motion(force_N).damping_N_s_per_m; }, .error = error};
 }
