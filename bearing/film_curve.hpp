@@ -38,6 +38,10 @@ struct CurveErrors {
   std::string lightest_because;    ///< why no lighter contact was solved
 };
 
+/// The force errors of a curve hold at a given approach with the datum x_0 = l. With a datum of the order of the radii
+/// they are up to so many times as large.
+inline constexpr double force_error_by_datum = 2;
+
 /// Offset film, minimum film and rolling force over the contact force, 0 < f <= heaviest; each a ContinuedSpline,
 /// which goes over to Martin's numbers (martin.hpp) below the lightest solved contact.
 class FilmCurve {

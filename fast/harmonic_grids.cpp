@@ -67,7 +67,7 @@ bool HarmonicGrids::refine(int most) {
   const double film = film_now(run_);
   const State last = run_.state;
   run_.state = prolongation_.onto(n, run_.workspace.grids, run_.setting.inlet);
-  const Attempt attempt = solve_on(run_, film, {.residual = newton_residual_});
+  const Attempt attempt = solve_on(run_, film, everywhere(newton_residual_));
   if (attempt.succeeded) {
     add(run_.workspace.now().nodes, attempt.newton.residual);
   } else {

@@ -76,7 +76,7 @@ class Climber {
     };
     if (is_cut_near_the_contact(run_.problem)) return {.residual = round_off_residual};
     if (!request_.nodes) return within(request_.tolerance.tightest());
-    if (!request_.iteration_share) return {.residual = run_.residual_on_given_grids};
+    if (!request_.iteration_share) return everywhere(run_.residual_on_given_grids);
     const double known = climb_.grids.size() > 1
                              ? std::min(climb_.film_minimum.discretisation, climb_.film_central.discretisation)
                              : known_at_first;

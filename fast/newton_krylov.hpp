@@ -36,6 +36,11 @@ struct Target {
   double flux_variation = std::numeric_limits<double>::infinity();
 };
 
+/// The same residual in units of the oil and in those of H_n.
+[[nodiscard]] constexpr Target everywhere(double residual) {
+  return {.residual = residual, .flux_variation = residual};
+}
+
 struct NewtonResult {
   NewtonEnd end = NewtonEnd::failed;
   int iterations = 0;

@@ -32,9 +32,6 @@ namespace {
 constexpr double slow_Omega = 0.01, slow_departure = 1;
 /// A stiffness or damping that is known less well than this is no result.
 constexpr double largest_dynamic_error = 0.02;
-/// The error of a contact force is stated for the datum x_0 = l; with a datum of the order of the radii it is up to
-/// twice that (build_curve.hpp).
-constexpr double force_error_by_datum = 2;
 
 /// The contacts of one raceway with their law, at all frequencies.
 class MovingRaceway {
@@ -88,9 +85,10 @@ ContactMotion MovingRaceway::with_film(double force_N, double omega) const {
   };
   // The force itself has an error, and the contact at another force moves otherwise.
   const bearing::CurveErrors& errors = film_->curve().errors();
-  const double force_error = force_error_by_datum * (errors.solver_offset_film + (force_N < film_->curve().lightest_N()
-                                                                                      ? errors.joint_force
-                                                                                      : errors.interpolation_force));
+  const double force_error =
+      bearing::force_error_by_datum *
+      (errors.solver_offset_film +
+       (force_N < film_->curve().lightest_N() ? errors.joint_force : errors.interpolation_force));
   ContactMotion contact = made(force_N);
   const ContactMotion heavier = made(force_N * (1 + force_error));
   contact.stiffness_error += std::abs(heavier.stiffness_N_per_m - contact.stiffness_N_per_m);

@@ -67,7 +67,8 @@ LawExport export_law(const Case& bearing_case, const LawExportRequest& request, 
   const Damping damping = damping_of(law, stated, made.lightest_N, memory);
   made.table = bearing::tabulate(law, made.lightest_N, made.heaviest_N, request.knots, damping.over_force);
   const bearing::CurveErrors& errors = law.curve().errors();
-  made.force_error = std::max(errors.interpolation_force, errors.joint_force) + errors.solver_offset_film;
+  made.force_error = bearing::force_error_by_datum *
+                     (std::max(errors.interpolation_force, errors.joint_force) + errors.solver_offset_film);
   made.film_error = std::max(errors.interpolation, errors.joint) + errors.solver_minimum_film;
   made.damping_error = damping.error;
   made.no_damping = damping.why_not;
