@@ -42,8 +42,8 @@ struct Lubricant {
   ViscosityLaw viscosity = ViscosityLaw::barus;
   DensityLaw density = DensityLaw::incompressible;
   std::optional<double> alpha_per_Pa = {};
-  std::optional<double> z = {};
-  double p0_Pa = roelands_pressure_Pa;
+  std::optional<double> z = {};         ///< Roelands' exponent
+  double p0_Pa = roelands_pressure_Pa;  ///< Roelands' reference pressure
 };
 
 /// The solver answers for X -> -infinity; its truncation error is part of its error estimate.

@@ -56,7 +56,7 @@ GridEstimate estimate(const std::vector<double>& values, double formal_order) {
     result.extrapolated = value + last / (s - 1);
     result.extrapolated_error = std::abs(last) / (s - 1) / size;
     if (grids >= 4) {
-      // Of two moves, since a single one may vanish by chance.
+      // The larger of two moves of the extrapolated value: a single one may vanish by chance.
       const double before_that = values[grids - 3] - values[grids - 4];
       const double move = std::abs(last + (last - before) / (s - 1));
       const double move_before = std::abs(before + (before - before_that) / (s - 1));

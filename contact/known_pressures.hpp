@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which pressures of a solve on a sequence of grids are known well enough to be reported. A spike is narrower than most
-// cells (1e-4 at (20, 10), 2e-11 at (200, 15)), so that grids agree on its height, or do not see it, before it is
-// right.
+// cells (1e-4 at (20, 10), 2e-11 at (200, 15)), so that grids may agree on a wrong height, or not see the spike at all.
 #pragma once
 
 #include <cstddef>
@@ -30,8 +29,8 @@ inline constexpr double spike_safety = 3;
 
 /// Removes a spike and a maximum whose heights are not known to 5 %, and a maximum that the spike may exceed. Removing
 /// a `wanted` one leaves a note. A spike is not known on fewer than four grids, nor where `fields`, nodal values of the
-/// finest grid, do not resolve it. `grids`: those on which the spike was seen, or could have been. L: up to 2.5 there
-/// is no spike.
+/// finest grid, do not resolve it. `grids`: how many grids saw the spike, or could have seen it. L: up to 2.5
+/// there is no spike.
 void keep_known_pressures(Observables& seen, const Wanted& wanted, const Fields& fields, std::size_t grids, double L,
                           std::vector<std::string>& notes);
 

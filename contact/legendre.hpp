@@ -44,7 +44,7 @@ namespace detail {
 inline constexpr int most_newton_steps = 12, settled_roundings = 4;
 /// An interval of length 2, halved so often, is shorter than the rounding of a double.
 inline constexpr int bisections = 60;
-/// Cells of the search for a zero: so many for each zero, and for so many zeros more than there are.
+/// The search for zeros takes so many cells a zero, counting so many zeros more than there are.
 inline constexpr int cells_per_zero = 40, spare_zeros = 2;
 /// The cells are shifted by this part of one, so that none ends at 0, where odd functions have a zero.
 inline constexpr double cell_shift = 0.37;

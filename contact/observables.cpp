@@ -40,7 +40,7 @@ Point vertex(const Array& x, const Array& y, Index i) {
   return {x[i] + step, y[i] + step * (slope + step * curvature)};
 }
 
-/// Of the golden section, and so many steps leave rounding alone.
+/// Golden-section search: its ratio, and the steps after which only rounding is left.
 constexpr double golden = 0.61803398874989484820;
 constexpr int golden_steps = 60;
 /// A quartic through an unresolved kink overshoots. One that goes below the node by more than this many times the

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::array<double, 20> grades{2,   3,   5,   7,   10,  15,  22,   32,   46,   68,
                                         100, 150, 220, 320, 460, 680, 1000, 1500, 2200, 3200};
-/// Of the first four grades; the midpoint of every other is its number.
+/// Midpoints of the first four grades [mm2/s]; the midpoint of every other grade is its number.
 constexpr std::array<double, 4> first_midpoints{2.2, 3.2, 4.6, 6.8};
 
 /// L = a Y^2 + b Y + c of an oil with index 0, and H = d Y^2 + e Y + f of one with index 100: their viscosities at 40

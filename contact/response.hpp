@@ -25,8 +25,8 @@ namespace ehd {
 /// A harmonic surface feature of amplitude 1 that moves through the contact.
 struct Waviness {
   double wavelength = 0;  ///< in b
-  double slip =
-      1;  ///< s: the feature moves at s u_m. 1 is pure rolling, 0 a feature at rest, 2 the other surface at rest
+  /// s: the feature moves at s u_m. 1: pure rolling; 0: the feature is at rest; 2: the other surface is at rest.
+  double slip = 1;
   [[nodiscard]] double wavenumber() const { return 2 * std::numbers::pi / wavelength; }
   [[nodiscard]] double Omega() const { return slip * wavenumber(); }
   bool operator==(const Waviness&) const = default;
@@ -40,7 +40,7 @@ struct ResponseRequest {
   double time_limit_s = 300;
 };
 
-/// Of a number that was not computed.
+/// The error of a number that was not computed.
 inline constexpr double unknown_error = std::numeric_limits<double>::infinity();
 
 /// kappa at one frequency.
@@ -89,8 +89,8 @@ struct Response {
   std::optional<SlowStiffness> slow = {};
   std::vector<Stiffness> frequencies = {};      ///< in the order of the request
   std::vector<WavinessResponse> waviness = {};  ///< in the order of the request
-  /// The highest Omega at which kappa is known within the tolerance: of the request, where all are; else found between
-  /// two of them. Absent where not even kappa_0 is.
+  /// The highest Omega at which kappa is known within the tolerance. Where kappa is known at all requested Omega, it is
+  /// the highest of these, else it is searched for by bisection. Absent where not even kappa_0 is known.
   std::optional<double> highest_certified = {};
   Cost cost = {};
   std::vector<std::string> notes = {};
@@ -99,8 +99,8 @@ struct Response {
 /// `found` answers the request with nothing: every number is unknown, for this reason.
 void answer_nothing(Response& found, const ResponseRequest& request, StopReason status, std::string_view why);
 
-/// Sets highest_certified: by bisection with `certified` where kappa is known at some requested Omega and not at all,
-/// until `spent`.
+/// Sets highest_certified. Where kappa is not known at every requested Omega, `certified` tells by solving whether it
+/// is known at another one: below the lowest Omega that failed, by bisection, until `spent`.
 void find_highest_certified(Response& found, double tolerance, const std::function<bool(double Omega)>& certified,
                             const std::function<bool()>& spent);
 

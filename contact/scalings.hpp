@@ -36,8 +36,8 @@ struct GivenNumber {
 };
 
 /// The value of each row of the table; absent where the given numbers leave it open. Throws StatementError, with the
-/// name as its key: no such number, not positive (0 is allowed where alpha = 0 makes it), one that follows from those
-/// before it, or one that follows and is no normal double.
+/// name as its key: no such number, not positive (0 is allowed where alpha = 0 makes it), a given number that follows
+/// from those before it, or a value that is no normal double.
 [[nodiscard]] std::vector<std::optional<double>> in_all_scalings(const std::vector<GivenNumber>& given);
 
 }  // namespace ehd

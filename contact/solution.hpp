@@ -42,7 +42,7 @@ using Observables = std::map<Quantity, Reading>;
 enum class StopReason {
   converged,
   tolerance_not_met,  ///< best solution, honest error
-  under_resolved,     ///< the grid cannot see the inlet zone
+  under_resolved,     ///< the grid is too coarse for the inlet zone, or a film's stated error is 10 % or more
   limit_reached,      ///< iterations or time
   diverged,           ///< no film is reported
 };
@@ -56,7 +56,7 @@ struct ErrorBudget {
   [[nodiscard]] double total() const { return discretisation + iteration + truncation; }
 };
 
-/// One grid on the way.
+/// One grid that was solved on the way to the finest.
 struct GridRecord {
   int nodes = 0;  ///< intervals, inlet to exit
   int newton_iterations = 0;
@@ -65,8 +65,8 @@ struct GridRecord {
   Observables observed;
 };
 
-/// What a solve cost. One work unit is one kernel product on the finest grid; a product on a coarser level counts its
-/// points over the finest's.
+/// What a solve cost. One work unit is one kernel product on the finest grid; a product on a coarser level counts by
+/// its points over those of the finest.
 struct Cost {
   double wall_s = 0;      ///< without FFT planning
   double planning_s = 0;  ///< FFT planning
@@ -92,7 +92,7 @@ struct SolveRecord {
 };
 
 struct Solution {
-  Fields fields;            ///< on the finest grid that ended
+  Fields fields;            ///< on the finest grid that was solved
   Observables observables;  ///< with errors; empty where status is diverged
   SolveRecord record;
 };
