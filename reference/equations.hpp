@@ -27,9 +27,9 @@ struct Grid {
 [[nodiscard]] Grid uniform_grid(double inlet, int intervals);
 
 struct State {
-  Array P;  ///< n+1 nodes, P_0 = P_n = 0
-  double offset = 0;
-  double exit = 0;
+  Array P;            ///< n+1 nodes, P_0 = P_n = 0
+  double offset = 0;  ///< H_0
+  double exit = 0;    ///< X*
 };
 
 /// (e^-a - e^-b)/(b - a), the logarithmic mean of e^-a and e^-b, with its derivatives. Finite for a, b > -700.

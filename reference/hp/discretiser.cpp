@@ -17,9 +17,9 @@ namespace {
 /// X_a of a flooded domain in units of l, with the tail before it; docs/certified-solver.md, section 5.
 constexpr double flooded_inlet = -800;
 
-/// The second discretisation has this much more degree and its breakpoints shifted by this part of an element. Gauss
-/// points instead of left Radau were tried: their odd-even mode makes meshes five times finer where the fluidity
-/// vanishes.
+/// The second discretisation: this much more degree, breakpoints shifted by this part of an element, a flooded domain
+/// that begins at this part of X_a. Gauss points instead of left Radau were tried: their odd-even mode makes meshes
+/// five times finer where the fluidity vanishes.
 constexpr int second_degree = 3;
 constexpr double second_shift = 0.37, second_inlet_part = 0.5;
 
@@ -64,14 +64,15 @@ int degree_for(int intervals) {
 /// Rounding of a film in units of the machine's epsilon and of the terms that H is a difference of.
 constexpr double rounding_units = 10;
 
-}  // namespace
-
+/// The second discretisation that goes with a scheme.
 Scheme second_to(const Scheme& scheme) {
   return {.points = Points::left_radau,
           .degree = scheme.degree + second_degree,
           .shift = second_shift,
           .inlet_part = second_inlet_part};
 }
+
+}  // namespace
 
 Discretiser::Discretiser(const Problem& problem, const Meter& meter)
     : problem_(problem), wanted_(problem.wanted), meter_(meter) {

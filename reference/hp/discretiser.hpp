@@ -22,8 +22,6 @@ struct Scheme {
 inline constexpr double fine_tolerance = 2e-5;
 inline constexpr Scheme coarse_scheme{.degree = 8};
 inline constexpr Scheme fine_scheme{.degree = 12};
-/// The second discretisation that goes with a scheme: higher degree, no common breakpoint, half the inlet.
-[[nodiscard]] Scheme second_to(const Scheme& scheme);
 
 /// One problem on the meshes of two schemes.
 struct DiscretisedTwice {
@@ -42,8 +40,9 @@ class Discretiser {
   /// Descends on meshes of the scheme, from the lowest of `floors` at which such a mesh has a solution.
   [[nodiscard]] std::optional<Discretised> discretised(const std::vector<Resolved>& floors, const Scheme& scheme,
                                                        const Resolution& resolution, double tolerance);
-  /// discretised() by the scheme and by its second one. The second one descends from the floors of the first; where
-  /// these give it no solution, it descends from `coarse`. Empty where one of the two has no solution.
+  /// discretised() by the scheme and by a second one: higher degree, no common breakpoint, half the inlet. It descends
+  /// from the floors of the first; where these give it no solution, it descends from `coarse`. Empty where one of the
+  /// two has no solution.
   [[nodiscard]] std::optional<DiscretisedTwice> discretised_twice(const std::vector<Resolved>& coarse,
                                                                   const Scheme& scheme, const Resolution& resolution,
                                                                   double tolerance);
@@ -51,7 +50,7 @@ class Discretiser {
   /// no solution, for the smoother ones of the coarse descent.
   [[nodiscard]] std::optional<Discretised> laid_out(const Discretised& guide, const std::vector<Resolved>& coarse,
                                                     int intervals);
-  /// The elements of `first` again, shifted, of higher degree, and with half the inlet.
+  /// The elements of `first` again, shifted, of 1.5 times the degree, and with half the inlet.
   [[nodiscard]] std::optional<Discretised> second_opinion(const Discretised& first);
 
   /// What rounding does to a film, relative. Meshes that resolve less only cost time.

@@ -48,10 +48,6 @@ State<double> moved(const State<double>& state, const VectorOf<double>& change, 
 
 double scaled(const Evaluation<double>& at) { return (at.residual.array() / at.scale.array()).abs().maxCoeff(); }
 
-}  // namespace
-
-namespace {
-
 /// The largest step in (0, 1] that moves pressure and exit by no more than the safeguards allow.
 double allowed_step(const State<double>& state, const VectorOf<double>& change, double pressure_change) {
   const auto n = change.size() - 3;

@@ -31,9 +31,8 @@ struct Seed {
 };
 [[nodiscard]] Mesh seeded_mesh(const Seed& seed);
 
-/// Elements with excess > 1 are cut at `cut` of their length;
-/// neighbours for which mergeable(e) holds, e and e + 1, become one, at most one merge an element. Elements shorter
-/// than `shortest` are left alone.
+/// Elements with excess > 1 are cut at `cut` of their length. Neighbours e and e + 1 for which mergeable(e) holds
+/// become one; each element is merged once at most. Elements shorter than `shortest` are left alone.
 [[nodiscard]] Mesh adapted(const Mesh& mesh, const std::vector<double>& excess,
                            const std::function<bool(int)>& mergeable, double shortest, double cut = 0.5);
 

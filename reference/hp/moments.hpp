@@ -22,7 +22,7 @@ inline constexpr double forward_reach = 1.5;
 /// as e^(-2 acosh(u)) a step: ln(2)/2 = 0.347 would do, the rest is a reserve.
 inline constexpr double miller_steps = 0.38;
 
-/// m_k from Q_0 … Q_(degree+1), k >= 1; `beyond` = Q_(degree+1).
+/// m_k from Q_0 … Q_(degree+1), k >= 1.
 template <class Scalar, class Out>
 void moments_from_Q(int degree, const VectorOf<Scalar>& Q, Out&& m) {
   for (int k = 1; k <= degree; ++k) m[k] = Scalar(2) * (Q[k + 1] - Q[k - 1]) / Scalar(2 * k + 1);
