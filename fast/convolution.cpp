@@ -112,10 +112,9 @@ void require_plan_memory(int length) {
 }
 
 // Two neighbours make one complex number, z_j = x_2j + i x_2j+1. So a complex transform of half the length does; FFTW
-// plans it in a twentieth of the time of a real one. Modes Z_k of x become p_k Z_k + i q_k
-// conj(Z_N-k), with p_k = a_k - b_k sin(pi k/N), q_k = b_k cos(pi k/N), a_k = (S_k + S_N-k)/2, b_k = (S_k - S_N-k)/2,
-// where S is the spectrum of the weights, which is real. As 2N real numbers, i conj(Z_N-k) is Z read backwards (Z_0 by
-// itself).
+// plans it in a twentieth of the time of a real one. Modes Z_k of x become p_k Z_k + i q_k conj(Z_N-k), with p_k = a_k
+// - b_k sin(pi k/N), q_k = b_k cos(pi k/N), a_k = (S_k + S_N-k)/2, b_k = (S_k - S_N-k)/2, where S is the spectrum of
+// the weights, which is real. As 2N real numbers, i conj(Z_N-k) is Z read backwards (Z_0 by itself).
 struct Convolution::Plans {
   int modes = 0;  ///< N
   bool in_place = false;

@@ -16,7 +16,8 @@ constexpr int small_table = 128, large_table = 256, small_table_up_to = 512;
 /// per cent, 7,400 at 150 random contacts (M = 0.5..1000, L = 0..20, both laws) to 1e-4; with 16 it takes 5 % more. Up
 /// to `whole_table_up_to` intervals the interpolation costs more than the whole table.
 constexpr int rough_table = 32, whole_table_up_to = 64;
-/// 256 cells leave 3e-8 of H_cen at (3000, 0), 2e-9 at (110, 0), 2e-11 at (10, 0), all cut at -3 to -4.
+/// Cells of a fine table: 256 cells leave 3e-8 of H_cen at (3000, 0), 2e-9 at (110, 0), 2e-11 at (10, 0), all cut at
+/// -3 to -4.
 constexpr int fine_table = 512;
 
 int table_cells(int n, Tables tables) {

@@ -19,10 +19,11 @@ namespace ehd::fast {
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// Of a product: `rough` takes the smooth remainder from a small table. Enough for a smoother.
+/// How exact a product is: `rough` takes the smooth remainder from a small table, which is enough for a smoother.
 enum class Accuracy { full, rough };
 
-/// Of the smooth remainder: `usual` ones suffice for films to 1e-6.
+/// Tables of the smooth remainder. mapped_ways.cpp takes `fine` ones for tolerances of 1e-7 and below, and for given
+/// grids of more than 4096 intervals.
 enum class Tables { usual, fine };
 
 struct Grid {

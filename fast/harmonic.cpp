@@ -142,8 +142,8 @@ bool Harmonic::factorised(Scalar rate) {
   return true;
 }
 
-/// From here on the nodes follow the spike, at the rate of the factors. Null: they stay. GMRES
-/// starts from the contact's answer at the rate before. Where that is good enough, no step follows.
+/// From here on the nodes follow the spike, at the rate of the factors. `moved` null: they stay. GMRES starts from the
+/// contact's answer at the rate before. Where that is good enough, no step follows.
 template <class Scalar>
 void Harmonic::let_nodes_follow(Scalar rate, const MovedNodes* moved) {
   auto& solver = std::get<SolverOf<Scalar>>(solvers_);

@@ -42,8 +42,8 @@ class Harmonic {
     double residual = 1;
   };
   /// For a load of amplitude 1, R_1 = 0. Nodes follow the spike where `moved` is given, that of this grid. `coarser`:
-  /// of the grid with half as many intervals, where the iteration then begins. It ends where at most `residual` of the
-  /// drive is left, or where it leads no further.
+  /// the motion on the grid with half as many intervals, from which the iteration starts. The iteration ends where at
+  /// most `residual` of the drive is left, or where it no longer gains.
   template <class Scalar>
   [[nodiscard]] Motion<Scalar> of_load(Scalar rate, double residual, const MovedNodes* moved = nullptr,
                                        const Motion<Scalar>* coarser = nullptr);

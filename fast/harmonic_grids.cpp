@@ -14,7 +14,7 @@ namespace ehd::fast {
 
 namespace {
 
-/// In s, 1e-4 cells of 64 intervals: of the difference.
+/// Step in s of the difference over moved maps: some 1e-4 cells of 64 intervals.
 constexpr double small_move = 2e-6;
 
 double planning_of(const Workspace& workspace) {

@@ -22,7 +22,8 @@ class HarmonicGrids {
 
   /// Finds the steady states up to request.nodes on the best map. False where there are none.
   [[nodiscard]] bool climb();
-  /// A grid with twice as many intervals, `most` at most.
+  /// A grid with twice as many intervals. False where that is more than `most`, where the limits are spent, or where
+  /// Newton's method fails.
   [[nodiscard]] bool refine(int most);
   /// What moving the nodes of a grid with the spike changes; made once.
   [[nodiscard]] const MovedNodes& moved(std::size_t k);

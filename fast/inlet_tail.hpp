@@ -4,10 +4,9 @@
 // For x = -X >= x_a = -X_a the gap is the parabola with a slowly varying correction,
 //   H(x) = x^2/2 + A - ln(x/x_a)/2 - (m/pi)(1/x - 1/x_a),   A = H(X_a) - x_a^2/2,   m = Int P X dX,
 // and Reynolds' equation integrates from infinity with the flux C: the reduced pressure is
-//   Q(x) = lambda Int_x^inf ( 1/H^2 - C/H^3 ) dx',   P = -ln(1 - a Q)/a   (a: ambient slope of ln eta; P = Q for a =
-//   0),
-// leading term lambda 4/(3 x^3). The integrals run over t = x_a/x in (0, 1), where everything is smooth but for t^2 ln
-// t.
+//   Q(x) = lambda Int_x^inf ( 1/H^2 - C/H^3 ) dx',   P = -ln(1 - a Q)/a,
+// with a the ambient slope of ln eta (P = Q where a = 0) and the leading term lambda 4/(3 x^3). The integrals run over
+// t = x_a/x in (0, 1), where everything is smooth but for t^2 ln(t).
 #pragma once
 
 #include "contact/array.hpp"

@@ -9,9 +9,9 @@
 
 namespace ehd::fast {
 
-/// Iteration stops at this share of the tolerance. Film error over the residual stopped at, measured at 96 problems (M
-/// of 0.5..1000, L of 0..20, both law sets, flooded and -4) and three tolerances: at most 0.24, so the residual covers
-/// the film error.
+/// Iteration stops where the residual is at most this share of the tolerance. At 96 problems (M of 0.5..1000, L of
+/// 0..20, both law sets, flooded and -4) and three tolerances the film error was at most 0.24 times the residual at the
+/// end.
 constexpr double iteration_share = 1.0 / 30;
 /// Newton's target on grids of a given number where the caller asks for nothing else: round-off.
 constexpr double round_off_residual = 1e-11;

@@ -17,8 +17,8 @@ namespace {
 /// A given number of intervals is halved down to this or more, for the extrapolation. A ratio that is not quite 2
 /// leaves (4/N) of the error that the extrapolation would have removed.
 constexpr int fewest_halved = 64;
-/// Or iteration stops at this share of the tolerance in the films of each grid, by the estimate of a step:
-/// extrapolation multiplies their errors by 45/21 at most.
+/// Iteration also stops where a step's estimate of the film error on each grid is below this share of the tolerance.
+/// Extrapolation multiplies these errors by 45/21 at most.
 constexpr double film_share = 1.0 / 60, extrapolation_gain = 45.0 / 21;
 /// The residual must be below a tenth of the tolerance as well, because a single step's contraction says little about
 /// the films. Of 150 contacts the most that iteration left in a film is .024 of a tolerance of 1e-5 and .46 of 1e-6;

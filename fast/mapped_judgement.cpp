@@ -36,8 +36,9 @@ constexpr double nearest_usual_cut = -2.5, least_near_cut = 50;
 /// Beyond this M or this L a film with L > 0.5 counts as one beside a narrow spike on an unsettled map, and its error
 /// is doubled. Without this 93 of 8600 errors of 300 contacts missed (M = 5e3..1e6, L = 0.5..10, both laws, tolerances
 /// of 1e-2..1e-5), at most by a factor of 47; with it one, by 1.02. Up to L = 100 one of 800 errors of 100 other
-/// contacts missed, by 1.4 (L = 74), and up to M = 5000 with L = 30..100 some 65 of 6300, at most by 1.6, before that L
-/// counted. The error of two grids is multiplied by four: beyond M = 3.8e5 and L = 80 it was twice as large as doubled.
+/// contacts missed, by 1.4 (L = 74). At M up to 5000 and L = 30..100 some 65 of 6300 missed, at most by 1.6, while M
+/// alone counted. The error of two grids is multiplied by four: beyond M = 3.8e5 and L = 80 it was twice as large as
+/// doubled.
 constexpr double calibrated_M = 5000, calibrated_L = 30, uncalibrated_safety = 2, uncalibrated_safety_of_two = 4;
 /// Where the oil is isoviscous, or nearly, the last move of two grids is hardly more than the error of the smallest
 /// film: the larger move of both films counts so many times. At 45 contacts of M = 1e3..1e6 and L = 0 the error was 0.6

@@ -9,8 +9,8 @@
 //   (J - s Q) u + m (R_m - s q) = drive,
 //   q_i = Sum_(j > i) (dw_j (rho H)_j + w_j rho_j dH_j) + (rho H)_f dX_f, as Q of squeeze.hpp.
 //
-// Exact derivatives do not depend on m, discrete ones do. m is chosen so that almost nothing of u is left under
-// the spike.
+// Exact derivatives do not depend on m, discrete ones do. m is chosen so that almost nothing of u is left under the
+// spike.
 #pragma once
 
 #include "contact/array.hpp"

@@ -19,8 +19,8 @@ class Prolongation {
  public:
   /// The solution on a grid; each has about twice the intervals of the one before.
   void note(const State& solution) { before_ = std::exchange(last_, solution); }
-  /// The first iterate on n intervals, more than the last solution has. Needs at least one
-  /// solution. With one, or without a spike, it only interpolates.
+  /// The first iterate on n intervals, more than the last solution has. Needs at least one solution. From one solution,
+  /// or without a spike, it only interpolates.
   [[nodiscard]] State onto(int n, Grids& grids, double inlet) const;
 
  private:

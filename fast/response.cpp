@@ -46,11 +46,11 @@ constexpr double of_irregular = 2;
 /// What the moving tail of a flooded contact leaves in kappa, relative, over Omega^2 min(1, lambda). Against the
 /// reference at (0.5, 2), (1, 4), (2, 15), (8, 6) and 60 random contacts, Omega of 0..100: 1e-9 to 4e-8.
 constexpr double tail_error = 6e-8;
-/// What it leaves in kappa_1 is as much as in kappa here: 7e-8 was seen.
+/// In kappa_1 the moving tail leaves as much as in kappa at this Omega: 7e-8 was seen.
 constexpr double Omega_of_damping = 2;
 /// A disturbance e^(i Omega (T - X)) is resolved where Omega times the widest cell of the contact is at most this.
 constexpr double largest_phase = 0.4;
-/// GMRES leaves less at small Omega, where the lag is a small part of kappa; down to this Omega.
+/// The lag's part of kappa falls with Omega. So the residual that GMRES may leave falls alike, down to this Omega.
 constexpr double least_Omega = 1e-3;
 constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
@@ -77,7 +77,7 @@ Care care_of_maps(const Groups& groups, double tolerance) {
   return tolerance >= tolerance_of_first_map && is_calibrated(groups) ? Care::least : Care::full;
 }
 
-/// Of a coarser grid, where there was one.
+/// The motion on a coarser grid; null where there was none.
 template <class Scalar>
 const Harmonic::Motion<Scalar>* known(const Harmonic::Motion<Scalar>& motion) {
   return motion.u.P.size() > 0 ? &motion : nullptr;
@@ -86,7 +86,7 @@ const Harmonic::Motion<Scalar>* known(const Harmonic::Motion<Scalar>& motion) {
 /// A number on one grid after the other.
 struct Sequence {
   std::vector<Complex> values;
-  double iteration = 0;  ///< error that it leaves on the last grid, relative
+  double iteration = 0;  ///< error that GMRES leaves on the last grid, relative
   double offset = 1;     ///< the tail's error in the number over that in kappa, relative: |H_01| over the number
 };
 
@@ -108,7 +108,7 @@ class ResponseSolve {
   [[nodiscard]] bool follows_spike() const {
     return problem_.groups.L > narrow_spike_L && problem_.groups.M > narrow_spike_M;
   }
-  /// Null where the nodes stay.
+  /// How the nodes of the k-th grid follow the spike; null where they stay.
   [[nodiscard]] const MovedNodes* moved(std::size_t k) { return follows_spike() ? &grids_.moved(k) : nullptr; }
   struct Extrapolated {
     Complex value;
@@ -126,7 +126,7 @@ class ResponseSolve {
   void add_slow(std::size_t k, Harmonic::Motion<double>& rest, Harmonic::Motion<double>& next, Sequence& stiffness,
                 Sequence& damping, Sequence& lag);
   void fill(Cost& cost) const;
-  /// That GMRES may leave in a number whose error is so many times the residual.
+  /// The residual that GMRES may leave for a number whose error is so many times the residual.
   [[nodiscard]] double residual_for(double amplification) const {
     return linear_part * request_.tolerance / amplification;
   }
@@ -203,7 +203,7 @@ Stiffness ResponseSolve::stiffness(double Omega, bool refines) {
     sequence.values.push_back(1.0 / chi);
     sequence.iteration = amplification_.of_kappa * motion.residual;
     lag.values.emplace_back(-chi.imag() / Omega);
-    // An error of kappa, all of it in the imaginary part.
+    // The error of the lag, if all of the error of kappa were in the imaginary part.
     lag.offset = std::abs(chi.imag()) > 0 ? std::abs(chi / chi.imag()) : 0;
     lag.iteration = sequence.iteration * lag.offset;
   });
@@ -232,7 +232,7 @@ SlowStiffness ResponseSolve::slow() {
   Sequence stiffness, damping, lag;
   for (std::size_t k = 0; k < grids_.size() || refine(); ++k) {
     add_slow(k, rest, next, stiffness, damping, lag);
-    // Each number is that of the first grid on which it is known.
+    // Each number is that of the first grid on which it is known; the lag is taken with the damping.
     if (stiff.status != StopReason::converged) stiff = judged(stiffness, 0, 0);
     if (damped.status != StopReason::converged) {
       damped = judged(damping, Omega_of_damping, 0);

@@ -38,8 +38,8 @@ struct RemainderRule {
   [[nodiscard]] int first(int i) const { return base[static_cast<std::size_t>(i)]; }
 };
 
-/// The product with Lambda on n + 1 nodes. Direct where n equals the table's cells, else n must be a multiple of them
-/// or any other number (then interpolation weights are kept node by node).
+/// The product with Lambda on n + 1 nodes. Where n equals the table's cells, the table is used as it is. Where n is a
+/// multiple of them, many nodes share their interpolation weights, else each node has its own.
 class SmoothRemainder {
  public:
   static constexpr int points = RemainderRule::points;

@@ -46,8 +46,8 @@ enum class Shape { hertz, martin };
 /// The tail that goes with a film at X = 0.
 [[nodiscard]] InletTail first_tail(const Setting& setting, double film);
 
-/// H_0 with which the pressure of `state` (without a tail) leaves the film `film` at X = 0, and at
-/// least 0.3 of it everywhere.
+/// H_0 with which the pressure of `state` (without a tail) leaves the film `film` at X = 0, and at least 0.3 of it
+/// everywhere.
 [[nodiscard]] double offset_for(double film, const Setting& setting, const State& state, Grid& grid);
 
 }  // namespace ehd::fast

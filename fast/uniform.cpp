@@ -13,7 +13,7 @@ namespace {
 
 /// Calibrated against reach 64 at 29 points of M = 0.3..4, L = 0..4, where the truncation is largest, and ten from
 /// (0.05, 0) to (1000, 10), both law sets: reach 4 leaves at most 2.5e-6, reach 8 at most 2e-7, both at L = 0 and M
-/// near 1.5. No flooded solve meets a tolerance below the latter.
+/// near 1.5. No flooded solve meets a tolerance below 3e-7.
 constexpr FloodedInlet usual_inlet{.reach = 4, .truncation = 3e-6}, longer_inlet{.reach = 8, .truncation = 3e-7};
 /// Below this tolerance the inlet is the longer one.
 constexpr double longer_below = 2e-5;

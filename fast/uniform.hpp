@@ -9,7 +9,7 @@ namespace ehd::fast {
 /// The classical FFT multigrid solver on a uniform grid, done well: full multigrid (each grid starts from the one
 /// before), Newton-GMRES with one FFT convolution a Jacobian product, a multigrid cycle with a banded dipole smoother
 /// as preconditioner, the exit tracked as an unknown. Grids of 64 to 65536 intervals (any number from 16 with
-/// Request::nodes). Domain: M 0.05..1000, L 0..25 flooded; inlet -4 from M 0.5.
+/// Request::nodes). Domain: flooded M 0.05..1000 and L 0..25; with the inlet cut at X = -4, M from 0.5.
 ///
 /// With a tolerance the solver doubles the grid until film.minimum and film.central are estimated within the tolerance;
 /// values are those of the finest grid, never extrapolated.
