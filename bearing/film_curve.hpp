@@ -33,7 +33,7 @@ struct CurveErrors {
   double joint = 0, joint_force = 0;
   double solver_offset_film = 0;   ///< largest relative error of an offset film that the solver states
   double solver_minimum_film = 0;  ///< the same of a minimum film
-  double rolling = 0;              ///< of a rolling force, relative: all of the above that this curve has
+  double rolling = 0;              ///< of a rolling force, relative: interpolation, the lightest loads, the solver
   std::vector<double> missed_N;    ///< contacts solved for this curve that missed their tolerance, increasing
   std::string lightest_because;    ///< why no lighter contact was solved
 };

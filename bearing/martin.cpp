@@ -8,6 +8,17 @@
 
 namespace ehd::bearing {
 
+namespace {
+
+ValueAndExponent martin_kappa_1(const RacewayContact& contact, double force_N) {
+  constexpr double damping = 6.5482758191;
+  const double b = hertz::half_width_m(contact.at(force_N)), film = martin_film(contact, force_N).value;
+  const double c = damping * contact.viscosity_Pa_s * std::pow(contact.reduced_radius_m / film, 1.5);
+  return {2 * c * contact.speed_sum_m_per_s / (contact.reduced_modulus_Pa * b), 1};
+}
+
+}  // namespace
+
 ValueAndExponent martin_film(const RacewayContact& contact, double force_N) {
   constexpr double martin = 2.4474842468;
   return {martin * contact.viscosity_Pa_s * contact.speed_sum_m_per_s * contact.reduced_radius_m * contact.length_m /
@@ -36,13 +47,6 @@ ValueAndExponent martin_rolling_force(const RacewayContact& contact, double forc
 ValueAndExponent martin_kappa_0(const RacewayContact& contact, double force_N) {
   const double b = hertz::half_width_m(contact.at(force_N)), film = martin_film(contact, force_N).value;
   return {std::numbers::pi / 2 * b * b / (contact.reduced_radius_m * film), 2};  // b^2 ~ f, film ~ 1/f
-}
-
-ValueAndExponent martin_kappa_1(const RacewayContact& contact, double force_N) {
-  constexpr double damping = 6.5482758191;
-  const double b = hertz::half_width_m(contact.at(force_N)), film = martin_film(contact, force_N).value;
-  const double c = damping * contact.viscosity_Pa_s * std::pow(contact.reduced_radius_m / film, 1.5);
-  return {2 * c * contact.speed_sum_m_per_s / (contact.reduced_modulus_Pa * b), 1};
 }
 
 ValueAndExponent martin_lag(const RacewayContact& contact, double force_N) {

@@ -23,9 +23,8 @@ struct ValueAndExponent {
 [[nodiscard]] ValueAndExponent martin_rolling_force(const RacewayContact& contact, double force_N);
 /// kappa_0 of contact/response.hpp: the load goes as 1/h_min, so that kappa_0 = (pi/2) b^2/(R h_min).
 [[nodiscard]] ValueAndExponent martin_kappa_0(const RacewayContact& contact, double force_N);
-/// kappa_1: the damping per length, 6.548276 eta_0 (R/h_min)^(3/2), over E' b/(2 u_s). It holds at any frequency.
-[[nodiscard]] ValueAndExponent martin_kappa_1(const RacewayContact& contact, double force_N);
-/// kappa_1/kappa_0^2.
+/// The lag kappa_1/kappa_0^2. kappa_1 is the damping per length, 6.548276 eta_0 (R/h_min)^(3/2), over E' b/(2 u_s). It
+/// holds at any frequency.
 [[nodiscard]] ValueAndExponent martin_lag(const RacewayContact& contact, double force_N);
 
 }  // namespace ehd::bearing

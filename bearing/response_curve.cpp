@@ -247,10 +247,11 @@ std::vector<double> first_forces(const ResponseCurveRequest& request) {
   return forces;
 }
 
-/// A curve through all loads takes 30 to 50 points (NA4908). One that is read at fewer forces goes through them.
+/// A curve through all loads takes 30 to 50 points (NA4908). One that is read at fewer forces has its points there.
 constexpr std::size_t few_forces = 30, fewest_points = 3;
 /// Two points in ln f above the lightest give the exponents with which the curve continues below. Damping of NA4908
-/// (2.5 um) at half the lightest force: 0.1 and 0.3 leave 2 %, 0.25 and 0.6 9 %, these 0.8 %, as a curve of 53 points.
+/// (2.5 um) at half the lightest force: 0.1 and 0.3 leave 2 %, 0.25 and 0.6 9 %, these 0.8 %, as much as a curve of 53
+/// points.
 constexpr double steps_at_joint[] = {0.05, 0.15};
 
 /// The points of a curve that is read at a few forces only; empty where it is read at many.

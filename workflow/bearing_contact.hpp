@@ -10,7 +10,8 @@
 
 namespace ehd {
 
-/// Film tolerance 1e-4: an offset film to that accuracy moves a contact force by a few parts in 1e5.
+/// The central film to 1e-4, whose error is close to that of the offset film: an error of 1e-4 there moves a contact
+/// force by a few parts in 1e5. The smallest film to 1e-3.
 [[nodiscard]] Request bearing_contact_request();
 
 /// The solver as bearings use it. First it asks for the tolerance of the request. If that is not met, it accepts 1e-3,

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The harmonic response of one contact of a roller with a raceway: conditions in SI -> dimensionless problem ->
-// response
-// -> kappa, which the dynamics of a bearing needs.
+// response -> kappa, which the dynamics of a bearing needs.
 #pragma once
 
 #include <functional>

@@ -24,9 +24,9 @@ namespace ehd {
 
 namespace {
 
-/// Kernel, Jacobian, its factors and one product: four dense N x N matrices of doubles.
+/// Four dense N x N matrices of doubles: twice the kernel and the Jacobian, whose factors take its place.
 double dense_memory(double N) { return 4 * 8 * N * N; }
-/// Kernel, Jacobian and its factors of the second discretisation, which has half as many intervals again.
+/// Four dense matrices of the second discretisation, which has half as many intervals again.
 double certified_memory(double N) { return 4 * 8 * 2.25 * N * N; }
 /// Some hundred vectors of doubles on the finest grid, all levels, stages and Krylov directions together.
 double vector_memory(double N) { return 200 * 8 * N; }
@@ -61,7 +61,7 @@ struct Kept {
   }
 };
 
-/// Of this thread, for the solver S.
+/// What this thread keeps for the solver S.
 template <class S>
 Kept& kept() {
   thread_local Kept of_thread;

@@ -54,7 +54,7 @@ struct ResponseRun {
   [[nodiscard]] std::optional<DynamicStiffness> at_rest() const;
 
  private:
-  /// (4/E') of the datum, in Hertz units.
+  /// ln(x_0/b)/pi: what the datum adds to 1/kappa.
   [[nodiscard]] double datum_compliance() const;
   [[nodiscard]] DynamicStiffness in_SI(const Kappa& kappa) const;
 };
