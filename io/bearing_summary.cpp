@@ -39,8 +39,8 @@ std::optional<double> smallest_of(const BearingResult& result, std::optional<dou
   return smallest;
 }
 
-/// Of d(F_r)/d(delta_r), where motion at 0 Hz, which is the same by another way, states its error: this one, and what
-/// the two differ by.
+/// The error of d(F_r)/d(delta_r). The stiffness in motion at 0 Hz is the same number by another way: its stated error,
+/// plus the difference of the two. Absent without motion at 0 Hz.
 std::optional<double> stiffness_error_N_per_um(const BearingResult& result) {
   for (const DynamicRow& row : result.dynamics) {
     if (row.frequency_Hz != 0) continue;
@@ -57,7 +57,7 @@ struct Column {
   const BearingCase& body;
   const BearingResult& result;
   const BearingErrors* errors;
-  const BearingResult* full;  ///< by the law ehd, where it is beside
+  const BearingResult* full;  ///< the result of the law ehd; null where the table has none
 
   [[nodiscard]] std::string without_error(double value, int digits_of_dry = 6) const {
     return plain(value, needs_film(result.law) ? unstated_digits : digits_of_dry);

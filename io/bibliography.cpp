@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <sstream>
 
-#include "contact/text.hpp"
 #include "io/file_text.hpp"
 #include "workflow/case.hpp"
 

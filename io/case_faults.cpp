@@ -18,7 +18,7 @@ namespace ehd {
 namespace {
 
 bool lubricated(const CaseTree& tree) { return tree.has("lubricant") || tree.has("domain"); }
-/// Also by a key that is mistyped, which is named as unknown.
+/// The case states its oil by grade, or means to with a mistyped key; that key is named as unknown.
 bool means_grade(const CaseTree& tree) {
   return states_grade(tree) ||
          std::ranges::any_of(tree.unknown(), [](const UnknownKey& key) { return is_grade_key(key.meant); });
@@ -26,7 +26,7 @@ bool means_grade(const CaseTree& tree) {
 bool states_both_speeds(const CaseTree& tree) {
   return tree.has("operation.inner_speed_rpm") || tree.has("operation.outer_speed_rpm");
 }
-/// Beside speed_rpm they contradict it, which the reader says.
+/// False beside speed_rpm or rotating, which contradict these speeds: the reader says so.
 bool states_only_both_speeds(const CaseTree& tree) {
   return states_both_speeds(tree) && !tree.has("operation.speed_rpm") && !tree.has("bearing.rotating");
 }
@@ -48,7 +48,7 @@ constexpr std::array needed_keys{
     NeededKey{"lubricant.temperature_C", [](const CaseTree& tree) { return means_grade(tree); }},
 };
 
-/// Whether another key can make it needed, in some table.
+/// Whether the key is needed always, or where other keys of the case ask for it.
 bool may_be_needed(const CaseKey& key) {
   return key.need == Need::always ||
          std::ranges::any_of(needed_keys, [&](const NeededKey& needed) { return needed.path.ends_with(key.name); });

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <string_view>
-
 #include "contact/text.hpp"
 #include "io/case_keys.hpp"
 

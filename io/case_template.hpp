@@ -11,8 +11,8 @@ namespace ehd {
 
 enum class CaseKind { contact, bearing };
 
-/// A valid case file: every key of that kind of case with its meaning, unit and default.
-/// Optional keys, and other ways to state the problem, are comments.
+/// A valid case file: every key of that kind of case with its meaning, unit and default. Optional keys, and other ways
+/// to state the problem, are comments.
 [[nodiscard]] std::string case_template(CaseKind kind, const std::string& id);
 
 /// That of a bearing, with a comment that says how this type is stated.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A case file as a tree: the nodes of its TOML text by dotted path, with the line of each. Unknown keys are
-// found here. What the values mean is known to read_contact, read_bearing and expectations.
+// A case file as a tree: the nodes of its TOML text by dotted path, with the line of each. Unknown keys are found here.
+// What the values mean is known to read_contact, read_bearing and expectations.
 #pragma once
 
 #include <cstddef>
@@ -40,9 +40,9 @@ struct UnknownKey {
 class CaseTree {
  public:
   /// `text` as checked_case_text leaves it. Substituted values pass every check that the file's own would; messages
-  /// about them name no line. With substitutions the file's [[expect]] tables
-  /// are left out, since they hold for the file's own numbers. Throws CaseError for text that is not TOML, and for a
-  /// substitution of a key that io/case_keys does not have.
+  /// about them name no line. With substitutions the file's [[expect]] tables are left out, since they hold for the
+  /// file's own numbers. Throws CaseError for text that is not TOML, and for a substitution of a key that io/case_keys
+  /// does not have.
   CaseTree(const std::string& text, const std::filesystem::path& file,
            const std::vector<Substitution>& substitutions = {});
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "contact/enum_words.hpp"
 #include "contact/oil_laws.hpp"
 #include "contact/stated_error.hpp"
 #include "io/json.hpp"
@@ -89,7 +90,8 @@ Json cost_json(const Cost& cost) {
   return json;
 }
 
-/// What is known of the fields themselves, which --profile writes. Films above may be extrapolated, and then know more.
+/// What is known of the fields themselves, which --profile writes. Films above may be extrapolated; they are then
+/// better known.
 Json fields_json(const Solution& solution) {
   Json json;
   put(json, "film_error", field_error(solution));
@@ -99,13 +101,7 @@ Json fields_json(const Solution& solution) {
 
 }  // namespace
 
-std::optional<StopReason> stop_reason_from(std::string_view text) {
-  for (const StopReason reason : {StopReason::converged, StopReason::tolerance_not_met, StopReason::under_resolved,
-                                  StopReason::limit_reached, StopReason::diverged}) {
-    if (text == to_string(reason)) return reason;
-  }
-  return std::nullopt;
-}
+std::optional<StopReason> stop_reason_from(std::string_view text) { return word_from<StopReason>(text); }
 
 Json to_json(const Plan& plan) {
   Json json;

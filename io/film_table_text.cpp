@@ -16,6 +16,9 @@ namespace ehd {
 namespace {
 
 constexpr const char* film_table_schema = "ehd-films-1";
+/// What a file says about x and y.
+constexpr const char* film_table_x = "2 (ln M - ln M_low)/(ln M_high - ln M_low) - 1";
+constexpr const char* film_table_y = "2 (ln(1 + L) - ln(1 + L_low))/(ln(1 + L_high) - ln(1 + L_low)) - 1";
 constexpr int oil_digits = 8;  // of a constant in the heading; the JSON has all
 
 Json inlet_json(const Inlet& inlet) {

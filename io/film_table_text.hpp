@@ -21,8 +21,4 @@ namespace ehd {
 /// comments of the files.
 [[nodiscard]] std::vector<std::string> film_table_words(const FilmTable& table);
 
-/// What a file says about x and y.
-inline constexpr const char* film_table_x = "2 (ln M - ln M_low)/(ln M_high - ln M_low) - 1";
-inline constexpr const char* film_table_y = "2 (ln(1 + L) - ln(1 + L_low))/(ln(1 + L_high) - ln(1 + L_low)) - 1";
-
 }  // namespace ehd

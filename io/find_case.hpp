@@ -15,8 +15,8 @@ namespace ehd {
 /// in cases/ or in a folder of cases/; if there is none, it is a path too. Throws CaseError.
 [[nodiscard]] std::filesystem::path find_case(const std::string& path_or_id);
 
-/// The folder of the benchmark cases: environment EHD_CASES, else the one the program was built from.
-/// An installed program takes PREFIX/share/ehd/cases, which it finds from its own place, PREFIX/bin.
+/// The folder of the benchmark cases: environment EHD_CASES, else the one the program was built from. An installed
+/// program takes PREFIX/share/ehd/cases, which it finds from its own place, PREFIX/bin.
 [[nodiscard]] std::filesystem::path cases_folder();
 
 /// All cases in cases/, by id, folders in it left out. Throws CaseError at the first that cannot be read.

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <limits>
 
 #include "contact/text.hpp"
 #include "io/law_export_text.hpp"

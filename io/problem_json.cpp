@@ -13,6 +13,8 @@ namespace ehd {
 
 namespace {
 
+constexpr const char* problem_schema = "ehd-problem-1";
+
 template <class Law>
 Json law_json(const Law& law) {
   Json json{{"law", name(law)}, {"formula", formula(law)}};

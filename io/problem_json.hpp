@@ -7,8 +7,6 @@
 
 namespace ehd {
 
-inline constexpr const char* problem_schema = "ehd-problem-1";
-
 /// docs/schema/ehd-problem-1.json describes it. Pressures are in units of p_H. A dry contact has no groups, laws or
 /// inlet. The case's expectations are not in it.
 [[nodiscard]] Json problem_json(const Case& contact_case);

@@ -42,7 +42,7 @@ class SweepJournal {
   [[nodiscard]] bool holds(const std::string& hash) const;
   /// The row's text as it was added. Throws OutputError where the file has changed meanwhile.
   [[nodiscard]] std::string row(const std::string& hash) const;
-  /// The row is computed again. Its line stays; of two lines with one hash the last one counts.
+  /// Drops the row, so that it is computed again. Its line stays; of two lines with one hash the last one counts.
   void forget(const std::string& hash) { places_.at(index_of(hash).value()).bytes = 0; }
   /// One line without line feeds. Throws OutputError. Not from several threads at once. The line survives the end of
   /// the process at once. A power failure may lose the lines of the last 0.2 s, and the last line until this object

@@ -23,7 +23,7 @@ struct SweepRequest {
   double time_limit_s = 300;  ///< likewise; where it ends a solve, the row depends on the machine
   unsigned threads = 0;       ///< 0: as many as there are cores
   bool fresh = false;         ///< rows of an earlier run are computed again
-  bool keep_limits = false;   ///< so are, without this, rows of an earlier run that lacked time or memory
+  bool keep_limits = false;   ///< rows of an earlier run that lacked time or memory are not computed again
   Deadline deadline = {};     ///< of all rows; those after it are not run, and not kept
   /// After every row, one call at a time: rows known so far, of how many, how many of them this run computed.
   std::function<void(std::size_t known, std::size_t all, std::size_t computed)> progress = {};
@@ -38,8 +38,8 @@ struct ComputedRow {
   std::string text;
   long needed = 0;  ///< contacts that the row would solve alone
 };
-/// `cache`: of the sweep's solver with fallback (workflow/bearing_contact.hpp). `table`: of a sweep with films =
-/// "table".
+/// `cache`: of the sweep's solver with fallback (workflow/bearing_contact.hpp). `table`: that of a sweep with
+/// films = "table", else null.
 [[nodiscard]] ComputedRow compute_row(const Sweep& sweep, const SweepRequest& request, std::size_t row,
                                       const std::string& hash, const std::shared_ptr<ContactCache>& cache,
                                       const FilmTable* table = nullptr);

@@ -203,15 +203,7 @@ std::string head_of_json(const Sweep& sweep, const std::string& sweep_hash) {
                      build_provenance().dump(), stated.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
-}  // namespace
-
-std::string csv_header(const Sweep& sweep) {
-  std::string header = "row";
-  for (const SweptKey& one : sweep.keys) header += "," + csv_cell(one.key);
-  for (const Column& column : columns_of(sweep)) header += "," + column.name;
-  return header + "\n";
-}
-
+/// A row's lines in rows.csv, from its object in rows.json.
 std::string csv_lines(const Sweep& sweep, const Json& row) {
   std::string begin = row["row"].dump();
   for (const SweptKey& one : sweep.keys) {
@@ -225,6 +217,15 @@ std::string csv_lines(const Sweep& sweep, const Json& row) {
     lines += "\n";
   }
   return lines;
+}
+
+}  // namespace
+
+std::string csv_header(const Sweep& sweep) {
+  std::string header = "row";
+  for (const SweptKey& one : sweep.keys) header += "," + csv_cell(one.key);
+  for (const Column& column : columns_of(sweep)) header += "," + column.name;
+  return header + "\n";
 }
 
 std::string wrong_csv_entry(const Sweep& sweep, const Json& result) {

@@ -16,9 +16,8 @@ namespace ehd {
 
 struct StoredRow;  // io/stored_row
 
-/// The header of rows.csv, and a row's lines, from its object in rows.json.
+/// The header of rows.csv.
 [[nodiscard]] std::string csv_header(const Sweep& sweep);
-[[nodiscard]] std::string csv_lines(const Sweep& sweep, const Json& row);
 
 /// What is wrong with the entries that rows.csv shows of a result, by their types; empty where nothing is.
 [[nodiscard]] std::string wrong_csv_entry(const Sweep& sweep, const Json& result);

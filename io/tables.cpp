@@ -149,10 +149,6 @@ std::string cost_line(const ContactRun& run) {
                      seconds(cost.planning_s), grid, cost.newton_iterations, work);
 }
 
-}  // namespace
-
-namespace {
-
 std::vector<std::size_t> widths_of(const Rows& rows) {
   std::vector<std::size_t> widths;
   for (const auto& row : rows) {

@@ -13,9 +13,9 @@ namespace ehd {
 [[nodiscard]] std::string human_table(const ContactRun& run, const std::string& title, bool styled);
 [[nodiscard]] std::string human_plan(const Plan& plan);
 
-/// Characters of a table's line: more do not fit into the terminals of most users.
+/// Most characters of a table's line: more do not fit into the terminals of most users.
 inline constexpr std::size_t widest_table = 100;
-/// Of the lines that the rows would take side by side.
+/// Characters of the lines that aligned() makes of the rows.
 [[nodiscard]] std::size_t table_width(const std::vector<std::vector<std::string>>& rows, const std::string& indent);
 /// Rows of cells as aligned columns, two spaces between; the first `left` columns flush left, the others right.
 [[nodiscard]] std::string aligned(const std::vector<std::vector<std::string>>& rows, std::size_t left,
