@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <utility>
 
 #include "fast/judgement.hpp"
 #include "fast/map.hpp"

@@ -5,10 +5,6 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
-#include <memory>
-#include <numeric>
-#include <span>
-#include <utility>
 
 #include "fast/harmonic_grids.hpp"
 #include "fast/mapped_judgement.hpp"

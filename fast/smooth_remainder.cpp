@@ -2,7 +2,6 @@
 #include "fast/smooth_remainder.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace ehd::fast {

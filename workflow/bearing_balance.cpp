@@ -6,7 +6,6 @@
 #include <utility>
 #include <variant>
 
-#include "bearing/approach_formulas.hpp"
 #include "contact/hertz.hpp"
 #include "contact/nondimensional.hpp"
 #include "workflow/bearing_of_case.hpp"

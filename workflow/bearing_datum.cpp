@@ -3,7 +3,6 @@
 
 #include <variant>
 
-#include "bearing/approach_formulas.hpp"
 #include "bearing/force_law.hpp"
 #include "contact/approach.hpp"
 

@@ -9,7 +9,8 @@
 #include <system_error>
 
 #include "contact/overloaded.hpp"
-#include "workflow/bearing_run.hpp"
+#include "workflow/bearing_result.hpp"
+#include "workflow/case.hpp"
 
 namespace ehd {
 

@@ -140,10 +140,6 @@ BearingResult run_law(const Case& bearing_case, const BearingRequest& request, c
   return result;
 }
 
-}  // namespace
-
-namespace {
-
 /// The most loaded roller carries at least the radial load over the number of rollers. Beyond largest_M no contact with
 /// a film is solved.
 void require_solvable_load(const Case& bearing_case, const BearingCase& body) {
