@@ -2,7 +2,6 @@
 // ehd bearing: the load distribution of one or more bearing cases.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -16,7 +15,6 @@
 #include "cli/pictures.hpp"
 #include "cli/subcommands.hpp"
 #include "cli/usage.hpp"
-#include "contact/text.hpp"
 #include "io/bearing_csv.hpp"
 #include "io/bearing_json.hpp"
 #include "io/bearing_table.hpp"

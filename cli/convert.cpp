@@ -13,7 +13,6 @@
 #include "cli/output.hpp"
 #include "cli/subcommands.hpp"
 #include "cli/usage.hpp"
-#include "contact/nondimensional.hpp"
 #include "contact/scalings.hpp"
 #include "contact/text.hpp"
 #include "io/json.hpp"

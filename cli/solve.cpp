@@ -18,7 +18,6 @@
 #include "cli/usage.hpp"
 #include "contact/nondimensional.hpp"
 #include "contact/oil_laws.hpp"
-#include "contact/text.hpp"
 #include "io/case_keys.hpp"
 #include "io/contact_json.hpp"
 #include "io/file_text.hpp"

@@ -2,9 +2,7 @@
 // ehd sweep: a case over lists and ranges of its keys.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
-#include <filesystem>
 #include <limits>
 #include <memory>
 #include <optional>

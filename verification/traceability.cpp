@@ -6,7 +6,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "contact/text.hpp"
 #include "io/json.hpp"
 #include "io/tables.hpp"
 

@@ -6,7 +6,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -18,7 +17,6 @@
 #include "contact/interruption.hpp"
 #include "contact/text.hpp"
 #include "io/case_reader.hpp"
-#include "workflow/bearing_contact.hpp"
 #include "workflow/bearing_run.hpp"
 #include "workflow/registry.hpp"
 

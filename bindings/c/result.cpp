@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bindings/c/result.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <charconv>
 #include <string_view>
 
 #include "bindings/c/call.hpp"
 #include "bindings/c/ehd/ehd.h"
-#include "contact/text.hpp"
 #include "io/version.hpp"
 
 namespace ehd::c {

@@ -2,10 +2,8 @@
 // One contact, and many at once.
 #include <fmt/format.h>
 
-#include <cmath>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>

@@ -8,7 +8,6 @@
 #include <numbers>
 
 #include "contact/text.hpp"
-#include "io/tables.hpp"
 #include "verification/bench/timing.hpp"
 #include "verification/studies/bit_digest.hpp"
 

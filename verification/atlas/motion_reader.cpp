@@ -6,11 +6,10 @@
 
 #include "contact/nondimensional.hpp"
 #include "contact/text.hpp"
-#include "io/case_reader.hpp"
 #include "io/case_text.hpp"
+#include "io/csv.hpp"
 #include "verification/atlas/cells.hpp"
 #include "verification/atlas/motion.hpp"
-#include "verification/bench/csv.hpp"
 
 namespace ehd::verification {
 

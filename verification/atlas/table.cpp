@@ -8,11 +8,11 @@
 #include <utility>
 
 #include "contact/text.hpp"
+#include "io/csv.hpp"
 #include "io/file_text.hpp"
 #include "io/tables.hpp"
 #include "verification/atlas/columns.hpp"
 #include "verification/atlas/digits.hpp"
-#include "verification/bench/csv.hpp"
 
 namespace ehd::verification {
 

@@ -7,13 +7,12 @@
 
 #include "contact/nondimensional.hpp"
 #include "contact/text.hpp"
-#include "io/case_reader.hpp"
 #include "io/case_text.hpp"
 #include "io/contact_json.hpp"
+#include "io/csv.hpp"
 #include "verification/atlas/cells.hpp"
 #include "verification/atlas/columns.hpp"
 #include "verification/atlas/table.hpp"
-#include "verification/bench/csv.hpp"
 
 namespace ehd::verification {
 

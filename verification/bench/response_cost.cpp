@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
-#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "contact/text.hpp"

@@ -3,7 +3,6 @@
 // at tolerances that the atlas was not made with.
 #include <fmt/format.h>
 
-#include <cmath>
 #include <filesystem>
 #include <string>
 #include <system_error>

@@ -3,7 +3,6 @@
 // by the default solver to a thirtieth of the table's tolerance, some by the certified one.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>

@@ -5,7 +5,6 @@
 // All of them are solved on the mapped grids of `fast`, which are extrapolated: differences of 1e-10 are seen.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>

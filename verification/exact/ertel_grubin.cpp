@@ -2,7 +2,6 @@
 #include "verification/exact/ertel_grubin.hpp"
 
 #include <cmath>
-#include <numbers>
 
 #include "contact/nondimensional.hpp"
 #include "verification/exact/numerics.hpp"

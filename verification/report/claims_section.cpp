@@ -6,7 +6,6 @@
 #include <cmath>
 #include <map>
 
-#include "contact/text.hpp"
 #include "verification/report/report.hpp"
 
 namespace ehd::report {

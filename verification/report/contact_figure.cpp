@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "contact/text.hpp"
 #include "verification/report/report.hpp"
 
 namespace ehd::report {

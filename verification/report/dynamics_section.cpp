@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "contact/text.hpp"
-#include "verification/report/bearing_tables.hpp"
 #include "verification/report/report.hpp"
 
 namespace ehd::report {

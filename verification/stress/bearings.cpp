@@ -9,10 +9,8 @@
 #include <limits>
 #include <mutex>
 #include <numbers>
-#include <set>
 
 #include "bearing/equilibrium.hpp"
-#include "contact/hertz.hpp"
 #include "contact/text.hpp"
 #include "verification/bench/timing.hpp"
 #include "verification/claim.hpp"

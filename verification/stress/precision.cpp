@@ -10,7 +10,6 @@
 #include <cmath>
 
 #include "contact/lu_factors.hpp"
-#include "contact/observables.hpp"
 #include "contact/text.hpp"
 #include "reference/equations.hpp"
 #include "reference/hp/collocation.ipp"

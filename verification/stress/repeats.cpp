@@ -2,9 +2,6 @@
 // (h) The same problem again: in this thread, in two threads, in another process. Every bit is compared, except times.
 #include <fmt/format.h>
 
-#include <algorithm>
-
-#include "contact/text.hpp"
 #include "verification/bench/child.hpp"
 #include "verification/stress/parts.hpp"
 #include "verification/studies/bit_digest.hpp"

@@ -12,7 +12,6 @@
 #include <numbers>
 
 #include "contact/film_formulas.hpp"
-#include "contact/hertz.hpp"
 #include "contact/text.hpp"
 #include "fast/mapped.hpp"
 #include "fast/run.hpp"

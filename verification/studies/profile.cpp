@@ -8,7 +8,6 @@
 #include <limits>
 #include <map>
 #include <stdexcept>
-#include <string>
 
 #include "contact/legendre.hpp"
 

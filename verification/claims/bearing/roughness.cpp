@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <string>
 
 #include "verification/claims/bearing/by_hand.hpp"
 #include "verification/claims/bearing/parts.hpp"

@@ -8,7 +8,6 @@
 #include <map>
 #include <numbers>
 #include <stdexcept>
-#include <string>
 #include <utility>
 
 #include "contact/legendre.hpp"
