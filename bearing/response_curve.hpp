@@ -76,7 +76,8 @@ class ResponseCurve {
   [[nodiscard]] const RacewayContact& contact() const { return contact_; }
   [[nodiscard]] const std::vector<double>& forces_N() const { return forces_N_; }
   [[nodiscard]] const ResponseErrors& errors() const { return errors_; }
-  /// What errors of the damping are compared with: the damping, or s kappa_0^2 where it is smaller.
+  /// What errors of the damping are compared with: sqrt(lag^2 + s^2) kappa_0^2, which is about the damping, or s
+  /// kappa_0^2 where the damping is smaller.
   [[nodiscard]] double damping_scale(double force_N) const;
 
  private:

@@ -31,8 +31,8 @@ constexpr double least_of_few_grids = 5;
 /// 0.01..50, L = 1..45, cut at -2.5..-1.02) 167 of 6168 films of two and three grids missed by the other rules, at
 /// most 4.3 times.
 constexpr double nearest_usual_cut = -2.5, least_near_cut = 50;
-/// Beyond this M or this L a film with L > 0.5 counts as one beside a narrow spike on an unsettled map, and its error
-/// is doubled. Without this 93 of 8600 errors of 300 contacts missed (M = 5e3..1e6, L = 0.5..10, both laws, tolerances
+/// Beyond this M or this L a film with L > 0.5 counts as one at L = 15 or more on an unsettled map, and its error is
+/// doubled. Without this 93 of 8600 errors of 300 contacts missed (M = 5e3..1e6, L = 0.5..10, both laws, tolerances
 /// of 1e-2..1e-5), at most by a factor of 47; with it one, by 1.02. Up to L = 100 one of 800 errors of 100 other
 /// contacts missed, by 1.4 (L = 74). At M up to 5000 and L = 30..100 some 65 of 6300 missed, at most by 1.6, while M
 /// alone counted. The error of two grids is multiplied by four: beyond M = 3.8e5 and L = 80 it was twice as large as
@@ -117,7 +117,7 @@ ErrorBudget budget_of(const MappedClimb& climb, Quantity quantity, const std::op
   budget.iteration *= scale;
   budget.truncation *= scale;
   budget.discretisation = limit ? limit->error / (absolute ? 1 : std::abs(limit->value)) : unknown;
-  // The place of the exit moves as the films do; pressures have their own rule.
+  // The exit and the pressure maximum move as the films do; the spike has a rule of its own.
   if (quantity != Quantity::pressure_spike) budget.discretisation = std::max(budget.discretisation, of_films * scale);
   if (quantity == Quantity::rolling_force) budget.truncation *= truncation_of_work;
   if (absolute) budget.truncation *= truncation_of_offset;

@@ -22,14 +22,16 @@ constexpr double tail_refreshed_below = 1e-3;
 constexpr int most_tail_refreshes = 20;
 /// GMRES reduces the residual to this share of the distance to the target, within these bounds (relative residual).
 constexpr double krylov_share = 0.5, tightest_krylov = 0.1, loosest_krylov = 0.5;
-/// A step changes the pressure at most by this share of its maximum (of max P/2, or of 1 where that is more: Barus'
-/// spike stands at 10 p_H), and the exit at most by this share of X* + 0.2. Where a spike moves, one node changes by
+/// A step changes the pressure at most by this share of half its maximum, or of 1 where that is more, and the exit at
+/// most by this share of X* + 0.2. (Barus' spike stands at 10 p_H.) Where a spike moves, one node changes by
 /// the spike's whole height, and a bound below holds all nodes back. Newton steps at 300 flooded contacts (M of
 /// 0.5..2000, L to 30), tolerance 1e-5: 0.5, 1 and 1.5 take 1.06, 1.02 and 1; 0.05 and 0.2 for the exit take 1.02
 /// and 1.
 constexpr double largest_pressure_change = 1.5, largest_exit_change = 0.2, exit_margin = 0.2;
 /// A step leaves at least this share of the film at every node.
 constexpr double smallest_film_left = 0.2;
+/// A step leaves the exit to the right of this part of X_a.
+constexpr double leftmost_exit = 0.5;
 /// A step is halved at most so many times before Newton gives up.
 constexpr int most_halvings = 12;
 /// A step may raise the norm by this factor: while a spike moves, its faces err more at every other step. Newton steps
@@ -247,7 +249,7 @@ class Newton {
     candidate.P = state_.P + length * step.P;
     candidate.offset = state_.offset + length * step.offset;
     candidate.exit = state_.exit + length * step.exit;
-    if (candidate.exit <= setting_.inlet / 2) return false;
+    if (candidate.exit <= leftmost_exit * setting_.inlet) return false;
     NodeFields& trial = w_.trial.nodes;
     trial.product = w_.now.nodes.product + length * step.product;
     trial.product_integral = w_.now.nodes.product_integral + length * step.integral;

@@ -22,6 +22,8 @@ constexpr double largest_move = 0.2;
 /// A spike's peak is at most so many of these distances from the middle of its fall. Where the pressure falls from the
 /// centre (L <= 1, M >= 500), a move costs up to 20 % more products than interpolation alone.
 constexpr double farthest_peak = 2;
+/// Steps to the index of a place within its cell.
+constexpr int place_steps = 3;
 
 /// A pressure on its nodes.
 struct Profile {
@@ -62,7 +64,7 @@ double pressure_at(double at, Eigen::Index cell, const Profile& profile) {
   const double* const place = profile.grid.place.data() + first;
   const double width = profile.grid.spacing[cell];
   double t = static_cast<double>(cell - first) + (at - profile.grid.place[cell]) / width;
-  for (int k = 0; k < 3; ++k) t -= (cubic_through(place, t) - at) / width;  // phi(t) = at
+  for (int k = 0; k < place_steps; ++k) t -= (cubic_through(place, t) - at) / width;  // phi(t) = at
   return cubic_through(profile.state.P.data() + first, t);
 }
 

@@ -28,7 +28,7 @@ constexpr double thinnest_rigid_film = 0.1, thickest_hertz_film = 5;
 constexpr double exit_per_inlet_zone = 0.45;
 /// Run time grows as n^3: a grid with twice the intervals takes 8 times as long.
 constexpr double time_of_doubled_grid = 8;
-/// The truncation is measured by cutting the domain at X_a/8, and not nearer than 50 l.
+/// The truncation is measured by cutting the domain at X_a/8 or at -50 l, whichever is nearer to the contact.
 constexpr double cut_part = 8, nearest_cut = -50;
 /// Stated truncation over the measured one.
 constexpr double truncation_safety = 2;

@@ -36,7 +36,8 @@ double tail_of(const ReferenceElement<double>& shape, const VectorOf<double>& no
   return a.cwiseAbs().sum();
 }
 
-/// Change of the film near the element by the last coefficients of the pressure: (r/pi) |a_k m_k|, m_k about 2/p^2.
+/// Relative change of the film near the element by the last coefficients of the pressure: (r/pi) |a_k m_k|/H, m_k about
+/// 2/p^2. The factor 2/pi is left out.
 double film_error_of_tail(double tail, double half_length, int degree, double film) {
   return half_length * tail / (degree * degree * film);
 }

@@ -24,7 +24,8 @@ constexpr double least_part_kept = 0.1;
 int Mesh::intervals() const { return std::accumulate(degrees.begin(), degrees.end(), 0); }
 
 Mesh seeded_mesh(const Seed& seed) {
-  // Sizes wanted at X: geometric about -l and about the exit, never above half a length inside the contact.
+  // Sizes wanted at X: geometric about -l and about l, where the exit is near; never above half a length in the
+  // contact.
   const auto wanted = [&](double X) {
     const double finest = seed.inlet_zone * finest_per_inlet_zone;
     const double grade = (seed.growth - 1) / seed.growth;

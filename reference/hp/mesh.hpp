@@ -19,7 +19,7 @@ struct Mesh {
   [[nodiscard]] int intervals() const;
 };
 
-/// Elements graded about -l and about the exit, where they begin with `inlet_zone` / 2, and further out to the inlet.
+/// Elements graded about -l and about l, where the exit is near. There they begin with `inlet_zone` / 2.
 /// Neighbours differ by the ratio `growth` at most. The first element takes what is left, and may differ by 3.
 struct Seed {
   double inlet = 0;

@@ -84,9 +84,10 @@ class ResponseSolve {
 
   /// The steady state on its meshes as they are now.
   struct Steady {
-    std::vector<Harmonic> both;                 ///< the two discretisations
-    std::optional<Harmonic> higher_floor = {};  ///< the first one at the floor before its last, where that is above 0
-    std::vector<Resolved> floors;               ///< of the first one
+    std::vector<Harmonic> both;  ///< the two discretisations
+    /// The first one at the next floor that is at least three times its last; absent where the last is 0.
+    std::optional<Harmonic> higher_floor = {};
+    std::vector<Resolved> floors;  ///< of the first one
     double rounding = 0;
   };
 
