@@ -42,7 +42,7 @@ class Ring {
  public:
   /// Rollers that a symmetric ring cannot tell apart.
   struct Group {
-    Vector2 direction;    ///< (cos psi, sin psi); in the radial form the second is 0
+    Vector2 direction;    ///< (cos psi, sin psi); the second is 0 where plane() is false
     double excess_m = 0;  ///< at the reference
     std::vector<int> members;
   };

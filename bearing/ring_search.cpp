@@ -43,7 +43,8 @@ constexpr double smallest_reach_m = 1e-6;
 
 bool jump_at_either(const LawPair& laws) { return jumps(laws.inner) || jumps(laws.outer); }
 
-/// The search along one line, v + t direction, for the place where the force along it equals the load's part.
+/// The search along one line, v + t direction, for the place where the force along it equals the load's part. The
+/// miss_N of its places is force times |direction|.
 struct Crossing {
   Place best;           ///< of all t that were tried, the one with the least miss along the line
   bool jumped = false;  ///< the bracket closed to nothing, and the force jumps there
@@ -55,7 +56,7 @@ struct Line {
   double low = -infinity;  ///< t at which the force is known to be too small
   double start = 0;        ///< t of the first try
   double reach = 0;        ///< how far t goes at first where there is no bracket
-  double enough_N = 0;     ///< the miss at which to stop; rounding always ends the search
+  double enough_N = 0;     ///< the miss at which to stop, times |direction|; rounding always ends the search
 };
 
 /// Newton with the exact slope; outwards in doubled steps where there is no bracket yet, halving where a step leaves

@@ -61,7 +61,7 @@ struct GridRecord {
   int nodes = 0;  ///< intervals, inlet to exit
   int newton_iterations = 0;
   double residual = 0;     ///< final; relative to H_n, of `fast` and `fast.uniform` to the oil at each face
-  double inlet_cells = 0;  ///< cells in the inlet zone of width H_cen^(2/3)
+  double inlet_cells = 0;  ///< cells in the inlet zone, which is l min(1, H)^(2/3) wide
   Observables observed;
 };
 
