@@ -46,7 +46,7 @@ constexpr int half_hat_terms = 12;
 /// G(u) = u^2 ln|u|/2 - 3u^2/4.
 double antiderivative(double u) { return u == 0 ? 0 : u * u * (std::log(std::abs(u)) / 2 - 0.75); }
 
-/// The smallest length >= `least` without prime factors above 5.
+/// The smallest even length >= `least` without prime factors above 5.
 int friendly_length(int least) {
   for (int length = least;; ++length) {
     int rest = length;
