@@ -17,8 +17,8 @@ struct InletTail {
   double pressure = 0;  ///< P(X_a)
   double load = 0;      ///< Int P dX over X < X_a
   double work = 0;      ///< Int H dP/dX dX over X < X_a
-  /// Deflection by the tail's pressure at X, -(1/pi) Int P ln|X - X'| dX', as a polynomial in X: Taylor in X/x, exact
-  /// to (X/x_a)^5. The polynomial is wrong near X_a, where H is about x_a^2/2 and this error does not matter.
+  /// Deflection by the tail's pressure at X, -(1/pi) Int P ln|X - X'| dX', as a polynomial in X: Taylor in X/x, with an
+  /// error of order (X/x_a)^5. It is wrong near X_a, where H is about x_a^2/2 and this error does not matter.
   double deflection[5] = {};  ///< coefficients of 1, X, …, X^4
 };
 

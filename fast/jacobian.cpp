@@ -25,7 +25,7 @@ void Jacobian::linearise(const Setting& setting, const NodeFields& nodes, const 
   linearise_exit(setting, nodes, exit);
 }
 
-/// Of -eps_i (P_(i+1) - P_i)/(X_(i+1) - X_i); the first to write the coefficients.
+/// The part of -eps_i (P_(i+1) - P_i)/(X_(i+1) - X_i), which sets every coefficient. The others add to them.
 void Jacobian::linearise_poiseuille(const Setting& setting, const NodeFields& nodes, const Array& P) {
   const int n = n_;
   const double inverse_lambda = 1 / setting.groups.lambda, inverse_length = 1 / length;
@@ -59,7 +59,7 @@ void Jacobian::linearise_poiseuille(const Setting& setting, const NodeFields& no
   }
 }
 
-/// Of f_(i+1/2); added to what is there.
+/// The part of f_(i+1/2).
 void Jacobian::linearise_wedge(const NodeFields& nodes) {
   const int n = n_;
   const double* const rho = nodes.density.value.data();

@@ -117,7 +117,7 @@ SweepJournal::~SweepJournal() {
   if (lock_ >= 0) ::close(lock_);
 }
 
-/// What is read to its end must have one.
+/// Refuses a journal that is no regular file: a pipe or a device may have no end.
 void SweepJournal::require_file_or_none() const {
   std::error_code error;
   if (std::filesystem::symlink_status(file_, error).type() == std::filesystem::file_type::not_found) return;
