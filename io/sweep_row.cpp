@@ -22,8 +22,6 @@ namespace ehd {
 
 namespace {
 
-/// Hashed with every row, so that rows of another schema are not taken for these.
-constexpr const char* row_schema = "ehd-sweep-1";
 constexpr const char* out_of_memory = "memory is exhausted";
 
 /// Two builds of a commit with changes on top, or of a tree without git, are told apart by the program's own bytes.
@@ -115,7 +113,7 @@ std::string kept_text(const Sweep& sweep, std::size_t row, const std::string& ha
 std::string row_hash(const Sweep& sweep, const SweepRequest& request, std::size_t row) {
   static const std::string program = program_identity();
   const double tolerance = sweep.bearing ? bearing_contact_request().tolerance.tightest() : sweep.tolerance;
-  std::string content = fmt::format("{}\n{}\n{}\n{} {}\n{}\n", row_schema, program, sweep.solver,
+  std::string content = fmt::format("{}\n{}\n{}\n{} {}\n{}\n", sweep_schema, program, sweep.solver,
                                     request.max_iterations, shortest(request.time_limit_s), shortest(tolerance));
   for (const bearing::Law law : sweep.laws) content += std::string(to_string(law)) + " ";
   content += "\n" + sweep.case_id + "\n";

@@ -18,6 +18,9 @@
 
 namespace ehd {
 
+/// The schema of rows.json. It is hashed with every row, so that rows of another schema are not taken for these.
+inline constexpr const char* sweep_schema = "ehd-sweep-1";
+
 struct SweepRequest {
   int max_iterations = 2000;  ///< of each contact solve
   double time_limit_s = 300;  ///< likewise; where it ends a solve, the row depends on the machine

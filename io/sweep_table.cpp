@@ -21,7 +21,6 @@ namespace ehd {
 
 namespace {
 
-constexpr const char* table_schema = "ehd-sweep-1";
 /// So many rows are made at a time, over threads. This bounds the memory.
 constexpr std::size_t block = 256;
 
@@ -199,7 +198,7 @@ Json build_provenance() {
 std::string head_of_json(const Sweep& sweep, const std::string& sweep_hash) {
   Json stated = sweep.to_json();
   stated["hash"] = sweep_hash;
-  return fmt::format("{{\"schema\":{},\n\"provenance\":{},\n\"sweep\":{},\n\"rows\":[", Json(table_schema).dump(),
+  return fmt::format("{{\"schema\":{},\n\"provenance\":{},\n\"sweep\":{},\n\"rows\":[", Json(sweep_schema).dump(),
                      build_provenance().dump(), stated.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
