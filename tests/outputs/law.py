@@ -113,7 +113,9 @@ def audit(law, of, result, truth):
     said.equal("range_N", law["range_N"], [min(forces) / 2, curve["load_N"][1]])
     audit_knots(said, law, truth)
     own, table = law["errors"]["law"], law["errors"]["table"]
-    said.near("errors.law.force", own["force"], curve["force_error"] + curve["solver_error"], relative=ROUND_OFF)
+    by_datum = 2  # a curve's force error is that with the datum x_0 = l; with another it is up to twice as large
+    said.near("errors.law.force", own["force"], by_datum * (curve["force_error"] + curve["solver_error"]),
+              relative=ROUND_OFF)
     said.within("errors.law.film", own["film"], max(curve["interpolation_error"], curve["joint_error"]), 1e-2)
     said.within("errors.law.damping", own["damping"], 0, DAMPING_KNOWN)
     found = truth.worst(law["knots"])
