@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <variant>
 
 #include "contact/nondimensional.hpp"
@@ -34,6 +36,22 @@ std::string plain_text(const CaseTree& tree, const std::string& key, const Allow
   if (content->find_first_not_of(" \t") == std::string::npos) tree.fail(key, "is empty; allowed is " + allowed());
   if (one_line(*content) != *content) tree.fail(key, "is not one line of plain text; allowed is " + allowed());
   return *content;
+}
+
+/// "did you mean 32 or 46? " for 45: the neighbours among a few numbers that increase. A text may hold the number:
+/// "46", "VG 46".
+std::string near_numbers(const CaseNode& node, std::span<const double> few) {
+  double value = node.number().value_or(0);
+  if (const auto* text = std::get_if<std::string>(&node.content)) {
+    const std::size_t digits = std::min(text->find_first_of("0123456789"), text->size());
+    std::from_chars(text->data() + digits, text->data() + text->size(), value);
+  }
+  if (!(value > 0) || !std::isfinite(value)) return "";
+  const auto above = std::lower_bound(few.begin(), few.end(), value);
+  const bool exactly = above != few.end() && *above == value;
+  std::string meant = above == few.end() ? "" : plain(*above);
+  if (above != few.begin() && !exactly) meant = plain(*(above - 1)) + (meant.empty() ? "" : " or ") + meant;
+  return "did you mean " + meant + "? ";
 }
 
 }  // namespace
@@ -72,12 +90,11 @@ std::optional<double> maybe_one_of(const CaseTree& tree, const std::string& key)
   const CaseNode* node = tree.find(key);
   if (!node) return std::nullopt;
   const Allowed& allowed = row_of_case_key(key).allowed;
-  const auto value = node->number();
-  if (!value) tree.fail(key, fmt::format("is {}; allowed is {}", node->type, text_of(allowed)));
   const auto few = std::get<allowed::OneOf>(allowed).numbers();
-  if (std::find(few.begin(), few.end(), *value) == few.end())
-    tree.fail(key, "is none of them; allowed is " + text_of(allowed));
-  return value;
+  const auto value = node->number();
+  if (value && std::find(few.begin(), few.end(), *value) != few.end()) return value;
+  tree.fail(key, fmt::format("is {}; {}allowed is {}", value ? "none of them" : node->type, near_numbers(*node, few),
+                             text_of(allowed)));
 }
 
 int integer(const CaseTree& tree, const std::string& key) {

@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::size_t most_differences = 2;
 constexpr std::size_t shortest_part = 4;      // from the middle of a name, or one of its words: units are shorter
+constexpr std::size_t shortest_word = 2;      // between "_", the only one of a key: vg for iso_vg
 constexpr std::size_t shortest_start = 3;     // of a word: dia for diameter
 constexpr std::size_t longest_compared = 60;  // no name is longer; a longer word would cost time for nothing
 
@@ -34,7 +35,7 @@ std::size_t distance(const std::string& from, const std::string& to) {
 
 /// The shortest name where `has_part` holds; empty where there is none.
 template <class Predicate>
-std::string shortest(const std::vector<std::string>& names, const Predicate& has_part) {
+std::string shortest_where(const std::vector<std::string>& names, const Predicate& has_part) {
   std::string found;
   for (const std::string& name : names)
     if (has_part(name) && (found.empty() || name.size() < found.size())) found = name;
@@ -86,6 +87,18 @@ std::string of_most_common_words(const std::string& given, const std::vector<std
   return found;
 }
 
+/// The only name that has a short word between its "_": iso_vg for vg. Empty where none or several have it.
+std::string only_with(const std::string& short_word, const std::vector<std::string>& names) {
+  std::string found;
+  for (const std::string& name : names) {
+    const std::vector<std::string> words = words_of(name);
+    if (std::find(words.begin(), words.end(), in_small_letters(short_word)) == words.end()) continue;
+    if (!found.empty()) return "";
+    found = name;
+  }
+  return found;
+}
+
 }  // namespace
 
 std::string near_miss(const std::string& word, const std::vector<std::string>& names) {
@@ -96,11 +109,17 @@ std::string near_miss(const std::string& word, const std::vector<std::string>& n
     const std::size_t apart = distance(in_small_letters(word), in_small_letters(name));
     if (apart < least) std::tie(least, nearest) = std::pair(apart, name);
   }
-  const std::string begun = shortest(names, [&](const std::string& name) { return name.starts_with(word); });
+  const std::string begun = shortest_where(names, [&](const std::string& name) { return name.starts_with(word); });
   const bool is_start = !begun.empty() && word.size() >= shortest_start;  // --tol: --tolerance, and not --L
   if (!nearest.empty() && !(is_start && least == most_differences)) return nearest;
-  if (!begun.empty() || word.size() < shortest_part) return begun;
-  nearest = shortest(names, [&](const std::string& name) { return name.find(word) != std::string::npos; });
+  if (!begun.empty()) return begun;
+  if (word.size() < shortest_part) {
+    const std::string small = in_small_letters(word);
+    const auto begins = [&](const std::string& name) { return in_small_letters(name).starts_with(small); };
+    if (const std::string name = shortest_where(names, begins); !name.empty()) return name;
+    return word.size() >= shortest_word ? only_with(word, names) : "";
+  }
+  nearest = shortest_where(names, [&](const std::string& name) { return name.find(word) != std::string::npos; });
   return nearest.empty() ? of_most_common_words(word, names) : nearest;
 }
 

@@ -30,11 +30,22 @@ BOOST_AUTO_TEST_CASE(words_between_underscores_count_and_units_alone_do_not) {
   BOOST_TEST(ehd::near_miss("roller_dia_m", bearing) == "roller_diameter_m");
 }
 
+BOOST_AUTO_TEST_CASE(a_short_word_counts_where_one_name_alone_has_it) {
+  const std::vector<std::string> oil{"viscosity_Pa_s", "iso_vg", "viscosity_40C_mm2_per_s", "temperature_C"};
+  BOOST_TEST(ehd::near_miss("vg", oil) == "iso_vg");
+  BOOST_TEST(ehd::near_miss("VG", oil) == "iso_vg");
+  BOOST_TEST(ehd::near_miss("isovg", oil) == "iso_vg");
+  BOOST_TEST(ehd::near_miss("per", {"load_N_per_m", "speed_m_per_s"}) == "");
+  BOOST_TEST(ehd::near_miss("C", oil) == "");
+}
+
 BOOST_AUTO_TEST_CASE(capital_letters_are_small_ones) {
   const std::vector<std::string> names{"lambda", "M", "L", "W", "U_mean"};
   BOOST_TEST(ehd::near_miss("l", names) == "L");
   BOOST_TEST(ehd::near_miss("u_mean", names) == "U_mean");
   BOOST_TEST(ehd::near_miss("la", names) == "lambda");
+  BOOST_TEST(ehd::near_miss("u", names) == "U_mean");
+  BOOST_TEST(ehd::near_miss("Q", names) == "");
 }
 
 BOOST_AUTO_TEST_CASE(an_unknown_word_is_refused_with_the_nearest_as_it_is_written) {
