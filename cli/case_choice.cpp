@@ -27,24 +27,20 @@ std::vector<Substitution> substitutions_of(const std::vector<std::string>& setti
     const std::string key = setting.substr(0, equals);
     if (std::any_of(made.begin(), made.end(), [&](const Substitution& other) { return other.key == key; }))
       throw option_error("--set", setting, "sets " + key + " again; allowed is each key once");
-    made.push_back({.key = key, .value = toml_value(setting.substr(equals + 1))});
+    made.push_back({.key = key, .value = toml_value(setting.substr(equals + 1)), .option = "--set " + setting});
   }
   return made;
 }
 
-/// A line "FILE: key = value: message" or "key: message" about what --set gave: the mistake stands on the command line.
-std::string naming_option(const std::string& line, const std::vector<Substitution>& substitutions,
-                          const std::vector<std::string>& settings) {
-  for (std::size_t i = 0; i < substitutions.size(); ++i) {
-    const Substitution& one = substitutions[i];
-    const std::string value = fmt::format(": {} = {}: ", one.key.substr(one.key.rfind('.') + 1), toml_text(one.value));
-    const auto at = line.find(value);
-    const bool of_key = line.starts_with(one.key + ": ");
-    if (!of_key && at == std::string::npos) continue;
-    const std::size_t subject = of_key ? one.key.size() + 2 : at + value.size();
-    return fmt::format("ehd: --set {}: {}", one_line(settings[i]), line.substr(subject));
+/// Whether the file without what is set would be read. Standard input is not there a second time.
+bool is_sound_alone(const std::string& name) {
+  if (name == "-") return true;
+  try {
+    (void)read_named_case(name, {});
+    return true;
+  } catch (const CaseError&) {
+    return false;
   }
-  return line;
 }
 
 }  // namespace
@@ -67,8 +63,12 @@ Case CaseChanges::read(const std::string& name) const {
     }
     return one;
   } catch (const CaseError& error) {
-    std::vector<std::string> lines{naming_option(error.what(), substitutions, settings)};
-    for (const std::string& line : error.more()) lines.push_back(naming_option(line, substitutions, settings));
+    if (settings.empty() || !is_sound_alone(name)) throw;
+    std::vector<std::string> lines{error.what()};
+    lines.insert(lines.end(), error.more().begin(), error.more().end());
+    for (std::string& line : lines)  // a key of the file that contradicts what is set, or one that is now missing
+      if (!line.starts_with("ehd: --set "))
+        line += one_line(fmt::format(" (with --set {})", fmt::join(settings, " --set ")));
     throw CaseError(lines);
   }
 }

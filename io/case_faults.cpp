@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "io/case_keys.hpp"
+#include "io/case_statement.hpp"
 #include "io/case_tree.hpp"
 #include "io/read_oil.hpp"
 
@@ -17,7 +18,12 @@ namespace ehd {
 
 namespace {
 
-bool lubricated(const CaseTree& tree) { return tree.has("lubricant") || tree.has("domain"); }
+/// Also by a table of bearings alone, where [bearing] itself is missing.
+bool of_bearing(const CaseTree& tree) {
+  return std::ranges::any_of(case_tables(), [&](const CaseTable& table) {
+    return table.in_bearing && !table.in_contact && tree.has(std::string(table.name));
+  });
+}
 /// The case states its oil by grade, or means to with a mistyped key; that key is named as unknown.
 bool means_grade(const CaseTree& tree) {
   return states_grade(tree) ||
@@ -37,14 +43,14 @@ struct NeededKey {
   bool (*needed)(const CaseTree& tree);
 };
 constexpr std::array needed_keys{
-    NeededKey{"conditions.speed_sum_m_per_s", [](const CaseTree& tree) { return lubricated(tree); }},
-    NeededKey{"conditions.viscosity_Pa_s", [](const CaseTree& tree) { return lubricated(tree) && !means_grade(tree); }},
+    NeededKey{"conditions.speed_sum_m_per_s", [](const CaseTree& tree) { return is_lubricated(tree); }},
+    NeededKey{"conditions.viscosity_Pa_s",
+              [](const CaseTree& tree) { return is_lubricated(tree) && !means_grade(tree); }},
     NeededKey{"bearing.rotating", [](const CaseTree& tree) { return !states_both_speeds(tree); }},
     NeededKey{"operation.speed_rpm", [](const CaseTree& tree) { return !states_both_speeds(tree); }},
     NeededKey{"operation.inner_speed_rpm", [](const CaseTree& tree) { return states_only_both_speeds(tree); }},
     NeededKey{"operation.outer_speed_rpm", [](const CaseTree& tree) { return states_only_both_speeds(tree); }},
-    NeededKey{"lubricant.viscosity_Pa_s",
-              [](const CaseTree& tree) { return tree.has("bearing") && !means_grade(tree); }},
+    NeededKey{"lubricant.viscosity_Pa_s", [](const CaseTree& tree) { return of_bearing(tree) && !means_grade(tree); }},
     NeededKey{"lubricant.temperature_C", [](const CaseTree& tree) { return means_grade(tree); }},
 };
 
@@ -52,6 +58,10 @@ constexpr std::array needed_keys{
 bool may_be_needed(const CaseKey& key) {
   return key.need == Need::always ||
          std::ranges::any_of(needed_keys, [&](const NeededKey& needed) { return needed.path.ends_with(key.name); });
+}
+
+std::string name_in(const std::string& path, const CaseKey& key) {
+  return (path.empty() ? "" : path + ".") + std::string(key.name);
 }
 
 bool is_needed(const CaseTree& tree, const std::string& path, const CaseKey& key) {
@@ -69,19 +79,26 @@ std::vector<std::string> tables_to_check(const CaseTree& tree, const CaseTable& 
       paths.push_back(fmt::format("{}.{}", table.name, i));
     return paths;
   }
-  const bool belongs = statement && (statement->in_bearing ? table.in_bearing : table.in_contact);
-  const bool there = tree.has(std::string(table.name)) || table.required;
-  if (table.role == TableRole::heading || (belongs && there)) paths.emplace_back(table.name);
+  if (table.role == TableRole::statement) {
+    if (&table == statement) paths.emplace_back(table.name);
+    return paths;
+  }
+  const bool there = tree.has(std::string(table.name));
+  const bool belongs = !statement || (statement->in_bearing ? table.in_bearing : table.in_contact);
+  const bool needed = statement && table.required;
+  if (table.role == TableRole::heading || (belongs && (there || needed))) paths.emplace_back(table.name);
   return paths;
 }
 
-/// Also by a table that is mistyped, which is named as unknown.
-bool states_problem(const CaseTree& tree) {
-  return std::ranges::any_of(case_tables(), [&](const CaseTable& table) {
-    return table.role == TableRole::statement &&
-           (tree.has(std::string(table.name)) ||
-            std::ranges::any_of(tree.unknown(), [&](const UnknownKey& key) { return key.meant == table.name; }));
-  });
+/// The keys of a table that such a case has to have.
+std::vector<const CaseKey*> needed_in(const CaseTree& tree, const CaseTable& table, const std::string& path,
+                                      bool in_contact) {
+  std::vector<const CaseKey*> needed;
+  for (const CaseKey& key : table.keys) {
+    if (key.need == Need::never || (key.bearing_only && in_contact) || !may_be_needed(key)) continue;
+    if (is_needed(tree, name_in(path, key), key)) needed.push_back(&key);
+  }
+  return needed;
 }
 
 struct MissingKey {
@@ -93,44 +110,37 @@ std::vector<MissingKey> missing_keys(const CaseTree& tree, const CaseTable* stat
   const bool in_contact = statement && statement->in_contact;
   for (const CaseTable& table : case_tables()) {
     for (const std::string& path : tables_to_check(tree, table, statement))
-      for (const CaseKey& key : table.keys) {
-        if (key.need == Need::never || (key.bearing_only && in_contact) || !may_be_needed(key)) continue;
-        const std::string name = (path.empty() ? "" : path + ".") + std::string(key.name);
-        if (!tree.has(name) && is_needed(tree, name, key)) missing.push_back({name, text_of(key.allowed)});
-      }
+      for (const CaseKey* key : needed_in(tree, table, path, in_contact))
+        if (const std::string name = name_in(path, *key); !tree.has(name))
+          missing.push_back({name, text_of(key->allowed)});
   }
-  // A lubricated contact needs [lubricant] and [domain]; a dry one has neither.
   const bool may_be_dry = statement && statement->name == "conditions";
-  if (!in_contact || (may_be_dry && !lubricated(tree))) return missing;
-  for (const std::string& table : names_of_companions(false))
-    if (!tree.has(table))
+  for (const CaseTable& table : case_tables())
+    if (const std::string name(table.name); in_contact && has_to_stand(tree, table, *statement) && !tree.has(name))
       missing.push_back(
-          {table, fmt::format("[lubricant] with [domain]{}", may_be_dry ? ", or neither for a dry contact" : "")});
+          {name, fmt::format("[lubricant] with [domain]{}", may_be_dry ? ", or neither for a dry contact" : "")});
   return missing;
 }
 
 }  // namespace
 
-std::string one_statement() {
-  std::vector<std::string> names;
-  for (const CaseTable& table : case_tables())
-    if (table.role == TableRole::statement) names.push_back(fmt::format("[{}]", table.name));
-  const std::string last = names.back();
-  names.pop_back();
-  return fmt::format("exactly one of {} and {}", list(names), last);
-}
-
-void refuse_unknown_and_missing(const CaseTree& tree, const CaseTable* statement) {
+const CaseTable& statement_without_faults(const CaseTree& tree) {
+  const CaseStatement statement = statement_of(tree, [&](const CaseTable& table) {
+    std::vector<std::string> names;
+    for (const CaseKey* key : needed_in(tree, table, std::string(table.name), table.in_contact))
+      names.emplace_back(key->name);
+    return names;
+  });
   std::vector<std::string> lines;
   for (const UnknownKey& key : tree.unknown()) lines.push_back(key.message);
-  for (const MissingKey& key : missing_keys(tree, statement)) {
+  lines.insert(lines.end(), statement.faults.begin(), statement.faults.end());
+  for (const MissingKey& key : missing_keys(tree, statement.table)) {
     const auto meant = [&](const UnknownKey& unknown) { return unknown.meant == key.path; };
     if (std::any_of(tree.unknown().begin(), tree.unknown().end(), meant)) continue;
     lines.emplace_back(case_error(tree.places(), key.path, "is missing; required is " + key.required).what());
   }
-  if (!states_problem(tree))
-    lines.emplace_back(case_error(tree.places(), "", "the problem is missing; required is " + one_statement()).what());
   if (!lines.empty()) throw CaseError(lines);
+  return *statement.table;  // null comes with a fault
 }
 
 void refuse_unknown(const CaseTree& tree) {

@@ -30,44 +30,14 @@ void read_heading(const CaseTree& tree, Case& made) {
   made.source = text(tree, "source");
 }
 
-/// The tables that state a problem, in the order of the file.
-std::vector<const CaseTable*> statements_in(const CaseTree& tree) {
-  const auto line = [&](const CaseTable* table) { return tree.line_of(std::string(table->name)); };
-  std::vector<const CaseTable*> present;
-  for (const CaseTable& table : case_tables()) {
-    if (table.role == TableRole::statement && tree.has(std::string(table.name))) present.push_back(&table);
-  }
-  std::stable_sort(present.begin(), present.end(),
-                   [&](const CaseTable* one, const CaseTable* other) { return line(one) < line(other); });
-  return present;
-}
-
-/// The only one of them. Refuses tables that do not belong beside it.
-const CaseTable& only_statement(const CaseTree& tree, const std::vector<const CaseTable*>& present) {
-  if (present.size() > 1)
-    tree.fail(std::string(present[1]->name),
-              fmt::format("states the problem again, beside [{}]; allowed is {}", present[0]->name, one_statement()));
-  const bool of_bearing = present[0]->in_bearing;
-  for (const CaseTable& table : case_tables()) {
-    const std::string name(table.name);
-    if (table.role != TableRole::companion || !tree.has(name)) continue;
-    if (of_bearing ? table.in_bearing : table.in_contact) continue;
-    tree.fail(name, fmt::format("does not belong to a {} case; allowed is {}, expect",
-                                of_bearing ? "bearing" : "contact", list(names_of_companions(of_bearing))));
-  }
-  return *present[0];
-}
-
 /// `text` as checked_case_text leaves it.
 Case case_of(const std::string& text, const std::filesystem::path& file,
              const std::vector<Substitution>& substitutions = {}) {
   CaseTree tree(text, file, substitutions);
   Case made;
   made.file = tree.places().file;
-  const std::vector<const CaseTable*> statements = statements_in(tree);
-  refuse_unknown_and_missing(tree, statements.size() == 1 ? statements.front() : nullptr);
+  const CaseTable& statement = statement_without_faults(tree);
   read_heading(tree, made);
-  const CaseTable& statement = only_statement(tree, statements);
   if (statement.in_bearing)
     made.body = read_bearing(tree);
   else

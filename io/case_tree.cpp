@@ -131,7 +131,8 @@ bool keeps_its_value(const std::string& table_name, const std::string& key) {
   return std::find(keys.begin(), keys.end(), key.empty() ? table_name : key) != keys.end();
 }
 
-void require_substitutable(const std::string& path) {
+void require_substitutable(const Substitution& substitution) {
+  const std::string& path = substitution.key;
   const auto [table_name, key] = parts_of(path);
   const CaseTable* table = find_case_table(table_name);
   if (table && !is_substitutable(*table)) table = nullptr;
@@ -143,7 +144,9 @@ void require_substitutable(const std::string& path) {
                             : table                          ? fmt::format("is unknown in [{}]", table_name)
                                                              : "is unknown";
   const std::string meant = path_meant_by(path);
-  throw CaseError(one_line(fmt::format("{}: {}; {}allowed is {}", shortened(path, longest_text), fault,
+  const std::string subject =
+      substitution.option.empty() ? shortened(path, longest_text) : "ehd: " + substitution.option;
+  throw CaseError(one_line(fmt::format("{}: {}; {}allowed is {}", subject, fault,
                                        meant.empty() ? "" : "did you mean " + meant + "? ", allowed)));
 }
 
@@ -172,6 +175,7 @@ class TreeBuilder {
     add_keys(root, "", *find_case_table(""));
     for (auto&& [name, node] : root) {
       const CaseTable* table = find_case_table(name.str());
+      if (!table) table = table_meant_by(std::string(name.str()), node, root);
       if (!table || table->role == TableRole::heading) continue;
       if (table->role == TableRole::expectation)
         add_expectations(node, *table);
@@ -181,9 +185,20 @@ class TreeBuilder {
   }
 
  private:
+  /// The table that a mistyped name was probably meant to be, so that the faults of its keys are found too. Null where
+  /// nothing is near, and where the file has that table as well.
+  [[nodiscard]] const CaseTable* table_meant_by(const std::string& name, const toml::node& node,
+                                                const toml::table& root) const {
+    const std::string meant = meant_by(name, "", node.is_table(), names_in(*find_case_table(""))).path;
+    const CaseTable* const table = meant.empty() ? nullptr : find_case_table(meant);
+    const bool keyed = table && table->role != TableRole::heading && table->role != TableRole::expectation;
+    return node.is_table() && keyed && !root.contains(meant) && !tree_.has(meant) ? table : nullptr;
+  }
+
   void add_table(const toml::node& node, const CaseTable& table) {
     const std::string name(table.name);
     if (!node.is_table()) tree_.fail(name, fmt::format("is {}; allowed is a table, [{}]", type_of(node), name));
+    if (!tree_.has(name)) put(name, node);  // under its right name, where it is mistyped
     add_keys(*node.as_table(), name, table);
   }
 
@@ -239,7 +254,7 @@ CaseTree::CaseTree(const std::string& text, const std::filesystem::path& file,
   places_.lines[""] = 1;
   toml::table root = parse_toml(text, places_.file);
   if (const auto id = root["id"].value<std::string>(); id && file.empty()) places_.file = *id + ".toml";
-  for (const Substitution& substitution : substitutions) require_substitutable(substitution.key);
+  for (const Substitution& substitution : substitutions) require_substitutable(substitution);
   if (!substitutions.empty()) root.erase("expect");
   TreeBuilder(*this, text).add(root);
   std::stable_sort(unknown_.begin(), unknown_.end(),
@@ -256,7 +271,11 @@ void CaseTree::put(const std::string& path, CaseNode node, int line, const std::
 
 void CaseTree::substitute(const Substitution& substitution) {
   const std::string table = parts_of(substitution.key).first;
-  if (!has(table)) put(table, {.type = "a table"}, 1, "");
+  if (!has(table)) {
+    put(table, {.type = "a table"}, not_of_the_file, "");
+    if (!substitution.option.empty()) places_.given[table] = substitution.option;
+  }
+  if (!substitution.option.empty()) places_.given[substitution.key] = substitution.option;
   put(substitution.key, node_of(substitution.value), not_of_the_file, toml_text(substitution.value));
 }
 
@@ -274,6 +293,7 @@ const CaseNode* CaseTree::find(std::string_view path) const {
 void CaseTree::move_places_to(Case& made) && {
   made.lines = std::move(places_.lines);
   made.texts = std::move(places_.texts);
+  made.given = std::move(places_.given);
 }
 
 void CaseTree::fail(const std::string& path, const std::string& message) const {

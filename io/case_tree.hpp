@@ -40,15 +40,16 @@ struct UnknownKey {
 class CaseTree {
  public:
   /// `text` as checked_case_text leaves it. Substituted values pass every check that the file's own would; messages
-  /// about them name no line. With substitutions the file's [[expect]] tables are left out, since they hold for the
-  /// file's own numbers. Throws CaseError for text that is not TOML, and for a substitution of a key that io/case_keys
-  /// does not have.
+  /// about them name no line, but the option that gave them. With substitutions the file's [[expect]]
+  /// tables are left out, since they hold for the file's own numbers. Throws CaseError for text that is not TOML, and
+  /// for a substitution of a key that io/case_keys does not have.
   CaseTree(const std::string& text, const std::filesystem::path& file,
            const std::vector<Substitution>& substitutions = {});
 
   /// By path: "id", "moes", "moes.M"; the [[expect]] tables are "expect.0", "expect.1", … Null where there is none.
   [[nodiscard]] const CaseNode* find(std::string_view path) const;
   [[nodiscard]] bool has(std::string_view path) const { return find(path) != nullptr; }
+  /// 0 where a substitution made the table.
   [[nodiscard]] int line_of(const std::string& path) const { return places_.lines.at(path); }
   /// The unknown keys, in the order of the file. A case that has some is refused.
   [[nodiscard]] const std::vector<UnknownKey>& unknown() const { return unknown_; }
@@ -57,7 +58,7 @@ class CaseTree {
 
   /// A case with file, lines and texts alone: where each key stands.
   [[nodiscard]] const Case& places() const { return places_; }
-  /// Lines and texts for the case that was read; nothing is read or refused afterwards.
+  /// Lines, texts and options for the case that was read; nothing is read or refused afterwards.
   void move_places_to(Case& made) &&;
   /// Throws the CaseError "FILE:LINE: key = value: message".
   [[noreturn]] void fail(const std::string& path, const std::string& message) const;

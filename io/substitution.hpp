@@ -23,6 +23,7 @@ using TomlValue = std::variant<std::int64_t, double, std::string, std::vector<do
 struct Substitution {
   std::string key;
   TomlValue value;
+  std::string option = {};  ///< "--set KEY=VALUE" where the command line gave it: refusals then name that
 };
 
 }  // namespace ehd

@@ -41,6 +41,8 @@ std::optional<ExpectationKind> expectation_kind_from(std::string_view text) { re
 std::optional<Scaling> scaling_from(std::string_view text) { return word_from<Scaling>(text); }
 
 CaseError case_error(const Case& where, const std::string& key, const std::string& message) {
+  if (const auto option = where.given.find(key); option != where.given.end())
+    return CaseError(one_line("ehd: " + option->second + ": " + message));
   const auto dot = key.rfind('.');
   const std::string table = dot == std::string::npos ? "" : key.substr(0, dot);
   const std::string name = dot == std::string::npos ? key : key.substr(dot + 1);

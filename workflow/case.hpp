@@ -121,9 +121,12 @@ struct Case {
   std::filesystem::path file;                ///< as named by the user
   std::map<std::string, int> lines;          ///< dotted key ("bearing.length_m") or table ("bearing") -> line
   std::map<std::string, std::string> texts;  ///< dotted key -> its value as written, for error messages
+  /// Keys, and tables, that the command line gave: dotted key -> "--set KEY=VALUE".
+  std::map<std::string, std::string> given = {};
 };
 
-/// "FILE:LINE: message", with the line of `key` or of its table. Every message about a key is made here.
+/// "FILE:LINE: message", with the line of `key` or of its table; "ehd: --set KEY=VALUE: message" where the command line
+/// gave the key. Every message about a key is made here.
 [[nodiscard]] CaseError case_error(const Case& where, const std::string& key, const std::string& message);
 
 }  // namespace ehd

@@ -30,6 +30,7 @@ BOOST_AUTO_TEST_CASE(set_gives_one_key_another_value_and_the_result_says_so) {
   BOOST_TEST(!json::parse(stated.out).contains("set"));
 }
 
+
 BOOST_AUTO_TEST_CASE(set_gives_a_key_that_holds_a_list_another_list) {
   const test::Folder folder;
   const auto ended = test::ehd_run(folder, "bearing na4908 --law ehd-linear --set 'fit.load_N=[2500, 11e3]' --json -");
@@ -71,6 +72,11 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_set_is_refused_with_the_nearest_key) {
       {"bearing na4908 --set 'fit.load_N=[2000]'", "ehd: --set fit.load_N=[2000]: "},
       {"solve own-moes-5-5 --set moes.M=1 --set moes.M=2", "allowed is each key once"},
       {"solve --M 5 --L 5 --set moes.M=1", "required is a CASE"},
+      {"bearing na4908 --set operation.speed_rpm=0", "ehd: --set operation.speed_rpm=0: leaves the rings at rest"},
+      {"solve own-moes-5-5 --set conditions.load_N_per_m=1",
+       "ehd: --set conditions.load_N_per_m=1: states the problem again, beside [moes]"},
+      {"bearing na4908 --set operation.inner_speed_rpm=1", " (with --set operation.inner_speed_rpm=1)"},
+      {"bearing na4908 --set lubricant.iso_vg=46", "temperature_C: is missing; required is a number, -50 to 150 (with"},
   };
   for (const auto& [arguments, phrase] : rows) test::check_refused(folder, arguments, phrase);
 }

@@ -50,8 +50,9 @@ BOOST_AUTO_TEST_CASE(every_missing_key_of_a_contact_has_its_line) {
 
 BOOST_AUTO_TEST_CASE(a_missing_problem_has_its_line_among_the_others) {
   check_lines("id = \"mine\"\nversion = 1\ntitel = \"t\"\n[lubricant]\nz = 0.7\n",
-              {"3: titel = \"t\": is unknown; did you mean title?", "1: source: is missing",
-               "1: the problem is missing; required is exactly one of [moes], [conditions], [hertz] and [bearing]"});
+              {"3: titel = \"t\": is unknown; did you mean title?",
+               "1: the problem is missing; required is exactly one of these: [moes] with", "1: source: is missing",
+               "4: [lubricant] viscosity: is missing", "4: [lubricant] density: is missing"});
   check_lines("id = \"mine\"\nversion = 1\ntitle = \"t\"\nsource = \"own\"\n", {"1: the problem is missing"});
 }
 
@@ -74,7 +75,88 @@ BOOST_AUTO_TEST_CASE(unknown_keys_come_first_with_the_nearest_key_which_then_doe
        "7: LL = 10: is unknown in [moes]; allowed is M, L",
        "8: [lubrikant]: is unknown; did you mean [lubricant]? allowed is",
        "11: speed_rpm = 3: is unknown in [domain]; did you mean speed_rpm in [operation]? allowed is inlet",
-       "12: nonsense = 4: is unknown in [domain]; allowed is inlet", "5: [moes] L: is missing"});
+       "12: nonsense = 4: is unknown in [domain]; allowed is inlet", "5: [moes] L: is missing",
+       "8: [lubricant] viscosity: is missing", "8: [lubricant] density: is missing"});
+}
+
+BOOST_AUTO_TEST_CASE(the_keys_of_a_mistyped_table_are_checked_too) {
+  check_lines(
+      "id = \"mine\"\nversion = 1\ntitle = \"t\"\nsource = \"own\"\n[beering]\nrollers = 9\nlenght_m = 0.01\n"
+      "[operation]\nspeed_rpm = 100\n[material]\nmodulus_Pa = 2e11\npoison = 0.3\n",
+      {"5: [beering]: is unknown; did you mean [bearing]? allowed is",
+       "7: lenght_m = 0.01: is unknown in [bearing]; did you mean length_m? allowed is",
+       "12: poison = 0.3: is unknown in [material]; did you mean poisson? allowed is",
+       "5: [bearing] pitch_diameter_m: is missing", "5: [bearing] roller_diameter_m: is missing",
+       "5: [bearing] clearance_m: is missing", "5: [bearing] rotating: is missing",
+       "5: [bearing] density_kg_per_m3: is missing", "8: [operation] radial_load_N: is missing"});
+  check_lines(
+      "id = \"mine\"\nversion = 1\ntitle = \"t\"\nsource = \"own\"\n[moes]\nM = 5\nL = 0\n[moess]\nL = 9\n"
+      "[lubricant]\nviscosity = \"barus\"\ndensity = \"incompressible\"\n[domain]\ninlet = -4\n",
+      {"8: [moess]: is unknown; did you mean [moes]? allowed is"});
+}
+
+BOOST_AUTO_TEST_CASE(a_case_without_its_problem_says_which_keys_each_of_them_needs) {
+  const std::string heading = "id = \"mine\"\nversion = 1\ntitle = \"t\"\nsource = \"own\"\n";
+  check_lines(heading.substr(heading.find('\n') + 1) + "nonsense = 2\n[lubricant]\nviscosity = \"barus\"\n",
+              {"4: nonsense = 2: is unknown",
+               "1: the problem is missing; required is exactly one of these: [moes] with M, L, [domain] with inlet; or "
+               "[conditions] with load_N_per_m, reduced_radius_m, reduced_modulus_Pa, speed_sum_m_per_s, "
+               "viscosity_Pa_s, [domain] with inlet; or [hertz] with lambda, alpha_p_H, [domain] with inlet; or "
+               "[bearing] with rollers, pitch_diameter_m, roller_diameter_m, length_m, clearance_m, rotating, "
+               "density_kg_per_m3, [operation] with speed_rpm, radial_load_N, [material] with modulus_Pa, poisson",
+               "1: id: is missing", "5: [lubricant] density: is missing"});
+  const auto alone = refusal(heading);
+  BOOST_REQUIRE_EQUAL(alone.size(), 1U);
+  BOOST_TEST(alone[0].find("[moes] with M, L, [lubricant] with viscosity, density, [domain] with inlet; or "
+                           "[conditions] with load_N_per_m, reduced_radius_m, reduced_modulus_Pa; or") !=
+             std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(tables_of_a_bearing_alone_mean_a_bearing_whose_keys_are_missing) {
+  check_lines(
+      "id = \"mine\"\nversion = 1\ntitle = \"t\"\nsource = \"own\"\n[operation]\nspeed_rpm = 100\n"
+      "[lubricant]\nviscosity = \"barus\"\ndensity = \"incompressible\"\n",
+      {"1: the problem is missing; required is [bearing]", "1: [bearing] rollers: is missing",
+       "1: [bearing] pitch_diameter_m: is missing", "1: [bearing] roller_diameter_m: is missing",
+       "1: [bearing] length_m: is missing", "1: [bearing] clearance_m: is missing", "1: [bearing] rotating: is missing",
+       "1: [bearing] density_kg_per_m3: is missing", "5: [operation] radial_load_N: is missing",
+       "1: [material] modulus_Pa: is missing", "1: [material] poisson: is missing",
+       "7: [lubricant] viscosity_Pa_s: is missing"});
+}
+
+BOOST_AUTO_TEST_CASE(tables_that_are_too_many_come_with_what_is_missing) {
+  check_lines(
+      "id = \"mine\"\nversion = 1\ntitle = \"t\"\nsource = \"own\"\n[moes]\nM = 5\n[hertz]\n[conditions]\n"
+      "[domain]\n[operation]\n",
+      {"7: [hertz]: states the problem again, beside [moes]; allowed is exactly one of",
+       "8: [conditions]: states the problem again, beside [moes]; allowed is exactly one of", "5: [moes] L: is missing",
+       "9: [domain] inlet: is missing", "1: [lubricant]: is missing"});
+  check_lines(
+      "id = \"mine\"\nversion = 1\ntitle = \"t\"\nsource = \"own\"\n[moes]\nM = 5\nL = 0\n[operation]\n[fit]\n"
+      "[lubricant]\nviscosity = \"barus\"\n[domain]\ninlet = -4\n",
+      {"8: [operation]: does not belong to a contact case; allowed is lubricant, domain, expect",
+       "9: [fit]: does not belong to a contact case", "10: [lubricant] density: is missing"});
+}
+
+BOOST_AUTO_TEST_CASE(what_the_command_line_gave_is_refused_by_its_option) {
+  const std::string text =
+      "id = \"mine\"\nversion = 1\ntitle = \"t\"\nsource = \"own\"\n[moes]\nM = 5\nL = 3\n"
+      "[lubricant]\nviscosity = \"barus\"\ndensity = \"incompressible\"\n[domain]\ninlet = -4\n";
+  const auto said = [&](const std::string& key, const TomlValue& value, const std::string& option) -> std::string {
+    try {
+      (void)read_case(text, "mine.toml", {{.key = key, .value = value, .option = option}});
+    } catch (const CaseError& wrong) {
+      return wrong.what();
+    }
+    return "";
+  };
+  BOOST_TEST(said("moes.M", -1.0, "--set moes.M=-1").starts_with("ehd: --set moes.M=-1: is negative; allowed is"));
+  BOOST_TEST(said("moes.K", 1.0, "--set moes.K=1").starts_with("ehd: --set moes.K=1: is unknown in [moes]"));
+  BOOST_TEST(said("hertz.lambda", 1.0, "--set hertz.lambda=1")
+                 .starts_with("ehd: --set hertz.lambda=1: states the problem again, beside [moes]; allowed is"));
+  BOOST_TEST(said("fit.points", 5.0, "--set fit.points=5")
+                 .starts_with("ehd: --set fit.points=5: does not belong to a contact case; allowed is"));
+  BOOST_TEST(said("moes.M", -1.0, "").starts_with("mine.toml: M = -1.0: is negative"));
 }
 
 BOOST_AUTO_TEST_CASE(the_nearest_key_is_one_of_the_table_or_of_those_that_the_case_has_to_have) {
