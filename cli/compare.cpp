@@ -13,6 +13,7 @@
 #include "cli/case_choice.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
+#include "cli/progress.hpp"
 #include "cli/subcommands.hpp"
 #include "cli/usage.hpp"
 #include "contact/text.hpp"

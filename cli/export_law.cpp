@@ -8,6 +8,7 @@
 
 #include "cli/options.hpp"
 #include "cli/output.hpp"
+#include "cli/progress.hpp"
 #include "cli/usage.hpp"
 #include "contact/text.hpp"
 #include "io/law_export_text.hpp"

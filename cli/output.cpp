@@ -74,26 +74,6 @@ std::optional<OutputFile> opened(const std::optional<std::string>& name) {
   return name ? std::optional<OutputFile>(std::in_place, *name) : std::nullopt;
 }
 
-void Progress::show(const std::string& line) {
-  if (!::isatty(STDERR_FILENO)) return;
-  // Spaces and carriage returns only, so that it needs no terminal codes.
-  constexpr std::size_t widest = 79;
-  const std::string text = shortened(one_line(line), widest - 3);
-  std::cerr << '\r' << text << std::string(shown_ > text.size() ? shown_ - text.size() : 0, ' ') << '\r' << text
-            << std::flush;
-  if (text.empty() && shown_ > 0) std::cerr << '\r' << std::flush;
-  shown_ = text.size();
-}
-
-void Progress::step(std::size_t done, std::size_t all, const std::string& what) {
-  const double passed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-  std::string line = fmt::format("{}/{}, {}", done, all, duration(passed_s));
-  if (done > 0 && done < all)
-    line += fmt::format(", about {} left",
-                        duration(passed_s * static_cast<double>(all - done) / static_cast<double>(done)));
-  show(line + ": " + what);
-}
-
 bool styled_output() {
   const char* no_color = std::getenv("NO_COLOR");
   const char* terminal = std::getenv("TERM");

@@ -2,15 +2,12 @@
 // What a subcommand writes: standard output, lines on standard error, files and folders.
 #pragma once
 
-#include <chrono>
-#include <cstddef>
 #include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "io/duration.hpp"
 #include "io/json.hpp"
 #include "io/output_file.hpp"
 
@@ -36,23 +33,6 @@ void require_distinct(const std::vector<NamedFile>& inputs, const std::vector<Na
 [[nodiscard]] std::optional<OutputFile> opened(const std::optional<std::string>& name);
 /// Null where there is no file.
 [[nodiscard]] inline OutputFile* address_of(std::optional<OutputFile>& file) { return file ? &*file : nullptr; }
-
-/// A line on standard error while something runs, on a terminal only; removed at the end. Time counts from the
-/// construction.
-class Progress {
- public:
-  Progress() = default;
-  ~Progress() { show(""); }
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
-  void show(const std::string& line);
-  /// "3/12, 5.1 s, about 15 s left: what". The time left is known from the second step on.
-  void step(std::size_t done, std::size_t all, const std::string& what);
-
- private:
-  std::size_t shown_ = 0;
-  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-};
 
 /// Standard output is a terminal, NO_COLOR is not set and TERM is not "dumb".
 [[nodiscard]] bool styled_output();

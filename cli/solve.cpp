@@ -14,6 +14,7 @@
 #include "cli/output.hpp"
 #include "cli/picture_file.hpp"
 #include "cli/pictures.hpp"
+#include "cli/progress.hpp"
 #include "cli/subcommands.hpp"
 #include "cli/usage.hpp"
 #include "contact/nondimensional.hpp"

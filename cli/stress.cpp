@@ -14,6 +14,7 @@
 #include "cli/interruption.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
+#include "cli/progress.hpp"
 #include "cli/subcommands.hpp"
 #include "cli/usage.hpp"
 #include "io/json.hpp"

@@ -2,6 +2,7 @@
 // ehd verify: the verification suite.
 #include <fmt/format.h>
 
+#include <chrono>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -10,8 +11,10 @@
 #include "cli/interruption.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
+#include "cli/progress.hpp"
 #include "cli/subcommands.hpp"
 #include "cli/usage.hpp"
+#include "io/duration.hpp"
 #include "io/json.hpp"
 #include "verification/studies/figures/figures.hpp"
 #include "verification/suite.hpp"
@@ -57,17 +60,28 @@ verification::SuiteRequest suite_request(const VerifyOptions& options) {
 }
 
 /// What a report draws; null without --output, and where the time for everything has passed.
-Json figures_of(const verification::SuiteRequest& request, bool asked, Progress& progress) {
+Json figures_of(const verification::SuiteRequest& request, bool asked) {
   if (!asked || request.deadline.passed()) return {};
   verification::FiguresRequest pictures{.rung = request.rung,
                                         .case_id = request.case_id,
                                         .quick = request.quick,
                                         .threads = request.threads,
                                         .deadline = request.deadline};
+  Progress progress;
   pictures.progress = [&](std::size_t done, std::size_t all, const std::string& name) {
     progress.step(done, all, "figures: " + name);
   };
   return verification::figures(pictures);
+}
+
+/// The line until the next topic ends: its times go on.
+Progress::Line line_after(const verification::SuiteProgress& topic) {
+  return [topic, begin = std::chrono::steady_clock::now()](double) {
+    const double since_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    const double left_s = topic.left_s - since_s;
+    return fmt::format("verify {}/{}, {}{}: {} ended", topic.done, topic.all, duration(topic.elapsed_s + since_s),
+                       left_s > 0 ? ", about " + duration(left_s) + " left" : "", topic.name);
+  };
 }
 
 /// Writes the topics that are finished, without figures. Returns the line for standard error.
@@ -89,14 +103,13 @@ int verify(const VerifyOptions& options) {
   Json figures;
   try {
     Progress progress;
-    request.progress = [&](const verification::SuiteProgress& now) {
-      progress.show(fmt::format("verify {}/{}, {}, about {} left: {}", now.done, now.all, duration(now.elapsed_s),
-                                duration(now.left_s), now.name));
-    };
+    request.progress = [&](const verification::SuiteProgress& now) { progress.show(line_after(now)); };
+    progress.show("verify: the first topic ...");
     verification::SuiteRun run(request);
     const KeepWhenInterrupted kept([&] { return keep_topics(run, folder); });
     result = run.judge();
-    figures = figures_of(request, options.output.has_value(), progress);
+    progress.show("");
+    figures = figures_of(request, options.output.has_value());
   } catch (const verification::NothingSelected& nothing) {
     throw UsageError(nothing.what());
   }

@@ -44,6 +44,11 @@ def main(ehd):
     time_left = r"\r\d/\d, [\d.]+ (s|min|h), about [\d.]+ (s|min|h) left: "
     require(re.search(time_left, written), "the time left is not shown", written)
     require(re.search(r"\r +\r+own-moes-20-10: ", written), "the line stays before the table", written)
+    seconds = [float(s) for s in re.findall(r"\rsolving own-moes-1000-20: [^\r]*, ([\d.]+) s *\r", on_terminal(
+        ehd, "solve", "own-moes-1000-20", "--solver", "reference", "--tolerance", "1e-8"))]
+    require(len(seconds) > 1 and seconds == sorted(seconds), "a solve of some seconds does not show them", seconds)
+    written = on_terminal(ehd, "verify", "--rung", "11", "--quick")
+    require(re.search(r"\rverify \d+/\d+, [\d.]+ (s|min)", written), "verify does not show its time", written)
     return 0
 
 
