@@ -20,6 +20,11 @@ constexpr double same_deg = 1e-12;
 
 Speeds speeds_from_rpm(double inner_rpm, double outer_rpm) { return {inner_rpm * pi / 30, outer_rpm * pi / 30}; }
 
+int most_rollers(double pitch_diameter_m, double roller_diameter_m) {
+  constexpr double rounding = 1e-9;  // six rollers of half the pitch circle touch, and fit
+  return static_cast<int>(pi / std::asin(roller_diameter_m / pitch_diameter_m) + rounding);
+}
+
 double raceway_radius_m(const Geometry& geometry, Raceway raceway) {
   const double sign = raceway == Raceway::inner ? -1 : 1;
   return (geometry.pitch_diameter_m + sign * geometry.roller_diameter_m) / 2;

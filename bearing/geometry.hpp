@@ -28,6 +28,9 @@ struct Speeds {
 };
 [[nodiscard]] Speeds speeds_from_rpm(double inner_rpm, double outer_rpm);
 
+/// The most rollers that fit beside each other without a cage: the whole part of pi/asin(D/d_m).
+[[nodiscard]] int most_rollers(double pitch_diameter_m, double roller_diameter_m);
+
 enum class Raceway { inner, outer };
 [[nodiscard]] inline std::string_view to_string(Raceway raceway) {
   return raceway == Raceway::inner ? "inner" : "outer";

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "bearing/geometry.hpp"
 #include "contact/text.hpp"
 #include "io/case_keys.hpp"
 
@@ -48,6 +49,29 @@ std::string explained(const CaseKey& key) {
       fmt::format("{}{}; {}{}{}", key.meaning, unit_of(key), text_of(key.allowed), need.empty() ? "" : "; ", need));
 }
 
+/// An example of io/case_keys, which is a number.
+double example_number(std::string_view table, std::string_view key) {
+  return std::stod(std::string(row_of_case_key(fmt::format("{}.{}", table, key)).example));
+}
+
+/// How many rollers of the example's diameters fit without a cage.
+int full_complement() {
+  return bearing::most_rollers(example_number("bearing", "pitch_diameter_m"),
+                               example_number("bearing", "roller_diameter_m"));
+}
+
+/// What a key means in a bearing of this type, where that is something else than in one row between two rings.
+std::string remark_on(const BearingType& type, std::string_view key) {
+  const bool several = type.rows > 1;
+  if (key == "rollers" && type.full_complement)
+    return fmt::format("{}without a cage at most {} fit: the whole part of pi/asin(roller_diameter_m/pitch_diameter_m)",
+                       several ? "of one row; " : "", full_complement());
+  if (key == "rollers" || key == "length_m") return several ? "of one row" : "";
+  if (key == "radial_load_N" && several)
+    return fmt::format("of one row: 1/{} of the bearing's load, if the rows share it", type.rows);
+  return key == "clearance_m" ? std::string(type.clearance) : "";
+}
+
 /// What a new case has as keys; all else is a comment in it.
 bool is_written(const CaseKey& key) { return key.need == Need::always || key.in_new; }
 
@@ -58,13 +82,15 @@ bool is_written(const CaseTable& table, CaseKind kind) {
   return table.role == TableRole::heading;
 }
 
-std::string value_of(const CaseKey& key, CaseKind kind, const std::string& id) {
+/// `type`: of a bearing; null where none is asked for.
+std::string value_of(const CaseKey& key, CaseKind kind, const std::string& id, const BearingType* type) {
+  if (key.name == "rollers" && type && type->full_complement) return std::to_string(full_complement());
   if (key.name == "id") return "\"" + id + "\"";
   if (key.name == "title") return kind == CaseKind::contact ? "\"a contact\"" : "\"a bearing\"";
   return std::string(key.example);
 }
 
-std::string written(const CaseTable& table, CaseKind kind, const std::string& id) {
+std::string written(const CaseTable& table, CaseKind kind, const std::string& id, const BearingType* type) {
   const bool whole = is_written(table, kind);
   const std::string off = whole ? "" : "# ";
   std::string text = "\n";
@@ -77,7 +103,9 @@ std::string written(const CaseTable& table, CaseKind kind, const std::string& id
   for (const CaseKey& key : table.keys) {
     if (key.bearing_only && kind == CaseKind::contact) continue;
     text += explained(key);
-    text += fmt::format("{}{} = {}\n", whole && is_written(key) ? "" : "# ", key.name, value_of(key, kind, id));
+    if (const std::string remark = type ? remark_on(*type, key.name) : ""; !remark.empty())
+      text += comment(fmt::format("{}: {}", type->name, remark));
+    text += fmt::format("{}{} = {}\n", whole && is_written(key) ? "" : "# ", key.name, value_of(key, kind, id, type));
   }
   return text;
 }
@@ -97,7 +125,8 @@ std::string cell(std::string text) {
 std::string default_of(const CaseKey& key) { return key.need == Need::always ? "needed" : need_of(key); }
 
 /// `of_kind`: the lines of the head that only this kind of case has.
-std::string template_of(CaseKind kind, const std::string& id, const std::string& of_kind) {
+std::string template_of(CaseKind kind, const std::string& id, const std::string& of_kind,
+                        const BearingType* type = nullptr) {
   std::string text =
       comment(
           fmt::format("A {} case for ehd. Lines with # are comments: meaning [unit]; what is allowed; default. Every "
@@ -105,7 +134,7 @@ std::string template_of(CaseKind kind, const std::string& id, const std::string&
                       kind == CaseKind::contact ? "contact" : "bearing")) +
       comment(fmt::format("Then: ehd {} FILE", kind == CaseKind::contact ? "solve" : "bearing")) + of_kind;
   for (const CaseTable& table : case_tables())
-    if (kind == CaseKind::contact ? table.in_contact : table.in_bearing) text += written(table, kind, id);
+    if (kind == CaseKind::contact ? table.in_contact : table.in_bearing) text += written(table, kind, id, type);
   return text;
 }
 
@@ -119,7 +148,8 @@ std::string case_template(CaseKind kind, const std::string& id) {
 }
 
 std::string bearing_template(const BearingType& type, const std::string& id) {
-  return template_of(CaseKind::bearing, id, comment(fmt::format("{}: {}. {}", type.name, type.what, type.stated)));
+  return template_of(CaseKind::bearing, id, comment(fmt::format("{}: {}. {}", type.name, type.what, type.stated)),
+                     &type);
 }
 
 std::string case_key_tables() {

@@ -28,6 +28,12 @@ BOOST_AUTO_TEST_SUITE(geometry)
 // Radii, moduli, speeds and centrifugal forces are judged by the claims bearing/kinematics/* and
 // bearing/centrifugal-209 (verification/claims).
 
+BOOST_AUTO_TEST_CASE(a_ring_without_a_cage_is_full_when_its_rollers_touch) {
+  BOOST_TEST(most_rollers(2, 1) == 6);  // a hexagon of centres
+  BOOST_TEST(most_rollers(2, 1 + 1e-6) == 5);
+  BOOST_TEST(most_rollers(0.065, 0.010) == 20);
+}
+
 // Invariant.
 BOOST_AUTO_TEST_CASE(rollers_at_mirrored_azimuths_form_one_group) {
   Geometry bearing = needle_bearing();

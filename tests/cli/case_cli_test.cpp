@@ -30,7 +30,6 @@ BOOST_AUTO_TEST_CASE(set_gives_one_key_another_value_and_the_result_says_so) {
   BOOST_TEST(!json::parse(stated.out).contains("set"));
 }
 
-
 BOOST_AUTO_TEST_CASE(set_gives_a_key_that_holds_a_list_another_list) {
   const test::Folder folder;
   const auto ended = test::ehd_run(folder, "bearing na4908 --law ehd-linear --set 'fit.load_N=[2500, 11e3]' --json -");
@@ -163,7 +162,11 @@ BOOST_AUTO_TEST_CASE(near_misses_of_words_are_named) {
         {"bench --part coste", "--part = coste: is unknown; did you mean cost? allowed is"},
         {"solve --M 20 --L 10 --density dowson-higinson", "did you mean dowson-higginson?"},
         {"bearing na4908 --set bearing.load_N=1e4", "did you mean operation.radial_load_N?"},
-        {"convert l=10", "l: is unknown; did you mean L?"}})
+        {"convert l=10", "l: is unknown; did you mean L?"},
+        {"convert m=20 L=10", "m: is unknown; did you mean M? allowed is M, L, lambda, alpha_p_H, W, U_mean, G"},
+        {"convert u=1e-11", "u: is unknown; did you mean U_mean?"},
+        {"convert Q=20", "Q: is unknown; allowed is M, L, lambda, alpha_p_H, W, U_mean, G"},
+        {"solve --m 20 --L 10", "--m: unknown; did you mean --M?"}})
     test::check_refused(folder, arguments, says);
 }
 

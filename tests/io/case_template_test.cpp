@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <numbers>
 #include <set>
 #include <string>
 #include <string_view>
@@ -60,6 +62,21 @@ BOOST_AUTO_TEST_CASE(every_type_of_bearing_has_a_template_that_says_how_it_is_st
     for (const std::string& line : lines_of(text)) BOOST_TEST(line.size() <= 100u, line);
   }
   BOOST_TEST(names.size() >= 10u);
+}
+
+BOOST_AUTO_TEST_CASE(keys_that_mean_something_else_in_a_type_say_so_and_a_full_complement_is_full) {
+  for (const BearingType& type : bearing_types) {
+    const std::string text = bearing_template(type, "mine");
+    const auto geometry = std::get<BearingCase>(read_case(text, "mine.toml").body).geometry;
+    const auto has = [&](const std::string& remark) {
+      return text.find(fmt::format("# {}: {}", type.name, remark)) != std::string::npos;
+    };
+    const double room = std::numbers::pi / std::asin(geometry.roller_diameter_m / geometry.pitch_diameter_m);
+    BOOST_TEST((geometry.rollers <= room && geometry.rollers + 1 > room) == type.full_complement, type.name);
+    BOOST_TEST(has(type.rows > 1 ? "of one row; without a cage" : "without a cage") == type.full_complement, type.name);
+    BOOST_TEST(has(fmt::format("of one row: 1/{} of the bearing's load", type.rows)) == (type.rows > 1), type.name);
+    if (!type.clearance.empty()) BOOST_TEST(has(std::string(type.clearance)), type.name);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_new_case_names_every_key_of_its_kind_with_unit_and_meaning) {
