@@ -70,15 +70,19 @@ std::vector<BearingCurves> curves_of(const std::vector<BearingResult>& results) 
   return laws;
 }
 
-/// Forces above displacements.
-Figure over_azimuth(const std::string& id, const std::string& title, const std::vector<BearingCurves>& laws) {
+/// Forces above displacements. `bearing`: its name in the titles of both; empty where it stands alone.
+Figure over_azimuth(const std::string& id, const std::string& bearing, const std::vector<BearingCurves>& laws) {
+  const auto titled = [&](const std::string& what) {
+    return bearing.empty() ? what + " over the azimuth" : bearing + ": " + what;
+  };
+  const std::string force = titled("contact force"), displacement = titled("displacement");
   Figure figure{.id = id,
-                .title = title,
+                .title = force,
                 .description =
                     "Contact force and displacement of each roller at the inner raceway over its azimuth, "
                     "a curve a law."};
-  figure.panels = {report::azimuth_panel(OverAzimuth::force, title, laws),
-                   report::azimuth_panel(OverAzimuth::displacement, "", laws)};
+  figure.panels = {report::azimuth_panel(OverAzimuth::force, force, laws),
+                   report::azimuth_panel(OverAzimuth::displacement, displacement, laws)};
   return figure;
 }
 
@@ -186,7 +190,8 @@ std::optional<std::string> bearing_picture(const std::vector<Case>& cases,
   const std::string down = "the external load points down";
   const bool polar = bearings.size() <= most_columns;
   if (alone)
-    tiles = {draw(polar_plot("polar", "Load on each roller; " + down, bearings.front(), 0), report::Place::page)};
+    tiles = {
+        draw(polar_plot("polar", "Contact force of each roller; " + down, bearings.front(), 0), report::Place::page)};
   else if (polar)
     tiles = polar_tiles(names, bearings);
   for (const Figure& figure : figures) tiles.push_back(draw(figure, report::Place::page));

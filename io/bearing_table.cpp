@@ -82,7 +82,7 @@ std::vector<RollerColumn> columns_of(const BearingResult& result) {
     return value && bearing::is_loaded(inner.force_N, largest) ? fixed(unit * *value, decimals) : "-";
   };
   std::vector<RollerColumn> columns{
-      {"Q_i", "N", [](const ContactRow& inner) { return fixed(inner.force_N, 1); }},
+      {"f_i", "N", [](const ContactRow& inner) { return fixed(inner.force_N, 1); }},
       {"p_H", "MPa", [=](const ContactRow& inner) { return if_loaded(inner, inner.hertz_pressure_Pa, 1e-6, 0); }}};
   if (!needs_film(result.law)) return columns;
   columns.push_back(
@@ -201,7 +201,7 @@ std::string dynamics_table(const std::vector<BearingResult>& results) {
 std::string contacts_in_motion(const BearingResult& result) {
   if (result.dynamics.empty() || !result.dynamics.front().ring.damping_N_s_per_m) return "";
   const DynamicRow& at = result.dynamics.front();
-  Rows rows{{"psi deg", "Q_i N", "inner: N/um", "N s/m", "outer: N/um", "N s/m"}};
+  Rows rows{{"psi deg", "f_i N", "inner: N/um", "N s/m", "outer: N/um", "N s/m"}};
   for (const auto& [j, azimuth] : shown_rollers(result.rollers)) {
     const bearing::RollerMotion& roller = at.rollers[j];
     std::vector<std::string> row{azimuth, fixed(result.rollers[j].inner.force_N, 1)};
@@ -218,7 +218,7 @@ std::string contacts_in_motion(const BearingResult& result) {
 /// The ring over the positions of the cage, where the request has any.
 std::string cage_table(const std::vector<BearingResult>& results) {
   Rows rows{{"cage turning", "positions", "displacement um: mean", "peak to peak", "lateral um: mean", "peak to peak",
-             "largest Q_i N"}};
+             "largest f_i N"}};
   for (const BearingResult& result : results) {
     if (result.rollers.empty() || !result.cage) continue;
     const auto& along = result.cage->displacement_m;

@@ -114,7 +114,7 @@ BOOST_AUTO_TEST_CASE(a_new_bearing_is_balanced_as_it_stands_and_never_overwritte
 BOOST_AUTO_TEST_CASE(a_bearing_shows_its_summary_first_and_costs_only_with_details) {
   const test::Folder folder;
   const auto brief = test::ehd_run(folder, "bearing iso-6-rollers --law iso");
-  BOOST_TEST(brief.out.find("largest roller load [N]") < brief.out.find("Q_i"));
+  BOOST_TEST(brief.out.find("largest roller load [N]") < brief.out.find("f_i"));
   BOOST_TEST(brief.out.find("balance error") == std::string::npos);
   const auto details = test::ehd_run(folder, "bearing iso-6-rollers --law iso --details");
   BOOST_TEST(details.out.find("balance error") != std::string::npos);

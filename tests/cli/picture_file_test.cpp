@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "tests/check.hpp"
 #include "tests/files.hpp"
@@ -55,6 +56,20 @@ BOOST_AUTO_TEST_CASE(the_end_of_the_name_says_what_the_picture_is) {
   for (const char* name : {"a.pdf", "a.PNG", "a.svg.gz"})
     test::check_refused(folder, plotted + (folder.path() / name).string(), "allowed is .svg or .png");
   test::check_refused(folder, "bearing na4908 --plot " + (folder.path() / "a.pdf").string(), "allowed is .svg or .png");
+}
+
+BOOST_AUTO_TEST_CASE(every_panel_of_a_bearing_has_a_title) {
+  const test::Folder folder;
+  const auto file = folder.path() / "a.svg";
+  const auto titles = [&](const std::string& cases, const std::vector<std::string>& named) {
+    BOOST_TEST(test::ehd_run(folder, "bearing " + cases + " --law hertz --plot " + file.string()).exit_code == 0);
+    const std::string picture = test::read(file);
+    for (const std::string& title : named) BOOST_TEST(picture.find(">" + title) != std::string::npos, title);
+  };
+  titles("iso-6-rollers", {"Contact force of each roller; the external load points down",
+                           "contact force over the azimuth", "displacement over the azimuth"});
+  titles("iso-6-rollers na4908", {"iso-6-rollers: contact force", "na4908: contact force",
+                                  "iso-6-rollers: displacement", "na4908: displacement"});
 }
 
 BOOST_AUTO_TEST_CASE(a_png_has_two_pixels_for_each_unit_of_the_figure) {

@@ -107,7 +107,7 @@ BOOST_AUTO_TEST_CASE(the_rollers_table_has_load_pressure_film_and_lambda_ratio) 
   const Case one = made::needle_bearing(10e-6);
   const std::string text = human_table(one, {made_result()});
   for (const char* row :
-       {"ehd: Q_i   p_H    h_i  lambda", "0        900.0  1200  0.310    3.10", "180        5.0     -      -       -"})
+       {"ehd: f_i   p_H    h_i  lambda", "0        900.0  1200  0.310    3.10", "180        5.0     -      -       -"})
     BOOST_CHECK_MESSAGE(says(text, row), row << " is not in\n" << text);
   BOOST_TEST(!says(text, "delta_i"));
   BOOST_TEST(says(human_table(one, {made_result()}, {.details = true}), "delta_i"));

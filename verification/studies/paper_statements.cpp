@@ -123,7 +123,7 @@ PaperStatement judge_a(const ClearanceComparison& smallest) {
               1e6 * smallest.clearance_m),
           .holds = similar && lower,
           .holds_at_top = std::abs(top) <= similar_load && lower,
-          .numbers = fmt::format("Q(0) dry {:.0f} N, EHD {:.0f} N: {:+.1f} %; {}, {}: at most {:g} %; {}: they {}",
+          .numbers = fmt::format("f_i(0) dry {:.0f} N, EHD {:.0f} N: {:+.1f} %; {}, {}: at most {:g} %; {}: they {}",
                                  top_force_N(smallest.dry), top_force_N(smallest.film), 100 * top, words_of(most),
                                  similar ? "similar" : "not similar", 100 * similar_load, words_of(further),
                                  further.change_N < 0 ? "decrease, as printed" : "do not decrease"),
@@ -191,22 +191,23 @@ PaperStatement judge_c(const ClearanceComparison& smallest, const ClearanceCompa
   const FurtherOut further = further_out(largest);
   const bool close_at_top = std::abs(near) <= close_load, close = close_at_top && most.share <= close_load;
   const bool opposite = far > 0 && further.change_N < 0;
-  return {.letter = 'c',
-          .statement = fmt::format(
-              "at P_d = {:g} um EHD is close to Hertz; at {:g} um it raises the roller load near psi = 0 and lowers it "
-              "further out",
-              1e6 * middle.clearance_m, 1e6 * largest.clearance_m),
-          .holds = close && opposite,
-          .holds_at_top = close_at_top && opposite,
-          .numbers = fmt::format(
-              "Q(0) at {:g} um {:.0f} -> {:.0f} N ({:+.1f} %, {}); {}, {}: at most {:g} %; at {:g} um {:.0f} -> {:.0f} "
-              "N ({:+.1f} %), {} ({})",
-              1e6 * middle.clearance_m, top_force_N(middle.dry), top_force_N(middle.film), 100 * near,
-              close_at_top ? "close" : "not close", words_of(most), close ? "close" : "not close", 100 * close_load,
-              1e6 * largest.clearance_m, top_force_N(largest.dry), top_force_N(largest.film), 100 * far,
-              words_of(further), opposite ? "as said" : "not as said"),
-          .parts = {{"close", close}, {"close at psi = 0", close_at_top}, {"closest", closest}, {"opposite", opposite}},
-          .values = {{"middle", near}, {"largest", far}, {"apart", most.share}}};
+  return {
+      .letter = 'c',
+      .statement = fmt::format(
+          "at P_d = {:g} um EHD is close to Hertz; at {:g} um it raises the roller load near psi = 0 and lowers it "
+          "further out",
+          1e6 * middle.clearance_m, 1e6 * largest.clearance_m),
+      .holds = close && opposite,
+      .holds_at_top = close_at_top && opposite,
+      .numbers = fmt::format(
+          "f_i(0) at {:g} um {:.0f} -> {:.0f} N ({:+.1f} %, {}); {}, {}: at most {:g} %; at {:g} um {:.0f} -> {:.0f} "
+          "N ({:+.1f} %), {} ({})",
+          1e6 * middle.clearance_m, top_force_N(middle.dry), top_force_N(middle.film), 100 * near,
+          close_at_top ? "close" : "not close", words_of(most), close ? "close" : "not close", 100 * close_load,
+          1e6 * largest.clearance_m, top_force_N(largest.dry), top_force_N(largest.film), 100 * far, words_of(further),
+          opposite ? "as said" : "not as said"),
+      .parts = {{"close", close}, {"close at psi = 0", close_at_top}, {"closest", closest}, {"opposite", opposite}},
+      .values = {{"middle", near}, {"largest", far}, {"apart", most.share}}};
 }
 
 /// With growing clearance delta_i grows at psi = 0 and falls at 90 degrees: the displacements concentrate.

@@ -273,7 +273,7 @@ std::vector<std::string> study_cells(const StudyRow& row) {
 std::string human_study(const std::vector<StudyRow>& rows) {
   std::string text;
   for (const bearing::Law law : film_laws()) {
-    std::vector<std::vector<std::string>> table{{"changed", "to", "(a)", "Q(0) %", "apart %", "(b)", "delta_i(0) %",
+    std::vector<std::vector<std::string>> table{{"changed", "to", "(a)", "f_i(0) %", "apart %", "(b)", "delta_i(0) %",
                                                  "loaded %", "(c)", "middle %", "apart %", "largest %", "(d)",
                                                  "x_0 for (a)..(d)", "at psi = 0 alone", "with a mild (c)"}};
     for (const StudyRow& row : rows)
