@@ -72,10 +72,9 @@ std::vector<BearingCurves> curves_of(const std::vector<BearingResult>& results) 
 
 /// Forces above displacements. `bearing`: its name in the titles of both; empty where it stands alone.
 Figure over_azimuth(const std::string& id, const std::string& bearing, const std::vector<BearingCurves>& laws) {
-  const auto titled = [&](const std::string& what) {
-    return bearing.empty() ? what + " over the azimuth" : bearing + ": " + what;
-  };
-  const std::string force = titled("contact force"), displacement = titled("displacement");
+  const bool alone = bearing.empty();
+  const std::string force = alone ? "Contact force over the azimuth" : bearing + ": contact force",
+                    displacement = alone ? "Displacement over the azimuth" : bearing + ": displacement";
   Figure figure{.id = id,
                 .title = force,
                 .description =

@@ -16,8 +16,13 @@ namespace ehd::cli {
 
 namespace {
 
-constexpr std::size_t widest = 76;  // a terminal has 80 columns
+constexpr std::size_t widest = 79;  // a terminal has 80 columns
 constexpr auto pause = std::chrono::seconds(1);
+
+std::string cut(const std::string& text, std::size_t columns) {
+  constexpr std::size_t dots = 3;
+  return text.size() <= columns ? text : shortened(text, columns - dots);
+}
 
 }  // namespace
 
@@ -61,7 +66,7 @@ void Progress::show(const std::string& line) {
   if (line.empty()) return show(Line());
   show([line = one_line(line)](double passed_s) {
     const std::string time = passed_s < 1 ? "" : ", " + duration(passed_s);
-    return shortened(line, widest - time.size()) + time;
+    return cut(line, widest - time.size()) + time;
   });
 }
 
@@ -74,7 +79,7 @@ void Progress::step(std::size_t done, std::size_t all, const std::string& what) 
 void Progress::draw() {
   if (!line_ && shown_ == 0) return;
   // Spaces and carriage returns only, so that it needs no terminal codes.
-  const std::string text = line_ ? shortened(one_line(line_(passed_s())), widest) : "";
+  const std::string text = line_ ? cut(one_line(line_(passed_s())), widest) : "";
   std::cerr << '\r' << text << std::string(shown_ > text.size() ? shown_ - text.size() : 0, ' ') << '\r' << text
             << std::flush;
   shown_ = text.size();

@@ -67,7 +67,7 @@ BOOST_AUTO_TEST_CASE(every_panel_of_a_bearing_has_a_title) {
     for (const std::string& title : named) BOOST_TEST(picture.find(">" + title) != std::string::npos, title);
   };
   titles("iso-6-rollers", {"Contact force of each roller; the external load points down",
-                           "contact force over the azimuth", "displacement over the azimuth"});
+                           "Contact force over the azimuth", "Displacement over the azimuth"});
   titles("iso-6-rollers na4908", {"iso-6-rollers: contact force", "na4908: contact force",
                                   "iso-6-rollers: displacement", "na4908: displacement"});
 }
