@@ -147,7 +147,7 @@ BOOST_AUTO_TEST_CASE(bad_case_text_names_its_line) {
   check_refused(solve("\x01"), "control character");
   check_refused(solve("\xff"), "UTF-8");
   check_refused(solve(std::string(100000, '#')), "is larger than");
-  check_refused(solve("id = 1\n"), "case:1: version: is missing");
+  check_refused(solve("id = 1\n[conditions]\n"), "case:1: version: is missing");
   const std::string id = "\"own-moes-20-10\"";
   std::string numbered = good, wrong = good;
   numbered.replace(numbered.find(id), id.size(), "1");
