@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fast/mapped_start.hpp"
 
+#include <algorithm>
 #include <numbers>
 #include <span>
 
@@ -29,6 +30,16 @@ constexpr double near_share = 0.25;
 
 std::span<const int> grids_for_maps(Care care) {
   return std::span(map_grids).first(care == Care::least ? 0 : care == Care::little ? 1 : 3);
+}
+
+/// Levels the spike: behind the first maximum the pressure never rises. A neighbour's spike stands beside the place of
+/// the new one, and Newton moves it by a node a step, while a new one grows where it belongs. Newton steps of 11
+/// contacts from a neighbour 5 % away in M and 3 % in L, to 1e-4: 351 with its spike, 320 without; from nothing 355.
+void level_spike(Array& P) {
+  const Eigen::Index exit = P.size() - 1;
+  Eigen::Index top = 1;
+  while (top + 1 < exit && P[top + 1] >= P[top]) ++top;
+  for (Eigen::Index i = top + 1; i < exit; ++i) P[i] = std::min(P[i], P[i - 1]);
 }
 
 /// run.state, which began as `before`, has moved less than a near neighbour's solution does.
@@ -74,13 +85,16 @@ Attempt solve_on(Run& run, double film, const Target& target) {
 
 std::optional<Known> start(Run& run, const Recipe& recipe, const Solution* from, Care care) {
   auto grids = recipe.remaps ? grids_for_maps(care) : std::span<const int>();
-  // At loose tolerances a neighbour's solution costs more steps than a start from nothing, because its spike is
-  // sharper: 634 against 546 at 24 problems, 2 and 10 % away in M and L. At tighter ones it costs as many.
+  // At loose tolerances a neighbour's solution costs more steps than a start from nothing: 634 against 546 at 24
+  // problems, 2 and 10 % away in M and L. At tighter ones it saves a tenth.
   if (from && care == Care::full) {
     const Known known = known_of(from->fields);
     const InletTail tail = run.setting.with_tail ? first_tail(run.setting, run.lengths.film) : InletTail{};
     run.state = on_new_map(run, known, tail, recipe.map, 2 * recipe.fineness * first_mapped_nodes);
     const State before = run.state;
+    level_spike(run.state.P);
+    run.state.offset =
+        offset_for(known.film, run.setting, run.state, grid_of(run, 2 * recipe.fineness * first_mapped_nodes));
     if (!solve_on(run, known.film, for_maps).succeeded) return std::nullopt;
     if (was_near(run, before)) grids = {};
   } else {

@@ -263,7 +263,7 @@ BOOST_AUTO_TEST_CASE(corners_of_the_box_converge) {
   BOOST_REQUIRE_EQUAL(rows, 34);
 }
 
-BOOST_AUTO_TEST_CASE(a_neighbours_solution_as_start_gives_the_same_films_for_as_many_steps) {
+BOOST_AUTO_TEST_CASE(a_neighbours_solution_as_start_gives_the_same_films_for_fewer_steps) {
   int rows = 0;
   long warm_steps = 0, cold_steps = 0;
   for (const Truth& truth : truths) {
@@ -287,7 +287,15 @@ BOOST_AUTO_TEST_CASE(a_neighbours_solution_as_start_gives_the_same_films_for_as_
   BOOST_REQUIRE_EQUAL(rows, known);
   BOOST_TEST_MESSAGE(warm_steps << " Newton steps instead of " << cold_steps);
   EHD_CHECK(static_cast<double>(warm_steps) / static_cast<double>(cold_steps),
-            Tolerance::required(1, "a start that costs no more than one from nothing, over all problems"));
+            Tolerance::required(0.95, "a start that is worth having, over all problems"));
+}
+
+BOOST_AUTO_TEST_CASE(the_far_inlet_costs_no_newton_steps) {
+  // Flux errors in units of H_n, which the far inlet decides, take 440 steps here; those in units of the oil 355.
+  long steps = 0;
+  for (const Truth& truth : truths)
+    steps += fast::Mapped{}.solve(problem_of(truth), {.tolerance = 1e-4}).record.cost.newton_iterations;
+  EHD_CHECK(static_cast<double>(steps), Tolerance::required(400, "halfway between both"));
 }
 
 BOOST_AUTO_TEST_CASE(a_useless_start_is_replaced_by_a_cold_one) {
@@ -376,6 +384,12 @@ BOOST_AUTO_TEST_CASE(flux_is_constant_and_the_load_is_carried) {
     }
   }
   BOOST_REQUIRE_EQUAL(rows, known);
+}
+
+BOOST_AUTO_TEST_CASE(a_given_grid_is_solved_to_rounding_in_the_far_inlet_too) {
+  const Solution solution = fast::Mapped{}.solve(roelands_problem(200, 15, Flooded{}), {.tolerance = {}, .nodes = 512});
+  // 1.3e-10; where flux errors count in units of the oil alone, 9e-10 is left far out.
+  EHD_CHECK(film(solution, Quantity::flux_variation), Tolerance::iteration(4e-10, 1));
 }
 
 BOOST_AUTO_TEST_CASE(plain_films_converge_with_the_declared_order_and_extrapolation_is_worth_it) {
