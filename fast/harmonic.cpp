@@ -80,17 +80,19 @@ Harmonic::Harmonic(const Setting& setting, const NodeFields& nodes, const State&
 
 /// The tail's answer to the film and the pressure of a change. Its own film and load become part of the change.
 template <class Scalar>
-void Harmonic::answer_of_tail(Scalar rate, StepOf<Scalar>& u, ChangeOf<Scalar>& change, const MovedNodes& moved) const {
-  const Scalar load = jacobian_.length * u.integral + jacobian_.load_by_exit * u.exit + moved.error.load;
+void Harmonic::answer_of_tail(Scalar rate, StepOf<Scalar>& u, ChangeOf<Scalar>& change,
+                              const Beyond<Scalar>& beyond) const {
+  const Scalar load = jacobian_.length * u.integral + jacobian_.load_by_exit * u.exit + beyond.load;
   u.P[0] = Scalar(0);
-  const Scalar moment = (moment_ * u.P).sum() + moment_by_exit_ * u.exit + moved.moment;
+  const Scalar moment = (moment_ * u.P).sum() + moment_by_exit_ * u.exit + beyond.moment;
   MovingTail::Answer<Scalar> tail = MovingTail::Answer<Scalar>::Zero();
   for (int turn = 0; turn < tail_turns; ++turn) {
-    const Scalar flux =
-        jacobian_.density_at_exit * change.film[nodes_.n] + rate * (squeeze_.inflow(u, change.film) + moved.inflow);
+    const Scalar flux = jacobian_.density_at_exit * change.film[nodes_.n] +
+                        rate * (squeeze_.inflow(u, change.film) + beyond.inflow) + beyond.flux;
     const auto before = tail;
-    tail = tail_->answer(
-        rate, MovingTail::Drive<Scalar>{change.film[0], load + tail[0] + load_by_first_ * tail[1], moment, flux});
+    tail = tail_->answer(rate, MovingTail::Drive<Scalar>{change.film[0], load + tail[0] + load_by_first_ * tail[1],
+                                                         moment, flux}) +
+           beyond.own;
     change.film.matrix() += film_by_tail_ * (tail - before).template tail<6>();
     u.P[0] = tail[1];
   }
@@ -287,7 +289,10 @@ ChangeOf<Scalar> Harmonic::by_moved_nodes(Scalar rate, const MovedNodes& moved) 
   ChangeOf<Scalar> change, by_tail;
   change.load = moved.error.load;
   change.film = moved.film;
-  if (tail_) answer_of_tail(rate, tail, change, moved);
+  if (tail_)
+    answer_of_tail(
+        rate, tail, change,
+        Beyond<Scalar>{.load = moved.error.load, .moment = Scalar(moved.moment), .inflow = Scalar(moved.inflow)});
   by_tail.film = change.film - moved.film;
   jacobian_.change_residual(tail, by_tail);
   change.flux = moved.error.flux + by_tail.flux - rate * moved.squeeze;
@@ -301,19 +306,36 @@ ArrayOf<Complex> Harmonic::feature(const Waviness& waviness) const {
 
 Harmonic::Motion<Complex> Harmonic::of_sources(Complex rate, const Sources& sources, double residual,
                                                const MovedNodes* moved, const Motion<Complex>* coarser) {
-  const StepOf<Complex> none{.P = ArrayOf<Complex>::Zero(nodes_.n + 1)};
+  StepOf<Complex> tail{.P = ArrayOf<Complex>::Zero(nodes_.n + 1)};
   ChangeOf<Complex> change;
-  change.film = sources.feature;
-  jacobian_.change_residual(none, change);
-  squeeze_.subtract(rate, none, change);
-  return solved(rate, ResidualOf<Complex>{.flux = sources.flux - change.flux, .load = sources.load}, residual, moved,
-                coarser);
+  change.film = ArrayOf<Complex>::Zero(nodes_.n + 1);
+  if (tail_) answer_of_tail(rate, tail, change, sources.beyond);
+  const Complex load = change.load;
+  change.film += sources.feature;
+  jacobian_.change_residual(tail, change);
+  squeeze_.subtract(rate, tail, change);
+  const ResidualOf<Complex> drive{.flux = sources.flux - change.flux, .load = sources.load - load};
+  Motion<Complex> found = solved(rate, drive, residual, moved, coarser);
+  found.driving_film = std::move(change.film);
+  return found;
+}
+
+/// F_1(X_a) without the wave of the flux, rho_n R(X*) + i Omega Int rho R dX - S R(X_a), in which only the compressed
+/// oil needs the nodes.
+Harmonic::Beyond<Complex> Harmonic::beyond(const Waviness& waviness, const ArrayOf<Complex>& feature) const {
+  if (!tail_) return {};
+  const Array denser = nodes_.length / nodes_.n * nodes_.grid->slope * (nodes_.density.value - 1);
+  return {.flux = (jacobian_.density_at_exit - waviness.slip) * feature[nodes_.n] +
+                  Complex(0, waviness.Omega()) * (denser * feature).sum(),
+          .own = tail_->answer(waviness)};
 }
 
 Harmonic::Motion<Complex> Harmonic::of_waviness(const Waviness& waviness, double residual, const MovedNodes* moved,
                                                 const Motion<Complex>* coarser) {
+  const ArrayOf<Complex> R = feature(waviness);
   return of_sources(Complex(0, waviness.Omega()),
-                    {.feature = feature(waviness), .flux = ArrayOf<Complex>::Zero(nodes_.n)}, residual, moved, coarser);
+                    {.feature = R, .flux = ArrayOf<Complex>::Zero(nodes_.n), .beyond = beyond(waviness, R)}, residual,
+                    moved, coarser);
 }
 
 /// At X = 0, of the film H_1 at nodes that move by X_1: by the cubic through the four nodes about it.
@@ -339,7 +361,7 @@ Complex Harmonic::at_centre(const ArrayOf<Complex>& H_1, const ArrayOf<Complex>&
 std::optional<Complex> Harmonic::central_film(const Waviness& waviness, Motion<Complex>& motion,
                                               const MovedNodes* moved) {
   if (state_.exit <= 0) return std::nullopt;
-  const ArrayOf<Complex> H_1 = change_by(Complex(0, waviness.Omega()), motion).film + feature(waviness);
+  const ArrayOf<Complex> H_1 = change_by(Complex(0, waviness.Omega()), motion).film + motion.driving_film;
   ArrayOf<Complex> X_1 = nodes_.grid->place * motion.u.exit;
   if (moved) X_1 += motion.m * nodes_.length * moved->place;
   return at_centre(H_1, X_1) - 1.0;

@@ -40,6 +40,7 @@ class Harmonic {
     StepOf<Scalar> u;
     Scalar m{0};
     double residual = 1;
+    ArrayOf<Scalar> driving_film = {};  ///< n + 1: R_1, and the film of the far inlet's answer to it; none for a load
   };
   /// For a load of amplitude 1, R_1 = 0. Nodes follow the spike where `moved` is given, that of this grid. `coarser`:
   /// the motion on the grid with half as many intervals, from which the iteration starts. The iteration ends where at
@@ -51,11 +52,18 @@ class Harmonic {
   [[nodiscard]] Motion<Complex> of_waviness(const Waviness& waviness, double residual,
                                             const MovedNodes* moved = nullptr,
                                             const Motion<Complex>* coarser = nullptr);
+  /// What drives the far inlet besides the change u: of nodes that move, or of a waviness.
+  template <class Scalar>
+  struct Beyond {
+    Scalar load{0}, moment{0}, inflow{0}, flux{0};
+    MovingTail::Answer<Scalar> own = MovingTail::Answer<Scalar>::Zero();
+  };
   /// What drives a motion besides the bodies.
   struct Sources {
     ArrayOf<Complex> feature;  ///< R_1 at the nodes, n + 1
     ArrayOf<Complex> flux;     ///< of the flux errors, n faces
     Complex load = 0;          ///< W_1
+    Beyond<Complex> beyond = {};
   };
   [[nodiscard]] Motion<Complex> of_sources(Complex rate, const Sources& sources, double residual,
                                            const MovedNodes* moved = nullptr, const Motion<Complex>* coarser = nullptr);
@@ -109,7 +117,9 @@ class Harmonic {
   template <class Scalar>
   [[nodiscard]] const ChangeOf<Scalar>& change_by(Scalar rate, Motion<Scalar>& motion);
   template <class Scalar>
-  void answer_of_tail(Scalar rate, StepOf<Scalar>& u, ChangeOf<Scalar>& change, const MovedNodes& moved = {}) const;
+  void answer_of_tail(Scalar rate, StepOf<Scalar>& u, ChangeOf<Scalar>& change,
+                      const Beyond<Scalar>& beyond = {}) const;
+  [[nodiscard]] Beyond<Complex> beyond(const Waviness& waviness, const ArrayOf<Complex>& feature) const;
   template <class Scalar>
   [[nodiscard]] ChangeOf<Scalar> by_moved_nodes(Scalar rate, const MovedNodes& moved);
   template <class Scalar>

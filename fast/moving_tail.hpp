@@ -4,10 +4,15 @@
 //   H_1(x) = H_1(X_a) - (W_1/pi) ln(x/x_a) - (m_1/pi)(1/x - 1/x_a),  F_1(x) = F_1(X_a) + s Int_(x_a)^x H_1 dx',
 //   Q_1(x) = lambda Int_x^inf [ (-2/H^3 + 3 C/H^4) H_1 - F_1/H^3 ] dx',  P_1 = Q_1/(1 - a Q):
 //
-// the derivative of the steady tail, with the oil that the squeeze adds to the flux.
+// the derivative of the steady tail, with the oil that the squeeze adds to the flux. A waviness R_1 = e^(ikx) that
+// moves with the slip S adds R_1 to H_1, and to F_1 the part S R_1, besides one that does not depend on x.
 #pragma once
 
 #include <Eigen/Core>
+#include <complex>
+
+#include "contact/response.hpp"
+#include "fast/tail_rule.hpp"
 
 namespace ehd::fast {
 
@@ -27,8 +32,22 @@ class MovingTail {
   [[nodiscard]] Answer<Scalar> answer(Scalar rate, const Drive<Scalar>& drive) const {
     return at_rest_.template cast<Scalar>() * drive + rate * (by_rate_.template cast<Scalar>() * drive);
   }
+  /// To a waviness, without the flux that does not depend on x.
+  [[nodiscard]] Answer<std::complex<double>> answer(const Waviness& waviness) const;
 
  private:
+  static constexpr int points = TailRule::points;
+  using Points = Eigen::Array<double, points, 1>;
+
+  /// What Q_1 at the points of the rule and at X_a brings; a column each.
+  template <class Scalar, int columns>
+  [[nodiscard]] Eigen::Matrix<Scalar, 7, columns> answers(
+      const Eigen::Matrix<Scalar, points, columns>& reduced,
+      const Eigen::Matrix<Scalar, 1, columns>& reduced_at_edge) const;
+
+  double far_, gap_excess_, moment_, flux_, lambda_;
+  Points x_, dx_, by_reduced_;  ///< x, dx/dt, dP/dQ
+  double by_reduced_at_edge_;
   Eigen::Matrix<double, 7, 4> at_rest_, by_rate_;
 };
 

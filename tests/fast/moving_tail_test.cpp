@@ -2,6 +2,7 @@
 #include "fast/moving_tail.hpp"
 
 #include <cmath>
+#include <complex>
 #include <functional>
 #include <numbers>
 
@@ -73,6 +74,33 @@ BOOST_AUTO_TEST_CASE(a_rate_adds_the_squeezed_oil_to_the_flux) {
   }
   const auto none = (steady.moving().answer(rate, unit(3)) - steady.moving().answer(0.0, unit(3))).eval();
   BOOST_TEST(none.norm() == 0);
+}
+
+/// Its integrals oscillate. They are compared on the real axis, for waves from a tenth of x_a to forty x_a.
+BOOST_AUTO_TEST_CASE(a_waviness_adds_the_integral_of_its_wave) {
+  Steady steady;
+  steady.slope = 0;
+  const Tolerance of_rule = Tolerance::discretisation(5e-4, 2);
+  for (const Waviness wave : {Waviness{1.6, 1}, Waviness{5, 0.3}, Waviness{16, 2}, Waviness{80, 0}, Waviness{640, 1}}) {
+    const double k = wave.wavenumber();
+    const auto answer = steady.moving().answer(wave);
+    const auto by_wave = [&](double x) {
+      const double H = steady.gap(x);
+      return steady.lambda * (3 * steady.flux / H - 2 - wave.slip) / (H * H * H);
+    };
+    const auto integral = [&](const auto& weight) {
+      // Twenty times as far the film is 400 times as thick: 1e-7 of the integral is left beyond.
+      return testing::smooth_integral([&](double x) { return by_wave(x) * weight(x); }, steady.far, 20 * steady.far);
+    };
+    const std::complex<double> pressure(integral([&](double x) { return std::cos(k * x); }),
+                                        integral([&](double x) { return std::sin(k * x); }));
+    EHD_CHECK(std::abs(answer[1] - pressure) / std::abs(pressure), of_rule);
+    // The points of the tail do not see the load of shorter waves, which is next to nothing.
+    if (k * steady.far > 2) continue;
+    const std::complex<double> load(integral([&](double x) { return (x - steady.far) * std::cos(k * x); }),
+                                    integral([&](double x) { return (x - steady.far) * std::sin(k * x); }));
+    EHD_CHECK(std::abs(answer[0] - load) / std::abs(load), of_rule);
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -85,6 +85,23 @@ Findings judge_both_solvers(MoesGroups moes, const Inlet& inlet) {
   return findings;
 }
 
+/// Where the far inlet is thick, what it makes of a waviness moves the film by 4e-6: more than fast states at 1e-6.
+Findings judge_waves_of_far_inlet(MoesGroups moes) {
+  ResponseRequest request{.waviness = {{11, 1}, {2, 1}, {5, 0.3}}, .tolerance = 1e-6};
+  const Problem problem = response_problem(moes, Flooded{});
+  const Response found = find_solver("fast")->respond(problem, request);
+  request.tolerance = 1e-7;
+  const Response truth = certified_response(problem, request);
+  Apart apart;
+  compare_all({.waviness = found.waviness}, truth, apart);
+  Findings findings;
+  findings.claims.push_back(claim(
+      fast_says("waviness/far-inlet/" + contact_name(moes, Flooded{}), 8,
+                "fast and reference agree on wavy films of a thick inlet to 1e-6, within stated errors"),
+      apart.worst(), 0, Tolerance::required(1, "an error bar covers the error"), "difference/stated: " + apart.note()));
+  return findings;
+}
+
 /// Of random contacts and frequencies, M of 0.5..1000, L of 0..20, Omega of 0..10, both law sets, flooded and cut.
 Findings judge_random_frequencies(int wanted) {
   constexpr unsigned seed = 20261123;
@@ -209,6 +226,9 @@ std::vector<Topic> fast_response_topics() {
   }
   // Heavy contacts: there the spike is narrow at L = 11, too.
   for (const MoesGroups moes : {MoesGroups{100, 11}, {1000, 11}}) agreement(moes, Flooded{}, true);
+  topics.push_back({.name = "response fast waviness", .rungs = {8}, .judge = [] {
+                      return judge_waves_of_far_inlet({0.6, 2});
+                    }});
   topics.push_back({.name = "response fast random",
                     .rungs = {8},
                     .slow = true,
