@@ -142,7 +142,7 @@ browser-test: configure  ## Open the report in headless Chromium, with axe-core 
 	@cmake --build $(BUILD) --parallel $(JOBS) --target ehd_program --target made_report
 	@tests/verification/report/axe_test.sh $(BUILD)/ehd $(BUILD)/made_report $(BUILD)/axe || [ $$? -eq 77 ]
 
-.PHONY: library python octave site dist dist-check
+.PHONY: library abi python octave site dist dist-check
 PYTHON_PACKAGES = python3-numpy python3-pytest python3-matplotlib python3-distributed python3-mypy python3-nbconvert \
   python3-ipykernel python3-pandas
 library: configure  ## Build the library that Python and C load: build/libehd.so.0
@@ -164,6 +164,11 @@ callgrind:  ## Count instructions of three solves, name the functions that chang
 	@sh cmake/setup.sh valgrind
 	@$(MAKE) --no-print-directory program BUILD=$(BUILD)-callgrind CMAKE_FLAGS="-DEHD_NATIVE=OFF -DBUILD_TESTING=OFF"
 	@verification/bench/callgrind/count.sh $(if $(KEEP),--keep) $(BUILD)-callgrind/ehd
+
+abi: configure  ## Compare the library's interface with the one that is kept, by libabigail (KEEP=1 keeps it; 30 s)
+	@sh cmake/setup.sh abigail-tools
+	@cmake --build $(BUILD) --parallel $(JOBS) --target ehd_abi
+	@tests/bindings/abidiff.sh $(if $(KEEP),--keep) $(BUILD)/abi/libehd.so.0 bindings/c/ehd/ehd.h
 
 in-process:  ## Count what a call of libehd costs above the solve in it, as instructions; fails from 5 % on (5 minutes)
 	@sh cmake/setup.sh valgrind

@@ -45,10 +45,9 @@ class MovingTail {
       const Eigen::Matrix<Scalar, points, columns>& reduced,
       const Eigen::Matrix<Scalar, 1, columns>& reduced_at_edge) const;
 
-  double far_, gap_excess_, moment_, flux_, lambda_;
   Points x_, dx_, by_reduced_;  ///< x, dx/dt, dP/dQ
-  double by_reduced_at_edge_;
   Eigen::Matrix<double, 7, 4> at_rest_, by_rate_;
+  double far_, gap_excess_, moment_, flux_, lambda_, by_reduced_at_edge_;
 };
 
 }  // namespace ehd::fast
