@@ -52,11 +52,12 @@ class Harmonic {
   [[nodiscard]] Motion<Complex> of_waviness(const Waviness& waviness, double residual,
                                             const MovedNodes* moved = nullptr,
                                             const Motion<Complex>* coarser = nullptr);
-  /// What drives the far inlet besides the change u: of nodes that move, or of a waviness.
+  /// What drives the far inlet besides the change u: nodes that move, or a waviness.
   template <class Scalar>
   struct Beyond {
-    Scalar load{0}, moment{0}, inflow{0}, flux{0};
-    MovingTail::Answer<Scalar> own = MovingTail::Answer<Scalar>::Zero();
+    Scalar load{0}, moment{0};  ///< added to W_1 and m_1 of MovingTail::Drive
+    Scalar inflow{0}, flux{0};  ///< added to F_1(X_a): inflow times the rate, and flux
+    MovingTail::Answer<Scalar> own = MovingTail::Answer<Scalar>::Zero();  ///< of a waviness
   };
   /// What drives a motion besides the bodies.
   struct Sources {
