@@ -47,8 +47,8 @@ constexpr Parts of_regular_more{.last = 0.2, .before = 0.025, .second_before = 0
 constexpr double of_raw_move = 1.0 / 32;
 /// Beside a narrow spike three grids may agree by chance: at (17.8, 18.1), Barus, kappa_0 stated 4e-5 and was 1e-3 off.
 constexpr double of_raw_move_beside_spike = 1.0 / 8;
-/// Beyond mild_L of 500 such numbers that three grids gave to 5e-3 15 missed, at most by a factor of 4.6; with these
-/// parts of both moves none of 376 (on the best maps 26 of 463, and 2 of 331).
+/// Beyond mild_L more is needed. Of 500 numbers that three grids gave to 5e-3 there, 15 missed, by up to 4.6. With
+/// these parts of both moves 376 are given, and none misses. On the best maps 26 of 463 missed, and 2 of 331 do.
 constexpr double of_move_beyond_mild = 3, of_raw_move_beyond_mild = 1;
 /// So many times as large is the error of irregular moves.
 constexpr double of_irregular = 2;
