@@ -140,6 +140,15 @@ BOOST_AUTO_TEST_CASE(loose_tolerances_state_errors_that_hold_beside_a_spike_and_
   EHD_CHECK(error(heavy.slow->kappa_1, 0.0018726880717735), covers(heavy.slow->error_1));
 }
 
+// A fifth of the last move is stated there: 5632 intervals in all. With the whole move each contact takes one grid
+// more, 11,264 intervals.
+BOOST_AUTO_TEST_CASE(regular_moves_save_the_last_grid) {
+  int nodes = 0;
+  for (const double M : {20.0, 50.0, 200.0, 500.0})
+    nodes += answer(roelands_problem(M, 5, Flooded{}), {.frequencies = {2}, .tolerance = 1e-4}).cost.nodes;
+  BOOST_TEST(nodes <= 8000);
+}
+
 // The first map is good enough at a loose tolerance, and more maps are more steps.
 BOOST_AUTO_TEST_CASE(a_loose_tolerance_takes_the_first_map) {
   const auto steps = [](double tolerance) {
