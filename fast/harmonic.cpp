@@ -320,8 +320,8 @@ Harmonic::Motion<Complex> Harmonic::of_sources(Complex rate, const Sources& sour
   return found;
 }
 
-/// F_1(X_a) without the wave of the flux, rho_n R(X*) + i Omega Int rho R dX - S R(X_a), in which only the compressed
-/// oil needs the nodes.
+/// The part of F_1 that does not depend on x: rho_n R(X*) + i Omega Int rho R dX - S R(X_a). The integral of R is known
+/// in closed form. That of (rho - 1) R is a sum over the nodes.
 Harmonic::Beyond<Complex> Harmonic::beyond(const Waviness& waviness, const ArrayOf<Complex>& feature) const {
   if (!tail_) return {};
   const Array denser = nodes_.length / nodes_.n * nodes_.grid->slope * (nodes_.density.value - 1);
