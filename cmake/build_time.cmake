@@ -48,7 +48,6 @@ function(ehd_optimise_little target)
     # gcc leaves vzeroupper out at -Og otherwise. Where the wide registers are not cleared, processors with AVX-512 take
     # 130 ns for a logarithm of libm, which else takes 4.
     target_compile_options(${target} PRIVATE -fexpensive-optimizations)
-    target_compile_options(${target} PRIVATE -Wno-uninitialized)  # gcc's own AVX-512 headers (PR 105593)
   endif()
 endfunction()
 
