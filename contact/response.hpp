@@ -85,7 +85,7 @@ struct WavinessResponse {
 
 struct Response {
   StopReason status = StopReason::diverged;  ///< converged where every number is within the tolerance
-  std::string reason;                        ///< one sentence where it is not
+  std::string reason = {};                   ///< one sentence where it is not
   std::optional<SlowStiffness> slow = {};
   std::vector<Stiffness> frequencies = {};      ///< in the order of the request
   std::vector<WavinessResponse> waviness = {};  ///< in the order of the request
