@@ -18,7 +18,12 @@ list=$(mktemp)
 trap 'rm -f "$list"' EXIT
 "$program" --help > "$list"
 page "$program" "$(head -n 1 "$list")" "$name"
-sed -n '/^Subcommands:/,/^$/s/^  \([a-z]*\)  *\(.*\)/\1 \2/p' "$list" | while read -r command summary; do
+# A summary may go on in the next line, which is indented further.
+awk '/^Subcommands:/ { listed = 1; next }
+     listed && /^$/ { exit }
+     listed && /^  [a-z]/ { if (line) print line; line = $1; $1 = "" }
+     listed { sub(/^ */, ""); line = line " " $0 }
+     END { if (line) print line }' "$list" | while read -r command summary; do
   page "$program $command" "$summary" "$name-$command"
 done
 [ -f "$folder/$name-solve.1.gz" ] || { echo "man.sh: no subcommand was found in the help of $program" >&2; exit 1; }
