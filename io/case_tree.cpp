@@ -175,7 +175,7 @@ class TreeBuilder {
     add_keys(root, "", *find_case_table(""));
     for (auto&& [name, node] : root) {
       const CaseTable* table = find_case_table(name.str());
-      if (!table) table = table_meant_by(std::string(name.str()), node, root);
+      if (!table && node.is_table()) table = table_meant_by(std::string(name.str()), root);
       if (!table || table->role == TableRole::heading) continue;
       if (table->role == TableRole::expectation)
         add_expectations(node, *table);
@@ -187,12 +187,11 @@ class TreeBuilder {
  private:
   /// The table that a mistyped name was probably meant to be, so that the faults of its keys are found too. Null where
   /// nothing is near, and where the file has that table as well.
-  [[nodiscard]] const CaseTable* table_meant_by(const std::string& name, const toml::node& node,
-                                                const toml::table& root) const {
-    const std::string meant = meant_by(name, "", node.is_table(), names_in(*find_case_table(""))).path;
+  [[nodiscard]] const CaseTable* table_meant_by(const std::string& name, const toml::table& root) const {
+    const std::string meant = meant_by(name, "", true, names_in(*find_case_table(""))).path;
     const CaseTable* const table = meant.empty() ? nullptr : find_case_table(meant);
     const bool keyed = table && table->role != TableRole::heading && table->role != TableRole::expectation;
-    return node.is_table() && keyed && !root.contains(meant) && !tree_.has(meant) ? table : nullptr;
+    return keyed && !root.contains(meant) && !tree_.has(meant) ? table : nullptr;
   }
 
   void add_table(const toml::node& node, const CaseTable& table) {
