@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bearing/film_curve.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <utility>
 
@@ -35,6 +37,14 @@ double FilmCurve::rise_m(double force_N) const {
   // delta_dry = (4 f/(pi E' l)) [ln(2 x_0/b) + 1/2], b ~ sqrt(f)
   const double dry_m = dry_approach_m(contact_.at(force_N), contact_.length_m);
   return dry_m - compliance_scale() * force_N / 2 - force_N * offset_film(force_N).slope;
+}
+
+double FilmCurve::compliance_error(double force_N) const {
+  constexpr double steepest_below = 3;
+  if (force_N < lightest_N()) return steepest_below * (errors_.joint_force + errors_.solver_offset_film);
+  const auto inside = std::upper_bound(forces_N_.begin(), forces_N_.end() - 1, force_N);
+  const double gap = std::log(*inside / *(inside - 1));
+  return pi * (errors_.interpolation_force + errors_.solver_offset_film) / gap;
 }
 
 }  // namespace ehd::bearing

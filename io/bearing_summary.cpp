@@ -17,8 +17,7 @@ namespace {
 
 constexpr double um_per_m = 1e6, MPa_per_Pa = 1e-6, N_per_um = 1e-6, deg_per_rad = 180 / std::numbers::pi;
 constexpr double rounding_deg = 1e-6;  // a load zone that lies less askew is symmetric
-/// Digits of a number with films whose error is not stated. Motion at 0 Hz states 1e-3 of a stiffness for my-bearing
-/// and 2e-3 for na4908.
+/// Digits of a number with films whose error is not stated.
 constexpr int unstated_digits = 3;
 
 const RollerRow& most_loaded(const BearingResult& result) {
@@ -40,7 +39,7 @@ std::optional<double> smallest_of(const BearingResult& result, std::optional<dou
 }
 
 /// The error of d(F_r)/d(delta_r). The stiffness in motion at 0 Hz is the same number by another way: its stated error,
-/// plus the difference of the two. Absent without motion at 0 Hz.
+/// plus the difference of the two, a fifth of what the curve alone can state.
 std::optional<double> stiffness_error_N_per_um(const BearingResult& result) {
   for (const DynamicRow& row : result.dynamics) {
     if (row.frequency_Hz != 0) continue;
@@ -48,7 +47,8 @@ std::optional<double> stiffness_error_N_per_um(const BearingResult& result) {
     return N_per_um * (row.ring.error * std::abs(moving[0][0] + moving[1][1]) +
                        std::abs(moving[0][0] - result.stiffness_N_per_m[0][0]));
   }
-  return std::nullopt;
+  if (!result.stiffness_error_N_per_m) return std::nullopt;
+  return N_per_um * *result.stiffness_error_N_per_m;
 }
 
 /// The numbers of one law. A dry law is solved to rounding: six digits. A law with films has three where no error is

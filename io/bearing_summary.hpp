@@ -22,8 +22,8 @@ struct BearingErrors {
 using ErrorsOfLaws = std::map<bearing::Law, BearingErrors>;
 
 /// Displacement, largest load and its pressure, load zone, thinnest film, stiffness. Brackets are the errors in units
-/// of the last digit; a law without an entry in `errors` has none. A stiffness has one where the result has motion at
-/// 0 Hz, and for a fitted law where the law ehd stands beside it.
+/// of the last digit; a law without an entry in `errors` has none. That of a fitted law's stiffness needs the law ehd
+/// beside it.
 [[nodiscard]] std::string summary_table(const BearingCase& body, const std::vector<BearingResult>& results,
                                         const ErrorsOfLaws& errors);
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numbers>
 #include <stdexcept>
 #include <variant>
 #include <vector>
@@ -58,6 +59,19 @@ double largest_force_N(const std::vector<Equilibrium>& positions) {
   return largest;
 }
 
+/// Of Sum k cos^2(psi), k the stiffness of a roller, whose error is at most that of the worse of its two contacts.
+double stiffness_error_N_per_m(const Equilibrium& ring, const BothRaceways<SharedCurve>& curves) {
+  double sum = 0;
+  for (std::size_t j = 0; j < ring.rollers.size(); ++j) {
+    const bearing::RollerState& roller = ring.rollers[j];
+    const double cosine = std::cos(ring.azimuths_deg[j] * std::numbers::pi / 180);
+    const double error = std::max(curves.inner->compliance_error(roller.inner.force_N),
+                                  curves.outer->compliance_error(roller.outer.force_N));
+    sum += bearing::force_error_by_datum * error * roller.stiffness_N_per_m * cosine * cosine;
+  }
+  return sum;
+}
+
 void note_curve(BearingResult& result, bearing::Raceway raceway) {
   const double lightest_N = result.curve->at(raceway).lightest_N();
   const auto below = std::count_if(result.rollers.begin(), result.rollers.end(),
@@ -104,6 +118,7 @@ void run_curve_law(BearingResult& result, const BearingSetup& setup, bearing::Fr
       continue;
     }
     fill_balance(result, setup, positions);
+    result.stiffness_error_N_per_m = stiffness_error_N_per_m(positions.front(), curves);
     fill_films(result, curves);
     note_curve(result, bearing::Raceway::inner);
     note_curve(result, bearing::Raceway::outer);

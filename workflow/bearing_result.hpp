@@ -85,11 +85,12 @@ struct BearingResult {
   /// Where clearance and displacement alone would load a roller: ehd::geometric_load_zone_deg.
   std::optional<std::pair<double, double>> geometric_load_zone_deg = {};
   std::array<std::array<double, 2>, 2> stiffness_N_per_m = {};
-  std::vector<DynamicRow> dynamics = {};                              ///< where the request has frequencies
-  std::optional<RollingTorque> torque = {};                           ///< where the result has curves
-  std::optional<CageTurn> cage = {};                                  ///< where the request has cage positions
-  std::vector<RollerRow> rollers;                                     ///< empty where there is no balance
-  std::optional<bearing::BothRaceways<double>> datum_m = {};          ///< x_0
+  std::optional<double> stiffness_error_N_per_m = {};         ///< of dF_r/d(delta_r), where the law follows curves
+  std::vector<DynamicRow> dynamics = {};                      ///< where the request has frequencies
+  std::optional<RollingTorque> torque = {};                   ///< where the result has curves
+  std::optional<CageTurn> cage = {};                          ///< where the request has cage positions
+  std::vector<RollerRow> rollers;                             ///< empty where there is no balance
+  std::optional<bearing::BothRaceways<double>> datum_m = {};  ///< x_0
   std::optional<bearing::BothRaceways<bearing::LinearFit>> fit = {};  ///< of a law made from fits
   /// The films are read from it; a law made from curves follows it.
   std::optional<bearing::BothRaceways<bearing::FilmCurve>> curve = {};

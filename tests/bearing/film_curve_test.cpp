@@ -100,6 +100,28 @@ BOOST_AUTO_TEST_CASE(a_known_relation_is_recovered_within_the_bound) {
   EHD_CHECK(below, Tolerance::required(bound, "the bound of the request"));
 }
 
+// Agreement: the compliance of the curve is that of the synthetic relation within its stated error, at every load.
+BOOST_AUTO_TEST_CASE(the_stated_error_of_the_compliance_covers_a_known_relation) {
+  const FilmCurve curve = built(synthetic::contacts());
+  const RacewayContact contact = synthetic::contact();
+  const auto approach_m = [&](double f) {
+    return dry_approach_m(contact.at(f), contact.length_m) - synthetic::offset_film_m(f);
+  };
+  double worst = 0, smallest_stated = 1, largest_stated = 0;
+  for (double f = 0.05 * curve.lightest_N(); f <= curve.heaviest_N(); f *= 1.07) {
+    constexpr double step = 1e-4;
+    const double truth_m = (approach_m(f * (1 + step)) - approach_m(f * (1 - step))) / (2 * step);
+    const double stated = curve.compliance_error(f);
+    worst = std::max(worst, std::abs(curve.rise_m(f) / truth_m - 1) / stated);
+    smallest_stated = std::min(smallest_stated, stated);
+    largest_stated = std::max(largest_stated, stated);
+  }
+  BOOST_TEST_MESSAGE("largest error over stated error " << worst << ", stated " << smallest_stated << " to "
+                                                        << largest_stated);
+  EHD_CHECK(worst, Tolerance::required(1, "an error bar covers the error"));
+  BOOST_TEST(worst > 0.02);  // and says something
+}
+
 // Invariant: the stated error below the lightest point covers contacts that the curve has not seen. One contact is
 // solved there, at half the lightest load, where the error of some of these relations happens to vanish.
 BOOST_AUTO_TEST_CASE(the_error_stated_below_the_joint_covers_every_contact_there) {

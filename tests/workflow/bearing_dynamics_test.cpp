@@ -87,6 +87,10 @@ BOOST_AUTO_TEST_CASE(at_rest_the_stiffness_is_that_of_the_balance) {
     for (std::size_t j = 0; j < 2; ++j)
       EHD_CHECK(std::abs(ring.stiffness_N_per_m[i][j] - K[i][j]) / trace,
                 Tolerance::required(5e-3, "slopes of a curve that is known to 1e-3"));
+  BOOST_REQUIRE(result.stiffness_error_N_per_m.has_value());
+  EHD_CHECK(std::abs(ring.stiffness_N_per_m[0][0] - K[0][0]),
+            Tolerance::required(*result.stiffness_error_N_per_m, "its stated error"));
+  EHD_CHECK(*result.stiffness_error_N_per_m, Tolerance::required(0.03 * K[0][0], "two digits"));
   BOOST_TEST(ring.stiffness_N_per_m[0][1] == ring.stiffness_N_per_m[1][0]);
   BOOST_TEST(std::abs(K[0][1]) > 1e-4 * trace);  // the cage is not symmetric to the load
   BOOST_TEST(ring.damping_N_s_per_m.has_value());
