@@ -23,7 +23,11 @@ using bearing::LinearFit;
 
 namespace {
 
-using Rows = std::vector<std::vector<std::string>>;
+using Row = std::vector<std::string>;
+using Rows = std::vector<Row>;
+
+/// Of a number with films whose error this table does not know.
+constexpr int digits_of_films = 3;
 
 /// An entry of a matrix below this part of its trace is rounding.
 constexpr double negligible_entry = 1e-12;
@@ -49,7 +53,7 @@ std::string fixed(double value, int decimals) { return fmt::format("{:.{}f}", va
 std::string name_of(const BearingResult& result) { return std::string(to_string(result.law)); }
 
 /// The table after an empty line; nothing where it has no row below its head.
-std::string below_line(const Rows& rows) { return rows.size() > 1 ? "\n" + aligned(rows, 1, "  ") : ""; }
+std::string below_line(const Rows& rows) { return rows.size() > 1 ? "\n" + aligned_in_parts(rows, 1, "  ") : ""; }
 
 std::string heading(const Case& bearing_case) {
   const auto& body = std::get<BearingCase>(bearing_case.body);
@@ -154,7 +158,7 @@ std::string ring_table(const std::vector<BearingResult>& results) {
     if (result.rollers.empty()) continue;
     const auto& K = result.stiffness_N_per_m;
     const auto& zone = result.load_zone_deg;
-    const int digits = needs_film(result.law) ? 3 : 5;
+    const int digits = needs_film(result.law) ? digits_of_films : 5;
     rows.push_back({name_of(result), fixed(1e6 * result.displacement_lateral_m, 4), zone ? plain(zone->first, 5) : "-",
                     zone ? plain(zone->second, 5) : "-", plain(1e-6 * K[0][0], digits), plain(1e-6 * K[1][1], digits),
                     std::abs(K[0][1]) <= negligible_entry * K[0][0] ? "0" : plain(1e-6 * K[0][1], digits)});
@@ -175,22 +179,38 @@ std::string entry(double value, double absolute_error) {
   return std::abs(value) <= absolute_error ? "0" : known_digits(value, absolute_error);
 }
 
+/// The diagonal entries and xy of a matrix of the ring whose error is relative to its trace. The error of a fitted law
+/// is its distance from ehd as well, which `full` is, where the table has it; else three digits, as in the summary.
+Row entries(const bearing::Matrix2& matrix, double unit, double error, bool fitted, const bearing::Matrix2* full) {
+  const double size = std::max(std::abs(matrix[0][0] + matrix[1][1]), std::abs(matrix[0][0]));
+  const double own = size * std::max(error, negligible_entry);
+  Row cells;
+  for (const auto& [r, s] : {std::pair{0U, 0U}, {1U, 1U}, {0U, 1U}}) {
+    const double value = matrix[r][s], away = full ? std::abs(value - (*full)[r][s]) : 0;
+    const bool unstated = fitted && !full && std::abs(value) > own;
+    cells.push_back(unstated ? plain(unit * value, digits_of_films) : entry(unit * value, unit * (own + away)));
+  }
+  return cells;
+}
+
 /// Stiffness and damping of the ring at each frequency.
 std::string dynamics_table(const std::vector<BearingResult>& results) {
+  const auto ehd = std::find_if(results.begin(), results.end(), [](const BearingResult& result) {
+    return result.law == bearing::Law::ehd && !result.dynamics.empty();
+  });
   Rows rows{{"in motion", "Hz", "stiffness N/um: xx", "yy", "xy", "damping N s/m: xx", "yy", "xy"}};
   for (const BearingResult& result : results) {
-    for (const DynamicRow& at : result.dynamics) {
-      std::vector<std::string> row{name_of(result), plain(at.frequency_Hz)};
-      const auto add = [&](const bearing::Matrix2& matrix, double unit, double error) {
-        const double size = std::max(std::abs(matrix[0][0] + matrix[1][1]), std::abs(matrix[0][0]));
-        for (const double value : {matrix[0][0], matrix[1][1], matrix[0][1]})
-          row.push_back(entry(unit * value, unit * size * std::max(error, negligible_entry)));
-      };
-      add(at.ring.stiffness_N_per_m, 1e-6, at.ring.error);
+    for (std::size_t k = 0; k < result.dynamics.size(); ++k) {
+      const DynamicRow& at = result.dynamics[k];
+      const bool fitted = result.fit.has_value();
+      const auto* full = fitted && ehd != results.end() ? &ehd->dynamics[k].ring.stiffness_N_per_m : nullptr;
+      Row row{name_of(result), plain(at.frequency_Hz)};
+      const auto add = [&](const Row& cells) { row.insert(row.end(), cells.begin(), cells.end()); };
+      add(entries(at.ring.stiffness_N_per_m, 1e-6, at.ring.error, fitted, full));
       if (at.ring.damping_N_s_per_m)
-        add(*at.ring.damping_N_s_per_m, 1, *at.ring.damping_error);
+        add(entries(*at.ring.damping_N_s_per_m, 1, *at.ring.damping_error, false, nullptr));
       else
-        row.insert(row.end(), {"-", "-", "-"});
+        add({"-", "-", "-"});
       rows.push_back(std::move(row));
     }
   }

@@ -67,7 +67,9 @@ BOOST_AUTO_TEST_CASE(tables_are_at_most_100_columns_wide) {
            "response own-moes-5-5 --omega 0.1", "solve steel-roller",
            "bearing na4908 --law hertz --law iso --law ehd-linear --law ehd --details",
            "bearing " + source + seven_laws, "judge " + source + "/cases/submissions/line-contact-py.json",
-           "bench --quick --part batch --part cost", "stress --quick --part e"}) {
+           "bench --quick --part batch --part cost", "stress --quick --part e",
+           "bearing harris-209 --cage-positions 12", "maps --motion",
+           "convert M=20 L=10 reduced_radius_m=0.01 reduced_modulus_Pa=2.2e11 alpha_per_Pa=2e-8"}) {
     std::istringstream lines(test::ehd_run(folder, command).out);
     int seen = 0;
     for (std::string line; std::getline(lines, line) && !line.starts_with("sources"); ++seen) {
@@ -76,6 +78,21 @@ BOOST_AUTO_TEST_CASE(tables_are_at_most_100_columns_wide) {
     }
     BOOST_TEST(seen > 5, command);
   }
+}
+
+// With more bearings a datum has more columns. They go on below.
+BOOST_AUTO_TEST_CASE(the_datum_table_of_three_bearings_is_at_most_100_columns_wide) {
+  const test::Folder folder;
+  std::istringstream lines(test::ehd_run(folder, "bearing na4908 na4908-2.5um na4908-10um").out);
+  int heads = 0;
+  bool inside = false;
+  for (std::string line; std::getline(lines, line);) {
+    const bool head = line.starts_with("  datum ");
+    inside = head || (inside && !line.empty() && !line.starts_with("  x_0 scanned"));
+    heads += head ? 1 : 0;
+    BOOST_TEST((!inside || line.size() <= 100), line);
+  }
+  BOOST_TEST(heads == 4);  // two parts for each law with films
 }
 
 // On 64 intervals the Couette film is 0.9 % from that of 512: two digits are known, and no error is.

@@ -215,7 +215,7 @@ std::string human_data(const std::vector<DatumRow>& rows, const DatumScan& scan)
       for (const char letter : statement_letters) cells.push_back(cell_of(*find_statement(row.statements, letter)));
       table.push_back(std::move(cells));
     }
-    text += aligned(table, 1, "  ") + "\n";
+    text += aligned_in_parts(table, 1, "  ") + "\n";
   }
   text += fmt::format(
       "  x_0 scanned from {:.3g} mm, 0.6 of the half width of the heaviest dry contact (half of it: no law), to {:.3g} "

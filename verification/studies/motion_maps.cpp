@@ -41,7 +41,7 @@ std::string map_text(const std::string& title, const std::vector<double>& all_M,
     for (std::size_t i = 0; i < lines.size(); ++i) lines[i].push_back(column[i]);
   }
   if (lines.front().size() == 1) return "";
-  return fmt::format("{}\n\n{}\n", title, aligned(lines, 0, "  "));
+  return fmt::format("{}\n\n{}\n", title, aligned_in_parts(lines, 1, "  "));
 }
 
 const AtlasRow* kappa_at(const MotionMaps& maps, AtlasLaws laws, MoesGroups moes, double Omega) {
@@ -156,7 +156,7 @@ std::string waviness_maps(const MotionMaps& maps) {
     }
     spread.push_back(std::move(line));
   }
-  return text + "how far this is one curve\n\n" + aligned(spread, 0, "  ");
+  return text + "how far this is one curve\n\n" + aligned_in_parts(spread, 1, "  ");
 }
 
 }  // namespace
