@@ -21,8 +21,10 @@ void add_statements(Page& page, const std::vector<View>& statements) {
   }
   Table table;
   table.columns = {"letter", "law", "statement", "verdict", "in numbers"};
+  std::size_t false_ones = 0;
   for (const View& one : statements) {
     const auto holds = one.flag("holds");
+    false_ones += holds.value_or(true) ? 0 : 1;
     const bool at_top_alone = !holds.value_or(true) && one.flag("holds_at_psi_0").value_or(false);
     // A statement that does not hold is a result, not a failure of the program.
     table.rows.push_back({{"(" + escaped(one.text("letter")) + ")", ""},
@@ -35,7 +37,11 @@ void add_statements(Page& page, const std::vector<View>& statements) {
                            ""},
                           {escaped(one.text("numbers")), "wide"}});
   }
+  page.begin_fold(fmt::format("{} statements with their numbers: {} hold as computed, {} not", statements.size(),
+                              statements.size() - false_ones, false_ones),
+                  "statements");
   page.add(table);
+  page.end_fold();
 }
 
 std::optional<BearingErrors> errors_of_balance(const View& law) {

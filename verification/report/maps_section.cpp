@@ -258,7 +258,9 @@ void add_formulas(Page& page, const Atlas& atlas) {
   }
   page.end_figures();
   page.end_fold();
+  page.begin_fold("Where the formulas hold: one row for each formula, film and law set", "formulas");
   page.add(table);
+  page.end_fold();
 }
 
 void draw_inlet_cost(HeatMap& map) {

@@ -54,7 +54,7 @@ Verified statements_verified(const View& figures) {
   const auto false_ones = static_cast<std::size_t>(std::count_if(
       statements.begin(), statements.end(), [](const View& one) { return !one.flag("holds").value_or(true); }));
   Verified row{
-      .what = section_link("bearing", how_many(statements.size(), "statement", "statements") + " of the paper"),
+      .what = section_link("statements", how_many(statements.size(), "statement", "statements") + " of the paper"),
       .digits = fmt::format("{} hold as computed, {} not", statements.size() - false_ones, false_ones),
       .truth = "the balances of the bearings above",
       .cost = not_recorded};

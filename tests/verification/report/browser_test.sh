@@ -23,6 +23,9 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 "$made_report" "$folder"
 "$ehd" report "$folder" > /dev/null
+mkdir "$folder/long"  # as many rows as a real page has
+"$made_report" "$folder/long" long
+"$ehd" report "$folder/long" > /dev/null
 
 # A page with the probe: a script in front that catches errors, one behind that looks and writes down what it saw.
 with_probe() {
@@ -43,11 +46,11 @@ sed '/^<script>$/,/^<\/script>$/d' "$folder/report.html" > "$folder/plain.html"
 grep -q '<script' "$folder/plain.html" && { echo "the page's script was not taken out"; exit 1; }
 with_probe "$folder/report.html" > "$folder/probe.html"
 with_probe "$folder/plain.html" > "$folder/plain-probe.html"
-# framed WIDTH HEIGHT: the page in a frame. A window is never narrower than 500 pixels, a frame in it may be.
+# framed WIDTH HEIGHT PAGE: the page in a frame. A window is never narrower than 500 pixels, a frame in it may be.
 framed() {
   cat << END
 <!DOCTYPE html><html><head><title>frame</title></head><body>
-<iframe src="probe.html" width="$1" height="$2" style="border:0"></iframe>
+<iframe src="$3" width="$1" height="$2" style="border:0"></iframe>
 <script>window.addEventListener("message", function (e) {
   var result = document.createElement("pre");
   result.id = "probe";
@@ -56,8 +59,17 @@ framed() {
 });</script></body></html>
 END
 }
-framed 390 844 > "$folder/phone.html"
-framed 1400 900 > "$folder/wide.html"
+framed 390 844 probe.html > "$folder/phone.html"
+# Of the long page only the height is of interest.
+{
+  sed '/<\/body>/d' "$folder/long/report.html"
+  cat << END
+<script>window.parent.postMessage(
+  "width: " + window.innerWidth + "\\nheight: " + document.documentElement.scrollHeight + "\\ndone", "*");</script>
+</body></html>
+END
+} > "$folder/long-probe.html"
+framed 1400 900 long-probe.html > "$folder/wide.html"
 
 failed=0
 complain() {

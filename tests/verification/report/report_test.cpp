@@ -181,6 +181,20 @@ BOOST_AUTO_TEST_CASE(what_is_absent_is_a_line_with_the_command_that_makes_it) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(long_tables_are_closed_until_the_reader_opens_them) {
+  const std::string page = made_page();
+  for (const char* words : {"Where the formulas hold, of all points", "<th scope=\"col\">letter</th>"}) {
+    const std::size_t at = page.find(words);
+    BOOST_REQUIRE(at != std::string::npos);
+    const std::size_t opened = page.rfind("<details", at), closed = page.rfind("</details>", at);
+    BOOST_TEST((opened != std::string::npos && (closed == std::string::npos || closed < opened)), words);
+  }
+  BOOST_TEST(count_of(page, "2 statements with their numbers: 1 hold as computed, 1 not") == 1u);
+  // The first table leads to the statements themselves, and so opens them.
+  BOOST_TEST(count_of(page, "<details id=\"statements\">") == 1u);
+  BOOST_TEST(line_of(first_table(), "statements").what.find("href=\"#statements\"") != std::string::npos);
+}
+
 BOOST_AUTO_TEST_CASE(the_verdict_is_that_of_the_claims_whatever_the_summary_says) {
   BOOST_TEST(count_of(made_page(), "Not every claim stands.") == 1u);
   BOOST_TEST(count_of(made_page(), "class=\"claim fail\"") == 1u);
