@@ -100,6 +100,11 @@ void add_changes(Page& page, const View& bearing, const std::string& id) {
 }  // namespace
 
 void add_dynamics(Page& page, const std::vector<View>& bearings) {
+  if (bearings.empty()) {
+    page.heading("Bearings in small motion");
+    page.absent("Stiffness and damping of bearings in small motion, which --quick leaves out, are",
+                "ehd verify --output DIR");
+  }
   for (const View& bearing : bearings) {
     const std::string id = bearing.text("id");
     page.heading(escaped(id) + " in small motion, law ehd");

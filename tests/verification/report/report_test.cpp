@@ -175,7 +175,8 @@ BOOST_AUTO_TEST_CASE(what_is_absent_is_a_line_with_the_command_that_makes_it) {
   for (const char* command : {"ehd verify --output DIR", "ehd bench --output DIR", "ehd stress --output DIR"})
     BOOST_TEST(count_of(bare, command) >= 1u, command);
   BOOST_TEST(count_of(bare, "<svg") == 0u);
-  for (const char* key : {"cases", "convergence", "maps", "bearing", "statements", "statement_study", "force_law"}) {
+  for (const char* key :
+       {"cases", "convergence", "maps", "bearing", "dynamics", "statements", "statement_study", "force_law"}) {
     const std::string page = made_page([&](report::Documents& documents) { documents.results["figures"].erase(key); });
     BOOST_TEST(count_of(page, "ehd verify --output DIR") == 1u, key);
   }
