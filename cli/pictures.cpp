@@ -47,7 +47,7 @@ void to_SI(Panel& panel, const Scales& scales) {
   scale(*panel.right, h, "film *h* [\u00b5m]");
   for (report::Rule& rule : panel.rules) rule.y *= p;
   for (report::Series& series : panel.series) {
-    series.name = series.right ? "film *h*" : "pressure *p*";
+    (series.name.empty() ? series.of : series.name) = series.right ? "film *h*" : "pressure *p*";
     for (double& value : series.x) value *= x;
     for (double& value : series.y) value *= series.right ? h : p;
   }
@@ -150,11 +150,14 @@ std::string contact_picture(const ContactRun& run, const std::string& title) {
   Array P = fields.P;
   if (cut) P = P.min(*cut);
   const auto values = [](const auto& field) { return std::vector<double>(field.begin(), field.end()); };
+  std::optional<report::Point> vague;
+  if (const auto spike = vague_spike(run.solution)) vague = {*spike->place, spike->value};
   const report::ContactCurves curves{.name = run.solver.empty() ? "Hertz" : run.solver,
                                      .X = values(fields.X),
                                      .P = values(P),
                                      .H = values(fields.H),
-                                     .P_cut = cut};
+                                     .P_cut = cut,
+                                     .vague_spike = vague};
   Figure figure = report::contact_figure("contact", "Pressure and film of " + title, {curves});
   figure.width = 560;
   Panel& panel = figure.panels.front();
@@ -164,6 +167,7 @@ std::string contact_picture(const ContactRun& run, const std::string& title) {
     to_SI(panel, *run.scales);
     figure.description = "Pressure in MPa (left axis) and film in um (right axis) over x in um.";
   }
+  if (vague || cut) figure.description += " The height of the pressure spike is not known.";
   return draw(figure, report::Place::file);
 }
 

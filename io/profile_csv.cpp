@@ -6,7 +6,6 @@
 #include <cmath>
 #include <optional>
 
-#include "contact/observables.hpp"
 #include "contact/stated_error.hpp"
 #include "contact/text.hpp"
 #include "workflow/shown_pressure.hpp"
@@ -22,8 +21,8 @@ constexpr double reach_of_spike = 0.03;
 Array film_errors(const Solution& solution, double error) {
   const Array& X = solution.fields.X;
   const Array errors = Array::Constant(X.size(), error);
-  const auto spike = observed::pressure_spike(solution.fields);
-  if (!spike || !spike->place || solution.observables.contains(Quantity::pressure_spike)) return errors;
+  const auto spike = vague_spike(solution);
+  if (!spike) return errors;
   return ((X - *spike->place).abs() <= reach_of_spike).select(std::nan(""), errors);
 }
 

@@ -19,4 +19,8 @@ inline constexpr double shown_of_unresolved = 1.5;
 /// shown as it is.
 [[nodiscard]] std::optional<double> pressure_cut(const Solution& solution);
 
+/// The top of the spike that the fields have, where pressure.spike is not among the observables: the true height is not
+/// known. Empty where it is known, and where there is no spike.
+[[nodiscard]] std::optional<Reading> vague_spike(const Solution& solution);
+
 }  // namespace ehd

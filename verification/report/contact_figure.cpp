@@ -15,6 +15,9 @@ namespace {
 constexpr const char* axis_X = "*X* = *x*/*b*";
 constexpr const char* axis_P = "*P* = *p*/*p*_{H}";
 constexpr const char* axis_H = "*H* = *h R*/*b*^{2}";
+constexpr const char* height_not_known = "spike: height not known";
+
+std::string pressure_name(const ContactCurves& curves) { return "*P* " + literal(curves.name); }
 
 /// H at the node nearest to X = 0; 0 where there is none.
 double film_at_centre(const ContactCurves& curves) {
@@ -38,6 +41,7 @@ double highest(const std::vector<double>& values) {
 /// the pressure elsewhere.
 struct Spike {
   double height = 0, dome = 0;
+  bool known = true;  ///< the height is that of the true spike
 };
 std::optional<Spike> tall_spike(const ContactCurves& one) {
   constexpr double felt = 0.02;   // of the highest pressure: where the contact begins and ends
@@ -53,7 +57,7 @@ std::optional<Spike> tall_spike(const ContactCurves& one) {
     to = std::max(to, one.X[i]);
   }
   if (!(to - from < narrow * (high - low))) return std::nullopt;
-  Spike spike{.height = top};
+  Spike spike{.height = top, .known = !one.P_cut && !one.vague_spike};
   const double foot = std::max(3 * (to - from), 0.02 * (high - low));  // the spike's flanks are no dome
   for (std::size_t i = 0; i < std::min(one.X.size(), one.P.size()); ++i)
     if (std::isfinite(one.P[i]) && (one.X[i] < from - foot || one.X[i] > to + foot))
@@ -61,7 +65,7 @@ std::optional<Spike> tall_spike(const ContactCurves& one) {
   return spike;
 }
 
-/// The axis ends above the dome; a rule says how high the spike is.
+/// The axis ends above the dome; a rule says how high the spike is, or that this is not known.
 void cut_spike(Panel& panel, const std::vector<ContactCurves>& curves) {
   Spike highest_one;
   double top = 0;
@@ -72,7 +76,23 @@ void cut_spike(Panel& panel, const std::vector<ContactCurves>& curves) {
   if (!(highest_one.height > 0) || highest_one.height < top) return;
   constexpr double room = 1.25;
   panel.y.high = range_of({0, room * highest_one.dome}, Scale::linear).high;
-  panel.rules.push_back({highest_one.dome, "spike to " + number_markup(highest_one.height, 3)});
+  panel.rules.push_back(
+      {highest_one.dome, highest_one.known ? "spike to " + number_markup(highest_one.height, 3) : height_not_known});
+}
+
+/// A dotted line goes on from the top of a spike of unknown height, and says so. A curve that is cut has a rule
+/// already.
+void mark_vague_spike(Panel& panel, const ContactCurves& one) {
+  if (!one.vague_spike || one.P_cut || !panel.rules.empty()) return;
+  constexpr double line_ends = 1.1, room = 1.2;  // of the highest pressure
+  const double top = std::max(highest(one.P), one.vague_spike->y), x = one.vague_spike->x;
+  panel.y.high = std::max(panel.y.high.value_or(0), range_of({0, room * top}, Scale::linear).high);
+  panel.series.push_back({.x = {x, x},
+                          .y = {one.vague_spike->y, line_ends * top},
+                          .line = Line::dotted,
+                          .colour = 1,
+                          .end = height_not_known,
+                          .of = pressure_name(one)});
 }
 
 /// A curve in a box of `width` by `height` pixels; points outside the ranges are left out.
@@ -157,15 +177,14 @@ Figure contact_figure(const std::string& id, const std::string& title, const std
   for (const ContactCurves& one : curves)
     if (one.P_cut && panel.rules.empty()) panel.rules.push_back({*one.P_cut, "above: unresolved"});
   for (const ContactCurves& one : curves) {
-    const std::string name = literal(one.name);
     // One solver: P solid, H dashed. The curves of two solvers lie on each other: each curve has a dash of its own.
     const bool alone = curves.size() == 1, upper = &one == &curves.front();
-    panel.series.push_back({.name = "*P* " + name,
+    panel.series.push_back({.name = pressure_name(one),
                             .x = one.X,
                             .y = one.P,
                             .line = upper ? Line::solid : Line::dashed,
                             .colour = upper ? 1 : 2});
-    panel.series.push_back({.name = "*H* " + name,
+    panel.series.push_back({.name = "*H* " + literal(one.name),
                             .x = one.X,
                             .y = one.H,
                             .line = alone   ? Line::dashed
@@ -173,6 +192,7 @@ Figure contact_figure(const std::string& id, const std::string& title, const std
                                             : Line::dotted,
                             .colour = upper ? 3 : 4,
                             .right = true});
+    if (alone) mark_vague_spike(panel, one);
   }
   figure.panels.push_back(std::move(panel));
   return figure;

@@ -59,7 +59,8 @@ void add_origin(Page& page, const View& results, const View& bench, const View& 
 struct ContactCurves {
   std::string name;  ///< plain: the solver
   std::vector<double> X, P, H;
-  std::optional<double> P_cut = {};  ///< P ends here: the spike is higher, by an unknown amount
+  std::optional<double> P_cut = {};       ///< P ends here: the spike is higher, by an unknown amount
+  std::optional<Point> vague_spike = {};  ///< top of a spike in (X, P), drawn although its height is not known
 };
 /// One panel: P and H over the contact, the inlet zone and the exit.
 [[nodiscard]] Figure contact_figure(const std::string& id, const std::string& title,

@@ -573,6 +573,37 @@ BOOST_AUTO_TEST_CASE(a_tall_spike_does_not_flatten_the_dome) {
   BOOST_TEST(panel(6).rules.front().label.starts_with("spike to 6"));
 }
 
+// A spike is drawn as the grid has it, although its height is not known: the figure says so, and leaves room above it.
+BOOST_AUTO_TEST_CASE(a_spike_of_unknown_height_is_marked) {
+  const auto figure = [](std::optional<report::Point> vague, std::optional<double> cut, double dome) {
+    report::ContactCurves curves{.name = "fast", .X = {}, .P = {}, .H = {}, .P_cut = cut, .vague_spike = vague};
+    constexpr int nodes = 801;
+    for (int i = 0; i < nodes; ++i) {
+      const double x = -2 + 3.2 * i / (nodes - 1);
+      curves.X.push_back(x);
+      curves.P.push_back(dome * std::sqrt(std::max(0.0, 1 - x * x)) + 0.4 * std::exp(-std::pow((x - 0.9) / 0.005, 2)));
+      curves.H.push_back(0.1);
+    }
+    return report::contact_figure("fig", "made", {curves});
+  };
+  const auto said = [](const report::Figure& one) {
+    return count_of(report::draw(one, report::Place::file), ">spike: height not known<");
+  };
+  const report::Figure marked = figure(report::Point{0.9, 0.83}, {}, 1);
+  BOOST_TEST(said(figure({}, {}, 1)) == 0u);
+  BOOST_TEST(said(marked) == 1u);
+  BOOST_REQUIRE(marked.panels.front().y.high.has_value());
+  BOOST_TEST(*marked.panels.front().y.high >= 1.2);
+  BOOST_TEST(count_of(report::draw(marked, report::Place::file), "unresolved") == 0u);
+  // The rule of a curve that is cut says the same.
+  BOOST_TEST(said(figure(report::Point{0.9, 0.83}, 0.83, 1)) == 0u);
+  // A spike far above the dome: its drawn height is not stated as if it were known.
+  for (const report::Figure& tall : {figure(report::Point{0.9, 0.44}, {}, 0.1), figure({}, 0.44, 0.1)}) {
+    BOOST_TEST(count_of(report::draw(tall, report::Place::file), ">spike to") == 0u);
+    BOOST_TEST(said(tall) == 1u);
+  }
+}
+
 // Invariant: laws of the table look different, and a law that this program does not know has a look too.
 BOOST_AUTO_TEST_CASE(every_law_has_a_look_of_its_own) {
   std::set<std::tuple<int, int, int>> looks;
@@ -710,6 +741,10 @@ BOOST_AUTO_TEST_CASE(a_picture_has_the_units_of_its_case) {
   BOOST_TEST(count_of(si, "[MPa]") == 1u);
   BOOST_TEST(count_of(si, "[\u00b5m]") == 2u);
   BOOST_TEST(count_of(groups, "[MPa]") == 0u);
+  // The table omits the spike, and the figure says why; at 1e-6 the height is known.
+  for (const std::string& coarse : {si, groups, drawn("solve own-moes-20-10")})
+    BOOST_TEST(count_of(coarse, ">spike: height not known<") == 1u);
+  BOOST_TEST(count_of(drawn("solve own-moes-20-10 --tolerance 1e-6"), "not known") == 0u);
   const std::string one = drawn("bearing na4908 --law hertz"), two = drawn("bearing na4908 na4908-10um --law hertz");
   BOOST_TEST(count_of(one, "id=\"polar\"") == 1u);
   BOOST_TEST(count_of(two, "id=\"polar-0\"") + count_of(two, "id=\"polar-1\"") == 2u);
