@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -64,17 +65,26 @@ using Row = verification::JudgedRun;
 /// The further run is asked for this part of the tightest tolerance, and for no less than `reference` reaches anywhere.
 constexpr double truth_over_tightest = 1e-2, tightest_truth = 1e-10;
 
+double seconds_since(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
 /// Every solver at every tolerance, with the errors that they report.
 std::vector<Row> run_all(const Case& contact_case, const std::vector<const RegisteredSolver*>& solvers,
                          const std::vector<Request>& requests) {
   std::vector<Row> rows;
+  std::vector<PlannedRun> planned;
+  for (const RegisteredSolver* solver : solvers)
+    planned.insert(planned.end(), requests.size(), {.solver = solver->name, .quick = !solver->dense()});
   Progress progress;
   for (const RegisteredSolver* solver : solvers) {
     for (const Request& request : requests) {
-      progress.step(
-          rows.size(), solvers.size() * requests.size(),
-          fmt::format("{}: {} at {} ...", contact_case.id, solver->name, plain(request.tolerance.tightest())));
+      progress.step(rows.size(), planned.size(),
+                    fmt::format("{}: {} at {} ...", contact_case.id, solver->name, plain(request.tolerance.tightest())),
+                    time_left_s(planned));
+      const auto begin = std::chrono::steady_clock::now();
       Row row{.tolerance = request.tolerance.tightest(), .run = run_contact(contact_case, *solver, request)};
+      planned[rows.size()].took_s = seconds_since(begin);
       for (std::size_t film = 0; film < 2; ++film) {
         if (const Reading* reading = verification::reading_of(row.run.solution, judged_films[film]))
           row.films[film].reported = reading->error;
@@ -176,13 +186,19 @@ std::vector<judging::ExternalRun> run_externals(const Case& contact_case,
                                                 const std::vector<judging::ExternalSolver>& externals,
                                                 const std::vector<Request>& requests) {
   std::vector<judging::ExternalRun> runs;
+  std::vector<PlannedRun> planned;
+  for (const judging::ExternalSolver& solver : externals)
+    planned.insert(planned.end(), requests.size(), {.solver = solver.name});
   Progress progress;
   for (const judging::ExternalSolver& solver : externals) {
     for (const Request& request : requests) {
       const double tolerance = request.tolerance.tightest();
-      progress.step(runs.size(), externals.size() * requests.size(),
-                    fmt::format("{}: {} at {} ...", contact_case.id, solver.name, plain(tolerance)));
+      progress.step(runs.size(), planned.size(),
+                    fmt::format("{}: {} at {} ...", contact_case.id, solver.name, plain(tolerance)),
+                    time_left_s(planned));
+      const auto begin = std::chrono::steady_clock::now();
       runs.push_back(judging::run_external(solver, contact_case, tolerance, request.time_limit_s));
+      planned[runs.size() - 1].took_s = seconds_since(begin);
     }
   }
   return runs;

@@ -82,11 +82,17 @@ int export_law(const LawExportOptions& options) {
   Request solves = bearing_contact_request();
   ResponseRequest responses = bearing_response_request();
   solves.time_limit_s = responses.time_limit_s = limit_s;
-  ContactMemory memory(deadline.limiting(default_solver().solve), solves);
-  memory.respond_by(deadline.limiting(bearing_responder()), responses);
+  Progress progress;
+  // How many contacts a law needs is not known beforehand.
+  const auto counted = [&progress, &one](const std::string& what, auto solve) {
+    return [&progress, &one, what, solve, done = 0](const Problem& problem, const auto& asked) mutable {
+      progress.show(fmt::format("{}: {} {} ...", one.id, what, ++done));
+      return solve(problem, asked);
+    };
+  };
+  ContactMemory memory(counted("contact", deadline.limiting(default_solver().solve)), solves);
+  memory.respond_by(counted("response", deadline.limiting(bearing_responder())), responses);
   try {
-    Progress progress;
-    progress.show("contacts of " + one.id + " ...");
     const LawExport law = export_law(one, request, memory);
     progress.show("");
     warn_of_damping(law, request.knots);
@@ -99,6 +105,7 @@ int export_law(const LawExportOptions& options) {
     for (const std::string& line : law_export_words(law)) print(line + "\n");
     return success;
   } catch (const LawFailure& failure) {
+    progress.show("");
     complain(fmt::format("ehd: export law: {}: {}", one.id, failure.what()));
     return not_met;
   }

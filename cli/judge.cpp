@@ -55,9 +55,10 @@ std::vector<std::filesystem::path> kept_submissions() {
 
 judging::Judgement judged(const std::filesystem::path& file) {
   Progress progress;
-  return judging::judgement_of(judging::read_submission(file), {.progress = [&](const std::string& id) {
-                                 progress.show(fmt::format("{}: {} ...", file.string(), id));
-                               }});
+  const auto show = [&](const std::string& id, std::size_t done, std::size_t all) {
+    progress.step(done, all, fmt::format("{}: {} ...", id, file.string()));
+  };
+  return judging::judgement_of(judging::read_submission(file), {.progress = show});
 }
 
 void write_page(OutputFolder& folder, const std::vector<std::string>& files, std::vector<Json> judgements) {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <map>
 #include <system_error>
 #include <utility>
 
@@ -27,12 +28,42 @@ std::string cut(const std::string& text, std::size_t columns) {
 }  // namespace
 
 std::string step_line(std::size_t done, std::size_t all, const std::string& what, double stepped_s, double passed_s) {
+  const bool known = done > 0 && done < all;
+  const double whole_s = known ? stepped_s * static_cast<double>(all) / static_cast<double>(done) : 0;
+  return step_line_until(done, all, what, known ? std::optional(whole_s) : std::nullopt, passed_s);
+}
+
+std::string step_line_until(std::size_t done, std::size_t all, const std::string& what, std::optional<double> ends_s,
+                            double passed_s) {
   std::string line = fmt::format("{}/{}, {}", done, all, duration(passed_s));
-  if (done > 0 && done < all) {
-    const double whole_s = stepped_s * static_cast<double>(all) / static_cast<double>(done);
-    if (passed_s < whole_s) line += fmt::format(", about {} left", duration(whole_s - passed_s));
-  }
+  if (ends_s && passed_s < *ends_s) line += fmt::format(", about {} left", duration(*ends_s - passed_s));
   return line + ": " + what;
+}
+
+std::optional<double> time_left_s(const std::vector<PlannedRun>& runs) {
+  std::map<std::string, double> last_s;
+  bool slow_one_ended = false;
+  for (const PlannedRun& run : runs) {
+    if (!run.took_s) continue;
+    last_s[run.solver] = *run.took_s;
+    slow_one_ended = slow_one_ended || !run.quick;
+  }
+  double left_s = 0;
+  for (const PlannedRun& run : runs) {
+    if (run.took_s) continue;
+    const auto known = last_s.find(run.solver);
+    if (known != last_s.end())
+      left_s += known->second;
+    else if (!(run.quick && slow_one_ended))
+      return std::nullopt;
+  }
+  return left_s;
+}
+
+std::string running_line(const std::string& doing, const std::string& id, const std::string& solver,
+                         const std::string& title) {
+  constexpr std::size_t longest_id = 40;  // so that the solver's name still fits
+  return fmt::format("{} {} with {}{} ...", doing, cut(id, longest_id), solver, title.empty() ? "" : ": " + title);
 }
 
 Progress::~Progress() {
@@ -74,6 +105,12 @@ void Progress::step(std::size_t done, std::size_t all, const std::string& what) 
   show([done, all, what, stepped_s = passed_s()](double passed_s) {
     return step_line(done, all, what, stepped_s, std::max(passed_s, stepped_s));
   });
+}
+
+void Progress::step(std::size_t done, std::size_t all, const std::string& what, std::optional<double> left_s) {
+  const double stepped_s = passed_s();
+  const auto ends_s = left_s ? std::optional(stepped_s + *left_s) : std::nullopt;
+  show([=](double passed_s) { return step_line_until(done, all, what, ends_s, std::max(passed_s, stepped_s)); });
 }
 
 void Progress::draw() {

@@ -7,8 +7,10 @@
 #include <cstddef>
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
+#include <vector>
 
 namespace ehd::cli {
 
@@ -16,6 +18,24 @@ namespace ehd::cli {
 /// is known from the second step on.
 [[nodiscard]] std::string step_line(std::size_t done, std::size_t all, const std::string& what, double stepped_s,
                                     double passed_s);
+
+/// The same where it is known when everything ends, counted from the begin; without it no time left is shown.
+[[nodiscard]] std::string step_line_until(std::size_t done, std::size_t all, const std::string& what,
+                                          std::optional<double> ends_s, double passed_s);
+
+/// One of several runs, each by a solver.
+struct PlannedRun {
+  std::string solver;
+  bool quick = false;                 ///< a run takes next to nothing beside those of solvers that are not
+  std::optional<double> took_s = {};  ///< absent before it has ended
+};
+/// What the runs that have not ended will take, if each takes as long as the last one of its solver. Absent where a
+/// solver has ended none yet, unless it is a quick one and one that is not quick has.
+[[nodiscard]] std::optional<double> time_left_s(const std::vector<PlannedRun>& runs);
+
+/// "solving ID with SOLVER: TITLE ...": what a narrow terminal cuts is the title. An empty title is left out.
+[[nodiscard]] std::string running_line(const std::string& doing, const std::string& id, const std::string& solver,
+                                       const std::string& title);
 
 /// A line on standard error while something runs, on a terminal only; removed at the end. It is drawn again every
 /// second, with the time that has passed since the construction. Threads may share it.
@@ -33,9 +53,12 @@ class Progress {
   void show(const std::string& line);
   /// step_line of a step that ends now.
   void step(std::size_t done, std::size_t all, const std::string& what);
+  /// The same with the time left [s] from now on; without it none is shown.
+  void step(std::size_t done, std::size_t all, const std::string& what, std::optional<double> left_s);
+
+  [[nodiscard]] double passed_s() const;  ///< since the construction
 
  private:
-  [[nodiscard]] double passed_s() const;
   void draw();  ///< with the mutex held
   void redraw_until_the_end();
 

@@ -94,7 +94,7 @@ std::string default_tolerances() {
 }
 
 int respond(const ResponseOptions& options) {
-  const ResponseQuestion question = question_of(options);
+  ResponseQuestion question = question_of(options);
   const Case one = options.changes.read(options.case_name);
   if (!std::holds_alternative<ContactCase>(one.body))
     throw case_error(one, "bearing", "is no contact; allowed is a contact case");
@@ -104,7 +104,15 @@ int respond(const ResponseOptions& options) {
   ResponseRun run;
   {
     Progress progress;
-    progress.show("response of " + title + " ...");
+    progress.show(running_line("response of", one.id, question.solver->name, one.title));
+    question.request.progress = [&, first_s = 0.0](std::size_t done, std::size_t all) mutable {
+      if (all < 2) return;
+      // The steady state took its time once.
+      if (done == 0) first_s = progress.passed_s();
+      const double each_s = done == 0 ? 0 : (progress.passed_s() - first_s) / static_cast<double>(done);
+      progress.step(done, all, fmt::format("{} with {}: frequencies and waves", one.id, question.solver->name),
+                    done == 0 ? std::nullopt : std::optional(each_s * static_cast<double>(all - done)));
+    };
     run = run_response(one, question);
   }
   Json result = to_json(run);

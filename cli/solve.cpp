@@ -214,7 +214,8 @@ int solve(const SolveOptions& options) {
   ContactRun run;
   {
     Progress progress;
-    progress.show(fmt::format("solving {} with {} ...", stated.title, solver.name));
+    const std::string id = stated.from_case ? stated.from_case->id : stated.title;
+    progress.show(running_line("solving", id, solver.name, stated.from_case ? stated.from_case->title : ""));
     run = stated.from_case ? run_contact(*stated.from_case, solver, request, wanted)
                            : run_contact(stated.contact, solver, request, wanted);
   }

@@ -38,6 +38,11 @@ struct ResponseRequest {
   double tolerance = 1e-8;  ///< relative, of kappa and of the amplitude ratio
   int max_iterations = 2000;
   double time_limit_s = 300;
+  /// Called after the steady state, and after each frequency and wave: how many of them are done.
+  std::function<void(std::size_t done, std::size_t all)> progress = {};
+  void tell(std::size_t done) const {
+    if (progress) progress(done, frequencies.size() + waviness.size());
+  }
 };
 
 /// The error of a number that was not computed.

@@ -303,12 +303,18 @@ Response ResponseSolve::solve() {
     return found;
   }
   found.slow = slow();
-  for (Stiffness& at : found.frequencies) at = stiffness(at.Omega);
+  std::size_t done = 0;
+  request_.tell(done);
+  for (Stiffness& at : found.frequencies) {
+    at = stiffness(at.Omega);
+    request_.tell(++done);
+  }
   const auto certified = [&](double Omega) { return stiffness(Omega, false).status == StopReason::converged; };
   find_highest_certified(found, request_.tolerance, certified, [&] { return grids_.spent(); });
   for (WavinessResponse& at : found.waviness) {
     const Judged film = wavy_film(at.waviness);
     at.film = film.value, at.error = film.error, at.status = film.status;
+    request_.tell(++done);
   }
   conclude(found, request_.tolerance, grids_.spent(), "the finest grids differ by more than the tolerance");
   fill(found.cost);

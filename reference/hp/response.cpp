@@ -282,7 +282,12 @@ Response ResponseSolve::solve() {
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::sort(order.begin(), order.end(),
             [&](std::size_t a, std::size_t b) { return request_.frequencies[a] < request_.frequencies[b]; });
-  for (const std::size_t k : order) found.frequencies[k] = stiffness(request_.frequencies[k]);
+  std::size_t done = 0;
+  request_.tell(done);
+  for (const std::size_t k : order) {
+    found.frequencies[k] = stiffness(request_.frequencies[k]);
+    request_.tell(++done);
+  }
   const auto certified = [&](double Omega) {
     const auto value = [&](const Harmonic& harmonic) { return kappa_of(harmonic, Omega); };
     const Judged kappa = judged({value(steady_.both.front()), value(steady_.both.back())}, floor_error(value));
@@ -293,6 +298,7 @@ Response ResponseSolve::solve() {
   for (auto& at : found.waviness) {
     const Judged film = wavy_film(at.waviness);
     at.film = film.value, at.error = film.error, at.status = film.status;
+    request_.tell(++done);
   }
   conclude(found, request_.tolerance, meter_.spent(), "the two discretisations differ by more than the tolerance");
   if (const double floor = steady_.both.front().steady().floor; floor > 0)

@@ -44,9 +44,22 @@ def main(ehd):
     time_left = r"\r\d/\d, [\d.]+ (s|min|h), about [\d.]+ (s|min|h) left: "
     require(re.search(time_left, written), "the time left is not shown", written)
     require(re.search(r"\r +\r+own-moes-20-10: ", written), "the line stays before the table", written)
-    seconds = [float(s) for s in re.findall(r"\rsolving own-moes-1000-20: [^\r]*, ([\d.]+) s *\r", on_terminal(
-        ehd, "solve", "own-moes-1000-20", "--solver", "reference", "--tolerance", "1e-8"))]
+    # A long title is cut, not the solver's name.
+    seconds = [float(s) for s in re.findall(
+        r"\rsolving own-moes-1000-20 with reference: [^\r]*, ([\d.]+) s *\r", on_terminal(
+            ehd, "solve", "own-moes-1000-20", "--solver", "reference", "--tolerance", "1e-8"))]
     require(len(seconds) > 1 and seconds == sorted(seconds), "a solve of some seconds does not show them", seconds)
+    waves = [word for k in range(1, 6) for word in ("--omega", str(k))]
+    written = on_terminal(ehd, "response", "own-moes-20-10", *waves)
+    require(re.search(r"\rresponse of own-moes-20-10 with fast: ", written), "response shows no solver", written)
+    require(re.search(r"\r0/5, [^\r]*\r.*\r4/5, [\d.]+ (s|min), about [\d.]+ s left: own-moes-20-10 with fast: ",
+                      written, re.DOTALL), "response does not count its frequencies", written)
+    written = on_terminal(ehd, "export", "law", "na4908", "--raceway", "inner", "--output", os.devnull)
+    require(all(f"\rna4908: {what} 2 ..." in written for what in ("contact", "response")),
+            "export law does not count its contacts", written)
+    source = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
+    written = on_terminal(ehd, "judge", os.path.join(source, "cases", "submissions", "ehd-fast-1e-3.json"))
+    require(re.search(r"\r1/\d+, [\d.]+ (s|min)(, about [\d.]+ s left)?: ", written), "judge does not count", written)
     written = on_terminal(ehd, "verify", "--rung", "11", "--quick")
     require(re.search(r"\rverify \d+/\d+, [\d.]+ (s|min)", written), "verify does not show its time", written)
     return 0

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "contact/nondimensional.hpp"
 #include "tests/check.hpp"
@@ -145,6 +146,23 @@ BOOST_AUTO_TEST_CASE(what_an_exception_leaves_behind_is_thrown_away) {
       }
     });
   }
+}
+
+BOOST_AUTO_TEST_CASE(every_response_tells_how_many_frequencies_and_waves_are_done) {
+  int solvers_seen = 0;
+  for (const RegisteredSolver& solver : solvers()) {
+    if (!solver.respond) continue;
+    ++solvers_seen;
+    std::vector<std::size_t> told;
+    ResponseRequest request{.frequencies = {2, 1}, .waviness = {{.wavelength = 1}}, .tolerance = 1e-2};
+    request.progress = [&](std::size_t done, std::size_t all) {
+      BOOST_TEST(all == 3u);
+      told.push_back(done);
+    };
+    (void)solver.respond(light_contact(), request);
+    BOOST_TEST_CONTEXT(solver.name) { BOOST_TEST(told == std::vector<std::size_t>({0, 1, 2, 3})); }
+  }
+  BOOST_TEST(solvers_seen == 2);
 }
 
 BOOST_AUTO_TEST_CASE(each_solver_declares_how_it_works_and_its_order) {

@@ -209,7 +209,7 @@ Judgement judgement_of(const Submission& submission, const JudgeRequest& request
   std::map<std::string, JudgedCase> judged;
   std::size_t speed_checks = 0;
   for (const SubmittedResult& result : submission.results) {
-    if (request.progress) request.progress(result.case_id);
+    if (request.progress) request.progress(result.case_id, judged.size(), submission.results.size());
     judged.emplace(result.case_id, judged_case(result, speed_checks));
   }
   Judgement judgement{.submission = submission, .cases = {}, .regimes = {}};

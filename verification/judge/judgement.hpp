@@ -63,8 +63,8 @@ struct Judgement {
 };
 
 struct JudgeRequest {
-  /// Called before each case.
-  std::function<void(const std::string& id)> progress = {};
+  /// Called before each case, with the number of cases that are judged and that of all.
+  std::function<void(const std::string& id, std::size_t done, std::size_t all)> progress = {};
 };
 
 /// Reads the cases and profiles of a submission and scores them. Throws CaseError: an unknown case, a bearing, another
