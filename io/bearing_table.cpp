@@ -50,6 +50,12 @@ std::vector<std::pair<std::size_t, std::string>> shown_rollers(const std::vector
 
 std::string fixed(double value, int decimals) { return fmt::format("{:.{}f}", value, decimals); }
 
+/// With at least so many decimals, and with more where these would leave fewer than three digits.
+std::string three_digits(double value, int decimals) {
+  const int of_three = value > 0 ? 2 - static_cast<int>(std::floor(std::log10(value))) : 0;
+  return fixed(value, std::max(decimals, of_three));
+}
+
 std::string name_of(const BearingResult& result) { return std::string(to_string(result.law)); }
 
 /// The table after an empty line; nothing where it has no row below its head.
@@ -78,15 +84,17 @@ struct RollerColumn {
 };
 
 /// The columns of one law. Where a roller carries next to nothing, its pressure is rounding and its film is the gap
-/// that the ring leaves.
-std::vector<RollerColumn> columns_of(const BearingResult& result) {
+/// that the ring leaves. Forces have no decimals where the largest one is not known to half a newton.
+std::vector<RollerColumn> columns_of(const BearingResult& result, const ErrorsOfLaws& errors) {
   const double largest = largest_force_N(result);
+  const auto known = errors.find(result.law);
+  const int decimals_of_force = known != errors.end() && known->second.largest_force_N > 0.5 ? 0 : 1;
   const auto if_loaded = [largest](const ContactRow& inner, const std::optional<double>& value, double unit,
                                    int decimals) -> std::string {
-    return value && bearing::is_loaded(inner.force_N, largest) ? fixed(unit * *value, decimals) : "-";
+    return value && bearing::is_loaded(inner.force_N, largest) ? three_digits(unit * *value, decimals) : "-";
   };
   std::vector<RollerColumn> columns{
-      {"f_i", "N", [](const ContactRow& inner) { return fixed(inner.force_N, 1); }},
+      {"f_i", "N", [=](const ContactRow& inner) { return fixed(inner.force_N, decimals_of_force); }},
       {"p_H", "MPa", [=](const ContactRow& inner) { return if_loaded(inner, inner.hertz_pressure_Pa, 1e-6, 0); }}};
   if (!needs_film(result.law)) return columns;
   columns.push_back(
@@ -305,9 +313,10 @@ std::string warnings(const std::vector<BearingResult>& results) {
 }  // namespace
 
 std::string human_table(const Case& bearing_case, const std::vector<BearingResult>& results, const BearingView& view) {
-  std::string text = heading(bearing_case) + warnings(results) +
-                     summary_table(std::get<BearingCase>(bearing_case.body), results, view.errors) +
-                     rollers_table(results, columns_of);
+  std::string text =
+      heading(bearing_case) + warnings(results) +
+      summary_table(std::get<BearingCase>(bearing_case.body), results, view.errors) +
+      rollers_table(results, [&](const BearingResult& result) { return columns_of(result, view.errors); });
   if (view.details)
     text += fmt::format("\n{}{}{}", rollers_table(results, approach_column), cost_table(results), ring_table(results));
   text += cage_table(results) + dynamics_table(results);
