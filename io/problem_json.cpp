@@ -46,6 +46,15 @@ Json conditions_json(const Conditions& conditions) {
   return json;
 }
 
+/// A dry contact has neither a film nor an inlet and an exit: the bodies touch where there is pressure.
+Json equations_json(bool dry) {
+  const char* const film = "H = H_0 + X^2/2 - (1/pi) Int P(S) ln|X - S| dS";
+  const char* const load = "Int P dX = pi/2";
+  if (dry) return {film, load, "P >= 0, H >= 0 and P H = 0"};
+  return {"d/dX(rho H^3/(eta lambda) dP/dX) = d(rho H)/dX from the inlet to the exit", film, load,
+          "P = 0 at the inlet; P = dP/dX = 0 at the exit, whose place is unknown; P >= 0"};
+}
+
 }  // namespace
 
 Json problem_json(const Case& contact_case) {
@@ -55,9 +64,7 @@ Json problem_json(const Case& contact_case) {
   json["version"] = contact_case.version;
   json["title"] = contact_case.title;
   json["units"] = "X = x/b, P = p/p_H, H = h R/b^2";
-  json["equations"] = {"d/dX(rho H^3/(eta lambda) dP/dX) = d(rho H)/dX from the inlet to the exit",
-                       "H = H_0 + X^2/2 - (1/pi) Int P(S) ln|X - S| dS", "Int P dX = pi/2",
-                       "P = 0 at the inlet; P = dP/dX = 0 at the exit, whose place is unknown; P >= 0"};
+  json["equations"] = equations_json(contact.dry());
   if (const auto* conditions = std::get_if<Conditions>(&contact.statement))
     json["conditions"] = conditions_json(*conditions);
   if (contact.dry()) return json;
