@@ -126,6 +126,15 @@ std::string shown(const std::vector<Case>& cases) {
   return text;
 }
 
+void require_citable(const std::vector<Case>& cases) {
+  for (const Case& any : cases)
+    if (!is_benchmark_case(any))
+      throw UsageError(
+          one_line(fmt::format("--bibtex: {} is not in {}: it is no benchmark case and has no entry; "
+                               "allowed is an id that ehd cases lists",
+                               any.file.string(), cases_folder().string())));
+}
+
 int list(const CasesOptions& options) {
   if (options.bibtex + options.json + options.show > 1)
     throw UsageError("cases: --bibtex, --json and --show exclude each other; allowed is one of them");
@@ -153,6 +162,7 @@ int list(const CasesOptions& options) {
   }
   const Bibliography bibliography = read_bibliography(cases_folder() / "references.bib");
   if (options.bibtex) {
+    require_citable(cases);
     print(all && !options.atlas ? bibtex_of_sources(bibliography) : bibtex_of_cases(cases, bibliography));
     return success;
   }

@@ -3,12 +3,15 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string_view>
+#include <system_error>
 #include <variant>
 
 #include "contact/text.hpp"
+#include "io/find_case.hpp"
 #include "io/problem_json.hpp"
 #include "io/provenance.hpp"
 #include "io/result_head.hpp"
@@ -44,9 +47,11 @@ std::string digits_of(const Case& any) {
   for (const Expectation& one : any.expectations) {
     if (one.waiting) continue;
     if (!text.empty()) text += ", ";
-    text += fmt::format("{}{} = {} ({}, {}, relative uncertainty {})", one.quantity,
-                        one.law.empty() ? "" : " by " + one.law, one.digits, to_string(one.scaling),
-                        to_string(one.kind), plain(one.uncertainty, 2));
+    // Half the last digit of a fit says nothing about how far the fit is from the solution.
+    const bool fit = one.kind == ExpectationKind::fit;
+    text += fmt::format("{}{} = {} ({}, {}{})", one.quantity, one.law.empty() ? "" : " by " + one.law, one.digits,
+                        to_string(one.scaling), to_string(one.kind),
+                        fit ? "" : ", relative uncertainty " + plain(one.uncertainty, 2));
   }
   return text.empty() ? "waits for digits that nobody here has read" : text;
 }
@@ -99,6 +104,13 @@ std::string bibtex_of_cases(const std::vector<Case>& cases, const Bibliography& 
     if (const auto entry = bibliography.find(key); entry != bibliography.end())
       sources += (sources.empty() ? "" : "\n") + entry->second.text;
   return text + sources;
+}
+
+bool is_benchmark_case(const Case& any) {
+  std::error_code no_folder, no_cases;
+  const auto folder = std::filesystem::canonical(std::filesystem::absolute(any.file).parent_path(), no_folder);
+  const auto cases = std::filesystem::canonical(cases_folder(), no_cases);
+  return !no_folder && !no_cases && (folder == cases || folder.parent_path() == cases);
 }
 
 std::string bibtex_of_sources(const Bibliography& bibliography) {

@@ -13,6 +13,9 @@ namespace ehd {
 
 /// An entry for each case (id, version, digits, this software), and the entries of their sources, each once.
 [[nodiscard]] std::string bibtex_of_cases(const std::vector<Case>& cases, const Bibliography& bibliography);
+/// Whether the file of the case stands in the folder of the benchmark cases, or in a folder of it such as cases/atlas.
+/// Only such a case may be cited: another file may have the same id and other values.
+[[nodiscard]] bool is_benchmark_case(const Case& any);
 /// All entries of the bibliography, unchanged.
 [[nodiscard]] std::string bibtex_of_sources(const Bibliography& bibliography);
 

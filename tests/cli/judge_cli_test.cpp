@@ -218,6 +218,17 @@ BOOST_AUTO_TEST_CASE(a_case_is_cited_shown_and_given_to_programs) {
   test::check_refused(folder, "cases own-barus-5-5 --show --json", "exclude each other");
 }
 
+BOOST_AUTO_TEST_CASE(a_file_that_is_no_benchmark_case_is_not_cited_as_one) {
+  const test::Folder folder;
+  const std::string cases = std::string(EHD_SOURCE_DIR) + "/cases";
+  const auto copy = folder.write("own-moes-20-10.toml", test::read(cases + "/own-moes-20-10.toml"));
+  test::check_refused(folder, "cases " + quoted(copy) + " --bibtex", "it is no benchmark case and has no entry");
+  test::check_refused(folder, fmt::format("cases own-barus-5-5 {} --bibtex", quoted(copy)), "it is no benchmark case");
+  BOOST_TEST(test::ehd_run(folder, "cases " + quoted(copy) + " --json").exit_code == 0);
+  BOOST_TEST(test::ehd_run(folder, "cases '" + cases + "/own-moes-20-10.toml' --bibtex").exit_code == 0);
+  BOOST_TEST(test::ehd_run(folder, "cases atlas-barus-m20-l10-flooded --bibtex").exit_code == 0);
+}
+
 BOOST_AUTO_TEST_CASE(the_citations_of_the_software_name_its_version) {
   const test::Folder folder;
   const std::string cff = test::read(std::string(EHD_SOURCE_DIR) + "/CITATION.cff");

@@ -4,9 +4,13 @@
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cstddef>
+#include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
+#include <utility>
 
+#include "io/case_reader.hpp"
 #include "io/find_case.hpp"
 
 using namespace ehd;
@@ -63,6 +67,41 @@ BOOST_AUTO_TEST_CASE(the_words_of_a_case_are_protected) {
                           "\\textbackslash{}y for 3 \\$") != std::string::npos,
              entries);
   BOOST_TEST(misread_by_latex(entries).empty(), misread_by_latex(entries));
+}
+
+BOOST_AUTO_TEST_CASE(only_files_in_the_folder_of_the_cases_are_benchmark_cases) {
+  Case any;
+  any.id = "own-moes-20-10";
+  for (const auto& [file, expected] :
+       {std::pair(cases_folder() / "own-moes-20-10.toml", true), std::pair(cases_folder() / "atlas" / "any.toml", true),
+        std::pair(cases_folder() / ".." / "examples" / "my-contact.toml", false),
+        std::pair(std::filesystem::path("own-moes-20-10.toml"), false),
+        std::pair(std::filesystem::path("/nowhere/own-moes-20-10.toml"), false)}) {
+    any.file = file;
+    BOOST_CHECK_MESSAGE(is_benchmark_case(any) == expected, file);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_citation_of_a_fit_states_no_uncertainty) {
+  const std::string fit = bibtex_of_cases({read_case(find_case("herrebrugh1968-100-0"))}, {});
+  BOOST_TEST(fit.find("film.couette = 1.0434 (moes, fit);") != std::string::npos, fit);
+  BOOST_TEST(fit.find("relative uncertainty") == std::string::npos, fit);
+  const std::string solved = bibtex_of_cases({read_case(find_case("own-moes-20-10"))}, {});
+  BOOST_TEST(solved.find("computed, relative uncertainty ") != std::string::npos, solved);
+}
+
+BOOST_AUTO_TEST_CASE(the_problem_of_a_dry_contact_has_no_equation_of_a_film) {
+  const auto equations_of = [](const char* id) {
+    const Json json = cases_json({read_case(find_case(id))});
+    return json["cases"][0]["problem"]["equations"].dump();
+  };
+  const std::string dry = equations_of("dry-steel"), lubricated = equations_of("own-moes-20-10");
+  for (const char* part : {"lambda", "dP/dX", "inlet", "exit", "rho"}) {
+    BOOST_CHECK_MESSAGE(dry.find(part) == std::string::npos, part << " is in " << dry);
+    BOOST_CHECK_MESSAGE(lubricated.find(part) != std::string::npos, part << " is not in " << lubricated);
+  }
+  for (const char* part : {"ln|X - S|", "Int P dX = pi/2", "P H = 0"})
+    BOOST_CHECK_MESSAGE(dry.find(part) != std::string::npos, part << " is not in " << dry);
 }
 
 BOOST_AUTO_TEST_CASE(what_latex_would_misread_is_found) {
