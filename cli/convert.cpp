@@ -15,6 +15,7 @@
 #include "cli/usage.hpp"
 #include "contact/scalings.hpp"
 #include "contact/text.hpp"
+#include "io/case_keys.hpp"
 #include "io/json.hpp"
 #include "io/near_miss.hpp"
 #include "io/result_head.hpp"
@@ -42,6 +43,19 @@ Examples:
 Give the numbers that you know, each once. The table has all that follows from them, and names what stays open. A number
 that the ones before it already fix is refused.)";
 
+/// "did you mean NAME (what it is)? ". Names that differ in more than a slip may differ in meaning: the reduced modulus
+/// is not Young's. The words are those of the case's key where it has one.
+std::string meant_by(const std::string& given, const std::vector<std::string>& names) {
+  const std::string name = near_miss(given, names);
+  if (name.empty() || is_mistyped(given, name)) return did_you_mean(given, names);
+  std::string_view meaning;
+  for (const ScaledNumber& row : scaled_numbers())
+    if (row.name == name) meaning = row.meaning;
+  for (const CaseKey& key : find_case_table("conditions")->keys)
+    if (key.name == name) meaning = key.meaning.substr(0, key.meaning.find(';'));
+  return fmt::format("did you mean {} ({})? ", name, meaning);
+}
+
 std::vector<GivenNumber> numbers_of(const std::vector<std::string>& texts) {
   std::vector<std::string> names;
   for (const ScaledNumber& row : scaled_numbers()) names.emplace_back(row.name);
@@ -51,7 +65,7 @@ std::vector<GivenNumber> numbers_of(const std::vector<std::string>& texts) {
     const std::string name = text.substr(0, equals);
     if (std::find(names.begin(), names.end(), name) == names.end())
       throw UsageError(
-          fmt::format("convert: {}: is unknown; {}allowed is {}", name, did_you_mean(name, names), list(names)));
+          fmt::format("convert: {}: is unknown; {}allowed is {}", name, meant_by(name, names), list(names)));
     if (equals == std::string::npos)
       throw UsageError(fmt::format("convert: {}: has no value; allowed is {}=NUMBER", name, name));
     const auto row = static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());

@@ -85,7 +85,7 @@ std::vector<std::string> tables_to_check(const CaseTree& tree, const CaseTable& 
   }
   const bool there = tree.has(std::string(table.name));
   const bool belongs = !statement || (statement->in_bearing ? table.in_bearing : table.in_contact);
-  const bool needed = statement && table.required;
+  const bool needed = statement && has_to_stand(tree, table, *statement);
   if (table.role == TableRole::heading || (belongs && (there || needed))) paths.emplace_back(table.name);
   return paths;
 }
@@ -105,20 +105,29 @@ struct MissingKey {
   std::string path, required;
 };
 
+/// What is required where the key is missing. The oil's grade may stand in place of eta_0. Where a key stands that
+/// belongs to the grade, the grade comes first.
+std::string required_of(const CaseTree& tree, const CaseKey& key) {
+  const std::string allowed = text_of(key.allowed);
+  if (key.name != "viscosity_Pa_s") return allowed;
+  const std::string beside = key_beside_grade(tree);
+  if (beside.empty()) return allowed + "; or the oil's grade, iso_vg with temperature_C in [lubricant]";
+  return fmt::format("iso_vg in [lubricant], to which {} belongs; or {}, without {}", beside, allowed, beside);
+}
+
 std::vector<MissingKey> missing_keys(const CaseTree& tree, const CaseTable* statement) {
   std::vector<MissingKey> missing;
   const bool in_contact = statement && statement->in_contact;
-  for (const CaseTable& table : case_tables()) {
-    for (const std::string& path : tables_to_check(tree, table, statement))
-      for (const CaseKey* key : needed_in(tree, table, path, in_contact))
-        if (const std::string name = name_in(path, *key); !tree.has(name))
-          missing.push_back({name, text_of(key->allowed)});
-  }
   const bool may_be_dry = statement && statement->name == "conditions";
-  for (const CaseTable& table : case_tables())
+  for (const CaseTable& table : case_tables()) {
     if (const std::string name(table.name); in_contact && has_to_stand(tree, table, *statement) && !tree.has(name))
       missing.push_back(
           {name, fmt::format("[lubricant] with [domain]{}", may_be_dry ? ", or neither for a dry contact" : "")});
+    for (const std::string& path : tables_to_check(tree, table, statement))
+      for (const CaseKey* key : needed_in(tree, table, path, in_contact))
+        if (const std::string name = name_in(path, *key); !tree.has(name))
+          missing.push_back({name, required_of(tree, *key)});
+  }
   return missing;
 }
 

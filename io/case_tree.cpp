@@ -74,6 +74,15 @@ struct Meant {
   std::string path, words;
 };
 
+/// " (E', not Young's modulus: ...)": what the meant key is, where its name is more than the mistyped one. It may be
+/// something else then: the reduced modulus is not Young's.
+std::string in_words(const std::string& given, const std::string& path) {
+  if (path.find('.') == std::string::npos || find_case_table(path)) return "";
+  const CaseKey& row = row_of_case_key(path);
+  if (is_mistyped(given, std::string(row.name))) return "";
+  return fmt::format(" ({})", row.meaning.substr(0, row.meaning.find(';')));
+}
+
 /// Both can stand in one case.
 bool stand_together(const CaseTable& one, const CaseTable& other) {
   const bool two_statements = one.role == TableRole::statement && other.role == TableRole::statement;
@@ -93,8 +102,10 @@ Meant meant_elsewhere(const std::string& key, const std::string& table_name) {
       const auto names = names_of_keys(other);
       const bool has_it = std::find(names.begin(), names.end(), key) != names.end();
       const std::string name = has_it ? key : exactly ? "" : near_miss(key, names);
-      if (!name.empty())
-        return {.path = fmt::format("{}.{}", other.name, name), .words = fmt::format("{} in [{}]", name, other.name)};
+      if (!name.empty()) {
+        const std::string path = fmt::format("{}.{}", other.name, name);
+        return {.path = path, .words = fmt::format("{} in [{}]{}", name, other.name, in_words(key, path))};
+      }
     }
     return {};
   };
@@ -105,22 +116,25 @@ Meant meant_elsewhere(const std::string& key, const std::string& table_name) {
 
 Meant meant_by(const std::string& key, const std::string& table, bool is_table,
                const std::vector<std::string>& allowed) {
-  if (const std::string name = near_miss(key, allowed); !name.empty())
-    return {.path = table.empty() ? name : table + "." + name,
-            .words = find_case_table(name) && is_table ? "[" + name + "]" : name};
+  if (const std::string name = near_miss(key, allowed); !name.empty()) {
+    const std::string path = table.empty() ? name : table + "." + name;
+    return {.path = path, .words = find_case_table(name) && is_table ? "[" + name + "]" : name + in_words(key, path)};
+  }
   return meant_elsewhere(key, table);
 }
 
-/// What an unknown "table.key" may have been meant to be; empty where nothing is near.
-std::string path_meant_by(const std::string& path) {
+/// What an unknown "table.key" may have been meant to be, in words; empty where nothing is near.
+std::string words_meant_by(const std::string& path) {
   const auto [table, key] = parts_of(path);
   if (const CaseTable* row = find_case_table(table); row && is_substitutable(*row)) {
-    if (const std::string name = near_miss(key, names_of_keys(*row)); !name.empty()) return name;
+    if (const std::string name = near_miss(key, names_of_keys(*row)); !name.empty())
+      return name + in_words(key, fmt::format("{}.{}", table, name));
     const std::string other = meant_elsewhere(key, table).path;
     const CaseTable* found = find_case_table(parts_of(other).first);
-    return found && is_substitutable(*found) ? other : "";
+    return found && is_substitutable(*found) ? other + in_words(key, other) : "";
   }
-  return near_miss(path, substitutable_paths());
+  const std::string other = near_miss(path, substitutable_paths());
+  return other + in_words(key.empty() ? path : key, other);
 }
 
 /// Whether a case file has the key, although it keeps its value: those above the first table, and what is expected.
@@ -143,7 +157,7 @@ void require_substitutable(const Substitution& substitution) {
   const std::string fault = keeps_its_value(table_name, key) ? "cannot be given another value"
                             : table                          ? fmt::format("is unknown in [{}]", table_name)
                                                              : "is unknown";
-  const std::string meant = path_meant_by(path);
+  const std::string meant = words_meant_by(path);
   const std::string subject =
       substitution.option.empty() ? shortened(path, longest_text) : "ehd: " + substitution.option;
   throw CaseError(one_line(fmt::format("{}: {}; {}allowed is {}", subject, fault,

@@ -123,6 +123,11 @@ std::string near_miss(const std::string& word, const std::vector<std::string>& n
   return nearest.empty() ? of_most_common_words(word, names) : nearest;
 }
 
+bool is_mistyped(const std::string& word, const std::string& name) {
+  return word.size() <= longest_compared &&
+         distance(in_small_letters(word), in_small_letters(name)) <= most_differences;
+}
+
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& names) {
   const std::string meant = near_miss(word, names);
   return meant.empty() ? "" : "did you mean " + meant + "? ";

@@ -14,6 +14,10 @@ namespace ehd {
 /// there is none.
 [[nodiscard]] std::string near_miss(const std::string& word, const std::vector<std::string>& names);
 
+/// At most two characters differ: the word is the name with a slip of the finger. Else the words differ, and the name
+/// may mean something else.
+[[nodiscard]] bool is_mistyped(const std::string& word, const std::string& name);
+
 /// "did you mean NAME? ", or nothing.
 [[nodiscard]] std::string did_you_mean(const std::string& word, const std::vector<std::string>& names);
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "contact/oil_laws.hpp"
 #include "contact/text.hpp"
@@ -23,6 +24,8 @@ constexpr const char* index_key = "lubricant.viscosity_index";
 constexpr const char* temperature = "lubricant.temperature_C";
 constexpr const char* density = "lubricant.density_15C_kg_per_m3";
 constexpr std::array grade_keys{iso_vg, at_40C, at_100C};
+constexpr std::array keys_beside_grade{temperature, index_key, density};
+constexpr double least_at_100C_mm2_per_s = 2;  // where ASTM D2270 begins
 
 constexpr const char* two_ways = "allowed is iso_vg, or viscosity_40C_mm2_per_s with viscosity_100C_mm2_per_s";
 
@@ -46,7 +49,7 @@ Lubricant read_laws(const CaseTree& tree) {
 /// Keys that make no sense together. Their values have been checked before.
 void require_one_way(const CaseTree& tree) {
   if (!states_grade(tree)) {
-    for (const char* key : {index_key, temperature, density})
+    for (const char* key : keys_beside_grade)
       if (tree.has(key)) tree.fail(key, std::string("belongs to an oil that is stated by its grade; ") + two_ways);
     return;
   }
@@ -58,6 +61,13 @@ void require_one_way(const CaseTree& tree) {
   if (tree.has(index_key))
     tree.fail(index_key, "contradicts the two viscosities, which set it; allowed is with iso_vg");
   for (const char* key : {at_40C, at_100C}) (void)required(tree, key);
+}
+
+/// "viscosity_index of at least 378, or ", the whole number above the index of such an oil with 2 mm2/s at 100 C. Empty
+/// where no index that a case may have is so high.
+std::string higher_index(double viscosity_40C_mm2_per_s) {
+  const double least = std::ceil(viscosity_index(viscosity_40C_mm2_per_s, least_at_100C_mm2_per_s).value());
+  return interval_of(index_key).contains(least) ? fmt::format("viscosity_index of at least {}, or ", plain(least)) : "";
 }
 
 /// The viscosities at 40 and 100 C.
@@ -76,9 +86,9 @@ void read_viscosities(const CaseTree& tree, GradedOil& oil) {
   const auto follows = viscosity_100C_mm2_per_s(oil.viscosity_40C_mm2_per_s, *oil.viscosity_index);
   if (!follows)
     tree.fail(iso_vg, fmt::format("with viscosity index {} would have less than 2 mm2/s at 100 C, where ASTM D2270 "
-                                  "defines no index; allowed is viscosity_40C_mm2_per_s with "
+                                  "defines no index; allowed is {}viscosity_40C_mm2_per_s with "
                                   "viscosity_100C_mm2_per_s in its place",
-                                  plain(*oil.viscosity_index)));
+                                  plain(*oil.viscosity_index), higher_index(oil.viscosity_40C_mm2_per_s)));
   oil.viscosity_100C_mm2_per_s = *follows;
 }
 
@@ -118,6 +128,12 @@ OilOfCase read_oil(const CaseTree& tree) {
                           plain(oil.grade->viscosity_Pa_s, 3), text_of(row_of_case_key(key).allowed)));
   oil.lubricant.alpha_per_Pa = oil.grade->estimated_alpha_per_Pa;
   return oil;
+}
+
+std::string key_beside_grade(const CaseTree& tree) {
+  for (const std::string key : keys_beside_grade)
+    if (tree.has(key)) return key.substr(key.find('.') + 1);
+  return "";
 }
 
 bool is_grade_key(std::string_view key) { return std::ranges::find(grade_keys, key) != grade_keys.end(); }

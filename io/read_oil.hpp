@@ -23,6 +23,9 @@ struct OilOfCase {
 
 /// Whether the case states its oil by grade: then eta_0 follows, and no key may state it again.
 [[nodiscard]] bool states_grade(const CaseTree& tree);
+/// The first key of the case that belongs to a grade ("temperature_C"), without the keys that state it; empty where
+/// there is none.
+[[nodiscard]] std::string key_beside_grade(const CaseTree& tree);
 /// Whether a key ("lubricant.iso_vg") states the grade.
 [[nodiscard]] bool is_grade_key(std::string_view key);
 /// Refuses the key that states eta_0 where the oil's grade sets it as well. Throws CaseError.

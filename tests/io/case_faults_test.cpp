@@ -45,7 +45,11 @@ BOOST_AUTO_TEST_CASE(every_missing_key_of_a_contact_has_its_line) {
                "1: source: is missing", "1: [conditions] reduced_radius_m: is missing",
                "1: [conditions] reduced_modulus_Pa: is missing", "1: [conditions] speed_sum_m_per_s: is missing",
                "1: [conditions] viscosity_Pa_s: is missing", "3: [lubricant] density: is missing",
-               "1: [domain]: is missing; required is [lubricant] with [domain], or neither for a dry contact"});
+               "1: [domain]: is missing; required is [lubricant] with [domain], or neither for a dry contact",
+               "1: [domain] inlet: is missing"});
+  check_lines("id = \"mine\"\nversion = 1\ntitle = \"t\"\nsource = \"own\"\n[moes]\nM = 20\nL = 10\n",
+              {"1: [lubricant]: is missing", "1: [lubricant] viscosity: is missing",
+               "1: [lubricant] density: is missing", "1: [domain]: is missing", "1: [domain] inlet: is missing"});
 }
 
 BOOST_AUTO_TEST_CASE(a_missing_problem_has_its_line_among_the_others) {
@@ -130,7 +134,8 @@ BOOST_AUTO_TEST_CASE(tables_that_are_too_many_come_with_what_is_missing) {
       "[domain]\n[operation]\n",
       {"7: [hertz]: states the problem again, beside [moes]; allowed is exactly one of",
        "8: [conditions]: states the problem again, beside [moes]; allowed is exactly one of", "5: [moes] L: is missing",
-       "9: [domain] inlet: is missing", "1: [lubricant]: is missing"});
+       "1: [lubricant]: is missing", "1: [lubricant] viscosity: is missing", "1: [lubricant] density: is missing",
+       "9: [domain] inlet: is missing"});
   check_lines(
       "id = \"mine\"\nversion = 1\ntitle = \"t\"\nsource = \"own\"\n[moes]\nM = 5\nL = 0\n[operation]\n[fit]\n"
       "[lubricant]\nviscosity = \"barus\"\n[domain]\ninlet = -4\n",
@@ -165,15 +170,44 @@ BOOST_AUTO_TEST_CASE(the_nearest_key_is_one_of_the_table_or_of_those_that_the_ca
       "pitch_diameter_m = 0.06\nroller_dia_m = 0.01\nlength_m = 0.01\nclearance_m = 0\nrotating = \"inner\"\n"
       "density_kg_per_m3 = 7850\nspeed = 3000\nload_N = 5000\nlaw = \"palmgren\"\n"
       "[material]\nmodulus_Pa = 2.06e11\npoisson = 0.3\n",
-      {"8: roller_dia_m = 0.01: is unknown in [bearing]; did you mean roller_diameter_m? allowed is",
-       "13: speed = 3000: is unknown in [bearing]; did you mean speed_rpm in [operation]? allowed is",
-       "14: load_N = 5000: is unknown in [bearing]; did you mean radial_load_N in [operation]? allowed is",
+      {"8: roller_dia_m = 0.01: is unknown in [bearing]; did you mean roller_diameter_m (diameter of a roller, smaller "
+       "than ",
+       "13: speed = 3000: is unknown in [bearing]; did you mean speed_rpm in [operation] (speed of the ring that "
+       "turns)? allowed is",
+       "14: load_N = 5000: is unknown in [bearing]; did you mean radial_load_N in [operation] (radial load F_r)? "
+       "allowed is",
        "15: law = \"palmgren\": is unknown in [bearing]; did you mean law in [datum]? allowed is"});
   check_lines(
       "id = \"mine\"\nversion = 1\ntitle = \"t\"\nsource = \"own\"\n[conditions]\nload_N_m = 1e5\n"
       "reduced_radius_m = 0.01\nreduced_modulus_Pa = 2.2e11\nspeed_m_per_s = 3\n",
-      {"6: load_N_m = 1e5: is unknown in [conditions]; did you mean load_N_per_m? allowed is",
-       "9: speed_m_per_s = 3: is unknown in [conditions]; did you mean speed_sum_m_per_s? allowed is"});
+      {"6: load_N_m = 1e5: is unknown in [conditions]; did you mean load_N_per_m (load per length of the contact)? "
+       "allowed is",
+       "9: speed_m_per_s = 3: is unknown in [conditions]; did you mean speed_sum_m_per_s (u_s = u_1 + u_2, the sum of "
+       "the surface speeds, not the mean)? allowed is"});
+}
+
+BOOST_AUTO_TEST_CASE(a_suggested_key_says_what_it_is_where_the_names_differ_in_more_than_a_slip) {
+  check_lines(
+      "id = \"mine\"\nversion = 1\ntitle = \"t\"\nsource = \"own\"\n[conditions]\nload_N = 1e5\n"
+      "reduced_radius_mm = 0.01\nyoungs_modulus_Pa = 2.1e11\nspeed_mean_m_per_s = 3\n",
+      {"6: load_N = 1e5: is unknown in [conditions]; did you mean load_N_per_m (load per length of the contact)?",
+       "7: reduced_radius_mm = 0.01: is unknown in [conditions]; did you mean reduced_radius_m? allowed",
+       "8: youngs_modulus_Pa = 2.1e11: is unknown in [conditions]; did you mean reduced_modulus_Pa (E', not Young's "
+       "modulus: 2/E' = ",
+       "9: speed_mean_m_per_s = 3: is unknown in [conditions]; did you mean speed_sum_m_per_s (u_s = u_1 + u_2, the "
+       "sum of the surface speeds, not the mean)?"});
+}
+
+BOOST_AUTO_TEST_CASE(a_missing_viscosity_may_be_stated_by_the_grade_of_the_oil) {
+  const std::string contact =
+      "id = \"mine\"\nversion = 1\ntitle = \"t\"\nsource = \"own\"\n[conditions]\nload_N_per_m = 1e5\n"
+      "reduced_radius_m = 0.01\nreduced_modulus_Pa = 2.2e11\nspeed_sum_m_per_s = 3\n[domain]\ninlet = -4\n"
+      "[lubricant]\nviscosity = \"barus\"\ndensity = \"incompressible\"\n";
+  check_lines(contact, {"5: [conditions] viscosity_Pa_s: is missing; required is a number, 1e-12 to 1e9; or the oil's "
+                        "grade, iso_vg with temperature_C in [lubricant]"});
+  check_lines(contact + "temperature_C = 60\n",
+              {"5: [conditions] viscosity_Pa_s: is missing; required is iso_vg in [lubricant], to which temperature_C "
+               "belongs; or a number, 1e-12 to 1e9, without temperature_C"});
 }
 
 // The oil is stated by its grade: no viscosity is missing, but the temperature is.

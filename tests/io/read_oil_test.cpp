@@ -5,6 +5,7 @@
 #include <string>
 
 #include "contact/nondimensional.hpp"
+#include "contact/oil_grade.hpp"
 #include "io/case_reader.hpp"
 #include "io/find_case.hpp"
 #include "tests/check.hpp"
@@ -89,6 +90,16 @@ BOOST_AUTO_TEST_CASE(a_bearing_takes_a_grade_in_place_of_its_viscosity) {
   BOOST_TEST(lubricant.viscosity_Pa_s == lubricant.oil->viscosity_Pa_s);
 }
 
+// The numbers that the row of iso_vg in the key table names.
+BOOST_AUTO_TEST_CASE(grades_below_10_have_a_viscosity_index_only_from_the_one_that_the_key_table_names) {
+  for (const double grade : iso_viscosity_grades()) {
+    const int from = grade < 5 ? 401 : grade == 5 ? 378 : grade == 7 ? 75 : -100;
+    for (int index = -100; index <= 400; ++index)
+      BOOST_TEST(viscosity_100C_mm2_per_s(*midpoint_of_grade_mm2_per_s(grade), index).has_value() == (index >= from),
+                 "grade " << grade << ", index " << index);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(contradictions_and_gaps_are_refused) {
   const std::string law = "viscosity = \"roelands\"\n", T = "temperature_C = 60\n";
   const std::vector<std::pair<std::string, std::string>> rows{
@@ -101,11 +112,14 @@ BOOST_AUTO_TEST_CASE(contradictions_and_gaps_are_refused) {
       {"iso_vg = \"46\"\n" + T, "is a text; did you mean 46? allowed is one of 2"},
       {"iso_vg = \"thick\"\n" + T, "is a text; allowed is one of 2"},
       {"isovg = 46\n" + T, "isovg = 46: is unknown in [lubricant]; did you mean iso_vg?"},
-      {"vg = 46\n" + T, "vg = 46: is unknown in [lubricant]; did you mean iso_vg?"},
+      {"vg = 46\n" + T,
+       "vg = 46: is unknown in [lubricant]; did you mean iso_vg (the oil's grade of ISO 3448, which sets eta_0)?"},
       {"iso_vg = 68\n", "[lubricant] temperature_C: is missing"},
       {"iso_vg = 68\ntemperature_C = 200\n", "is out of range; allowed is -50 to 150"},
       {"iso_vg = 3200\nviscosity_index = 0\ntemperature_C = -50\n", "leaves the range of ASTM D341"},
       {"iso_vg = 5\n" + T, "less than 2 mm2/s at 100 C"},
+      {"iso_vg = 5\n" + T, "allowed is viscosity_index of at least 378, or viscosity_40C_mm2_per_s with"},
+      {"iso_vg = 3\n" + T, "defines no index; allowed is viscosity_40C_mm2_per_s with"},
       {"iso_vg = 68\nviscosity_40C_mm2_per_s = 60\n" + T, "contradicts iso_vg"},
       {"viscosity_40C_mm2_per_s = 60\n" + T, "[lubricant] viscosity_100C_mm2_per_s: is missing"},
       {"viscosity_40C_mm2_per_s = 8\nviscosity_100C_mm2_per_s = 60\n" + T, "is not below the viscosity at 40 C"},
