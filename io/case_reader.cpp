@@ -23,7 +23,9 @@ namespace {
 void read_heading(const CaseTree& tree, Case& made) {
   made.id = text(tree, "id");
   // A case on standard input has no file whose name its id could differ from.
-  const std::string stem = made.file == standard_input ? id_of_file(made.id) : id_of_file(made.file);
+  if (made.file == standard_input && !is_id(made.id))
+    tree.fail("id", fmt::format("is no id; allowed is {}", allowed_in_id));
+  const std::string stem = made.file == standard_input ? made.id : id_of_file(made.file);
   if (made.id != stem) tree.fail("id", fmt::format("differs from the file's name; allowed is \"{}\"", stem));
   made.version = integer(tree, "version");
   made.title = text(tree, "title");

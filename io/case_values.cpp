@@ -38,6 +38,18 @@ std::string plain_text(const CaseTree& tree, const std::string& key, const Allow
   return *content;
 }
 
+/// A text of a number and letters: "1e5 N", "100kN".
+bool has_unit(const CaseNode& node) {
+  const auto* text = std::get_if<std::string>(&node.content);
+  if (!text) return false;
+  double value = 0;
+  const char* const end = text->data() + text->size();
+  const char* at = std::from_chars(text->data(), end, value).ptr;
+  if (at == text->data()) return false;
+  while (at != end && *at == ' ') ++at;
+  return at != end && ((*at >= 'a' && *at <= 'z') || (*at >= 'A' && *at <= 'Z') || *at == '%');
+}
+
 /// "did you mean 32 or 46? " for 45: the neighbours among a few numbers that increase. A text may hold the number:
 /// "46", "VG 46".
 std::string near_numbers(const CaseNode& node, std::span<const double> few) {
@@ -76,7 +88,10 @@ double number_or_standard(const CaseTree& tree, const std::string& key) {
 
 double number_in(const CaseTree& tree, const std::string& key, const CaseNode& node, const Interval& interval) {
   const auto stated = node.number();
-  if (!stated) tree.fail(key, fmt::format("is {}; allowed is a number, {}", node.type, interval.text()));
+  if (!stated) {
+    const char* const unit = has_unit(node) ? "has a unit, which belongs to the key's name" : "";
+    tree.fail(key, fmt::format("{}; allowed is a number, {}", *unit ? unit : "is " + node.type, interval.text()));
+  }
   const double value = *stated;
   if (!std::isfinite(value)) tree.fail(key, "is not finite; allowed is " + interval.text());
   if (interval.contains(value)) return value;

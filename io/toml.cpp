@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "contact/text.hpp"
+#include "io/case_keys.hpp"
 #include "io/case_text.hpp"
 #include "workflow/case.hpp"
 
@@ -64,9 +65,46 @@ void require_representable(std::string_view key, const toml::node& node, const s
                                        sizes_of_numbers())));
 }
 
+/// What the key of a line "key = value" may hold, where that is a number and no text; empty elsewhere. `table`: the
+/// header above the line.
+std::string number_allowed(std::string_view table, std::string_view line) {
+  const CaseTable* const row = find_case_table(table);
+  const std::string name = trimmed(line.substr(0, line.find('=')));
+  if (!row) return "";
+  for (const CaseKey& key : row->keys) {
+    const bool number = std::holds_alternative<Interval>(key.allowed) ||
+                        std::holds_alternative<allowed::Integer>(key.allowed) ||
+                        std::holds_alternative<allowed::OneOf>(key.allowed);
+    if (key.name == name) return number ? fmt::format("{}, for example {}", text_of(key.allowed), key.example) : "";
+  }
+  return "";
+}
+
+/// The table that the line stands in; empty above the first.
+std::string table_above(const std::vector<std::string>& lines, int line) {
+  for (int i = line - 1; i >= 0; --i) {
+    const std::string content = trimmed(lines[static_cast<std::size_t>(i)]);
+    if (!content.starts_with('[')) continue;
+    const auto first = content.find_first_not_of("[ ");
+    return first == std::string::npos ? "" : content.substr(first, content.find_first_of(" ]", first) - first);
+  }
+  return "";
+}
+
+/// "5" or "0e5" behind a comma: the rest of a number.
+bool ends_number(std::string_view text) {
+  const auto digits = text.find_first_not_of("0123456789");
+  if (text.empty() || digits == 0) return false;
+  if (digits == std::string::npos) return true;
+  if (text[digits] != 'e' && text[digits] != 'E') return false;
+  std::string_view exponent = text.substr(digits + 1);
+  if (exponent.starts_with('-') || exponent.starts_with('+')) exponent.remove_prefix(1);
+  return !exponent.empty() && exponent.find_first_not_of("0123456789") == std::string::npos;
+}
+
 /// What is wrong with a line "key = value" that is no TOML, and what is allowed, in the words of its writer. Empty
 /// where it is none of the usual slips.
-std::string slip_of(std::string_view line) {
+std::string slip_of(std::string_view line, std::string_view table) {
   constexpr std::string_view latin = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ", decimal = "0123456789";
   const auto equals = line.find('=');
   if (equals == std::string_view::npos || line.find('=', equals + 1) != std::string_view::npos) return "";
@@ -81,15 +119,18 @@ std::string slip_of(std::string_view line) {
   };
   const auto number = value.find_first_not_of("+-.eE_0123456789");
   if (begins_with_value(value)) return "";
-  if (begins_with(value, latin))
+  if (begins_with(value, latin)) {
+    if (const std::string wanted = number_allowed(table, line); !wanted.empty())
+      return "is a text; allowed is " + wanted;
     return value.find_first_of(" \"'") == std::string::npos
                ? "is a text without quotation marks; allowed is \"" + value + "\""
                : "";
+  }
   if (!begins_with(value, decimal) && !begins_with(value, "+-.")) return "";
   if (number == std::string::npos) return "";
   const std::string rest = trimmed(std::string_view(value).substr(number));
   if (begins_with_value(rest)) return "";
-  if (rest.front() == ',' && rest.size() > 1 && rest.find_first_not_of(decimal, 1) == std::string::npos)
+  if (rest.front() == ',' && ends_number(std::string_view(rest).substr(1)))
     return fmt::format("has a comma in a number; allowed is a point, {}.{}", value.substr(0, number), rest.substr(1));
   if (begins_with(rest, latin) || begins_with(rest, "%"))
     return "has a unit; allowed is the number alone, in the unit that the key names";
@@ -159,7 +200,8 @@ toml::table parse_toml(const std::string& text, const std::filesystem::path& fil
     const std::string content = content_of(line);
     const bool ours = content.find('=') != std::string::npos || content.starts_with('[');
     const std::string source = ours ? shortened(content, longest_text) : "";
-    const std::string slip = slip_of(content), says = slip.empty() ? shortened(what, 200) + "; " + allowed : slip;
+    const std::string slip = slip_of(content, table_above(lines, line)),
+                      says = slip.empty() ? shortened(what, 200) + "; " + allowed : slip;
     throw CaseError(one_line(
         fmt::format("{}:{}{}: {}", file.string(), line, source.empty() ? "" : ": " + source, shortened(says, 300))));
   }

@@ -253,6 +253,9 @@ BOOST_AUTO_TEST_CASE(duplicates_and_what_is_no_toml_are_refused) {
       {9, "viscosity = \"roelands", 9, "not closed"},
       {7, "L = 9 z = 3", 7, "allowed is TOML"},
       {7, "L = 9,5", 7, "L = 9,5: has a comma in a number; allowed is a point, 9.5"},
+      {7, "L = 9,5e-1", 7, "L = 9,5e-1: has a comma in a number; allowed is a point, 9.5e-1"},
+      {7, "L = nine", 7, "L = nine: is a text; allowed is a number, 0, or 1e-12 to 100, for example 10.0"},
+      {7, "L = \"9 mm\"", 7, "has a unit, which belongs to the key's name; allowed is a number, 0, or 1e-12 to 100"},
       {7, "L = [9,5", 8, "allowed is TOML"},
       {7, "L = 9 mm  # wide", 7, "has a unit; allowed is the number alone, in the unit that the key names"},
       {7, "L = 1e-3m", 7, "has a unit; allowed is the number alone"},
@@ -271,6 +274,23 @@ BOOST_AUTO_TEST_CASE(duplicates_and_what_is_no_toml_are_refused) {
       {7, "L = 9 #" + std::string(3000, 'x'), 7, "more than 2000 bytes"},
   };
   check_refused(contact_lines, rows);
+}
+
+BOOST_AUTO_TEST_CASE(a_wrong_id_on_standard_input_is_refused_with_its_line) {
+  const auto said = [](const std::string& id) -> std::string {
+    try {
+      (void)read_case(fmt::format("version = 1\nid = \"{}\"\ntitle = \"t\"\nsource = \"own\"\n[moes]\nM = 5\nL = 3\n"
+                                  "[lubricant]\nviscosity = \"barus\"\ndensity = \"incompressible\"\n[domain]\n"
+                                  "inlet = -4\n",
+                                  id),
+                      "standard input");
+    } catch (const CaseError& wrong) {
+      return wrong.what();
+    }
+    return "";
+  };
+  BOOST_TEST(said("x y").starts_with("standard input:2: id = \"x y\": is no id; allowed is letters, digits"));
+  BOOST_TEST(said("x.y") == "");
 }
 
 BOOST_AUTO_TEST_CASE(a_number_outside_its_range_is_refused) {
