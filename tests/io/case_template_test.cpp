@@ -107,6 +107,24 @@ BOOST_AUTO_TEST_CASE(optional_keys_may_be_taken_in_as_they_stand) {
     BOOST_CHECK_NO_THROW((void)read_case(with_key(bearing, key), "mine.toml"));
 }
 
+BOOST_AUTO_TEST_CASE(the_example_of_an_expectation_may_be_taken_in_as_it_stands) {
+  for (const CaseKind kind : {CaseKind::contact, CaseKind::bearing}) {
+    std::string text = ehd::case_template(kind, "mine");
+    const auto at = text.find("\n# [[expect]]\n");
+    BOOST_REQUIRE(at != std::string::npos);
+    const std::string expect = text.substr(at);
+    text = text.substr(0, at) + "\n[[expect]]\n";
+    for (const char* key : {"quantity", "law", "value", "scaling", "uncertainty", "kind"}) {
+      if (kind == CaseKind::contact && std::string(key) == "law") continue;
+      const std::string line = fmt::format("\n# {} = ", key);
+      const auto from = expect.find(line);
+      BOOST_REQUIRE_MESSAGE(from != std::string::npos, key);
+      text += expect.substr(from + 3, expect.find('\n', from + 1) - from - 2);
+    }
+    BOOST_TEST(read_case(text, "mine.toml").expectations.size() == 1u, text);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(the_page_on_the_case_format_has_the_key_tables_as_they_are) {
   const std::string page = test::read(std::string(EHD_SOURCE_DIR) + "/docs/case-format.md");
   BOOST_TEST(page.find(case_key_tables()) != std::string::npos,
