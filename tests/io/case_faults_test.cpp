@@ -171,7 +171,7 @@ BOOST_AUTO_TEST_CASE(the_nearest_key_is_one_of_the_table_or_of_those_that_the_ca
       "density_kg_per_m3 = 7850\nspeed = 3000\nload_N = 5000\nlaw = \"palmgren\"\n"
       "[material]\nmodulus_Pa = 2.06e11\npoisson = 0.3\n",
       {"8: roller_dia_m = 0.01: is unknown in [bearing]; did you mean roller_diameter_m (diameter of a roller, smaller "
-       "than ",
+       "than the pitch circle)? allowed is",
        "13: speed = 3000: is unknown in [bearing]; did you mean speed_rpm in [operation] (speed of the ring that "
        "turns)? allowed is",
        "14: load_N = 5000: is unknown in [bearing]; did you mean radial_load_N in [operation] (radial load F_r)? "
