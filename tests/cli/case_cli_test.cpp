@@ -139,7 +139,8 @@ BOOST_AUTO_TEST_CASE(every_fault_of_the_keys_is_a_line_of_its_own) {
   const auto file = folder.write("mine.toml", "[moes]\nM = 5\nLL = 5\n");
   const auto ended = test::ehd_run(folder, "solve " + file.string());
   BOOST_TEST(ended.exit_code == 2);
-  BOOST_TEST(ended.error_lines() == 8);  // LL; id, version, title, source; L; [lubricant], [domain]
+  // LL; id, version, title, source; L; [lubricant] with viscosity and density, [domain] with inlet
+  BOOST_TEST(ended.error_lines() == 11);
   BOOST_TEST(ended.out == "");
 }
 
@@ -161,10 +162,10 @@ BOOST_AUTO_TEST_CASE(near_misses_of_words_are_named) {
         {"export films own-moes-5-5 --M 1:9 --L 3:12 --format jsn", "did you mean json?"},
         {"bench --part coste", "--part = coste: is unknown; did you mean cost? allowed is"},
         {"solve --M 20 --L 10 --density dowson-higinson", "did you mean dowson-higginson?"},
-        {"bearing na4908 --set bearing.load_N=1e4", "did you mean operation.radial_load_N?"},
+        {"bearing na4908 --set bearing.load_N=1e4", "did you mean operation.radial_load_N (radial load F_r)?"},
         {"convert l=10", "l: is unknown; did you mean L?"},
         {"convert m=20 L=10", "m: is unknown; did you mean M? allowed is M, L, lambda, alpha_p_H, W, U_mean, G"},
-        {"convert u=1e-11", "u: is unknown; did you mean U_mean?"},
+        {"convert u=1e-11", "u: is unknown; did you mean U_mean (Dowson and Hamrock: eta_0 u_s/(2E'R), mean speed)?"},
         {"convert Q=20", "Q: is unknown; allowed is M, L, lambda, alpha_p_H, W, U_mean, G"},
         {"solve --m 20 --L 10", "--m: unknown; did you mean --M?"}})
     test::check_refused(folder, arguments, says);
@@ -190,7 +191,7 @@ BOOST_AUTO_TEST_CASE(a_contact_is_converted_there_and_back) {
   test::check_refused(folder, "convert M=20 lambda=1",
                       "lambda: the numbers before it fix it already, at 0.00925275; allowed is without one of these");
   BOOST_TEST(json::parse(there.out)["M"].dump() == "20.0");  // as stated, not through logarithms
-  test::check_refused(folder, "convert U=1e-11", "did you mean U_mean?");
+  test::check_refused(folder, "convert U=1e-11", "did you mean U_mean (Dowson and Hamrock: ");
   test::check_refused(folder, "convert M", "has no value");
   BOOST_TEST(json::parse(test::ehd_run(folder, "convert M=20 L=0 --json -").out)["alpha_p_H"] == 0.0);
   test::check_refused(folder, "convert M=0 L=10", "M = 0: is out of range");
