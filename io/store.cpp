@@ -62,6 +62,14 @@ std::vector<HashNumber> in_order(std::vector<HashNumber> hashes) {
   return hashes;
 }
 
+/// Each line of a journal begins with its hash, 16 hexadecimal digits. The first line may be torn.
+bool begins_as_journal(const std::filesystem::path& file) {
+  constexpr std::size_t digits = 16;
+  std::string begin(digits, '0');
+  std::ifstream(file, std::ios::binary).read(begin.data(), digits);
+  return begin.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
+
 [[noreturn]] void refuse(const std::filesystem::path& where, const std::string& what) {
   throw OutputError(one_line(where.string() + ": " + what));
 }
@@ -117,12 +125,15 @@ SweepJournal::~SweepJournal() {
   if (lock_ >= 0) ::close(lock_);
 }
 
-/// Refuses a journal that is no regular file: a pipe or a device may have no end.
+/// Refuses a journal that is no regular file: a pipe or a device may have no end. Refuses a link and a file that begins
+/// otherwise than a journal does: it is someone else's, and would be overwritten.
 void SweepJournal::require_file_or_none() const {
   std::error_code error;
-  if (std::filesystem::symlink_status(file_, error).type() == std::filesystem::file_type::not_found) return;
-  if (const std::string fault = fault_of_file(file_); !fault.empty())
-    refuse(file_, fault + "; allowed is a journal of finished rows, or none");
+  const auto type = std::filesystem::symlink_status(file_, error).type();
+  if (type == std::filesystem::file_type::not_found) return;
+  std::string fault = type == std::filesystem::file_type::symlink ? "is a link" : fault_of_file(file_);
+  if (fault.empty() && !begins_as_journal(file_)) fault = "is no journal";
+  if (!fault.empty()) refuse(file_, fault + "; allowed is a journal of finished rows, or none");
 }
 
 void SweepJournal::open_file(int flags) {

@@ -130,6 +130,29 @@ BOOST_AUTO_TEST_CASE(a_journal_of_an_older_version_is_computed_again) {
   BOOST_TEST(test::read(out / "rows/journal").find("ehd-sweep-journal-1") == std::string::npos);
 }
 
+BOOST_AUTO_TEST_CASE(a_file_of_that_name_that_is_no_journal_is_kept) {
+  const Folder folder;
+  const Sweep read = read_sweep(folder.write("s.toml", dry_sweep));
+  const std::string precious = "measured on 3 May: 1.0 2.0 3.0\n";
+  const auto elsewhere = folder.write("precious.txt", precious);
+  for (const bool linked : {false, true}) {
+    const auto out = folder.path() / (linked ? "linked" : "plain");
+    std::filesystem::create_directories(out / "rows");
+    if (linked)
+      std::filesystem::create_symlink(elsewhere, out / "rows/journal");
+    else
+      std::ofstream(out / "rows/journal") << precious;
+    std::string refusal;
+    try {
+      (void)run_sweep(read, {}, out);
+    } catch (const OutputError& error) {
+      refusal = error.what();
+    }
+    BOOST_TEST(refusal.find(linked ? "is a link" : "is no journal") != std::string::npos, refusal);
+    BOOST_TEST(test::read(out / "rows/journal") == precious);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(what_a_row_follows_from_is_in_its_hash) {
   const Folder folder;
   const auto other = [&](const std::string& text) { return read_sweep(folder.write("s.toml", text)); };

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <new>
 
 namespace ehd::verification::exact {
 
@@ -36,9 +37,18 @@ double judged(int status, double value, double estimate) {
              : std::numeric_limits<double>::quiet_NaN();
 }
 
+/// GSL returns null where memory is lacking.
+template <class Made>
+Made* allocated(Made* made) {
+  if (!made) throw std::bad_alloc();
+  return made;
+}
+
 using Workspace = std::unique_ptr<gsl_integration_workspace, decltype(&gsl_integration_workspace_free)>;
 
-Workspace workspace() { return {gsl_integration_workspace_alloc(most_intervals), gsl_integration_workspace_free}; }
+Workspace workspace(std::size_t intervals) {
+  return {allocated(gsl_integration_workspace_alloc(intervals)), gsl_integration_workspace_free};
+}
 
 enum class LogAt { left, right };
 
@@ -53,9 +63,8 @@ double log_integral(const Function& f, double a, double b, LogAt end) {
   keep_going_on_gsl_errors();
   const bool left = end == LogAt::left;
   const std::unique_ptr<gsl_integration_qaws_table, decltype(&gsl_integration_qaws_table_free)> weight(
-      gsl_integration_qaws_table_alloc(0, 0, left ? 1 : 0, left ? 0 : 1), gsl_integration_qaws_table_free);
-  const std::unique_ptr<gsl_integration_workspace, decltype(&gsl_integration_workspace_free)> space(
-      gsl_integration_workspace_alloc(qaws_intervals), gsl_integration_workspace_free);
+      allocated(gsl_integration_qaws_table_alloc(0, 0, left ? 1 : 0, left ? 0 : 1)), gsl_integration_qaws_table_free);
+  const Workspace space = workspace(qaws_intervals);
   gsl_function integrand = wrap(f);
   double value = 0, estimate = 0;
   const int status =
@@ -68,7 +77,7 @@ double log_integral(const Function& f, double a, double b, LogAt end) {
 double integral(const Function& f, double a, double b) {
   keep_going_on_gsl_errors();
   gsl_function integrand = wrap(f);
-  const Workspace space = workspace();
+  const Workspace space = workspace(most_intervals);
   double value = 0, estimate = 0;
   const int status = gsl_integration_qags(&integrand, a, b, 0, asked, most_intervals, space.get(), &value, &estimate);
   return judged(status, value, estimate);
@@ -77,7 +86,7 @@ double integral(const Function& f, double a, double b) {
 double integral_to_infinity(const Function& f, double a) {
   keep_going_on_gsl_errors();
   gsl_function integrand = wrap(f);
-  const Workspace space = workspace();
+  const Workspace space = workspace(most_intervals);
   double value = 0, estimate = 0;
   const int status = gsl_integration_qagiu(&integrand, a, 0, asked, most_intervals, space.get(), &value, &estimate);
   return judged(status, value, estimate);
@@ -94,7 +103,7 @@ double root(const Function& f, double a, double b) {
   keep_going_on_gsl_errors();
   gsl_function function = wrap(f);
   const std::unique_ptr<gsl_root_fsolver, decltype(&gsl_root_fsolver_free)> solver(
-      gsl_root_fsolver_alloc(gsl_root_fsolver_brent), gsl_root_fsolver_free);
+      allocated(gsl_root_fsolver_alloc(gsl_root_fsolver_brent)), gsl_root_fsolver_free);
   if (gsl_root_fsolver_set(solver.get(), &function, a, b) != GSL_SUCCESS)
     return std::numeric_limits<double>::quiet_NaN();
   constexpr double precision = 4 * std::numeric_limits<double>::epsilon();

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <memory>
+#include <new>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -40,6 +41,7 @@ double SjovallIntegral::operator()(double eps) const {
   constexpr std::size_t intervals = 1000;
   const std::unique_ptr<gsl_integration_workspace, void (*)(gsl_integration_workspace*)> workspace(
       gsl_integration_workspace_alloc(intervals), gsl_integration_workspace_free);
+  if (!workspace) throw std::bad_alloc();
   double value = 0, estimated = 0;
   gsl_error_handler_t* const before = gsl_set_error_handler_off();
   const int status =
