@@ -58,7 +58,7 @@ std::string three_digits(double value, int decimals) {
 
 std::string name_of(const BearingResult& result) { return std::string(to_string(result.law)); }
 
-/// The table after an empty line, folded where it is wide; nothing where it has no row below its head.
+/// The table after an empty line; nothing where it has no row below its head.
 std::string below_line(const Rows& rows) { return rows.size() > 1 ? "\n" + aligned_in_parts(rows, 1, "  ") : ""; }
 
 std::string heading(const Case& bearing_case) {
