@@ -110,7 +110,9 @@ BOOST_AUTO_TEST_CASE(errors_hold_where_they_were_once_too_small) {
                           {0.28601, 15.08, 3e-3, "two grids agree by chance", true, TruncatedAt{-1.156}},
                           {0.0262, 42.74, 7e-3, "a small residual, a wrong film", true, TruncatedAt{-1.049}},
                           {0.12754, 3.492, 1e-3, "cut just before the contact", true, TruncatedAt{-1.02}},
-                          {0.2446, 4.87, 1e-2, "cut just before the contact", true, TruncatedAt{-1.0036}}}) {
+                          {0.2446, 4.87, 1e-2, "cut just before the contact", true, TruncatedAt{-1.0036}},
+                          {2.48673, 8.73481, 1e-4, "the same, four grids", true, TruncatedAt{-1.00373}},
+                          {0.00203922, 8.84928, 1e-4, "the same, four grids", true, TruncatedAt{-1.05642}}}) {
     BOOST_TEST_CONTEXT("M " << one.M << " L " << one.L << ": " << one.why) {
       const Problem problem =
           one.roelands ? roelands_problem(one.M, one.L, one.inlet) : barus_problem(one.M, one.L, one.inlet);
@@ -124,7 +126,7 @@ BOOST_AUTO_TEST_CASE(errors_hold_where_they_were_once_too_small) {
       ++rows;
     }
   }
-  BOOST_REQUIRE_EQUAL(rows, 11);
+  BOOST_REQUIRE_EQUAL(rows, 13);
 }
 
 // The usual tables of the kernel leave 1e-6 in H_min at such an M.
