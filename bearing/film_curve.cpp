@@ -40,7 +40,7 @@ double FilmCurve::rise_m(double force_N) const {
 }
 
 double FilmCurve::compliance_error(double force_N) const {
-  constexpr double steepest_below = 3;
+  constexpr double steepest_below = 3;  // the error falls like f^3 at most
   if (force_N < lightest_N()) return steepest_below * (errors_.joint_force + errors_.solver_offset_film);
   const auto inside = std::upper_bound(forces_N_.begin(), forces_N_.end() - 1, force_N);
   const double gap = std::log(*inside / *(inside - 1));

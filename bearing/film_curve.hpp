@@ -67,8 +67,9 @@ class FilmCurve {
   /// f d(delta)/df [m] with the datum x_0 = l. A relative error of the contact force is an error of the approach over
   /// this.
   [[nodiscard]] double rise_m(double force_N) const;
-  /// Relative error of d(delta)/df with the datum x_0 = l. An error that vanishes at both ends of a gap g in ln f and
-  /// reaches e between them has a slope of at most pi e/g. Below the lightest point it falls like f^(3/2) ... f^3.
+  /// Relative error of d(delta)/df with the datum x_0 = l, estimated. An interpolation error is zero at both ends of a
+  /// gap. If the gap is g in ln f and the error reaches e inside, its slope reaches about pi e/g. Below the lightest
+  /// point the error falls with the force, like f^(3/2) to f^3.
   [[nodiscard]] double compliance_error(double force_N) const;
 
  private:

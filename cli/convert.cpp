@@ -43,8 +43,8 @@ Examples:
 Give the numbers that you know, each once. The table has all that follows from them, and names what stays open. A number
 that the ones before it already fix is refused.)";
 
-/// "did you mean NAME (what it is)? ". Names that differ in more than a slip may differ in meaning: the reduced modulus
-/// is not Young's. The words are those of the case's key where it has one.
+/// "did you mean NAME (what it is)? ", without the brackets where the name was only mistyped. A key of a case is
+/// described in the words of the case's keys.
 std::string meant_by(const std::string& given, const std::vector<std::string>& names) {
   const std::string name = near_miss(given, names);
   if (name.empty() || is_mistyped(given, name)) return did_you_mean(given, names);
@@ -52,7 +52,7 @@ std::string meant_by(const std::string& given, const std::vector<std::string>& n
   for (const ScaledNumber& row : scaled_numbers())
     if (row.name == name) meaning = row.meaning;
   for (const CaseKey& key : find_case_table("conditions")->keys)
-    if (key.name == name) meaning = key.meaning.substr(0, key.meaning.find(';'));
+    if (key.name == name) meaning = key.what();
   return fmt::format("did you mean {} ({})? ", name, meaning);
 }
 

@@ -26,11 +26,11 @@ namespace ehd::cli {
 /// One of several runs, each by a solver.
 struct PlannedRun {
   std::string solver;
-  bool quick = false;                 ///< a run takes next to nothing beside those of solvers that are not
+  bool quick = false;                 ///< its time does not count beside that of a solver that is not quick
   std::optional<double> took_s = {};  ///< absent before it has ended
 };
-/// What the runs that have not ended will take, if each takes as long as the last one of its solver. Absent where a
-/// solver has ended none yet, unless it is a quick one and one that is not quick has.
+/// The time of all runs that have not ended. Each counts as the last ended run of its solver. A quick solver without an
+/// ended run counts as nothing, once a run of another kind has ended. Any other solver without one: the time is absent.
 [[nodiscard]] std::optional<double> time_left_s(const std::vector<PlannedRun>& runs);
 
 /// "solving ID with SOLVER: TITLE ...": what a narrow terminal cuts is the title. An empty title is left out.

@@ -41,7 +41,7 @@ constexpr std::array<IndexRow, 16> index_rows{{
     {55.0, 0.85921, 11.1009, -83.19, 0.1713, 11.368, -76.94},
     {70.0, 0.83531, 14.6731, -216.246, 0.16841, 11.8493, -96.947},
 }};
-constexpr double least_with_index = index_rows.front().from;
+static_assert(index_rows.front().from == least_with_index);
 
 const IndexRow& index_row_at(double Y) {
   const auto next =

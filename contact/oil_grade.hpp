@@ -20,7 +20,9 @@ namespace ehd {
 /// but for 2, 3, 5 and 7. Absent for a number that is no grade.
 [[nodiscard]] std::optional<double> midpoint_of_grade_mm2_per_s(double grade);
 
-/// The viscosity index [-]. Absent below 2 mm2/s at 100 C, where ASTM D2270 defines none.
+/// The viscosity at 100 C [mm2/s] below which ASTM D2270 defines no viscosity index.
+inline constexpr double least_with_index = 2;
+/// The viscosity index [-]. Absent below `least_with_index`.
 [[nodiscard]] std::optional<double> viscosity_index(double viscosity_40C_mm2_per_s, double viscosity_100C_mm2_per_s);
 /// The viscosity at 100 C [mm2/s] of an oil with that index. Absent where it would lie below 2 mm2/s, or would not lie
 /// below the viscosity at 40 C.

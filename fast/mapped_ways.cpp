@@ -19,9 +19,11 @@ constexpr int most_neighbours = 5;
 /// The tolerance of a neighbour's solution, which is a start only.
 constexpr double neighbour_tolerance = 1e-2;
 
-/// Films to the first tolerance, or on more intervals than this, need fine tables; above this M to the second one: the
-/// usual tables leave 1e-6 in H_min there, and 39 of 174 stated errors (M of 2e4..1e6, L of .1..3) missed.
-constexpr double tight_tolerance = 1e-7, tight_tolerance_heavy = 3e-5, heavy_M = 2e4;
+/// Films to this tolerance, or on more intervals than this, need fine tables.
+constexpr double tight_tolerance = 1e-7;
+/// Above this M the usual tables leave 1e-6 in H_min: 39 of 174 stated errors missed (M of 2e4..1e6, L of .1..3, asked
+/// for 1e-5 to 1e-6). So fine tables are needed from this tolerance on.
+constexpr double heavy_M = 2e4, tight_tolerance_heavy = 3e-5;
 constexpr int many_intervals = 4096;
 
 Tables tables_for(const Request& request, const Groups& groups) {

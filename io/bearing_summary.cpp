@@ -17,8 +17,6 @@ namespace {
 
 constexpr double um_per_m = 1e6, MPa_per_Pa = 1e-6, N_per_um = 1e-6, deg_per_rad = 180 / std::numbers::pi;
 constexpr double rounding_deg = 1e-6;  // a load zone that lies less askew is symmetric
-/// Digits of a number with films whose error is not stated.
-constexpr int unstated_digits = 3;
 
 const RollerRow& most_loaded(const BearingResult& result) {
   return *std::max_element(
@@ -38,8 +36,9 @@ std::optional<double> smallest_of(const BearingResult& result, std::optional<dou
   return smallest;
 }
 
-/// The error of d(F_r)/d(delta_r). The stiffness in motion at 0 Hz is the same number by another way: its stated error,
-/// plus the difference of the two, a fifth of what the curve alone can state.
+/// The error of d(F_r)/d(delta_r). The stiffness in motion at 0 Hz is the same number, found in another way. Where the
+/// result has it, the error is that of the motion plus the difference of the two. This is smaller than what the film
+/// curves alone can state.
 std::optional<double> stiffness_error_N_per_um(const BearingResult& result) {
   for (const DynamicRow& row : result.dynamics) {
     if (row.frequency_Hz != 0) continue;

@@ -21,6 +21,9 @@ struct BearingErrors {
 };
 using ErrorsOfLaws = std::map<bearing::Law, BearingErrors>;
 
+/// Digits of a number with films whose error is not known.
+inline constexpr int unstated_digits = 3;
+
 /// Displacement, largest load and its pressure, load zone, thinnest film, stiffness. Brackets are the errors in units
 /// of the last digit; a law without an entry in `errors` has none. That of a fitted law's stiffness needs the law ehd
 /// beside it.

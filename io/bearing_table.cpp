@@ -26,9 +26,6 @@ namespace {
 using Row = std::vector<std::string>;
 using Rows = std::vector<Row>;
 
-/// Of a number with films whose error this table does not know.
-constexpr int digits_of_films = 3;
-
 /// An entry of a matrix below this part of its trace is rounding.
 constexpr double negligible_entry = 1e-12;
 
@@ -50,7 +47,7 @@ std::vector<std::pair<std::size_t, std::string>> shown_rollers(const std::vector
 
 std::string fixed(double value, int decimals) { return fmt::format("{:.{}f}", value, decimals); }
 
-/// With at least so many decimals, and with more where these would leave fewer than three digits.
+/// At least three digits, and at least so many decimals.
 std::string three_digits(double value, int decimals) {
   const int of_three = value > 0 ? 2 - static_cast<int>(std::floor(std::log10(value))) : 0;
   return fixed(value, std::max(decimals, of_three));
@@ -83,18 +80,23 @@ struct RollerColumn {
   std::function<std::string(const ContactRow& inner)> cell;
 };
 
+/// Of forces: none where the largest one is not known to half a newton.
+int decimals_of_force(const BearingResult& result, const ErrorsOfLaws& errors) {
+  const auto known = errors.find(result.law);
+  return known != errors.end() && known->second.largest_force_N > 0.5 ? 0 : 1;
+}
+
 /// The columns of one law. Where a roller carries next to nothing, its pressure is rounding and its film is the gap
-/// that the ring leaves. Forces have no decimals where the largest one is not known to half a newton.
+/// that the ring leaves.
 std::vector<RollerColumn> columns_of(const BearingResult& result, const ErrorsOfLaws& errors) {
   const double largest = largest_force_N(result);
-  const auto known = errors.find(result.law);
-  const int decimals_of_force = known != errors.end() && known->second.largest_force_N > 0.5 ? 0 : 1;
+  const int decimals = decimals_of_force(result, errors);
   const auto if_loaded = [largest](const ContactRow& inner, const std::optional<double>& value, double unit,
-                                   int decimals) -> std::string {
-    return value && bearing::is_loaded(inner.force_N, largest) ? three_digits(unit * *value, decimals) : "-";
+                                   int least_decimals) -> std::string {
+    return value && bearing::is_loaded(inner.force_N, largest) ? three_digits(unit * *value, least_decimals) : "-";
   };
   std::vector<RollerColumn> columns{
-      {"f_i", "N", [=](const ContactRow& inner) { return fixed(inner.force_N, decimals_of_force); }},
+      {"f_i", "N", [=](const ContactRow& inner) { return fixed(inner.force_N, decimals); }},
       {"p_H", "MPa", [=](const ContactRow& inner) { return if_loaded(inner, inner.hertz_pressure_Pa, 1e-6, 0); }}};
   if (!needs_film(result.law)) return columns;
   columns.push_back(
@@ -166,7 +168,7 @@ std::string ring_table(const std::vector<BearingResult>& results) {
     if (result.rollers.empty()) continue;
     const auto& K = result.stiffness_N_per_m;
     const auto& zone = result.load_zone_deg;
-    const int digits = needs_film(result.law) ? digits_of_films : 5;
+    const int digits = needs_film(result.law) ? unstated_digits : 5;
     rows.push_back({name_of(result), fixed(1e6 * result.displacement_lateral_m, 4), zone ? plain(zone->first, 5) : "-",
                     zone ? plain(zone->second, 5) : "-", plain(1e-6 * K[0][0], digits), plain(1e-6 * K[1][1], digits),
                     std::abs(K[0][1]) <= negligible_entry * K[0][0] ? "0" : plain(1e-6 * K[0][1], digits)});
@@ -187,16 +189,20 @@ std::string entry(double value, double absolute_error) {
   return std::abs(value) <= absolute_error ? "0" : known_digits(value, absolute_error);
 }
 
-/// The diagonal entries and xy of a matrix of the ring whose error is relative to its trace. The error of a fitted law
-/// is its distance from ehd as well, which `full` is, where the table has it; else three digits, as in the summary.
+/// xx, yy and xy of a matrix of the ring. `error` is relative to its trace. A fitted law is also as wrong as it is far
+/// from ehd. `full` is the matrix of ehd; where the table has none, a fitted law has no stated error.
 Row entries(const bearing::Matrix2& matrix, double unit, double error, bool fitted, const bearing::Matrix2* full) {
   const double size = std::max(std::abs(matrix[0][0] + matrix[1][1]), std::abs(matrix[0][0]));
   const double own = size * std::max(error, negligible_entry);
   Row cells;
   for (const auto& [r, s] : {std::pair{0U, 0U}, {1U, 1U}, {0U, 1U}}) {
     const double value = matrix[r][s], away = full ? std::abs(value - (*full)[r][s]) : 0;
-    const bool unstated = fitted && !full && std::abs(value) > own;
-    cells.push_back(unstated ? plain(unit * value, digits_of_films) : entry(unit * value, unit * (own + away)));
+    if (fitted && !full && std::abs(value) > own)
+      cells.push_back(plain(unit * value, unstated_digits));
+    else if (full && r == s && own + away > value / 2)
+      cells.emplace_back("-");  // not even its first digit is known
+    else
+      cells.push_back(entry(unit * value, unit * (own + away)));
   }
   return cells;
 }
@@ -226,13 +232,13 @@ std::string dynamics_table(const std::vector<BearingResult>& results) {
 }
 
 /// Stiffness and damping of the contacts around the bearing, at the first frequency, by laws that know damping.
-std::string contacts_in_motion(const BearingResult& result) {
+std::string contacts_in_motion(const BearingResult& result, const ErrorsOfLaws& errors) {
   if (result.dynamics.empty() || !result.dynamics.front().ring.damping_N_s_per_m) return "";
   const DynamicRow& at = result.dynamics.front();
   Rows rows{{"psi deg", "f_i N", "inner: N/um", "N s/m", "outer: N/um", "N s/m"}};
   for (const auto& [j, azimuth] : shown_rollers(result.rollers)) {
     const bearing::RollerMotion& roller = at.rollers[j];
-    std::vector<std::string> row{azimuth, fixed(result.rollers[j].inner.force_N, 1)};
+    std::vector<std::string> row{azimuth, fixed(result.rollers[j].inner.force_N, decimals_of_force(result, errors))};
     for (const bearing::ContactMotion* contact : {&roller.inner, &roller.outer}) {
       row.push_back(known_digits(1e-6 * contact->stiffness_N_per_m, 1e-6 * contact->stiffness_error));
       row.push_back(known_digits(*contact->damping_N_s_per_m, contact->damping_error));
@@ -244,7 +250,7 @@ std::string contacts_in_motion(const BearingResult& result) {
 }
 
 /// The ring over the positions of the cage, where the request has any.
-std::string cage_table(const std::vector<BearingResult>& results) {
+std::string cage_table(const std::vector<BearingResult>& results, const ErrorsOfLaws& errors) {
   Rows rows{{"cage turning", "positions", "displacement um: mean", "peak to peak", "lateral um: mean", "peak to peak",
              "largest f_i N"}};
   for (const BearingResult& result : results) {
@@ -253,7 +259,8 @@ std::string cage_table(const std::vector<BearingResult>& results) {
     const auto& across = result.cage->displacement_lateral_m;
     rows.push_back({name_of(result), std::to_string(result.cage->positions), fixed(1e6 * along.mean, 4),
                     plain(1e6 * along.peak_to_peak, 3), fixed(1e6 * across.mean, 4),
-                    plain(1e6 * across.peak_to_peak, 3), fixed(result.cage->largest_force_N, 1)});
+                    plain(1e6 * across.peak_to_peak, 3),
+                    fixed(result.cage->largest_force_N, decimals_of_force(result, errors))});
   }
   return below_line(rows);
 }
@@ -319,8 +326,8 @@ std::string human_table(const Case& bearing_case, const std::vector<BearingResul
       rollers_table(results, [&](const BearingResult& result) { return columns_of(result, view.errors); });
   if (view.details)
     text += fmt::format("\n{}{}{}", rollers_table(results, approach_column), cost_table(results), ring_table(results));
-  text += cage_table(results) + dynamics_table(results);
-  for (const BearingResult& result : results) text += contacts_in_motion(result);
+  text += cage_table(results, view.errors) + dynamics_table(results);
+  for (const BearingResult& result : results) text += contacts_in_motion(result, view.errors);
   for (const BearingResult& result : results) {
     if (view.details && result.fit) text += fit_table(*result.fit);
   }

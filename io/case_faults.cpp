@@ -105,8 +105,8 @@ struct MissingKey {
   std::string path, required;
 };
 
-/// What is required where the key is missing. The oil's grade may stand in place of eta_0. Where a key stands that
-/// belongs to the grade, the grade comes first.
+/// What the message about a missing key asks for. In place of eta_0 a case may state the oil's grade. If the case has a
+/// key of the grade already, such as temperature_C, the message asks for the grade first.
 std::string required_of(const CaseTree& tree, const CaseKey& key) {
   const std::string allowed = text_of(key.allowed);
   if (key.name != "viscosity_Pa_s") return allowed;

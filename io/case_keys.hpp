@@ -72,6 +72,8 @@ struct CaseKey {
   std::string_view meaning;
   std::string_view example;  ///< a value as TOML, for a new case
   bool in_new = false;  ///< a new case states it although not every case has to; the others stand there as comments
+  /// What the key is: the meaning up to its first semicolon.
+  [[nodiscard]] std::string_view what() const { return meaning.substr(0, meaning.find(';')); }
 };
 
 enum class TableRole {

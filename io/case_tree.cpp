@@ -74,13 +74,12 @@ struct Meant {
   std::string path, words;
 };
 
-/// " (E', not Young's modulus: ...)": what the meant key is, where its name is more than the mistyped one. It may be
-/// something else then: the reduced modulus is not Young's.
+/// " (E', not Young's modulus: ...)": what the suggested key is. Nothing where the key was only mistyped.
 std::string in_words(const std::string& given, const std::string& path) {
   if (path.find('.') == std::string::npos || find_case_table(path)) return "";
   const CaseKey& row = row_of_case_key(path);
   if (is_mistyped(given, std::string(row.name))) return "";
-  return fmt::format(" ({})", row.meaning.substr(0, row.meaning.find(';')));
+  return fmt::format(" ({})", row.what());
 }
 
 /// Both can stand in one case.

@@ -89,8 +89,8 @@ double number_or_standard(const CaseTree& tree, const std::string& key) {
 double number_in(const CaseTree& tree, const std::string& key, const CaseNode& node, const Interval& interval) {
   const auto stated = node.number();
   if (!stated) {
-    const char* const unit = has_unit(node) ? "has a unit, which belongs to the key's name" : "";
-    tree.fail(key, fmt::format("{}; allowed is a number, {}", *unit ? unit : "is " + node.type, interval.text()));
+    const std::string fault = has_unit(node) ? "has a unit, which belongs to the key's name" : "is " + node.type;
+    tree.fail(key, fmt::format("{}; allowed is a number, {}", fault, interval.text()));
   }
   const double value = *stated;
   if (!std::isfinite(value)) tree.fail(key, "is not finite; allowed is " + interval.text());

@@ -25,7 +25,6 @@ constexpr const char* temperature = "lubricant.temperature_C";
 constexpr const char* density = "lubricant.density_15C_kg_per_m3";
 constexpr std::array grade_keys{iso_vg, at_40C, at_100C};
 constexpr std::array keys_beside_grade{temperature, index_key, density};
-constexpr double least_at_100C_mm2_per_s = 2;  // where ASTM D2270 begins
 
 constexpr const char* two_ways = "allowed is iso_vg, or viscosity_40C_mm2_per_s with viscosity_100C_mm2_per_s";
 
@@ -63,10 +62,10 @@ void require_one_way(const CaseTree& tree) {
   for (const char* key : {at_40C, at_100C}) (void)required(tree, key);
 }
 
-/// "viscosity_index of at least 378, or ", the whole number above the index of such an oil with 2 mm2/s at 100 C. Empty
-/// where no index that a case may have is so high.
+/// "viscosity_index of at least 378, or ": from this whole number on the oil has 2 mm2/s or more at 100 C. Empty where
+/// a case cannot have so high an index.
 std::string higher_index(double viscosity_40C_mm2_per_s) {
-  const double least = std::ceil(viscosity_index(viscosity_40C_mm2_per_s, least_at_100C_mm2_per_s).value());
+  const double least = std::ceil(viscosity_index(viscosity_40C_mm2_per_s, least_with_index).value());
   return interval_of(index_key).contains(least) ? fmt::format("viscosity_index of at least {}, or ", plain(least)) : "";
 }
 

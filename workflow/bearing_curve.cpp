@@ -59,7 +59,8 @@ double largest_force_N(const std::vector<Equilibrium>& positions) {
   return largest;
 }
 
-/// Of Sum k cos^2(psi), k the stiffness of a roller, whose error is at most that of the worse of its two contacts.
+/// The error of dF_r/d(delta_r) = Sum k cos^2(psi), where k is the stiffness of a roller. k is two contacts in series,
+/// so that its relative error is at most that of the worse contact.
 double stiffness_error_N_per_m(const Equilibrium& ring, const BothRaceways<SharedCurve>& curves) {
   double sum = 0;
   for (std::size_t j = 0; j < ring.rollers.size(); ++j) {

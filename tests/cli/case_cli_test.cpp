@@ -2,8 +2,11 @@
 // Stating a case: --set, standard input, ehd new, ehd convert.
 #include <fmt/format.h>
 
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -14,6 +17,27 @@
 using namespace ehd;
 using namespace ehd::verification;
 using nlohmann::json;
+
+namespace {
+
+/// The stiffness xx of a law in motion and its bracket, from "ehd-linear 0 4.0(2)e2"; no error without a bracket.
+struct Bracketed {
+  double value = 0;
+  std::optional<double> error;
+};
+Bracketed stiffness_in_motion(const std::string& out, const std::string& law) {
+  const std::regex row(law + R"( +0 +([0-9.]+)(?:\(([0-9]+)\))?(?:e([0-9]+))?)");
+  const std::string rows = out.substr(out.find("in motion"));
+  std::smatch found;
+  BOOST_REQUIRE(std::regex_search(rows, found, row));
+  const std::string digits = found[1];
+  const auto point = digits.find('.');
+  const double unit = std::pow(10, found[3].matched ? std::stoi(found[3]) : 0);
+  const double last = point == std::string::npos ? unit : unit * std::pow(10, -double(digits.size() - point - 1));
+  return {std::stod(digits) * unit, found[2].matched ? std::optional(std::stoi(found[2]) * last) : std::nullopt};
+}
+
+}  // namespace
 
 BOOST_AUTO_TEST_SUITE(case_cli)
 
@@ -132,6 +156,18 @@ BOOST_AUTO_TEST_CASE(a_fitted_line_has_the_same_error_without_the_law_that_it_is
   const std::string number = alone.substr(alone.find_last_of(' ') + 1);
   BOOST_TEST(number.find('(') != std::string::npos, alone);
   BOOST_TEST(beside.find(" " + number) != std::string::npos, beside);
+}
+
+BOOST_AUTO_TEST_CASE(the_stiffness_of_a_fitted_law_in_motion_is_as_wrong_as_it_is_far_from_ehd) {
+  const test::Folder folder;
+  const std::string bearing = std::string("bearing ") + EHD_SOURCE_DIR +
+                              "/examples/my-bearing.toml --dynamic --set operation.radial_load_N=900 --law ehd-linear";
+  BOOST_TEST(!stiffness_in_motion(test::ehd_run(folder, bearing).out, "ehd-linear").error);
+  const std::string both = test::ehd_run(folder, bearing + " --law ehd").out;
+  const Bracketed fitted = stiffness_in_motion(both, "ehd-linear"), ehd = stiffness_in_motion(both, "ehd");
+  BOOST_REQUIRE((fitted.error && ehd.error));
+  BOOST_TEST(std::abs(fitted.value - ehd.value) < *fitted.error + *ehd.error, both);
+  BOOST_TEST(*fitted.error > 2 * *ehd.error);
 }
 
 BOOST_AUTO_TEST_CASE(every_fault_of_the_keys_is_a_line_of_its_own) {

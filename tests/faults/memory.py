@@ -26,6 +26,7 @@ LADDERS = {
     "bearing": (["bearing", "na4908", "--law", "ehd-linear"], (0, 500, 1000, 2000, 4000)),
     "sweep": (["sweep", "s.toml", "--output", "out", "--threads", "2"], (0, 1000, 2000, 4000, 8000, 80000)),
     "verify": (["verify", "--quick", "--rung", "1", "--output", "out"], (0, 2000, 8000)),
+    "verify, exact solutions": (["verify", "--quick", "--rung", "5", "--output", "out"], (19200, 26400)),
     "compare": (["compare", "own-moes-20-10", "--tolerance", "1e-2"], (0, 1000, 4000, 10000)),
     "statements": (["statements", "--json", "a.json"], (0, 1000)),
     "atlas": (["atlas", "--only", "roelands-m20-l10-", "--output", "out"], (0, 2000, 8000)),
