@@ -40,11 +40,14 @@ double FilmCurve::rise_m(double force_N) const {
 }
 
 double FilmCurve::compliance_error(double force_N) const {
+  // An error of the film counts by the film's part of the rise.
+  const double part = offset_film(force_N).value / rise_m(force_N), solver = errors_.solver_offset_film * part;
   constexpr double steepest_below = 3;  // the error falls like f^3 at most
-  if (force_N < lightest_N()) return steepest_below * (errors_.joint_force + errors_.solver_offset_film);
+  if (force_N < lightest_N()) return steepest_below * (std::min(errors_.joint_force, errors_.joint * part) + solver);
   const auto inside = std::upper_bound(forces_N_.begin(), forces_N_.end() - 1, force_N);
   const double gap = std::log(*inside / *(inside - 1));
-  return pi * (errors_.interpolation_force + errors_.solver_offset_film) / gap;
+  constexpr double steepest_inside = 6 * std::numbers::sqrt3;
+  return steepest_inside * (std::min(errors_.interpolation_force, errors_.interpolation * part) + solver) / gap;
 }
 
 }  // namespace ehd::bearing

@@ -67,9 +67,9 @@ class FilmCurve {
   /// f d(delta)/df [m] with the datum x_0 = l. A relative error of the contact force is an error of the approach over
   /// this.
   [[nodiscard]] double rise_m(double force_N) const;
-  /// Relative error of d(delta)/df with the datum x_0 = l, estimated. An interpolation error is zero at both ends of a
-  /// gap. If the gap is g in ln f and the error reaches e inside, its slope reaches about pi e/g. Below the lightest
-  /// point the error falls with the force, like f^(3/2) to f^3.
+  /// Relative error of d(delta)/df with the datum x_0 = l. An interpolation error is zero at both ends of a gap. If it
+  /// is a cubic, reaches e inside, and the gap is g in ln f, its slope is at most 6 sqrt(3) e/g, that of x(1-x)(1-2x).
+  /// Below the lightest point the error falls with the force, like f^(3/2) to f^3.
   [[nodiscard]] double compliance_error(double force_N) const;
 
  private:

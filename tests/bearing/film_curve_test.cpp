@@ -122,6 +122,37 @@ BOOST_AUTO_TEST_CASE(the_stated_error_of_the_compliance_covers_a_known_relation)
   BOOST_TEST(worst > 0.02);  // and says something
 }
 
+// Between points a factor of two apart the stated error is the slope of an error that is known, and not much more.
+BOOST_AUTO_TEST_CASE(the_error_of_the_compliance_is_the_slope_of_the_interpolation_error) {
+  const RacewayContact contact = synthetic::contact();
+  std::vector<double> forces, offsets, films;
+  for (double f = 50; f < 2000; f *= 2) {
+    forces.push_back(f);
+    offsets.push_back(synthetic::offset_film_m(f));
+    films.push_back(synthetic::minimum_film_m(f));
+  }
+  const FilmCurve plain(contact, forces, offsets, films);
+  double of_film = 0, of_force = 0;
+  for (double f = forces[0]; f < forces.back(); f *= 1.01) {
+    const double off_m = plain.offset_film(f).value - synthetic::offset_film_m(f);
+    of_film = std::max(of_film, std::abs(off_m) / synthetic::offset_film_m(f));
+    of_force = std::max(of_force, std::abs(off_m) / plain.rise_m(f));
+  }
+  CurveErrors errors;
+  errors.interpolation = of_film, errors.interpolation_force = of_force;
+  const FilmCurve curve(contact, forces, offsets, films, errors);
+  double worst = 0;
+  for (double f = forces[0]; f < forces.back(); f *= 1.01) {
+    constexpr double step = 1e-4;
+    const double slope_m =
+        (synthetic::offset_film_m(f * (1 + step)) - synthetic::offset_film_m(f * (1 - step))) / (2 * step);
+    const double wrong_m = std::abs(f * curve.offset_film(f).slope - slope_m);
+    worst = std::max(worst, wrong_m / curve.rise_m(f) / curve.compliance_error(f));
+  }
+  EHD_CHECK(worst, Tolerance::required(1, "an error bar covers the error"));
+  BOOST_TEST(worst > 0.4, "the bar is " << 1 / worst << " times the error");
+}
+
 // Invariant: the stated error below the lightest point covers contacts that the curve has not seen. One contact is
 // solved there, at half the lightest load, where the error of some of these relations happens to vanish.
 BOOST_AUTO_TEST_CASE(the_error_stated_below_the_joint_covers_every_contact_there) {

@@ -170,6 +170,14 @@ BOOST_AUTO_TEST_CASE(the_stiffness_of_a_fitted_law_in_motion_is_as_wrong_as_it_i
   BOOST_TEST(*fitted.error > 2 * *ehd.error);
 }
 
+BOOST_AUTO_TEST_CASE(a_thin_film_of_a_roller_has_three_digits) {
+  const test::Folder folder;
+  const std::string slow =
+      std::string("bearing ") + EHD_SOURCE_DIR + "/examples/my-bearing.toml --set operation.speed_rpm=20 --law ehd";
+  const std::string out = test::ehd_run(folder, slow).out;
+  BOOST_TEST(std::regex_search(out, std::regex(R"(\n  0 +[0-9]+ +[0-9]+ +0\.00[1-9][0-9]{2}\n)")), out);
+}
+
 BOOST_AUTO_TEST_CASE(every_fault_of_the_keys_is_a_line_of_its_own) {
   const test::Folder folder;
   const auto file = folder.write("mine.toml", "[moes]\nM = 5\nLL = 5\n");

@@ -49,6 +49,8 @@ BOOST_AUTO_TEST_CASE(the_time_left_is_that_of_runs_by_the_same_solver) {
   BOOST_TEST(left({slow(8.0), slow(), quick(), quick()}) == 8);                // quick ones take next to nothing
   BOOST_TEST(left({slow(8.0), other}) == -1);
   BOOST_TEST(left({slow(8.0), quick(0.5), quick()}) == 0.5);
+  const ehd::cli::PlannedRun also_quick{.solver = "also quick", .quick = true};
+  BOOST_TEST(left({quick(0.1), also_quick}) == -1);  // beside another quick one it counts
 }
 
 BOOST_AUTO_TEST_CASE(a_long_title_leaves_the_id_and_the_solver) {
