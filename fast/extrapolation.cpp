@@ -102,6 +102,18 @@ SmallestFactors smallest_factors(MapFit fit, double L) {
 
 }  // namespace
 
+std::vector<double> on_exact_halves(std::vector<double> values, const std::vector<int>& intervals) {
+  const auto h2 = [](double n) { return 1 / (n * n); };
+  double finer = values.back(), half = intervals.back();
+  for (std::size_t k = values.size() - 1; k-- > 0;) {
+    half /= 2;
+    const double slope = (values[k] - finer) / (h2(intervals[k]) - h2(intervals[k + 1]));
+    finer = values[k];
+    values[k] += slope * (h2(half) - h2(intervals[k]));
+  }
+  return values;
+}
+
 Limit limit_of(const std::vector<double>& f) {
   const std::size_t m = f.size();
   if (m == 1) return {.value = f[0], .error = std::numeric_limits<double>::infinity()};

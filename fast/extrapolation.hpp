@@ -11,6 +11,13 @@ struct Limit {
   double error = 0;  ///< absolute; infinite for a single grid
 };
 
+/// An odd number N of intervals has no half, so that the coarser grids of a given N have a few intervals more than N/2,
+/// N/4, … These are the values that they would have there, by the second-order error between each grid and the next:
+///   f(N_e) = f_k + c (1/N_e^2 - 1/N_k^2),  c = (f_k - f_(k+1))/(1/N_k^2 - 1/N_(k+1)^2).
+/// Without this 4/N of the error that the extrapolation removes was left. `values`, `intervals`: coarse to fine, as
+/// many of both; the finest grid's value stays, and so does each where N_k is N_e.
+[[nodiscard]] std::vector<double> on_exact_halves(std::vector<double> values, const std::vector<int>& intervals);
+
 /// `values`: coarse to fine, f_1 .. f_m, m >= 1. Errors of the mapped scheme fall as h^2 and then h^3:
 ///   R_k = (4 f_k - f_(k-1))/3,  S_k = (8 R_k - R_(k-1))/7,  r_k = R_k - R_(k-1),  s_k = S_k - S_(k-1).
 /// The value is f_1, R_2, then S_m. Its error:

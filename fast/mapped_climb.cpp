@@ -14,8 +14,7 @@ namespace ehd::fast {
 
 namespace {
 
-/// A given number of intervals is halved down to this or more, for the extrapolation. A ratio that is not quite 2
-/// leaves (4/N) of the error that the extrapolation would have removed.
+/// A given number of intervals is halved down to this or more, for the extrapolation.
 constexpr int fewest_halved = 64;
 /// Iteration also stops where a step's estimate of the film error on each grid is below this share of the tolerance.
 /// Extrapolation multiplies these errors by 45/21 at most.

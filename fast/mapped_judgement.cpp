@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 
 #include "contact/known_pressures.hpp"
@@ -62,9 +63,18 @@ constexpr std::size_t fewest_for_own_rule = 3;
 /// (2000, 30) flooded Newton left 5e-4 on 1024 intervals, while the last grid had 65,536.
 constexpr std::ptrdiff_t grids_that_count = 5;
 
+/// A quantity on the grids, as grids of N, N/2, N/4, … intervals have it.
+std::vector<double> values_on_halves(const std::vector<GridRecord>& grids, Quantity quantity) {
+  std::vector<double> values = values_of(grids, quantity);
+  if (values.empty()) return values;
+  std::vector<int> intervals;
+  for (auto grid = grids.end() - std::ssize(values); grid != grids.end(); ++grid) intervals.push_back(grid->nodes);
+  return on_exact_halves(std::move(values), intervals);
+}
+
 /// The limit of a quantity; empty where the finest grid lacks it.
 std::optional<Limit> limit_on(const std::vector<GridRecord>& grids, Quantity quantity) {
-  const std::vector<double> values = values_of(grids, quantity);
+  const std::vector<double> values = values_on_halves(grids, quantity);
   if (values.empty()) return std::nullopt;
   Limit limit = limit_of(values);
   // A spike passes between nodes, so that its height does not follow the films' expansion: at least the last moves.
@@ -83,8 +93,8 @@ double error_by_grids(const std::vector<GridRecord>& grids, Quantity film, MapFi
   const double n = grids.back().nodes;
   if (grids.size() == 1) return error_of_one_grid / (n * n);
   const double least = grids.size() < few_grids ? least_of_few_grids / (n * n) : 0;
-  const std::vector<double> smallest = values_of(grids, Quantity::film_minimum),
-                            at_centre = values_of(grids, Quantity::film_central);
+  const std::vector<double> smallest = values_on_halves(grids, Quantity::film_minimum),
+                            at_centre = values_on_halves(grids, Quantity::film_central);
   if (grids.size() >= fewest_for_own_rule) {
     if (film == Quantity::film_minimum) return std::max(smallest_film_error(smallest, at_centre, fit, L), least);
     if (at_centre.size() == grids.size()) return central_film_error(at_centre, smallest, fit, L);

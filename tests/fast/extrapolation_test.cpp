@@ -42,6 +42,21 @@ BOOST_AUTO_TEST_CASE(two_grids_give_the_limit_of_second_order_errors_and_their_w
   EHD_CHECK(error(limit.error, std::abs(f[1] - f[0])), Tolerance::round_off(1));
 }
 
+BOOST_AUTO_TEST_CASE(values_of_grids_that_are_no_halves_are_moved_to_the_halves) {
+  const auto value = [](double n) { return 0.83 - 0.7 / (n * n); };
+  const std::vector<int> odd = {66, 131, 261, 521}, even = {64, 128, 256, 512};
+  std::vector<double> plain, halves;
+  for (const int n : odd) plain.push_back(value(n));
+  for (const int n : even) halves.push_back(value(n));
+  const auto moved = fast::on_exact_halves(plain, odd);
+  BOOST_CHECK_EQUAL(moved.back(), plain.back());
+  for (std::size_t k = 0; k < odd.size(); ++k)
+    EHD_CHECK(error(moved[k], value(odd.back() / std::pow(2, odd.size() - 1 - k))), Tolerance::round_off(4));
+  const auto same = fast::on_exact_halves(halves, even);
+  BOOST_CHECK_EQUAL_COLLECTIONS(same.begin(), same.end(), halves.begin(), halves.end());
+  BOOST_CHECK_EQUAL(fast::on_exact_halves({0.83}, {97}).front(), 0.83);
+}
+
 BOOST_AUTO_TEST_CASE(the_central_film_is_judged_by_its_own_moves_and_by_the_smallest_film_near_the_spike) {
   constexpr double central = 0.3, minimum = 0.2;  // M about 5
   const auto smooth = sequence(5, central, 0.1, 0.05, 0.02), still = sequence(5, minimum, 0, 0, 0);
