@@ -13,7 +13,7 @@
 #include "io/case_reader.hpp"
 #include "io/find_case.hpp"
 #include "verification/bench/cost_scaling.hpp"
-#include "verification/studies/profile.hpp"
+#include "contact/profile.hpp"
 #include "workflow/contact_run.hpp"
 
 namespace ehd::verification {

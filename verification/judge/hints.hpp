@@ -10,7 +10,7 @@
 #include "verification/judge/profile_gates.hpp"
 #include "verification/judge/score.hpp"
 #include "verification/judge/submission.hpp"
-#include "verification/studies/profile.hpp"
+#include "contact/profile.hpp"
 
 namespace ehd::judging {
 
@@ -47,6 +47,6 @@ struct FilmMinimum {
 /// A hint for a pressure that fits the certified one with X turned round. The gates cannot see that: elasticity is
 /// symmetric. `error`: the distance (relative L2) of P as it stands.
 [[nodiscard]] std::optional<std::string> mirror_hint(const SubmittedProfile& profile,
-                                                     const verification::Profile& certified, double error);
+                                                     const Profile& certified, double error);
 
 }  // namespace ehd::judging

@@ -14,7 +14,7 @@
 #include "verification/judge/first_cases.hpp"
 #include "verification/judge/hints.hpp"
 #include "verification/median.hpp"
-#include "verification/studies/profile.hpp"
+#include "contact/profile.hpp"
 #include "workflow/registry.hpp"
 #include "workflow/shown_pressure.hpp"
 
@@ -100,8 +100,8 @@ void compare_pressure(const Case& contact_case, const SubmittedProfile& profile,
   const ContactRun run =
       run_contact(contact_case, solver, Request{.tolerance = truth_tolerance, .time_limit_s = truth_limit_s});
   if (run.status() != StopReason::converged || pressure_cut(run.solution)) return;
-  const verification::Profile certified = verification::pressure_profile(run.solution.fields);
-  const double error = verification::relative_l2_error({profile.X, profile.P}, certified);
+  const Profile certified = pressure_profile(run.solution.fields);
+  const double error = relative_l2_error({profile.X, profile.P}, certified);
   if (!std::isfinite(error)) return;
   judged.pressure_error = error;
   judged.truth = (run.solver.empty() ? "Hertz" : run.solver + " at " + plain(truth_tolerance));

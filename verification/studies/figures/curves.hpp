@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "verification/studies/profile.hpp"
+#include "contact/profile.hpp"
 
 namespace ehd::verification {
 

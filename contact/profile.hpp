@@ -6,7 +6,7 @@
 
 #include "contact/solution.hpp"
 
-namespace ehd::verification {
+namespace ehd {
 
 /// A field between its nodes: straight lines, or the polynomials of its elements (as in Fields::elements).
 class Profile {
@@ -36,4 +36,4 @@ class Profile {
 /// neighbouring ends of the pieces of both. NaN where they have no interval in common, or the truth vanishes on it.
 [[nodiscard]] double relative_l2_error(const Profile& profile, const Profile& truth);
 
-}  // namespace ehd::verification
+}  // namespace ehd

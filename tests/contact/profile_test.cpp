@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verification/studies/profile.hpp"
+#include "contact/profile.hpp"
 
 #include <cmath>
 #include <stdexcept>
@@ -40,7 +40,7 @@ constexpr double sums = 1e4;  // additions and evaluations in one norm here, gen
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(studies_profile)
+BOOST_AUTO_TEST_SUITE(profile)
 
 BOOST_AUTO_TEST_CASE(chords_of_a_parabola_are_off_by_what_the_formula_says) {
   // The error of a chord of x^2 on a cell h is (x - a)(b - x), of squared norm h^5/30; ||x^2||^2 = 1/5 on [0, 1].

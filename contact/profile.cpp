@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verification/studies/profile.hpp"
+#include "contact/profile.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 
 #include "contact/legendre.hpp"
 
-namespace ehd::verification {
+namespace ehd {
 
 Profile::Profile(const Array& X, const Array& values, const std::vector<Eigen::Index>& elements) {
   const Eigen::Index nodes = X.size();
@@ -84,4 +84,4 @@ double relative_l2_error(const Profile& profile, const Profile& truth) {
   return size > 0 ? std::sqrt(difference / size) : std::numeric_limits<double>::quiet_NaN();
 }
 
-}  // namespace ehd::verification
+}  // namespace ehd
