@@ -29,6 +29,15 @@ struct Fields {
   double work_beyond_inlet = 0;  ///< Int H dP/dX dX from -infinity to X_0, likewise
 };
 
+/// X, P and elements alone.
+[[nodiscard]] inline Fields pressure_alone(const Fields& fields) {
+  Fields alone;
+  alone.X = fields.X;
+  alone.P = fields.P;
+  alone.elements = fields.elements;
+  return alone;
+}
+
 /// One observed number. Errors are relative, for film.offset and approach absolute (Hertz units).
 struct Reading {
   double value = 0;
@@ -92,7 +101,10 @@ struct SolveRecord {
 };
 
 struct Solution {
-  Fields fields;            ///< on the finest grid that was solved
+  Fields fields;  ///< on the finest grid that was solved
+  /// X, P and elements of other discretisations of the same contact: the grid before, of `reference` its second scheme
+  /// and the floor before the last. How far they are from `fields` shows how far P is off. Empty where there are none.
+  std::vector<Fields> beside = {};
   Observables observables;  ///< with errors; empty where status is diverged
   SolveRecord record;
 };

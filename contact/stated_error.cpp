@@ -6,9 +6,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/profile.hpp"
 #include "contact/text.hpp"
 
 namespace ehd {
+
+namespace {
+
+/// The error of P over the largest distance to the pressures beside it. At 50 contacts (M = 0.1..1000, L = 0..20, both
+/// laws, flooded and cut) and 16 requests of all solvers it was at most 4.2, by the median 0.35, of `reference` 1.
+/// At 120 other contacts none of 1,380 errors exceeds the stated one (at most .75 of it, by the median .07).
+constexpr double pressure_safety = 5;
+
+}  // namespace
 
 std::optional<std::string> too_coarse(const ErrorBudget& film_minimum, const ErrorBudget& film_central) {
   const double minimum = film_minimum.total(), central = film_central.total();
@@ -29,6 +39,15 @@ bool solved_on_its_grid(const Solution& solution) {
     case StopReason::diverged: return false;
   }
   return false;
+}
+
+std::optional<double> pressure_error(const Solution& solution) {
+  if (solution.beside.empty()) return std::nullopt;
+  const Profile own = pressure_profile(solution.fields);
+  double largest = 0;
+  for (const Fields& other : solution.beside)
+    largest = std::max(largest, relative_l2_error(pressure_profile(other), own));
+  return pressure_safety * largest;
 }
 
 std::optional<double> field_error(const Solution& solution) {

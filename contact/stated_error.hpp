@@ -34,4 +34,8 @@ inline constexpr double least_error_under_resolved = 0.1;
 /// beside one by as much as the spike is high. That height is known only where pressure.spike is reported.
 [[nodiscard]] std::optional<double> field_error(const Solution& solution);
 
+/// Relative error of P(X) in L2 over the domain, ||P - P*||/||P*||, by the largest distance to the pressures of
+/// Solution::beside. Empty where there are none. It says nothing of the height of a spike: that has its own error.
+[[nodiscard]] std::optional<double> pressure_error(const Solution& solution);
+
 }  // namespace ehd

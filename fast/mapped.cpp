@@ -22,6 +22,7 @@ Solution solve_mapped(const Problem& problem, const Request& request, Workspace&
   record.reason = std::move(reason);
   record.grids = std::move(climb.grids);
   solution.fields = std::move(climb.fields);
+  solution.beside = std::move(climb.beside);
   fill_cost(record, run);
   return solution;
 }

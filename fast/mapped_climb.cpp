@@ -91,6 +91,7 @@ class Climber {
 
   /// The solution of a grid, with what is known of its errors.
   void note(int n, const NewtonResult& newton, long newton_before, const Target& target) {
+    if (!climb_.grids.empty()) climb_.beside = {pressure_alone(climb_.fields)};
     climb_.fields = fields_of(run_);
     climb_.states.push_back(run_.state);
     const Array& X = climb_.fields.X;

@@ -16,6 +16,7 @@ struct MappedClimb {
   std::vector<GridRecord> grids;  ///< coarse to fine
   MapFit fit = MapFit::settled;   ///< of the map that they share
   Fields fields;                  ///< of the finest grid
+  std::vector<Fields> beside;     ///< the pressure of the grid before
   std::vector<State> states;      ///< the solutions, a grid each
   ErrorBudget film_minimum, film_central;
   std::vector<double> left;  ///< relative error that iteration leaves in the films, a grid each

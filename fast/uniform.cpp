@@ -42,6 +42,7 @@ Solution Uniform::solve(const Problem& problem, const Request& request, Workspac
   record.reason = std::move(reason);
   record.grids = std::move(climb.grids);
   solution.fields = std::move(climb.fields);
+  solution.beside = std::move(climb.beside);
   fill_cost(record, run);
   return solution;
 }

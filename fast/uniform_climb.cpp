@@ -126,6 +126,7 @@ class Climber {
     climb_.iteration = std::max(newton.residual, request_.nodes ? 0 : target.residual);
     if (newton.end == NewtonEnd::converged && newton.film_error <= target.film_error)
       climb_.iteration = target.film_error;
+    if (!climb_.grids.empty()) climb_.beside = {pressure_alone(climb_.fields)};
     climb_.fields = fields_of(run_);
     GridRecord grid{.nodes = n,
                     .newton_iterations = static_cast<int>(run_.counters.newton - newton_before),
@@ -138,7 +139,10 @@ class Climber {
     grid.inlet_cells = cells(n, run_.state.exit);
     // Numbers of a grid that cannot see the inlet zone say nothing about the next one's error.
     auto& grids = climb_.grids;
-    if (!grids.empty() && grids.back().inlet_cells < fewest_inlet_cells) grids.clear();
+    if (!grids.empty() && grids.back().inlet_cells < fewest_inlet_cells) {
+      grids.clear();
+      climb_.beside.clear();
+    }
     grids.push_back(std::move(grid));
     climb_.film_minimum = error_budget(climb_, Quantity::film_minimum, run_.truncation);
     climb_.film_central = error_budget(climb_, Quantity::film_central, run_.truncation);

@@ -21,6 +21,7 @@ constexpr double fewest_inlet_cells = 1.5;
 struct UniformClimb {
   std::vector<GridRecord> grids;  ///< coarse to fine
   Fields fields;                  ///< of the finest grid
+  std::vector<Fields> beside;     ///< the pressure of the grid before
   ErrorBudget film_minimum, film_central;
   double iteration = 0;  ///< relative error that iteration leaves in the films of the finest grid
   double cells = 0;      ///< in the inlet zone of the finest grid

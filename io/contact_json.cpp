@@ -95,6 +95,7 @@ Json cost_json(const Cost& cost) {
 Json fields_json(const Solution& solution) {
   Json json;
   put(json, "film_error", field_error(solution));
+  put(json, "pressure_error", pressure_error(solution));
   json["pressure_resolved"] = pressure_known(solution);
   return json;
 }

@@ -241,6 +241,7 @@ Solution Study::report(const std::vector<Level>& levels, bool extrapolate,
   const Level& finest = levels.back();
   Solution solution;
   solution.fields = fields_of(finest, problem_);
+  if (levels.size() > 1) solution.beside = {pressure_alone(fields_of(levels[levels.size() - 2], problem_))};
   for (auto [quantity, reading] : finest.seen) {
     if (!is_self_check(quantity)) {
       const Judged judged = judged_on(levels, quantity, extrapolate);

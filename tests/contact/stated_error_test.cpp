@@ -87,4 +87,19 @@ BOOST_AUTO_TEST_CASE(without_fields_films_or_their_errors_the_fields_have_no_err
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_pressure_errs_by_five_distances_to_the_farthest_one_beside_it) {
+  // Hats on [-1, 1]; their distance in L2 is the difference of their heights.
+  const auto hat = [](double height) {
+    Fields fields;
+    fields.X = Array::LinSpaced(3, -1, 1);
+    fields.P = height * (1 - fields.X.abs());
+    return fields;
+  };
+  Solution solution;
+  solution.fields = hat(1);
+  BOOST_TEST(!pressure_error(solution).has_value());
+  solution.beside = {hat(1.01), hat(0.97)};
+  EHD_CHECK(error(pressure_error(solution).value(), 5 * 0.03), Tolerance::round_off(100, 1 / 0.03));
+}
+
 BOOST_AUTO_TEST_SUITE_END()

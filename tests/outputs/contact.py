@@ -126,6 +126,18 @@ def audit_fields(said, result, inputs):
         said.near("fields.film_error", stated, max(errors), absolute=ROUND_OFF)
 
 
+def audit_pressure_field(said, result, inputs):
+    """P is off by at most the stated error, in L2. `reference` has polynomials between nodes: its nodes count alone."""
+    seen, true = inputs.profile, inputs.truth["profile"]
+    nodes = seen if result["solver"] == "reference" else true
+    begin, end = max(seen[0]["X"], true[0]["X"]), min(seen[-1]["X"], true[-1]["X"])
+    places = [row["X"] for row in nodes if begin <= row["X"] <= end]
+    P, exact = ([value_at(rows, "P", x)[0] for x in places] for rows in (seen, true))
+    off = [(a - b) ** 2 for a, b in zip(P, exact, strict=True)]
+    distance = math.sqrt(textbook.trapezoid(places, off) / textbook.trapezoid(places, [p * p for p in exact]))
+    said.within("fields.pressure_error", result["fields"]["pressure_error"], distance)
+
+
 def audit_offset(said, result, inputs):
     unit_m = scales_of(inputs.case)[1]
     offset, approach = result["film"]["offset"], result["approach"]
@@ -204,6 +216,7 @@ def audit_contact(result, inputs):
         audit_films(said, result, inputs)
         if inputs.profile:
             audit_fields(said, result, inputs)
+            audit_pressure_field(said, result, inputs)
         force, true = result["rolling_force"], inputs.truth["rolling_force"]
         said.near("rolling_force", force["dimensionless"], true["dimensionless"],
                   relative=force["error"] + true["error"])
