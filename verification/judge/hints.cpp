@@ -10,6 +10,7 @@
 
 #include "contact/nondimensional.hpp"
 #include "contact/text.hpp"
+#include "io/case_keys.hpp"
 #include "workflow/registry.hpp"
 
 namespace ehd::judging {
@@ -19,34 +20,44 @@ namespace {
 constexpr double far_off = 0.02;  // films of light contacts that are swapped differ by a few per cent
 /// A mistake explains a number where it leaves less than this error, and less than a fifth of the number's own.
 constexpr double explained = 0.05, explained_share = 0.2;
+constexpr double speed_tolerance = 1e-3;  // of the films at another speed
 
 bool explains(double left, double error) { return left < explained && left < explained_share * error; }
 
-/// A mistake that would explain the films, and the largest error that it leaves.
+/// A mistake that would explain the films that are far off, and the largest error that it leaves.
 struct Guess {
   double left = 0;
   std::string words;
 };
 
-/// Keeps the guess if it explains every film better than the one before. `mistaken`: what a film would be by the
-/// mistake.
-void guess(std::optional<Guess>& best, const std::vector<Compared>& numbers, const std::string& words,
+bool is_wrong_film(const Compared& one) { return is_film(one.number.quantity) && one.error() > far_off; }
+bool is_right_film(const Compared& one) { return is_film(one.number.quantity) && one.error() <= far_off; }
+
+/// Keeps the mistake if it explains every film that is far off. `mistaken`: what a film would be by the mistake.
+/// `words`: what the films fit.
+void guess(std::vector<Guess>& guesses, const std::vector<Compared>& numbers, const std::string& words,
            const std::function<std::optional<double>(const Compared&)>& mistaken) {
   double left = -1;
+  std::vector<std::string> wrong;
   for (const Compared& one : numbers) {
-    if (!is_film(one.number.quantity)) continue;
+    if (!is_wrong_film(one)) continue;
     const auto meant = mistaken(one);
     if (!meant || !explains(relative_error(one.value, *meant), one.error())) return;
     left = std::max(left, relative_error(one.value, *meant));
+    wrong.emplace_back(to_string(one.number.quantity));
   }
-  if (left >= 0 && (!best || left < best->left)) best = Guess{.left = left, .words = words};
+  if (wrong.empty()) return;
+  const bool some_are_right = std::any_of(numbers.begin(), numbers.end(), is_right_film);
+  const std::string films = some_are_right ? list(wrong) : "the films";
+  guesses.push_back({left, fmt::format("{} fit{} {}", films, some_are_right && wrong.size() == 1 ? "s" : "", words)});
 }
 
-void guess_scaling(std::optional<Guess>& best, const CaseScales& scales, const std::vector<Compared>& numbers) {
+void guess_scaling(std::vector<Guess>& guesses, const CaseScales& scales, const std::vector<Compared>& numbers) {
+  const auto first = std::find_if(numbers.begin(), numbers.end(), is_wrong_film);
   for (const Scaling other : all_scalings) {
-    guess(best, numbers,
-          fmt::format("the films fit the scaling \"{}\", but \"{}\" is named: which one are they in?", to_string(other),
-                      to_string(numbers.front().number.scaling)),
+    guess(guesses, numbers,
+          fmt::format("the scaling \"{}\", but \"{}\" is named: which one is right?", to_string(other),
+                      to_string(first->number.scaling)),
           [&](const Compared& one) -> std::optional<double> {
             const auto named = scales.unit(one.number.quantity, one.number.scaling),
                        meant = scales.unit(one.number.quantity, other);
@@ -56,26 +67,29 @@ void guess_scaling(std::optional<Guess>& best, const CaseScales& scales, const s
   }
 }
 
-void guess_prefix(std::optional<Guess>& best, const std::vector<Compared>& numbers) {
+void guess_prefix(std::vector<Guess>& guesses, const std::vector<Compared>& numbers) {
   constexpr struct {
     double factor;
     const char* unit;
   } prefixes[] = {{1e9, "nm"}, {1e6, "um"}, {1e3, "mm"}};
-  if (numbers.front().number.scaling != Scaling::SI) return;
   for (const auto& prefix : prefixes)
-    guess(best, numbers, fmt::format("the films fit {}; the scaling SI means m", prefix.unit),
-          [&](const Compared& one) { return one.certified.value * prefix.factor; });
+    guess(guesses, numbers, fmt::format("{}; the scaling SI means m", prefix.unit),
+          [&](const Compared& one) -> std::optional<double> {
+            if (one.number.scaling != Scaling::SI) return std::nullopt;
+            return one.certified.value * prefix.factor;
+          });
 }
 
-/// Every film that is far off is the certified value of another film.
-void guess_swap(std::optional<Guess>& best, const std::vector<Compared>& numbers,
+/// Every film that is far off is the certified value of another film, or of the offset H_0.
+void guess_swap(std::vector<Guess>& guesses, const std::vector<Compared>& numbers,
                 const std::vector<Certified>& certified) {
   Guess found;
   for (const Compared& one : numbers) {
-    if (!is_film(one.number.quantity) || one.error() <= far_off) continue;
+    if (!is_wrong_film(one)) continue;
     const Certified* closest = nullptr;
     for (const Certified& other : certified) {
-      if (other.quantity == one.number.quantity || !is_film(other.quantity)) continue;
+      if (other.quantity == one.number.quantity) continue;
+      if (!is_film(other.quantity) && other.quantity != Quantity::film_offset) continue;
       if (!closest || relative_error(one.value, other.value) < relative_error(one.value, closest->value))
         closest = &other;
     }
@@ -87,23 +101,23 @@ void guess_swap(std::optional<Guess>& best, const std::vector<Compared>& numbers
                                to_string(one.number.quantity), to_string(closest->quantity));
   }
   found.words += ": are two films swapped?";
-  if (!best || found.left < best->left) best = found;
+  guesses.push_back(std::move(found));
 }
 
 /// A film in Moes units is h/R (E'R/(eta_0 u))^(1/2): over the same film in the unit of another speed, `factor` u.
 double moes_unit_ratio(double factor) { return 1 / std::sqrt(factor); }
 
 /// The film itself is right, and another speed stands in its unit.
-void guess_moes_unit(std::optional<Guess>& best, const std::vector<Compared>& numbers) {
+void guess_moes_unit(std::vector<Guess>& guesses, const std::vector<Compared>& numbers) {
   constexpr struct {
     double factor;
     const char* words;
   } mistakes[] = {
-      {0.5, "the films fit Moes units of half the speed: did you put the mean speed where the sum u_1 + u_2 belongs?"},
-      {2, "the films fit Moes units of twice the speed: is your u the mean speed? Here these have the sum u_1 + u_2"},
+      {0.5, "Moes units of half the speed: did you put the mean speed where the sum u_1 + u_2 belongs?"},
+      {2, "Moes units of twice the speed: is your u the mean speed? Here these have the sum u_1 + u_2"},
   };
   for (const auto& mistake : mistakes)
-    guess(best, numbers, mistake.words, [&](const Compared& one) -> std::optional<double> {
+    guess(guesses, numbers, mistake.words, [&](const Compared& one) -> std::optional<double> {
       if (one.number.scaling != Scaling::moes) return std::nullopt;
       return one.certified.value * moes_unit_ratio(mistake.factor);
     });
@@ -116,24 +130,27 @@ std::optional<Solution> at_speed(const Case& contact_case, double factor) {
   const double lambda = problem.groups.lambda * factor;
   problem.groups = groups_from(HertzGroups{.lambda = lambda, .alpha_p_H = problem.groups.alpha_p_H});
   constexpr double limit_s = 20;
-  const Solution solution = default_solver().solve(problem, Request{.tolerance = 1e-3, .time_limit_s = limit_s});
+  const Solution solution =
+      default_solver().solve(problem, Request{.tolerance = speed_tolerance, .time_limit_s = limit_s});
   return solution.record.status == StopReason::converged ? std::optional(solution) : std::nullopt;
 }
 
-void guess_speed(std::optional<Guess>& best, const Case& contact_case, const std::vector<Compared>& numbers) {
+/// Every film of a solve at another speed is off: a right one says that the speed is right.
+void guess_speed(std::vector<Guess>& guesses, const Case& contact_case, const std::vector<Compared>& numbers) {
+  if (std::any_of(numbers.begin(), numbers.end(), is_right_film)) return;
   constexpr struct {
     double factor;
     const char* question;
   } mistakes[] = {
-      {2, "the films fit twice the speed: is your u the mean speed? Here M, L and lambda have the sum u_1 + u_2"},
-      {0.5, "the films fit half the speed: did you put the mean speed where the sum u_1 + u_2 belongs?"},
+      {2, "twice the speed: is your u the mean speed? Here M, L and lambda have the sum u_1 + u_2"},
+      {0.5, "half the speed: did you put the mean speed where the sum u_1 + u_2 belongs?"},
   };
   for (const auto& mistake : mistakes) {
     const auto solution = at_speed(contact_case, mistake.factor);
     if (!solution) continue;
     // Who makes the Moes unit of a film from the same wrong speed has another unit too.
     for (const double unit : {1.0, moes_unit_ratio(mistake.factor)})
-      guess(best, numbers, mistake.question, [&](const Compared& one) -> std::optional<double> {
+      guess(guesses, numbers, mistake.question, [&](const Compared& one) -> std::optional<double> {
         const auto at = solution->observables.find(one.number.quantity);
         if (at == solution->observables.end()) return std::nullopt;
         return at->second.value * (one.number.scaling == Scaling::moes ? unit : 1);
@@ -141,25 +158,33 @@ void guess_speed(std::optional<Guess>& best, const Case& contact_case, const std
   }
 }
 
+/// The best guess, and those that the films cannot tell from it.
+std::vector<std::string> likely(std::vector<Guess> guesses) {
+  std::stable_sort(guesses.begin(), guesses.end(), [](const Guess& a, const Guess& b) { return a.left < b.left; });
+  std::vector<std::string> hints;
+  for (const Guess& one : guesses) {
+    if (one.left > 2 * guesses.front().left + speed_tolerance) break;
+    if (std::find(hints.begin(), hints.end(), one.words) == hints.end()) hints.push_back(one.words);
+  }
+  return hints;
+}
+
 }  // namespace
 
 bool needs_hint(const std::vector<Compared>& numbers) {
-  return std::any_of(numbers.begin(), numbers.end(),
-                     [](const Compared& one) { return is_film(one.number.quantity) && one.error() > far_off; });
+  return std::any_of(numbers.begin(), numbers.end(), is_wrong_film);
 }
 
 std::vector<std::string> hints_for(const Case& contact_case, const CaseScales& scales,
                                    const std::vector<Compared>& numbers, bool may_solve) {
-  std::vector<std::string> hints;
-  if (!needs_hint(numbers)) return hints;
-  std::optional<Guess> best;
-  guess_scaling(best, scales, numbers);
-  guess_prefix(best, numbers);
-  if (!best && may_solve) guess_speed(best, contact_case, numbers);
-  guess_moes_unit(best, numbers);
-  guess_swap(best, numbers, certified_numbers(contact_case, scales));
-  if (best) hints.push_back(best->words);
-  return hints;
+  if (!needs_hint(numbers)) return {};
+  std::vector<Guess> guesses;
+  guess_scaling(guesses, scales, numbers);
+  guess_prefix(guesses, numbers);
+  if (may_solve) guess_speed(guesses, contact_case, numbers);
+  guess_moes_unit(guesses, numbers);
+  guess_swap(guesses, numbers, certified_numbers(contact_case, scales));
+  return likely(std::move(guesses));
 }
 
 std::vector<std::string> profile_hints(const SubmittedProfile& profile, const std::vector<Gate>& gates,

@@ -22,9 +22,9 @@ struct Compared {
   [[nodiscard]] double error() const { return relative_error(value, certified.value); }
 };
 
-/// Hints for the numbers of one case that are off by more than 2 %: another scaling than the one named, um for m, two
-/// films swapped, the mean speed for the sum in a solve or in the unit of a Moes film. Only for the speed of a solve is
-/// anything solved, and only where `may_solve`.
+/// Hints for the films of one case that are off by more than 2 %: another scaling than the one named, um for m, two
+/// films swapped, the mean speed for the sum in a solve or in the unit of a Moes film. Several where the films cannot
+/// tell these mistakes apart. Only for the speed of a solve is anything solved, and only where `may_solve`.
 [[nodiscard]] std::vector<std::string> hints_for(const Case& contact_case, const CaseScales& scales,
                                                  const std::vector<Compared>& numbers, bool may_solve);
 

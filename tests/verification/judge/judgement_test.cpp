@@ -262,6 +262,76 @@ BOOST_AUTO_TEST_CASE(usual_mistakes_of_unit_get_a_hint) {
              std::string::npos);
 }
 
+// Where the bodies hardly deform, the film is proportional to the speed, and Kostreva's film is twice that of Hertz.
+BOOST_AUTO_TEST_CASE(twice_the_speed_of_a_light_contact_is_not_mistaken_for_another_scaling) {
+  const test::Folder folder;
+  const auto hints_of = [&](const std::string& id, double factor, bool speed) {
+    const Case stated = case_called(id);
+    const auto& contact = std::get<ContactCase>(stated.body);
+    Problem problem = nondimensionalise(contact.statement, *contact.lubricant, *contact.inlet).problem;
+    if (speed)
+      problem.groups =
+          groups_from(HertzGroups{.lambda = factor * problem.groups.lambda, .alpha_p_H = problem.groups.alpha_p_H});
+    const auto films = default_solver().solve(problem, Request{.tolerance = 1e-4}).observables;
+    json one = result_of(id);
+    one["scaling"] = "hertz";
+    for (const Quantity film : {minimum, central})
+      one[std::string(to_string(film))] = films.at(film).value * (speed ? 1 : factor);
+    return of_case(judged(folder, {one}), id).hints;
+  };
+  const auto named = [](const std::vector<std::string>& hints, const std::string& words) {
+    return std::any_of(hints.begin(), hints.end(),
+                       [&](const std::string& hint) { return hint.find(words) != std::string::npos; });
+  };
+  for (const char* const id : {"atlas-barus-m0.05-l2.5-flooded", "atlas-isoviscous-m0.2-l0-flooded",
+                               "atlas-roelands-m0.2-l2.5-flooded", "atlas-isoviscous-m0.5-l0-flooded"}) {
+    BOOST_CHECK_MESSAGE(named(hints_of(id, 2, true), "twice the speed"), id);
+    BOOST_CHECK_MESSAGE(named(hints_of(id, 0.5, true), "half the speed"), id);
+    BOOST_CHECK_MESSAGE(named(hints_of(id, 2, false), "\"kostreva\""), id);
+  }
+  // The films of the lightest contact differ too little between the two mistakes: both are named.
+  BOOST_TEST(hints_of("atlas-isoviscous-m0.05-l0-flooded", 2, true).size() == 2u);
+  BOOST_TEST(hints_of("atlas-isoviscous-m0.5-l0-flooded", 2, true).size() == 1u);
+  BOOST_TEST(hints_of("atlas-isoviscous-m0.5-l0-flooded", 2, false).size() == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(one_film_in_another_unit_is_named_beside_right_ones) {
+  const test::Folder folder;
+  const std::string id = "own-moes-20-10";
+  const auto hints_of = [&](const std::string& rows) {
+    const auto file = folder.write("mine.csv", "case,version,quantity,value,scaling\n" + rows);
+    return of_case(judgement_of(read_submission(file)), id).hints;
+  };
+  const std::string right = fmt::format("{},1,film.minimum,{},hertz\n", id, digits_in(id, minimum));
+  const auto hints = hints_of(
+      fmt::format("{}{},1,film.central,{},hertz\n", right, id, digits_in(id, central) * moes_film_per_hertz_film(20)));
+  BOOST_REQUIRE(hints.size() == 1u);
+  BOOST_TEST(hints[0] == "film.central fits the scaling \"moes\", but \"hertz\" is named: which one is right?");
+  // One film only is not from a solve at another speed.
+  BOOST_TEST(hints_of(fmt::format("{}{},1,film.central,{},hertz\n", right, id, digits_in(id, central) * 1.6)).empty());
+
+  const std::string with_offset = "kostreva-100lb-500rpm";
+  json offset = result_of(with_offset);
+  offset["film.minimum"] = digits_in(with_offset, minimum);
+  offset["film.central"] = digits_in(with_offset, Quantity::film_offset);
+  const auto offset_hints = of_case(judged(folder, {offset}), with_offset).hints;
+  BOOST_REQUIRE(offset_hints.size() == 1u);
+  BOOST_TEST(offset_hints[0].starts_with("film.central is close to the certified film.offset"));
+
+  const std::string in_SI = "own-steel-20-10";
+  const CaseScales scales(std::get<ContactCase>(case_called(in_SI).body));
+  const auto certified = certified_numbers(case_called(in_SI), scales);
+  BOOST_REQUIRE(certified.size() >= 2u);
+  const double metres = *scales.unit(certified[1].quantity, Scaling::SI);
+  const auto file =
+      folder.write("SI.csv", fmt::format("case,version,quantity,value,scaling\n{0},1,{1},{2},hertz\n{0},1,{3},{4},SI\n",
+                                         in_SI, to_string(certified[0].quantity), certified[0].value,
+                                         to_string(certified[1].quantity), certified[1].value * metres * 1e6));
+  const auto micrometres = of_case(judgement_of(read_submission(file)), in_SI).hints;
+  BOOST_REQUIRE(micrometres.size() == 1u);
+  BOOST_TEST(micrometres[0] == fmt::format("{} fits um; the scaling SI means m", to_string(certified[1].quantity)));
+}
+
 BOOST_AUTO_TEST_CASE(the_pressure_of_a_profile_is_compared_with_the_certified_solver_s) {
   const test::Folder folder;
   const std::string id = "own-barus-5-5";
