@@ -7,6 +7,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -43,42 +44,64 @@ Exit code: 0 judged; 1 a gate of a profile failed; 2 a bad file or usage.)";
 
 constexpr const char* page_name = "judge.html";
 
-/// The submissions that stand in cases/submissions, by name.
-std::vector<std::filesystem::path> kept_submissions() {
-  std::vector<std::filesystem::path> files;
+std::filesystem::path submissions_folder() { return cases_folder() / "submissions"; }
+
+/// The submissions that stand in cases/submissions, by name. A CSV that one of them names as its profile is none.
+std::vector<judging::Submission> kept_submissions() {
+  std::vector<std::filesystem::path> json, csv;
   std::error_code none;
-  for (const auto& entry : std::filesystem::directory_iterator(cases_folder() / "submissions", none))
-    if (entry.path().extension() == ".json") files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
-  return files;
+  for (const auto& entry : std::filesystem::directory_iterator(submissions_folder(), none)) {
+    if (entry.path().extension() == ".json") json.push_back(entry.path());
+    if (judging::is_csv(entry.path())) csv.push_back(entry.path());
+  }
+  std::vector<judging::Submission> kept;
+  std::set<std::filesystem::path> profiles;
+  for (const auto& file : json) {
+    kept.push_back(judging::read_submission(file));
+    for (const auto& result : kept.back().results)
+      if (result.profile) profiles.insert(result.profile->lexically_normal());
+  }
+  for (const auto& file : csv)
+    if (!profiles.contains(file.lexically_normal())) kept.push_back(judging::read_submission(file));
+  std::sort(kept.begin(), kept.end(), [](const auto& a, const auto& b) { return a.file < b.file; });
+  return kept;
 }
 
-judging::Judgement judged(const std::filesystem::path& file) {
+judging::Judgement judged(const judging::Submission& submission) {
   Progress progress;
   const auto show = [&](const std::string& id, std::size_t done, std::size_t all) {
-    progress.step(done, all, fmt::format("{}: {} ...", id, file.string()));
+    progress.step(done, all, fmt::format("{}: {} ...", id, submission.file.string()));
   };
-  return judging::judgement_of(judging::read_submission(file), {.progress = show});
+  return judging::judgement_of(submission, {.progress = show});
 }
 
-void write_page(OutputFolder& folder, const std::vector<std::string>& files, std::vector<Json> judgements) {
-  const auto same = [&](const std::filesystem::path& kept) {
+void write_page(OutputFolder& folder, const std::vector<std::string>& files,
+                const std::vector<judging::Submission>& kept, std::vector<Json> judgements) {
+  const auto is_given = [&](const std::filesystem::path& one) {
     return std::any_of(files.begin(), files.end(), [&](const std::string& file) {
       std::error_code none;
-      return std::filesystem::equivalent(file, kept, none);
+      return std::filesystem::equivalent(file, one, none);
     });
   };
-  for (const auto& kept : kept_submissions())
-    if (!same(kept)) judgements.push_back(judging::to_json(judged(kept)));
+  for (const judging::Submission& one : kept)
+    if (!is_given(one.file)) judgements.push_back(judging::to_json(judged(one)));
   folder.write(page_name, report::judge_page(judgements));
   folder.commit();
 }
 
-int judge(const JudgeOptions& options) {
+/// Refuses what stands beside submissions only, and judging where there is none.
+void require_submissions(const JudgeOptions& options) {
   if (options.files.empty() && !options.output)
-    throw UsageError("judge: a FILE is missing; required is a submission, or --output for those in cases/submissions");
+    throw UsageError(
+        "judge: a FILE is missing; required is a submission, or --output DIR for a page of those in cases/submissions");
   if (options.badge && options.files.size() != 1)
     throw option_error("--badge", *options.badge, "belongs to one submission; allowed is one FILE with it");
+  if (options.json && options.files.empty())
+    throw option_error("--json", *options.json, "belongs to given submissions; required is a FILE with it");
+}
+
+int judge(const JudgeOptions& options) {
+  require_submissions(options);
   std::vector<NamedFile> inputs;
   for (const std::string& file : options.files) inputs.push_back({"the submission " + file, file});
   require_distinct(inputs, {{"--json", options.json.value_or("")}, {"--badge", options.badge.value_or("")}});
@@ -86,11 +109,14 @@ int judge(const JudgeOptions& options) {
   std::optional<OutputFile> badge = opened(options.badge);
   OutputFolder folder(options.output);
   folder.open({page_name});
+  const auto kept = options.output ? kept_submissions() : std::vector<judging::Submission>();
+  if (options.files.empty() && kept.empty())
+    throw UsageError(submissions_folder().string() + ": holds no submission; required is one, or a FILE");
 
   std::vector<Json> judgements;
   bool gates_hold = true;
   for (const std::string& file : options.files) {
-    const judging::Judgement one = judged(file);
+    const judging::Judgement one = judged(judging::read_submission(file));
     if (!one.gates_hold()) complain("ehd: judge: " + file + ": a gate of a profile failed");
     gates_hold = gates_hold && one.gates_hold();
     judgements.push_back(judging::to_json(one));
@@ -99,7 +125,8 @@ int judge(const JudgeOptions& options) {
   if (badge) badge->append(report::judge_badge(judgements.front()));
   if (!judgements.empty())
     json.commit(judgements.size() == 1 ? judgements.front() : Json(judgements), {address_of(badge)});
-  if (options.output) write_page(folder, options.files, judgements);
+  if (options.output) write_page(folder, options.files, kept, judgements);
+  if (options.files.empty()) print((folder.path() / page_name).string() + "\n");
   return gates_hold ? success : not_met;
 }
 

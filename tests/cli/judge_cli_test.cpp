@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -85,6 +87,37 @@ BOOST_AUTO_TEST_CASE(a_failed_gate_ends_with_1_and_a_bad_file_with_2) {
   test::check_refused(folder, fmt::format("judge {} --json {}", quoted(file), quoted(file)), "is the same file");
   (void)folder.write("bad.json", "{\"schema\": \"other\"}");
   test::check_refused(folder, "judge " + quoted(folder.path() / "bad.json"), "allowed is ehd-submission-1");
+}
+
+BOOST_AUTO_TEST_CASE(the_page_has_every_kept_submission_also_a_csv_but_no_profile) {
+  const test::Folder folder, cases;
+  const std::string source = std::string(EHD_SOURCE_DIR) + "/cases";
+  for (const auto& entry : std::filesystem::directory_iterator(source))
+    if (entry.path().extension() == ".toml")
+      std::filesystem::copy_file(entry.path(), cases.path() / entry.path().filename());
+  std::filesystem::create_directory(cases.path() / "submissions");
+  BOOST_REQUIRE(::setenv("EHD_CASES", cases.path().c_str(), 1) == 0);
+  const std::string output = "judge --output " + quoted(folder.path() / "page");
+  test::check_refused(folder, output, "submissions: holds no submission; required is one, or a FILE");
+
+  (void)cases.write("submissions/by-csv.csv",
+                    "case,version,quantity,value,scaling\nown-barus-5-5,1,film.minimum,0.2469,hertz\n");
+  std::string with_profile = submission_text, profile = "X,P,H\n";
+  for (int i = 0; i <= 40; ++i)
+    profile += fmt::format("{},{},1\n", -1 + i / 20.0, std::sqrt(std::max(0.0, 1 - std::pow(-1 + i / 20.0, 2))));
+  with_profile.replace(with_profile.find("\"stated_error\": 1e-3"), 20, "\"profile\": \"./p.csv\"");
+  (void)cases.write("submissions/p.csv", profile);
+  (void)cases.write("submissions/with-profile.json", with_profile);
+  const auto ended = test::ehd_run(folder, output);
+  BOOST_TEST(ended.exit_code == 0, ended.err);
+  BOOST_TEST(ended.out == (folder.path() / "page" / "judge.html").string() + "\n");
+  const std::string page = test::read(folder.path() / "page" / "judge.html");
+  BOOST_TEST(page.find("by-csv.csv") != std::string::npos);
+  BOOST_TEST(page.find("with-profile.json") != std::string::npos);
+
+  test::check_refused(folder, output + " --json -", "--json = -: belongs to given submissions; required is a FILE");
+  test::check_refused(folder, "judge", "--output DIR for a page of those in cases/submissions");
+  ::unsetenv("EHD_CASES");
 }
 
 BOOST_AUTO_TEST_CASE(another_program_is_compared_by_what_it_leaves) {

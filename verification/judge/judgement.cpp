@@ -137,6 +137,15 @@ JudgedProfile judged_profile(const Case& contact_case, const CaseScales& scales,
   return judged;
 }
 
+/// Why a case without certified numbers scores nothing.
+std::string nothing_scored(const Case& contact_case) {
+  const auto& all = contact_case.expectations;
+  const bool fit =
+      std::any_of(all.begin(), all.end(), [](const auto& one) { return one.kind == ExpectationKind::fit; });
+  return fit ? "the case has a published fit and no certified digits: nothing is scored"
+             : "the case has no digits yet: nothing is scored";
+}
+
 JudgedCase judged_case(const SubmittedResult& result, std::size_t& speed_checks) {
   const Case contact_case = case_of(result);
   const CaseScales scales(std::get<ContactCase>(contact_case.body));
@@ -149,7 +158,7 @@ JudgedCase judged_case(const SubmittedResult& result, std::size_t& speed_checks)
   const auto certified = certified_numbers(contact_case, scales);
   const auto numbers = compared_numbers(result, scales, certified, judged);
   for (const Certified& one : certified) judged.scores.push_back(score_of(one, numbers));
-  if (certified.empty()) judged.hints.emplace_back("the case has no digits yet: nothing is scored");
+  if (certified.empty()) judged.hints.push_back(nothing_scored(contact_case));
   if (needs_hint(numbers)) {
     const bool may_solve = scales.groups().has_value() && speed_checks < most_speed_checks;
     if (may_solve) ++speed_checks;

@@ -39,7 +39,7 @@ struct JudgedCase {
   std::string title;
   std::optional<Groups> groups = {};            ///< absent for a dry contact
   std::vector<Score> scores;                    ///< every certified number of the case
-  std::vector<std::string> not_certified = {};  ///< submitted, but the case gives no digits: not scored
+  std::vector<std::string> not_certified = {};  ///< submitted, but the case certifies no digits: not scored
   std::optional<JudgedProfile> profile = {};
   std::optional<double> wall_s = {};  ///< as stated
   std::vector<std::string> hints = {};

@@ -105,7 +105,7 @@ std::string hint_lines(const Judgement& judgement) {
   for (const JudgedCase& one : judgement.cases) {
     for (const std::string& hint : one.hints) text += fmt::format("  {}: {}\n", one.id, hint);
     for (const std::string& quantity : one.not_certified)
-      text += fmt::format("  {}: {} is not scored: the case gives no digits of it\n", one.id, quantity);
+      text += fmt::format("  {}: {} is not scored: the case certifies no digits of it\n", one.id, quantity);
   }
   return text;
 }

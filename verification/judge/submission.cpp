@@ -71,9 +71,10 @@ void require_number(const std::string& place, const SubmittedNumber& number) {
     refuse("stated_error", *number.stated_error, "is out of range; allowed is a relative error above 0, up to 1");
 }
 
+bool is_csv(const std::filesystem::path& file) { return file.extension() == ".csv" || file.extension() == ".CSV"; }
+
 Submission read_submission(const std::filesystem::path& file) {
-  const std::filesystem::path ending = file.extension();
-  return ending == ".csv" || ending == ".CSV" ? read_submission_csv(file) : read_submission_json(file);
+  return is_csv(file) ? read_submission_csv(file) : read_submission_json(file);
 }
 
 }  // namespace ehd::judging

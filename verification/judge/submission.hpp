@@ -44,7 +44,9 @@ struct Submission {
   std::vector<SubmittedResult> results;      ///< each case once
 };
 
-/// By the file's ending: .csv (or .CSV), else JSON. As strict as the reader of case files: throws CaseError, one line
+[[nodiscard]] bool is_csv(const std::filesystem::path& file);  ///< by its ending, .csv or .CSV
+
+/// By the file's ending: CSV, else JSON. As strict as the reader of case files: throws CaseError, one line
 /// with the place, what is wrong and what is allowed, for an unknown key or quantity, a number that is not finite, a
 /// case twice.
 [[nodiscard]] Submission read_submission(const std::filesystem::path& file);

@@ -191,6 +191,22 @@ BOOST_AUTO_TEST_CASE(stated_errors_are_met_missed_or_undecided) {
   BOOST_TEST(log_relative_error(0, 0) < 16);
 }
 
+BOOST_AUTO_TEST_CASE(a_case_that_certifies_nothing_says_why) {
+  const test::Folder folder;
+  for (const auto& [id, why] :
+       {std::pair("biboulet-houpert-rigid", "the case has a published fit and no certified digits: nothing is scored"),
+        std::pair("venner1991-waiting", "the case has no digits yet: nothing is scored")}) {
+    json one = result_of(id);
+    one["scaling"] = "hertz";
+    one["film.minimum"] = 1.0;
+    const auto judgement = judged(folder, {one});
+    BOOST_REQUIRE(of_case(judgement, id).hints.size() == 1u);
+    BOOST_TEST(of_case(judgement, id).hints[0] == why);
+    BOOST_TEST(human_text(judgement).find("film.minimum is not scored: the case certifies no digits of it") !=
+               std::string::npos);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(usual_mistakes_of_unit_get_a_hint) {
   const test::Folder folder;
   const std::string id = "own-moes-20-10", in_SI = "own-steel-20-10";
