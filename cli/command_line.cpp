@@ -49,10 +49,13 @@ std::string unknown_word(CLI::App& app, const std::string& command) {
 CommandWords words_of(const std::string& name, const CLI::App& app) {
   CommandWords words{.name = name, .options = {}};
   for (const CLI::Option* option : app.get_options()) {
-    if (option->get_positional())
-      words.takes_cases = words.takes_cases || option->get_name() == "CASE";
-    else
-      words.options.push_back(option->get_name());
+    if (option->get_positional()) {
+      words.takes_cases = words.takes_cases || option->get_name() == "CASE" || option->get_name() == "ID";
+      continue;
+    }
+    words.options.push_back(option->get_name());
+    if (option->get_items_expected_max() > 0)
+      (option->get_type_name() == "CASE" ? words.with_case : words.with_value).push_back(option->get_name());
   }
   return words;
 }

@@ -15,17 +15,23 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
-/// For bash; zsh runs it too, by its bashcompinit. Names of files complete where no word does.
+std::string assigned(const char* name, const std::vector<std::string>& words) {
+  return words.empty() ? "" : fmt::format("; {}=\"{}\"", name, joined(words));
+}
+
+/// For bash; zsh runs it too, by its bashcompinit. Names of files complete where no word does. Bash makes "=" a word of
+/// its own: --json=FILE is three words, --set KEY=VALUE four.
 std::string function_of(const std::string& program, const std::vector<CommandWords>& commands) {
   std::string names, branches;
   for (const CommandWords& command : commands) {
     if (command.name.empty()) continue;
     names += " " + command.name;
-    branches += fmt::format("    {}) options=\"{}\"{} ;;\n", command.name, joined(command.options),
+    branches += fmt::format("    {}) options=\"{}\"{}{}{} ;;\n", command.name, joined(command.options),
+                            assigned("with_case", command.with_case), assigned("with_value", command.with_value),
                             command.takes_cases ? "; cases=yes" : "");
   }
   constexpr const char* whole = R"sh(_{program}() {{
-  local word="${{COMP_WORDS[COMP_CWORD]}}" options="" cases=""
+  local word="${{COMP_WORDS[COMP_CWORD]}}" before="" equals="" options="" with_case="" with_value="" cases=""
   COMPREPLY=()
   if [ "$COMP_CWORD" -eq 1 ]; then
     COMPREPLY=($(compgen -W "{words}{names}" -- "$word"))
@@ -33,6 +39,15 @@ std::string function_of(const std::string& program, const std::vector<CommandWor
   fi
   case "${{COMP_WORDS[1]}}" in
 {branches}  esac
+  before="${{COMP_WORDS[COMP_CWORD-1]}}"
+  if [ "$word" = "=" ]; then
+    word="" equals=yes
+  elif [ "$before" = "=" ]; then
+    before="${{COMP_WORDS[COMP_CWORD-2]}}" equals=yes
+  fi
+  case "$equals$before" in yes-*) ;; yes*) return ;; esac
+  case " $with_case " in *" $before "*) cases=yes ;; esac
+  case " $with_value " in *" $before "*) return ;; esac
   case "$word" in
     -*) COMPREPLY=($(compgen -W "$options" -- "$word")) ;;
     *) [ -z "$cases" ] || COMPREPLY=($(compgen -W "$({program} cases 2> /dev/null)sh"

@@ -11,7 +11,9 @@ namespace ehd::cli {
 struct CommandWords {
   std::string name;
   std::vector<std::string> options;
-  bool takes_cases = false;  ///< the ids of the benchmark cases are words too
+  std::vector<std::string> with_case = {};   ///< options whose value is a case
+  std::vector<std::string> with_value = {};  ///< options with another value
+  bool takes_cases = false;                  ///< the ids of the benchmark cases are words too
 };
 
 inline constexpr const char* completion_shells = "bash, zsh";

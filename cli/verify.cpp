@@ -144,7 +144,7 @@ void describe_verify(Command& command) {
   command.summary("Run the verification suite");
   command.examples(verify_examples);
   command.text("--rung", options->rung, "one rung of the ladder, 0 to 11");
-  command.text("--case", options->case_id, "one case: an id, or a path to a TOML file");
+  command.text("--case", options->case_id, "one case: an id, or a path to a TOML file").called("CASE");
   command.flag("--quick", options->quick, "leave out the slow cases");
   command.flag("--all", options->all, "print every claim, not only those that do not stand");
   command.flag("--trace", options->trace, "print which claims support which part of the work");

@@ -53,6 +53,18 @@ BOOST_AUTO_TEST_CASE(subcommands_options_and_cases_are_offered) {
   BOOST_TEST(!offers("ehd verify own-moes-20", "own-moes-20-10"));
 }
 
+BOOST_AUTO_TEST_CASE(the_value_of_an_option_is_a_case_only_where_it_takes_one) {
+  for (const char* const line :
+       {"solve --json own-moes-20", "solve --nodes own-moes-20", "bearing --set own-moes-20",
+        "solve --json = own-moes-20", "response --omega own-moes-20", "solve --json ''",
+        "solve --json =", "solve --set moes.M = own-moes-20", "solve --set moes.M =", "solve --tolerance --"})
+    BOOST_CHECK_MESSAGE(offered(fmt::format("ehd {}", line)) == std::vector<std::string>{""}, line);
+  for (const char* const line : {"bench --case own-moes-20", "verify --case own-moes-20", "bench --case = own-moes-20",
+                                 "solve --dynamic own-moes-20", "solve --json mine.json own-moes-20",
+                                 "solve --json = mine.json own-moes-20", "cases own-moes-20"})
+    BOOST_CHECK_MESSAGE(offers(fmt::format("ehd {}", line), "own-moes-20-10"), line);
+}
+
 BOOST_AUTO_TEST_CASE(zsh_gets_the_same_by_its_bashcompinit) {
   const test::Folder folder;
   const std::string bash = test::ehd_run(folder, "--completion bash").out;
