@@ -3,16 +3,18 @@
 
 from __future__ import annotations
 
-from typing import Any, Optional
+from typing import Any, Optional, Tuple
 
 import numpy as np
 
 from ._bearing import Bearing, _require_raceway
 from ._contact import Contact
+from ._result import Array
 from .errors import InputError
 
 _FIRST, _SECOND = "#1f4e79", "#b3541e"  # told apart in grey print as well: 30 % and 45 % of white
-_LEFT, _RIGHT = -2.0, 1.6  # X of the figure: the inlet's rise to the exit of the lightest contacts
+# As ehd solve --plot: from where the pressure begins to where it has ended, with a margin, and the contact at least.
+_FELT, _MARGIN, _LEAST = 0.02, 0.15, 1.5  # of the largest pressure; of the width; X
 _FILMS_SHOWN = 4.0  # the film's axis ends at so many central films
 
 
@@ -27,6 +29,15 @@ def _new_axes(count: int) -> Any:
 def _require(result: object, kind: type, origin: str) -> None:
     if not isinstance(result, kind):
         raise InputError(f"result: is a {type(result).__name__}; allowed is a {kind.__name__}, from {origin}")
+
+
+def _shown_range(X: Array, P: Array) -> Tuple[float, float]:
+    under_pressure = X[P > _FELT * P.max()]
+    if under_pressure.size == 0:
+        return float(X[0]), float(X[-1])
+    margin = _MARGIN * (under_pressure[-1] - under_pressure[0])
+    return (float(max(X[0], min(under_pressure[0] - margin, -_LEAST))),
+            float(min(X[-1], max(under_pressure[-1] + margin, _LEAST))))
 
 
 def contact(result: Contact, axes: Optional[Any] = None) -> Any:
@@ -57,7 +68,7 @@ def contact(result: Contact, axes: Optional[Any] = None) -> Any:
     pressure, = left.plot(result.X, result.P, color=_FIRST, linewidth=1.2,
                           label="pressure" if resolved else "pressure (maximum not known)")
     film, = right.plot(result.X, result.H, color=_SECOND, linewidth=1.2, linestyle="--", label="film")
-    left.set(xlim=(_LEFT, _RIGHT), ylim=(0, None), xlabel="$X = x/b$", ylabel="$p/p_H$")
+    left.set(xlim=_shown_range(result.X, result.P), ylim=(0, None), xlabel="$X = x/b$", ylabel="$p/p_H$")
     central = float(np.interp(0.0, result.X, result.H))
     right.set(ylim=(0, _FILMS_SHOWN * central) if central > 0 else (0, 1), ylabel="$H = hR/b^2$")
     left.legend(handles=[pressure, film], frameon=False, fontsize="small", ncol=2, loc="lower center",

@@ -17,6 +17,16 @@ def test_a_contact_is_drawn_with_its_own_numbers(tmp_path):
     assert (tmp_path / "contact.pdf").stat().st_size > 2000
 
 
+@pytest.mark.parametrize("M, L", [(0.01, 0), (0.1, 5), (2, 5), (20, 10), (1000, 10)])
+def test_all_of_the_pressure_is_shown_and_little_else(M, L):
+    r = ehd.solve(M=M, L=L)
+    left, _ = ehd.plot.contact(r)
+    low, high = left.get_xlim()
+    shown = r.X[r.P > 0.02 * r.P.max()]
+    assert low < shown[0] and shown[-1] < high and max(r.X[0], -1.5) >= low and min(r.X[-1], 1.5) <= high
+    assert high - low < 1.5 * max(shown[-1] - shown[0], 2.0)
+
+
 def test_a_spike_that_is_not_resolved_is_said_to_be_so():
     r = ehd.solve("own-steel-20-10", tolerance=1e-1)
     data = r.to_dict()
