@@ -167,13 +167,13 @@ program line_contact
   call read_text(trim(case_file))
   if (index(text, '"flooded"') > 0 .or. index(text, '"lambda"') == 0) then
     write (0, '(a)') 'line_contact: the inlet is not cut; required is a case with a number for its inlet'
-    stop 2
+    stop 2, quiet=.true.
   end if
   viscosity = word_after('"law"', index(text, '"viscosity"'))
   density = word_after('"law"', index(text, '"density"'))
   if (all(viscosity /= [character(len=16) :: 'isoviscous', 'barus', 'roelands'])) then
     write (0, '(a)') 'line_contact: the viscosity law is unknown; required is isoviscous, barus or roelands'
-    stop 2
+    stop 2, quiet=.true.
   end if
   lambda = number('"lambda"'); alpha = number('"alpha_p_H"'); inlet = number('"inlet"')
   p0 = number('"p0_over_p_H"'); z = number('"z"'); a = number('"density_a"'); c = number('"density_c"')
@@ -197,7 +197,7 @@ program line_contact
     end if
     if (.not. found) then
       write (0, '(a)') 'line_contact: Newton''s method did not converge'
-      stop 1
+      stop 1, quiet=.true.
     end if
     now = films(n, X, H)
     error = min(maxval(abs(now/before - 1)), 1d0)
@@ -208,7 +208,7 @@ program line_contact
     n = 2*n
   end do
   call write_submission()
-  if (.not. error <= tolerance) stop 1
+  if (.not. error <= tolerance) stop 1, quiet=.true.
 contains
   subroutine read_text(name)
     character(len=*), intent(in) :: name

@@ -153,6 +153,12 @@ BOOST_AUTO_TEST_CASE(another_program_that_fails_is_a_row_with_its_reason) {
   BOOST_TEST(mine["external"]["exit_code"] == 7);
   BOOST_TEST(mine["external"]["last_line"].get<std::string>().find('\033') == std::string::npos);
   BOOST_TEST(mine["reason"].get<std::string>().starts_with("it left no submission; exit code 7: no "));
+  // Octave has a word behind every exit of a script.
+  mine = run_of(
+      "printf 'no luck\\nerror: ignoring const execution_exception& while preparing to exit\\n\\n' >&2; : {case} "
+      "{out}; "
+      "exit 7");
+  BOOST_TEST(mine["external"]["last_line"] == "no luck");
   mine = run_of("cp {case} {out}");
   BOOST_TEST(mine["status"] == "diverged");
   BOOST_TEST(mine["reason"].get<std::string>().find("allowed is ehd-submission-1") != std::string::npos);

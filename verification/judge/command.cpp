@@ -16,6 +16,7 @@
 #include <cstring>
 #include <limits>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include "contact/text.hpp"
@@ -28,6 +29,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kept_bytes = 4096, longest_line = 200;
+/// What Octave 7 says behind every exit of a script: the line before it has the reason.
+constexpr std::string_view octave_exit = "error: ignoring const execution_exception& while preparing to exit";
 
 /// Closes what it holds.
 struct Descriptor {
@@ -57,6 +60,10 @@ struct Descriptor {
   ::_exit(could_not_run);
 }
 
+std::string_view without_space_behind(std::string_view text) {
+  return text.substr(0, text.find_last_not_of("\r\n \t") + 1);
+}
+
 /// The end of what comes through a pipe.
 class Tail {
  public:
@@ -71,11 +78,11 @@ class Tail {
     return true;
   }
   [[nodiscard]] std::string last_line() const {
-    const auto end = text_.find_last_not_of("\r\n \t");
-    if (end == std::string::npos) return "";
-    const auto before = text_.find_last_of("\r\n", end);
-    const auto begin = before == std::string::npos ? 0 : before + 1;
-    return shortened(one_line(text_.substr(begin, end + 1 - begin)), longest_line);
+    std::string_view text = without_space_behind(text_);
+    if (text.ends_with(octave_exit)) text = without_space_behind(text.substr(0, text.size() - octave_exit.size()));
+    const auto before = text.find_last_of("\r\n");
+    const auto begin = before == std::string_view::npos ? 0 : before + 1;
+    return shortened(one_line(std::string(text.substr(begin))), longest_line);
   }
 
  private:
