@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <iterator>
 #include <map>
 #include <mutex>
+#include <new>
 #include <numeric>
 #include <set>
 #include <thread>
@@ -16,6 +18,7 @@
 #include "contact/interruption.hpp"
 #include "io/case_reader.hpp"
 #include "io/find_case.hpp"
+#include "verification/bench/child.hpp"
 #include "verification/claims/topics.hpp"
 #include "verification/solution_memory.hpp"
 #include "verification/traceability.hpp"
@@ -101,18 +104,24 @@ JudgedTopic leave_out(const Topic& topic, const SuiteRequest& request, const cha
   return {.findings = {.claims = {}, .skipped = {{whole_of(topic, request), why}}}, .left_out = true};
 }
 
+/// An error that is not a number makes the claim inconclusive.
+Findings thrown_by(const Topic& topic, Sentence says, double error, const char* why) {
+  says.id += "/ran";
+  says.statement = topic.name + " can be judged";
+  return {.claims = {claim(std::move(says), error, 0, Tolerance::required(0, "no topic of the suite throws"), why)},
+          .skipped = {}};
+}
+
 Findings judge_topic(const Topic& topic, const Sentence& whole) {
   try {
     Findings found = topic.judge();
     if (found.claims.empty() && found.skipped.empty())
       found.skipped.push_back({whole, "there is nothing to judge it by (a case says what it expects in [[expect]])"});
     return found;
+  } catch (const std::bad_alloc&) {  // the system's fault: nothing is known of what the topic would have found
+    return thrown_by(topic, whole, std::nan(""), memory_is_exhausted);
   } catch (const std::exception& thrown) {
-    Sentence says = whole;
-    says.id += "/ran";
-    says.statement = topic.name + " can be judged";
-    return {.claims = {claim_fact(std::move(says), false, "no topic of the suite throws", thrown.what())},
-            .skipped = {}};
+    return thrown_by(topic, whole, 1, thrown.what());
   }
 }
 

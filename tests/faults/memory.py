@@ -32,6 +32,7 @@ LADDERS = {
     "atlas": (["atlas", "--only", "roelands-m20-l10-", "--output", "out"], (0, 2000, 8000)),
     "bench": (["bench", "--part", "convolution", "--output", "out"], (0, 500, 2000)),
     "stress": (["stress", "--quick", "--part", "h", "--output", "out"], (0, 2000)),
+    "stress in processes": (["stress", "--quick", "--part", "d", "--part", "g"], (4000, 10000, 14000)),
     "maps": (["maps", "--output", "out"], (0, 1000, 4000)),
     "report": (["report", "."], (0, 1000)),
     "response": (["response", "own-moes-20-10", "--omega", "1", "--json", "a.json"], (0, 500, 1000, 2000, 4000)),
@@ -90,6 +91,8 @@ def ladder(arguments, step):
         wrong = wrong_with(ended, (1, 2)) if ended.err.count("\n") <= 1 else []
         if ended.code < 0:
             wrong = [f"ended by signal {-ended.code}"]
+        if "\n  fail" in ended.out:  # as ehd verify and ehd stress begin such lines
+            wrong.append("calls it a fail")
         if "internal error" in ended.err:
             wrong.append("says internal error")
         left = [file for file in room.files() if ".partial-" in file]

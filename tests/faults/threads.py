@@ -15,6 +15,7 @@ COMMANDS = {
     "sweep": (["sweep", "s.toml", "--output", "out", "--threads", "4"], (0,), "on 1 thread", ()),
     "verify": (["verify", "--quick", "--rung", "2"], (0,), "", ()),
     "bench": (["bench", "--part", "scaling", "--quick"], (1,), "not one size was measured", ()),
+    "bench, whole processes": (["bench", "--part", "cost", "--quick"], (1,), "no process", ("internal error",)),
     "stress": (["stress", "--part", "h", "--quick"], (1,), "inconclusive", ("fail",)),
     "compare --external": (["compare", "own-moes-5-5", "--solver", "fast", "--tolerance", "1e-1", "--external",
                             "mine=true {case} {out}"], (1,), "could not be started: no process",

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <new>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
@@ -235,6 +236,17 @@ BOOST_AUTO_TEST_CASE(names_that_repeat_are_numbered_and_no_claim_is_lost) {
   BOOST_TEST(short_one.skipped[0].says.id == "box");
   BOOST_TEST(short_one.skipped[1].says.id == "box 2");
   BOOST_TEST(short_one.topics.at(2).name == "box 3");
+}
+
+BOOST_AUTO_TEST_CASE(a_topic_that_lacks_memory_is_inconclusive_and_says_so) {
+  const auto judge = []() -> Findings { throw std::bad_alloc(); };
+  const SuiteResult result =
+      run_topics({.rung = 6, .threads = 1}, {{.name = "large", .rungs = {6}, .slow = false, .judge = judge}}, {});
+  const Claim* one = find(result, "large/ran");
+  BOOST_REQUIRE(one);
+  BOOST_TEST((one->verdict == Verdict::inconclusive));
+  BOOST_TEST(one->note == "memory is exhausted");
+  BOOST_TEST(!result.success());
 }
 
 BOOST_AUTO_TEST_CASE(topics_after_the_deadline_are_skipped_and_the_suite_does_not_succeed) {

@@ -8,15 +8,17 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <fstream>
+#include <new>
 
 namespace ehd::verification {
 
 namespace {
 
-constexpr int threw = 3, could_not_write = 4, did_not_start = 127;  // exit codes of the child
+constexpr int threw = 3, could_not_write = 4, lacked_memory = 5, did_not_start = 127;  // exit codes of the child
 
 double seconds_of(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
@@ -43,6 +45,18 @@ std::string read_all(int pipe) {
   }
 }
 
+/// The C++ library comes here without an exception where it has no memory for one.
+[[noreturn]] void end_child() {
+  const std::exception_ptr thrown = std::current_exception();
+  try {
+    if (thrown) std::rethrow_exception(thrown);
+  } catch (const std::bad_alloc&) {
+  } catch (...) {
+    std::abort();
+  }
+  ::_exit(lacked_memory);
+}
+
 }  // namespace
 
 ChildEnd in_child(const std::function<std::string()>& work) {
@@ -58,10 +72,13 @@ ChildEnd in_child(const std::function<std::string()>& work) {
   }
   if (child == 0) {
     ::close(ends[0]);
+    std::set_terminate(end_child);
     int code = 0;
     std::string text;
     try {
       text = work();
+    } catch (const std::bad_alloc&) {
+      code = lacked_memory;
     } catch (const std::exception& thrown) {
       text = thrown.what();
       code = threw;
@@ -78,6 +95,7 @@ ChildEnd in_child(const std::function<std::string()>& work) {
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return {std::move(text), {}};
+  if (WIFEXITED(status) && WEXITSTATUS(status) == lacked_memory) throw std::bad_alloc();
   if (WIFEXITED(status) && WEXITSTATUS(status) == threw) return {{}, text.empty() ? "it threw" : text};
   if (WIFSIGNALED(status)) return {{}, std::string("ended by ") + ::strsignal(WTERMSIG(status))};
   return {{}, "exit code " + std::to_string(WIFEXITED(status) ? WEXITSTATUS(status) : -1)};

@@ -21,8 +21,12 @@ class Refused : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// The reason where memory is lacking.
+inline constexpr const char* memory_is_exhausted = "memory is exhausted";
+
 /// Calls `work` in a forked child and returns its text. No other thread may run: a fork does not copy it, and a lock
-/// that it held would stay locked. Throws Refused where there can be no process.
+/// that it held would stay locked. Throws Refused where there can be no process, and std::bad_alloc where the work
+/// lacked memory.
 [[nodiscard]] ChildEnd in_child(const std::function<std::string()>& work);
 
 struct ProgramEnd {

@@ -172,6 +172,8 @@ std::vector<ScalingRow> run_scaling(const ScalingRequest& request) {
               return in_child([&] { return measured(*one, problem, asked, request.repetition).dump(); });
             } catch (const Refused& refused) {
               return {{}, refused.what()};
+            } catch (const std::bad_alloc&) {
+              return {{}, memory_is_exhausted};
             }
           }();
           if (end.text) {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <ctime>
+#include <new>
 #include <nlohmann/json.hpp>
 
 #include "contact/text.hpp"
@@ -46,6 +47,8 @@ FirstSolveRow first_solve(const RegisteredSolver& solver, const MoesGroups& cont
     end = in_child([&] { return measured_first(solver, problem, request).dump(); });
   } catch (const Refused& refused) {
     end.why = refused.what();
+  } catch (const std::bad_alloc&) {
+    end.why = memory_is_exhausted;
   }
   if (!end.text) {
     row.why = "not measured: " + end.why;

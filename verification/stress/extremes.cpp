@@ -10,6 +10,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <new>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
@@ -105,6 +106,8 @@ ExtremeRow tried(const std::string& kind, const std::string& what, const Stateme
       row.other = ended(find_solver(quicker_reference)->solve(made.problem, request));
   } catch (const StatementError& refused) {
     row.refused = refused.key() + ": " + refused.what();
+  } catch (const std::bad_alloc&) {
+    row.lacked_memory = true;
   } catch (const std::exception& thrown) {
     row.broke = std::string("threw ") + thrown.what();
   }
@@ -197,6 +200,8 @@ std::vector<ExtremeRow> hurried(const Scope& scope) {
       try {
         row.fast = ended(solver.solve(
             hard, {.tolerance = limit.tolerance, .max_iterations = limit.iterations, .time_limit_s = limit.seconds}));
+      } catch (const std::bad_alloc&) {
+        row.lacked_memory = true;
       } catch (const std::exception& thrown) {
         row.broke = std::string("threw ") + thrown.what();
       }
@@ -215,8 +220,13 @@ void in_a_process(const std::string& kind, const std::function<std::vector<Extre
     ::alarm(alarm_s);
     Json json = Json::array();
     for (const ExtremeRow& row : work()) {
-      Json one{{"what", row.what},     {"inside", row.inside},      {"refused", row.refused},
-               {"wall_s", row.wall_s}, {"limit", row.time_limit_s}, {"broke", row.broke}};
+      Json one{{"what", row.what},
+               {"inside", row.inside},
+               {"refused", row.refused},
+               {"wall_s", row.wall_s},
+               {"limit", row.time_limit_s},
+               {"broke", row.broke},
+               {"lacked_memory", row.lacked_memory}};
       if (row.fast) one["fast"] = json_of(*row.fast);
       if (row.other) one["other"] = json_of(*row.other);
       json.push_back(one);
@@ -234,7 +244,8 @@ void in_a_process(const std::string& kind, const std::function<std::vector<Extre
                    .refused = one.at("refused"),
                    .wall_s = one.at("wall_s"),
                    .time_limit_s = one.at("limit"),
-                   .broke = one.at("broke")};
+                   .broke = one.at("broke"),
+                   .lacked_memory = one.at("lacked_memory")};
     if (one.contains("fast")) row.fast = ended_from(one.at("fast"));
     if (one.contains("other")) row.other = ended_from(one.at("other"));
     rows.push_back(std::move(row));
@@ -348,6 +359,8 @@ void judge_row(const ExtremeRow& row, Sum& sum, Counts& counts, Tally& tally) {
     ++sum.broke;
     ++counts.broke;
     tally.require(false, where + ": " + row.broke);
+  } else if (row.lacked_memory) {
+    tally.add(Verdict::inconclusive, fmt::format("{}: {}", where, memory_is_exhausted));
   } else if (!row.refused.empty()) {
     ++sum.refused;
     ++counts.refused;

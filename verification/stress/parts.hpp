@@ -139,7 +139,8 @@ struct ExtremeRow {
   std::string refused = {};                    ///< the message of a refusal before any solve
   std::optional<Ended> fast = {}, other = {};  ///< other: an independent solver, on some
   double wall_s = 0, time_limit_s = 0;
-  std::string broke = {};  ///< how it broke: another exception, a signal
+  std::string broke = {};      ///< how it broke: another exception, a signal
+  bool lacked_memory = false;  ///< which says nothing of the solver
 };
 /// The box that must be solved: M 0.05 ... 5000, L 0 ... 30, p_H <= 4 GPa, z 0.1 ... 1.2, p_0 1e7 ... 1e10 Pa, flooded
 /// or (M >= 2) cut at -100 ... -2.5. Computed from the stated numbers alone, without nondimensionalise(), whose wrong

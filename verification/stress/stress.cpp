@@ -143,7 +143,7 @@ Part run_part(const PartEntry& entry, const Scope& scope) {
     } catch (const Refused& refused) {  // the system's fault: nothing is known of the solvers
       return ended(Verdict::inconclusive, refused.what());
     } catch (const std::bad_alloc&) {
-      return ended(Verdict::inconclusive, "memory is exhausted");
+      return ended(Verdict::inconclusive, memory_is_exhausted);
     } catch (const std::exception& thrown) {
       return ended(Verdict::fail, std::string("by an exception: ") + thrown.what());
     } catch (...) {

@@ -5,7 +5,9 @@
 #include <unistd.h>
 
 #include <cmath>
+#include <exception>
 #include <memory>
+#include <new>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -69,6 +71,23 @@ BOOST_AUTO_TEST_CASE(a_child_that_fails_says_how) {
   BOOST_TEST(!killed.text);
   BOOST_TEST(killed.why.find("Killed") != std::string::npos, killed.why);
   BOOST_TEST(in_child([]() -> std::string { ::_exit(9); }).why == "exit code 9");
+}
+
+// The library ends a program without memory for an exception by std::terminate.
+BOOST_AUTO_TEST_CASE(a_child_that_lacks_memory_is_told_from_one_that_fails) {
+  BOOST_CHECK_THROW((void)in_child([]() -> std::string { throw std::bad_alloc(); }), std::bad_alloc);
+  BOOST_CHECK_THROW((void)in_child([]() -> std::string { std::terminate(); }), std::bad_alloc);
+  const auto out_of_noexcept = [](const auto& thrown) noexcept { std::rethrow_exception(thrown); };
+  const auto child_of = [&](const auto& thrown) {
+    return in_child([&]() -> std::string {
+      ::signal(SIGABRT, SIG_DFL);  // Boost.Test has a handler
+      out_of_noexcept(std::make_exception_ptr(thrown));
+      return {};
+    });
+  };
+  BOOST_CHECK_THROW((void)child_of(std::bad_alloc()), std::bad_alloc);
+  const ChildEnd wrong = child_of(std::runtime_error("no film"));
+  BOOST_TEST(wrong.why.find("Aborted") != std::string::npos, wrong.why);
 }
 
 BOOST_AUTO_TEST_CASE(the_peak_is_what_the_child_held, *testing::needs_measurable_memory()) {

@@ -467,6 +467,8 @@ BOOST_AUTO_TEST_CASE(extremes_fail_on_nan_hangs_crashes_and_wrong_answers) {
   BOOST_TEST(spoilt(extreme_row(), with_a_sound_one, [](ExtremeRow& r) { r.wall_s = 60; }) == Verdict::fail);
   BOOST_TEST(spoilt(extreme_row(), with_a_sound_one, [](ExtremeRow& r) { r.broke = "ended by Segmentation fault"; }) ==
              Verdict::fail);
+  BOOST_TEST(spoilt(extreme_row(), with_a_sound_one, [](ExtremeRow& r) { r.lacked_memory = true, r.fast.reset(); }) ==
+             Verdict::inconclusive);
   BOOST_TEST(spoilt(extreme_row(), with_a_sound_one, [](ExtremeRow& r) { r.fast->film[0] = 0.11; }) == Verdict::fail);
   BOOST_TEST(spoilt(extreme_row(), with_a_sound_one, [](ExtremeRow& r) { r.fast->film[0] = -0.1; }) == Verdict::fail);
   BOOST_TEST(spoilt(extreme_row(), with_a_sound_one, [](ExtremeRow& r) { r.fast = refused(); }) == Verdict::fail);
