@@ -269,6 +269,11 @@ class Bench {
     request.progress = show_;
     const auto rows = verification::run_answer_costs(request);
     finish_part(answer_cost, human_table(rows), "cost", to_json(rows));
+    const auto failed = std::find_if(rows.begin(), rows.end(), [](const auto& row) { return !row.why.empty(); });
+    if (failed != rows.end()) {
+      complain(fmt::format("ehd: bench: {}: {}", failed->asked, failed->why));
+      sound_ = false;
+    }
   }
 
   /// Of every solver that has a response.

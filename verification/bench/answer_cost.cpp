@@ -100,12 +100,16 @@ AnswerCost cost_of_process(const AnswerCostRequest& request) {
   AnswerCost row{.asked = "whole process", .of = "ehd solve --M 20 --L 10", .seconds = {}, .solves = 1};
   row.c_s = c_now();
   std::vector<double> seconds;
-  do {
-    const ProgramEnd end = run_program(request.program, {"solve", "--M", "20", "--L", "10"});
-    row.not_converged = end.exit_code == 0 ? 0 : 1;
-    seconds.push_back(end.processor_s);
-  } while (!request.repetition.satisfied_by(seconds));
-  row.seconds = {median(seconds)};
+  try {
+    do {
+      const ProgramEnd end = run_program(request.program, {"solve", "--M", "20", "--L", "10"});
+      row.not_converged = end.exit_code == 0 ? 0 : 1;
+      seconds.push_back(end.processor_s);
+    } while (!request.repetition.satisfied_by(seconds));
+    row.seconds = {median(seconds)};
+  } catch (const Refused& refused) {
+    row.why = std::string("not measured: ") + refused.what();
+  }
   return row;
 }
 
@@ -144,6 +148,10 @@ std::vector<AnswerCost> run_answer_costs(const AnswerCostRequest& request) {
 Json to_json(const std::vector<AnswerCost>& rows) {
   Json list = Json::array();
   for (const AnswerCost& row : rows) {
+    if (!row.why.empty()) {
+      list.push_back({{"asked", row.asked}, {"of", row.of}, {"reason", row.why}});
+      continue;
+    }
     const Spread spread = spread_of(row.seconds);
     list.push_back({{"asked", row.asked},
                     {"of", row.of},
@@ -164,6 +172,10 @@ std::string human_table(const std::vector<AnswerCost>& rows) {
   std::vector<std::vector<std::string>> table{{"asked", "of", "number", "not converged", "solves", "median [ms]",
                                                "median [c]", "mean [c]", "95 % [c]", "slowest [c]", "c [us]"}};
   for (const AnswerCost& row : rows) {
+    if (!row.why.empty()) {
+      table.push_back({row.asked, row.of, row.why});
+      continue;
+    }
     const Spread spread = spread_of(row.seconds);
     const auto in_c = [&](double s) { return plain(s / row.c_s, 3); };
     table.push_back({row.asked, row.of, std::to_string(row.seconds.size()), std::to_string(row.not_converged),

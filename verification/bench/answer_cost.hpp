@@ -22,6 +22,7 @@ struct AnswerCost {
   std::size_t not_converged = 0;  ///< of them
   long solves = 0;                ///< contact solves behind it
   double c_s = 0;                 ///< one padded convolution of 512 intervals, timed beside
+  std::string why = {};           ///< where nothing was measured
 };
 
 struct AnswerCostRequest {

@@ -2,6 +2,7 @@
 // The results of `ehd bench`, continued: what each answer costs, in ms and in c.
 #include <cmath>
 #include <optional>
+#include <string>
 
 #include "verification/report/report.hpp"
 
@@ -21,8 +22,9 @@ void add_answer_cost(Page& page, const View& bench) {
                    "mean [ms]", "median [ms]", "95 % within [ms]", "slowest [ms]",  "mean [<i>c</i>]"};
   for (const View& one : costs) {
     const auto mean = one.number("mean_s"), c = one.number("c_s"), failed = one.number("not_converged");
+    const std::string why = one.text("reason"), of = one.text("of") + (why.empty() ? "" : ": " + why);
     table.rows.push_back({{escaped(one.text("asked")), ""},
-                          {escaped(one.text("of")), ""},
+                          {escaped(of), ""},
                           integer_cell(one.number("number")),
                           {integer_cell(failed).html, failed.value_or(0) > 0 ? "number fail" : "number"},
                           integer_cell(one.number("contact_solves")),
