@@ -2,6 +2,7 @@
 // The reduced-order law of the paper: a straight line f = K delta + dF through solved contacts.
 #pragma once
 
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -18,10 +19,19 @@ struct FitPoint {
   bool converged = true;        ///< of the contact: false where it missed its tolerance
 };
 
-/// A line that misses one of its points by more than this part of the heaviest force does not describe its contacts.
-/// Elastic contacts are missed by 0.02 at most, rigid rollers with f ~ 1/film by 0.2 (200 random bearings; NA4908
-/// 0.01).
+/// A line that misses a contact by more than this part of the heaviest force does not describe its contacts. That holds
+/// for the points of its fit and for the contacts of a bearing that uses it. Elastic contacts are missed by 0.02 at
+/// most, rigid rollers with f ~ 1/film by 0.2 (200 random bearings; NA4908 0.01).
 inline constexpr double largest_misfit = 0.05;
+
+/// The loaded contacts of a bearing that uses a line (is_loaded).
+struct LineInUse {
+  double lightest_N = 0, heaviest_N = 0;
+  /// Largest difference between the forces by the line and by the solver at the approach of a contact; NaN where it is
+  /// not known.
+  double residual_N = 0;
+  [[nodiscard]] double misfit() const { return residual_N / heaviest_N; }
+};
 
 struct LinearFit {
   double K_N_per_m = 0;
@@ -33,6 +43,7 @@ struct LinearFit {
   double correlation = 0;  ///< of K and dF
   std::vector<FitPoint> points;
   FitOf of = FitOf::force;
+  std::optional<LineInUse> in_use = {};  ///< absent where no bearing loads a contact by this line
 
   /// First-order bound of the line's error of the approach at a force [m], from the points' approach_error_m with any
   /// signs.
@@ -40,7 +51,10 @@ struct LinearFit {
 
   /// residual_N over the heaviest force of the points.
   [[nodiscard]] double misfit() const { return residual_N / points.back().force_N; }
-  [[nodiscard]] bool describes_contacts() const { return misfit() <= largest_misfit; }
+  /// Those of the fit, and those of the bearing that uses the line.
+  [[nodiscard]] bool describes_contacts() const {
+    return misfit() <= largest_misfit && (!in_use || in_use->misfit() <= largest_misfit);
+  }
 
   [[nodiscard]] LinearLaw law(Unloading unloading = Unloading::at_zero_force) const;
 };

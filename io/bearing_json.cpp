@@ -70,6 +70,10 @@ Json to_json(const LinearFit& fit) {
                        {"correlation", fit.correlation}});
   put(json, "load_N", {fit.points.front().force_N, fit.points.back().force_N});
   json["points"] = fit.points.size();
+  if (fit.in_use) {
+    json["in_use"] = numbers({{"residual_N", fit.in_use->residual_N}, {"misfit", fit.in_use->misfit()}});
+    put(json["in_use"], "load_N", {fit.in_use->lightest_N, fit.in_use->heaviest_N});
+  }
   json["describes_contacts"] = fit.describes_contacts();
   return json;
 }

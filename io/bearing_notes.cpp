@@ -45,11 +45,27 @@ struct Words {
   }
   std::string operator()(const note::PoorLine& poor) const {
     const bearing::LinearFit& fit = result.fit->at(poor.raceway);
+    if (fit.misfit() <= bearing::largest_misfit) return poor_in_use(poor.raceway, fit);
     return fmt::format(
         "the line does not describe its {} contacts: it misses them by up to {} N, {} % of the heaviest force; K = {} "
         "+- {} N/m. Take the law ehd",
         to_string(poor.raceway), plain(fit.residual_N, 3), plain(100 * fit.misfit(), 2), plain(fit.K_N_per_m, 2),
         plain(fit.K_deviation_N_per_m, 2));
+  }
+  static std::string poor_in_use(bearing::Raceway raceway, const bearing::LinearFit& fit) {
+    const bearing::LineInUse& use = *fit.in_use;
+    const std::string loads = range_text(plain(use.lightest_N, 4), plain(use.heaviest_N, 4)) + " N";
+    const std::string fitted =
+        fmt::format("fitted from {} to {} N", plain(fit.points.front().force_N), plain(fit.points.back().force_N));
+    if (std::isnan(use.residual_N))
+      return fmt::format(
+          "the line may not describe its {} contacts: they carry {}, it is {}, and no contact outside is solved. Take "
+          "the law ehd",
+          to_string(raceway), loads, fitted);
+    return fmt::format(
+        "the line does not describe its {} contacts: they carry {}, where it misses them by up to {} N, {} % of the "
+        "heaviest force; it is {}. Take the law ehd",
+        to_string(raceway), loads, plain(use.residual_N, 3), plain(100 * use.misfit(), 3), fitted);
   }
   std::string operator()(const note::LateralForce& lateral) const {
     return fmt::format(

@@ -2,13 +2,19 @@
 #include "workflow/bearing_fit.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <limits>
+#include <memory>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <variant>
 
+#include "bearing/equilibrium.hpp"
+#include "bearing/film_curve.hpp"
 #include "bearing/fit.hpp"
+#include "bearing/force_law.hpp"
 #include "workflow/bearing_curve.hpp"
 #include "workflow/bearing_plan.hpp"
 
@@ -53,8 +59,39 @@ void fill_films_of_fit(BearingResult& result, const BearingSetup& setup, double 
   }
 }
 
-/// Before all other notes: nothing else of such a result is to be read first.
+/// The solver's own relation at a raceway; absent without a curve, and where the datum allows none.
+std::optional<bearing::CurveLaw> solved_law(const BearingResult& result, bearing::Raceway raceway) {
+  if (!result.curve) return std::nullopt;
+  try {
+    return bearing::CurveLaw(std::make_shared<const bearing::FilmCurve>(result.curve->at(raceway)),
+                             result.datum_m->at(raceway));
+  } catch (const std::domain_error&) {
+    return std::nullopt;
+  }
+}
+
+/// How far the line is off at the loaded contacts of this bearing (bearing::is_loaded). Without the solver's relation
+/// the fit alone says that, and nothing is known outside of its range.
+void judge_use(BearingResult& result, bearing::Raceway raceway) {
+  LinearFit& fit = raceway == bearing::Raceway::inner ? result.fit->inner : result.fit->outer;
+  const auto solved = solved_law(result, raceway);
+  bearing::LineInUse use{.lightest_N = std::numeric_limits<double>::infinity()};
+  for (const RollerRow& row : result.rollers) use.heaviest_N = std::max(use.heaviest_N, row.at(raceway).force_N);
+  for (const RollerRow& row : result.rollers) {
+    const ContactRow& at = row.at(raceway);
+    if (!bearing::is_loaded(at.force_N, use.heaviest_N)) continue;
+    use.lightest_N = std::min(use.lightest_N, at.force_N);
+    if (solved) use.residual_N = std::max(use.residual_N, std::abs(at.force_N - solved->force(at.displacement_m)));
+  }
+  if (use.heaviest_N == 0) return;
+  const bool in_range = use.lightest_N >= fit.points.front().force_N && use.heaviest_N <= fit.points.back().force_N;
+  if (!solved && !in_range) use.residual_N = std::nan("");
+  fit.in_use = use;
+}
+
+/// Before all other notes: nothing else of such a result is to be read first. Takes the place of earlier such notes.
 void note_poor_lines(BearingResult& result) {
+  std::erase_if(result.notes, [](const BearingNote& note) { return std::holds_alternative<note::PoorLine>(note); });
   auto at = result.notes.begin();
   for (const auto raceway : bearing::both_raceways)
     if (!result.fit->at(raceway).describes_contacts())
@@ -109,11 +146,14 @@ void run_linear_law(BearingResult& result, const BearingSetup& setup, bearing::F
   auto inner = fitted(result, setup, bearing::Raceway::inner, inner_N, memory);
   auto outer = fitted(result, setup, bearing::Raceway::outer, outer_N, memory);
   result.fit = BothRaceways<LinearFit>{std::move(inner), std::move(outer)};
-  note_poor_lines(result);
+  note_poor_lines(result);  // of the fits alone: there may be no balance
   note_oil(result, setup);
   fill_balance(result, setup, balance_all_positions(setup, make(*result.fit)));
-  if (!with_films || !result.plan.runs(bearing_stage::film(result.law))) return;
-  fill_films_of_fit(result, setup, largest_dry_N, memory);
+  const bool films = with_films && result.plan.runs(bearing_stage::film(result.law));
+  if (films) fill_films_of_fit(result, setup, largest_dry_N, memory);
+  for (const auto raceway : bearing::both_raceways) judge_use(result, raceway);
+  note_poor_lines(result);
+  if (!films) return;
   note_outside_fit(result, bearing::Raceway::inner);
   note_outside_fit(result, bearing::Raceway::outer);
   if (result.plan.runs(bearing_stage::variant)) add_cut_variant(result, setup);

@@ -11,8 +11,8 @@
 
 namespace ehd::note {
 
-/// The line of a raceway does not describe the contacts that it is fitted to (LinearFit::describes_contacts). It stands
-/// before all other notes.
+/// The line of a raceway does not describe its contacts (LinearFit::describes_contacts). It stands before all other
+/// notes.
 struct PoorLine {
   bearing::Raceway raceway = bearing::Raceway::inner;
 };

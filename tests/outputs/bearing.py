@@ -225,6 +225,11 @@ def audit_fit(said, result, inputs):
         # A point moves along the line by K times the error of its approach. Slopes and deviations move in proportion.
         moved = SOLVED * max(contacts.film("offset", force) for force in forces) * own["K_N_per_m"]
         said.near(f"fit.{raceway}.misfit", line["misfit"], line["residual_N"] / high, relative=ROUND_OFF)
+        loads = [roller[raceway]["force_N"] for roller in result["rollers"]]
+        loads = [force for force in loads if force >= max(loads) / 100]
+        said.equal(f"fit.{raceway}.in_use.load_N", line["in_use"]["load_N"], [min(loads), max(loads)])
+        said.near(f"fit.{raceway}.in_use.misfit", line["in_use"]["misfit"],
+                  line["in_use"]["residual_N"] / max(loads), relative=ROUND_OFF)
         for name, expected in own.items():
             size = {"correlation": 1.0, "K_N_per_m": own["K_N_per_m"], "dF_N": own["dF_N"]}.get(name, abs(expected))
             said.near(f"fit.{raceway}.{name}", line[name], expected, absolute=4 * moved / own["residual_N"] * size)
