@@ -59,6 +59,7 @@ double parse_number(const std::string& option, const std::string& text, const In
   const char* end = text.data() + text.size();
   const auto parsed = std::from_chars(begin, end, value);
   const bool whole = parsed.ptr == end && parsed.ec != std::errc::invalid_argument;
+  if (const std::string comma = comma_in_number(text); !comma.empty()) throw option_error(option, text, comma);
   if (!whole) throw refuse("is not a number");
   if (parsed.ec == std::errc() && !std::isfinite(value)) throw refuse("is not finite");
   if (parsed.ec != std::errc() || !range.contains(value)) throw refuse("is out of range");

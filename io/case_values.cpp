@@ -89,6 +89,8 @@ double number_or_standard(const CaseTree& tree, const std::string& key) {
 double number_in(const CaseTree& tree, const std::string& key, const CaseNode& node, const Interval& interval) {
   const auto stated = node.number();
   if (!stated) {
+    const auto* text = std::get_if<std::string>(&node.content);
+    if (const std::string comma = text ? comma_in_number(*text) : ""; !comma.empty()) tree.fail(key, comma);
     const std::string fault = has_unit(node) ? "has a unit, which belongs to the key's name" : "is " + node.type;
     tree.fail(key, fmt::format("{}; allowed is a number, {}", fault, interval.text()));
   }

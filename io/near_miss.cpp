@@ -99,6 +99,17 @@ std::string only_with(const std::string& short_word, const std::vector<std::stri
   return found;
 }
 
+/// "5" or "0e5" behind a comma: the rest of a number.
+bool ends_number(std::string_view text) {
+  const auto digits = text.find_first_not_of("0123456789");
+  if (text.empty() || digits == 0) return false;
+  if (digits == std::string::npos) return true;
+  if (text[digits] != 'e' && text[digits] != 'E') return false;
+  std::string_view exponent = text.substr(digits + 1);
+  if (exponent.starts_with('-') || exponent.starts_with('+')) exponent.remove_prefix(1);
+  return !exponent.empty() && exponent.find_first_not_of("0123456789") == std::string::npos;
+}
+
 }  // namespace
 
 std::string near_miss(const std::string& word, const std::vector<std::string>& names) {
@@ -146,6 +157,14 @@ std::string is_unknown(const std::string& word, const std::string& allowed) {
   const std::string meant =
       at == bare.end() ? "" : fmt::format("did you mean {}? ", items[static_cast<std::size_t>(at - bare.begin())]);
   return fmt::format("is unknown; {}allowed is {}", meant, allowed);
+}
+
+std::string comma_in_number(std::string_view text) {
+  const auto comma = text.find_first_not_of("+-.eE_0123456789");
+  if (comma == 0 || comma == std::string_view::npos || text[comma] != ',') return "";
+  const std::string_view rest = text.substr(comma + 1);
+  if (!ends_number(rest)) return "";
+  return fmt::format("has a comma in a number; allowed is a point, {}.{}", text.substr(0, comma), rest);
 }
 
 }  // namespace ehd

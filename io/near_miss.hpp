@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ehd {
@@ -24,5 +25,8 @@ namespace ehd {
 /// "is unknown; did you mean NAME? allowed is ALLOWED", of a word that is none of the allowed: "one, two", each as it
 /// is or in quotation marks.
 [[nodiscard]] std::string is_unknown(const std::string& word, const std::string& allowed);
+
+/// "has a comma in a number; allowed is a point, 1.0e5", of "1,0e5"; empty of any other text.
+[[nodiscard]] std::string comma_in_number(std::string_view text);
 
 }  // namespace ehd

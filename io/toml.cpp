@@ -91,17 +91,6 @@ std::string table_above(const std::vector<std::string>& lines, int line) {
   return "";
 }
 
-/// "5" or "0e5" behind a comma: the rest of a number.
-bool ends_number(std::string_view text) {
-  const auto digits = text.find_first_not_of("0123456789");
-  if (text.empty() || digits == 0) return false;
-  if (digits == std::string::npos) return true;
-  if (text[digits] != 'e' && text[digits] != 'E') return false;
-  std::string_view exponent = text.substr(digits + 1);
-  if (exponent.starts_with('-') || exponent.starts_with('+')) exponent.remove_prefix(1);
-  return !exponent.empty() && exponent.find_first_not_of("0123456789") == std::string::npos;
-}
-
 /// What is wrong with a line "key = value" that is no TOML, and what is allowed, in the words of its writer. Empty
 /// where it is none of the usual slips.
 std::string slip_of(std::string_view line, std::string_view table) {
@@ -130,8 +119,7 @@ std::string slip_of(std::string_view line, std::string_view table) {
   if (number == std::string::npos) return "";
   const std::string rest = trimmed(std::string_view(value).substr(number));
   if (begins_with_value(rest)) return "";
-  if (rest.front() == ',' && ends_number(std::string_view(rest).substr(1)))
-    return fmt::format("has a comma in a number; allowed is a point, {}.{}", value.substr(0, number), rest.substr(1));
+  if (const std::string comma = comma_in_number(value); !comma.empty()) return comma;
   if (begins_with(rest, latin) || begins_with(rest, "%"))
     return "has a unit; allowed is the number alone, in the unit that the key names";
   return "";
