@@ -2,6 +2,8 @@
 #include "io/case_text.hpp"
 
 #include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <iostream>
@@ -110,6 +112,9 @@ std::string read_case_text(const std::filesystem::path& file, TomlFile what) {
 }
 
 std::string text_of_standard_input() {
+  struct stat status {};
+  if (::fstat(STDIN_FILENO, &status) == 0 && S_ISDIR(status.st_mode))  // reading it looks like an empty file
+    refuse(standard_input, 0, fmt::format("is a directory; allowed is {}", kind_of(TomlFile::of_case).name));
   std::string bytes(largest_file + 1, '\0');
   std::cin.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   bytes.resize(static_cast<std::size_t>(std::cin.gcount()));

@@ -43,6 +43,17 @@ std::filesystem::path folder_of(const std::filesystem::path& path) {
   return path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
 }
 
+/// Where a chain of links ends that is no loop.
+std::filesystem::path behind_links(std::filesystem::path path) {
+  std::error_code error;
+  while (std::filesystem::is_symlink(std::filesystem::symlink_status(path, error))) {
+    const auto target = std::filesystem::read_symlink(path, error);
+    if (error) break;
+    path = folder_of(path) / target;  // an absolute target stands for the whole
+  }
+  return path;
+}
+
 /// Digits that nobody can foresee.
 std::string random_digits() {
   std::random_device device;
@@ -124,6 +135,8 @@ OutputFile::OutputFile(std::filesystem::path path, Replaces replaces) : path_(st
   if (std::filesystem::exists(status)) {
     if (::access(path_.c_str(), W_OK) != 0) cannot_write(path_, std::strerror(errno));
     path_ = std::filesystem::canonical(path_, error);  // through a link, so that the link stays one
+  } else {
+    path_ = behind_links(path_);  // to a file that is not there yet
   }
   remove_leftovers(path_);
   open_temporary();

@@ -116,6 +116,17 @@ BOOST_AUTO_TEST_CASE(a_case_is_read_from_standard_input) {
   BOOST_TEST(result["lubricant"]["iso_vg"] == 68);
   BOOST_TEST(result["lubricant"]["viscosity_Pa_s"].get<double>() > 0);
   test::check_refused(folder, "solve - < /dev/null", "standard input: is empty");
+  test::check_refused(folder, "solve - < /", "standard input: is a directory; allowed is a case file");
+}
+
+BOOST_AUTO_TEST_CASE(an_inlet_cut_too_near_to_the_contact_is_named_with_one_that_is_solved) {
+  const test::Folder folder;
+  const auto near = test::ehd_run(folder, "solve --M 20 --L 10 --inlet -1.0000001");
+  BOOST_TEST(near.exit_code == 1);
+  BOOST_TEST(near.err.find("cut at X = -1.0000001, too near to the contact: contacts cut at X = -1.01 and") !=
+                 std::string::npos,
+             near.err);
+  BOOST_TEST(test::ehd_run(folder, "solve --M 20 --L 10 --inlet -1.01").exit_code == 0);
 }
 
 BOOST_AUTO_TEST_CASE(a_new_bearing_is_balanced_as_it_stands_and_never_overwritten) {

@@ -37,6 +37,18 @@ def keeps_link(room):
     return None if "converged" in (room.path / "real.json").read_text() else "the file behind the link is old"
 
 
+def keeps_link_to_nothing(room):
+    """As a shell's > does, and as where the file is there."""
+    (room.path / "below").mkdir()
+    (room.path / "below" / "b.json").symlink_to("real.json")
+    (room.path / "a.json").symlink_to("below/b.json")
+    room.run(*SOLVE, "--json", "a.json")
+    if not (room.path / "a.json").is_symlink() or not (room.path / "below" / "b.json").is_symlink():
+        return "a link became a file"
+    made = room.path / "below" / "real.json"
+    return None if made.exists() and "converged" in made.read_text() else "the file behind the links is not made"
+
+
 @functools.cache
 def watcher():
     """calls.c as a library for LD_PRELOAD."""
@@ -157,6 +169,7 @@ def inputs():
     for mode in (0o600, 0o640, 0o664, 0o755):
         yield f"mode {mode:o}", keeps_mode(mode)
     yield "a link to a file", keeps_link
+    yield "a link to a link to no file", keeps_link_to_nothing
     yield "temporary files: O_EXCL, O_NOFOLLOW, fsync of file and folder", whole_on_disk
     yield "the journal of a sweep: fsync", journal_on_disk
     yield "the second of two outputs is too large", too_large
