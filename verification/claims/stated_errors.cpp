@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rung 8: the errors that the solvers state of films and of pressure peaks, against the certified solver at 1e-7. Every
 // solver runs with several tolerances and on several given grids: at contacts where a stated error was once too small,
-// in which every one has to hold, and at random contacts, in which 98 of 100 have to. Below 1e-6 the two best solvers
-// judge each other.
+// in which every one has to hold, and at random contacts, among them inlets cut just before the contact, in which 98
+// of 100 have to. Below 1e-6 the two best solvers judge each other.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -92,6 +92,8 @@ const TightRuns tight_runs[] = {
 constexpr int quick_contacts = 2;  ///< the first ones; each takes some 10 s
 constexpr unsigned stated_seed = 20261130;
 constexpr int random_contacts_a_law = 10;
+constexpr unsigned near_cut_seed = 20261205;
+constexpr int near_cut_contacts = 6;
 
 /// What the stated errors of one solver are worth.
 struct StatedCount {
@@ -192,6 +194,23 @@ Findings judge_contact_once_too_small(const BoxContact& contact) {
   return found;
 }
 
+/// The share of stated errors that hold, of each solver. `ids`: "stated-errors/random/barus"; `hold`: "10 random
+/// contacts hold, Barus".
+Findings judge_share(StatedCounts counts, const std::string& ids, const std::string& hold) {
+  Findings found;
+  for (const RegisteredSolver& solver : solvers()) {
+    const StatedCount& count = counts[solver.name];
+    found.claims.push_back(claim(
+        {.id = fmt::format("{}/{}", ids, solver.name),
+         .rung = 8,
+         .statement = fmt::format("the errors of films and pressure peaks that {} states at {}", solver.name, hold),
+         .solver = solver.name},
+        count.judged > 0 ? 1 - count.held / static_cast<double>(count.judged) : nothing, 0,
+        Tolerance::required(0.02, "at least 98 in 100"), count.text()));
+  }
+  return found;
+}
+
 /// M 0.05 ... 5000, L 0 ... 30; half of the contacts cut at -2.5 ... -10.
 Findings judge_random_stated_errors(bool roelands) {
   StatedCounts counts;
@@ -202,20 +221,23 @@ Findings judge_random_stated_errors(bool roelands) {
     if (choice < 0.5) contact.inlet = TruncatedAt{cut};
     count_stated_errors(contact, counts);
   }
-  Findings found;
-  for (const RegisteredSolver& solver : solvers()) {
-    const StatedCount& count = counts[solver.name];
-    found.claims.push_back(
-        claim({.id = fmt::format("stated-errors/random/{}/{}", roelands ? "roelands" : "barus", solver.name),
-               .rung = 8,
-               .statement =
-                   fmt::format("the errors of films and pressure peaks that {} states at {} random contacts hold, {}",
-                               solver.name, random_contacts_a_law, law_name(roelands)),
-               .solver = solver.name},
-              count.judged > 0 ? 1 - count.held / static_cast<double>(count.judged) : nothing, 0,
-              Tolerance::required(0.02, "at least 98 in 100"), count.text()));
+  return judge_share(counts, roelands ? "stated-errors/random/roelands" : "stated-errors/random/barus",
+                     fmt::format("{} random contacts hold, {}", random_contacts_a_law, law_name(roelands)));
+}
+
+/// Cuts nearer than those: X = -1 - d, d from 1.5 down to 0.01 on a logarithmic scale. M 0.3 ... 50, where a cut takes
+/// most of the inlet zone; heavier contacts take 5 s each and more.
+Findings judge_near_cuts() {
+  StatedCounts counts;
+  Draw draw(near_cut_seed);
+  for (int i = 0; i < near_cut_contacts; ++i) {
+    const double M = draw.log_uniform(0.3, 50), L = draw.uniform(0, 30);
+    BoxContact contact{.moes = {M, L}, .roelands = i % 2 == 0};
+    contact.inlet = TruncatedAt{-1 - draw.log_uniform(0.01, 1.5)};
+    count_stated_errors(contact, counts);
   }
-  return found;
+  return judge_share(counts, "stated-errors/near-cuts",
+                     fmt::format("{} random contacts cut at X = -2.5 to -1.01 hold", near_cut_contacts));
 }
 
 }  // namespace
@@ -241,6 +263,8 @@ std::vector<Topic> stated_error_topics() {
                       .slow = true,
                       .judge = [roelands] { return judge_random_stated_errors(roelands); },
                       .expected_s = 80});
+  topics.push_back(
+      {.name = "stated errors, near cuts", .rungs = {8}, .slow = true, .judge = judge_near_cuts, .expected_s = 6});
   return topics;
 }
 
