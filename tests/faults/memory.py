@@ -32,7 +32,7 @@ LADDERS = {
     "atlas": (["atlas", "--only", "roelands-m20-l10-", "--output", "out"], (0, 2000, 8000)),
     "bench": (["bench", "--part", "convolution", "--output", "out"], (0, 500, 2000)),
     "stress": (["stress", "--quick", "--part", "h", "--output", "out"], (0, 2000)),
-    "stress in processes": (["stress", "--quick", "--part", "d", "--part", "g"], (4000, 10000, 14000)),
+    "stress in processes": (["stress", "--quick", "--part", "d"], (4000, 10000, 14000)),
     "maps": (["maps", "--output", "out"], (0, 1000, 4000)),
     "report": (["report", "."], (0, 1000)),
     "response": (["response", "own-moes-20-10", "--omega", "1", "--json", "a.json"], (0, 500, 1000, 2000, 4000)),
