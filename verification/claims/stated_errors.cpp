@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rung 8: the errors that the solvers state of films and of pressure peaks, against the certified solver at 1e-7. Every
-// solver runs with several tolerances and on several given grids: at contacts where a stated error was once too small,
-// in which every one has to hold, and at random contacts, among them inlets cut just before the contact, in which 98
-// of 100 have to. Below 1e-6 the two best solvers judge each other.
+// Rung 8: the errors that the solvers state of films, of pressure peaks and of P(X), against the certified solver at
+// 1e-7. Every solver runs with several tolerances and on several given grids: at contacts where a stated error was once
+// too small, in which every one has to hold, and at random contacts, among them inlets cut just before the contact, in
+// which 98 of 100 have to. Below 1e-6 the two best solvers judge each other.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "contact/profile.hpp"
+#include "contact/stated_error.hpp"
 #include "contact/text.hpp"
 #include "verification/claims/shared.hpp"
 #include "verification/claims/topics.hpp"
@@ -130,21 +132,29 @@ struct StatedCount {
         worst_at);
   }
 };
-using StatedCounts = std::map<std::string, StatedCount>;  ///< by solver
+struct SolverCount {
+  StatedCount readings;  ///< films and pressure peaks
+  StatedCount pressure;  ///< P(X) in L2
+};
+using StatedCounts = std::map<std::string, SolverCount>;  ///< by solver
 
-void count_run(const BoxContact& contact, const StatedRun& run, const Solution& truth, StatedCount& count) {
+void count_run(const BoxContact& contact, const StatedRun& run, const Solution& truth, SolverCount& count) {
   const Solution solution =
       find_solver(run.solver)
           ->solve(contact.problem(), {.tolerance = run.tolerance, .nodes = run.nodes, .time_limit_s = 60});
+  const std::string where = fmt::format("{}, {}, {}", contact.name(), contact.flooded() ? "flooded" : "cut", run.how());
   for (const Quantity quantity : judged_quantities) {
     const Reading *seen = observed(solution, quantity), *exact = reading(truth, quantity);
-    if (seen && is_film(quantity)) ++count.films;
+    if (seen && is_film(quantity)) ++count.readings.films;
     if (!seen || !seen->error || !exact || !exact->error) continue;
     // Relative to the number that the solver gives, as its brackets are.
-    count.add(std::abs(exact->value / seen->value - 1), *seen->error, error_of(exact),
-              fmt::format("{}, {}, {}, {}", contact.name(), contact.flooded() ? "flooded" : "cut", run.how(),
-                          to_string(quantity)));
+    count.readings.add(std::abs(exact->value / seen->value - 1), *seen->error, error_of(exact),
+                       fmt::format("{}, {}", where, to_string(quantity)));
   }
+  const auto stated = pressure_error(solution), of_truth = pressure_error(truth);
+  if (stated && of_truth)
+    count.pressure.add(relative_l2_error(pressure_profile(solution.fields), pressure_profile(truth.fields)), *stated,
+                       *of_truth, where);
 }
 
 void count_stated_errors(const BoxContact& contact, StatedCounts& counts) {
@@ -154,8 +164,9 @@ void count_stated_errors(const BoxContact& contact, StatedCounts& counts) {
 
 Findings judge_tight_errors(const TightRuns& runs, const BoxContact& contact) {
   const Solution truth = find_solver(runs.judge)->solve(contact.problem(), {.tolerance = runs.judge_tolerance});
-  StatedCount count;
-  for (const double tolerance : runs.tolerances) count_run(contact, {runs.judged, tolerance}, truth, count);
+  SolverCount counts;
+  for (const double tolerance : runs.tolerances) count_run(contact, {runs.judged, tolerance}, truth, counts);
+  const StatedCount& count = counts.readings;
   return {
       .claims = {claim(
           {.id = fmt::format("stated-errors/tight/{}-{}/{}", plain(contact.moes.M), plain(contact.moes.L), runs.judged),
@@ -176,7 +187,7 @@ Findings judge_contact_once_too_small(const BoxContact& contact) {
   count_stated_errors(contact, counts);
   Findings found;
   for (const RegisteredSolver& solver : solvers()) {
-    const StatedCount& count = counts[solver.name];
+    const StatedCount& count = counts[solver.name].readings;
     const Sentence says{
         .id = fmt::format("stated-errors/{}-{}/{}", plain(contact.moes.M), plain(contact.moes.L), solver.name),
         .rung = 8,
@@ -198,15 +209,20 @@ Findings judge_contact_once_too_small(const BoxContact& contact) {
 /// contacts hold, Barus".
 Findings judge_share(StatedCounts counts, const std::string& ids, const std::string& hold) {
   Findings found;
+  const auto judge = [&](const RegisteredSolver& solver, const char* folder, const char* errors,
+                         const StatedCount& count) {
+    found.claims.push_back(
+        claim({.id = fmt::format("{}/{}{}", ids, folder, solver.name),
+               .rung = 8,
+               .statement = fmt::format("the errors of {} that {} states at {}", errors, solver.name, hold),
+               .solver = solver.name},
+              count.judged > 0 ? 1 - count.held / static_cast<double>(count.judged) : nothing, 0,
+              Tolerance::required(0.02, "at least 98 in 100"), count.text()));
+  };
   for (const RegisteredSolver& solver : solvers()) {
-    const StatedCount& count = counts[solver.name];
-    found.claims.push_back(claim(
-        {.id = fmt::format("{}/{}", ids, solver.name),
-         .rung = 8,
-         .statement = fmt::format("the errors of films and pressure peaks that {} states at {}", solver.name, hold),
-         .solver = solver.name},
-        count.judged > 0 ? 1 - count.held / static_cast<double>(count.judged) : nothing, 0,
-        Tolerance::required(0.02, "at least 98 in 100"), count.text()));
+    const SolverCount& count = counts[solver.name];
+    judge(solver, "", "films and pressure peaks", count.readings);
+    judge(solver, "pressure-field/", "P(X), in L2,", count.pressure);
   }
   return found;
 }
