@@ -47,6 +47,16 @@ Json to_json(const std::vector<RollerRow>& rows) {
   return json;
 }
 
+/// A contact, and where it is.
+Json to_json(const BearingResult& result, const ContactPlace& place) {
+  const RollerRow& roller = result.rollers[place.roller];
+  const ContactRow& row = roller.at(place.raceway);
+  Json json = numbers({{"azimuth_deg", roller.azimuth_deg}});
+  json["raceway"] = to_string(place.raceway);
+  json.update(to_json(row));
+  return json;
+}
+
 Json to_json(const CageTurn& turn) {
   const auto range = [](const CageTurn::Range& one) {
     return numbers({{"mean", one.mean}, {"peak_to_peak", one.peak_to_peak}});
@@ -165,6 +175,8 @@ Json to_json(const BearingResult& result) {
     put_zone("load_zone_deg", result.load_zone_deg);
     put_zone("geometric_load_zone_deg", result.geometric_load_zone_deg);
     json["loaded_rollers"] = loaded_rollers(result.rollers);
+    if (const auto place = largest_pressure_place(result)) json["largest_pressure"] = to_json(result, *place);
+    if (const auto place = smallest_film_place(result)) json["smallest_film"] = to_json(result, *place);
     if (const auto& K = result.stiffness_N_per_m; std::isfinite(K[0][0] + K[0][1] + K[1][0] + K[1][1]))
       json["stiffness_N_per_m"] = K;
     if (!result.dynamics.empty()) json["dynamics"] = to_json(result.dynamics);

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "bearing/equilibrium.hpp"
+#include "bearing/geometry.hpp"
 #include "contact/text.hpp"
 #include "io/tables.hpp"
 
@@ -17,24 +17,6 @@ namespace {
 
 constexpr double um_per_m = 1e6, MPa_per_Pa = 1e-6, N_per_um = 1e-6, deg_per_rad = 180 / std::numbers::pi;
 constexpr double rounding_deg = 1e-6;  // a load zone that lies less askew is symmetric
-
-const RollerRow& most_loaded(const BearingResult& result) {
-  return *std::max_element(
-      result.rollers.begin(), result.rollers.end(),
-      [](const RollerRow& one, const RollerRow& other) { return one.inner.force_N < other.inner.force_N; });
-}
-
-/// The smallest value of a member over both contacts of the loaded rollers.
-std::optional<double> smallest_of(const BearingResult& result, std::optional<double> ContactRow::*member) {
-  const double largest = most_loaded(result).inner.force_N;
-  std::optional<double> smallest;
-  for (const RollerRow& roller : result.rollers) {
-    if (!bearing::is_loaded(roller.inner.force_N, largest)) continue;
-    for (const ContactRow* at : {&roller.inner, &roller.outer})
-      if (at->*member) smallest = std::min(smallest.value_or(*(at->*member)), *(at->*member));
-  }
-  return smallest;
-}
 
 /// The error of d(F_r)/d(delta_r). The stiffness in motion at 0 Hz is the same number, found in another way. Where the
 /// result has it, the error is that of the motion plus the difference of the two. This is smaller than what the film
@@ -66,17 +48,29 @@ struct Column {
     return errors ? with_absolute_error(um, um_per_m * errors->displacement_m) : without_error(um);
   }
   [[nodiscard]] std::string largest_load() const {
-    const double force_N = most_loaded(result).inner.force_N;
+    const double force_N = largest_force_N(result);
     return errors ? with_absolute_error(force_N, errors->largest_force_N) : without_error(force_N);
   }
-  /// On the raceway where it is larger. p_H grows with the root of the force.
+  /// p_H grows with the root of the force.
   [[nodiscard]] std::string largest_pressure() const {
-    const RollerRow& roller = most_loaded(result);
-    if (!roller.inner.hertz_pressure_Pa) return "-";
-    const bool inner = *roller.inner.hertz_pressure_Pa >= roller.outer.hertz_pressure_Pa.value_or(0);
-    const ContactRow& contact = inner ? roller.inner : roller.outer;
+    const auto place = largest_pressure_place(result);
+    if (!place) return "-";
+    const ContactRow& contact = contact_at(*place);
     const double MPa = MPa_per_Pa * *contact.hertz_pressure_Pa;
     return errors ? with_error(MPa, errors->largest_force_N / contact.force_N / 2) : without_error(MPa, 5);
+  }
+  [[nodiscard]] const ContactRow& contact_at(const ContactPlace& place) const {
+    return result.rollers[place.roller].at(place.raceway);
+  }
+  [[nodiscard]] std::string text_of(const std::optional<ContactPlace>& place) const {
+    if (!place) return "-";
+    std::vector<double> azimuths;
+    for (const RollerRow& one : result.rollers) azimuths.push_back(one.azimuth_deg);
+    for (const bearing::RollerGroup& group : bearing::mirror_groups(azimuths))
+      for (const int member : group.members)
+        if (static_cast<std::size_t>(member) == place->roller)
+          return fmt::format("{}, {}", azimuth_text(group, azimuths[place->roller]), to_string(place->raceway));
+    return "-";
   }
   /// From cos psi = P_d/(2 delta): d(psi) = cot psi d(delta)/delta. No error is known of a ring that moves across too.
   [[nodiscard]] std::string load_zone() const {
@@ -94,16 +88,17 @@ struct Column {
     return fmt::format("{} of {}", loaded_rollers(result.rollers), result.rollers.size());
   }
   [[nodiscard]] std::string smallest_film() const {
-    const auto film_m = smallest_of(result, &ContactRow::film_minimum_m);
-    if (!film_m) return "-";
-    const double um = um_per_m * *film_m;
-    return errors && errors->smallest_film ? with_error(um, errors->smallest_film) : plain(um, 3);
+    const auto place = smallest_film_place(result);
+    return place ? with_film_error(um_per_m * *contact_at(*place).film_minimum_m) : "-";
   }
-  /// The roughness is stated: the error is that of the film.
+  /// There is one roughness: the smallest ratio is that of the smallest film. It counts as exact.
   [[nodiscard]] std::string lambda_ratio() const {
-    const auto ratio = smallest_of(result, &ContactRow::lambda_ratio);
-    if (!ratio) return "-";
-    return errors && errors->smallest_film ? with_error(*ratio, errors->smallest_film) : plain(*ratio, 3);
+    const auto place = smallest_film_place(result);
+    const auto ratio = place ? contact_at(*place).lambda_ratio : std::nullopt;
+    return ratio ? with_film_error(*ratio) : "-";
+  }
+  [[nodiscard]] std::string with_film_error(double value) const {
+    return errors && errors->smallest_film ? with_error(value, errors->smallest_film) : plain(value, 3);
   }
   /// A fitted law lets go of rollers that ehd loads: its error is the distance from ehd.
   [[nodiscard]] std::string torque() const {
@@ -128,16 +123,22 @@ struct Column {
 
 }  // namespace
 
+std::string azimuth_text(const bearing::RollerGroup& group, double azimuth_deg) {
+  return group.members.size() > 1 ? "+-" + plain(std::abs(azimuth_deg), 5) : plain(azimuth_deg, 5);
+}
+
 std::string summary_table(const BearingCase& body, const std::vector<BearingResult>& results,
                           const ErrorsOfLaws& errors) {
   std::vector<std::vector<std::string>> rows{{""},
                                              {"displacement [um]"},
                                              {"largest roller load [N]"},
                                              {"its maximum pressure, Hertz [MPa]"},
+                                             {"  at psi [deg], raceway"},
                                              {"load zone [deg]"},
                                              {"rollers loaded"},
                                              {"smallest film [um]"},
                                              {"lambda ratio"},
+                                             {"  at psi [deg], raceway"},
                                              {"stiffness along the load [N/um]"},
                                              {"rolling torque [N m]"}};
   const auto full = std::find_if(results.begin(), results.end(), [](const BearingResult& result) {
@@ -154,10 +155,12 @@ std::string summary_table(const BearingCase& body, const std::vector<BearingResu
                                          column.displacement(),
                                          column.largest_load(),
                                          column.largest_pressure(),
+                                         column.text_of(largest_pressure_place(result)),
                                          column.load_zone(),
                                          column.loaded(),
                                          column.smallest_film(),
                                          column.lambda_ratio(),
+                                         column.text_of(smallest_film_place(result)),
                                          column.stiffness(),
                                          column.torque()};
     for (std::size_t i = 0; i < rows.size(); ++i) rows[i].push_back(cells[i]);

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "bearing/geometry.hpp"
 #include "workflow/bearing_result.hpp"
 #include "workflow/case.hpp"
 
@@ -24,7 +25,11 @@ using ErrorsOfLaws = std::map<bearing::Law, BearingErrors>;
 /// Digits of a number with films whose error is not known.
 inline constexpr int unstated_digits = 3;
 
-/// Displacement, largest load and its pressure, load zone, thinnest film, stiffness. Brackets are the errors in units
+/// The azimuth of a roller, and of its mirror image where it has one: "0", "+-16.364".
+[[nodiscard]] std::string azimuth_text(const bearing::RollerGroup& group, double azimuth_deg);
+
+/// Displacement, largest load and its pressure, load zone, thinnest film, stiffness, and
+/// where pressure and film are. Brackets are the errors in units
 /// of the last digit; a law without an entry in `errors` has none. That of a fitted law's stiffness needs the law ehd
 /// beside it.
 [[nodiscard]] std::string summary_table(const BearingCase& body, const std::vector<BearingResult>& results,

@@ -36,8 +36,7 @@ std::vector<std::pair<std::size_t, std::string>> shown_rollers(const std::vector
   std::vector<std::pair<std::size_t, std::string>> shown;
   for (const bearing::RollerGroup& group : bearing::mirror_groups(azimuths)) {
     const auto first = static_cast<std::size_t>(group.members.front());
-    shown.emplace_back(first, (group.members.size() > 1 ? "+-" : "") +
-                                  plain(group.members.size() > 1 ? std::abs(azimuths[first]) : azimuths[first], 5));
+    shown.emplace_back(first, azimuth_text(group, azimuths[first]));
   }
   std::sort(shown.begin(), shown.end(), [&](const auto& one, const auto& other) {
     return std::abs(azimuths[one.first]) < std::abs(azimuths[other.first]);
@@ -66,12 +65,6 @@ std::string heading(const Case& bearing_case) {
                      bearing_case.id, bearing_case.title, plain(body.operation.radial_load_N),
                      micrometre(body.geometry.clearance_m), plain(bearing::sum_speed_m_per_s(geometry, speeds), 4),
                      plain(bearing::centrifugal_force_N(geometry, speeds), 4));
-}
-
-double largest_force_N(const BearingResult& result) {
-  double largest = 0;
-  for (const RollerRow& roller : result.rollers) largest = std::max(largest, roller.inner.force_N);
-  return largest;
 }
 
 /// A column of the rollers' table: its head, its unit, and the cell of a roller at the inner contact.

@@ -15,6 +15,43 @@ int loaded_rollers(const std::vector<RollerRow>& rollers) {
   }));
 }
 
+std::size_t most_loaded(const BearingResult& result) {
+  const auto lighter = [](const RollerRow& one, const RollerRow& other) {
+    return one.inner.force_N < other.inner.force_N;
+  };
+  return static_cast<std::size_t>(std::max_element(result.rollers.begin(), result.rollers.end(), lighter) -
+                                  result.rollers.begin());
+}
+
+double largest_force_N(const BearingResult& result) {
+  return result.rollers.empty() ? 0 : result.rollers[most_loaded(result)].inner.force_N;
+}
+
+std::optional<ContactPlace> largest_pressure_place(const BearingResult& result) {
+  if (result.rollers.empty()) return std::nullopt;
+  const std::size_t most = most_loaded(result);
+  const RollerRow& roller = result.rollers[most];
+  if (!roller.inner.hertz_pressure_Pa) return std::nullopt;
+  const bool inner = *roller.inner.hertz_pressure_Pa >= roller.outer.hertz_pressure_Pa.value_or(0);
+  return ContactPlace{.roller = most, .raceway = inner ? bearing::Raceway::inner : bearing::Raceway::outer};
+}
+
+std::optional<ContactPlace> smallest_film_place(const BearingResult& result) {
+  const double largest_N = largest_force_N(result);
+  std::optional<ContactPlace> place;
+  std::optional<double> smallest_m;
+  for (std::size_t j = 0; j < result.rollers.size(); ++j) {
+    if (!bearing::is_loaded(result.rollers[j].inner.force_N, largest_N)) continue;
+    for (const bearing::Raceway raceway : bearing::both_raceways) {
+      const auto film_m = result.rollers[j].at(raceway).film_minimum_m;
+      if (!film_m || (smallest_m && *film_m >= *smallest_m)) continue;
+      smallest_m = film_m;
+      place = {.roller = j, .raceway = raceway};
+    }
+  }
+  return place;
+}
+
 std::optional<std::pair<double, double>> geometric_load_zone_deg(const BearingResult& result, double clearance_m) {
   constexpr double degrees = 180 / std::numbers::pi;
   const double along = result.displacement_m, across = result.displacement_lateral_m;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <utility>
@@ -108,6 +109,20 @@ struct BearingResult {
   std::vector<BearingNote> notes;
   std::optional<GradedOil> oil = {};  ///< where the case states its grade
 };
+
+/// A contact of a balance.
+struct ContactPlace {
+  std::size_t roller = 0;
+  bearing::Raceway raceway = bearing::Raceway::inner;
+};
+/// The index of the roller with the largest force at the inner raceway, the first one of equals.
+[[nodiscard]] std::size_t most_loaded(const BearingResult& result);
+/// That force; 0 without a balance.
+[[nodiscard]] double largest_force_N(const BearingResult& result);
+/// Of the most loaded roller, the contact with the larger Hertz pressure. Absent where that roller carries nothing.
+[[nodiscard]] std::optional<ContactPlace> largest_pressure_place(const BearingResult& result);
+/// The contact with the smallest film over both raceways of the loaded rollers. Absent without films.
+[[nodiscard]] std::optional<ContactPlace> smallest_film_place(const BearingResult& result);
 
 /// Where the ring has moved by more than half the clearance: from one azimuth to the other [deg], with
 /// cos(half the zone) = P_d/(2 delta_r). Absent where it has not; the whole circle where preload holds every roller.

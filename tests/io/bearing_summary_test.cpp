@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/bearing_summary.hpp"
 
+#include <nlohmann/json.hpp>
 #include <string>
 
+#include "io/bearing_json.hpp"
 #include "io/bearing_table.hpp"
 #include "tests/check.hpp"
 #include "tests/made_bearing.hpp"
@@ -49,6 +51,26 @@ BOOST_AUTO_TEST_CASE(the_summary_has_the_numbers_of_the_loaded_rollers_with_thei
        {"10.00(2)", "900(3)", "1202(2)", "+-60.00(7)", "3 of 4", "0.3000(3)", "3.000(3)", " 500\n"})
     BOOST_CHECK_MESSAGE(says(text, phrase), phrase << " is not in\n" << text);
   BOOST_TEST(!says(text, "0.2"));  // the film of the unloaded roller
+}
+
+// The most loaded roller has its largest pressure at the outer ring; two rollers of equal load are one row of the
+// table.
+BOOST_AUTO_TEST_CASE(the_summary_says_where_pressure_and_film_are) {
+  const Case one = made::needle_bearing(10e-6);
+  BearingResult result = made_result();
+  const auto text = [&] { return summary_table(std::get<BearingCase>(one.body), {result}, some_errors); };
+  BOOST_TEST(says(text(), " 0, outer\n  load zone"), text());
+  BOOST_TEST(says(text(), " 0, outer\n  stiffness"), text());
+  result.rollers[1].inner.film_minimum_m = 0.29e-6;
+  result.rollers[1].inner.lambda_ratio = 2.9;
+  BOOST_TEST(says(text(), "2.900(3)\n    at psi [deg], raceway            +-90, inner\n"), text());
+  const Json json = to_json(result);
+  BOOST_TEST(json["largest_pressure"]["azimuth_deg"] == 0.0);
+  BOOST_TEST(json["largest_pressure"]["raceway"] == "outer");
+  BOOST_TEST(json["largest_pressure"]["hertz_pressure_Pa"] == *result.rollers[0].outer.hertz_pressure_Pa);
+  BOOST_TEST(json["smallest_film"]["azimuth_deg"] == 90.0);
+  BOOST_TEST(json["smallest_film"]["raceway"] == "inner");
+  BOOST_TEST(json["smallest_film"]["lambda_ratio"] == 2.9);
 }
 
 // d(psi) = cot psi d(delta)/delta = 0.066 degrees above; without clearance it is 0, under preload the zone is the

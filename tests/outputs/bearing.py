@@ -153,6 +153,19 @@ def audit_loaded(said, result):
     said.equal("loaded_rollers", result["loaded_rollers"], sum(force >= 0.01 * max(forces) for force in forces))
 
 
+def audit_places(said, result):
+    """The contacts of the largest pressure and of the smallest film are among those of the loaded rollers."""
+    largest = max(one["inner"]["force_N"] for one in result["rollers"])
+    contacts = [{"azimuth_deg": one["azimuth_deg"], "raceway": raceway, **one[raceway]} for one in result["rollers"]
+                for raceway in RACEWAYS if one["inner"]["force_N"] >= 0.01 * largest]
+    for name, key, extreme in (("largest_pressure", "hertz_pressure_Pa", max), ("smallest_film", "film_minimum_m", min)):
+        having = [one for one in contacts if key in one]
+        said.equal(f"{name} is there", name in result, bool(having))
+        if having:
+            said.equal(f"{name} is a contact", result[name] in contacts, True)
+            said.near(f"{name}.{key}", result[name][key], extreme(one[key] for one in having), relative=ROUND_OFF)
+
+
 def audit_zone(said, result):
     """From the first to the last roller with more than 1 % of the largest force. No roller here carries less but more
     than nothing, unless its law always pushes."""
@@ -342,6 +355,7 @@ def audit_bearing(result, inputs):
             audit_contact_row(said, f"rollers[{j}].{raceway}", one[raceway], raceway, law, result, inputs,
                               law not in DRY_LAWS)
     audit_loaded(said, result)
+    audit_places(said, result)
     audit_zone(said, result)
     audit_geometric_zone(said, result, inputs)
     audit_stiffness(said, result, inputs)

@@ -22,14 +22,6 @@ using bearing::FilmCurve;
 
 namespace {
 
-std::size_t most_loaded(const BearingResult& result) {
-  const auto heavier = [](const RollerRow& one, const RollerRow& other) {
-    return one.inner.force_N < other.inner.force_N;
-  };
-  return static_cast<std::size_t>(std::max_element(result.rollers.begin(), result.rollers.end(), heavier) -
-                                  result.rollers.begin());
-}
-
 /// The thinnest film of a balance, with its contact.
 struct Thinnest {
   double film_m = 0, force_N = 0;

@@ -61,12 +61,6 @@ namespace {
 /// (film - dry)/dry of the roller load at psi = 0.
 double change_at_top(const ClearanceComparison& at) { return top_force_N(at.film) / top_force_N(at.dry) - 1; }
 
-double largest_force_N(const BearingResult& result) {
-  double largest = 0;
-  for (const RollerRow& roller : result.rollers) largest = std::max(largest, roller.inner.force_N);
-  return largest;
-}
-
 /// How the film changes the loads of the rollers that the dry law loads, without those nearest to psi = 0. Rollers that
 /// the dry law does not load are not counted: a film always pushes, so their load can only grow.
 struct FurtherOut {
