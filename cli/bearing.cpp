@@ -184,7 +184,7 @@ void add_case(Account& account, const Case& one, std::vector<BearingResult>& res
     if (budget.empty())
       if (const auto why = why_no_budget(one, results, result.law, memory))
         result.notes.emplace_back(note::NoBudget{*why});
-    account.list.push_back(to_json(result));
+    account.list.push_back(to_json(result, full_relation_in(results)));
     if (!budget.empty()) {
       account.list.back()["error_budget"] = to_json(budget);
       view.errors[result.law] = errors_in(budget);

@@ -159,7 +159,7 @@ Json to_json(const std::vector<DynamicRow>& rows) {
 
 }  // namespace
 
-Json to_json(const BearingResult& result) {
+Json to_json(const BearingResult& result, const BearingResult* full) {
   Json json = result_head("ehd-bearing-1");
   json["case"] = result.case_id;
   json["version"] = result.version;
@@ -179,6 +179,7 @@ Json to_json(const BearingResult& result) {
     if (const auto place = smallest_film_place(result)) json["smallest_film"] = to_json(result, *place);
     if (const auto& K = result.stiffness_N_per_m; std::isfinite(K[0][0] + K[0][1] + K[1][0] + K[1][1]))
       json["stiffness_N_per_m"] = K;
+    put(json, "stiffness_error", stiffness_error(result, full));
     if (!result.dynamics.empty()) json["dynamics"] = to_json(result.dynamics);
     if (result.torque) {
       put(json, "torque_N_m", result.torque->torque_N_m);

@@ -7,6 +7,8 @@
 
 namespace ehd {
 
-[[nodiscard]] Json to_json(const BearingResult& result);
+/// `full`: the result of the law ehd for the same bearing (full_relation_in). Without it a fitted law states no error
+/// of its stiffness.
+[[nodiscard]] Json to_json(const BearingResult& result, const BearingResult* full = nullptr);
 
 }  // namespace ehd

@@ -18,20 +18,6 @@ namespace {
 constexpr double um_per_m = 1e6, MPa_per_Pa = 1e-6, N_per_um = 1e-6, deg_per_rad = 180 / std::numbers::pi;
 constexpr double rounding_deg = 1e-6;  // a load zone that lies less askew is symmetric
 
-/// The error of d(F_r)/d(delta_r). The stiffness in motion at 0 Hz is the same number, found in another way. Where the
-/// result has it, the error is that of the motion plus the difference of the two. This is smaller than what the film
-/// curves alone can state.
-std::optional<double> stiffness_error_N_per_um(const BearingResult& result) {
-  for (const DynamicRow& row : result.dynamics) {
-    if (row.frequency_Hz != 0) continue;
-    const auto& moving = row.ring.stiffness_N_per_m;
-    return N_per_um * (row.ring.error * std::abs(moving[0][0] + moving[1][1]) +
-                       std::abs(moving[0][0] - result.stiffness_N_per_m[0][0]));
-  }
-  if (!result.stiffness_error_N_per_m) return std::nullopt;
-  return N_per_um * *result.stiffness_error_N_per_m;
-}
-
 /// The numbers of one law. A dry law is solved to rounding: six digits. A law with films has three where no error is
 /// known.
 struct Column {
@@ -109,15 +95,11 @@ struct Column {
                                 : plain(torque_N_m, 3);
   }
   [[nodiscard]] std::string stiffness() const {
-    const auto along = [](const BearingResult& of) { return N_per_um * of.stiffness_N_per_m[0][0]; };
-    if (!needs_film(result.law)) return plain(along(result), 4);
-    std::optional<double> error;
-    if (!result.fit)
-      error = stiffness_error_N_per_um(result);
-    else if (full)
-      error = std::abs(along(result) - along(*full));
-    if (error.value_or(0) > along(result) / 2) return "-";  // not even its first digit is known
-    return error ? with_absolute_error(along(result), error) : plain(along(result), unstated_digits);
+    const double along = N_per_um * result.stiffness_N_per_m[0][0];
+    if (!needs_film(result.law)) return plain(along, 4);
+    const auto error = stiffness_error(result, full);
+    if (error.value_or(0) > 0.5) return "-";  // not even its first digit is known
+    return error ? with_error(along, error) : plain(along, unstated_digits);
   }
 };
 
@@ -141,16 +123,12 @@ std::string summary_table(const BearingCase& body, const std::vector<BearingResu
                                              {"  at psi [deg], raceway"},
                                              {"stiffness along the load [N/um]"},
                                              {"rolling torque [N m]"}};
-  const auto full = std::find_if(results.begin(), results.end(), [](const BearingResult& result) {
-    return result.law == bearing::Law::ehd && !result.rollers.empty();
-  });
+  const BearingResult* full = full_relation_in(results);
   for (const BearingResult& result : results) {
     if (result.rollers.empty()) continue;
     const auto known = errors.find(result.law);
-    const Column column{.body = body,
-                        .result = result,
-                        .errors = known == errors.end() ? nullptr : &known->second,
-                        .full = full == results.end() ? nullptr : &*full};
+    const Column column{
+        .body = body, .result = result, .errors = known == errors.end() ? nullptr : &known->second, .full = full};
     const std::vector<std::string> cells{std::string(to_string(result.law)),
                                          column.displacement(),
                                          column.largest_load(),

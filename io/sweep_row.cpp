@@ -51,8 +51,8 @@ long add_bearing_results(Json& results, const Sweep& sweep, const SweepRequest& 
   limits.max_iterations = request.max_iterations;
   limits.time_limit_s = request.time_limit_s;
   ContactMemory memory(cache, limits);
-  for (const BearingResult& result : run_bearing(row_case, sweep.request_of(row_case), memory))
-    results.push_back(to_json(result));
+  const std::vector<BearingResult> balances = run_bearing(row_case, sweep.request_of(row_case), memory);
+  for (const BearingResult& result : balances) results.push_back(to_json(result, full_relation_in(balances)));
   return memory.solves();
 }
 

@@ -52,6 +52,27 @@ std::optional<ContactPlace> smallest_film_place(const BearingResult& result) {
   return place;
 }
 
+const BearingResult* full_relation_in(const std::vector<BearingResult>& results) {
+  for (const BearingResult& result : results)
+    if (result.law == bearing::Law::ehd && !result.rollers.empty()) return &result;
+  return nullptr;
+}
+
+// The stiffness in motion at 0 Hz is the same number, found in another way. Where the result has it, the error is that
+// of the motion plus the difference of the two. This is smaller than what the film curves alone can state.
+std::optional<double> stiffness_error(const BearingResult& result, const BearingResult* full) {
+  if (result.rollers.empty() || !needs_film(result.law)) return std::nullopt;
+  const double along = result.stiffness_N_per_m[0][0];
+  const auto relative = [along](double error) { return std::abs(error / along); };
+  if (result.fit) return full ? std::optional(relative(along - full->stiffness_N_per_m[0][0])) : std::nullopt;
+  for (const DynamicRow& row : result.dynamics) {
+    if (row.frequency_Hz != 0) continue;
+    const auto& moving = row.ring.stiffness_N_per_m;
+    return relative(row.ring.error * std::abs(moving[0][0] + moving[1][1]) + std::abs(moving[0][0] - along));
+  }
+  return result.stiffness_error_N_per_m ? std::optional(relative(*result.stiffness_error_N_per_m)) : std::nullopt;
+}
+
 std::optional<std::pair<double, double>> geometric_load_zone_deg(const BearingResult& result, double clearance_m) {
   constexpr double degrees = 180 / std::numbers::pi;
   const double along = result.displacement_m, across = result.displacement_lateral_m;

@@ -124,6 +124,12 @@ struct ContactPlace {
 /// The contact with the smallest film over both raceways of the loaded rollers. Absent without films.
 [[nodiscard]] std::optional<ContactPlace> smallest_film_place(const BearingResult& result);
 
+/// The balance by the law ehd, which a fitted law stands for; null where there is none.
+[[nodiscard]] const BearingResult* full_relation_in(const std::vector<BearingResult>& results);
+/// Relative error of the stiffness along the load, d(F_r)/d(delta_r). A fitted law has it where `full` is not null.
+/// Absent of dry laws, which are solved to rounding.
+[[nodiscard]] std::optional<double> stiffness_error(const BearingResult& result, const BearingResult* full);
+
 /// Where the ring has moved by more than half the clearance: from one azimuth to the other [deg], with
 /// cos(half the zone) = P_d/(2 delta_r). Absent where it has not; the whole circle where preload holds every roller.
 [[nodiscard]] std::optional<std::pair<double, double>> geometric_load_zone_deg(const BearingResult& result,

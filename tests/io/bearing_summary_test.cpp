@@ -97,6 +97,7 @@ BOOST_AUTO_TEST_CASE(a_stiffness_has_an_error_from_motion_at_rest_or_from_the_fu
   films.dynamics.back().ring = {.stiffness_N_per_m = {{{5.0022e8, 0}, {0, 4.9978e8}}}, .error = 2e-3};
   line.law = bearing::Law::ehd_linear;
   line.fit.emplace();
+  line.fit->inner.points = line.fit->outer.points = {{}};
   line.stiffness_N_per_m[0][0] = 4.87e8;
   dry.law = bearing::Law::hertz;
   const auto text = [&](const std::vector<BearingResult>& results) {
@@ -105,6 +106,13 @@ BOOST_AUTO_TEST_CASE(a_stiffness_has_an_error_from_motion_at_rest_or_from_the_fu
   BOOST_TEST(says(text({films}), " 500(3)\n"));  // 2e-3 of the trace, and 0.1
   BOOST_TEST(says(text({dry, line, films}), " 500.1    4.9(2)e2      500(3)\n"), text({dry, line, films}));
   BOOST_TEST(says(text({line}), " 487\n"));
+
+  const auto stated = [](const Json& json) { return json.at("stiffness_error").get<double>(); };
+  const double motion = (2e-3 * (5.0022e8 + 4.9978e8) + 1e5) / 5.0012e8;
+  EHD_CHECK(error(stated(to_json(films)), motion), Tolerance::round_off(100));
+  EHD_CHECK(error(stated(to_json(line, &films)), (5.0012 - 4.87) / 4.87), Tolerance::round_off(1000));
+  BOOST_TEST(!to_json(line).contains("stiffness_error"));
+  BOOST_TEST(!to_json(dry).contains("stiffness_error"));
 }
 
 BOOST_AUTO_TEST_CASE(tables_of_motion_print_the_digits_that_are_known) {

@@ -22,6 +22,8 @@ LOAD_STEP = 1e-4
 SOLVED = 2e-4
 # A rolling force is known less well, above all between the points of a curve.
 TORQUE_KNOWN = 5e-3
+# The stiffness of `ehd` too: its error is a bound of what the splines between the points may change in the slope.
+STIFFNESS_KNOWN = 0.03
 # A balance returned is good to 1e-12 of the load: displacements follow to a few times that.
 BALANCED = 1e-11
 
@@ -158,7 +160,8 @@ def audit_places(said, result):
     largest = max(one["inner"]["force_N"] for one in result["rollers"])
     contacts = [{"azimuth_deg": one["azimuth_deg"], "raceway": raceway, **one[raceway]} for one in result["rollers"]
                 for raceway in RACEWAYS if one["inner"]["force_N"] >= 0.01 * largest]
-    for name, key, extreme in (("largest_pressure", "hertz_pressure_Pa", max), ("smallest_film", "film_minimum_m", min)):
+    for name, key, extreme in (("largest_pressure", "hertz_pressure_Pa", max),
+                               ("smallest_film", "film_minimum_m", min)):
         having = [one for one in contacts if key in one]
         said.equal(f"{name} is there", name in result, bool(having))
         if having:
@@ -195,8 +198,13 @@ def audit_stiffness(said, result, inputs):
             size = sum(abs(K[row][k] * rate[k]) for k in (0, 1))
             said.near(f"stiffness_N_per_m[{row}]", K[row][0] * rate[0] + K[row][1] * rate[1], force,
                       absolute=100 * LOAD_STEP**2 * size)
+    said.equal("stiffness_error is there", "stiffness_error" in result, result["law"] not in DRY_LAWS)
     if result["law"] == "ehd":
+        said.within("stiffness_error", result["stiffness_error"], 0, STIFFNESS_KNOWN)
         return
+    if result["law"] == LINE:
+        away = abs(1 - inputs.full["stiffness_N_per_m"][0][0] / K[0][0])
+        said.near("stiffness_error", result["stiffness_error"], away, relative=1e-6)
     own = [[0.0, 0.0], [0.0, 0.0]]  # each roller: its two contacts in series
     for one, n in zip(result["rollers"], directions(result["rollers"]), strict=True):
         if one["inner"]["force_N"] > 0:
