@@ -106,6 +106,7 @@ constexpr std::array<QuantityRow, quantity_count> table{{
      .name = "rolling_force",
      .meaning = "|Int H dP/dX dX|/2",
      .unit = "F R/(p_H b^2), F a force per length",
+     .SI = SIScale::force,
      .json_entry = "rolling_force",
      .json_value = "dimensionless",
      .observe = observed::rolling_force},

@@ -56,6 +56,7 @@ enum class SIScale {
   film,      ///< b^2/R [m]
   length,    ///< b [m]
   pressure,  ///< p_H [Pa]
+  force,     ///< p_H b^2/R [N/m]
 };
 
 /// Everything that the program knows about one quantity.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/contact_json.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -18,7 +20,16 @@ namespace ehd {
 namespace {
 
 /// The key of a quantity in SI.
-const char* key_in_SI(SIScale scale) { return scale == SIScale::pressure ? "Pa" : "m"; }
+const char* key_in_SI(SIScale scale) {
+  switch (scale) {
+    case SIScale::pressure: return "Pa";
+    case SIScale::force: return "N_per_m";
+    case SIScale::none:
+    case SIScale::film:
+    case SIScale::length: return "m";
+  }
+  return "m";
+}
 
 bool has_place(const QuantityRow& row) {
   return row.kind == QuantityKind::film || row.kind == QuantityKind::offset || row.kind == QuantityKind::pressure_peak;
@@ -41,7 +52,11 @@ Json reading_json(const ContactRun& run, const QuantityRow& row, const Reading& 
   };
   if (row.in_moes_units) put_scaled("moes", run.moes_per_hertz_film());
   put_scaled(key_in_SI(row.SI), run.SI_per_hertz(row.SI));
-  if (has_place(row)) put(json, "x", reading.place);
+  if (has_place(row)) {
+    put(json, "x", reading.place);
+    const auto b_m = run.SI_per_hertz(SIScale::length);
+    if (reading.place && b_m) put(json, "x_m", *reading.place * *b_m);
+  }
   put(json, "error", reading.error);
   if (row.budget && reading.error) json["errors"] = budget_json(run.solution.record.*row.budget);
   return json;
@@ -54,9 +69,9 @@ Json& entry_at(Json& json, std::string_view entry) {
   return dot == std::string_view::npos ? level : entry_at(level, entry.substr(dot + 1));
 }
 
-/// "exit_x_error" for "pressure.exit_x".
-std::string name_of_error(const QuantityRow& row) {
-  return std::string(row.json_entry.substr(row.json_entry.rfind('.') + 1)) + "_error";
+/// "exit_x_error" for "pressure.exit_x" and "error".
+std::string name_beside(const QuantityRow& row, const char* key) {
+  return fmt::format("{}_{}", row.json_entry.substr(row.json_entry.rfind('.') + 1), key);
 }
 
 void put_observables(Json& json, const ContactRun& run) {
@@ -64,8 +79,12 @@ void put_observables(Json& json, const ContactRun& run) {
     if (!std::isfinite(reading.value)) continue;
     const QuantityRow& row = row_of(quantity);
     entry_at(json, row.json_entry) = reading_json(run, row, reading);
-    if (row.json_value.empty() && !is_self_check(quantity))  // a number has no room for its error
-      put(entry_at(json, row.json_entry.substr(0, row.json_entry.rfind('.'))), name_of_error(row), reading.error);
+    if (!row.json_value.empty() || is_self_check(quantity)) continue;
+    // A number has no room for its error and for its value in SI.
+    Json& level = entry_at(json, row.json_entry.substr(0, row.json_entry.rfind('.')));
+    put(level, name_beside(row, "error"), reading.error);
+    if (const auto unit = run.SI_per_hertz(row.SI))
+      put(level, name_beside(row, key_in_SI(row.SI)), reading.value * *unit);
   }
 }
 

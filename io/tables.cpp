@@ -53,13 +53,20 @@ std::string heading(const ContactRun& run, const std::string& title, bool styled
   return text;
 }
 
-/// The unit in which a table shows a quantity that is known in SI: micrometres, megapascals.
+/// The unit in which a table shows a quantity that is known in SI: micrometres, megapascals, newtons per metre.
 struct ShownUnit {
   const char* name;
   double per_SI;
 };
 ShownUnit shown_unit(SIScale scale) {
-  return scale == SIScale::pressure ? ShownUnit{.name = "MPa", .per_SI = 1e-6} : ShownUnit{.name = "um", .per_SI = 1e6};
+  switch (scale) {
+    case SIScale::pressure: return {.name = "MPa", .per_SI = 1e-6};
+    case SIScale::force: return {.name = "N/m", .per_SI = 1};
+    case SIScale::none:
+    case SIScale::film:
+    case SIScale::length: break;
+  }
+  return {.name = "um", .per_SI = 1e6};
 }
 
 std::string groups_table(const ContactRun& run) {
@@ -96,19 +103,27 @@ std::string digits_in_SI(const ContactRun& run, Quantity quantity, const Reading
 /// A row a quantity, in SI first where that is known; the self checks stand in a line below.
 std::string observables_table(const ContactRun& run) {
   const auto moes = run.moes_per_hertz_film();
-  const bool in_SI = run.scales.has_value();
+  const auto& observables = run.solution.observables;
+  const bool in_SI = std::any_of(observables.begin(), observables.end(),
+                                 [&](const auto& one) { return run.SI_per_hertz(row_of(one.first).SI).has_value(); });
+  const auto b_m = run.SI_per_hertz(SIScale::length);
+  const ShownUnit length = shown_unit(SIScale::length);
+  const auto place = [](double at) { return plain(at, digits_without_error); };
   Rows rows{{""}};
   if (in_SI) rows.front().emplace_back("SI");
-  rows.front().insert(rows.front().end(), {"Hertz", moes ? "Moes" : "", "at X"});
-  for (const auto& [quantity, reading] : run.solution.observables) {
+  rows.front().insert(rows.front().end(), {"Hertz", moes ? "Moes" : ""});
+  if (b_m) rows.front().emplace_back("at x");
+  rows.front().emplace_back("at X");
+  for (const auto& [quantity, reading] : observables) {
     if (is_self_check(quantity)) continue;
     const QuantityRow& row = row_of(quantity);
     const bool shows_place = reading.place && row.SI != SIScale::length;  // a length is a place itself
     rows.push_back({std::string(row.name)});
     if (in_SI) rows.back().push_back(digits_in_SI(run, quantity, reading));
     rows.back().insert(rows.back().end(), {digits(run, quantity, reading, 1),
-                                           row.in_moes_units && moes ? digits(run, quantity, reading, *moes) : "",
-                                           shows_place ? plain(*reading.place, digits_without_error) : ""});
+                                           row.in_moes_units && moes ? digits(run, quantity, reading, *moes) : ""});
+    if (b_m) rows.back().push_back(shows_place ? place(*reading.place * *b_m * length.per_SI) + " " + length.name : "");
+    rows.back().push_back(shows_place ? place(*reading.place) : "");
   }
   return rows.size() > 1 ? "\n" + aligned(rows, 1, "  ") : "";
 }

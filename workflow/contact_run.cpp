@@ -82,6 +82,10 @@ std::optional<double> ContactRun::SI_per_hertz(SIScale scale) const {
     case SIScale::film: return scales->film_m_per_hertz_film();
     case SIScale::length: return scales->half_width_m;
     case SIScale::pressure: return scales->hertz_pressure_Pa;
+    case SIScale::force: {
+      const auto film_m = scales->film_m_per_hertz_film();
+      return film_m ? std::optional(scales->hertz_pressure_Pa * *film_m) : std::nullopt;
+    }
   }
   return std::nullopt;
 }

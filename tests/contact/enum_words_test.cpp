@@ -27,7 +27,7 @@ BOOST_AUTO_TEST_CASE(words_are_counted_and_listed_in_order) {
   BOOST_TEST(word_count<Colour>() == 3U);
   BOOST_TEST((all_words<Colour> == std::array{Colour::red, Colour::green_2, Colour::blue_1977}));
   BOOST_TEST((all_words<ErrorKind> == std::array{ErrorKind::relative, ErrorKind::absolute}));
-  BOOST_TEST(word_count<SIScale>() == 4U);
+  BOOST_TEST(word_count<SIScale>() == 5U);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -73,6 +73,7 @@ BOOST_AUTO_TEST_CASE(scalings_follow_from_what_a_quantity_is) {
       BOOST_TEST(row.kostreva_factor.has_value() == (of_film || of_pressure));
       BOOST_TEST(row.kostreva_factor.value_or(2) == (of_pressure ? 1 : 2));  // h_K = 2 H, k = 2 H_0
       BOOST_TEST((row.SI == SIScale::pressure) == is_pressure_peak(row.quantity));
+      BOOST_TEST((row.SI == SIScale::force) == (row.kind == QuantityKind::force));
       BOOST_TEST((row.SI == SIScale::film) == (is_film(row.quantity) || row.quantity == Quantity::approach));
     }
   }

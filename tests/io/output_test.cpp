@@ -104,11 +104,23 @@ BOOST_AUTO_TEST_CASE(a_table_shows_SI_first_where_it_is_known) {
   BOOST_TEST(in_SI.find("0.29657(6) um") != std::string::npos, in_SI);  // 0.0741427 x (2e-4 m)^2/(1e-2 m)
   BOOST_TEST(in_SI.find("p_H [MPa]     800\n") != std::string::npos, in_SI);
   BOOST_TEST(in_SI.find(" SI ") < in_SI.find(" Hertz "));
+  run.solution.observables[Quantity::rolling_force] = {.value = 0.0622123, .error = 2e-4};
+  run.solution.observables[Quantity::pressure_spike] = {.value = 0.7, .place = 0.87654, .error = 1e-3};
+  run.solution.observables[Quantity::pressure_exit] = {.value = 1.125, .error = 1e-3};
+  const std::string with_force = human_table(run, "title", false);
+  BOOST_TEST(with_force.find("199.08(4) N/m") != std::string::npos, with_force);    // 0.0622123 x 8e8 Pa x 4e-6 m
+  BOOST_TEST(with_force.find("175 um  0.877\n") != std::string::npos, with_force);  // 0.87654 x 2e-4 m
+  const Json json = to_json(run);
+  EHD_CHECK(error(json["rolling_force"]["N_per_m"].get<double>(), 0.0622123 * 8e8 * 4e-6), Tolerance::round_off(10));
+  EHD_CHECK(error(json["pressure"]["spike"]["x_m"].get<double>(), 0.87654 * 2e-4), Tolerance::round_off(10));
+  EHD_CHECK(error(json["pressure"]["exit_x_m"].get<double>(), 1.125 * 2e-4), Tolerance::round_off(10));
   run.scales.reset();
   const std::string in_groups = human_table(run, "title", false);
   BOOST_TEST(in_groups.find(" SI ") == std::string::npos);
   BOOST_TEST(in_groups.find(" um") == std::string::npos);
   BOOST_TEST(in_groups.find("0.07414(2)") != std::string::npos);
+  BOOST_TEST(in_groups.find("at x") == std::string::npos);
+  BOOST_TEST(!to_json(run)["rolling_force"].contains("N_per_m"));
 }
 
 BOOST_AUTO_TEST_CASE(the_oil_by_its_grade_stands_in_the_json) {

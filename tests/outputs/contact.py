@@ -80,8 +80,17 @@ def cell_around(profile, x):
     return max(abs(X[k + 1] - X[k]) for k in range(max(0, at - 1), min(len(X) - 1, at + 1)))
 
 
+def audit_place(said, name, entry, groups):
+    """A place in metres is X times b, where b is known."""
+    said.equal(f"{name} in metres", "x_m" in entry, "half_width_m" in groups)
+    if "x_m" in entry:
+        said.near(f"{name}.x_m", entry["x_m"], entry["x"] * groups["half_width_m"], relative=ROUND_OFF)
+
+
 def audit_films(said, result, inputs):
     groups, unit_m = scales_of(inputs.case)
+    for name in ("minimum", "central"):
+        audit_place(said, f"film.{name}", result["film"][name], groups)
     films = result["film"]
     for name in FILMS:
         film, true = films[name], inputs.truth["film"][name]
@@ -170,11 +179,16 @@ def audit_pressure(said, result, inputs):
             said.near(f"pressure.{name}.x", peak["x"], true["x"],
                       absolute=min(cell_around(inputs.profile, true["x"]), math.sqrt(2 * peak["error"])))
         else:
-            said.equal(f"pressure.{name}", peak | {"Pa": 0}, {"hertz": 1, "Pa": 0, "x": 0, "error": 0})
+            said.equal(f"pressure.{name}", peak | {"Pa": 0}, {"hertz": 1, "Pa": 0, "x": 0, "x_m": 0, "error": 0})
+        audit_place(said, f"pressure.{name}", peak, groups)
         audit_error(said, f"pressure.{name}", peak)
         if "Pa" in peak:
             said.near(f"pressure.{name}.Pa", peak["Pa"], peak["hertz"] * groups["hertz_pressure_Pa"],
                       relative=ROUND_OFF)
+    said.equal("pressure.exit_x in metres", "exit_x_m" in pressure, "half_width_m" in groups)
+    if "exit_x_m" in pressure:
+        said.near("pressure.exit_x_m", pressure["exit_x_m"], pressure["exit_x"] * groups["half_width_m"],
+                  relative=ROUND_OFF)
     if inputs.truth:
         true = inputs.truth["pressure"]
         said.near("pressure.exit_x", pressure["exit_x"], true["exit_x"],
@@ -221,6 +235,11 @@ def audit_contact(result, inputs):
         said.near("rolling_force", force["dimensionless"], true["dimensionless"],
                   relative=force["error"] + true["error"])
         said.within("rolling_force.error", force["error"], 0)
+        groups, unit_m = scales_of(inputs.case)
+        said.equal("rolling_force in SI", "N_per_m" in force, unit_m is not None)
+        if "N_per_m" in force:
+            said.near("rolling_force.N_per_m", force["N_per_m"],
+                      force["dimensionless"] * groups["hertz_pressure_Pa"] * unit_m, relative=ROUND_OFF)
         said.near("rolling_force", force["dimensionless"], inputs.rolling_force,
                   relative=10 * inputs.tolerance + 1e-2)
         for name in ("load_error", "flux_variation"):
