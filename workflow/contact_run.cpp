@@ -63,6 +63,7 @@ void run_lubricated(const ContactCase& contact, const RegisteredSolver& solver, 
   run.notes.insert(run.notes.end(), notes.begin(), notes.end());
   if (run.plan.runs(stage::formulas)) {
     run.formulas = film_formulas({.M = problem.groups.M, .L = problem.groups.L}, run.known_G().value_or(usual_G));
+    std::erase_if(run.formulas, [&](const FilmFormula& formula) { return !problem.wanted.count(formula.of); });
   }
 }
 

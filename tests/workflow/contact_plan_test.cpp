@@ -81,6 +81,19 @@ BOOST_AUTO_TEST_CASE(a_dry_contact_makes_no_fft_plan_and_no_solve) {
             Tolerance::published_digits("0.5965736"));
 }
 
+BOOST_AUTO_TEST_CASE(film_formulas_are_those_of_the_films_that_are_asked_for) {
+  const auto formulas = [](const Wanted& wanted) {
+    return run_contact(contact(7, 3, ViscosityLaw::barus, DensityLaw::incompressible), fast(), coarse(), wanted)
+        .formulas;
+  };
+  BOOST_TEST(!formulas({Quantity::film_central}).empty());
+  for (const FilmFormula& formula : formulas({Quantity::film_central})) BOOST_TEST_CONTEXT(formula.name) {
+      BOOST_TEST((formula.of == Quantity::film_central));
+    }
+  BOOST_TEST(formulas(want_everything()).size() > formulas({Quantity::film_central}).size());
+  BOOST_TEST(formulas({Quantity::approach}).empty());
+}
+
 BOOST_AUTO_TEST_CASE(an_isoviscous_contact_evaluates_no_viscosity_law) {
   for (const auto* solver : {&fast(), &reference()}) {
     const ContactRun run =
