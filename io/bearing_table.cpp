@@ -28,6 +28,8 @@ using Rows = std::vector<Row>;
 
 /// An entry of a matrix below this part of its trace is rounding.
 constexpr double negligible_entry = 1e-12;
+/// A mean displacement across the load below this part of that along it is rounding.
+constexpr double negligible_displacement = 1e-9;
 
 /// The rollers that a table shows: one of each mirrored pair, with the text of its azimuth.
 std::vector<std::pair<std::size_t, std::string>> shown_rollers(const std::vector<RollerRow>& rollers) {
@@ -73,10 +75,22 @@ struct RollerColumn {
   std::function<std::string(const ContactRow& inner)> cell;
 };
 
+const BearingErrors* errors_of(const BearingResult& result, const ErrorsOfLaws& errors) {
+  const auto known = errors.find(result.law);
+  return known == errors.end() ? nullptr : &known->second;
+}
+
+/// Whether a law with films has no error budget: then no more than three digits are shown.
+bool unstated(const BearingResult& result, const ErrorsOfLaws& errors) {
+  return needs_film(result.law) && !errors_of(result, errors);
+}
+
 /// Of forces: none where the largest one is not known to half a newton.
 int decimals_of_force(const BearingResult& result, const ErrorsOfLaws& errors) {
-  const auto known = errors.find(result.law);
-  return known != errors.end() && known->second.largest_force_N > 0.5 ? 0 : 1;
+  constexpr double three_digits_from_N = 100;
+  if (unstated(result, errors)) return largest_force_N(result) >= three_digits_from_N ? 0 : 1;
+  const BearingErrors* known = errors_of(result, errors);
+  return known && known->largest_force_N > 0.5 ? 0 : 1;
 }
 
 /// The columns of one law. Where a roller carries next to nothing, its pressure is rounding and its film is the gap
@@ -84,9 +98,11 @@ int decimals_of_force(const BearingResult& result, const ErrorsOfLaws& errors) {
 std::vector<RollerColumn> columns_of(const BearingResult& result, const ErrorsOfLaws& errors) {
   const double largest = largest_force_N(result);
   const int decimals = decimals_of_force(result, errors);
-  const auto if_loaded = [largest](const ContactRow& inner, const std::optional<double>& value, double unit,
-                                   int least_decimals) -> std::string {
-    return value && bearing::is_loaded(inner.force_N, largest) ? three_digits(unit * *value, least_decimals) : "-";
+  const bool three = unstated(result, errors);
+  const auto if_loaded = [largest, three](const ContactRow& inner, const std::optional<double>& value, double unit,
+                                          int least_decimals) -> std::string {
+    return value && bearing::is_loaded(inner.force_N, largest) ? three_digits(unit * *value, three ? 0 : least_decimals)
+                                                               : "-";
   };
   std::vector<RollerColumn> columns{
       {"f_i", "N", [=](const ContactRow& inner) { return fixed(inner.force_N, decimals); }},
@@ -242,7 +258,8 @@ std::string contacts_in_motion(const BearingResult& result, const ErrorsOfLaws& 
                      aligned(rows, 1, "  "));
 }
 
-/// The ring over the positions of the cage, where the request has any.
+/// The ring over the positions of the cage, where the request has any. The error of a balance is that of the first
+/// position.
 std::string cage_table(const std::vector<BearingResult>& results, const ErrorsOfLaws& errors) {
   Rows rows{{"cage turning", "positions", "displacement um: mean", "peak to peak", "lateral um: mean", "peak to peak",
              "largest f_i N"}};
@@ -250,10 +267,17 @@ std::string cage_table(const std::vector<BearingResult>& results, const ErrorsOf
     if (result.rollers.empty() || !result.cage) continue;
     const auto& along = result.cage->displacement_m;
     const auto& across = result.cage->displacement_lateral_m;
-    rows.push_back({name_of(result), std::to_string(result.cage->positions), fixed(1e6 * along.mean, 4),
-                    plain(1e6 * along.peak_to_peak, 3), fixed(1e6 * across.mean, 4),
+    const BearingErrors* known = errors_of(result, errors);
+    const auto with = [&](double value, double BearingErrors::*error, double unit) {
+      return known ? with_absolute_error(unit * value, unit * (known->*error))
+                   : plain(unit * value, needs_film(result.law) ? unstated_digits : 6);
+    };
+    const bool across_is_rounding = std::abs(across.mean) <= negligible_displacement * std::abs(along.mean);
+    rows.push_back({name_of(result), std::to_string(result.cage->positions),
+                    with(along.mean, &BearingErrors::displacement_m, 1e6), plain(1e6 * along.peak_to_peak, 3),
+                    across_is_rounding ? "0" : with(across.mean, &BearingErrors::displacement_m, 1e6),
                     plain(1e6 * across.peak_to_peak, 3),
-                    fixed(result.cage->largest_force_N, decimals_of_force(result, errors))});
+                    with(result.cage->largest_force_N, &BearingErrors::largest_force_N, 1)});
   }
   return below_line(rows);
 }

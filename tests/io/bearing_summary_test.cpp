@@ -135,7 +135,8 @@ BOOST_AUTO_TEST_CASE(tables_of_motion_print_the_digits_that_are_known) {
 
 BOOST_AUTO_TEST_CASE(the_rollers_table_has_load_pressure_film_and_lambda_ratio) {
   const Case one = made::needle_bearing(10e-6);
-  const std::string text = human_table(one, {made_result()});
+  const ErrorsOfLaws small{{bearing::Law::ehd, {.displacement_m = 2e-9, .largest_force_N = 0.3}}};
+  const std::string text = human_table(one, {made_result()}, {.errors = small});
   for (const char* row :
        {"ehd: f_i   p_H    h_i  lambda", "0        900.0  1200  0.310    3.10", "180        5.0     -      -       -"})
     BOOST_CHECK_MESSAGE(says(text, row), row << " is not in\n" << text);
@@ -168,8 +169,29 @@ BOOST_AUTO_TEST_CASE(a_law_with_films_but_without_a_budget_has_three_digits_and_
   for (const char* phrase :
        {" 10.1\n", " 912\n", " 1.2e3\n", "    - no error budget, and so no errors in brackets: nobody knows\n"})
     BOOST_CHECK_MESSAGE(says(text, phrase), phrase << " is not in\n" << text);
+  BOOST_TEST(says(text, " 912  1200  0.310 "), text);
   line.law = bearing::Law::hertz;
   BOOST_TEST(says(human_table(made::needle_bearing(10e-6), {line}), " 10.1234\n"));
+}
+
+BOOST_AUTO_TEST_CASE(tables_of_cage_and_motion_print_the_digits_that_are_known) {
+  const Case one = made::needle_bearing(10e-6);
+  BearingResult result = made_result();
+  result.rollers.front().inner.force_N = 912.345;
+  result.cage = {.positions = 24,
+                 .displacement_m = {.mean = 10.1234567e-6, .peak_to_peak = 1.23456e-9},
+                 .displacement_lateral_m = {.mean = 1e-22, .peak_to_peak = 2.34567e-9},
+                 .largest_force_N = 912.345};
+  const auto shows = [&](const ErrorsOfLaws& errors, const std::string& mean, const std::string& largest) {
+    const std::string text = human_table(one, {result}, {.errors = errors});
+    const std::string row = "  " + mean + "       0.00123                 0       0.00235\n";
+    BOOST_TEST(says(text, row), text);
+    BOOST_TEST(text.ends_with("  " + largest + "\n"), text);
+  };
+  shows(some_errors, "10.12(2)", "912(3)");
+  shows({}, "10.1", "912");
+  result.law = bearing::Law::hertz;
+  shows({}, "10.1235", "912.345");
 }
 
 BOOST_AUTO_TEST_CASE(details_and_the_film_of_unloaded_rollers_are_not_in_the_first_table) {
