@@ -2,6 +2,7 @@
 // ehd bearing: the load distribution of one or more bearing cases.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -93,7 +94,9 @@ struct Computed {
   std::vector<std::vector<BearingResult>> results;
 };
 
+/// Of the paper's bearing alone. Another bearing is judged where it is asked for, by `ehd statements`.
 std::string statements_of(const Computed& computed, ContactMemory& memory, bearing::Form form) {
+  if (!std::all_of(computed.cases.begin(), computed.cases.end(), is_of_the_paper)) return "";
   if (computed.cases.size() < 3 || !differ_only_in_clearance(computed.cases)) return "";
   std::string text;
   for (const bearing::Law law : film_laws()) {

@@ -95,6 +95,25 @@ BOOST_AUTO_TEST_CASE(the_datum_table_of_three_bearings_is_at_most_100_columns_wi
   BOOST_TEST(heads == 4);  // two parts for each law with films
 }
 
+BOOST_AUTO_TEST_CASE(the_papers_statements_are_printed_for_its_bearing_alone) {
+  const test::Folder folder;
+  const std::string paper = test::ehd_run(folder, "bearing na4908 na4908-2.5um na4908-10um").out;
+  BOOST_TEST(paper.find("The paper's statements") != std::string::npos);
+  std::string own = "bearing";
+  for (const std::string clearance : {"5", "10", "20"}) {
+    std::string text = test::read(std::string(EHD_SOURCE_DIR) + "/examples/my-bearing.toml");
+    for (const auto& [from, to] : {std::pair<std::string, std::string>{"my-bearing", "own-" + clearance},
+                                   {"clearance_m = 10e-6", "clearance_m = " + clearance + "e-6"}}) {
+      BOOST_REQUIRE(text.find(from) != std::string::npos);
+      text.replace(text.find(from), from.size(), to);
+    }
+    own += " '" + folder.write("own-" + clearance + ".toml", text).string() + "'";
+  }
+  const auto ended = test::ehd_run(folder, own);
+  BOOST_TEST(ended.exit_code == 0);
+  BOOST_TEST(ended.out.find("paper") == std::string::npos, ended.out);
+}
+
 // On 64 intervals the Couette film is 0.9 % from that of 512: two digits are known, and no error is.
 BOOST_AUTO_TEST_CASE(a_number_without_an_error_says_so_and_has_three_digits) {
   const test::Folder folder;

@@ -246,6 +246,8 @@ std::vector<PaperStatement> judge_paper_statements(std::vector<ClearanceComparis
           judge_c(clearances.front(), clearances[1], clearances.back()), judge_d(clearances)};
 }
 
+bool is_of_the_paper(const Case& one) { return one.source.starts_with("tsuhanonatocavalca"); }
+
 bool differ_only_in_clearance(const std::vector<Case>& cases) {
   // Structs are taken apart by all their members: a new one does not compile until it is compared too.
   const auto same = [](const BearingCase& one, const BearingCase& other) {

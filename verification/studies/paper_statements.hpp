@@ -107,6 +107,8 @@ struct DatumScan {
                                    bearing::Form form = bearing::Form::plane,
                                    bearing::Law dry_law = bearing::Law::hertz);
 
+/// True where the case names the paper as its source.
+[[nodiscard]] bool is_of_the_paper(const Case& one);
 /// True where the cases are one bearing at different clearances.
 [[nodiscard]] bool differ_only_in_clearance(const std::vector<Case>& cases);
 

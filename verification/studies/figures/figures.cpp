@@ -17,6 +17,7 @@
 #include "io/json.hpp"
 #include "verification/atlas/atlas.hpp"
 #include "verification/studies/figures/parts.hpp"
+#include "verification/studies/paper_statements.hpp"
 #include "workflow/parallel.hpp"
 
 namespace ehd::verification {
@@ -57,8 +58,7 @@ std::vector<FigurePart> parts_of(const FiguresRequest& request) {
     // The paper's bearing at its clearances; the longest piece, so it comes first.
     std::vector<Case> printed;
     for (const Case& one : cases)
-      if (std::holds_alternative<BearingCase>(one.body) && one.source.starts_with("tsuhanonatocavalca"))
-        printed.push_back(one);
+      if (std::holds_alternative<BearingCase>(one.body) && is_of_the_paper(one)) printed.push_back(one);
     std::sort(printed.begin(), printed.end(), [](const Case& one, const Case& other) {
       return std::get<BearingCase>(one.body).geometry.clearance_m <
              std::get<BearingCase>(other.body).geometry.clearance_m;
