@@ -43,6 +43,7 @@ WALKED = (
     ("a command in a sentence that fails", "`ehd new contact`", "`ehd new conact`"),
     ("a command that is not there", "ehd solve --M 20 --L 10 ", "ehd sovle --M 20 --L 10 "),
 )
+LOOSE = "The film is 0.07808:\n\n    ehd convert M=20 L=10   # the same in other groups\n"  # no block shows the number
 NAMED = """    ehd solve own-moes-20-10 --tolerance 1e-4
 
 `make verify` and `contact/hertz.cpp`; [tests](README.md#tests).
@@ -100,6 +101,9 @@ def main(ehd):
         for what, text, by in WALKED:
             if page.count(text) < 1 or walked(ehd, folder, page.replace(text, by, 1)).returncode != 1:
                 missed.append(f"walk.py: {what}")
+        rounded = LOOSE.replace("0.07808", "0.078")
+        if (walked(ehd, folder, LOOSE).returncode, walked(ehd, folder, rounded).returncode) != (1, 0):
+            missed.append("walk.py: a number on a page that shows no output")
         readme = folder / "README.md"
         for what, text, by in (("nothing", "", ""), *NAMES):
             wrong = NAMED.replace(text, by, 1)
