@@ -183,7 +183,7 @@ Json to_json(const BearingResult& result, const BearingResult* full) {
     if (!result.dynamics.empty()) json["dynamics"] = to_json(result.dynamics);
     if (result.torque) {
       put(json, "torque_N_m", result.torque->torque_N_m);
-      put(json, "torque_error", result.torque->error);
+      put(json, "torque_error", torque_error(result, full));
     }
     if (result.cage) json["cage"] = to_json(*result.cage);
     json["rollers"] = to_json(result.rollers);

@@ -86,13 +86,10 @@ struct Column {
   [[nodiscard]] std::string with_film_error(double value) const {
     return errors && errors->smallest_film ? with_error(value, errors->smallest_film) : plain(value, 3);
   }
-  /// A fitted law lets go of rollers that ehd loads: its error is the distance from ehd.
   [[nodiscard]] std::string torque() const {
     if (!result.torque) return "-";
-    const double torque_N_m = result.torque->torque_N_m;
-    if (!result.fit) return with_error(torque_N_m, result.torque->error);
-    return full && full->torque ? with_absolute_error(torque_N_m, std::abs(torque_N_m - full->torque->torque_N_m))
-                                : plain(torque_N_m, 3);
+    const auto error = torque_error(result, full);
+    return error ? with_error(result.torque->torque_N_m, error) : plain(result.torque->torque_N_m, unstated_digits);
   }
   [[nodiscard]] std::string stiffness() const {
     const double along = N_per_um * result.stiffness_N_per_m[0][0];

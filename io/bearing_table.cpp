@@ -198,14 +198,19 @@ std::string entry(double value, double absolute_error) {
   return std::abs(value) <= absolute_error ? "0" : known_digits(value, absolute_error);
 }
 
-/// xx, yy and xy of a matrix of the ring. `error` is relative to its trace. A fitted law is also as wrong as it is far
-/// from ehd. `full` is the matrix of ehd; where the table has none, a fitted law has no stated error.
-Row entries(const bearing::Matrix2& matrix, double unit, double error, bool fitted, const bearing::Matrix2* full) {
+/// The absolute error of an entry: `error` is relative to the trace.
+double error_of_entry(const bearing::Matrix2& matrix, double error) {
   const double size = std::max(std::abs(matrix[0][0] + matrix[1][1]), std::abs(matrix[0][0]));
-  const double own = size * std::max(error, negligible_entry);
+  return size * std::max(error, negligible_entry);
+}
+
+/// xx, yy and xy of a matrix of the ring. A fitted law is also as wrong as it is far from ehd, and as ehd itself may be
+/// off. `full` is the motion by ehd; where the table has none, a fitted law has no stated error.
+Row entries(const bearing::Matrix2& matrix, double unit, double error, bool fitted, const bearing::RingMotion* full) {
+  const double own = error_of_entry(matrix, error) + (full ? error_of_entry(full->stiffness_N_per_m, full->error) : 0);
   Row cells;
   for (const auto& [r, s] : {std::pair{0U, 0U}, {1U, 1U}, {0U, 1U}}) {
-    const double value = matrix[r][s], away = full ? std::abs(value - (*full)[r][s]) : 0;
+    const double value = matrix[r][s], away = full ? std::abs(value - full->stiffness_N_per_m[r][s]) : 0;
     if (fitted && !full && std::abs(value) > own)
       cells.push_back(plain(unit * value, unstated_digits));
     else if (full && r == s && own + away > value / 2)
@@ -226,7 +231,7 @@ std::string dynamics_table(const std::vector<BearingResult>& results) {
     for (std::size_t k = 0; k < result.dynamics.size(); ++k) {
       const DynamicRow& at = result.dynamics[k];
       const bool fitted = result.fit.has_value();
-      const auto* full = fitted && ehd != results.end() ? &ehd->dynamics[k].ring.stiffness_N_per_m : nullptr;
+      const auto* full = fitted && ehd != results.end() ? &ehd->dynamics[k].ring : nullptr;
       Row row{name_of(result), plain(at.frequency_Hz)};
       const auto add = [&](const Row& cells) { row.insert(row.end(), cells.begin(), cells.end()); };
       add(entries(at.ring.stiffness_N_per_m, 1e-6, at.ring.error, fitted, full));

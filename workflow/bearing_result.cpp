@@ -64,13 +64,25 @@ std::optional<double> stiffness_error(const BearingResult& result, const Bearing
   if (result.rollers.empty() || !needs_film(result.law)) return std::nullopt;
   const double along = result.stiffness_N_per_m[0][0];
   const auto relative = [along](double error) { return std::abs(error / along); };
-  if (result.fit) return full ? std::optional(relative(along - full->stiffness_N_per_m[0][0])) : std::nullopt;
+  if (result.fit) {
+    if (!full) return std::nullopt;
+    const double of_full = full->stiffness_N_per_m[0][0];
+    return relative(std::abs(along - of_full) + stiffness_error(*full, nullptr).value_or(0) * std::abs(of_full));
+  }
   for (const DynamicRow& row : result.dynamics) {
     if (row.frequency_Hz != 0) continue;
     const auto& moving = row.ring.stiffness_N_per_m;
     return relative(row.ring.error * std::abs(moving[0][0] + moving[1][1]) + std::abs(moving[0][0] - along));
   }
   return result.stiffness_error_N_per_m ? std::optional(relative(*result.stiffness_error_N_per_m)) : std::nullopt;
+}
+
+std::optional<double> torque_error(const BearingResult& result, const BearingResult* full) {
+  if (!result.torque) return std::nullopt;
+  if (!result.fit) return result.torque->error;
+  if (!full || !full->torque) return std::nullopt;
+  const double of_full = full->torque->torque_N_m, away = std::abs(result.torque->torque_N_m - of_full);
+  return (away + full->torque->error * std::abs(of_full)) / std::abs(result.torque->torque_N_m);
 }
 
 std::optional<std::pair<double, double>> geometric_load_zone_deg(const BearingResult& result, double clearance_m) {

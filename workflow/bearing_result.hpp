@@ -127,8 +127,11 @@ struct ContactPlace {
 /// The balance by the law ehd, which a fitted law stands for; null where there is none.
 [[nodiscard]] const BearingResult* full_relation_in(const std::vector<BearingResult>& results);
 /// Relative error of the stiffness along the load, d(F_r)/d(delta_r). A fitted law has it where `full` is not null.
-/// Absent of dry laws, which are solved to rounding.
+/// Absent of dry laws, which are solved to rounding. That of a fitted law is its distance from `full`, and what that
+/// may be off itself.
 [[nodiscard]] std::optional<double> stiffness_error(const BearingResult& result, const BearingResult* full);
+/// The same of the rolling torque. A fitted law lets go of rollers that ehd loads.
+[[nodiscard]] std::optional<double> torque_error(const BearingResult& result, const BearingResult* full);
 
 /// Where the ring has moved by more than half the clearance: from one azimuth to the other [deg], with
 /// cos(half the zone) = P_d/(2 delta_r). Absent where it has not; the whole circle where preload holds every roller.

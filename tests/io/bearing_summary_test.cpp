@@ -110,9 +110,28 @@ BOOST_AUTO_TEST_CASE(a_stiffness_has_an_error_from_motion_at_rest_or_from_the_fu
   const auto stated = [](const Json& json) { return json.at("stiffness_error").get<double>(); };
   const double motion = (2e-3 * (5.0022e8 + 4.9978e8) + 1e5) / 5.0012e8;
   EHD_CHECK(error(stated(to_json(films)), motion), Tolerance::round_off(100));
-  EHD_CHECK(error(stated(to_json(line, &films)), (5.0012 - 4.87) / 4.87), Tolerance::round_off(1000));
+  EHD_CHECK(error(stated(to_json(line, &films)), (5.0012e8 - 4.87e8 + motion * 5.0012e8) / 4.87e8),
+            Tolerance::round_off(1000));
   BOOST_TEST(!to_json(line).contains("stiffness_error"));
   BOOST_TEST(!to_json(dry).contains("stiffness_error"));
+}
+
+BOOST_AUTO_TEST_CASE(the_torque_of_a_fitted_law_is_as_wrong_as_it_is_far_from_the_full_relation) {
+  const Case one = made::needle_bearing(10e-6);
+  BearingResult films = made_result(), line = made_result();
+  films.torque = RollingTorque{.torque_N_m = 8, .error = 0.01};
+  line.law = bearing::Law::ehd_linear;
+  line.fit.emplace();
+  line.fit->inner.points = line.fit->outer.points = {{}};
+  line.torque = RollingTorque{.torque_N_m = 6.6, .error = 0.01};
+  const auto text = [&](const std::vector<BearingResult>& results) {
+    return summary_table(std::get<BearingCase>(one.body), results, some_errors);
+  };
+  BOOST_TEST(says(text({line, films}), "7(2)     8.00(8)\n"), text({line, films}));
+  BOOST_TEST(says(text({line}), " 6.6\n"), text({line}));
+  EHD_CHECK(error(to_json(films)["torque_error"].get<double>(), 0.01), Tolerance::round_off(1));
+  EHD_CHECK(error(to_json(line, &films)["torque_error"].get<double>(), (1.4 + 0.08) / 6.6), Tolerance::round_off(100));
+  BOOST_TEST(!to_json(line).contains("torque_error"));
 }
 
 BOOST_AUTO_TEST_CASE(tables_of_motion_print_the_digits_that_are_known) {
