@@ -9,11 +9,11 @@
 #include <map>
 #include <utility>
 
+#include "contact/profile.hpp"
 #include "contact/text.hpp"
 #include "io/case_reader.hpp"
 #include "io/find_case.hpp"
 #include "verification/bench/cost_scaling.hpp"
-#include "contact/profile.hpp"
 #include "workflow/contact_run.hpp"
 
 namespace ehd::verification {

@@ -219,8 +219,7 @@ std::vector<std::string> profile_hints(const SubmittedProfile& profile, const st
                       plain(film_minimum->value, 4), film_minimum->submitted ? ": which one is right?" : "")};
 }
 
-std::optional<std::string> mirror_hint(const SubmittedProfile& profile, const Profile& certified,
-                                       double error) {
+std::optional<std::string> mirror_hint(const SubmittedProfile& profile, const Profile& certified, double error) {
   const Profile turned{-profile.X.reverse(), profile.P.reverse()};
   if (!explains(relative_l2_error(turned, certified), error)) return std::nullopt;
   return "P of the profile fits with X turned round: here X increases from the inlet to the exit";

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "contact/profile.hpp"
 #include "verification/judge/profile_gates.hpp"
 #include "verification/judge/score.hpp"
 #include "verification/judge/submission.hpp"
-#include "contact/profile.hpp"
 
 namespace ehd::judging {
 
@@ -46,7 +46,7 @@ struct FilmMinimum {
 
 /// A hint for a pressure that fits the certified one with X turned round. The gates cannot see that: elasticity is
 /// symmetric. `error`: the distance (relative L2) of P as it stands.
-[[nodiscard]] std::optional<std::string> mirror_hint(const SubmittedProfile& profile,
-                                                     const Profile& certified, double error);
+[[nodiscard]] std::optional<std::string> mirror_hint(const SubmittedProfile& profile, const Profile& certified,
+                                                     double error);
 
 }  // namespace ehd::judging

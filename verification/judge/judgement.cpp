@@ -8,13 +8,13 @@
 #include <map>
 #include <variant>
 
+#include "contact/profile.hpp"
 #include "contact/text.hpp"
 #include "io/case_reader.hpp"
 #include "io/find_case.hpp"
 #include "verification/judge/first_cases.hpp"
 #include "verification/judge/hints.hpp"
 #include "verification/median.hpp"
-#include "contact/profile.hpp"
 #include "workflow/registry.hpp"
 #include "workflow/shown_pressure.hpp"
 
