@@ -10,6 +10,7 @@
 #include "contact/text.hpp"
 #include "io/case_keys.hpp"
 #include "io/case_text.hpp"
+#include "io/near_miss.hpp"
 #include "workflow/case.hpp"
 
 namespace ehd {
