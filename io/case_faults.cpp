@@ -21,7 +21,7 @@ namespace {
 /// Also by a table of bearings alone, where [bearing] itself is missing.
 bool of_bearing(const CaseTree& tree) {
   return std::ranges::any_of(case_tables(), [&](const CaseTable& table) {
-    return table.in_bearing && !table.in_contact && tree.has(std::string(table.name));
+    return table.in_bearing && !table.in_contact && tree.has(table.name);
   });
 }
 /// The case states its oil by grade, or means to with a mistyped key; that key is named as unknown.
@@ -39,35 +39,31 @@ bool states_only_both_speeds(const CaseTree& tree) {
 
 /// A key that only some cases need, where the presence of other keys decides.
 struct NeededKey {
-  std::string_view path;
+  std::string_view table, key;
   bool (*needed)(const CaseTree& tree);
 };
 constexpr std::array needed_keys{
-    NeededKey{"conditions.speed_sum_m_per_s", [](const CaseTree& tree) { return is_lubricated(tree); }},
-    NeededKey{"conditions.viscosity_Pa_s",
+    NeededKey{"conditions", "speed_sum_m_per_s", [](const CaseTree& tree) { return is_lubricated(tree); }},
+    NeededKey{"conditions", "viscosity_Pa_s",
               [](const CaseTree& tree) { return is_lubricated(tree) && !means_grade(tree); }},
-    NeededKey{"bearing.rotating", [](const CaseTree& tree) { return !states_both_speeds(tree); }},
-    NeededKey{"operation.speed_rpm", [](const CaseTree& tree) { return !states_both_speeds(tree); }},
-    NeededKey{"operation.inner_speed_rpm", [](const CaseTree& tree) { return states_only_both_speeds(tree); }},
-    NeededKey{"operation.outer_speed_rpm", [](const CaseTree& tree) { return states_only_both_speeds(tree); }},
-    NeededKey{"lubricant.viscosity_Pa_s", [](const CaseTree& tree) { return of_bearing(tree) && !means_grade(tree); }},
-    NeededKey{"lubricant.temperature_C", [](const CaseTree& tree) { return means_grade(tree); }},
+    NeededKey{"bearing", "rotating", [](const CaseTree& tree) { return !states_both_speeds(tree); }},
+    NeededKey{"operation", "speed_rpm", [](const CaseTree& tree) { return !states_both_speeds(tree); }},
+    NeededKey{"operation", "inner_speed_rpm", [](const CaseTree& tree) { return states_only_both_speeds(tree); }},
+    NeededKey{"operation", "outer_speed_rpm", [](const CaseTree& tree) { return states_only_both_speeds(tree); }},
+    NeededKey{"lubricant", "viscosity_Pa_s",
+              [](const CaseTree& tree) { return of_bearing(tree) && !means_grade(tree); }},
+    NeededKey{"lubricant", "temperature_C", [](const CaseTree& tree) { return means_grade(tree); }},
 };
 
-/// Whether the key is needed always, or where other keys of the case ask for it.
-bool may_be_needed(const CaseKey& key) {
-  return key.need == Need::always ||
-         std::ranges::any_of(needed_keys, [&](const NeededKey& needed) { return needed.path.ends_with(key.name); });
-}
-
 std::string name_in(const std::string& path, const CaseKey& key) {
-  return (path.empty() ? "" : path + ".") + std::string(key.name);
+  return std::string(path).append(path.empty() ? "" : ".").append(key.name);
 }
 
-bool is_needed(const CaseTree& tree, const std::string& path, const CaseKey& key) {
+bool is_needed(const CaseTree& tree, const CaseTable& table, const CaseKey& key) {
   if (key.need == Need::always) return true;
-  const auto* const row = std::find_if(needed_keys.begin(), needed_keys.end(),
-                                       [&](const NeededKey& needed) { return needed.path == path; });
+  const auto* const row = std::find_if(needed_keys.begin(), needed_keys.end(), [&](const NeededKey& needed) {
+    return needed.table == table.name && needed.key == key.name;
+  });
   return row != needed_keys.end() && row->needed(tree);
 }
 
@@ -83,7 +79,7 @@ std::vector<std::string> tables_to_check(const CaseTree& tree, const CaseTable& 
     if (&table == statement) paths.emplace_back(table.name);
     return paths;
   }
-  const bool there = tree.has(std::string(table.name));
+  const bool there = tree.has(table.name);
   const bool belongs = !statement || (statement->in_bearing ? table.in_bearing : table.in_contact);
   const bool needed = statement && has_to_stand(tree, table, *statement);
   if (table.role == TableRole::heading || (belongs && (there || needed))) paths.emplace_back(table.name);
@@ -91,12 +87,11 @@ std::vector<std::string> tables_to_check(const CaseTree& tree, const CaseTable& 
 }
 
 /// The keys of a table that such a case has to have.
-std::vector<const CaseKey*> needed_in(const CaseTree& tree, const CaseTable& table, const std::string& path,
-                                      bool in_contact) {
+std::vector<const CaseKey*> needed_in(const CaseTree& tree, const CaseTable& table, bool in_contact) {
   std::vector<const CaseKey*> needed;
   for (const CaseKey& key : table.keys) {
-    if (key.need == Need::never || (key.bearing_only && in_contact) || !may_be_needed(key)) continue;
-    if (is_needed(tree, name_in(path, key), key)) needed.push_back(&key);
+    if (key.need == Need::never || (key.bearing_only && in_contact)) continue;
+    if (is_needed(tree, table, key)) needed.push_back(&key);
   }
   return needed;
 }
@@ -120,11 +115,11 @@ std::vector<MissingKey> missing_keys(const CaseTree& tree, const CaseTable* stat
   const bool in_contact = statement && statement->in_contact;
   const bool may_be_dry = statement && statement->name == "conditions";
   for (const CaseTable& table : case_tables()) {
-    if (const std::string name(table.name); in_contact && has_to_stand(tree, table, *statement) && !tree.has(name))
-      missing.push_back(
-          {name, fmt::format("[lubricant] with [domain]{}", may_be_dry ? ", or neither for a dry contact" : "")});
+    if (in_contact && has_to_stand(tree, table, *statement) && !tree.has(table.name))
+      missing.push_back({std::string(table.name), fmt::format("[lubricant] with [domain]{}",
+                                                              may_be_dry ? ", or neither for a dry contact" : "")});
     for (const std::string& path : tables_to_check(tree, table, statement))
-      for (const CaseKey* key : needed_in(tree, table, path, in_contact))
+      for (const CaseKey* key : needed_in(tree, table, in_contact))
         if (const std::string name = name_in(path, *key); !tree.has(name))
           missing.push_back({name, required_of(tree, *key)});
   }
@@ -136,8 +131,7 @@ std::vector<MissingKey> missing_keys(const CaseTree& tree, const CaseTable* stat
 const CaseTable& statement_without_faults(const CaseTree& tree) {
   const CaseStatement statement = statement_of(tree, [&](const CaseTable& table) {
     std::vector<std::string> names;
-    for (const CaseKey* key : needed_in(tree, table, std::string(table.name), table.in_contact))
-      names.emplace_back(key->name);
+    for (const CaseKey* key : needed_in(tree, table, table.in_contact)) names.emplace_back(key->name);
     return names;
   });
   std::vector<std::string> lines;

@@ -75,8 +75,8 @@ ContactCase read_moes_contact(const MoesGroups& groups, const std::string& lubri
   const std::string text = checked_case_text(fmt::format("[{}]\n{}", name, lubricant), name);
   const CaseTree body(text, name);
   for (const CaseTable& table : case_tables())
-    if (!table.name.empty() && table.name != name && body.has(std::string(table.name)))
-      body.fail(std::string(table.name), "does not belong here; allowed are keys of [lubricant]");
+    if (!table.name.empty() && table.name != name && body.has(table.name))
+      body.fail(table.name, "does not belong here; allowed are keys of [lubricant]");
   const std::vector<Substitution> stated{
       {"moes.M", groups.M}, {"moes.L", groups.L}, {"domain.inlet", std::string("flooded")}};
   const CaseTree tree(text, name, stated);

@@ -33,7 +33,7 @@ Tables tables_of(TableRole role) {
 
 Tables present_of(TableRole role, const CaseTree& tree) {
   Tables tables = tables_of(role);
-  std::erase_if(tables, [&](const CaseTable* table) { return !tree.has(std::string(table->name)); });
+  std::erase_if(tables, [&](const CaseTable* table) { return !tree.has(table->name); });
   return tables;
 }
 
@@ -69,7 +69,7 @@ Tables possible_statements(const CaseTree& tree) {
 std::string with_keys(const CaseTree& tree, const CaseTable& statement, const Needs& needs) {
   std::string text = fmt::format("[{}] with {}", statement.name, list(needs(statement)));
   for (const CaseTable* table : tables_of(TableRole::companion))
-    if (has_to_stand(tree, *table, statement) && !tree.has(std::string(table->name)))
+    if (has_to_stand(tree, *table, statement) && !tree.has(table->name))
       text += fmt::format(", [{}] with {}", table->name, list(needs(*table)));
   return text;
 }

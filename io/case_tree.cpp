@@ -308,8 +308,8 @@ void CaseTree::move_places_to(Case& made) && {
   made.given = std::move(places_.given);
 }
 
-void CaseTree::fail(const std::string& path, const std::string& message) const {
-  throw case_error(places_, path, message);
+void CaseTree::fail(std::string_view path, const std::string& message) const {
+  throw case_error(places_, std::string(path), message);
 }
 
 }  // namespace ehd

@@ -61,7 +61,7 @@ class CaseTree {
   /// Lines, texts and options for the case that was read; nothing is read or refused afterwards.
   void move_places_to(Case& made) &&;
   /// Throws the CaseError "FILE:LINE: key = value: message".
-  [[noreturn]] void fail(const std::string& path, const std::string& message) const;
+  [[noreturn]] void fail(std::string_view path, const std::string& message) const;
 
  private:
   void put(const std::string& path, CaseNode node, int line, const std::string& text);

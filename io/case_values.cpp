@@ -21,11 +21,11 @@ namespace ehd {
 namespace {
 
 /// What the key's row allows. Only a refusal needs these words: making them costs more than reading the value.
-std::string allowed_of(const std::string& key) { return text_of(row_of_case_key(key).allowed); }
+std::string allowed_of(std::string_view key) { return text_of(row_of_case_key(key).allowed); }
 
 /// One line of text; allowed() gives the words for a refusal.
 template <class Allowed>
-std::string plain_text(const CaseTree& tree, const std::string& key, const Allowed& allowed) {
+std::string plain_text(const CaseTree& tree, std::string_view key, const Allowed& allowed) {
   const CaseNode* node = tree.find(key);
   if (!node) tree.fail(key, "is missing; required is " + allowed());
   const auto* content = std::get_if<std::string>(&node->content);
@@ -68,25 +68,25 @@ std::string near_numbers(const CaseNode& node, std::span<const double> few) {
 
 }  // namespace
 
-double number(const CaseTree& tree, const std::string& key) {
+double number(const CaseTree& tree, std::string_view key) {
   return number_in(tree, key, required(tree, key), interval_of(key));
 }
 
-std::optional<double> maybe_number(const CaseTree& tree, const std::string& key) {
+std::optional<double> maybe_number(const CaseTree& tree, std::string_view key) {
   return maybe_number(tree, key, interval_of(key));
 }
 
-std::optional<double> maybe_number(const CaseTree& tree, const std::string& key, const Interval& interval) {
+std::optional<double> maybe_number(const CaseTree& tree, std::string_view key, const Interval& interval) {
   const CaseNode* node = tree.find(key);
   if (!node) return std::nullopt;
   return number_in(tree, key, *node, interval);
 }
 
-double number_or_standard(const CaseTree& tree, const std::string& key) {
+double number_or_standard(const CaseTree& tree, std::string_view key) {
   return maybe_number(tree, key).value_or(row_of_case_key(key).standard.value());
 }
 
-double number_in(const CaseTree& tree, const std::string& key, const CaseNode& node, const Interval& interval) {
+double number_in(const CaseTree& tree, std::string_view key, const CaseNode& node, const Interval& interval) {
   const auto stated = node.number();
   if (!stated) {
     const auto* text = std::get_if<std::string>(&node.content);
@@ -103,7 +103,7 @@ double number_in(const CaseTree& tree, const std::string& key, const CaseNode& n
   tree.fail(key, fmt::format("{}; allowed is {}", what, interval.text()));
 }
 
-std::optional<double> maybe_one_of(const CaseTree& tree, const std::string& key) {
+std::optional<double> maybe_one_of(const CaseTree& tree, std::string_view key) {
   const CaseNode* node = tree.find(key);
   if (!node) return std::nullopt;
   const Allowed& allowed = row_of_case_key(key).allowed;
@@ -114,7 +114,7 @@ std::optional<double> maybe_one_of(const CaseTree& tree, const std::string& key)
                              text_of(allowed)));
 }
 
-int integer(const CaseTree& tree, const std::string& key) {
+int integer(const CaseTree& tree, std::string_view key) {
   const auto& range = std::get<allowed::Integer>(row_of_case_key(key).allowed);
   const CaseNode& node = required(tree, key);
   const auto* value = std::get_if<std::int64_t>(&node.content);
@@ -123,33 +123,33 @@ int integer(const CaseTree& tree, const std::string& key) {
   return static_cast<int>(*value);
 }
 
-std::string text(const CaseTree& tree, const std::string& key) {
+std::string text(const CaseTree& tree, std::string_view key) {
   return plain_text(tree, key, [&] { return allowed_of(key); });
 }
 
-std::string text(const CaseTree& tree, const std::string& key, const std::string& allowed) {
+std::string text(const CaseTree& tree, std::string_view key, const std::string& allowed) {
   return plain_text(tree, key, [&] { return allowed; });
 }
 
-std::string word(const CaseTree& tree, const std::string& key) {
+std::string word(const CaseTree& tree, std::string_view key) {
   const std::vector<std::string> words = std::get<allowed::Word>(row_of_case_key(key).allowed).words();
   const std::string chosen = text(tree, key);
   if (std::find(words.begin(), words.end(), chosen) == words.end()) tree.fail(key, is_unknown(chosen, allowed_of(key)));
   return chosen;
 }
 
-const CaseNode& required(const CaseTree& tree, const std::string& key) {
+const CaseNode& required(const CaseTree& tree, std::string_view key) {
   const CaseNode* node = tree.find(key);
   if (!node) tree.fail(key, "is missing; required is " + allowed_of(key));
   return *node;
 }
 
-void fail_statement(const CaseTree& tree, const std::string& key, const StatementError& error) {
+void fail_statement(const CaseTree& tree, std::string_view key, const StatementError& error) {
   const std::string what = error.what();
   if (what.find("allowed is") != std::string::npos || key.find('.') == std::string::npos) tree.fail(key, what);
   tree.fail(key, what + "; allowed is " + text_of(row_of_case_key(key).allowed));
 }
 
-const Interval& interval_of(const std::string& key) { return std::get<Interval>(row_of_case_key(key).allowed); }
+const Interval& interval_of(std::string_view key) { return std::get<Interval>(row_of_case_key(key).allowed); }
 
 }  // namespace ehd

@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace ehd {
 
@@ -14,31 +15,30 @@ struct Interval;
 class StatementError;
 
 /// A number in the interval of the key's row, or in `interval`.
-[[nodiscard]] double number(const CaseTree& tree, const std::string& key);
-[[nodiscard]] std::optional<double> maybe_number(const CaseTree& tree, const std::string& key);
-[[nodiscard]] std::optional<double> maybe_number(const CaseTree& tree, const std::string& key,
-                                                 const Interval& interval);
+[[nodiscard]] double number(const CaseTree& tree, std::string_view key);
+[[nodiscard]] std::optional<double> maybe_number(const CaseTree& tree, std::string_view key);
+[[nodiscard]] std::optional<double> maybe_number(const CaseTree& tree, std::string_view key, const Interval& interval);
 /// The default of the row where the file has no such key.
-[[nodiscard]] double number_or_standard(const CaseTree& tree, const std::string& key);
+[[nodiscard]] double number_or_standard(const CaseTree& tree, std::string_view key);
 /// A number that is part of the key's value.
-[[nodiscard]] double number_in(const CaseTree& tree, const std::string& key, const CaseNode& node,
+[[nodiscard]] double number_in(const CaseTree& tree, std::string_view key, const CaseNode& node,
                                const Interval& interval);
 /// One of the few numbers of the key's row.
-[[nodiscard]] std::optional<double> maybe_one_of(const CaseTree& tree, const std::string& key);
-[[nodiscard]] int integer(const CaseTree& tree, const std::string& key);
+[[nodiscard]] std::optional<double> maybe_one_of(const CaseTree& tree, std::string_view key);
+[[nodiscard]] int integer(const CaseTree& tree, std::string_view key);
 
 /// One line of text without control characters: tables and bibliographies print it.
-[[nodiscard]] std::string text(const CaseTree& tree, const std::string& key);
+[[nodiscard]] std::string text(const CaseTree& tree, std::string_view key);
 /// The same with other words for what is allowed.
-[[nodiscard]] std::string text(const CaseTree& tree, const std::string& key, const std::string& allowed);
+[[nodiscard]] std::string text(const CaseTree& tree, std::string_view key, const std::string& allowed);
 /// One of the words in the key's row.
-[[nodiscard]] std::string word(const CaseTree& tree, const std::string& key);
+[[nodiscard]] std::string word(const CaseTree& tree, std::string_view key);
 
 /// The node of a key that must be there.
-[[nodiscard]] const CaseNode& required(const CaseTree& tree, const std::string& key);
+[[nodiscard]] const CaseNode& required(const CaseTree& tree, std::string_view key);
 /// Refuses the key with the sentence of nondimensionalise. Adds what is allowed where that sentence does not have it.
-[[noreturn]] void fail_statement(const CaseTree& tree, const std::string& key, const StatementError& error);
+[[noreturn]] void fail_statement(const CaseTree& tree, std::string_view key, const StatementError& error);
 /// The interval in the key's row.
-[[nodiscard]] const Interval& interval_of(const std::string& key);
+[[nodiscard]] const Interval& interval_of(std::string_view key);
 
 }  // namespace ehd

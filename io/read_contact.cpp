@@ -20,7 +20,7 @@ namespace ehd {
 namespace {
 
 Inlet read_inlet(const CaseTree& tree) {
-  const std::string key = "domain.inlet";
+  constexpr const char* key = "domain.inlet";
   const CaseKey& row = row_of_case_key(key);
   const auto& range = std::get<allowed::Inlet>(row.allowed);
   const auto refuse = [&](const std::string& what) { tree.fail(key, what + "; allowed is " + text_of(row.allowed)); };
@@ -43,7 +43,7 @@ Conditions read_conditions(const CaseTree& tree, bool dry) {
   conditions.load_N_per_m = number(tree, "conditions.load_N_per_m");
   conditions.reduced_radius_m = number(tree, "conditions.reduced_radius_m");
   conditions.reduced_modulus_Pa = number(tree, "conditions.reduced_modulus_Pa");
-  const std::string speed = "conditions.speed_sum_m_per_s", viscosity = "conditions.viscosity_Pa_s";
+  constexpr const char *speed = "conditions.speed_sum_m_per_s", *viscosity = "conditions.viscosity_Pa_s";
   if (dry) {
     Interval speed_or_rest = interval_of(speed);
     speed_or_rest.or_zero = true;
@@ -66,8 +66,9 @@ Statement read_statement(const CaseTree& tree, const std::string& name, bool dry
 /// The viscosity of a contact stands in [conditions].
 void refuse_bearing_keys(const CaseTree& tree) {
   for (const CaseKey& key : find_case_table("lubricant")->keys) {
+    if (!key.bearing_only) continue;
     const std::string path = fmt::format("lubricant.{}", key.name);
-    if (!key.bearing_only || !tree.has(path)) continue;
+    if (!tree.has(path)) continue;
     tree.fail(path, fmt::format("is unknown in the [lubricant] of a contact; allowed is {} (eta_0 stands in "
                                 "[conditions])",
                                 list(names_of_keys(*find_case_table("lubricant"), true))));

@@ -29,7 +29,7 @@ constexpr std::array keys_beside_grade{temperature, index_key, density};
 constexpr const char* two_ways = "allowed is iso_vg, or viscosity_40C_mm2_per_s with viscosity_100C_mm2_per_s";
 
 /// The first key that states the grade.
-std::string grade_key(const CaseTree& tree) {
+std::string_view grade_key(const CaseTree& tree) {
   for (const char* key : grade_keys)
     if (tree.has(key)) return key;
   return "";
@@ -139,7 +139,7 @@ bool is_grade_key(std::string_view key) { return std::ranges::find(grade_keys, k
 
 bool states_grade(const CaseTree& tree) { return !grade_key(tree).empty(); }
 
-void refuse_beside_grade(const CaseTree& tree, const std::string& viscosity_key) {
+void refuse_beside_grade(const CaseTree& tree, std::string_view viscosity_key) {
   if (states_grade(tree) && tree.has(viscosity_key))
     tree.fail(viscosity_key, "contradicts the oil's grade in [lubricant], which sets eta_0; allowed is one of the two");
 }

@@ -29,7 +29,7 @@ struct OilOfCase {
 /// Whether a key ("lubricant.iso_vg") states the grade.
 [[nodiscard]] bool is_grade_key(std::string_view key);
 /// Refuses the key that states eta_0 where the oil's grade sets it as well. Throws CaseError.
-void refuse_beside_grade(const CaseTree& tree, const std::string& viscosity_key);
+void refuse_beside_grade(const CaseTree& tree, std::string_view viscosity_key);
 /// Refuses the grade where the case has no eta_0 that it could set: a contact stated by groups. Throws CaseError.
 void refuse_grade_beside(const CaseTree& tree, const std::string& statement);
 
