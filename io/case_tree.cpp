@@ -230,14 +230,13 @@ class TreeBuilder {
     const auto known = [&](const auto& entry) { return may_stand_in(row, entry.first.str()); };
     if (!std::all_of(table.begin(), table.end(), known)) keep_unknown(table, path, names_in(row));
     for (auto&& [key, node] : table) {
-      std::string whole = path.empty() ? "" : path + ".";
-      whole += key.str();
-      put(whole, node);
+      put(std::string(path).append(path.empty() ? "" : ".").append(key.str()), node);
     }
   }
 
-  void put(const std::string& path, const toml::node& node) {
-    tree_.put(path, node_of(node), line_of(node), node.is_table() ? "" : text_of(node, lines_));
+  void put(std::string path, const toml::node& node) {
+    tree_.put(std::move(path), node_of(node),
+              {.line = line_of(node), .text = node.is_table() ? "" : text_of(node, lines_)});
   }
 
   void keep_unknown(const toml::table& table, const std::string& path, const std::vector<std::string>& allowed) {
@@ -263,7 +262,7 @@ class TreeBuilder {
 CaseTree::CaseTree(const std::string& text, const std::filesystem::path& file,
                    const std::vector<Substitution>& substitutions) {
   places_.file = file.empty() ? nameless_case : file;
-  places_.lines[""] = 1;
+  places_.places[""].line = 1;
   toml::table root = parse_toml(text, places_.file);
   if (const auto id = root["id"].value<std::string>(); id && file.empty()) places_.file = *id + ".toml";
   for (const Substitution& substitution : substitutions) require_substitutable(substitution);
@@ -274,21 +273,19 @@ CaseTree::CaseTree(const std::string& text, const std::filesystem::path& file,
   for (const Substitution& substitution : substitutions) substitute(substitution);
 }
 
-void CaseTree::put(const std::string& path, CaseNode node, int line, const std::string& text) {
-  const bool is_table = node.type == "a table";
-  nodes_[path] = std::move(node);
-  places_.lines[path] = line;
-  if (!is_table) places_.texts[path] = text;
+void CaseTree::put(std::string path, CaseNode node, CasePlace place) {
+  nodes_.insert_or_assign(path, std::move(node));
+  places_.places.insert_or_assign(std::move(path), std::move(place));
 }
 
 void CaseTree::substitute(const Substitution& substitution) {
   const std::string table = parts_of(substitution.key).first;
   if (!has(table)) {
-    put(table, {.type = "a table"}, not_of_the_file, "");
+    put(table, {.type = "a table"}, {.line = not_of_the_file});
     if (!substitution.option.empty()) places_.given[table] = substitution.option;
   }
   if (!substitution.option.empty()) places_.given[substitution.key] = substitution.option;
-  put(substitution.key, node_of(substitution.value), not_of_the_file, toml_text(substitution.value));
+  put(substitution.key, node_of(substitution.value), {.line = not_of_the_file, .text = toml_text(substitution.value)});
 }
 
 std::optional<double> CaseNode::number() const {
@@ -303,8 +300,7 @@ const CaseNode* CaseTree::find(std::string_view path) const {
 }
 
 void CaseTree::move_places_to(Case& made) && {
-  made.lines = std::move(places_.lines);
-  made.texts = std::move(places_.texts);
+  made.places = std::move(places_.places);
   made.given = std::move(places_.given);
 }
 

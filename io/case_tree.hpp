@@ -50,21 +50,21 @@ class CaseTree {
   [[nodiscard]] const CaseNode* find(std::string_view path) const;
   [[nodiscard]] bool has(std::string_view path) const { return find(path) != nullptr; }
   /// 0 where a substitution made the table.
-  [[nodiscard]] int line_of(const std::string& path) const { return places_.lines.at(path); }
+  [[nodiscard]] int line_of(const std::string& path) const { return places_.places.at(path).line; }
   /// The unknown keys, in the order of the file. A case that has some is refused.
   [[nodiscard]] const std::vector<UnknownKey>& unknown() const { return unknown_; }
   /// How many [[expect]] tables there are.
   [[nodiscard]] std::size_t expectations() const { return expectations_; }
 
-  /// A case with file, lines and texts alone: where each key stands.
+  /// A case with file, places and options alone: where each key stands.
   [[nodiscard]] const Case& places() const { return places_; }
-  /// Lines, texts and options for the case that was read; nothing is read or refused afterwards.
+  /// Places and options for the case that was read; nothing is read or refused afterwards.
   void move_places_to(Case& made) &&;
   /// Throws the CaseError "FILE:LINE: key = value: message".
   [[noreturn]] void fail(std::string_view path, const std::string& message) const;
 
  private:
-  void put(const std::string& path, CaseNode node, int line, const std::string& text);
+  void put(std::string path, CaseNode node, CasePlace place);
   void substitute(const Substitution& substitution);
 
   Case places_;

@@ -14,7 +14,7 @@ inline Case needle_bearing(double clearance_m) {
   Case one;
   one.id = "needle";
   one.version = 3;
-  one.lines = {{"operation.speed_rpm", 7}, {"operation", 5}, {"", 1}};
+  one.places = {{"operation.speed_rpm", {7}}, {"operation", {5}}, {"", {1}}};
   one.file = "needle.toml";
   BearingCase body;
   body.geometry = {.rollers = 22,

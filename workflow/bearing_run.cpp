@@ -169,7 +169,7 @@ void require_possible(const Case& bearing_case, const BearingRequest& request) {
                                    bearing::names_of(bearing::Laws::dry)));
     if (!body.lubricant || !at_rest(body)) continue;
     const std::string both = "operation.inner_speed_rpm", one = "operation.speed_rpm";
-    throw case_error(bearing_case, bearing_case.lines.contains(both) ? both : one,
+    throw case_error(bearing_case, bearing_case.places.contains(both) ? both : one,
                      fmt::format("leaves the rings at rest against each other, where law {} does not exist; allowed is "
                                  "a relative speed, or a dry law (--law {})",
                                  to_string(law), bearing::names_of(bearing::Laws::dry)));

@@ -49,16 +49,16 @@ CaseError case_error(const Case& where, const std::string& key, const std::strin
 
   std::string subject = key;
   int line = 0;
-  if (const auto at = where.lines.find(key); at != where.lines.end()) {
-    line = at->second;
-    const auto text = where.texts.find(key);
-    subject = key.empty() ? "" : text == where.texts.end() ? table_text(key) : name + " = " + text->second;
-  } else if (const auto above = where.lines.find(table); above != where.lines.end()) {  // a missing key
-    line = above->second;
+  if (const auto at = where.places.find(key); at != where.places.end()) {
+    line = at->second.line;
+    const std::string& text = at->second.text;
+    subject = key.empty() ? "" : text.empty() ? table_text(key) : name + " = " + text;
+  } else if (const auto above = where.places.find(table); above != where.places.end()) {  // a missing key
+    line = above->second.line;
     const bool whole_table = table.empty() && !is_heading(key);
     subject = whole_table ? table_text(key) : table.empty() ? name : table_text(table) + " " + name;
-  } else if (const auto root = where.lines.find(""); root != where.lines.end()) {  // a missing table with its key
-    line = root->second;
+  } else if (const auto root = where.places.find(""); root != where.places.end()) {  // a missing table with its key
+    line = root->second.line;
     subject = table_text(table) + " " + name;
   }
   std::string text = where.file.string();

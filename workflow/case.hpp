@@ -111,6 +111,13 @@ struct BearingCase {
   FitRange fit = {};
 };
 
+/// Where a key or a table stands, for error messages.
+struct CasePlace {
+  int line = 0;
+  std::string text = {};  ///< the value as written; empty for a table
+  bool operator==(const CasePlace&) const = default;
+};
+
 struct Case {
   std::string id;
   int version = 0;
@@ -118,9 +125,8 @@ struct Case {
   std::string source;
   std::variant<ContactCase, BearingCase> body;
   std::vector<Expectation> expectations;
-  std::filesystem::path file;                ///< as named by the user
-  std::map<std::string, int> lines;          ///< dotted key ("bearing.length_m") or table ("bearing") -> line
-  std::map<std::string, std::string> texts;  ///< dotted key -> its value as written, for error messages
+  std::filesystem::path file;               ///< as named by the user
+  std::map<std::string, CasePlace> places;  ///< of dotted keys ("bearing.length_m") and tables ("bearing")
   /// Keys, and tables, that the command line gave: dotted key -> "--set KEY=VALUE".
   std::map<std::string, std::string> given = {};
 };

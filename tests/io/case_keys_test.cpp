@@ -49,7 +49,7 @@ std::string sample_with(const CaseTable& table, const CaseKey& key) {
   for (const std::string& id : sample_ids) {
     const Case sample = read_case(find_case(id));
     const bool of_bearing = std::holds_alternative<BearingCase>(sample.body);
-    if (sample.lines.contains(std::string(table.name)) && (of_bearing || !key.bearing_only)) return id;
+    if (sample.places.contains(std::string(table.name)) && (of_bearing || !key.bearing_only)) return id;
   }
   return "";
 }

@@ -176,7 +176,7 @@ BOOST_AUTO_TEST_CASE(a_contact_is_read_with_every_value_in_its_place) {
   BOOST_TEST(expectation.digits == "0.0741");
   BOOST_TEST(expectation.uncertainty == 1e-8);
   BOOST_CHECK(expectation.kind == ExpectationKind::computed);
-  BOOST_TEST(read.lines.at("lubricant.z") == 12);
+  BOOST_TEST(read.places.at("lubricant.z").line == 12);
 }
 
 BOOST_AUTO_TEST_CASE(a_bearing_is_read_with_every_value_in_its_place) {
@@ -215,7 +215,7 @@ BOOST_AUTO_TEST_CASE(a_dry_contact_needs_neither_speed_nor_viscosity) {
 BOOST_AUTO_TEST_CASE(line_ends_of_another_system_and_a_byte_order_mark_are_read) {
   const test::Folder folder;
   const Case read = read_case(folder.write("mine.toml", "\xEF\xBB\xBF" + joined(contact_lines, "\r\n")));
-  BOOST_TEST(read.lines.at("lubricant.z") == 12);
+  BOOST_TEST(read.places.at("lubricant.z").line == 12);
 }
 
 BOOST_AUTO_TEST_CASE(the_default_uncertainty_is_half_of_the_last_digit) {

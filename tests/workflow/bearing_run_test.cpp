@@ -74,7 +74,7 @@ BOOST_AUTO_TEST_CASE(every_dry_law_balances_and_says_what_it_needs) {
   CountedContacts contacts;
   ContactMemory memory(contacts.solver());
   Case one = needle_bearing(5e-6);
-  one.lines["bearing"] = 3;
+  one.places["bearing"].line = 3;
   const auto laws = bearing::laws_of(bearing::Laws::dry);
   for (const bearing::Law law : laws) {
     if (!bearing::needs_ring_thickness(law)) continue;
@@ -542,8 +542,7 @@ BOOST_AUTO_TEST_CASE(a_load_beyond_every_film_is_refused_in_one_line) {
   CountedContacts contacts;
   ContactMemory memory(contacts.solver());
   Case one = needle_bearing(0);
-  one.lines["operation.radial_load_N"] = 12;
-  one.texts["operation.radial_load_N"] = "1e12";
+  one.places["operation.radial_load_N"] = {12, "1e12"};
   body_of(one).operation.radial_load_N = 1e12;
   for (const bearing::Law law : {bearing::Law::ehd_linear, bearing::Law::ehd})
     BOOST_CHECK_EXCEPTION((void)run(one, {law}, memory), CaseError, [](const CaseError& error) {

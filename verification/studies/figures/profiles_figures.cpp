@@ -203,8 +203,8 @@ Json case_json(const Case& one) {
   json["version"] = one.version;
   json["title"] = one.title;
   json["source"] = one.source;
-  json["viscosity"] = unquoted(one.texts.at("lubricant.viscosity"));
-  json["density"] = unquoted(one.texts.at("lubricant.density"));
+  json["viscosity"] = unquoted(one.places.at("lubricant.viscosity").text);
+  json["density"] = unquoted(one.places.at("lubricant.density").text);
   const auto* cut = std::get_if<TruncatedAt>(&*contact.inlet);
   json["inlet"] = cut ? Json(cut->x) : Json("flooded");
   if (reference.groups) {
