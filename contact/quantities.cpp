@@ -160,6 +160,9 @@ std::string names_of_quantities(bool (*holds)(Quantity)) {
   return names;
 }
 
-Wanted want_everything() { return {all_quantities.begin(), all_quantities.end()}; }
+const Wanted& want_everything() {
+  static const Wanted all(all_quantities.begin(), all_quantities.end());
+  return all;
+}
 
 }  // namespace ehd

@@ -101,6 +101,6 @@ inline constexpr std::array judged_films{Quantity::film_minimum, Quantity::film_
 
 /// The quantities that a caller asks for. All others are not computed.
 using Wanted = std::set<Quantity>;
-[[nodiscard]] Wanted want_everything();
+[[nodiscard]] const Wanted& want_everything();
 
 }  // namespace ehd
