@@ -37,7 +37,8 @@ class Lexer {
   [[nodiscard]] bool in_text() const { return state_ != State::plain; }
   /// A printable ASCII character that changes nothing here.
   [[nodiscard]] bool passes(char c) const {
-    if (c < ' ' || c > '~' || state_ == State::string) return false;
+    if (c < ' ' || c > '~') return false;
+    if (state_ == State::string) return c != quote_ && c != '\\';
     return state_ == State::comment || (c != '#' && c != '"' && c != '\'');
   }
 

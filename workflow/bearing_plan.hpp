@@ -3,7 +3,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "bearing/equilibrium.hpp"
@@ -15,19 +14,19 @@ namespace ehd {
 
 /// Names of the stages; those of a law or raceway end in its name.
 namespace bearing_stage {
-inline constexpr std::string_view geometry = "geometry and kinematics";
-inline constexpr std::string_view dry = "dry balance for datum and ranges";
-inline constexpr std::string_view datum = "datum of the approach";
-inline constexpr std::string_view solves = "EHD contact solves";
-inline constexpr std::string_view fit = "straight-line fit";
-inline constexpr std::string_view curve = "load-approach curve";
-inline constexpr std::string_view variant = "ehd-linear cut at delta = 0";
-inline constexpr std::string_view lambda = "lambda ratios";
-inline constexpr std::string_view across = "balance across the load";
-inline constexpr std::string_view cage = "cage positions over one pitch";
-inline constexpr std::string_view torque = "rolling torque";
-inline constexpr std::string_view dynamics = "stiffness in motion";
-inline constexpr std::string_view response = "response of the films, for damping";
+inline constexpr const char* geometry = "geometry and kinematics";
+inline constexpr const char* dry = "dry balance for datum and ranges";
+inline constexpr const char* datum = "datum of the approach";
+inline constexpr const char* solves = "EHD contact solves";
+inline constexpr const char* fit = "straight-line fit";
+inline constexpr const char* curve = "load-approach curve";
+inline constexpr const char* variant = "ehd-linear cut at delta = 0";
+inline constexpr const char* lambda = "lambda ratios";
+inline constexpr const char* across = "balance across the load";
+inline constexpr const char* cage = "cage positions over one pitch";
+inline constexpr const char* torque = "rolling torque";
+inline constexpr const char* dynamics = "stiffness in motion";
+inline constexpr const char* response = "response of the films, for damping";
 [[nodiscard]] std::string balance(bearing::Law law);
 [[nodiscard]] std::string film(bearing::Law law);
 }  // namespace bearing_stage

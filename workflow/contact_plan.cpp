@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
 
 #include "contact/nondimensional.hpp"
 #include "contact/text.hpp"

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
 #include "contact/problem.hpp"
 #include "contact/solver.hpp"
@@ -16,16 +15,16 @@ namespace ehd {
 
 /// Names of the stages. Each wanted quantity is a stage of its own, "observe film.minimum".
 namespace stage {
-inline constexpr std::string_view groups = "similarity groups";
-inline constexpr std::string_view hertz = "Hertz scales in SI";
-inline constexpr std::string_view dry = "dry contact in closed form";
-inline constexpr std::string_view fft_plan = "FFT plan";
-inline constexpr std::string_view viscosity = "viscosity law at each node";
-inline constexpr std::string_view density = "density law at each node";
-inline constexpr std::string_view solve = "EHD solve";
-inline constexpr std::string_view grids = "finer grids until the tolerance is met";
-inline constexpr std::string_view finer = "grids finer than the first that meets the tolerance";
-inline constexpr std::string_view formulas = "film formulas beside the result";
+inline constexpr const char* groups = "similarity groups";
+inline constexpr const char* hertz = "Hertz scales in SI";
+inline constexpr const char* dry = "dry contact in closed form";
+inline constexpr const char* fft_plan = "FFT plan";
+inline constexpr const char* viscosity = "viscosity law at each node";
+inline constexpr const char* density = "density law at each node";
+inline constexpr const char* solve = "EHD solve";
+inline constexpr const char* grids = "finer grids until the tolerance is met";
+inline constexpr const char* finer = "grids finer than the first that meets the tolerance";
+inline constexpr const char* formulas = "film formulas beside the result";
 [[nodiscard]] std::string observe(Quantity quantity);
 }  // namespace stage
 

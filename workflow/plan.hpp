@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace ehd {
@@ -20,11 +21,11 @@ struct Plan {
   std::vector<SkippedStage> skipped;
 
   /// Puts a stage among those that run, or among the skipped ones where there is a reason to skip it.
-  void decide(std::string_view stage, const std::string& why_skipped = "") {
+  void decide(std::string stage, std::string why_skipped = "") {
     if (why_skipped.empty()) {
-      run.emplace_back(stage);
+      run.push_back(std::move(stage));
     } else {
-      skipped.push_back({std::string(stage), why_skipped});
+      skipped.push_back({std::move(stage), std::move(why_skipped)});
     }
   }
   [[nodiscard]] bool runs(std::string_view stage) const {
