@@ -46,10 +46,14 @@ struct Words {
   std::string operator()(const note::PoorLine& poor) const {
     const bearing::LinearFit& fit = result.fit->at(poor.raceway);
     if (fit.misfit() <= bearing::largest_misfit) return poor_in_use(poor.raceway, fit);
+    // The points of the fit or the contacts of the bearing: those that the line misses by the larger part.
+    const bool worse_in_use = fit.in_use && fit.in_use->misfit() > fit.misfit();
+    const double residual_N = worse_in_use ? fit.in_use->residual_N : fit.residual_N,
+                 misfit = worse_in_use ? fit.in_use->misfit() : fit.misfit();
     return fmt::format(
         "the line does not describe its {} contacts: it misses them by up to {} N, {} % of the heaviest force; K = {} "
         "+- {} N/m. Take the law ehd",
-        to_string(poor.raceway), plain(fit.residual_N, 3), plain(100 * fit.misfit(), 2), plain(fit.K_N_per_m, 2),
+        to_string(poor.raceway), plain(residual_N, 3), plain(100 * misfit, 2), plain(fit.K_N_per_m, 2),
         plain(fit.K_deviation_N_per_m, 2));
   }
   static std::string poor_in_use(bearing::Raceway raceway, const bearing::LinearFit& fit) {

@@ -13,6 +13,7 @@
 #include "contact/approach.hpp"
 #include "contact/hertz.hpp"
 #include "contact/nondimensional.hpp"
+#include "contact/text.hpp"
 #include "fast/uniform.hpp"
 #include "io/bearing_json.hpp"
 #include "io/bearing_notes.hpp"
@@ -502,6 +503,10 @@ BOOST_AUTO_TEST_CASE(a_line_that_does_not_describe_its_contacts_says_so_first) {
   BOOST_TEST(!json["fit"]["inner"]["describes_contacts"].get<bool>());
   const auto first = json["notes"][0].get<std::string>();
   BOOST_TEST(first.starts_with("the line does not describe its inner contacts: it misses them by up to "), first);
+  // It misses the contacts of the bearing by more than the points of its fit.
+  BOOST_TEST(poor.fit->inner.in_use->misfit() > misfit);
+  BOOST_TEST(first.find(plain(100 * poor.fit->inner.in_use->misfit(), 2) + " % of the heaviest") != std::string::npos,
+             first);
   BOOST_TEST(json["notes"][1].get<std::string>().starts_with("the line does not describe its outer contacts"));
 
   const Json good = to_json(run(needle_bearing(10e-6), {bearing::Law::ehd_linear}, memory).at(0));
