@@ -102,8 +102,9 @@ struct SolveRecord {
 
 struct Solution {
   Fields fields;  ///< on the finest grid that was solved
-  /// X, P and elements of other discretisations of the same contact: the grid before, of `reference` its second scheme
-  /// and the floor before the last. How far they are from `fields` shows how far P is off. Empty where there are none.
+  /// X, P and elements of other discretisations of the same contact. Most solvers keep the grid before the last one.
+  /// `reference` keeps its second scheme, and the floor before the last one. pressure_error() compares them with
+  /// `fields`. Empty where there is only one discretisation.
   std::vector<Fields> beside = {};
   Observables observables;  ///< with errors; empty where status is diverged
   SolveRecord record;

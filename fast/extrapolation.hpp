@@ -11,8 +11,8 @@ struct Limit {
   double error = 0;  ///< absolute; infinite for a single grid
 };
 
-/// An odd number N of intervals has no half, so that the coarser grids of a given N have a few intervals more than N/2,
-/// N/4, … These are the values that they would have there, by the second-order error between each grid and the next:
+/// An odd number of intervals has no half. So the coarser grids of a given N may have a little more than N/2, N/4, …
+/// intervals. This moves their values to exactly N/2, N/4, …, with the second-order error between neighbouring grids:
 ///   f(N_e) = f_k + c (1/N_e^2 - 1/N_k^2),  c = (f_k - f_(k+1))/(1/N_k^2 - 1/N_(k+1)^2).
 /// Without this 4/N of the error that the extrapolation removes was left. `values`, `intervals`: coarse to fine, as
 /// many of both; the finest grid's value stays, and so does each where N_k is N_e.

@@ -46,7 +46,7 @@ struct Words {
   std::string operator()(const note::PoorLine& poor) const {
     const bearing::LinearFit& fit = result.fit->at(poor.raceway);
     if (fit.misfit() <= bearing::largest_misfit) return poor_in_use(poor.raceway, fit);
-    // The points of the fit or the contacts of the bearing: those that the line misses by the larger part.
+    // The line misses points of its fit and contacts of the bearing. The larger of both misses is said.
     const bool worse_in_use = fit.in_use && fit.in_use->misfit() > fit.misfit();
     const double residual_N = worse_in_use ? fit.in_use->residual_N : fit.residual_N,
                  misfit = worse_in_use ? fit.in_use->misfit() : fit.misfit();

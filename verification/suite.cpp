@@ -118,7 +118,7 @@ Findings judge_topic(const Topic& topic, const Sentence& whole) {
     if (found.claims.empty() && found.skipped.empty())
       found.skipped.push_back({whole, "there is nothing to judge it by (a case says what it expects in [[expect]])"});
     return found;
-  } catch (const std::bad_alloc&) {  // the system's fault: nothing is known of what the topic would have found
+  } catch (const std::bad_alloc&) {  // the machine lacks memory: the topic has no result
     return thrown_by(topic, whole, std::nan(""), memory_is_exhausted);
   } catch (const std::exception& thrown) {
     return thrown_by(topic, whole, 1, thrown.what());

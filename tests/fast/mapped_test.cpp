@@ -260,7 +260,7 @@ BOOST_AUTO_TEST_CASE(errors_hold_on_intervals_that_four_does_not_divide) {
   }
 }
 
-// Both films of a rigid contact err alike. H_cen was up to 2.5 times its stated error off.
+// Both films of a rigid contact have nearly the same error. H_cen missed its stated error by up to 2.5 times.
 BOOST_AUTO_TEST_CASE(the_error_of_a_thick_central_film_holds) {
   for (const auto& [M, L, cut, intervals] : {std::tuple{0.03628, 5.0, -8.0, 640}, std::tuple{0.05358, 2.0, -6.0, 512},
                                              std::tuple{0.03301, 10.0, -8.0, 513}}) {
