@@ -139,10 +139,7 @@ class Climber {
     grid.inlet_cells = cells(n, run_.state.exit);
     // Numbers of a grid that cannot see the inlet zone say nothing about the next one's error.
     auto& grids = climb_.grids;
-    if (!grids.empty() && grids.back().inlet_cells < fewest_inlet_cells) {
-      grids.clear();
-      climb_.beside.clear();
-    }
+    if (!grids.empty() && grids.back().inlet_cells < fewest_inlet_cells) grids.clear();
     grids.push_back(std::move(grid));
     climb_.film_minimum = error_budget(climb_, Quantity::film_minimum, run_.truncation);
     climb_.film_central = error_budget(climb_, Quantity::film_central, run_.truncation);
