@@ -103,8 +103,8 @@ struct SolveRecord {
 struct Solution {
   Fields fields;  ///< on the finest grid that was solved
   /// X, P and elements of other discretisations of the same contact. Most solvers keep the grid before the last one.
-  /// `reference` keeps its second scheme, and the floor before the last one. pressure_error() compares them with
-  /// `fields`. Empty where there is only one discretisation.
+  /// `reference` keeps its second scheme, and a solution at a fluidity floor at least three times the last one.
+  /// pressure_error() compares them with `fields`. Empty where there is only one discretisation.
   std::vector<Fields> beside = {};
   Observables observables;  ///< with errors; empty where status is diverged
   SolveRecord record;

@@ -67,8 +67,8 @@ Solution report(const Problem& problem, const Discretised& first, const Discreti
   Solution solution;
   solution.fields = first.fields;
   solution.beside = {pressure_alone(second.fields)};
-  if (floor > 0 && first.floors.size() > 1)
-    solution.beside.push_back(pressure_alone(fields_of(problem, first.floors[first.floors.size() - 2])));
+  if (const auto apart = floors_apart(first.floors); floor > 0 && apart.size() > 1)
+    solution.beside.push_back(pressure_alone(fields_of(problem, first.floors[apart[1]])));
   auto& record = solution.record;
   record.status = StopReason::converged;
   for (auto [quantity, reading] : first.seen) {
