@@ -27,8 +27,8 @@ inline constexpr double largest_misfit = 0.05;
 /// The loaded contacts of a bearing that uses a line (is_loaded).
 struct LineInUse {
   double lightest_N = 0, heaviest_N = 0;
-  /// Largest difference between the forces by the line and by the solver at the approach of a contact; NaN where it is
-  /// not known.
+  /// The largest difference, over these contacts, of the force by the line and the force by the solver at the same
+  /// approach. NaN where the solver's force is not known.
   double residual_N = 0;
   [[nodiscard]] double misfit() const { return residual_N / heaviest_N; }
 };

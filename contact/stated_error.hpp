@@ -35,7 +35,7 @@ inline constexpr double least_error_under_resolved = 0.1;
 [[nodiscard]] std::optional<double> field_error(const Solution& solution);
 
 /// Relative error of P(X) in L2 over the domain, ||P - P*||/||P*||, by the largest distance to the pressures of
-/// Solution::beside. Empty where there are none. It says nothing of the height of a spike: that has its own error.
+/// Solution::beside. Empty where there are none. The height of a spike has an error of its own.
 [[nodiscard]] std::optional<double> pressure_error(const Solution& solution);
 
 }  // namespace ehd
