@@ -50,22 +50,6 @@ std::string source_of(const toml::node& node, const std::vector<std::string>& li
   return line.substr(begin, std::max(begin, end) - begin);
 }
 
-/// toml++ reads 1e-400 as 0. A number that is 0 has no digit but 0 before its exponent.
-void require_representable(std::string_view key, const toml::node& node, const std::string& text,
-                           const std::filesystem::path& file) {
-  if (const auto* array = node.as_array())
-    for (const toml::node& item : *array) require_representable(key, item, text, file);
-  if (const auto* table = node.as_table())
-    for (auto&& [name, item] : *table) require_representable(name.str(), item, text, file);
-  const auto* number = node.as_floating_point();
-  if (!number || number->get() != 0) return;
-  const std::string source = source_of(node, lines_of(text));
-  if (source.substr(0, source.find_first_of("eE")).find_first_of("123456789") == std::string::npos) return;
-  throw CaseError(one_line(fmt::format("{}:{}: {} = {}: is too small for a number; allowed is 0, or {}", file.string(),
-                                       line_of(node), shortened(key, longest_text), shortened(source, longest_text),
-                                       sizes_of_numbers())));
-}
-
 /// What the key of a line "key = value" may hold, where that is a number and no text; empty elsewhere. `table`: the
 /// header above the line.
 std::string number_allowed(std::string_view table, std::string_view line) {
@@ -161,9 +145,7 @@ std::string text_of(const toml::node& node, const std::vector<std::string>& line
 
 toml::table parse_toml(const std::string& text, const std::filesystem::path& file) {
   try {
-    toml::table root = toml::parse(std::string_view(text));
-    require_representable("", root, text, file);
-    return root;
+    return toml::parse(std::string_view(text));
   } catch (const toml::parse_error& error) {
     const std::vector<std::string> lines = lines_of(text);
     const auto content_of = [&](int line) { return trimmed(lines[static_cast<std::size_t>(line - 1)]); };
@@ -179,8 +161,11 @@ toml::table parse_toml(const std::string& text, const std::filesystem::path& fil
       allowed = "allowed is each key and each table once";
     } else if (what.find("unescaped control characters") != std::string::npos) {
       what = "a text is not closed on its line";
-    } else if (what.find("could not be interpreted as a value") != std::string::npos) {
-      allowed += ", where a number has " + sizes_of_numbers();
+    } else if (what.find("is not representable in 64 bits") != std::string::npos) {
+      const bool integer = what.substr(0, what.find(' ')).find_first_of(".eE") == std::string::npos;
+      what = integer ? "is too large for an integer" : "is too large or too small for a number";
+      allowed = integer ? "allowed is at most 18 digits, or a number with a decimal point"
+                        : "allowed is 0, or " + sizes_of_numbers();
     } else if (what.find("encountered end-of-file") != std::string::npos) {
       what = "the file ends in the middle (" + what + ")";
       while (line > 1 && content_of(line).empty()) --line;
