@@ -187,6 +187,7 @@ void add_case(Account& account, const Case& one, std::vector<BearingResult>& res
     if (budget.empty())
       if (const auto why = why_no_budget(one, results, result.law, memory))
         result.notes.emplace_back(note::NoBudget{*why});
+    if (result.fit && !full_relation_in(results)) result.notes.emplace_back(note::LineAlone{});
     account.list.push_back(to_json(result, full_relation_in(results)));
     if (!budget.empty()) {
       account.list.back()["error_budget"] = to_json(budget);

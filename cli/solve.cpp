@@ -22,6 +22,7 @@
 #include "io/case_keys.hpp"
 #include "io/contact_json.hpp"
 #include "io/file_text.hpp"
+#include "io/near_miss.hpp"
 #include "io/output_file.hpp"
 #include "io/profile_csv.hpp"
 #include "io/tables.hpp"
@@ -116,6 +117,8 @@ ContactCase contact_from(const SolveOptions& options) {
   if (options.inlet && *options.inlet != "flooded") {
     const CaseKey& row = row_of_case_key("domain.inlet");
     const auto& range = std::get<allowed::Inlet>(row.allowed);
+    if (const std::string comma = comma_in_number(*options.inlet); !comma.empty())
+      throw option_error("--inlet", *options.inlet, comma);
     constexpr double any = std::numeric_limits<double>::max();
     const auto refuse = [&](const char* what) {
       return option_error("--inlet", *options.inlet, std::string(what) + "; allowed is " + text_of(row.allowed));

@@ -114,7 +114,7 @@ std::string summary_table(const BearingCase& body, const std::vector<BearingResu
                                              {"its maximum pressure, Hertz [MPa]"},
                                              {"  at psi [deg], raceway"},
                                              {"load zone [deg]"},
-                                             {"rollers loaded"},
+                                             {"rollers loaded, above 1 %"},
                                              {"smallest film [um]"},
                                              {"lambda ratio"},
                                              {"  at psi [deg], raceway"},

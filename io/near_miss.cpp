@@ -164,7 +164,10 @@ std::string comma_in_number(std::string_view text) {
   if (comma == 0 || comma == std::string_view::npos || text[comma] != ',') return "";
   const std::string_view rest = text.substr(comma + 1);
   if (!ends_number(rest)) return "";
-  return fmt::format("has a comma in a number; allowed is a point, {}.{}", text.substr(0, comma), rest);
+  const std::string_view whole = text.substr(0, comma);
+  if (whole.find_first_of(".eE") != std::string_view::npos)
+    return "has a comma in a number; allowed is one point, before the exponent";
+  return fmt::format("has a comma in a number; allowed is a point, {}.{}", whole, rest);
 }
 
 }  // namespace ehd

@@ -100,6 +100,15 @@ std::string digits_in_SI(const ContactRun& run, Quantity quantity, const Reading
   return SI_per_hertz ? digits(run, quantity, reading, *SI_per_hertz * unit.per_SI) + " " + unit.name : "";
 }
 
+/// Leaves out each column that is empty below its head.
+void erase_empty_columns(Rows& rows) {
+  for (std::size_t column = rows.front().size() - 1; column > 0; --column) {
+    const auto empty = [&](const auto& row) { return row[column].empty(); };
+    if (!std::all_of(rows.begin() + 1, rows.end(), empty)) continue;
+    for (auto& row : rows) row.erase(row.begin() + static_cast<std::ptrdiff_t>(column));
+  }
+}
+
 /// A row a quantity, in SI first where that is known; the self checks stand in a line below.
 std::string observables_table(const ContactRun& run) {
   const auto moes = run.moes_per_hertz_film();
@@ -125,7 +134,9 @@ std::string observables_table(const ContactRun& run) {
     if (b_m) rows.back().push_back(shows_place ? place(*reading.place * *b_m * length.per_SI) + " " + length.name : "");
     rows.back().push_back(shows_place ? place(*reading.place) : "");
   }
-  return rows.size() > 1 ? "\n" + aligned(rows, 1, "  ") : "";
+  if (rows.size() == 1) return "";
+  erase_empty_columns(rows);
+  return "\n" + aligned(rows, 1, "  ");
 }
 
 std::string self_checks(const ContactRun& run) {

@@ -78,12 +78,16 @@ struct NoBudget {
   std::string why;
 };
 
+/// A straight line without the law ehd in the same run, from which its distance would be known.
+struct LineAlone {};
+
 }  // namespace ehd::note
 
 namespace ehd {
 
 using BearingNote = std::variant<note::PoorLine, note::Datum, note::LateralForce, note::RaisedFit, note::OutsideFit,
                                  note::Curve, note::Oil, note::CutVariant, note::NoVariant, note::NoFilms,
-                                 note::Dynamics, note::Torque, note::Unusual, note::ThinFilm, note::NoBudget>;
+                                 note::Dynamics, note::Torque, note::Unusual, note::ThinFilm, note::NoBudget,
+                                 note::LineAlone>;
 
 }  // namespace ehd

@@ -20,6 +20,8 @@ using nlohmann::json;
 
 namespace {
 
+bool says(const std::string& text, const std::string& phrase) { return text.find(phrase) != std::string::npos; }
+
 /// The stiffness xx of a law in motion and its bracket, from "ehd-linear 0 4.0(2)e2"; no error without a bracket.
 struct Bracketed {
   double value = 0;
@@ -94,6 +96,9 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_set_is_refused_with_the_nearest_key) {
       {"solve own-moes-5-5 --set moes.M=1,0e5",
        "ehd: --set moes.M=1,0e5: has a comma in a number; allowed is a point, 1.0e5"},
       {"solve --M 1,5 --L 5", "ehd: --M = 1,5: has a comma in a number; allowed is a point, 1.5"},
+      {"solve --M 2 --L 5 --inlet -1,5", "ehd: --inlet = -1,5: has a comma in a number; allowed is a point, -1.5"},
+      {"solve --M 2 --L 5 --tolerance 1e-3,5",
+       "ehd: --tolerance = 1e-3,5: has a comma in a number; allowed is one point, before the exponent"},
       {"solve own-moes-5-5 --set moes.M=[1,2]", "ehd: --set moes.M=[1,2]: is a list; allowed is a number"},
       {"bearing na4908 --set 'fit.load_N=[2000]'", "ehd: --set fit.load_N=[2000]: "},
       {"solve own-moes-5-5 --set moes.M=1 --set moes.M=2", "allowed is each key once"},
@@ -170,6 +175,25 @@ BOOST_AUTO_TEST_CASE(a_fitted_line_has_the_same_error_without_the_law_that_it_is
   const std::string number = alone.substr(alone.find_last_of(' ') + 1);
   BOOST_TEST(number.find('(') != std::string::npos, alone);
   BOOST_TEST(beside.find(" " + number) != std::string::npos, beside);
+}
+
+BOOST_AUTO_TEST_CASE(a_line_alone_says_that_its_distance_is_not_known) {
+  const test::Folder folder;
+  const std::string bearing = "bearing na4908 --law ehd-linear", note = "how far the line is off is not known";
+  BOOST_TEST(says(test::ehd_run(folder, bearing).out, note));
+  BOOST_TEST(!says(test::ehd_run(folder, bearing + " --law ehd").out, note));
+}
+
+BOOST_AUTO_TEST_CASE(a_table_has_no_empty_columns) {
+  const test::Folder folder;
+  const auto head_of = [&](const std::string& quantity) {
+    const std::string out = test::ehd_run(folder, "solve --M 20 --L 5 --quantity " + quantity).out;
+    const auto at = out.find("Hertz");
+    return out.substr(at, out.find('\n', at) - at);
+  };
+  BOOST_TEST(head_of("film.offset") == "Hertz");
+  BOOST_TEST(says(head_of("film.minimum"), "Moes"));
+  BOOST_TEST(says(head_of("film.minimum"), "at X"));
 }
 
 BOOST_AUTO_TEST_CASE(the_stiffness_of_a_fitted_law_in_motion_is_as_wrong_as_it_is_far_from_ehd) {
