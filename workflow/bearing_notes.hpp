@@ -85,9 +85,9 @@ struct LineAlone {};
 
 namespace ehd {
 
-using BearingNote = std::variant<note::PoorLine, note::Datum, note::LateralForce, note::RaisedFit, note::OutsideFit,
-                                 note::Curve, note::Oil, note::CutVariant, note::NoVariant, note::NoFilms,
-                                 note::Dynamics, note::Torque, note::Unusual, note::ThinFilm, note::NoBudget,
-                                 note::LineAlone>;
+using BearingNote =
+    std::variant<note::PoorLine, note::Datum, note::LateralForce, note::RaisedFit, note::OutsideFit, note::Curve,
+                 note::Oil, note::CutVariant, note::NoVariant, note::NoFilms, note::Dynamics, note::Torque,
+                 note::Unusual, note::ThinFilm, note::NoBudget, note::LineAlone>;
 
 }  // namespace ehd
