@@ -2,11 +2,14 @@
 #include "cli/interruption.hpp"
 
 #include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <cerrno>
 #include <csignal>
+#include <cstddef>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
@@ -32,6 +35,15 @@ std::atomic<bool> told = false;             ///< that the program was interrupte
 /// Where a KeepWhenInterrupted waits for the number of a signal.
 constexpr int nobody_waits = -1, signal_has_come = -2;
 std::atomic<int> pipe_to_keeper = nobody_waits;
+
+/// More than the solvers need, whose small matrices Eigen puts there.
+constexpr std::size_t stack_bytes = std::size_t{1} << 20;
+
+/// Writes the far end of so much stack. The kernel then gives the program all of it, and fills no memory but that end.
+[[gnu::noinline]] void reach_down() {
+  [[maybe_unused]] volatile char room[stack_bytes];
+  room[0] = 0;
+}
 
 void tell(const char* text) { [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text, std::strlen(text)); }
 
@@ -119,6 +131,15 @@ void say_when_interrupted(const char* message) {
     if (::sigaction(signal, nullptr, &before) == 0 && before.sa_handler != SIG_IGN)
       ::sigaction(signal, &action, nullptr);
   }
+}
+
+void take_stack() {
+  rlimit allowed{};
+  if (::getrlimit(RLIMIT_STACK, &allowed) != 0 || allowed.rlim_cur < 4 * stack_bytes) return;  // a user's small stack
+  void* const room = ::mmap(nullptr, stack_bytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (room == MAP_FAILED) throw std::bad_alloc();
+  ::munmap(room, stack_bytes);
+  reach_down();
 }
 
 void handle_signals() {

@@ -18,6 +18,10 @@ void say_when_interrupted(const char* message);
 /// the exception itself.
 void handle_signals();
 
+/// For main, before all else: takes a megabyte for the stack while there is memory. A stack that cannot grow ends the
+/// program by SIGSEGV, without a word. Throws std::bad_alloc where there is no memory.
+void take_stack();
+
 /// While one lives, the first SIGINT, SIGTERM or SIGHUP calls `keep`, which writes what is finished and returns the
 /// line for standard error; the program then ends by the signal. `keep` runs in a thread of its own, and the others go
 /// on until it returns: it holds a lock where it reads what they write. A second signal ends the program at once. Where

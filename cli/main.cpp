@@ -56,6 +56,7 @@ ehd::cli::Program ehd_program() {
 
 int main(int argc, char** argv) {
   try {
+    ehd::cli::take_stack();
     ehd::cli::hold_closed_streams();
     ehd::cli::handle_signals();
     return ehd::cli::run_command_line(ehd_program(), argc, argv);

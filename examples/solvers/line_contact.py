@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A deliberately simple solver of the line contact, to start your own from: finite differences on an equal grid and
-Newton's method with a dense matrix (NumPy), whose entries are complex steps: F(u + i e)/e has F'(u) as its imaginary part.
+Newton's method with a dense matrix (NumPy). Its entries are complex steps: the imaginary part of F(u + i e)/e is F'(u).
 
     line_contact.py CASE.json OUT.json TOLERANCE      for ehd compare --external, {case} {out} {tolerance}
 
@@ -26,7 +26,8 @@ def laws(problem, P, share):
     if v["law"] == "roelands":
         p0, z = v["p0_over_p_H"], v["z"]
         ln_eta = share * v["alpha_p_H"] * p0 / z * ((1 + P / p0) ** z - 1)
-    return np.exp(-ln_eta), 1 + 0 * P if d["law"] == "incompressible" else 1 + d["density_a"] * P / (1 + d["density_c"] * P)
+    compressed = 0 * P if d["law"] == "incompressible" else d["density_a"] * P / (1 + d["density_c"] * P)
+    return np.exp(-ln_eta), 1 + compressed
 
 
 def flow(P, H, fluidity, rho, h, lam):
@@ -68,7 +69,7 @@ def newton(problem, X, P, H_0, lam, share):
 
 
 def solve(problem, begin, n, coarser=None):
-    """On n intervals; without a coarser result from a thick film of an oil without pressure dependence, step by step."""
+    """On n intervals. Without a coarser result, step by step from a thick film of an isoviscous oil."""
     X, lam = np.linspace(begin, 1.6, n + 1), problem["groups"]["lambda"]
     if coarser:
         return (X, *newton(problem, X, np.interp(X, coarser[0], coarser[1]), coarser[2], lam, 1.0))
