@@ -64,7 +64,10 @@ def newton(problem, X, P, H_0, lam, share):
         P[(P < 0).cumsum() * (X > 0) > 0] = 0  # behind the first negative one after the centre
         P = np.maximum(P, 0)
         if size < 1e-9:
-            return P, H_0, H_0 + X ** 2 / 2 + K @ P
+            H = H_0 + X ** 2 / 2 + K @ P
+            if H.min() > 0:  # a negative film solves the equations, too
+                return P, H_0, H
+            break
     raise ArithmeticError("Newton's method did not converge")
 
 
