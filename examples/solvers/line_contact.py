@@ -64,10 +64,7 @@ def newton(problem, X, P, H_0, lam, share):
         P[(P < 0).cumsum() * (X > 0) > 0] = 0  # behind the first negative one after the centre
         P = np.maximum(P, 0)
         if size < 1e-9:
-            H = H_0 + X ** 2 / 2 + K @ P
-            if H.min() > 0:  # a negative film solves the equations, too
-                return P, H_0, H
-            break
+            return P, H_0, H_0 + X ** 2 / 2 + K @ P
     raise ArithmeticError("Newton's method did not converge")
 
 
@@ -99,6 +96,8 @@ def main(case_file, out_file, tolerance):
         n, before = 2 * n, films(*result)
         result = solve(problem, begin, n, result)
         error = np.abs(films(*result) / before - 1).max()
+    if result[3].min() <= 0:
+        raise ArithmeticError("the film is not positive, though it solves the equations")
     smallest, central = films(*result)
     if flooded:
         error += np.abs(films(*result) / films(*solve(problem, begin / np.sqrt(2), n)) - 1).max()
