@@ -112,27 +112,18 @@ void erase_empty_columns(Rows& rows) {
 /// A row a quantity, in SI first where that is known; the self checks stand in a line below.
 std::string observables_table(const ContactRun& run) {
   const auto moes = run.moes_per_hertz_film();
-  const auto& observables = run.solution.observables;
-  const bool in_SI = std::any_of(observables.begin(), observables.end(),
-                                 [&](const auto& one) { return run.SI_per_hertz(row_of(one.first).SI).has_value(); });
   const auto b_m = run.SI_per_hertz(SIScale::length);
   const ShownUnit length = shown_unit(SIScale::length);
   const auto place = [](double at) { return plain(at, digits_without_error); };
-  Rows rows{{""}};
-  if (in_SI) rows.front().emplace_back("SI");
-  rows.front().insert(rows.front().end(), {"Hertz", moes ? "Moes" : ""});
-  if (b_m) rows.front().emplace_back("at x");
-  rows.front().emplace_back("at X");
-  for (const auto& [quantity, reading] : observables) {
+  Rows rows{{"", "SI", "Hertz", "Moes", "at x", "at X"}};
+  for (const auto& [quantity, reading] : run.solution.observables) {
     if (is_self_check(quantity)) continue;
     const QuantityRow& row = row_of(quantity);
     const bool shows_place = reading.place && row.SI != SIScale::length;  // a length is a place itself
-    rows.push_back({std::string(row.name)});
-    if (in_SI) rows.back().push_back(digits_in_SI(run, quantity, reading));
-    rows.back().insert(rows.back().end(), {digits(run, quantity, reading, 1),
-                                           row.in_moes_units && moes ? digits(run, quantity, reading, *moes) : ""});
-    if (b_m) rows.back().push_back(shows_place ? place(*reading.place * *b_m * length.per_SI) + " " + length.name : "");
-    rows.back().push_back(shows_place ? place(*reading.place) : "");
+    rows.push_back({std::string(row.name), digits_in_SI(run, quantity, reading), digits(run, quantity, reading, 1),
+                    row.in_moes_units && moes ? digits(run, quantity, reading, *moes) : "",
+                    shows_place && b_m ? place(*reading.place * *b_m * length.per_SI) + " " + length.name : "",
+                    shows_place ? place(*reading.place) : ""});
   }
   if (rows.size() == 1) return "";
   erase_empty_columns(rows);

@@ -20,8 +20,6 @@ using nlohmann::json;
 
 namespace {
 
-bool says(const std::string& text, const std::string& phrase) { return text.find(phrase) != std::string::npos; }
-
 /// The stiffness xx of a law in motion and its bracket, from "ehd-linear 0 4.0(2)e2"; no error without a bracket.
 struct Bracketed {
   double value = 0;
@@ -180,8 +178,8 @@ BOOST_AUTO_TEST_CASE(a_fitted_line_has_the_same_error_without_the_law_that_it_is
 BOOST_AUTO_TEST_CASE(a_line_alone_says_that_its_distance_is_not_known) {
   const test::Folder folder;
   const std::string bearing = "bearing na4908 --law ehd-linear", note = "how far the line is off is not known";
-  BOOST_TEST(says(test::ehd_run(folder, bearing).out, note));
-  BOOST_TEST(!says(test::ehd_run(folder, bearing + " --law ehd").out, note));
+  BOOST_TEST(test::ehd_run(folder, bearing).out.find(note) != std::string::npos);
+  BOOST_TEST(test::ehd_run(folder, bearing + " --law ehd").out.find(note) == std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(a_table_has_no_empty_columns) {
@@ -192,8 +190,8 @@ BOOST_AUTO_TEST_CASE(a_table_has_no_empty_columns) {
     return out.substr(at, out.find('\n', at) - at);
   };
   BOOST_TEST(head_of("film.offset") == "Hertz");
-  BOOST_TEST(says(head_of("film.minimum"), "Moes"));
-  BOOST_TEST(says(head_of("film.minimum"), "at X"));
+  BOOST_TEST(head_of("film.minimum").find("Moes") != std::string::npos);
+  BOOST_TEST(head_of("film.minimum").find("at X") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(the_stiffness_of_a_fitted_law_in_motion_is_as_wrong_as_it_is_far_from_ehd) {
