@@ -73,7 +73,8 @@ NewtonRun newton(const Collocation<double>& equations, const State<double>& star
   NewtonRun run{.solved = false, .state = start, .at = evaluate(start)};
   if (!(run.at.H.minCoeff() > 0)) return run;
   run.residual = scaled(run.at);
-  double last_move = 1;
+  double last_move = 1, smallest_residual = run.residual;
+  int smallest_at = 0;  // iterations done then
   while (run.iterations < limits.iterations && !meter.spent()) {
     MatrixOf<double> J = equations.jacobian(run.state, run.at);
     const VectorOf<double> rows = run.at.scale.cwiseInverse();
@@ -113,6 +114,11 @@ NewtonRun newton(const Collocation<double>& equations, const State<double>& star
       run.solved = run.state.flux > 0;
       return run;
     }
+    if (run.residual < smallest_residual) {
+      smallest_residual = run.residual;
+      smallest_at = run.iterations;
+    }
+    if (run.iterations - smallest_at >= limits.patience) return run;
   }
   return run;
 }

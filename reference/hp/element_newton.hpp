@@ -26,6 +26,7 @@ struct Meter {
 
 struct NewtonLimits {
   int iterations = 25;
+  int patience = 12;    ///< iterations without a smaller residual than ever before, after which it gives up
   double step = 1e-10;  ///< relative change of flux, offset and exit at which it ends
 };
 

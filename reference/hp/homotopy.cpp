@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "reference/hp/steep_layer.hpp"
+
 namespace ehd::reference::hp {
 
 namespace {
@@ -129,9 +131,8 @@ std::optional<Resolved> resolved(const Problem& problem, const Resolved& from, c
       // The merged mesh is too coarse for Newton's method: back to the one before, where only splits follow.
       may_merge = false;
       equations = unmerged->equations;
-      start = unmerged->run.state;
+      run = unmerged->run;
       unmerged.reset();
-      continue;
     }
     const auto excess = excess_of(*equations, run, problem, resolution);
     const double worst = *std::max_element(excess.begin(), excess.end());
@@ -154,16 +155,34 @@ std::optional<Resolved> resolved(const Problem& problem, const Resolved& from, c
   return std::nullopt;
 }
 
+namespace {
+
+/// Where the search at the next floor begins: the last solution, on a mesh that follows the steep layer where it can.
+Resolved lowered(const Problem& problem, const Resolved& last, const std::vector<SteepPlace>& places, double factor,
+                 double shortest) {
+  const double floor = last.floor / factor < lowest_floor ? 0 : last.floor / factor;
+  const auto path = path_of(places);
+  if (floor > 0 && path) {
+    if (auto start = followed(problem, last, *path, floor, shortest)) return std::move(*start);
+  }
+  Resolved start = last;
+  start.floor = floor;
+  return start;
+}
+
+}  // namespace
+
 std::vector<Resolved> descent(const Problem& problem, const Resolved& top, const Resolution& resolution,
                               const HomotopyLimits& limits, Meter& meter) {
   std::vector<Resolved> floors{top};
+  std::vector<SteepPlace> places{steep_place(top)};
   double factor = first_factor;
   bool has_failed = false;
   while (floors.back().floor > 0 && !meter.spent()) {
-    Resolved next = floors.back();
-    next.floor = next.floor / factor < lowest_floor ? 0 : next.floor / factor;
-    if (auto solved = resolved(problem, next, resolution, limits, meter)) {
+    const Resolved start = lowered(problem, floors.back(), places, factor, limits.shortest_element);
+    if (auto solved = resolved(problem, start, resolution, limits, meter)) {
       floors.push_back(std::move(*solved));
+      places.push_back(steep_place(floors.back()));
       factor = std::min(has_failed ? std::pow(factor, power_after_a_failure) : factor_growth * factor, largest_factor);
       continue;
     }

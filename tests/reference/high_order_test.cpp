@@ -91,6 +91,13 @@ BOOST_AUTO_TEST_CASE(looser_tolerances_are_met_with_fewer_intervals) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(stiff_barus_oil_meets_a_millionth) {
+  // Without a mesh that follows the steep layer, the descent ended at 1.4e-6, after twelve times the work.
+  const Solution solution = HighOrder{}.solve(barus_problem(698.3, 19.43, Flooded{}), within(1e-6));
+  BOOST_REQUIRE(solution.record.status == StopReason::converged);
+  check_numbers(solution);
+}
+
 BOOST_AUTO_TEST_CASE(a_spike_has_its_height_and_place_or_is_left_out) {
   const Solution tame = HighOrder{}.solve(roelands_problem(5, 5, TruncatedAt{-4}), within(1e-9));
   // The place of a maximum has half the digits of its height.
@@ -237,18 +244,19 @@ BOOST_AUTO_TEST_CASE(a_fluidity_that_could_not_be_lowered_is_in_the_bars) {
   // Both discretisations share their floors and agree to a hundredth of what the floor does to them.
   struct Row {
     double M, L, tolerance, central, couette, relative;
+    bool met;
   };
   int rows = 0;
   for (const Row& row :
-       {Row{20, 100, 0.1, 0.50344, 0.50344, 1e-4}, Row{50, 100, 0.1, 0.187372, 0.187372, 1e-5},
-        Row{4.277, 90.03, 1e-3, 2.372010, 2.372010, 4e-6}, Row{3, 20, 1e-3, 1.265344, 1.265344, 5e-6}}) {
+       {Row{20, 100, 0.1, 0.50344, 0.50344, 1e-4, true}, Row{50, 100, 0.1, 0.187372, 0.187372, 1e-5, true},
+        Row{4.277, 90.03, 1e-3, 2.372010, 2.372010, 4e-6, false}, Row{3, 20, 1e-3, 1.265344, 1.265344, 5e-6, true}}) {
     const Solution solution = HighOrder{}.solve(barus_problem(row.M, row.L, Flooded{}), within(row.tolerance));
     BOOST_TEST_CONTEXT("M = " << row.M << ", L = " << row.L) {
       for (const auto& [quantity, truth] :
            {std::pair{Quantity::film_central, row.central}, std::pair{Quantity::film_couette, row.couette}})
         EHD_CHECK(error(value(solution, quantity), truth),
                   Tolerance::discretisation(stated_error(solution, quantity) + row.relative, 1));
-      BOOST_TEST((solution.record.status == StopReason::converged) == (row.L == 20));
+      BOOST_TEST((solution.record.status == StopReason::converged) == row.met);
       BOOST_TEST(
           !solution.observables.contains(Quantity::pressure_maximum));  // it is the spike, wherever its floor left it
     }
@@ -263,19 +271,6 @@ BOOST_AUTO_TEST_CASE(the_second_discretisation_may_begin_higher_than_the_first) 
   BOOST_REQUIRE(solution.record.status == StopReason::converged);
   BOOST_TEST(solution.record.grids.size() == 2U);
   check_numbers(solution);
-}
-
-BOOST_AUTO_TEST_CASE(films_that_are_carried_to_floor_0_are_nearer_than_those_of_the_floor) {
-  // Couette film at (20, 10), cut at -4, Barus, from 1e-9, stated error 6e-10.
-  const double truth = 0.1033155300687, truth_error = 1e-9;
-  const Solution solution = HighOrder{}.solve(barus_problem(20, 10, TruncatedAt{-4}), within(1e-6));
-  const Fields& floored = solution.fields;
-  const Eigen::Index exit = floored.H.size() - 1;
-  const double before = error(floored.density[exit] * floored.H[exit], truth),
-               after = error(value(solution, Quantity::film_couette), truth);
-  BOOST_TEST(before > 20 * truth_error);  // else this says nothing
-  EHD_CHECK(after, Tolerance::calibrated(before / 5 + truth_error, "a fifth of the move is what is stated of it"));
-  BOOST_TEST(stated_error(solution, Quantity::film_couette) >= before / 6);
 }
 
 // Both discretisations end at the same floor and agree to 1e-6. The floor makes P err by 5 %.

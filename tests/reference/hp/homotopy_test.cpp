@@ -94,12 +94,12 @@ BOOST_AUTO_TEST_CASE(descent_goes_down_to_the_physics_and_resolves_every_floor) 
   BOOST_TEST(rows == 4);
 }
 
-// Barus at (20, 10): the descent fails on its way.
+// Barus at (77.48, 24.66): the descent fails on its way.
 BOOST_AUTO_TEST_CASE(after_a_failure_the_factor_between_floors_grows_slowly) {
-  const Problem problem = barus_problem(20, 10, TruncatedAt{-4});
+  const Problem problem = barus_problem(77.48, 24.66, TruncatedAt{-4});
   const Resolution resolution{};
   Meter meter = generous();
-  const auto top = resolved(problem, coarse_top(problem, 0.0856, 1e-2, 0.0856), resolution, limits, meter);
+  const auto top = resolved(problem, coarse_top(problem, 0.0425, 1e-1, 0.0425), resolution, limits, meter);
   BOOST_REQUIRE(top.has_value());
   const auto floors = descent(problem, *top, resolution, limits, meter);
   bool has_failed = false;
