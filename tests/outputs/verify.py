@@ -32,7 +32,7 @@ def audit_tolerance(said, name, claim):
         said.near(f"{name}: tolerance", value, float(match[1]) * float(match[2]), relative=1e-2)
     elif match := re.fullmatch(r"half a unit of the last digit of ([\d.e+-]+)", reason):
         said.near(f"{name}: tolerance", value, last_digit(match[1]) / 2 / abs(float(match[1])), relative=ROUND_OFF)
-    elif match := re.search(r" below ([\d.e-]+)$", reason):
+    elif match := re.search(r" below ([\d.e-]+)$", reason) or re.match(r"--tolerance ([\d.e-]+) asks ", reason):
         said.equal(f"{name}: tolerance", value, float(match[1]))
 
 

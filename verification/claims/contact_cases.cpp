@@ -136,7 +136,7 @@ void judge_end(Findings& found, const Case& contact_case, const ContactRun& run)
        {std::pair{Quantity::load_error, "carries the load"}, std::pair{Quantity::flux_variation, "keeps the flux"}})
     found.claims.push_back(claim(says(std::string(to_string(quantity)), std::string(what) + " to 1e-3"),
                                  value_of(reading(run.solution, quantity)), 0,
-                                 Tolerance::required(asked_tolerance, "the accuracy asked of the films")));
+                                 Tolerance::required(asked_tolerance, "--tolerance 1e-3 asks as much of the films")));
 }
 
 void judge_agreement(Findings& found, const Case& contact_case, const ContactRun& one, const ContactRun& two) {
