@@ -43,7 +43,7 @@ double size_of(Quantity quantity, double value) { return has_absolute_error(quan
 AtZero carried_to_zero(const std::vector<AtFloor>& floors) {
   const AtFloor &lowest = floors[0], &next = floors[1];
   const bool three = floors.size() > 2;
-  // Slopes of two signs: the values differ by the errors of their meshes, not by their floors.
+  // The slopes have two signs: the values differ because their meshes err, and not because of their floors.
   if (three && slope_between(lowest, next) * slope_between(next, floors[2]) < 0)
     return {.value = lowest.value,
             .error = std::max(std::abs(next.value - lowest.value), std::abs(floors[2].value - lowest.value))};

@@ -42,7 +42,7 @@ constexpr double floor_ratio = 3;
 constexpr NewtonLimits start_newton{.iterations = 40, .step = 1e-4};
 constexpr NewtonLimits coarse_newton{.iterations = 25, .step = 1e-4};
 constexpr NewtonLimits scheme_newton{.iterations = 20, .step = 1e-9};
-// A mesh that stays as it is has no other way to a solution.
+// No finer mesh follows here, so that all iterations may be used.
 constexpr NewtonLimits given_mesh_newton{.iterations = 30, .patience = 30, .step = 1e-9};
 
 /// The mesh of a given number of intervals is laid out to these errors.

@@ -26,7 +26,7 @@ struct Meter {
 
 struct NewtonLimits {
   int iterations = 25;
-  int patience = 12;    ///< iterations without a smaller residual than ever before, after which it gives up
+  int patience = 12;    ///< it gives up after so many iterations without a new smallest residual
   double step = 1e-10;  ///< relative change of flux, offset and exit at which it ends
 };
 

@@ -39,7 +39,7 @@ SteepPlace steep_place(const Resolved& solved) {
   const int points = solved.equations->intervals();
   const Array fall = (-at.slope.head(points)).max(0.0);
   const Array weight = (at.X.head(points) > 0).select((fall / fall.maxCoeff()).square().square(), 0.0);
-  const double exit = solved.run.state.exit;  // distances from it keep their digits
+  const double exit = solved.run.state.exit;  // a distance from it keeps its digits
   double sum = 0, moment = 0;
   for (int i = 1; i + 1 < points; ++i) {
     const double part = weight[i] * (at.X[i + 1] - at.X[i - 1]);

@@ -90,7 +90,7 @@ BOOST_AUTO_TEST_CASE(films_that_are_carried_to_floor_0_are_nearer_than_those_of_
   const AtZero zero = carried_to_zero(three);
   const double before = std::abs(three.front().value / truth - 1), after = std::abs(zero.value / truth - 1);
   BOOST_TEST(before > 20 * truth_error);  // else this says nothing
-  EHD_CHECK(after, Tolerance::calibrated(before / 5 + truth_error, "a fifth of the move is what is stated of it"));
+  EHD_CHECK(after, Tolerance::calibrated(before / 5 + truth_error, "the error states a fifth of the move"));
   BOOST_TEST(zero.error / truth >= before / 6);
 }
 

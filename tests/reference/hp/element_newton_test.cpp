@@ -3,6 +3,7 @@
 // and a state survives the way to another mesh.
 #include "reference/hp/element_newton.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -87,6 +88,31 @@ BOOST_AUTO_TEST_CASE(newton_contracts_quadratically_to_round_off) {
     ++rows;
   }
   BOOST_TEST(rows == 5);
+}
+
+BOOST_AUTO_TEST_CASE(a_run_gives_up_after_its_patience_without_a_new_smallest_residual) {
+  // The mesh is too coarse for the steep end of Barus oil: a run of forty iterations finds nothing.
+  const double film = 0.09, exit = 1 + 0.45 * std::pow(film, 2.0 / 3);
+  const Collocation<double> equations(barus_problem(20, 10, TruncatedAt{-4}), mesh_about(-4, exit, film, 8),
+                                      Points::left_radau);
+  const State<double> start = hertz_start(equations, exit, film);
+  const auto run = [&](int iterations, int patience) {
+    Meter meter = generous();
+    return ehd::reference::hp::newton(equations, start, 1e-2,
+                                      {.iterations = iterations, .patience = patience, .step = 1e-10}, meter);
+  };
+  BOOST_TEST(run(40, 40).iterations == 40);
+  const NewtonRun ended = run(40, 5);
+  BOOST_TEST(!ended.solved);
+  BOOST_REQUIRE(ended.iterations < 40);
+  double smallest = std::numeric_limits<double>::infinity();
+  int smallest_at = 0;
+  for (int k = 0; k <= ended.iterations; ++k) {
+    const double residual = run(k, 40).residual;
+    if (residual < smallest) smallest_at = k;
+    smallest = std::min(smallest, residual);
+  }
+  BOOST_TEST(ended.iterations - smallest_at == 5);
 }
 
 BOOST_AUTO_TEST_CASE(iteration_error_is_not_less_than_what_a_further_step_moves) {
