@@ -25,7 +25,7 @@ namespace ehd {
 namespace {
 
 constexpr const char* journal_name = "journal";
-constexpr const char* journal_schema = "ehd-sweep-journal-2";
+constexpr const char* journal_schema = "ehd-journal-3";
 constexpr std::size_t check_digits = 16, hash_digits = content_hash_digits;
 /// Between two calls of fdatasync, so that a million quick rows do not wait for the disk a million times.
 constexpr std::chrono::milliseconds sync_pause{200};
@@ -53,7 +53,7 @@ bool read_line(std::istream& stream, std::string& line) {
 }
 
 std::string content_of(const JournalHeader& header) {
-  return Json{{"schema", journal_schema}, {"sweep", header.sweep}, {"shard", header.shard}, {"of", header.of}}.dump();
+  return Json{{"schema", journal_schema}, {"owner", header.owner}, {"shard", header.shard}, {"of", header.of}}.dump();
 }
 
 std::vector<HashNumber> in_order(std::vector<HashNumber> hashes) {
@@ -76,8 +76,8 @@ bool begins_as_journal(const std::filesystem::path& file) {
 
 }  // namespace
 
-SweepJournal::SweepJournal(const std::filesystem::path& folder, const JournalHeader& header,
-                           std::vector<HashNumber> wanted, bool fresh)
+Journal::Journal(const std::filesystem::path& folder, const JournalHeader& header, std::vector<HashNumber> wanted,
+                 bool fresh)
     : folder_(folder), file_(folder / journal_name), wanted_(in_order(std::move(wanted))) {
   std::error_code error;
   std::filesystem::create_directories(folder_, error);
@@ -86,7 +86,7 @@ SweepJournal::SweepJournal(const std::filesystem::path& folder, const JournalHea
   if (lock_ < 0) refuse(folder_, std::string("cannot be opened (") + std::strerror(errno) + "); allowed is a folder");
   if (::flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
     ::close(lock_);
-    refuse(folder_, "another run of this sweep is at work there; allowed is one at a time, or another --output");
+    refuse(folder_, "another run is at work there; allowed is one at a time, or another --output");
   }
   try {
     if (fresh) std::filesystem::remove(file_, error);
@@ -101,8 +101,7 @@ SweepJournal::SweepJournal(const std::filesystem::path& folder, const JournalHea
   }
 }
 
-SweepJournal::SweepJournal(const std::filesystem::path& folder, const JournalHeader& header,
-                           std::vector<HashNumber> wanted)
+Journal::Journal(const std::filesystem::path& folder, const JournalHeader& header, std::vector<HashNumber> wanted)
     : folder_(folder), file_(folder / journal_name), wanted_(in_order(std::move(wanted))) {
   const std::string again = fmt::format("; required is to run again --shard {}/{}", header.shard, header.of);
   require_file_or_none();
@@ -111,7 +110,7 @@ SweepJournal::SweepJournal(const std::filesystem::path& folder, const JournalHea
   if (found.bad_line > 0) refuse(file_, "the shard is damaged at line " + std::to_string(found.bad_line) + again);
   if (found.header != content_of(header)) {
     const Json stated = Json::parse(found.header, nullptr, false);
-    const bool other = !stated.is_object() || !stated.contains("sweep") || stated["sweep"] != header.sweep;
+    const bool other = !stated.is_object() || !stated.contains("owner") || stated["owner"] != header.owner;
     refuse(file_, (other ? "the shard belongs to another sweep, another case or another build of the program"
                          : "the shard is another part than its folder says") +
                       again);
@@ -119,7 +118,7 @@ SweepJournal::SweepJournal(const std::filesystem::path& folder, const JournalHea
   open_file(O_RDONLY);
 }
 
-SweepJournal::~SweepJournal() {
+Journal::~Journal() {
   if (unsynced_) ::fdatasync(descriptor_);
   if (descriptor_ >= 0) ::close(descriptor_);
   if (lock_ >= 0) ::close(lock_);
@@ -127,7 +126,7 @@ SweepJournal::~SweepJournal() {
 
 /// Refuses a journal that is no regular file: a pipe or a device may have no end. Refuses a link and a file that begins
 /// otherwise than a journal does: it is someone else's, and would be overwritten.
-void SweepJournal::require_file_or_none() const {
+void Journal::require_file_or_none() const {
   std::error_code error;
   const auto type = std::filesystem::symlink_status(file_, error).type();
   if (type == std::filesystem::file_type::not_found) return;
@@ -136,12 +135,12 @@ void SweepJournal::require_file_or_none() const {
   if (!fault.empty()) refuse(file_, fault + "; allowed is a journal of finished rows, or none");
 }
 
-void SweepJournal::open_file(int flags) {
+void Journal::open_file(int flags) {
   descriptor_ = ::open(file_.c_str(), flags | O_CLOEXEC);
   if (descriptor_ < 0) refuse(file_, std::string("cannot be opened (") + std::strerror(errno) + ")");
 }
 
-std::optional<std::size_t> SweepJournal::index_of(std::string_view hash) const {
+std::optional<std::size_t> Journal::index_of(std::string_view hash) const {
   const auto number = hash_number(hash);
   if (!number) return std::nullopt;
   const auto at = std::lower_bound(wanted_.begin(), wanted_.end(), *number);
@@ -149,12 +148,12 @@ std::optional<std::size_t> SweepJournal::index_of(std::string_view hash) const {
   return static_cast<std::size_t>(at - wanted_.begin());
 }
 
-bool SweepJournal::holds(const std::string& hash) const {
+bool Journal::holds(const std::string& hash) const {
   const auto index = index_of(hash);
   return index && places_[*index].bytes > 0;
 }
 
-SweepJournal::Read SweepJournal::read() {
+Journal::Read Journal::read() {
   Read found;
   places_.assign(wanted_.size(), {});
   end_ = 0;
@@ -188,7 +187,7 @@ SweepJournal::Read SweepJournal::read() {
   return found;
 }
 
-void SweepJournal::rewrite(const std::string& header) {
+void Journal::rewrite(const std::string& header) {
   OutputFile file(file_);
   std::vector<Place> places(wanted_.size());
   std::string text = journal_line(header);
@@ -215,7 +214,7 @@ void SweepJournal::rewrite(const std::string& header) {
   places_ = std::move(places);
 }
 
-std::string SweepJournal::row(const std::string& hash) const {
+std::string Journal::row(const std::string& hash) const {
   const Place& place = places_.at(index_of(hash).value());
   std::string text(place.bytes, '\0');
   for (std::size_t done = 0; done < text.size();) {
@@ -228,7 +227,7 @@ std::string SweepJournal::row(const std::string& hash) const {
   return text;
 }
 
-void SweepJournal::add(const std::string& hash, const std::string& text) {
+void Journal::add(const std::string& hash, const std::string& text) {
   const std::string line = journal_line(hash + " " + text);
   for (std::size_t done = 0; done < line.size();) {
     const ssize_t put = ::write(descriptor_, line.data() + done, line.size() - done);
@@ -242,7 +241,7 @@ void SweepJournal::add(const std::string& hash, const std::string& text) {
   if (std::chrono::steady_clock::now() - synced_ >= sync_pause) sync();
 }
 
-void SweepJournal::sync() {
+void Journal::sync() {
   if (::fdatasync(descriptor_) != 0 && errno != EINVAL)
     refuse(file_, std::string("cannot be written (") + std::strerror(errno) + ")");
   synced_ = std::chrono::steady_clock::now();

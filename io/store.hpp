@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The finished rows of a sweep, in a file that only grows: one line a row, with its checksum. A run that is killed
-// loses no more than the line that it was writing. The rows stay in the file; memory holds their places.
+// The finished rows of a run, a sweep's or the atlas's, in a file that only grows: one line a row, with its checksum. A
+// run that is killed loses no more than the line that it was writing. The rows stay in the file; memory holds their
+// places.
 #pragma once
 
 #include <chrono>
@@ -16,27 +17,26 @@
 
 namespace ehd {
 
-/// What a journal holds: which part of which sweep. The unsharded run is part 1 of 1.
+/// What a journal holds: which part of which run. The unsharded run is part 1 of 1.
 struct JournalHeader {
-  std::string sweep;  ///< Sweep's hash
+  std::string owner;  ///< a sweep's hash, or the part of the atlas
   std::size_t shard = 1, of = 1;
 };
 
-class SweepJournal {
+class Journal {
  public:
   /// Opens the journal in `folder` for a run; makes the folder where there is none. Keeps the rows whose hashes are in
-  /// `wanted`, and removes damaged lines and rows of other sweeps or programs. Throws OutputError where the folder
+  /// `wanted`, and removes damaged lines and all other rows. Throws OutputError where the folder
   /// cannot be written, its journal is no regular file, or another run is at work there.
-  SweepJournal(const std::filesystem::path& folder, const JournalHeader& header, std::vector<HashNumber> wanted,
-               bool fresh);
+  Journal(const std::filesystem::path& folder, const JournalHeader& header, std::vector<HashNumber> wanted, bool fresh);
 
   /// Reads a journal for a merge, and changes nothing. Keeps the rows in `wanted`. Throws OutputError where a line is
-  /// damaged, or where the header belongs to another sweep or shard.
-  SweepJournal(const std::filesystem::path& folder, const JournalHeader& header, std::vector<HashNumber> wanted);
+  /// damaged, or where the header belongs to another run or shard.
+  Journal(const std::filesystem::path& folder, const JournalHeader& header, std::vector<HashNumber> wanted);
 
-  ~SweepJournal();
-  SweepJournal(const SweepJournal&) = delete;
-  SweepJournal& operator=(const SweepJournal&) = delete;
+  ~Journal();
+  Journal(const Journal&) = delete;
+  Journal& operator=(const Journal&) = delete;
 
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
   [[nodiscard]] bool holds(const std::string& hash) const;

@@ -34,7 +34,7 @@ double seconds_since(Clock::time_point begin) { return std::chrono::duration<dou
 
 /// Rows of an earlier run that are not what this program writes: they are computed again.
 void forget_wrong_rows(const Sweep& sweep, const SweepHashes& hashes, const std::vector<std::size_t>& rows,
-                       unsigned threads, SweepJournal& journal) {
+                       unsigned threads, Journal& journal) {
   std::mutex mutex;
   std::vector<std::string> wrong;
   in_threads(rows.size(), threads, [&](std::size_t i) {
@@ -89,7 +89,7 @@ std::vector<std::size_t> missing_rows(const SweepHashes& hashes, const std::vect
 }  // namespace
 
 SweepCost compute_missing(const Sweep& sweep, const SweepRequest& request, const SweepHashes& hashes,
-                          const std::vector<std::size_t>& rows, SweepJournal& journal) {
+                          const std::vector<std::size_t>& rows, Journal& journal) {
   const auto begin = Clock::now();
   SweepCost cost{.rows = rows.size()};
   forget_wrong_rows(sweep, hashes, rows, request.threads, journal);
@@ -125,7 +125,7 @@ SweepCost compute_missing(const Sweep& sweep, const SweepRequest& request, const
   return cost;
 }
 
-StoredRow kept_row(const Sweep& sweep, std::size_t row, const std::string& hash, const SweepJournal& journal,
+StoredRow kept_row(const Sweep& sweep, std::size_t row, const std::string& hash, const Journal& journal,
                    const std::string& again) {
   if (!journal.holds(hash))
     return read_stored_row(sweep, row, hash, row_not_computed(sweep, row, hash, Deadline::not_run).text);
@@ -162,7 +162,7 @@ SweepCost run_sweep(const Sweep& sweep, const SweepRequest& request, const std::
   const SweepHashes hashes(sweep, request);
   std::vector<std::size_t> rows(sweep.rows());
   std::iota(rows.begin(), rows.end(), std::size_t{0});
-  SweepJournal journal(folder / "rows", {.sweep = hashes.of_sweep}, hashes.of(rows), request.fresh);
+  Journal journal(folder / "rows", {.owner = hashes.of_sweep}, hashes.of(rows), request.fresh);
   for (const char* name : {"rows.csv", "rows.json", "cost.json"})
     const OutputFile refused_before_the_work(folder / name, Replaces::file);
   const auto begin = Clock::now();

@@ -63,12 +63,12 @@ struct SweepHashes {
 /// over threads. Equal rows are computed once. Rows that the deadline left out, or ended in the middle, stay out of the
 /// journal.
 [[nodiscard]] SweepCost compute_missing(const Sweep& sweep, const SweepRequest& request, const SweepHashes& hashes,
-                                        const std::vector<std::size_t>& rows, SweepJournal& journal);
+                                        const std::vector<std::size_t>& rows, Journal& journal);
 
 /// A row of a journal, read back; where a deadline left it out, it says so. `again`: what a user does about a wrong
 /// one, for the message of the OutputError.
-[[nodiscard]] StoredRow kept_row(const Sweep& sweep, std::size_t row, const std::string& hash,
-                                 const SweepJournal& journal, const std::string& again);
+[[nodiscard]] StoredRow kept_row(const Sweep& sweep, std::size_t row, const std::string& hash, const Journal& journal,
+                                 const std::string& again);
 
 /// folder/cost.json.
 void write_cost(const SweepCost& cost, const std::filesystem::path& folder);

@@ -62,12 +62,12 @@ std::string run_again(const Shard& shard) {
 }
 
 /// The journal of a shard, with every row of the shard, or OutputError.
-std::unique_ptr<SweepJournal> finished_journal(const Sweep& sweep, const SweepHashes& hashes,
-                                               const std::filesystem::path& folder, const Shard& shard) {
+std::unique_ptr<Journal> finished_journal(const Sweep& sweep, const SweepHashes& hashes,
+                                          const std::filesystem::path& folder, const Shard& shard) {
   const auto own = folder_of(shard, folder);
-  const JournalHeader header{.sweep = hashes.of_sweep, .shard = shard.number, .of = shard.of};
+  const JournalHeader header{.owner = hashes.of_sweep, .shard = shard.number, .of = shard.of};
   const std::vector<std::size_t> rows = rows_of(sweep, shard);
-  auto journal = std::make_unique<SweepJournal>(own, header, hashes.of(rows));
+  auto journal = std::make_unique<Journal>(own, header, hashes.of(rows));
   std::size_t known = 0;
   for (const std::size_t row : rows) known += journal->holds(hashes.of_row[row]);
   if (known < rows.size())
@@ -89,8 +89,8 @@ SweepCost run_shard(const Sweep& sweep, const SweepRequest& request, const std::
   const SweepHashes hashes(sweep, request);
   const std::vector<std::size_t> rows = rows_of(sweep, shard);
   const auto own = folder_of(shard, folder);
-  SweepJournal journal(own, {.sweep = hashes.of_sweep, .shard = shard.number, .of = shard.of}, hashes.of(rows),
-                       request.fresh);
+  Journal journal(own, {.owner = hashes.of_sweep, .shard = shard.number, .of = shard.of}, hashes.of(rows),
+                  request.fresh);
   SweepCost cost = compute_missing(sweep, request, hashes, rows, journal);
   for (const std::size_t row : rows)
     cost.failures.add(failure_of(kept_row(sweep, row, hashes.of_row[row], journal, run_again(shard)).json));
@@ -102,7 +102,7 @@ SweepCost merge_shards(const Sweep& sweep, const SweepRequest& request, const st
   const auto begin = Clock::now();
   const SweepHashes hashes(sweep, request);
   const std::size_t of = shards_in(shards_folder(folder));
-  std::vector<std::unique_ptr<SweepJournal>> journals;
+  std::vector<std::unique_ptr<Journal>> journals;
   for (std::size_t number = 1; number <= of; ++number)
     journals.push_back(finished_journal(sweep, hashes, folder, {number, of}));
   SweepCost cost{.rows = sweep.rows()};

@@ -66,7 +66,8 @@ def partial(room):
 
 def interrupted(command, number):
     def attack(room):
-        begun = {"sweep": "out/rows/journal", "atlas": "out/.progress", "atlas --motion": "out/.progress"}.get(command)
+        begun = {"sweep": "out/rows/journal", "atlas": "out/.progress/films/journal",
+                 "atlas --motion": "out/.progress/motion/journal"}.get(command)
         at_work = (lambda: begun in room.files()) if begun else (lambda: partial(room))
         try:
             process = started(room, COMMANDS[command], at_work)

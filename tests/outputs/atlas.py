@@ -132,8 +132,10 @@ def audit_motion(document, alone, point, lengths):
     return said
 
 
-def record_of(folder, point, ending=".json"):
-    return json.loads((folder / ".progress" / f"{point}{ending}").read_text())
+def record_of(folder, point, part="films"):
+    """From the journal. A line: a checksum, the point's key, the record."""
+    lines = (folder / ".progress" / part / "journal").read_text().splitlines()[1:]
+    return next(record for line in lines if (record := json.loads(line.split(" ", 2)[2]))["id"] == point)
 
 
 def documents(program):
@@ -152,6 +154,6 @@ def documents(program):
     asked = [word for omega in range(1, 9) for word in ("--omega", omega)]
     asked += [word for length in lengths for word in ("--wavelength", length)]
     alone = program.json("response", cases / f"{point}.toml", *asked, "--tolerance", FAST["motion"])
-    document = {"record": record_of(folder, point, ".motion.json"), "kappa": rows["kappa"], "waves": rows["waviness"]}
+    document = {"record": record_of(folder, point, "motion"), "kappa": rows["kappa"], "waves": rows["waviness"]}
     yield f"{point} in motion", "atlas-motion", document, \
         functools.partial(audit_motion, document, alone, point, wanted)

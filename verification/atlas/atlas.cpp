@@ -12,6 +12,8 @@
 
 #include "contact/text.hpp"
 #include "io/case_reader.hpp"
+#include "io/content_hash.hpp"
+#include "io/store.hpp"
 #include "verification/bench/timing.hpp"
 #include "workflow/parallel.hpp"
 
@@ -29,11 +31,22 @@ void make_folder(const std::filesystem::path& folder) {
                                            folder.string(), error ? error.message() : "it is no folder")));
 }
 
+/// The key of a point's record in the journal.
+std::string key_of(const AtlasPoint& point) { return content_hash(point.id()); }
+
+/// All points, not the selected ones alone: a journal drops rows with other keys.
+std::vector<HashNumber> keys_of(const std::vector<AtlasPoint>& points) {
+  std::vector<HashNumber> keys;
+  for (const AtlasPoint& point : points) keys.push_back(hash_number(key_of(point)).value());
+  return keys;
+}
+
 /// The record of an earlier run with the same point, solver and tolerance. Absent where a longer time limit may give
 /// more digits.
-std::optional<AtlasRecord> earlier(const std::filesystem::path& file, const AtlasRecord& asked, const AtlasPart& part) {
-  const auto text = atlas_text(file);
-  auto record = text ? record_from(*text) : std::nullopt;
+std::optional<AtlasRecord> earlier(const Journal& records, const AtlasPoint& point, const AtlasRecord& asked,
+                                   const AtlasPart& part) {
+  const std::string key = key_of(point);
+  auto record = records.holds(key) ? record_from(records.row(key)) : std::nullopt;
   if (!record || record->id != asked.id || record->solver != asked.solver || record->tolerance != asked.tolerance)
     return std::nullopt;
   const bool more_time = record->time_limit_s < asked.time_limit_s;
@@ -68,8 +81,7 @@ namespace {
 using Entry = AtlasResult::Entry;
 
 /// The selected points, with the records of an earlier run where they hold.
-std::vector<Entry> entries_of(const AtlasRequest& request, const AtlasPart& part,
-                              const std::filesystem::path& records) {
+std::vector<Entry> entries_of(const AtlasRequest& request, const AtlasPart& part, const Journal& records) {
   std::vector<Entry> entries;
   for (const AtlasPoint& point : selected_points(request)) {
     Entry entry{.point = point, .record = {}};
@@ -78,7 +90,7 @@ std::vector<Entry> entries_of(const AtlasRequest& request, const AtlasPart& part
     entry.record.tolerance = request.tolerance ? *request.tolerance : part.usual_tolerance(point);
     entry.record.time_limit_s = request.time_limit_s;
     if (!request.fresh) {
-      if (const auto known = earlier(records / (point.id() + part.record_ending), entry.record, part)) {
+      if (const auto known = earlier(records, point, entry.record, part)) {
         entry.record = *known;
         entry.reused = true;
       }
@@ -89,8 +101,7 @@ std::vector<Entry> entries_of(const AtlasRequest& request, const AtlasPart& part
 }
 
 /// Solves the points without a record, the heaviest first, so that no thread is left with a long one at the end.
-void solve_missing(std::vector<Entry>& entries, const AtlasRequest& request, const AtlasPart& part,
-                   const std::filesystem::path& records) {
+void solve_missing(std::vector<Entry>& entries, const AtlasRequest& request, const AtlasPart& part, Journal& records) {
   std::vector<std::size_t> order(entries.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -105,10 +116,10 @@ void solve_missing(std::vector<Entry>& entries, const AtlasRequest& request, con
     if (!entry.reused) {
       AtlasRecord solved = part.solve(entry.point, entry.record.tolerance, request.time_limit_s);
       solved.solver = entry.record.solver;
-      OutputFile(records / (solved.id + part.record_ending), Replaces::file).commit(json_of(solved));
       entry.record = std::move(solved);
     }
     const std::lock_guard lock(reporting);
+    if (!entry.reused) records.add(key_of(entry.point), json_of(entry.record));
     ++done;
     if (request.progress) request.progress(done, order.size(), entry.record, entry.reused);
   });
@@ -149,9 +160,9 @@ void write_files(const std::filesystem::path& folder, const std::vector<Entry>& 
 }  // namespace
 
 std::vector<AtlasResult::Entry> recorded_entries(const AtlasRequest& request, const AtlasPart& part) {
-  const auto records = request.folder / records_name;
   make_folder(request.folder);
-  make_folder(records);
+  Journal records(request.folder / records_name / part.name, {.owner = "atlas " + part.name}, keys_of(request.points),
+                  false);
   std::vector<Entry> entries = entries_of(request, part, records);
   solve_missing(entries, request, part, records);
   return entries;
@@ -171,7 +182,7 @@ AtlasResult run_atlas(const AtlasRequest& request, const RegisteredSolver& solve
 
   AtlasResult result;
   result.entries = recorded_entries(
-      request, {.record_ending = ".json",
+      request, {.name = "films",
                 .solver = atlas_solver_version(solver),
                 .usual_tolerance = [](const AtlasPoint& point) { return point.usual_tolerance(); },
                 .solve = [&](const AtlasPoint& point, double tolerance,

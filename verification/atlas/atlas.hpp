@@ -45,15 +45,16 @@ struct AtlasResult {
 
 /// What is asked of every point, and how it is recorded: the films at rest, or the motion (motion.hpp).
 struct AtlasPart {
-  std::string record_ending;  ///< of the file of a record, after the point's id
-  std::string solver;         ///< its version, which a record must have
+  std::string name;    ///< of the folder that keeps its records
+  std::string solver;  ///< its version, which a record must have
   std::function<double(const AtlasPoint&)> usual_tolerance;
   std::function<AtlasRecord(const AtlasPoint&, double tolerance, double time_limit_s)> solve;
   std::function<bool(const AtlasRecord&)> has_digits;  ///< false: a longer time limit may find some
 };
 
 /// The selected points, in the order of the request. Those without a valid record are solved, the heaviest first, and
-/// each record is written at once. Throws OutputError where the folder cannot be written.
+/// each record is written at once. Throws OutputError where the folder cannot be written, or where another run is at
+/// work there.
 [[nodiscard]] std::vector<AtlasResult::Entry> recorded_entries(const AtlasRequest& request, const AtlasPart& part);
 /// Writes a file whole, if its text is another one.
 void replace_file(const std::filesystem::path& file, const std::string& text);

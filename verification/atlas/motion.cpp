@@ -209,7 +209,7 @@ AtlasResult run_motion_atlas(const AtlasRequest& request, const RegisteredSolver
       before[table] = read_motion_table(*table, request.folder);
   AtlasResult result;
   result.entries = recorded_entries(
-      request, {.record_ending = ".motion.json",
+      request, {.name = "motion",
                 .solver = motion_solver_version(solver),
                 .usual_tolerance = [](const AtlasPoint&) { return motion_tolerance; },
                 .solve = [&](const AtlasPoint& point, double tolerance,

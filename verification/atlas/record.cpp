@@ -86,7 +86,7 @@ std::string json_of(const AtlasRecord& record) {
   for (const auto& [name, reading] : record.readings)
     readings[name] = {{"value", reading.value}, {"absolute_error", reading.error}};
   json["readings"] = readings;
-  return json_text(json);
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 std::optional<AtlasRecord> record_from(const std::string& text) {

@@ -37,6 +37,7 @@ struct AtlasRecord {
   [[nodiscard]] bool has_digits() const;
 };
 
+/// In one line, as the journal keeps it.
 [[nodiscard]] std::string json_of(const AtlasRecord& record);
 /// Absent where the text is no record: a file of another program, or a damaged one.
 [[nodiscard]] std::optional<AtlasRecord> record_from(const std::string& json);

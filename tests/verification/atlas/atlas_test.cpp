@@ -13,8 +13,10 @@
 #include <vector>
 
 #include "io/case_reader.hpp"
+#include "io/content_hash.hpp"
 #include "io/json.hpp"
 #include "io/output_file.hpp"
+#include "io/store.hpp"
 #include "tests/files.hpp"
 #include "tests/process.hpp"
 #include "tests/verification/atlas/made_atlas.hpp"
@@ -98,11 +100,15 @@ BOOST_AUTO_TEST_CASE(a_record_holds_until_the_question_or_the_solver_changes) {
   BOOST_TEST(solves_of(request, fake.solver()) == 6);
   request.fresh = false;
   // One damaged record, one that stands in another's place.
-  const auto records = request.folder / ".progress";
-  std::ofstream(records / (request.points[0].id() + ".json")) << "{";
-  std::filesystem::copy_file(records / (request.points[4].id() + ".json"), records / (request.points[5].id() + ".json"),
-                             std::filesystem::copy_options::overwrite_existing);
+  {
+    std::vector<HashNumber> keys;
+    for (const AtlasPoint& point : request.points) keys.push_back(hash_number(content_hash(point.id())).value());
+    Journal records(request.folder / ".progress/films", {.owner = "atlas films"}, keys, false);
+    records.add(content_hash(request.points[0].id()), "{");
+    records.add(content_hash(request.points[5].id()), records.row(content_hash(request.points[4].id())));
+  }
   BOOST_TEST(solves_of(request, fake.solver()) == 2);
+  BOOST_TEST(solves_of(request, fake.solver()) == 0);
   // Another solver: its solves differ in one bit.
   RegisteredSolver other = fake.solver();
   other.solve = [solve = other.solve](const Problem& problem, const Request& asked) {

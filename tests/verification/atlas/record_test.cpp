@@ -177,8 +177,8 @@ BOOST_AUTO_TEST_CASE(a_record_is_read_back_and_a_damaged_one_is_none) {
   };
   for (const std::string& damaged :
        {std::string(), std::string("{}"), std::string("[1, 2]"), json.substr(0, json.size() / 2),
-        with("tolerance-not-met", "perfect"), with("\"nodes\"", "\"knots\""), with("\"schema\": 1", "\"schema\": 2"),
-        with("\"tolerance\": ", "\"tolerance\": null, \"was\": "), std::string(100, '\0')})
+        with("tolerance-not-met", "perfect"), with("\"nodes\"", "\"knots\""), with("\"schema\":1", "\"schema\":2"),
+        with("\"tolerance\":", "\"tolerance\":null,\"was\":"), std::string(100, '\0')})
     BOOST_TEST(!record_from(damaged).has_value(), damaged);
 }
 
