@@ -5,7 +5,8 @@
 !   gfortran -O2 line_contact.f90 -o line_contact
 !   line_contact CASE.json OUT.json TOLERANCE          for ehd compare --external, {case} {out} {tolerance}
 !
-! The inlet has to be cut. Exit code: 0 the tolerance is met, 1 it is not, 2 the case is not for this program.
+! The inlet has to be cut. Exit code: 0 the tolerance is met, 1 it is not, 2 the case cannot be read or is not for this
+! program.
 module contact
   implicit none
   integer, parameter :: dp = kind(1d0)
@@ -212,8 +213,12 @@ program line_contact
 contains
   subroutine read_text(name)
     character(len=*), intent(in) :: name
-    integer :: unit, length
-    open (newunit=unit, file=name, access='stream', form='unformatted', status='old')
+    integer :: unit, length, fault
+    open (newunit=unit, file=name, access='stream', form='unformatted', status='old', iostat=fault, iomsg=word)
+    if (fault /= 0) then
+      write (0, '(2a)') 'line_contact: the case cannot be read: ', trim(word)
+      stop 2, quiet=.true.
+    end if
     inquire (unit, size=length)
     allocate (character(len=length) :: text)
     read (unit) text

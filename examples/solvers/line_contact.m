@@ -4,7 +4,8 @@
 %
 %   octave-cli line_contact.m CASE.json OUT.json TOLERANCE     for ehd compare --external, {case} {out} {tolerance}
 %
-% The inlet has to be cut. Exit code: 0 the tolerance is met, 1 it is not, 2 the case is not for this program.
+% The inlet has to be cut. Exit code: 0 the tolerance is met, 1 it is not, 2 the case cannot be read or is not for this
+% program.
 1;
 
 function [eta, eta_P, rho, rho_P] = laws(problem, P, share)
@@ -71,8 +72,13 @@ function both = films(X, H)  % the smallest one, by a parabola, and that at X = 
 end
 
 arguments = argv();
-text = fileread(arguments{end - 2});
-problem = jsondecode(text);
+try
+  text = fileread(arguments{end - 2});
+  problem = jsondecode(text);
+catch failure
+  fputs(stderr, ["line_contact: the case " arguments{end - 2} " cannot be read: " failure.message "\n"]);
+  exit(2);
+end
 id = regexp(text, '"case": *"([^"]*)"', 'tokens', 'once');  % jsondecode renames this key
 out = arguments{end - 1}; tolerance = str2double(arguments{end});
 if !isfield(problem, 'inlet') || ischar(problem.inlet)

@@ -7,7 +7,8 @@ Newton's method with a dense matrix (NumPy). Its entries are complex steps: the 
 
 CASE.json is what `ehd cases ID --json` has under "problem". Second-order upwind differences; the film stated is that of
 the finest grid; its stated error is the change from the grid with half the nodes. A flooded inlet is cut at X = -8, and
-the change from a cut at X = -5.7 is added to the error. Exit code: 0 the tolerance is met, 1 it is not."""
+the change from a cut at X = -5.7 is added to the error. Exit code: 0 the tolerance is met, 1 it is not, 2 the case
+cannot be read or is not for this program."""
 import json
 import sys
 import time
@@ -17,11 +18,16 @@ import numpy as np
 TINY = 1e-30  # the complex step
 
 
+def refuse(why):
+    print("line_contact:", why, file=sys.stderr)  # the last line of standard error is what ehd compare shows
+    sys.exit(2)
+
+
 def laws(problem, P, share):
     """eta_0/eta and rho/rho_0 of an oil whose alpha p_H is `share` of the case's."""
     v, d = problem["viscosity"], problem["density"]
     if v["law"] not in ("isoviscous", "barus", "roelands"):
-        sys.exit("line_contact: the viscosity law is unknown; required is isoviscous, barus or roelands")
+        refuse("the viscosity law is unknown; required is isoviscous, barus or roelands")
     ln_eta = 0 * P if v["law"] == "isoviscous" else share * v["alpha_p_H"] * P
     if v["law"] == "roelands":
         p0, z = v["p0_over_p_H"], v["z"]
@@ -88,7 +94,10 @@ def films(X, P, H_0, H):
 
 
 def main(case_file, out_file, tolerance):
-    problem, began = json.load(open(case_file)), time.perf_counter()
+    try:
+        problem, began = json.load(open(case_file)), time.perf_counter()
+    except (OSError, ValueError) as failure:
+        refuse(f"the case cannot be read: {failure}")
     flooded = problem["inlet"] == "flooded"
     begin, n, error = -8.0 if flooded else problem["inlet"], 128, np.inf
     result = solve(problem, begin, n)
@@ -111,4 +120,7 @@ def main(case_file, out_file, tolerance):
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1], sys.argv[2], float(sys.argv[3])))
+    try:
+        sys.exit(main(sys.argv[1], sys.argv[2], float(sys.argv[3])))
+    except ArithmeticError as failure:
+        sys.exit(f"line_contact: {failure}")  # exit code 1

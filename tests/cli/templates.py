@@ -18,6 +18,7 @@ import tempfile
 SOLVERS = pathlib.Path(__file__).resolve().parents[2] / "examples" / "solvers"
 CASES = ("own-isoviscous-10-0", "own-moes-5-5")
 FLOODED = "own-moes-20-10-flooded"  # Fortran and Octave want a cut inlet, and say so
+LIGHT = "kostreva-100lb-5000rpm"  # no answer: docs/judge.md says so
 TOLERANCE = 1e-2  # 256 nodes; a second in Python
 SKIPPED = 77
 os.environ["OMP_NUM_THREADS"] = "1"
@@ -93,14 +94,21 @@ def judge(ehd, folder, name, command):
 
 
 def refuse(ehd, folder, name, command):
-    """A law that the solver does not have is no isoviscous oil, and a tolerance that is no number is not met."""
+    """A law that the solver does not have is no isoviscous oil, and a tolerance that is no number is not met. A case
+    that is not there, and one that is too light for the solver, give one line."""
     problem, out = pathlib.Path(folder, "wrong.json"), pathlib.Path(folder, f"wrong-{name}.json")
     case = output(ehd, "cases", CASES[-1], "--json")["cases"][0]["problem"]
     for law, tolerance in (("carreau", "1e-2"), (case["viscosity"]["law"], "nan")):
         problem.write_text(json.dumps(case | {"viscosity": case["viscosity"] | {"law": law}}, indent=2))
         ended = subprocess.run([*command.split(), problem, out, tolerance], capture_output=True)
         require(ended.returncode != 0, f"{name}: law {law}, tolerance {tolerance}: exit code 0")
-        require(law != "carreau" or not out.exists(), f"{name}: it has an answer for the law {law}")
+        require(law != "carreau" or ended.returncode == 2 and not out.exists(), f"{name}: law {law}: {ended}")
+    light = pathlib.Path(folder, "light.json")
+    light.write_text(json.dumps(output(ehd, "cases", LIGHT, "--json")["cases"][0]["problem"], indent=2))
+    for file, code, why in ((pathlib.Path(folder, "nowhere.json"), 2, "nowhere.json"), (light, 1, "did not converge")):
+        ended = subprocess.run([*command.split(), file, out, "1e-2"], capture_output=True, text=True)
+        lines = [line for line in ended.stderr.splitlines() if not line.startswith("error: ignoring")]  # Octave 7's own
+        require(ended.returncode == code and len(lines) == 1 and why in lines[0], f"{name}: {ended}")
 
 
 def main(ehd):
