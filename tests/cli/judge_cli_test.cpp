@@ -85,6 +85,10 @@ BOOST_AUTO_TEST_CASE(a_failed_gate_ends_with_1_and_a_bad_file_with_2) {
   test::check_refused(folder, "judge " + quoted(folder.path()), "is a directory");
   test::check_refused(folder, "judge /dev/zero", "is not a regular file");
   test::check_refused(folder, fmt::format("judge {} --json {}", quoted(file), quoted(file)), "is the same file");
+  const auto badge = folder.path() / "b.txt";
+  test::check_refused(folder, fmt::format("judge {} --badge {}", quoted(file), quoted(badge)),
+                      "b.txt: ends in .txt; allowed is .svg");
+  BOOST_TEST(!std::filesystem::exists(badge));
   (void)folder.write("bad.json", "{\"schema\": \"other\"}");
   test::check_refused(folder, "judge " + quoted(folder.path() / "bad.json"), "allowed is ehd-submission-1");
 }
