@@ -281,11 +281,15 @@ void describe_bearing(Command& command) {
   command.summary("Load distribution of a roller bearing, dry and with films");
   command.examples(bearing_examples);
   command.list("CASE", options->cases, "case files (TOML), ids of benchmark cases, or - for standard input").required();
-  command.list("--law", options->laws,
-               fmt::format("contact law (repeatable): {} ({}; {} alone without a lubricant)",
-                           bearing::names_of(bearing::Laws::all), bearing::names_of(bearing::Laws::by_default),
-                           bearing::names_of(bearing::Laws::by_default_dry)));
-  command.text("--solver", options->solver, "solver of the EHD contacts, one of " + solver_names()).showing_default();
+  command
+      .list("--law", options->laws,
+            fmt::format("contact law (repeatable): {} ({}; {} alone without a lubricant)",
+                        bearing::names_of(bearing::Laws::all), bearing::names_of(bearing::Laws::by_default),
+                        bearing::names_of(bearing::Laws::by_default_dry)))
+      .completed_by(bearing::names_of(bearing::Laws::all));
+  command.text("--solver", options->solver, "solver of the EHD contacts, one of " + solver_names())
+      .showing_default()
+      .completed_by(solver_names());
   command
       .text("--form", options->form,
             "plane: the ring moves along and across the load; radial: along it only, as in the paper")

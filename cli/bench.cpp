@@ -328,7 +328,9 @@ void describe_bench(Command& command) {
       .called("PART");
   command.list("--case", options->cases, "a contact case for work-precision (repeatable; the benchmark's own)")
       .called("CASE");
-  command.list("--solver", options->solvers, "one of " + solver_names() + " (repeatable; all)").called("NAME");
+  command.list("--solver", options->solvers, "one of " + solver_names() + " (repeatable; all)")
+      .called("NAME")
+      .completed_by(solver_names());
   command.text("--time-limit", options->limits.time_limit, "seconds for each solve (30)").called("S");
   command.flag("--quick", options->quick, "a short set of everything");
   command.runs([options] { return Bench(*options).run(); });

@@ -46,7 +46,7 @@ std::string unknown_word(CLI::App& app, const std::string& command) {
 }
 
 /// The options of a command with their names, for the shell that completes them.
-CommandWords words_of(const std::string& name, const CLI::App& app) {
+CommandWords words_of(const std::string& name, const CLI::App& app, const WordsOfOptions& values) {
   CommandWords words{.name = name, .options = {}};
   for (const CLI::Option* option : app.get_options()) {
     if (option->get_positional()) {
@@ -54,16 +54,18 @@ CommandWords words_of(const std::string& name, const CLI::App& app) {
       continue;
     }
     words.options.push_back(option->get_name());
-    if (option->get_items_expected_max() > 0)
+    if (const auto known = values.find(option); known != values.end())
+      words.with_word.emplace_back(option->get_name(), known->second);
+    else if (option->get_items_expected_max() > 0)
       (option->get_type_name() == "CASE" ? words.with_case : words.with_value).push_back(option->get_name());
   }
   return words;
 }
 
-std::vector<CommandWords> words_of(const CLI::App& app) {
-  std::vector<CommandWords> words{words_of("", app)};
+std::vector<CommandWords> words_of(const CLI::App& app, const WordsOfOptions& values) {
+  std::vector<CommandWords> words{words_of("", app, values)};
   for (const CLI::App* subcommand : app.get_subcommands({}))
-    words.push_back(words_of(subcommand->get_name(), *subcommand));
+    words.push_back(words_of(subcommand->get_name(), *subcommand, values));
   return words;
 }
 
@@ -84,26 +86,31 @@ Option& Option::showing_default() {
   return *this;
 }
 
+Option& Option::completed_by(const std::string& words) {
+  words_[&option_] = words;
+  return *this;
+}
+
 void Command::summary(const std::string& line) { app_.description(line); }
 
 void Command::examples(const std::string& text) { app_.footer(text); }
 
 Option Command::text(const std::string& name, std::string& value, const std::string& help) {
-  return Option(*app_.add_option(name, value, help));
+  return {*app_.add_option(name, value, help), words_};
 }
 
 Option Command::text(const std::string& name, std::optional<std::string>& value, const std::string& help) {
-  return Option(*app_.add_option(name, value, help));
+  return {*app_.add_option(name, value, help), words_};
 }
 
 Option Command::list(const std::string& name, std::vector<std::string>& values, const std::string& help) {
   CLI::Option* option = app_.add_option(name, values, help);
   if (name.starts_with("--")) option->allow_extra_args(false);
-  return Option(*option);
+  return {*option, words_};
 }
 
 Option Command::flag(const std::string& name, bool& value, const std::string& help) {
-  return Option(*app_.add_flag(name, value, help));
+  return {*app_.add_flag(name, value, help), words_};
 }
 
 void Command::runs(std::function<int()> body) {
@@ -112,6 +119,7 @@ void Command::runs(std::function<int()> body) {
 
 int run_command_line(const Program& program, int argc, char** argv) {
   int exit_code = success;
+  WordsOfOptions words;
   CLI::App app(program.summary, program.name);
   app.set_version_flag(
       "--version", [&program] { return program.name + " " + program.version(); }, "Print the version");
@@ -121,7 +129,7 @@ int run_command_line(const Program& program, int argc, char** argv) {
   app.footer(program.examples);
   app.require_subcommand(0, 1);
   for (const Subcommand& subcommand : program.subcommands) {
-    Command command(*app.add_subcommand(subcommand.name), exit_code);
+    Command command(*app.add_subcommand(subcommand.name), exit_code, words);
     subcommand.describe(command);
   }
   const auto chosen = [&]() -> CLI::App& {
@@ -151,7 +159,7 @@ int run_command_line(const Program& program, int argc, char** argv) {
   }
   if (shell)
     return run_guarded([&] {
-      print(completion_script(program.name, words_of(app), *shell));
+      print(completion_script(program.name, words_of(app, words), *shell));
       return success;
     });
   if (app.get_subcommands().empty()) print(help_page(app.help()));

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,25 +16,30 @@ class Option;
 
 namespace ehd::cli {
 
+/// The words that an option's value may be, "one, two", for those that have such a list.
+using WordsOfOptions = std::map<const CLI::Option*, std::string>;
+
 /// One option, for settings besides its name and help text.
 class Option {
  public:
-  explicit Option(CLI::Option& option) : option_(option) {}
+  Option(CLI::Option& option, WordsOfOptions& words) : option_(option), words_(words) {}
 
   Option& called(const std::string& value_name);  ///< the name of its value in the help: "--output DIR"
   Option& required();
   Option& showing_default();  ///< the help shows the value that the variable holds now: "TEXT=fast"
+  Option& completed_by(const std::string& words);  ///< the shell offers these words as its value: "one, two"
 
  private:
   CLI::Option& option_;
+  WordsOfOptions& words_;
 };
 
 /// One subcommand: its options write into variables that must live until the command line has run. A name that begins
 /// with "--" is an option, any other a positional argument.
 class Command {
  public:
-  /// `exit_code` receives what the work returns.
-  Command(CLI::App& app, int& exit_code) : app_(app), exit_code_(exit_code) {}
+  /// `exit_code` receives what the work returns, `words` those of the options.
+  Command(CLI::App& app, int& exit_code, WordsOfOptions& words) : app_(app), exit_code_(exit_code), words_(words) {}
 
   void summary(const std::string& line);   ///< shown in `ehd --help`, and first in the command's own help
   void examples(const std::string& text);  ///< shown below the options
@@ -50,6 +56,7 @@ class Command {
  private:
   CLI::App& app_;
   int& exit_code_;
+  WordsOfOptions& words_;
 };
 
 struct Subcommand {

@@ -320,9 +320,11 @@ void describe_compare(Command& command) {
   command.summary("Solvers side by side: time, error, work");
   command.examples(compare_examples);
   command.list("CASE", options->cases, "case files (TOML), ids of benchmark cases, or - for standard input");
-  command.list(
-      "--solver", options->solvers,
-      fmt::format("one of {} (repeatable; {} and {})", solver_names(), certified_solver().name, default_solver().name));
+  command
+      .list("--solver", options->solvers,
+            fmt::format("one of {} (repeatable; {} and {})", solver_names(), certified_solver().name,
+                        default_solver().name))
+      .completed_by(solver_names());
   command.list("--tolerance", options->tolerances, "relative error of the films (repeatable; 1e-2, 1e-3, 1e-4)");
   command
       .list("--external", options->externals, "another program (repeatable): NAME='command {case} {out} {tolerance}'")

@@ -19,6 +19,14 @@ std::string assigned(const char* name, const std::vector<std::string>& words) {
   return words.empty() ? "" : fmt::format("; {}=\"{}\"", name, joined(words));
 }
 
+/// The words that may follow the option before the word.
+std::string chosen_words(const std::vector<std::pair<std::string, std::string>>& with_word) {
+  std::string rows;
+  for (const auto& [option, words] : with_word) rows += fmt::format(" {}) words=\"{}\" ;;", option, words);
+  std::erase(rows, ',');
+  return rows.empty() ? "" : fmt::format("; case \"$before\" in{} esac", rows);
+}
+
 /// For bash; zsh runs it too, by its bashcompinit. Names of files complete where no word does. Bash makes "=" a word of
 /// its own: --json=FILE is three words, --set KEY=VALUE four.
 std::string function_of(const std::string& program, const std::vector<CommandWords>& commands) {
@@ -26,19 +34,17 @@ std::string function_of(const std::string& program, const std::vector<CommandWor
   for (const CommandWords& command : commands) {
     if (command.name.empty()) continue;
     names += " " + command.name;
-    branches += fmt::format("    {}) options=\"{}\"{}{}{} ;;\n", command.name, joined(command.options),
+    branches += fmt::format("    {}) options=\"{}\"{}{}{}{} ;;\n", command.name, joined(command.options),
                             assigned("with_case", command.with_case), assigned("with_value", command.with_value),
-                            command.takes_cases ? "; cases=yes" : "");
+                            command.takes_cases ? "; cases=yes" : "", chosen_words(command.with_word));
   }
   constexpr const char* whole = R"sh(_{program}() {{
-  local word="${{COMP_WORDS[COMP_CWORD]}}" before="" equals="" options="" with_case="" with_value="" cases=""
+  local word="${{COMP_WORDS[COMP_CWORD]}}" before="" equals="" options="" with_case="" with_value="" cases="" words=""
   COMPREPLY=()
   if [ "$COMP_CWORD" -eq 1 ]; then
     COMPREPLY=($(compgen -W "{words}{names}" -- "$word"))
     return
   fi
-  case "${{COMP_WORDS[1]}}" in
-{branches}  esac
   before="${{COMP_WORDS[COMP_CWORD-1]}}"
   if [ "$word" = "=" ]; then
     word="" equals=yes
@@ -46,6 +52,12 @@ std::string function_of(const std::string& program, const std::vector<CommandWor
     before="${{COMP_WORDS[COMP_CWORD-2]}}" equals=yes
   fi
   case "$equals$before" in yes-*) ;; yes*) return ;; esac
+  case "${{COMP_WORDS[1]}}" in
+{branches}  esac
+  if [ -n "$words" ]; then
+    COMPREPLY=($(compgen -W "$words" -- "$word"))
+    return
+  fi
   case " $with_case " in *" $before "*) cases=yes ;; esac
   case " $with_value " in *" $before "*) return ;; esac
   case "$word" in

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ehd::cli {
@@ -14,6 +15,8 @@ struct CommandWords {
   std::vector<std::string> with_case = {};   ///< options whose value is a case
   std::vector<std::string> with_value = {};  ///< options with another value
   bool takes_cases = false;                  ///< the ids of the benchmark cases are words too
+  /// Options whose value is one of some words, "one, two".
+  std::vector<std::pair<std::string, std::string>> with_word = {};
 };
 
 inline constexpr const char* completion_shells = "bash, zsh";

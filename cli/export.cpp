@@ -185,7 +185,9 @@ void describe_export(Command& command) {
             "films: a contact or a bearing, whose oil the table is for; law: a bearing. A file (TOML) or an id")
       .required();
   command.text("--raceway", options->law.raceway, "law: inner or outer").called("RACEWAY");
-  command.text("--law", options->law.law, "law: ehd; the other laws are formulas").showing_default();
+  command.text("--law", options->law.law, "law: ehd; the other laws are formulas")
+      .showing_default()
+      .completed_by(options->law.law);
   command.text("--knots", options->law.knots, "law: number of knots (32)").called("N");
   command.text("--M", options->M, "range of Moes' load group").called("LOW:HIGH");
   command.text("--L", options->L, "range of Moes' lubricant group").called("LOW:HIGH");

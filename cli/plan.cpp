@@ -86,11 +86,13 @@ void describe_plan(Command& command) {
   command.examples(plan_examples);
   command.text("CASE", options->case_name, "a case file (TOML), the id of a benchmark case, or - for standard input")
       .required();
-  command.text("--solver", options->solver, fmt::format("one of {} ({})", solver_names(), default_solver().name));
+  command.text("--solver", options->solver, fmt::format("one of {} ({})", solver_names(), default_solver().name))
+      .completed_by(solver_names());
   options->request.add_to(command);
   options->changes.add_to(command);
   command.list("--quantity", options->quantities, "only this quantity (repeatable)");
-  command.list("--law", options->laws, "a bearing's law (repeatable)");
+  command.list("--law", options->laws, "a bearing's law (repeatable)")
+      .completed_by(bearing::names_of(bearing::Laws::all));
   command.text("--json", options->json, "the plan as JSON into a file, or - for standard output");
   command.runs([options] { return plan(*options); });
 }

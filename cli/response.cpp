@@ -132,7 +132,9 @@ void describe_response(Command& command) {
   command.examples(response_examples);
   command.text("CASE", options->case_name, "a contact case (TOML), the id of a benchmark case, or - for standard input")
       .required();
-  command.text("--solver", options->solver, responsive_solver_names()).showing_default();
+  command.text("--solver", options->solver, responsive_solver_names())
+      .showing_default()
+      .completed_by(responsive_solver_names());
   command
       .text("--tolerance", options->tolerance,
             "relative error allowed in kappa and in amplitudes (" + default_tolerances() + ")")

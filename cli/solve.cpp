@@ -253,7 +253,7 @@ void describe_solve(Command& command) {
   command.text("--alpha-per-Pa", options->alpha, "pressure coefficient of viscosity; sets p_H");
   command.text("--z", options->z, "Roelands' exponent");
   command.text("--p0-Pa", options->p0, "Roelands' reference pressure (1.9613e8)");
-  command.text("--solver", options->solver, "one of " + solver_names()).showing_default();
+  command.text("--solver", options->solver, "one of " + solver_names()).showing_default().completed_by(solver_names());
   options->request.add_to(command);
   options->changes.add_to(command);
   command.list("--quantity", options->quantities, "compute only this quantity (repeatable), e.g. film.minimum");

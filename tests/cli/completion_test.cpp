@@ -65,6 +65,20 @@ BOOST_AUTO_TEST_CASE(the_value_of_an_option_is_a_case_only_where_it_takes_one) {
     BOOST_CHECK_MESSAGE(offers(fmt::format("ehd {}", line), "own-moes-20-10"), line);
 }
 
+BOOST_AUTO_TEST_CASE(solvers_and_laws_are_offered_where_the_option_takes_them) {
+  using Words = std::vector<std::string>;
+  BOOST_TEST(offered("ehd solve --solver fa") == (Words{"fast", "fast.uniform"}), boost::test_tools::per_element());
+  BOOST_TEST(offered("ehd solve --solver = fa") == (Words{"fast", "fast.uniform"}), boost::test_tools::per_element());
+  BOOST_TEST(offered("ehd response --solver ''") == (Words{"reference", "fast"}), boost::test_tools::per_element());
+  BOOST_TEST(offered("ehd bearing --law eh") == (Words{"ehd-linear", "ehd"}), boost::test_tools::per_element());
+  BOOST_TEST(offered("ehd export law na4908 --law ''") == Words{"ehd"}, boost::test_tools::per_element());
+  for (const char* const line :
+       {"bench --solver ref", "bearing --solver ref", "compare --solver ref", "plan --solver ref"})
+    BOOST_CHECK_MESSAGE(offers(fmt::format("ehd {}", line), "reference"), line);
+  BOOST_TEST(offers("ehd plan --law her", "hertz"));
+  BOOST_TEST(offers("ehd solve --solver fast own-moes-20", "own-moes-20-10"));
+}
+
 BOOST_AUTO_TEST_CASE(zsh_gets_the_same_by_its_bashcompinit) {
   const test::Folder folder;
   const std::string bash = test::ehd_run(folder, "--completion bash").out;
