@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <string_view>
 
@@ -36,6 +37,13 @@ std::string trimmed(std::string_view line) {
 std::string sizes_of_numbers() {
   using Limits = std::numeric_limits<double>;
   return fmt::format("a size of {} to {}", plain(Limits::min(), 2), plain(Limits::max(), 2));
+}
+
+/// A line without its comment. A line with a quotation mark before the first # is left as it is: the # may stand in a
+/// text.
+std::string_view without_comment(std::string_view line) {
+  const std::string_view before = line.substr(0, line.find('#'));
+  return before.find_first_of("\"'") == std::string_view::npos ? before : line;
 }
 
 /// The text of the value in the file: its first line.
@@ -102,6 +110,9 @@ std::string slip_of(std::string_view line, std::string_view table) {
   }
   if (!begins_with(value, decimal) && !begins_with(value, "+-.")) return "";
   if (number == std::string::npos) return "";
+  const std::string_view prefix = std::string_view(value).substr(value.find_first_not_of("+-"), 2);
+  if (prefix == "0x" || prefix == "0o" || prefix == "0b")
+    return "is no hexadecimal, octal or binary number; allowed is a decimal number";
   const std::string rest = trimmed(std::string_view(value).substr(number));
   if (begins_with_value(rest)) return "";
   if (const std::string comma = comma_in_number(value); !comma.empty()) return comma;
@@ -148,12 +159,15 @@ toml::table parse_toml(const std::string& text, const std::filesystem::path& fil
     return toml::parse(std::string_view(text));
   } catch (const toml::parse_error& error) {
     const std::vector<std::string> lines = lines_of(text);
-    const auto content_of = [&](int line) { return trimmed(lines[static_cast<std::size_t>(line - 1)]); };
+    const auto content_of = [&](int line) {
+      return trimmed(without_comment(lines[static_cast<std::size_t>(line - 1)]));
+    };
     int line = std::clamp(static_cast<int>(error.source().begin.line), 1, static_cast<int>(lines.size()));
     std::string what(error.description());
     // "Error while parsing key-value pair: cannot redefine existing integer 'a'"
     if (const auto colon = what.find(": "); colon != std::string::npos && what.starts_with("Error while parsing"))
       what = what.substr(colon + 2);
+    const bool too_large = what.find("is not representable in 64 bits") != std::string::npos;
     std::string allowed = "allowed is TOML";
     if (what.find("cannot redefine") != std::string::npos) {
       // toml++ 3.3.0 may garble a name in quotation marks in its description; the line shows it correctly.
@@ -161,10 +175,11 @@ toml::table parse_toml(const std::string& text, const std::filesystem::path& fil
       allowed = "allowed is each key and each table once";
     } else if (what.find("unescaped control characters") != std::string::npos) {
       what = "a text is not closed on its line";
-    } else if (what.find("is not representable in 64 bits") != std::string::npos) {
-      const bool integer = what.substr(0, what.find(' ')).find_first_of(".eE") == std::string::npos;
+    } else if (too_large) {
+      const bool integer = error.description().find(" integer: ") != std::string_view::npos;
       what = integer ? "is too large for an integer" : "is too large or too small for a number";
-      allowed = integer ? "allowed is at most 18 digits, or a number with a decimal point"
+      allowed = integer ? fmt::format("allowed is a size of up to {}, or a number with a decimal point",
+                                      std::numeric_limits<std::int64_t>::max())
                         : "allowed is 0, or " + sizes_of_numbers();
     } else if (what.find("encountered end-of-file") != std::string::npos) {
       what = "the file ends in the middle (" + what + ")";
@@ -174,7 +189,7 @@ toml::table parse_toml(const std::string& text, const std::filesystem::path& fil
     const std::string content = content_of(line);
     const bool ours = content.find('=') != std::string::npos || content.starts_with('[');
     const std::string source = ours ? shortened(content, longest_text) : "";
-    const std::string slip = slip_of(content, table_above(lines, line)),
+    const std::string slip = too_large ? "" : slip_of(content, table_above(lines, line)),
                       says = slip.empty() ? shortened(what, 200) + "; " + allowed : slip;
     throw CaseError(one_line(
         fmt::format("{}:{}{}: {}", file.string(), line, source.empty() ? "" : ": " + source, shortened(says, 300))));
