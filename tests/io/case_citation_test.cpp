@@ -49,8 +49,7 @@ BOOST_AUTO_TEST_CASE(latex_reads_every_entry_of_the_bibliography) {
 
 // The list gets shorter as somebody reads the sources, and never longer.
 BOOST_AUTO_TEST_CASE(sources_have_a_title_and_a_year_but_those_that_nobody_here_has_read) {
-  const std::set<std::string> no_title{"blok",           "ertelgrubin",        "hamrockjacobson1984",
-                                       "herrebrugh1968", "houperthamrock1986", "lubrecht1986"},
+  const std::set<std::string> no_title{"blok", "ertelgrubin"},
       no_year{"blok", "ertelgrubin", "harris", "nske728g", "own", "tsuhanonatocavalca"};
   for (const auto& [key, entry] : read_bibliography(cases_folder() / "references.bib")) {
     BOOST_CHECK_MESSAGE(entry.fields.contains("title") != no_title.contains(key), key);
