@@ -137,13 +137,14 @@ Json to_json(const bearing::ContactMotion& contact) {
   return numbers({{"stiffness_N_per_m", contact.stiffness_N_per_m}, {"damping_N_s_per_m", contact.damping_N_s_per_m}});
 }
 
-Json to_json(const std::vector<DynamicRow>& rows) {
+Json motion_json(const BearingResult& result, const BearingResult* full) {
   Json json = Json::array();
-  for (const DynamicRow& row : rows) {
+  for (std::size_t k = 0; k < result.dynamics.size(); ++k) {
+    const DynamicRow& row = result.dynamics[k];
     Json one = numbers({{"frequency_Hz", row.frequency_Hz}});
     one["stiffness_N_per_m"] = row.ring.stiffness_N_per_m;
     if (row.ring.damping_N_s_per_m) one["damping_N_s_per_m"] = *row.ring.damping_N_s_per_m;
-    put(one, "error", row.ring.error);
+    put(one, "error", motion_error(result, full, k));
     put(one, "damping_error", row.ring.damping_error);
     one["rollers"] = Json::array();
     for (const bearing::RollerMotion& roller : row.rollers) {
@@ -177,10 +178,12 @@ Json to_json(const BearingResult& result, const BearingResult* full) {
     json["loaded_rollers"] = loaded_rollers(result.rollers);
     if (const auto place = largest_pressure_place(result)) json["largest_pressure"] = to_json(result, *place);
     if (const auto place = smallest_film_place(result)) json["smallest_film"] = to_json(result, *place);
-    if (const auto& K = result.stiffness_N_per_m; std::isfinite(K[0][0] + K[0][1] + K[1][0] + K[1][1]))
+    if (const auto& K = result.stiffness_N_per_m;
+        knows_stiffness(result, full) && std::isfinite(K[0][0] + K[0][1] + K[1][0] + K[1][1])) {
       json["stiffness_N_per_m"] = K;
-    put(json, "stiffness_error", stiffness_error(result, full));
-    if (!result.dynamics.empty()) json["dynamics"] = to_json(result.dynamics);
+      put(json, "stiffness_error", stiffness_error(result, full));
+    }
+    if (!result.dynamics.empty()) json["dynamics"] = motion_json(result, full);
     if (result.torque) {
       put(json, "torque_N_m", result.torque->torque_N_m);
       put(json, "torque_error", torque_error(result, full));

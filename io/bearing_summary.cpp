@@ -94,8 +94,8 @@ struct Column {
   [[nodiscard]] std::string stiffness() const {
     const double along = N_per_um * result.stiffness_N_per_m[0][0];
     if (!needs_film(result.law)) return plain(along, 4);
+    if (!knows_stiffness(result, full)) return "-";
     const auto error = stiffness_error(result, full);
-    if (error.value_or(0) > 0.5) return "-";  // not even its first digit is known
     return error ? with_error(along, error) : plain(along, unstated_digits);
   }
 };

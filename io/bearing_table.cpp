@@ -170,8 +170,10 @@ std::string cost_table(const std::vector<BearingResult>& results) {
   return below_line(rows);
 }
 
-/// Lateral displacement, load zone and stiffness of the ring. That of a law with films has no error here: three digits.
+/// Lateral displacement, load zone and stiffness of the ring. A stiffness of a law with films has no error here: three
+/// digits.
 std::string ring_table(const std::vector<BearingResult>& results) {
+  const BearingResult* full = full_relation_in(results);
   Rows rows{{"ring", "lateral um", "loaded rollers from deg", "to", "stiffness N/um: xx", "yy", "xy"}};
   for (const BearingResult& result : results) {
     if (result.rollers.empty()) continue;
@@ -179,8 +181,12 @@ std::string ring_table(const std::vector<BearingResult>& results) {
     const auto& zone = result.load_zone_deg;
     const int digits = needs_film(result.law) ? unstated_digits : 5;
     rows.push_back({name_of(result), fixed(1e6 * result.displacement_lateral_m, 4), zone ? plain(zone->first, 5) : "-",
-                    zone ? plain(zone->second, 5) : "-", plain(1e-6 * K[0][0], digits), plain(1e-6 * K[1][1], digits),
-                    std::abs(K[0][1]) <= negligible_entry * K[0][0] ? "0" : plain(1e-6 * K[0][1], digits)});
+                    zone ? plain(zone->second, 5) : "-"});
+    const bool known = knows_stiffness(result, full);
+    for (const double value : {K[0][0], K[1][1], K[0][1]})
+      rows.back().push_back(!known                                          ? "-"
+                            : std::abs(value) <= negligible_entry * K[0][0] ? "0"
+                                                                            : plain(1e-6 * value, digits));
   }
   return below_line(rows);
 }

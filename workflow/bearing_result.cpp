@@ -85,6 +85,22 @@ std::optional<double> torque_error(const BearingResult& result, const BearingRes
   return (away + full->torque->error * std::abs(of_full)) / std::abs(result.torque->torque_N_m);
 }
 
+std::optional<double> motion_error(const BearingResult& result, const BearingResult* full, std::size_t k) {
+  const bearing::RingMotion& own = result.dynamics[k].ring;
+  if (!result.fit) return own.error;
+  if (!full || full->dynamics.size() != result.dynamics.size()) return std::nullopt;
+  const bearing::RingMotion& other = full->dynamics[k].ring;
+  const auto trace = [](const bearing::Matrix2& K) { return std::abs(K[0][0] + K[1][1]); };
+  double away = 0;
+  for (const auto& [r, s] : {std::pair{0U, 0U}, {1U, 1U}, {0U, 1U}})
+    away = std::max(away, std::abs(own.stiffness_N_per_m[r][s] - other.stiffness_N_per_m[r][s]));
+  return own.error + (away + other.error * trace(other.stiffness_N_per_m)) / trace(own.stiffness_N_per_m);
+}
+
+bool knows_stiffness(const BearingResult& result, const BearingResult* full) {
+  return stiffness_error(result, full).value_or(0) <= 0.5;
+}
+
 std::optional<std::pair<double, double>> geometric_load_zone_deg(const BearingResult& result, double clearance_m) {
   constexpr double degrees = 180 / std::numbers::pi;
   const double along = result.displacement_m, across = result.displacement_lateral_m;

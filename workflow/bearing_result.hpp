@@ -132,6 +132,11 @@ struct ContactPlace {
 [[nodiscard]] std::optional<double> stiffness_error(const BearingResult& result, const BearingResult* full);
 /// The same of the rolling torque. A fitted law lets go of rollers that ehd loads.
 [[nodiscard]] std::optional<double> torque_error(const BearingResult& result, const BearingResult* full);
+/// The same of the stiffness in motion at frequency number k, relative to the trace.
+[[nodiscard]] std::optional<double> motion_error(const BearingResult& result, const BearingResult* full, std::size_t k);
+/// False where the error is so large that not even the first digit of the stiffness is known. Text and JSON then leave
+/// the stiffness out.
+[[nodiscard]] bool knows_stiffness(const BearingResult& result, const BearingResult* full);
 
 /// Where the ring has moved by more than half the clearance: from one azimuth to the other [deg], with
 /// cos(half the zone) = P_d/(2 delta_r). Absent where it has not; the whole circle where preload holds every roller.

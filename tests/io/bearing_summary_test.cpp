@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/bearing_summary.hpp"
 
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -114,6 +115,50 @@ BOOST_AUTO_TEST_CASE(a_stiffness_has_an_error_from_motion_at_rest_or_from_the_fu
             Tolerance::round_off(1000));
   BOOST_TEST(!to_json(line).contains("stiffness_error"));
   BOOST_TEST(!to_json(dry).contains("stiffness_error"));
+}
+
+// The line of 3.4e8 is off by 0.47, that of 3.3e8 by 0.52.
+BOOST_AUTO_TEST_CASE(a_stiffness_without_a_known_digit_is_left_out_of_text_and_json) {
+  const Case one = made::needle_bearing(10e-6);
+  BearingResult films = made_result(), line = made_result();
+  line.law = bearing::Law::ehd_linear;
+  line.fit.emplace();
+  line.fit->inner.points = line.fit->outer.points = {{}};
+  const auto is_given = [&](const BearingResult& last) {
+    const Json json = to_json(last, &films);
+    const bool given = json.contains("stiffness_N_per_m");
+    const std::string text = human_table(one, {films, last}, {.details = true, .errors = some_errors});
+    const auto cells_of = [&](const std::string& head) {  // of the last law
+      const auto at = text.find(head), end = text.find('\n', at);
+      return text.substr(at, end - at);
+    };
+    BOOST_TEST(cells_of("stiffness along").ends_with("  -") == !given, text);
+    BOOST_TEST(cells_of("ehd-linear      0.0000").ends_with("  -") == !given, text);
+    return given;
+  };
+  line.stiffness_N_per_m[0][0] = 3.4e8;
+  BOOST_TEST(is_given(line));
+  line.stiffness_N_per_m[0][0] = 3.3e8;
+  BOOST_TEST(!is_given(line));
+  BOOST_TEST(!to_json(line, &films).contains("stiffness_error"));
+  films.stiffness_error_N_per_m = std::numeric_limits<double>::infinity();
+  BOOST_TEST(!to_json(films).contains("stiffness_N_per_m"));
+  BOOST_TEST(!says(human_table(one, {films}), "stiffness along"));
+}
+
+// In motion too a line is off by its distance from the full relation. Alone, its error is not known.
+BOOST_AUTO_TEST_CASE(the_json_of_a_line_in_motion_has_its_distance_from_the_full_relation) {
+  BearingResult films = made_result(), line = made_result();
+  films.dynamics = {{.frequency_Hz = 0}};
+  films.dynamics[0].ring = {.stiffness_N_per_m = {{{5.0e8, 0}, {0, 4.5e8}}}, .error = 2e-3};
+  line.fit.emplace();
+  line.fit->inner.points = line.fit->outer.points = {{}};
+  line.dynamics = films.dynamics;
+  line.dynamics[0].ring = {.stiffness_N_per_m = {{{4.8e8, 0}, {0, 4.6e8}}}, .error = 1e-3};
+  const auto stated = [](const Json& json) { return json["dynamics"][0]["error"].get<double>(); };
+  EHD_CHECK(error(stated(to_json(films)), 2e-3), Tolerance::round_off(1));
+  EHD_CHECK(error(stated(to_json(line, &films)), 1e-3 + (2e7 + 2e-3 * 9.5e8) / 9.4e8), Tolerance::round_off(100));
+  BOOST_TEST(!to_json(line)["dynamics"][0].contains("error"));
 }
 
 BOOST_AUTO_TEST_CASE(the_torque_of_a_fitted_law_is_as_wrong_as_it_is_far_from_the_full_relation) {
