@@ -24,7 +24,8 @@ struct FitPoint {
 /// most, rigid rollers with f ~ 1/film by 0.2 (200 random bearings; NA4908 0.01).
 inline constexpr double largest_misfit = 0.05;
 
-/// The loaded contacts of a bearing that uses a line (is_loaded).
+/// The loaded contacts of a bearing that uses a line (is_loaded). Where the law ehd was balanced in the same run, also
+/// those that the line lets go and ehd still loads, with their force by ehd.
 struct LineInUse {
   double lightest_N = 0, heaviest_N = 0;
   /// The largest difference, over these contacts, of the force by the line and the force by the solver at the same

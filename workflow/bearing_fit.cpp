@@ -70,10 +70,14 @@ std::optional<bearing::CurveLaw> solved_law(const BearingResult& result, bearing
   }
 }
 
+LinearFit& fit_at(BearingResult& result, bearing::Raceway raceway) {
+  return raceway == bearing::Raceway::inner ? result.fit->inner : result.fit->outer;
+}
+
 /// How far the line is off at the loaded contacts of this bearing (bearing::is_loaded). Without the solver's relation
 /// the fit alone says that, and nothing is known outside of its range.
 void judge_use(BearingResult& result, bearing::Raceway raceway) {
-  LinearFit& fit = raceway == bearing::Raceway::inner ? result.fit->inner : result.fit->outer;
+  LinearFit& fit = fit_at(result, raceway);
   const auto solved = solved_law(result, raceway);
   bearing::LineInUse use{.lightest_N = std::numeric_limits<double>::infinity()};
   for (const RollerRow& row : result.rollers) use.heaviest_N = std::max(use.heaviest_N, row.at(raceway).force_N);
@@ -157,6 +161,22 @@ void run_linear_law(BearingResult& result, const BearingSetup& setup, bearing::F
   note_outside_fit(result, bearing::Raceway::inner);
   note_outside_fit(result, bearing::Raceway::outer);
   if (result.plan.runs(bearing_stage::variant)) add_cut_variant(result, setup);
+}
+
+void judge_use_beside(BearingResult& result, const BearingResult& full) {
+  for (const auto raceway : bearing::both_raceways) {
+    LinearFit& fit = fit_at(result, raceway);
+    if (!fit.in_use) continue;
+    bearing::LineInUse& use = *fit.in_use;
+    for (std::size_t j = 0; j < result.rollers.size(); ++j) {
+      const ContactRow& at = full.rollers[j].at(raceway);
+      const bool by_line = bearing::is_loaded(result.rollers[j].at(raceway).force_N, use.heaviest_N);
+      if (by_line || !bearing::is_loaded(at.force_N, use.heaviest_N)) continue;
+      use.lightest_N = std::min(use.lightest_N, at.force_N);
+      use.residual_N = std::max(use.residual_N, std::abs(at.force_N - fit.law().force(at.displacement_m)));
+    }
+  }
+  note_poor_lines(result);
 }
 
 }  // namespace ehd

@@ -188,6 +188,9 @@ std::vector<BearingResult> run_bearing(const Case& bearing_case, const BearingRe
     if (plan.runs(bearing_stage::balance(law)))
       results.push_back(run_law(bearing_case, request, setup, law, std::move(plan), memory));
   }
+  if (const BearingResult* full = full_relation_in(results))
+    for (BearingResult& result : results)
+      if (result.fit && !result.rollers.empty()) judge_use_beside(result, *full);
   return results;
 }
 

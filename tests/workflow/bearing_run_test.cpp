@@ -542,6 +542,31 @@ BOOST_AUTO_TEST_CASE(a_line_that_does_not_describe_the_loads_it_is_used_at_says_
   }
 }
 
+// The line lets go of contacts that ehd still loads. Where ehd is balanced too, the line is judged at these as well.
+BOOST_AUTO_TEST_CASE(a_line_is_judged_at_the_contacts_that_it_lets_go) {
+  CountedContacts contacts;
+  ContactMemory memory(contacts.solver());
+  const Case one = needle_bearing(4e-6);
+  const auto alone = run(one, {bearing::Law::ehd_linear}, memory).at(0);
+  const auto both = run(one, {bearing::Law::ehd_linear, bearing::Law::ehd}, memory);
+  const bearing::LineInUse by_line = alone.fit->inner.in_use.value(), use = both[0].fit->inner.in_use.value();
+  double lightest_N = by_line.lightest_N, missed_N = by_line.residual_N;
+  for (std::size_t j = 0; j < both[1].rollers.size(); ++j) {
+    const ContactRow& at = both[1].rollers[j].inner;
+    if (both[0].rollers[j].inner.force_N > 0 || at.force_N < 0.01 * by_line.heaviest_N) continue;
+    lightest_N = std::min(lightest_N, at.force_N);
+    missed_N = std::max(missed_N, std::abs(at.force_N - alone.fit->inner.law().force(at.displacement_m)));
+  }
+  BOOST_TEST(lightest_N < 0.1 * by_line.lightest_N);
+  BOOST_TEST(use.lightest_N == lightest_N);
+  BOOST_TEST(use.heaviest_N == by_line.heaviest_N);
+  BOOST_TEST(use.residual_N == missed_N);
+  BOOST_TEST(alone.fit->inner.describes_contacts());
+  BOOST_TEST(!both[0].fit->inner.describes_contacts());
+  BOOST_TEST(
+      notes_of(both[0]).front().starts_with("the line does not describe its inner contacts: they carry 130.2 to "));
+}
+
 // Bad input: a load that gives a roller more than the largest M that is solved. The dry laws carry it.
 BOOST_AUTO_TEST_CASE(a_load_beyond_every_film_is_refused_in_one_line) {
   CountedContacts contacts;
