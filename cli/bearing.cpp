@@ -182,12 +182,14 @@ void add_case(Account& account, const Case& one, std::vector<BearingResult>& res
               ContactMemory& memory) {
   std::string budgets;
   BearingView view{.details = asked.details};
+  const bool by_ehd = std::any_of(results.begin(), results.end(),
+                                  [](const BearingResult& result) { return result.law == bearing::Law::ehd; });
   for (BearingResult& result : results) {
     const auto budget = budget_of(one, results, result.law, memory);
     if (budget.empty())
       if (const auto why = why_no_budget(one, results, result.law, memory))
         result.notes.emplace_back(note::NoBudget{*why});
-    if (result.fit && !full_relation_in(results)) result.notes.emplace_back(note::LineAlone{});
+    if (result.fit && !full_relation_in(results)) result.notes.emplace_back(note::LineAlone{.ehd_failed = by_ehd});
     account.list.push_back(to_json(result, full_relation_in(results)));
     if (!budget.empty()) {
       account.list.back()["error_budget"] = to_json(budget);

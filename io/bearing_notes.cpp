@@ -115,8 +115,9 @@ struct Words {
     return fmt::format("variant {}: no balance, {}", bearing_stage::variant, none.why);
   }
   std::string operator()(const note::NoFilms& none) const { return "no films: " + none.why; }
-  std::string operator()(const note::LineAlone&) const {
-    return "stiffness and torque: how far the line is off is not known without the law ehd in the same run";
+  std::string operator()(const note::LineAlone& alone) const {
+    return std::string("stiffness and torque: how far the line is off is not known") +
+           (alone.ehd_failed ? ", because the law ehd has no balance" : " without the law ehd in the same run");
   }
   std::string operator()(const note::NoBudget& none) const {
     return "no error budget, and so no errors in brackets: " + none.why;

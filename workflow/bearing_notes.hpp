@@ -78,8 +78,10 @@ struct NoBudget {
   std::string why;
 };
 
-/// A straight line without the law ehd in the same run, from which its distance would be known.
-struct LineAlone {};
+/// A straight line without a balance by the law ehd in the same run, from which its distance would be known.
+struct LineAlone {
+  bool ehd_failed = false;  ///< ehd was asked for, and found no balance
+};
 
 }  // namespace ehd::note
 

@@ -180,6 +180,9 @@ BOOST_AUTO_TEST_CASE(a_line_alone_says_that_its_distance_is_not_known) {
   const std::string bearing = "bearing na4908 --law ehd-linear", note = "how far the line is off is not known";
   BOOST_TEST(test::ehd_run(folder, bearing).out.find(note) != std::string::npos);
   BOOST_TEST(test::ehd_run(folder, bearing + " --law ehd").out.find(note) == std::string::npos);
+  // With this datum ehd was asked for, and finds no balance.
+  const auto failed = test::ehd_run(folder, bearing + " --law ehd --set datum.law=x0 --set datum.x0_m=3e-5");
+  BOOST_TEST(failed.out.find(note + ", because the law ehd has no balance\n") != std::string::npos, failed.out);
 }
 
 BOOST_AUTO_TEST_CASE(a_table_has_no_empty_columns) {
