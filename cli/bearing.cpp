@@ -172,6 +172,7 @@ BearingErrors errors_in(const std::vector<BudgetRow>& budget) {
     if (row.source == datum_source) continue;
     errors.displacement_m += row.displacement_m;
     errors.largest_force_N += row.largest_force_N;
+    errors.any_force_N += row.any_force_N;
     if (row.smallest_film) errors.smallest_film = errors.smallest_film.value_or(0) + *row.smallest_film;
   }
   return errors;

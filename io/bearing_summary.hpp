@@ -18,6 +18,7 @@ namespace ehd {
 struct BearingErrors {
   double displacement_m = 0;
   double largest_force_N = 0;
+  double any_force_N = 0;                    ///< of the roller whose force is known least
   std::optional<double> smallest_film = {};  ///< relative
 };
 using ErrorsOfLaws = std::map<bearing::Law, BearingErrors>;

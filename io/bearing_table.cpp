@@ -153,6 +153,18 @@ std::string rollers_table(const std::vector<BearingResult>& results,
   return azimuths.empty() ? "" : text + aligned(rows, 1, indent);
 }
 
+/// One error for the forces of all rollers, of every law that states one.
+std::string error_of_forces(const std::vector<BearingResult>& results, const ErrorsOfLaws& errors) {
+  std::string text;
+  for (const BearingResult& result : results) {
+    const BearingErrors* known = errors_of(result, errors);
+    if (result.rollers.empty() || !known || !std::isfinite(known->any_force_N)) continue;
+    text += fmt::format("{}{} N ({})", text.empty() ? "\n  every f_i is known to " : ", ",
+                        rounded_up(known->any_force_N, 2), name_of(result));
+  }
+  return text.empty() ? text : text + "\n";
+}
+
 /// The approach of each roller to the inner raceway.
 std::vector<RollerColumn> approach_column(const BearingResult&) {
   return {{"delta_i", "um", [](const ContactRow& inner) { return fixed(1e6 * inner.displacement_m, 3); }}};
@@ -351,7 +363,8 @@ std::string human_table(const Case& bearing_case, const std::vector<BearingResul
   std::string text =
       heading(bearing_case) + warnings(results) +
       summary_table(std::get<BearingCase>(bearing_case.body), results, view.errors) +
-      rollers_table(results, [&](const BearingResult& result) { return columns_of(result, view.errors); });
+      rollers_table(results, [&](const BearingResult& result) { return columns_of(result, view.errors); }) +
+      error_of_forces(results, view.errors);
   if (view.details)
     text += fmt::format("\n{}{}{}", rollers_table(results, approach_column), cost_table(results), ring_table(results));
   text += cage_table(results, view.errors) + dynamics_table(results);

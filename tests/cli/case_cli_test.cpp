@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "contact/text.hpp"
 #include "tests/check.hpp"
 #include "tests/files.hpp"
 #include "tests/process.hpp"
@@ -173,6 +174,28 @@ BOOST_AUTO_TEST_CASE(a_fitted_line_has_the_same_error_without_the_law_that_it_is
   const std::string number = alone.substr(alone.find_last_of(' ') + 1);
   BOOST_TEST(number.find('(') != std::string::npos, alone);
   BOOST_TEST(beside.find(" " + number) != std::string::npos, beside);
+}
+
+BOOST_AUTO_TEST_CASE(one_error_is_stated_for_the_forces_of_all_rollers) {
+  const test::Folder folder;
+  const std::string bearing =
+      std::string("bearing ") + EHD_SOURCE_DIR + "/examples/my-bearing.toml --law ehd-linear --law ehd";
+  const std::string text = test::ehd_run(folder, bearing).out;
+  const json results = json::parse(test::ehd_run(folder, bearing + " --json -").out);
+  const auto error_of = [](const json& result) {
+    double sum_N = 0;
+    for (const json& row : result["error_budget"])
+      if (row["source"] != "datum") sum_N += row["any_force_N"].get<double>();
+    return sum_N;
+  };
+  const double of_line = error_of(results[0]), of_ehd = error_of(results[1]);
+  BOOST_TEST(text.find(fmt::format("\n\n  every f_i is known to {} N (ehd-linear), {} N (ehd)\n",
+                                   rounded_up(of_line, 2), rounded_up(of_ehd, 2))) != std::string::npos,
+             text);
+  for (std::size_t j = 0; j < results[0]["rollers"].size(); ++j) {
+    const auto force_N = [&](int law) { return results[law]["rollers"][j]["inner"]["force_N"].get<double>(); };
+    BOOST_TEST(std::abs(force_N(0) - force_N(1)) < of_line);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_line_alone_says_that_its_distance_is_not_known) {
