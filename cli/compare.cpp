@@ -19,6 +19,7 @@
 #include "cli/usage.hpp"
 #include "contact/text.hpp"
 #include "io/contact_json.hpp"
+#include "io/duration.hpp"
 #include "io/json.hpp"
 #include "io/result_head.hpp"
 #include "io/tables.hpp"
@@ -157,7 +158,7 @@ std::vector<std::vector<std::string>> table_of(const std::vector<Row>& rows) {
       cells.push_back(error.words() + (error.beyond(row.tolerance) ? missed : ""));
     }
     const Cost& cost = row.run.solution.record.cost;
-    cells.push_back(plain(1e3 * cost.wall_s, 3));
+    cells.push_back(milliseconds(cost.wall_s));
     cells.push_back(cost.nodes > 0 ? plain(cost.work_units, 3) : "-");
     table.push_back(cells);
   }
@@ -306,7 +307,7 @@ int compare(const CompareOptions& options) {
     print(fmt::format("{}: {}\n{}{}  achieved: H_min against {}\n            H_cen against {}\n\n", contact_case.id,
                       contact_case.title, aligned_in_parts(table_of(rows), names, "  "), legend, against[0],
                       against[1]));
-    if (idle_s) print(fmt::format("  an idle call of the shell takes {} ms\n\n", plain(1e3 * *idle_s, 2)));
+    if (idle_s) print(fmt::format("  an idle call of the shell takes {} ms\n\n", milliseconds(*idle_s, 2)));
   }
   for (Json& compared : list) options.changes.put_into(compared);
   json.commit(list);

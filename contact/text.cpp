@@ -48,7 +48,7 @@ std::string with_absolute_error(double value, std::optional<double> absolute_err
   }
   constexpr int widest = 6;  // decimals before the exponent form takes over
   if (leading >= -3 && leading <= widest && last <= 0) return fmt::format("{:.{}f}({})", value, -last, units);
-  const std::string text = fmt::format("{:.{}e}", value, std::max(leading - last, 0));
+  const std::string text = scientific(value, std::max(leading - last, 0));
   const auto e = text.find('e');
   return fmt::format("{}({})e{}", text.substr(0, e), units, std::stoi(text.substr(e + 1)));
 }
@@ -58,6 +58,11 @@ std::string with_error(double value, std::optional<double> relative_error) {
   return with_absolute_error(value, *relative_error * std::abs(value));
 }
 
+std::string fixed(double value, int decimals) { return fmt::format("{:.{}f}", value, decimals); }
+std::string signed_fixed(double value, int decimals) { return fmt::format("{:+.{}f}", value, decimals); }
+std::string scientific(double value, int decimals) { return fmt::format("{:.{}e}", value, decimals); }
+
+std::string percent(double share, int digits) { return plain(100 * share, digits) + " %"; }
 std::string micrometre(double metre, int digits) { return plain(1e6 * metre, digits) + " um"; }
 std::string millimetre(double metre, int digits) { return plain(1e3 * metre, digits) + " mm"; }
 

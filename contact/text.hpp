@@ -19,6 +19,13 @@ namespace ehd {
 /// The same for an absolute error.
 [[nodiscard]] std::string with_absolute_error(double value, std::optional<double> absolute_error);
 
+/// So many decimals: "12.50"; with a sign, "+12.50"; with a power of ten, "1.25e+01".
+[[nodiscard]] std::string fixed(double value, int decimals);
+[[nodiscard]] std::string signed_fixed(double value, int decimals);
+[[nodiscard]] std::string scientific(double value, int decimals);
+
+/// A share in per cent, with the unit: "1.25 %".
+[[nodiscard]] std::string percent(double share, int digits = 6);
 /// A length in um or mm, with the unit.
 [[nodiscard]] std::string micrometre(double metre, int digits = 4);
 [[nodiscard]] std::string millimetre(double metre, int digits = 4);

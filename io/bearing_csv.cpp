@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <variant>
 
-#include "contact/text.hpp"
 #include "io/csv.hpp"
 
 namespace ehd {
@@ -20,26 +19,27 @@ constexpr const char* roller_columns =
 constexpr const char* motion_columns =
     ",frequency_Hz,inner_stiffness_N_per_m,inner_damping_N_s_per_m,outer_stiffness_N_per_m,outer_damping_N_s_per_m";
 
-std::string number_cell(const std::optional<double>& value) {
-  return "," + (value ? plain(*value, 17) : std::string());
+std::string comma_number(const std::optional<double>& value) {
+  constexpr int all_digits = 17;
+  return "," + csv_number(value, all_digits);
 }
 
 std::string roller_cells(const Case& one, const BearingResult& result, std::size_t j) {
   const RollerRow& roller = result.rollers[j];
   std::string cells =
-      fmt::format("{}{},{}{}", one.id, number_cell(std::get<BearingCase>(one.body).geometry.clearance_m),
-                  to_string(result.law), number_cell(roller.azimuth_deg));
+      fmt::format("{}{},{}{}", one.id, comma_number(std::get<BearingCase>(one.body).geometry.clearance_m),
+                  to_string(result.law), comma_number(roller.azimuth_deg));
   for (const ContactRow* at : {&roller.inner, &roller.outer})
-    cells += number_cell(at->force_N) + number_cell(at->displacement_m) + number_cell(at->film_minimum_m) +
-             number_cell(at->hertz_pressure_Pa);
-  return fmt::format("{},{}{}{},{}", cells, j + 1, number_cell(roller.inner.lambda_ratio),
-                     number_cell(roller.outer.lambda_ratio), csv_cell(one.file.string()));
+    cells += comma_number(at->force_N) + comma_number(at->displacement_m) + comma_number(at->film_minimum_m) +
+             comma_number(at->hertz_pressure_Pa);
+  return fmt::format("{},{}{}{},{}", cells, j + 1, comma_number(roller.inner.lambda_ratio),
+                     comma_number(roller.outer.lambda_ratio), csv_cell(one.file.string()));
 }
 
 std::string motion_cells(const DynamicRow& row, std::size_t j) {
-  std::string cells = number_cell(row.frequency_Hz);
+  std::string cells = comma_number(row.frequency_Hz);
   for (const bearing::ContactMotion* at : {&row.rollers[j].inner, &row.rollers[j].outer})
-    cells += number_cell(at->stiffness_N_per_m) + number_cell(at->damping_N_s_per_m);
+    cells += comma_number(at->stiffness_N_per_m) + comma_number(at->damping_N_s_per_m);
   return cells;
 }
 

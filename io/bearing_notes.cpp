@@ -51,9 +51,9 @@ struct Words {
     const double residual_N = worse_in_use ? fit.in_use->residual_N : fit.residual_N,
                  misfit = worse_in_use ? fit.in_use->misfit() : fit.misfit();
     return fmt::format(
-        "the line does not describe its {} contacts: it misses them by up to {} N, {} % of the heaviest force; K = {} "
+        "the line does not describe its {} contacts: it misses them by up to {} N, {} of the heaviest force; K = {} "
         "+- {} N/m. Take the law ehd",
-        to_string(poor.raceway), plain(residual_N, 3), plain(100 * misfit, 2), plain(fit.K_N_per_m, 2),
+        to_string(poor.raceway), plain(residual_N, 3), percent(misfit, 2), plain(fit.K_N_per_m, 2),
         plain(fit.K_deviation_N_per_m, 2));
   }
   static std::string poor_in_use(bearing::Raceway raceway, const bearing::LinearFit& fit) {
@@ -67,9 +67,9 @@ struct Words {
           "the law ehd",
           to_string(raceway), loads, fitted);
     return fmt::format(
-        "the line does not describe its {} contacts: they carry {}, where it misses them by up to {} N, {} % of the "
+        "the line does not describe its {} contacts: they carry {}, where it misses them by up to {} N, {} of the "
         "heaviest force; it is {}. Take the law ehd",
-        to_string(raceway), loads, plain(use.residual_N, 3), plain(100 * use.misfit(), 3), fitted);
+        to_string(raceway), loads, plain(use.residual_N, 3), percent(use.misfit(), 3), fitted);
   }
   std::string operator()(const note::LateralForce& lateral) const {
     return fmt::format(

@@ -46,8 +46,6 @@ std::vector<std::pair<std::size_t, std::string>> shown_rollers(const std::vector
   return shown;
 }
 
-std::string fixed(double value, int decimals) { return fmt::format("{:.{}f}", value, decimals); }
-
 /// At least three digits, and at least so many decimals.
 std::string three_digits(double value, int decimals) {
   const int of_three = value > 0 ? 2 - static_cast<int>(std::floor(std::log10(value))) : 0;

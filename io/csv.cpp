@@ -2,6 +2,7 @@
 #include "io/csv.hpp"
 
 #include <charconv>
+#include <cmath>
 #include <string_view>
 #include <system_error>
 
@@ -29,6 +30,10 @@ std::string csv_cell(const std::string& text) {
   std::string quoted = "\"";
   for (const char c : cell) quoted += c == '"' ? std::string("\"\"") : std::string{c};
   return quoted + "\"";
+}
+
+std::string csv_number(const std::optional<double>& value, int digits) {
+  return value && std::isfinite(*value) ? plain(*value, digits) : "";
 }
 
 std::string csv_comment(const std::string& text) {

@@ -11,4 +11,10 @@ std::string duration(double seconds) {
   return minutes < 100 ? plain(minutes, 2) + " min" : plain(minutes / 60, 2) + " h";
 }
 
+std::string computing_time(double seconds, int digits) {
+  return seconds < 1 ? milliseconds(seconds, digits) + " ms" : plain(seconds, digits) + " s";
+}
+
+std::string milliseconds(double seconds, int digits) { return plain(1e3 * seconds, digits); }
+
 }  // namespace ehd

@@ -24,7 +24,7 @@ namespace {
 /// So many rows are made at a time, over threads. This bounds the memory.
 constexpr std::size_t block = 256;
 
-std::string number_cell(const std::optional<double>& value) { return value ? Json(*value).dump() : ""; }
+std::string json_number(const std::optional<double>& value) { return value ? Json(*value).dump() : ""; }
 
 /// The entry at a path of an object, "film.minimum.hertz". Null pointer: there is no such entry. JSON's null, which is
 /// neither text nor number: something on the path is no object.
@@ -133,7 +133,7 @@ Column extreme(std::string name, const char* key, Choose choose) {
                 const double here = roller[raceway][key].template get<double>();
                 found = choose(found.value_or(here), here);
               }
-            return number_cell(found);
+            return json_number(found);
           }};
 }
 
@@ -142,12 +142,12 @@ double larger(double a, double b) { return std::max(a, b); }
 
 std::string largest_force(const Json& result) {
   const Json* roller = most_loaded(result);
-  return roller ? number_cell((*roller)["inner"]["force_N"].get<double>()) : "";
+  return roller ? json_number((*roller)["inner"]["force_N"].get<double>()) : "";
 }
 
 std::string azimuth_of_largest_force(const Json& result) {
   const Json* roller = most_loaded(result);
-  return roller ? number_cell((*roller)["azimuth_deg"].get<double>()) : "";
+  return roller ? json_number((*roller)["azimuth_deg"].get<double>()) : "";
 }
 
 /// Contacts of both raceways that carry a force outside the range of their fit; empty for a law without a fit.

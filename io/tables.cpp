@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "contact/text.hpp"
+#include "io/duration.hpp"
 
 namespace ehd {
 
@@ -42,8 +43,6 @@ std::string digits(const ContactRun& run, Quantity quantity, const Reading& read
   if (has_absolute_error(quantity)) return with_absolute_error(reading.value * unit, *reading.error * unit);
   return with_error(reading.value * unit, reading.error);
 }
-
-std::string seconds(double s) { return s < 1 ? plain(1e3 * s, 3) + " ms" : plain(s, 3) + " s"; }
 
 std::string heading(const ContactRun& run, const std::string& title, bool styled) {
   const std::string solver = run.solver.empty() ? "dry, closed form" : run.solver;
@@ -149,7 +148,7 @@ std::string formulas_table(const ContactRun& run) {
     const Reading* reading = find(run, formula.of);
     const double film = reading ? reading->value * *moes : 0;
     rows.push_back({formula.name, std::string(to_string(formula.of)), plain(shown_per_moes * formula.moes_film, 4),
-                    film > 0 ? plain(100 * (formula.moes_film / film - 1), 2) + " %" : ""});
+                    film > 0 ? percent(formula.moes_film / film - 1, 2) : ""});
   }
   return fmt::format("\nfilm formulas, {} (published fits, for comparison only{})\n{}",
                      metres ? unit.name : "Moes units", run.known_G() ? "" : "; G = 5000 assumed",
@@ -162,8 +161,8 @@ std::string cost_line(const ContactRun& run) {
   const bool accepted = cost.nodes > 0;
   const std::string grid = accepted ? fmt::format("{} intervals", cost.nodes) : "no grid accepted";
   const std::string work = accepted ? fmt::format(", {} work units", plain(cost.work_units, 3)) : "";
-  return fmt::format("\ncost  {}, FFT planning {}, {}, {} Newton steps{}\n", seconds(cost.wall_s),
-                     seconds(cost.planning_s), grid, cost.newton_iterations, work);
+  return fmt::format("\ncost  {}, FFT planning {}, {}, {} Newton steps{}\n", computing_time(cost.wall_s),
+                     computing_time(cost.planning_s), grid, cost.newton_iterations, work);
 }
 
 std::vector<std::size_t> widths_of(const Rows& rows) {

@@ -88,8 +88,7 @@ std::string human_summary(const SuiteResult& result, bool all) {
     if (!lines.empty()) text += fmt::format("rung {}, {}\n{}\n", rung, name, lines);
     table.push_back({std::to_string(rung), name, summary.worst_margin ? summary.worst_claim : "-",
                      std::to_string(summary.pass), std::to_string(summary.fail), std::to_string(summary.inconclusive),
-                     std::to_string(summary.skipped),
-                     summary.worst_margin ? plain(100 * *summary.worst_margin, 3) + " %" : "-"});
+                     std::to_string(summary.skipped), summary.worst_margin ? percent(*summary.worst_margin, 3) : "-"});
   }
   table.push_back({"all", "", "", std::to_string(total[0]), std::to_string(total[1]), std::to_string(total[2]),
                    std::to_string(result.skipped.size()), plain(result.wall_s, 3) + " s"});

@@ -16,8 +16,8 @@ namespace {
 /// `value` to the decimal place 10^place, which is not above its first digit.
 std::string rounded_text(double value, int leading, int place) {
   constexpr int largest_plain = 5, smallest_plain = -3;  // 999999 and 0.001; the exponent form beyond
-  if (place <= 0 && leading <= largest_plain && leading >= smallest_plain) return fmt::format("{:.{}f}", value, -place);
-  const std::string text = fmt::format("{:.{}e}", value, leading - place);
+  if (place <= 0 && leading <= largest_plain && leading >= smallest_plain) return fixed(value, -place);
+  const std::string text = scientific(value, leading - place);
   const auto e = text.find('e');
   const int exponent = std::stoi(text.substr(e + 1));
   std::string mantissa = text.substr(0, e);

@@ -12,6 +12,7 @@
 
 #include "contact/text.hpp"
 #include "fast/convolution.hpp"
+#include "io/duration.hpp"
 #include "io/json.hpp"
 #include "io/tables.hpp"
 #include "verification/bench/child.hpp"
@@ -290,9 +291,9 @@ std::string costs_table(const std::vector<ScalingRow>& rows) {
     const bool ran = row.status.has_value();
     const auto time = row.median_s();
     table.push_back({name_of(row.contact), row.solver, std::to_string(row.nodes),
-                     ran ? std::string(to_string(*row.status)) : "not run", time ? plain(1e3 * *time, 3) : "-",
+                     ran ? std::string(to_string(*row.status)) : "not run", time ? milliseconds(*time) : "-",
                      std::to_string(row.wall_s.size()), ran ? plain(row.work_units, 3) : "-",
-                     ran ? plain(1e3 * row.convolution_s, 3) : "-", dash(row.per_unit(), 3),
+                     ran ? milliseconds(row.convolution_s) : "-", dash(row.per_unit(), 3),
                      dash(row.ns_per_n_log_n(), 3), ran ? plain(row.peak_bytes / megabyte, 3) : "-",
                      ran ? plain(row.peak_bytes / row.nodes, 3) : "-"});
   }

@@ -11,8 +11,6 @@
 
 namespace ehd::verification {
 
-/// A number of a CSV; empty where it is unknown or not finite.
-[[nodiscard]] std::string csv_number(const std::optional<double>& value, int digits = 10);
 /// "converged", ...; "not-run" without a status.
 [[nodiscard]] std::string status_cell(const std::optional<StopReason>& status);
 /// A number of a table for people; "-" where it is unknown.

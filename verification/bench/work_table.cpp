@@ -8,6 +8,7 @@
 #include <map>
 
 #include "contact/text.hpp"
+#include "io/duration.hpp"
 #include "io/tables.hpp"
 #include "verification/bench/csv.hpp"
 #include "verification/bench/work_precision.hpp"
@@ -18,8 +19,6 @@ namespace {
 
 /// Below this share of a core, other processes took time and the measured times are too long.
 constexpr double undisturbed_share = 0.9;
-
-std::string milliseconds(double seconds) { return plain(1e3 * seconds, 3); }
 
 std::string crossover_text(const Crossover& at, const ComparedSolvers& pair) {
   const std::string &tight = at.rises ? pair.over : pair.solver, &loose = at.rises ? pair.solver : pair.over;

@@ -7,6 +7,7 @@
 #include <functional>
 #include <string>
 
+#include "contact/text.hpp"
 #include "verification/claims/shared.hpp"
 #include "verification/claims/topics.hpp"
 #include "verification/studies/fits.hpp"
@@ -41,7 +42,7 @@ Findings judge_solver(const Contact& contact, const RegisteredSolver& solver) {
                                               solver.name, what, contact.name),
                      .solver = solver.name},
                     slope(x, y), solver.description.formal_order, order_over_four_grids(),
-                    fmt::format("error {} on {} cells", three_digits(errors.back().*member), grids[3])));
+                    fmt::format("error {} on {} cells", scientific(errors.back().*member, 2), grids[3])));
   }
   return found;
 }
@@ -65,7 +66,7 @@ Findings judge_collocation_in_h(const Contact& contact) {
                                   degree, contact.name, degree + 1),
          .solver = certified_solver().name},
         slope(x, y), degree + 1, order_over_four_grids(),
-        "error " + three_digits(std::exp(y.back())) + " on 162 elements"));
+        "error " + scientific(std::exp(y.back()), 2) + " on 162 elements"));
   }
   return found;
 }
@@ -89,7 +90,7 @@ Findings judge_collocation_in_p(const Contact& contact) {
                   std::exp(-slope(x, y)), ellipse,
                   Tolerance::calibrated(0.1 * ellipse,
                                         "the factor a degree, fitted over seven degrees, is read to a tenth of itself"),
-                  "degrees 6 to 18 on 5 elements, error " + three_digits(std::exp(y.back())) + " at 18"));
+                  "degrees 6 to 18 on 5 elements, error " + scientific(std::exp(y.back()), 2) + " at 18"));
   return found;
 }
 
@@ -115,7 +116,7 @@ Findings judge_motion_of_fast(const Contact& contact) {
                          what, contact.name),
          .solver = "fast"},
         slope(x, y), default_solver().description.formal_order, order_over_four_grids(),
-        fmt::format("error {} on {} cells", three_digits(errors.back().*member), manufactured_grids[3])));
+        fmt::format("error {} on {} cells", scientific(errors.back().*member, 2), manufactured_grids[3])));
   }
   return found;
 }
@@ -138,7 +139,7 @@ Findings judge_motion_of_collocation(const Contact& contact) {
                          degree, contact.name, degree + 1),
          .solver = certified_solver().name},
         slope(x, y), degree + 1, order_over_four_grids(),
-        fmt::format("error {} on {} elements", three_digits(std::exp(y.back())), motion_elements[3])));
+        fmt::format("error {} on {} elements", scientific(std::exp(y.back()), 2), motion_elements[3])));
   }
   return found;
 }

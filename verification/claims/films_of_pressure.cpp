@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "contact/text.hpp"
 #include "reference/hp/collocation.hpp"
 #include "verification/claims/shared.hpp"
 #include "verification/exact/numerics.hpp"
@@ -65,7 +66,7 @@ Findings judge_film(const Named& scheme) {
                         .solver = solver},
                        slope(x, y), 2,
                        Tolerance::calibrated(0.2, "orders of a largest error, over four grids, are read to a fifth"),
-                       "96 to 324 cells, error " + three_digits(last) + " on the last")},
+                       "96 to 324 cells, error " + scientific(last, 2) + " on the last")},
           {}};
 }
 

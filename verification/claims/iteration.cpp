@@ -53,7 +53,7 @@ Claim quadratic(const std::string& id, const std::string& statement, const std::
   }
   return order_claim({.id = "iteration/" + id, .rung = 6, .statement = statement, .solver = solver}, slope(x, y), 2,
                      Tolerance::calibrated(0.1, "fitted orders over four perturbations are read to a tenth"),
-                     "perturbations of 8e-3 to 1e-3; " + three_digits(left.back()) + " left of the last");
+                     "perturbations of 8e-3 to 1e-3; " + scientific(left.back(), 2) + " left of the last");
 }
 
 // ---- Jacobians ---------------------------------------------------------------------------------------------------

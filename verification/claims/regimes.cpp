@@ -250,7 +250,7 @@ Findings judge_blok() {
     bool falls = true;
     std::string note = "above Blok's by";
     for (std::size_t i = 0; i < above.size(); ++i) {
-      note += fmt::format(" {} % (L = {})", plain(100 * above[i], 3), plain(L[i]));
+      note += fmt::format(" {} (L = {})", percent(above[i], 3), plain(L[i]));
       falls = falls && above[i] > error && (i == 0 || above[i] < above[i - 1] - 2 * error);
     }
     const double order = -std::log(above.back() / above.front()) / std::log(L.back() / L.front());
@@ -290,7 +290,7 @@ Findings judge_ertel_grubin_trend() {
       if (!std::isfinite(above[i][j]))
         ended += fmt::format("M = {}, L = {} {}; ", plain(all_M[j]), plain(all_L[i]), films.ended);
       error = worse(error, films.central.error);
-      note += " " + plain(100 * above[i][j], 3) + " %";
+      note += " " + percent(above[i][j], 3);
     }
     note += i < 2 ? ";" : "";
   }

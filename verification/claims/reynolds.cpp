@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "contact/lu_factors.hpp"
+#include "contact/text.hpp"
 #include "reference/hp/collocation.hpp"
 #include "verification/claims/films_of_pressure.hpp"
 #include "verification/claims/schemes.hpp"
@@ -164,7 +165,7 @@ Findings judge_scheme(const Named& scheme) {
            .solver = solver.name},
           slope(x, y), declared,
           Tolerance::calibrated(0.2, "fitted orders of one face after another, over four grids, are read to a fifth"),
-          "64 to 216 cells, error " + three_digits(std::exp(y.back())) + " on the last"));
+          "64 to 216 cells, error " + scientific(std::exp(y.back()), 2) + " on the last"));
     };
     add("pressure", pressure);
     if (gap.free_exit) add("exit", exit);
@@ -277,7 +278,7 @@ Findings judge_collocation() {
                                                 degree, gap.sentence, degree + 1),
                        .solver = certified_solver().name},
                       slope(x, y), degree + 1, order_over_four_grids(),
-                      "error " + three_digits(std::exp(y.back())) + " on 162 elements"));
+                      "error " + scientific(std::exp(y.back()), 2) + " on 162 elements"));
     }
   }
   return found;

@@ -68,8 +68,7 @@ std::string regime_table(const Judgement& judgement) {
   Cells rows{{"regime", "numbers", "missing", "median", "worst", "median of the given"}};
   for (const RegimeDigits& row : judgement.regimes)
     rows.push_back({regime_words(row.regime), std::to_string(row.numbers), std::to_string(row.missing),
-                    fmt::format("{:.1f}", row.median), fmt::format("{:.1f}", row.worst),
-                    row.median_given ? fmt::format("{:.1f}", *row.median_given) : "-"});
+                    fixed(row.median, 1), fixed(row.worst, 1), row.median_given ? fixed(*row.median_given, 1) : "-"});
   return aligned_in_parts(rows, 1);
 }
 

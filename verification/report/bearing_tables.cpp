@@ -133,7 +133,7 @@ void add_study(Page& page, const View& study) {
     };
     const auto percent = [&](const char* letter, const char* name) {
       const auto value = by_letter[letter]["values"].number(name);
-      return value ? markup_to_html(number_markup(100 * *value, 2)) : std::string("\u2013");
+      return value ? number_cell(scaled(value, 100), 2).html : std::string("\u2013");
     };
     const auto ready = [](const std::string& html) { return TableCell{html, ""}; };
     std::string ranges;

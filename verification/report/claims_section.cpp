@@ -27,10 +27,6 @@ std::string claim_link(const std::string& id) {
   return fmt::format("<a href=\"#{}\">{}</a>", claim_anchor(id), identifier(id));
 }
 
-std::string share_percent(const std::optional<double>& share) {
-  return share && std::isfinite(*share) ? markup_to_html(number_markup(100 * *share, 3)) + "\u2009%" : "";
-}
-
 std::string where(const View& claim) {
   std::string text = claim.text("case");
   if (!text.empty() && claim.has("version")) text += "@" + claim.cell("version");
@@ -146,7 +142,7 @@ void add_ladder(Page& page, const View& results, const std::map<std::string, Vie
                           verdict_count(rung, "fail"),
                           verdict_count(rung, "inconclusive"),
                           count_cell(rung, "skipped", ""),
-                          {share_percent(rung.number("worst_margin")), "number"},
+                          percent_cell(rung.number("worst_margin")),
                           {text, "wide"}});
   }
   if (table.rows.empty())
@@ -185,7 +181,7 @@ void add_all_claims(Page& page, const View& results, const std::vector<View>& cl
       table.rows.push_back({{fmt::format("<a href=\"#{}\">{}</a>", table.ids.back(), identifier(id)), ""},
                             {escaped(claim.cell("rung")), ""},
                             verdict_cell(verdict),
-                            {share_percent(claim.number("margin")), "number"},
+                            percent_cell(claim.number("margin")),
                             {text, "wide"}});
     }
     page.add(table);

@@ -42,16 +42,14 @@ const View* point_at(const Atlas& atlas, const std::string& laws, double M, doub
 }
 
 /// In per cent with a sign, with as many decimals as fit into a cell.
-std::string percent(double share) {
+std::string short_percent(double share) {
   const double value = 100 * share, size = std::abs(value);
   if (!(size >= 0.005)) return "0.00";
   const int decimals = size < 0.0995 ? 2 : size < 9.95 ? 1 : 0;
-  std::string result = fmt::format("{:+.{}f}", value, decimals);
-  if (result.front() == '-') result.replace(0, 1, "\u2212");
-  return result;
+  return with_minus_sign(signed_fixed(value, decimals));
 }
 
-std::string percent_hint(double share) { return plain(100 * share, 3) + " %"; }
+std::string percent_hint(double share) { return percent(share, 3); }
 
 std::string lawful(const std::string& laws) {
   if (laws == "roelands") return "Roelands, compressible";
@@ -213,8 +211,8 @@ std::vector<TableCell> formula_row(const std::string& name, const std::string& q
           integer_cell(points),
           integer_cell(near),
           integer_cell(fair),
-          {percent(lowest) + " %", "number"},
-          {percent(highest) + " %", "number"}};
+          {short_percent(lowest) + " %", "number"},
+          {short_percent(highest) + " %", "number"}};
 }
 
 void add_formulas(Page& page, const Atlas& atlas) {
@@ -249,7 +247,7 @@ void add_formulas(Page& page, const Atlas& atlas) {
                  .heading = literal(name) + ", " + literal(quantity),
                  .caption = fmt::format("<b>{}</b>: deviation of its {} [%].", escaped(name), escaped(quantity)),
                  .value = deviation,
-                 .text = percent,
+                 .text = short_percent,
                  .hint = percent_hint,
                  .style = draw_percents},
                 [&](const HeatMap& map, const std::string& laws) {
@@ -290,7 +288,7 @@ void add_inlet(Page& page, const Atlas& atlas) {
                  .heading = film.heading + " film, cut over flooded",
                  .caption = "Film with the inlet cut at <i>X</i> = \u22124 over the flooded film, less 1 [%].",
                  .value = [&](const View& point) { return point.number("inlet_cost_" + film.name); },
-                 .text = percent,
+                 .text = short_percent,
                  .hint = percent_hint,
                  .style = draw_inlet_cost});
   page.end_figures();

@@ -41,10 +41,9 @@ constexpr const char* both_films = "<i>H</i><sub>min</sub> and <i>H</i><sub>cen<
 std::string time_of(const std::optional<double>& wall_s) { return wall_s ? duration(*wall_s) : ""; }
 
 /// For times of single solves: "0.24 ms to 2.8 s each".
-std::string milliseconds_of(const Extent& wall_s) {
+std::string computing_times(const Extent& wall_s) {
   if (!wall_s.any()) return "";
-  const auto text = [](double s) { return s < 1 ? plain(1e3 * s, 2) + " ms" : plain(s, 2) + " s"; };
-  return fmt::format("{} to {} each", text(wall_s.low), text(wall_s.high));
+  return fmt::format("{} to {} each", computing_time(wall_s.low, 2), computing_time(wall_s.high, 2));
 }
 
 std::size_t number_with(const std::vector<View>& list, const std::string& key, const std::string& value) {
@@ -60,7 +59,7 @@ Verified claims_verified(const View& results) {
   for (const View& claim : claims)
     if (stands(claim) && claim["tolerance"].number("value").value_or(0) > 0) margins.add(claim.number("margin"));
   row.digits = "no common number: each claim has its own tolerance";
-  if (margins.any()) row.digits += ", of which the tightest has " + plain(100 * margins.low, 2) + " % left";
+  if (margins.any()) row.digits += ", of which the tightest has " + percent(margins.low, 2) + " left";
   row.truth = "exact solutions, invariants, declared orders, the other solver, published digits";
   row.cost = time_of(summary.number("wall_s"));
   if (!skipped.empty())
@@ -108,7 +107,7 @@ Verified cases_verified(const View& results) {
                .digits = digits.any() ? digits_in(digits) : "",
                .truth = "<code>" + escaped(truth) +
                         "</code>, another discretisation of the same equations; the error that it states is counted",
-               .cost = milliseconds_of(times)};
+               .cost = computing_times(times)};
   if (open > 0) row.open.push_back(how_many(open, "case", "cases") + " without two converged solves");
   if (unknown > 0) row.open.push_back("films of " + how_many(unknown, "case", "cases") + ": no error is known");
   row.open.push_back("the curves of pressure and film: their difference is shown, not judged");
@@ -163,7 +162,7 @@ Verified work_verified(const View& bench) {
                        ": " + both_films,
                .digits = digits.any() ? digits_in(digits) + ", as they were asked for" : "",
                .truth = truth.any() ? "<code>reference</code>, to " + digits_in(truth) : "<code>reference</code>",
-               .cost = milliseconds_of(times)};
+               .cost = computing_times(times)};
   if (const auto open = rows.size() - number_with(rows, "status", "converged"); open > 0)
     row.open.push_back(how_many(open, "run", "runs") + " not converged, or not run");
   if (bench["settings"].flag("quick").value_or(false))
@@ -188,7 +187,7 @@ Verified work_verified(const View& bench) {
   if (undecided > 0) row.open.push_back(plain(undecided) + " stated errors that the truth cannot judge");
   constexpr double enough = 0.9;  // of a core; docs/bench.md
   if (const auto share = result.number("cpu_share"); share && *share < enough)
-    row.open.push_back("the times: other processes took " + plain(100 * (1 - *share), 2) + " % of the core");
+    row.open.push_back("the times: other processes took " + percent(1 - *share, 2) + " of the core");
   return row;
 }
 
@@ -214,7 +213,7 @@ Verified costs_verified(const View& bench) {
   }
   for (const View& one : scaling) times.add(one.number("wall_s"));
   for (const View& one : costs) times.add(one.number("mean_s"));
-  row.cost = milliseconds_of(times);
+  row.cost = computing_times(times);
   row.open.push_back("times: of one machine, shown and not judged");
   if (same < batch.size())
     row.wrong.push_back(section_link("work-precision", "benchmark") + ": results depend on the number of threads");
@@ -240,7 +239,7 @@ Verified maps_verified(const View& results) {
   }
   Verified row{
       .what = section_link("maps", how_many(points.size(), "point", "points") + " over M and L") + ": " + both_films,
-      .cost = milliseconds_of(times)};
+      .cost = computing_times(times)};
   if (certified.any()) {
     row.digits = "<code>reference</code>: " + digits_in(certified);
     row.truth =

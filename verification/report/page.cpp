@@ -27,13 +27,20 @@ TableCell integer_cell(const std::optional<double>& value) {
   return number_cell(value, all_digits);
 }
 
-std::string milliseconds(double seconds, int digits) {
+TableCell percent_cell(const std::optional<double>& share) {
+  constexpr int digits = 3;
+  TableCell cell = number_cell(scaled(share, 100), digits);
+  if (!cell.html.empty()) cell.html += "\u2009%";
+  return cell;
+}
+
+std::string milliseconds_in_full(double seconds, int digits) {
   const double value = 1e3 * seconds;
-  return value < std::pow(10, digits) ? plain(value, digits) : fmt::format("{:.0f}", value);
+  return value < std::pow(10, digits) ? plain(value, digits) : fixed(value, 0);
 }
 
 TableCell milliseconds_cell(const std::optional<double>& seconds) {
-  return {seconds && std::isfinite(*seconds) ? milliseconds(*seconds) : "", "number"};
+  return {seconds && std::isfinite(*seconds) ? milliseconds_in_full(*seconds) : "", "number"};
 }
 
 TableCell verdict_cell(const std::string& verdict) { return {escaped(verdict), slug(verdict)}; }

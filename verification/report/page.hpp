@@ -22,8 +22,9 @@ struct TableCell {
 [[nodiscard]] TableCell words(std::string_view text);  ///< escaped
 [[nodiscard]] TableCell number_cell(const std::optional<double>& value, int digits = 4);
 [[nodiscard]] TableCell integer_cell(const std::optional<double>& value);
-/// From seconds: "0.31", "12.5", "1910".
-[[nodiscard]] std::string milliseconds(double seconds, int digits = 3);
+[[nodiscard]] TableCell percent_cell(const std::optional<double>& share);  ///< "12.5 %"
+/// From seconds, without a power of ten: "0.31", "12.5", "1910".
+[[nodiscard]] std::string milliseconds_in_full(double seconds, int digits = 3);
 [[nodiscard]] TableCell milliseconds_cell(const std::optional<double>& seconds);
 [[nodiscard]] TableCell verdict_cell(const std::string& verdict);
 

@@ -14,8 +14,6 @@ namespace ehd::report {
 
 namespace {
 
-constexpr const char* minus_sign = "\u2212";
-
 /// A part of a label with one style.
 struct Run {
   std::string text;
@@ -106,26 +104,28 @@ std::string escaped(std::string_view text) {
 
 std::string pixels(double value) {
   if (!std::isfinite(value)) throw std::logic_error("a coordinate of a picture is not finite");
-  std::string result = fmt::format("{:.2f}", value);
+  std::string result = fixed(value, 2);
   result.erase(result.find_last_not_of('0') + 1);
   if (result.back() == '.') result.pop_back();
   return result == "-0" ? "0" : result;
 }
 
+std::string with_minus_sign(const std::string& number) { return replaced(number, "-", "\u2212"); }
+
 std::string number_markup(double value, int digits) {
   if (!std::isfinite(value)) return "?";
   constexpr double with_power = 1e-3;  // below: errors of one table look alike, 10^{-4} and 10^{-5}
   const bool small = value != 0 && std::abs(value) < with_power;
-  std::string text = small ? fmt::format("{:.{}e}", value, digits - 1) : plain(value, digits);
+  std::string text = small ? scientific(value, digits - 1) : plain(value, digits);
   std::string power;
   if (const auto e = text.find('e'); e != std::string::npos) {
     power = std::to_string(std::atoi(text.c_str() + e + 1));
     text.erase(e);
     if (text.find('.') != std::string::npos) text.erase(text.find_last_not_of(".0") + 1);
   }
-  text = replaced(text, "-", minus_sign);
+  text = with_minus_sign(text);
   if (power.empty()) return text;
-  power = "10^{" + replaced(power, "-", minus_sign) + "}";
+  power = "10^{" + with_minus_sign(power) + "}";
   return text == "1" ? power : text + "\u2009\u00b7\u2009" + power;
 }
 

@@ -16,6 +16,8 @@ namespace ehd::report {
 /// points out before it draws.
 [[nodiscard]] std::string pixels(double value);
 
+/// The hyphens of a number become true minus signs.
+[[nodiscard]] std::string with_minus_sign(const std::string& number);
 /// A number as people read it: `digits` significant ones, a true minus sign, below 0.001 and where it is large a power
 /// of ten: 2.5 10^{-5} (markup).
 [[nodiscard]] std::string number_markup(double value, int digits = 4);

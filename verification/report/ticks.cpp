@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "contact/text.hpp"
 #include "verification/report/svg.hpp"
 
 namespace ehd::report {
@@ -17,16 +18,15 @@ namespace {
 constexpr int linear_steps = 5;
 constexpr double slack = 1e-9;  // of a step: ticks at the ends of a range are kept in spite of rounding
 
-std::string fixed(double value, int decimals) {
-  std::string result = fmt::format("{:.{}f}", value, decimals);
-  if (result.find_first_not_of("-0.") == std::string::npos && result.front() == '-') result.erase(0, 1);
-  if (result.front() == '-') result.replace(0, 1, "\u2212");
-  return result;
+/// Zero has no sign.
+std::string plain_label(double value, int decimals) {
+  const std::string text = fixed(value, decimals);
+  return text.find_first_not_of("-0.") == std::string::npos ? fixed(0, decimals) : with_minus_sign(text);
 }
 
 /// A digit times a power of ten.
 std::string power_label(int digit, int exponent, bool plainly) {
-  if (plainly) return fixed(digit * std::pow(10, exponent), std::max(0, -exponent));
+  if (plainly) return plain_label(digit * std::pow(10, exponent), std::max(0, -exponent));
   return fmt::format("{}10^{{{}{}}}", digit == 1 ? "" : std::to_string(digit) + "\u2009\u00b7\u2009",
                      exponent < 0 ? "\u2212" : "", std::abs(exponent));
 }
@@ -81,7 +81,7 @@ std::vector<Tick> linear_ticks(const Range& range, double step) {
   constexpr int most_decimals = 4;
   const bool powers = largest >= plain_up_to || decimals > most_decimals;
   for (double k = first; k <= last; k += 1)
-    ticks.push_back({k * step, powers ? number_markup(k == 0 ? 0.0 : k * step, 6) : fixed(k * step, decimals)});
+    ticks.push_back({k * step, powers ? number_markup(k == 0 ? 0.0 : k * step, 6) : plain_label(k * step, decimals)});
   return ticks;
 }
 

@@ -243,7 +243,7 @@ void add_cases(Page& page, const View& bench, const std::vector<View>& rows) {
       std::string times;
       for (const double level : levels) {
         const auto time = quickest(result, id, solver.text(), level);
-        times += (times.empty() ? "" : ", ") + (time ? milliseconds(*time, 2) : "\u2013");
+        times += (times.empty() ? "" : ", ") + (time ? milliseconds_in_full(*time, 2) : "\u2013");
       }
       row.push_back({times, "number"});
     }
@@ -269,7 +269,7 @@ void add_work_precision(Page& page, const View& bench) {
         "error. The truth is at least ten times more accurate than a filled mark; of a hollow mark only a bound of the "
         "error is known.";
     if (const auto share = result.number("cpu_share"))
-      note += " The process had " + markup_to_html(number_markup(100 * *share, 3)) + "\u2009% of a core.";
+      note += " The process had " + percent_cell(share).html + " of a core.";
     if (const auto c = result.number("c_s"))
       note += " <i>c</i> = " + markup_to_html(number_markup(*c * micro, 3)) +
               " \u00b5s, the time of one convolution on 512 intervals in the same run.";

@@ -225,7 +225,7 @@ std::string human_data(const std::vector<DatumRow>& rows, const DatumScan& scan)
   const auto line = [&](const std::string& what, const DatumScan::Ranges& list) {
     text += fmt::format("    {}: {}\n", what, words_of(scan, list));
   };
-  const std::string close = plain(100 * close_load) + " %", similar = plain(100 * similar_load) + " %";
+  const std::string close = percent(close_load), similar = percent(similar_load);
   line("there is a balance", scan.balanced_m);
   line("(a) holds", scan.a_m);
   line("(a) first half, similar: no roller's load more than " + similar + " of the largest dry load from its dry one",

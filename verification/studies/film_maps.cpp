@@ -257,7 +257,7 @@ std::string known_percent(const MapValue& fraction) {
   // A digit is known where the error is below half of its unit.
   while (decimals > 0 && !(error < 0.5 * std::pow(10.0, -decimals))) --decimals;
   if (size < 0.5 * std::pow(10.0, -decimals)) return "0";
-  return fmt::format("{:+.{}f}", value, decimals);
+  return signed_fixed(value, decimals);
 }
 
 std::string human_maps(const FilmMaps& maps, std::optional<Quantity> quantity, AtlasLaws laws) {

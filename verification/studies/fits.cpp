@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/studies/fits.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -22,7 +20,5 @@ Claim order_claim(Sentence says, double fitted, double declared, Tolerance toler
   judged.expected = declared;
   return judged;
 }
-
-std::string three_digits(double value) { return fmt::format("{:.2e}", value); }
 
 }  // namespace ehd::verification

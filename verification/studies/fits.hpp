@@ -15,6 +15,4 @@ namespace ehd::verification {
 /// |fitted - declared| against the tolerance.
 [[nodiscard]] Claim order_claim(Sentence says, double fitted, double declared, Tolerance tolerance, std::string note);
 
-[[nodiscard]] std::string three_digits(double value);  ///< "1.23e-05"
-
 }  // namespace ehd::verification

@@ -138,8 +138,8 @@ StudyRow judged(const Choice& choice, const std::vector<Case>& cases, bearing::L
 }
 
 /// A value of a statement in per cent.
-std::string percent(const PaperStatement& one, std::string_view name) {
-  return fmt::format("{:+.1f}", 100 * one.value(name).value());
+std::string percent_of(const PaperStatement& one, std::string_view name) {
+  return signed_fixed(100 * one.value(name).value(), 1);
 }
 
 std::string name_of(const StudyRow& row) { return row.value.empty() ? row.factor : row.factor + " " + row.value; }
@@ -248,20 +248,20 @@ std::vector<std::string> study_cells(const StudyRow& row) {
     return row.scan ? words_of(*row.scan, (*row.scan).*which, 2) : std::string();
   };
   const auto of = [&](char letter) -> const PaperStatement& { return *find_statement(row.statements, letter); };
-  const auto share = [](const PaperStatement& one) { return fmt::format("{:.1f}", 100 * one.value("apart").value()); };
+  const auto share = [](const PaperStatement& one) { return fixed(100 * one.value("apart").value(), 1); };
   const PaperStatement &a = of('a'), &b = of('b'), &c = of('c');
   return {row.factor,
           row.value,
           cell_of(a),
-          percent(a, "change"),
+          percent_of(a, "change"),
           share(a),
           cell_of(b),
-          percent(b, "least") + ".." + percent(b, "most"),
-          percent(b, "loaded"),
+          percent_of(b, "least") + ".." + percent_of(b, "most"),
+          percent_of(b, "loaded"),
           cell_of(c),
-          percent(c, "middle"),
+          percent_of(c, "middle"),
           share(c),
-          percent(c, "largest"),
+          percent_of(c, "largest"),
           cell_of(of('d')),
           range(&DatumScan::all_hold_m),
           range(&DatumScan::at_top_m),

@@ -44,9 +44,9 @@ Deviations deviations_of(const FilmMaps& maps, const FilmTable& table) {
 }
 
 /// Percent; below 0.1 the next power of ten, since the digits of a small deviation are the solver's.
-std::string percent(double fraction) {
+std::string percent_or_power(double fraction) {
   const double value = 100 * fraction;
-  return value >= 0.1 ? fmt::format("{:.1f}", value) : "< " + plain(std::pow(10, std::ceil(std::log10(value))), 1);
+  return value >= 0.1 ? fixed(value, 1) : "< " + plain(std::pow(10, std::ceil(std::log10(value))), 1);
 }
 
 /// Microseconds of one call, the mean of many.
@@ -78,8 +78,8 @@ std::string table_beside_formulas(const FilmMaps& maps, const FilmTable& table) 
   for (auto& [names, deviations] : deviations_of(maps, table)) {
     std::vector<double> sorted = deviations;
     std::sort(sorted.begin(), sorted.end());
-    rows.push_back({names.first, names.second, std::to_string(sorted.size()), percent(sorted[sorted.size() / 2]),
-                    percent(sorted.back())});
+    rows.push_back({names.first, names.second, std::to_string(sorted.size()),
+                    percent_or_power(sorted[sorted.size() / 2]), percent_or_power(sorted.back())});
   }
   text += aligned(rows, 2, "  ");
   const double by_table = microseconds_of([&](const MoesGroups& at) { return films_at(table, at)->front().value; });

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bearing/equilibrium.hpp"
+#include "contact/text.hpp"
 #include "verification/claims/bearing/by_hand.hpp"
 #include "verification/claims/bearing/parts.hpp"
 #include "verification/exact/sjovall.hpp"
@@ -141,7 +142,7 @@ Findings judge_many_rollers() {
   found.claims.push_back(order_claim(
       sentence("sjovall/order", "the load shares of Z rollers go to Sjovall's integral with order n + 1 = 19/9"),
       slope(x, y), 19.0 / 9, Tolerance::calibrated(0.2, "an envelope over twelve cage positions, read to a fifth"),
-      "24 to 384 rollers, error " + three_digits(worst_on_last) + " on the last"));
+      "24 to 384 rollers, error " + scientific(worst_on_last, 2) + " on the last"));
   return found;
 }
 
