@@ -39,7 +39,7 @@ struct CurveErrors {
 };
 
 /// The force errors of a curve hold at a given approach with the datum x_0 = l. With a datum of the order of the radii
-/// they are up to so many times as large.
+/// they are larger, at most by this factor.
 inline constexpr double force_error_by_datum = 2;
 
 /// Offset film, minimum film and rolling force over the contact force, 0 < f <= heaviest; each a ContinuedSpline,

@@ -10,7 +10,7 @@
 
 namespace ehd::bearing {
 
-/// What the ring may do. Both forms agree where the cage stands symmetric to the load.
+/// How the ring may move. Both forms agree where the cage stands symmetric to the load.
 enum class Form {
   plane,  ///< the ring moves along the load (x) and across it (y): any cage position is balanced
   radial  ///< the ring moves along the load only, y = 0; the force across that this needs is reported, not balanced
@@ -21,7 +21,7 @@ struct Loading {
   double centrifugal_N = 0;  ///< on each roller
 };
 
-/// What a balance must meet to be returned at all (Equilibrium::balance_error).
+/// A balance with a larger Equilibrium::balance_error is not returned.
 inline constexpr double largest_balance_error = 1e-12;
 
 /// The rollers at one displacement of the ring.

@@ -10,7 +10,7 @@
 namespace ehd::fast {
 
 /// Climbs until both films are known to the tolerance, or to the number of intervals requested. `from`: the solution of
-/// a neighbouring problem, used with full care alone.
+/// a neighbouring problem. It is used only with full care.
 [[nodiscard]] MappedClimb climb_mapped(Run& run, const Request& request, const Recipe& recipe, const Solution* from,
                                        Care care);
 

@@ -21,7 +21,7 @@ class MovingTail {
   /// H_1(X_a), W_1 = Int P_1 dX, m_1 = Int P_1 X dX, F_1(X_a).
   template <class Scalar>
   using Drive = Eigen::Matrix<Scalar, 4, 1>;
-  /// The load beyond X_a; P_1(X_a); the film's change by what is beyond, coefficients of 1, X, …, X^4.
+  /// The load beyond X_a; P_1(X_a); the change of the film that this load makes, coefficients of 1, X, …, X^4.
   template <class Scalar>
   using Answer = Eigen::Matrix<Scalar, 7, 1>;
 
@@ -39,7 +39,7 @@ class MovingTail {
   static constexpr int points = TailRule::points;
   using Points = Eigen::Array<double, points, 1>;
 
-  /// What Q_1 at the points of the rule and at X_a brings; a column each.
+  /// The answers to Q_1, given at the points of the rule and at X_a. Each column is one Q_1.
   template <class Scalar, int columns>
   [[nodiscard]] Eigen::Matrix<Scalar, 7, columns> answers(
       const Eigen::Matrix<Scalar, points, columns>& reduced,

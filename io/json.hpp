@@ -24,7 +24,7 @@ void put(Json& object, const std::string& key, const std::optional<double>& valu
 /// object[key] = [values], where all are finite.
 void put(Json& object, const std::string& key, std::initializer_list<double> values);
 
-/// A text is no JSON that this project would write: what() says why, "breaks at byte 17".
+/// The text is not valid JSON of this project: what() says why, "breaks at byte 17".
 class JsonError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

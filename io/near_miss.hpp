@@ -15,8 +15,7 @@ namespace ehd {
 /// there is none.
 [[nodiscard]] std::string near_miss(const std::string& word, const std::vector<std::string>& names);
 
-/// At most two characters differ, so that the word is the name, mistyped. Where more differ, the word may mean
-/// something else than the name does.
+/// At most two characters differ: the word is the mistyped name. Where more differ, the word may mean something else.
 [[nodiscard]] bool is_mistyped(const std::string& word, const std::string& name);
 
 /// "did you mean NAME? ", or nothing.

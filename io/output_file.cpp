@@ -43,7 +43,7 @@ std::filesystem::path folder_of(const std::filesystem::path& path) {
   return path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
 }
 
-/// Where a chain of links ends that is no loop.
+/// The path that a chain of links leads to. The chain must not be a loop.
 std::filesystem::path behind_links(std::filesystem::path path) {
   std::error_code error;
   while (std::filesystem::is_symlink(std::filesystem::symlink_status(path, error))) {
@@ -82,13 +82,13 @@ void remove_leftovers(const std::filesystem::path& path) {
   }
 }
 
-/// 0, or the error of fsync where the file system knows it.
+/// The error of fsync; 0 also where the file system cannot fsync.
 int synced(int descriptor) {
   if (::fsync(descriptor) == 0 || errno == EINVAL || errno == EROFS || errno == ENOTSUP) return 0;
   return errno;
 }
 
-/// A name is on the disk when its folder is.
+/// A new name of a file is on the disk only after fsync of its folder.
 void sync_folder_of(const std::filesystem::path& path) {
   const int folder = ::open(folder_of(path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (folder < 0) return;  // a folder that may be written but not read

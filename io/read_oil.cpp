@@ -62,8 +62,8 @@ void require_one_way(const CaseTree& tree) {
   for (const char* key : {at_40C, at_100C}) (void)required(tree, key);
 }
 
-/// "viscosity_index of at least 378, or ": from this whole number on the oil has 2 mm2/s or more at 100 C. Empty where
-/// a case cannot have so high an index.
+/// "viscosity_index of at least 378, or ": the smallest whole index that gives 2 mm2/s or more at 100 C. Empty where it
+/// is above the largest index of a case.
 std::string higher_index(double viscosity_40C_mm2_per_s) {
   const double least = std::ceil(viscosity_index(viscosity_40C_mm2_per_s, least_with_index).value());
   return interval_of(index_key).contains(least) ? fmt::format("viscosity_index of at least {}, or ", plain(least)) : "";

@@ -21,12 +21,12 @@ class StoredRowError : public std::runtime_error {
 
 struct StoredRow {
   std::string text;  ///< the row's object in rows.json
-  Json json;         ///< the same
+  Json json;         ///< the text, parsed
 };
 
-/// `kept`: the text of a ComputedRow; `hash`: the row_hash of row number `row`. Checked is all that the tables and
-/// messages read: the keys with their values, the hash, a result for each law with its status, and the type of every
-/// entry that rows.csv shows. Throws StoredRowError.
+/// `kept`: the text of a ComputedRow; `hash`: the row_hash of row number `row`. Checks everything that the tables
+/// and messages read: the keys with their values, the hash, a result for each law with its status, and the type of
+/// every entry that rows.csv shows. Throws StoredRowError.
 [[nodiscard]] StoredRow read_stored_row(const Sweep& sweep, std::size_t row, const std::string& hash,
                                         const std::string& kept);
 

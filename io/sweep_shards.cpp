@@ -27,7 +27,7 @@ std::filesystem::path folder_of(const Shard& shard, const std::filesystem::path&
   return shards_folder(folder) / fmt::format("{}-of-{}", shard.number, shard.of);
 }
 
-/// N of a folder's name K-of-N; 0 where the name is another.
+/// N of a folder's name K-of-N; 0 if the name is not K-of-N.
 std::size_t of_in_name(const std::string& name) {
   constexpr std::string_view between = "-of-";
   const auto middle = name.find(between);

@@ -26,7 +26,7 @@
 
 namespace ehd::verification {
 
-/// What a topic came to.
+/// The result of a topic.
 struct JudgedTopic {
   Findings findings = {};
   double took_s = 0;
@@ -134,7 +134,7 @@ JudgedTopic run_topic(const Topic& topic, const SuiteRequest& request) {
     return leave_out(topic, request, Deadline::not_run);
   const Interruptible ends_solves([&] { return request.deadline.passed(); });
   JudgedTopic topic_ended{.findings = judge_topic(topic, whole)};
-  // Some of its solves may have been ended: nothing is known of what it would have found.
+  // The deadline may have ended some of its solves: its claims are not known.
   return request.deadline.passed() ? leave_out(topic, request, Deadline::out_of_time) : topic_ended;
 }
 

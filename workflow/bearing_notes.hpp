@@ -73,12 +73,12 @@ using Unusual = ehd::Unusual;
 struct ThinFilm {
   double lambda_ratio = 0;
 };
-/// Nothing says how far a balance with films is off.
+/// The error of a balance with films is not known.
 struct NoBudget {
   std::string why;
 };
 
-/// A straight line without a balance by the law ehd in the same run, from which its distance would be known.
+/// A straight line without a balance by the law ehd in the same run: its error is not known.
 struct LineAlone {
   bool ehd_failed = false;  ///< ehd was asked for, and found no balance
 };

@@ -53,7 +53,7 @@ class Discretiser {
   /// The elements of `first` again, shifted, of 1.5 times the degree, and with half the inlet.
   [[nodiscard]] std::optional<Discretised> second_opinion(const Discretised& first);
 
-  /// What rounding does to a film, relative. Meshes that resolve less only cost time.
+  /// The relative error of a film by rounding. Meshes finer than this only cost time.
   [[nodiscard]] double rounding_of(double film) const;
   /// The same for the film that a fit of the literature expects.
   [[nodiscard]] double expected_rounding() const { return rounding_of(film_); }

@@ -119,8 +119,8 @@ BOOST_AUTO_TEST_CASE(damping_with_the_own_datum_is_no_further_off_than_kappa) {
             Tolerance::round_off(8));
 }
 
-// kappa_0 and kappa_1 err together where a spike passes between the nodes. A stiff film on a soft datum has the lag's
-// error, not theirs.
+// Where a spike passes between the nodes, the errors of kappa_0 and kappa_1 cancel in the lag kappa_1/kappa_0^2. A
+// stiff film on a soft datum has the error of the lag alone.
 BOOST_AUTO_TEST_CASE(damping_with_a_soft_datum_is_known_as_the_lag_is) {
   const SlowStiffness slow{
       .kappa_0 = 4, .kappa_1 = 1.6, .error_0 = 1e-2, .error_1 = 3e-2, .lag = 0.1, .lag_error = 1e-3};

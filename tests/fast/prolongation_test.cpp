@@ -97,8 +97,8 @@ BOOST_AUTO_TEST_CASE(without_a_spike_to_follow_the_last_solution_is_interpolated
   BOOST_CHECK(same(leaping.onto(4 * first, grids, inlet), fast::interpolate_to(far, 4 * first)));
 }
 
-// Bounds stand half way between the counts with and without what the sentence says: counts of a single contact change
-// by a few steps with the order of sums.
+// Each bound is half way between the counts with and without the saving. Counts of a single contact change by a few
+// steps with the order of sums.
 BOOST_AUTO_TEST_CASE(newton_steps_are_saved_where_a_spike_marches) {
   std::vector<Problem> problems;
   for (const MoesGroups& moes : {MoesGroups{20, 10}, {100, 10}, {200, 15}, {1000, 10}, {1000, 20}})

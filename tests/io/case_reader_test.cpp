@@ -114,7 +114,7 @@ std::string with_line(const std::vector<std::string>& base, std::size_t line, co
   return joined(lines);
 }
 
-/// A line of a case and what stands there instead, which is wrong.
+/// A line of a case, and the wrong line that replaces it.
 struct BadLine {
   std::size_t replaced;
   std::string replacement;

@@ -54,7 +54,7 @@ std::vector<double> approaches(const LawExport& law) {
 /// Exponentials of up to 10, cubics of a dozen operations.
 Tolerance rounding_of_a_cubic() { return Tolerance::round_off(100, 20); }
 
-/// status force stiffness film damping, a line an approach; a status other than 0 has nothing else.
+/// One line for each approach: status, force, stiffness, film, damping. The numbers count if the status is 0.
 void check_lines(const std::string& text, const LawExport& law) {
   std::istringstream out(text);
   for (const double approach : approaches(law)) {

@@ -85,7 +85,7 @@ Findings judge_both_solvers(MoesGroups moes, const Inlet& inlet) {
   return findings;
 }
 
-/// Where the far inlet is thick, what it makes of a waviness moves the film by 4e-6: more than fast states at 1e-6.
+/// Where the far inlet is thick, waviness in it moves the film by 4e-6. That is more than fast states at 1e-6.
 Findings judge_waves_of_far_inlet(MoesGroups moes) {
   ResponseRequest request{.waviness = {{11, 1}, {2, 1}, {5, 0.3}}, .tolerance = 1e-6};
   const Problem problem = response_problem(moes, Flooded{});
@@ -219,7 +219,7 @@ std::vector<Topic> fast_response_topics() {
   };
   agreement({5, 5}, cut_at_4, false);
   agreement({3, 6}, Flooded{}, false);
-  agreement({0.1, 2}, cut_at_4, false);  // light: what GMRES leaves counts most here
+  agreement({0.1, 2}, cut_at_4, false);  // light: the error that GMRES leaves counts most here
   for (const MoesGroups moes : {MoesGroups{1, 3}, {8, 12}, {20, 10}, {100, 5}, {150, 12}, {500, 8}}) {
     agreement(moes, Flooded{}, true);
     if (moes.M > 2) agreement(moes, cut_at_4, true);

@@ -25,7 +25,7 @@ constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 /// Int Int of ln|u| twice: hats of width 1 integrate ln|u| to its second difference.
 double twice_integrated_log(double u) { return u == 0 ? 0 : u * u / 2 * (std::log(std::abs(u)) - 1.5); }
 
-/// Everything at one time: nodes, and what the cells of the nodes 1 … n hold.
+/// Everything at one time: values at the nodes, and the masses of the cells about the nodes 1 … n.
 struct Moment {
   Array P, X, H, f, mass, faces;
   double load = 0;
@@ -78,7 +78,7 @@ class Contact {
     return at;
   }
 
-  /// Change of the masses less what flows in, for face speeds `speed` (the last one that of the exit).
+  /// Mass balance of each cell. The last entry of `speed` is the exit's.
   [[nodiscard]] Eigen::VectorXd balance(const Moment& at, const Array& mass_rate, const Array& speed) const {
     const double h = at.X[1] - at.X[0];
     const Array log_mobility = evaluate(problem_.density, at.P).value.log() + 3 * at.H.log() -
@@ -179,7 +179,7 @@ class Motion {
     all << first, last;
     return all;
   }
-  /// What the bodies do closes the equations: condition(y, moment) = 0.
+  /// The last equation is `condition`: a given H_0 or load.
   template <class Condition>
   [[nodiscard]] bool advance(double step, const Feature& feature, const Condition& condition) {
     const Residual residual = [&](const Eigen::VectorXd& at) {

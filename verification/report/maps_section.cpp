@@ -57,7 +57,7 @@ std::string lawful(const std::string& laws) {
   return laws;
 }
 
-/// A quantity as maps, one a law set. The law set follows id, title and heading.
+/// A quantity as maps. One map for each law set, whose name is appended to id, title and heading.
 struct Shown {
   std::string id, title, description, heading, caption;
   std::function<std::optional<double>(const View& point)> value;

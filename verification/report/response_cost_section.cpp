@@ -47,7 +47,7 @@ Figure cost_figure(const std::vector<View>& rows) {
   return figure;
 }
 
-/// Single marks show no more than the table.
+/// Without a line the panel shows no more than the table.
 bool shows_a_line(const Panel& panel) {
   return std::any_of(panel.series.begin(), panel.series.end(), [](const Series& one) { return one.x.size() > 1; });
 }

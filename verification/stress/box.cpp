@@ -29,8 +29,8 @@ constexpr Extent whole{21, 13, box_heaviest_M, box_largest_L}, quick_extent{4, 3
 
 /// Below 4 GPa both solvers converge, and their films differ by no more than the errors that they state. Above 4 GPa a
 /// solver may end otherwise. Films may then differ by the tolerance of both solvers (stated errors hold in 97 cases of
-/// 100, not in all) plus the stated error of a solver that did not converge. That error counts up to `widest`: films
-/// farther apart fail where they differ by more than is stated; where they do not, the point is inconclusive.
+/// 100, not in all) plus the stated error of a solver that did not converge. That error counts up to `widest`. A larger
+/// difference is inconclusive where the stated error allows it, and fails where it does not.
 Verdict judge_point(const BoxPoint& point, Tally& tally) {
   const std::string where = BoxContact{{point.M, point.L}, point.roelands}.name();
   const Ended &one = point.reference, &two = point.fast;

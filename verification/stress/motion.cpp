@@ -16,8 +16,8 @@ namespace ehd::verification::stress {
 
 namespace {
 
-/// `reference` is asked for a thousandth, so that it can judge stated errors that are far below what is asked of
-/// `fast`.
+/// `reference` computes to a thousandth of the tolerance of `fast`. So it can judge stated errors far below that
+/// tolerance.
 constexpr double asked = 1e-4, truth_asked = 1e-7, time_limit_s = 60, truth_time_limit_s = 240;
 constexpr int whole = 160, quick_points = 3;
 constexpr unsigned seed = 20261125;  // not that of the claim response/fast/random
@@ -106,7 +106,7 @@ Stated judged_error(const MotionNumber& number) {
 
 /// One of motion_numbers at all points.
 struct Count {
-  long judged = 0, held = 0, within = 0, known = 0;  ///< within `asked` of the truth; stated to be
+  long judged = 0, held = 0, within = 0, known = 0;  ///< error at most `asked`; stated error at most `asked`
   double worst = 0, largest = 0;                     ///< difference over stated error; difference
   std::vector<double> inflation = {};                ///< stated error over difference
 

@@ -105,7 +105,7 @@ BudgetRow difference(const BearingResult& one, const BearingResult& other) {
   return row;
 }
 
-/// What the solver's errors at the contacts of the fit move.
+/// How far solver errors at the fitted contacts move the result.
 BudgetRow bound_of_line(const Case& bearing_case, const BearingResult& line) {
   const auto laws = laws_of(std::get<BearingCase>(bearing_case.body), line);
   if (!laws) return {};
@@ -114,7 +114,7 @@ BudgetRow bound_of_line(const Case& bearing_case, const BearingResult& line) {
   });
 }
 
-/// By the law ehd, which the line stands for: among the results, or on the curve that the memory has.
+/// The result by `ehd`: from the results if present, else balanced on the stored curve.
 BearingResult full_relation(const Case& bearing_case, const std::vector<BearingResult>& results, bearing::Form form,
                             ContactMemory& memory) {
   for (const BearingResult& result : results)

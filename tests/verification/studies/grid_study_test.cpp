@@ -116,7 +116,7 @@ BOOST_AUTO_TEST_CASE(what_is_no_grid_study_is_refused) {
 
 BOOST_AUTO_TEST_CASE(noise_bounds_what_can_be_said) {
   const double noise = 1e-6;
-  // Differences of 1.9 noise are heard by nobody; half the range counts where it is more than the noise.
+  // Differences below 2 noise say nothing. The uncertainty is half the range where that is more than the noise.
   const auto stalled = study_grids({{64, 1}, {128, 1 + 1.9e-6}, {256, 1 + 3.8e-6}}, 2, noise);
   BOOST_TEST(to_string(stalled.trend) == "stalled");
   EHD_CHECK(error(stalled.uncertainty, 1.9e-6), Tolerance::calibrated(1e-5, "1 + 3.8e-6 as its size"));
@@ -127,7 +127,7 @@ BOOST_AUTO_TEST_CASE(noise_bounds_what_can_be_said) {
 }
 
 BOOST_AUTO_TEST_CASE(orders_are_bounded_before_they_enter_the_uncertainty) {
-  // Third order seen, second declared: (f1 - f2)/3; order 0.3 seen: as if 0.5.
+  // Observed order 3, declared 2: the declared order counts, (f1 - f2)/3. Observed order 0.3 counts as 0.5.
   const auto fast = study_grids({{64, 1 + 64e-4}, {128, 1 + 8e-4}, {256, 1 + 1e-4}}, 2, 0);
   EHD_CHECK(error(fast.uncertainty, 3 * 7e-4 / 3 / (1 + 1e-4)), Tolerance::round_off(10, 1e4));
   const double r = std::pow(2, -0.3);
