@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Scripts, Makefile, CMake files and CI steps have lines of at most 120 columns. clang-format holds those of C++.
+// Scripts, C, Makefile, CMake files and CI steps have lines of at most 120 columns. clang-format holds those of C++.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <filesystem>
@@ -37,7 +37,8 @@ BOOST_AUTO_TEST_CASE(a_wide_line_is_found) {
 }
 
 BOOST_AUTO_TEST_CASE(no_script_has_one) {
-  const std::set<std::string> endings{".py", ".sh", ".m", ".f90", ".cmake"}, names{"CMakeLists.txt", "steps.toml"};
+  const std::set<std::string> endings{".py", ".sh", ".c", ".m", ".f90", ".cmake"},
+      names{"CMakeLists.txt", "steps.toml"};
   const std::filesystem::path top(EHD_SOURCE_DIR);
   int files = 0;
   const auto read = [&](const std::filesystem::path& file) {

@@ -13,7 +13,8 @@ static double ask(const char *way, const ehd_result *result) {
   double film = 0, X[4096];
   if (strcmp(way, "json") == 0) return (double)strlen(ehd_json(result));
   if (strcmp(way, "fields") == 0)
-    return (double)(ehd_field(result, "X", X, 4096) + ehd_field(result, "P", X, 4096) + ehd_field(result, "H", X, 4096));
+    return (double)(ehd_field(result, "X", X, 4096) + ehd_field(result, "P", X, 4096) +
+                    ehd_field(result, "H", X, 4096));
   if (strcmp(way, "solve") != 0 && ehd_get(result, "film.minimum.hertz", &film) != EHD_OK) exit(1);
   return film;
 }
