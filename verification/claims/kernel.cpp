@@ -10,7 +10,6 @@
 #include <limits>
 #include <memory>
 #include <numbers>
-#include <random>
 
 #include "contact/hertz.hpp"
 #include "fast/convolution.hpp"
@@ -19,6 +18,7 @@
 #include "verification/claims/topics.hpp"
 #include "verification/exact/hertz_gap.hpp"
 #include "verification/exact/numerics.hpp"
+#include "verification/studies/draw.hpp"
 #include "verification/studies/fits.hpp"
 
 namespace ehd::verification {
@@ -99,10 +99,9 @@ Findings judge_operator() {
   Findings found;
   for (const int intervals : {64, 256, 1024}) {
     fast::Convolution convolution(intervals);
-    std::mt19937 generator(20240917);  // any fixed seed
-    std::uniform_real_distribution<double> anything(-1, 1);
+    Draw draw(20240917);  // any fixed seed
     Array x(intervals + 1), dense = Array::Zero(intervals + 1), y(intervals + 1);
-    for (double& value : x) value = anything(generator);
+    for (double& value : x) value = draw.uniform(-1, 1);
     x[intervals] = 0;
     double weights = 0;
     for (int i = 0; i <= intervals; ++i) {

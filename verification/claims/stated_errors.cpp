@@ -247,9 +247,9 @@ Findings judge_near_cuts() {
   StatedCounts counts;
   Draw draw(near_cut_seed);
   for (int i = 0; i < near_cut_contacts; ++i) {
-    const double M = draw.log_uniform(0.3, 50), L = draw.uniform(0, 30);
+    const double M = draw.logarithmic(0.3, 50), L = draw.uniform(0, 30);
     BoxContact contact{.moes = {M, L}, .roelands = i % 2 == 0};
-    contact.inlet = TruncatedAt{-1 - draw.log_uniform(0.01, 1.5)};
+    contact.inlet = TruncatedAt{-1 - draw.logarithmic(0.01, 1.5)};
     count_stated_errors(contact, counts);
   }
   return judge_share(counts, "stated-errors/near-cuts",

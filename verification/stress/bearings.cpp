@@ -42,7 +42,7 @@ constexpr int viscosity_halvings = 60;
 RandomBearing moving(RandomBearing drawn, unsigned seed) {
   if (bearing::sum_speed_m_per_s(drawn.geometry, drawn.speeds) > 0) return drawn;
   Draw draw(seed ^ 0x70b17u);
-  drawn.speeds = bearing::speeds_from_rpm(draw.log_uniform(30, 3000), 0);
+  drawn.speeds = bearing::speeds_from_rpm(draw.logarithmic(30, 3000), 0);
   drawn.loading.centrifugal_N = bearing::centrifugal_force_N(drawn.geometry, drawn.speeds);
   return drawn;
 }
@@ -51,8 +51,8 @@ RandomBearing moving(RandomBearing drawn, unsigned seed) {
 Case case_of(const RandomBearing& drawn, unsigned seed) {
   Draw draw(seed ^ 0x5eedu);
   Lubricant oil;
-  oil.viscosity = draw.index(4) == 0 ? ViscosityLaw::barus : ViscosityLaw::roelands;
-  oil.density = draw.index(2) == 0 ? DensityLaw::incompressible : DensityLaw::dowson_higginson;
+  oil.viscosity = draw.integer(0, 3) == 0 ? ViscosityLaw::barus : ViscosityLaw::roelands;
+  oil.density = draw.integer(0, 1) == 0 ? DensityLaw::incompressible : DensityLaw::dowson_higginson;
   BearingCase body;
   body.geometry = drawn.geometry;
   body.ring_thickness_m = drawn.contact.ring_thickness_m;
@@ -69,7 +69,7 @@ Case case_of(const RandomBearing& drawn, unsigned seed) {
                             bearing::reduced_radius_m(drawn.geometry, bearing::Raceway::outer));
   const auto alpha = [&](double eta) { return z * (std::log(eta) + 9.67) / oil.p0_Pa; };
   const auto L = [&](double eta) { return alpha(eta) * E * std::pow(eta * u / (E * R), 0.25); };
-  double eta = draw.log_uniform(2e-3, 0.2);
+  double eta = draw.logarithmic(2e-3, 0.2);
   const double target = draw.uniform(5, thickest_L);
   if (L(eta) > thickest_L) {
     double low = std::exp(-9.67), high = eta;  // alpha is 0 at the low end

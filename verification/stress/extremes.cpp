@@ -116,15 +116,15 @@ ExtremeRow tried(const std::string& kind, const std::string& what, const Stateme
 
 /// Inputs over many decades: nine of loads, nine of speeds, six of viscosities.
 ExtremeRow random_case(Draw& draw, int number) {
-  const Conditions SI{.load_N_per_m = draw.log_uniform(1e-1, 1e8),
-                      .reduced_radius_m = draw.log_uniform(1e-4, 1),
-                      .reduced_modulus_Pa = draw.log_uniform(1e9, 1e12),
-                      .speed_sum_m_per_s = draw.log_uniform(1e-6, 1e3),
-                      .viscosity_Pa_s = draw.log_uniform(1e-4, 1e2)};
+  const Conditions SI{.load_N_per_m = draw.logarithmic(1e-1, 1e8),
+                      .reduced_radius_m = draw.logarithmic(1e-4, 1),
+                      .reduced_modulus_Pa = draw.logarithmic(1e9, 1e12),
+                      .speed_sum_m_per_s = draw.logarithmic(1e-6, 1e3),
+                      .viscosity_Pa_s = draw.logarithmic(1e-4, 1e2)};
   Lubricant lubricant;
-  const int law = draw.index(8);
+  const int law = draw.integer(0, 7);
   lubricant.viscosity = law == 0 ? ViscosityLaw::isoviscous : law < 4 ? ViscosityLaw::barus : ViscosityLaw::roelands;
-  lubricant.density = draw.index(2) == 0 ? DensityLaw::incompressible : DensityLaw::dowson_higginson;
+  lubricant.density = draw.integer(0, 1) == 0 ? DensityLaw::incompressible : DensityLaw::dowson_higginson;
   lubricant.alpha_per_Pa = law == 0 ? 0 : draw.uniform(0, 4e-8);
   if (lubricant.viscosity == ViscosityLaw::roelands) lubricant.z = draw.uniform(0.3, 1);
   return tried("random SI", text_of(SI, lubricant), SI, lubricant, Flooded{}, number);

@@ -49,10 +49,10 @@ constexpr const char* families[] = {"stretched", "bumps", "rough"};
 /// under an ellipse. Films are 0.25 to 4 times the expected one. The caller scales the pressure to the load.
 Start drawn(Draw& draw, const std::string& family, double film) {
   const double l = std::max(1.0, std::sqrt(2 * film));
-  Start start{.P = {}, .exit = l * draw.uniform(0.7, 1.4), .film = film * draw.log_uniform(0.25, 4)};
+  Start start{.P = {}, .exit = l * draw.uniform(0.7, 1.4), .film = film * draw.logarithmic(0.25, 4)};
   const double exit = start.exit;
   if (family == "bumps") {
-    std::vector<std::array<double, 3>> bumps(static_cast<std::size_t>(1 + draw.index(4)));
+    std::vector<std::array<double, 3>> bumps(static_cast<std::size_t>(draw.integer(1, 4)));
     for (auto& [centre, width, height] : bumps) {
       centre = draw.uniform(-1.2 * l, 0.8 * exit);
       width = draw.uniform(0.3, 1.2) * l;

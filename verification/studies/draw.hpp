@@ -2,7 +2,6 @@
 // Random inputs of claims and stress tests: the same on every machine and in every run.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <random>
 #include <string>
@@ -21,13 +20,8 @@ class Draw {
     return from + (to - from) * (static_cast<double>(random_()) / all_values);
   }
   double logarithmic(double from, double to) { return std::pow(10, uniform(std::log10(from), std::log10(to))); }
-  /// The same distribution through natural logarithms. The last digits differ from `logarithmic`: stress tests were
-  /// recorded with these numbers.
-  double log_uniform(double from, double to) { return std::exp(uniform(std::log(from), std::log(to))); }
   /// from ... to, both included.
-  int integer(int from, int to) { return from + static_cast<int>(random_() % static_cast<unsigned>(to - from + 1)); }
-  /// 0 ... count - 1, by `uniform`: other numbers than `integer` gives.
-  int index(int count) { return std::min(count - 1, static_cast<int>(uniform(0, count))); }
+  int integer(int from, int to) { return from + static_cast<int>(uniform(0, to - from + 1)); }
   /// M 0.05 ... 5000 logarithmically, L 0 ... 30, to four digits.
   MoesGroups point() {
     const double M = logarithmic(0.05, 5000);
