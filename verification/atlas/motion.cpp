@@ -76,7 +76,7 @@ std::string motion_solver_version(const RegisteredSolver& solver) {
     for (const double Omega : request.frequencies) digest.add(Omega);
     for (const Waviness& wave : request.waviness) digest.add(wave.wavelength), digest.add(wave.slip);
   }
-  return fmt::format("{} {:016x}", solver.name, digest.value());
+  return fmt::format("{} {}", solver.name, digest.text());
 }
 
 }  // namespace

@@ -161,7 +161,7 @@ std::string atlas_solver_version(const RegisteredSolver& solver) {
       digest.add(reading.error.value_or(0));
     }
   }
-  return fmt::format("{} {:016x}", solver.name, digest.value());
+  return fmt::format("{} {}", solver.name, digest.text());
 }
 
 }  // namespace ehd::verification

@@ -31,7 +31,7 @@ std::vector<Problem> contacts(bool quick) {
   return list;
 }
 
-/// A text of the solution's bits. Solutions that differ have other texts, except for collisions of 64 bits.
+/// A text of the solution's bits. Solutions that differ have other texts, except for collisions of 128 bits.
 std::string fingerprint(const Solution& solution) {
   BitDigest digest;
   for (const auto& [quantity, reading] : solution.observables) {
@@ -45,7 +45,7 @@ std::string fingerprint(const Solution& solution) {
     for (const double value : *field) digest.add(value);
   digest.add(fields.offset);
   digest.add(static_cast<double>(solution.record.cost.newton_iterations));
-  return std::to_string(digest.value());
+  return digest.text();
 }
 
 }  // namespace

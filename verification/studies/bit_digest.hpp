@@ -1,23 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A hash of numbers, 64 bits, FNV-1a: it changes with any bit of any of them.
+// The hash (io/content_hash) of the bits of numbers.
 #pragma once
 
-#include <bit>
+#include <cstddef>
 #include <cstdint>
+#include <string>
+
+#include "io/content_hash.hpp"
 
 namespace ehd::verification {
 
 class BitDigest {
  public:
-  void add(std::uint64_t bits) {
-    constexpr std::uint64_t prime = 1099511628211u;
-    for (int byte = 0; byte < 8; ++byte) value_ = (value_ ^ ((bits >> (8 * byte)) & 0xFF)) * prime;
-  }
-  void add(double value) { add(std::bit_cast<std::uint64_t>(value)); }
-  [[nodiscard]] std::uint64_t value() const { return value_; }
+  void add(double value) { add_bytes(&value, sizeof value); }
+  void add(std::uint64_t value) { add_bytes(&value, sizeof value); }
+  [[nodiscard]] std::string text() const { return content_hash(bytes_); }
 
  private:
-  std::uint64_t value_ = 14695981039346656037u;
+  void add_bytes(const void* first, std::size_t size) { bytes_.append(static_cast<const char*>(first), size); }
+  std::string bytes_;
 };
 
 }  // namespace ehd::verification
