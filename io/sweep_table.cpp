@@ -71,33 +71,28 @@ Column text_at(const std::string& path) {
 
 // ---- Columns of a contact
 
-/// The values of a quantity's entry in the result's JSON that the CSV has. "": the entry is the value. A visit: a new
-/// quantity does not compile until it is decided here whether it is a column. New columns belong after `reason`, so
-/// that older ones keep their places.
-std::vector<std::string_view> values_in_csv(Quantity quantity) {
-  switch (quantity) {
-    case Quantity::film_minimum:
-    case Quantity::film_central: return {"hertz", "moes", "m", "error"};
-    case Quantity::film_offset:
-    case Quantity::pressure_maximum: return {"hertz"};
-    case Quantity::approach: return {"hertz", "m"};
-    case Quantity::load_error: return {""};
-    // In rows.json alone.
-    case Quantity::film_couette:
-    case Quantity::pressure_spike:
-    case Quantity::pressure_exit:
-    case Quantity::rolling_force:
-    case Quantity::flux_variation: return {};
-  }
-  return {};
-}
+/// The quantities that are columns, and which values of their entries in the result's JSON. "": the entry is the value.
+/// All others are in rows.json alone. New columns belong after `reason`, so that older ones keep their places.
+struct InCsv {
+  Quantity quantity;
+  std::vector<std::string_view> values;
+};
+const InCsv quantities_in_csv[] = {
+    {Quantity::film_minimum, {"hertz", "moes", "m", "error"}},
+    {Quantity::film_central, {"hertz", "moes", "m", "error"}},
+    {Quantity::film_offset, {"hertz"}},
+    {Quantity::pressure_maximum, {"hertz"}},
+    {Quantity::approach, {"hertz", "m"}},
+    {Quantity::load_error, {""}},
+};
 
 Columns contact_columns() {
   Columns columns{text_at("solver"), text_at("status"), at_path("M", "groups.M"), at_path("L", "groups.L"),
                   at_path("hertz_pressure_Pa", "groups.hertz_pressure_Pa")};
-  for (const QuantityRow& row : quantity_table())
-    for (const std::string_view value : values_in_csv(row.quantity)) {
-      const std::string path = std::string(row.json_entry) + (value.empty() ? "" : "." + std::string(value));
+  for (const auto& [quantity, values] : quantities_in_csv)
+    for (const std::string_view value : values) {
+      const std::string path =
+          std::string(row_of(quantity).json_entry) + (value.empty() ? "" : "." + std::string(value));
       std::string name = path;
       std::replace(name.begin(), name.end(), '.', '_');
       columns.push_back(at_path(std::move(name), path));
