@@ -7,13 +7,13 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <map>
 #include <optional>
 #include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "bearing/curve_points.hpp"
 #include "contact/text.hpp"
 
 namespace ehd::bearing {
@@ -24,11 +24,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Ratio of neighbouring forces on the way down, before gaps are split.
 constexpr double descent = 4;
-/// The error below the lightest point is stated as this times the bound of Points::continuation. Measured on 1600
-/// raceways of random bearings, each at 20 unseen contacts: the true error is at most 1.48 times the bound.
-constexpr double safety_of_continuation = 2;
-/// The bound is the largest of this many values; it is smooth, so they miss less than a thousandth of it.
-constexpr int samples_of_continuation = 100;
 /// A point is predicted over twice the gap. The error of a fourth-order spline falls to a sixteenth where the gap is
 /// halved; half of that gain is counted on.
 constexpr double gain_of_half_the_gap = 8;
@@ -41,34 +36,11 @@ constexpr double rounding_of_a_gap = 1e-9, rounding_of_a_force = 1e-12;
 
 std::string newtons(double force_N) { return plain(force_N, 4) + " N"; }
 
-/// How far a curve is from a solved contact, relative.
-struct Disagreement {
-  double force = 0;                ///< of the contact force at the solved approach
-  double offset = 0, minimum = 0;  ///< |ln(curve/solved)| of the films
-  double rolling = 0;              ///< and of the rolling force, where both have it
-
-  [[nodiscard]] double film() const { return std::max(offset, minimum); }
-  /// Above 1: beyond the bounds. Infinite where a number is not finite.
-  [[nodiscard]] double against(const CurveRequest& request) const {
-    const double ratio = std::max(force / request.force_bound, minimum / request.film_bound);
-    return std::isfinite(force) && std::isfinite(minimum) ? ratio : infinity;
-  }
-};
-
-/// Below the lightest point the error of ln F is x (1 - x) q(x), x = t^(3/2), t = f/f_lightest: it vanishes with the
-/// load as t^(3/2) and is continuous at t = 1. q is nearly linear. It is known at t from the error of the film there,
-/// and at 1 from the error of the exponent d ln F/d ln f. Returns the largest |x (1 - x) q(x)|.
-double largest_below(double t, double error_at_t, double error_of_exponent) {
-  const double x = t * std::sqrt(t), q_t = error_at_t / (x * (1 - x)), q_1 = -error_of_exponent / 1.5;
-  double largest = 0;
-  for (int k = 1; k < samples_of_continuation; ++k) {
-    const double at = static_cast<double>(k) / samples_of_continuation;
-    largest = std::max(largest, std::abs(at * (1 - at) * (q_t + (q_1 - q_t) * (at - x) / (1 - x))));
-  }
-  return largest;
+/// Above 1: beyond the bounds. Infinite where a number is not finite.
+double against(const CurveRequest& request, const Disagreement& here) {
+  const double ratio = std::max(here.force / request.force_bound, here.minimum / request.film_bound);
+  return std::isfinite(here.force) && std::isfinite(here.minimum) ? ratio : infinity;
 }
-
-double exponent(const ValueAndSlope& film, double force_N) { return film.slope * force_N / film.value; }
 
 Disagreement over_half_the_gap(const Disagreement& over_the_gap) {
   constexpr double gain = gain_of_half_the_gap;
@@ -77,94 +49,6 @@ Disagreement over_half_the_gap(const Disagreement& over_the_gap) {
           .minimum = over_the_gap.minimum / gain,
           .rolling = over_the_gap.rolling / gain};
 }
-
-/// The solved contacts that a curve may be made of.
-class Points {
- public:
-  explicit Points(const SolvableContact& contacts) : contacts_(contacts) {}
-
-  /// Solves a contact and keeps it, or says why it cannot.
-  [[nodiscard]] std::optional<SolveFailure> add(double force_N) {
-    const ContactResult result = contacts_.at(force_N);
-    if (const auto* failure = std::get_if<SolveFailure>(&result)) return *failure;
-    const auto& solved = std::get<SolvedContact>(result);
-    const double F = offset_film_m(contacts_.contact, force_N, solved);
-    if (!(F > 0) || !(solved.film_minimum_m > 0)) return SolveFailure{.why = "the solved film is not positive"};
-    points_[force_N] = {F, solved.film_minimum_m, solved.rolling_force_N_per_m};
-    if (!solved.converged) missed_N_.insert(force_N);
-    solver_minimum_film_ = std::max(solver_minimum_film_, solved.film_error);
-    solver_offset_film_ = std::max(solver_offset_film_, relative_offset_error(solved));
-    solver_rolling_ = std::max(solver_rolling_, solved.rolling_error);
-    return std::nullopt;
-  }
-  [[nodiscard]] std::size_t size() const { return points_.size(); }
-  [[nodiscard]] bool has(double force_N) const { return points_.contains(force_N); }
-
-  /// What the solver states of the contacts' own errors.
-  void put_solver_errors(CurveErrors& errors) const {
-    errors.solver_offset_film = solver_offset_film_;
-    errors.solver_minimum_film = solver_minimum_film_;
-    errors.rolling += solver_rolling_;
-    errors.missed_N.assign(missed_N_.begin(), missed_N_.end());
-  }
-
-  [[nodiscard]] FilmCurve curve(const std::set<double>& forces_N, CurveErrors errors = {}) const {
-    std::vector<double> forces, offsets, minima, rolling;
-    for (const double force_N : forces_N) {
-      forces.push_back(force_N);
-      offsets.push_back(points_.at(force_N).offset);
-      minima.push_back(points_.at(force_N).minimum);
-      if (points_.at(force_N).rolling) rolling.push_back(*points_.at(force_N).rolling);
-    }
-    if (rolling.size() < forces.size()) rolling.clear();
-    return {contacts_.contact, std::move(forces), offsets, minima, std::move(errors), rolling};
-  }
-
-  /// Of a curve at a solved contact that the curve need not contain.
-  [[nodiscard]] Disagreement disagreement(const FilmCurve& curve, double force_N) const {
-    const Films& solved = points_.at(force_N);
-    const ValueAndSlope offset = curve.offset_film(force_N);
-    return {.force = std::abs(offset.value - solved.offset) / curve.rise_m(force_N),
-            .offset = std::abs(std::log(offset.value / solved.offset)),
-            .minimum = std::abs(std::log(curve.minimum_film(force_N).value / solved.minimum)),
-            .rolling = off_rolling(curve, force_N)};
-  }
-  /// Of a curve below its lightest point, at any load, from the contact solved at `force_N` there. `with_it` is a curve
-  /// through that contact too: it knows the exponent at the joint better. The error of one film may vanish where the
-  /// contact was solved, that of the other then does not. So the larger counts for both, and for the force.
-  [[nodiscard]] Disagreement continuation(const FilmCurve& curve, const FilmCurve& with_it, double force_N) const {
-    const Films& solved = points_.at(force_N);
-    const double joint_N = curve.lightest_N(), t = force_N / joint_N;
-    const auto largest = [&](ValueAndSlope (FilmCurve::*film)(double) const, double solved_film) {
-      const double off_exponent =
-          exponent((curve.*film)(joint_N), joint_N) - exponent((with_it.*film)(joint_N), joint_N);
-      return largest_below(t, std::log((curve.*film)(force_N).value / solved_film), off_exponent);
-    };
-    const double film = safety_of_continuation * std::max(largest(&FilmCurve::offset_film, solved.offset),
-                                                          largest(&FilmCurve::minimum_film, solved.minimum));
-    // Far below the joint the rise is the film itself.
-    const double force_over_film = std::max(1.0, curve.offset_film(joint_N).value / curve.rise_m(joint_N));
-    return {.force = force_over_film * film,
-            .offset = film,
-            .minimum = film,
-            .rolling = safety_of_continuation * off_rolling(curve, force_N)};
-  }
-
- private:
-  struct Films {
-    double offset = 0, minimum = 0;
-    std::optional<double> rolling;
-  };
-  [[nodiscard]] double off_rolling(const FilmCurve& curve, double force_N) const {
-    const auto &solved = points_.at(force_N).rolling, read = curve.rolling_force_N_per_m(force_N);
-    return solved && read ? std::abs(std::log(*read / *solved)) : 0;
-  }
-
-  const SolvableContact& contacts_;
-  std::map<double, Films> points_;
-  double solver_offset_film_ = 0, solver_minimum_film_ = 0, solver_rolling_ = 0;
-  std::set<double> missed_N_;
-};
 
 /// The largest disagreements that were met, and the force whose disagreement is furthest beyond the bounds.
 struct Worst {
@@ -275,7 +159,7 @@ class Refinement {
       if (is_smallest(*high / *low)) continue;
       // One extra solve says nothing of a gap this wide: beside a bend the error may change its sign just there.
       const bool wide = *high / *low > request_.widest_gap * (1 + rounding_of_a_gap);
-      worst.propose(between, wide ? infinity : here.against(request_));
+      worst.propose(between, wide ? infinity : against(request_, here));
     }
     return worst;
   }
@@ -287,7 +171,7 @@ class Refinement {
       others.erase(*at);
       const Disagreement here = over_half_the_gap(points_.disagreement(points_.curve(others), *at));
       worst.meet(here);
-      if (!left.contains(*at)) worst.propose(*at, here.against(request_));
+      if (!left.contains(*at)) worst.propose(*at, against(request_, here));
     }
     return worst;
   }
@@ -320,7 +204,7 @@ class Refinement {
     return nearest;
   }
 
-  Points points_;
+  CurvePoints points_;
   CurveRequest request_;
   std::set<double> nodes_, extras_, failed_;
   Worst worst_;
@@ -362,7 +246,7 @@ void descend(Refinement& refinement, const CurveRequest& request, LightEnd& end)
       end.because = newtons(half) + " could not be solved: " + why;
       return;
     }
-    if (refinement.continuation(refinement.lightest_N(), half).against(request) <= 1) {
+    if (against(request, refinement.continuation(refinement.lightest_N(), half)) <= 1) {
       end.because = fmt::format("below {} the rigid-roller formula is used; it was checked at {}",
                                 newtons(refinement.lightest_N()), newtons(half));
       end.at_rigid_limit = true;

@@ -27,8 +27,8 @@ struct CurveErrors {
   /// other: leave one point out, take the curve's error at that point, divide it by eight (build_curve.hpp).
   double interpolation = 0, interpolation_force = 0;
   /// Below the lightest point, at any load. A contact solved at half the lightest load and the exponent d ln F/d ln f
-  /// at the joint bound the error there; this is twice that bound (build_curve.cpp, Points::continuation). Where no
-  /// lighter contact can be solved, the curve is made without its lightest octaves and judged at the lightest point.
+  /// at the joint bound the error there; this is twice that bound (CurvePoints::continuation). Where no lighter
+  /// contact can be solved, the curve is made without its lightest octaves and judged at the lightest point.
   /// Infinite where too few points are left for that.
   double joint = 0, joint_force = 0;
   double solver_offset_film = 0;   ///< largest relative error of an offset film that the solver states

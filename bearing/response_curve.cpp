@@ -165,7 +165,7 @@ Kappa ResponseCurve::at(double force_N, std::size_t k) const {
 namespace {
 
 /// The error below the lightest point is stated as this times the disagreement at half the lightest force: as for films
-/// (build_curve.cpp).
+/// (curve_points.cpp).
 constexpr double safety_of_response_continuation = 2;
 
 /// Extra solves become points. The error of a fourth-order spline falls to a sixteenth where the gap is halved; half of
