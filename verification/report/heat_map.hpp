@@ -45,9 +45,4 @@ struct HeatMap {
 };
 [[nodiscard]] std::string draw(const HeatMap& map, Place place);
 
-/// Lines of the value `level` through values at the nodes (i, j), by marching squares: polylines in the coordinates
-/// (i, j). A square with a value that is not finite has no line. `values`: x fastest.
-[[nodiscard]] std::vector<std::vector<Point>> contour_lines(const std::vector<double>& values, std::size_t columns,
-                                                            std::size_t rows, double level);
-
 }  // namespace ehd::report

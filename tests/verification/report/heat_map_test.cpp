@@ -11,6 +11,7 @@
 
 #include "tests/check.hpp"
 #include "tests/verification/report/markup.hpp"
+#include "verification/report/contour_lines.hpp"
 #include "verification/report/polar_plot.hpp"
 
 using namespace ehd::report;
