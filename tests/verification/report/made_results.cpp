@@ -341,7 +341,9 @@ Json made_results() {
   return results;
 }
 
-Json made_bench() {
+namespace {
+
+Json runs_of_bench() {
   Json rows = Json::array();
   for (const auto& [solver, order, cost] :
        {std::tuple<const char*, double, double>{"reference", 6, 1e-2}, {"fast", 2, 1e-3}}) {
@@ -363,6 +365,10 @@ Json made_bench() {
                   {"tolerance", 1e-9},
                   {"status", "not-run"},
                   {"reason", "expected to reach the time limit"}});
+  return rows;
+}
+
+Json bench_at_equal_error() {
   Json equal = Json::array();
   for (const double level : {1e-2, 1e-3, 1e-4})
     equal.push_back({{"quantity", "film.central"},
@@ -370,6 +376,10 @@ Json made_bench() {
                      {"level", level},
                      {"quickest", Json::array()},
                      {"ratios", {{"reference/fast", 1e-2 / level}}}});
+  return equal;
+}
+
+Json scaling_of_bench() {
   Json scaling = Json::array();
   for (const int nodes : {256, 1024, 4096})
     scaling.push_back({{"solver", "fast"},
@@ -382,6 +392,12 @@ Json made_bench() {
                        {"ns_per_n_log2_n", 100.0},
                        {"time_per_unit", 10.0},
                        {"peak_bytes", 1e3 * nodes}});
+  return scaling;
+}
+
+}  // namespace
+
+Json made_bench() {
   return {{"schema", 1},
           {"provenance", provenance()},
           {"response", cost_of_motion()},
@@ -391,8 +407,8 @@ Json made_bench() {
             {"cpu_share", 0.99},
             {"c_s", 5e-6},
             {"truths", {{{"case", "made-20-10"}, {"solver", "reference"}, {"film.minimum", {{"error", 1e-12}}}}}},
-            {"rows", rows},
-            {"at_equal_error", equal},
+            {"rows", runs_of_bench()},
+            {"at_equal_error", bench_at_equal_error()},
             {"coverage",
              {{{"quantity", "film.central"},
                {"solver", "fast"},
@@ -400,7 +416,7 @@ Json made_bench() {
                {"missed", 0},
                {"undecided", 0},
                {"median_excess", 12.0}}}}}},
-          {"scaling", scaling},
+          {"scaling", scaling_of_bench()},
           {"cost",
            {{{"asked", "both films to 1e-3"},
              {"of", "box"},
