@@ -45,7 +45,7 @@ Spring spring_of(const ContactMotion& contact) {
   return {.stiffness = contact.stiffness_N_per_m, .damping = contact.damping_N_s_per_m.value_or(0)};
 }
 
-/// What the errors of two springs make of a third one that depends on them.
+/// The errors of a spring that `make` makes of `one`, from the errors of `one`.
 template <class Make>
 Spring change(const Make& make, Spring one, double stiffness_error, double damping_error) {
   const Spring made = make(one);

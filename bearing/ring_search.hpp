@@ -17,7 +17,7 @@ struct Place {
 };
 
 /// The radial form: one search along the load, to rounding. Rollers on the jump of a law that is cut at delta = 0 share
-/// what the others leave of the load. `miss_N` is that along the load.
+/// the load that the others do not carry. `miss_N`: the unbalanced force along the load.
 [[nodiscard]] Place balance_along_the_load(Ring& ring, const LawPair& laws, const Loading& loading);
 
 /// The plane form: Newton's steps, each searched for a place where the force along it has at least halved. Returns the

@@ -40,11 +40,11 @@ template <class Scalar>
 namespace detail {
 
 /// Newton's method doubles the digits each time, so that starts good to 1e-3 need at most seven steps in any type used
-/// here; the others are spare. It has settled where it moves by less than so many units of rounding.
+/// here; the others are spare. It has settled when a step is less than this many units of rounding.
 inline constexpr int most_newton_steps = 12, settled_roundings = 4;
 /// An interval of length 2, halved so often, is shorter than the rounding of a double.
 inline constexpr int bisections = 60;
-/// The search for zeros takes so many cells a zero, counting so many zeros more than there are.
+/// The search for zeros takes this many cells for each zero, as if there were this many zeros more.
 inline constexpr int cells_per_zero = 40, spare_zeros = 2;
 /// The cells are shifted by this part of one, so that none ends at 0, where odd functions have a zero.
 inline constexpr double cell_shift = 0.37;

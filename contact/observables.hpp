@@ -38,7 +38,7 @@ namespace observed {
 
 /// Every wanted quantity that the fields have, without errors.
 [[nodiscard]] Observables observe(const Fields& fields, const Wanted& wanted);
-/// Removes what was observed for the judgement of others alone.
+/// Removes quantities that are not wanted: they were observed only to judge others.
 void keep_wanted(Observables& observables, const Wanted& wanted);
 
 /// The value at x of the polynomial through (nodes, values). Sizes equal, nodes distinct. Errors: none.

@@ -14,7 +14,7 @@ namespace ehd {
 
 namespace {
 
-/// The interval of ln Omega that holds the highest certified frequency is halved so many times.
+/// How often the interval of ln Omega that holds the highest certified frequency is halved.
 constexpr int halvings = 6;
 /// Where no requested frequency is known, lower ones are tried, each 2^6 times lower than the one before. Omega = 1e9
 /// takes four such steps to a flooded contact's 93.

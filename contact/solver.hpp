@@ -32,7 +32,7 @@ struct FilmTolerances {
     constexpr double not_asked = std::numeric_limits<double>::infinity();
     return std::min(minimum.value_or(not_asked), central.value_or(not_asked));
   }
-  /// Both films are known to what they are asked for.
+  /// Both films meet the tolerances that are asked for.
   [[nodiscard]] bool met_by(const ErrorBudget& of_minimum, const ErrorBudget& of_central) const {
     return any() && !(minimum && !(of_minimum.total() <= *minimum)) && !(central && !(of_central.total() <= *central));
   }

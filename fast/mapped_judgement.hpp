@@ -11,7 +11,7 @@
 
 namespace ehd::fast {
 
-/// What one way through all grids of a map leaves.
+/// The result of one pass through all grids of a map.
 struct MappedClimb {
   std::vector<GridRecord> grids;  ///< coarse to fine
   MapFit fit = MapFit::settled;   ///< of the map that they share

@@ -24,7 +24,7 @@ struct Interval {
   [[nodiscard]] std::string text() const;  ///< "0, or 1e-9 to 1e12"
 };
 
-/// What a key may hold, beside a number in an Interval.
+/// The kinds of values of a key, beside a number in an Interval.
 namespace allowed {
 struct Integer {
   int low = 0, high = 0;

@@ -27,7 +27,7 @@ constexpr double found_factor = 3;
 /// Held-out solves of a panel: at least so many, and one for so many coefficients.
 constexpr long fewest_held_out = 32, coefficients_per_held_out = 4;
 /// Where the bend is steep, errors stand along a narrow band, which evenly spread points miss (by 6 times over M 1..7,
-/// L 1..25). Every second held-out point is the one among so many where the highest degrees contribute most.
+/// L 1..25). So every second held-out point is chosen among 32: where the highest degrees contribute most.
 constexpr int candidates_a_point = 32;
 /// Each solve is asked for this share of the tolerance.
 constexpr double solve_share = 0.2;

@@ -10,7 +10,7 @@
 
 namespace ehd::reference::hp {
 
-/// What is left of the caller's limits, and what was spent.
+/// The part of the caller's limits that is left, and the work that is done.
 struct Meter {
   int iterations_left = 0;
   std::chrono::steady_clock::time_point end;
@@ -36,7 +36,7 @@ struct NewtonRun {
   Evaluation<double> at;
   int iterations = 0;
   double residual = std::numeric_limits<double>::quiet_NaN();  ///< largest, each in units of its scale
-  double iteration_error = 0;  ///< relative, of the flux: what a further step would still move
+  double iteration_error = 0;  ///< relative change of the flux that a further step would make
 };
 
 /// Steps with the exact Jacobian, halved where the film would close or the residual explode.

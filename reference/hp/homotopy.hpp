@@ -34,7 +34,7 @@ struct HomotopyLimits {
   NewtonLimits newton = {};
 };
 
-/// How far each element is from what is allowed: > 1 is to be split.
+/// The error of each element over the allowed one: above 1 the element is to be split.
 [[nodiscard]] std::vector<double> excess_of(const Collocation<double>& equations, const NewtonRun& run,
                                             const Problem& problem, const Resolution& resolution);
 

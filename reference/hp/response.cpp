@@ -30,8 +30,8 @@ constexpr double pressure_resolution = 1e-3, flux_resolution = 1e-2;
 constexpr double safety = 5;
 /// Error over the move from the last floor of the fluidity to floor 0, which no third floor confirms.
 constexpr double floor_safety_of_response = 2;
-/// What an element may do to the film's amplitude, over the tolerance: of each attempt to meet it. The indicator is 10
-/// to 1e4 times larger than the error that it stands for.
+/// The error that one element may make in the film's amplitude, over the tolerance, in each attempt. The indicator is
+/// 10 to 1e4 times larger than the true error.
 constexpr double allowed_parts[] = {100, 1, 0.01};
 /// A refinement that leaves more than this part of the error is the last one: something else than the mesh limits it.
 constexpr double hopeless = 0.7;

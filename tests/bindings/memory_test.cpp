@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a caller frees is gone. `make sanitize` runs a small part of this under LeakSanitizer.
+// Memory that a caller frees is really freed. `make sanitize` runs a small part of this under LeakSanitizer.
 #include <malloc.h>
 
 #include <boost/test/unit_test.hpp>

@@ -222,7 +222,7 @@ BOOST_AUTO_TEST_CASE(a_law_without_errors_has_no_brackets_and_an_empty_row_is_le
   BOOST_TEST(summary_table(std::get<BearingCase>(one.body), {dry}, {}) == "");
 }
 
-// Six digits are right of a dry law alone: it is solved to rounding.
+// Only a dry law may have six digits: it is solved to rounding.
 BOOST_AUTO_TEST_CASE(a_law_with_films_but_without_a_budget_has_three_digits_and_a_note) {
   BearingResult line = made_result();
   line.law = bearing::Law::ehd_linear;

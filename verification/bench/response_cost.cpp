@@ -20,7 +20,7 @@ namespace {
 
 /// What a sweep asks for; a frequency costs the same wherever it stands among them.
 const std::vector<double> swept_Omegas = {0.5, 1, 2, 5, 10};
-/// Of the certified solver, which judges what `fast` achieves. It states far less than it is asked for.
+/// Of the certified solver, which judges the errors of `fast`. Its own stated errors are far below this tolerance.
 constexpr double certified_motion_tolerance = 1e-8;
 
 std::vector<double> tolerances_of(const RegisteredSolver& solver, bool quick) {

@@ -27,7 +27,7 @@ constexpr std::pair<const char*, bool> motion_sample[] = {
     {"atlas-roelands-m100-l5-flooded", true},    {"atlas-barus-m5-l5-flooded", false},
     {"atlas-barus-m50-l10-flooded", true}};
 
-/// How far a number is from the row's, over what both state; NaN where only one of them is known.
+/// Difference of a number from the row's, over the sum of both stated errors; NaN where one of the two is not known.
 double apart(const AtlasRow& row, const std::string& column, const std::map<std::string, AtlasReading>& found,
              const std::string& name) {
   const auto at = found.find(name);

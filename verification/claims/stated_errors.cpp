@@ -97,7 +97,7 @@ constexpr int random_contacts_a_law = 10;
 constexpr unsigned near_cut_seed = 20261205;
 constexpr int near_cut_contacts = 6;
 
-/// What the stated errors of one solver are worth.
+/// How well the stated errors of one solver hold.
 struct StatedCount {
   int films = 0;  ///< that the solver reported
   int judged = 0, held = 0, undecided = 0;

@@ -32,10 +32,10 @@ using std::numbers::pi;
 constexpr unsigned first_seed = 20261122;
 constexpr double thickest_L = box_largest_L;  ///< the contact solvers are made up to it
 constexpr std::size_t most_messages = 20;
-/// The curves of so many bearings are held against unseen contacts; at least so many contacts make a verdict.
+/// The curves of this many bearings are compared with unseen contacts. A verdict needs at least so many contacts.
 constexpr std::size_t bearings_with_unseen = 500;
 constexpr long fewest_unseen = 200;
-/// Halvings of ln(viscosity): so many end at its rounding.
+/// After this many halvings the interval of ln(viscosity) is as small as its rounding.
 constexpr int viscosity_halvings = 60;
 
 /// The same bearing with rings that move against each other, which a film needs.

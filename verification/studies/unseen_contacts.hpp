@@ -10,8 +10,8 @@ namespace ehd::verification {
 struct UnseenContacts {
   long contacts = 0;  ///< solved; too light ones that no solver takes are left out
   /// The largest error of the curve over the error that it states below its lightest point: of the films and of the
-  /// force. What the solved contact itself may be off is taken from the error. At most 1 where every stated error
-  /// covers.
+  /// force. The error of the solved contact itself is subtracted. At most 1 where every stated error covers the
+  /// true one.
   double worst = 0;
 };
 /// Solves contacts to 1e-6 at nine loads, from 0.93 to 0.03 of the curve's lightest.

@@ -35,7 +35,7 @@ BOOST_AUTO_TEST_CASE(three_floors_give_a_line_and_its_logarithm) {
   for (const auto& [lowest, r, s] : {std::array{1e-6, 10., 10.}, {1e-9, 10., 100.}, {1e-8, 3., 5.}, {1e-7, 40., 4.}}) {
     const AtZero zero = carried_to_zero(floors_of(value, lowest, r, s));
     EHD_CHECK(std::abs(zero.value - at_zero), Tolerance::round_off(16, at_zero));
-    // What the line alone misses is stated.
+    // The stated error covers what a straight line would miss.
     const std::vector<AtFloor> lines = floors_of(value, lowest, r, s);
     const double slope = (lines[1].value - lines[0].value) / (lines[1].floor - lines[0].floor);
     BOOST_TEST(zero.error >= std::abs(lines[0].value - lowest * slope - at_zero));

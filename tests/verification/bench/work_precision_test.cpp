@@ -162,7 +162,7 @@ BOOST_AUTO_TEST_CASE(a_known_error_is_found_in_films_and_pressure) {
   BOOST_REQUIRE(!result.rows.empty());
   for (const WorkRow& row : result.rows) {
     BOOST_CHECK(row.converged());
-    // What is behind the glass is itself known to 1e-6.
+    // The unshifted solution is itself known to 1e-6.
     const auto behind = Tolerance::required(1e-5, "reference at 1e-6, and L2 of a pressure at 1e-6");
     EHD_CHECK(std::abs(row.error(Judged::film_minimum).achieved.value() - film_shift), behind);
     EHD_CHECK(std::abs(row.error(Judged::film_central).achieved.value() - film_shift), behind);

@@ -190,7 +190,7 @@ BOOST_AUTO_TEST_CASE(b_looks_at_every_loaded_roller_and_tells_of_the_others) {
   BOOST_TEST(!judged(none)[1].holds);
 }
 
-// What the paper prints of the rollers further out contradicts the balance of loads; it is not dropped.
+// The paper's words about the rollers further out contradict the balance of loads. They are reported all the same.
 BOOST_AUTO_TEST_CASE(a_tells_what_is_printed_of_the_rollers_further_out) {
   const PaperStatement a = judged(Figures{})[0];
   BOOST_TEST(a.statement.find("in contrast ... decrease") != std::string::npos);

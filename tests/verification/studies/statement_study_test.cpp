@@ -30,7 +30,7 @@ Solution synthetic_contact(const Problem& problem, const Request&) { return made
 
 BOOST_AUTO_TEST_SUITE(studies_statement_study)
 
-// Agreement: the row "as the case" is what the statements say of the cases themselves, and every choice is judged.
+// Agreement: the row "as the case" has the statements of the cases themselves, and every choice is judged.
 BOOST_AUTO_TEST_CASE(every_choice_is_judged_and_the_first_row_is_the_case_itself) {
   const auto cases = needle_bearing_at_three_clearances();
   ContactMemory memory(synthetic_contact);
