@@ -83,9 +83,10 @@ void write_page(OutputFolder& folder, const std::vector<std::string>& files,
       return std::filesystem::equivalent(file, one, none);
     });
   };
+  const std::size_t own = judgements.size();
   for (const judging::Submission& one : kept)
     if (!is_given(one.file)) judgements.push_back(judging::to_json(judged(one)));
-  folder.write(page_name, report::judge_page(judgements));
+  folder.write(page_name, report::judge_page(judgements, own));
   folder.commit();
 }
 

@@ -7,7 +7,6 @@
 
 #include "contact/quantities.hpp"
 #include "verification/report/page.hpp"
-#include "verification/report/report.hpp"
 
 namespace ehd::report {
 
@@ -21,6 +20,32 @@ std::string name_of(const View& judgement) {
   const View solver = judgement["solver"];
   const std::string version = solver.text("version");
   return solver.text("name") + (version.empty() ? "" : " " + version);
+}
+
+/// The name as HTML, which may break at its dots and underscores: it heads a narrow column.
+std::string breakable(const std::string& name) {
+  std::string html;
+  for (const char c : escaped(name)) html += c == '_' || c == '.' ? fmt::format("{}<wbr>", c) : std::string(1, c);
+  return html;
+}
+
+/// A series of marks for the k-th submission. The first `own` ones are the reader's: large and blue. The others have
+/// other colours; after six of them the marks are hollow. No two of thirty look the same.
+Series marks_of(const Judgements& judgements, std::size_t k, std::size_t own) {
+  static constexpr Marker markers[] = {Marker::circle,  Marker::square, Marker::triangle,
+                                       Marker::diamond, Marker::cross,  Marker::plus};
+  constexpr double large = 1.9;
+  Series series{.name = literal(name_of(judgements[k])), .line = Line::none};
+  if (k < own) {
+    series.marker = markers[k % 6];
+    series.size = large;
+    return series;
+  }
+  const std::size_t other = k - own;
+  series.marker = markers[other % 6];
+  series.colour = 2 + static_cast<int>(other % 5);
+  series.hollow = other / 6 % 2 == 1;
+  return series;
 }
 
 /// The score of a quantity; an empty View where the case does not certify it.
@@ -39,7 +64,7 @@ View case_in(const View& judgement, const std::string& id) {
 /// Digits and whether the stated error was kept: "3.1", "3.1 !", "missing".
 TableCell digits_cell(const View& score) {
   if (!score.exists()) return words("-");
-  if (score.flag("missing").value_or(false)) return {"missing", "fail"};
+  if (score.flag("missing").value_or(false)) return {"missing", "number fail"};
   const bool missed = score.text("honesty") == "missed";
   const bool bounded = score.number("error").value_or(0) < score["certified"].number("uncertainty").value_or(0);
   return {fmt::format("{}{:.1f}{}", bounded ? "&gt;" : "", score.number("digits").value_or(0), missed ? "&nbsp;!" : ""),
@@ -67,11 +92,11 @@ void add_first_cases(Page& page, const Judgements& judgements) {
       "Digits of the smallest film, by solver: -log<sub>10</sub> of the relative error against the certified number. A "
       "case that a submission leaves out is missing and counts as 0. &gt; the case knows no more digits. ! the "
       "error is above the one that the solver states.");
-  Table table{.columns = {"case", "regime", "what it tests"}};
-  for (const View& judgement : judgements) table.columns.push_back(escaped(name_of(judgement)));
+  Table table{.columns = {"case", "what it tests"}};
+  for (const View& judgement : judgements) table.columns.push_back(breakable(name_of(judgement)));
   for (const View& one : judgements.front().list("cases")) {
     if (!one.has("place")) continue;
-    std::vector<TableCell> row{words(one.text("case")), words(regime_of(one)), words(one.text("tests"))};
+    std::vector<TableCell> row{words(one.text("case")), words(regime_of(one) + ": " + one.text("tests"))};
     for (const View& judgement : judgements)
       row.push_back(digits_cell(score_in(case_in(judgement, one.text("case")), smallest_film)));
     table.rows.push_back(std::move(row));
@@ -80,7 +105,7 @@ void add_first_cases(Page& page, const Judgements& judgements) {
 }
 
 /// Digits of the smallest film over M, a curve a solver.
-void add_picture(Page& page, const Judgements& judgements) {
+void add_picture(Page& page, const Judgements& judgements, std::size_t own) {
   Figure figure{.id = "fig-digits",
                 .title = "Digits of the smallest film over the load",
                 .description = "A mark is a case; the certified digits bound the score."};
@@ -88,9 +113,7 @@ void add_picture(Page& page, const Judgements& judgements) {
   panel.x = {.label = "load *M*", .scale = Scale::logarithmic};
   panel.y = {.label = "digits", .low = 0};
   for (std::size_t k = 0; k < judgements.size(); ++k) {
-    const Look look = look_of_curve(k);
-    Series series{
-        .name = literal(name_of(judgements[k])), .line = Line::none, .marker = look.marker, .colour = look.colour};
+    Series series = marks_of(judgements, k, own);
     for (const View& one : judgements[k].list("cases")) {
       const View score = score_in(one, smallest_film);
       const auto M = one.number("M"), digits = score.number("digits");
@@ -106,7 +129,7 @@ void add_picture(Page& page, const Judgements& judgements) {
 }
 
 /// Stated against actual errors of the films: above the line the solver promised less than it kept.
-void add_honesty(Page& page, const Judgements& judgements) {
+void add_honesty(Page& page, const Judgements& judgements, std::size_t own) {
   Figure figure{.id = "fig-stated",
                 .title = "Stated against actual error",
                 .description = "A mark is a number whose error was stated; on the line both are equal."};
@@ -115,9 +138,7 @@ void add_honesty(Page& page, const Judgements& judgements) {
   panel.y = {.label = "stated relative error", .scale = Scale::logarithmic};
   double low = 1, high = 0;
   for (std::size_t k = 0; k < judgements.size(); ++k) {
-    const Look look = look_of_curve(k);
-    Series series{
-        .name = literal(name_of(judgements[k])), .line = Line::none, .marker = look.marker, .colour = look.colour};
+    Series series = marks_of(judgements, k, own);
     for (const View& one : judgements[k].list("cases")) {
       for (const View& score : one.list("scores")) {
         const auto error = score.number("error"), stated = score.number("stated_error"),
@@ -188,15 +209,15 @@ void add_solver(Page& page, const View& judgement) {
 
 }  // namespace
 
-std::string judge_page(const std::vector<Json>& judgements) {
+std::string judge_page(const std::vector<Json>& judgements, std::size_t own) {
   Judgements views;
   for (const Json& one : judgements) views.emplace_back(one, "judgement");
   Page page;
   if (!views.empty()) {
     add_first_cases(page, views);
     page.begin_figures();
-    add_picture(page, views);
-    add_honesty(page, views);
+    add_picture(page, views, own);
+    add_honesty(page, views, own);
     page.end_figures();
     for (const View& one : views) add_solver(page, one);
   }

@@ -2,6 +2,7 @@
 // The page and the badge of `ehd judge`, pure functions of judgements (docs/schema/ehd-judgement-1.json).
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -10,8 +11,9 @@
 namespace ehd::report {
 
 /// All judgements on one self-contained page: digits by case, stated errors against actual ones, gates, hints. There is
-/// no single total. Throws ReportError for a judgement of another form.
-[[nodiscard]] std::string judge_page(const std::vector<Json>& judgements);
+/// no single total. The first `own` judgements are of the reader's submissions, which stand out in the figures. Throws
+/// ReportError for a judgement of another form.
+[[nodiscard]] std::string judge_page(const std::vector<Json>& judgements, std::size_t own = 0);
 
 /// An SVG of one line: the median digits of what was given, by load, and how many numbers are missing. Throws
 /// ReportError.

@@ -157,7 +157,7 @@ std::string series_svg(const Series& series, std::size_t key, const Mapping& to_
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Point& p = points[i];
     if (!shown(p, box)) continue;
-    svg += marker_svg(series.marker, p, i < series.hollow_at.size() ? series.hollow_at[i] : series.hollow);
+    svg += marker_svg(series.marker, p, i < series.hollow_at.size() ? series.hollow_at[i] : series.hollow, series.size);
     last = p;
     any = true;
   }
@@ -193,7 +193,7 @@ Drawn legend_svg(const Panel& panel, double left, double right, double top, std:
     if (line != Line::none)
       svg +=
           fmt::format("<path class=\"line\" d=\"{}\"{}/>", path_data({{x, y}, {x + sample, y}}), dash_attribute(line));
-    svg += marker_svg(series.marker, {x + sample / 2, y}, series.hollow) +
+    svg += marker_svg(series.marker, {x + sample / 2, y}, series.hollow, series.size) +
            text_svg({x + sample + 5, y + 4}, series.name, "start") + "</g>\n";
   }
   return {svg, svg.empty() ? 0 : rows.last_top() + LegendRows::height - top};
@@ -321,7 +321,10 @@ std::string contents_svg(const Panel& panel, const Mappings& to, const Box& box,
   }
   for (const SlopeTriangle& one : panel.triangles) svg += triangle_svg(one, to.x, to.y);
   bool drawn = false;
-  for (const Series& series : panel.series) {
+  std::vector<Series> series_by_size = panel.series;
+  std::stable_sort(series_by_size.begin(), series_by_size.end(),
+                   [](const Series& a, const Series& b) { return a.size < b.size; });
+  for (const Series& series : series_by_size) {
     const auto known = std::find(names.begin(), names.end(), series.name.empty() ? series.of : series.name);
     const auto key = static_cast<std::size_t>(known - names.begin());
     svg += series_svg(series, key, to.x, series.right ? to.right : to.y, box, place);

@@ -22,6 +22,7 @@ struct Series {
   int colour = 1;                     ///< 1 to 6
   bool right = false;                 ///< belongs to the axis on the right
   bool hollow = false;                ///< markers
+  double size = 1;                    ///< of markers; larger ones are drawn over the others
   std::vector<bool> hollow_at = {};   ///< of single points, where given
   std::string end = {};               ///< markup; a label at the last point
   std::string of = {};                ///< of a series without a name: the series whose legend entry stands for both

@@ -127,23 +127,29 @@ std::string path_data(const std::vector<Point>& points) {
   return d;
 }
 
-std::string marker_svg(Marker marker, Point at, bool hollow) {
+std::string marker_svg(Marker marker, Point at, bool hollow, double size) {
   const std::string css = std::string(" class=\"mark") + (hollow ? " hollow" : "") + "\"";
+  const auto placed = [&](const std::vector<Point>& corners) {
+    std::vector<Point> points;
+    for (const Point& corner : corners) points.push_back({at.x + size * corner.x, at.y + size * corner.y});
+    return path_data(points);
+  };
   const auto shape = [&](const std::vector<Point>& corners) {
-    return fmt::format("<path{} d=\"{}Z\"/>", css, path_data(corners));
+    return fmt::format("<path{} d=\"{}Z\"/>", css, placed(corners));
   };
   const auto strokes = [&](Point a, Point b, Point c, Point d) {
-    return fmt::format("<path{} d=\"{}{}\"/>", css, path_data({a, b}), path_data({c, d}));
+    return fmt::format("<path{} d=\"{}{}\"/>", css, placed({a, b}), placed({c, d}));
   };
-  const double x = at.x, y = at.y;
   switch (marker) {
     case Marker::none: return "";
-    case Marker::circle: return fmt::format("<circle{} cx=\"{}\" cy=\"{}\" r=\"3.2\"/>", css, pixels(x), pixels(y));
-    case Marker::square: return shape({{x - 3, y - 3}, {x + 3, y - 3}, {x + 3, y + 3}, {x - 3, y + 3}});
-    case Marker::triangle: return shape({{x, y - 4}, {x + 3.6, y + 2.8}, {x - 3.6, y + 2.8}});
-    case Marker::diamond: return shape({{x, y - 4.2}, {x + 4.2, y}, {x, y + 4.2}, {x - 4.2, y}});
-    case Marker::cross: return strokes({x - 3.2, y - 3.2}, {x + 3.2, y + 3.2}, {x - 3.2, y + 3.2}, {x + 3.2, y - 3.2});
-    case Marker::plus: return strokes({x - 4, y}, {x + 4, y}, {x, y - 4}, {x, y + 4});
+    case Marker::circle:
+      return fmt::format("<circle{} cx=\"{}\" cy=\"{}\" r=\"{}\"/>", css, pixels(at.x), pixels(at.y),
+                         pixels(3.2 * size));
+    case Marker::square: return shape({{-3, -3}, {3, -3}, {3, 3}, {-3, 3}});
+    case Marker::triangle: return shape({{0, -4}, {3.6, 2.8}, {-3.6, 2.8}});
+    case Marker::diamond: return shape({{0, -4.2}, {4.2, 0}, {0, 4.2}, {-4.2, 0}});
+    case Marker::cross: return strokes({-3.2, -3.2}, {3.2, 3.2}, {-3.2, 3.2}, {3.2, -3.2});
+    case Marker::plus: return strokes({-4, 0}, {4, 0}, {0, -4}, {0, 4});
   }
   return "";
 }

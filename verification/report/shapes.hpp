@@ -35,8 +35,8 @@ struct Box {
 /// "M1 2L3 4", nothing for fewer than two points.
 [[nodiscard]] std::string path_data(const std::vector<Point>& points);
 
-/// SVG of a marker around a point.
-[[nodiscard]] std::string marker_svg(Marker marker, Point at, bool hollow);
+/// SVG of a marker around a point. `size`: in those of usual markers.
+[[nodiscard]] std::string marker_svg(Marker marker, Point at, bool hollow, double size = 1);
 /// The stroke-dasharray attribute of a line, empty for a solid one.
 [[nodiscard]] std::string dash_attribute(Line line);
 /// A <text>; `anchor`: start, middle, end.

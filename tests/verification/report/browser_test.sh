@@ -27,7 +27,8 @@ mkdir "$folder/long"  # as many rows as a real page has
 "$made_report" "$folder/long" long
 "$ehd" report "$folder/long" > /dev/null
 
-# A page with the probe: a script in front that catches errors, one behind that looks and writes down what it saw.
+# with_probe PAGE PROBE: the page with a script in front that catches errors, and one behind that looks and writes down
+# what it saw.
 with_probe() {
   sed '/<meta charset/q' "$1"
   echo '<script>window.seen = [];'
@@ -39,13 +40,21 @@ with_probe() {
     echo '</script>'
   fi
   echo '<script>'
-  cat "$here/browser_probe.js"
+  cat "$here/$2"
   echo '</script></body></html>'
 }
 sed '/^<script>$/,/^<\/script>$/d' "$folder/report.html" > "$folder/plain.html"
 grep -q '<script' "$folder/plain.html" && { echo "the page's script was not taken out"; exit 1; }
-with_probe "$folder/report.html" > "$folder/probe.html"
-with_probe "$folder/plain.html" > "$folder/plain-probe.html"
+with_probe "$folder/report.html" browser_probe.js > "$folder/probe.html"
+with_probe "$folder/plain.html" browser_probe.js > "$folder/plain-probe.html"
+# The page of ehd judge: a submission of the reader beside the kept ones.
+cat > "$folder/mine.csv" << END
+case,version,quantity,value,scaling,stated_error
+own-moes-20-10,1,film.minimum,0.0742,hertz,1e-3
+own-moes-5-5,1,film.minimum,0.2341,hertz,1e-3
+END
+"$ehd" judge "$folder/mine.csv" --output "$folder" > /dev/null
+with_probe "$folder/judge.html" judge_probe.js > "$folder/judge-probe.html"
 # framed WIDTH HEIGHT PAGE: the page in a frame. A window is never narrower than 500 pixels, a frame in it may be.
 framed() {
   cat << END
@@ -60,6 +69,8 @@ framed() {
 END
 }
 framed 390 844 probe.html > "$folder/phone.html"
+framed 390 844 judge-probe.html > "$folder/judge-phone.html"
+framed 1400 900 judge-probe.html > "$folder/judge-wide.html"
 # Of the long page only the height is of interest.
 {
   sed '/<\/body>/d' "$folder/long/report.html"
@@ -104,6 +115,8 @@ look dark probe.html 0
 look phone phone.html 1
 look plain plain-probe.html 1
 look wide wide.html 1
+look judge-wide judge-wide.html 1
+look judge-phone judge-phone.html 0
 
 figures=$(grep -c '<svg class="plot"' "$folder/report.html")
 [ "$figures" -gt 40 ] || complain "the page has only $figures figures"
@@ -130,8 +143,13 @@ for seen in toggle read-out cell filter "filter links" "filter key" index case z
     "CSV of a map" SVG targets; do
   for run in light dark phone; do says "$run" "$seen: works"; done
 done
+for run in judge-wide judge-phone; do
+  says "$run" "overflow: 0"
+  says "$run" "table: fits"
+  says "$run" "looks: [8-9][0-9]*, all differ, mine alone is large"
+done
 if [ -n "$axe" ]; then
-  for run in light dark phone; do says "$run" "axe: .* rules pass, 0 do not"; done
+  for run in light dark phone judge-wide judge-phone; do says "$run" "axe: .* rules pass, 0 do not"; done
 fi
 
 timeout 120 "$browser" --headless --no-sandbox --disable-gpu --user-data-dir="$folder/profile" \
