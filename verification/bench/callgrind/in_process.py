@@ -6,8 +6,9 @@
                           know (make in-process does that)
 
 A way to call the library is run once and several times; the difference has neither the start of the process nor FFTW's
-plans. Exit code 0: what a call costs is below LIMIT, for the text of a contact and for Moes' groups; 1: it is not; 2:
-wrong usage. The other rows have no limit: they hand over more than numbers, or read more text.
+plans. Exit code 0: what a call costs is below LIMIT, for the text of a contact, for Moes' groups and for the films of
+16 contacts; 1: it is not; 2: wrong usage. The other rows have no limit: they hand over more than numbers, or read more
+text.
 """
 import pathlib
 import re
@@ -27,6 +28,7 @@ ROWS = [("solve", OF_A_PROGRAM, "case text: the call", True),
         ("fields", OF_A_PROGRAM, "case text: and X, P, H", False),
         ("json", OF_A_PROGRAM, "case text: and the JSON", False),
         ("moes", OF_A_PROGRAM, "M and L: and one number", True),
+        ("films", OF_A_PROGRAM, "the films of 16 contacts", True),
         ("number", OF_A_PERSON, "a file with comments: one number", False),
         ("number", OF_THE_BENCHMARK, "a benchmark case: one number", False)]
 SOLVE = r"ehd::fast::Mapped::solve\("
