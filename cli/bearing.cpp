@@ -67,7 +67,7 @@ Exit code: 0 all laws balanced; 1 one did not; 2 bad input or usage.)";
 bearing::Form form_named(const std::string& name) {
   for (const bearing::Form form : {bearing::Form::plane, bearing::Form::radial})
     if (name == to_string(form)) return form;
-  throw option_error("--form", name, "is unknown; allowed is plane or radial");
+  throw unknown_word_error("--form", name, "plane, radial");
 }
 
 /// 0 without the option. Throws UsageError.

@@ -130,9 +130,8 @@ void require_citable(const std::vector<Case>& cases) {
   for (const Case& any : cases)
     if (!is_benchmark_case(any))
       throw UsageError(
-          one_line(fmt::format("--bibtex: {} is not in {}: it is no benchmark case and has no entry; "
-                               "allowed is an id that ehd cases lists",
-                               any.file.string(), cases_folder().string())));
+          one_line(fmt::format("--bibtex: {} is not in {}: it is no benchmark case and has no entry; allowed is {}",
+                               any.file.string(), cases_folder().string(), allowed_id)));
 }
 
 int list(const CasesOptions& options) {

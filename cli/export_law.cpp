@@ -35,10 +35,9 @@ LawWriter law_writer_named(const std::string& format, const CaseChanges& changes
 }
 
 bearing::Raceway raceway_named(const std::optional<std::string>& name) {
-  const std::string allowed = "allowed is inner or outer";
-  if (!name) throw UsageError("export law: --raceway is missing; " + allowed);
+  if (!name) throw UsageError("export law: --raceway is missing; allowed is inner, outer");
   if (const auto raceway = word_from<bearing::Raceway>(*name)) return *raceway;
-  throw option_error("--raceway", *name, "is unknown; " + allowed);
+  throw unknown_word_error("--raceway", *name, "inner, outer");
 }
 
 LawExportRequest request_of(const LawExportOptions& options) {

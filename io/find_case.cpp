@@ -53,7 +53,7 @@ std::vector<std::filesystem::directory_entry> entries_of_cases(std::error_code& 
 
 std::filesystem::path find_case(const std::string& path_or_id) {
   if (path_or_id.empty())
-    throw CaseError("\"\": a CASE has a name; allowed is a path to a case file, or an id that `ehd cases` lists");
+    throw CaseError(fmt::format("\"\": a CASE has a name; allowed is a path to a case file, or {}", allowed_id));
   std::error_code error;
   const std::filesystem::path path(path_or_id);
   if (path_or_id.find('/') != std::string::npos || path.extension() == ".toml") return path;
@@ -64,12 +64,16 @@ std::filesystem::path find_case(const std::string& path_or_id) {
     if (std::filesystem::is_regular_file(std::filesystem::status(below, error))) return below;
   }
   if (std::filesystem::exists(std::filesystem::status(path, error))) return path;
+  throw CaseError(one_line(fmt::format("{}: there is no such case; {}allowed is a path to a case file, or {}",
+                                       path_or_id, did_you_mean_case(path_or_id), allowed_id)));
+}
+
+std::string did_you_mean_case(const std::string& id) {
+  std::error_code error;
   std::vector<std::string> ids;
   for (const auto& entry : entries_of_cases(error))
     if (entry.path().extension() == ".toml") ids.push_back(entry.path().stem().string());
-  throw CaseError(one_line(
-      fmt::format("{}: there is no such case; {}allowed is a path to a case file, or an id that `ehd cases` lists",
-                  path_or_id, did_you_mean(path_or_id, ids))));
+  return did_you_mean(id, ids);
 }
 
 Case read_named_case(const std::string& path_id_or_dash, const std::vector<Substitution>& substitutions) {

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "io/substitution.hpp"
@@ -14,6 +15,11 @@ namespace ehd {
 /// The file of a CASE argument. With a '/' or the ending .toml the argument is a path. Otherwise it is the id of a case
 /// in cases/ or in a folder of cases/; if there is none, it is a path too. Throws CaseError.
 [[nodiscard]] std::filesystem::path find_case(const std::string& path_or_id);
+
+/// What is allowed where an id is not known.
+inline constexpr std::string_view allowed_id = "an id that `ehd cases` or `ehd cases --atlas` lists";
+/// "did you mean ID? " of the cases in cases/, folders in it left out; or nothing.
+[[nodiscard]] std::string did_you_mean_case(const std::string& id);
 
 /// The folder of the benchmark cases: environment EHD_CASES, else the one the program was built from. An installed
 /// program takes PREFIX/share/ehd/cases, which it finds from its own place, PREFIX/bin.

@@ -115,10 +115,11 @@ bool ends_number(std::string_view text) {
 std::string near_miss(const std::string& word, const std::vector<std::string>& names) {
   if (word.empty() || word.size() > longest_compared) return "";
   std::string nearest;
-  std::size_t least = std::min(most_differences + 1, (word.size() + 1) / 2);
+  std::size_t least = most_differences + 1;
   for (const std::string& name : names) {
     const std::size_t apart = distance(in_small_letters(word), in_small_letters(name));
-    if (apart < least) std::tie(least, nearest) = std::pair(apart, name);
+    const std::size_t letters = apart == 1 ? std::max(word.size(), name.size()) : word.size();
+    if (apart < least && 2 * apart < letters) std::tie(least, nearest) = std::pair(apart, name);
   }
   const std::string begun = shortest_where(names, [&](const std::string& name) { return name.starts_with(word); });
   const bool is_start = !begun.empty() && word.size() >= shortest_start;  // --tol: --tolerance, and not --L

@@ -8,11 +8,11 @@
 
 namespace ehd {
 
-/// The nearest of the names where at most two characters differ, and fewer than half of the word's; capital letters are
-/// small ones here. A name that begins with the word is nearer than one where two characters differ. Else the shortest
-/// name that begins with the word; else, from four characters on, the shortest that contains it, or the one that has
-/// most of its words between "_". Of two and three characters: the only name that has the word between "_". Empty where
-/// there is none.
+/// The nearest of the names where at most two characters differ, and fewer than half of the word's (of the name's where
+/// one alone is missing: lw is law); capital letters are small ones here. A name that begins with the word is nearer
+/// than one where two characters differ. Else the shortest name that begins with the word; else, from four characters
+/// on, the shortest that contains it, or the one that has most of its words between "_". Of two and three characters:
+/// the only name that has the word between "_". Empty where there is none.
 [[nodiscard]] std::string near_miss(const std::string& word, const std::vector<std::string>& names);
 
 /// At most two characters differ: the word is the mistyped name. Where more differ, the word may mean something else.

@@ -51,9 +51,13 @@ void read_laws(const SweepSource& source, Sweep& sweep) {
   const toml::array* array = node->as_array();
   if (!array) source.fail_type("laws", *node, allowed);
   if (array->empty()) source.fail("laws", *node, "is empty; allowed is " + allowed);
+  std::vector<std::string> names;
+  for (const bearing::LawRow& row : bearing::law_rows()) names.emplace_back(row.name);
   for (const toml::node& entry : *array) {
-    const auto law = bearing::law_from(source.text("laws", entry, allowed));
-    if (!law) source.fail("laws", entry, "is unknown; allowed is " + allowed);
+    const std::string word = source.text("laws", entry, allowed);
+    const auto law = bearing::law_from(word);
+    if (!law)
+      source.fail("laws", entry, fmt::format("is unknown; {}allowed is {}", did_you_mean(word, names), allowed));
     if (std::find(sweep.laws.begin(), sweep.laws.end(), *law) != sweep.laws.end())
       source.fail("laws", entry, "is a duplicate; allowed is each law once");
     sweep.laws.push_back(*law);

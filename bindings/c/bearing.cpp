@@ -17,6 +17,7 @@
 #include "contact/interruption.hpp"
 #include "contact/text.hpp"
 #include "io/case_reader.hpp"
+#include "io/near_miss.hpp"
 #include "workflow/bearing_run.hpp"
 #include "workflow/registry.hpp"
 
@@ -27,7 +28,7 @@ namespace {
 bearing::Law law_named(const char* name) {
   require_pointer(name, "law");
   if (const auto law = bearing::law_from(name)) return *law;
-  throw unknown_name("law", name, bearing::names_of(bearing::Laws::all));
+  throw unknown_name("law", name, is_unknown(name, bearing::names_of(bearing::Laws::all)));
 }
 
 /// The default solver under the caller's callback. After that has cancelled, nothing more is solved.
@@ -50,7 +51,7 @@ BearingResult balance(const Case& one, bearing::Law law) {
 bearing::Raceway raceway_named(const char* name) {
   require_pointer(name, "raceway");
   if (const auto raceway = word_from<bearing::Raceway>(name)) return *raceway;
-  throw unknown_name("raceway", name, "inner, outer");
+  throw unknown_name("raceway", name, is_unknown(name, "inner, outer"));
 }
 
 }  // namespace

@@ -84,10 +84,9 @@ void require_in(const char* name, double value, const Interval& allowed) {
     throw BadArgument(fmt::format("{} = {}: {}; allowed is {}", name, plain(value), fault, text_of(allowed)));
 }
 
-BadArgument unknown_name(const char* argument, const char* name, const std::string& allowed) {
+BadArgument unknown_name(const char* argument, const char* name, const std::string& fault) {
   constexpr std::size_t longest_name = 60;
-  return BadArgument(
-      fmt::format("{} = {}: is unknown; allowed is {}", argument, shortened(one_line(name), longest_name), allowed));
+  return BadArgument(fmt::format("{} = {}: {}", argument, shortened(one_line(name), longest_name), fault));
 }
 
 void require_tolerance(double tolerance) {

@@ -7,6 +7,8 @@
 
 #include "bindings/c/call.hpp"
 #include "bindings/c/ehd/ehd.h"
+#include "io/case_keys.hpp"
+#include "io/near_miss.hpp"
 #include "io/version.hpp"
 
 namespace ehd::c {
@@ -74,7 +76,8 @@ int ehd_get(const ehd_result* result, const char* path, double* value) {
     require_pointer(path, "path");
     require_pointer(value, "value");
     const auto number = number_of(*result, path);
-    if (!number) throw unknown_name("path", path, "the path of a number in the JSON of this result");
+    if (!number)
+      throw unknown_name("path", path, "is unknown; allowed is the path of a number in the JSON of this result");
     *value = *number;
     return EHD_OK;
   });
@@ -90,7 +93,11 @@ size_t ehd_field(const ehd_result* result, const char* name, double* buffer, siz
     const std::vector<ehd::ProfileColumn>& fields = result->fields();
     const auto column =
         std::find_if(fields.begin(), fields.end(), [&](const ehd::ProfileColumn& one) { return one.name == name; });
-    if (column == fields.end()) throw unknown_name("name", name, "a column of the profile of this result");
+    if (column == fields.end()) {
+      std::vector<std::string> names;
+      for (const ehd::ProfileColumn& one : fields) names.push_back(one.name);
+      throw unknown_name("name", name, ehd::is_unknown(name, ehd::list(names)));
+    }
     count = static_cast<size_t>(column->values.size());
     std::copy_n(column->values.data(), std::min(count, length), buffer);
     return EHD_OK;

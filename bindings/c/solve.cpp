@@ -16,6 +16,7 @@
 #include "contact/text.hpp"
 #include "io/case_keys.hpp"
 #include "io/case_reader.hpp"
+#include "io/near_miss.hpp"
 #include "workflow/contact_run.hpp"
 #include "workflow/parallel.hpp"
 #include "workflow/registry.hpp"
@@ -29,7 +30,7 @@ constexpr int most_threads = 1024;
 const RegisteredSolver& solver_named(const char* name) {
   require_pointer(name, "solver");
   if (const RegisteredSolver* solver = find_solver(name)) return *solver;
-  throw unknown_name("solver", name, solver_names());
+  throw unknown_name("solver", name, is_unknown(name, solver_names()));
 }
 
 const Interval& range_of(const char* key) { return std::get<Interval>(row_of_case_key(key).allowed); }

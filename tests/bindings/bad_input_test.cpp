@@ -122,17 +122,21 @@ BOOST_AUTO_TEST_CASE(sizes_and_numbers_out_of_range_are_bad_input) {
 }
 
 BOOST_AUTO_TEST_CASE(unknown_names_are_bad_input) {
-  check_refused(solve_moes(20, 10, nullptr, "fats"), "solver = fats: is unknown; allowed is reference, ");
+  check_refused(solve_moes(20, 10, nullptr, "fst"),
+                "solver = fst: is unknown; did you mean fast? allowed is reference, ");
   check_refused(solve_moes(20, 10, nullptr, std::string(100000, 'x').c_str()), "is unknown");
   check_refused(solve_moes(20, 10, nullptr, "two\nlines"), "is unknown");
-  check_refused(bearing(case_text("na4908"), "hertzian"), "law = hertzian: is unknown; allowed is hertz, ");
+  check_refused(bearing(case_text("na4908"), "magic"), "law = magic: is unknown; allowed is hertz, ");
+  check_refused(bearing(case_text("na4908"), "ehdlinear"), "law = ehdlinear: is unknown; did you mean ehd-linear? ");
   check_refused(bearing(case_text("own-moes-20-10"), "hertz"), "ehd_solve");
   check_refused(solve(case_text("na4908")), "ehd_bearing");
   const Held contact = solve_moes(20, 10);
   double number = 1e-6;
   check_refused(ehd_law(contact.result.get(), "inner", 1, &number, &number, &number), "result of a contact");
   BOOST_TEST(ehd_field(contact.result.get(), "Q", &number, 1) == 0U);
-  BOOST_TEST(std::string(ehd_last_error()).find("name = Q: is unknown") != std::string::npos);
+  BOOST_TEST(std::string(ehd_last_error()).find("name = Q: is unknown; allowed is X, P, H") != std::string::npos);
+  BOOST_TEST(ehd_field(contact.result.get(), "H_eror", &number, 1) == 0U);
+  BOOST_TEST(std::string(ehd_last_error()).find("did you mean H_error?") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(bad_case_text_names_its_line) {

@@ -37,6 +37,8 @@ BOOST_AUTO_TEST_CASE(a_short_word_counts_where_one_name_alone_has_it) {
   BOOST_TEST(ehd::near_miss("isovg", oil) == "iso_vg");
   BOOST_TEST(ehd::near_miss("per", {"load_N_per_m", "speed_m_per_s"}) == "");
   BOOST_TEST(ehd::near_miss("C", oil) == "");
+  BOOST_TEST(ehd::near_miss("lw", {"films", "law"}) == "law");  // a letter is missing
+  BOOST_TEST(ehd::near_miss("lw", {"la", "l", "w"}) == "");
 }
 
 BOOST_AUTO_TEST_CASE(capital_letters_are_small_ones) {

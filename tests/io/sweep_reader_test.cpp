@@ -113,6 +113,7 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_with_a_sweep_is_one_line_before_anything_is_c
        5,
        {load + "[2.0]: is a duplicate (cannot redefine existing array)"}},
       {head("laws = [\"hertz\", \"tomato\"]\n"), 2, {"laws = \"tomato\"", "is unknown", "ehd-linear"}},
+      {head("laws = [\"hertz\", \"ehdlinear\"]\n"), 2, {"laws = \"ehdlinear\"", "did you mean ehd-linear?"}},
       {head("laws = []\n"), 2, {"laws = []", "is empty"}},
       {head("laws = [\"hertz\", \"hertz\"]\n"), 2, {"duplicate"}},
       {head("solver = \"slow\"\n"), 2, {"solver = \"slow\"", "is unknown", "reference"}},

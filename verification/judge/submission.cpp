@@ -9,6 +9,8 @@
 #include "contact/text.hpp"
 #include "io/case_keys.hpp"
 #include "io/file_text.hpp"
+#include "io/find_case.hpp"
+#include "io/near_miss.hpp"
 
 namespace ehd::judging {
 
@@ -39,7 +41,7 @@ std::string submitted_text(const std::filesystem::path& file, const FileKind& ki
 Quantity submitted_quantity(const std::string& place, const std::string& name) {
   const auto quantity = quantity_from(name);
   if (!quantity || !can_be_submitted(*quantity))
-    throw refusal(place, quoted(name) + ": is unknown; allowed is " + names_of_quantities(can_be_submitted));
+    throw refusal(place, quoted(name) + ": " + is_unknown(name, names_of_quantities(can_be_submitted)));
   return *quantity;
 }
 
@@ -48,13 +50,13 @@ Scaling submitted_scaling(const std::string& place, const std::string& name) {
   if (scaling) return *scaling;
   std::vector<std::string> names;
   for (const Scaling one : all_scalings) names.emplace_back(to_string(one));
-  throw refusal(place, fmt::format("scaling = {}: is unknown; allowed is {}", quoted(name), list(names)));
+  throw refusal(place, fmt::format("scaling = {}: {}", quoted(name), is_unknown(name, list(names))));
 }
 
 void require_case_id(const std::string& place, const std::string& id) {
   constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789.-_";
   if (id.empty() || id.front() == '.' || id.find_first_not_of(letters) != std::string::npos)
-    throw refusal(place, "case = " + quoted(id) + ": is no id; allowed is an id that ehd cases lists");
+    throw refusal(place, fmt::format("case = {}: is no id; allowed is {}", quoted(id), allowed_id));
 }
 
 void require_number(const std::string& place, const SubmittedNumber& number) {

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "contact/text.hpp"
+#include "io/case_keys.hpp"
+#include "io/near_miss.hpp"
 #include "verification/judge/csv_reader.hpp"
 #include "verification/judge/submission.hpp"
 
@@ -28,14 +32,13 @@ int version_in(const CsvReader& csv, std::size_t column) {
 
 Submission read_submission_csv(const std::filesystem::path& file) {
   CsvReader csv(file, csv_kind, most_results * rows_per_result);
+  const std::vector<std::string> known{"case", "version", "quantity", "value", "scaling", "stated_error"};
+  for (const std::string& name : csv.header())
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      throw refusal(csv.place(), fmt::format("column {}: {}", shortened(name, 60), is_unknown(name, list(known))));
   const std::size_t id = csv.column("case"), version = csv.column("version"), quantity = csv.column("quantity"),
                     value = csv.column("value"), scaling = csv.column("scaling"),
                     stated = csv.column("stated_error", false);
-  constexpr std::array known{"case", "version", "quantity", "value", "scaling", "stated_error"};
-  for (const std::string& name : csv.header())
-    if (std::find(known.begin(), known.end(), name) == known.end())
-      throw refusal(csv.place(), "column " + shortened(name, 60) +
-                                     ": is unknown; allowed is case, version, quantity, value, scaling, stated_error");
   Submission made{
       .file = file, .name = one_line(file.stem().string()), .version = {}, .url = {}, .hardware = {}, .results = {}};
   std::map<std::string, std::size_t> place_of;

@@ -13,6 +13,7 @@
 #include "io/case_keys.hpp"
 #include "io/file_text.hpp"
 #include "io/json.hpp"
+#include "io/near_miss.hpp"
 #include "verification/judge/submission.hpp"
 #include "verification/report/document.hpp"
 
@@ -27,14 +28,18 @@ constexpr FileKind json_kind{.name = "a submission (JSON with schema ehd-submiss
 constexpr std::size_t longest_text = 200;  // bytes of a name, a version, an address
 constexpr double longest_wall_s = 1e9;
 
-/// The keys of an object that is no quantity's name. Throws CaseError for another key.
+/// Refuses a key that is none of the known ones and, `or_quantity`, no quantity's name. Throws CaseError.
 void require_known(const View& object, const std::vector<std::string>& known, bool or_quantity = false) {
   for (const auto& [key, value] : object.members()) {
     if (!value.exists()) throw refusal(value.path(), "is null; allowed is a value, or no key");
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;
     if (or_quantity && quantity_from(key)) continue;
-    throw refusal(object.path(), fmt::format("{}: is unknown; allowed is {}{}", shortened(key, longest_text),
-                                             list(known), or_quantity ? ", and quantities such as film.minimum" : ""));
+    std::vector<std::string> names = known;
+    if (or_quantity)
+      for (const QuantityRow& row : quantity_table()) names.emplace_back(row.name);
+    throw refusal(object.path(), fmt::format("{}: is unknown; {}allowed is {}{}", shortened(key, longest_text),
+                                             did_you_mean(key, names), list(known),
+                                             or_quantity ? ", and quantities such as film.minimum" : ""));
   }
 }
 
@@ -94,10 +99,13 @@ SubmittedResult result_from(const View& entry, const std::filesystem::path& file
 }
 
 Submission submission_from(const View& root, const std::filesystem::path& file) {
+  const std::vector<std::string> keys{"schema", "solver", "hardware", "results"};
+  if (!root.has("schema")) require_known(root, keys);  // it may be mistyped
   const std::string schema = line_in(root, "schema", true);
   if (schema != submission_schema)
-    throw refusal(root.path(), fmt::format("schema = {}: is unknown; allowed is {}", schema, submission_schema));
-  require_known(root, {"schema", "solver", "hardware", "results"});
+    throw refusal(root.path(),
+                  fmt::format("schema = {}: {}", schema, is_unknown(schema, std::string(submission_schema))));
+  require_known(root, keys);
   const View solver = root["solver"];
   if (!solver.exists()) throw refusal(root.path(), "solver: is missing; required is an object with a name");
   require_known(solver, {"name", "version", "url"});

@@ -9,7 +9,7 @@ from typing import Any, Optional
 import numpy as np
 import numpy.typing as npt
 
-from ._case import CaseName, CaseText, case_from, shown, word
+from ._case import CaseName, CaseText, case_from, did_you_mean, shown, word
 from ._library import CONVERGED, call
 from ._result import Array, Handle, Result, numbers, read_only, require_converged, run
 from .errors import InputError, NotConvergedError
@@ -17,7 +17,8 @@ from .errors import InputError, NotConvergedError
 
 def _require_raceway(raceway: object) -> None:
     if not isinstance(raceway, str) or raceway not in ("inner", "outer"):
-        raise InputError(f"raceway = {shown(raceway)}: is unknown; allowed is inner, outer")
+        meant = did_you_mean(raceway, ("inner", "outer")) if isinstance(raceway, str) else ""
+        raise InputError(f"raceway = {shown(raceway)}: is unknown; {meant}allowed is inner, outer")
 
 
 class Law:

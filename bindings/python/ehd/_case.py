@@ -9,7 +9,7 @@ import numbers
 import os
 import pathlib
 import re
-from typing import Mapping, NamedTuple, Optional, Union
+from typing import Iterable, Mapping, NamedTuple, Optional, Union
 
 import numpy as np
 
@@ -49,13 +49,20 @@ class CaseText(NamedTuple):
         place = r"^(?:case|lubricant|[^:\s]+\.toml)(:\d+)?: "
         line = re.sub(place, lambda at: f"{self.name}{at[1] or ''}: " if self.name else "", str(error))
         # A keyword that is no other goes to [lubricant], where the library refuses it.
-        unknown = re.match(r"(\w+)\b.*: is unknown in (?:the )?\[lubricant\].*; .*\ballowed is ([\w, ]+)", line)
+        unknown = re.match(r"(\w+)\b.*: is unknown in (?:the )?\[lubricant\].*; .*\ballowed is ([\w, ]*\w)"
+                           r"(?:.*( \(and \d+ more\)))?", line)
         if self.name or not unknown:
             return InputError(line)
-        known = {name.lower(): name for name in (*self.keywords, *unknown[2].split(", "))}
-        meant = difflib.get_close_matches(unknown[1].lower(), known, n=1)
-        return InputError(f"{unknown[1]}: is an unknown keyword; {f'did you mean {known[meant[0]]}? ' if meant else ''}"
-                          f"allowed is {', '.join(known.values())}")
+        known = list(dict.fromkeys((*self.keywords, *unknown[2].split(", "))))
+        return InputError(f"{unknown[1]}: is an unknown keyword; {did_you_mean(unknown[1], known)}"
+                          f"allowed is {', '.join(known)}{unknown[3] or ''}")
+
+
+def did_you_mean(word: str, names: Iterable[str]) -> str:
+    """``did you mean NAME? ``, the nearest of the names, or nothing. Capital letters are small ones."""
+    known = {name.lower(): name for name in names}
+    meant = difflib.get_close_matches(word.lower(), known, n=1)
+    return f"did you mean {known[meant[0]]}? " if meant else ""
 
 
 def shown(value: object) -> str:
@@ -172,13 +179,18 @@ def cases_folder() -> Optional[pathlib.Path]:
 def _find(name: str) -> pathlib.Path:
     """The file of a case, found as the program finds it: a path, or an id below the folder of cases."""
     path = pathlib.Path(name)
-    wrong = InputError(f"{_short(name, _LONGEST_ID)}: there is no such case; allowed is a path to a case file, the id "
-                       "of a benchmark case, or the text of a case")
+    folder = cases_folder()
+
+    def wrong() -> InputError:
+        known = [file.stem for file in folder.glob("*.toml")] if folder and _ID.fullmatch(name) else []
+        return InputError(f"{_short(name, _LONGEST_ID)}: there is no such case; {did_you_mean(name, known)}allowed is "
+                          "a path to a case file, an id that `ehd cases` or `ehd cases --atlas` lists, or the text of "
+                          "a case")
+
     if not name or "\0" in name:  # no path has a null character
-        raise wrong
+        raise wrong()
     if "/" in name or path.suffix == ".toml":
         return path
-    folder = cases_folder()
     if folder is not None and _ID.fullmatch(name):  # no pattern, such as "*"
         found = [folder / f"{name}.toml", *sorted(folder.glob(f"*/{name}.toml"))]
         for candidate in found:
@@ -186,7 +198,7 @@ def _find(name: str) -> pathlib.Path:
                 return candidate
     if os.path.exists(path):
         return path
-    raise wrong
+    raise wrong()
 
 
 def _short(name: str, longest: int) -> str:

@@ -77,6 +77,8 @@ def test_bad_input_is_one_line(tmp_path):
         with pytest.raises(ehd.InputError) as caught:
             dry.law(raceway)  # at once, not at the first force
         assert str(caught.value) == f"raceway = {raceway!r}: is unknown; allowed is inner, outer"
+    with pytest.raises(ehd.InputError, match="raceway = 'iner': is unknown; did you mean inner\\? allowed is"):
+        dry.law("iner")
     with pytest.raises(ehd.InputError, match="case = None: is no path"):
         ehd.bearing(None)
     for wrong, says in (([], "approach_m: is empty"), ("deep", "approach_m: is no array of numbers"),

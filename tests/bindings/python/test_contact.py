@@ -115,6 +115,8 @@ def test_a_bad_file_is_named_with_its_line(tmp_path):
         ehd.solve("own-steel-20-10", M=20)
     with pytest.raises(ehd.InputError, match="there is no such case"):
         ehd.solve(b"no-such-case")
+    with pytest.raises(ehd.InputError, match="own-moes-20-1: there is no such case; did you mean own-moes-20-10\\? "):
+        ehd.solve("own-moes-20-1")
     for wrong in (3, {"M": 20}):
         with pytest.raises(ehd.InputError, match="case = .*: is no path; allowed is the path, the id or the text of a"):
             ehd.solve(wrong)

@@ -67,10 +67,14 @@ BOOST_AUTO_TEST_CASE(bad_json_is_one_line) {
   refused(std::string("{\0}\0", 4), "is binary, or UTF-16");
   refused("[1", "is no JSON");
   refused("{}", "schema: is missing");
-  refused(R"({"schema": "ehd-submission-2", "solver": {"name": "n"}, "results": []})", "allowed is ehd-submission-1");
+  refused(R"({"schema": "ehd-submission-2", "solver": {"name": "n"}, "results": []})",
+          "did you mean ehd-submission-1? allowed is ehd-submission-1");
+  refused(R"({"shema": "ehd-submission-1", "results": []})",
+          "shema: is unknown; did you mean schema? allowed is schema");
   refused(R"({"schema": "ehd-submission-1", "results": []})", "solver: is missing");
   refused(R"({"schema": "ehd-submission-1", "solver": {"name": "n"}, "results": []})", "results: is missing or empty");
-  refused(submission_with("{" + good + R"(, "film.minimun": 1})"), "film.minimun: is unknown");
+  refused(submission_with("{" + good + R"(, "film.minimun": 1})"),
+          "film.minimun: is unknown; did you mean film.minimum? allowed");
   refused(submission_with("{" + good + R"(, "load_error": 1})"), "load_error: is unknown");
   refused(submission_with("{" + good + R"(, "film.central": NaN})"), "NaN at byte");
   refused(submission_with("{" + good + R"(, "film.central": "NaN"})"), "required is a number");
@@ -87,8 +91,11 @@ BOOST_AUTO_TEST_CASE(bad_json_is_one_line) {
   refused(submission_with(R"({"case": "own-barus-5-5", "version": 1, "scaling": "hertz"})"), "has no quantity");
   refused(submission_with(R"({"case": "own-barus-5-5", "version": 2, "scaling": "hertz", "film.minimum": 1})"),
           "is not the version of own-barus-5-5");
-  refused(submission_with(R"({"case": "own-barus-5-6", "version": 1, "scaling": "hertz", "film.minimum": 1})"),
-          "there is no such case");
+  refused(
+      submission_with(R"({"case": "own-barus-5-6", "version": 1, "scaling": "hertz", "film.minimum": 1})"),
+      "there is no such case; did you mean own-barus-5-5? allowed is an id that `ehd cases` or `ehd cases --atlas`");
+  refused(submission_with(R"({"case": "own-barus-5-5", "version": 1, "scaling": "herz", "film.minimum": 1})"),
+          "scaling = herz: is unknown; did you mean hertz? allowed is hertz");
   refused(submission_with(R"({"case": "../own", "version": 1, "scaling": "hertz", "film.minimum": 1})"), "is no id");
   refused(submission_with(R"({"case": "na4908", "version": 1, "scaling": "hertz", "film.minimum": 1})"),
           "is a bearing");
@@ -116,10 +123,12 @@ BOOST_AUTO_TEST_CASE(bad_csv_is_one_line_with_its_number) {
   refused(header, "has no rows");
   refused("case,version,quantity,value\n", "column scaling is missing");
   refused("case,version,quantity,value,scaling,note\n", "column note: is unknown");
+  refused("case,version,quantity,value,scalling\n",
+          "column scalling: is unknown; did you mean scaling? allowed is case");
   refused(header + "own-barus-5-5,1,film.minimum,nan,hertz\n", "bad.csv:2: value = nan: is not finite");
   refused(header + "own-barus-5-5,1,film.minimum,0.2x,hertz\n", "is not a number");
   refused(header + "own-barus-5-5,1,film.minimum\n", "bad.csv:2: has 3 cells");
-  refused(header + "own-barus-5-5,1,film.min,0.2,hertz\n", "film.min: is unknown");
+  refused(header + "own-barus-5-5,1,film.min,0.2,hertz\n", "film.min: is unknown; did you mean film.minimum? allowed");
   refused(header + "own-barus-5-5,1,film.minimum,0.2,hertz\n\nown-barus-5-5,1,film.minimum,0.2,hertz\n",
           "bad.csv:4: quantity = film.minimum: is there twice");
   refused(header + "own-barus-5-5,1,film.minimum,0.2,hertz\nown-barus-5-5,2,film.central,0.2,hertz\n",
