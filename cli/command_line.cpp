@@ -5,11 +5,13 @@
 
 #include <CLI/CLI.hpp>
 #include <utility>
+#include <vector>
 
 #include "cli/completion.hpp"
 #include "cli/help_text.hpp"
 #include "cli/output.hpp"
 #include "cli/usage.hpp"
+#include "io/case_keys.hpp"
 #include "io/near_miss.hpp"
 
 namespace ehd::cli {
@@ -37,9 +39,20 @@ std::vector<std::string> names_like(const std::string& word, CLI::App& app) {
   return names;
 }
 
+/// The arguments of a command without a dash: "one CASE", "WHAT, CASE".
+std::string arguments_of(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options())
+    if (option->get_positional()) names.push_back(option->get_name());
+  return names.empty() ? "options alone" : (names.size() == 1 ? "one " : "") + list(names);
+}
+
 /// "--tolerence: unknown; did you mean --tolerance? ..." `command`: "ehd solve", whose help shows what is allowed.
 std::string unknown_word(CLI::App& app, const std::string& command) {
   const std::string given = app.remaining().front();
+  if (!given.starts_with('-') && app.get_subcommands({}).empty())
+    return fmt::format("{}: is one argument too many; allowed is {}; {} --help shows more", given, arguments_of(app),
+                       command);
   const std::string word = given.substr(0, given.starts_with("--") ? given.find('=') : std::string::npos);
   return fmt::format("{}: unknown; {}{} --help shows what is allowed", word, did_you_mean(word, names_like(word, app)),
                      command);

@@ -51,7 +51,7 @@ constexpr std::array table{
     ScaledNumber{.name = "alpha_per_Pa", .unit = "1/Pa", .meaning = "alpha", .exponents = {0, 0, 0, 0, 0, 1}},
     ScaledNumber{.name = "viscosity_times_speed_N_per_m",
                  .unit = "N/m",
-                 .meaning = "eta_0 u_s, where neither is stated",
+                 .meaning = "eta_0 u_s",
                  .exponents = {0, 0, 0, 1, 1, 0}},
     ScaledNumber{.name = "hertz_pressure_Pa",
                  .unit = "Pa",

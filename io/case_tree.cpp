@@ -123,10 +123,10 @@ Meant meant_by(const std::string& key, const std::string& table, bool is_table,
 }
 
 /// What an unknown "table.key" may have been meant to be, in words; empty where nothing is near.
-std::string words_meant_by(const std::string& path) {
+std::string words_meant_by(const std::string& path, bool in_contact) {
   const auto [table, key] = parts_of(path);
   if (const CaseTable* row = find_case_table(table); row && is_substitutable(*row)) {
-    if (const std::string name = near_miss(key, names_of_keys(*row)); !name.empty())
+    if (const std::string name = near_miss(key, names_of_keys(*row, in_contact)); !name.empty())
       return name + in_words(key, fmt::format("{}.{}", table, name));
     const std::string other = meant_elsewhere(key, table).path;
     const CaseTable* found = find_case_table(parts_of(other).first);
@@ -144,19 +144,19 @@ bool keeps_its_value(const std::string& table_name, const std::string& key) {
   return std::find(keys.begin(), keys.end(), key.empty() ? table_name : key) != keys.end();
 }
 
-void require_substitutable(const Substitution& substitution) {
+void require_substitutable(const Substitution& substitution, bool in_contact) {
   const std::string& path = substitution.key;
   const auto [table_name, key] = parts_of(path);
   const CaseTable* table = find_case_table(table_name);
   if (table && !is_substitutable(*table)) table = nullptr;
   const std::vector<std::string> keys = table ? names_of_keys(*table) : std::vector<std::string>();
   if (std::find(keys.begin(), keys.end(), key) != keys.end()) return;
-  const std::string allowed =
-      table ? list(keys) : "table.key with one of the tables " + list(names_of_substitutable_tables());
+  const std::string allowed = table ? list(names_of_keys(*table, in_contact))
+                                    : "table.key with one of the tables " + list(names_of_substitutable_tables());
   const std::string fault = keeps_its_value(table_name, key) ? "cannot be given another value"
                             : table                          ? fmt::format("is unknown in [{}]", table_name)
                                                              : "is unknown";
-  const std::string meant = words_meant_by(path);
+  const std::string meant = words_meant_by(path, in_contact);
   const std::string subject =
       substitution.option.empty() ? shortened(path, longest_text) : "ehd: " + substitution.option;
   throw CaseError(one_line(fmt::format("{}: {}; {}allowed is {}", subject, fault,
@@ -169,12 +169,20 @@ bool may_stand_in(const CaseTable& table, std::string_view key) {
   return std::any_of(table.keys.begin(), table.keys.end(), named) ||
          (table.role == TableRole::heading && !key.empty() && find_case_table(key));
 }
-std::vector<std::string> names_in(const CaseTable& table) {
-  std::vector<std::string> names = names_of_keys(table);
+std::vector<std::string> names_in(const CaseTable& table, bool in_contact) {
+  std::vector<std::string> names = names_of_keys(table, in_contact);
   if (table.role != TableRole::heading) return names;
   for (const CaseTable& other : case_tables())
     if (other.role != TableRole::heading) names.emplace_back(other.name);
   return names;
+}
+
+/// Whether the file states a contact, where [lubricant] has fewer keys than in a bearing.
+bool states_contact(const toml::table& root) {
+  const auto tables = case_tables();
+  return std::any_of(tables.begin(), tables.end(), [&root](const CaseTable& table) {
+    return table.role == TableRole::statement && table.in_contact && root.contains(table.name);
+  });
 }
 
 }  // namespace
@@ -185,6 +193,7 @@ class TreeBuilder {
   TreeBuilder(CaseTree& tree, const std::string& text) : tree_(tree), lines_(lines_of(text)) {}
 
   void add(const toml::table& root) {
+    in_contact_ = states_contact(root);
     add_keys(root, "", *find_case_table(""));
     for (auto&& [name, node] : root) {
       const CaseTable* table = find_case_table(name.str());
@@ -201,7 +210,7 @@ class TreeBuilder {
   /// The table that a mistyped name was probably meant to be, so that the faults of its keys are found too. Null where
   /// nothing is near, and where the file has that table as well.
   [[nodiscard]] const CaseTable* table_meant_by(const std::string& name, const toml::table& root) const {
-    const std::string meant = meant_by(name, "", true, names_in(*find_case_table(""))).path;
+    const std::string meant = meant_by(name, "", true, names_in(*find_case_table(""), in_contact_)).path;
     const CaseTable* const table = meant.empty() ? nullptr : find_case_table(meant);
     const bool keyed = table && table->role != TableRole::heading && table->role != TableRole::expectation;
     return keyed && !root.contains(meant) && !tree_.has(meant) ? table : nullptr;
@@ -228,7 +237,7 @@ class TreeBuilder {
 
   void add_keys(const toml::table& table, const std::string& path, const CaseTable& row) {
     const auto known = [&](const auto& entry) { return may_stand_in(row, entry.first.str()); };
-    if (!std::all_of(table.begin(), table.end(), known)) keep_unknown(table, path, names_in(row));
+    if (!std::all_of(table.begin(), table.end(), known)) keep_unknown(table, path, names_in(row, in_contact_));
     for (auto&& [key, node] : table) {
       put(std::string(path).append(path.empty() ? "" : ".").append(key.str()), node);
     }
@@ -257,6 +266,7 @@ class TreeBuilder {
 
   CaseTree& tree_;
   std::vector<std::string> lines_;
+  bool in_contact_ = false;
 };
 
 CaseTree::CaseTree(const std::string& text, const std::filesystem::path& file,
@@ -265,7 +275,7 @@ CaseTree::CaseTree(const std::string& text, const std::filesystem::path& file,
   places_.places[""].line = 1;
   toml::table root = parse_toml(text, places_.file);
   if (const auto id = root["id"].value<std::string>(); id && file.empty()) places_.file = *id + ".toml";
-  for (const Substitution& substitution : substitutions) require_substitutable(substitution);
+  for (const Substitution& substitution : substitutions) require_substitutable(substitution, states_contact(root));
   if (!substitutions.empty()) root.erase("expect");
   TreeBuilder(*this, text).add(root);
   std::stable_sort(unknown_.begin(), unknown_.end(),

@@ -110,8 +110,8 @@ std::optional<double> maybe_one_of(const CaseTree& tree, std::string_view key) {
   const auto few = std::get<allowed::OneOf>(allowed).numbers();
   const auto value = node->number();
   if (value && std::find(few.begin(), few.end(), *value) != few.end()) return value;
-  tree.fail(key, fmt::format("is {}; {}allowed is {}", value ? "none of them" : node->type, near_numbers(*node, few),
-                             text_of(allowed)));
+  tree.fail(key, fmt::format("is {}; {}allowed is {}", value ? "none of the allowed numbers" : node->type,
+                             near_numbers(*node, few), text_of(allowed)));
 }
 
 int integer(const CaseTree& tree, std::string_view key) {

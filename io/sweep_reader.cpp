@@ -100,9 +100,12 @@ std::vector<SweptKey> keys_in_order(const SweepSource& source, const toml::table
   for (auto&& [key, values] : table) {
     const std::string name(key.str());
     // key.with.dots without quotation marks is a table to TOML.
-    if (values.is_table() && name.find('.') == std::string::npos)
-      source.fail(name, values,
-                  "is a table; allowed is the whole key in quotation marks, as \"operation.radial_load_N\"");
+    if (const toml::table* inner = values.as_table(); inner && name.find('.') == std::string::npos) {
+      const std::string meant =
+          inner->empty() ? "operation.radial_load_N" : name + '.' + std::string(inner->begin()->first.str());
+      source.fail(line_of(values), name,
+                  fmt::format("is a table; allowed is the whole key in quotation marks, as \"{}\"", meant));
+    }
     keys.push_back({.key = name,
                     .values = swept_values(source, name, values),
                     .line = line_of(values),

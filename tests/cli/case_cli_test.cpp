@@ -301,6 +301,10 @@ BOOST_AUTO_TEST_CASE(a_contact_is_converted_there_and_back) {
   test::check_refused(folder, "convert M=20 lambda=1",
                       "lambda: the numbers before it fix it already, at 0.00925275; allowed is without one of these");
   BOOST_TEST(json::parse(there.out)["M"].dump() == "20.0");  // as stated, not through logarithms
+  const auto in_si = test::ehd_run(folder,
+                                   "convert load_N_per_m=2e5 reduced_radius_m=0.01 reduced_modulus_Pa=2e11 "
+                                   "speed_sum_m_per_s=4 viscosity_Pa_s=0.05 alpha_per_Pa=2e-8");
+  BOOST_TEST(in_si.out.find("eta_0 u_s\n") != std::string::npos, in_si.out);
   test::check_refused(folder, "convert U=1e-11", "did you mean U_mean (Dowson and Hamrock: ");
   test::check_refused(folder, "convert M", "has no value");
   BOOST_TEST(json::parse(test::ehd_run(folder, "convert M=20 L=0 --json -").out)["alpha_p_H"] == 0.0);

@@ -99,6 +99,16 @@ BOOST_AUTO_TEST_CASE(the_keys_of_a_mistyped_table_are_checked_too) {
       {"8: [moess]: is unknown; did you mean [moes]? allowed is"});
 }
 
+BOOST_AUTO_TEST_CASE(a_contact_does_not_hear_of_the_keys_that_only_a_bearing_has) {
+  const std::string heading = "id = \"mine\"\nversion = 1\ntitle = \"t\"\nsource = \"own\"\n",
+                    oil = "[lubricant]\nviscosity = \"barus\"\ndensity = \"incompressible\"\nnonsense = 1\n";
+  const auto names_eta_0 = [&](const std::string& problem) {
+    return refusal(heading + oil + problem).at(0).find("viscosity_Pa_s") != std::string::npos;
+  };
+  BOOST_TEST(!names_eta_0("[domain]\ninlet = -4\n[moes]\nM = 20\nL = 10\n"));
+  BOOST_TEST(names_eta_0("[bearing]\nrollers = 9\n"));
+}
+
 BOOST_AUTO_TEST_CASE(a_case_without_its_problem_says_which_keys_each_of_them_needs) {
   const std::string heading = "id = \"mine\"\nversion = 1\ntitle = \"t\"\nsource = \"own\"\n";
   check_lines(heading.substr(heading.find('\n') + 1) + "nonsense = 2\n[lubricant]\nviscosity = \"barus\"\n",
@@ -161,6 +171,9 @@ BOOST_AUTO_TEST_CASE(what_the_command_line_gave_is_refused_by_its_option) {
                  .starts_with("ehd: --set hertz.lambda=1: states the problem again, beside [moes]; allowed is"));
   BOOST_TEST(said("fit.points", 5.0, "--set fit.points=5")
                  .starts_with("ehd: --set fit.points=5: does not belong to a contact case; allowed is"));
+  // Where the eta_0 of a bearing stands, a contact has none.
+  BOOST_TEST(said("lubricant.density_kg", 1.0, "--set lubricant.density_kg=1").find("viscosity_Pa_s") ==
+             std::string::npos);
   BOOST_TEST(said("moes.M", -1.0, "").starts_with("mine.toml: M = -1.0: is negative"));
 }
 

@@ -103,11 +103,12 @@ BOOST_AUTO_TEST_CASE(grades_below_10_have_a_viscosity_index_only_from_the_one_th
 BOOST_AUTO_TEST_CASE(contradictions_and_gaps_are_refused) {
   const std::string law = "viscosity = \"roelands\"\n", T = "temperature_C = 60\n";
   const std::vector<std::pair<std::string, std::string>> rows{
-      {"iso_vg = 70\n" + T, "iso_vg = 70: is none of them; did you mean 68 or 100? allowed is one of 2, 3, 5, 7, 10"},
-      {"iso_vg = 45\n" + T, "iso_vg = 45: is none of them; did you mean 32 or 46? allowed is one of 2"},
+      {"iso_vg = 70\n" + T,
+       "iso_vg = 70: is none of the allowed numbers; did you mean 68 or 100? allowed is one of 2, 3, 5, 7, 10"},
+      {"iso_vg = 45\n" + T, "iso_vg = 45: is none of the allowed numbers; did you mean 32 or 46? allowed is one of 2"},
       {"iso_vg = 1\n" + T, "did you mean 2? allowed"},
       {"iso_vg = 5000\n" + T, "did you mean 3200? allowed"},
-      {"iso_vg = -46\n" + T, "iso_vg = -46: is none of them; allowed is one of 2"},
+      {"iso_vg = -46\n" + T, "iso_vg = -46: is none of the allowed numbers; allowed is one of 2"},
       {"iso_vg = \"VG 68\"\n" + T, "is a text; did you mean 68? allowed is one of 2"},
       {"iso_vg = \"46\"\n" + T, "is a text; did you mean 46? allowed is one of 2"},
       {"iso_vg = \"thick\"\n" + T, "is a text; allowed is one of 2"},

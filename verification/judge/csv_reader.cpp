@@ -124,7 +124,7 @@ std::string CsvReader::read_quoted() {
 bool CsvReader::next() {
   if (!read_row()) return false;
   if (++rows_ > most_rows_)
-    throw refusal(place(), "has more than " + std::to_string(most_rows_) + " rows; allowed are fewer");
+    throw refusal(place(), fmt::format("has more than {0} rows; allowed are at most {0}", most_rows_));
   if (cells_.size() != header_.size())
     throw refusal(place(), fmt::format("has {} cells; allowed are {}, as the header has{}", cells_.size(),
                                        header_.size(), cells_.size() > header_.size() ? ", and no decimal comma" : ""));

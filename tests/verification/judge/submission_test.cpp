@@ -194,7 +194,7 @@ BOOST_AUTO_TEST_CASE(a_bad_profile_is_one_line) {
   refused("X,P,H\n0,1,1e308\n", "is far outside; allowed is H = h R/b^2");
   std::string long_one = "X,P,H\n";
   for (int i = 0; i <= 100000; ++i) long_one += std::to_string(i) + ",0,1\n";
-  refused(long_one, "has more than 100000 rows");
+  refused(long_one, "has more than 100000 rows; allowed are at most 100000");
   refused(std::string(std::size_t{40} << 20, 'x'), "is larger than 32 MiB");
 }
 
