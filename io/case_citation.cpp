@@ -15,6 +15,7 @@
 #include "io/problem_json.hpp"
 #include "io/provenance.hpp"
 #include "io/result_head.hpp"
+#include "io/version.hpp"
 
 namespace ehd {
 
@@ -59,7 +60,7 @@ std::string digits_of(const Case& any) {
 std::string entry_of(const Case& any) {
   const std::string id = any.id + "@" + std::to_string(any.version);
   const Json head = result_head("");
-  const std::string commit = head["provenance"].value("commit", "");
+  constexpr std::size_t shown_of_commit = 12;
   std::string entry = fmt::format("@misc{{ehd-{}-v{},\n", any.id, any.version);
   const auto field = [&](const std::string& name, const std::string& text) {
     entry += fmt::format("  {}{} = {{{}}},\n", name, std::string(12 - name.size(), ' '), text);
@@ -68,9 +69,8 @@ std::string entry_of(const Case& any) {
   field("title", fmt::format("{{Benchmark case {}: {}}}", tex(id), tex(any.title)));
   if (const std::string year = commit_year(); !year.empty()) field("year", year);
   const bool in_atlas = any.file.parent_path().filename() == "atlas";
-  field("howpublished",
-        fmt::format("ehd, version {}{}, cases/{}{}.toml", head["provenance"].value("version", ""),
-                    commit.empty() ? "" : ", commit " + commit.substr(0, 12), in_atlas ? "atlas/" : "", tex(any.id)));
+  field("howpublished", fmt::format("ehd, version {}, {}, cases/{}{}.toml", head["provenance"].value("version", ""),
+                                    commit_words(shown_of_commit), in_atlas ? "atlas/" : "", tex(any.id)));
   field("note", tex(digits_of(any)) + "; source of the case: " + tex(any.source));
   return entry + "}\n";
 }

@@ -9,6 +9,7 @@
 
 #include "contact/text.hpp"
 #include "io/provenance.hpp"
+#include "io/version.hpp"
 
 namespace ehd {
 
@@ -54,9 +55,8 @@ std::string with_prefix(std::string text, const std::string& prefix) {
 
 std::string made_by() {
   const Json json = provenance();
-  std::string words = "ehd " + json["version"].get<std::string>();
-  if (json.contains("commit")) words += ", commit " + json["commit"].get<std::string>();
-  return words + ", " + json["date"].get<std::string>();
+  return fmt::format("ehd {}, {}, {}", json["version"].get<std::string>(), commit_words(std::string::npos),
+                     json["date"].get<std::string>());
 }
 
 }  // namespace ehd

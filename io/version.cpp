@@ -31,6 +31,11 @@ std::string version_text(const Json& built) {
 
 }  // namespace
 
+std::string commit_words(std::size_t letters) {
+  const Json built = provenance();
+  return (built.contains("commit") ? "commit " : "") + commit_of(built, letters);
+}
+
 std::string version_text() { return version_text(provenance()); }
 
 std::string build_text() {

@@ -237,9 +237,18 @@ BOOST_AUTO_TEST_CASE(a_case_is_cited_shown_and_given_to_programs) {
   const auto bibtex = test::ehd_run(folder, "cases kostreva-100lb-500rpm --bibtex");
   BOOST_TEST(bibtex.exit_code == 0);
   for (const char* part : {"@misc{ehd-kostreva-100lb-500rpm-v1,", "kostreva-100lb-500rpm@1", "1.14938",
-                           "@article{kostreva1984,", "@software{own,"})
+                           "@article{kostreva1984,", "@misc{own,"})
     BOOST_CHECK_MESSAGE(bibtex.out.find(part) != std::string::npos, part << " is not in " << bibtex.out);
   BOOST_TEST(bibtex.out.find("martin1916") == std::string::npos);
+  // The commit is that of --version, with "changed since" where the tree is changed.
+  const std::string version = test::ehd_run(folder, "--version").out, before = "\ncommit     ";
+  const auto at = version.find(before) + before.size();
+  const std::string commit = version.substr(at, version.find('\n', at) - at);
+  const auto comma = std::min(commit.find(','), commit.size());
+  const std::string cited = commit == "no commit" ? commit : "commit " + commit.substr(0, 12) + commit.substr(comma);
+  BOOST_TEST(bibtex.out.find(", " + cited + ", cases/") != std::string::npos, bibtex.out);
+  const auto law = test::ehd_run(folder, "export law na4908 --raceway inner --knots 4");
+  BOOST_TEST(law.out.find(commit + ", 20") != std::string::npos, law.out.substr(0, 400));
   // The year stands beside the commit, or there is neither.
   BOOST_TEST((bibtex.out.find(", commit ") != std::string::npos) ==
              (bibtex.out.find("\n  year         = {20") != std::string::npos));

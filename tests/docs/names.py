@@ -128,7 +128,7 @@ def wrong_functions(text):
 def versions():
     """Where the version stands: file, version."""
     places = {"CMakeLists.txt": r"^project\(ehd VERSION ([\d.]+)", "CITATION.cff": r"^version: (\S+)",
-              "CHANGELOG.md": r"^## ([\d.]+)", "cases/references.bib": r"^@software\{own,.*?version = \{([\d.]+)"}
+              "CHANGELOG.md": r"^## ([\d.]+)", "cases/references.bib": r"^@misc\{own,.*?version = \{([\d.]+)"}
     return {file: re.search(pattern, (ROOT / file).read_text(), re.MULTILINE | re.DOTALL)[1]
             for file, pattern in places.items()}
 

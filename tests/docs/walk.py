@@ -40,7 +40,7 @@ VARYING = (
     (r"load error \S+, flux variation \S+", "load error"),  # residuals of an iteration
     (r"\b\d[\d.e+-]* (ms|s)\b", "a time"),
     (r"on \d+ threads?", "on threads"),
-    (r", commit [0-9a-f]+", ""),  # there is none without git
+    (r", (commit [0-9a-f]+(, changed since)?|no commit)", ""),
     (r"\b\d{4}-\d\d-\d\dT[\d:]+Z", "now"),
     (r"\([^()]*FFTW [^()]*\)", "libraries"),
 )
