@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <exception>
+#include <initializer_list>
 #include <new>
 #include <string_view>
 
@@ -33,19 +35,31 @@ struct Callback {
 thread_local std::array<char, 4096> last_error{};
 thread_local Callback callback;
 
-/// Leaves out what does not fit.
-void copy_last_error(std::string_view prefix, std::string_view line) noexcept {
-  const std::size_t room = last_error.size() - 1;
-  const std::size_t of_prefix = std::min(prefix.size(), room);
-  std::copy_n(prefix.begin(), of_prefix, last_error.begin());
-  const std::size_t of_line = std::min(line.size(), room - of_prefix);
-  std::copy_n(line.begin(), of_line, last_error.begin() + of_prefix);
-  last_error[of_prefix + of_line] = '\0';
+/// One behind the other. Leaves out what does not fit.
+void copy_last_error(std::initializer_list<std::string_view> parts) noexcept {
+  char* at = last_error.data();
+  for (const std::string_view part : parts) {
+    const auto room = static_cast<std::size_t>(last_error.data() + last_error.size() - 1 - at);
+    at = std::copy_n(part.begin(), std::min(part.size(), room), at);
+  }
+  *at = '\0';
 }
 
 int refuse(int code, std::string_view prefix, std::string_view line) noexcept {
-  copy_last_error(prefix, line);
+  copy_last_error({prefix, line});
   return code;
+}
+
+/// The first of the errors of a case, and how many more there are.
+int refuse(const CaseError& error) noexcept {
+  std::array<char, 20> count{};
+  const auto end = std::to_chars(count.data(), count.data() + count.size(), error.more().size()).ptr;
+  const std::string_view more(count.data(), static_cast<std::size_t>(end - count.data()));
+  if (error.more().empty())
+    copy_last_error({error.what()});
+  else
+    copy_last_error({error.what(), " (and ", more, " more)"});
+  return EHD_BAD_INPUT;
 }
 
 }  // namespace
@@ -54,7 +68,7 @@ int guarded(const std::function<int()>& body) noexcept {
   try {
     return body();
   } catch (const CaseError& error) {
-    return refuse(EHD_BAD_INPUT, "", error.what());
+    return refuse(error);
   } catch (const BadArgument& error) {
     return refuse(EHD_BAD_INPUT, "ehd: ", error.what());
   } catch (const std::bad_alloc&) {
@@ -66,7 +80,7 @@ int guarded(const std::function<int()>& body) noexcept {
   }
 }
 
-void set_last_error(const std::string& line) { copy_last_error("", one_line(line)); }
+void set_last_error(const std::string& line) { copy_last_error({one_line(line)}); }
 
 int ended(const std::string& what, StopReason status, const std::string& reason) {
   if (status == StopReason::converged) return EHD_OK;

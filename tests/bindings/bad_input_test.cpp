@@ -152,6 +152,10 @@ BOOST_AUTO_TEST_CASE(bad_case_text_names_its_line) {
   check_refused(solve("\xff"), "UTF-8");
   check_refused(solve(std::string(100000, '#')), "is larger than");
   check_refused(solve("id = 1\n[conditions]\n"), "case:1: version: is missing");
+  std::string misspelt = good;
+  misspelt.replace(misspelt.find("title"), 5, "titel").replace(misspelt.find("inlet ="), 5, "inlte");
+  check_refused(solve(misspelt), "titel = ");
+  BOOST_TEST(std::string(ehd_last_error()).ends_with(" (and 1 more)"));
   const std::string id = "\"own-moes-20-10\"";
   std::string numbered = good, wrong = good;
   numbered.replace(numbered.find(id), id.size(), "1");

@@ -50,8 +50,9 @@ typedef struct ehd_result ehd_result;
 /* "0.2.0 (1a2b3c4d, FFTW 3.3.10, Eigen 3.4.0)" */
 EHD_API const char *ehd_version(void);
 
-/* Why the last call of this thread that did not return EHD_OK ended so: one line, as the program prints it. Empty where
- * every call returned EHD_OK. The pointer stays valid while the thread lives. */
+/* Why the last call of this thread that did not return EHD_OK ended so: one line, as the program prints it. Where the
+ * program prints several, the first, and how many more there are. Empty where every call returned EHD_OK. The pointer
+ * stays valid while the thread lives. */
 EHD_API const char *ehd_last_error(void);
 
 /* Solves one contact.

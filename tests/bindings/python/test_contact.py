@@ -71,6 +71,8 @@ def test_a_solve_that_did_not_converge_says_so():
     ({"M": 20}, "L"),
     ({"M": 20, "L": 10, "viskosity": "barus"},
      "viskosity: is an unknown keyword; did you mean viscosity? allowed is solver"),
+    ({"M": 20, "L": 10, "viskosity": "barus", "inlett": -4},
+     " (and 1 more)"),
     ({"m": 20, "L": 10}, "m: is an unknown keyword; did you mean M? allowed is solver, "),
     ({"M": 20, "L": 10, "inlett": -4}, "inlett: is an unknown keyword; did you mean inlet?"),
     ({"M": 20, "L": 10, "lambda": 3}, "lambda: is an unknown keyword; did you mean lambda_?"),
