@@ -31,6 +31,12 @@ Verified absent_part(const char* section, const std::string& what) {
   return {.what = section_link(section, what), .digits = "", .truth = "", .cost = "", .open = {"not in this folder"}};
 }
 
+std::string cost_of(const View& figures, const char* part) {
+  for (const View& time : figures.list("times"))
+    if (time.text("name") == part) return duration(time.number("wall_s").value_or(0)) + " in one thread";
+  return "not recorded";
+}
+
 namespace {
 
 constexpr const char* quick_option = "<code class=\"name\">--quick</code>";
@@ -134,7 +140,7 @@ Verified convergence_verified(const View& results) {
   Verified row{.what = section_link("convergence", how_many(studies.size(), "grid study", "grid studies")) +
                        ": the orders of the schemes",
                .truth = "manufactured solutions; <code>reference</code> to more digits",
-               .cost = not_recorded};
+               .cost = cost_of(results["figures"], "convergence")};
   if (off.any())
     row.digits = fmt::format("the {} fitted {} within {} of the declared", fitted,
                              fitted == 1 ? "order is" : "orders are", rounded_up(off.high, 2));
@@ -277,7 +283,7 @@ Verified comparisons_verified(const View& results) {
   Verified row{.what = section_link("maps", how_many(formulas.size(), "film formula", "film formulas") +
                                                 ", and the cost of a cut inlet"),
                .truth = "the certified films of the maps",
-               .cost = not_recorded};
+               .cost = "none: it compares the films of the maps"};
   if (all > 0)
     row.digits = fmt::format("{} of {} values of formulas below 4 GPa within 5 % of the certified film", near, all);
   row.open.push_back("the formulas are published fits, for comparison only: nothing is judged");

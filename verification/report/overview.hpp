@@ -31,7 +31,8 @@ struct Extent {
 [[nodiscard]] std::string section_link(const char* section, const std::string& text);
 /// The line of a part that the folder does not have.
 [[nodiscard]] Verified absent_part(const char* section, const std::string& what);
-inline constexpr const char* not_recorded = "not recorded";  ///< a cost
+/// What the solves of a part of the figures took, added up; "not recorded" in files of an earlier version.
+[[nodiscard]] std::string cost_of(const View& figures, const char* part);
 
 [[nodiscard]] Verified bearing_verified(const View& figures);
 [[nodiscard]] Verified dynamics_verified(const View& figures);

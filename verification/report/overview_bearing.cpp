@@ -33,7 +33,7 @@ Verified bearing_verified(const View& figures) {
                                                    how_many(laws.size(), "law", "laws")) +
                        ": the displacement of the ring",
                .truth = "the error budget of each law; claims of rung 11 judge balance, symmetry and energy",
-               .cost = not_recorded};
+               .cost = cost_of(figures, "bearing")};
   std::string without;
   for (const auto& [name, digits] : laws) {
     std::string& text = digits.any() ? row.digits : without;
@@ -57,7 +57,7 @@ Verified statements_verified(const View& figures) {
       .what = section_link("statements", how_many(statements.size(), "statement", "statements") + " of the paper"),
       .digits = fmt::format("{} hold as computed, {} not", statements.size() - false_ones, false_ones),
       .truth = "the balances of the bearings above",
-      .cost = not_recorded};
+      .cost = "in the time of these balances"};
   if (const auto choices = figures["statement_study"].list("rows").size(); choices > 0)
     row.open.push_back("which choice the paper made where it leaves one open: " +
                        how_many(choices, "choice is", "choices are") + " compared");
@@ -72,7 +72,7 @@ Verified dynamics_verified(const View& figures) {
                .truth =
                    "the errors that the computation states; claims of the rungs 6, 8 and 9 judge derivatives, "
                    "causality, small steps in time and limits",
-               .cost = not_recorded};
+               .cost = cost_of(figures, "dynamics")};
   for (const char* quantity : {"stiffness", "damping"}) {
     Extent digits;
     for (const View& bearing : bearings)

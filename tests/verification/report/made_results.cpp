@@ -338,6 +338,9 @@ Json made_results() {
   figures["statement_study"] = statement_study();
   figures["dynamics"] = dynamics();
   figures["force_law"] = force_laws();
+  figures["times"] = {{{"name", "bearing"}, {"wall_s", 12.0}},
+                      {{"name", "dynamics"}, {"wall_s", 33.0}},
+                      {{"name", "convergence"}, {"wall_s", 180.0}}};
   return results;
 }
 

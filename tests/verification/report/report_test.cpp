@@ -321,6 +321,18 @@ BOOST_AUTO_TEST_CASE(the_first_table_has_a_line_a_part_and_says_what_is_absent) 
              "stiffness: 3 digits at worst, 4 at best; damping: 2 digits");
 }
 
+BOOST_AUTO_TEST_CASE(the_first_table_has_the_time_of_each_part_of_the_figures) {
+  const auto cost = [](const std::string& part, const std::function<void(report::Documents&)>& change = {}) {
+    return line_of(first_table(change), part).cost;
+  };
+  BOOST_TEST(cost("grid studies") == "3 min in one thread");
+  BOOST_TEST(cost("under 3 laws") == "12 s in one thread");
+  BOOST_TEST(cost("in small motion") == "33 s in one thread");
+  for (const report::Verified& line : first_table()) BOOST_TEST(line.cost != "not recorded", line.what);
+  const auto earlier = [](report::Documents& documents) { documents.results["figures"].erase("times"); };
+  BOOST_TEST(cost("in small motion", earlier) == "not recorded");
+}
+
 // A section without a line in the first table would look verified.
 BOOST_AUTO_TEST_CASE(the_first_table_leads_to_every_section) {
   const std::string page = made_page();

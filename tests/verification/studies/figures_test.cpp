@@ -169,6 +169,9 @@ BOOST_AUTO_TEST_CASE(the_bearing_has_three_laws_at_three_clearances_and_the_stat
     BOOST_REQUIRE(bearing["laws"].size() == 3);
     for (const Json& law : bearing["laws"]) BOOST_TEST(law["rollers"].size() == 22);
   }
+  BOOST_REQUIRE(made.at("times").size() == 1);  // in a quick run nothing is in motion
+  BOOST_TEST(made["times"][0]["name"] == "bearing");
+  BOOST_TEST(made["times"][0]["wall_s"].get<double>() > 0);
   BOOST_TEST(made.at("statements").size() == 8);
   BOOST_REQUIRE(made.at("force_law").size() == 18);
   for (const Json& law : made["force_law"]) {

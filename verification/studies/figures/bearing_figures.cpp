@@ -120,7 +120,7 @@ void make(const std::vector<Case>& cases, Made& made) {
 }  // namespace
 
 FigurePart bearing_part(const std::vector<Case>& cases) {
-  FigurePart part;
+  FigurePart part{.name = "bearing"};
   auto made = std::make_shared<Made>();
   if (!cases.empty()) part.work.push_back({"bearing", [made, cases] { make(cases, *made); }});
   part.finish = [made](Json& figures) {

@@ -278,7 +278,7 @@ std::vector<int> grids_of(const RegisteredSolver& solver, bool quick) {
 }  // namespace
 
 FigurePart convergence_part(bool with_manufactured, bool with_grids, bool quick) {
-  FigurePart part;
+  FigurePart part{.name = "convergence"};
   using Results = std::vector<std::vector<Series>>;
   auto results = std::make_shared<Results>();
   const auto add = [&](const std::string& name, std::function<std::vector<Series>()> make) {

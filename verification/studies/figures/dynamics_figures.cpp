@@ -100,7 +100,7 @@ void make_dynamics(const Case& one, Json& made) {
 }  // namespace
 
 FigurePart dynamics_part(const std::vector<Case>& cases, bool quick) {
-  FigurePart part;
+  FigurePart part{.name = "dynamics"};
   auto made = std::make_shared<Json>(Json::array());
   if (!cases.empty() && !quick)
     part.work.push_back({"bearing in motion", [made, one = cases.front()] { make_dynamics(one, *made); }});

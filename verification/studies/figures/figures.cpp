@@ -2,6 +2,7 @@
 #include "verification/studies/figures/figures.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <exception>
 #include <filesystem>
 #include <mutex>
@@ -77,15 +78,21 @@ std::vector<FigurePart> parts_of(const FiguresRequest& request) {
 Json figures(const FiguresRequest& request) {
   const std::vector<FigurePart> parts = parts_of(request);
   std::vector<const FigurePiece*> work;
-  for (const FigurePart& part : parts)
-    for (const FigurePiece& piece : part.work) work.push_back(&piece);
+  std::vector<std::size_t> part_of;  // the piece
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    for (const FigurePiece& piece : parts[k].work) {
+      work.push_back(&piece);
+      part_of.push_back(k);
+    }
 
   Json failed = Json::array();
+  std::vector<double> took_s(parts.size());
   std::size_t done = 0;
   std::mutex reporting;
   in_threads(work.size(), request.threads, [&](std::size_t i) {
     if (request.deadline.passed()) return;
     const Interruptible ends_solves([&] { return request.deadline.passed(); });
+    const auto began = std::chrono::steady_clock::now();
     std::string why;
     try {
       work[i]->run();
@@ -93,6 +100,7 @@ Json figures(const FiguresRequest& request) {
       why = work[i]->name + ": " + thrown.what();
     }
     const std::lock_guard lock(reporting);
+    took_s[part_of[i]] += std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
     if (!why.empty()) failed.push_back(why);
     ++done;
     if (request.progress) request.progress(done, work.size(), work[i]->name);
@@ -102,7 +110,10 @@ Json figures(const FiguresRequest& request) {
 
   Json json = Json::object();
   json["threads"] = request.threads > 0 ? request.threads : std::max(1u, std::thread::hardware_concurrency());
-  for (const FigurePart& part : parts) part.finish(json);
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    parts[k].finish(json);
+    if (!parts[k].work.empty()) json["times"].push_back({{"name", parts[k].name}, {"wall_s", took_s[k]}});
+  }
   if (!failed.empty()) json["failed"] = std::move(failed);
   return json;
 }

@@ -25,9 +25,10 @@ struct FiguresRequest {
 };
 
 /// {"threads", "cases", "convergence", "maps", "bearing", "dynamics", "statements", "statement_study", "force_law"}; a
-/// key is absent where its part was not made. "failed": a sentence for each piece that threw (absent where none did).
-/// Times are of cold solves, one in a thread, while `threads` of them share the machine. Throws CaseError for a named
-/// case that cannot be read. Null where the deadline has passed.
+/// key is absent where its part was not made. "times": what the pieces of each part took, added up. "failed": a
+/// sentence for each piece that threw (absent where none did). Times are of cold solves, one in a thread, while
+/// `threads` of them share the machine. Throws CaseError for a named case that cannot be read. Null where the deadline
+/// has passed.
 [[nodiscard]] Json figures(const FiguresRequest& request);
 
 }  // namespace ehd::verification

@@ -81,9 +81,9 @@ bool in_quick_run(const AtlasPoint& point) {
 }  // namespace
 
 FigurePart map_part(const std::filesystem::path& folder, bool quick) {
+  FigurePart part{.name = "maps"};
   std::error_code missing;
-  if (!std::filesystem::exists(folder / "atlas.csv", missing)) return {.work = {}, .finish = [](Json&) {}};
-  FigurePart part;
+  if (!std::filesystem::exists(folder / "atlas.csv", missing)) return part;
   struct Maps {
     FilmMaps films;
     std::vector<Json> fast;

@@ -17,8 +17,9 @@ struct FigurePiece {
 };
 
 struct FigurePart {
-  std::vector<FigurePiece> work;
-  std::function<void(Json& figures)> finish;  ///< after all work; adds no key where there is nothing
+  std::string name;  ///< of its first key
+  std::vector<FigurePiece> work = {};
+  std::function<void(Json& figures)> finish = [](Json&) {};  ///< after all work; adds no key where there is nothing
 };
 
 /// "cases": pressure and film by the certified and the default solver at 1e-4, for every lubricated contact in the list

@@ -231,7 +231,7 @@ Json case_json(const Case& one) {
 }  // namespace
 
 FigurePart profile_part(const std::vector<Case>& cases, bool quick) {
-  FigurePart part;
+  FigurePart part{.name = "cases"};
   auto results = std::make_shared<std::vector<Json>>(cases.size());
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const auto* contact = std::get_if<ContactCase>(&cases[i].body);
