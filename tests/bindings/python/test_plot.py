@@ -17,6 +17,19 @@ def test_a_contact_is_drawn_with_its_own_numbers(tmp_path):
     assert (tmp_path / "contact.pdf").stat().st_size > 2000
 
 
+def test_a_contact_in_SI_is_drawn_in_SI():
+    r = ehd.solve("steel-roller", tolerance=1e-2)
+    left, right = ehd.plot.contact(r)
+    (pressure,), (film,) = left.lines, right.lines
+    assert np.array_equal(pressure.get_xydata(), np.c_[1e6 * r.x_m, 1e-6 * r.p_Pa])
+    assert np.array_equal(film.get_ydata(), 1e6 * r.h_m)
+    assert (left.get_xlabel(), left.get_ylabel(), right.get_ylabel()) == (
+        "x [\u03bcm]", "pressure [MPa]", "film [\u03bcm]")
+    low, high = left.get_xlim()
+    shown = 1e6 * r.x_m[r.P > 0.02 * r.P.max()]
+    assert low < shown[0] and shown[-1] < high < 2 * 1e6 * r.groups.half_width_m
+
+
 @pytest.mark.parametrize("M, L", [(0.01, 0), (0.1, 5), (2, 5), (20, 10), (1000, 10)])
 def test_all_of_the_pressure_is_shown_and_little_else(M, L):
     r = ehd.solve(M=M, L=L)
@@ -55,6 +68,15 @@ def test_bearings_are_compared_in_the_same_axes(tmp_path):
     assert axes[0].get_ylim()[0] == 0 and axes[0].get_ylim()[1] > 1e-3 * dry.rollers.inner.force_N.max()
     axes[0].figure.savefig(tmp_path / "bearing.pdf")
     assert ehd.plot.bearing(dry, raceway="outer").shape == (1,)
+
+
+def test_films_of_unloaded_rollers_are_not_drawn():
+    b = ehd.bearing("na4908-10um", law="ehd")
+    for raceway in ("inner", "outer"):
+        (film,) = ehd.plot.bearing(b, raceway=raceway)[1].lines
+        shown = np.isfinite(film.get_ydata())
+        assert shown.sum() == b.loaded_rollers < len(b.rollers) == len(shown)
+        assert film.axes.get_ylim()[0] == 0 and film.axes.get_ylim()[1] < 5
 
 
 def test_what_is_drawn_elsewhere_is_refused_in_one_line():
