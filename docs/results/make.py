@@ -131,7 +131,7 @@ def compared(ehd):
 
 
 def contact_without_cost(ehd):
-    text = run(ehd, "solve", "examples/my-contact.toml", "--tolerance", "1e-4")
+    text = run(ehd, "solve", "examples/cylinder-on-plate.toml", "--tolerance", "1e-4")
     return "".join(line for line in text.splitlines(True) if not line.startswith("cost "))
 
 
@@ -147,7 +147,7 @@ def bearings(ehd, *cases):
 # cylindrical roller bearing.
 IN_MOTION = [(case, f"operation.speed_rpm={rpm}") for case, rpm in
              [("na4908", 5000), ("na4908-2.5um", 5000), ("na4908-10um", 5000),
-              ("na4908", 1000), ("na4908", 2500), ("na4908", 10000), ("examples/my-bearing.toml", 3000)]]
+              ("na4908", 1000), ("na4908", 2500), ("na4908", 10000), ("examples/roller-bearing.toml", 3000)]]
 
 
 def motions(ehd):
@@ -256,17 +256,17 @@ def quick_pages(ehd):
             "Rung: where each has to be caught."),
         "examples": lambda: page(
             "The contact and the bearing of the root README",
-            ["ehd solve examples/my-contact.toml --tolerance 1e-4",
-             "ehd bearing examples/my-bearing.toml --details"],
-            fenced(contact_without_cost(ehd)) + "\n\n" + fenced(bearings(ehd, "examples/my-bearing.toml")),
+            ["ehd solve examples/cylinder-on-plate.toml --tolerance 1e-4",
+             "ehd bearing examples/roller-bearing.toml --details"],
+            fenced(contact_without_cost(ehd)) + "\n\n" + fenced(bearings(ehd, "examples/roller-bearing.toml")),
             "Without costs, balance errors and times."),
     }
     written = {
         "README.md": lambda: filled(typed(ehd, "README.md"), "README.md", "numbers", numbers(comparison(), suite())),
         CASE_FORMAT: lambda: filled(typed(ehd, CASE_FORMAT), CASE_FORMAT, "keys", run(ehd, "new", "keys")),
     }
-    figures = {"contact": ("solve", "examples/my-contact.toml", "--tolerance", "1e-4"),
-               "bearing": ("bearing", "examples/my-bearing.toml")}
+    figures = {"contact": ("solve", "examples/cylinder-on-plate.toml", "--tolerance", "1e-4"),
+               "bearing": ("bearing", "examples/roller-bearing.toml")}
     pages = [str(page.relative_to(ROOT)) for page in walk.pages()]
     return {**{f"docs/figures/{name}.svg": functools.partial(figure, ehd, words) for name, words in figures.items()},
             **{name: functools.partial(typed, ehd, name) for name in pages}, **written,

@@ -164,7 +164,8 @@ BOOST_AUTO_TEST_CASE(a_bearing_shows_its_summary_first_and_costs_only_with_detai
 
 BOOST_AUTO_TEST_CASE(a_fitted_line_has_the_same_error_without_the_law_that_it_is_fitted_to) {
   const test::Folder folder;
-  const std::string bearing = std::string("bearing ") + EHD_SOURCE_DIR + "/examples/my-bearing.toml --law ehd-linear";
+  const std::string bearing =
+      std::string("bearing ") + EHD_SOURCE_DIR + "/examples/roller-bearing.toml --law ehd-linear";
   const auto line_of = [&](const std::string& arguments) {
     const std::string out = test::ehd_run(folder, arguments).out;
     const auto at = out.find("largest roller load");
@@ -222,8 +223,9 @@ BOOST_AUTO_TEST_CASE(a_table_has_no_empty_columns) {
 
 BOOST_AUTO_TEST_CASE(the_stiffness_of_a_fitted_law_in_motion_is_as_wrong_as_it_is_far_from_ehd) {
   const test::Folder folder;
-  const std::string bearing = std::string("bearing ") + EHD_SOURCE_DIR +
-                              "/examples/my-bearing.toml --dynamic --set operation.radial_load_N=900 --law ehd-linear";
+  const std::string bearing =
+      std::string("bearing ") + EHD_SOURCE_DIR +
+      "/examples/roller-bearing.toml --dynamic --set operation.radial_load_N=900 --law ehd-linear";
   BOOST_TEST(!stiffness_in_motion(test::ehd_run(folder, bearing).out, "ehd-linear").error);
   const std::string both = test::ehd_run(folder, bearing + " --law ehd").out;
   const Bracketed fitted = stiffness_in_motion(both, "ehd-linear"), ehd = stiffness_in_motion(both, "ehd");
@@ -235,7 +237,7 @@ BOOST_AUTO_TEST_CASE(the_stiffness_of_a_fitted_law_in_motion_is_as_wrong_as_it_i
 BOOST_AUTO_TEST_CASE(a_thin_film_of_a_roller_has_three_digits) {
   const test::Folder folder;
   const std::string slow =
-      std::string("bearing ") + EHD_SOURCE_DIR + "/examples/my-bearing.toml --set operation.speed_rpm=20 --law ehd";
+      std::string("bearing ") + EHD_SOURCE_DIR + "/examples/roller-bearing.toml --set operation.speed_rpm=20 --law ehd";
   const std::string out = test::ehd_run(folder, slow).out;
   BOOST_TEST(std::regex_search(out, std::regex(R"(\n  0 +[0-9]+ +[0-9]+ +0\.00[1-9][0-9]{2}\n)")), out);
 }

@@ -101,8 +101,8 @@ BOOST_AUTO_TEST_CASE(the_papers_statements_are_printed_for_its_bearing_alone) {
   BOOST_TEST(paper.find("The paper's statements") != std::string::npos);
   std::string own = "bearing";
   for (const std::string clearance : {"5", "10", "20"}) {
-    std::string text = test::read(std::string(EHD_SOURCE_DIR) + "/examples/my-bearing.toml");
-    for (const auto& [from, to] : {std::pair<std::string, std::string>{"my-bearing", "own-" + clearance},
+    std::string text = test::read(std::string(EHD_SOURCE_DIR) + "/examples/roller-bearing.toml");
+    for (const auto& [from, to] : {std::pair<std::string, std::string>{"roller-bearing", "own-" + clearance},
                                    {"clearance_m = 10e-6", "clearance_m = " + clearance + "e-6"}}) {
       BOOST_REQUIRE(text.find(from) != std::string::npos);
       text.replace(text.find(from), from.size(), to);

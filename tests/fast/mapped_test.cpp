@@ -490,8 +490,8 @@ BOOST_AUTO_TEST_CASE(a_pressure_maximum_that_a_spike_may_hide_is_left_out) {
   BOOST_CHECK_EQUAL(one.observables.contains(Quantity::pressure_maximum), maximum != all.observables.end());
 }
 
-// Steel and oil of examples/my-contact.toml at other loads and speeds: grids agreed on a height that was 10 and 4 %
-// off. The true values are by `reference` at 1e-6.
+// Steel and oil of examples/cylinder-on-plate.toml at other loads and speeds: grids agreed on a height that was 10 and
+// 4 % off. The true values are by `reference` at 1e-6.
 BOOST_AUTO_TEST_CASE(a_spike_that_still_grows_is_not_reported) {
   const Lubricant oil{
       .viscosity = ViscosityLaw::roelands, .density = DensityLaw::dowson_higginson, .alpha_per_Pa = 2e-8};

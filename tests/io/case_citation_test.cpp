@@ -85,7 +85,7 @@ BOOST_AUTO_TEST_CASE(only_files_in_the_folder_of_the_cases_are_benchmark_cases) 
   any.id = "own-moes-20-10";
   for (const auto& [file, expected] :
        {std::pair(cases_folder() / "own-moes-20-10.toml", true), std::pair(cases_folder() / "atlas" / "any.toml", true),
-        std::pair(cases_folder() / ".." / "examples" / "my-contact.toml", false),
+        std::pair(cases_folder() / ".." / "examples" / "cylinder-on-plate.toml", false),
         std::pair(std::filesystem::path("own-moes-20-10.toml"), false),
         std::pair(std::filesystem::path("/nowhere/own-moes-20-10.toml"), false)}) {
     any.file = file;

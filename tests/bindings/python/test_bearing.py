@@ -88,8 +88,8 @@ def test_bad_input_is_one_line(tmp_path):
             dry.law("inner").force(wrong)
     with pytest.raises(ehd.InputError):
         ehd.bearing("own-moes-20-10")
-    text = (SOURCE / "examples" / "my-bearing.toml").read_text(encoding="utf-8")
-    file = tmp_path / "my-bearing.toml"
+    text = (SOURCE / "examples" / "roller-bearing.toml").read_text(encoding="utf-8")
+    file = tmp_path / "roller-bearing.toml"
     file.write_text(text.replace("rollers = 14", "rollers = 1"), encoding="utf-8")
-    with pytest.raises(ehd.InputError, match=r"my-bearing.toml:7: rollers = 1"):
+    with pytest.raises(ehd.InputError, match=r"roller-bearing.toml:7: rollers = 1"):
         ehd.bearing(file, law="hertz")

@@ -48,7 +48,7 @@ def test_keywords_of_every_kind_state_a_contact(program_json):
     assert ehd.solve(text).film == steel.film
     si = ehd.solve(load_N_per_m=np.float64(1e5), reduced_radius_m=0.01, reduced_modulus_Pa=2.2e11, speed_sum_m_per_s=3,
                    viscosity_Pa_s=0.02, viscosity="roelands", density="dowson-higginson", alpha_per_Pa=2.0e-8)
-    written = program_json("solve", str(SOURCE / "examples" / "my-contact.toml"))
+    written = program_json("solve", str(SOURCE / "examples" / "cylinder-on-plate.toml"))
     assert si.film.to_dict() == written["film"]
     dry = ehd.solve(load_N_per_m=1e5, reduced_radius_m=0.01, reduced_modulus_Pa=2.2e11)
     assert dry.status == "converged" and "minimum" not in dry.film and not hasattr(dry, "rho")
@@ -103,10 +103,10 @@ def test_bad_keywords_are_named_in_one_line(keywords, says):
 
 
 def test_a_bad_file_is_named_with_its_line(tmp_path):
-    good = (SOURCE / "examples" / "my-contact.toml").read_text(encoding="utf-8")
-    file = tmp_path / "my-contact.toml"
+    good = (SOURCE / "examples" / "cylinder-on-plate.toml").read_text(encoding="utf-8")
+    file = tmp_path / "cylinder-on-plate.toml"
     file.write_text(good.replace("3.0 ", "-3.0 "), encoding="utf-8")
-    with pytest.raises(ehd.InputError, match=r"my-contact.toml:10: speed_sum_m_per_s = -3") as caught:
+    with pytest.raises(ehd.InputError, match=r"cylinder-on-plate.toml:10: speed_sum_m_per_s = -3") as caught:
         ehd.solve(file)
     assert str(caught.value).startswith(f"{file}:10: ")
     file.write_bytes(good.encode() + b"\0")

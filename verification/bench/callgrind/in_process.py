@@ -21,7 +21,7 @@ CALLS = 10
 HERE = pathlib.Path(__file__).resolve().parent
 TOP = HERE.parents[2]
 OF_A_PROGRAM = HERE / "contact.toml"  # as a program writes it: that of docs/library.md, without comments
-OF_A_PERSON, OF_THE_BENCHMARK = TOP / "examples" / "my-contact.toml", TOP / "cases" / "own-moes-20-10.toml"
+OF_A_PERSON, OF_THE_BENCHMARK = TOP / "examples" / "cylinder-on-plate.toml", TOP / "cases" / "own-moes-20-10.toml"
 # What is asked, of which case, in words, and whether LIMIT holds for it.
 ROWS = [("solve", OF_A_PROGRAM, "case text: the call", True),
         ("number", OF_A_PROGRAM, "case text: and one number", True),
