@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The commands that a user types; CMake does the work. Variables: BUILD (folder), JOBS, CMAKE_FLAGS (passed to CMake),
 # CTEST_FLAGS (passed to ctest), PREFIX (of make install), FUZZ_SECONDS (of each target), FILES (for tidy), SINCE (for
-# tidy-changed), CHECKS (words in the names of the steps that check-all runs).
+# tidy-changed), CHECKS (words in the names of the steps that check-all runs). Times in brackets are of two idle cores,
+# rounded; docs/checks.md says where measured ones stand.
 
 BUILD ?= build
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
@@ -48,12 +49,12 @@ program: configure
 build: program  ## Build the program: build/ehd
 	@echo "$(BUILD)/ehd is built. Next: make verify (the paper's bearing and the quick suite), or $(BUILD)/ehd --help"
 
-verify: program  ## Balance the paper's bearing, run the quick suite into out/verify (after the build a minute)
+verify: program  ## Balance the paper's bearing, run the quick suite into out/verify
 	@$(BUILD)/ehd bearing na4908
 	@$(BUILD)/ehd verify --quick --output out/verify
 	@echo "Left out: the slow topics of the suite and the paper's statements (make verify-full), the tests (make test)."
 
-verify-full: program  ## The paper's bearing at three clearances, and the whole suite (the build and 5 minutes)
+verify-full: program  ## The paper's bearing at three clearances, and the whole suite (after the build 6 minutes)
 	@$(BUILD)/ehd bearing na4908 na4908-2.5um na4908-10um
 	@$(BUILD)/ehd verify --output out/verify
 
@@ -180,7 +181,7 @@ kernels: configure  ## Time the kernels of fast/ in multiples of one FFT convolu
 	@$(BUILD)/ehd_kernels
 
 # Built in out/mutants, from a copy of the tree: the tree itself is never changed.
-mutants:    ## Run each wrong program of verification/mutants (half an hour; ONLY=part of an id; PART=3/10: a tenth)
+mutants:    ## Run each wrong program of verification/mutants (40 minutes; ONLY=part of an id; PART=3/10: a tenth)
 	@sh cmake/setup.sh python3
 	@python3 verification/mutants/run.py $(if $(ONLY),--only $(ONLY)) $(if $(PART),--part $(PART)) --jobs $(JOBS)
 

@@ -158,7 +158,7 @@ std::string digits_text(const AtlasTable& table) {
 }
 
 std::optional<std::string> atlas_text(const std::filesystem::path& file) {
-  // The table of 351 points has 0.2 MiB, a case or a record 1 KiB.
+  // The table of all points has 0.2 MiB, a case or a record 1 KiB.
   return text_if_there(file, {.name = "a file that `ehd atlas` writes", .most_bytes = 16 << 20});
 }
 

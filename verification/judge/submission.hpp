@@ -56,7 +56,7 @@ struct Submission {
 [[nodiscard]] Submission read_submission_json(const std::filesystem::path& file);
 [[nodiscard]] Submission read_submission_csv(const std::filesystem::path& file);
 
-inline constexpr std::size_t most_results = 10000;  ///< the atlas has 351 cases
+inline constexpr std::size_t most_results = 10000;  ///< the atlas has some hundred cases
 /// The text of a file that somebody handed in, without a byte-order mark. Throws CaseError: text_of_file, and a null
 /// byte.
 [[nodiscard]] std::string submitted_text(const std::filesystem::path& file, const FileKind& kind);
