@@ -279,7 +279,7 @@ constexpr std::array lubricant_keys{
             .need = Need::never,
             .otherwise = "eta_0 is stated",
             .meaning = "the oil's grade of ISO 3448, which sets eta_0; 2 and 3 have no viscosity index (ASTM D2270), 5 "
-                       "has one from 378, 7 from 75: for others state the viscosities at 40 and 100 C",
+                       "has one from 378, 7 from 75: for others state the viscosities at 40 and 100 \u00b0C",
             .example = "68",
             .in_new = true},
     CaseKey{.name = "viscosity_index",
@@ -293,17 +293,17 @@ constexpr std::array lubricant_keys{
             .allowed = kinematic_viscosities,
             .need = Need::sometimes,
             .condition = "viscosity_100C_mm2_per_s is stated",
-            .meaning = "kinematic viscosity at 40 C, in place of iso_vg",
+            .meaning = "kinematic viscosity at 40 \u00b0C, in place of iso_vg",
             .example = "68.0"},
     CaseKey{.name = "viscosity_100C_mm2_per_s",
             .unit = "mm2/s",
             .allowed = kinematic_viscosities,
             .need = Need::sometimes,
             .condition = "viscosity_40C_mm2_per_s is stated",
-            .meaning = "kinematic viscosity at 100 C",
+            .meaning = "kinematic viscosity at 100 \u00b0C",
             .example = "8.5"},
     CaseKey{.name = "temperature_C",
-            .unit = "C",
+            .unit = "\u00b0C",
             .allowed = oil_temperatures,
             .need = Need::sometimes,
             .condition = "the oil is stated by its grade",
@@ -315,7 +315,7 @@ constexpr std::array lubricant_keys{
             .allowed = oil_densities,
             .need = Need::never,
             .standard = 870,
-            .meaning = "density of the oil at 15 C",
+            .meaning = "density of the oil at 15 \u00b0C",
             .example = "870.0"},
 };
 
@@ -323,7 +323,7 @@ constexpr std::array domain_keys{
     CaseKey{.name = "inlet",
             .unit = "b",
             .allowed = inlets,
-            .meaning = "where the domain begins: fully flooded, or cut at X = x/b",
+            .meaning = "where the domain begins: fully flooded, or cut at X = x/b; b is the Hertz half width",
             .example = "\"flooded\""},
 };
 

@@ -42,10 +42,11 @@ Claim grade_claim() {
     error = worse(error, viscosities_apart(oil_viscosity(at_40C, at_100C, 40), at_40C),
                   viscosities_apart(oil_viscosity(at_40C, at_100C, 100), at_100C));
   });
-  return claim({.id = "inputs/oil/definition",
-                .rung = 0,
-                .statement = "an ISO VG oil has its grade's viscosity at 40 C, and at 100 C that of its index"},
-               error, 0, inverted_log_log());
+  return claim(
+      {.id = "inputs/oil/definition",
+       .rung = 0,
+       .statement = "an ISO VG oil has its grade's viscosity at 40 \u00b0C, and at 100 \u00b0C that of its index"},
+      error, 0, inverted_log_log());
 }
 
 Claim falling_claim() {

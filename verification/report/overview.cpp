@@ -215,7 +215,7 @@ Verified costs_verified(const View& bench) {
   for (const View& one : frequencies) motion.add(digits_of(one.number("achieved")));
   if (motion.any()) {
     row.digits += (row.digits.empty() ? "" : "; ") + ("<i>\u03ba</i> in motion: " + digits_in(motion));
-    row.truth += (row.truth.empty() ? "" : "; ") + std::string("of <i>\u03ba</i>, the certified solver");
+    row.truth += (row.truth.empty() ? "" : "; ") + std::string("<i>\u03ba</i>: the certified solver");
   }
   for (const View& one : scaling) times.add(one.number("wall_s"));
   for (const View& one : costs) times.add(one.number("mean_s"));
@@ -249,11 +249,11 @@ Verified maps_verified(const View& results) {
   if (certified.any()) {
     row.digits = "<code>reference</code>: " + digits_in(certified);
     row.truth =
-        "of <code>reference</code>, the error that it states, as the atlas has it; claims of rung 8 judge such errors";
+        "<code>reference</code>: the error that it states, as the atlas has it; claims of rung 8 judge such errors";
   }
   if (achieved.any()) {
     row.digits += (row.digits.empty() ? "" : "; ") + ("<code>fast</code>: " + digits_in(achieved, false));
-    row.truth += (row.truth.empty() ? "" : "; ") + std::string("of <code>fast</code>, <code>reference</code>");
+    row.truth += (row.truth.empty() ? "" : "; ") + std::string("<code>fast</code>: <code>reference</code>");
   }
   if (tests > 0) row.open.push_back(how_many(tests, "point", "points") + " above 4 GPa, a numerical test only");
   if (by_fast < points.size())
