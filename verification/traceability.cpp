@@ -8,6 +8,7 @@
 
 #include "io/json.hpp"
 #include "io/tables.hpp"
+#include "verification/claims/shared.hpp"
 
 namespace ehd::verification {
 
@@ -65,7 +66,7 @@ const std::vector<TraceablePart>& traceable_parts() {
        {"*/reference-fast/*", "*/fast/stated-*", "random-fast/*", "box/*/agreement"}},
       {"readme/atlas", "cases/atlas: contacts with the digits that are known", {"atlas/files", "atlas/atlas-*"}},
       {"readme/isoviscous-limit",
-       "the isoviscous elastic limit, film x M^(1/5), of the Couette and the smallest film",
+       fmt::format("the isoviscous elastic limit, film x M^(1/5) = {} and {}", couette_limit, smallest_limit),
        {"regimes/isoviscous-elastic-limit/*"}},
       {"readme/literature",
        "published digits are reproduced; what waits for its source is a row that says so",

@@ -191,7 +191,8 @@ Findings judge_isoviscous_elastic_limit() {
   };
   Findings found;
   const Limit flux = limit_of(couette, remainder);
-  for (const Row& row : {Row{"Couette", &couette, "2.49", "2.489479"}, Row{"minimum", &minimum, "1.98", "1.982128"}}) {
+  for (const Row& row :
+       {Row{"Couette", &couette, "2.49", couette_limit}, Row{"minimum", &minimum, "1.98", smallest_limit}}) {
     const Limit limit = limit_of(*row.approach, remainder);
     const std::string note =
         fmt::format("{} +- {}, remainder M^-{}, M = 250 ... 16000; {}", plain(limit.value, 9),

@@ -17,6 +17,9 @@ namespace ehd::verification {
 /// Stands for a number that could not be measured. No claim passes with it.
 inline constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
+/// The isoviscous elastic limit, film x M^(1/5), as README.md prints it: of the Couette film and of the smallest.
+inline constexpr const char *couette_limit = "2.489479", *smallest_limit = "1.982128";
+
 [[nodiscard]] inline bool converged(const Solution& solution) {
   return solution.record.status == StopReason::converged;
 }
