@@ -148,7 +148,10 @@ bool is_detail(const BearingNote& note) {
          std::holds_alternative<note::NoVariant>(note);
 }
 
-bool is_warning(const BearingNote& note) { return std::holds_alternative<note::PoorLine>(note); }
+bool is_warning(const BearingNote& note) {
+  const auto* unusual = std::get_if<note::Unusual>(&note);
+  return std::holds_alternative<note::PoorLine>(note) || (unusual && unusual->range->impossible);
+}
 
 template <class Wanted>
 std::vector<std::string> texts_of(const BearingResult& result, const Wanted& wanted) {

@@ -11,7 +11,7 @@ namespace ehd {
 
 /// One line a note. The last one says which accuracy was missed, where one was.
 [[nodiscard]] std::vector<std::string> notes_of(const BearingResult& result);
-/// Those that a reader has to know before any number: that a line does not describe its contacts.
+/// Those that a reader has to know before any number: that a line does not describe its contacts, that rollers overlap.
 [[nodiscard]] std::vector<std::string> warnings_of(const BearingResult& result);
 /// The others; without `details` not those on how a law was made (curves, range of the fit, variants).
 [[nodiscard]] std::vector<std::string> remarks_of(const BearingResult& result, bool details);

@@ -323,11 +323,13 @@ std::string failures(const std::vector<BearingResult>& results) {
   return text;
 }
 
-/// Each note once, under the laws that have it: "notes on ehd-linear, ehd".
-std::string remarks(const std::vector<BearingResult>& results, bool details) {
-  std::vector<std::pair<std::string, std::string>> laws_of_notes;  // in the order in which the notes appear
+/// Each note once, with the laws that have it, in the order in which the notes appear.
+template <class Notes>
+std::vector<std::pair<std::string, std::string>> laws_of_each(const std::vector<BearingResult>& results,
+                                                              const Notes& notes_of_one) {
+  std::vector<std::pair<std::string, std::string>> laws_of_notes;
   for (const BearingResult& result : results)
-    for (const std::string& note : remarks_of(result, details)) {
+    for (const std::string& note : notes_of_one(result)) {
       const auto known =
           std::find_if(laws_of_notes.begin(), laws_of_notes.end(), [&](const auto& one) { return one.first == note; });
       if (known == laws_of_notes.end())
@@ -335,6 +337,13 @@ std::string remarks(const std::vector<BearingResult>& results, bool details) {
       else
         known->second += ", " + name_of(result);
     }
+  return laws_of_notes;
+}
+
+/// "notes on ehd-linear, ehd", and these notes.
+std::string remarks(const std::vector<BearingResult>& results, bool details) {
+  const auto laws_of_notes =
+      laws_of_each(results, [&](const BearingResult& result) { return remarks_of(result, details); });
   std::vector<std::string> headings;
   for (const auto& [note, laws] : laws_of_notes)
     if (std::find(headings.begin(), headings.end(), laws) == headings.end()) headings.push_back(laws);
@@ -350,8 +359,8 @@ std::string remarks(const std::vector<BearingResult>& results, bool details) {
 /// Before the numbers that they are about.
 std::string warnings(const std::vector<BearingResult>& results) {
   std::string text;
-  for (const BearingResult& result : results)
-    for (const std::string& warning : warnings_of(result)) text += fmt::format("  {}: {}\n", name_of(result), warning);
+  for (const auto& [warning, laws] : laws_of_each(results, warnings_of))
+    text += fmt::format("  {}: {}\n", laws, warning);
   return text.empty() ? text : text + "\n";
 }
 

@@ -46,6 +46,7 @@ struct UsualRange {
   double shown_over_SI = 1;               ///< the note shows this times the number ...
   std::string_view unit;                  ///< ... in this unit
   std::string_view reason;
+  bool impossible = false;  ///< outside, nobody can build it: tables say so before the numbers
 };
 [[nodiscard]] std::span<const UsualRange> usual_ranges();
 

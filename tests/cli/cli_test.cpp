@@ -114,6 +114,15 @@ BOOST_AUTO_TEST_CASE(the_papers_statements_are_printed_for_its_bearing_alone) {
   BOOST_TEST(ended.out.find("paper") == std::string::npos, ended.out);
 }
 
+BOOST_AUTO_TEST_CASE(rollers_that_overlap_are_named_before_the_numbers) {
+  const test::Folder folder;
+  const auto ended = test::ehd_run(folder, "bearing na4908 --law hertz --law iso --set bearing.rollers=40");
+  BOOST_TEST(ended.exit_code == 0);
+  const auto said = ended.out.find("\n  hertz, iso: Z D/(pi d_m) = 1.201 is above 1: the rollers overlap\n");
+  BOOST_TEST(said < ended.out.find("displacement"), ended.out);
+  BOOST_TEST(ended.out.find("overlap", said + 100) == std::string::npos, ended.out);
+}
+
 // On 64 intervals the Couette film is 0.9 % from that of 512: two digits are known, and no error is.
 BOOST_AUTO_TEST_CASE(a_number_without_an_error_says_so_and_has_three_digits) {
   const test::Folder folder;
