@@ -84,7 +84,7 @@ std::string listed(const std::vector<Case>& cases) {
   text += line + "\n";
   for (const auto& any : cases) {
     std::getline(lines, line);
-    text += fmt::format("{}\n    {}\n", line, any.title);
+    text += line + "\n" + wrapped("    " + any.title, "    ");
     if (any.source != "own") text += fmt::format("    source: {}\n", any.source);
   }
   return text;

@@ -68,7 +68,7 @@ BOOST_AUTO_TEST_CASE(tables_are_at_most_100_columns_wide) {
            "bearing na4908 --law hertz --law iso --law ehd-linear --law ehd --details",
            "bearing " + source + seven_laws, "judge " + source + "/cases/submissions/line-contact-py.json",
            "bench --quick --part batch --part cost", "stress --quick --part e",
-           "bearing harris-209 --cage-positions 12", "maps --motion",
+           "bearing harris-209 --cage-positions 12", "maps", "maps --motion", "cases --atlas",
            "convert M=20 L=10 reduced_radius_m=0.01 reduced_modulus_Pa=2.2e11 alpha_per_Pa=2e-8"}) {
     std::istringstream lines(test::ehd_run(folder, command).out);
     int seen = 0;

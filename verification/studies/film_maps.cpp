@@ -264,10 +264,10 @@ std::string human_maps(const FilmMaps& maps, std::optional<Quantity> quantity, A
   const auto points = points_of(maps, laws);
   const auto formulas = formulas_of(maps, quantity);
   std::string text = fmt::format(
-      "Film formulas against the certified films of {}, {}{}, flooded\n"
+      "Film formulas against the certified films of {},\n{}{}, flooded\n"
       "Published fits, for comparison only. Power laws with G = {}, mean speed in U.\n"
-      "Percent = 100 (formula/film - 1), as many digits as are known, 0 where it is within its own error; * p_H above "
-      "4 GPa; - not known; L = 0 is isoviscous and incompressible.\n\n{}",
+      "Percent = 100 (formula/film - 1), as many digits as are known, 0 where it is within its own error;\n"
+      "* p_H above 4 GPa; - not known; L = 0 is isoviscous and incompressible.\n\n{}",
       maps.source, to_string(laws),
       laws == AtlasLaws::roelands ? " (z = 0.68, Dowson-Higginson density)" : ", incompressible", plain(usual_G),
       overview(formulas, points));

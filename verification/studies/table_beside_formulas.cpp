@@ -70,7 +70,7 @@ FilmTable table_of_the_atlas(unsigned threads) {
 
 std::string table_beside_formulas(const FilmMaps& maps, const FilmTable& table) {
   std::string text = fmt::format(
-      "A table of films beside the film formulas, against the certified films of {}, roelands, flooded,\nM {} to {}, "
+      "A table of films beside the film formulas, against the certified films of {},\nroelands, flooded, M {} to {}, "
       "L {} to {}. Deviations in percent. The table is asked for {} %.\n\n",
       maps.source, plain(table.range.M_low), plain(table.range.M_high), plain(table.range.L_low),
       plain(table.range.L_high), plain(100 * table.tolerance));
