@@ -127,7 +127,8 @@ std::vector<std::string> notes_of(const GradedOil& oil, const std::vector<std::s
   if (oil.viscosity_index)
     stated += std::string(oil.iso_vg ? "," : "") + " viscosity index " + shown(*oil.viscosity_index);
   std::vector<std::string> notes{
-      fmt::format("{}: {} mm2/s at 40 \u00b0C, {} at 100 \u00b0C{}; at {} \u00b0C {} mm2/s (ASTM D341) times {} kg/m3 (ASTM D1250) is "
+      fmt::format("{}: {} mm2/s at 40 \u00b0C, {} at 100 \u00b0C{}; at {} \u00b0C {} mm2/s (ASTM D341) times {} kg/m3 "
+                  "(ASTM D1250) is "
                   "eta_0 = {} Pa s",
                   stated, shown(oil.viscosity_40C_mm2_per_s), shown(oil.viscosity_100C_mm2_per_s),
                   oil.iso_vg ? " (ASTM D2270)" : "", shown(oil.temperature_C), shown(oil.viscosity_mm2_per_s),
