@@ -37,7 +37,7 @@ Sentence sentence(const std::string& id) {
   return {.id = id, .rung = 6, .statement = "something holds", .case_id = "some-case", .solver = "some.solver"};
 }
 
-const Tolerance percent = Tolerance::required(0.01, "here");
+const Tolerance one_percent = Tolerance::required(0.01, "here");
 
 /// A folder of cases of its own, named by EHD_CASES while it lives.
 class CaseFolder {
@@ -107,14 +107,14 @@ std::function<Findings()> claims_called(const std::string& id) {
 BOOST_AUTO_TEST_SUITE(claim)
 
 BOOST_AUTO_TEST_CASE(a_value_is_judged_relative_to_what_is_expected) {
-  const Claim near = claim_value(sentence("near"), 0.2518, 0.25, 0.001, percent);
+  const Claim near = claim_value(sentence("near"), 0.2518, 0.25, 0.001, one_percent);
   EHD_CHECK(error(near.error, 0.0072), Tolerance::round_off(8, 1000));
   BOOST_TEST((near.verdict == Verdict::pass));
   EHD_CHECK(error(near.margin(), 1 - 0.82), Tolerance::round_off(8, 1000));
-  BOOST_TEST((claim_value(sentence("undecided"), 0.2518, 0.25, 0.005, percent).verdict == Verdict::inconclusive));
-  BOOST_TEST((claim_value(sentence("far"), 0.26, 0.25, 0.001, percent).verdict == Verdict::fail));
+  BOOST_TEST((claim_value(sentence("undecided"), 0.2518, 0.25, 0.005, one_percent).verdict == Verdict::inconclusive));
+  BOOST_TEST((claim_value(sentence("far"), 0.26, 0.25, 0.001, one_percent).verdict == Verdict::fail));
   // The error is absolute where 0 is expected.
-  EHD_CHECK(error(claim_value(sentence("zero"), -0.003, 0, 0, percent).error, 0.003), Tolerance::round_off(2));
+  EHD_CHECK(error(claim_value(sentence("zero"), -0.003, 0, 0, one_percent).error, 0.003), Tolerance::round_off(2));
 }
 
 BOOST_AUTO_TEST_CASE(an_unconverged_solve_never_passes) {
@@ -122,13 +122,13 @@ BOOST_AUTO_TEST_CASE(an_unconverged_solve_never_passes) {
   for (const double expected : {0.25, 0.0, unknown_value}) {
     for (const double uncertainty : {0.0, 0.5, unknown_value}) {
       BOOST_TEST(
-          (claim_value(sentence("nan"), unknown_value, expected, uncertainty, percent).verdict != Verdict::pass));
+          (claim_value(sentence("nan"), unknown_value, expected, uncertainty, one_percent).verdict != Verdict::pass));
       ++rows;
     }
   }
   BOOST_TEST(rows == 9);
   SuiteResult result;
-  result.claims.push_back(claim_value(sentence("nan"), unknown_value, 1, 0, percent));
+  result.claims.push_back(claim_value(sentence("nan"), unknown_value, 1, 0, one_percent));
   BOOST_TEST(!result.success());
 }
 
@@ -143,7 +143,7 @@ BOOST_AUTO_TEST_CASE(facts_stand_or_fall_and_findings_stand) {
 }
 
 BOOST_AUTO_TEST_CASE(json_has_every_field_and_never_null) {
-  const Json full = to_json(claim_value(sentence("full"), 0.2518, 0.25, 0.001, percent, "a note"));
+  const Json full = to_json(claim_value(sentence("full"), 0.2518, 0.25, 0.001, one_percent, "a note"));
   for (const char* key : {"id", "rung", "statement", "case", "solver", "measured", "expected", "error", "uncertainty",
                           "tolerance", "verdict", "margin", "note"}) {
     BOOST_TEST_CONTEXT(key) { BOOST_TEST(full.contains(key)); }
@@ -151,7 +151,7 @@ BOOST_AUTO_TEST_CASE(json_has_every_field_and_never_null) {
   for (const char* key : {"value", "basis", "reason"}) BOOST_TEST(full["tolerance"].contains(key));
   BOOST_TEST(full["verdict"] == "pass");
   BOOST_TEST(full["rung"] == 6);
-  const Json unknown = to_json(claim_value(sentence("nan"), unknown_value, 0.25, 0, percent));
+  const Json unknown = to_json(claim_value(sentence("nan"), unknown_value, 0.25, 0, one_percent));
   BOOST_TEST(!unknown.contains("measured"));
   BOOST_TEST(!unknown.contains("error"));
   BOOST_TEST(unknown["verdict"] == "inconclusive");
