@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The one store of solved contacts of bearings and sweeps. ContactMemory (contact_memory.hpp) asks it on behalf of a bearing, and a sweep
-// shares it between rows and threads.
+// The one store of solved contacts of bearings and sweeps. ContactMemory (contact_memory.hpp) asks it on behalf of a
+// bearing, and a sweep shares it between rows and threads.
 //
 // The store counts its own solves; what a bearing reports is counted in its ContactMemory. A row of a sweep reports the
 // contacts that it would solve alone, so that its numbers do not depend on the rows that were computed before it.
