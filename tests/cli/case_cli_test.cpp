@@ -180,7 +180,7 @@ BOOST_AUTO_TEST_CASE(a_fitted_line_has_the_same_error_without_the_law_that_it_is
 BOOST_AUTO_TEST_CASE(one_error_is_stated_for_the_forces_of_all_rollers) {
   const test::Folder folder;
   const std::string bearing =
-      std::string("bearing ") + EHD_SOURCE_DIR + "/examples/my-bearing.toml --law ehd-linear --law ehd";
+      std::string("bearing ") + EHD_SOURCE_DIR + "/examples/roller-bearing.toml --law ehd-linear --law ehd";
   const std::string text = test::ehd_run(folder, bearing).out;
   const json results = json::parse(test::ehd_run(folder, bearing + " --json -").out);
   const auto error_of = [](const json& result) {
