@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Solutions of one run of the suite: a problem that several topics give to one solver is solved once. Claims read fields
-// and costs, which workflow/contact_cache.hpp drops after each solve; both have the same key.
+// Solutions of one run of the suite: a problem that several topics give to one solver is solved once. Claims read
+// fields and costs, which workflow/contact_cache.hpp drops after each solve; both have the same key.
 //
 // Do not use it for claims about repeated solves, about counters or times of a solver, or about random points, which
 // never repeat.
