@@ -220,8 +220,9 @@ double error_of_entry(const bearing::Matrix2& matrix, double error) {
   return size * std::max(error, negligible_entry);
 }
 
-/// xx, yy and xy of a matrix of the ring. A fitted law is also as wrong as it is far from ehd, and as ehd itself may be
-/// off. `full` is the motion by ehd; where the table has none, a fitted law has no stated error.
+/// xx, yy and xy of a matrix of the ring; "-" where not even the first digit of xx or yy is known. A fitted law is also
+/// as wrong as it is far from ehd, and as ehd itself may be off. `full` is the motion by ehd; where the table has none,
+/// a fitted law has no stated error.
 Row entries(const bearing::Matrix2& matrix, double unit, double error, bool fitted, const bearing::RingMotion* full) {
   const double own = error_of_entry(matrix, error) + (full ? error_of_entry(full->stiffness_N_per_m, full->error) : 0);
   Row cells;
@@ -229,8 +230,8 @@ Row entries(const bearing::Matrix2& matrix, double unit, double error, bool fitt
     const double value = matrix[r][s], away = full ? std::abs(value - full->stiffness_N_per_m[r][s]) : 0;
     if (fitted && !full && std::abs(value) > own)
       cells.push_back(plain(unit * value, unstated_digits));
-    else if (full && r == s && own + away > value / 2)
-      cells.emplace_back("-");  // not even its first digit is known
+    else if (r == s && own + away > std::abs(value) / 2)
+      cells.emplace_back("-");
     else
       cells.push_back(entry(unit * value, unit * (own + away)));
   }

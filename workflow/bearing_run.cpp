@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <set>
@@ -91,9 +92,20 @@ std::size_t missed_contacts(const FilmCurve* curve, const bearing::LinearFit* fi
   return missed_N.size();
 }
 
+/// Between two points of the curve no contact could be solved: its error there is not known.
+bool has_unjudged_gap(const FilmCurve& curve) {
+  return !std::isfinite(curve.errors().interpolation + curve.errors().interpolation_force);
+}
+
 /// A balance is no better than the contacts that its law and films are made of. The memory holds contacts of other laws
 /// and cases too; they do not count.
 void judge_contacts(BearingResult& result) {
+  if (result.curve && (has_unjudged_gap(result.curve->inner) || has_unjudged_gap(result.curve->outer))) {
+    result.status = StopReason::tolerance_not_met;
+    result.why =
+        "no contact could be solved between two points of a film curve; so errors of forces and films are not known";
+    return;
+  }
   const std::size_t missed =
       missed_contacts(result.curve ? &result.curve->inner : nullptr, result.fit ? &result.fit->inner : nullptr) +
       missed_contacts(result.curve ? &result.curve->outer : nullptr, result.fit ? &result.fit->outer : nullptr);

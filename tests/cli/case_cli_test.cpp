@@ -2,11 +2,14 @@
 // Stating a case: --set, standard input, ehd new, ehd convert.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <regex>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -207,6 +210,23 @@ BOOST_AUTO_TEST_CASE(a_line_alone_says_that_its_distance_is_not_known) {
   // With this datum ehd was asked for, and finds no balance.
   const auto failed = test::ehd_run(folder, bearing + " --law ehd --set datum.law=x0 --set datum.x0_m=3e-5");
   BOOST_TEST(failed.out.find(note + ", because the law ehd has no balance\n") != std::string::npos, failed.out);
+}
+
+BOOST_AUTO_TEST_CASE(a_curve_with_a_gap_that_nothing_judged_is_not_converged) {
+  const test::Folder folder;
+  const auto run = test::ehd_run(folder, "bearing na4908 --law ehd --max-iterations 36");
+  BOOST_TEST(run.exit_code == 1);
+  BOOST_TEST((run.out + run.err).find("between two points of a film curve") != std::string::npos, run.out + run.err);
+}
+
+BOOST_AUTO_TEST_CASE(motion_whose_error_exceeds_it_is_a_dash) {
+  const test::Folder folder;
+  const std::string bearing = std::string("bearing ") + EHD_SOURCE_DIR + "/examples/roller-bearing.toml --law ehd";
+  const std::string text = test::ehd_run(folder, bearing + " --dynamic --frequency 1e3 --frequency 1e7").out;
+  std::istringstream row(text.substr(text.find("ehd         1e7")));
+  const std::vector<std::string> cells(std::istream_iterator<std::string>(row), {});
+  const std::vector<std::string> wanted{"ehd", "1e7", "-", "-", "0", "-", "-", "0"};  // xx, yy, xy; xy vanishes
+  BOOST_TEST(std::equal(wanted.begin(), wanted.end(), cells.begin()), text);
 }
 
 BOOST_AUTO_TEST_CASE(a_table_has_no_empty_columns) {
