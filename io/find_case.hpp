@@ -16,7 +16,7 @@ namespace ehd {
 /// in cases/ or in a folder of cases/; if there is none, it is a path too. Throws CaseError.
 [[nodiscard]] std::filesystem::path find_case(const std::string& path_or_id);
 
-/// What is allowed where an id is not known.
+/// The end of a message about an unknown id: what is allowed.
 inline constexpr std::string_view allowed_id = "an id that `ehd cases` or `ehd cases --atlas` lists";
 /// "did you mean ID? " of the cases in cases/, folders in it left out; or nothing.
 [[nodiscard]] std::string did_you_mean_case(const std::string& id);

@@ -37,7 +37,7 @@ void set_last_error(const std::string& line);
 /// Throws BadArgument for a null pointer.
 void require_pointer(const void* pointer, const char* name);
 void require_in(const char* name, double value, const Interval& allowed);
-/// Refuses a name: "argument = name: fault". `fault`: "is unknown; allowed is …", of names as io/near_miss.hpp says it.
+/// Refuses a name: "argument = name: fault". `fault`: "is unknown; allowed is …". io/near_miss.hpp words it for names.
 [[nodiscard]] BadArgument unknown_name(const char* argument, const char* name, const std::string& fault);
 /// A tolerance of the films.
 void require_tolerance(double tolerance);

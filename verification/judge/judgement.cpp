@@ -31,15 +31,16 @@ Case case_of(const SubmittedResult& result) {
   const auto refuse = [&](const std::string& what) {
     return refusal(result.place, fmt::format("case = {}: {}", result.case_id, what));
   };
-  const CaseError unknown =
-      refuse(fmt::format("there is no such case; {}allowed is {}", did_you_mean_case(result.case_id), allowed_id));
+  const auto unknown = [&] {
+    return refuse(fmt::format("there is no such case; {}allowed is {}", did_you_mean_case(result.case_id), allowed_id));
+  };
   std::filesystem::path file;
   try {
     file = find_case(result.case_id);
   } catch (const CaseError&) {
-    throw unknown;
+    throw unknown();
   }
-  if (!file.has_parent_path()) throw unknown;
+  if (!file.has_parent_path()) throw unknown();
   Case found = read_case(file);
   if (!std::holds_alternative<ContactCase>(found.body)) throw refuse("is a bearing; allowed is a contact");
   if (result.version != found.version)

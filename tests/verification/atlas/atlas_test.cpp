@@ -167,6 +167,9 @@ BOOST_AUTO_TEST_CASE(only_some_points_leaves_the_rows_and_files_of_the_others) {
   // A changed number is a new version.
   BOOST_TEST(read_case(request.folder / (request.points[0].id() + ".toml")).version == 1);
   BOOST_TEST(read_case(request.folder / (request.points[4].id() + ".toml")).version == 2);
+  fake.solves = 0;
+  (void)run_atlas(request_in(folder), fake.solver());
+  BOOST_TEST(fake.solves == 0);  // the records of the other points are still there
   (void)run_atlas(request, fake.solver());
   BOOST_TEST(read_case(request.folder / (request.points[4].id() + ".toml")).version == 2);
 
