@@ -8,11 +8,15 @@
 
 namespace ehd {
 
-/// The nearest of the names where at most two characters differ, and fewer than half of the word's (of the name's where
-/// one alone is missing: lw is law); capital letters are small ones here. A name that begins with the word is nearer
-/// than one where two characters differ. Else the shortest name that begins with the word; else, from four characters
-/// on, the shortest that contains it, or the one that has most of its words between "_". Of two and three characters:
-/// the only name that has the word between "_". Empty where there is none.
+/// The first of these that there is, else empty. Capital letters are small ones.
+/// - The nearest name where at most two characters differ, and fewer than half of the word's. Where one character
+///   differs, the longer of word and name counts: "lw" is law. A name that begins with the word goes before one where
+///   two differ.
+/// - The shortest name that begins with the word.
+/// - For a word of four characters and more: the shortest name that contains it, or the name that has most of the
+/// word's
+///   parts between "_".
+/// - For a word of two or three: the only name that has the word between "_".
 [[nodiscard]] std::string near_miss(const std::string& word, const std::vector<std::string>& names);
 
 /// At most two characters differ: the word is the mistyped name. Where more differ, the word may mean something else.
