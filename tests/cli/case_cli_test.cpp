@@ -197,7 +197,7 @@ BOOST_AUTO_TEST_CASE(one_error_is_stated_for_the_forces_of_all_rollers) {
                                    rounded_up(of_line, 2), rounded_up(of_ehd, 2))) != std::string::npos,
              text);
   for (std::size_t j = 0; j < results[0]["rollers"].size(); ++j) {
-    const auto force_N = [&](int law) { return results[law]["rollers"][j]["inner"]["force_N"].get<double>(); };
+    const auto force_N = [&](std::size_t law) { return results[law]["rollers"][j]["inner"]["force_N"].get<double>(); };
     BOOST_TEST(std::abs(force_N(0) - force_N(1)) < of_line);
   }
 }
