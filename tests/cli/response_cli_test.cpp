@@ -12,9 +12,9 @@
 namespace {
 
 using namespace ehd;
+using namespace ehd::verification;
 using nlohmann::json;
 using std::numbers::pi;
-using verification::Tolerance;
 
 constexpr double modulus_Pa = 2.31e11, radius_m = 0.011, load_N_per_m = 9.1e4, speed_sum_m_per_s = 3.3;
 
