@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/bench/box_bench.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include "io/tables.hpp"
 #include "tests/check.hpp"
 
