@@ -23,8 +23,8 @@ using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::Ro
 enum class Accuracy { full, rough };
 
 /// Tables of the smooth remainder. mapped_ways.cpp takes `fine` ones for tolerances of 1e-7 and below, and for given
-/// grids of more than 4096 intervals.
-enum class Tables { usual, fine };
+/// grids of more than 4096 intervals; mapped_start.cpp takes those `of_maps` for solutions that only make a map.
+enum class Tables { of_maps, usual, fine };
 
 struct Grid {
   int n = 0;              ///< intervals

@@ -84,9 +84,9 @@ double film_now(const Run& run) {
   return film_at_centre(at.places(run.setting.inlet), at.H);
 }
 
-void use_first_map(Run& run, const MapRecipe& recipe) {
+void use_first_map(Run& run, const MapRecipe& recipe, Tables tables) {
   const InStage stage(run.counters, Stage::grids);
-  run.workspace.grids.use(std::make_shared<const Map>(expected_shape(run)), recipe.robust_wedge, run.tables);
+  run.workspace.grids.use(std::make_shared<const Map>(expected_shape(run)), recipe.robust_wedge, tables);
 }
 
 State on_present_map(Run& run, const Known& known, const InletTail& tail, int n) {
@@ -105,11 +105,11 @@ State on_present_map(Run& run, const Known& known, const InletTail& tail, int n)
   return state;
 }
 
-State on_new_map(Run& run, const Known& known, const InletTail& tail, const MapRecipe& recipe, int n) {
+State on_new_map(Run& run, const Known& known, const InletTail& tail, const MapRecipe& recipe, Tables tables, int n) {
   {
     const InStage stage(run.counters, Stage::grids);
     const MapShape shape = shape_for(known, run.setting.inlet, recipe);
-    run.workspace.grids.use(std::make_shared<const Map>(shape), recipe.robust_wedge, run.tables);
+    run.workspace.grids.use(std::make_shared<const Map>(shape), recipe.robust_wedge, tables);
   }
   return on_present_map(run, known, tail, n);
 }

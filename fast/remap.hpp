@@ -27,11 +27,12 @@ struct Known {
 [[nodiscard]] double film_now(const Run& run);
 
 /// From now on the grids of the run use the map that follows from Moes' film formula.
-void use_first_map(Run& run, const MapRecipe& recipe);
+void use_first_map(Run& run, const MapRecipe& recipe, Tables tables);
 /// A solution on n intervals of the present map: pressure by cubic interpolation, H_0 such that the film at X = 0 is
 /// kept.
 [[nodiscard]] State on_present_map(Run& run, const Known& known, const InletTail& tail, int n);
 /// From now on the grids are those of the map that a solution asks for. The solution on n intervals of that map.
-[[nodiscard]] State on_new_map(Run& run, const Known& known, const InletTail& tail, const MapRecipe& recipe, int n);
+[[nodiscard]] State on_new_map(Run& run, const Known& known, const InletTail& tail, const MapRecipe& recipe,
+                               Tables tables, int n);
 
 }  // namespace ehd::fast
