@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rungs 10 and 11: numbers of the literature that make no case: values of formulas, tables, and computed films whose
-// inlet is only known to lie "at -8 or wider". cases/README.md says where each item of the literature is judged.
+// inlet is only known to lie "at -8 or wider". docs/literature.md says where each item of the literature is judged.
 #include <fmt/format.h>
 
 #include <algorithm>
