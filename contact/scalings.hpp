@@ -27,7 +27,7 @@ struct ScaledNumber {
   /// Is 0 where alpha is, for an isoviscous fluid.
   [[nodiscard]] bool may_vanish() const { return exponents.back() > 0; }
 };
-/// Sources of the formulas: contact/README.md. Groups with U have the MEAN speed where the name says so.
+/// The formulas: docs/theory.md. Groups with U have the MEAN speed where the name says so.
 [[nodiscard]] std::span<const ScaledNumber> scaled_numbers();
 
 struct GivenNumber {
