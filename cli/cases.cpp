@@ -113,7 +113,7 @@ std::string listed_sources(const std::vector<Case>& cases, const Bibliography& b
   for (const auto& [key, entry] : bibliography)
     if (with_others && !keys.contains(key)) sources.push_back({key, entry.citation()});
   if (!sources.empty())
-    text += "\nsources of exact solutions, formulas and tables that are no case (cases/README.md)\n" +
+    text += "\nsources of exact solutions, formulas and tables that are no case (docs/literature.md)\n" +
             aligned(sources, 2, "  ");
   return text;
 }

@@ -91,7 +91,7 @@ int stress(const StressOptions& options) {
   std::vector<const PartEntry*> chosen;
   for (const auto& text : options.parts) {
     const PartEntry* part = find_part(text);
-    if (!part) throw option_error("--part", text, "is unknown; allowed is a to j");
+    if (!part) throw option_error("--part", text, "is unknown; allowed is a to j, or the name of a part");
     if (std::find(chosen.begin(), chosen.end(), part) == chosen.end()) chosen.push_back(part);
   }
   if (chosen.empty()) {
@@ -124,7 +124,7 @@ void describe_stress(Command& command) {
   command.summary("Numerical stability: starts, precision, rounding, condition, extremes");
   command.examples(stress_examples);
   command.text("--output", options->output, "folder for stress.json").called("DIR");
-  command.list("--part", options->parts, "a to j (repeatable; all)").called("LETTER");
+  command.list("--part", options->parts, "a to j, or its name (repeatable; all)").called("PART");
   command.text("--threads", options->threads, "threads (as many as there are cores)").called("N");
   command.flag("--quick", options->quick, "a small form of every part");
   command.runs([options] { return stress(*options); });

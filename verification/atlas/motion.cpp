@@ -127,7 +127,7 @@ const MotionTable& kappa_table() {
       .comment =
           "# kappa = -W_1/H_01 of flooded line contacts at Omega = omega b/u_m, Hertz units: stiffness is Re kappa, "
           "damping Im kappa/Omega; at Omega = 0 kappa_0 and kappa_1. NAME_error: absolute uncertainty of the "
-          "printed NAME; empty: not known. README.md says more.",
+          "printed NAME; empty: not known. docs/atlas.md says more.",
       .places = {"Omega"},
       .values = {"stiffness", "damping"}};
   return table;
@@ -139,7 +139,7 @@ const MotionTable& waviness_table() {
       .comment =
           "# What a flooded line contact leaves of a waviness that moves at slip u_m: the amplitude in the film at "
           "X = 0 over that on the body, and its phase; wavelength in b. NAME_error: absolute uncertainty of the "
-          "printed NAME; empty: not known. README.md says more.",
+          "printed NAME; empty: not known. docs/atlas.md says more.",
       .places = {"wavelength", "slip"},
       .values = {"ratio", "phase_deg"}};
   return table;

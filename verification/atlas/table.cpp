@@ -22,7 +22,7 @@ constexpr std::string_view csv_comment =
     "# Line contacts in Hertz units: X = x/b, P = p/p_H, H = h R/b^2 (H_Moes = 8M/pi H); p_H_GPa with alpha = 2.2e-8 "
     "1/Pa; NAME_error is the uncertainty of the printed NAME, relative, of H_0 and X_spike absolute; wall_s in "
     "seconds; "
-    "empty: not known. README.md says more.";
+    "empty: not known. docs/atlas.md says more.";
 constexpr double giga = 1e9;
 
 std::map<std::string, KnownDigits> known_of(const AtlasRecord& record) {

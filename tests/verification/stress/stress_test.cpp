@@ -571,7 +571,7 @@ BOOST_AUTO_TEST_CASE(wrong_usage_is_one_line_and_leaves_nothing) {
   const test::Folder folder;
   const std::string out = (folder.path() / "out").string();
   for (const auto& [arguments, says] : std::initializer_list<std::pair<std::string, std::string>>{
-           {"--part z", "--part = z: is unknown; allowed is a to j"},
+           {"--part z", "--part = z: is unknown; allowed is a to j, or the name of a part"},
            {"--threads 0", "--threads = 0: is out of range"},
            {"extra", "ehd stress --help"}}) {
     test::check_refused(folder, fmt::format("stress --quick --output '{}' {}", out, arguments), says);
