@@ -114,6 +114,21 @@ void judge_contacts(BearingResult& result) {
   result.why = fmt::format("{} of the raceways' solved contacts have an estimated film error above 1e-3", missed);
 }
 
+StopReason reason_of(const LawFailure& failure) {
+  return failure.limit() ? StopReason::limit_reached : StopReason::diverged;
+}
+
+/// The balance stays where its contacts have no response.
+void move(BearingResult& result, const BearingSetup& setup, const BearingRequest& request, ContactMemory& memory) {
+  try {
+    fill_dynamics(result, setup, *laws_of(setup.body, result), request.frequencies_Hz, memory);
+  } catch (const LawFailure& failure) {
+    result.status = reason_of(failure);
+    result.why += fmt::format("{}the bearing is balanced, but its stiffness and damping in motion are not known: {}",
+                              result.why.empty() ? "" : "; ", failure.what());
+  }
+}
+
 void carry_through(BearingResult& result, const BearingSetup& setup, const BearingRequest& request,
                    ContactMemory& memory) {
   try {
@@ -123,10 +138,9 @@ void carry_through(BearingResult& result, const BearingSetup& setup, const Beari
     fill_torque(result, setup);
     note_limits(result);
     judge_contacts(result);
-    if (result.plan.runs(bearing_stage::dynamics))
-      fill_dynamics(result, setup, *laws_of(setup.body, result), request.frequencies_Hz, memory);
+    if (result.plan.runs(bearing_stage::dynamics)) move(result, setup, request, memory);
   } catch (const LawFailure& failure) {
-    result.status = failure.limit() ? StopReason::limit_reached : StopReason::diverged;
+    result.status = reason_of(failure);
     result.why = failure.what();
     result.rollers.clear();
   }

@@ -83,17 +83,29 @@ Solution solved_by(const S& solver, const Problem& problem, const Request& reque
 }
 
 /// Iterations end at the same place on every machine, a time limit or a caller does not: the reason says which it was.
+void name_limit(StopReason status, std::string& reason, std::chrono::steady_clock::time_point begin, double limit_s) {
+  if (status != StopReason::limit_reached) return;
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
+  if (passed.count() >= limit_s)
+    reason += (reason.empty() ? "" : "; ") + std::string(Deadline::out_of_time);
+  else if (interrupted())
+    reason = interrupted_reason;
+}
+
 template <Solver S>
 Solution solve_with(const Problem& problem, const Request& request) {
   const auto begin = std::chrono::steady_clock::now();
   Solution solution = solved_by(S(), problem, request);
-  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
-  SolveRecord& record = solution.record;
-  if (record.status == StopReason::limit_reached && passed.count() >= request.time_limit_s)
-    record.reason += (record.reason.empty() ? "" : "; ") + std::string(Deadline::out_of_time);
-  else if (record.status == StopReason::limit_reached && interrupted())
-    record.reason = interrupted_reason;
+  name_limit(solution.record.status, solution.record.reason, begin, request.time_limit_s);
   return solution;
+}
+
+template <Response (*respond)(const Problem&, const ResponseRequest&)>
+Response respond_with(const Problem& problem, const ResponseRequest& request) {
+  const auto begin = std::chrono::steady_clock::now();
+  Response found = respond(problem, request);
+  name_limit(found.status, found.reason, begin, request.time_limit_s);
+  return found;
 }
 
 template <Solver S>
@@ -124,7 +136,7 @@ const std::vector<RegisteredSolver>& solvers() {
       entry<reference::HighOrder>({.memory_bytes = certified_memory,
                                    .certified = true,
                                    .look = 1,
-                                   .respond = reference::hp::response,
+                                   .respond = respond_with<reference::hp::response>,
                                    .response_tolerance = 1e-8}),
       entry<reference::Graded>({.memory_bytes = dense_memory, .look = 3}),
       entry<reference::Uniform>({.memory_bytes = dense_memory, .look = 4}),
@@ -132,7 +144,7 @@ const std::vector<RegisteredSolver>& solvers() {
                            .uses_fft = true,
                            .is_default = true,
                            .look = 2,
-                           .respond = respond_fast,
+                           .respond = respond_with<respond_fast>,
                            .response_tolerance = 1e-4}),
       entry<fast::Uniform>({.memory_bytes = vector_memory,
                             .uses_fft = true,

@@ -213,14 +213,30 @@ BOOST_AUTO_TEST_CASE(the_plan_says_why_there_is_no_motion_and_no_response) {
   BOOST_TEST(why(true, bearing::Law::hertz, bearing_stage::response).find("no law") != std::string::npos);
 }
 
-BOOST_AUTO_TEST_CASE(a_contact_without_a_response_ends_the_law_with_a_reason) {
-  ContactMemory memory(made_solution);
-  memory.respond_by([](const Problem&, const ResponseRequest&) {
-    return Response{.status = StopReason::limit_reached, .reason = "the time is over"};
-  });
-  const BearingResult result = moved(needle_bearing(0), bearing::Law::ehd, {0}, memory);
-  BOOST_TEST((result.status == StopReason::limit_reached));
-  BOOST_TEST(result.why.find("the time is over") != std::string::npos);
+BOOST_AUTO_TEST_CASE(a_contact_without_a_response_leaves_the_balance_and_a_reason) {
+  for (const StopReason end : {StopReason::limit_reached, StopReason::diverged}) {
+    ContactMemory memory(made_solution);
+    memory.respond_by([end](const Problem&, const ResponseRequest&) {
+      return Response{.status = end, .reason = "the time is over"};
+    });
+    const Case one = needle_bearing(0);
+    const BearingResult result = moved(one, bearing::Law::ehd, {0}, memory),
+                        at_rest = moved(one, bearing::Law::ehd, {}, memory);
+    BOOST_TEST((result.status == end));
+    BOOST_TEST(result.dynamics.empty());
+    BOOST_TEST(!result.response.has_value());
+    BOOST_TEST(result.displacement_m == at_rest.displacement_m);
+    const Json json = to_json(result), resting = to_json(at_rest);
+    BOOST_TEST(json.at("status") == std::string(to_string(end)));
+    BOOST_TEST(!json.contains("dynamics"));
+    for (const char* key : {"rollers", "displacement_m", "stiffness_N_per_m", "torque_N_m", "balance_error"})
+      BOOST_TEST(json.at(key) == resting.at(key), key);
+    // Text and JSON say which part ended, and why.
+    const std::string note = json.at("notes").back(), text = human_table(one, {result}, {});
+    BOOST_TEST(note.find("balanced, but its stiffness and damping in motion are not known") != std::string::npos, note);
+    BOOST_TEST(note.find("the time is over") != std::string::npos, note);
+    BOOST_TEST(text.find(note) != std::string::npos, text);
+  }
 }
 
 // Exact: the made rolling force is 1.4475/M in Hertz units at every load, F_t = 1.4475 p_H b^2/(R M).

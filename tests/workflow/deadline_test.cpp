@@ -51,6 +51,12 @@ BOOST_AUTO_TEST_CASE(a_reason_tells_time_from_iterations) {
       const Solution few = solver.solve(problem, {.max_iterations = 1});
       BOOST_TEST((few.record.status == StopReason::limit_reached));
       BOOST_TEST(few.record.reason.find(Deadline::out_of_time) == std::string::npos, few.record.reason);
+      if (!solver.respond) continue;
+      const Response late_response = solver.respond(problem, {.time_limit_s = 1e-9}),
+                     few_response = solver.respond(problem, {.max_iterations = 1});
+      BOOST_TEST((late_response.status == StopReason::limit_reached));
+      BOOST_TEST(late_response.reason.find(Deadline::out_of_time) != std::string::npos, late_response.reason);
+      BOOST_TEST(few_response.reason.find(Deadline::out_of_time) == std::string::npos, few_response.reason);
     }
   }
 }
