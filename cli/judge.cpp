@@ -97,7 +97,7 @@ void require_submissions(const JudgeOptions& options) {
         "judge: a FILE is missing; required is a submission, or --output DIR for a page of those in cases/submissions");
   if (options.badge && options.files.size() != 1)
     throw option_error("--badge", *options.badge, "belongs to one submission; allowed is one FILE with it");
-  const std::string ending = std::filesystem::path(options.badge.value_or("")).extension().string();
+  const std::string ending = ending_of(options.badge.value_or(""));
   if (!ending.empty() && ending != ".svg")
     throw option_error("--badge", *options.badge, "ends in " + ending + "; allowed is .svg");
   if (options.json && options.files.empty())

@@ -75,7 +75,7 @@ int make_new(const NewOptions& options) {
     return success;
   }
   const std::filesystem::path file = *options.file;
-  if (file.extension() != ".toml")
+  if (ending_of(file) != ".toml")
     throw option_error("FILE", *options.file, "is no name of a case file; allowed is NAME.toml");
   write_new_file(file, text_of(options, id_of_file(file)));
   return success;

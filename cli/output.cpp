@@ -13,6 +13,7 @@
 
 #include "cli/usage.hpp"
 #include "contact/text.hpp"
+#include "io/near_miss.hpp"
 #include "workflow/case.hpp"
 
 namespace ehd::cli {
@@ -69,6 +70,8 @@ void require_distinct(const std::vector<NamedFile>& inputs, const std::vector<Na
     taken.push_back({output.name, path});
   }
 }
+
+std::string ending_of(const std::filesystem::path& name) { return in_small_letters(name.extension().string()); }
 
 std::optional<OutputFile> opened(const std::optional<std::string>& name) {
   return name ? std::optional<OutputFile>(std::in_place, *name) : std::nullopt;

@@ -28,6 +28,9 @@ struct NamedFile {
 /// an output other than --json is "-". Outputs with an empty path are left out. Call before any work.
 void require_distinct(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs);
 
+/// The ending of a file's name, ".svg". Capital letters are small ones.
+[[nodiscard]] std::string ending_of(const std::filesystem::path& name);
+
 /// Opens the file that an option names, if the option was given. Call before any work, so that a file that cannot be
 /// written is found before the computation. Throws OutputError.
 [[nodiscard]] std::optional<OutputFile> opened(const std::optional<std::string>& name);

@@ -7,8 +7,8 @@
 
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
 
+#include "cli/output.hpp"
 #include "cli/usage.hpp"
 #include "verification/judge/command.hpp"
 
@@ -83,7 +83,7 @@ std::string png_of(const std::string& svg, const std::string& name) {
 }  // namespace
 
 PictureFile::PictureFile(const std::optional<std::string>& option) : name_(option.value_or("")) {
-  const std::string ending = std::filesystem::path(name_).extension().string();
+  const std::string ending = ending_of(name_);
   png_ = ending == ".png";
   if (!png_ && !ending.empty() && ending != ".svg")
     throw option_error("--plot", name_, "ends in " + ending + "; allowed is .svg or .png");

@@ -10,6 +10,12 @@
 
 namespace ehd {
 
+std::string in_small_letters(std::string text) {
+  for (char& c : text)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return text;
+}
+
 namespace {
 
 constexpr std::size_t most_differences = 2;
@@ -40,12 +46,6 @@ std::string shortest_where(const std::vector<std::string>& names, const Predicat
   for (const std::string& name : names)
     if (has_part(name) && (found.empty() || name.size() < found.size())) found = name;
   return found;
-}
-
-std::string in_small_letters(std::string text) {
-  for (char& c : text)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return text;
 }
 
 /// "load_N_per_m": load, n, per, m.

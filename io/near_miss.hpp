@@ -8,6 +8,9 @@
 
 namespace ehd {
 
+/// A to Z become a to z.
+[[nodiscard]] std::string in_small_letters(std::string text);
+
 /// The first of these that there is, else empty. Capital letters are small ones.
 /// - The nearest name where at most two characters differ, and fewer than half of the word's. Where one character
 ///   differs, the longer of word and name counts: "lw" is law. A name that begins with the word goes before one where

@@ -154,6 +154,9 @@ BOOST_AUTO_TEST_CASE(a_new_bearing_is_balanced_as_it_stands_and_never_overwritte
   test::check_refused(folder, "new types types.toml", "allowed is no FILE with it");
   test::check_refused(folder, "new ring", "is unknown; did you mean bearing? allowed is contact, bearing, keys");
   test::check_refused(folder, "new bearing " + (folder.path() / "mine.txt").string(), "allowed is NAME.toml");
+  const std::string capital = (folder.path() / "CAPITAL.TOML").string();
+  BOOST_TEST(test::ehd_run(folder, "new contact " + capital).exit_code == 0);
+  BOOST_TEST(test::ehd_run(folder, "solve " + capital + " --tolerance 1e-2").exit_code == 0);
 }
 
 BOOST_AUTO_TEST_CASE(a_bearing_shows_its_summary_first_and_costs_only_with_details) {

@@ -89,6 +89,9 @@ BOOST_AUTO_TEST_CASE(a_failed_gate_ends_with_1_and_a_bad_file_with_2) {
   test::check_refused(folder, fmt::format("judge {} --badge {}", quoted(file), quoted(badge)),
                       "b.txt: ends in .txt; allowed is .svg");
   BOOST_TEST(!std::filesystem::exists(badge));
+  const auto capital = folder.path() / "B.SVG";
+  (void)test::ehd_run(folder, fmt::format("judge {} --badge {}", quoted(file), quoted(capital)));
+  BOOST_TEST(std::filesystem::exists(capital));
   (void)folder.write("bad.json", "{\"schema\": \"other\"}");
   test::check_refused(folder, "judge " + quoted(folder.path() / "bad.json"), "allowed is ehd-submission-1");
 }

@@ -48,12 +48,12 @@ BOOST_AUTO_TEST_SUITE(picture_file)
 
 BOOST_AUTO_TEST_CASE(the_end_of_the_name_says_what_the_picture_is) {
   const test::Folder folder;
-  for (const char* name : {"a.svg", "without-ending"}) {
+  for (const char* name : {"a.svg", "b.SVG", "without-ending"}) {
     const auto file = folder.path() / name;
     BOOST_TEST(test::ehd_run(folder, plotted + file.string()).exit_code == 0);
     BOOST_TEST(test::read(file).find("<svg") != std::string::npos);
   }
-  for (const char* name : {"a.pdf", "a.PNG", "a.svg.gz"})
+  for (const char* name : {"a.pdf", "a.PDF", "a.svg.gz"})
     test::check_refused(folder, plotted + (folder.path() / name).string(), "allowed is .svg or .png");
   test::check_refused(folder, "bearing na4908 --plot " + (folder.path() / "a.pdf").string(), "allowed is .svg or .png");
 }
@@ -101,7 +101,7 @@ BOOST_AUTO_TEST_CASE(without_the_program_that_makes_png_one_line_names_its_packa
 
 BOOST_AUTO_TEST_CASE(the_program_that_makes_png_reads_the_svg_and_its_bytes_are_the_file) {
   const test::Folder folder, programs;
-  const auto png = folder.path() / "a.png", svg = folder.path() / "a.svg";
+  const auto png = folder.path() / "a.PNG", svg = folder.path() / "a.svg";
   const Path path(converter_that(programs, "echo \"$@\"; cat"));
   BOOST_TEST(test::ehd_run(folder, plotted + png.string()).exit_code == 0);
   BOOST_TEST(test::ehd_run(folder, plotted + svg.string()).exit_code == 0);
