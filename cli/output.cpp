@@ -90,11 +90,11 @@ OutputFolder::OutputFolder(const std::optional<std::string>& option) : path_(opt
   const auto whole = std::filesystem::absolute(path_, error).lexically_normal();
   for (auto above = whole; !above.empty() && !std::filesystem::exists(above, error); above = above.parent_path())
     made_.push_back(above);
-  std::filesystem::create_directories(path_, error);
-  if (error) {
-    const std::string why = error.message();
+  try {
+    make_folder(path_);
+  } catch (...) {
     remove_empty();
-    throw option_error("--output", *option, why + "; allowed is a folder");
+    throw;
   }
 }
 

@@ -55,7 +55,7 @@ void complain(const std::string& line);
 /// the end where they are still empty, so that a refused call leaves nothing. Without the option, nothing is written.
 class OutputFolder {
  public:
-  explicit OutputFolder(const std::optional<std::string>& option);  ///< throws UsageError
+  explicit OutputFolder(const std::optional<std::string>& option);  ///< throws OutputError
   ~OutputFolder();
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;

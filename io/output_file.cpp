@@ -236,6 +236,24 @@ void OutputFile::commit() {
   finish();
 }
 
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (!error) return;
+  std::filesystem::path above;
+  for (const auto& name : folder) {
+    above /= name;
+    std::error_code none;
+    const auto status = std::filesystem::status(above, none);
+    if (std::filesystem::exists(status) && !std::filesystem::is_directory(status))
+      throw OutputError(one_line(fmt::format(
+          "{}: is no folder, and a folder is needed there; allowed is to move or remove it, or another --output",
+          above.string())));
+  }
+  throw OutputError(one_line(fmt::format("{}: cannot be made ({}); allowed is a folder that exists or can be made",
+                                         folder.string(), error.message())));
+}
+
 void write_new_file(const std::filesystem::path& path, const std::string& text) {
   constexpr mode_t readable_by_all = 0644;
   const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, readable_by_all);

@@ -60,6 +60,10 @@ class OutputFile {
   bool written_ = false;
 };
 
+/// Makes a folder and those above it, where they do not exist. Throws OutputError, which names the file that is in the
+/// way.
+void make_folder(const std::filesystem::path& folder);
+
 /// A file that does not exist yet. Throws OutputError where it does, and then leaves it as it is.
 void write_new_file(const std::filesystem::path& path, const std::string& text);
 

@@ -79,9 +79,7 @@ bool begins_as_journal(const std::filesystem::path& file) {
 Journal::Journal(const std::filesystem::path& folder, const JournalHeader& header, std::vector<HashNumber> wanted,
                  bool fresh)
     : folder_(folder), file_(folder / journal_name), wanted_(in_order(std::move(wanted))) {
-  std::error_code error;
-  std::filesystem::create_directories(folder_, error);
-  if (error) refuse(folder_, "cannot be made (" + error.message() + "); allowed is a folder that may be written");
+  make_folder(folder_);
   lock_ = ::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (lock_ < 0) refuse(folder_, std::string("cannot be opened (") + std::strerror(errno) + "); allowed is a folder");
   if (::flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
@@ -89,6 +87,7 @@ Journal::Journal(const std::filesystem::path& folder, const JournalHeader& heade
     refuse(folder_, "another run is at work there; allowed is one at a time, or another --output");
   }
   try {
+    std::error_code error;
     if (fresh) std::filesystem::remove(file_, error);
     require_file_or_none();
     const std::string first = content_of(header);

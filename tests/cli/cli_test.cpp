@@ -601,6 +601,23 @@ BOOST_AUTO_TEST_CASE(a_refused_verify_leaves_no_folder) {
   BOOST_TEST(std::filesystem::exists(above / "verify" / "results.json"));
 }
 
+BOOST_AUTO_TEST_CASE(a_file_in_the_way_of_a_folder_is_named) {
+  const std::string sweep = "sweep " EHD_SOURCE_DIR "/examples/sweeps/contact-moes.toml";
+  const Rows rows{{"atlas --only roelands-m1-l5-", "out/.progress"},
+                  {sweep, "out/rows"},
+                  {sweep + " --shard 1/2", "out/shards"},
+                  {"verify --rung 3", "out"}};
+  for (const auto& [arguments, name] : rows) {
+    const test::Folder folder;
+    const auto output = folder.path() / "out", in_the_way = folder.path() / name;
+    std::filesystem::create_directories(in_the_way.parent_path());
+    (void)folder.write(name, "a file");
+    test::check_refused(folder, arguments + " --output " + output.string(),
+                        in_the_way.string() + ": is no folder, and a folder is needed there; allowed is to move or");
+    BOOST_TEST(test::read(in_the_way) == "a file");
+  }
+}
+
 BOOST_AUTO_TEST_CASE(an_id_is_preferred_to_a_file_of_that_name_unless_it_is_written_as_a_path) {
   const test::Folder folder;
   (void)folder.write("dry-steel", "no case");

@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/atlas/atlas.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <map>
 #include <mutex>
 #include <numeric>
 #include <set>
-#include <system_error>
 
-#include "contact/text.hpp"
 #include "io/case_reader.hpp"
 #include "io/content_hash.hpp"
+#include "io/output_file.hpp"
 #include "io/store.hpp"
 #include "verification/bench/timing.hpp"
 #include "workflow/parallel.hpp"
@@ -22,14 +19,6 @@ namespace ehd::verification {
 namespace {
 
 constexpr std::string_view records_name = ".progress";
-
-void make_folder(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error || !std::filesystem::is_directory(folder, error))
-    throw OutputError(one_line(fmt::format("{}: cannot be made ({}); allowed is a folder that exists or can be made",
-                                           folder.string(), error ? error.message() : "it is no folder")));
-}
 
 /// The key of a point's record in the journal.
 std::string key_of(const AtlasPoint& point) { return content_hash(point.id()); }

@@ -215,8 +215,8 @@ BOOST_AUTO_TEST_CASE(wrong_usage_of_the_command_is_one_line_and_exit_code_2) {
   const std::vector<std::pair<std::string, std::string>> rows{
       {"--only no-such-point", "--only = no-such-point: is in no id; allowed is a part of an id like atlas-"},
       {"--output ''", "--output = : is empty"},
-      {"--output " + file, "file: cannot be made"},
-      {"--output " + file + "/below", "cannot be made"},
+      {"--output " + file, "file: is no folder, and a folder is needed there"},
+      {"--output " + file + "/below", "file: is no folder, and a folder is needed there"},
       {"--only isoviscous-m0.05 --output " + damaged, "atlas.csv:1: id,M: other columns"},
       {"--tolerance 0", "is out of range; allowed is a number, more than 0 to 1"},
       {"--tolerance 1", "--tolerance = 1: is too loose for digits; allowed is a number > 0, up to 0.0001"},
