@@ -55,9 +55,8 @@ int run_guarded(const std::function<int()>& body) {
 double parse_number(const std::string& option, const std::string& text, const Interval& range) {
   const auto refuse = [&](const char* what) { return option_error(option, text, what + allowed_is(range)); };
   double value = 0;
-  const char* begin = text.data() + (text.starts_with('+') ? 1 : 0);
   const char* end = text.data() + text.size();
-  const auto parsed = std::from_chars(begin, end, value);
+  const auto parsed = std::from_chars(without_plus(text).data(), end, value);
   const bool whole = parsed.ptr == end && parsed.ec != std::errc::invalid_argument;
   if (const std::string comma = comma_in_number(text); !comma.empty()) throw option_error(option, text, comma);
   if (!whole) throw refuse("is not a number");
@@ -70,7 +69,7 @@ int parse_integer(const std::string& option, const std::string& text, const allo
   const auto refuse = [&](const char* what) { return option_error(option, text, what + allowed_is(range)); };
   int value = 0;
   const char* end = text.data() + text.size();
-  const auto parsed = std::from_chars(text.data(), end, value);
+  const auto parsed = std::from_chars(without_plus(text).data(), end, value);
   const bool whole = parsed.ptr == end && parsed.ec != std::errc::invalid_argument;
   if (!whole) throw refuse("is not an integer");
   if (parsed.ec != std::errc() || value < range.low || value > range.high) throw refuse("is out of range");

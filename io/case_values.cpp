@@ -38,16 +38,27 @@ std::string plain_text(const CaseTree& tree, std::string_view key, const Allowed
   return *content;
 }
 
-/// A text of a number and letters: "1e5 N", "100kN".
-bool has_unit(const CaseNode& node) {
-  const auto* text = std::get_if<std::string>(&node.content);
-  if (!text) return false;
+/// What is wrong with a text in the place of a number: "1e5 N", "0x10", "1 000", "1e400". "is a text" where the text
+/// does not begin with a number, and where it is one in quotation marks.
+std::string fault_of_text(std::string_view text) {
+  if (text.empty()) return "is empty";
+  text = without_plus(text);
   double value = 0;
-  const char* const end = text->data() + text->size();
-  const char* at = std::from_chars(text->data(), end, value).ptr;
-  if (at == text->data()) return false;
-  while (at != end && *at == ' ') ++at;
-  return at != end && ((*at >= 'a' && *at <= 'z') || (*at >= 'A' && *at <= 'Z') || *at == '%');
+  const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value);
+  const std::string_view rest = text.substr(static_cast<std::size_t>(parsed.ptr - text.data()));
+  if (rest.empty()) return parsed.ec == std::errc::result_out_of_range ? "is out of range" : "is a text";
+  if (rest.size() == text.size()) return "is a text";
+  if (value == 0 && std::string_view("xob").find(rest.front()) != std::string_view::npos) return "is no decimal number";
+  const char unit = rest[std::min(rest.find_first_not_of(' '), rest.size() - 1)];
+  const bool letter = (unit >= 'a' && unit <= 'z') || (unit >= 'A' && unit <= 'Z') || unit == '%';
+  return letter && !begins_exponent(rest) ? "has a unit, which belongs to the key's name" : "is no number";
+}
+
+/// What is wrong with a value in the place of a number, and what is allowed.
+std::string no_number(const CaseNode& node, const std::string& allowed) {
+  const auto* text = std::get_if<std::string>(&node.content);
+  if (const std::string comma = text ? comma_in_number(*text) : ""; !comma.empty()) return comma;
+  return fmt::format("{}; allowed is {}", text ? fault_of_text(*text) : "is " + node.type, allowed);
 }
 
 /// "did you mean 32 or 46? " for 45: the neighbours among a few numbers that increase. A text may hold the number:
@@ -88,12 +99,7 @@ double number_or_standard(const CaseTree& tree, std::string_view key) {
 
 double number_in(const CaseTree& tree, std::string_view key, const CaseNode& node, const Interval& interval) {
   const auto stated = node.number();
-  if (!stated) {
-    const auto* text = std::get_if<std::string>(&node.content);
-    if (const std::string comma = text ? comma_in_number(*text) : ""; !comma.empty()) tree.fail(key, comma);
-    const std::string fault = has_unit(node) ? "has a unit, which belongs to the key's name" : "is " + node.type;
-    tree.fail(key, fmt::format("{}; allowed is a number, {}", fault, interval.text()));
-  }
+  if (!stated) tree.fail(key, no_number(node, "a number, " + interval.text()));
   const double value = *stated;
   if (!std::isfinite(value)) tree.fail(key, "is not finite; allowed is " + interval.text());
   if (interval.contains(value)) return value;
@@ -117,9 +123,10 @@ std::optional<double> maybe_one_of(const CaseTree& tree, std::string_view key) {
 int integer(const CaseTree& tree, std::string_view key) {
   const auto& range = std::get<allowed::Integer>(row_of_case_key(key).allowed);
   const CaseNode& node = required(tree, key);
+  if (const auto stated = node.number(); stated && (*stated < range.low || *stated > range.high))
+    tree.fail(key, "is out of range; allowed is " + allowed_of(key));
   const auto* value = std::get_if<std::int64_t>(&node.content);
-  if (!value) tree.fail(key, fmt::format("is {}; allowed is {}", node.type, allowed_of(key)));
-  if (*value < range.low || *value > range.high) tree.fail(key, "is out of range; allowed is " + allowed_of(key));
+  if (!value) tree.fail(key, no_number(node, allowed_of(key)));
   return static_cast<int>(*value);
 }
 

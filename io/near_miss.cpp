@@ -171,4 +171,13 @@ std::string comma_in_number(std::string_view text) {
   return fmt::format("has a comma in a number; allowed is a point, {}.{}", whole, rest);
 }
 
+std::string_view without_plus(std::string_view number) {
+  return number.substr(number.starts_with('+') && !number.starts_with("+-") ? 1 : 0);
+}
+
+bool begins_exponent(std::string_view text) {
+  if (text.empty() || std::string_view("eEdD").find(text.front()) == std::string_view::npos) return false;
+  return text.size() == 1 || std::string_view("+-0123456789").find(text[1]) != std::string_view::npos;
+}
+
 }  // namespace ehd

@@ -35,4 +35,10 @@ namespace ehd {
 /// "has a comma in a number; allowed is a point, 1.0e5", of "1,0e5"; empty of any other text.
 [[nodiscard]] std::string comma_in_number(std::string_view text);
 
+/// Without the sign of "+5", which std::from_chars does not know. "+-5" stays, and is no number.
+[[nodiscard]] std::string_view without_plus(std::string_view number);
+
+/// What stands behind a number is "e", "d5" or "E+": a slip in an exponent. No unit begins so.
+[[nodiscard]] bool begins_exponent(std::string_view text);
+
 }  // namespace ehd

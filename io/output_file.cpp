@@ -30,8 +30,9 @@ constexpr std::size_t temporary_digits = 16;
 constexpr mode_t mode_bits = 07777;
 
 [[noreturn]] void cannot_write(const std::filesystem::path& path, const std::string& why) {
-  throw OutputError(one_line(fmt::format(
-      "{}: cannot be written ({}); allowed is a file in a folder that exists and may be written", path.string(), why)));
+  throw OutputError(
+      one_line(fmt::format("{}: cannot be written ({}); allowed is a file in a folder that exists and may be written",
+                           path.empty() ? "\"\"" : path.string(), why)));
 }
 
 std::string temporary_prefix(const std::filesystem::path& path) {

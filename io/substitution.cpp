@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "contact/overloaded.hpp"
+#include "io/near_miss.hpp"
 #include "io/program_text.hpp"
 
 namespace ehd {
@@ -57,7 +58,7 @@ std::optional<std::vector<double>> list_of_numbers(std::string_view text) {
 TomlValue toml_value(std::string_view text) {
   const bool in_quotes = text.size() >= 2 && text.front() == '"' && text.back() == '"';
   if (in_quotes) return std::string(text.substr(1, text.size() - 2));
-  const std::string_view number = text.substr(text.starts_with('+') ? 1 : 0);
+  const std::string_view number = without_plus(text);
   if (const auto whole = whole_number<std::int64_t>(number)) return *whole;
   if (const auto real = whole_number<double>(number)) return *real;
   if (auto numbers = list_of_numbers(text)) return std::move(*numbers);

@@ -101,24 +101,26 @@ std::string slip_of(std::string_view line, std::string_view table) {
   };
   const auto number = value.find_first_not_of("+-.eE_0123456789");
   if (begins_with_value(value)) return "";
+  const std::string wanted = number_allowed(table, line);
+  if (value.empty() && !wanted.empty()) return "has no value; allowed is " + wanted;
   if (begins_with(value, latin)) {
-    if (const std::string wanted = number_allowed(table, line); !wanted.empty())
-      return "is a text; allowed is " + wanted;
+    if (!wanted.empty()) return "is a text; allowed is " + wanted;
     return value.find_first_of(" \"'") == std::string::npos
                ? "is a text without quotation marks; allowed is \"" + value + "\""
                : "";
   }
   if (!begins_with(value, decimal) && !begins_with(value, "+-.")) return "";
-  if (number == std::string::npos) return "";
+  const std::string no_number = wanted.empty() ? "" : "is no number in TOML; allowed is " + wanted;
+  if (number == std::string::npos) return no_number;
   const std::string_view prefix = std::string_view(value).substr(value.find_first_not_of("+-"), 2);
   if (prefix == "0x" || prefix == "0o" || prefix == "0b")
     return "is no hexadecimal, octal or binary number; allowed is a decimal number";
   const std::string rest = trimmed(std::string_view(value).substr(number));
   if (begins_with_value(rest)) return "";
   if (const std::string comma = comma_in_number(value); !comma.empty()) return comma;
-  if (begins_with(rest, latin) || begins_with(rest, "%"))
+  if ((begins_with(rest, latin) && !begins_exponent(rest)) || begins_with(rest, "%"))
     return "has a unit; allowed is the number alone, in the unit that the key names";
-  return "";
+  return no_number;
 }
 
 }  // namespace
@@ -167,9 +169,10 @@ toml::table parse_toml(const std::string& text, const std::filesystem::path& fil
     // "Error while parsing key-value pair: cannot redefine existing integer 'a'"
     if (const auto colon = what.find(": "); colon != std::string::npos && what.starts_with("Error while parsing"))
       what = what.substr(colon + 2);
+    const bool duplicate = what.find("cannot redefine") != std::string::npos;
     const bool too_large = what.find("is not representable in 64 bits") != std::string::npos;
     std::string allowed = "allowed is TOML";
-    if (what.find("cannot redefine") != std::string::npos) {
+    if (duplicate) {
       // toml++ 3.3.0 may garble a name in quotation marks in its description; the line shows it correctly.
       what = "is a duplicate (" + what.substr(0, what.find(" '")) + ")";
       allowed = "allowed is each key and each table once";
@@ -181,6 +184,8 @@ toml::table parse_toml(const std::string& text, const std::filesystem::path& fil
       allowed = integer ? fmt::format("allowed is a size of up to {}, or a number with a decimal point",
                                       std::numeric_limits<std::int64_t>::max())
                         : "allowed is 0, or " + sizes_of_numbers();
+      if (const std::string of_key = number_allowed(table_above(lines, line), content_of(line)); !of_key.empty())
+        allowed = "allowed is " + of_key;
     } else if (what.find("encountered end-of-file") != std::string::npos) {
       what = "the file ends in the middle (" + what + ")";
       while (line > 1 && content_of(line).empty()) --line;
@@ -189,7 +194,7 @@ toml::table parse_toml(const std::string& text, const std::filesystem::path& fil
     const std::string content = content_of(line);
     const bool ours = content.find('=') != std::string::npos || content.starts_with('[');
     const std::string source = ours ? shortened(content, longest_text) : "";
-    const std::string slip = too_large ? "" : slip_of(content, table_above(lines, line)),
+    const std::string slip = too_large || duplicate ? "" : slip_of(content, table_above(lines, line)),
                       says = slip.empty() ? shortened(what, 200) + "; " + allowed : slip;
     throw CaseError(one_line(
         fmt::format("{}:{}{}: {}", file.string(), line, source.empty() ? "" : ": " + source, shortened(says, 300))));

@@ -102,6 +102,23 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_set_is_refused_with_the_nearest_key) {
       {"solve --M 2 --L 5 --tolerance 1e-3,5",
        "ehd: --tolerance = 1e-3,5: has a comma in a number; allowed is one point, before the exponent"},
       {"solve own-moes-5-5 --set moes.M=[1,2]", "ehd: --set moes.M=[1,2]: is a list; allowed is a number"},
+      {"solve own-moes-5-5 --set moes.M=0x1", "moes.M=0x1: is no decimal number; allowed is a number, 0.001 to 1e6"},
+      {"solve own-moes-5-5 --set moes.M=-0b1", "moes.M=-0b1: is no decimal number; allowed is a number, 0.001 to 1e6"},
+      {"bearing na4908 --set bearing.rolers=0x15",
+       "bearing.rolers=0x15: is unknown in [bearing]; did you mean rollers?"},
+      {"solve own-moes-5-5 --set moes.M=+1e400", "moes.M=+1e400: is out of range; allowed is a number, 0.001 to 1e6"},
+      {"solve own-moes-5-5 --set moes.M=9223372036854775808", "is out of range; allowed is 0.001 to 1e6"},
+      {"bearing na4908 --set bearing.clearance_m=+-5e-6", "+-5e-6: is a text; allowed is a number, -0.1 to 0.1"},
+      {"solve --M +-5 --L 5", "ehd: --M = +-5: is not a number; allowed is a number, 0.001 to 1e6"},
+      {"plan own-moes-5-5 --json ''", "ehd: \"\": cannot be written (the name is empty)"},
+      {"solve own-moes-5-5 --set moes.M=1d1", "moes.M=1d1: is no number; allowed is a number, 0.001 to 1e6"},
+      {"solve own-moes-5-5 --set moes.M=1e", "moes.M=1e: is no number; allowed is a number, 0.001 to 1e6"},
+      {"solve own-moes-5-5 --set 'moes.M=1 000'", "moes.M=1 000: is no number; allowed is a number, 0.001 to 1e6"},
+      {"solve own-moes-5-5 --set moes.M=", "moes.M=: is empty; allowed is a number, 0.001 to 1e6"},
+      {"solve own-moes-5-5 --set 'moes.M=5 N'", "moes.M=5 N: has a unit, which belongs to the key's name"},
+      {"bearing na4908 --set bearing.rollers=0x15", "is no decimal number; allowed is an integer, 3 to 400"},
+      {"bearing na4908 --set bearing.rollers=9223372036854775808", "is out of range; allowed is an integer, 3 to 400"},
+      {"bearing na4908 --set bearing.rollers=1,5", "has a comma in a number; allowed is a point, 1.5"},
       {"bearing na4908 --set 'fit.load_N=[2000]'", "ehd: --set fit.load_N=[2000]: "},
       {"solve own-moes-5-5 --set moes.M=1 --set moes.M=2", "allowed is each key once"},
       {"solve --M 5 --L 5 --set moes.M=1", "required is a CASE"},
@@ -112,6 +129,7 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_set_is_refused_with_the_nearest_key) {
       {"bearing na4908 --set lubricant.iso_vg=46", "temperature_C: is missing; required is a number, -50 to 150 (with"},
   };
   for (const auto& [arguments, phrase] : rows) test::check_refused(folder, arguments, phrase);
+  BOOST_TEST(test::ehd_run(folder, "plan own-moes-5-5 --nodes +64").exit_code == 0);
 }
 
 BOOST_AUTO_TEST_CASE(a_case_is_read_from_standard_input) {
