@@ -19,12 +19,12 @@ namespace ehd::cli {
 namespace {
 
 /// The first line of a message of CLI11, which adds its help to some. "--json: 1 required TEXT missing" becomes
-/// "--json: has no value".
+/// "--json: has no value", and "--json: At Most 1 required but received 2" becomes "--json: is given more than once".
 std::string said_by(const CLI::ParseError& error) {
   const std::string text = error.what(), line = text.substr(0, text.find('\n'));
-  const std::size_t name_ends = line.find(": 1 required ");
-  const bool lacks_value = name_ends != std::string::npos && line.ends_with(" missing");
-  return lacks_value ? line.substr(0, name_ends) + ": has no value" : line;
+  const std::size_t none = line.find(": 1 required "), several = line.find(": At Most 1 required ");
+  if (none != std::string::npos && line.ends_with(" missing")) return line.substr(0, none) + ": has no value";
+  return several == std::string::npos ? line : line.substr(0, several) + ": is given more than once";
 }
 
 /// What may stand where an unknown word stands: options for one that begins with a dash, else subcommands.

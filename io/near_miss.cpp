@@ -166,6 +166,8 @@ std::string comma_in_number(std::string_view text) {
   const std::string_view rest = text.substr(comma + 1);
   if (!ends_number(rest)) return "";
   const std::string_view whole = text.substr(0, comma);
+  const auto has_exponent = [](std::string_view part) { return part.find_first_of("eE") != std::string_view::npos; };
+  if (has_exponent(whole) && has_exponent(rest)) return "";  // two numbers: 1e-2,1e-3
   if (whole.find_first_of(".eE") != std::string_view::npos)
     return "has a comma in a number; allowed is one point, before the exponent";
   return fmt::format("has a comma in a number; allowed is a point, {}.{}", whole, rest);
