@@ -119,7 +119,7 @@ StopReason reason_of(const LawFailure& failure) {
 }
 
 /// The balance stays where its contacts have no response.
-void move(BearingResult& result, const BearingSetup& setup, const BearingRequest& request, ContactMemory& memory) {
+void add_motion(BearingResult& result, const BearingSetup& setup, const BearingRequest& request, ContactMemory& memory) {
   try {
     fill_dynamics(result, setup, *laws_of(setup.body, result), request.frequencies_Hz, memory);
   } catch (const LawFailure& failure) {
@@ -138,7 +138,7 @@ void carry_through(BearingResult& result, const BearingSetup& setup, const Beari
     fill_torque(result, setup);
     note_limits(result);
     judge_contacts(result);
-    if (result.plan.runs(bearing_stage::dynamics)) move(result, setup, request, memory);
+    if (result.plan.runs(bearing_stage::dynamics)) add_motion(result, setup, request, memory);
   } catch (const LawFailure& failure) {
     result.status = reason_of(failure);
     result.why = failure.what();
