@@ -37,6 +37,17 @@ template <class Scalar>
   return slope;
 }
 
+/// P_degree and P_degree' at t, for degree 1 and above: the last values of the two functions above, bit for bit.
+template <class Scalar>
+[[nodiscard]] std::pair<Scalar, Scalar> last_legendre(int degree, const Scalar& t) {
+  Scalar P_before(1), P(t), slope_before(0), slope(1);
+  for (int k = 1; k < degree; ++k) {
+    slope_before = std::exchange(slope, Scalar(slope_before + Scalar(2 * k + 1) * P));
+    P_before = std::exchange(P, Scalar((Scalar(2 * k + 1) * t * P - Scalar(k) * P_before) / Scalar(k + 1)));
+  }
+  return {P, slope};
+}
+
 namespace detail {
 
 /// Newton's method doubles the digits each time, so that starts good to 1e-3 need at most seven steps in any type used
@@ -83,8 +94,10 @@ std::vector<double> sign_changes(const Function& f, int count) {
   std::vector<double> zeros;
   const int cells = cells_per_zero * (count + spare_zeros);
   const auto at = [&](int i) { return -std::cos(std::numbers::pi * (i + cell_shift) / (cells + 2 * cell_shift)); };
+  bool negative = f(at(0)) < 0;
   for (int i = 0; i < cells; ++i) {
-    if ((f(at(i)) < 0) != (f(at(i + 1)) < 0)) zeros.push_back(bisected(f, at(i), at(i + 1)));
+    const bool was_negative = std::exchange(negative, f(at(i + 1)) < 0);
+    if (negative != was_negative) zeros.push_back(bisected(f, at(i), at(i + 1)));
   }
   return zeros;
 }
@@ -95,13 +108,12 @@ std::vector<double> sign_changes(const Function& f, int count) {
 template <class Scalar>
 [[nodiscard]] VectorOf<Scalar> lobatto_nodes(int degree) {
   const auto with_slope = [&](const Scalar& t) {
-    const Scalar P = legendre(degree, t)[degree], slope = legendre_derivatives(degree, t)[degree];
+    const auto [P, slope] = last_legendre(degree, t);
     // Legendre's equation: (1 - t^2) P'' = 2 t P' - p (p+1) P.
     return std::pair<Scalar, Scalar>(slope,
                                      (Scalar(2) * t * slope - Scalar(degree * (degree + 1)) * P) / (Scalar(1) - t * t));
   };
-  const auto starts =
-      detail::sign_changes([&](double t) { return legendre_derivatives(degree, t)[degree]; }, degree - 1);
+  const auto starts = detail::sign_changes([&](double t) { return last_legendre(degree, t).second; }, degree - 1);
   VectorOf<Scalar> nodes(degree + 1);
   nodes[0] = Scalar(-1);
   nodes[degree] = Scalar(1);

@@ -23,6 +23,8 @@ Profile::Profile(const Array& X, const Array& values, const std::vector<Eigen::I
   begins_.push_back(0);
   if (elements.empty()) {
     ends_.assign(X.begin(), X.end());
+    begins_.reserve(ends_.size());
+    coefficients_.reserve(2 * ends_.size());
     for (Eigen::Index i = 0; i + 1 < nodes; ++i) {
       coefficients_.push_back((values[i] + values[i + 1]) / 2);
       coefficients_.push_back((values[i + 1] - values[i]) / 2);
@@ -48,12 +50,14 @@ Profile::Profile(const Array& X, const Array& values, const std::vector<Eigen::I
 double Profile::value(std::size_t k, double x) const {
   const double left = ends_[k], right = ends_[k + 1];
   const double t = ((x - left) - (right - x)) / (right - left);
+  const double* const coefficients = &coefficients_[begins_[k]];
+  const std::size_t count = begins_[k + 1] - begins_[k];
+  if (count == 2) return coefficients[0] + t * coefficients[1];  // a straight line: the sum below, bit for bit
   // Clenshaw's sum of a Legendre series.
   double next = 0, after = 0;
-  for (std::size_t m = begins_[k + 1] - begins_[k]; m-- > 0;) {
+  for (std::size_t m = count; m-- > 0;) {
     const auto order = static_cast<double>(m);
-    const double now =
-        coefficients_[begins_[k] + m] + (2 * order + 1) / (order + 1) * t * next - (order + 1) / (order + 2) * after;
+    const double now = coefficients[m] + (2 * order + 1) / (order + 1) * t * next - (order + 1) / (order + 2) * after;
     after = next;
     next = now;
   }

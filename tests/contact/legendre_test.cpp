@@ -45,6 +45,16 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(polynomials_and_their_slopes_are_the_printed_ones,
   }
 }
 
+BOOST_AUTO_TEST_CASE_TEMPLATE(the_last_values_alone_are_those_of_all_values_bit_for_bit, Scalar, Scalars) {
+  for (int degree = 1; degree <= largest_degree; ++degree)
+    for (const double place : {-1.0, -0.83, -0.1, 0.0, 0.3, 0.77, 1.0, 1.7}) {
+      const auto [P, slope] = last_legendre(degree, Scalar(place));
+      const bool same = P == ehd::legendre(degree, Scalar(place))[degree] &&
+                        slope == legendre_derivatives(degree, Scalar(place))[degree];
+      BOOST_TEST(same, "degree " << degree << ", t = " << place);
+    }
+}
+
 BOOST_AUTO_TEST_CASE_TEMPLATE(lobatto_nodes_of_low_degree_are_the_printed_ones, Scalar, Scalars) {
   using std::sqrt;
   const Scalar one(1);
