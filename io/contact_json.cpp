@@ -19,6 +19,8 @@ namespace ehd {
 
 namespace {
 
+constexpr std::size_t members_of_reading = 7, members_of_cost = 13, readings_of_field = 6;  // at most; for object_of
+
 /// The key of a quantity in SI.
 const char* key_in_SI(SIScale scale) {
   switch (scale) {
@@ -45,7 +47,7 @@ Json budget_json(const ErrorBudget& budget) {
 
 Json reading_json(const ContactRun& run, const QuantityRow& row, const Reading& reading) {
   if (row.json_value.empty()) return reading.value;
-  Json json;
+  Json json = object_of(members_of_reading);
   put(json, std::string(row.json_value), reading.value);
   const auto put_scaled = [&](const char* key, std::optional<double> unit) {
     if (unit) put(json, key, reading.value * *unit);
@@ -66,7 +68,9 @@ Json reading_json(const ContactRun& run, const QuantityRow& row, const Reading& 
 Json& entry_at(Json& json, std::string_view entry) {
   const auto dot = entry.find('.');
   Json& level = json[std::string(entry.substr(0, dot))];
-  return dot == std::string_view::npos ? level : entry_at(level, entry.substr(dot + 1));
+  if (dot == std::string_view::npos) return level;
+  if (level.is_null()) level = object_of(readings_of_field);
+  return entry_at(level, entry.substr(dot + 1));
 }
 
 /// "exit_x_error" for "pressure.exit_x" and "error".
@@ -89,7 +93,7 @@ void put_observables(Json& json, const ContactRun& run) {
 }
 
 Json cost_json(const Cost& cost) {
-  Json json;
+  Json json = object_of(members_of_cost);
   put(json, "wall_s", cost.wall_s);
   put(json, "planning_s", cost.planning_s);
   put(json, "total_s", cost.wall_s + cost.planning_s);
@@ -124,10 +128,10 @@ Json fields_json(const Solution& solution) {
 std::optional<StopReason> stop_reason_from(std::string_view text) { return word_from<StopReason>(text); }
 
 Json to_json(const Plan& plan) {
-  Json json;
+  Json json = object_of(2);
   json["run"] = plan.run;
-  json["skipped"] = Json::array();
-  for (const auto& stage : plan.skipped) json["skipped"].push_back({{"stage", stage.stage}, {"why", stage.why}});
+  Json& skipped = json["skipped"] = Json::array();
+  for (const auto& stage : plan.skipped) skipped.push_back({{"stage", stage.stage}, {"why", stage.why}});
   return json;
 }
 

@@ -54,6 +54,12 @@ class StrictParse {
 
 }  // namespace
 
+Json object_of(std::size_t members) {
+  Json object = Json::object();
+  object.get_ref<Json::object_t&>().reserve(members);
+  return object;
+}
+
 void put(Json& object, const std::string& key, double value) {
   if (std::isfinite(value)) object[key] = value;
 }

@@ -3,6 +3,7 @@
 // strict reader.
 #pragma once
 
+#include <cstddef>
 #include <initializer_list>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -17,6 +18,9 @@ using Json = nlohmann::ordered_json;
 
 /// Indented by two spaces, with a line feed at the end; bytes that are not UTF-8 are replaced.
 [[nodiscard]] std::string json_text(const Json& json);
+
+/// {} with room for so many members: an object that grows copies all that it holds.
+[[nodiscard]] Json object_of(std::size_t members);
 
 /// object[key] = value, where value is finite.
 void put(Json& object, const std::string& key, double value);
