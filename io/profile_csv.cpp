@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
-#include <optional>
+#include <limits>
 
 #include "contact/stated_error.hpp"
-#include "contact/text.hpp"
 #include "workflow/shown_pressure.hpp"
 
 namespace ehd {
@@ -17,42 +17,81 @@ namespace {
 /// A spike that the grid does not resolve bends the film up to so far away [b]: contact/stated_error.hpp.
 constexpr double reach_of_spike = 0.03;
 
-/// The relative error of H at the nodes; NaN beside a spike of unknown height, where it is not known.
-Array film_errors(const Solution& solution, double error) {
-  const Array& X = solution.fields.X;
-  const Array errors = Array::Constant(X.size(), error);
-  const auto spike = vague_spike(solution);
-  if (!spike) return errors;
-  return ((X - *spike->place).abs() <= reach_of_spike).select(std::nan(""), errors);
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+
+/// Where the pressure is not shown as it is.
+ArrayOf<bool> cut_nodes(const Solution& solution) {
+  const auto cut = pressure_cut(solution);
+  const Array& P = solution.fields.P;
+  return cut ? ArrayOf<bool>(!(P <= *cut)) : ArrayOf<bool>(ArrayOf<bool>::Constant(P.size(), false));
 }
+
+Array shown_pressure(const Solution& solution) {
+  const auto cut = pressure_cut(solution);
+  const Array& P = solution.fields.P;
+  return cut ? Array(cut_nodes(solution).select(*cut, P)) : P;
+}
+
+bool is_lubricated(const Fields& fields) {
+  return fields.density.size() == fields.X.size() && fields.log_viscosity.size() == fields.X.size();
+}
+
+std::optional<Array> relative_density(const ContactRun& run) {
+  const Fields& fields = run.solution.fields;
+  if (!is_lubricated(fields)) return std::nullopt;
+  return cut_nodes(run.solution).select(no_number, fields.density);
+}
+
+std::optional<Array> relative_viscosity(const ContactRun& run) {
+  const Fields& fields = run.solution.fields;
+  if (!is_lubricated(fields)) return std::nullopt;
+  const Array eta = fields.log_viscosity.unaryExpr([](double log) { return std::exp(log); });
+  return (cut_nodes(run.solution) || !eta.isFinite()).select(no_number, eta);
+}
+
+std::optional<Array> in_SI(const ContactRun& run, SIScale scale, const Array& values) {
+  const bool known = run.SI_per_hertz(SIScale::length) && run.SI_per_hertz(SIScale::film);
+  return known ? std::optional<Array>(values * *run.SI_per_hertz(scale)) : std::nullopt;
+}
+
+/// The relative error of H at the nodes; NaN beside a spike of unknown height, where it is not known.
+std::optional<Array> film_errors(const ContactRun& run) {
+  const auto error = field_error(run.solution);
+  if (!error) return std::nullopt;
+  const Array& X = run.solution.fields.X;
+  const Array errors = Array::Constant(X.size(), *error);
+  const auto spike = vague_spike(run.solution);
+  if (!spike) return errors;
+  return ((X - *spike->place).abs() <= reach_of_spike).select(no_number, errors);
+}
+
+std::optional<Array> is_unresolved(const ContactRun& run) {
+  if (!pressure_cut(run.solution)) return std::nullopt;
+  return cut_nodes(run.solution).cast<double>();
+}
+
+static_assert(shown_of_unresolved == 1.5);  // the last row names it
+constexpr std::array<ProfileRow, most_profile_columns> columns_of_profile{{
+    {"X", "x/b", [](const ContactRun& run) { return std::optional(run.solution.fields.X); }},
+    {"P", "p/p_H", [](const ContactRun& run) { return std::optional(shown_pressure(run.solution)); }},
+    {"H", "h R/b^2", [](const ContactRun& run) { return std::optional(run.solution.fields.H); }},
+    {"rho", "rho/rho_0", relative_density},
+    {"eta", "eta/eta_0", relative_viscosity},
+    {"x_m", "m", [](const ContactRun& run) { return in_SI(run, SIScale::length, run.solution.fields.X); }},
+    {"p_Pa", "Pa", [](const ContactRun& run) { return in_SI(run, SIScale::pressure, shown_pressure(run.solution)); }},
+    {"h_m", "m", [](const ContactRun& run) { return in_SI(run, SIScale::film, run.solution.fields.H); }},
+    {"H_error", "relative", film_errors},
+    {"P_unresolved", "1: cut at 1.5", is_unresolved},
+}};
 
 }  // namespace
 
-std::vector<ProfileColumn> profile_of(const ContactRun& run) {
-  const Fields& fields = run.solution.fields;
-  const auto nodes = fields.X.size();
-  const bool lubricated = fields.density.size() == nodes && fields.log_viscosity.size() == nodes;
-  const auto length = run.scales ? run.scales->half_width_m : std::nullopt;
-  const auto film = run.m_per_hertz_film();
-  const std::optional<double> film_error = field_error(run.solution), cut = pressure_cut(run.solution);
-  const double missing = std::nan("");
-  using Flags = ArrayOf<bool>;
-  const Flags is_cut = cut ? Flags(!(fields.P <= *cut)) : Flags(Flags::Constant(nodes, false));
-  const Array P = cut ? Array(is_cut.select(*cut, fields.P)) : fields.P;
+std::span<const ProfileRow, most_profile_columns> profile_rows() { return columns_of_profile; }
 
-  std::vector<ProfileColumn> columns{{"X", "x/b", fields.X}, {"P", "p/p_H", P}, {"H", "h R/b^2", fields.H}};
-  if (lubricated) {
-    const Array eta = fields.log_viscosity.unaryExpr([](double log) { return std::exp(log); });
-    columns.push_back({"rho", "rho/rho_0", is_cut.select(missing, fields.density)});
-    columns.push_back({"eta", "eta/eta_0", (is_cut || !eta.isFinite()).select(missing, eta)});
-  }
-  if (length && film) {
-    columns.push_back({"x_m", "m", fields.X * *length});
-    columns.push_back({"p_Pa", "Pa", P * run.scales->hertz_pressure_Pa});
-    columns.push_back({"h_m", "m", fields.H * *film});
-  }
-  if (film_error) columns.push_back({"H_error", "relative", film_errors(run.solution, *film_error)});
-  if (cut) columns.push_back({"P_unresolved", "1: cut at " + plain(*cut), is_cut.select(1.0, Array::Zero(nodes))});
+std::vector<ProfileColumn> profile_of(const ContactRun& run) {
+  std::vector<ProfileColumn> columns;
+  for (const ProfileRow& row : columns_of_profile)
+    if (auto values = row.values(run)) columns.push_back({row.name, row.unit, *std::move(values)});
   return columns;
 }
 

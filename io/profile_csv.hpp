@@ -2,23 +2,37 @@
 // The fields of one contact as columns, and as CSV: what `ehd solve --profile` writes.
 #pragma once
 
+#include <cstddef>
+#include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "workflow/contact_run.hpp"
 
 namespace ehd {
 
+/// A column that a profile may have. x_m, p_Pa, h_m exist where SI is known. rho and eta are relative to rho_0 and
+/// eta_0, and absent for a dry contact; where eta/eta_0 overflows, it is NaN. H_error is the relative error of the
+/// fields (contact/stated_error.hpp), the same at every node, NaN beside a spike of unknown height, absent where it is
+/// not known at all. A spike of unknown height is cut: P and p_Pa at 1.5 p_H (workflow/shown_pressure.hpp), rho and eta
+/// are NaN there, and a last column P_unresolved is 1.
+struct ProfileRow {
+  std::string_view name, unit;
+  std::optional<Array> (*values)(const ContactRun& run);  ///< one a node; NaN where there is no number
+};
+inline constexpr std::size_t most_profile_columns = 10;
+
+/// X, P, H, rho, eta, x_m, p_Pa, h_m, H_error, P_unresolved.
+[[nodiscard]] std::span<const ProfileRow, most_profile_columns> profile_rows();
+
 struct ProfileColumn {
-  std::string name, unit;
-  Array values;  ///< one a node; NaN where there is no number
+  std::string_view name, unit;
+  Array values;
 };
 
-/// Columns X, P, H, rho, eta (and x_m, p_Pa, h_m where SI is known). rho and eta are relative to rho_0 and eta_0, and
-/// absent for a dry contact; where eta/eta_0 overflows, it is NaN. H_error is the relative error of the fields
-/// (contact/stated_error.hpp), the same at every node, NaN beside a spike of unknown height, absent where it is not
-/// known at all. A spike of unknown height is cut: P and p_Pa at 1.5 p_H (workflow/shown_pressure.hpp), rho and eta are
-/// NaN there, and a last column P_unresolved is 1.
+/// The columns that this profile has.
 [[nodiscard]] std::vector<ProfileColumn> profile_of(const ContactRun& run);
 
 /// The columns under a header line with units; a NaN is left empty.

@@ -90,16 +90,19 @@ size_t ehd_field(const ehd_result* result, const char* name, double* buffer, siz
     require_pointer(result, "result");
     require_pointer(name, "name");
     if (length > 0) require_pointer(buffer, "buffer");
-    const std::vector<ehd::ProfileColumn>& fields = result->fields();
-    const auto column =
-        std::find_if(fields.begin(), fields.end(), [&](const ehd::ProfileColumn& one) { return one.name == name; });
-    if (column == fields.end()) {
+    const auto rows = ehd::profile_rows();
+    const auto row =
+        std::find_if(rows.begin(), rows.end(), [&](const ehd::ProfileRow& one) { return one.name == name; });
+    const ehd::Array* const values =
+        row == rows.end() ? nullptr : result->field(static_cast<std::size_t>(row - rows.begin()));
+    if (!values) {
       std::vector<std::string> names;
-      for (const ehd::ProfileColumn& one : fields) names.push_back(one.name);
+      for (std::size_t i = 0; i < rows.size(); ++i)
+        if (result->field(i)) names.emplace_back(rows[i].name);
       throw unknown_name("name", name, ehd::is_unknown(name, ehd::list(names)));
     }
-    count = static_cast<size_t>(column->values.size());
-    std::copy_n(column->values.data(), std::min(count, length), buffer);
+    count = static_cast<size_t>(values->size());
+    std::copy_n(values->data(), std::min(count, length), buffer);
     return EHD_OK;
   });
   return count;

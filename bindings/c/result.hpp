@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a caller of the C interface holds: one result of a contact or of a bearing, the latter with its laws. The JSON
-// and the fields are made when they are first asked for: a caller who wants one film does not pay for them.
+// and each field are made when they are first asked for: a caller who wants one film does not pay for them.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <utility>
 #include <variant>
-#include <vector>
 
 #include "bearing/force_law.hpp"
 #include "io/bearing_json.hpp"
@@ -52,17 +53,18 @@ struct ehd_result {
   [[nodiscard]] const std::string& text() const {
     return text_.get([this] { return ehd::json_text(json()); });
   }
-  /// Of a contact; empty where it has no solution.
-  [[nodiscard]] const std::vector<ehd::ProfileColumn>& fields() const {
-    return fields_.get([this] {
+  /// The values of profile_rows()[i]; null where this contact has no such column, or no solution.
+  [[nodiscard]] const ehd::Array* field(std::size_t i) const {
+    const auto& values = fields_[i].get([&] {
       const auto* run = std::get_if<ehd::ContactRun>(&made);
       const bool solved = run && run->status() != ehd::StopReason::diverged && run->solution.fields.X.size() > 0;
-      return solved ? ehd::profile_of(*run) : std::vector<ehd::ProfileColumn>{};
+      return solved ? ehd::profile_rows()[i].values(*run) : std::nullopt;
     });
+    return values ? &*values : nullptr;
   }
 
  private:
   ehd::c::MadeOnce<ehd::Json> json_;
   ehd::c::MadeOnce<std::string> text_;
-  ehd::c::MadeOnce<std::vector<ehd::ProfileColumn>> fields_;
+  std::array<ehd::c::MadeOnce<std::optional<ehd::Array>>, ehd::most_profile_columns> fields_;
 };

@@ -137,6 +137,9 @@ BOOST_AUTO_TEST_CASE(unknown_names_are_bad_input) {
   BOOST_TEST(std::string(ehd_last_error()).find("name = Q: is unknown; allowed is X, P, H") != std::string::npos);
   BOOST_TEST(ehd_field(contact.result.get(), "H_eror", &number, 1) == 0U);
   BOOST_TEST(std::string(ehd_last_error()).find("did you mean H_error?") != std::string::npos);
+  // Groups without a length have no metres.
+  BOOST_TEST(ehd_field(contact.result.get(), "x_m", &number, 1) == 0U);
+  BOOST_TEST(std::string(ehd_last_error()).find("allowed is X, P, H, rho, eta, H_error") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(bad_case_text_names_its_line) {
