@@ -134,8 +134,8 @@ std::string text(const CaseTree& tree, std::string_view key) {
   return plain_text(tree, key, [&] { return allowed_of(key); });
 }
 
-std::string text(const CaseTree& tree, std::string_view key, const std::string& allowed) {
-  return plain_text(tree, key, [&] { return allowed; });
+std::string text(const CaseTree& tree, std::string_view key, const std::function<std::string()>& allowed) {
+  return plain_text(tree, key, allowed);
 }
 
 std::string word(const CaseTree& tree, std::string_view key) {

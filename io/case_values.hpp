@@ -3,6 +3,7 @@
 // its line, what is wrong and what is allowed.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -29,8 +30,8 @@ class StatementError;
 
 /// One line of text without control characters: tables and bibliographies print it.
 [[nodiscard]] std::string text(const CaseTree& tree, std::string_view key);
-/// The same with other words for what is allowed.
-[[nodiscard]] std::string text(const CaseTree& tree, std::string_view key, const std::string& allowed);
+/// The same with other words for what is allowed, which only a refusal makes.
+[[nodiscard]] std::string text(const CaseTree& tree, std::string_view key, const std::function<std::string()>& allowed);
 /// One of the words in the key's row.
 [[nodiscard]] std::string word(const CaseTree& tree, std::string_view key);
 

@@ -86,10 +86,10 @@ bool can_be_expected_when_dry(Quantity quantity) { return can_be_expected(quanti
 bool has_moes_units(Quantity quantity) { return row_of(quantity).in_moes_units; }
 
 std::string contact_quantity(const CaseTree& tree, const std::string& key, const ContactCase& contact) {
-  const std::string all = names_of_quantities(can_be_expected);
+  const auto all = [] { return names_of_quantities(can_be_expected); };
   std::string name = text(tree, key, all);
   const auto quantity = quantity_from(name);
-  if (!quantity || !can_be_expected(*quantity)) tree.fail(key, "is unknown in a contact case; allowed is " + all);
+  if (!quantity || !can_be_expected(*quantity)) tree.fail(key, "is unknown in a contact case; allowed is " + all());
   if (contact.dry() && !exists_when_dry(*quantity))
     tree.fail(key, "does not exist in a dry contact; allowed is " + names_of_quantities(can_be_expected_when_dry));
   return name;
@@ -132,10 +132,9 @@ void require_scaling(const CaseTree& tree, const std::string& key, const Contact
 // -- bearings
 
 std::string bearing_quantity(const CaseTree& tree, const std::string& key, const BearingCase& bearing) {
-  const std::string all = names_of_bearing_quantities();
-  std::string name = text(tree, key, all);
+  std::string name = text(tree, key, names_of_bearing_quantities);
   const auto quantity = bearing_quantity_from(name);
-  if (!quantity) tree.fail(key, "is unknown in a bearing case; allowed is " + all);
+  if (!quantity) tree.fail(key, "is unknown in a bearing case; allowed is " + names_of_bearing_quantities());
   if (quantity->roller > bearing.geometry.rollers)
     tree.fail(key, fmt::format("names a roller that does not exist; allowed is 1 to {}", bearing.geometry.rollers));
   return name;
