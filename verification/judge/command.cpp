@@ -111,10 +111,10 @@ CommandEnd not_started(const char* what) {
 CommandEnd end_of(int status, bool in_time, const Tail& tail, double wall_s, double time_limit_s) {
   CommandEnd end{.words = {}, .last_line = tail.last_line(), .wall_s = wall_s};
   if (!in_time) {
-    end.words = "ended by the time limit of " + plain(time_limit_s) + " s";
+    end.words = fmt::format("ended by the time limit of {} s", plain(time_limit_s));
   } else if (WIFEXITED(status)) {
     end.exit_code = WEXITSTATUS(status);
-    end.words = "exit code " + std::to_string(*end.exit_code);
+    end.words = fmt::format("exit code {}", *end.exit_code);
   } else {
     end.words = std::string("ended by ") + ::strsignal(WTERMSIG(status));
   }

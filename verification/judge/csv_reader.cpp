@@ -143,7 +143,7 @@ double CsvReader::number(std::size_t column) const {
   return value;
 }
 
-std::string CsvReader::place() const { return file_.string() + ":" + std::to_string(row_line_); }
+std::string CsvReader::place() const { return fmt::format("{}:{}", file_.string(), row_line_); }
 
 CaseError CsvReader::refuse(std::size_t column, const std::string& what) const {
   return refusal(place(), fmt::format("{} = {}: {}", header_[column], shortened(cells_[column], longest_cell), what));

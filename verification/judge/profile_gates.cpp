@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/judge/profile_gates.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -270,8 +272,7 @@ SubmittedProfile read_profile(const std::filesystem::path& file) {
     }
   }
   const auto nodes = static_cast<Eigen::Index>(values[0].size());
-  if (nodes < fewest_nodes)
-    throw refusal(file.string(), "has " + std::to_string(nodes) + " rows; required are 16 at least");
+  if (nodes < fewest_nodes) throw refusal(file.string(), fmt::format("has {} rows; required are 16 at least", nodes));
   const auto field = [&](std::size_t c) { return Array(Eigen::Map<const Array>(values[c].data(), nodes)); };
   SubmittedProfile profile{.X = field(0), .P = field(1), .H = field(2), .cut = ArrayOf<bool>::Constant(nodes, false)};
   for (const Eigen::Index row : cut) profile.cut[row] = true;

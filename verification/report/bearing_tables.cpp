@@ -86,7 +86,7 @@ void add_budgets(Page& page, const std::vector<View>& bearings) {
     page.absent("Error budgets are", "ehd verify --output DIR");
     return;
   }
-  page.add_folded("Every source of error, bearing by bearing: " + std::to_string(table.rows.size()) + " rows", table);
+  page.add_folded(fmt::format("Every source of error, bearing by bearing: {} rows", table.rows.size()), table);
 }
 
 void add_study(Page& page, const View& study) {
@@ -103,7 +103,7 @@ void add_study(Page& page, const View& study) {
     summary.rows.push_back(
         {{"(" + escaped(one.text("letter")) + ")", ""},
          words(one.text("law")),
-         words(plain(one.number("holds").value_or(0)) + " of " + plain(one.number("of").value_or(0))),
+         words(fmt::format("{} of {}", plain(one.number("holds").value_or(0)), plain(one.number("of").value_or(0)))),
          {escaped(one.text("exceptions")), "wide"},
          {escaped(one.text("at_psi_0_alone")), "wide"}});
   page.add_folded("Each statement, law by law", summary);
@@ -146,12 +146,12 @@ void add_study(Page& page, const View& study) {
     if (ranges.empty() && row.has("x0_all_hold_m")) ranges = "nowhere";
     table.rows.push_back(
         {words(row.text("factor")), words(row.text("value")), words(row.text("law")), holds("a"),
-         ready(percent("a", "change") + ", " + percent("a", "apart")), holds("b"),
-         ready(percent("b", "least") + " to " + percent("b", "most")), holds("c"),
+         ready(fmt::format("{}, {}", percent("a", "change"), percent("a", "apart"))), holds("b"),
+         ready(fmt::format("{} to {}", percent("b", "least"), percent("b", "most"))), holds("c"),
          ready(fmt::format("{} ({}), {}", percent("c", "middle"), percent("c", "apart"), percent("c", "largest"))),
          holds("d"), words(ranges)});
   }
-  page.add_folded("Every choice: " + std::to_string(table.rows.size()) + " rows", table);
+  page.add_folded(fmt::format("Every choice: {} rows", table.rows.size()), table);
 }
 
 void add_force_laws(Page& page, const std::vector<View>& laws) {
@@ -165,7 +165,7 @@ void add_force_laws(Page& page, const std::vector<View>& laws) {
     const std::pair name{one.text("id"), one.text("raceway")};
     if (std::find(contacts.begin(), contacts.end(), name) == contacts.end()) contacts.push_back(name);
   }
-  page.begin_fold("Force and smallest film over displacement: " + std::to_string(contacts.size()) + " contacts");
+  page.begin_fold(fmt::format("Force and smallest film over displacement: {} contacts", contacts.size()));
   page.begin_figures();
   for (const auto& [id, raceway] : contacts) {
     Figure figure{.id = fmt::format("fig-law-{}-{}", id, raceway),

@@ -158,7 +158,7 @@ void add_all_claims(Page& page, const View& results, const std::vector<View>& cl
       options += "<option>" + std::string(verdict) + "</option>";
     std::string rungs;
     for (const View& rung : results.list("rungs")) rungs += "<option>" + escaped(rung.cell("rung")) + "</option>";
-    page.begin_fold("All " + std::to_string(claims.size()) + " claims, to filter by words (key /), rung and verdict",
+    page.begin_fold(fmt::format("All {} claims, to filter by words (key /), rung and verdict", claims.size()),
                     "claims");
     page.add(
         fmt::format("<div class=\"controls\" data-for=\"all-claims\"><label>words <input "
@@ -198,7 +198,7 @@ void add_all_claims(Page& page, const View& results, const std::vector<View>& cl
                           {escaped(one.cell("rung")), ""},
                           words(one.text("statement")),
                           words(one.text("why"))});
-  page.add_folded(std::to_string(skipped.size()) + " skipped, with the reason", table);
+  page.add_folded(fmt::format("{} skipped, with the reason", skipped.size()), table);
 }
 
 /// The topics that took the suite's time.
@@ -214,7 +214,7 @@ void add_topics(Page& page, std::vector<View> topics) {
   table.columns = {"topic", "time [s]"};
   for (const View& topic : topics)
     table.rows.push_back({words(topic.text("name")), number_cell(topic.number("wall_s"), 3)});
-  page.add_folded("The slowest of " + std::to_string(all) + " topics", table);
+  page.add_folded(fmt::format("The slowest of {} topics", all), table);
 }
 
 void add_traceability(Page& page, const View& results, const std::map<std::string, View>& by_id) {
@@ -239,7 +239,7 @@ void add_traceability(Page& page, const View& results, const std::map<std::strin
                           count_cell(row, "skipped", ""),
                           {ids, "wide"}});
   }
-  page.add_folded("What is said, and which claims support it: " + std::to_string(rows.size()) + " statements", table);
+  page.add_folded(fmt::format("What is said, and which claims support it: {} statements", rows.size()), table);
 }
 
 void add_findings(Page& page, const std::vector<View>& claims) {

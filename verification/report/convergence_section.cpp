@@ -209,12 +209,12 @@ void add_convergence(Page& page, const View& results) {
   table.columns = {"study", "solver", "case", "quantity", "kind", "declared", "fitted", "points", "smallest error"};
   const auto studies = studies_of(entries);
   const auto figures = std::count_if(studies.begin(), studies.end(), shows_a_curve);
-  page.begin_fold(std::to_string(figures) + " figures: errors over the size of the grid", "convergence-figures");
+  page.begin_fold(fmt::format("{} figures: errors over the size of the grid", figures), "convergence-figures");
   page.begin_figures();
   for (const Study& study : studies) add_study(page, study, table);
   page.end_figures();
   page.end_fold();
-  page.add_folded("Orders as a table: " + std::to_string(table.rows.size()) + " curves", table);
+  page.add_folded(fmt::format("Orders as a table: {} curves", table.rows.size()), table);
 }
 
 }  // namespace ehd::report

@@ -16,11 +16,11 @@ namespace ehd::report {
 std::string digits_in(const Extent& digits, bool with_word) {
   const std::string worst = digits_text(digits.low), best = digits_text(digits.high);
   const std::string first = worst + (with_word ? " digits" : "");
-  return worst == best ? first : first + " at worst, " + best + " at best";
+  return worst == best ? first : fmt::format("{} at worst, {} at best", first, best);
 }
 
 std::string how_many(std::size_t count, const std::string& one, const std::string& many) {
-  return std::to_string(count) + " " + (count == 1 ? one : many);
+  return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
 std::string section_link(const char* section, const std::string& text) {
@@ -65,11 +65,11 @@ Verified claims_verified(const View& results) {
   for (const View& claim : claims)
     if (stands(claim) && claim["tolerance"].number("value").value_or(0) > 0) margins.add(claim.number("margin"));
   row.digits = "no common number: each claim has its own tolerance";
-  if (margins.any()) row.digits += ", of which the tightest has " + percent(margins.low, 2) + " left";
+  if (margins.any()) row.digits += fmt::format(", of which the tightest has {} left", percent(margins.low, 2));
   row.truth = "exact solutions, invariants, declared orders, the other solver, published digits";
   row.cost = time_of(summary.number("wall_s"));
   if (!skipped.empty())
-    row.open.push_back(std::to_string(skipped.size()) + " skipped, each with its reason in the section");
+    row.open.push_back(fmt::format("{} skipped, each with its reason in the section", skipped.size()));
   if (const double not_run = summary.number("not_run").value_or(0); not_run > 0)
     row.wrong.push_back(fmt::format("{}: {} {} not run to the end", section_link("ladder", "claims"), plain(not_run),
                                     not_run == 1 ? "topic was" : "topics were"));
@@ -80,7 +80,7 @@ Verified claims_verified(const View& results) {
   const auto accepted = static_cast<std::size_t>(std::count_if(claims.begin(), claims.end(), [](const View& claim) {
     return claim.text("verdict") == "inconclusive" && stands(claim);
   }));
-  if (accepted > 0) row.open.push_back(std::to_string(accepted) + " inconclusive, accepted with a reason");
+  if (accepted > 0) row.open.push_back(fmt::format("{} inconclusive, accepted with a reason", accepted));
   return row;
 }
 
@@ -190,10 +190,10 @@ Verified work_verified(const View& bench) {
     for (const View& part : left_out) names += (names.empty() ? "" : ", ") + escaped(part.text());
     row.open.push_back("the run was stopped; left out: " + names);
   }
-  if (undecided > 0) row.open.push_back(plain(undecided) + " stated errors that the truth cannot judge");
+  if (undecided > 0) row.open.push_back(fmt::format("{} stated errors that the truth cannot judge", plain(undecided)));
   constexpr double enough = 0.9;  // of a core; docs/bench.md
   if (const auto share = result.number("cpu_share"); share && *share < enough)
-    row.open.push_back("the times: other processes took " + percent(1 - *share, 2) + " of the core");
+    row.open.push_back(fmt::format("the times: other processes took {} of the core", percent(1 - *share, 2)));
   return row;
 }
 
@@ -257,8 +257,8 @@ Verified maps_verified(const View& results) {
   }
   if (tests > 0) row.open.push_back(how_many(tests, "point", "points") + " above 4 GPa, a numerical test only");
   if (by_fast < points.size())
-    row.open.push_back("<code>fast</code> at " + how_many(points.size() - by_fast, "point", "points") +
-                       ", where it was not run");
+    row.open.push_back(fmt::format("<code>fast</code> at {}, where it was not run",
+                                   how_many(points.size() - by_fast, "point", "points")));
   if (open > 0) row.open.push_back("at " + how_many(open, "point", "points") + " <code>fast</code> did not converge");
   return row;
 }
@@ -294,9 +294,9 @@ Verified stress_verified(const View& stress) {
   const auto parts = stress.list("parts");
   if (parts.empty()) return absent_part("stress", "Stability under stress");
   Verified row{.what = section_link("stress", how_many(parts.size(), "part", "parts") + " of the stress"),
-               .digits = fmt::format(
-                   "no common number: {} of {}, each with its own tolerance", number_with(parts, "verdict", "pass"),
-                   parts.size() == 1 ? "1 part passes" : std::to_string(parts.size()) + " parts pass"),
+               .digits = fmt::format("no common number: {} of {}, each with its own tolerance",
+                                     number_with(parts, "verdict", "pass"),
+                                     parts.size() == 1 ? "1 part passes" : fmt::format("{} parts pass", parts.size())),
                .truth = "the other solver, 34 digits, repeated and disturbed runs",
                .cost = time_of(stress.number("wall_s"))};
   if (std::any_of(parts.begin(), parts.end(),

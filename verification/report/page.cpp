@@ -166,7 +166,7 @@ std::string framed(const std::string& id, const std::string& svg, const std::str
 std::string Page::unique(const std::string& wanted) {
   const std::string base = slug(wanted);
   std::string id = base;
-  for (int k = 2; !ids_.insert(id).second; ++k) id = base + "-" + std::to_string(k);
+  for (int k = 2; !ids_.insert(id).second; ++k) id = fmt::format("{}-{}", base, k);
   return id;
 }
 

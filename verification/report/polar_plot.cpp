@@ -50,7 +50,7 @@ std::string grid_svg(const Dial& dial, const std::vector<Tick>& ticks) {
     svg += "<path class=\"grid\" d=\"" + path_data({dial.centre, dial.at(angle, dial.full)}) + "\"/>";
     const Point label = dial.at(angle, dial.full * (1 + 17 / dial.radius));
     const int shown = angle > 180 ? angle - 360 : angle;
-    svg += text_svg({label.x, label.y + 4}, (shown < 0 ? "\u2212" : "") + std::to_string(std::abs(shown)) + "\u00b0",
+    svg += text_svg({label.x, label.y + 4}, fmt::format("{}{}\u00b0", shown < 0 ? "\u2212" : "", std::abs(shown)),
                     "middle", "small soft");
   }
   return svg;

@@ -37,7 +37,7 @@ void require_verdict(const View& judged) {
 }
 
 void require_rung(const View& row) {
-  const std::string allowed = "an integer from 0 to " + std::to_string(rungs - 1);
+  const std::string allowed = fmt::format("an integer from 0 to {}", rungs - 1);
   const View value = required(row, "rung", allowed);
   const double rung = value.number().value_or(-1);
   for (int one = 0; one < rungs; ++one)

@@ -20,7 +20,7 @@ void add_overview(Page& page, const std::vector<Verified>& verified) {
   for (const Verified& one : verified) {
     std::string open;
     if (!one.wrong.empty())
-      open = "<b class=\"fail\">" + std::to_string(one.wrong.size()) + " not as it should be: see above</b>";
+      open = fmt::format("<b class=\"fail\">{} not as it should be: see above</b>", one.wrong.size());
     for (const std::string& text : one.open) open += (open.empty() ? "" : "; ") + text;
     table.rows.push_back({{one.what, ""}, {one.digits, ""}, {one.truth, ""}, {one.cost, ""}, {open, ""}});
   }

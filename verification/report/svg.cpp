@@ -234,12 +234,11 @@ std::string picture_style() {
       "svg.plot .blank{fill:none;stroke:var(--grid);stroke-width:.75}"
       "svg.plot .hollow{fill:var(--paper)}";
   for (int i = 1; i <= 6; ++i) {
-    const std::string n = std::to_string(i);
     style += fmt::format(
-        "svg.plot .s{} .line{{stroke:var(--s{})}}svg.plot .s{} "
-        ".mark{{fill:var(--s{});stroke:var(--s{});stroke-width:1.2}}svg.plot .s{} "
-        ".mark.hollow{{fill:var(--paper)}}svg.plot .s{} .label{{fill:var(--s{})}}",
-        n, n, n, n, n, n, n, n);
+        "svg.plot .s{0} .line{{stroke:var(--s{0})}}svg.plot .s{0} "
+        ".mark{{fill:var(--s{0});stroke:var(--s{0});stroke-width:1.2}}svg.plot .s{0} "
+        ".mark.hollow{{fill:var(--paper)}}svg.plot .s{0} .label{{fill:var(--s{0})}}",
+        i);
   }
   return style;
 }

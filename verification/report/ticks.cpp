@@ -27,7 +27,7 @@ std::string plain_label(double value, int decimals) {
 /// A digit times a power of ten.
 std::string power_label(int digit, int exponent, bool plainly) {
   if (plainly) return plain_label(digit * std::pow(10, exponent), std::max(0, -exponent));
-  return fmt::format("{}10^{{{}{}}}", digit == 1 ? "" : std::to_string(digit) + "\u2009\u00b7\u2009",
+  return fmt::format("{}10^{{{}{}}}", digit == 1 ? "" : fmt::format("{}\u2009\u00b7\u2009", digit),
                      exponent < 0 ? "\u2212" : "", std::abs(exponent));
 }
 

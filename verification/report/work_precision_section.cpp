@@ -100,7 +100,7 @@ void add_failed(Page& page, const std::vector<View>& rows) {
                           verdict_cell(row.text("status")),
                           {escaped(row.text("reason")), "wide"}});
   }
-  if (!table.rows.empty()) page.add_folded(std::to_string(table.rows.size()) + " not converged, or not run", table);
+  if (!table.rows.empty()) page.add_folded(fmt::format("{} not converged, or not run", table.rows.size()), table);
 }
 
 void add_ratios(Page& page, const View& result) {
@@ -180,7 +180,7 @@ void add_coverage(Page& page, const View& result) {
                           number_cell(one.number("median_excess"), 3),
                           number_cell(one.number("smallest_excess"), 3)});
   }
-  page.add_folded("Errors stated against errors achieved: " + plain(missed) + " missed", table);
+  page.add_folded(fmt::format("Errors stated against errors achieved: {} missed", plain(missed)), table);
 }
 
 /// The three figures of a case, HTML.
