@@ -78,7 +78,7 @@ class Numbered {
  public:
   [[nodiscard]] std::string operator()(const std::string& text) {
     std::string name = text;
-    for (int k = 2; !taken_.insert(name).second; ++k) name = text + " " + std::to_string(k);
+    for (int k = 2; !taken_.insert(name).second; ++k) name = fmt::format("{} {}", text, k);
     return name;
   }
 
@@ -146,8 +146,8 @@ std::string rungs_of(const std::vector<Topic>& topics) {
 }
 
 std::string selection(const SuiteRequest& request) {
-  return (request.rung ? "--rung " + std::to_string(*request.rung) : "") +
-         (request.rung && request.case_id ? " " : "") + (request.case_id ? "--case " + *request.case_id : "");
+  return fmt::format("{}{}{}", request.rung ? fmt::format("--rung {}", *request.rung) : "",
+                     request.rung && request.case_id ? " " : "", request.case_id ? "--case " + *request.case_id : "");
 }
 
 double seconds_since(std::chrono::steady_clock::time_point start) {

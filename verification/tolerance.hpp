@@ -18,7 +18,7 @@ class Tolerance {
   /// operations * eps * condition: a bound of the rounding error.
   [[nodiscard]] static Tolerance round_off(double operations, double condition = 1) {
     return {operations * condition * std::numeric_limits<double>::epsilon(), "round-off",
-            text(operations) + " operations, condition " + text(condition)};
+            fmt::format("{} operations, condition {}", text(operations), text(condition))};
   }
   /// The relative residual at which the iteration stopped, times its effect on the observable.
   [[nodiscard]] static Tolerance iteration(double residual, double amplification = 1) {

@@ -96,7 +96,7 @@ std::vector<std::string> atlas_disagreements(const std::filesystem::path& folder
   std::set<std::string> ids;
   for (const auto& row : table.rows) {
     const std::string& id = row.at("id");
-    if (!ids.insert(id).second) found.push_back(id + ": stands twice in " + std::string(atlas_csv_name));
+    if (!ids.insert(id).second) found.push_back(fmt::format("{}: stands twice in {}", id, atlas_csv_name));
     try {
       const std::string what = difference(row, read_case(folder / (id + ".toml")));
       if (!what.empty()) found.push_back(id + ": the case differs from the table: " + what);
@@ -108,7 +108,7 @@ std::vector<std::string> atlas_disagreements(const std::filesystem::path& folder
   }
   for (const auto& file : atlas_files(folder)) {
     if (!ids.contains(file.stem().string()))
-      found.push_back(file.string() + ": is not in " + std::string(atlas_csv_name));
+      found.push_back(fmt::format("{}: is not in {}", file.string(), atlas_csv_name));
   }
   return found;
 }

@@ -22,7 +22,7 @@ std::string rounded_text(double value, int leading, int place) {
   const int exponent = std::stoi(text.substr(e + 1));
   std::string mantissa = text.substr(0, e);
   if (exponent > leading) mantissa += leading > place ? "0" : ".0";  // 9.96e-5 to 1e-6 is 1.00e-4, not 1.0e-4
-  return exponent == 0 ? mantissa : mantissa + "e" + std::to_string(exponent);
+  return exponent == 0 ? mantissa : fmt::format("{}e{}", mantissa, exponent);
 }
 
 /// Two significant digits, rounded up: an uncertainty may grow, never shrink.

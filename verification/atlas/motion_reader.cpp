@@ -63,8 +63,7 @@ std::vector<AtlasRow> read_motion_table(const MotionTable& table, const std::fil
   const auto file = folder / table.file;
   const auto text = atlas_text(file);
   const auto refuse = [&](int line, const std::string& what) {
-    return CaseError(
-        one_line(fmt::format("{}{}: {}", file.string(), line > 0 ? ":" + std::to_string(line) : "", what)));
+    return CaseError(one_line(fmt::format("{}{}: {}", file.string(), line > 0 ? fmt::format(":{}", line) : "", what)));
   };
   if (!text) throw refuse(0, "there is no such file; required is the table that `ehd atlas --motion` writes");
   const std::vector<std::string> columns = columns_of(table);

@@ -46,7 +46,7 @@ std::string AtlasPoint::title() const {
   return fmt::format(
       "Atlas: M = {}, L = {}, {}, {}{}{}", plain(M), plain(L), law,
       std::holds_alternative<Flooded>(inlet) ? "" : "inlet cut at X = ", inlet_text(inlet),
-      numerical_test() ? " (a numerical test: p_H = " + plain(hertz_pressure_Pa() / 1e9, 2) + " GPa)" : "");
+      numerical_test() ? fmt::format(" (a numerical test: p_H = {} GPa)", plain(hertz_pressure_Pa() / 1e9, 2)) : "");
 }
 
 double AtlasPoint::hertz_pressure_Pa() const {

@@ -73,7 +73,7 @@ std::optional<WrongCell> wrong_cell(const AtlasRow& row) {
 AtlasTable read_atlas_table(const std::filesystem::path& csv) {
   const auto text = atlas_text(csv);
   const auto refuse = [&](int line, const std::string& what) {
-    return CaseError(one_line(fmt::format("{}{}: {}", csv.string(), line > 0 ? ":" + std::to_string(line) : "", what)));
+    return CaseError(one_line(fmt::format("{}{}: {}", csv.string(), line > 0 ? fmt::format(":{}", line) : "", what)));
   };
   if (!text) throw refuse(0, "there is no such file; required is the table that `ehd atlas` writes");
   AtlasTable table;

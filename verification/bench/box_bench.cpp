@@ -52,7 +52,7 @@ namespace {
 
 std::vector<Solution> truths_of(const BoxRequest& request) {
   if (!request.truth) return {};
-  if (request.progress) request.progress(std::to_string(request.contacts.size()) + " truths by " + request.truth->name);
+  if (request.progress) request.progress(fmt::format("{} truths by {}", request.contacts.size(), request.truth->name));
   std::vector<Problem> problems;
   for (const BoxContact& contact : request.contacts) problems.push_back(contact.problem());
   return solve_all(*request.truth, problems,
@@ -167,7 +167,7 @@ class Group {
     return {any.setting.solver,
             any.setting.text(),
             inlet_name(any.contact),
-            std::to_string(converged_) + " of " + std::to_string(times_ms_.size()),
+            fmt::format("{} of {}", converged_, times_ms_.size()),
             plain(median(times_ms_), 3),
             plain(*std::max_element(times_ms_.begin(), times_ms_.end()), 3),
             dash(largest_[0], 2),
@@ -175,7 +175,7 @@ class Group {
             dash(mild_, 2),
             dash(largest_[1], 2),
             place_[1],
-            std::to_string(covered_) + " of " + std::to_string(judged_)};
+            fmt::format("{} of {}", covered_, judged_)};
   }
 
  private:

@@ -2,6 +2,7 @@
 #include "verification/bench/child.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <malloc.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -98,7 +99,7 @@ ChildEnd in_child(const std::function<std::string()>& work) {
   if (WIFEXITED(status) && WEXITSTATUS(status) == lacked_memory) throw std::bad_alloc();
   if (WIFEXITED(status) && WEXITSTATUS(status) == threw) return {{}, text.empty() ? "it threw" : text};
   if (WIFSIGNALED(status)) return {{}, std::string("ended by ") + ::strsignal(WTERMSIG(status))};
-  return {{}, "exit code " + std::to_string(WIFEXITED(status) ? WEXITSTATUS(status) : -1)};
+  return {{}, fmt::format("exit code {}", WIFEXITED(status) ? WEXITSTATUS(status) : -1)};
 }
 
 ProgramEnd run_program(const std::string& path, const std::vector<std::string>& arguments) {

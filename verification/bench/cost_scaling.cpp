@@ -40,7 +40,7 @@ std::string name_of(const MoesGroups& contact) { return fmt::format("({}, {})", 
 }  // namespace
 
 double convolution_s(int intervals, const Repetition& repetition) {
-  if (intervals < 1) throw std::invalid_argument("a convolution on " + std::to_string(intervals) + " intervals");
+  if (intervals < 1) throw std::invalid_argument(fmt::format("a convolution on {} intervals", intervals));
   const int length = 2 * intervals, modes = length / 2 + 1;
   double* const real = fftw_alloc_real(static_cast<std::size_t>(length));
   fftw_complex* const spectrum = fftw_alloc_complex(static_cast<std::size_t>(modes));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/bench/setting.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -21,7 +23,7 @@ const Reading* reading_of(const Solution& solution, Quantity quantity) {
   return at == solution.observables.end() || !std::isfinite(at->second.value) ? nullptr : &at->second;
 }
 
-std::string Setting::text() const { return tolerance ? plain(*tolerance) : "n = " + std::to_string(nodes.value_or(0)); }
+std::string Setting::text() const { return tolerance ? plain(*tolerance) : fmt::format("n = {}", nodes.value_or(0)); }
 
 Request Setting::request(double time_limit_s) const {
   return {.tolerance = tolerance,

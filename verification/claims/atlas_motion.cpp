@@ -72,7 +72,7 @@ Findings judge_motion(const std::string& id) {
              fmt::format("{} at {} meets the stiffness, damping and waves of {}", solver->name, plain(tolerance), id),
          .solver = solver->name},
         numbers > 0 ? worst : nothing, 0, Tolerance::required(1, "the errors of both cover the difference"),
-        std::to_string(numbers) + " numbers, farthest: " + where));
+        fmt::format("{} numbers, farthest: {}", numbers, where)));
   }
   return findings;
 }

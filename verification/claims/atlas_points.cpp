@@ -56,8 +56,8 @@ Findings judge_files() {
   } catch (const CaseError& wrong) {
     differ.push_back(wrong.what());
   }
-  std::string note = std::to_string(atlas_files(folder).size()) + " points";
-  if (!differ.empty()) note = std::to_string(differ.size()) + " differ, first: " + differ.front();
+  const std::string note = differ.empty() ? fmt::format("{} points", atlas_files(folder).size())
+                                          : fmt::format("{} differ, first: {}", differ.size(), differ.front());
   return {.claims = {claim_fact({.id = id, .rung = rung, .statement = statement},
                                 differ.empty() && !atlas_files(folder).empty(), "one run writes both", note)},
           .skipped = {}};
@@ -79,7 +79,7 @@ Findings judge_point(const std::string& id) {
     const bool solved = run.status() == StopReason::converged || run.status() == StopReason::tolerance_not_met;
     const std::string ended = converged(run.solution) ? "" : "; " + how_it_ended(run.solution);
     for (const Expectation& expectation : point.expectations) {
-      const std::string name = solver->name + " at " + plain(tolerance);
+      const std::string name = fmt::format("{} at {}", solver->name, plain(tolerance));
       Sentence says{
           .id = fmt::format("atlas/{}/{}/{}", id, solver->name, expectation.quantity),
           .rung = rung,
@@ -88,7 +88,7 @@ Findings judge_point(const std::string& id) {
           .solver = solver->name};
       const bool film = is_judged_film(expectation);
       if (expectation.waiting) {
-        says.statement = id + " waits for the digits of " + expectation.quantity;
+        says.statement = fmt::format("{} waits for the digits of {}", id, expectation.quantity);
         found.skipped.push_back({says, "the atlas does not know them to 1e-4"});
         continue;
       }

@@ -117,7 +117,7 @@ Findings judge_bearing(const Case& bearing_case, SharedMemory& shared) {
     const bool balanced = result.status == StopReason::converged && !result.rollers.empty();
     found.claims.push_back(
         claim_fact(says("balanced", "the bearing is balanced"), balanced, "every law finds a balance",
-                   std::string(to_string(result.status)) + (result.why.empty() ? "" : ": " + result.why)));
+                   fmt::format("{}{}", to_string(result.status), result.why.empty() ? "" : ": " + result.why)));
     const Residuals worst = balanced ? residuals_of(body, result) : Residuals{nothing, nothing, nothing, nothing};
     const Tolerance bound = Tolerance::required(1e-12, "balance error below 1e-12");
     found.claims.push_back(claim(says("balance_error", "the reported balance error is below 1e-12"),

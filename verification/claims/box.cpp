@@ -59,7 +59,7 @@ Findings judge_row(const Row& row) {
     for (const Quantity film : judged_films) {
       const Reading &a = reference.observables.at(film), &b = fast.observables.at(film);
       const double ratio = std::abs(b.value / a.value - 1) / (a.error.value() + b.error.value());
-      if (worst = worse(worst, ratio); worst == ratio) worst_at = std::string(to_string(film)) + ", L = " + plain(L);
+      if (worst = worse(worst, ratio); worst == ratio) worst_at = fmt::format("{}, L = {}", to_string(film), plain(L));
     }
   }
   Findings found;

@@ -66,7 +66,7 @@ Findings judge_expectations(const Case& contact_case, const ContactRun& asked, c
                   .case_id = contact_case.id,
                   .solver = solver ? solver->name : ""};
     if (expectation.waiting) {
-      says.statement = contact_case.id + " waits for the digits of " + expectation.quantity;
+      says.statement = fmt::format("{} waits for the digits of {}", contact_case.id, expectation.quantity);
       found.skipped.push_back({says, "the source's number is not available here"});
       continue;
     }
@@ -127,8 +127,8 @@ void judge_end(Findings& found, const Case& contact_case, const ContactRun& run)
   found.claims.push_back(claim_fact(says("converged", "ends converged at tolerance 1e-3"), converged(run.solution),
                                     "a solve at --tolerance 1e-3 ends converged", how_it_ended(run.solution)));
   for (const Quantity film : judged_films)
-    found.claims.push_back(claim(says(std::string(to_string(film)) + "/error",
-                                      "reports an error of " + std::string(to_string(film)) + " within 1e-3"),
+    found.claims.push_back(claim(says(fmt::format("{}/error", to_string(film)),
+                                      fmt::format("reports an error of {} within 1e-3", to_string(film))),
                                  error_of(reading(run.solution, film)), 0,
                                  Tolerance::required(asked_tolerance, "--tolerance 1e-3 asks for it")));
   // The tolerance of the films serves for load and flux too: film ~ load^-0.1, film ~ flux.
@@ -223,7 +223,7 @@ struct BarRun {
   std::optional<int> nodes;
 
   [[nodiscard]] std::string how() const {
-    return nodes ? " on " + std::to_string(*nodes) + " intervals" : " asked for " + plain(*tolerance);
+    return nodes ? fmt::format(" on {} intervals", *nodes) : fmt::format(" asked for {}", plain(*tolerance));
   }
 };
 constexpr BarRun bar_runs[] = {{"fast.uniform", {}, 1024},
@@ -250,7 +250,7 @@ Findings judge_stated_errors(const Case& contact_case) {
                                     solver.name, contact_case.id),
            .case_id = contact_case.id,
            .solver = solver.name},
-          stated >= by_rounding, "eps/H_min", plain(stated, 2) + " against " + plain(by_rounding, 2)));
+          stated >= by_rounding, "eps/H_min", fmt::format("{} against {}", plain(stated, 2), plain(by_rounding, 2))));
     }
     for (const Expectation& expectation : contact_case.expectations) {
       if (!is_judged_film(expectation) || expectation.waiting || expectation.kind == ExpectationKind::fit) continue;

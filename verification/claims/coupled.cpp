@@ -66,7 +66,7 @@ Findings judge_collocation_in_h(const Contact& contact) {
                                   degree, contact.name, degree + 1),
          .solver = certified_solver().name},
         slope(x, y), degree + 1, order_over_four_grids(),
-        "error " + scientific(std::exp(y.back()), 2) + " on 162 elements"));
+        fmt::format("error {} on 162 elements", scientific(std::exp(y.back()), 2))));
   }
   return found;
 }
@@ -90,7 +90,7 @@ Findings judge_collocation_in_p(const Contact& contact) {
                   std::exp(-slope(x, y)), ellipse,
                   Tolerance::calibrated(0.1 * ellipse,
                                         "the factor a degree, fitted over seven degrees, is read to a tenth of itself"),
-                  "degrees 6 to 18 on 5 elements, error " + scientific(std::exp(y.back()), 2) + " at 18"));
+                  fmt::format("degrees 6 to 18 on 5 elements, error {} at 18", scientific(std::exp(y.back()), 2))));
   return found;
 }
 

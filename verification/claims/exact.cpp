@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rung 4: the exact solutions satisfy their own equations, and have the digits that the literature prints.
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -16,9 +18,9 @@ namespace ehd::verification {
 namespace {
 
 void digits(Findings& found, const std::string& id, const std::string& what, double value, const std::string& printed) {
-  found.claims.push_back(
-      claim_value({.id = "exact/" + id, .rung = 4, .statement = what + " has the printed digits " + printed}, value,
-                  std::stod(printed), 0, Tolerance::published_digits(printed)));
+  found.claims.push_back(claim_value(
+      {.id = "exact/" + id, .rung = 4, .statement = fmt::format("{} has the printed digits {}", what, printed)}, value,
+      std::stod(printed), 0, Tolerance::published_digits(printed)));
 }
 
 Findings judge_exact() {
@@ -75,7 +77,7 @@ Findings judge_exact() {
        {std::tuple{20, 10, "4.8350"}, std::tuple{50, 10, "4.4009"}, std::tuple{100, 10, "4.0755"},
         std::tuple{200, 10, "3.7614"}, std::tuple{20, 5, "2.9083"}, std::tuple{200, 15, "5.0871"},
         std::tuple{1000, 10, "3.0984"}, std::tuple{1000, 20, "5.2039"}}) {
-    const std::string point = std::to_string(M) + "-" + std::to_string(L);
+    const std::string point = fmt::format("{}-{}", M, L);
     digits(found, "ertel-grubin-" + point, "the Ertel-Grubin film at M-L = " + point, exact::ertel_grubin_film(M, L),
            printed);
   }

@@ -36,7 +36,7 @@ constexpr double table_truth_share = 1.0 / 30;
 constexpr double certified_tolerance = 1e-7;
 
 std::string table_name(const JudgedTable& judged) {
-  return std::string(judged.roelands ? "roelands" : "barus") + "/" + plain(judged.tolerance);
+  return fmt::format("{}/{}", judged.roelands ? "roelands" : "barus", plain(judged.tolerance));
 }
 
 /// By how much a table misses truths: difference over stated error, and the truth's error over it at that point.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/claims/films_of_pressure.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -66,7 +68,7 @@ Findings judge_film(const Named& scheme) {
                         .solver = solver},
                        slope(x, y), 2,
                        Tolerance::calibrated(0.2, "orders of a largest error, over four grids, are read to a fifth"),
-                       "96 to 324 cells, error " + scientific(last, 2) + " on the last")},
+                       fmt::format("96 to 324 cells, error {} on the last", scientific(last, 2)))},
           {}};
 }
 

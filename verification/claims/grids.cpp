@@ -39,7 +39,7 @@ Findings judge_study(const Study& study, MoesGroups moes) {
   const RegisteredSolver& solver = remembered(study.solver);
   std::vector<Solution> solutions;
   for (const int cells : study.grids) solutions.push_back(solver.solve(problem, {.tolerance = {}, .nodes = cells}));
-  const std::string point = plain(moes.M) + "-" + plain(moes.L);
+  const std::string point = fmt::format("{}-{}", plain(moes.M), plain(moes.L));
   Findings found;
   for (const Quantity film : judged_films) {
     const auto says = [&](const std::string& what, const std::string& statement) {
@@ -57,7 +57,7 @@ Findings judge_study(const Study& study, MoesGroups moes) {
       if (seen && solved_on_its_grid(solutions[i]) && record.grids.back().inlet_cells >= fewest_study_cells) {
         values.push_back({static_cast<double>(study.grids[i]), seen->value});
       } else if (!values.empty()) {
-        unsolved = plain(study.grids[i]) + " cells: " + std::string(to_string(record.status));
+        unsolved = fmt::format("{} cells: {}", plain(study.grids[i]), to_string(record.status));
       }
     }
     const Reading* exact = reading(truth, film);
@@ -90,7 +90,7 @@ Findings judge_study(const Study& study, MoesGroups moes) {
                      "where the grid study" + of + " is asymptotic, the extrapolated value is nearer to the truth"),
                 extrapolated / off, exact->error.value() / off,
                 Tolerance::required(1, "its error over that of the finest grid"),
-                note + ", extrapolated " + plain(extrapolated, 2)));
+                fmt::format("{}, extrapolated {}", note, plain(extrapolated, 2))));
     }
   }
   return found;
@@ -124,17 +124,16 @@ Findings judge_flooded(MoesGroups moes) {
     for (std::size_t i = central.size() - 1; i > 0; --i) central[i] += (central[i] - central[i - 1]) / (factor - 1);
     central.erase(central.begin());
   }
-  const std::string point = plain(moes.M) + "-" + plain(moes.L);
-  return {
-      {claim_value(
-          {.id = "flooded/" + point,
-           .rung = 8,
-           .statement = "cut at -160 ... -1280 and extrapolated to infinity, the reference's central film at M-L = " +
-                        point + " is its flooded one",
-           .solver = solver.name},
-          central.back(), truth, 2 * error, Tolerance::required(1e-9, "flooded inlets to 1e-9 of the central film"),
-          note + "; " + ended)},
-      {}};
+  const std::string point = fmt::format("{}-{}", plain(moes.M), plain(moes.L));
+  return {{claim_value({.id = "flooded/" + point,
+                        .rung = 8,
+                        .statement = fmt::format("cut at -160 ... -1280 and extrapolated to infinity, the reference's "
+                                                 "central film at M-L = {} is its flooded one",
+                                                 point),
+                        .solver = solver.name},
+                       central.back(), truth, 2 * error,
+                       Tolerance::required(1e-9, "flooded inlets to 1e-9 of the central film"), note + "; " + ended)},
+          {}};
 }
 
 }  // namespace

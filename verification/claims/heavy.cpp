@@ -36,15 +36,15 @@ Findings judge_convergence(double M) {
         remembered(default_solver().name).solve(contact.problem(), {.tolerance = heavy_tolerance});
     if (!converged(solution)) unsolved += fmt::format(" ({}: {})", contact_name(contact), how_it_ended(solution));
   }
-  return {.claims = {claim_fact({.id = heavy_id(M) + "/converged",
-                                 .rung = 6,
-                                 .statement = default_solver().name +
-                                              " ends converged at 1e-3 for L = 0..100, both law sets, flooded and cut "
-                                              "at -4, at M = " +
-                                              plain(M),
-                                 .solver = default_solver().name},
-                                unsolved.empty(), "the range of M and L that the case reader accepts",
-                                unsolved.empty() ? "" : "not at" + unsolved)},
+  return {.claims = {claim_fact(
+              {.id = heavy_id(M) + "/converged",
+               .rung = 6,
+               .statement = fmt::format(
+                   "{} ends converged at 1e-3 for L = 0..100, both law sets, flooded and cut at -4, at M = {}",
+                   default_solver().name, plain(M)),
+               .solver = default_solver().name},
+              unsolved.empty(), "the range of M and L that the case reader accepts",
+              unsolved.empty() ? "" : "not at" + unsolved)},
           .skipped = {}};
 }
 
@@ -60,15 +60,15 @@ Findings judge_agreement(double M) {
       const Reading *const a = reading(reference, film), *const b = reading(fast, film);
       const double ratio = std::abs(value_of(b) / value_of(a) - 1) / (error_of(a) + error_of(b));
       if (worst = worse(worst, ratio); worst == ratio || std::isnan(ratio))
-        worst_at = std::string(to_string(film)) + ", " + contact_name(contact);
+        worst_at = fmt::format("{}, {}", to_string(film), contact_name(contact));
     }
   }
   return {
       .claims = {claim({.id = heavy_id(M) + "/agreement",
                         .rung = 8,
-                        .statement = "the films of both solvers differ by less than the sum of their stated errors "
-                                     "for L = 0..2, flooded, at M = " +
-                                     plain(M),
+                        .statement = fmt::format("the films of both solvers differ by less than the sum of their "
+                                                 "stated errors for L = 0..2, flooded, at M = {}",
+                                                 plain(M)),
                         .solver = truth + ", " + usual},
                        worst, 0, Tolerance::required(1, "disagreement over the sum of the stated errors"), worst_at)},
       .skipped = {}};

@@ -53,7 +53,7 @@ Claim quadratic(const std::string& id, const std::string& statement, const std::
   }
   return order_claim({.id = "iteration/" + id, .rung = 6, .statement = statement, .solver = solver}, slope(x, y), 2,
                      Tolerance::calibrated(0.1, "fitted orders over four perturbations are read to a tenth"),
-                     "perturbations of 8e-3 to 1e-3; " + scientific(left.back(), 2) + " left of the last");
+                     fmt::format("perturbations of 8e-3 to 1e-3; {} left of the last", scientific(left.back(), 2)));
 }
 
 // ---- Jacobians ---------------------------------------------------------------------------------------------------
@@ -269,7 +269,7 @@ Findings judge_multigrid(MoesGroups moes) {
   }
   double worst = 0;
   for (const double rate : rates) worst = worse(worst, rate);
-  const std::string point = plain(moes.M) + "-" + plain(moes.L);
+  const std::string point = fmt::format("{}-{}", plain(moes.M), plain(moes.L));
   const std::string at = fmt::format(" at ({},{})", plain(moes.M), plain(moes.L));
   found.claims.push_back(
       claim({.id = "iteration/fast.uniform/multigrid-rate/" + point,

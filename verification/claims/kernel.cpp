@@ -113,9 +113,9 @@ Findings judge_operator() {
     // |error|_max <= 4 eps log2(2n) |g|_2 |x|_2, beside the dense sum's own n eps.
     const double bound = std::sqrt(weights) * std::sqrt(x.square().sum());
     found.claims.push_back(
-        claim({.id = "operator/fft-" + std::to_string(intervals),
+        claim({.id = fmt::format("operator/fft-{}", intervals),
                .rung = 2,
-               .statement = "the FFT product equals the dense one on " + std::to_string(intervals) + " cells"},
+               .statement = fmt::format("the FFT product equals the dense one on {} cells", intervals)},
               (y - dense).abs().maxCoeff() / bound, 0, Tolerance::round_off(4 * std::log2(2.0 * intervals)),
               "relative to |g|_2 |x|_2"));
   }
@@ -169,7 +169,7 @@ Findings judge_mapped_operator() {
     // Three transforms and a product, as above, and two sums. Differences of near places cancel: eps/smallest spacing.
     const double nearest = (X.tail(intervals) - X.head(intervals)).minCoeff() / length;
     found.claims.push_back(claim(
-        {.id = "operator/mapped-" + std::to_string(intervals),
+        {.id = fmt::format("operator/mapped-{}", intervals),
          .rung = 2,
          .statement = fmt::format("FFT and smooth remainder make the dense product on {} mapped cells{}", intervals,
                                   whole ? "" : ", but for what interpolation leaves of a film")},

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rung 0: from SI to dimensionless groups and back. Groups, scales and laws of a steel contact are computed here again
 // from the printed formulas, by other steps than in contact/. So are a result's metres and Moes units.
+#include <fmt/format.h>
+
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -105,7 +107,7 @@ Findings judge_laws() {
   }
   const auto claim_of = [&](const std::string& id, const std::string& statement, double error, Tolerance tolerance) {
     found.claims.push_back(claim({.id = "inputs/laws/" + id, .rung = 0, .statement = statement}, error, 0,
-                                 std::move(tolerance), std::to_string(judged) + " pressures, 20 MPa to 1.7 GPa"));
+                                 std::move(tolerance), fmt::format("{} pressures, 20 MPa to 1.7 GPa", judged)));
   };
   claim_of("roelands", "eta is Roelands' eta_0 exp((ln eta_0 + 9.67)((1 + p/p_0)^z - 1))", worst_roelands, rounding());
   claim_of("dowson-higginson", "rho is rho_0 (5.9e8 + 1.34 p)/(5.9e8 + p)", worst_density[0], rounding());

@@ -28,7 +28,7 @@ namespace ehd::verification {
 namespace {
 
 Claim digits_claim(int rung, const std::string& id, const std::string& what, double value, const std::string& printed) {
-  return claim_value({.id = id, .rung = rung, .statement = what + " has the digits " + printed}, value,
+  return claim_value({.id = id, .rung = rung, .statement = fmt::format("{} has the digits {}", what, printed)}, value,
                      std::stod(printed), 0, Tolerance::published_digits(printed));
 }
 
@@ -67,11 +67,11 @@ Findings judge_approach_formulas() {
                                       "the force of Palmgren's law at l = 1 mm and delta = 1 mm [N]",
                                       bearing::palmgren_law(per_mm).force(per_mm), "8.06e4"));
   // Not the printed 1.8864: the formula here has the exact constant, which the log kernel gives with x_0 = l.
-  found.claims.push_back(
-      claim_finding({.id = "approach/lundberg-constant",
-                     .rung = 11,
-                     .statement = "Lundberg's printed constant 1.8864 against 2 ln 2 + 1/2"},
-                    "2 ln 2 + 1/2 = " + plain(2 * std::numbers::ln2 + 0.5, 8) + ": one in the printed last digit"));
+  found.claims.push_back(claim_finding(
+      {.id = "approach/lundberg-constant",
+       .rung = 11,
+       .statement = "Lundberg's printed constant 1.8864 against 2 ln 2 + 1/2"},
+      fmt::format("2 ln 2 + 1/2 = {}: one in the printed last digit", plain(2 * std::numbers::ln2 + 0.5, 8))));
   return found;
 }
 
@@ -310,7 +310,7 @@ Findings judge_barus_films() {
   Findings found;
   for (const BarusRow& row : barus_films) {
     const Ends ends = ends_of({row.M, row.L}, oil(false));
-    const std::string point = plain(row.M) + "-" + plain(row.L);
+    const std::string point = fmt::format("{}-{}", plain(row.M), plain(row.L));
     for (const auto& [quantity, text] :
          {std::pair{Quantity::film_minimum, row.minimum}, {Quantity::film_central, row.central}})
       judge_between(found, ends,

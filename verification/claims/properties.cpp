@@ -108,14 +108,14 @@ Findings judge_units() {
   found.claims.push_back(claim_fact(
       {.id = "properties/units/problem",
        .rung = 0,
-       .statement =
-           std::to_string(contacts) +
-           " random contacts in units that differ by powers of two are bit for bit the same dimensionless problem"},
-      same == contacts, "only similarity groups enter", std::to_string(same) + " of " + std::to_string(contacts)));
+       .statement = fmt::format(
+           "{} random contacts in units that differ by powers of two are bit for bit the same dimensionless problem",
+           contacts)},
+      same == contacts, "only similarity groups enter", fmt::format("{} of {}", same, contacts)));
   found.claims.push_back(claim_fact(
       {.id = "properties/units/films",
        .rung = 0,
-       .statement = "and " + std::to_string(solved) + " of them have films and errors that are the same bit for bit",
+       .statement = fmt::format("and {} of them have films and errors that are the same bit for bit", solved),
        .solver = default_solver().name},
       films_same == films_seen && films_seen > 0, "a solver sees groups alone",
       fmt::format("{} of {} films", films_same, films_seen)));
@@ -176,14 +176,14 @@ Findings judge_similarity() {
     }
   }
   Findings found;
-  found.claims.push_back(
-      claim({.id = "properties/similarity/moes",
-             .rung = 9,
-             .statement = "Moes films of Barus contacts depend on M and L alone: " + std::to_string(pairs) +
-                          " random pairs that differ in E', R, eta_0, u, w and alpha",
-             .solver = default_solver().name},
-            worst, 0, Tolerance::required(1, "difference over the sum of the stated errors"),
-            "largest relative difference " + plain(difference, 2)));
+  found.claims.push_back(claim({.id = "properties/similarity/moes",
+                                .rung = 9,
+                                .statement = fmt::format("Moes films of Barus contacts depend on M and L alone: {} "
+                                                         "random pairs that differ in E', R, eta_0, u, w and alpha",
+                                                         pairs),
+                                .solver = default_solver().name},
+                               worst, 0, Tolerance::required(1, "difference over the sum of the stated errors"),
+                               "largest relative difference " + plain(difference, 2)));
   return found;
 }
 

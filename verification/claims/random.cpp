@@ -187,17 +187,19 @@ Findings judge_box(int runs) {
     ends.add(run, problem, solver.solve(problem, {.tolerance = tolerance, .time_limit_s = 60}));
   }
   Findings found;
-  ends.judge(found,
-             {.id = "random-box/converged",
-              .rung = 6,
-              .statement = "the reference converges to 1e-5 at " + std::to_string(2 * runs) +
-                           " random flooded points of both law sets where p_H is up to 4 GPa",
-              .solver = solver.name},
-             Tolerance::required(0.03, "at least 97 points in 100"),
-             {.id = "random-box/honest",
-              .rung = 6,
-              .statement = "every one of these points ends converged within its error, or says why not",
-              .solver = solver.name});
+  ends.judge(
+      found,
+      {.id = "random-box/converged",
+       .rung = 6,
+       .statement = fmt::format(
+           "the reference converges to 1e-5 at {} random flooded points of both law sets where p_H is up to 4 GPa",
+           2 * runs),
+       .solver = solver.name},
+      Tolerance::required(0.03, "at least 97 points in 100"),
+      {.id = "random-box/honest",
+       .rung = 6,
+       .statement = "every one of these points ends converged within its error, or says why not",
+       .solver = solver.name});
   return found;
 }
 

@@ -97,7 +97,7 @@ Findings judge_ertel_grubin() {
   for (const Row row : {Row{20, 5, "21"}, Row{20, 10, "9"}, Row{200, 10, "7"}, Row{200, 15, "4"}}) {
     const Films films = films_at(default_solver(), {row.M, row.L}, 1e-3);
     const double above = 100 * (films.central.moes / exact::ertel_grubin_film(row.M, row.L) - 1);
-    const std::string point = plain(row.M) + "-" + plain(row.L);
+    const std::string point = fmt::format("{}-{}", plain(row.M), plain(row.L));
     Claim judged = claim({.id = "regimes/ertel-grubin/" + point,
                           .rung = 9,
                           .statement = fmt::format("the central film at M-L = {} lies {} % above Ertel and Grubin's",

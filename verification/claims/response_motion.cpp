@@ -43,7 +43,7 @@ Findings judge_time(double Omega) {
     return motion_by_time_steps(problem, steady.fields, {.Omega = Omega, .intervals = intervals, .steps = steps}).kappa;
   };
   const Amplitude coarse = stepped(64, 64), fine = stepped(128, 128), both = (4.0 * fine - coarse) / 3.0;
-  const std::string at = "time/" + plain(Omega) + "/";
+  const std::string at = fmt::format("time/{}/", plain(Omega));
   Findings found;
   found.claims.push_back(
       claim(response_says(at + "kappa", 8, "implicit steps of the full equations in time give the same kappa"),

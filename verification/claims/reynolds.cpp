@@ -165,7 +165,7 @@ Findings judge_scheme(const Named& scheme) {
            .solver = solver.name},
           slope(x, y), declared,
           Tolerance::calibrated(0.2, "fitted orders of one face after another, over four grids, are read to a fifth"),
-          "64 to 216 cells, error " + scientific(std::exp(y.back()), 2) + " on the last"));
+          fmt::format("64 to 216 cells, error {} on the last", scientific(std::exp(y.back()), 2))));
     };
     add("pressure", pressure);
     if (gap.free_exit) add("exit", exit);
@@ -278,7 +278,7 @@ Findings judge_collocation() {
                                                 degree, gap.sentence, degree + 1),
                        .solver = certified_solver().name},
                       slope(x, y), degree + 1, order_over_four_grids(),
-                      "error " + scientific(std::exp(y.back()), 2) + " on 162 elements"));
+                      fmt::format("error {} on 162 elements", scientific(std::exp(y.back()), 2))));
     }
   }
   return found;

@@ -31,7 +31,7 @@ struct StatedRun {
   std::optional<int> nodes = {};
 
   [[nodiscard]] std::string how() const {
-    return nodes ? std::to_string(*nodes) + " intervals" : "tolerance " + plain(*tolerance);
+    return nodes ? fmt::format("{} intervals", *nodes) : fmt::format("tolerance {}", plain(*tolerance));
   }
 };
 const StatedRun stated_runs[] = {{"fast", 1e-2},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/exact/sjovall.hpp"
 
+#include <fmt/format.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
 
@@ -35,7 +36,7 @@ double integrand(double s, void* parameters) {
 }  // namespace
 
 double SjovallIntegral::operator()(double eps) const {
-  if (!(eps > 0)) throw std::domain_error("Sjovall integral: eps = " + plain(eps) + "; it must be positive");
+  if (!(eps > 0)) throw std::domain_error(fmt::format("Sjovall integral: eps = {}; it must be positive", plain(eps)));
   Integrand of{eps, exponent, eps < 1 ? std::acos(1 - 2 * eps) : pi};
   gsl_function function{integrand, &of};
   constexpr std::size_t intervals = 1000;

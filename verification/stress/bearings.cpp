@@ -82,7 +82,7 @@ Case case_of(const RandomBearing& drawn, unsigned seed) {
   oil.alpha_per_Pa = alpha(eta);
   body.lubricant = BearingLubricant{.lubricant = oil, .viscosity_Pa_s = eta};
   Case one;
-  one.id = "random-" + std::to_string(seed);
+  one.id = fmt::format("random-{}", seed);
   one.version = 1;
   one.body = std::move(body);
   return one;
@@ -247,7 +247,7 @@ std::vector<BearingRow> run_bearings(const Scope& scope) {
   for (const bearing::Law law : film_laws()) rows.push_back({.law = std::string(to_string(law))});
   for (std::size_t i = 0; i < bearings; ++i)
     for (std::size_t k = 0; k < outcomes[i].size(); ++k)
-      add(rows[k], outcomes[i][k], "seed " + std::to_string(first_seed + i));
+      add(rows[k], outcomes[i][k], fmt::format("seed {}", first_seed + i));
   return rows;
 }
 

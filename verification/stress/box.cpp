@@ -101,7 +101,7 @@ std::vector<BoxPoint> points_of(const Extent& extent, bool quick) {
 
 std::vector<BoxPoint> run_box(const Scope& scope) {
   std::vector<BoxPoint> points = points_of(scope.quick ? quick_extent : whole, scope.quick);
-  scope.show(std::to_string(points.size()) + " contacts");
+  scope.show(fmt::format("{} contacts", points.size()));
   in_threads(points.size(), scope.threads, [&](std::size_t i) {
     BoxPoint& point = points[i];
     const Problem problem = problem_at({point.M, point.L}, point.roelands, Flooded{});

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -64,8 +66,8 @@ Json json_of(const Ended& end) {
   Json json{
       {"status", static_cast<int>(end.status)}, {"reason", end.reason}, {"finite", end.finite}, {"wall_s", end.wall_s}};
   for (std::size_t k = 0; k < 2; ++k) {
-    put(json, "film" + std::to_string(k), end.film[k]);
-    put(json, "error" + std::to_string(k), end.error[k]);
+    put(json, fmt::format("film{}", k), end.film[k]);
+    put(json, fmt::format("error{}", k), end.error[k]);
   }
   return json;
 }
@@ -76,9 +78,9 @@ Ended ended_from(const Json& json) {
             .wall_s = json.at("wall_s").get<double>(),
             .finite = json.at("finite").get<bool>()};
   for (std::size_t k = 0; k < 2; ++k) {
-    const std::string at = std::to_string(k);
-    if (json.contains("film" + at)) end.film[k] = json.at("film" + at).get<double>();
-    if (json.contains("error" + at)) end.error[k] = json.at("error" + at).get<double>();
+    const std::string film = fmt::format("film{}", k), error = fmt::format("error{}", k);
+    if (json.contains(film)) end.film[k] = json.at(film).get<double>();
+    if (json.contains(error)) end.error[k] = json.at(error).get<double>();
   }
   return end;
 }

@@ -191,7 +191,7 @@ std::vector<ConditionRow> run_condition(const Scope& scope) {
     }
   }
   std::vector<ConditionRow> rows(tasks.size());
-  scope.show(std::to_string(tasks.size()) + " quantities");
+  scope.show(fmt::format("{} quantities", tasks.size()));
   in_threads(tasks.size(), scope.threads, [&](std::size_t i) {
     const Task& task = tasks[i];
     rows[i] = row_of(*task.contact, task.input, *task.solver, intervals);
@@ -216,7 +216,7 @@ Part judge_condition(const std::vector<ConditionRow>& rows) {
                                row.ulp_move[1], row.floor});
     tally.add(holds_in_time(row.converged, row.late), where + ": a solve did not converge");
     for (std::size_t k = 0; k < 2; ++k) {
-      const std::string film = where + ", " + std::string(to_string(judged_films[k]));
+      const std::string film = fmt::format("{}, {}", where, to_string(judged_films[k]));
       const double condition = std::abs(row.large_step[k]);
       // The rounding of two films over twice the step.
       const Tolerance of_slope =

@@ -258,7 +258,7 @@ std::vector<ExtremeRow> run_extremes(const Scope& scope) {
   std::vector<ExtremeRow> rows;
   const int batches = scope.quick ? 1 : 10, batch = scope.quick ? 60 : 300;
   for (int b = 0; b < batches; ++b) {
-    scope.show("random cases from " + std::to_string(b * batch));
+    scope.show(fmt::format("random cases from {}", b * batch));
     in_a_process(
         "random SI",
         [&, b] {
@@ -341,7 +341,7 @@ void judge_against_other(const ExtremeRow& row, const std::string& where, Sum& s
   if (!row.other || row.other->status != StopReason::converged) {
     if (row.other && row.inside)
       tally.add(Verdict::inconclusive,
-                where + ": the other solver ended as " + std::string(to_string(row.other->status)));
+                fmt::format("{}: the other solver ended as {}", where, to_string(row.other->status)));
     return;
   }
   if (!row.fast->has_films()) return;

@@ -169,11 +169,11 @@ std::vector<GridRow> run_grids(const Scope& scope) {
       cut_contacts({{{5, 5}, true}, {{1000, 10}, true}, {{1, 0}, false}, {{20, 10}, true}});
   if (scope.quick) contacts.resize(2);
   std::vector<Truth> truths(contacts.size());
-  scope.show(std::to_string(contacts.size()) + " truths by " + certified_solver().name);
+  scope.show(fmt::format("{} truths by {}", contacts.size(), certified_solver().name));
   in_threads(contacts.size(), scope.threads, [&](std::size_t i) { truths[i] = truth_of(contacts[i].problem()); });
   const std::vector<Task> tasks = tasks_of(contacts.size(), scope.quick);
   std::vector<GridRow> rows(tasks.size());
-  scope.show(std::to_string(tasks.size()) + " grids");
+  scope.show(fmt::format("{} grids", tasks.size()));
   in_threads(tasks.size(), scope.threads, [&](std::size_t i) {
     const auto& [c, solver, n] = tasks[i];
     rows[i] = row_of(contacts[c], truths[c], *solver, n);
@@ -274,7 +274,7 @@ void judge_film(const std::vector<GridRow>& rows, const GridRow& row, std::size_
     if (converged) tally.add(Verdict::inconclusive, place_of(row) + ": no film, or no truth");
     return;
   }
-  const std::string film = place_of(row) + ", " + std::string(to_string(judged_films[k]));
+  const std::string film = fmt::format("{}, {}", place_of(row), to_string(judged_films[k]));
   if (!row.stated[k]) {
     tally.require(!converged, film + ": no stated error");
   } else if (const auto verdict = judge_bar(*row.error[k], *row.stated[k], row.truth_error[k])) {

@@ -86,7 +86,7 @@ std::vector<MotionPoint> run_motion(const Scope& scope) {
   Draw draw(seed);
   std::vector<MotionPoint> points;
   for (int k = 0; k < (scope.quick ? quick_points : whole); ++k) points.push_back(drawn_point(draw));
-  scope.show(std::to_string(points.size()) + " contacts");
+  scope.show(fmt::format("{} contacts", points.size()));
   in_threads(points.size(), scope.threads, [&](std::size_t k) { solve_point(points[k]); });
   return points;
 }

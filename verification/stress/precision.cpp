@@ -340,7 +340,7 @@ std::vector<PrecisionRow> run_precision(const Scope& scope) {
   if (scope.quick) contacts.resize(1);
   const int intervals = scope.quick ? 64 : 256;
   std::vector<std::vector<PrecisionRow>> found(2 * contacts.size());
-  scope.show(std::to_string(found.size()) + " systems with 34 digits");
+  scope.show(fmt::format("{} systems with 34 digits", found.size()));
   in_threads(found.size(), scope.threads, [&](std::size_t i) {
     const Problem problem = contacts[i / 2].problem();
     const std::string contact = contacts[i / 2].name();

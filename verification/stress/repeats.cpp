@@ -115,8 +115,9 @@ Part judge_repeats(const std::vector<RepeatRow>& rows) {
       continue;
     }
     if (row.ended_by_time > 0) {
-      tally.add(Verdict::inconclusive, where + std::to_string(row.ended_by_time) +
-                                           " solves were ended by a limit, which no two runs meet at the same place");
+      tally.add(Verdict::inconclusive,
+                fmt::format("{}{} solves were ended by a limit, which no two runs meet at the same place", where,
+                            row.ended_by_time));
       continue;
     }
     const std::pair<const char*, long> counts[] = {

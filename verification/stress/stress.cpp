@@ -68,7 +68,7 @@ Verdict Tally::add(Verdict verdict, const std::string& what) {
     ++passed_;
   } else {
     (verdict == Verdict::fail ? failed_ : open_) += 1;
-    not_passed_.push_back(std::string(to_string(verdict)) + ": " + what);
+    not_passed_.push_back(fmt::format("{}: {}", to_string(verdict), what));
   }
   return verdict;
 }
@@ -91,7 +91,7 @@ std::vector<std::string> Tally::failures() const {
   std::vector<std::string> some(not_passed_.begin(), not_passed_.begin() + static_cast<std::ptrdiff_t>(std::min(
                                                                                not_passed_.size(), most_failures)));
   if (not_passed_.size() > most_failures)
-    some.push_back("and " + std::to_string(not_passed_.size() - most_failures) + " more");
+    some.push_back(fmt::format("and {} more", not_passed_.size() - most_failures));
   return some;
 }
 
@@ -122,7 +122,7 @@ Part ended_early(const PartEntry& entry, Verdict verdict, const std::string& mes
   Part part{.id = entry.id, .name = entry.name, .question = "Does this part run to its end?"};
   part.verdict = verdict;
   part.summary = "ended early: " + one_line(message);
-  part.failures = {std::string(to_string(verdict)) + ": " + part.summary};
+  part.failures = {fmt::format("{}: {}", to_string(verdict), part.summary)};
   return part;
 }
 

@@ -202,7 +202,7 @@ std::string human_data(const std::vector<DatumRow>& rows, const DatumScan& scan)
   if (!rows.empty()) {
     std::vector<std::vector<std::string>> table{{"datum"}};
     for (const ClearanceComparison& at : rows.front().clearances) {
-      table.front().push_back("f_i(0) N, P_d " + plain(1e6 * at.clearance_m) + " um");
+      table.front().push_back(fmt::format("f_i(0) N, P_d {} um", plain(1e6 * at.clearance_m)));
       table.front().emplace_back("delta_i um");
     }
     table.front().insert(table.front().end(), {"(a)", "(b)", "(c)", "(d)"});
@@ -225,17 +225,19 @@ std::string human_data(const std::vector<DatumRow>& rows, const DatumScan& scan)
   const auto line = [&](const std::string& what, const DatumScan::Ranges& list) {
     text += fmt::format("    {}: {}\n", what, words_of(scan, list));
   };
-  const std::string close = percent(close_load), similar = percent(similar_load);
+  const std::string similar = percent(similar_load);
   line("there is a balance", scan.balanced_m);
   line("(a) holds", scan.a_m);
-  line("(a) first half, similar: no roller's load more than " + similar + " of the largest dry load from its dry one",
+  line(fmt::format("(a) first half, similar: no roller's load more than {} of the largest dry load from its dry one",
+                   similar),
        scan.a_similar_m);
   line("(a) second half, f_i(0) lower than dry at the smallest clearance", scan.a_lower_m);
   line("(b) holds", scan.b_m);
   line("(b) at psi = 0 alone", scan.b_at_top_m);
   line("(c) holds", scan.c_m);
   line("(c) at psi = 0 alone", scan.c_at_top_m);
-  line("(c) first half, f_i(0) within " + close + " of dry at the middle clearance", scan.c_close_m);
+  line(fmt::format("(c) first half, f_i(0) within {} of dry at the middle clearance", percent(close_load)),
+       scan.c_close_m);
   line("(c) second half, opposite of (a) at the largest clearance", scan.c_opposite_m);
   line("(d) holds", scan.d_m);
   line("(a), (b) and (c) together", scan.abc_m);

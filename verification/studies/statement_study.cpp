@@ -62,7 +62,7 @@ std::vector<Choice> choices(const BearingCase& body) {
   all.back().of_the_fit = true;
   if (const auto range = body.fit.load_N) {
     for (const double share : {0.15, 0.5, 2.0}) {
-      add("fit range", number(range->first * share, "N") + " to " + number(range->second, "N"),
+      add("fit range", fmt::format("{} to {}", number(range->first * share, "N"), number(range->second, "N")),
           [range, share](BearingCase& one) {
             one.fit.load_N = std::pair{range->first * share, range->second};
           });
@@ -92,9 +92,10 @@ std::vector<Choice> choices(const BearingCase& body) {
   for (const Pair& pair : {Pair{3.16, 0, 1}, {2, 0, 0.125}, {1, 0.018, 0.25}}) {
     const double x0_m = radius_m * pair.radii;
     add(two_choices,
-        (pair.length_m > 0 ? "length " + number(pair.length_m, "m")
-                           : "viscosity " + number(eta * pair.viscosity, "Pa s")) +
-            ", x_0 = " + number(1e3 * x0_m, "mm"),
+        fmt::format("{}, x_0 = {}",
+                    pair.length_m > 0 ? "length " + number(pair.length_m, "m")
+                                      : "viscosity " + number(eta * pair.viscosity, "Pa s"),
+                    number(1e3 * x0_m, "mm")),
         [pair, eta, x0_m](BearingCase& one) {
           one.lubricant->viscosity_Pa_s = eta * pair.viscosity;
           if (pair.length_m > 0) one.geometry.length_m = pair.length_m;
@@ -256,7 +257,7 @@ std::vector<std::string> study_cells(const StudyRow& row) {
           percent_of(a, "change"),
           share(a),
           cell_of(b),
-          percent_of(b, "least") + ".." + percent_of(b, "most"),
+          fmt::format("{}..{}", percent_of(b, "least"), percent_of(b, "most")),
           percent_of(b, "loaded"),
           cell_of(c),
           percent_of(c, "middle"),

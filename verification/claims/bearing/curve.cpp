@@ -56,7 +56,7 @@ Findings judge_curve(const Case& bearing_case, ContactMemory& memory) {
     found.claims.push_back(
         claim(sentence(id + "/rigid", "far below its lightest contact the curve has the film of a rigid cylinder" + at),
               rigid_error, 0, Tolerance::asymptotic(1e-3, "5 % x 100^(-3/2), and twenty times that")));
-    const std::string about = std::to_string(judged) + " loads, of the heaviest to the lightest roller";
+    const std::string about = fmt::format("{} loads, of the heaviest to the lightest roller", judged);
     found.claims.push_back(
         claim(sentence(id + "/approach",
                        "a balance by `ehd` has the approaches that `reference` finds at its rollers' loads" + at),

@@ -50,9 +50,8 @@ Findings judge_datum(const Case& bearing_case, ContactMemory& memory) {
          {std::tuple{"palmgren", &by_default, largest}, std::tuple{"palmgren-load", &named, named_N}}) {
       found.claims.push_back(claim_value(
           sentence(fmt::format("datum/{}/{}", name, raceway),
-                   "with Palmgren's datum the dry log kernel has Palmgren's approach at the " +
-                       std::string(name == std::string("palmgren") ? "largest dry roller load" : "load that is named") +
-                       at),
+                   fmt::format("with Palmgren's datum the dry log kernel has Palmgren's approach at the {}{}",
+                               name == std::string("palmgren") ? "largest dry roller load" : "load that is named", at)),
           dry_m(contact, force, datum_of(*results, inner)), palmgren_m(force, contact.length_m), 0,
           Tolerance::round_off(64, 20), "the datum is the exponential of twenty"));
     }

@@ -78,7 +78,7 @@ Findings judge_fit(const Case& bearing_case, ContactMemory& memory) {
     found.claims.push_back(
         claim(sentence(id + "/points",
                        "the points of the fit are delta_dry less the film that `reference` finds at their loads" + at),
-              points_error, 0, film_tolerance(), std::to_string(solved) + " contacts, relative to the offset film"));
+              points_error, 0, film_tolerance(), fmt::format("{} contacts, relative to the offset film", solved)));
     found.claims.push_back(
         claim(sentence(id + "/line", "K and dF are the least squares of f on delta through them" + at), errors.line, 0,
               Tolerance::round_off(64, 1e4), "sums of six products; n Sxx - Sx^2 cancels two digits"));
@@ -110,7 +110,7 @@ Findings judge_fit(const Case& bearing_case, ContactMemory& memory) {
     found.claims.push_back(
         claim(sentence(id + "/film",
                        "the rollers' films by `ehd-linear` are those that `reference` finds at their loads" + at),
-              loaded > 0 ? film_error : nothing, 0, film_tolerance(), std::to_string(loaded) + " rollers"));
+              loaded > 0 ? film_error : nothing, 0, film_tolerance(), fmt::format("{} rollers", loaded)));
   }
   return found;
 }

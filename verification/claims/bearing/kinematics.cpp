@@ -54,7 +54,7 @@ Findings judge_contacts_asked(const Case& bearing_case) {
       claim(sentence("kinematics/" + bearing_case.id + "/contacts",
                      bearing_case.id + ": the contacts solved for the fit have the M and L of both raceways, "
                                        "equally spaced in force"),
-            worst, 0, rounding(), std::to_string(asked.size()) + " contacts"));
+            worst, 0, rounding(), fmt::format("{} contacts", asked.size())));
   return found;
 }
 

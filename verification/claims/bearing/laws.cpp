@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rung 11: the force laws. Force and approach are inverse, slopes are derivatives, and the load of a ring is the
 // gradient of the energy stored in its contacts.
+#include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
 #include <string>
@@ -135,14 +137,15 @@ void add_law(Findings& found, const std::string& name, const bearing::LawPair& l
       ++forces;
     }
   const LawCheck check = check_of(laws.inner);
-  const std::string about = std::to_string(forces) + " forces";
-  found.claims.push_back(claim(sentence("laws/" + name + "/slopes", "the slopes of the law " + name +
-                                                                        " are those of its force and of its approach"),
-                               slope_error, 0, Tolerance::discretisation(1e-8, check.slope_safety),
-                               about + ", central differences of 1e-4"));
+  const std::string about = fmt::format("{} forces", forces);
   found.claims.push_back(claim(
-      sentence("laws/" + name + "/inverse", "the law " + name + " gives back the force that its approach came from"),
-      inverse_error, 0, Tolerance::round_off(check.operations, check.condition), about + "; " + check.why));
+      sentence(fmt::format("laws/{}/slopes", name),
+               fmt::format("the slopes of the law {} are those of its force and of its approach", name)),
+      slope_error, 0, Tolerance::discretisation(1e-8, check.slope_safety), about + ", central differences of 1e-4"));
+  found.claims.push_back(
+      claim(sentence(fmt::format("laws/{}/inverse", name),
+                     fmt::format("the law {} gives back the force that its approach came from", name)),
+            inverse_error, 0, Tolerance::round_off(check.operations, check.condition), about + "; " + check.why));
 }
 
 Findings judge_dry_laws() {

@@ -2,6 +2,8 @@
 // Rung 11: balances at light load, of random bearings, and of very many rollers.
 #include "verification/claims/bearing/rings.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -68,9 +70,9 @@ Findings judge_light_load() {
         ++balances;
       }
   Findings found;
-  found.claims.push_back(claim(
-      sentence("statics", "a light load rests on the two rollers beside it, with the forces that statics gives"), worst,
-      0, Tolerance::round_off(20, 100), std::to_string(balances) + " bearings; 1/sin(pitch) is below 100"));
+  found.claims.push_back(
+      claim(sentence("statics", "a light load rests on the two rollers beside it, with the forces that statics gives"),
+            worst, 0, Tolerance::round_off(20, 100), fmt::format("{} bearings; 1/sin(pitch) is below 100", balances)));
   return found;
 }
 
@@ -94,12 +96,12 @@ Findings judge_random_bearings() {
       }
     }
     const std::string name(to_string(law));
-    found.claims.push_back(claim(
-        sentence("random/" + name, std::to_string(bearings) +
-                                       " random bearings are balanced, which bisection of every roller confirms, law " +
-                                       name),
-        worst, 0, Tolerance::required(bearing::largest_balance_error, "what a balance promises"),
-        "worst at seed " + std::to_string(worst_seed)));
+    found.claims.push_back(
+        claim(sentence("random/" + name,
+                       fmt::format("{} random bearings are balanced, which bisection of every roller confirms, law {}",
+                                   bearings, name)),
+              worst, 0, Tolerance::required(bearing::largest_balance_error, "what a balance promises"),
+              fmt::format("worst at seed {}", worst_seed)));
   }
   return found;
 }
@@ -142,7 +144,7 @@ Findings judge_many_rollers() {
   found.claims.push_back(order_claim(
       sentence("sjovall/order", "the load shares of Z rollers go to Sjovall's integral with order n + 1 = 19/9"),
       slope(x, y), 19.0 / 9, Tolerance::calibrated(0.2, "an envelope over twelve cage positions, read to a fifth"),
-      "24 to 384 rollers, error " + scientific(worst_on_last, 2) + " on the last"));
+      fmt::format("24 to 384 rollers, error {} on the last", scientific(worst_on_last, 2))));
   return found;
 }
 

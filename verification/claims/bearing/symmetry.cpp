@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rung 11: properties of any bearing: symmetry of the cage, displacement as a power of the load, rings that change
 // places. Bearings are drawn from a fixed seed. These claims need no other solution.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -99,7 +101,7 @@ Findings judge_bearing_symmetry() {
     keep(other_ring, std::abs(sum_speed(0, rpm) / sum_speed(rpm, 0) - 1));
     keep(both_rings, std::abs(sum_speed(rpm + cage, cage) / sum_speed(rpm, 0) - 1));
   }
-  const std::string of = " of " + std::to_string(bearings) + " random bearings";
+  const std::string of = fmt::format(" of {} random bearings", bearings);
   // A balance error of 1e-12 of the load changes no roller's force by more.
   const Tolerance balanced =
       Tolerance::required(2 * bearing::largest_balance_error, "two balances, each to 1e-12 of the load");
