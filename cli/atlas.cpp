@@ -52,9 +52,7 @@ std::string progress_line(std::size_t done, std::size_t all, const verification:
     if (at == record.readings.end()) return "none";
     return with_absolute_error(at->second.value, at->second.error);
   };
-  const std::string counter = std::to_string(done), total = std::to_string(all);
-  return fmt::format("[{}{}/{}] {}: {}, {}, {} s",
-                     std::string(total.size() - std::min(total.size(), counter.size()), ' '), counter, total, record.id,
+  return fmt::format("[{:>{}}/{}] {}: {}, {}, {} s", done, fmt::formatted_size("{}", all), all, record.id,
                      to_string(record.status),
                      motion ? fmt::format("kappa_0 {}, kappa_1 {}", known("stiffness 0"), known("damping 0"))
                             : fmt::format("H_min {}, H_cen {}", known("H_min"), known("H_cen")),
@@ -100,7 +98,7 @@ int atlas(const AtlasOptions& options) {
     const double passed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     const double left_s = passed_s * static_cast<double>(all - done) / static_cast<double>(done - reused_so_far);
     complain(fmt::format("{}{}", progress_line(done, all, record, options.motion),
-                         done < all ? ", about " + duration(left_s) + " left" : ""));
+                         done < all ? fmt::format(", about {} left", duration(left_s)) : ""));
   };
   say_when_interrupted("ehd: atlas: interrupted; the solved points are kept, and the same command goes on from there");
   const auto result = options.motion ? verification::run_motion_atlas(request, certified_solver())
@@ -110,7 +108,7 @@ int atlas(const AtlasOptions& options) {
     return options.motion ? !entry.record.readings.empty() : entry.record.has_digits();
   });
   if (any) return success;
-  complain("ehd: atlas: not one of " + std::to_string(result.entries.size()) + " points is known to 1e-4");
+  complain(fmt::format("ehd: atlas: not one of {} points is known to 1e-4", result.entries.size()));
   return not_met;
 }
 

@@ -47,7 +47,7 @@ The cases are the files *.toml of one folder; the environment variable EHD_CASES
 
 std::string problem_of(const Case& any) {
   if (const auto* bearing = std::get_if<BearingCase>(&any.body))
-    return "bearing, " + std::to_string(bearing->geometry.rollers) + " rollers";
+    return fmt::format("bearing, {} rollers", bearing->geometry.rollers);
   const auto& contact = std::get<ContactCase>(any.body);
   if (contact.dry()) return "dry contact";
   const Groups groups = nondimensionalise(contact.statement, *contact.lubricant, *contact.inlet).problem.groups;
@@ -166,7 +166,7 @@ int list(const CasesOptions& options) {
     return success;
   }
   if (const auto points = all ? verification::atlas_files(verification::atlas_folder()).size() : 0; points > 0)
-    text += "\natlas: " + std::to_string(points) + " cases, ehd cases --atlas lists them\n";
+    text += fmt::format("\natlas: {} cases, ehd cases --atlas lists them\n", points);
   print(text + listed_sources(cases, bibliography, all));
   return success;
 }

@@ -130,7 +130,7 @@ int export_films(const ExportOptions& options) {
       file->append(write(table));
       file->commit();
       for (const std::string& line : film_table_words(table)) print(line + "\n");
-      print("time " + duration(passed.count()) + "\n");
+      print(fmt::format("time {}\n", duration(passed.count())));
     } else {
       print(write(table));
     }

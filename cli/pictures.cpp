@@ -181,7 +181,7 @@ std::optional<std::string> bearing_picture(const std::vector<Case>& cases,
     std::vector<BearingCurves> laws = curves_of(results[k]);
     if (laws.empty()) continue;
     names.push_back(shown(cases[k].id));
-    Figure figure = over_azimuth("bearing-" + std::to_string(k), alone ? "" : names.back(), laws);
+    Figure figure = over_azimuth(fmt::format("bearing-{}", k), alone ? "" : names.back(), laws);
     figure.width = alone ? 520 : width_of_several;
     for (Panel& panel : figure.panels) panel.height = alone ? 170 : 160;
     figures.push_back(std::move(figure));

@@ -148,11 +148,11 @@ void require_one_problem(const SolveOptions& options) {
   if (!options.case_name && options.changes.any())
     throw UsageError("solve: --set changes a key of a case, and there is none; required is a CASE");
   if (!options.case_name && !(options.M && options.L))
-    throw UsageError(std::string("solve: ") +
-                     (options.M   ? "--L is"
-                      : options.L ? "--M is"
-                                  : "the contact is") +
-                     " missing; required is a CASE, or --M and --L (ehd solve --help shows examples)");
+    throw UsageError(
+        fmt::format("solve: {} missing; required is a CASE, or --M and --L (ehd solve --help shows examples)",
+                    options.M   ? "--L is"
+                    : options.L ? "--M is"
+                                : "the contact is"));
 }
 
 /// --wisdom FILE: the measurements of FFTW in earlier runs, or a new file. This run adds its own measurements.

@@ -104,7 +104,7 @@ std::string summary(const Sweep& sweep, const SweepCost& cost, const std::string
   std::string text = fmt::format("{}: {} rows of {}{}{}\n", sweep.id, cost.rows, sweep.case_id, laws, what);
   text += fmt::format("  rows computed {}, known before or equal to another {}{}, not converged {}\n", cost.computed,
                       cost.rows - cost.computed - cost.not_run,
-                      cost.not_run > 0 ? ", not run " + std::to_string(cost.not_run) : "", cost.failures.rows);
+                      cost.not_run > 0 ? fmt::format(", not run {}", cost.not_run) : "", cost.failures.rows);
   if (cost.computed > 0)
     text += fmt::format(
         "  contact solves made {}, saved {} (rows that share a contact solve it once)\n  time {} on {}{}", cost.solves,

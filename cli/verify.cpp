@@ -80,7 +80,7 @@ Progress::Line line_after(const verification::SuiteProgress& topic) {
     const double since_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     const double left_s = topic.left_s - since_s;
     return fmt::format("verify {}/{}, {}{}: {} ended", topic.done, topic.all, duration(topic.elapsed_s + since_s),
-                       left_s > 0 ? ", about " + duration(left_s) + " left" : "", topic.name);
+                       left_s > 0 ? fmt::format(", about {} left", duration(left_s)) : "", topic.name);
   };
 }
 
@@ -126,8 +126,9 @@ int verify(const VerifyOptions& options) {
     return success;
   }
   if (result.not_run > 0) {
-    complain("ehd: verify: the time for everything is too short; " + std::to_string(result.not_run) +
-             " topics were not run, or not to their end");
+    complain(
+        fmt::format("ehd: verify: the time for everything is too short; {} topics were not run, or not to their end",
+                    result.not_run));
     return not_met;
   }
   std::size_t standing = 0;

@@ -27,12 +27,12 @@ std::string source_of(const note::Datum& datum) {
 
 /// "low to high", or the one where both read the same.
 std::string range_text(const std::string& low, const std::string& high) {
-  return low == high ? low : low + " to " + high;
+  return low == high ? low : fmt::format("{} to {}", low, high);
 }
 
 /// "11 instead of 13"; "11 as without it" where both read the same.
 std::string compared(const std::string& with, const std::string& without) {
-  return with == without ? with + " as without it" : with + " instead of " + without;
+  return with == without ? with + " as without it" : fmt::format("{} instead of {}", with, without);
 }
 
 /// A visit: a new note does not compile until it has words.

@@ -58,7 +58,7 @@ std::string digits_of(const Case& any) {
 }
 
 std::string entry_of(const Case& any) {
-  const std::string id = any.id + "@" + std::to_string(any.version);
+  const std::string id = fmt::format("{}@{}", any.id, any.version);
   const Json head = result_head("");
   constexpr std::size_t shown_of_commit = 12;
   std::string entry = fmt::format("@misc{{ehd-{}-v{},\n", any.id, any.version);
@@ -71,7 +71,7 @@ std::string entry_of(const Case& any) {
   const bool in_atlas = any.file.parent_path().filename() == "atlas";
   field("howpublished", fmt::format("ehd, version {}, {}, cases/{}{}.toml", head["provenance"].value("version", ""),
                                     commit_words(shown_of_commit), in_atlas ? "atlas/" : "", tex(any.id)));
-  field("note", tex(digits_of(any)) + "; source of the case: " + tex(any.source));
+  field("note", fmt::format("{}; source of the case: {}", tex(digits_of(any)), tex(any.source)));
   return entry + "}\n";
 }
 

@@ -27,8 +27,7 @@ FileKind kind_of(TomlFile what) {
 }
 
 [[noreturn]] void refuse(const std::filesystem::path& file, int line, const std::string& what) {
-  const std::string place = file.string() + (line > 0 ? ":" + std::to_string(line) : "");
-  throw CaseError(one_line(place + ": " + what));
+  throw CaseError(one_line(fmt::format("{}{}: {}", file.string(), line > 0 ? fmt::format(":{}", line) : "", what)));
 }
 
 /// Follows TOML character by character, to tell strings and comments from the rest.

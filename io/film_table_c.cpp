@@ -123,11 +123,12 @@ std::string film_table_c(const FilmTable& table) {
   std::string text = how_to_use;
   text += fmt::format("#include <math.h>\n\nenum {{ PREFIX_SIZE = {}, PREFIX_PANELS = {} }};\n\n", highest + 1,
                       table.panels.size());
-  text += "extern const double PREFIX_error[4];\nconst double PREFIX_error[4] = " + braced(errors) + ";\n";
-  text += "static const double PREFIX_range[4] = " + braced({range.M_low, range.M_high, range.L_low, range.L_high}) +
-          "; /* of M, of L */\n";
-  text += "static const double PREFIX_log_L[2] = " + braced({log_low, std::log1p(range.L_high) - log_low}) + ";\n";
-  text += "static const double PREFIX_shift[4] = " + braced(shifts) + ";\n\n";
+  text += fmt::format("extern const double PREFIX_error[4];\nconst double PREFIX_error[4] = {};\n", braced(errors));
+  text += fmt::format("static const double PREFIX_range[4] = {}; /* of M, of L */\n",
+                      braced({range.M_low, range.M_high, range.L_low, range.L_high}));
+  text +=
+      fmt::format("static const double PREFIX_log_L[2] = {};\n", braced({log_low, std::log1p(range.L_high) - log_low}));
+  text += fmt::format("static const double PREFIX_shift[4] = {};\n\n", braced(shifts));
   text += fmt::format("{}\n{}{}", coefficient_arrays(table), panels(table), evaluator);
   return words + with_prefix(std::move(text), film_table_c_prefix(table));
 }

@@ -126,9 +126,11 @@ std::string law_export_c(const LawExport& law) {
   for (const std::string& line : law_export_words(law)) words += " * " + in_c_comment(line) + "\n";
   std::string text = c_usage;
   text += fmt::format("\nenum {{ PREFIX_KNOTS = {} }};\n", knots);
-  text += "extern const double PREFIX_error[4], PREFIX_range[2];\nconst double PREFIX_error[4] = " +
-          braced({table.errors.force, table.errors.stiffness, table.errors.film, table.errors.damping.value_or(-1)}) +
-          ";\nconst double PREFIX_range[2] = " + braced({table.approach_m.front(), table.approach_m.back()}) + ";\n";
+  text += fmt::format(
+      "extern const double PREFIX_error[4], PREFIX_range[2];\n"
+      "const double PREFIX_error[4] = {};\nconst double PREFIX_range[2] = {};\n",
+      braced({table.errors.force, table.errors.stiffness, table.errors.film, table.errors.damping.value_or(-1)}),
+      braced({table.approach_m.front(), table.approach_m.back()}));
   text += "static const double PREFIX_delta[PREFIX_KNOTS] = {\n";
   for (const double approach : table.approach_m) text += fmt::format("  {},\n", exact_number(approach));
   text += "};\n/* A value and its slope at each knot. */\n";

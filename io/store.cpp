@@ -81,7 +81,7 @@ Journal::Journal(const std::filesystem::path& folder, const JournalHeader& heade
     : folder_(folder), file_(folder / journal_name), wanted_(in_order(std::move(wanted))) {
   make_folder(folder_);
   lock_ = ::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (lock_ < 0) refuse(folder_, std::string("cannot be opened (") + std::strerror(errno) + "); allowed is a folder");
+  if (lock_ < 0) refuse(folder_, fmt::format("cannot be opened ({}); allowed is a folder", std::strerror(errno)));
   if (::flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
     ::close(lock_);
     refuse(folder_, "another run is at work there; allowed is one at a time, or another --output");
@@ -106,7 +106,7 @@ Journal::Journal(const std::filesystem::path& folder, const JournalHeader& heade
   require_file_or_none();
   if (!fault_of_file(file_).empty()) refuse(file_, "the shard is missing" + again);
   const Read found = read();
-  if (found.bad_line > 0) refuse(file_, "the shard is damaged at line " + std::to_string(found.bad_line) + again);
+  if (found.bad_line > 0) refuse(file_, fmt::format("the shard is damaged at line {}{}", found.bad_line, again));
   if (found.header != content_of(header)) {
     const Json stated = Json::parse(found.header, nullptr, false);
     const bool other = !stated.is_object() || !stated.contains("owner") || stated["owner"] != header.owner;
