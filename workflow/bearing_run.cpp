@@ -119,7 +119,8 @@ StopReason reason_of(const LawFailure& failure) {
 }
 
 /// The balance stays where its contacts have no response.
-void add_motion(BearingResult& result, const BearingSetup& setup, const BearingRequest& request, ContactMemory& memory) {
+void add_motion(BearingResult& result, const BearingSetup& setup, const BearingRequest& request,
+                ContactMemory& memory) {
   try {
     fill_dynamics(result, setup, *laws_of(setup.body, result), request.frequencies_Hz, memory);
   } catch (const LawFailure& failure) {
