@@ -149,6 +149,18 @@ BOOST_AUTO_TEST_CASE(regular_moves_save_the_last_grid) {
   BOOST_TEST(nodes <= 8000);
 }
 
+// Half of the last move is stated there: 3072 intervals in all. With the whole move, twice where moves are irregular,
+// each contact takes one grid more, 6144 intervals.
+BOOST_AUTO_TEST_CASE(half_of_an_irregular_move_saves_the_last_grid) {
+  const auto nodes = [](const Problem& problem) {
+    return answer(problem, {.frequencies = {1.3}, .tolerance = 1e-4}).cost.nodes;
+  };
+  BOOST_TEST(nodes(roelands_problem(54.5, 17.45, TruncatedAt{-4})) +
+                 nodes(roelands_problem(138.8, 17.2, TruncatedAt{-4})) +
+                 nodes(barus_problem(9.17, 16.2, TruncatedAt{-4})) <=
+             5000);
+}
+
 // The first map is good enough at a loose tolerance, and more maps are more steps.
 BOOST_AUTO_TEST_CASE(a_loose_tolerance_takes_the_first_map) {
   const auto steps = [](double tolerance) {
