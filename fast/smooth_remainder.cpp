@@ -44,7 +44,9 @@ RemainderRule RemainderRule::of(int n, int cells) {
     const int cell = std::min(static_cast<int>(static_cast<long>(i) * cells / n), cells - 1);
     const int base = std::clamp(cell - (order / 2 - 1), 0, cells + 1 - order);
     rule.base[node] = base;
-    int* const same = periodic && i < n ? &known[static_cast<std::size_t>((cell - base) * parts + i % parts)] : nullptr;
+    const auto kind =
+        static_cast<std::size_t>(cell - base) * static_cast<std::size_t>(parts) + static_cast<std::size_t>(i % parts);
+    int* const same = periodic && i < n ? &known[kind] : nullptr;
     if (same && *same >= 0) {
       rule.pattern[node] = *same;
       continue;

@@ -24,6 +24,11 @@ std::vector<double> sequence(std::size_t grids, double L, double a, double b, do
   return values;
 }
 
+/// Of grids that begin with 64 intervals.
+double smallest_error(const std::vector<double>& minimum, const std::vector<double>& central, MapFit fit, double L) {
+  return fast::smallest_film_error(minimum, central, fit, L, 64 << (minimum.size() - 1));
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(extrapolation)
@@ -120,8 +125,7 @@ BOOST_AUTO_TEST_CASE(the_smallest_film_is_covered_where_a_regular_sequence_promi
   for (const auto& [grids, truth, truth_error, L] : films) {
     const auto limit = limit_of(grids);
     const double off = std::abs(limit.value / truth - 1);
-    EHD_CHECK(off + truth_error,
-              Tolerance::discretisation(fast::smallest_film_error(grids, {}, fast::MapFit::settled, L), 1));
+    EHD_CHECK(off + truth_error, Tolerance::discretisation(smallest_error(grids, {}, fast::MapFit::settled, L), 1));
     BOOST_TEST(limit.error < off * truth);  // else the sequence shows nothing
   }
 }
@@ -131,20 +135,19 @@ BOOST_AUTO_TEST_CASE(the_error_of_the_smallest_film_follows_its_moves_and_the_ma
   // Three grids: a share of the last move of R, more of it on a first map.
   const std::vector<double> three{0.2, 0.21, 0.205};
   const double move = std::abs((4 * 0.205 - 0.21) / 3 - (4 * 0.21 - 0.2) / 3) / 0.205;
-  EHD_CHECK(error(fast::smallest_film_error(three, {}, MapFit::settled, mild), 0.25 * move), Tolerance::round_off(64));
-  EHD_CHECK(error(fast::smallest_film_error(three, {}, MapFit::settled, 12), 0.4 * move), Tolerance::round_off(64));
-  EHD_CHECK(error(fast::smallest_film_error(three, {}, MapFit::settled, stiff), 0.5 * move), Tolerance::round_off(64));
-  EHD_CHECK(error(fast::smallest_film_error(three, {}, MapFit::again, mild), 0.5 * move), Tolerance::round_off(64));
-  EHD_CHECK(error(fast::smallest_film_error(three, {}, MapFit::first, stiff), 1.6 * move),
-            Tolerance::round_off(64, 100));
+  EHD_CHECK(error(smallest_error(three, {}, MapFit::settled, mild), 0.25 * move), Tolerance::round_off(64));
+  EHD_CHECK(error(smallest_error(three, {}, MapFit::settled, 12), 0.4 * move), Tolerance::round_off(64));
+  EHD_CHECK(error(smallest_error(three, {}, MapFit::settled, stiff), 0.5 * move), Tolerance::round_off(64));
+  EHD_CHECK(error(smallest_error(three, {}, MapFit::again, mild), 0.5 * move), Tolerance::round_off(64));
+  EHD_CHECK(error(smallest_error(three, {}, MapFit::first, stiff), 1.6 * move), Tolerance::round_off(64, 100));
   // Beside a narrow spike the last move of either film counts too, where R stands still.
   const std::vector<double> standing{0.2105, 0.2025, 0.2005}, central{0.31, 0.304, 0.3};
-  EHD_CHECK(error(fast::smallest_film_error(standing, {}, MapFit::first, 12), 0.55 * 0.002 / 0.2005),
+  EHD_CHECK(error(smallest_error(standing, {}, MapFit::first, 12), 0.55 * 0.002 / 0.2005),
             Tolerance::round_off(64, 1000));
-  EHD_CHECK(error(fast::smallest_film_error(standing, central, MapFit::first, 12), 0.55 * 0.004 / 0.3),
+  EHD_CHECK(error(smallest_error(standing, central, MapFit::first, 12), 0.55 * 0.004 / 0.3),
             Tolerance::round_off(64, 1000));
   for (const double L : {12.0, stiff})
-    EHD_CHECK(error(fast::smallest_film_error(standing, central, MapFit::settled, L), 0.25 * 0.004 / 0.3),
+    EHD_CHECK(error(smallest_error(standing, central, MapFit::settled, L), 0.25 * 0.004 / 0.3),
               Tolerance::round_off(64, 1000));
   // More grids: the error covers a smooth sequence, and a jump of the last grid.
   const auto smooth = sequence(6, 0.2, 0.1, 0.05, 0.02);
@@ -153,13 +156,25 @@ BOOST_AUTO_TEST_CASE(the_error_of_the_smallest_film_follows_its_moves_and_the_ma
   auto jumps = smooth;
   jumps.back() += jump;
   for (const double L : {mild, stiff}) {
-    const double settled = fast::smallest_film_error(smooth, {}, MapFit::settled, L);
+    const double settled = smallest_error(smooth, {}, MapFit::settled, L);
     BOOST_TEST(true_error <= settled);
-    BOOST_TEST(settled < fast::smallest_film_error(smooth, {}, MapFit::again, L));
-    BOOST_TEST(fast::smallest_film_error(jumps, {}, MapFit::settled, L) > jump / 0.2 / 2);
+    BOOST_TEST(settled < smallest_error(smooth, {}, MapFit::again, L));
+    BOOST_TEST(smallest_error(jumps, {}, MapFit::settled, L) > jump / 0.2 / 2);
   }
-  BOOST_TEST(fast::smallest_film_error(smooth, {}, MapFit::settled, mild) <
-             fast::smallest_film_error(smooth, {}, MapFit::settled, stiff));
+  BOOST_TEST(smallest_error(smooth, {}, MapFit::settled, mild) < smallest_error(smooth, {}, MapFit::settled, stiff));
+}
+
+// Moves that are no eighths of each other, as coarse grids have them. On 1000 intervals they may tell of a spike.
+BOOST_AUTO_TEST_CASE(irregular_moves_of_the_smallest_film_count_less_up_to_512_intervals) {
+  const std::vector<double> four{0.2, 0.21, 0.207, 0.2065};
+  const auto R = [&](std::size_t k) { return (4 * four[k] - four[k - 1]) / 3; };
+  const double move = std::abs(R(3) - R(2)) / four[3],
+               S_move = std::abs(8 * (R(3) - R(2)) - (R(2) - R(1))) / 7 / four[3];
+  const auto on = [&](double L, int finest) { return fast::smallest_film_error(four, {}, MapFit::settled, L, finest); };
+  EHD_CHECK(error(on(5, 512), std::max(0.3 * S_move, 0.1 * move)), Tolerance::round_off(64, 100));
+  EHD_CHECK(error(on(12, 512), std::max(0.4 * S_move, 0.15 * move)), Tolerance::round_off(64, 100));
+  for (const double L : {5.0, 12.0}) BOOST_TEST(on(L, 512) < on(L, 513));
+  BOOST_TEST(on(20, 512) == on(20, 513));
 }
 
 BOOST_AUTO_TEST_CASE(from_three_grids_on_second_and_third_order_errors_are_gone) {
