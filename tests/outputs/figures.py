@@ -95,7 +95,7 @@ def documents(program):
     drawn = program.read_json(program.folder / "results.json")["figures"]["cases"][0]
     alone = {solver: program.json("solve", path, "--solver", solver, "--tolerance", TOLERANCE)
              for solver in ("reference", "fast")}
-    fine = program.json("solve", path, "--tolerance", "1e-6", "--profile", table)
+    fine = program.json("solve", path, "--nodes", 4096, "--profile", table)
     true = true_fields(read_csv(table), fine["film"]["offset"]["hertz"])
     case = read_case(path)
     difference = drawn.pop("difference")
