@@ -61,38 +61,50 @@ constexpr CentralFactors of_stiff{
 struct SmallestParts {
   double s, r, r_before;
 };
-/// Four grids up to this have a rule of their own.
-constexpr int finest_of_four = 512;
+/// Coarse grids, up to so many intervals, have rules of their own.
+constexpr int coarse = 512, middling = 1024;
 struct SmallestRule {
   SmallestParts regular, irregular;
+  double s_before;
 };
 struct SmallestFactors {
   double three, move;  ///< of three grids: of r_3, of the last move of either film
-  SmallestRule four, more;
-  double s_before;
+  SmallestRule on_coarse, on_middling, on_fine;
+
+  [[nodiscard]] const SmallestRule& on(int finest) const {
+    return finest <= coarse ? on_coarse : finest <= middling ? on_middling : on_fine;
+  }
 };
-constexpr SmallestFactors smallest_mild{
-    .three = 0.25,
-    .move = 0,
-    .four = {.regular = {.s = 0.4, .r = 0.04, .r_before = 0.003}, .irregular = {.s = 0.3, .r = 0.1, .r_before = 0.02}},
-    .more = {.regular = {.s = 0.4, .r = 0.1, .r_before = 0.003}, .irregular = {.s = 0.5, .r = 0.9, .r_before = 0.17}},
-    .s_before = 0.05};
-constexpr SmallestFactors smallest_middle{
-    .three = 0.4,
-    .move = 0.25,
-    .four = {.regular = {.s = 0.5, .r = 0.15, .r_before = 0.01}, .irregular = {.s = 0.4, .r = 0.15, .r_before = 0.03}},
-    .more = {.regular = {.s = 0.8, .r = 0.3, .r_before = 0.01}, .irregular = {.s = 1, .r = 1.5, .r_before = 0.3}},
-    .s_before = 0.3};
-constexpr SmallestRule of_stiff_grids{.regular = {.s = 1, .r = 0.5, .r_before = 0.01},
-                                      .irregular = {.s = 1.5, .r = 2, .r_before = 0.4}};
+constexpr SmallestFactors smallest_mild{.three = 0.25,
+                                        .move = 0,
+                                        .on_coarse = {.regular = {.s = 0.4, .r = 0.04, .r_before = 0.003},
+                                                      .irregular = {.s = 0.3, .r = 0.1, .r_before = 0.02},
+                                                      .s_before = 0.05},
+                                        .on_middling = {.regular = {.s = 0.4, .r = 0.1, .r_before = 0.003},
+                                                        .irregular = {.s = 0.5, .r = 0.9, .r_before = 0.17},
+                                                        .s_before = 0.05},
+                                        .on_fine = {.regular = {.s = 0.6, .r = 0.16, .r_before = 0.008},
+                                                    .irregular = {.s = 0.5, .r = 0.9, .r_before = 0.17},
+                                                    .s_before = 0.1}};
+constexpr SmallestRule middle_grids{.regular = {.s = 0.8, .r = 0.3, .r_before = 0.01},
+                                    .irregular = {.s = 1, .r = 1.5, .r_before = 0.3},
+                                    .s_before = 0.3};
+constexpr SmallestFactors smallest_middle{.three = 0.4,
+                                          .move = 0.25,
+                                          .on_coarse = {.regular = {.s = 0.5, .r = 0.15, .r_before = 0.01},
+                                                        .irregular = {.s = 0.4, .r = 0.15, .r_before = 0.03},
+                                                        .s_before = 0.3},
+                                          .on_middling = middle_grids,
+                                          .on_fine = middle_grids};
+constexpr SmallestRule stiff_grids{
+    .regular = {.s = 1, .r = 0.5, .r_before = 0.01}, .irregular = {.s = 1.5, .r = 2, .r_before = 0.4}, .s_before = 1};
 constexpr SmallestFactors smallest_stiff{
-    .three = 0.5, .move = 0.25, .four = of_stiff_grids, .more = of_stiff_grids, .s_before = 1};
+    .three = 0.5, .move = 0.25, .on_coarse = stiff_grids, .on_middling = stiff_grids, .on_fine = stiff_grids};
 /// Up to this L the spike is wide, and even the smallest film is regular.
 constexpr double wide_spike_L = 8;
 /// On a map that is not settled.
 constexpr SmallestParts unsettled_parts{.s = 1.5, .r = 2, .r_before = 0.35};
-constexpr SmallestRule of_unsettled{.regular = unsettled_parts, .irregular = unsettled_parts};
-constexpr double unsettled_s_before = 0.5;
+constexpr SmallestRule of_unsettled{.regular = unsettled_parts, .irregular = unsettled_parts, .s_before = 0.5};
 /// There three grids may miss the spike, unless it is wide: the last move of either film counts too.
 constexpr double unsettled_three_wide = 0.5, unsettled_three_middle = 1, unsettled_three_stiff = 1.6;
 constexpr double unsettled_move = 0.55;
@@ -100,8 +112,7 @@ constexpr double unsettled_move = 0.55;
 SmallestFactors smallest_factors(MapFit fit, double L) {
   SmallestFactors of = L <= wide_spike_L ? smallest_mild : L <= mild_L ? smallest_middle : smallest_stiff;
   if (fit == MapFit::settled) return of;
-  of.four = of.more = of_unsettled;
-  of.s_before = unsettled_s_before;
+  of.on_coarse = of.on_middling = of.on_fine = of_unsettled;
   of.three = L <= wide_spike_L ? unsettled_three_wide : L <= mild_L ? unsettled_three_middle : unsettled_three_stiff;
   of.move = L <= wide_spike_L ? 0 : unsettled_move;
   return of;
@@ -168,10 +179,10 @@ double smallest_film_error(const std::vector<double>& minimum, const std::vector
     const double move = central.size() < 2 ? last_move(minimum) : std::max(last_move(minimum), last_move(central));
     return std::max(of.three * std::abs(own.r), of.move * move);
   }
-  const SmallestRule& rule = minimum.size() == 4 && finest <= finest_of_four ? of.four : of.more;
+  const SmallestRule& rule = of.on(finest);
   const SmallestParts& by = own.regular() ? rule.regular : rule.irregular;
   return std::max({by.s * std::abs(own.s), by.r * std::abs(own.r), by.r_before * std::abs(own.r_before),
-                   of.s_before * std::abs(own.s_before)});
+                   rule.s_before * std::abs(own.s_before)});
 }
 
 }  // namespace ehd::fast

@@ -63,17 +63,16 @@ enum class MapFit { first, again, settled };
 /// above, all relative:
 ///   m = 3:  max(a |r_3|, a' D), D the last move of either film
 ///   m >= 4: max(b |s_m|, c |r_m|, d |r_(m-1)|, e |s_(m-1)|)
-///                            a, a'        m    b, c, d regular    b, c, d else      e
-///   settled map, L <= 8      0.25, 0      4*   0.4, 0.04, 0.003   0.3, 0.1, 0.02
-///                                         > 4  0.4, 0.1, 0.003    0.5, 0.9, 0.17    0.05
-///   settled map, L <= 15     0.4, 0.25    4*   0.5, 0.15, 0.01    0.4, 0.15, 0.03
-///                                         > 4  0.8, 0.3, 0.01     1, 1.5, 0.3       0.3
-///   settled map, else        0.5, 0.25         1, 0.5, 0.01       1.5, 2, 0.4       1
-///   other maps, L <= 8       0.5, 0            1.5, 2, 0.35       1.5, 2, 0.35      0.5
-///   other maps, L <= 15      1, 0.55           1.5, 2, 0.35       1.5, 2, 0.35      0.5
-///   other maps, else         1.6, 0.55         1.5, 2, 0.35       1.5, 2, 0.35      0.5
-///   *: up to 512 intervals. Finer grids see more of the spike: on 1001 these parts are exceeded 1.2 times at (200,
-///   15).
+///                            a, a'        intervals    b, c, d regular    b, c, d else      e
+///   settled map, L <= 8      0.25, 0      up to 512    0.4, 0.04, 0.003   0.3, 0.1, 0.02    0.05
+///                                         up to 1024   0.4, 0.1, 0.003    0.5, 0.9, 0.17    0.05
+///                                         more         0.6, 0.16, 0.008   0.5, 0.9, 0.17    0.1
+///   settled map, L <= 15     0.4, 0.25    up to 512    0.5, 0.15, 0.01    0.4, 0.15, 0.03   0.3
+///                                         more         0.8, 0.3, 0.01     1, 1.5, 0.3       0.3
+///   settled map, else        0.5, 0.25    any          1, 0.5, 0.01       1.5, 2, 0.4       1
+///   other maps, L <= 8       0.5, 0       any          1.5, 2, 0.35       1.5, 2, 0.35      0.5
+///   other maps, L <= 15      1, 0.55      any          1.5, 2, 0.35       1.5, 2, 0.35      0.5
+///   other maps, else         1.6, 0.55    any          1.5, 2, 0.35       1.5, 2, 0.35      0.5
 /// Regular as above. A spike that the coarse grids do not see makes a regular sequence to a wrong limit: hence e.
 /// Calibrated on 1220 problems drawn as those of the central film and tested on 1197 of another seed, climbing on
 /// settled maps to tolerances of 1e-3..1e-6: 4763 of 4769 and 4668 of 4678 stated errors hold, all up to L = 8, at a
@@ -84,11 +83,11 @@ enum class MapFit { first, again, settled };
 /// it they miss at none, and 60 of the other 281 need one more grid. Four and five grids miss at 22 of 18362 smallest
 /// films of this study (Roelands, L > 25), at most by a factor of 1.43. Of 3700 other contacts from the same boxes,
 /// 88,000 errors, six of the central film are exceeded, at most by a factor of 1.36, and none of the smallest.
-/// The parts of four grids, and those up to L = 8, came after that: from 1105 contacts up to L = 15 (M of 0.05..5000,
-/// both laws with random constants, flooded and cut), tested on 1496 others at five tolerances of 2.9e-4..1e-6. 25 of
-/// 7089 errors are too small, at most 2.7 times (M > 1900); with the parts before them 18 of 7086 were. The median is 8
-/// to 22 times the true error up to L = 8 and 16 to 49 times up to L = 15, at tolerances down to 1e-5; before, 29 to 82
-/// times. At 1e-4 the grids have a quarter fewer intervals.
+/// The rows up to 512 and 1024 intervals came after that: from 1105 contacts up to L = 15 (M of 0.05..5000, both laws
+/// with random constants, flooded and cut), tested on 1522 others at five tolerances of 2.9e-4..1e-6. 21 of 7447 errors
+/// are too small, at most 2 times; with the last row everywhere 18 of 7445 were. The median is 8 to 24 times the true
+/// error up to L = 8 and 16 to 49 times up to L = 15, at tolerances down to 1e-5; before, 29 to 82 times. At 1e-4 the
+/// grids have a quarter fewer intervals.
 [[nodiscard]] double smallest_film_error(const std::vector<double>& minimum, const std::vector<double>& central,
                                          MapFit fit, double L, int finest);
 
