@@ -194,7 +194,7 @@ void add_case(Account& account, const Case& one, std::vector<BearingResult>& res
     account.list.push_back(to_json(result, full_relation_in(results)));
     if (!budget.empty()) {
       account.list.back()["error_budget"] = to_json(budget);
-      view.errors[result.law] = errors_in(budget);
+      if (const BearingErrors errors = errors_in(budget); errors.are_known()) view.errors[result.law] = errors;
       budgets += fmt::format("\n  error budget of {}: what may move its balance\n{}", to_string(result.law),
                              human_budget(budget));
     }

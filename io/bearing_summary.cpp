@@ -86,17 +86,20 @@ struct Column {
   [[nodiscard]] std::string with_film_error(double value) const {
     return errors && errors->smallest_film ? with_error(value, errors->smallest_film) : plain(value, 3);
   }
+  [[nodiscard]] static std::string stated(double value, const std::optional<double>& error) {
+    return error && std::isfinite(*error) ? with_error(value, error) : plain(value, unstated_digits);
+  }
   [[nodiscard]] std::string torque() const {
     if (!result.torque) return "-";
     const auto error = torque_error(result, full);
-    return error ? with_error(result.torque->torque_N_m, error) : plain(result.torque->torque_N_m, unstated_digits);
+    return stated(result.torque->torque_N_m, error);
   }
   [[nodiscard]] std::string stiffness() const {
     const double along = N_per_um * result.stiffness_N_per_m[0][0];
     if (!needs_film(result.law)) return plain(along, 4);
     if (!knows_stiffness(result, full)) return "-";
     const auto error = stiffness_error(result, full);
-    return error ? with_error(along, error) : plain(along, unstated_digits);
+    return stated(along, error);
   }
 };
 

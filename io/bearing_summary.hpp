@@ -2,6 +2,7 @@
 // The load distribution of a bearing in the numbers that an engineer asks for first, a column a law.
 #pragma once
 
+#include <cmath>
 #include <map>
 #include <optional>
 #include <string>
@@ -20,6 +21,11 @@ struct BearingErrors {
   double largest_force_N = 0;
   double any_force_N = 0;                    ///< of the roller whose force is known least
   std::optional<double> smallest_film = {};  ///< relative
+
+  /// False where a source is infinite, as that of a film curve with a gap that nothing judged.
+  [[nodiscard]] bool are_known() const {
+    return std::isfinite(displacement_m + largest_force_N + any_force_N + smallest_film.value_or(0));
+  }
 };
 using ErrorsOfLaws = std::map<bearing::Law, BearingErrors>;
 
