@@ -175,7 +175,8 @@ def numbers(comparison, suite):
     not_standing = int(judged[2]) + int(judged[3])
     return table(("question", "answer", "try it"), [
         ("Do the two codes agree?",
-         f"On `own-moes-20-10` `fast` states an error of {row[1]} and errs by {row[2]}; `reference` finds H_min = {digits}",
+         f"On `own-moes-20-10` `fast` states an error of {row[1]} and errs by {row[2]}; "
+         f"`reference` finds H_min = {digits}",
          "[`ehd compare`](docs/results/compare.md)"),
         ("Are the results right?", f"{judged[1]} claims hold in the quick suite, {not_standing} do not",
          "[`ehd verify --quick`](docs/results/ladder-quick.md)"),
