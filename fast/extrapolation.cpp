@@ -50,7 +50,7 @@ struct CentralFactors {
   CentralParts regular, irregular;
   double smallest_at_least, smallest_by_film;
 };
-constexpr CentralFactors of_mild{.regular = {.s = 0.25, .r = 0.015},
+constexpr CentralFactors of_mild{.regular = {.s = 0.25, .r = 0.1},
                                  .irregular = {.s = 0.5, .r = 0.4},
                                  .smallest_at_least = 0.01,
                                  .smallest_by_film = 0.3};
