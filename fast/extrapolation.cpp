@@ -55,7 +55,7 @@ constexpr CentralFactors of_mild{.regular = {.s = 0.25, .r = 0.1},
                                  .smallest_at_least = 0.01,
                                  .smallest_by_film = 0.3};
 constexpr CentralFactors of_stiff{
-    .regular = {.s = 0.5, .r = 0.03}, .irregular = {.s = 1, .r = 3}, .smallest_at_least = 0.03, .smallest_by_film = 2};
+    .regular = {.s = 0.5, .r = 0.15}, .irregular = {.s = 1, .r = 1}, .smallest_at_least = 0.05, .smallest_by_film = 1};
 
 /// The same of the smallest film: a, b, c, d, e.
 struct SmallestParts {
@@ -100,8 +100,8 @@ constexpr SmallestRule stiff_grids{
     .regular = {.s = 1, .r = 0.5, .r_before = 0.01}, .irregular = {.s = 1.5, .r = 2, .r_before = 0.4}, .s_before = 1};
 constexpr SmallestFactors smallest_stiff{
     .three = 0.5, .move = 0.25, .on_coarse = stiff_grids, .on_middling = stiff_grids, .on_fine = stiff_grids};
-/// Up to this L the spike is wide, and even the smallest film is regular.
-constexpr double wide_spike_L = 8;
+/// Up to this L the spike is wide, and even the smallest film is regular; on settled maps nearly so up to the other.
+constexpr double wide_spike_L = 8, settled_L = 20;
 /// On a map that is not settled.
 constexpr SmallestParts unsettled_parts{.s = 1.5, .r = 2, .r_before = 0.35};
 constexpr SmallestRule of_unsettled{.regular = unsettled_parts, .irregular = unsettled_parts, .s_before = 0.5};
@@ -110,8 +110,9 @@ constexpr double unsettled_three_wide = 0.5, unsettled_three_middle = 1, unsettl
 constexpr double unsettled_move = 0.55;
 
 SmallestFactors smallest_factors(MapFit fit, double L) {
-  SmallestFactors of = L <= wide_spike_L ? smallest_mild : L <= mild_L ? smallest_middle : smallest_stiff;
-  if (fit == MapFit::settled) return of;
+  if (fit == MapFit::settled)
+    return L <= wide_spike_L ? smallest_mild : L <= settled_L ? smallest_middle : smallest_stiff;
+  SmallestFactors of;
   of.on_coarse = of.on_middling = of.on_fine = of_unsettled;
   of.three = L <= wide_spike_L ? unsettled_three_wide : L <= mild_L ? unsettled_three_middle : unsettled_three_stiff;
   of.move = L <= wide_spike_L ? 0 : unsettled_move;

@@ -43,7 +43,7 @@ enum class MapFit { first, again, settled };
 ///   m >= 4: max(b |s_m|, c |r_m|, d |s'_m|), d = max(d_0, d_1 min(1, H_cen))
 ///                                             b, c regular   b, c else   d_0   d_1
 ///   mild                                      0.25, 0.1      0.5, 0.4    0.01  0.3
-///   else                                      0.5, 0.03      1, 3        0.03  2
+///   else                                      0.5, 0.15      1, 1        0.05  1
 /// Regular: r_(m-1)/r_m is between 6 and 11. A spike moves the smallest film more than the central one; how much of it
 /// the central film feels falls with the film, since the spike moves away from X = 0.
 /// Calibrated on 1280 problems (a third each of M = 0.2..5, L = 15..30; M = 0.5..1000, L = 0..20; M = 0.05..5000,
@@ -57,6 +57,9 @@ enum class MapFit { first, again, settled };
 /// At first they counted from L = 12 on. Between 10 and 12 three grids then missed at 16 of 2255 central films; now
 /// they miss at none. c was 0.015 for mild contacts. At 3179 contacts up to L = 15 (M of 0.05..5000, settled maps, 1e-4
 /// to 1e-6) 126 of 9537 central films were then too small, at most 4.9 times; with 0.1 20 are, at most 2.7 times.
+/// The row beyond L = 15 came last, with carried_density.hpp. It was 0.5, 0.03; 1, 3; 0.03, 2: 30 of 1,226 errors of
+/// 409 contacts of M = 200..5000 were then too small, by up to 5.6. Now 2 are, and 1e-4 to 1e-6 take a tenth fewer
+/// intervals.
 [[nodiscard]] double central_film_error(const std::vector<double>& central, const std::vector<double>& minimum,
                                         MapFit fit, double L);
 
@@ -68,7 +71,7 @@ enum class MapFit { first, again, settled };
 ///   settled map, L <= 8      0.25, 0      up to 512    0.4, 0.04, 0.003   0.3, 0.1, 0.02    0.05
 ///                                         up to 1024   0.4, 0.1, 0.003    0.5, 0.9, 0.17    0.05
 ///                                         more         0.6, 0.16, 0.008   0.5, 0.9, 0.17    0.1
-///   settled map, L <= 15     0.4, 0.25    up to 512    0.5, 0.15, 0.01    0.4, 0.15, 0.03   0.3
+///   settled map, L <= 20     0.4, 0.25    up to 512    0.5, 0.15, 0.01    0.4, 0.15, 0.03   0.3
 ///                                         more         0.8, 0.3, 0.01     1, 1.5, 0.3       0.3
 ///   settled map, else        0.5, 0.25    any          1, 0.5, 0.01       1.5, 2, 0.4       1
 ///   other maps, L <= 8       0.5, 0       any          1.5, 2, 0.35       1.5, 2, 0.35      0.5
@@ -88,7 +91,9 @@ enum class MapFit { first, again, settled };
 /// with random constants, flooded and cut), tested on 1522 others at five tolerances of 2.9e-4..1e-6. 21 of 7447 errors
 /// are too small, at most 2 times; with the last row everywhere 18 of 7445 were. The median is 8 to 24 times the true
 /// error up to L = 8 and 16 to 49 times up to L = 15, at tolerances down to 1e-5; before, 29 to 82 times. At 1e-4 the
-/// grids have a quarter fewer intervals.
+/// grids have a quarter fewer intervals. That was before carried_density.hpp: with it none of 6,400 errors of 2,400
+/// other contacts up to L = 15 is too small at 1e-4 to 1e-5. The rows of L <= 15 then went up to 20: there one of 3,600
+/// is too small, by 1.17, and 1e-4 takes .6 of the intervals.
 [[nodiscard]] double smallest_film_error(const std::vector<double>& minimum, const std::vector<double>& central,
                                          MapFit fit, double L, int finest);
 

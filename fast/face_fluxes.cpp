@@ -16,6 +16,8 @@ void FaceFluxes::evaluate(const Setting& setting, const NodeFields& nodes, const
   const double* const a = nodes.log_viscosity.value.data();
   const double* const u = nodes.fluidity.data();
   const double* const rho = nodes.density.value.data();
+  carried.evaluate(setting, nodes, P);
+  const double* const rho_w = carried.value.data();
   const double* const gap = nodes.H.data();
   const double* const p = P.data();
   const double* const inverse_spacing = nodes.grid->inverse_spacing.data();
@@ -28,11 +30,11 @@ void FaceFluxes::evaluate(const Setting& setting, const NodeFields& nodes, const
     mobility[i] = (rho[i] + rho[i + 1]) / 2 * Hf * Hf * Hf * m * inverse_lambda;
   }
   through[0] =
-      (rho[0] * gap[0] + rho[1] * gap[1]) / 2 - mobility[0] * (p[1] - p[0]) * inverse_spacing[0] * inverse_length;
+      (rho_w[0] * gap[0] + rho_w[1] * gap[1]) / 2 - mobility[0] * (p[1] - p[0]) * inverse_spacing[0] * inverse_length;
   for (int i = 1; i < n; ++i) {
-    const double here = rho[i] * gap[i];
+    const double here = rho_w[i] * gap[i];
     const double wedge =
-        here + ((1 + k[i]) * (rho[i + 1] * gap[i + 1] - here) + (1 - k[i]) * (here - rho[i - 1] * gap[i - 1])) / 4;
+        here + ((1 + k[i]) * (rho_w[i + 1] * gap[i + 1] - here) + (1 - k[i]) * (here - rho_w[i - 1] * gap[i - 1])) / 4;
     through[i] = wedge - mobility[i] * (p[i + 1] - p[i]) * inverse_spacing[i] * inverse_length;
   }
 }

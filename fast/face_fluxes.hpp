@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reynolds' equation on the faces. Face i lies between the nodes i and i + 1:
 //
-//   F_i = f_(i+1/2) - eps_i (P_(i+1) - P_i)/(X_(i+1) - X_i),  f = rho H
+//   F_i = f_(i+1/2) - eps_i (P_(i+1) - P_i)/(X_(i+1) - X_i),  f = rho^ H, rho^ of carried_density.hpp
 //   eps_i = rho_f H_f^3 m/lambda; rho_f, H_f: means of the two nodes; m: logarithmic mean of 1/eta
 //   f_(i+1/2) = f_i + [(1 + k_i)(f_(i+1) - f_i) + (1 - k_i)(f_i - f_(i-1))]/4; on the first face the mean
 //
@@ -9,6 +9,7 @@
 #pragma once
 
 #include "contact/array.hpp"
+#include "fast/carried_density.hpp"
 
 namespace ehd::fast {
 
@@ -19,6 +20,7 @@ struct Setting;
 struct FaceFluxes {
   Array eps;   ///< eps_i = rho H^3/(eta lambda)
   Array flux;  ///< F_i
+  CarriedDensity carried;
 
   /// Both, of the fields at the nodes and the pressure P.
   void evaluate(const Setting& setting, const NodeFields& nodes, const Array& P);

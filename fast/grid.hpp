@@ -35,6 +35,7 @@ struct Grid {
   Array inverse_spacing;  ///< n
   /// k of the wedge at each node, f_(i+1/2) = f_i + [(1+k)(f_(i+1) - f_i) + (1-k)(f_i - f_(i-1))]/4; n.
   Array bias;
+  Array near_spike;         ///< 1 at the spike, less away from it, n + 1; empty on uniform grids
   double first_weight = 0;  ///< weight of P_0 in the integral: the first node's half of a cell
 
   /// y_i = Sum_j K_ij P_j over j = 1..n-1, and the integral S of P over phi, so that

@@ -21,7 +21,7 @@ void Jacobian::linearise(const Setting& setting, const NodeFields& nodes, const 
   load_by_exit = nodes.integral;
   for (Array* array : {&p_left, &p_mid, &p_right, &w_left, &w_mid, &w_right, &by_exit}) array->resize(n_);
   linearise_poiseuille(setting, nodes, P);
-  linearise_wedge(nodes);
+  linearise_wedge(setting, nodes, P);
   linearise_exit(setting, nodes, exit);
 }
 
@@ -60,10 +60,11 @@ void Jacobian::linearise_poiseuille(const Setting& setting, const NodeFields& no
 }
 
 /// The part of f_(i+1/2).
-void Jacobian::linearise_wedge(const NodeFields& nodes) {
+void Jacobian::linearise_wedge(const Setting& setting, const NodeFields& nodes, const Array& P) {
   const int n = n_;
-  const double* const rho = nodes.density.value.data();
-  const double* const drho = nodes.density.slope.data();
+  carried_.linearise(setting, nodes, P);
+  const double* const rho = carried_.value.data();
+  const double* const drho = carried_.by_own.data();
   const double* const gap = nodes.H.data();
   const double* const k = grid_->bias.data();
   double *const pl = p_left.data(), *const pm = p_mid.data(), *const pr = p_right.data();
@@ -81,6 +82,26 @@ void Jacobian::linearise_wedge(const NodeFields& nodes) {
     wm[i] += middle * rho[i];
     pr[i] += right * gap[i + 1] * drho[i + 1];
     wr[i] += right * rho[i + 1];
+  }
+  p_far_left.resize(0);
+  p_far_right.resize(0);
+  if (carried_.by_neighbours) add_neighbours(nodes);
+}
+
+/// The part of the carried densities that the neighbours of their nodes change. Near the ends there is none.
+void Jacobian::add_neighbours(const NodeFields& nodes) {
+  const int n = n_;
+  const Array &gap = nodes.H, &k = grid_->bias, &by_left = carried_.by_left, &by_right = carried_.by_right;
+  p_far_left.setZero(n);
+  p_far_right.setZero(n);
+  for (int i = 1; i < n; ++i) {
+    const double left = -(1 - k[i]) / 4 * gap[i - 1], middle = (1 - k[i] / 2) * gap[i],
+                 right = (1 + k[i]) / 4 * gap[i + 1];
+    p_far_left[i] = left * by_left[i - 1];
+    p_left[i] += middle * by_left[i];
+    p_mid[i] += left * by_right[i - 1] + right * by_left[i + 1];
+    p_right[i] += middle * by_right[i];
+    p_far_right[i] = right * by_right[i + 1];
   }
 }
 
@@ -135,6 +156,9 @@ void Jacobian::change_residual(const StepOf<Scalar>& step, ChangeOf<Scalar>& cha
   for (int i = 1; i < n; ++i) {
     out[i] = pl[i] * dP[i - 1] + pm[i] * dP[i] + pr[i] * dP[i + 1] + wl[i] * dH[i - 1] + wm[i] * dH[i] +
              wr[i] * dH[i + 1] + by_x[i] * dX - exit_change;
+  }
+  if (p_far_left.size() > 0) {
+    for (int i = 2; i + 2 <= n; ++i) out[i] += p_far_left[i] * dP[i - 2] + p_far_right[i] * dP[i + 2];
   }
   change.load = length * step.integral + load_by_exit * step.exit;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The linearised equations at one iterate, in coefficients:
 //
-//   dF_i = Sum_(j = i-1..i+1) (p_ij dP_j + w_ij dH_j) + x_i dX*
+//   dF_i = Sum_(j = i-2..i+2) p_ij dP_j + Sum_(j = i-1..i+1) w_ij dH_j + x_i dX*
 //   dH_i = dH_0 + h_i dX* - (l/pi) (Sum_j K_ij dP_j + ln l Int dP dphi)
 //   change of flux error i = dF_i - rho_n dH_n;  change of the load = l Int dP dphi + (Int P dphi) dX*
 #pragma once
@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "contact/array.hpp"
+#include "fast/carried_density.hpp"
 #include "fast/state.hpp"
 
 namespace ehd::fast {
@@ -23,6 +24,8 @@ class Jacobian {
  public:
   // Faces, n entries: p_i,i-1, p_i,i, p_i,i+1; w likewise; x_i.
   Array p_left, p_mid, p_right, w_left, w_mid, w_right, by_exit;
+  /// p_i,i-2 and p_i,i+2, by the carried density alone; empty where it feels no neighbours. No preconditioner has them.
+  Array p_far_left, p_far_right;
   Array film_by_exit;          ///< h_i, at fixed P; n + 1 entries
   double load_by_exit = 0;     ///< Int P dphi
   double density_at_exit = 0;  ///< rho_n
@@ -42,11 +45,13 @@ class Jacobian {
 
  private:
   void linearise_poiseuille(const Setting& setting, const NodeFields& nodes, const Array& P);
-  void linearise_wedge(const NodeFields& nodes);
+  void linearise_wedge(const Setting& setting, const NodeFields& nodes, const Array& P);
+  void add_neighbours(const NodeFields& nodes);
   void linearise_exit(const Setting& setting, const NodeFields& nodes, double exit);
 
   int n_ = 0;
   Grid* grid_ = nullptr;
+  CarriedDensity carried_;
   mutable std::tuple<ChangeOf<double>, ChangeOf<Complex>> change_;
 };
 

@@ -96,7 +96,30 @@ BOOST_AUTO_TEST_CASE(places_slopes_and_spacings_are_those_of_the_map) {
   BOOST_REQUIRE_EQUAL(rows, 15);
 }
 
-BOOST_AUTO_TEST_CASE(wedge_is_third_order_at_the_inlet_and_upwind_at_the_exit) {
+BOOST_AUTO_TEST_CASE(near_the_spike_is_one_there_and_nothing_far_away) {
+  int rows = 0;
+  for (const auto& [name, shape] : named_shapes) {
+    BOOST_TEST_CONTEXT(name) {
+      OnMap on(shape);
+      constexpr int n = 128;
+      const Array X = on.map->nodes(n).X, &near = on.grids.of(n).near_spike;
+      BOOST_REQUIRE_EQUAL(near.size(), n + 1);
+      const double reach = std::min(8 * shape.spike_width, (shape.exit - shape.spike) / 4);
+      for (int j = 2; j < n; ++j) {
+        const double away = (X[j] - shape.spike) / reach;
+        EHD_CHECK(std::abs(near[j] - std::exp(-away * away)), Tolerance::round_off(10, 10));
+      }
+      BOOST_TEST((near[0] == 0 && near[1] == 0 && near[n] == 0));
+      BOOST_TEST(near.maxCoeff() > 0.5);
+      ++rows;
+    }
+  }
+  BOOST_REQUIRE_EQUAL(rows, 5);
+  Grids uniform;
+  BOOST_CHECK_EQUAL(uniform.of(64).near_spike.size(), 0);
+}
+
+BOOST_AUTO_TEST_CASE(wedge_is_third_order_at_the_inlet_and_upwind_at_the_exit_and_the_spike) {
   for (const bool robust : {false, true}) {
     OnMap on(named_shapes[4].shape, robust);
     const Grid& grid = on.grids.of(128);
@@ -104,8 +127,10 @@ BOOST_AUTO_TEST_CASE(wedge_is_third_order_at_the_inlet_and_upwind_at_the_exit) {
     const Array X = on.map->nodes(128).X;
     for (int i = 0; i < 128; ++i) {
       if (X[i] < -1) EHD_CHECK(std::abs(grid.bias[i] - 0.5), Tolerance::asymptotic(3 * std::exp(-8.0), "tanh(8X)"));
+      const double falling = robust ? -1 : -0.5, near = grid.near_spike[i];
       if (X[i] > 0.7)
-        EHD_CHECK(std::abs(grid.bias[i] - (robust ? -1 : -0.5)), Tolerance::asymptotic(3 * std::exp(-5.6), "tanh(8X)"));
+        EHD_CHECK(std::abs(grid.bias[i] - ((1 - near) * falling - near)),
+                  Tolerance::asymptotic(3 * std::exp(-5.6), "tanh(8X)"));
     }
   }
 }

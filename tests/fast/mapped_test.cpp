@@ -188,11 +188,11 @@ BOOST_AUTO_TEST_CASE(the_central_film_alone_gets_better_maps_where_the_first_doe
 }
 
 BOOST_AUTO_TEST_CASE(a_coarse_grid_where_newton_stalls_does_no_harm_to_finer_ones) {
-  // Newton leaves 2e-4 on one of the coarse grids.
-  const Solution solution = fast::Mapped{}.solve(roelands_problem(5e5, 20, Flooded{}), {.tolerance = 1e-4});
+  // Newton leaves 5e-5 on one of the coarse grids, where 3e-6 is asked for.
+  const Solution solution = fast::Mapped{}.solve(roelands_problem(2e5, 20, Flooded{}), {.tolerance = 1e-4});
   double largest = 0;
   for (const GridRecord& grid : solution.record.grids) largest = std::max(largest, grid.residual);
-  BOOST_TEST(largest > 1e-4);  // else the test shows nothing
+  BOOST_TEST(largest > 1e-5);  // else the test shows nothing
   BOOST_CHECK(solution.record.status == StopReason::converged);
 }
 
@@ -204,11 +204,11 @@ BOOST_AUTO_TEST_CASE(five_hundred_and_a_thousand_intervals_give_the_digits_requi
         const Solution solution = fast::Mapped{}.solve(problem_of(truth), {.tolerance = {}, .nodes = n});
         BOOST_REQUIRE(solution.record.status == StopReason::converged);
         BOOST_CHECK_EQUAL(solution.record.cost.nodes, n);
-        const double central = n == 512 ? 1e-5 : 1e-6, minimum = n == 512 ? 2e-4 : truth.L <= 15 ? 1e-5 : 5e-5;
+        const double central = n == 512 ? 1e-5 : 1e-6, minimum = n == 512 ? 1e-4 : 1e-5;
         EHD_CHECK(error(film(solution, Quantity::film_central), truth.central),
                   Tolerance::required(central, "films to 1e-5 and 1e-6 with 512 and 1024 intervals"));
         EHD_CHECK(error(film(solution, Quantity::film_minimum), truth.minimum),
-                  Tolerance::required(minimum, "2e-4 with 512 intervals, 5e-5 with 1024, to L = 15 1e-5"));
+                  Tolerance::required(minimum, "1e-4 with 512 intervals, 1e-5 with 1024"));
         check_bars(solution, truth);
         ++rows;
       }
