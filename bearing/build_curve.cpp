@@ -42,6 +42,12 @@ double against(const CurveRequest& request, const Disagreement& here) {
   return std::isfinite(here.force) && std::isfinite(here.minimum) ? ratio : infinity;
 }
 
+/// Whether a curve has the errors that were asked for.
+bool within(const CurveRequest& request, const CurveErrors& errors) {
+  return std::max(errors.interpolation_force, errors.joint_force) <= request.force_bound &&
+         std::max(errors.interpolation, errors.joint) <= request.film_bound;
+}
+
 Disagreement over_half_the_gap(const Disagreement& over_the_gap) {
   constexpr double gain = gain_of_half_the_gap;
   return {.force = over_the_gap.force / gain,
@@ -75,10 +81,15 @@ class Refinement {
 
   /// Solves a point of the curve, or says why it cannot.
   [[nodiscard]] std::optional<SolveFailure> add_point(double force_N) {
-    if (auto failure = points_.add(force_N)) return failure;
+    if (auto failure = points_.add(force_N)) {
+      met_limit_ = met_limit_ || failure->limit;
+      return failure;
+    }
     nodes_.insert(force_N);
     return std::nullopt;
   }
+  /// A contact that was wanted ran out of iterations or time.
+  [[nodiscard]] bool met_limit() const { return met_limit_; }
   [[nodiscard]] std::size_t size() const { return nodes_.size(); }
   [[nodiscard]] double lightest_N() const { return *nodes_.begin(); }
 
@@ -136,6 +147,7 @@ class Refinement {
     if (failed_.contains(force_N) || points_.size() >= static_cast<std::size_t>(request_.most_points)) return false;
     if (const auto failure = points_.add(force_N)) {
       if (why) *why = failure->why;
+      met_limit_ = met_limit_ || failure->limit;
       failed_.insert(force_N);
       return false;
     }
@@ -208,13 +220,13 @@ class Refinement {
   CurveRequest request_;
   std::set<double> nodes_, extras_, failed_;
   Worst worst_;
+  bool met_limit_ = false;
 };
 
 /// Where the solved points end.
 struct LightEnd {
   std::string because = {};     ///< empty while the curve may still go down
   bool at_rigid_limit = false;  ///< Martin's films take over within the bounds
-  bool limit = false;           ///< a contact ran out of iterations or time
 };
 
 /// The first points: the lightest and the heaviest contact of the fit, which are solved anyway, and two lighter ones.
@@ -223,16 +235,11 @@ LightEnd add_first_points(Refinement& refinement, const CurveRequest& request) {
   double lighter = request.heaviest_N / descent;
   for (const double given : request.given_N)
     if (given == request.given_N.front() || given == request.given_N.back()) {
-      if (const auto failure = refinement.add_point(given))
-        end.limit = end.limit || failure->limit;
-      else
-        lighter = std::min(lighter, std::exp2(std::floor(std::log2(given) - 0.5)));
+      if (!refinement.add_point(given)) lighter = std::min(lighter, std::exp2(std::floor(std::log2(given) - 0.5)));
     }
   for (int k = 0; k < 2 && end.because.empty(); ++k, lighter /= descent)
-    if (const auto failure = refinement.add_point(lighter)) {
+    if (const auto failure = refinement.add_point(lighter))
       end.because = newtons(lighter) + " could not be solved: " + failure->why;
-      end.limit = end.limit || failure->limit;
-    }
   return end;
 }
 
@@ -295,7 +302,7 @@ std::variant<FilmCurve, SolveFailure> build_curve(const SolvableContact& contact
   if (refinement.size() < fewest_points)
     return SolveFailure{.why = fmt::format("only {} contact forces up to {} could be solved, three are needed; {}",
                                            refinement.size(), newtons(top), end.because),
-                        .limit = end.limit};
+                        .limit = refinement.met_limit()};
 
   refinement.split_gaps();
   descend(refinement, request, end);
@@ -307,6 +314,7 @@ std::variant<FilmCurve, SolveFailure> build_curve(const SolvableContact& contact
   errors.joint_force = below ? below->force : infinity;
   errors.rolling = below ? std::max(errors.rolling, below->rolling) : infinity;
   errors.lightest_because = end.because;
+  errors.cut_short = refinement.met_limit() && !within(request, errors);
   return refinement.curve(0, std::move(errors));
 }
 

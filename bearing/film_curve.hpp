@@ -36,6 +36,8 @@ struct CurveErrors {
   double rolling = 0;              ///< of a rolling force, relative: interpolation, the lightest loads, the solver
   std::vector<double> missed_N;    ///< contacts solved for this curve that missed their tolerance, increasing
   std::string lightest_because;    ///< why no lighter contact was solved
+  /// A limit on iterations or time ended a contact, and the errors above are beyond what was asked for.
+  bool cut_short = false;
 };
 
 /// The force errors of a curve hold at a given approach with the datum x_0 = l. With a datum of the order of the radii

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <variant>
 
 #include "contact/text.hpp"
@@ -34,6 +35,8 @@ std::string range_text(const std::string& low, const std::string& high) {
 std::string compared(const std::string& with, const std::string& without) {
   return with == without ? with + " as without it" : fmt::format("{} instead of {}", with, without);
 }
+
+std::string error_text(double error) { return std::isfinite(error) ? plain(error, 2) : "not known"; }
 
 /// A visit: a new note does not compile until it has words.
 struct Words {
@@ -97,8 +100,8 @@ struct Words {
         "{} curve: {} solved contacts from {} to {} N, relative errors of film and force: interpolation {}, {}; rigid "
         "limit below {}, {}; solver's own {} ({}); {} contacts lie below it",
         to_string(note.raceway), curve.forces_N().size(), plain(curve.lightest_N(), 4), plain(curve.heaviest_N(), 4),
-        plain(errors.interpolation, 2), plain(errors.interpolation_force, 2), plain(errors.joint, 2),
-        plain(errors.joint_force, 2), plain(errors.solver_offset_film, 2), errors.lightest_because,
+        error_text(errors.interpolation), error_text(errors.interpolation_force), error_text(errors.joint),
+        error_text(errors.joint_force), error_text(errors.solver_offset_film), errors.lightest_because,
         note.contacts_below);
   }
   std::string operator()(const note::Oil& oil) const { return oil.remark; }

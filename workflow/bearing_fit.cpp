@@ -55,7 +55,7 @@ void fill_films_of_fit(BearingResult& result, const BearingSetup& setup, double 
   try {
     fill_films(result, curves_of(setup, reach_N, memory));
   } catch (const LawFailure& failure) {
-    result.notes.push_back(note::NoFilms{failure.what()});
+    result.notes.push_back(note::NoFilms{.why = failure.what(), .limit = failure.limit()});
   }
 }
 

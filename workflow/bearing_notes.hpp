@@ -60,6 +60,7 @@ struct NoVariant {
 };
 struct NoFilms {
   std::string why;
+  bool limit = false;  ///< a contact of the films ran out of iterations or time
 };
 /// BearingResult::dynamics is there; without `damped` the law knows no damping.
 struct Dynamics {

@@ -97,15 +97,32 @@ bool has_unjudged_gap(const FilmCurve& curve) {
   return !std::isfinite(curve.errors().interpolation + curve.errors().interpolation_force);
 }
 
+/// Whether a limit on iterations or time ended the curves of a result, or kept it from having any.
+bool limit_ended_films(const BearingResult& result) {
+  if (result.curve) return result.curve->inner.errors().cut_short || result.curve->outer.errors().cut_short;
+  return std::any_of(result.notes.begin(), result.notes.end(), [](const BearingNote& note) {
+    const auto* none = std::get_if<note::NoFilms>(&note);
+    return none && none->limit;
+  });
+}
+
 /// A balance is no better than the contacts that its law and films are made of. The memory holds contacts of other laws
 /// and cases too; they do not count.
 void judge_contacts(BearingResult& result) {
+  const bool limit = limit_ended_films(result);
+  if (limit) {
+    result.status = StopReason::limit_reached;
+    result.why = "the limit on iterations or time ended contacts of the film curves";
+  }
   if (result.curve && (has_unjudged_gap(result.curve->inner) || has_unjudged_gap(result.curve->outer))) {
-    result.status = StopReason::tolerance_not_met;
-    result.why =
-        "no contact could be solved between two points of a film curve; so errors of forces and films are not known";
+    if (!limit) result.status = StopReason::tolerance_not_met;
+    result.why += fmt::format(
+        "{}no contact could be solved between two points of a film curve; so errors of forces and films "
+        "are not known",
+        limit ? "; " : "");
     return;
   }
+  if (limit) return;
   const std::size_t missed =
       missed_contacts(result.curve ? &result.curve->inner : nullptr, result.fit ? &result.fit->inner : nullptr) +
       missed_contacts(result.curve ? &result.curve->outer : nullptr, result.fit ? &result.fit->outer : nullptr);

@@ -238,14 +238,31 @@ BOOST_AUTO_TEST_CASE(a_line_alone_says_that_its_distance_is_not_known) {
 
 BOOST_AUTO_TEST_CASE(a_curve_with_a_gap_that_nothing_judged_is_not_converged) {
   const test::Folder folder;
-  const auto run = test::ehd_run(folder, "bearing na4908 --law ehd --max-iterations 36");
+  const std::string bearing = "bearing na4908 --law ehd --max-iterations 36 --details";
+  const auto run = test::ehd_run(folder, bearing);
   BOOST_TEST(run.exit_code == 1);
+  BOOST_TEST(run.err.find("ehd: limit-reached: the limit on iterations or time ended contacts of the film curves; ") !=
+                 std::string::npos,
+             run.err);
   BOOST_TEST((run.out + run.err).find("between two points of a film curve") != std::string::npos, run.out + run.err);
   // Its errors are not known, so no more than three digits are shown.
   for (const char* row :
        {"displacement [um]                      5.01\n", "largest roller load [N]              8.93e3\n",
         "rolling torque [N m]                   8.16\n"})
     BOOST_TEST(run.out.find(row) != std::string::npos, row << run.out);
+  BOOST_TEST(run.out.find("inf") == std::string::npos, run.out);
+  // The JSON names the numbers that have no bound, so that nobody takes the sum of the others for the error.
+  const json result = json::parse(test::ehd_run(folder, bearing + " --json -").out);
+  BOOST_TEST(result["status"] == "limit-reached");
+  int without = 0;
+  for (const json& row : result["error_budget"])
+    for (const char* key : {"displacement_m", "largest_force_N", "any_force_N"}) {
+      const json names = row.value("unknown", json::array());
+      const bool named = std::find(names.begin(), names.end(), key) != names.end();
+      BOOST_TEST(named == !row.contains(key), row.dump());
+      without += named;
+    }
+  BOOST_TEST(without > 0);
 }
 
 BOOST_AUTO_TEST_CASE(motion_whose_error_exceeds_it_is_a_dash) {

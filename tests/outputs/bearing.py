@@ -341,6 +341,7 @@ def audit_budget(said, result, inputs):
         name = f"error_budget {row['source']}, {row['of']}"
         for key in numbers:
             said.within(f"{name}: {key}", row.get(key, 0), 0)
+        said.equal(f"{name}: what has no bound", row.get("unknown", []), [])  # the audited results converged
         said.within(f"{name}: largest_force_N", row["largest_force_N"], high=row["any_force_N"])
         if row["kind"] == "difference":
             expected = difference(result, inputs.full) if row["source"] == "fit" else \

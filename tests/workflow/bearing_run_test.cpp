@@ -359,6 +359,45 @@ BOOST_AUTO_TEST_CASE(what_another_case_left_in_the_memory_is_not_judged) {
   }
 }
 
+// A curve that ends where a limit stopped a contact is worse than what was asked for, and more time would mend it. The
+// same end for another reason is the best that there is.
+BOOST_AUTO_TEST_CASE(a_limit_that_ends_a_film_curve_is_the_status) {
+  constexpr double lightest_M = 0.2;  // of those that are solved; Martin's films take over far below
+  const std::vector laws{bearing::Law::ehd_linear, bearing::Law::ehd};
+  for (const StopReason end : {StopReason::limit_reached, StopReason::diverged}) {
+    ContactMemory memory([end](const Problem& problem, const Request&) {
+      Solution solution = verification::made::contact(problem);
+      if (problem.groups.M < lightest_M) solution.record.status = end;
+      return solution;
+    });
+    const bool limit = end == StopReason::limit_reached;
+    for (const BearingResult& result : run(needle_bearing(0), laws, memory)) {
+      BOOST_REQUIRE(result.curve.has_value());
+      BOOST_TEST(result.curve->inner.errors().joint > 2e-3);
+      BOOST_TEST((result.status == (limit ? StopReason::limit_reached : StopReason::converged)), result.why);
+      BOOST_TEST((result.why == "the limit on iterations or time ended contacts of the film curves") == limit);
+      BOOST_TEST(!result.rollers.empty());
+    }
+  }
+}
+
+// The films beside a line need lighter contacts than the line.
+BOOST_AUTO_TEST_CASE(a_line_whose_films_a_limit_ended_says_so) {
+  for (const StopReason end : {StopReason::limit_reached, StopReason::diverged}) {
+    int solved = 0;
+    ContactMemory memory([&](const Problem& problem, const Request&) {
+      Solution solution = verification::made::contact(problem);
+      if (++solved > 12) solution.record.status = end;  // the six of each line
+      return solution;
+    });
+    const BearingResult result = run(needle_bearing(0), {bearing::Law::ehd_linear}, memory).at(0);
+    const bool limit = end == StopReason::limit_reached;
+    BOOST_TEST(!result.curve.has_value());
+    BOOST_TEST(!result.rollers.empty());
+    BOOST_TEST((result.status == (limit ? StopReason::limit_reached : StopReason::converged)), result.why);
+  }
+}
+
 // A law first asks its contacts for a tenth of the error that it can bear. If that fails, it asks for the error that it
 // can bear, which is enough.
 BOOST_AUTO_TEST_CASE(a_contact_that_misses_what_is_asked_for_is_asked_for_what_is_needed) {

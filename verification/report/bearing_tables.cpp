@@ -52,8 +52,10 @@ std::optional<BearingErrors> errors_of_balance(const View& law) {
   BearingErrors errors;
   for (const View& row : budget) {
     if (row.text("source") == "datum") continue;
-    errors.displacement_m += row.number("displacement_m").value_or(0);
-    errors.largest_force_N += row.number("largest_force_N").value_or(0);
+    const auto displacement_m = row.number("displacement_m"), largest_force_N = row.number("largest_force_N");
+    if (row.has("unknown") || !displacement_m || !largest_force_N) return std::nullopt;
+    errors.displacement_m += *displacement_m;
+    errors.largest_force_N += *largest_force_N;
     if (const auto film = row.number("smallest_film_relative"))
       errors.smallest_film = errors.smallest_film.value_or(0) + *film;
   }

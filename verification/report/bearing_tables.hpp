@@ -11,7 +11,7 @@
 namespace ehd::report {
 
 /// The errors of one law's balance: the sum of its budget but for the datum, which is a choice. Absent for a dry law,
-/// and for a fitted one without the row "fit".
+/// for a fitted one without the row "fit", and where a source of the budget has no bound.
 [[nodiscard]] std::optional<BearingErrors> errors_of_balance(const View& law);
 
 /// By how much each simplification may move a balance: one table for all bearings.

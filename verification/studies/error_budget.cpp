@@ -124,6 +124,14 @@ BearingResult full_relation(const Case& bearing_case, const std::vector<BearingR
   return made.empty() ? BearingResult{} : std::move(made.front());
 }
 
+/// The numbers of a row by their keys in the JSON.
+std::vector<std::pair<const char*, std::optional<double>>> numbers_of(const BudgetRow& row) {
+  return {{"displacement_m", row.displacement_m},
+          {"largest_force_N", row.largest_force_N},
+          {"any_force_N", row.any_force_N},
+          {"smallest_film_relative", row.smallest_film}};
+}
+
 }  // namespace
 
 void BudgetRow::meet(const BudgetRow& other) {
@@ -216,10 +224,12 @@ Json to_json(const std::vector<BudgetRow>& rows) {
   Json json = Json::array();
   for (const BudgetRow& row : rows) {
     Json one = {{"source", row.source}, {"of", row.of}, {"kind", row.bound ? "bound" : "difference"}};
-    put(one, "displacement_m", row.displacement_m);
-    put(one, "largest_force_N", row.largest_force_N);
-    put(one, "any_force_N", row.any_force_N);
-    put(one, "smallest_film_relative", row.smallest_film);
+    std::vector<std::string> unknown;
+    for (const auto& [key, number] : numbers_of(row)) {
+      put(one, key, number);
+      if (!std::isfinite(number.value_or(0))) unknown.emplace_back(key);
+    }
+    if (!unknown.empty()) one["unknown"] = unknown;
     json.push_back(std::move(one));
   }
   return json;
@@ -229,6 +239,7 @@ std::string human_budget(const std::vector<BudgetRow>& rows) {
   std::vector<std::vector<std::string>> table{{"error", "of", "delta um", "largest N", "any N", "film %"}};
   for (const BudgetRow& row : rows) {
     const auto cell = [&](double value, int digits) {
+      if (!std::isfinite(value)) return std::string("unknown");
       return row.bound && value == 0 ? "-" : (row.bound ? "< " : "") + plain(value, digits);
     };
     table.push_back({row.source, row.of, cell(1e6 * row.displacement_m, 2), cell(row.largest_force_N, 3),

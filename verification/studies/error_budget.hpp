@@ -45,6 +45,7 @@ struct BudgetRow {
                                                        const std::vector<BearingResult>& results, bearing::Law law,
                                                        ContactMemory& memory);
 
+/// A number that is not finite is no bound: its key is then in the row's list "unknown".
 [[nodiscard]] Json to_json(const std::vector<BudgetRow>& rows);
 [[nodiscard]] std::string human_budget(const std::vector<BudgetRow>& rows);
 
