@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <utility>
 #include <variant>
 
 #include "cli/usage.hpp"
@@ -17,17 +18,31 @@ namespace ehd::cli {
 
 namespace {
 
-/// Throws UsageError for a text without '=', and for a key that is there twice.
+std::string without_spaces_around(const std::string& text) {
+  const auto begin = std::min(text.find_first_not_of(' '), text.size());
+  return text.substr(begin, text.find_last_not_of(' ') + 1 - begin);
+}
+
+/// KEY and VALUE as they were typed, without spaces around them. Throws UsageError where one of them is missing.
+std::pair<std::string, std::string> key_and_value(const std::string& setting) {
+  const auto equals = setting.find('=');
+  std::string key = without_spaces_around(setting.substr(0, equals));
+  if (key.empty() || equals == std::string::npos)
+    throw UsageError(fmt::format("--set {}: has no {}; allowed is KEY=VALUE, like bearing.clearance_m=5e-6", setting,
+                                 key.empty() ? "key" : "value"));
+  return {std::move(key), without_spaces_around(setting.substr(equals + 1))};
+}
+
+/// Throws UsageError for a text that is not KEY=VALUE, and for a key that is there twice.
 std::vector<Substitution> substitutions_of(const std::vector<std::string>& settings) {
   std::vector<Substitution> made;
   for (const std::string& setting : settings) {
-    const auto equals = setting.find('=');
-    if (equals == std::string::npos)
-      throw option_error("--set", setting, "has no value; allowed is KEY=VALUE, like bearing.clearance_m=5e-6");
-    const std::string key = setting.substr(0, equals);
-    if (std::any_of(made.begin(), made.end(), [&](const Substitution& other) { return other.key == key; }))
-      throw option_error("--set", setting, "sets " + key + " again; allowed is each key once");
-    made.push_back({.key = key, .value = toml_value(setting.substr(equals + 1)), .option = "--set " + setting});
+    const auto [key, value] = key_and_value(setting);
+    const auto is_it = [&key = key](const Substitution& other) { return other.key == key; };
+    if (const auto before = std::find_if(made.begin(), made.end(), is_it); before != made.end())
+      throw UsageError(
+          fmt::format("--set {}: sets {} again, after {}; allowed is each key once", setting, key, before->option));
+    made.push_back({.key = key, .value = toml_value(value), .option = "--set " + setting});
   }
   return made;
 }
@@ -58,8 +73,8 @@ Case CaseChanges::read(const std::string& name) const {
   try {
     Case one = read_named_case(name, substitutions);
     for (const std::string& setting : settings) {  // as it was typed: 1e4, not 10000.0
-      const auto equals = setting.find('=');
-      one.title += fmt::format(", {} = {}", setting.substr(0, equals), one_line(setting.substr(equals + 1)));
+      const auto [key, value] = key_and_value(setting);
+      one.title += fmt::format(", {} = {}", key, one_line(value));
     }
     return one;
   } catch (const CaseError& error) {

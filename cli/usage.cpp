@@ -59,7 +59,7 @@ double parse_number(const std::string& option, const std::string& text, const In
   const auto parsed = std::from_chars(without_plus(text).data(), end, value);
   const bool whole = parsed.ptr == end && parsed.ec != std::errc::invalid_argument;
   if (const std::string comma = comma_in_number(text); !comma.empty()) throw option_error(option, text, comma);
-  if (!whole) throw refuse("is not a number");
+  if (!whole) throw refuse(text.find(',') == std::string::npos ? "is not a number" : several_numbers);
   if (parsed.ec == std::errc() && !std::isfinite(value)) throw refuse("is not finite");
   if (parsed.ec != std::errc() || !range.contains(value)) throw refuse("is out of range");
   return value;
@@ -71,7 +71,7 @@ int parse_integer(const std::string& option, const std::string& text, const allo
   const char* end = text.data() + text.size();
   const auto parsed = std::from_chars(without_plus(text).data(), end, value);
   const bool whole = parsed.ptr == end && parsed.ec != std::errc::invalid_argument;
-  if (!whole) throw refuse("is not an integer");
+  if (!whole) throw refuse(text.find(',') == std::string::npos ? "is not an integer" : several_numbers);
   if (parsed.ec != std::errc() || value < range.low || value > range.high) throw refuse("is out of range");
   return value;
 }

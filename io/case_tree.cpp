@@ -22,7 +22,7 @@ constexpr int not_of_the_file = 0;        // the line of a substituted value: me
 
 CaseNode node_of(const toml::node& node) {
   CaseNode made{.type = type_of(node)};
-  if (const auto* whole = node.as_integer()) made.content = whole->get();
+  if (const auto* whole = decimal_integer(node)) made.content = whole->get();
   if (const auto* real = node.as_floating_point()) made.content = real->get();
   if (const auto* text = node.as_string()) made.content = text->get();
   if (const auto* array = node.as_array()) {

@@ -15,6 +15,7 @@
 #include "io/case_keys.hpp"
 #include "io/case_tree.hpp"
 #include "io/near_miss.hpp"
+#include "io/substitution.hpp"
 
 namespace ehd {
 
@@ -38,16 +39,20 @@ std::string plain_text(const CaseTree& tree, std::string_view key, const Allowed
   return *content;
 }
 
-/// What is wrong with a text in the place of a number: "1e5 N", "0x10", "1 000", "1e400". "is a text" where the text
-/// does not begin with a number, and where it is one in quotation marks.
+/// What is wrong with a text in the place of a number: "1e5 N", "0x10", "1 000", "1e400", "20.". "is a text" where the
+/// text does not begin with a number, and where it is one in quotation marks.
 std::string fault_of_text(std::string_view text) {
   if (text.empty()) return "is empty";
   text = without_plus(text);
   double value = 0;
   const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value);
   const std::string_view rest = text.substr(static_cast<std::size_t>(parsed.ptr - text.data()));
-  if (rest.empty()) return parsed.ec == std::errc::result_out_of_range ? "is out of range" : "is a text";
+  if (rest.empty()) {
+    if (parsed.ec == std::errc::result_out_of_range) return "is out of range";
+    return std::holds_alternative<std::string>(toml_value(text)) ? "is no number in TOML" : "is a text";
+  }
   if (rest.size() == text.size()) return "is a text";
+  if (rest.front() == ',') return several_numbers;
   if (value == 0 && std::string_view("xob").find(rest.front()) != std::string_view::npos) return "is no decimal number";
   const char unit = rest[std::min(rest.find_first_not_of(' '), rest.size() - 1)];
   const bool letter = (unit >= 'a' && unit <= 'z') || (unit >= 'A' && unit <= 'Z') || unit == '%';

@@ -35,6 +35,9 @@ namespace ehd {
 /// "has a comma in a number; allowed is a point, 1.0e5", of "1,0e5"; empty of any other text.
 [[nodiscard]] std::string comma_in_number(std::string_view text);
 
+/// What is wrong with "1e-2,1e-3" in the place of a number.
+inline constexpr const char* several_numbers = "has a comma, and is not one number";
+
 /// Without the sign of "+5", which std::from_chars does not know. "+-5" stays, and is no number.
 [[nodiscard]] std::string_view without_plus(std::string_view number);
 

@@ -20,7 +20,7 @@ constexpr std::size_t longest_key = 60;  // of an unknown key in a message
 }  // namespace
 
 std::optional<double> number_of(const toml::node& node) {
-  if (const auto* whole = node.as_integer()) return static_cast<double>(whole->get());
+  if (const auto* whole = decimal_integer(node)) return static_cast<double>(whole->get());
   if (const auto* real = node.as_floating_point()) return real->get();
   return std::nullopt;
 }

@@ -64,7 +64,7 @@ class RangeReader {
   [[nodiscard]] std::size_t points(const End& from, const End& to) const {
     const std::string allowed = fmt::format("an integer, 1 to {}", most_rows);
     const toml::node& node = required("points", allowed);
-    const auto* count = node.as_integer();
+    const auto* count = decimal_integer(node);
     if (!count) source_.fail_type(named("points"), node, allowed);
     if (count->get() < 1 || count->get() > static_cast<std::int64_t>(most_rows))
       source_.fail(named("points"), node, "is out of range; allowed is " + allowed);
@@ -113,7 +113,7 @@ std::vector<TomlValue> swept_values(const SweepSource& source, const std::string
   for (const toml::node& entry : *array) {
     if (const auto* word = entry.as_string()) {
       values.emplace_back(word->get());
-    } else if (const auto* whole = entry.as_integer()) {
+    } else if (const auto* whole = decimal_integer(entry)) {
       values.emplace_back(whole->get());
     } else if (const auto* real = entry.as_floating_point()) {
       values.emplace_back(real->get());

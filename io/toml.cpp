@@ -118,6 +118,7 @@ std::string slip_of(std::string_view line, std::string_view table) {
   const std::string rest = trimmed(std::string_view(value).substr(number));
   if (begins_with_value(rest)) return "";
   if (const std::string comma = comma_in_number(value); !comma.empty()) return comma;
+  if (begins_with(rest, ",") && !wanted.empty()) return std::string(several_numbers) + "; allowed is " + wanted;
   if ((begins_with(rest, latin) && !begins_exponent(rest)) || begins_with(rest, "%"))
     return "has a unit; allowed is the number alone, in the unit that the key names";
   return no_number;
@@ -136,12 +137,19 @@ std::vector<std::pair<std::string, const toml::node*>> unknown_keys(const toml::
   return unknown;
 }
 
+const toml::value<std::int64_t>* decimal_integer(const toml::node& node) {
+  constexpr auto other_base = toml::value_flags::format_as_hexadecimal | toml::value_flags::format_as_octal |
+                              toml::value_flags::format_as_binary;
+  const auto* whole = node.as_integer();
+  return whole && (whole->flags() & other_base) == toml::value_flags::none ? whole : nullptr;
+}
+
 std::string type_of(const toml::node& node) {
   switch (node.type()) {
     case toml::node_type::table: return "a table";
     case toml::node_type::array: return "an array";
     case toml::node_type::string: return "a text";
-    case toml::node_type::integer: return "an integer";
+    case toml::node_type::integer: return decimal_integer(node) ? "an integer" : "no decimal number";
     case toml::node_type::floating_point: return "a number";
     case toml::node_type::boolean: return "a boolean";
     default: return "a date or time";

@@ -5,6 +5,7 @@
 
 #include <toml++/toml.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -19,7 +20,11 @@ namespace ehd {
 [[nodiscard]] std::vector<std::pair<std::string, const toml::node*>> unknown_keys(
     const toml::table& table, const std::vector<std::string>& allowed);
 
-/// "a table", "a text", "an integer", …
+/// The integer of a node; null for all else, and for one that is written as 0x14, 0o24 or 0b10100: numbers of a case
+/// are decimal.
+[[nodiscard]] const toml::value<std::int64_t>* decimal_integer(const toml::node& node);
+
+/// "a table", "a text", "an integer", …; "no decimal number" for 0x14
 [[nodiscard]] std::string type_of(const toml::node& node);
 
 /// The line of a node; 1 for a node that is not from the file.
