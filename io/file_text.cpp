@@ -28,7 +28,8 @@ std::string size_text(std::uintmax_t bytes) {
 std::string fault_of_file(const std::filesystem::path& file) {
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
-  if (status.type() == std::filesystem::file_type::not_found) return "there is no such file";
+  if (status.type() == std::filesystem::file_type::not_found)
+    return file == "-" ? "standard input is not read here" : "there is no such file";
   if (status.type() == std::filesystem::file_type::none) return "cannot be read (" + error.message() + ")";
   if (std::filesystem::is_directory(status)) return "is a directory";
   if (!std::filesystem::is_regular_file(status)) return "is not a regular file";

@@ -112,6 +112,8 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_set_is_refused_with_the_nearest_key) {
       {"bearing na4908 --set bearing.rollers=19 --set 'bearing.rollers = 20'",
        "ehd: --set bearing.rollers = 20: sets bearing.rollers again, after --set bearing.rollers=19; allowed is each"},
       {"solve own-moes-5-5 --set moes.M=20.", "--set moes.M=20.: is no number in TOML; allowed is a number, 0.001 to"},
+      {"judge -", "-: standard input is not read here; allowed is a submission"},
+      {"sweep -", "-: standard input is not read here; allowed is a sweep file"},
       {"plan own-moes-5-5 --json a --json b", "ehd: --json: is given more than once; ehd plan --help shows what is"},
       {"solve own-moes-5-5 --set moes.M=[1,2]", "ehd: --set moes.M=[1,2]: is a list; allowed is a number"},
       {"solve own-moes-5-5 --set moes.M=0x1", "moes.M=0x1: is no decimal number; allowed is a number, 0.001 to 1e6"},
