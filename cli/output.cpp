@@ -88,8 +88,11 @@ OutputFolder::OutputFolder(const std::optional<std::string>& option) : path_(opt
   if (!option) return;
   std::error_code error;
   const auto whole = std::filesystem::absolute(path_, error).lexically_normal();
-  for (auto above = whole; !above.empty() && !std::filesystem::exists(above, error); above = above.parent_path())
-    made_.push_back(above);
+  // A link that leads nowhere is there, and is not ours to remove.
+  const auto is_there = [&](const auto& path) {
+    return std::filesystem::exists(std::filesystem::symlink_status(path, error));
+  };
+  for (auto above = whole; !above.empty() && !is_there(above); above = above.parent_path()) made_.push_back(above);
   try {
     make_folder(path_);
   } catch (...) {

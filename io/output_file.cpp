@@ -119,6 +119,19 @@ class SignalsHeld {
   sigset_t before_{};
 };
 
+/// Why no folder can be where something is already; empty where a folder or nothing is there.
+std::string fault_of_folder(const std::filesystem::path& path) {
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (std::filesystem::exists(status)) return std::filesystem::is_directory(status) ? "" : "is no folder";
+  std::error_code none;
+  if (!std::filesystem::is_symlink(std::filesystem::symlink_status(path, none))) return "";
+  const std::string target = std::filesystem::read_symlink(path, none).string();
+  const bool absent = status.type() == std::filesystem::file_type::not_found;
+  return fmt::format("is a link to {}, which {}", target,
+                     absent ? "does not exist" : fmt::format("cannot be followed ({})", error.message()));
+}
+
 }  // namespace
 
 OutputFile::OutputFile(std::filesystem::path path, Replaces replaces) : path_(std::move(path)) {
@@ -244,12 +257,11 @@ void make_folder(const std::filesystem::path& folder) {
   std::filesystem::path above;
   for (const auto& name : folder) {
     above /= name;
-    std::error_code none;
-    const auto status = std::filesystem::status(above, none);
-    if (std::filesystem::exists(status) && !std::filesystem::is_directory(status))
-      throw OutputError(one_line(fmt::format(
-          "{}: is no folder, and a folder is needed there; allowed is to move or remove it, or another --output",
-          above.string())));
+    if (const std::string fault = fault_of_folder(above); !fault.empty())
+      throw OutputError(
+          one_line(fmt::format("{}: {}, and a folder is needed there; allowed is to move or remove it, "
+                               "or another --output",
+                               above.string(), fault)));
   }
   throw OutputError(one_line(fmt::format("{}: cannot be made ({}); allowed is a folder that exists or can be made",
                                          folder.string(), error.message())));

@@ -618,6 +618,24 @@ BOOST_AUTO_TEST_CASE(a_file_in_the_way_of_a_folder_is_named) {
   }
 }
 
+// A link that leads nowhere is refused by name, and stays.
+BOOST_AUTO_TEST_CASE(a_link_in_the_way_of_a_folder_is_named_and_left_alone) {
+  const test::Folder folder;
+  const auto link = folder.path() / "link", loop = folder.path() / "loop";
+  std::filesystem::create_symlink(folder.path() / "away" / "disk", link);
+  std::filesystem::create_symlink("loop", loop);
+  const std::string nowhere = link.string() + ": is a link to " + (folder.path() / "away" / "disk").string();
+  for (const std::string command : {"verify --rung 3", "sweep " EHD_SOURCE_DIR "/examples/sweeps/contact-moes.toml"}) {
+    for (const char* below : {"", "/below"})
+      test::check_refused(folder, command + " --output " + link.string() + below,
+                          nowhere + ", which does not exist, and a folder is needed there; allowed is to move or");
+    test::check_refused(folder, command + " --output " + loop.string(),
+                        loop.string() + ": is a link to loop, which cannot be followed (");
+    BOOST_TEST(std::filesystem::is_symlink(link), command);
+    BOOST_TEST(std::filesystem::is_symlink(loop), command);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(an_id_is_preferred_to_a_file_of_that_name_unless_it_is_written_as_a_path) {
   const test::Folder folder;
   (void)folder.write("dry-steel", "no case");
