@@ -35,8 +35,11 @@ std::string with_absolute_error(double value, std::optional<double> absolute_err
   if (!std::isfinite(value) || !absolute_error || !std::isfinite(*absolute_error) || *absolute_error < 0)
     return plain(value);
   if (*absolute_error == 0 || value == 0) return plain(value, most_digits);
-  if (*absolute_error >= std::abs(value))
-    return fmt::format("{} (error {})", plain(value, 2), plain(*absolute_error, 1));
+  if (*absolute_error >= std::abs(value)) {  // no digit is known; of the value, what the error's own digit leaves
+    const double unit = std::pow(10.0, std::floor(std::log10(*absolute_error)));
+    return fmt::format("{} (error {})", plain(std::round(value / unit) * unit + 0.0, 1),
+                       rounded_up(*absolute_error, 1));
+  }
   const int leading = static_cast<int>(std::floor(std::log10(std::abs(value))));
   // No digit beyond those of a double, nor below its smallest power of ten.
   const int deepest = std::max(leading - most_digits + 1, std::numeric_limits<double>::min_exponent10);

@@ -249,7 +249,11 @@ BOOST_AUTO_TEST_CASE(digits_printed_are_digits_known) {
   for (const double tiny : {1e-20, 1e-300, std::numeric_limits<double>::denorm_min()})
     BOOST_TEST(with_absolute_error(2.5, tiny) == "2.50000000000000(1)");
   BOOST_TEST(with_absolute_error(1e-300, std::numeric_limits<double>::denorm_min()).ends_with("(1)e-300"));
-  BOOST_TEST(with_error(2.5, 1.5).find("error") != std::string::npos);
+  // Where not even the first digit is known, nothing is left of the value below the error's own digit.
+  BOOST_TEST(with_error(2.5, 1.5) == "3 (error 4)");
+  BOOST_TEST(with_absolute_error(-32.17, 157.3) == "0 (error 2e2)");
+  BOOST_TEST(with_absolute_error(-0.0132, 0.0141) == "-0.01 (error 0.02)");
+  BOOST_TEST(with_absolute_error(8.9e-7, 9.1e-7) == "9e-7 (error 1e-6)");
   BOOST_TEST(with_error(0.5, std::nullopt) == "0.5");
   BOOST_TEST(with_error(0.5, std::numeric_limits<double>::infinity()) == "0.5");
   BOOST_TEST(plain(1e-6) == "1e-6");
