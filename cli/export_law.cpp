@@ -95,14 +95,16 @@ int export_law(const LawExportOptions& options) {
     const LawExport law = export_law(one, request, memory);
     progress.show("");
     warn_of_damping(law, request.knots);
-    if (!file) {
+    if (file) {
+      file->append(write(law));
+      file->commit();
+      for (const std::string& line : law_export_words(law)) print(line + "\n");
+    } else {
       print(write(law));
-      return success;
     }
-    file->append(write(law));
-    file->commit();
-    for (const std::string& line : law_export_words(law)) print(line + "\n");
-    return success;
+    if (law.status == StopReason::converged) return success;
+    complain(fmt::format("ehd: export law: {}: {}: {}", one.id, to_string(law.status), law.why));
+    return not_met;
   } catch (const LawFailure& failure) {
     progress.show("");
     complain(fmt::format("ehd: export law: {}: {}", one.id, failure.what()));

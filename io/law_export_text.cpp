@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "contact/rheology.hpp"
@@ -46,6 +47,8 @@ std::string oil_of(const LawExport& law) {
   return words;
 }
 
+std::string error_text(double error) { return std::isfinite(error) ? plain(error, 2) : "not known"; }
+
 constexpr const char* how_to_interpolate =
     "Between two knots ln(force), ln(film) and damping are cubic Hermite polynomials of delta (value and slope at both "
     "knots); the stiffness is the derivative of the force.";
@@ -74,13 +77,15 @@ std::vector<std::string> law_export_words(const LawExport& law) {
                   plain(law.lightest_N, 4), plain(law.heaviest_N, 5), plain(law.balance_lightest_N, 4),
                   plain(law.balance_heaviest_N, 5)),
       how_to_interpolate,
-      fmt::format("Errors of the law, relative: force {}, film {}{}", plain(law.force_error, 2),
-                  plain(law.film_error, 2), law.damping_error ? ", damping " + plain(*law.damping_error, 2) : ""),
+      fmt::format("Errors of the law, relative: force {}, film {}{}", error_text(law.force_error),
+                  error_text(law.film_error), law.damping_error ? ", damping " + plain(*law.damping_error, 2) : ""),
       fmt::format("Errors of the table, found between the knots: force {}, stiffness {}, film {}{}",
                   plain(errors.force, 2), plain(errors.stiffness, 2), plain(errors.film, 2),
                   errors.damping ? ", damping " + plain(*errors.damping, 2) : "")};
   lines.push_back(law.no_damping.empty() ? "Damping: of slow motion, omega -> 0"
                                          : "Damping: not known; " + law.no_damping);
+  if (law.status != StopReason::converged)
+    lines.push_back(fmt::format("Status: {}; {}", to_string(law.status), law.why));
   return lines;
 }
 
@@ -109,6 +114,8 @@ Json to_json(const LawExport& law) {
   json["title"] = law.title;
   json["raceway"] = to_string(law.raceway);
   json["law"] = to_string(bearing::Law::ehd);
+  json["status"] = to_string(law.status);
+  if (!law.why.empty()) json["reason"] = law.why;
   put(json, "datum_x0_m", law.datum_m);
   put(json["contact"], "length_m", law.contact.length_m);
   put(json["contact"], "reduced_radius_m", law.contact.reduced_radius_m);

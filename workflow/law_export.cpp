@@ -72,6 +72,8 @@ LawExport export_law(const Case& bearing_case, const LawExportRequest& request, 
   made.film_error = std::max(errors.interpolation, errors.joint) + errors.solver_minimum_film;
   made.damping_error = damping.error;
   made.no_damping = damping.why_not;
+  made.status = result.status;
+  made.why = result.why;
   return made;
 }
 

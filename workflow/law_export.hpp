@@ -35,6 +35,9 @@ struct LawExport {
   double force_error = 0, film_error = 0;
   std::optional<double> damping_error = {};
   std::string no_damping = {};  ///< why the table has no damping; empty where it has
+  /// Of the balance: where it is not converged, the errors are larger than asked for, or not known, and `why` says why.
+  StopReason status = StopReason::converged;
+  std::string why = {};
 };
 
 /// The table begins at half the lightest contact force of the balance and ends where the solved contacts end. Throws

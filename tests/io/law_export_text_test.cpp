@@ -2,8 +2,12 @@
 // The four forms of a law's table, each read back by means of its own and held against the table's own evaluator.
 #include "io/law_export_text.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -104,6 +108,23 @@ BOOST_AUTO_TEST_CASE(the_json_has_the_knots_and_both_kinds_of_errors) {
   BOOST_TEST(!undamped["knots"].contains("damping_N_s_per_m"));
   BOOST_TEST(!undamped["errors"]["table"].contains("damping"));
   BOOST_TEST(undamped["no_damping"] == "nobody asked");
+  BOOST_TEST(json["status"] == "converged");
+  BOOST_TEST(!json.contains("reason"));
+}
+
+BOOST_AUTO_TEST_CASE(a_law_that_a_limit_cut_short_says_so_and_what_is_not_known) {
+  LawExport law = made_law(true);
+  law.status = StopReason::limit_reached;
+  law.why = "a contact took too long";
+  law.force_error = std::numeric_limits<double>::infinity();
+  for (const auto& text : {law_export_csv(law), fmt::format("{}", fmt::join(law_export_words(law), "\n"))}) {
+    BOOST_TEST(text.find("Status: limit-reached; a contact took too long") != std::string::npos, text);
+    BOOST_TEST(text.find("relative: force not known, film ") != std::string::npos, text);
+  }
+  const auto json = nlohmann::json::parse(json_text(to_json(law)));
+  BOOST_TEST(json["status"] == "limit-reached");
+  BOOST_TEST(json["reason"] == "a contact took too long");
+  BOOST_TEST(!json["errors"]["law"].contains("force"));
 }
 
 BOOST_AUTO_TEST_CASE(the_csv_has_comments_a_header_and_a_line_for_each_knot) {

@@ -114,6 +114,7 @@ def audit(law, of, result, truth):
     audit_knots(said, law, truth)
     own, table = law["errors"]["law"], law["errors"]["table"]
     by_datum = 2  # a curve's force error is that with the datum x_0 = l; with another it is up to twice as large
+    said.equal("status", law["status"], "converged")
     said.near("errors.law.force", own["force"], by_datum * (curve["force_error"] + curve["solver_error"]),
               relative=ROUND_OFF)
     said.within("errors.law.film", own["film"], max(curve["interpolation_error"], curve["joint_error"]), 1e-2)

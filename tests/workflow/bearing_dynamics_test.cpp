@@ -274,6 +274,19 @@ BOOST_AUTO_TEST_CASE(a_law_is_exported_over_the_balance_with_its_damping) {
   const LawExport undamped = export_law(needle_bearing(0), {}, without);
   BOOST_TEST(!undamped.table.damping_N_s_per_m.has_value());
   BOOST_TEST(undamped.no_damping.find("no steady state") != std::string::npos);
+  BOOST_TEST((undamped.status == StopReason::converged));  // of the balance
+}
+
+BOOST_AUTO_TEST_CASE(a_law_that_a_limit_cut_short_is_exported_with_that_status) {
+  ContactMemory memory([](const Problem& problem, const Request& request) {
+    Solution solution = made_solution(problem, request);
+    if (problem.groups.M < 0.2) solution.record.status = StopReason::limit_reached;
+    return solution;
+  });
+  const LawExport law = export_law(needle_bearing(0), {}, memory);
+  BOOST_TEST(law.table.approach_m.size() > 0u);
+  BOOST_TEST((law.status == StopReason::limit_reached));
+  BOOST_TEST(law.why == "the limit on iterations or time ended contacts of the film curves");
 }
 
 BOOST_AUTO_TEST_SUITE_END()
