@@ -353,8 +353,8 @@ def solve(program, case, options, ends=0, truth=None):
 
 
 def documents(program):
-    """(name, kind, document, audit) of every run; of each profile every 32nd row. Not a row next to X = 0: doubled, its X
-    still stands between its neighbours."""
+    """(name, kind, document, audit) of every run; of each profile every 32nd row. Not a row next to X = 0: doubled, its
+    X still stands between its neighbours."""
     runs = side_by_side([lambda run=run: solve(program, *run) for run in RUNS])
     for (case, options, _), (result, inputs) in zip(RUNS, runs, strict=True):
         name = f"solve {case} {' '.join(options)}".strip()
