@@ -66,6 +66,7 @@ constexpr int coarse = 512, middling = 1024;
 struct SmallestRule {
   SmallestParts regular, irregular;
   double s_before;
+  double move = 0;  ///< of the last move of either film
 };
 struct SmallestFactors {
   double three, move;  ///< of three grids: of r_3, of the last move of either film
@@ -108,6 +109,8 @@ constexpr SmallestRule of_unsettled{.regular = unsettled_parts, .irregular = uns
 /// There three grids may miss the spike, unless it is wide: the last move of either film counts too.
 constexpr double unsettled_three_wide = 0.5, unsettled_three_middle = 1, unsettled_three_stiff = 1.6;
 constexpr double unsettled_move = 0.55;
+/// Beyond mild_L more grids may miss it too, up to `middling` intervals. There so much of that move counts.
+constexpr double unsettled_move_of_more = 0.3;
 
 SmallestFactors smallest_factors(MapFit fit, double L) {
   if (fit == MapFit::settled)
@@ -116,6 +119,7 @@ SmallestFactors smallest_factors(MapFit fit, double L) {
   of.on_coarse = of.on_middling = of.on_fine = of_unsettled;
   of.three = L <= wide_spike_L ? unsettled_three_wide : L <= mild_L ? unsettled_three_middle : unsettled_three_stiff;
   of.move = L <= wide_spike_L ? 0 : unsettled_move;
+  if (L > mild_L) of.on_coarse.move = of.on_middling.move = unsettled_move_of_more;
   return of;
 }
 
@@ -176,14 +180,12 @@ double smallest_film_error(const std::vector<double>& minimum, const std::vector
                            int finest) {
   const Moves own = moves_of(minimum);
   const SmallestFactors of = smallest_factors(fit, L);
-  if (minimum.size() == 3) {
-    const double move = central.size() < 2 ? last_move(minimum) : std::max(last_move(minimum), last_move(central));
-    return std::max(of.three * std::abs(own.r), of.move * move);
-  }
+  const double move = central.size() < 2 ? last_move(minimum) : std::max(last_move(minimum), last_move(central));
+  if (minimum.size() == 3) return std::max(of.three * std::abs(own.r), of.move * move);
   const SmallestRule& rule = of.on(finest);
   const SmallestParts& by = own.regular() ? rule.regular : rule.irregular;
   return std::max({by.s * std::abs(own.s), by.r * std::abs(own.r), by.r_before * std::abs(own.r_before),
-                   rule.s_before * std::abs(own.s_before)});
+                   rule.s_before * std::abs(own.s_before), rule.move * move});
 }
 
 }  // namespace ehd::fast

@@ -66,7 +66,8 @@ enum class MapFit { first, again, settled };
 /// Relative error of the smallest film's limit, from three grids on; the last has `finest` intervals. R, S, r, s as
 /// above, all relative:
 ///   m = 3:  max(a |r_3|, a' D), D the last move of either film
-///   m >= 4: max(b |s_m|, c |r_m|, d |r_(m-1)|, e |s_(m-1)|)
+///   m >= 4: max(b |s_m|, c |r_m|, d |r_(m-1)|, e |s_(m-1)|); beyond L = 15 on other maps, up to 1024
+///           intervals, at least 0.3 D
 ///                            a, a'        intervals    b, c, d regular    b, c, d else      e
 ///   settled map, L <= 8      0.25, 0      up to 512    0.4, 0.04, 0.003   0.3, 0.1, 0.02    0.05
 ///                                         up to 1024   0.4, 0.1, 0.003    0.5, 0.9, 0.17    0.05
