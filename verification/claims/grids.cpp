@@ -136,6 +136,28 @@ Findings judge_flooded(MoesGroups moes) {
           {}};
 }
 
+/// Behind a narrow spike the pressure falls within a cell. With the density of the node in the wedge, not that of
+/// fast/carried_density.hpp, H_min errs by 2e-5 there.
+Findings judge_steep_fall(MoesGroups moes) {
+  constexpr int intervals = 1024;
+  constexpr double truth_tolerance = 1e-7, required = 5e-6;
+  const Problem problem = problem_of(moes, Flooded{});
+  const Solution truth = remembered(certified_solver().name).solve(problem, {.tolerance = truth_tolerance}),
+                 given = remembered("fast").solve(problem, {.tolerance = {}, .nodes = intervals});
+  const Reading *known = reading(truth, Quantity::film_minimum), *seen = reading(given, Quantity::film_minimum);
+  const double value = known ? known->value : nothing, error = known ? known->error.value() : nothing;
+  const std::string point = fmt::format("{}-{}", plain(moes.M), plain(moes.L));
+  return {{claim_value({.id = "grids/steep-fall/" + point,
+                        .rung = 8,
+                        .statement = fmt::format("on {} intervals fast has H_min of compressible oil behind the narrow "
+                                                 "spike at M-L = {}",
+                                                 intervals, point),
+                        .solver = "fast"},
+                       seen ? seen->value : nothing, value, error,
+                       Tolerance::required(required, "H_min to 5e-6 on 1024 intervals"), "")},
+          {}};
+}
+
 }  // namespace
 
 std::vector<Topic> grid_topics() {
@@ -148,6 +170,8 @@ std::vector<Topic> grid_topics() {
   }
   for (const MoesGroups& moes : {MoesGroups{2, 2.5}, MoesGroups{20, 10}, MoesGroups{200, 5}})
     topics.push_back({.name = "flooded inlet", .rungs = {8}, .judge = [moes] { return judge_flooded(moes); }});
+  for (const MoesGroups& moes : {MoesGroups{200, 20}, MoesGroups{2000, 20}})
+    topics.push_back({.name = "steep fall", .rungs = {8}, .judge = [moes] { return judge_steep_fall(moes); }});
   return topics;
 }
 
