@@ -97,12 +97,19 @@ constexpr SmallestFactors smallest_middle{.three = 0.4,
                                                         .s_before = 0.3},
                                           .on_middling = middle_grids,
                                           .on_fine = middle_grids};
+/// Up to between_L grids of up to `middling` intervals are as good as up to wide_spike_L.
+constexpr SmallestFactors smallest_between{.three = smallest_middle.three,
+                                           .move = smallest_middle.move,
+                                           .on_coarse = smallest_mild.on_coarse,
+                                           .on_middling = smallest_mild.on_middling,
+                                           .on_fine = middle_grids};
 constexpr SmallestRule stiff_grids{
     .regular = {.s = 1, .r = 0.5, .r_before = 0.01}, .irregular = {.s = 1.5, .r = 2, .r_before = 0.4}, .s_before = 1};
 constexpr SmallestFactors smallest_stiff{
     .three = 0.5, .move = 0.25, .on_coarse = stiff_grids, .on_middling = stiff_grids, .on_fine = stiff_grids};
-/// Up to this L the spike is wide, and even the smallest film is regular; on settled maps nearly so up to the other.
-constexpr double wide_spike_L = 8, settled_L = 20;
+/// Up to the first L the spike is wide, and even the smallest film is regular; on settled maps nearly so up to the
+/// others.
+constexpr double wide_spike_L = 8, between_L = 12, settled_L = 20;
 /// On a map that is not settled.
 constexpr SmallestParts unsettled_parts{.s = 1.5, .r = 2, .r_before = 0.35};
 constexpr SmallestRule of_unsettled{.regular = unsettled_parts, .irregular = unsettled_parts, .s_before = 0.5};
@@ -114,7 +121,10 @@ constexpr double unsettled_move_of_more = 0.3;
 
 SmallestFactors smallest_factors(MapFit fit, double L) {
   if (fit == MapFit::settled)
-    return L <= wide_spike_L ? smallest_mild : L <= settled_L ? smallest_middle : smallest_stiff;
+    return L <= wide_spike_L ? smallest_mild
+           : L <= between_L  ? smallest_between
+           : L <= settled_L  ? smallest_middle
+                             : smallest_stiff;
   SmallestFactors of;
   of.on_coarse = of.on_middling = of.on_fine = of_unsettled;
   of.three = L <= wide_spike_L ? unsettled_three_wide : L <= mild_L ? unsettled_three_middle : unsettled_three_stiff;

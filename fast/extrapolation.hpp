@@ -72,6 +72,7 @@ enum class MapFit { first, again, settled };
 ///   settled map, L <= 8      0.25, 0      up to 512    0.4, 0.04, 0.003   0.3, 0.1, 0.02    0.05
 ///                                         up to 1024   0.4, 0.1, 0.003    0.5, 0.9, 0.17    0.05
 ///                                         more         0.6, 0.16, 0.008   0.5, 0.9, 0.17    0.1
+///   settled map, L <= 12     0.4, 0.25    up to 1024   as up to L <= 8, the rest as up to L <= 20
 ///   settled map, L <= 20     0.4, 0.25    up to 512    0.5, 0.15, 0.01    0.4, 0.15, 0.03   0.3
 ///                                         more         0.8, 0.3, 0.01     1, 1.5, 0.3       0.3
 ///   settled map, else        0.5, 0.25    any          1, 0.5, 0.01       1.5, 2, 0.4       1
@@ -92,9 +93,12 @@ enum class MapFit { first, again, settled };
 /// with random constants, flooded and cut), tested on 1522 others at five tolerances of 2.9e-4..1e-6. 21 of 7447 errors
 /// are too small, at most 2 times; with the last row everywhere 18 of 7445 were. The median is 8 to 24 times the true
 /// error up to L = 8 and 16 to 49 times up to L = 15, at tolerances down to 1e-5; before, 29 to 82 times. At 1e-4 the
-/// grids have a quarter fewer intervals. That was before carried_density.hpp: with it none of 6,400 errors of 2,400
-/// other contacts up to L = 15 is too small at 1e-4 to 1e-5. The rows of L <= 15 then went up to 20: there one of 3,600
-/// is too small, by 1.17, and 1e-4 takes .6 of the intervals.
+/// grids have a quarter fewer intervals.
+/// The rows up to L = 12 and L = 20, and the 0.3 D, came last, with carried_density.hpp: 4200 contacts up to L = 30
+/// (boxes and laws as before), six tolerances of 2.9e-4..1e-6. Up to L = 20, 10 of 17,785 errors are too small, at
+/// most 1.82 times, and the median is 7 to 30 times the true error down to 1e-5; beyond, 8 of 6,003, at most 1.26
+/// times. With the rows for smaller L, 1e-5 takes half to two thirds of the intervals. The 0.3 D: 23 of 2,300 errors of
+/// four and five grids of 700 contacts (L = 15..30, asked for 5e-3..3e-4) were too small without it, by up to 3.8.
 [[nodiscard]] double smallest_film_error(const std::vector<double>& minimum, const std::vector<double>& central,
                                          MapFit fit, double L, int finest);
 

@@ -182,8 +182,13 @@ BOOST_AUTO_TEST_CASE(irregular_moves_of_the_smallest_film_count_less_up_to_512_i
                S_move = std::abs(8 * (R(3) - R(2)) - (R(2) - R(1))) / 7 / four[3];
   const auto on = [&](double L, int finest) { return fast::smallest_film_error(four, {}, MapFit::settled, L, finest); };
   EHD_CHECK(error(on(5, 512), std::max(0.3 * S_move, 0.1 * move)), Tolerance::round_off(64, 100));
-  for (const double L : {12.0, 20.0})
+  BOOST_TEST(on(12, 512) == on(5, 512));
+  BOOST_TEST(on(12, 1024) == on(5, 1024));
+  for (const double L : {12.1, 20.0}) {
     EHD_CHECK(error(on(L, 512), std::max(0.4 * S_move, 0.15 * move)), Tolerance::round_off(64, 100));
+    BOOST_TEST(on(L, 1024) == on(20, 1024));
+  }
+  BOOST_TEST(on(12, 2048) == on(20, 2048));
   for (const double L : {5.0, 20.0}) BOOST_TEST(on(L, 512) < on(L, 513));
   BOOST_TEST(on(20.1, 512) == on(20.1, 513));
 }
