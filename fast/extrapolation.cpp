@@ -97,7 +97,7 @@ constexpr SmallestFactors smallest_middle{.three = 0.4,
                                                         .s_before = 0.3},
                                           .on_middling = middle_grids,
                                           .on_fine = middle_grids};
-/// Up to between_L grids of up to `middling` intervals are as good as up to wide_spike_L.
+/// Up to between_L the rules of wide spikes hold on grids of up to `middling` intervals.
 constexpr SmallestFactors smallest_between{.three = smallest_middle.three,
                                            .move = smallest_middle.move,
                                            .on_coarse = smallest_mild.on_coarse,

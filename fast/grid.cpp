@@ -30,11 +30,11 @@ int table_cells(int n, Tables tables) {
 }
 
 /// The wedge's k: third order in the inlet, where the pressure rises; more upwind where it falls. From one to the
-/// other k follows 1/(1 + exp(bias_steepness X)). Near the spike k tends to -1. With any other k the carried oil
-/// oscillates before the steep fall behind the spike, ten times more from node to node with -0.5.
+/// other k follows 1/(1 + exp(bias_steepness X)). Near the spike k tends to -1. With any other k rho H oscillates
+/// in front of the steep fall behind the spike; with -0.5 the oscillation grows tenfold from node to node.
 constexpr double inlet_bias = 0.5, outlet_bias = -0.5, upwind_bias = -1, bias_steepness = 8;
-/// Near the spike is exp(-(distance/reach)^2). The reach has so many widths of the spike, at most this part of the way
-/// from there to the exit. Twice as much of both does as well.
+/// near_spike is exp(-(distance/reach)^2). The reach is so many widths of the spike, but at most this part of the
+/// distance from the spike to the exit. With both numbers doubled the films are as good.
 constexpr double near_widths = 8, nearer_than_exit = 0.25;
 
 }  // namespace
