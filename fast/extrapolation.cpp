@@ -43,6 +43,8 @@ double last_move(const std::vector<double>& f) { return std::abs(1 - f[f.size() 
 constexpr double central_three_mild = 0.15, central_three = 0.25, central_three_on_first_map = 0.8;
 /// Beyond this L three grids may agree on a wrong central film: the last move of either film counts too.
 constexpr double central_move_L = 10, central_move = 0.25;
+/// The same of more grids beyond mild_L, on a map that is not settled.
+constexpr double central_move_of_more = 0.1;
 struct CentralParts {
   double s, r;
 };
@@ -116,8 +118,8 @@ constexpr SmallestRule of_unsettled{.regular = unsettled_parts, .irregular = uns
 /// There three grids may miss the spike, unless it is wide: the last move of either film counts too.
 constexpr double unsettled_three_wide = 0.5, unsettled_three_middle = 1, unsettled_three_stiff = 1.6;
 constexpr double unsettled_move = 0.55;
-/// Beyond mild_L more grids may miss it too, up to `middling` intervals. There so much of that move counts.
-constexpr double unsettled_move_of_more = 0.3;
+/// Beyond mild_L more grids may miss it too: so much of that move counts.
+constexpr double unsettled_move_of_more = 0.75;
 
 SmallestFactors smallest_factors(MapFit fit, double L) {
   if (fit == MapFit::settled)
@@ -129,7 +131,7 @@ SmallestFactors smallest_factors(MapFit fit, double L) {
   of.on_coarse = of.on_middling = of.on_fine = of_unsettled;
   of.three = L <= wide_spike_L ? unsettled_three_wide : L <= mild_L ? unsettled_three_middle : unsettled_three_stiff;
   of.move = L <= wide_spike_L ? 0 : unsettled_move;
-  if (L > mild_L) of.on_coarse.move = of.on_middling.move = unsettled_move_of_more;
+  if (L > mild_L) of.on_coarse.move = of.on_middling.move = of.on_fine.move = unsettled_move_of_more;
   return of;
 }
 
@@ -174,16 +176,18 @@ double central_film_error(const std::vector<double>& central, const std::vector<
                           double L) {
   const Moves own = moves_of(central), smallest = moves_of(minimum);
   const CentralFactors& of = L <= mild_L ? of_mild : of_stiff;
+  const double move = std::max(last_move(central), last_move(minimum));
   if (central.size() == 3) {
     const double three = L <= mild_L            ? central_three_mild
                          : fit == MapFit::first ? central_three_on_first_map
                                                 : central_three;
-    const double move = L <= central_move_L ? 0 : std::max(last_move(central), last_move(minimum));
-    return std::max(three * std::max(std::abs(own.r), std::abs(smallest.r)), central_move * move);
+    return std::max(three * std::max(std::abs(own.r), std::abs(smallest.r)),
+                    L <= central_move_L ? 0 : central_move * move);
   }
   const CentralParts& by = own.regular() ? of.regular : of.irregular;
   const double tie = std::max(of.smallest_at_least, of.smallest_by_film * std::min(1.0, central.back()));
-  return std::max({by.s * std::abs(own.s), by.r * std::abs(own.r), tie * std::abs(smallest.s)});
+  const double of_move = fit == MapFit::settled || L <= mild_L ? 0 : central_move_of_more * move;
+  return std::max({by.s * std::abs(own.s), by.r * std::abs(own.r), tie * std::abs(smallest.s), of_move});
 }
 
 double smallest_film_error(const std::vector<double>& minimum, const std::vector<double>& central, MapFit fit, double L,
