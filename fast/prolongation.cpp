@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fast/steep_fall.hpp"
+
 namespace ehd::fast {
 
 namespace {
@@ -32,6 +34,7 @@ struct Profile {
   double inlet;
   [[nodiscard]] double length() const { return state.exit - inlet; }
   [[nodiscard]] double X(Eigen::Index i) const { return inlet + length() * grid.place[i]; }
+  [[nodiscard]] Array X() const { return inlet + length() * grid.place; }
 };
 
 /// The node from which the pressure falls to its steepest fall.
@@ -58,14 +61,16 @@ double cubic_through(const double* y, double t) {
          t * (t - 1) * (t - 2) / 6 * y[3];
 }
 
-/// P at the place phi = `at` in a cell, cubic in the index, to which the map is smooth.
+/// P at the place phi = `at` in a cell, cubic in the index, to which the map is smooth; not below both ends of the
+/// cell.
 double pressure_at(double at, Eigen::Index cell, const Profile& profile) {
   const Eigen::Index first = std::clamp<Eigen::Index>(cell - 1, 0, profile.grid.n - 3);
   const double* const place = profile.grid.place.data() + first;
   const double width = profile.grid.spacing[cell];
   double t = static_cast<double>(cell - first) + (at - profile.grid.place[cell]) / width;
   for (int k = 0; k < place_steps; ++k) t -= (cubic_through(place, t) - at) / width;  // phi(t) = at
-  return cubic_through(profile.state.P.data() + first, t);
+  const Array& P = profile.state.P;
+  return std::max(cubic_through(P.data() + first, t), std::min(P[cell], P[cell + 1]));
 }
 
 /// How far the solution moves from a place on the grid so far to the next grid: with the spike and the exit, linearly
@@ -115,23 +120,25 @@ State Prolongation::onto(int n, Grids& grids, double inlet) const {
   const auto profile_of = [&](const State& state) {
     return Profile{grids.of(static_cast<int>(state.P.size()) - 1), state, inlet};
   };
-  if (!before_) return interpolate_to(*last_, n);
   const Profile last = profile_of(*last_);
-  const auto move = next_move_of(profile_of(*before_), last);
-  if (!move) return interpolate_to(*last_, n);
+  const auto move = before_ ? next_move_of(profile_of(*before_), last) : std::nullopt;
+  const auto fall = steep_fall(last.X(), last_->P);
+  if (!move && !fall) return interpolate_to(*last_, n);
 
   const Grid& fine = grids.of(n);
-  State state{.P = Array::Zero(n + 1),
-              .offset = last_->offset + next_move * (last_->offset - before_->offset),
-              .exit = move->exit,
-              .tail = last_->tail};
+  State state{.P = Array::Zero(n + 1), .offset = last_->offset, .exit = last_->exit, .tail = last_->tail};
+  if (move) {
+    state.offset += next_move * (last_->offset - before_->offset);
+    state.exit = move->exit;
+  }
   const double length = state.exit - inlet;
   Eigen::Index cell = 0;
   for (int i = 1; i < n; ++i) {
-    const double X = inlet + length * fine.place[i];
-    const double at = (X - move->at(X) - inlet) / last.length();
+    const double X = inlet + length * fine.place[i], from = move ? X - move->at(X) : X;
+    const double at = (from - inlet) / last.length();
     while (cell + 1 < last.grid.n && last.grid.place[cell + 1] < at) ++cell;
-    state.P[i] = std::max(0.0, pressure_at(at, cell, last));
+    state.P[i] = fall && fall->covers(cell) ? fall->mean(from, length * (fine.place[i + 1] - fine.place[i - 1]) / 2)
+                                            : pressure_at(at, cell, last);
   }
   return state;
 }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <memory>
 
+#include "fast/steep_fall.hpp"
+
 namespace ehd::fast {
 
 namespace {
@@ -94,12 +96,15 @@ State on_present_map(Run& run, const Known& known, const InletTail& tail, int n)
   const double inlet = run.setting.inlet, exit = X[X.size() - 1];
   Grid& grid = grid_of(run, n);
   State state{.P = Array::Zero(n + 1), .offset = 0, .exit = exit, .tail = tail};
+  const auto fall = steep_fall(X, P);
   Eigen::Index cell = 0;
   for (int i = 1; i < n; ++i) {
     const double at = inlet + (exit - inlet) * grid.place[i];
     if (at <= X[0]) continue;  // another solution's inlet may begin later: no pressure yet
     while (cell + 2 < X.size() && X[cell + 1] < at) ++cell;
-    state.P[i] = std::max(0.0, cubic(X, P, cell, at));
+    state.P[i] = fall && fall->covers(cell)
+                     ? fall->mean(at, (exit - inlet) * (grid.place[i + 1] - grid.place[i - 1]) / 2)
+                     : std::max(cubic(X, P, cell, at), std::min(P[cell], P[cell + 1]));
   }
   state.offset = offset_for(film, run.setting, state, grid);
   return state;

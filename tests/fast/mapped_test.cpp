@@ -187,15 +187,6 @@ BOOST_AUTO_TEST_CASE(the_central_film_alone_gets_better_maps_where_the_first_doe
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_coarse_grid_where_newton_stalls_does_no_harm_to_finer_ones) {
-  // Newton leaves 5e-5 on one of the coarse grids, where 3e-6 is asked for.
-  const Solution solution = fast::Mapped{}.solve(roelands_problem(2e5, 20, Flooded{}), {.tolerance = 1e-4});
-  double largest = 0;
-  for (const GridRecord& grid : solution.record.grids) largest = std::max(largest, grid.residual);
-  BOOST_TEST(largest > 1e-5);  // else the test shows nothing
-  BOOST_CHECK(solution.record.status == StopReason::converged);
-}
-
 BOOST_AUTO_TEST_CASE(five_hundred_and_a_thousand_intervals_give_the_digits_required) {
   int rows = 0;
   for (const Truth& truth : truths) {
@@ -440,8 +431,9 @@ BOOST_AUTO_TEST_CASE(flux_is_constant_and_the_load_is_carried) {
 }
 
 BOOST_AUTO_TEST_CASE(a_given_grid_is_solved_to_rounding_in_the_far_inlet_too) {
-  const Solution solution = fast::Mapped{}.solve(roelands_problem(200, 15, Flooded{}), {.tolerance = {}, .nodes = 512});
-  // 1.3e-10; where flux errors count in units of the oil alone, 9e-10 is left far out.
+  const Solution solution =
+      fast::Mapped{}.solve(roelands_problem(100, 15, Flooded{}), {.tolerance = {}, .nodes = 1024});
+  // 1.9e-10; where flux errors count in units of the oil alone, 7.5e-10 is left far out.
   EHD_CHECK(film(solution, Quantity::flux_variation), Tolerance::iteration(4e-10, 1));
 }
 
