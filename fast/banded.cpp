@@ -13,7 +13,7 @@ bool BandedOf<Scalar>::factorise() {
   return rows.succeeded();
 }
 
-// Each row waits for the row before. So one product of a row is all that stands between it and the next one.
+// A row needs the result of the row before. The term with that result comes last: only one product waits for it.
 template <class Scalar>
 void BandedOf<Scalar>::solve(ArrayOf<Scalar>& x) const {
   const Row* const rows = rows_.data();

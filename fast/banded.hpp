@@ -22,8 +22,8 @@ class BandedOf {
   [[nodiscard]] int rows() const { return static_cast<int>(rows_.size()); }
   [[nodiscard]] Row& row(int i) { return rows_[static_cast<std::size_t>(i)]; }
 
-  /// The factorisation in place, row by row. Each row waits for the one before; two factorisations in turn take little
-  /// more time than one.
+  /// Factorises in place, row by row. A row needs the one before, so a processor waits. Two factorisations that take
+  /// turns need little more time than one.
   class Factorisation {
    public:
     explicit Factorisation(BandedOf& matrix)

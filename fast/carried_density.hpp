@@ -9,9 +9,9 @@
 //   carried density = (1 - w_j) rho_j + w_j rho^_j,  w = Grid::near_spike.
 //
 // Where P is smooth, rho^ differs from rho by O(h^2). With rho alone the error of the smallest film fell only as h, and
-// depended on where between the nodes the fall was. At 60 contacts (M of 5..3000, L of 8..25, compressible,
-// Barus and Roelands, flooded and cut) the extrapolated H_min of 1024 intervals was off by 2e-6 in the median and by
-// 2.1e-5 at the worst tenth; now by 6e-7 and 2.4e-6. Newton takes .94 of the steps.
+// depended on where between the nodes the fall was. At 60 contacts (M of 5..3000, L of 8..25, compressible, Barus and
+// Roelands, flooded and cut) the extrapolated H_min of 1024 intervals was off by 2e-6 in the median and by 2.1e-5 at
+// the worst tenth; with rho^ it is off by 6e-7 and 2.4e-6. Newton takes .94 of the steps.
 #pragma once
 
 #include "contact/array.hpp"

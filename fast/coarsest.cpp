@@ -55,7 +55,7 @@ bool CoarsestOf<Scalar>::factorise(const NodeFields& nodes, const Jacobian& jaco
   return lu_.factorise();
 }
 
-/// Q of a face is that of the next one and the oil at the node between them.
+/// Q of a face is Q of the next face plus the oil at the node between them.
 template <class Scalar>
 void CoarsestOf<Scalar>::subtract_squeeze(const NodeFields& nodes, const Jacobian& jacobian, const Squeeze& squeeze,
                                           Scalar rate) {

@@ -16,8 +16,8 @@ class Jacobian;
 template <class Scalar>
 class CoarsestOf {
  public:
-  /// Builds and factorises the matrix: J, or J - s Q of a motion of the rate s (squeeze.hpp), whose coefficients then
-  /// stand in `squeeze`. False where it is singular.
+  /// Builds and factorises the matrix: J without `squeeze`, else J - s Q for a motion at the rate s. `squeeze` holds
+  /// the coefficients of Q (squeeze.hpp). False where the matrix is singular.
   [[nodiscard]] bool factorise(const NodeFields& nodes, const Jacobian& jacobian, const Squeeze* squeeze, Scalar rate);
   /// step = J^-1 error.
   void solve(const ResidualOf<Scalar>& error, StepOf<Scalar>& step);

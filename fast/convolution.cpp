@@ -12,7 +12,7 @@
 
 /// Takes the place of FFTW's own function, which aborts. FFTW calls it where it gets no memory, which after
 /// require_plan_memory happens only if another thread takes the memory in between. A plan cannot be given up half-way.
-/// Seen from outside, or FFTW would not find it; libehd.so hides it, since other users of FFTW have their own way.
+/// Visible from outside, since else FFTW would not find it. libehd.so hides it: other users of FFTW have their own way.
 extern "C" [[gnu::visibility("default")]] void fftw_assertion_failed(const char* /*what*/, int /*line*/,
                                                                      const char* /*file*/) {
   std::terminate();
@@ -32,13 +32,13 @@ unsigned effort = FFTW_ESTIMATE;  // guarded by the planner's mutex
 
 /// Beyond so many spacings the closed forms of the weights cancel, and their series take over.
 constexpr int closed_form_up_to = 24;
-/// What planning takes at most, measured up to length 3e6: 24 bytes for each number and 0.2 MB with FFTW_ESTIMATE for
-/// real transforms, which the bench plans (9 bytes for complex ones), 30 bytes and 0.4 MB with FFTW_MEASURE (up to
+/// Memory that planning takes at most, measured up to length 3e6. FFTW_ESTIMATE: 24 bytes for each number and 0.2 MB
+/// for real transforms, which the bench plans; 9 bytes for complex ones. FFTW_MEASURE: 30 bytes and 0.4 MB (up to
 /// 1.3e5). Execution takes none.
 constexpr std::size_t plan_bytes_per_number = 32, plan_bytes = 1 << 20;
-/// Complex transforms of these lengths run in place and without buffers. From one array to another FFTW's estimate
-/// takes twice as long there (8192, 16384, 32768), since its large strides meet in the same lines of the cache;
-/// elsewhere it takes .4 to .9 of the time.
+/// Complex transforms whose length is a multiple of this run in place and without buffers. From one array to another
+/// FFTW's estimate takes twice as long there (8192, 16384, 32768), since its large strides meet in the same lines of
+/// the cache. At other lengths it takes .4 to .9 of the time.
 constexpr int in_place_multiple = 4096;
 /// Terms of the series of half a hat.
 constexpr int half_hat_terms = 12;

@@ -18,7 +18,7 @@ namespace ehd::fast {
 /// Int_0^1 (1 - s) ln(k + s) ds: the outer half of the hat at node 0, seen from node k >= 0.
 [[nodiscard]] double half_hat_moment(int k);
 
-/// How a sum stands for the integral of a pressure against the logarithm.
+/// Quadrature rule for the integral of a pressure times the logarithm.
 enum class Rule {
   piecewise_linear,     ///< hat_moment: exact for piecewise linear pressures
   corrected_trapezoid,  ///< trapezoid_weight: fifth order for smooth ones
@@ -29,9 +29,9 @@ enum class Rule {
 /// zeta(3)/(4 pi^2).
 [[nodiscard]] double trapezoid_weight(int k);
 
-/// From now on FFTW measures the plans of this process, beginning with what `wisdom` (its own text; empty: nothing)
-/// holds of earlier measurements. Two runs may then differ by rounding, so verification plans by estimate. False: no
-/// wisdom of this FFTW.
+/// From now on FFTW measures the plans of this process. `wisdom`: FFTW's text of earlier measurements (measured_plans),
+/// or empty. Measured plans may make two runs differ by rounding, so verification plans by estimate. False where the
+/// text is not wisdom of this FFTW.
 [[nodiscard]] bool measure_plans(const std::string& wisdom);
 /// The wisdom of this process: plans that FFTW has measured, and those it was given.
 [[nodiscard]] std::string measured_plans();

@@ -34,7 +34,7 @@ struct Discretisation {
   [[nodiscard]] InletTail tail_of(const Setting& setting, const State& state) const;
   /// max|e_i|/oil_i.
   [[nodiscard]] double residual() const { return (error.flux / oil).abs().maxCoeff(); }
-  /// max|e_i|/(rho_n H_n): what the self-check of this name finds on the faces; and a bound of its rounding floor.
+  /// max|e_i|/(rho_n H_n), the self-check flux_variation on the faces. Below: a bound of its rounding error.
   [[nodiscard]] double flux_variation() const { return error.flux.abs().maxCoeff() / nodes.exit_flux(); }
   [[nodiscard]] double rounding_of_flux_variation() const { return rounding * oil.maxCoeff() / nodes.exit_flux(); }
 };

@@ -22,7 +22,7 @@ struct FaceFluxes {
   Array flux;  ///< F_i
   CarriedDensity carried;
 
-  /// Both, of the fields at the nodes and the pressure P.
+  /// Sets all three from the fields at the nodes and the pressure P.
   void evaluate(const Setting& setting, const NodeFields& nodes, const Array& P);
   /// The largest rounding error of an F_i, each in units of `oil` at its face.
   [[nodiscard]] double rounding(const NodeFields& nodes, const Array& P, const Array& oil) const;

@@ -12,9 +12,9 @@ namespace {
 /// with solutions on whole tables, 128 cells move H_cen by 1.4e-6 of itself at (5000, 0), by 1e-7 at (5000, 10), H_min
 /// by 1.3e-6 at most; 256 cells by less than a hundredth of that.
 constexpr int small_table = 128, large_table = 256, small_table_up_to = 512;
-/// The same of rough products. With 32 cells, 64 or those above GMRES takes the same number of steps to within half a
-/// per cent, 7,400 at 150 random contacts (M = 0.5..1000, L = 0..20, both laws) to 1e-4; with 16 it takes 5 % more. Up
-/// to `whole_table_up_to` intervals the interpolation costs more than the whole table.
+/// Cells of the table for rough products. With 32 cells, 64 or those above GMRES takes the same number of steps to
+/// within half a per cent, 7,400 at 150 random contacts (M = 0.5..1000, L = 0..20, both laws) to 1e-4; with 16 it takes
+/// 5 % more. Up to `whole_table_up_to` intervals the interpolation costs more than the whole table.
 constexpr int rough_table = 32, whole_table_up_to = 64;
 /// Cells of a fine table: 256 cells leave 3e-8 of H_cen at (3000, 0), 2e-9 at (110, 0), 2e-11 at (10, 0), all cut at
 /// -3 to -4.

@@ -22,8 +22,9 @@ using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::Ro
 /// How exact a product is: `rough` takes the smooth remainder from a small table, which is enough for a smoother.
 enum class Accuracy { full, rough };
 
-/// Tables of the smooth remainder. mapped_ways.cpp takes `fine` ones for tolerances of 1e-7 and below, and for given
-/// grids of more than 4096 intervals; mapped_start.cpp takes those `of_maps` for solutions that only make a map.
+/// Tables of the smooth remainder. mapped_ways.cpp takes `fine` ones for tolerances of 1e-7 and below (3e-5 where M >
+/// 2e4), and for given grids of more than 4096 intervals. mapped_start.cpp takes those `of_maps` for solutions that
+/// only make a map.
 enum class Tables { of_maps, usual, fine };
 
 struct Grid {
@@ -63,7 +64,7 @@ struct Grid {
 /// The grids of a workspace, by number of intervals; FFT plans outlive maps.
 class Grids {
  public:
-  /// The uniform grid (an empty map), or grids of this map from now on.
+  /// From now on the grids are those of this map; without a map, the uniform ones.
   void use(std::shared_ptr<const Map> map, bool robust_wedge = false, Tables tables = Tables::usual);
   /// Ready for products.
   [[nodiscard]] Grid& of(int intervals);
@@ -86,7 +87,7 @@ class Grids {
   [[nodiscard]] std::shared_ptr<const RemainderTable> table(int cells);
   /// The remainder on n + 1 nodes by the table of so many cells.
   [[nodiscard]] SmoothRemainder remainder(int n, int cells);
-  /// The map's nodes; from the finest made so far where that holds them.
+  /// The map's nodes. They are taken from the finest nodes made so far, where these contain them.
   [[nodiscard]] const MapNodes& nodes(int n);
 
   std::shared_ptr<const Map> map_;

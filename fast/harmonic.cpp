@@ -22,13 +22,14 @@ constexpr int tail_turns = 2;
 constexpr int most_restarts = 4;
 /// A restart that leaves more than this share is the last.
 constexpr double useful_restart = 0.5;
-/// The part of its drive that the answer to moved nodes may leave. With 0.1 the shift m was up to 1 % off beside spikes
-/// narrower than a cell, and moves from grid to grid were irregular: at (20, 20) from 8192 intervals on.
+/// Residual, relative to its drive, that the contact's answer to moved nodes may leave. With 0.1 the shift m was up to
+/// 1 % off beside spikes narrower than a cell, and moves from grid to grid were irregular: at (20, 20) from 8192
+/// intervals on.
 constexpr double rough_answer = 0.01;
-/// (J - s Q) u by s, at s = 0: by a central difference of this half width. The tail alone makes Q depend on s.
+/// Half width of a central difference: the derivative of (J - s Q) u by s at s = 0. Q depends on s by the tail alone.
 constexpr double rate_step = 1e-2;
 
-/// The values of a grid with half as many intervals on this one; cubic in the index, to which the map is smooth.
+/// Interpolates from a grid with half as many intervals; cubic in the index, to which the map is smooth.
 template <class Scalar>
 StepOf<Scalar> finer(const StepOf<Scalar>& coarse, Eigen::Index n) {
   const ArrayOf<Scalar>& P = coarse.P;
@@ -114,7 +115,7 @@ ChangeOf<Scalar>& Harmonic::change_by(Scalar rate, StepOf<Scalar>& u) {
   return change;
 }
 
-/// The same with the part of nodes that move by m.
+/// (J - s Q) u + m (R_m - s q) where nodes follow the spike, else (J - s Q) u.
 template <class Scalar>
 const ChangeOf<Scalar>& Harmonic::change_by(Scalar rate, Motion<Scalar>& motion) {
   ChangeOf<Scalar>& change = change_by(rate, motion.u);
@@ -144,8 +145,9 @@ bool Harmonic::factorised(Scalar rate) {
   return true;
 }
 
-/// From here on the nodes follow the spike, at the rate of the factors. `moved` null: they stay. GMRES starts from the
-/// contact's answer at the rate before. Where that is good enough, no step follows.
+/// Lets the nodes follow the spike from here on, at the rate of the factors; they stay where `moved` is null. GMRES
+/// solves for the contact's answer to moved nodes and starts from the one at the rate before. Where that is exact
+/// enough, GMRES makes no step.
 template <class Scalar>
 void Harmonic::let_nodes_follow(Scalar rate, const MovedNodes* moved) {
   auto& solver = std::get<SolverOf<Scalar>>(solvers_);
@@ -169,7 +171,7 @@ void Harmonic::let_nodes_follow(Scalar rate, const MovedNodes* moved) {
   solver.by_m = std::move(by_m);
 }
 
-/// What the contact answers to moved nodes at the rate before, else at rest.
+/// The contact's answer to moved nodes at the rate before, else at rest.
 template <class Scalar>
 std::optional<StepOf<Scalar>> Harmonic::answer_before() const {
   const StepOf<Scalar>& own = std::get<SolverOf<Scalar>>(solvers_).answer;

@@ -4,9 +4,9 @@
 //   (J - s Q) u = drive,  u = (P_1, H_01, X*_1) at fixed phi,
 //
 // with Newton's own Jacobian J (jacobian.hpp) and the squeeze Q (squeeze.hpp). The far inlet of a flooded contact
-// follows the motion (moving_tail.hpp), which the product contains and the preconditioner leaves out. Solved by
-// flexible GMRES with one multigrid cycle, both of which do everything that depends on s; the rest is made once a grid.
-// Where the nodes follow a spike there is one more unknown (moved_nodes.hpp).
+// follows the motion (moving_tail.hpp). The product contains the inlet's answer, the preconditioner does not. Solver:
+// flexible GMRES with one multigrid cycle. Only these two depend on s; the rest is made once a grid. Where the nodes
+// follow a spike there is one more unknown (moved_nodes.hpp).
 //
 // Tried without gain, at (20, 10) to 1e-4, 512 intervals:
 // - a smoother without the kernel's smooth remainder: a third more GMRES steps, 1.14 times the instructions. Inside the
@@ -30,11 +30,11 @@ namespace ehd::fast {
 
 class Harmonic {
  public:
-  /// About `state`, which solves the equations of its grid, with these fields there. `grids` must keep its map.
+  /// Small motions about `state`, a solution on its grid with the fields `nodes`. `grids` must keep its map.
   Harmonic(const Setting& setting, const NodeFields& nodes, const State& state, Grids& grids, Counters& counters);
 
-  /// u with the part of the drive, in the norm of Newton's method, that it leaves. Where the nodes follow the spike, u
-  /// is at nodes that move by m.
+  /// The solution u, and the part `residual` of the drive that it leaves, in the norm of Newton's method. Where the
+  /// nodes follow the spike, u is taken at nodes that move by m.
   template <class Scalar>
   struct Motion {
     StepOf<Scalar> u;
@@ -42,9 +42,9 @@ class Harmonic {
     double residual = 1;
     ArrayOf<Scalar> driving_film = {};  ///< n + 1: R_1, and the film of the far inlet's answer to it; none for a load
   };
-  /// For a load of amplitude 1, R_1 = 0. Nodes follow the spike where `moved` is given, that of this grid. `coarser`:
-  /// the motion on the grid with half as many intervals, from which the iteration starts. The iteration ends where at
-  /// most `residual` of the drive is left, or where it no longer gains.
+  /// For a load of amplitude 1, R_1 = 0. With `moved`, made for this grid, the nodes follow the spike. `coarser`: the
+  /// motion on the grid with half as many intervals, where the iteration starts. The iteration ends where at most
+  /// `residual` of the drive is left, or where it no longer gains.
   template <class Scalar>
   [[nodiscard]] Motion<Scalar> of_load(Scalar rate, double residual, const MovedNodes* moved = nullptr,
                                        const Motion<Scalar>* coarser = nullptr);
@@ -68,11 +68,11 @@ class Harmonic {
   };
   [[nodiscard]] Motion<Complex> of_sources(Complex rate, const Sources& sources, double residual,
                                            const MovedNodes* moved = nullptr, const Motion<Complex>* coarser = nullptr);
-  /// The next term of a slow load: u(s) = u + s u_1, m(s) = m + s m_1, where `rest` is that of the load at rest.
+  /// Second term for slow motion: u(s) = u + s u_1, m(s) = m + s m_1. `rest`: the motion by the load at s = 0.
   [[nodiscard]] Motion<double> of_slow_load(const Motion<double>& rest, double residual,
                                             const MovedNodes* moved = nullptr, const Motion<double>* coarser = nullptr);
 
-  /// H_1 at X = 0, without R_1, of a motion just found. Empty where the contact does not reach X = 0.
+  /// H_1 at X = 0, without R_1, of a motion that was solved last. Empty where the contact does not reach X = 0.
   [[nodiscard]] std::optional<Complex> central_film(const Waviness& waviness, Motion<Complex>& motion,
                                                     const MovedNodes* moved = nullptr);
   /// (J - s Q) u. Valid until the next call.
@@ -86,7 +86,7 @@ class Harmonic {
   [[nodiscard]] double widest_cell() const;
 
  private:
-  /// What only one kind of number needs.
+  /// Solver and storage for one kind of number, real or complex.
   template <class Scalar>
   struct SolverOf {
     MultigridOf<Scalar> multigrid;
@@ -95,11 +95,11 @@ class Harmonic {
     ArrayOf<Scalar> right_side;
     ResidualOf<Scalar> unscaled;
     bool prepared = false;
-    std::optional<Scalar> factorised = {};  ///< the rate
-    /// Where the nodes follow the spike, at the rate of the factors: what m = 1 changes, R_m - s q of moved_nodes.hpp,
-    /// and what the tail answers.
+    std::optional<Scalar> factorised = {};  ///< the rate of the factors
+    /// Where the nodes follow the spike: the change by m = 1 at this rate, R_m - s q of moved_nodes.hpp, with the
+    /// tail's answer.
     std::optional<ChangeOf<Scalar>> by_m = {};
-    StepOf<Scalar> answer = {};  ///< what the contact answers to it, roughly; at first that of another rate
+    StepOf<Scalar> answer = {};  ///< the contact's rough answer to by_m; until it is solved, that at the rate before
   };
 
   template <class Scalar>
@@ -138,9 +138,9 @@ class Harmonic {
   Jacobian jacobian_;
   Squeeze squeeze_;
   Array X_;
-  Eigen::Matrix<double, Eigen::Dynamic, 6> film_by_tail_;  ///< of P_1(X_a), and 1, X, …, X^4
+  Eigen::Matrix<double, Eigen::Dynamic, 6> film_by_tail_;  ///< film by P_1(X_a) and by the factors of 1, X, …, X^4
   Array moment_;                                           ///< Int P X dX by P_j, n + 1
-  double moment_by_exit_ = 0, load_by_first_ = 0;          ///< of the load by P_1(X_a) within the grid
+  double moment_by_exit_ = 0, load_by_first_ = 0;          ///< load_by_first_: load within the grid by P_1(X_a)
   double flux_scale_;
   std::tuple<SolverOf<double>, SolverOf<Complex>> solvers_;
 };

@@ -16,8 +16,8 @@ namespace ehd::fast {
 
 class HarmonicGrids {
  public:
-  /// Plans, tables and arrays are the caller's. Newton's method may leave `residual` on each grid. The map is made with
-  /// `care`. The time limit starts here.
+  /// Plans, tables and arrays stay in the caller's workspace. Newton's method may leave `residual` on each grid. The
+  /// map is made with `care`. The time limit starts here.
   HarmonicGrids(const Problem& problem, const Request& request, double residual, Care care, Workspace& workspace);
 
   /// Finds the steady states up to request.nodes on the best map. False where there are none.
@@ -44,7 +44,7 @@ class HarmonicGrids {
     State state;
     std::optional<MovedNodes> moved = {};
   };
-  /// Of run_.state, with these fields.
+  /// Adds the equations about run_.state, whose fields are `nodes`.
   void add(const NodeFields& nodes, double residual);
 
   const Request request_;
@@ -54,7 +54,7 @@ class HarmonicGrids {
   const double planning_before_;
   Prolongation prolongation_;
   std::vector<OnGrid> grids_;
-  bool moves_ = false;  ///< the moved maps are those of this contact
+  bool moves_ = false;  ///< the workspace's moved grids are made for this contact's map
 };
 
 }  // namespace ehd::fast

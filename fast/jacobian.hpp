@@ -24,7 +24,8 @@ class Jacobian {
  public:
   // Faces, n entries: p_i,i-1, p_i,i, p_i,i+1; w likewise; x_i.
   Array p_left, p_mid, p_right, w_left, w_mid, w_right, by_exit;
-  /// p_i,i-2 and p_i,i+2, by the carried density alone; empty where it feels no neighbours. No preconditioner has them.
+  /// p_i,i-2 and p_i,i+2: from the carried density alone, empty where that uses no neighbours. Preconditioners omit
+  /// them.
   Array p_far_left, p_far_right;
   Array film_by_exit;          ///< h_i, at fixed P; n + 1 entries
   double load_by_exit = 0;     ///< Int P dphi
@@ -36,8 +37,8 @@ class Jacobian {
   /// J step: what the step changes in the residual. Costs one kernel product, which is kept in step.product and
   /// step.integral. The result is valid until the next call.
   [[nodiscard]] const Residual& apply(Step& step, Counters& counters) const;
-  /// Its two parts, of real and complex steps (which cost two products): what the step changes in the film, and with
-  /// that in the residual.
+  /// apply() in two parts, for real and complex steps (a complex step costs two products). First the change of the film
+  /// by the step, then the change of the residual by both.
   template <class Scalar>
   [[nodiscard]] ChangeOf<Scalar>& change_film(StepOf<Scalar>& step, Counters& counters, Accuracy accuracy) const;
   template <class Scalar>

@@ -13,16 +13,16 @@ namespace ehd::fast {
 /// 0..20, both law sets, flooded and -4) and three tolerances the film error was at most 0.24 times the residual at the
 /// end.
 constexpr double iteration_share = 1.0 / 30;
-/// Newton's target on grids of a given number where the caller asks for nothing else: round-off.
+/// Newton's target on a given number of intervals, unless the caller asks for less: round-off.
 constexpr double round_off_residual = 1e-11;
 
-/// What the cut inlet costs other quantities, over what it costs the films. The work before the domain falls only as
-/// 1/|X_a|, and H_0 holds ln|X_a| of the tail. Measured with fast.uniform against the reference at ten points of
-/// M = 0.05..100, both law sets: rolling force at most 4.7e-5 (reach 4), 2.8e-6 (reach 8); offset 1.3e-5, 1.2e-6, with
-/// the discretisation in it.
+/// Truncation error of the rolling force and of H_0, over that of the films. The work before the domain falls only as
+/// 1/|X_a|, and the tail adds a term with ln|X_a| to H_0. Measured with fast.uniform against the reference at ten
+/// points of M = 0.05..100, both law sets: rolling force at most 4.7e-5 (reach 4), 2.8e-6 (reach 8); offset 1.3e-5,
+/// 1.2e-6, discretisation included.
 constexpr double truncation_of_work = 20, truncation_of_offset = 5;
 
-/// A quantity on the grids, coarse to fine, without those before a grid that lacks it.
+/// The values of a quantity, coarse to fine, on the grids after the last one that lacks it.
 [[nodiscard]] std::vector<double> values_of(const std::vector<GridRecord>& grids, Quantity quantity);
 
 /// How a solve ended, with a sentence where it did not converge.

@@ -31,7 +31,7 @@ class Map {
   explicit Map(const MapShape& shape);
 
   [[nodiscard]] const MapShape& shape() const { return shape_; }
-  /// s, 0 at the inlet and 1 at the exit; beyond them where X is.
+  /// s: 0 at the inlet, 1 at the exit, below 0 or above 1 where X lies outside.
   [[nodiscard]] double operator()(double X) const;
   /// ds/dX.
   [[nodiscard]] double slope(double X) const;
@@ -42,7 +42,7 @@ class Map {
   [[nodiscard]] MapNodes refined(const MapNodes& coarse) const;
 
  private:
-  /// So many places at once: vector instructions, and no array in memory between the operations.
+  /// Places are evaluated in blocks of so many: vector instructions, and no array in memory between the operations.
   static constexpr int block = 4;
   using Block = Eigen::Array<double, block, 1>;
   struct Values {
@@ -54,7 +54,7 @@ class Map {
   [[nodiscard]] Array samples() const;
   [[nodiscard]] Values evaluate(const Block& X) const;
   [[nodiscard]] Block slopes(const Block& X) const;
-  /// Where s is `target`, from X within [low, high], and the slopes there.
+  /// The X where s is `target`, and the slopes there. `X`: first guesses, within [low, high].
   [[nodiscard]] MapNodes sharpened(const Array& X, const Array& target, const Array& low, const Array& high) const;
   [[nodiscard]] Block sharpened(Block X, const Block& target, const Block& low, const Block& high) const;
   [[nodiscard]] double inverse(double s, double guess, double low, double high) const;

@@ -21,9 +21,9 @@ class Mapped {
   [[nodiscard]] Solution solve(const Problem& problem, const Request& request) const;
   /// The same with plans, tables and arrays that the caller keeps. One thread at a time.
   [[nodiscard]] Solution solve(const Problem& problem, const Request& request, Workspace& workspace) const;
-  /// The same, started from the solution of a neighbouring problem, by any solver: the map and the pressure are taken
-  /// from it, below a tolerance of 3e-4, where that saves a tenth of the steps. A start from nothing takes over where
-  /// it leads nowhere.
+  /// The same, started from the solution of a neighbouring problem, by any solver. The map and the pressure are taken
+  /// from that solution at tolerances below 3e-4, where this saves a tenth of the steps. Where this start fails, the
+  /// solver starts from nothing.
   [[nodiscard]] Solution solve(const Problem& problem, const Request& request, Workspace& workspace,
                                const Solution& start) const;
 };

@@ -23,14 +23,16 @@ constexpr double film_share = 1.0 / 60, extrapolation_gain = 45.0 / 21;
 /// the films. Of 150 contacts the most that iteration left in a film is .024 of a tolerance of 1e-5 and .46 of 1e-6;
 /// with the tolerance itself in place of its tenth .12 and 3.6.
 constexpr double residual_part = 10;
-/// With Request::iteration_share: the next grid's error is expected to be a 40th of the error known so far. Errors
-/// fall by 8 or more from grid to grid, and stated errors are some times the true ones. With a fifth, the iteration
-/// moved H_cen of (20, 10) on 1024 intervals by 30 % of its error. Before there are two grids, known_at_first counts.
+/// Request::iteration_share is a share of the next grid's error, which is expected to be a 40th of the error known so
+/// far. Errors fall by 8 or more from grid to grid, and stated errors are some times the true ones. With a fifth in
+/// place of the 40th, the iteration moved H_cen of (20, 10) on 1024 intervals by 30 % of its error. On the first two
+/// grids the known error is taken to be known_at_first.
 constexpr double next_part = 40, known_at_first = 1e-4;
 
-/// A map made with the least care may miss the place of a narrow spike. Where from so many intervals on the error of
-/// H_cen falls by less than this factor, better maps from that solution cost less than finer grids: H_cen alone to
-/// 1e-6 at (5000, 15), (2000, 15) and (1000, 15) took 22, 14 and 10 ms, now 9, 7 and 7.
+/// A map made with the least care may miss the place of a narrow spike. So from this number of intervals on the climb
+/// ends where the error of H_cen falls by less than `good_fall` from one grid to the next: better maps from that
+/// solution cost less than finer grids. H_cen alone to 1e-6 at (5000, 15), (2000, 15) and (1000, 15) took 22, 14 and 10
+/// ms, now 9, 7 and 7.
 constexpr int judged_with_least_care = 2048;
 constexpr double good_fall = 4;
 
@@ -65,7 +67,7 @@ class Climber {
   }
 
  private:
-  /// Of the next grid.
+  /// Newton's target on the next grid.
   [[nodiscard]] Target target() const {
     const auto within = [](double relative) {
       return Target{.residual = relative * iteration_share,
@@ -82,8 +84,9 @@ class Climber {
     return within(*request_.iteration_share * known / next_part);
   }
 
-  /// From the last grid, or from the solution that the map was made from, if its grid was as fine: that solution is
-  /// nearer. At 40 contacts, 512 intervals, it saves a tenth of all Newton steps.
+  /// The first iterate comes from the last grid. On the first grid, and where the map was made from a solution on as
+  /// fine a grid, it comes from that solution, which is nearer. At 40 contacts, 512 intervals, it saves a tenth of all
+  /// Newton steps.
   [[nodiscard]] State first_iterate_on(int n, const Known& known) {
     if (climb_.grids.empty() || known.X.size() > n) return on_present_map(run_, known, run_.state.tail, n);
     return prolongation_.onto(n, run_.workspace.grids, run_.setting.inlet);

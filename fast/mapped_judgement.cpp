@@ -29,39 +29,39 @@ constexpr double error_of_one_grid = 330;
 constexpr std::size_t few_grids = 4;
 constexpr double least_of_few_grids = 5;
 /// Where the inlet is cut near the contact, both films have an error of at least `least_near_cut`/n^2 with fewer than
-/// `few_grids`. At 300 contacts (M = 0.01..50, L = 1..45, cut at -2.5..-1.02) 167 of 6168 films of two and three grids
-/// missed by the other rules, at most 4.3 times.
+/// `few_grids`. At 300 contacts (M = 0.01..50, L = 1..45, cut at -2.5..-1.02) the other rules stated too small an error
+/// for 167 of 6168 films of two and three grids, by a factor of 4.3 at most.
 constexpr double nearest_usual_cut = -2.5, least_near_cut = 50;
-/// Where it is cut just before the contact, the error is at least `least`/n^2 with any number of grids. Of 19,250
-/// errors (M = 0.001..50, L = 0..30, cut at -2.5..-1.001, both laws, tolerances of 1e-2..1e-4) 1246 missed by the other
-/// rules, at most 240 times. The largest error times n^2 was 2082 beyond X = -1.05 and 267 beyond -1.2.
+/// Where the inlet is cut just before the contact, the error is at least `least`/n^2 with any number of grids. Of
+/// 19,250 errors (M = 0.001..50, L = 0..30, cut at -2.5..-1.001, both laws, tolerances of 1e-2..1e-4) 1246 were too
+/// small by the other rules, by a factor of 240 at most. The largest error times n^2 was 2082 beyond X = -1.05 and 267
+/// beyond -1.2.
 struct JustBefore {
   double cut, least;
 };
 constexpr JustBefore just_before[] = {{.cut = -1.05, .least = 2500}, {.cut = -1.2, .least = 350}};
-/// Beyond this M or this L a film with L > 0.5 counts as one at L = 15 or more on an unsettled map, and its error is
-/// doubled. Without this 93 of 8600 errors of 300 contacts missed (M = 5e3..1e6, L = 0.5..10, both laws, tolerances
-/// of 1e-2..1e-5), at most by a factor of 47; with it one, by 1.02. Up to L = 100 one of 800 errors of 100 other
-/// contacts missed, by 1.4 (L = 74). At M up to 5000 and L = 30..100 some 65 of 6300 missed, at most by 1.6, while M
-/// alone counted. The error of two grids is multiplied by four: beyond M = 3.8e5 and L = 80 it was twice as large as
-/// doubled.
+/// The error rules were calibrated up to this M and L. Beyond, a film with L > 0.5 gets the rule for L of at least 15
+/// on a map that is not settled, and that error is doubled (two grids: multiplied by four).
+/// Measured at 300 contacts (M = 5e3..1e6, L = 0.5..10, both laws, tolerances of 1e-2..1e-5): without this 93 of 8600
+/// errors were too small, by a factor of 47 at most; with it one is, by 1.02. At 100 other contacts up to L = 100 one
+/// of 800 errors was too small, by 1.4 (L = 74). At M up to 5000 and L = 30..100 some 65 of 6300 were, by 1.6 at most,
+/// before L counted too. Two grids: beyond M = 3.8e5 and L = 80 the error was twice the doubled one.
 constexpr double calibrated_M = 5000, calibrated_L = 30, uncalibrated_safety = 2, uncalibrated_safety_of_two = 4;
-/// Where the oil is isoviscous, or nearly, the last move of two grids is hardly more than the error of the smallest
-/// film: the larger move of both films counts so many times. At 45 contacts of M = 1e3..1e6 and L = 0 the error was 0.6
-/// to 0.8 of that move, at two of them 1.3; at 60 of L > 0.5 at most 0.6.
+/// Nearly isoviscous oil, two grids: H_min errs about as much as the films last moved. So its error is at least this
+/// factor times the larger last move of the two films. At 45 contacts of M = 1e3..1e6 and L = 0 the error was 0.6 to
+/// 0.8 of that move, at two of them 1.3; at 60 contacts of L > 0.5 at most 0.6.
 constexpr double nearly_isoviscous_L = 0.5, of_two_isoviscous = 1.5;
-/// Beside a narrow spike the error of two grids is up to 1.15 times the larger move (M = 390..480, L = 17..30, Barus).
-/// So beyond L = 15 that move counts 1.2 times.
+/// Beside a narrow spike the error of two grids is up to 1.15 times the larger last move (M = 390..480, L = 17..30,
+/// Barus). So beyond L = 15 the error of H_min is at least this factor times that move.
 constexpr double of_two_narrow = 1.2;
 /// Where H_cen is above `thick_film`, both films have nearly the same error, and the larger of both errors is stated
 /// for H_cen. Without this H_cen missed its stated error by up to 2.5 times at four contacts (M = 0.027..0.054, L
 /// = 2..10, cut at -6..-10, 510 to 770 intervals).
 constexpr double thick_film = 10;
-/// The work at a spike does not follow the films' expansion: its error is multiplied, the films' share included. Two
-/// grids that both miss the spike hardly move. Of 3114 errors on 128 to 4000 intervals (M of 0.05..5000, L of 0.5..30,
-/// three laws, flooded and cut) 4 are exceeded, at most by a factor of 2.5. With 3, and without the films' share, 40
-/// were, at most by 6.4. In another study, of 102 problems, 97 % of the pressure maxima and 90 % of the spikes were
-/// covered without the last move of the pressures.
+/// Rolling force: the work at a spike does not converge as the films do. So its error, which is at least the films'
+/// share, is multiplied by this factor. On two grids that both miss the spike the work is nearly the same. Of 3114
+/// errors on 128 to 4000 intervals (M of 0.05..5000, L of 0.5..30, three laws, flooded and cut) 4 are too small, by a
+/// factor of 2.5 at most. With 3, and without the films' share, 40 were, by 6.4 at most.
 constexpr double work_safety = 6;
 /// From this number of grids on each film has an error rule of its own.
 constexpr std::size_t fewest_for_own_rule = 3;
@@ -83,7 +83,8 @@ std::optional<Limit> limit_on(const std::vector<GridRecord>& grids, Quantity qua
   const std::vector<double> values = values_on_halves(grids, quantity);
   if (values.empty()) return std::nullopt;
   Limit limit = limit_of(values);
-  // A spike passes between nodes, so that its height does not follow the films' expansion: at least the last moves.
+  // A spike passes between nodes. So its height does not converge as the films do, and its error is at least the last
+  // moves. Without them 97 % of the pressure maxima and 90 % of the spikes of 102 problems were within their errors.
   if (is_pressure_peak(quantity)) limit.error = std::max(limit.error, error_of_moves(values));
   return limit;
 }
@@ -93,7 +94,8 @@ double relative_error(const std::vector<GridRecord>& grids, Quantity quantity) {
   return limit ? limit->error / std::abs(limit->value) : unknown;
 }
 
-/// Relative, of a film, by its values on the grids. Of two grids the larger error of both films counts for each.
+/// Relative discretisation error of a film, from its values on the grids. With two grids it is at least a share of the
+/// larger error of both films.
 double error_by_grids(const std::vector<GridRecord>& grids, Quantity film, MapFit fit, double L) {
   const double n = grids.back().nodes;
   if (grids.size() == 1) return error_of_one_grid / (n * n);
@@ -119,7 +121,7 @@ double error_by_grids(const std::vector<GridRecord>& grids, Quantity film, MapFi
   return std::max({own, share * largest, least});
 }
 
-/// The least error of a film times n^2, by the place of the inlet.
+/// The least error of a film times n^2, which depends on where the inlet is cut.
 double least_by_cut(const Problem& problem, std::size_t grids) {
   const auto* const cut = std::get_if<TruncatedAt>(&problem.inlet);
   if (!cut) return 0;
@@ -128,7 +130,7 @@ double least_by_cut(const Problem& problem, std::size_t grids) {
   return grids < few_grids && is_cut_near_the_contact(problem) ? least_near_cut : 0;
 }
 
-/// Relative, of a film.
+/// Relative discretisation error of a film.
 double film_discretisation(const MappedClimb& climb, Quantity film, const Problem& problem) {
   const double L = problem.groups.L;
   const std::vector<GridRecord>& grids = climb.grids;
@@ -140,7 +142,7 @@ double film_discretisation(const MappedClimb& climb, Quantity film, const Proble
   return film == Quantity::film_central ? std::max(error, roughness_at_centre(climb.fields)) : error;
 }
 
-/// The error of one quantity. `of_films`: relative, the smallest that any is given; `film`: the central one.
+/// The error of one quantity. `of_films`: relative, the least error of every quantity but the spike; `film`: H_cen.
 ErrorBudget budget_of(const MappedClimb& climb, Quantity quantity, const std::optional<Limit>& limit, double of_films,
                       double film) {
   if (quantity == Quantity::film_minimum) return climb.film_minimum;

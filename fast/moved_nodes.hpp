@@ -21,18 +21,18 @@ namespace ehd::fast {
 struct Counters;
 struct Grid;
 
-/// What moving the nodes by 1 changes at fixed unknowns.
+/// Derivatives by m at fixed P, H_0 and X*.
 struct MovedNodes {
-  Residual error;     ///< R_m, of the flux errors and of the load
-  Array place;        ///< dphi_i, n + 1
-  Array film;         ///< dH_i, n + 1
-  Array squeeze;      ///< q_i without the terms of dH_j, n faces
-  double inflow = 0;  ///< the same of the point X_a
+  Residual error;     ///< of the flux errors and of the load error: R_m
+  Array place;        ///< of phi_i, n + 1
+  Array film;         ///< of H_i, n + 1
+  Array squeeze;      ///< q_i without its terms with dH_j, n faces
+  double inflow = 0;  ///< the squeeze at X_a: q there, likewise
   double moment = 0;  ///< of Int P X dX, for the moving tail
 };
 
 /// By the difference of `state` on two grids, whose maps have moved by `step` and by -step. NaN where one of them has
-/// no film. A difference to the grid itself is not enough: at (974, 10.8) a step of 1e-6 left 2e-4 in the lag.
+/// no film. A one-sided difference is not enough: at (974, 10.8) a step of 1e-6 left 2e-4 in the lag.
 [[nodiscard]] MovedNodes moved_nodes(const Setting& setting, const State& state, Grid& own, Grid& forward, Grid& back,
                                      double step, Counters& counters);
 

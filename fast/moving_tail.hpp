@@ -4,8 +4,8 @@
 //   H_1(x) = H_1(X_a) - (W_1/pi) ln(x/x_a) - (m_1/pi)(1/x - 1/x_a),  F_1(x) = F_1(X_a) + s Int_(x_a)^x H_1 dx',
 //   Q_1(x) = lambda Int_x^inf [ (-2/H^3 + 3 C/H^4) H_1 - F_1/H^3 ] dx',  P_1 = Q_1/(1 - a Q):
 //
-// the derivative of the steady tail, with the oil that the squeeze adds to the flux. A waviness R_1 = e^(ikx) that
-// moves with the slip S adds R_1 to H_1, and to F_1 the part S R_1, besides one that does not depend on x.
+// This is the derivative of the steady tail; the squeeze adds oil to the flux. A waviness R_1 = e^(ikx) that moves with
+// the slip S adds R_1 to H_1. To F_1 it adds S R_1 and a part that does not depend on x (Harmonic::beyond).
 #pragma once
 
 #include <Eigen/Core>
@@ -25,14 +25,14 @@ class MovingTail {
   template <class Scalar>
   using Answer = Eigen::Matrix<Scalar, 7, 1>;
 
-  /// Of the steady tail, whose arguments are those of inlet_tail().
+  /// About the steady tail; arguments as of inlet_tail().
   MovingTail(double far, double gap_excess, double moment, double flux, double lambda, double slope);
 
   template <class Scalar>
   [[nodiscard]] Answer<Scalar> answer(Scalar rate, const Drive<Scalar>& drive) const {
     return at_rest_.template cast<Scalar>() * drive + rate * (by_rate_.template cast<Scalar>() * drive);
   }
-  /// To a waviness, without the flux that does not depend on x.
+  /// The answer to a waviness, without the part of F_1 that does not depend on x.
   [[nodiscard]] Answer<std::complex<double>> answer(const Waviness& waviness) const;
 
  private:

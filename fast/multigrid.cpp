@@ -88,7 +88,7 @@ bool MultigridOf<Scalar>::factorise(Scalar rate, Counters& counters) {
   return coarsest_.factorise(*last.nodes, *last.jacobian, last.squeeze, rate);
 }
 
-/// The coarse levels one after another, in turn with the finest.
+/// Factorises the coarse levels one after another. Each takes turns with the finest, row by row.
 template <class Scalar>
 void MultigridOf<Scalar>::factorise_bands() {
   if (levels_.size() < 2) return;

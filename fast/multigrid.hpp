@@ -6,7 +6,7 @@
 // averaged over the two faces of a coarse cell, laws and fields are injected, corrections come back by linear
 // interpolation. dH_0 and dX* are solved for on the coarsest level, which is dense (coarsest.hpp).
 //
-// For a motion of the rate s (squeeze.hpp) the squeeze stands in every level: w_i m_i in row i of the band, s Q in the
+// For a motion of the rate s (squeeze.hpp) every level contains the squeeze: s w_i m_i in row i of the band, s Q in the
 // errors and in the coarsest matrix.
 #pragma once
 
@@ -29,7 +29,7 @@ class MultigridOf {
   /// factorises them. False where the coarsest matrix is singular.
   [[nodiscard]] bool prepare(const Setting& setting, const NodeFields& finest, const Jacobian& jacobian,
                              const State& state, Grids& grids, Counters& counters);
-  /// The same for motions, without factors.
+  /// Linearises every level for motions. The factors come later, by factorise(rate).
   void prepare_motion(const Setting& setting, const NodeFields& finest, const Jacobian& jacobian,
                       const Squeeze& squeeze, const State& state, Grids& grids, Counters& counters);
   /// Factorises the levels of a motion for this rate. False where the coarsest matrix is singular.

@@ -23,10 +23,10 @@ constexpr int most_tail_refreshes = 20;
 /// GMRES reduces the residual to this share of the distance to the target, within these bounds (relative residual).
 constexpr double krylov_share = 0.5, tightest_krylov = 0.1, loosest_krylov = 0.5;
 /// A step changes the pressure at most by this share of half its maximum, or of 1 where that is more, and the exit at
-/// most by this share of X* + 0.2. (Barus' spike stands at 10 p_H.) Where a spike moves, one node changes by
-/// the spike's whole height, and a bound below holds all nodes back. Newton steps at 300 flooded contacts (M of
-/// 0.5..2000, L to 30), tolerance 1e-5: 0.5, 1 and 1.5 take 1.06, 1.02 and 1; 0.05 and 0.2 for the exit take 1.02
-/// and 1.
+/// most by this share of X* + 0.2. (Barus' spike stands at 10 p_H.) Where a spike moves, one node changes by the
+/// spike's whole height; a smaller bound would hold all nodes back. Newton steps at 300 flooded contacts (M of
+/// 0.5..2000, L to 30), tolerance 1e-5: 0.5, 1 and 1.5 take 1.06, 1.02 and 1; 0.05 and 0.2 for the exit take 1.02 and
+/// 1.
 constexpr double largest_pressure_change = 1.5, largest_exit_change = 0.2, exit_margin = 0.2;
 /// A step leaves at least this share of the film at every node.
 constexpr double smallest_film_left = 0.2;
@@ -152,8 +152,8 @@ class Newton {
     return true;
   }
 
-  /// Rounding errors of summed products add up, so a solve to round-off is judged by a product of its own. False where
-  /// no film is left.
+  /// Rounding errors of products that were added up from steps grow. So a solve to round-off is judged by a new
+  /// product. False where no film is left.
   bool renew_product() {
     if (!product_is_a_sum_ || target_.film_error != 0 || !done()) return true;
     product_is_a_sum_ = false;

@@ -28,7 +28,8 @@ struct Limits {
 enum class NewtonEnd { converged, stalled, failed, limit };
 
 /// When Newton is done: the residual is at most `residual` (or near its rounding floor), or the estimated film error is
-/// below `film_error` while the residual is at most `film_residual`. The flux varies by at most `flux_variation` then.
+/// below `film_error` and the residual at most `film_residual`. In both cases the flux also varies by at most
+/// `flux_variation`.
 struct Target {
   double residual = 0;
   double film_error = 0;
@@ -36,7 +37,7 @@ struct Target {
   double flux_variation = std::numeric_limits<double>::infinity();
 };
 
-/// The same residual in units of the oil and in those of H_n.
+/// The same bound for the residual in units of the oil (Discretisation::oil) and in units of rho_n H_n.
 [[nodiscard]] constexpr Target everywhere(double residual) {
   return {.residual = residual, .flux_variation = residual};
 }
@@ -44,7 +45,7 @@ struct Target {
 struct NewtonResult {
   NewtonEnd end = NewtonEnd::failed;
   int iterations = 0;
-  double residual = 0;  ///< max|e|/(rho_n H_n) or the relative load error, whichever is larger
+  double residual = 0;  ///< Discretisation::residual() or the relative load error, whichever is larger
   /// What iteration left in H_min and H_cen, relative, estimated; infinite where nothing is known.
   double film_error = std::numeric_limits<double>::infinity();
 };

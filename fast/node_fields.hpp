@@ -38,7 +38,8 @@ struct NodeFields {
   /// The laws of viscosity and density at the pressure P.
   void evaluate_laws(const Setting& setting, const Array& P, Counters& counters);
   /// The fields of a finer grid at the nodes of this one: what a coarse level needs to linearise. Every second node
-  /// where `fine` has twice the intervals, else linear interpolation. `pressure`: `fine_pressure`, likewise.
+  /// where `fine` has twice the intervals, else linear interpolation. `pressure` becomes `fine_pressure` at these
+  /// nodes.
   void inject(const NodeFields& fine, const Array& fine_pressure, Array& pressure, Grid& on);
 
   /// X_i.

@@ -12,17 +12,18 @@ namespace {
 
 /// From one grid to the next the exit and H_0 move by this part of their last move: their errors fall as h^2.
 constexpr double next_move = 0.25;
-/// The same of the spike. Measured: 0.26 to 0.4 at M of 5..1000, L of 5..20, up to 2048 intervals. Newton steps at 40
-/// contacts, 512 intervals: 0.25, 0.33, 0.4, 0.45 and 0.5 take 1.03, 1.01, 1, 1.01 and 1.02; no move at all takes 1.14.
+/// The spike moves by this part of its last move. Measured: 0.26 to 0.4 at M of 5..1000, L of 5..20, up to 2048
+/// intervals. Newton steps at 40 contacts, 512 intervals: 0.25, 0.33, 0.4, 0.45 and 0.5 take 1.03, 1.01, 1, 1.01 and
+/// 1.02; no move at all takes 1.14.
 constexpr double next_spike_move = 0.4;
 /// Upstream of the spike its move fades within this part of its distance from the exit.
 constexpr double fading = 0.5;
-/// So many of these reaches upstream nothing moves: exp(-40) of a move is lost in rounding.
+/// Nothing moves beyond so many of these reaches upstream: exp(-40) of a move is lost in rounding.
 constexpr double unmoved = 6.4;
-/// A move beyond this part of that distance is not believed.
+/// A move beyond this part of the distance from spike to exit is not believed. The pressure is then only interpolated.
 constexpr double largest_move = 0.2;
-/// A spike's peak is at most so many of these distances from the middle of its fall. Where the pressure falls from the
-/// centre (L <= 1, M >= 500), a move costs up to 20 % more products than interpolation alone.
+/// The same where the spike's peak is further from the middle of its fall than so many of these distances. Where the
+/// pressure falls from the centre (L <= 1, M >= 500), a move costs up to 20 % more products than interpolation alone.
 constexpr double farthest_peak = 2;
 /// Steps to the index of a place within its cell.
 constexpr int place_steps = 3;

@@ -32,7 +32,7 @@ MapShape expected_shape(const Run& run) {
           .spike_width = expected_spike_width * d * l.scale};
 }
 
-/// The spike is where the pressure falls most steeply; of a light load and much L that is before X = 0.
+/// The spike is where the pressure falls most steeply. At light load and large L that is before X = 0.
 MapShape shape_for(const Known& known, double inlet, const MapRecipe& recipe) {
   const auto& [X, P, film] = known;
   const Lengths l = lengths_from_film(film);

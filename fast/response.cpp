@@ -25,9 +25,10 @@ constexpr double narrow_spike_L = 5, narrow_spike_M = 0.5;
 constexpr double linear_part = 0.1;
 /// For this tolerance and looser ones the first map is good enough: care_of_maps().
 constexpr double tolerance_of_first_map = 1e-3;
-/// Up to this M. Of 15 heavier contacts (to M = 5000), asked for 1e-3, 5 missed the damping with it, by up to 4.8.
+/// The first map is good enough up to this M only. Of 15 heavier contacts (to M = 5000), asked for 1e-3, 5 missed the
+/// damping with it, by up to 4.8.
 constexpr double first_map_M = 1000;
-/// The part of the tolerance that Newton's method may leave as its residual: 60 times as much in the damping.
+/// Newton's method may leave this part of the tolerance as its residual. The damping then errs by 60 times as much.
 constexpr double newton_part = 1e-5;
 /// Numbers of fewer grids have no error estimate; those of so many are extrapolated once.
 constexpr std::size_t fewest_grids = 3;
@@ -52,10 +53,11 @@ constexpr Parts of_irregular_more{.last = 0.5, .before = 1.0 / 16, .second_befor
 constexpr double of_raw_move = 1.0 / 32;
 /// Beside a narrow spike three grids may agree by chance: at (17.8, 18.1), Barus, kappa_0 stated 4e-5 and was 1e-3 off.
 constexpr double of_raw_move_beside_spike = 1.0 / 8;
-/// Beyond mild_L more is needed. Of 500 numbers that three grids gave to 5e-3 there, 15 missed, by up to 4.6. With
-/// these parts of both moves 376 are given, and none misses. On the best maps 26 of 463 missed, and 2 of 331 do.
+/// Three grids beyond mild_L need larger parts. Of 500 numbers that three grids gave to 5e-3 there, 15 missed, by up to
+/// 4.6. With these parts of both moves 376 are given, and none misses. On the best maps 26 of 463 missed, and 2 of 331
+/// do.
 constexpr double of_move_beyond_mild = 3, of_raw_move_beyond_mild = 1;
-/// So many times as large is the error of irregular moves on maps that are not the best.
+/// On maps that are not the best, the error of irregular moves is multiplied by this.
 constexpr double of_irregular = 2;
 /// What the moving tail of a flooded contact leaves in kappa, relative, over Omega^2 min(1, lambda). Against the
 /// reference at (0.5, 2), (1, 4), (2, 15), (8, 6) and 60 random contacts, Omega of 0..100: 1e-9 to 4e-8.
@@ -124,7 +126,7 @@ class ResponseSolve {
   [[nodiscard]] bool follows_spike() const {
     return problem_.groups.L > narrow_spike_L && problem_.groups.M > narrow_spike_M;
   }
-  /// At (2170, 13.2), Roelands, three grids agreed on a kappa_0 that was 2.9 stated errors off.
+  /// The bound of M: at (2170, 13.2), Roelands, three grids agreed on a kappa_0 that was 2.9 stated errors off.
   [[nodiscard]] bool is_mild() const { return problem_.groups.L <= mild_L && problem_.groups.M <= first_map_M; }
   /// How the nodes of the k-th grid follow the spike; null where they stay.
   [[nodiscard]] const MovedNodes* moved(std::size_t k) { return follows_spike() ? &grids_.moved(k) : nullptr; }

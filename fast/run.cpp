@@ -37,7 +37,7 @@ bool succeeded(const NewtonResult& result, const Run& run, const State& state) {
          admissible(run.workspace.now().nodes, state);
 }
 
-/// Of the load's own sum, l Int P dphi.
+/// The weights of the sum that gives the load, l Int P dphi.
 Array weights_of(const NodeFields& at) {
   Array weights = at.length / at.n * at.grid->slope;
   weights[0] /= 2;

@@ -38,7 +38,7 @@ struct Run {
   State state = {};
   bool has_state = false;
   bool limit_reached = false;
-  /// Where Newton's method ends on the grids of Request::nodes, without iteration_share.
+  /// Residual at which Newton ends on the grids of Request::nodes where the request has no iteration_share.
   double residual_on_given_grids = round_off_residual;
 };
 
@@ -49,8 +49,8 @@ struct Run {
 /// A grid of the workspace; the time to make it is noted.
 [[nodiscard]] Grid& grid_of(Run& run, int intervals);
 
-/// How Newton ended, and whether the end is a solution: converged or nearly, P >= 0 and a film that opens at the exit.
-/// The last two are the conditions that tracking the exit leaves to check.
+/// How Newton ended, and whether it ended on a solution: converged or nearly. A solution also needs P >= 0 and a film
+/// that opens at the exit; the equations do not enforce these two.
 struct Attempt {
   bool succeeded = false;
   NewtonResult newton = {};
@@ -70,7 +70,7 @@ struct GridPlan {
   int first = 0;
   int last = 0;
 
-  /// N, N/2, … while `halve` allows for the coarsest so far, odd numbers rounded up.
+  /// N, N/2, …, odd numbers rounded up, as long as `halve` is true for the coarsest so far.
   [[nodiscard]] static GridPlan down_from(int nodes, const std::function<bool(int)>& halve);
   /// first, 2 first, … up to last.
   [[nodiscard]] static GridPlan doubling(int first, int last) { return {.given = {}, .first = first, .last = last}; }

@@ -10,7 +10,7 @@ namespace ehd::fast {
 
 using Complex = std::complex<double>;
 
-/// Real products in a product with a real kernel.
+/// How many real products one product with a real kernel takes.
 template <class Scalar>
 inline constexpr int parts_of = std::is_same_v<Scalar, double> ? 1 : 2;
 

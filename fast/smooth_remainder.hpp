@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of the logarithmic kernel on mapped nodes that is not Toeplitz:
 //   ln|phi_i - phi_j| = ln|s_i - s_j| + Lambda_ij,  Lambda_ij = ln((phi_i - phi_j)/(s_i - s_j)), Lambda_ii = ln phi'_i,
-// which is smooth in both indices: a small symmetric table at equal steps of s, p-point Lagrange interpolation out of
-// it and its transpose into it.
+// Lambda is smooth in both indices. So it is kept as a small symmetric table at equal steps of s. A product uses
+// p-point Lagrange interpolation out of the table and its transpose into it.
 #pragma once
 
 #include <Eigen/Core>

@@ -26,13 +26,13 @@ struct Squeeze {
   Array by_pressure;          ///< w_j rho'_j H_j, n + 1; with half of w also at the first node
   Array by_film;              ///< w_j rho_j, n + 1
   Array by_exit;              ///< a_i, n faces
-  double inflow_by_exit = 0;  ///< a of the point X_a
+  double inflow_by_exit = 0;  ///< a_i at X_a in place of a face
 
   void linearise(const NodeFields& nodes);
   /// Takes s Q off the flux errors of a change.
   template <class Scalar>
   void subtract(Scalar rate, const StepOf<Scalar>& step, ChangeOf<Scalar>& change) const;
-  /// Q of the point X_a.
+  /// Q at X_a in place of a face.
   template <class Scalar>
   [[nodiscard]] Scalar inflow(const StepOf<Scalar>& step, const ArrayOf<Scalar>& film) const;
 };

@@ -88,7 +88,7 @@ class Climber {
     return target;
   }
 
-  /// Discretisation error of H_min and H_cen, the smaller, to expect of the grid.
+  /// The smaller of the discretisation errors to expect of H_min and H_cen on this grid.
   [[nodiscard]] double expected_error(int n) const {
     const auto& grids = climb_.grids;
     if (grids.size() < 2)
@@ -108,7 +108,7 @@ class Climber {
     return attempt;
   }
 
-  /// From the grid before.
+  /// Newton from the solution of the grid before.
   Attempt warm_start(int n, const Target& target) {
     State state = interpolate_to(run_.state, n);
     Attempt attempt = newton_on(run_, state, target);

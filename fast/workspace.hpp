@@ -33,7 +33,7 @@ struct Workspace {
   Grids grids;
   std::array<Grids, 2> moved;  ///< of maps whose nodes have moved a little, forward and back (moved_nodes.hpp)
   Multigrid multigrid;
-  OnGrid* current = nullptr;  ///< of the grid that Newton ended on last
+  OnGrid* current = nullptr;  ///< the arrays of the grid that Newton ended on last
 
   [[nodiscard]] OnGrid& on(int intervals);
   /// Fields of the state that Newton ended on last.
