@@ -37,8 +37,8 @@ Solution Graded::solve(const Problem& problem, const Request& request) const {
 
   const auto grid = [&](int intervals) { return map.grid(intervals); };
   if (request.nodes) {
-    // Three grids tell the error; from `coarse` on, each is the start of the next: four times as many nodes at once are
-    // too many where the load is very heavy.
+    // The last three grids give the error. Grids down to `coarse` are solved too, each as the start of the next: where
+    // the load is very heavy, a start on a quarter of the nodes is too coarse.
     const auto sizes = halved_sizes(*request.nodes, [&](int n) { return 4 * n >= *request.nodes || n >= coarse; });
     return solve_grids(study, grid, sizes, {}, *request.nodes % 4 == 0, level);
   }

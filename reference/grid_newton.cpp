@@ -37,8 +37,8 @@ constexpr double smallest_film_kept = 0.5, largest_central_move = 0.3;
 constexpr double martin_exit = 0.4751299200930562;
 constexpr int most_iterations = 50;  // a start that needs more is a bad one; 30 is the most that succeeded
 
-/// Sum of squared residuals, each flux relative to its wedge: the far inlet, where the wedge is large, weighs no more
-/// than the contact.
+/// Root mean square of the flux residuals, with the load's residual. Each flux is relative to its wedge, so that the
+/// far inlet, where the wedge is large, weighs no more than the contact.
 double merit(const Evaluation& at) {
   const Index n = at.wedge.size();
   return std::sqrt((at.residual.head(n) / (at.wedge.abs() + at.H[n])).square().mean() +

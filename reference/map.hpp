@@ -9,9 +9,9 @@ namespace ehd::reference {
 /// The node density is ds/dX with
 ///   s(X) = asinh(X/(0.7 l)) + bump(X + l; d l) + 3 atan((X + l(1+d))/(2 d l)) + bump(X - X_sp; w_sp),
 ///   bump(x; w) = asinh(x/w) - asinh(x/(3 l)), whose density 1/sqrt(x^2 + w^2) - 1/sqrt(x^2 + 9 l^2) is local.
-/// l = max(1, sqrt(2 H_c)), d = min(H_c, 1)^(2/3). The wedge's k is 0.5 in the inlet and -0.5 at the spike, -0.5
-/// tanh(4X/l) (0 throughout fails at one of 400 points, this at none). Nodes are equally spaced in s between inlet and
-/// exit, so that n, 2n, 4n … are nested grids of one map.
+/// l = max(1, sqrt(2 H_c)), d = min(H_c, 1)^(2/3). The wedge's k is -0.5 tanh(4X/l): 0.5 in the inlet, -0.5 at the
+/// spike. With k = 0 throughout, one of 400 points fails; with this k none. Nodes are equally spaced in s between inlet
+/// and exit, so that n, 2n, 4n … are nested grids of one map.
 struct GradedMap {
   double inlet = 0;                                       ///< X_a
   double exit = 0;                                        ///< X* of the solution that the map was made from

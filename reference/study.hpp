@@ -40,7 +40,7 @@ struct Truncation {
   Observables errors;
 };
 
-/// A quantity as a sequence of grids gives it.
+/// The value of a quantity by a sequence of grids, and its error.
 struct Judged {
   double value = 0;
   double error = 0;  ///< relative
@@ -65,7 +65,7 @@ class Study {
   /// A grid with twice the intervals of the last one would not end in time (run time ~ n^3).
   [[nodiscard]] bool no_time_to_double() const;
 
-  /// Everything spent so far, work units on `finest` intervals.
+  /// Everything spent so far; its work units are for `finest` intervals.
   [[nodiscard]] Cost cost(int finest) const;
   [[nodiscard]] bool flooded() const { return std::holds_alternative<Flooded>(problem_.inlet); }
   /// The error that the place X_a of the inlet causes. The level is solved again without its far nodes; the difference
@@ -82,7 +82,7 @@ class Study {
  private:
   using Clock = std::chrono::steady_clock;
   std::optional<Level> attempt(const Equations& equations, const State& start);
-  /// The parts of the error of a quantity that was judged on `levels`.
+  /// The parts of a quantity's error. `judged`: the quantity by `levels`.
   [[nodiscard]] ErrorBudget budget_of(Quantity quantity, const Judged& judged, const std::vector<Level>& levels,
                                       const std::optional<Truncation>& truncation) const;
 

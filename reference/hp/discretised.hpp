@@ -36,9 +36,8 @@ struct AtZero {
 /// the lower two and the bend delta ln delta; else the line alone counts. docs/certified-solver.md, section 4.
 [[nodiscard]] AtZero carried_to_zero(const std::vector<AtFloor>& floors);
 
-/// Extrapolates `done.seen` from the last floors to floor 0, and states the errors of that. Peaks
-/// keep their values and get an error. Nothing changes where the descent reached 0. docs/certified-solver.md,
-/// section 4.
+/// Extrapolates `done.seen` from the last floors to floor 0 and states the errors of this. Peaks keep their values and
+/// get an error. Nothing changes where the descent reached 0. docs/certified-solver.md, section 4.
 void carry_to_zero(const Problem& problem, const Wanted& wanted, Discretised& done);
 
 }  // namespace ehd::reference::hp

@@ -110,7 +110,7 @@ std::vector<Resolved> Discretiser::coarse_descent(const Resolved& top, double to
   return descent(problem_, top, Resolution{}, {.settled = settled_part * tolerance, .newton = coarse_newton}, meter_);
 }
 
-/// The scheme at one floor, its first mesh made from the one that was used there.
+/// Solves by the scheme at one floor. The first mesh is made from the mesh of `from`.
 std::optional<Resolved> Discretiser::on_mesh_of(const Resolved& from, const Scheme& scheme,
                                                 const Resolution& resolution, const HomotopyLimits& limits) {
   Mesh mesh = with_degree(from.equations->mesh(), scheme.degree);
@@ -128,7 +128,7 @@ std::optional<Resolved> Discretiser::as_it_is(const Resolved& start, const Homot
   return done;
 }
 
-/// What can be read off the last floor. A spike that is there is resolved first where the resolution is fine.
+/// What can be read off the last floor. Where the resolution is fine and there is a spike, the spike is resolved first.
 Discretised Discretiser::observed(std::vector<Resolved> floors, Resolution resolution, const HomotopyLimits& limits) {
   Discretised done;
   done.floors = std::move(floors);
@@ -152,7 +152,7 @@ std::optional<Discretised> Discretiser::discretised(const std::vector<Resolved>&
     const auto top = on_mesh_of(*from, scheme, resolution, limits);
     if (!top) continue;
     Discretised done = observed(descent(problem_, *top, resolution, limits, meter_), resolution, limits);
-    // Two floors to extrapolate from, and a third one to judge the extrapolation: further ones from further up.
+    // An extrapolation needs two floors, and a third one to judge it. Where they are missing, higher floors are solved.
     for (auto above = from; done.last().floor > 0 && floors_apart(done.floors).size() < 3 && above != floors.rend();
          ++above) {
       if (above->floor < floor_ratio * done.floors.front().floor) continue;

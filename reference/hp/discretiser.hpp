@@ -10,12 +10,12 @@
 
 namespace ehd::reference::hp {
 
-/// A discretisation: its points, its degree, and where its breakpoints stand against those of the first one.
+/// A discretisation: its points and degree, and how its breakpoints and inlet differ from those of the first one.
 struct Scheme {
   Points points = Points::left_radau;
   int degree = 12;
-  double shift = 0;       ///< of the breakpoints, in elements
-  double inlet_part = 1;  ///< of a flooded domain's X_a
+  double shift = 0;       ///< of the breakpoints against the first one's, in elements
+  double inlet_part = 1;  ///< X_a of a flooded domain over the first one's
 };
 
 /// Tolerances below this one need the high degree.
@@ -33,7 +33,8 @@ class Discretiser {
   /// The problem must outlive the discretiser.
   Discretiser(const Problem& problem, const Meter& meter);
 
-  /// A coarse solution at a floor of the fluidity where Newton's method finds one. Empty where there is none up to 1.
+  /// A coarse solution at the lowest floor of the fluidity, from 1e-2 up to 1, at which Newton's method finds one.
+  /// Empty where it finds none.
   [[nodiscard]] std::optional<Resolved> start();
   /// The descent of the coarse mesh: a state at every floor, from `top` down.
   [[nodiscard]] std::vector<Resolved> coarse_descent(const Resolved& top, double tolerance);
@@ -46,8 +47,8 @@ class Discretiser {
   [[nodiscard]] std::optional<DiscretisedTwice> discretised_twice(const std::vector<Resolved>& coarse,
                                                                   const Scheme& scheme, const Resolution& resolution,
                                                                   double tolerance);
-  /// A mesh of exactly `intervals` intervals, made for the solution that `guide` left at its floors; where those give
-  /// no solution, for the smoother ones of the coarse descent.
+  /// A mesh of exactly `intervals` intervals, made for the solution at the floors of `guide`. Where these lead to no
+  /// solution, it is made for the smoother solutions of the coarse descent.
   [[nodiscard]] std::optional<Discretised> laid_out(const Discretised& guide, const std::vector<Resolved>& coarse,
                                                     int intervals);
   /// The elements of `first` again, shifted, of 1.5 times the degree, and with half the inlet.

@@ -29,7 +29,7 @@ constexpr double residual_growth = 4;
 constexpr double exit_at_rest = 0.2;
 /// The largest pressure counts as at least this where a step is judged.
 constexpr double least_pressure = 1e-3;
-/// A run that has ended moves the pressure by no more than this, or by the step that the limits allow.
+/// Newton is done where a step moves the pressure by no more than this, or than the step that the limits allow.
 constexpr double pressure_at_rest = 1e-5;
 /// Keeps quotients of films and moves finite.
 constexpr double smallest_divisor = 1e-300;
@@ -163,7 +163,7 @@ State<double> transferred(const Collocation<double>& from, const State<double>& 
   next.P.resize(static_cast<Eigen::Index>(places.size()));
   const auto& old = from.mesh().breakpoints;
   const auto& fresh = to.mesh().breakpoints;
-  // Domains differ by their extent at most: positions in X at the state's own exit.
+  // The two domains differ in extent at most. So places are compared in X, at the state's own exit.
   double ratio = to.stretching(state.exit) / from.stretching(state.exit);
   if (std::abs(ratio - 1) < same_stretching) ratio = 1;  // domains cut from one another share their xi
   std::size_t e = 0;

@@ -68,11 +68,11 @@ class Harmonic {
   [[nodiscard]] const Resolved& steady() const { return steady_; }
   /// H_01 of a u, real or complex.
   [[nodiscard]] auto offset(const auto& u) const { return u[intervals()]; }
-  /// H_1 at X = 0, at rest, without R_1. Empty where the contact does not reach X = 0.
+  /// H_1 at the fixed place X = 0, without R_1. Empty where the contact does not reach X = 0.
   [[nodiscard]] std::optional<Complex> central_film(const ComplexVector& u, double Omega) const;
 
-  /// How far each element is from what is allowed: > 1 is to be split. `film` is the error that one element may cause
-  /// in the amplitude of the film, relative to `amplitude`.
+  /// The error of each element over the allowed one: above 1 the element is to be split. `film`: the error that one
+  /// element may cause in the amplitude of the film, relative to `amplitude`.
   [[nodiscard]] std::vector<double> excess(const ComplexVector& u, double Omega, double film, double amplitude,
                                            const Waviness* waviness = nullptr) const;
 
@@ -94,7 +94,7 @@ class Harmonic {
   ArrayOf<double> coordinate_;    ///< V, rows
   MatrixOf<double> film_, mass_;  ///< dH/du and d(rho H)/du, rows x (n + 3)
   MatrixOf<double> J_, K_;
-  VectorOf<double> inflow_;        ///< K u of the point X_a
+  VectorOf<double> inflow_;        ///< K u at X_a
   VectorOf<double> tail_load_;     ///< the tail's load is i Omega tail_load_ . u; 0 where the inlet is cut
   ArrayOf<double> tail_film_;      ///< film that a tail's load of 1 causes, rows
   VectorOf<double> tail_squeeze_;  ///< Int_X^X* rho tail_film_ dX', at the points

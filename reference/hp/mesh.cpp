@@ -16,7 +16,7 @@ constexpr double finest_per_inlet_zone = 0.5, widest_per_distance = 0.5;
 constexpr double largest_overshoot = 1.5;
 /// An element that would fill this part of the remaining length up to the inlet fills all of it.
 constexpr double last_part = 0.75;
-/// Of an element that a new inlet cuts, less than this part is given to its neighbour.
+/// Where a new inlet cuts an element and would leave less than this part of it, the neighbour takes this part over.
 constexpr double least_part_kept = 0.1;
 
 }  // namespace
@@ -135,7 +135,7 @@ Mesh cut_at(Mesh mesh, double inlet, double exit) {
   const double stretching = (exit - mesh.inlet) / mesh.extent();
   const double first = (inlet - exit) / stretching;
   auto& b = mesh.breakpoints;
-  std::size_t drop = 0;  // the element that holds the new inlet stays, unless little of it would
+  std::size_t drop = 0;  // elements before the new inlet, and a cut one of which little is left
   while (drop + 2 < b.size() && b[drop + 1] - first < least_part_kept * (b[drop + 1] - b[drop])) ++drop;
   b.erase(b.begin(), b.begin() + static_cast<std::ptrdiff_t>(drop));
   mesh.degrees.erase(mesh.degrees.begin(), mesh.degrees.begin() + static_cast<std::ptrdiff_t>(drop));

@@ -31,21 +31,21 @@ struct Seed {
 };
 [[nodiscard]] Mesh seeded_mesh(const Seed& seed);
 
-/// Elements with excess > 1 are cut at `cut` of their length. Neighbours e and e + 1 for which mergeable(e) holds
-/// become one; each element is merged once at most. Elements shorter than `shortest` are left alone.
+/// Elements with excess > 1 are cut at `cut` of their length. Neighbours e and e + 1 become one where mergeable(e)
+/// holds; each element is merged once at most. Elements shorter than twice `shortest` are not cut.
 [[nodiscard]] Mesh adapted(const Mesh& mesh, const std::vector<double>& excess,
                            const std::function<bool(int)>& mergeable, double shortest, double cut = 0.5);
 
-/// The same mesh with just `elements` elements: those with the largest excess are cut in two, or neighbours with the
-/// smallest are joined. A cut is taken to lower an excess by 2^degree.
+/// The mesh with exactly `elements` elements: cuts the elements of largest excess in two, or joins the neighbours of
+/// smallest excess. A cut is assumed to divide the excess by 2^degree.
 [[nodiscard]] Mesh with_elements(const Mesh& mesh, std::vector<double> excess, int elements, double shortest);
-/// Degrees of the elements, from the inlet on, such that they sum up to `intervals`.
+/// The mesh with new degrees, nearly equal and larger towards the inlet, whose sum is `intervals`.
 [[nodiscard]] Mesh with_intervals(Mesh mesh, int intervals);
 /// All degrees set to `degree`.
 [[nodiscard]] Mesh with_degree(Mesh mesh, int degree);
 /// Every inner breakpoint moved by `part` of the element on its right: nearly the same sizes, no common breakpoint.
 [[nodiscard]] Mesh shifted(Mesh mesh, double part);
-/// Without what lies before X = `inlet`; `exit` is X*, so that the stretching stays as it is.
+/// The mesh without the part before X = `inlet`. `exit` is X*; with it the stretching stays as it is.
 [[nodiscard]] Mesh cut_at(Mesh mesh, double inlet, double exit);
 
 }  // namespace ehd::reference::hp

@@ -18,8 +18,8 @@ namespace detail {
 
 /// Up to this (degree + 1) acosh(u) the forward recurrence is taken: it loses less than a digit.
 inline constexpr double forward_reach = 1.5;
-/// Miller's recurrence begins so many steps, times the binary digits, over acosh(u) above the degree. Its error shrinks
-/// as e^(-2 acosh(u)) a step: ln(2)/2 = 0.347 would do, the rest is a reserve.
+/// Miller's recurrence begins so many steps above degree + 2: this number times the binary digits, over acosh(u). Its
+/// error falls by e^(-2 acosh(u)) a step, so ln(2)/2 = 0.347 would be enough; the rest is a reserve.
 inline constexpr double miller_steps = 0.38;
 
 /// m_k from Q_0 … Q_(degree+1), k >= 1.

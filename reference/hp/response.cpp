@@ -93,7 +93,8 @@ class ResponseSolve {
 
   /// The steady state to this error, from the floors of the one before; false where none is found.
   [[nodiscard]] bool find_steady(double working);
-  /// Slow motion about the steady state, of two the one about which it is known better; nothing where none is found.
+  /// Slow motion about the steady state; of two steady states, by the one that gives smaller errors. Empty where no
+  /// steady state is found.
   [[nodiscard]] std::optional<SlowStiffness> find_slow();
   /// Refines all meshes until `excess` is at most 1 everywhere; false where they cannot.
   template <class Excess>
@@ -174,8 +175,8 @@ ResponseSolve::Judged ResponseSolve::judged(const Twice& values, double floor_er
   return found;
 }
 
-/// value(harmonic), within the tolerance if meshes can be made for it; excess(harmonic, allowed) says where they are to
-/// be finer.
+/// value(harmonic) within the tolerance, if meshes can be made for it. excess(harmonic, allowed) says where the meshes
+/// must be finer.
 template <class Value, class Excess>
 ResponseSolve::Judged ResponseSolve::certified(const Value& value, const Excess& excess) {
   Judged best;
