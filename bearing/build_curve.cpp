@@ -36,7 +36,8 @@ constexpr double rounding_of_a_gap = 1e-9, rounding_of_a_force = 1e-12;
 
 std::string newtons(double force_N) { return plain(force_N, 4) + " N"; }
 
-/// Above 1: beyond the bounds. Infinite where a number is not finite.
+/// The larger of both disagreements over its bound; above 1 it is beyond the bound. Infinite where a number is not
+/// finite.
 double against(const CurveRequest& request, const Disagreement& here) {
   const double ratio = std::max(here.force / request.force_bound, here.minimum / request.film_bound);
   return std::isfinite(here.force) && std::isfinite(here.minimum) ? ratio : infinity;
@@ -117,14 +118,14 @@ class Refinement {
     }
   }
 
-  /// Of points and extra solves at `down_to_N` and above.
+  /// The curve through the points and extra solves at `down_to_N` and above.
   [[nodiscard]] FilmCurve curve(double down_to_N = 0, CurveErrors errors = {}) const {
     std::set<double> all = nodes_;
     all.insert(extras_.begin(), extras_.end());
     all.erase(all.begin(), all.lower_bound(down_to_N));
     return points_.curve(all, std::move(errors));
   }
-  /// All but those below the lightest point.
+  /// The curve's errors, without those below the lightest point.
   [[nodiscard]] CurveErrors errors() const {
     CurveErrors errors;
     errors.interpolation = worst_.film;

@@ -17,9 +17,9 @@ struct CurveRequest {
   /// Contact forces [N], increasing, that a fit solves in any case. The first and the last become points, the others
   /// extra solves of their gaps.
   std::vector<double> given_N = {};
-  /// Allowed relative errors, at an extra solve in each gap and below the lightest point: of the contact force at a
-  /// given approach with datum x_0 = l (with a datum of the order of the radii up to twice that), and of the minimum
-  /// film.
+  /// Allowed relative errors, at an extra solve in each gap and below the lightest point. force_bound: of the contact
+  /// force at a given approach with datum x_0 = l; with a datum of the order of the radii the error may be twice that.
+  /// film_bound: of the minimum film.
   double force_bound = 1e-3, film_bound = 2e-3;
   double smallest_gap = 1.05;  ///< a gap is not split into neighbours whose forces have a ratio below this
   double widest_gap = 3;       ///< a gap is always split where the ratio of its forces is above this
@@ -33,7 +33,7 @@ struct CurveRequest {
 /// above four times the heaviest are dropped.
 [[nodiscard]] CurveRequest as_met(CurveRequest request);
 
-/// 1. Points go down from the heaviest force by factors of four. They end where the films continued to Martin's are
+/// 1. Points go down from the heaviest force by factors of four. They end where the continuation to Martin's films is
 ///    within the bounds, judged by a contact of half the lightest force, or where no lighter contact can be solved.
 /// 2. The gap whose extra solve disagrees most is split there, until all agree.
 /// 3. Each point is predicted by the others, over twice the gap. Where an eighth of the disagreement is beyond the

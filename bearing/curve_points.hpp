@@ -32,16 +32,17 @@ class CurvePoints {
   [[nodiscard]] std::size_t size() const { return points_.size(); }
   [[nodiscard]] bool has(double force_N) const { return points_.contains(force_N); }
 
-  /// What the solver states of the contacts' own errors.
+  /// Puts what the solver states of the contacts' own errors.
   void put_solver_errors(CurveErrors& errors) const;
 
   [[nodiscard]] FilmCurve curve(const std::set<double>& forces_N, CurveErrors errors = {}) const;
 
-  /// Of a curve at a solved contact that the curve need not contain.
+  /// How far a curve is from a contact that was solved at this force. The contact need not be one of the curve's
+  /// points.
   [[nodiscard]] Disagreement disagreement(const FilmCurve& curve, double force_N) const;
-  /// Of a curve below its lightest point, at any load, from the contact solved at `force_N` there. `with_it` is a curve
-  /// through that contact too: it knows the exponent at the joint better. The error of one film may vanish where the
-  /// contact was solved, that of the other then does not. So the larger counts for both, and for the force.
+  /// Bounds the curve's error at every load below its lightest point. `force_N`: a contact solved there. `with_it`: a
+  /// curve through this contact too, which has a better slope at the joint. One film's error may be zero at this
+  /// contact by chance. So the larger error of both films is used for both films and for the force.
   [[nodiscard]] Disagreement continuation(const FilmCurve& curve, const FilmCurve& with_it, double force_N) const;
 
  private:

@@ -21,12 +21,13 @@ namespace ehd::bearing {
 
 [[nodiscard]] std::string_view to_string(Form form);  ///< "plane", "radial"
 
-/// Where the ring stands, to more digits than its displacement has: at light load and wide clearance the approach is
-/// 1e-9 m beside a displacement of 1e-4 m. So the displacement has two parts. With the first, the rollers of two
-/// azimuths just touch. `beyond` is the second, small one.
+/// Where the ring stands. A displacement alone has too few digits: at light load and wide clearance the approach is
+/// 1e-9 m beside a displacement of 1e-4 m. So it has two parts: to the place where rollers at two azimuths just touch,
+/// and from there the small `beyond`.
 struct Position {
-  /// The azimuths a and b at which a roller would just touch: x cos a + y sin a - P_d/2 is the approach at which a
-  /// roller begins to carry, and likewise b. Absent where the position counts from the middle.
+  /// The azimuths a and b: with the ring at the first part, rollers at a and b just touch. At a, the approach
+  /// x cos a + y sin a - P_d/2 is then that at which a roller begins to carry, and likewise at b. Absent: `beyond`
+  /// counts from the middle.
   std::optional<std::pair<double, double>> touching_deg;
   double beyond_x_m = 0, beyond_y_m = 0;
 };

@@ -24,8 +24,8 @@ struct FitPoint {
 /// most, rigid rollers with f ~ 1/film by 0.2 (200 random bearings; NA4908 0.01).
 inline constexpr double largest_misfit = 0.05;
 
-/// The loaded contacts of a bearing that uses a line (is_loaded). Where the law ehd was balanced in the same run, also
-/// those that the line lets go and ehd still loads, with their force by ehd.
+/// The loaded contacts of a bearing that uses a line (is_loaded). Where the same run balanced the law ehd too, also the
+/// contacts that are loaded by ehd and carry nothing by the line; their force is that by ehd.
 struct LineInUse {
   double lightest_N = 0, heaviest_N = 0;
   /// The largest difference, over these contacts, of the force by the line and the force by the solver at the same
@@ -52,7 +52,7 @@ struct LinearFit {
 
   /// residual_N over the heaviest force of the points.
   [[nodiscard]] double misfit() const { return residual_N / points.back().force_N; }
-  /// Those of the fit, and those of the bearing that uses the line.
+  /// The line describes the contacts of its fit, and those of the bearing that uses it.
   [[nodiscard]] bool describes_contacts() const {
     return misfit() <= largest_misfit && (!in_use || in_use->misfit() <= largest_misfit);
   }

@@ -139,7 +139,7 @@ double LinearLaw::compliance(double force_N) const {
   return (force_N - dF_N) / K_N_per_m >= begins_at() ? 1 / K_N_per_m : 0;
 }
 double LinearLaw::rise(double from_N, double by_N) const {
-  // Cut above its zero, the line carries the force where the cut begins without any approach.
+  // Cut at delta = 0, the law carries up to dF there without any approach.
   const double carried_N = unloading == Unloading::at_zero_approach ? std::max(0.0, dF_N) : 0;
   const double still_N = std::max(0.0, carried_N - from_N);
   return std::max(0.0, by_N - still_N) / K_N_per_m;
@@ -234,7 +234,7 @@ std::optional<std::string> refusal(const ForceLaw& law, double force_N) {
                                  return beyond_the_logarithm(force_N, one.heaviest_N());
                                },
                                [](const LinearLaw&) -> Refusal { return std::nullopt; },
-                               // A curve is extended by whoever balances with it.
+                               // Whoever balances with a curve extends it.
                                [](const CurveLaw&) -> Refusal { return std::nullopt; }},
                     law);
 }

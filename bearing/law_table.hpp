@@ -27,8 +27,8 @@ enum class Law { hertz, iso, lundberg, tripp, houpert, ehd_linear, ehd };
 
 using SharedCurve = std::shared_ptr<const FilmCurve>;
 
-/// How the laws at the inner and the outer contact are made. Which of the three a row has says what the law needs: a
-/// dry law the roller alone, the others solved contacts.
+/// How the laws at the inner and the outer contact are made. The kind of maker says what a law needs: a dry law needs
+/// the roller alone, the others need solved contacts.
 using FromRoller = LawPair (*)(const RollerContact& contact);
 using FromFits = LawPair (*)(const BothRaceways<LinearFit>& fits);
 /// Throws std::domain_error for a datum that is too short (CurveLaw).

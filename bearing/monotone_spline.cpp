@@ -35,8 +35,8 @@ struct Piece {
   double width = 0, secant = 0;
 };
 
-/// The third derivative does not jump at the point next to an end: `next` is the piece inwards of `end`. In the entries
-/// of the end's slope, its neighbour's slope and the right-hand side.
+/// The third derivative does not jump at the point next to an end. `next`: the piece inwards of `end`. Returns the
+/// factors of the end's slope and of its neighbour's slope, and the right-hand side.
 std::array<double, 3> not_a_knot(const Piece& end, const Piece& next) {
   const double both = end.width + next.width;
   return {next.width, both,

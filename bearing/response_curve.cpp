@@ -119,7 +119,7 @@ double ResponseCurve::lag_inside(double force_N) const {
   return lag_scale(contact_, force_N) * std::sinh(inside(slow_lag_, force_N));
 }
 
-/// Below the lightest point as ContinuedSpline, value and slope from the spline of the asinh.
+/// Below the lightest point as in ContinuedSpline. The joint's value and slope come from the spline of asinh(lag/s).
 double ResponseCurve::slow_lag(double force_N) const {
   const double lightest_N = forces_N_.front();
   if (force_N >= lightest_N) return lag_inside(force_N);
@@ -172,7 +172,7 @@ constexpr double safety_of_response_continuation = 2;
 /// that gain is counted on, as for films.
 constexpr double gain_of_half_the_response_gap = 8;
 
-/// Of a curve at a solved contact, relative as in ResponseErrors.
+/// How far a curve is from a solved contact, relative as in ResponseErrors.
 struct OffResponse {
   double stiffness = 0, damping = 0;
   [[nodiscard]] double larger() const { return std::max(stiffness, damping); }
@@ -247,7 +247,8 @@ std::vector<double> first_forces(const ResponseCurveRequest& request) {
   return forces;
 }
 
-/// A curve through all loads takes 30 to 50 points (NA4908). One that is read at fewer forces has its points there.
+/// A curve through all loads takes 30 to 50 points (NA4908). If `few_forces` points or fewer serve the forces that are
+/// read, the curve has only these.
 constexpr std::size_t few_forces = 30, fewest_points = 3;
 /// Two points in ln f above the lightest give the exponents with which the curve continues below. Damping of NA4908
 /// (2.5 um) at half the lightest force: 0.1 and 0.3 leave 2 %, 0.25 and 0.6 9 %, these 0.8 %, as much as a curve of 53
@@ -276,7 +277,7 @@ OffResponse below_lightest(ResponsePoints& points, const ResponseCurve& curve) {
   return {.stiffness = unknown, .damping = unknown};
 }
 
-/// Of a curve whose points alone are read from the lightest force on.
+/// The errors below the lightest point; those between the points are left 0.
 ResponseErrors continued_errors(const OffResponse& below) {
   return {.stiffness_below = safety_of_response_continuation * below.stiffness,
           .damping_below = safety_of_response_continuation * below.damping};

@@ -42,7 +42,7 @@ struct RespondingContact {
 /// Omega = omega b/u_m at a contact force [N], omega in rad/s.
 [[nodiscard]] double Omega_of(const RacewayContact& contact, double force_N, double omega);
 
-/// s, the lag that errors of smaller lags are compared with: a tenth to all of the lag of heavy contacts.
+/// s, the smallest size that errors of the lag are compared with: a tenth to all of the lag of heavy contacts.
 [[nodiscard]] double lag_scale(double M);
 
 /// Relative errors of a curve: of the stiffness to |kappa|, of the damping to ResponseCurve::damping_scale.
@@ -122,13 +122,15 @@ struct ResponseCurveRequest {
   friend auto operator<=>(const ResponseCurveRequest&, const ResponseCurveRequest&) = default;
 };
 
-/// Through all loads. The first points are equal steps in ln f from the lightest to the heaviest force. An extra solve
-/// judges each gap and becomes a point. Where it disagrees by more than the bound, the gap is split there. One contact
-/// of half the lightest force finds the error below, which is infinite where that contact has no solution. A failure of
-/// any other solve is a SolveFailure, as is a kappa_0 that is not positive, or a kappa_1 at the lightest force.
+/// A curve through all loads. The first points are equal steps in ln f from the lightest to the heaviest force. An
+/// extra solve judges each gap and becomes a point. Where it disagrees by more than the bound, the gap is split there.
+/// One contact of half the lightest force gives the error below the lightest point; the error is infinite where that
+/// contact has no solution. A failure of any other solve is a SolveFailure. So is a kappa_0 that is not positive, or
+/// such a kappa_1 at the lightest force.
 ///
-/// Where read_at_N has few forces, the points are these, the lightest force and two above it, and no other contact is
-/// solved but that of half the lightest force. The errors between the points then count as 0: do not read there.
+/// With few forces in read_at_N, the points are these, the lightest force and two forces above it. Besides them only
+/// the contact at half the lightest force is solved. The errors between the points are then unknown and stated as 0:
+/// read such a curve at its points and below the lightest one only.
 [[nodiscard]] std::variant<ResponseCurve, SolveFailure> build_response_curve(const RespondingContact& contacts,
                                                                              const ResponseCurveRequest& request);
 

@@ -32,12 +32,13 @@ struct RingState {
   double total_N = 0;  ///< Sum f_i
 };
 
-/// Rollers over the displacement v of the ring from a reference. At light load and wide clearance an approach of 1e-9 m
-/// stands beside a displacement of 1e-4 m. So where a dry ring has room, v counts from the place where the directions a
-/// and b just touch, those of the rollers beside the load line. With c the gap in the middle, the excess of a roller
-/// there, without a difference of nearly equal numbers, is
-///   c [cos(psi - (a+b)/2)/cos((b-a)/2) - 1] = -2 c sin((psi-a)/2) sin((psi-b)/2)/cos((b-a)/2),
-/// exactly zero at a and b. v adds v_x cos psi + v_y sin psi. Preloaded rings and films count from the middle.
+/// The rollers as functions of the displacement v of the ring from a reference. At light load and wide clearance an
+/// approach of 1e-9 m stands beside a displacement of 1e-4 m. So a dry ring with clearance has a reference where
+/// rollers in the directions a and b, beside the load line, just touch. With c the gap at the middle, the excess of a
+/// roller at this reference is
+///   c [cos(psi - (a+b)/2)/cos((b-a)/2) - 1] = -2 c sin((psi-a)/2) sin((psi-b)/2)/cos((b-a)/2).
+/// The second form is exactly zero at a and b, and no difference of nearly equal numbers. v adds
+/// v_x cos psi + v_y sin psi. The reference of preloaded rings and of films is the middle.
 class Ring {
  public:
   /// Rollers that a symmetric ring cannot tell apart.

@@ -17,7 +17,7 @@ constexpr double stribeck = 4.08;
 // ---- The search along a line
 /// Never reached in practice: halving ends far earlier.
 constexpr int most_iterations_on_a_line = 400;
-/// The bracket must shrink to this part in every so many iterations, else it is halved.
+/// The bracket must shrink to `shrinks_to` of its width in every `stall_period` iterations, else it is halved.
 constexpr int stall_period = 4;
 constexpr double shrinks_to = 1.0 / 16;
 /// A bracket narrower than this is a point. Near zero a relative width means nothing.
@@ -32,9 +32,10 @@ constexpr double smallest_first_reach_m = 1e-9;
 // ---- Newton in the plane
 /// Never reached in practice: `patience` ends far earlier.
 constexpr int most_iterations_in_the_plane = 200;
-/// A step that leaves more than this part of the smallest miss is without gain.
+/// A step that leaves more than this part of the smallest miss so far counts as one without gain.
 constexpr double gain = 0.9;
-/// Steps without gain at which the search ends: near rounding, and anywhere else (at a jump no displacement balances).
+/// The search ends after more than so many steps in a row without gain: near rounding, and anywhere else (at a jump no
+/// displacement balances).
 constexpr int patience_at_rounding = 2, patience = 30;
 /// Near rounding: the miss is at most so many times epsilon of the forces.
 constexpr double near_rounding = 1e3;
@@ -43,8 +44,8 @@ constexpr double smallest_reach_m = 1e-6;
 
 bool jump_at_either(const LawPair& laws) { return jumps(laws.inner) || jumps(laws.outer); }
 
-/// The search along one line, v + t direction, for the place where the force along it equals the load's part. The
-/// miss_N of its places is force times |direction|.
+/// The result of a search along the line from + t direction, for the place where the force along it equals the load's
+/// component. The miss_N of its places is this difference of forces times |direction|.
 struct Crossing {
   Place best;           ///< of all t that were tried, the one with the least miss along the line
   bool jumped = false;  ///< the bracket closed to nothing, and the force jumps there
@@ -124,7 +125,8 @@ double estimate_N(const Ring& ring, double load_N) {
   return stribeck * load_N / static_cast<double>(ring.azimuths().size());
 }
 
-/// Where two rollers beside the load would carry it alone, no deeper than Stribeck's estimate; else the middle.
+/// The place where the two rollers beside the load would carry it alone, each with at most Stribeck's estimate. The
+/// middle where v counts from there.
 Vector2 start_in_the_plane(const Ring& ring, double load_N) {
   if (!ring.counts_from_touch()) return {};
   const double a = ring.first_deg(), b = ring.second_deg(), between = sine_of_degrees(b - a);

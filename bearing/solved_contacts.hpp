@@ -20,7 +20,7 @@ struct SolvedContact {
   double film_error = 0;                             ///< relative error of film_minimum_m
   std::optional<double> rolling_force_N_per_m = {};  ///< |Int h p' dx|/2 per length
   double rolling_error = 0;                          ///< relative
-  bool converged = true;  ///< false: the best solution missed its tolerance; its errors are still honest
+  bool converged = true;  ///< false: the best solution missed its tolerance; the errors above still hold
 };
 /// A contact that has no solution.
 struct SolveFailure {
