@@ -22,8 +22,8 @@ class GmresOf {
   /// w = A z_k with z_k = M^-1 v; the caller keeps z_k, k = 0, 1, … `w` may hold anything before.
   using Product = std::function<void(std::size_t k, const Vector& v, Vector& w)>;
 
-  /// Starts from x = 0 and ends at |b - A x| <= relative |b|, or after most_steps. Returns the y_k of the solution x =
-  /// Sum_k y_k z_k; valid until the next call.
+  /// Starts from x = 0 and ends at |b - A x| <= relative |b|, or after most_steps. Returns the y_k of the solution
+  /// x = Sum_k y_k z_k; valid until the next call.
   [[nodiscard]] std::span<const Scalar> solve(const Vector& b, double relative, const Product& product);
 
  private:

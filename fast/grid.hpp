@@ -22,9 +22,9 @@ using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::Ro
 /// How exact a product is: `rough` takes the smooth remainder from a small table, which is enough for a smoother.
 enum class Accuracy { full, rough };
 
-/// Tables of the smooth remainder. mapped_ways.cpp takes `fine` ones for tolerances of 1e-7 and below (3e-5 where M >
-/// 2e4), and for given grids of more than 4096 intervals. mapped_start.cpp takes those `of_maps` for solutions that
-/// only make a map.
+/// Tables of the smooth remainder. mapped_ways.cpp takes `fine` ones for tolerances of 1e-7 and below
+/// (3e-5 where M > 2e4), and for given grids of more than 4096 intervals. mapped_start.cpp takes those `of_maps` for
+/// solutions that only make a map.
 enum class Tables { of_maps, usual, fine };
 
 struct Grid {
