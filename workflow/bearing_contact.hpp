@@ -10,8 +10,8 @@
 
 namespace ehd {
 
-/// The central film to 1e-4, whose error is close to that of the offset film: an error of 1e-4 there moves a contact
-/// force by a few parts in 1e5. The smallest film to 1e-3.
+/// The central film to 1e-4, the smallest film to 1e-3. The error of the central film is close to that of the offset
+/// film, where 1e-4 moves a contact force by a few parts in 1e5.
 [[nodiscard]] Request bearing_contact_request();
 
 /// The solver as bearings use it. First it asks for the tolerance of the request. If that is not met, it accepts 1e-3,

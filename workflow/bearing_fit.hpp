@@ -21,8 +21,8 @@ inline constexpr double default_fit_from = 0.2, default_fit_to = 1.2, lightest_f
 void run_linear_law(BearingResult& result, const BearingSetup& setup, bearing::FromFits make, double largest_dry_N,
                     ContactMemory& memory, bool with_films);
 
-/// Judges the lines also at the contacts that they let go and the law ehd loads. `full`: its balance of the same
-/// rollers.
+/// Judges the lines also at the contacts that carry nothing by the lines and do by the law ehd. `full`: the balance by
+/// ehd of the same rollers.
 void judge_use_beside(BearingResult& result, const BearingResult& full);
 
 }  // namespace ehd

@@ -124,15 +124,14 @@ struct ContactPlace {
 /// The contact with the smallest film over both raceways of the loaded rollers. Absent without films.
 [[nodiscard]] std::optional<ContactPlace> smallest_film_place(const BearingResult& result);
 
-/// The balance by the law ehd, which a fitted law stands for; null where there is none.
+/// The balanced result of the law ehd, which a fitted law approximates; null where there is none.
 [[nodiscard]] const BearingResult* full_relation_in(const std::vector<BearingResult>& results);
-/// Relative error of the stiffness along the load, d(F_r)/d(delta_r). A fitted law has it where `full` is not null.
-/// Absent of dry laws, which are solved to rounding. That of a fitted law is its distance from `full`, and what that
-/// may be off itself.
+/// Relative error of the stiffness along the load, d(F_r)/d(delta_r). Absent for dry laws, which are solved to
+/// rounding. The error of a fitted law is its distance from `full`, plus the error of `full`; absent without `full`.
 [[nodiscard]] std::optional<double> stiffness_error(const BearingResult& result, const BearingResult* full);
-/// The same of the rolling torque. A fitted law lets go of rollers that ehd loads.
+/// The same for the rolling torque. A fitted law unloads rollers that ehd loads.
 [[nodiscard]] std::optional<double> torque_error(const BearingResult& result, const BearingResult* full);
-/// The same of the stiffness in motion at frequency number k, relative to the trace.
+/// The same for the stiffness in motion at frequency number k, relative to the trace.
 [[nodiscard]] std::optional<double> motion_error(const BearingResult& result, const BearingResult* full, std::size_t k);
 /// False where the error is so large that not even the first digit of the stiffness is known. Text and JSON then leave
 /// the stiffness out.

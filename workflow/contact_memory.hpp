@@ -30,16 +30,16 @@ class ContactMemory {
   explicit ContactMemory(ContactSolver solver, Request request = bearing_contact_request());
   /// With a cache that others use too, of a solver with fallback.
   explicit ContactMemory(std::shared_ptr<ContactCache> cache, Request request = bearing_contact_request());
-  /// From now on responses come from this solver, with this request; without the call from bearing_response.hpp's.
+  /// From now on responses come from this solver, with this request. Before, they come from bearing_responder().
   void respond_by(ContactResponder responder, ResponseRequest request = bearing_response_request());
 
-  /// The contact at a raceway; its function counts. It must not outlive this memory.
+  /// The contact at a raceway. Its function counts solves and recalls here, so it must not outlive this memory.
   [[nodiscard]] bearing::SolvableContact of(const bearing::RacewayContact& contact, const Lubricant& lubricant);
   /// The raceway's curve, built once for all laws, clearances and cases that need the same.
   [[nodiscard]] const std::variant<bearing::FilmCurve, bearing::SolveFailure>& curve(
       const bearing::RacewayContact& contact, const Lubricant& lubricant, const bearing::CurveRequest& request);
-  /// The responses of the raceway's contacts over the force, built once likewise. Where each request names other
-  /// forces, the curve goes through all loads.
+  /// The responses of the raceway's contacts over the force, built once for all that need the same. From the fifth set
+  /// of forces to read on, the curve goes through all loads, which is then as cheap.
   [[nodiscard]] const std::variant<bearing::ResponseCurve, bearing::SolveFailure>& response_curve(
       const bearing::RacewayContact& contact, const Lubricant& lubricant, const bearing::ResponseCurveRequest& request);
   /// Responses that this run solved.

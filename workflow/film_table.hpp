@@ -30,8 +30,8 @@ using ByFilm = std::array<Value, table_film_count>;  ///< in the order of table_
 /// 0 for a film, the dry offset for H_0.
 [[nodiscard]] double table_shift(Quantity film);
 
-/// What an error of the film is divided by: the film itself. Of the offset its rise above the dry value where that is
-/// above 1, else 1: the error of a small offset is absolute (Hertz units), as everywhere.
+/// What an error is divided by. A film: itself. The offset: its rise above the dry value where that is above 1, else 1.
+/// So the error of a small offset is absolute (Hertz units), as everywhere.
 [[nodiscard]] double table_error_unit(Quantity film, double value);
 
 struct FilmRange {

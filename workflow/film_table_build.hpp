@@ -19,7 +19,7 @@ struct SolvedFilms {
   ByFilm<double> error = {};
   std::string why = {};
 };
-/// Where a table has its films from: those of some contacts, in their order.
+/// Gives a table its films: those of some contacts, in their order.
 using FilmSource = std::function<std::vector<SolvedFilms>(const std::vector<MoesGroups>&)>;
 
 struct FilmTableRequest {

@@ -12,8 +12,8 @@ struct TableOil {
   Inlet inlet = Flooded{};
 };
 
-/// Those of a contact, or of a bearing, whose inlets are flooded. An alpha or z that follows from eta_0 is put in.
-/// Throws CaseError: a dry case, an isoviscous oil, a law that needs pressures in Pa where alpha is not stated.
+/// The oil and inlet of a contact, or of a bearing, whose inlets are flooded. An alpha or z that follows from eta_0 is
+/// put in. Throws CaseError: a dry case, an isoviscous oil, a law that needs pressures in Pa where alpha is not stated.
 [[nodiscard]] TableOil table_oil(const Case& stated);
 
 /// The same laws with the same numbers, and the same inlet.
