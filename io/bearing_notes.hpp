@@ -13,7 +13,7 @@ namespace ehd {
 [[nodiscard]] std::vector<std::string> notes_of(const BearingResult& result);
 /// Those that a reader has to know before any number: that a line does not describe its contacts, that rollers overlap.
 [[nodiscard]] std::vector<std::string> warnings_of(const BearingResult& result);
-/// The others; without `details` not those on how a law was made (curves, range of the fit, variants).
+/// The others. Without `details`, notes on how a law was made (curves, range of the fit, variants) are left out.
 [[nodiscard]] std::vector<std::string> remarks_of(const BearingResult& result, bool details);
 
 }  // namespace ehd

@@ -15,7 +15,7 @@
 
 namespace ehd {
 
-/// What the numerics leave open in the balance of one law: fit, interpolation and contact solves, not the datum.
+/// Numerical errors of one law's balance, from fit, interpolation and contact solves. The datum is not among them.
 struct BearingErrors {
   double displacement_m = 0;
   double largest_force_N = 0;
@@ -35,10 +35,9 @@ inline constexpr int unstated_digits = 3;
 /// The azimuth of a roller, and of its mirror image where it has one: "0", "+-16.364".
 [[nodiscard]] std::string azimuth_text(const bearing::RollerGroup& group, double azimuth_deg);
 
-/// Displacement, largest load and its pressure, load zone, thinnest film, stiffness, and
-/// where pressure and film are. Brackets are the errors in units
-/// of the last digit; a law without an entry in `errors` has none. That of a fitted law's stiffness needs the law ehd
-/// beside it.
+/// Displacement, largest load and its pressure, load zone, thinnest film, stiffness, and where pressure and film are.
+/// Brackets are the errors in units of the last digit; a law without an entry in `errors` has none. A fitted law has an
+/// error of its stiffness only with the law ehd beside it.
 [[nodiscard]] std::string summary_table(const BearingCase& body, const std::vector<BearingResult>& results,
                                         const ErrorsOfLaws& errors);
 

@@ -18,8 +18,8 @@ namespace ehd {
 /// The same of a text in memory. `file` names the text in messages; its stem must be the id.
 [[nodiscard]] Case read_case(std::string text, const std::filesystem::path& file);
 
-/// The same with other values, which pass every check that the file's own would. Messages name the line of the value
-/// that was replaced, or of its table. The file's expectations are left out: they hold for the file's own numbers.
+/// The same with other values, which pass every check that the file's own would. Messages about them name no line, but
+/// the option that gave them, if any. The file's expectations are left out: they hold for the file's own numbers.
 [[nodiscard]] Case read_case(std::string text, const std::filesystem::path& file,
                              const std::vector<Substitution>& substitutions);
 

@@ -12,14 +12,14 @@ class CaseTree;
 struct CaseTable;
 
 struct CaseStatement {
-  /// The table that states the problem, or has to: a case without one, but with tables of bearings alone, needs
-  /// [bearing]. Where there are several, the first of the file. Null where it can be one of several.
+  /// The table that states the problem; where there are several, the first of the file. Without one: the only table
+  /// that can stand beside the case's other tables ([bearing] beside tables of bearings), else null.
   const CaseTable* table = nullptr;
   /// Lines of the refusal: no table states the problem, another one states it again, tables that do not belong to it.
   std::vector<std::string> faults = {};
 };
 
-/// A contact with one of the tables [lubricant] and [domain] has to have both. A dry one has neither.
+/// The contact has a table [lubricant] or [domain]. It must then have both; a dry one has neither.
 [[nodiscard]] bool is_lubricated(const CaseTree& tree);
 /// Whether a companion ([operation], [domain], ...) has to stand beside the statement.
 [[nodiscard]] bool has_to_stand(const CaseTree& tree, const CaseTable& companion, const CaseTable& statement);

@@ -19,7 +19,7 @@
 
 namespace ehd {
 
-/// A text that comes without a file stands for the file that its id names. Without an id, messages call it so.
+/// What messages call a text without a file and without an id. A text with an id stands for the file "ID.toml".
 inline constexpr const char* nameless_case = "case";
 
 /// One value of the file.
@@ -40,9 +40,9 @@ struct UnknownKey {
 class CaseTree {
  public:
   /// `text` as checked_case_text leaves it. Substituted values pass every check that the file's own would; messages
-  /// about them name no line, but the option that gave them. With substitutions the file's [[expect]]
-  /// tables are left out, since they hold for the file's own numbers. Throws CaseError for text that is not TOML, and
-  /// for a substitution of a key that io/case_keys does not have.
+  /// about them name no line, but the option that gave them. With substitutions the file's [[expect]] tables are left
+  /// out, since they hold for the file's own numbers. Throws CaseError for text that is not TOML, and for a
+  /// substitution of a key that io/case_keys does not have.
   CaseTree(const std::string& text, const std::filesystem::path& file,
            const std::vector<Substitution>& substitutions = {});
 
@@ -56,9 +56,9 @@ class CaseTree {
   /// How many [[expect]] tables there are.
   [[nodiscard]] std::size_t expectations() const { return expectations_; }
 
-  /// A case with file, places and options alone: where each key stands.
+  /// A Case that holds only the file, the place of each key (places), and the options that gave keys (given).
   [[nodiscard]] const Case& places() const { return places_; }
-  /// Places and options for the case that was read; nothing is read or refused afterwards.
+  /// Moves places and options into the case that was read. Call last: the tree can then neither be read nor refuse.
   void move_places_to(Case& made) &&;
   /// Throws the CaseError "FILE:LINE: key = value: message".
   [[noreturn]] void fail(std::string_view path, const std::string& message) const;

@@ -12,7 +12,7 @@ namespace ehd {
 
 /// The result object of `ehd solve`. Numbers are finite; a quantity that is unknown or was not requested is absent.
 [[nodiscard]] Json to_json(const ContactRun& run);
-/// One entry of it, {"hertz": ...} for "film.minimum", without the others; nothing where no observed quantity has it.
+/// One entry of that object alone, {"hertz": ...} for "film.minimum". Empty where no observed quantity has it.
 [[nodiscard]] std::optional<Json> observable_json(const ContactRun& run, std::string_view entry);
 [[nodiscard]] Json to_json(const Plan& plan);
 /// Groups and scales, as far as they are known.

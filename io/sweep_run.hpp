@@ -43,7 +43,7 @@ struct SweepCost {
 
 // ---- What run_sweep and run_shard (io/sweep_shards) share
 
-/// Hashes as numbers, read as texts: millions of them stand in memory.
+/// Hashes kept as numbers, because memory holds millions of them, and read as texts.
 struct HashList {
   std::vector<HashNumber> numbers;
   [[nodiscard]] std::string operator[](std::size_t row) const { return digits_of(numbers[row]); }

@@ -20,8 +20,8 @@ inline constexpr std::size_t widest_table = 100;
 /// Rows of cells as aligned columns, two spaces between; the first `left` columns flush left, the others right.
 [[nodiscard]] std::string aligned(const std::vector<std::vector<std::string>>& rows, std::size_t left,
                                   const std::string& indent = "");
-/// The same for a table of many columns: those that would make it too wide follow below, after an empty line, behind
-/// the first `left` columns once more.
+/// The same for a table of many columns. Columns that would make it too wide follow below, after an empty line; the
+/// first `left` columns stand there again.
 [[nodiscard]] std::string aligned_in_parts(const std::vector<std::vector<std::string>>& rows, std::size_t left,
                                            const std::string& indent = "");
 
