@@ -28,7 +28,7 @@ struct NamedFile {
 /// an output other than --json is "-". Outputs with an empty path are left out. Call before any work.
 void require_distinct(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs);
 
-/// The ending of a file's name, ".svg". Capital letters are small ones.
+/// The ending of a file's name in small letters: ".svg".
 [[nodiscard]] std::string ending_of(const std::filesystem::path& name);
 
 /// Opens the file that an option names, if the option was given. Call before any work, so that a file that cannot be
@@ -40,15 +40,14 @@ void require_distinct(const std::vector<NamedFile>& inputs, const std::vector<Na
 /// Standard output is a terminal, NO_COLOR is not set and TERM is not "dumb".
 [[nodiscard]] bool styled_output();
 
-/// Where the caller closed a standard stream, the next file to be opened would get its number, and whatever is meant
-/// for the stream would go into that file. Takes the numbers first, so that reading and writing fail as before. Call at
-/// the begin of the program.
+/// Opens /dev/null for each standard stream that the caller closed, so that reading and writing there still fail. Else
+/// the next file would get the stream's number, and text for the stream would go into that file. Call at the begin of
+/// the program.
 void hold_closed_streams();
 
 /// Writes to standard output and checks that it arrived; throws OutputError.
 void print(const std::string& text);
-/// One line on standard error.
-/// The middle of a line of more than 4000 bytes is left out.
+/// One line on standard error. Of a line of more than 4000 bytes the middle is left out.
 void complain(const std::string& line);
 
 /// --output DIR: a folder and its files. The folder and those above it are made where they do not exist, and removed at

@@ -19,7 +19,7 @@ namespace ehd::cli {
 [[nodiscard]] std::string step_line(std::size_t done, std::size_t all, const std::string& what, double stepped_s,
                                     double passed_s);
 
-/// The same where it is known when everything ends, counted from the begin; without it no time left is shown.
+/// The same where everything is known to end `ends_s` after the begin. Without `ends_s` no time left is shown.
 [[nodiscard]] std::string step_line_until(std::size_t done, std::size_t all, const std::string& what,
                                           std::optional<double> ends_s, double passed_s);
 

@@ -24,7 +24,7 @@ struct ScaledNumber {
   std::string_view meaning;
   double constant = 1;
   Exponents exponents = {};
-  /// Is 0 where alpha is, for an isoviscous fluid.
+  /// The number is 0 where alpha is 0, for an isoviscous fluid.
   [[nodiscard]] bool may_vanish() const { return exponents.back() > 0; }
 };
 /// The formulas: docs/theory.md. Groups with U have the MEAN speed where the name says so.
