@@ -10,7 +10,7 @@ using std::numbers::pi;
 
 namespace {
 
-/// The integrals of a waviness decay like e^(-kxu) (1 + u)^-6 along x (1 + iu): so many powers.
+/// The integrals of a waviness decay like e^(-kxu) (1 + u)^-6 along x (1 + iu): this is 6.
 constexpr double powers_of_gap = 6;
 
 }  // namespace

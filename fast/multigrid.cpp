@@ -14,8 +14,8 @@ using std::numbers::pi;
 
 namespace {
 
-/// Intervals of the coarsest level, from this number to half as many again. On uniform grids 32 and 128 measured no
-/// better than 64.
+/// The coarsest level is the first with at most one and a half times so many intervals; it has at least three quarters
+/// of them, or is the finest. On uniform grids 32 and 128 measured no better than 64.
 constexpr int coarsest_uniform = 64, coarsest_mapped = 32;
 
 }  // namespace

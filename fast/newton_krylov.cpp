@@ -43,8 +43,8 @@ constexpr double poor_contraction = 0.9;
 constexpr int most_poor_steps = 25;
 /// The multigrid cycle is factorised again where the conductances H^3/eta have changed by this: the sum over the steps
 /// of the largest change of ln eta and three times that of ln H. Instructions of 40 contacts (M of 0.5..1000, L to 15
-/// or 20), over those of 0: films to 1e-5 .94, to 1e-4 .95, H_cen to 1e-6 .88; with 0.1 .945, .96, .89; with 0.4 .93,
-/// .94, .88.
+/// or 20), over those with 0 in its place: films to 1e-5 .94, to 1e-4 .95, H_cen to 1e-6 .88; with 0.1 .945, .96, .89;
+/// with 0.4 .93, .94, .88.
 constexpr double refactorised_at = 0.2;
 /// With a contraction above this the film error is unknown.
 constexpr double useful_contraction = 0.5;

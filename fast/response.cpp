@@ -30,12 +30,12 @@ constexpr double tolerance_of_first_map = 1e-3;
 constexpr double first_map_M = 1000;
 /// Newton's method may leave this part of the tolerance as its residual. The damping then errs by 60 times as much.
 constexpr double newton_part = 1e-5;
-/// Numbers of fewer grids have no error estimate; those of so many are extrapolated once.
+/// Numbers of fewer grids have no error estimate. With just so many the error has a rule of its own: extrapolated().
 constexpr std::size_t fewest_grids = 3;
-/// Ratios of moves that count as regular (8 for smooth solutions), and the parts of the moves in the error: the last
-/// ones, and earlier ones, which protect against a move that is small by chance: extrapolated(). Chosen on 110 random
-/// contacts (M of 0.5..1000, L of 0..20, Omega of 0..10) and 74 random waves (0.5..5 b) against the certified solver;
-/// tested on others by ehd stress, part motion.
+/// Moves whose ratio lies between these count as regular (8 for smooth solutions). `Parts`: what the error takes of the
+/// last moves, see extrapolated(). The earlier ones protect against a move that is small by chance. Chosen on 110
+/// random contacts (M of 0.5..1000, L of 0..20, Omega of 0..10) and 74 random waves (0.5..5 b) against the certified
+/// solver; tested on others by ehd stress, part motion.
 constexpr double least_ratio = 5, largest_ratio = 13;
 struct Parts {
   double last, before, second_before;
