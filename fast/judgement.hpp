@@ -33,7 +33,7 @@ struct Ending {
 [[nodiscard]] Ending limit_ending();
 [[nodiscard]] Ending diverged_ending();
 [[nodiscard]] Ending tolerance_ending();
-/// Of a solve on a given number of intervals: converged, or under-resolved where an error is too large for that.
+/// How a solve on a given number of intervals ended: converged, or under-resolved where an error is too large.
 [[nodiscard]] Ending given_grid_ending(const ErrorBudget& minimum, const ErrorBudget& central);
 
 }  // namespace ehd::fast

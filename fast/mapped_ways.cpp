@@ -60,7 +60,7 @@ MappedClimb climb_from_milder(Run& run, const Request& request, int neighbours) 
   return climb_mapped(run, request, recipes[0], &neighbour, Care::full);
 }
 
-/// From the solution of the first map, whose grids did not suffice.
+/// Climbs once more, from the solution of the first map, whose grids did not suffice.
 void climb_with_more_care(Run& run, const Request& request, MappedClimb& best) {
   const Solution rough{.fields = best.fields, .observables = {}, .record = {}};
   MappedClimb climb = climb_mapped(run, request, recipes[0], &rough, Care::full);

@@ -9,7 +9,7 @@
 
 namespace ehd::fast {
 
-/// From here on the time counts.
+/// The time limit starts here.
 [[nodiscard]] Run begin_mapped(const Problem& problem, const Request& request, Workspace& workspace);
 
 /// The first complete climb of all ways to begin, or the one that came farthest. `care`: of its maps; `from`: the

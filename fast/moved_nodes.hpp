@@ -31,8 +31,8 @@ struct MovedNodes {
   double moment = 0;  ///< of Int P X dX, for the moving tail
 };
 
-/// By the difference of `state` on two grids, whose maps have moved by `step` and by -step. NaN where one of them has
-/// no film. A one-sided difference is not enough: at (974, 10.8) a step of 1e-6 left 2e-4 in the lag.
+/// Derivatives by a central difference: `state` on two grids, whose maps have moved by `step` and by -step. NaN where
+/// one of them has no film. A one-sided difference is not enough: at (974, 10.8) a step of 1e-6 left 2e-4 in the lag.
 [[nodiscard]] MovedNodes moved_nodes(const Setting& setting, const State& state, Grid& own, Grid& forward, Grid& back,
                                      double step, Counters& counters);
 

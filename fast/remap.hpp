@@ -21,7 +21,7 @@ struct Known {
   double film = 0;  ///< H at the node nearest to X = 0
 };
 [[nodiscard]] Known known_of(const Fields& fields);
-/// Of the solution that Newton ended on last.
+/// What the solution that Newton ended on last tells the next map.
 [[nodiscard]] Known known_now(const Run& run);
 /// H at the node nearest to X = 0 of that solution.
 [[nodiscard]] double film_now(const Run& run);
@@ -31,7 +31,8 @@ void use_first_map(Run& run, const MapRecipe& recipe, Tables tables);
 /// A solution on n intervals of the present map: pressure by cubic interpolation, H_0 such that the film at X = 0 is
 /// kept.
 [[nodiscard]] State on_present_map(Run& run, const Known& known, const InletTail& tail, int n);
-/// From now on the grids are those of the map that a solution asks for. The solution on n intervals of that map.
+/// From now on the grids are those of the map that a solution asks for. Returns the solution on n intervals of that
+/// map.
 [[nodiscard]] State on_new_map(Run& run, const Known& known, const InletTail& tail, const MapRecipe& recipe,
                                Tables tables, int n);
 

@@ -78,7 +78,7 @@ struct GridPlan {
   [[nodiscard]] std::optional<int> after(int n) const;
 };
 
-/// Of the grid that Newton ended on last, with the pressure of run.state.
+/// The fields on the grid that Newton ended on last, with the pressure of run.state.
 [[nodiscard]] Fields fields_of(const Run& run);
 /// Counts and times of the run, and the number of its grids.
 void fill_cost(SolveRecord& record, Run& run);

@@ -6,7 +6,7 @@
 
 namespace ehd::fast {
 
-/// From a mild contact (M at most 20, L at most 5) to the given one, in steps of one parameter, on the grid of n
+/// Goes from a mild contact (M at most 20, L at most 5) to the given one, in steps of one parameter, on the grid of n
 /// intervals. A success goes to run.state.
 [[nodiscard]] Attempt continuation(Run& run, int n, const Target& target);
 
