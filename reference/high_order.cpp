@@ -25,7 +25,8 @@ constexpr double fewest_inlet_cells = 1.5;
 constexpr double layout_tolerance = 1e-6;
 /// Below this working tolerance meshes would resolve rounding.
 constexpr double finest_working = 1e-13;
-/// Of a mesh at a working tolerance: coefficients of the pressure in p_H, and the flux between collocation points.
+/// What a mesh resolves at a working tolerance: coefficients of the pressure in p_H, and the flux between collocation
+/// points.
 constexpr double spike_resolution = 1e-3, defect_resolution = 1e-2;
 /// Attempts to meet a tolerance, each working with this part of the tolerance of the one before.
 constexpr int attempts = 3;

@@ -23,9 +23,9 @@ struct GradedMap {
   [[nodiscard]] Grid grid(int intervals) const;
 };
 
-/// From a film formula alone. central_film: Hertz units.
+/// A map made from a film formula alone. central_film: Hertz units.
 [[nodiscard]] GradedMap first_map(double inlet, double central_film);
-/// From a solution on a coarser grid.
+/// A map made from a solution on a coarser grid.
 [[nodiscard]] GradedMap adapted_map(const State& state, const Evaluation& at);
 
 }  // namespace ehd::reference

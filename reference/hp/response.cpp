@@ -24,7 +24,7 @@ constexpr double finest_steady = 1e-13;
 /// No second steady state is solved to less than this. There Newton's method fails before the descent is deep enough:
 /// at (5, 14) and (100, 14), Barus, asked for 1e-8, the second steady state was no better and took twice the time.
 constexpr double finest_again = 1e-11;
-/// Of the steady meshes, as in high_order.cpp.
+/// What the steady meshes resolve, as in high_order.cpp.
 constexpr double pressure_resolution = 1e-3, flux_resolution = 1e-2;
 /// Error over difference of the two discretisations; error_report.cpp says where the number comes from.
 constexpr double safety = 5;
