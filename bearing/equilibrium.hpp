@@ -38,8 +38,8 @@ struct Equilibrium {
   Position position;
   std::vector<double> azimuths_deg;
   std::vector<RollerState> rollers;
-  /// Of the ring (both components in the plane form) and of every roller, relative to the larger of F_r and the sum of
-  /// the outer contacts' forces.
+  /// Largest error of balance of the ring (both components in the plane form) and of every roller, relative to the
+  /// larger of F_r and the sum of the outer contacts' forces.
   double balance_error = 0;
   double lateral_force_N = 0;  ///< Sum f_i sin psi
   /// d(Sum f_i cos psi, Sum f_i sin psi)/d(x, y), from the rollers' exact slopes; symmetric.

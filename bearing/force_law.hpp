@@ -136,7 +136,7 @@ struct LawPair {
 [[nodiscard]] std::optional<std::pair<double, double>> domain(const ForceLaw& law);
 /// Why a balance in which the law carries this force [N] is refused; absent where it is not.
 [[nodiscard]] std::optional<std::string> refusal(const ForceLaw& law, double force_N);
-/// True for a law that lets go at a finite force.
+/// True for a law whose force drops to 0 from a finite force.
 [[nodiscard]] bool jumps(const ForceLaw& law);
 
 }  // namespace ehd::bearing

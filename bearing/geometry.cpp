@@ -64,7 +64,7 @@ std::vector<double> azimuths_deg(const Geometry& geometry) {
                steps = std::round(geometry.first_azimuth_deg / half_pitch_deg);
   const bool symmetric = std::abs(geometry.first_azimuth_deg - steps * half_pitch_deg) <= same_deg;
   for (int j = 0; j < geometry.rollers; ++j) {
-    // In half pitches a symmetric cage is counted in integers, so that mirrored rollers are so to the bit.
+    // In half pitches a symmetric cage is counted in integers, so that mirrored rollers agree to the bit.
     double psi = symmetric ? 180.0 * std::remainder(steps + 2.0 * j, 2.0 * geometry.rollers) / geometry.rollers
                            : std::remainder(geometry.first_azimuth_deg + 360.0 * j / geometry.rollers, 360.0);
     if (psi <= -180) psi += 360;

@@ -86,7 +86,7 @@ class ResponseCurve {
     double stiffness = 0, damping = 0;
     void meet(const SolverErrors& other);
   };
-  /// Of one frequency: Re kappa/kappa_0 - 1, and Im kappa/Omega over damping_scale.
+  /// Splines of one frequency: Re kappa/kappa_0 - 1, and Im kappa/Omega over damping_scale.
   struct Frequency {
     MonotoneSpline departure, damping;
     SolverErrors solver;

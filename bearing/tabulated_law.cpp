@@ -11,7 +11,7 @@ namespace {
 /// The damping has no slope of its own: a central difference over this part of the force. What it neglects is 1e-8 of
 /// the slope's own change.
 constexpr double force_step = 1e-4;
-/// Where the table is held against the law, in each gap.
+/// Number of places in each gap where the table is compared with the law.
 constexpr int looks_in_a_gap = 9;
 
 /// One gap between two knots.
