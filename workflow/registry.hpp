@@ -51,7 +51,7 @@ struct SolverTwins {
 
 /// "reference, reference.uniform, …" for messages.
 [[nodiscard]] std::string solver_names();
-/// Of those that have a response.
+/// The names of the solvers that have a response.
 [[nodiscard]] std::string responsive_solver_names();
 
 /// The loosest relative error of a film that a solve may be asked for.
