@@ -15,8 +15,8 @@ enum class CaseKind { contact, bearing };
 /// to state the problem, are comments.
 [[nodiscard]] std::string case_template(CaseKind kind, const std::string& id);
 
-/// That of a bearing, with comments that say how this type is stated, and what its keys mean; a full complement has as
-/// many rollers as fit.
+/// The template of a bearing, with comments that say how this type is stated, and what its keys mean. A full complement
+/// has as many rollers as fit.
 [[nodiscard]] std::string bearing_template(const BearingType& type, const std::string& id);
 
 /// A table in Markdown for each table of a case. docs/case-format.md has them.

@@ -52,7 +52,7 @@ struct HashList {
 /// row_hash of every row, and the hash of the sweep, which follows from them.
 struct SweepHashes {
   SweepHashes(const Sweep& sweep, const SweepRequest& request);
-  /// Those of some rows.
+  /// The hashes of some rows.
   [[nodiscard]] std::vector<HashNumber> of(const std::vector<std::size_t>& rows) const;
 
   HashList of_row;
