@@ -76,7 +76,8 @@ ResponseCurve::ResponseCurve(RacewayContact contact, std::vector<double> omegas,
       forces_N_(forces_of(points)),
       kappa_0_(contact, forces_N_, kappa_0s(points), martin_kappa_0, "kappa_0"),
       slow_lag_(lag_spline(contact, points)),
-      errors_(errors) {
+      errors_(std::move(errors)) {
+  errors_.at.resize(omegas_.size());
   std::vector<double> log_force;
   for (const double force_N : forces_N_) log_force.push_back(std::log(force_N));
   for (std::size_t k = 0; k < omegas_.size(); ++k) {
@@ -131,11 +132,12 @@ double ResponseCurve::slow_lag(double force_N) const {
   return here.value * std::exp(a * t15 + c * t15 * t15);
 }
 
-Kappa ResponseCurve::with_errors(double force_N, double omega, Kappa kappa, const SolverErrors& solver) const {
+Kappa ResponseCurve::with_errors(double force_N, double omega, Kappa kappa, const SolverErrors& solver,
+                                 const ReadingErrors& reading) const {
   const bool below = force_N < forces_N_.front();
-  kappa.stiffness_error = (solver.stiffness + (below ? errors_.stiffness_below : errors_.stiffness)) *
+  kappa.stiffness_error = (solver.stiffness + (below ? reading.stiffness_below : reading.stiffness)) *
                           size(kappa, Omega_of(contact_, force_N, omega));
-  kappa.damping_error = (solver.damping + (below ? errors_.damping_below : errors_.damping)) * damping_scale(force_N);
+  kappa.damping_error = (solver.damping + (below ? reading.damping_below : reading.damping)) * damping_scale(force_N);
   return kappa;
 }
 
@@ -146,7 +148,7 @@ double ResponseCurve::slow_damping(double force_N) const {
 
 Kappa ResponseCurve::slow(double force_N) const {
   return with_errors(force_N, 0, {.stiffness = kappa_0_.at(force_N).value, .damping = slow_damping(force_N)},
-                     slow_solver_);
+                     slow_solver_, errors_.slow);
 }
 
 Kappa ResponseCurve::at(double force_N, std::size_t k) const {
@@ -159,7 +161,8 @@ Kappa ResponseCurve::at(double force_N, std::size_t k) const {
     departure *= part;
     damping = slow_damping(force_N) * (1 + part * (at_joint - 1));
   }
-  return with_errors(force_N, omegas_[k], {.stiffness = kappa_0 * (1 + departure), .damping = damping}, fast.solver);
+  return with_errors(force_N, omegas_[k], {.stiffness = kappa_0 * (1 + departure), .damping = damping}, fast.solver,
+                     errors_.at[k]);
 }
 
 namespace {
@@ -172,26 +175,40 @@ constexpr double safety_of_response_continuation = 2;
 /// that gain is counted on, as for films.
 constexpr double gain_of_half_the_response_gap = 8;
 
-/// How far a curve is from a solved contact, relative as in ResponseErrors.
-struct OffResponse {
+/// How far a curve is off at a solved contact, relative as in ReadingErrors.
+struct OffReading {
   double stiffness = 0, damping = 0;
   [[nodiscard]] double larger() const { return std::max(stiffness, damping); }
-  void meet(const OffResponse& other) {
+  void meet(const OffReading& other) {
     stiffness = std::max(stiffness, other.stiffness);
     damping = std::max(damping, other.damping);
   }
 };
 
+/// The same in slow motion, and at each frequency of the curve.
+struct OffResponse {
+  OffReading slow;
+  std::vector<OffReading> at;
+  [[nodiscard]] double larger() const {
+    double largest = slow.larger();
+    for (const OffReading& one : at) largest = std::max(largest, one.larger());
+    return largest;
+  }
+  void meet(const OffResponse& other) {
+    slow.meet(other.slow);
+    for (std::size_t k = 0; k < at.size(); ++k) at[k].meet(other.at[k]);
+  }
+};
+
 OffResponse off(const ResponseCurve& curve, const Point& solved) {
-  OffResponse found;
   const auto compare = [&](const Kappa& read, const Kappa& truth, double Omega) {
-    found.meet({.stiffness = std::abs(read.stiffness - truth.stiffness) / size(truth, Omega),
-                .damping = std::abs(read.damping - truth.damping) / curve.damping_scale(solved.force_N)});
+    return OffReading{.stiffness = std::abs(read.stiffness - truth.stiffness) / size(truth, Omega),
+                      .damping = std::abs(read.damping - truth.damping) / curve.damping_scale(solved.force_N)};
   };
-  compare(curve.slow(solved.force_N), solved.response.slow, 0);
+  OffResponse found{.slow = compare(curve.slow(solved.force_N), solved.response.slow, 0), .at = {}};
   for (std::size_t k = 0; k < curve.omegas().size(); ++k)
-    compare(curve.at(solved.force_N, k), solved.response.at[k],
-            Omega_of(curve.contact(), solved.force_N, curve.omegas()[k]));
+    found.at.push_back(compare(curve.at(solved.force_N, k), solved.response.at[k],
+                               Omega_of(curve.contact(), solved.force_N, curve.omegas()[k])));
   return found;
 }
 
@@ -273,14 +290,27 @@ std::vector<double> forces_to_read(const ResponseCurveRequest& request) {
 OffResponse below_lightest(ResponsePoints& points, const ResponseCurve& curve) {
   const double half_N = curve.forces_N().front() / 2;
   if (!points.add(half_N)) return off(curve, points.at(half_N));
-  constexpr double unknown = std::numeric_limits<double>::infinity();
-  return {.stiffness = unknown, .damping = unknown};
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  constexpr OffReading unknown{.stiffness = infinite, .damping = infinite};
+  return {.slow = unknown, .at = std::vector<OffReading>(curve.omegas().size(), unknown)};
 }
 
-/// The errors below the lightest point; those between the points are left 0.
-ResponseErrors continued_errors(const OffResponse& below) {
-  return {.stiffness_below = safety_of_response_continuation * below.stiffness,
-          .damping_below = safety_of_response_continuation * below.damping};
+/// Of a curve that is off by `between` at the most between its points, and by `below` at half the lightest force.
+ResponseErrors errors_of(const OffResponse& between, const OffResponse& below) {
+  const auto of = [](const OffReading& inside, const OffReading& lighter) {
+    return ReadingErrors{.stiffness = inside.stiffness / gain_of_half_the_response_gap,
+                         .damping = inside.damping / gain_of_half_the_response_gap,
+                         .stiffness_below = safety_of_response_continuation * lighter.stiffness,
+                         .damping_below = safety_of_response_continuation * lighter.damping};
+  };
+  ResponseErrors errors{.slow = of(between.slow, below.slow), .at = {}};
+  for (std::size_t k = 0; k < below.at.size(); ++k) errors.at.push_back(of(between.at[k], below.at[k]));
+  return errors;
+}
+
+/// A curve that is exact, in slow motion and at each frequency.
+OffResponse nothing_off(const ResponseCurveRequest& request) {
+  return {.slow = {}, .at = std::vector<OffReading>(request.omegas.size())};
 }
 
 }  // namespace
@@ -292,7 +322,7 @@ std::variant<ResponseCurve, SolveFailure> build_response_curve(const RespondingC
     for (const double force_N : forces)
       if (auto failure = points.add(force_N)) return *failure;
     const OffResponse below = below_lightest(points, points.curve(forces));
-    return points.curve(forces, continued_errors(below));
+    return points.curve(forces, errors_of(nothing_off(request), below));
   }
   std::vector<double> nodes = first_forces(request);
   for (const double force_N : nodes)
@@ -300,7 +330,7 @@ std::variant<ResponseCurve, SolveFailure> build_response_curve(const RespondingC
   while (true) {
     const ResponseCurve curve = points.curve(nodes);
     std::vector<double> with_middles, split = nodes;
-    OffResponse worst;
+    OffResponse worst = nothing_off(request);
     for (std::size_t k = 0; k + 1 < nodes.size(); ++k) {
       const double middle = std::sqrt(nodes[k] * nodes[k + 1]);
       with_middles.insert(with_middles.end(), {nodes[k], middle});
@@ -316,10 +346,7 @@ std::variant<ResponseCurve, SolveFailure> build_response_curve(const RespondingC
       continue;
     }
     const OffResponse below = below_lightest(points, points.curve(with_middles));
-    ResponseErrors errors = continued_errors(below);
-    errors.stiffness = worst.stiffness / gain_of_half_the_response_gap;
-    errors.damping = worst.damping / gain_of_half_the_response_gap;
-    return points.curve(with_middles, errors);
+    return points.curve(with_middles, errors_of(worst, below));
   }
 }
 

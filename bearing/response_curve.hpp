@@ -46,9 +46,15 @@ struct RespondingContact {
 [[nodiscard]] double lag_scale(double M);
 
 /// Relative errors of a curve: of the stiffness to |kappa|, of the damping to ResponseCurve::damping_scale.
-struct ResponseErrors {
+struct ReadingErrors {
   double stiffness = 0, damping = 0;              ///< between the points
   double stiffness_below = 0, damping_below = 0;  ///< below the lightest point
+};
+
+/// Each frequency has its own: a high one is known less well, and the others are not.
+struct ResponseErrors {
+  ReadingErrors slow;
+  std::vector<ReadingErrors> at = {};  ///< at the frequencies of the curve; empty: none has an error
 };
 
 /// kappa over the contact force.
@@ -96,7 +102,8 @@ class ResponseCurve {
   [[nodiscard]] double slow_lag(double force_N) const;
   [[nodiscard]] double slow_damping(double force_N) const;
   [[nodiscard]] SolverErrors relative_errors(double force_N, double Omega, const Kappa& kappa) const;
-  [[nodiscard]] Kappa with_errors(double force_N, double omega, Kappa kappa, const SolverErrors& solver) const;
+  [[nodiscard]] Kappa with_errors(double force_N, double omega, Kappa kappa, const SolverErrors& solver,
+                                  const ReadingErrors& reading) const;
 
   RacewayContact contact_;
   std::vector<double> omegas_, forces_N_;

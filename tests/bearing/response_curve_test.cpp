@@ -15,7 +15,8 @@ using verification::Tolerance;
 
 namespace {
 
-constexpr double omega = 36000;  ///< rad/s, at which the synthetic contact departs from slow motion
+constexpr double omega = 36000;           ///< rad/s, at which the synthetic contact departs from slow motion
+constexpr double far_omega = 50 * omega;  ///< at which a curve knows hardly anything
 
 /// Responses in closed form: rigid at light loads, and departing from slow motion like Omega^2.
 Kappa slow_truth(double force_N) {
@@ -25,9 +26,10 @@ Kappa slow_truth(double force_N) {
                      (1 - 0.97 / (1 + std::exp(-4 * (x - 0.3))) / std::cosh(4 * (x - 0.6)));
   return {.stiffness = stiffness, .damping = lag * stiffness * stiffness};
 }
-Kappa truth_at(double force_N) {
+Kappa truth_at(double force_N, double at_omega = omega) {
   Kappa kappa = slow_truth(force_N);
-  const double bend = synthetic::enhancement(force_N, 0.2) - 1, Omega = Omega_of(synthetic::contact(), force_N, omega);
+  const double bend = synthetic::enhancement(force_N, 0.2) - 1;
+  const double Omega = Omega_of(synthetic::contact(), force_N, at_omega);
   kappa.stiffness *= 1 - Omega * Omega * bend;
   kappa.damping *= 1 - 3 * Omega * Omega * bend;  // it turns negative at the heaviest loads
   return kappa;
@@ -38,7 +40,7 @@ RespondingContact responding(int& solves) {
             ++solves;
             const double force_N = load_N_per_m * synthetic::contact().length_m;
             SolvedResponse solved{.slow = slow_truth(force_N)};
-            for (std::size_t k = 0; k < omegas.size(); ++k) solved.at.push_back(truth_at(force_N));
+            for (const double each : omegas) solved.at.push_back(truth_at(force_N, each));
             return solved;
           }};
 }
@@ -56,8 +58,10 @@ BOOST_AUTO_TEST_CASE(stated_errors_cover_a_known_response_at_every_load) {
   const auto& curve = std::get<ResponseCurve>(built);
   BOOST_TEST(solves == static_cast<int>(curve.forces_N().size()) + 1);  // and one below the lightest
   BOOST_TEST(solves < 70);
-  EHD_CHECK(8 * curve.errors().stiffness, Tolerance::required(request.bound, "the bound of the request"));
-  EHD_CHECK(8 * curve.errors().damping, Tolerance::required(request.bound, "the bound of the request"));
+  for (const ReadingErrors& errors : {curve.errors().slow, curve.errors().at.at(0)}) {
+    EHD_CHECK(8 * errors.stiffness, Tolerance::required(request.bound, "the bound of the request"));
+    EHD_CHECK(8 * errors.damping, Tolerance::required(request.bound, "the bound of the request"));
+  }
   BOOST_TEST(truth_at(9000).damping < 0);
   const Tolerance covered = Tolerance::required(1, "an error bar covers the error");
   double worst = 0, worst_at_N = 0;
@@ -91,6 +95,30 @@ BOOST_AUTO_TEST_CASE(a_curve_that_is_read_at_few_forces_solves_these_and_four_mo
   const Kappa below = curve.slow(50), truth = slow_truth(50);
   EHD_CHECK(std::abs(below.stiffness - truth.stiffness), Tolerance::required(below.stiffness_error, "its error bar"));
   EHD_CHECK(std::abs(below.damping - truth.damping), Tolerance::required(below.damping_error, "its error bar"));
+}
+
+// A scan of frequencies may reach beyond what is known. Numbers and errors of the others stay, to the last bit.
+BOOST_AUTO_TEST_CASE(the_error_at_a_frequency_does_not_depend_on_the_others_asked_for) {
+  for (const std::vector<double>& read_at_N : {std::vector<double>{50, 400, 2000, 8000}, {}}) {
+    int solves = 0;
+    const auto built = [&](const std::vector<double>& omegas) {
+      // The bound is loose: so the far frequency splits no gap, and both curves have the same points.
+      return std::get<ResponseCurve>(build_response_curve(
+          responding(solves),
+          {.lightest_N = 90, .heaviest_N = 9000, .omegas = omegas, .read_at_N = read_at_N, .bound = 1e9}));
+    };
+    const ResponseCurve alone = built({omega}), beside = built({far_omega, omega});
+    BOOST_TEST(alone.forces_N() == beside.forces_N(), boost::test_tools::per_element());
+    BOOST_TEST(beside.at(50, 0).damping_error > beside.at(50, 1).damping_error);
+    for (const double f : {50.0, 400.0, 3000.0})
+      for (const auto& [one, other] :
+           {std::pair{alone.slow(f), beside.slow(f)}, std::pair{alone.at(f, 0), beside.at(f, 1)}}) {
+        BOOST_TEST(one.stiffness == other.stiffness);
+        BOOST_TEST(one.stiffness_error == other.stiffness_error);
+        BOOST_TEST(one.damping == other.damping);
+        BOOST_TEST(one.damping_error == other.damping_error);
+      }
+  }
 }
 
 // Exact: at vanishing load the curve has the rigid cylinder's stiffness f/h and its closed form of damping.
