@@ -68,7 +68,7 @@ Kappa in_series(const SlowStiffness& slow, double compliance) {
 }
 
 void find_highest_certified(Response& found, double tolerance, const std::function<bool(double)>& certified,
-                            const std::function<bool()>& spent) {
+                            const std::function<bool()>& spent, double resolved_up_to) {
   found.highest_certified.reset();
   if (!found.slow || !(found.slow->error_0 <= tolerance)) return;
   double low = 0, high = std::numeric_limits<double>::infinity();
@@ -78,8 +78,9 @@ void find_highest_certified(Response& found, double tolerance, const std::functi
     if (is_known(at) && at.Omega < high) low = std::max(low, at.Omega);
   if (std::isfinite(high)) {
     const auto halve_at = [&](double Omega) { (certified(Omega) ? low : high) = Omega; };
+    if (low < resolved_up_to && resolved_up_to < high && !spent()) halve_at(resolved_up_to);
     for (int k = 0; k < most_lower && low == 0 && !spent(); ++k) halve_at(high / lower_by);
-    for (int k = 0; k < halvings && low > 0 && !spent(); ++k) halve_at(std::sqrt(low * high));
+    for (int k = 0; k < halvings && 0 < low && low < resolved_up_to && !spent(); ++k) halve_at(std::sqrt(low * high));
   }
   found.highest_certified = low;
 }
@@ -100,7 +101,8 @@ void conclude(Response& found, double tolerance, bool spent, std::string_view wh
   found.status = all ? StopReason::converged : spent ? StopReason::limit_reached : StopReason::tolerance_not_met;
   if (!all) found.reason = fmt::format("{}{}", why, slow);
   if (!kappa && found.highest_certified)
-    found.reason += "; kappa is certified up to Omega = " + plain(*found.highest_certified, 3);
+    found.reason +=
+        fmt::format("; kappa is certified up to Omega = {} at least", rounded_down(*found.highest_certified, 3));
 }
 
 }  // namespace ehd

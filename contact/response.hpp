@@ -38,6 +38,7 @@ struct ResponseRequest {
   double tolerance = 1e-8;  ///< relative, of kappa and of the amplitude ratio
   int max_iterations = 2000;
   double time_limit_s = 300;
+  bool seeks_highest = true;  ///< without it Response::highest_certified is absent
   /// Called after the steady state, and after each frequency and wave: how many of them are done.
   std::function<void(std::size_t done, std::size_t all)> progress = {};
   void tell(std::size_t done) const {
@@ -94,8 +95,9 @@ struct Response {
   std::optional<SlowStiffness> slow = {};
   std::vector<Stiffness> frequencies = {};      ///< in the order of the request
   std::vector<WavinessResponse> waviness = {};  ///< in the order of the request
-  /// The highest Omega at which kappa is known within the tolerance. Where kappa is known at all requested Omega, it is
-  /// the highest of these, else it is searched for by bisection. Absent where not even kappa_0 is known.
+  /// kappa is known within the tolerance at this Omega, and up to it wherever it was tried. Where kappa is known at all
+  /// requested Omega, it is the highest of these. Else it is searched for, and at most 7 % below the lowest Omega at
+  /// which kappa was found unknown. Absent where not even kappa_0 is known.
   std::optional<double> highest_certified = {};
   Cost cost = {};
   std::vector<std::string> notes = {};
@@ -105,9 +107,10 @@ struct Response {
 void answer_nothing(Response& found, const ResponseRequest& request, StopReason status, std::string_view why);
 
 /// Sets highest_certified. Where kappa is not known at every requested Omega, `certified` tells by solving whether it
-/// is known at another one: below the lowest Omega that failed, by bisection, until `spent`.
+/// is known at another one: at `resolved_up_to`, beyond which kappa is never known, then by bisection below the lowest
+/// Omega that failed, until `spent`.
 void find_highest_certified(Response& found, double tolerance, const std::function<bool(double Omega)>& certified,
-                            const std::function<bool()>& spent);
+                            const std::function<bool()>& spent, double resolved_up_to = unknown_error);
 
 /// Sets status and reason. `why` is the reason where a number is not within the tolerance.
 void conclude(Response& found, double tolerance, bool spent, std::string_view why);

@@ -22,12 +22,27 @@ std::string plain(double value, int digits) {
   return text;
 }
 
+namespace {
+
+/// 0.02 over its unit of 0.001 may be 20 + 4e-15.
+constexpr double rounding_of_units = 1e-12;
+
+double last_unit(double value, int digits) { return std::pow(10.0, std::floor(std::log10(value)) - digits + 1); }
+
+bool has_digits(double value) { return value > 0 && std::isfinite(value); }
+
+}  // namespace
+
 std::string rounded_up(double value, int digits) {
-  if (!(value > 0) || !std::isfinite(value)) return plain(value, digits);
-  const double unit = std::pow(10.0, std::floor(std::log10(value)) - digits + 1);
-  // 0.02 over its unit of 0.001 may be 20 + 4e-15.
-  constexpr double rounding = 1e-12;
-  return plain(std::ceil(value / unit * (1 - rounding)) * unit, digits);
+  if (!has_digits(value)) return plain(value, digits);
+  const double unit = last_unit(value, digits);
+  return plain(std::ceil(value / unit * (1 - rounding_of_units)) * unit, digits);
+}
+
+std::string rounded_down(double value, int digits) {
+  if (!has_digits(value)) return plain(value, digits);
+  const double unit = last_unit(value, digits);
+  return plain(std::floor(value / unit * (1 + rounding_of_units)) * unit, digits);
 }
 
 std::string with_absolute_error(double value, std::optional<double> absolute_error) {

@@ -12,6 +12,8 @@ namespace ehd {
 [[nodiscard]] std::string plain(double value, int digits = 6);
 /// The same of a positive number, rounded up: an error that is above a bound does not look like the bound.
 [[nodiscard]] std::string rounded_up(double value, int digits);
+/// Rounded down: what holds up to a number holds up to the printed one.
+[[nodiscard]] std::string rounded_down(double value, int digits);
 
 /// Digits printed = digits known: value 0.0741427, relative error 2e-4 -> "0.07414(2)", the bracket being the error
 /// (rounded up) in units of the last digit. Without an error, or with one that is not finite: `plain`, 6 digits.

@@ -66,6 +66,8 @@ constexpr double tail_error = 6e-8;
 constexpr double Omega_of_damping = 2;
 /// A disturbance e^(i Omega (T - X)) is resolved where Omega times the widest cell of the contact is at most this.
 constexpr double largest_phase = 0.4;
+/// The widest cell of the finest grid is foretold from a coarser one, to this part.
+constexpr double of_foretold_cell = 0.02;
 /// The lag's part of kappa falls with Omega. So the residual that GMRES may leave falls alike, down to this Omega.
 constexpr double least_Omega = 1e-3;
 constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
@@ -138,9 +140,18 @@ class ResponseSolve {
   [[nodiscard]] Judged judged(const Sequence& sequence, double Omega, double wavenumber) const;
   /// One more grid.
   [[nodiscard]] bool refine() { return grids_.refine(largest_nodes); }
+  /// Disturbances of this wavenumber are resolved by the finest grid of all.
+  [[nodiscard]] double resolved_wavenumber() const {
+    const Harmonic& finest = grids_[grids_.size() - 1];
+    return largest_phase / (finest.widest_cell() * finest.intervals() / largest_nodes);
+  }
+  /// No grid resolves this wavenumber: finer ones need not be made.
+  [[nodiscard]] bool is_beyond_grids(double wavenumber) const {
+    return wavenumber > (1 + of_foretold_cell) * resolved_wavenumber();
+  }
   template <class Next>
-  [[nodiscard]] Judged certified(double Omega, double wavenumber, bool refines, const Next& next);
-  [[nodiscard]] Stiffness stiffness(double Omega, bool refines = true);
+  [[nodiscard]] Judged certified(double Omega, double wavenumber, const Next& next);
+  [[nodiscard]] Stiffness stiffness(double Omega);
   [[nodiscard]] Judged wavy_film(const Waviness& waviness);
   [[nodiscard]] SlowStiffness slow();
   void add_slow(std::size_t k, Harmonic::Motion<double>& rest, Harmonic::Motion<double>& next, Sequence& stiffness,
@@ -206,13 +217,13 @@ Judged ResponseSolve::judged(const Sequence& sequence, double Omega, double wave
   return found;
 }
 
-/// A number on one grid after the other until it is known; next(k, sequence) adds its value on the k-th grid. Finer
-/// grids are made where it `refines`.
+/// A number on one grid after the other until it is known; next(k, sequence) adds its value on the k-th grid.
 template <class Next>
-Judged ResponseSolve::certified(double Omega, double wavenumber, bool refines, const Next& next) {
+Judged ResponseSolve::certified(double Omega, double wavenumber, const Next& next) {
   Judged found;
   Sequence sequence;
-  for (std::size_t k = 0; k < grids_.size() || (refines && refine()); ++k) {
+  const bool beyond = is_beyond_grids(wavenumber);
+  for (std::size_t k = 0; k < grids_.size() || (!beyond && refine()); ++k) {
     next(k, sequence);
     found = judged(sequence, Omega, wavenumber);
     if (found.status == StopReason::converged || found.status == StopReason::diverged || grids_.spent()) break;
@@ -220,12 +231,12 @@ Judged ResponseSolve::certified(double Omega, double wavenumber, bool refines, c
   return found;
 }
 
-Stiffness ResponseSolve::stiffness(double Omega, bool refines) {
+Stiffness ResponseSolve::stiffness(double Omega) {
   Harmonic::Motion<Complex> motion;
   Sequence lag;
   const Complex rate(0, Omega);
   const double allowed = residual_for(amplification_.of_kappa) * std::clamp(Omega, least_Omega, 1.0);
-  const Judged kappa = certified(Omega, Omega, refines, [&](std::size_t k, Sequence& sequence) {
+  const Judged kappa = certified(Omega, Omega, [&](std::size_t k, Sequence& sequence) {
     motion = grids_[k].of_load(rate, allowed, moved(k), known(motion));
     const Complex chi = -motion.u.offset;
     sequence.values.push_back(1.0 / chi);
@@ -243,7 +254,7 @@ Stiffness ResponseSolve::stiffness(double Omega, bool refines) {
 Judged ResponseSolve::wavy_film(const Waviness& waviness) {
   Harmonic::Motion<Complex> motion;
   const double Omega = waviness.Omega(), allowed = residual_for(amplification_.of_wavy_film);
-  return certified(Omega, std::max(Omega, waviness.wavenumber()), true, [&](std::size_t k, Sequence& sequence) {
+  return certified(Omega, std::max(Omega, waviness.wavenumber()), [&](std::size_t k, Sequence& sequence) {
     Harmonic& harmonic = grids_[k];
     motion = harmonic.of_waviness(waviness, allowed, moved(k), known(motion));
     const Complex film = 1.0 + harmonic.central_film(waviness, motion, moved(k)).value_or(not_known);
@@ -318,8 +329,11 @@ Response ResponseSolve::solve() {
     at = stiffness(at.Omega);
     request_.tell(++done);
   }
-  const auto certified = [&](double Omega) { return stiffness(Omega, false).status == StopReason::converged; };
-  find_highest_certified(found, request_.tolerance, certified, [&] { return grids_.spent(); });
+  const auto certified = [&](double Omega) { return stiffness(Omega).status == StopReason::converged; };
+  if (request_.seeks_highest)
+    find_highest_certified(
+        found, request_.tolerance, certified, [&] { return grids_.spent(); },
+        (1 - of_foretold_cell) * resolved_wavenumber());
   for (WavinessResponse& at : found.waviness) {
     const Judged film = wavy_film(at.waviness);
     at.film = film.value, at.error = film.error, at.status = film.status;

@@ -295,7 +295,7 @@ Response ResponseSolve::solve() {
     return kappa.status == StopReason::converged;
   };
   const auto spent = [&] { return meter_.spent(); };
-  find_highest_certified(found, request_.tolerance, certified, spent);
+  if (request_.seeks_highest) find_highest_certified(found, request_.tolerance, certified, spent);
   for (auto& at : found.waviness) {
     const Judged film = wavy_film(at.waviness);
     at.film = film.value, at.error = film.error, at.status = film.status;

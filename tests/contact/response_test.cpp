@@ -38,6 +38,30 @@ BOOST_AUTO_TEST_CASE(the_highest_certified_frequency_is_bracketed) {
   }
 }
 
+// A grid resolves kappa up to 100, where it is known: the answer does not depend on the request, and takes one solve.
+BOOST_AUTO_TEST_CASE(the_highest_certified_frequency_is_where_the_grids_end) {
+  for (const auto& requested : {std::vector<double>{1, 200}, {1000}, {1e9}, {120, 1e6}}) {
+    Response found;
+    found.slow = SlowStiffness{.error_0 = 1e-5, .error_1 = 1e-5};
+    for (const double Omega : requested)
+      found.frequencies.push_back(
+          {.Omega = Omega, .status = Omega <= 100 ? StopReason::converged : StopReason::tolerance_not_met});
+    int asked = 0;
+    find_highest_certified(
+        found, 1e-4, [&](double Omega) { return ++asked > 0 && Omega <= 100; }, never, 100);
+    BOOST_TEST(found.highest_certified.value() == 100);
+    BOOST_TEST(asked == 1);
+  }
+  // Below the end of the grids something else may end what is known.
+  Response found;
+  found.slow = SlowStiffness{.error_0 = 1e-5, .error_1 = 1e-5};
+  found.frequencies = {{.Omega = 1e9, .status = StopReason::tolerance_not_met}};
+  find_highest_certified(
+      found, 1e-4, [](double Omega) { return Omega <= 7; }, never, 100);
+  BOOST_TEST(found.highest_certified.value() <= 7);
+  BOOST_TEST(found.highest_certified.value() * std::exp2(6.0 / 64) > 7);
+}
+
 BOOST_AUTO_TEST_CASE(a_contact_that_is_known_at_rest_alone_ends_after_eight_frequencies) {
   Response found = known_up_to(0, {});
   found.frequencies = {{.Omega = 1e9, .status = StopReason::tolerance_not_met}};

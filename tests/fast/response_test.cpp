@@ -85,6 +85,31 @@ BOOST_AUTO_TEST_CASE(a_frequency_beyond_what_is_known_names_the_highest_certifie
   BOOST_TEST(found.highest_certified.value() < 1000);
 }
 
+// Counter: what no grid resolves is known from the first grids. Finer steady states are not made for it.
+BOOST_AUTO_TEST_CASE(a_frequency_that_no_grid_resolves_takes_no_finer_grid) {
+  const Problem problem = roelands_problem(20, 10, TruncatedAt{-4});
+  const auto asked = [&](const std::vector<double>& frequencies) {
+    return answer(problem, {.frequencies = frequencies, .tolerance = 1e-3, .seeks_highest = false});
+  };
+  const Response rest = asked({}), beyond = asked({1e8});
+  BOOST_TEST((beyond.frequencies.at(0).status == StopReason::tolerance_not_met));
+  BOOST_TEST(beyond.cost.nodes == rest.cost.nodes);
+  BOOST_TEST(beyond.cost.newton_iterations == rest.cost.newton_iterations);
+  BOOST_TEST(!beyond.highest_certified.has_value());
+}
+
+BOOST_AUTO_TEST_CASE(the_highest_certified_frequency_does_not_depend_on_what_is_asked) {
+  const Problem problem = roelands_problem(20, 10, TruncatedAt{-4});
+  const Response near = answer(problem, {.frequencies = {1000}, .tolerance = 1e-4}),
+                 far = answer(problem, {.frequencies = {1e8}, .tolerance = 1e-4});
+  // The widest cell of the finest grid is foretold from different grids.
+  EHD_CHECK(error(near.highest_certified.value(), far.highest_certified.value()),
+            Tolerance::required(2e-3, "three digits are printed, rounded down"));
+  const double highest = far.highest_certified.value();
+  const Response at = answer(problem, {.frequencies = {highest}, .tolerance = 1e-4});
+  BOOST_TEST((at.status == StopReason::converged));
+}
+
 BOOST_AUTO_TEST_CASE(limits_end_the_solve_without_numbers) {
   const Response found = answer(roelands_problem(20, 10, Flooded{}), {.frequencies = {1}, .time_limit_s = 0});
   BOOST_TEST((found.status == StopReason::limit_reached));

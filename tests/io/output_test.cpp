@@ -263,6 +263,8 @@ BOOST_AUTO_TEST_CASE(digits_printed_are_digits_known) {
 BOOST_AUTO_TEST_CASE(an_error_above_a_bound_is_not_rounded_to_the_bound) {
   BOOST_TEST(rounded_up(0.02001, 2) == "0.021");
   BOOST_TEST(rounded_up(0.02, 2) == "0.02");
+  BOOST_TEST(rounded_down(784.6, 3) == "784");
+  BOOST_TEST(rounded_down(0.02, 2) == "0.02");
   BOOST_TEST(rounded_up(1.3e-4, 2) == "0.00013");
   BOOST_TEST(rounded_up(9.91e-4, 2) == "0.001");
   BOOST_TEST(rounded_up(6.7, 1) == "7");
