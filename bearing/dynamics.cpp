@@ -48,6 +48,7 @@ Spring spring_of(const ContactMotion& contact) {
 /// The errors of a spring that `make` makes of `one`, from the errors of `one`.
 template <class Make>
 Spring change(const Make& make, Spring one, double stiffness_error, double damping_error) {
+  if (!std::isfinite(stiffness_error + damping_error)) return {.stiffness = unknown_error, .damping = unknown_error};
   const Spring made = make(one);
   const Spring stiffer = make({one.stiffness + stiffness_error, one.damping}),
                slower = make({one.stiffness, one.damping + damping_error});

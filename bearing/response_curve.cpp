@@ -65,6 +65,14 @@ double lag_scale(double M) {
   return of_light_contacts / (1 + M);
 }
 
+Kappa unknown_at(const Kappa& slow) {
+  Kappa kappa = slow;
+  kappa.stiffness_error = kappa.damping_error = unknown_error;
+  return kappa;
+}
+
+bool is_known(const Kappa& kappa) { return std::isfinite(kappa.stiffness_error + kappa.damping_error); }
+
 double Omega_of(const RacewayContact& contact, double force_N, double omega) {
   return omega * hertz::half_width_m(contact.at(force_N)) / (contact.speed_sum_m_per_s / 2);
 }
@@ -216,12 +224,12 @@ OffResponse off(const ResponseCurve& curve, const Point& solved) {
 class ResponsePoints {
  public:
   ResponsePoints(const RespondingContact& contacts, const ResponseCurveRequest& request)
-      : contacts_(contacts), request_(request) {}
+      : contacts_(contacts), request_(request), answered_(request.omegas.size(), true) {}
 
   /// Solves a contact and keeps it, or says why not.
   [[nodiscard]] std::optional<SolveFailure> add(double force_N) {
     if (solved_.contains(force_N)) return std::nullopt;
-    ResponseResult result = contacts_.at(force_N, request_.omegas);
+    ResponseResult result = contacts_.at(force_N, asked());
     if (auto* failure = std::get_if<SolveFailure>(&result))
       return SolveFailure{
           .why = fmt::format("response at a contact force of {} N: {}", plain(force_N, 4), failure->why),
@@ -233,10 +241,22 @@ class ResponsePoints {
           .why = fmt::format("at a contact force of {} N kappa_0 = {} and kappa_1 = {}; a curve over the force needs a "
                              "positive kappa_0, and a positive kappa_1 where it goes over to a rigid cylinder",
                              plain(force_N, 4), plain(response.slow.stiffness), plain(response.slow.damping))};
-    solved_.emplace(force_N, std::move(response));
+    keep(force_N, response);
     return std::nullopt;
   }
-  [[nodiscard]] Point at(double force_N) const { return {force_N, solved_.at(force_N)}; }
+  [[nodiscard]] std::optional<SolveFailure> add(const std::vector<double>& forces_N) {
+    if (!request_.omegas.empty())
+      if (auto failure = add(forces_N.back())) return failure;
+    for (const double force_N : forces_N)
+      if (auto failure = add(force_N)) return failure;
+    return std::nullopt;
+  }
+  [[nodiscard]] Point at(double force_N) const {
+    SolvedResponse response = solved_.at(force_N);
+    for (std::size_t k = 0; k < answered_.size(); ++k)
+      if (!answered_[k]) response.at[k] = unknown_at(response.slow);
+    return {force_N, std::move(response)};
+  }
   [[nodiscard]] std::size_t size() const { return solved_.size(); }
   [[nodiscard]] ResponseCurve curve(const std::vector<double>& forces_N, const ResponseErrors& errors = {}) const {
     std::vector<Point> points;
@@ -246,8 +266,27 @@ class ResponsePoints {
   }
 
  private:
+  /// Frequencies that every contact up to now has answered.
+  [[nodiscard]] std::vector<double> asked() const {
+    std::vector<double> omegas;
+    for (std::size_t k = 0; k < answered_.size(); ++k)
+      if (answered_[k]) omegas.push_back(request_.omegas[k]);
+    return omegas;
+  }
+  /// `response` is that at asked().
+  void keep(double force_N, const SolvedResponse& response) {
+    SolvedResponse& kept = solved_[force_N];
+    kept.slow = response.slow;
+    std::size_t next = 0;
+    for (std::size_t k = 0; k < answered_.size(); ++k) {
+      kept.at.push_back(answered_[k] ? response.at.at(next++) : unknown_at(response.slow));
+      answered_[k] = is_known(kept.at.back());
+    }
+  }
+
   const RespondingContact& contacts_;
   const ResponseCurveRequest& request_;
+  std::vector<bool> answered_;
   std::map<double, SolvedResponse> solved_;
 };
 
@@ -319,14 +358,12 @@ std::variant<ResponseCurve, SolveFailure> build_response_curve(const RespondingC
                                                                const ResponseCurveRequest& request) {
   ResponsePoints points(contacts, request);
   if (const std::vector<double> forces = forces_to_read(request); !forces.empty()) {
-    for (const double force_N : forces)
-      if (auto failure = points.add(force_N)) return *failure;
+    if (auto failure = points.add(forces)) return *failure;
     const OffResponse below = below_lightest(points, points.curve(forces));
     return points.curve(forces, errors_of(nothing_off(request), below));
   }
   std::vector<double> nodes = first_forces(request);
-  for (const double force_N : nodes)
-    if (auto failure = points.add(force_N)) return *failure;
+  if (auto failure = points.add(nodes)) return *failure;
   while (true) {
     const ResponseCurve curve = points.curve(nodes);
     std::vector<double> with_middles, split = nodes;

@@ -24,8 +24,12 @@ using ehd::Kappa;
 /// The response of one solved contact.
 struct SolvedResponse {
   Kappa slow;                  ///< Omega -> 0: kappa_0 and kappa_1
-  std::vector<Kappa> at = {};  ///< at the frequencies that were asked for
+  std::vector<Kappa> at = {};  ///< at the frequencies that were asked for; unknown_at() where there is no answer
 };
+
+/// kappa at a frequency that no solver resolves: that of slow motion, with infinite errors.
+[[nodiscard]] Kappa unknown_at(const Kappa& slow);
+[[nodiscard]] bool is_known(const Kappa& kappa);
 using ResponseResult = std::variant<SolvedResponse, SolveFailure>;
 
 /// The contact at a raceway, and the function that solves its response at a load [N/m] and at frequencies [rad/s].
@@ -134,6 +138,9 @@ struct ResponseCurveRequest {
 /// One contact of half the lightest force gives the error below the lightest point; the error is infinite where that
 /// contact has no solution. A failure of any other solve is a SolveFailure. So is a kappa_0 that is not positive, or
 /// such a kappa_1 at the lightest force.
+///
+/// A frequency without an answer at one contact is unknown at all, and the other contacts are not asked for it. Where
+/// there are frequencies, the heaviest contact is solved first, because its Omega is the highest.
 ///
 /// With few forces in read_at_N, the points are these, the lightest force and two forces above it. Besides them only
 /// the contact at half the lightest force is solved. The errors between the points are then unknown and stated as 0:

@@ -29,6 +29,11 @@ constexpr double certified_tolerance = 1e-6;
 /// The least compliance of a contact with the datum l: rollers are longer than exp(pi) = 23 half widths.
 constexpr double least_compliance = 1;
 
+/// kappa at a frequency that no grid resolves. The certified solver resolves no higher ones.
+bool is_beyond_grids(const Stiffness& at) {
+  return at.status == StopReason::tolerance_not_met && !std::isfinite(at.error);
+}
+
 /// Errors count in the compliance with the datum l, and in the lag as the curve measures it.
 bool accepted_of(const Response& response, double M) {
   const auto known = [M](double chi, double chi_error, double lag, double lag_error) {
@@ -38,7 +43,8 @@ bool accepted_of(const Response& response, double M) {
   const auto& slow = response.slow;
   return slow && known(1 / slow->kappa_0, slow->error_0, slow->lag, slow->lag_error) &&
          std::ranges::all_of(response.frequencies, [&](const Stiffness& at) {
-           return at.status != StopReason::diverged && known(1 / std::abs(at.kappa), at.error, at.lag(), at.lag_error);
+           return is_beyond_grids(at) || (at.status != StopReason::diverged &&
+                                          known(1 / std::abs(at.kappa), at.error, at.lag(), at.lag_error));
          });
 }
 
@@ -62,6 +68,7 @@ ContactResponder bearing_responder() {
 ResponseRequest bearing_response_request() {
   ResponseRequest request;
   request.tolerance = first_asked;
+  request.seeks_highest = false;
   return request;
 }
 
@@ -87,8 +94,9 @@ bearing::ResponseResult respond_bearing_contact(const bearing::RacewayContact& c
   const double datum = std::log(contact.length_m / hertz::half_width_m(contact.at(force_N))) / std::numbers::pi;
   bearing::SolvedResponse solved{.slow = in_series(*response.slow, datum)};
   for (const Stiffness& at : response.frequencies) {
-    if (!known(at)) return failed(fmt::format("no kappa at Omega = {}: {}", plain(at.Omega, 4), response.reason));
-    solved.at.push_back(in_series(at, datum));
+    if (!known(at) && !is_beyond_grids(at))
+      return failed(fmt::format("no kappa at Omega = {}: {}", plain(at.Omega, 4), response.reason));
+    solved.at.push_back(known(at) ? in_series(at, datum) : bearing::unknown_at(solved.slow));
   }
   return solved;
 }

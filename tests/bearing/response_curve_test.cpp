@@ -121,6 +121,38 @@ BOOST_AUTO_TEST_CASE(the_error_at_a_frequency_does_not_depend_on_the_others_aske
   }
 }
 
+// Counter: the heaviest contact has the highest Omega. What it does not answer, no other contact is asked for.
+BOOST_AUTO_TEST_CASE(a_frequency_without_an_answer_is_unknown_everywhere_and_asked_for_once) {
+  for (const std::vector<double>& read_at_N : {std::vector<double>{50, 400, 2000, 8000}, {}}) {
+    int solves = 0, asked = 0;
+    const RespondingContact known = responding(solves);
+    const RespondingContact contacts{synthetic::contact(),
+                                     [&](double load_N_per_m, const std::vector<double>& omegas) -> ResponseResult {
+                                       auto result = known.solve(load_N_per_m, omegas);
+                                       auto& solved = std::get<SolvedResponse>(result);
+                                       for (std::size_t k = 0; k < omegas.size(); ++k)
+                                         if (omegas[k] == far_omega) {
+                                           ++asked;
+                                           solved.at[k] = unknown_at(solved.slow);
+                                         }
+                                       return result;
+                                     }};
+    const ResponseCurveRequest beside{
+        .lightest_N = 90, .heaviest_N = 9000, .omegas = {far_omega, omega}, .read_at_N = read_at_N};
+    ResponseCurveRequest alone = beside;
+    alone.omegas = {omega};
+    const auto built = std::get<ResponseCurve>(build_response_curve(contacts, beside)),
+               other = std::get<ResponseCurve>(build_response_curve(known, alone));
+    BOOST_TEST(asked == 1);
+    for (const double f : {50.0, 400.0, 3000.0}) {
+      BOOST_TEST(!is_known(built.at(f, 0)));
+      BOOST_TEST(is_known(built.at(f, 1)));
+      BOOST_TEST(built.at(f, 1).damping_error == other.at(f, 0).damping_error);
+      BOOST_TEST(built.at(f, 1).damping == other.at(f, 0).damping);
+    }
+  }
+}
+
 // Exact: at vanishing load the curve has the rigid cylinder's stiffness f/h and its closed form of damping.
 BOOST_AUTO_TEST_CASE(far_below_the_lightest_point_the_cylinder_is_rigid) {
   int solves = 0;
