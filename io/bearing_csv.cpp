@@ -36,10 +36,14 @@ std::string roller_cells(const Case& one, const BearingResult& result, std::size
                      comma_number(roller.outer.lambda_ratio), csv_cell(one.file.string()));
 }
 
-std::string motion_cells(const DynamicRow& row, std::size_t j) {
+/// Without what is not known of the ring, as in the JSON.
+std::string motion_cells(const BearingResult& result, std::size_t k, std::size_t j) {
+  const DynamicRow& row = result.dynamics[k];
+  const bool stiffness = knows_motion(result, nullptr, k), damping = knows_damping(row);
   std::string cells = comma_number(row.frequency_Hz);
   for (const bearing::ContactMotion* at : {&row.rollers[j].inner, &row.rollers[j].outer})
-    cells += comma_number(at->stiffness_N_per_m) + comma_number(at->damping_N_s_per_m);
+    cells += comma_number(stiffness ? std::optional(at->stiffness_N_per_m) : std::nullopt) +
+             comma_number(damping ? at->damping_N_s_per_m : std::nullopt);
   return cells;
 }
 
@@ -48,7 +52,7 @@ std::string csv_rows(const Case& one, const BearingResult& result, bool moving) 
   for (std::size_t j = 0; j < result.rollers.size(); ++j) {
     const std::string roller = roller_cells(one, result, j);
     if (result.dynamics.empty()) rows += roller + (moving ? ",,,,,\n" : "\n");
-    for (const DynamicRow& row : result.dynamics) rows += roller + motion_cells(row, j) + "\n";
+    for (std::size_t k = 0; k < result.dynamics.size(); ++k) rows += roller + motion_cells(result, k, j) + "\n";
   }
   return rows;
 }

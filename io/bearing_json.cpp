@@ -133,8 +133,12 @@ Json to_json(const bearing::ResponseCurve& curve) {
           {"kappa_1_error", error_1}};
 }
 
-Json to_json(const bearing::ContactMotion& contact) {
-  return numbers({{"stiffness_N_per_m", contact.stiffness_N_per_m}, {"damping_N_s_per_m", contact.damping_N_s_per_m}});
+/// Without what is not known of the ring.
+Json to_json(const bearing::ContactMotion& contact, bool stiffness, bool damping) {
+  Json json = Json::object();
+  if (stiffness) put(json, "stiffness_N_per_m", contact.stiffness_N_per_m);
+  if (damping) put(json, "damping_N_s_per_m", contact.damping_N_s_per_m);
+  return json;
 }
 
 Json motion_json(const BearingResult& result, const BearingResult* full) {
@@ -142,15 +146,16 @@ Json motion_json(const BearingResult& result, const BearingResult* full) {
   for (std::size_t k = 0; k < result.dynamics.size(); ++k) {
     const DynamicRow& row = result.dynamics[k];
     Json one = numbers({{"frequency_Hz", row.frequency_Hz}});
-    one["stiffness_N_per_m"] = row.ring.stiffness_N_per_m;
-    if (row.ring.damping_N_s_per_m) one["damping_N_s_per_m"] = *row.ring.damping_N_s_per_m;
+    const bool stiffness = knows_motion(result, full, k), damping = knows_damping(row);
+    if (stiffness) one["stiffness_N_per_m"] = row.ring.stiffness_N_per_m;
+    if (damping && row.ring.damping_N_s_per_m) one["damping_N_s_per_m"] = *row.ring.damping_N_s_per_m;
     put(one, "error", motion_error(result, full, k));
     put(one, "damping_error", row.ring.damping_error);
     one["rollers"] = Json::array();
     for (const bearing::RollerMotion& roller : row.rollers) {
       Json contacts = numbers({{"azimuth_deg", roller.azimuth_deg}});
-      contacts["inner"] = to_json(roller.inner);
-      contacts["outer"] = to_json(roller.outer);
+      contacts["inner"] = to_json(roller.inner, stiffness, damping);
+      contacts["outer"] = to_json(roller.outer, stiffness, damping);
       one["rollers"].push_back(std::move(contacts));
     }
     json.push_back(std::move(one));

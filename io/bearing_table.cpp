@@ -230,7 +230,7 @@ Row entries(const bearing::Matrix2& matrix, double unit, double error, bool fitt
     const double value = matrix[r][s], away = full ? std::abs(value - full->stiffness_N_per_m[r][s]) : 0;
     if (fitted && !full && std::abs(value) > own)
       cells.push_back(plain(unit * value, unstated_digits));
-    else if (r == s && own + away > std::abs(value) / 2)
+    else if (!std::isfinite(own) || (r == s && own + away > std::abs(value) / 2))
       cells.emplace_back("-");
     else
       cells.push_back(entry(unit * value, unit * (own + away)));
@@ -271,8 +271,11 @@ std::string contacts_in_motion(const BearingResult& result, const ErrorsOfLaws& 
     const bearing::RollerMotion& roller = at.rollers[j];
     std::vector<std::string> row{azimuth, fixed(result.rollers[j].inner.force_N, decimals_of_force(result, errors))};
     for (const bearing::ContactMotion* contact : {&roller.inner, &roller.outer}) {
-      row.push_back(known_digits(1e-6 * contact->stiffness_N_per_m, 1e-6 * contact->stiffness_error));
-      row.push_back(known_digits(*contact->damping_N_s_per_m, contact->damping_error));
+      const auto add = [&row](bool known, double value, double error) {
+        row.push_back(known && std::isfinite(error) ? known_digits(value, error) : "-");
+      };
+      add(knows_motion(result, nullptr, 0), 1e-6 * contact->stiffness_N_per_m, 1e-6 * contact->stiffness_error);
+      add(knows_damping(at), *contact->damping_N_s_per_m, contact->damping_error);
     }
     rows.push_back(std::move(row));
   }

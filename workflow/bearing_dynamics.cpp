@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "bearing/dynamics.hpp"
 #include "bearing/film_curve.hpp"
@@ -109,47 +111,121 @@ double largest_error(const DynamicRow& row) {
   return std::isnan(damping) || damping > stiffness ? damping : stiffness;
 }
 
-/// Names the lowest frequency that is not known well enough, and the highest asked one below it.
-void judge_dynamics(BearingResult& result) {
-  if (result.status != StopReason::converged) return;
+bool is_known(const DynamicRow& row) { return largest_error(row) <= largest_dynamic_error; }
+
+/// The bearing at some frequencies.
+class MovingBearing {
+ public:
+  MovingBearing(const BearingResult& result, const BearingSetup& setup, const bearing::LawPair& laws,
+                const std::vector<double>& frequencies_Hz, ContactMemory& memory)
+      : result_(result),
+        mass_kg_(bearing::roller_mass_kg(setup.body.geometry)),
+        inner_(result, setup, Raceway::inner, laws.inner, omegas_of(frequencies_Hz), memory),
+        outer_(result, setup, Raceway::outer, laws.outer, omegas_of(frequencies_Hz), memory) {}
+
+  [[nodiscard]] DynamicRow at(double frequency_Hz) const {
+    DynamicRow row{.frequency_Hz = frequency_Hz};
+    const double omega = omega_of(frequency_Hz);
+    for (const RollerRow& roller : result_.rollers)
+      row.rollers.push_back({.azimuth_deg = roller.azimuth_deg,
+                             .inner = inner_.at(roller.inner.force_N, omega),
+                             .outer = outer_.at(roller.outer.force_N, omega)});
+    row.ring = bearing::ring_motion(row.rollers, mass_kg_, omega);
+    return row;
+  }
+  /// Absent where the law has none.
+  [[nodiscard]] std::optional<bearing::BothRaceways<ResponseCurve>> response() const {
+    if (!inner_.response() || !outer_.response()) return std::nullopt;
+    return bearing::BothRaceways<ResponseCurve>{*inner_.response(), *outer_.response()};
+  }
+
+ private:
+  [[nodiscard]] static double omega_of(double frequency_Hz) { return 2 * std::numbers::pi * frequency_Hz; }
+  [[nodiscard]] static std::vector<double> omegas_of(const std::vector<double>& frequencies_Hz) {
+    std::vector<double> omegas;
+    omegas.reserve(frequencies_Hz.size());
+    for (const double frequency_Hz : frequencies_Hz) omegas.push_back(omega_of(frequency_Hz));
+    return omegas;
+  }
+
+  const BearingResult& result_;
+  double mass_kg_;
+  MovingRaceway inner_, outer_;
+};
+
+/// 1, 2, 5, 10, 20, ... Hz up to the highest frequency that may be asked for, between two frequencies.
+std::vector<double> round_frequencies_Hz(double above_Hz, double below_Hz) {
+  constexpr double highest_Hz = 1e9;
+  std::vector<double> frequencies;
+  for (double decade = 1; decade < highest_Hz; decade *= 10)
+    for (const double step : {1.0, 2.0, 5.0})
+      if (step * decade > above_Hz && step * decade < below_Hz) frequencies.push_back(step * decade);
+  return frequencies;
+}
+
+/// The lowest asked frequency that is not known well enough; null where all are.
+const DynamicRow* lowest_unknown(const BearingResult& result) {
   const DynamicRow* unknown = nullptr;
   for (const DynamicRow& row : result.dynamics)
-    if (!(largest_error(row) <= largest_dynamic_error) && (!unknown || row.frequency_Hz < unknown->frequency_Hz))
-      unknown = &row;
-  if (!unknown) return;
-  std::optional<double> known_Hz;
+    if (!is_known(row) && (!unknown || row.frequency_Hz < unknown->frequency_Hz)) unknown = &row;
+  return unknown;
+}
+
+/// The highest known frequency of those tried below `unknown_Hz`: the asked ones, and round ones of which `known` tells
+/// by solving. The list of these is halved, as if all below a known one were known. This may miss a higher one: errors
+/// are large where light rollers resonate.
+std::optional<double> highest_known_Hz(const BearingResult& result, double unknown_Hz,
+                                       const std::function<bool(double frequency_Hz)>& known) {
+  std::optional<double> highest_Hz;
   for (const DynamicRow& row : result.dynamics)
-    if (row.frequency_Hz < unknown->frequency_Hz) known_Hz = std::max(known_Hz.value_or(0), row.frequency_Hz);
+    if (row.frequency_Hz < unknown_Hz) highest_Hz = std::max(highest_Hz.value_or(0), row.frequency_Hz);
+  const std::vector<double> round = round_frequencies_Hz(highest_Hz.value_or(0), unknown_Hz);
+  std::size_t low = 0, high = round.size();  // those before low are known, those from high on are not
+  while (low < high) {
+    const std::size_t middle = (low + high) / 2;
+    if (known(round[middle])) {
+      highest_Hz = round[middle];
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  return highest_Hz;
+}
+
+/// Names the lowest frequency that is not known well enough, and a lower one that is.
+void judge_dynamics(BearingResult& result, const std::function<bool(double frequency_Hz)>& known) {
+  if (result.status != StopReason::converged) return;
+  const DynamicRow* unknown = lowest_unknown(result);
+  if (!unknown) return;
+  const double error = largest_error(*unknown);
+  const auto highest_Hz = highest_known_Hz(result, unknown->frequency_Hz, known);
   result.status = StopReason::tolerance_not_met;
-  result.why =
-      fmt::format("at {} Hz stiffness and damping are known to {} only; {} is needed; {}", plain(unknown->frequency_Hz),
-                  rounded_up(largest_error(*unknown), 2), plain(largest_dynamic_error),
-                  known_Hz ? fmt::format("of those asked, frequencies up to {} Hz are known", plain(*known_Hz))
-                           : std::string("of those asked, no lower frequency is known"));
+  result.why = fmt::format(
+      "at {} Hz stiffness and damping are {}; {}", plain(unknown->frequency_Hz),
+      std::isfinite(error)
+          ? fmt::format("known to {} only; {} is needed", rounded_up(error, 2), plain(largest_dynamic_error))
+          : std::string("not known"),
+      highest_Hz ? fmt::format("of the lower frequencies tried, {} Hz is the highest known one", plain(*highest_Hz))
+                 : std::string("of the lower frequencies tried, none is known"));
 }
 
 }  // namespace
 
 void fill_dynamics(BearingResult& result, const BearingSetup& setup, const bearing::LawPair& laws,
                    const std::vector<double>& frequencies_Hz, ContactMemory& memory) {
-  std::vector<double> omegas;
-  omegas.reserve(frequencies_Hz.size());
-  for (const double frequency_Hz : frequencies_Hz) omegas.push_back(2 * std::numbers::pi * frequency_Hz);
-  const MovingRaceway inner(result, setup, Raceway::inner, laws.inner, omegas, memory),
-      outer(result, setup, Raceway::outer, laws.outer, omegas, memory);
-  const double mass_kg = bearing::roller_mass_kg(setup.body.geometry);
-  for (std::size_t k = 0; k < omegas.size(); ++k) {
-    DynamicRow row{.frequency_Hz = frequencies_Hz[k]};
-    for (const RollerRow& roller : result.rollers)
-      row.rollers.push_back({.azimuth_deg = roller.azimuth_deg,
-                             .inner = inner.at(roller.inner.force_N, omegas[k]),
-                             .outer = outer.at(roller.outer.force_N, omegas[k])});
-    row.ring = bearing::ring_motion(row.rollers, mass_kg, omegas[k]);
-    result.dynamics.push_back(std::move(row));
-  }
-  if (inner.response() && outer.response()) result.response = {*inner.response(), *outer.response()};
+  const MovingBearing moving(result, setup, laws, frequencies_Hz, memory);
+  for (const double frequency_Hz : frequencies_Hz) result.dynamics.push_back(moving.at(frequency_Hz));
+  result.response = moving.response();
   result.notes.emplace_back(note::Dynamics{.damped = result.dynamics.front().ring.damping_N_s_per_m.has_value()});
-  judge_dynamics(result);
+  judge_dynamics(result, [&](double frequency_Hz) {
+    if (!result.response) return false;  // the error of such a law is the same at all frequencies
+    try {
+      return is_known(MovingBearing(result, setup, laws, {frequency_Hz}, memory).at(frequency_Hz));
+    } catch (const LawFailure&) {
+      return false;
+    }
+  });
 }
 
 void fill_torque(BearingResult& result, const BearingSetup& setup) {

@@ -97,9 +97,19 @@ std::optional<double> motion_error(const BearingResult& result, const BearingRes
   return own.error + (away + other.error * trace(other.stiffness_N_per_m)) / trace(own.stiffness_N_per_m);
 }
 
-bool knows_stiffness(const BearingResult& result, const BearingResult* full) {
-  return stiffness_error(result, full).value_or(0) <= 0.5;
+namespace {
+constexpr double error_of_a_digit = 0.5;  ///< with a larger one not even the first digit is known
 }
+
+bool knows_stiffness(const BearingResult& result, const BearingResult* full) {
+  return stiffness_error(result, full).value_or(0) <= error_of_a_digit;
+}
+
+bool knows_motion(const BearingResult& result, const BearingResult* full, std::size_t k) {
+  return motion_error(result, full, k).value_or(0) <= error_of_a_digit;
+}
+
+bool knows_damping(const DynamicRow& row) { return row.ring.damping_error.value_or(0) <= error_of_a_digit; }
 
 std::optional<std::pair<double, double>> geometric_load_zone_deg(const BearingResult& result, double clearance_m) {
   constexpr double degrees = 180 / std::numbers::pi;

@@ -136,6 +136,9 @@ struct ContactPlace {
 /// False where the error is so large that not even the first digit of the stiffness is known. Text and JSON then leave
 /// the stiffness out.
 [[nodiscard]] bool knows_stiffness(const BearingResult& result, const BearingResult* full);
+/// The same of the stiffness in motion; and of the damping, where the law knows one.
+[[nodiscard]] bool knows_motion(const BearingResult& result, const BearingResult* full, std::size_t k);
+[[nodiscard]] bool knows_damping(const DynamicRow& row);
 
 /// Where the ring has moved by more than half the clearance: from one azimuth to the other [deg], with
 /// cos(half the zone) = P_d/(2 delta_r). Absent where it has not; the whole circle where preload holds every roller.
