@@ -2,12 +2,15 @@
 // The pictures of --plot: SVG or PNG by the end of the name, with and without the program that makes PNG.
 #include <cstdlib>
 #include <filesystem>
+#include <regex>
 #include <string>
 #include <vector>
 
 #include "tests/check.hpp"
 #include "tests/files.hpp"
 #include "tests/process.hpp"
+#include "verification/report/heading.hpp"
+#include "verification/report/svg.hpp"
 
 using namespace ehd::verification;
 
@@ -42,6 +45,33 @@ int number_at(const std::string& bytes, std::size_t at) {
   return number;
 }
 
+struct Title {
+  std::string text;
+  double left = 0, figure_width = 0;
+};
+
+/// The titles of all figures within a picture, with the width of the figure that holds each.
+std::vector<Title> titles_of(const std::string& picture) {
+  std::vector<Title> titles;
+  std::vector<double> widths;  // of the figures around
+  const auto number_behind = [&](const std::string& word, std::size_t at) {
+    return std::stod(picture.substr(picture.find(word, at) + word.size()));
+  };
+  for (std::size_t at = 0; (at = picture.find('<', at)) != std::string::npos; ++at) {
+    if (picture.compare(at, 5, "<svg ") == 0) widths.push_back(number_behind("viewBox=\"0 0 ", at));
+    if (picture.compare(at, 6, "</svg>") == 0) widths.pop_back();
+    const std::size_t begin = picture.find('>', at) + 1;
+    if (picture.compare(at, 6, "<text ") != 0 ||
+        picture.substr(at, begin - at).find("class=\"head\"") == std::string::npos)
+      continue;
+    std::string text = picture.substr(begin, picture.find("</text>", begin) - begin);
+    text = std::regex_replace(text, std::regex("<[^>]*>"), "");
+    text = std::regex_replace(text, std::regex("&[a-z]+;"), "&");  // as wide as the widest of < > &
+    titles.push_back({text, number_behind(" x=\"", at), widths.back()});
+  }
+  return titles;
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(picture_file)
@@ -66,10 +96,46 @@ BOOST_AUTO_TEST_CASE(every_panel_of_a_bearing_has_a_title) {
     const std::string picture = test::read(file);
     for (const std::string& title : named) BOOST_TEST(picture.find(">" + title) != std::string::npos, title);
   };
-  titles("iso-6-rollers", {"Contact force of each roller; the external load points down",
+  titles("iso-6-rollers", {"Contact force of each roller;</text>", "the external load points down</text>",
                            "Contact force over the azimuth", "Displacement over the azimuth"});
   titles("iso-6-rollers na4908", {"iso-6-rollers: contact force", "na4908: contact force",
                                   "iso-6-rollers: displacement", "na4908: displacement"});
+}
+
+// A bare Debian draws them in DejaVu Sans Bold, the widest type of the list.
+BOOST_AUTO_TEST_CASE(every_title_fits_its_figure) {
+  const test::Folder folder;
+  const std::string long_id = "a-needle-roller-bearing-of-the-gearbox-with-the-widest-name-of-all";
+  const auto made = [&](const std::string& from, const std::string& id, const std::string& title) {
+    std::string text = test::read(std::filesystem::path(EHD_SOURCE_DIR) / "cases" / (from + ".toml"));
+    const auto set = [&](const std::string& key, const std::string& value) {
+      const auto at = text.find("\n" + key + " = ") + 1;
+      text.replace(at, text.find('\n', at) - at, key + " = \"" + value + "\"");
+    };
+    set("id", id), set("title", title);
+    return folder.write(id + ".toml", text).string();
+  };
+  const std::string wide_title =
+      "WWWWWWWW MMMMMMMM of a wide title, < & >: " + std::string(60, 'W') + " at the heaviest load of all";
+  const std::string contact = made("dry-steel", "wide-contact", wide_title),
+                    bearing = made("na4908", long_id, wide_title);
+  const auto file = folder.path() / "a.svg";
+  const std::vector<std::string> figures{"solve dry-steel",
+                                         "solve own-moes-5-5 --tolerance 1e-2",
+                                         "solve " + contact,
+                                         "bearing na4908 --law hertz",
+                                         "bearing " + bearing + " --law hertz",
+                                         "bearing na4908 na4908-10um --law hertz",
+                                         "bearing " + bearing + " na4908 --law hertz",
+                                         "bearing na4908 na4908-2.5um na4908-10um " + bearing + " --law hertz"};
+  for (const std::string& figure : figures) {
+    BOOST_TEST(test::ehd_run(folder, figure + " --plot " + file.string()).exit_code == 0, figure);
+    const std::vector<Title> titles = titles_of(test::read(file));
+    BOOST_TEST(!titles.empty(), figure);
+    for (const Title& title : titles)
+      BOOST_TEST(title.left + ehd::report::heading_width(ehd::report::literal(title.text)) <= title.figure_width,
+                 figure + ": " + title.text + " is wider than its figure");
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_png_has_two_pixels_for_each_unit_of_the_figure) {

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "verification/report/contour_lines.hpp"
+#include "verification/report/heading.hpp"
 
 namespace ehd::report {
 
@@ -296,23 +297,6 @@ Keys keys_svg(const HeatMap& map, const CellGrid& grid, const std::string& hatch
   return {svg, rows.last_top() + (svg.empty() ? 0 : 20)};
 }
 
-/// A heading in one line, or in two: broken after the comma that leaves the shortest lines.
-std::vector<std::string> heading_lines(const std::string& heading, double width) {
-  const auto wide = [](const std::string& text) { return other_type * text_width(text, 13); };
-  if (heading.empty()) return {};
-  std::vector<std::string> lines{heading};
-  double widest = wide(heading);
-  if (widest <= width) return lines;
-  for (std::size_t comma = heading.find(", "); comma != std::string::npos; comma = heading.find(", ", comma + 1)) {
-    const std::string first = heading.substr(0, comma + 1), second = heading.substr(comma + 2);
-    const double longer = std::max(wide(first), wide(second));
-    if (!(longer < widest)) continue;
-    widest = longer;
-    lines = {first, second};
-  }
-  return lines;
-}
-
 }  // namespace
 
 std::string draw(const HeatMap& map, Place place) {
@@ -321,9 +305,10 @@ std::string draw(const HeatMap& map, Place place) {
   const double left = 58, right = map.width - (labelled ? 34 : 10);
   double top = 8;
   std::string svg;
-  for (const std::string& line : heading_lines(map.heading, map.width - 12)) {
-    svg += text_svg({8, top + 9}, line, "start", "head");
-    top += 18;
+  if (!map.heading.empty()) {
+    const Heading heading = heading_of(map.heading, map.width, top + 9);
+    svg += heading.svg;
+    top += 18 + heading.more;
   }
   if (labelled) top += 13;
   CellGrid grid{{left, top, right, top}, map.x.size(), map.y.size(), map.x.size() > map.y.size()};

@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "verification/report/heading.hpp"
+
 namespace ehd::report {
 
 namespace {
@@ -58,7 +60,7 @@ std::string mosaic(const Picture& frame, const std::string& heading, const std::
     y += highest + tile_gap;
   }
   Picture whole = frame;
-  whole.width = std::max(width, text_width(heading, 12) + 16);
+  whole.width = std::max(width, heading_width(heading) + 16);
   whole.height = y - tile_gap;
   return picture(whole, content, Place::file);
 }

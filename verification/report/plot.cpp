@@ -8,6 +8,8 @@
 #include <functional>
 #include <optional>
 
+#include "verification/report/heading.hpp"
+
 namespace ehd::report {
 
 namespace {
@@ -340,9 +342,9 @@ Drawn draw_panel(const Panel& panel, const Ready& axes, const Margins& margins, 
   std::string svg;
   double y = top;
   if (!panel.title.empty()) {
-    y += 16;
-    svg += text_svg({8, y - 3}, panel.title, "start", "head");
-    y += 2;
+    const Heading title = heading_of(panel.title, width, y + 13);
+    svg += title.svg;
+    y += 18 + title.more;
   }
   const Drawn legend = legend_svg(panel, margins.left, width - 6, y, names);
   svg += legend.svg;

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "verification/report/heading.hpp"
+
 namespace ehd::report {
 
 namespace {
@@ -96,8 +98,9 @@ std::string draw(const PolarPlot& plot, Place place) {
   std::string svg;
   double y = 4;
   if (!plot.heading.empty()) {
-    svg += text_svg({8, y + 13}, plot.heading, "start", "head");
-    y += 20;
+    const Heading heading = heading_of(plot.heading, plot.width, y + 13);
+    svg += heading.svg;
+    y += 20 + heading.more;
   }
   LegendRows legend(10, plot.width, y);
   svg += legend_svg(plot, legend);
