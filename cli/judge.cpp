@@ -17,6 +17,7 @@
 #include "cli/usage.hpp"
 #include "io/find_case.hpp"
 #include "io/json.hpp"
+#include "verification/judge/first_cases.hpp"
 #include "verification/judge/judgement.hpp"
 #include "verification/judge/judgement_text.hpp"
 #include "verification/report/judge_page.hpp"
@@ -40,7 +41,18 @@ Examples:
 A submission is JSON with schema ehd-submission-1, or CSV with the columns case, version, quantity, value, scaling:
 docs/judge.md. A number scores -log10 of its relative error, up to the digits that the case certifies.
 
+The first ten cases, from easy to hard, and what each tests (ehd cases ID --json: a case as JSON):
+)";
+
+const char* const judge_exit_codes = R"(
 Exit code: 0 judged; 1 a gate of a profile failed; 2 a bad file or usage.)";
+
+std::string judge_help() {
+  std::string text = judge_examples;
+  for (const judging::FirstCase& first : judging::first_cases)
+    text += fmt::format("  {:<23}  {}\n", first.id, first.tests);
+  return text + judge_exit_codes;
+}
 
 constexpr const char* page_name = "judge.html";
 
@@ -139,7 +151,7 @@ int judge(const JudgeOptions& options) {
 void describe_judge(Command& command) {
   auto options = std::make_shared<JudgeOptions>();
   command.summary("Anybody's solver against the certified digits");
-  command.examples(judge_examples);
+  command.examples(judge_help());
   command.list("FILE", options->files, "submissions (JSON or CSV)");
   command.text("--json", options->json, "the judgement as JSON into a file, or - for standard output").called("FILE");
   command.text("--badge", options->badge, "a one-line picture of the digits (SVG)").called("FILE");

@@ -27,6 +27,7 @@ import walk  # noqa: E402, the pages that show what their commands print
 
 PAGES = ROOT / "docs" / "results"
 CASE_FORMAT = "docs/case-format.md"
+JUDGE = "docs/judge.md"
 MADE = "<!-- Made by `make results`: do not edit. -->"
 MADE_SLOWLY = "<!-- Made by `make results-full`: do not edit. -->"
 
@@ -204,6 +205,14 @@ def typed(ehd, name):
     return text
 
 
+def first_cases(judgement):
+    """The table of docs/judge.md: the cases that every judgement names, with what each tests."""
+    cases = sorted((case for case in judgement["cases"] if "place" in case), key=lambda case: case["place"])
+    return table(("case", "regime", "what it tests"), [
+        (f"`{case['case']}`", f"{case['regime']['load']}, L {case['regime']['material']}", case["tests"])
+        for case in cases])
+
+
 def figure(ehd, words):
     """The figure that a command draws."""
     with tempfile.NamedTemporaryFile(suffix=".svg") as file:
@@ -262,7 +271,10 @@ def quick_pages(ehd):
             fenced(contact_without_cost(ehd)) + "\n\n" + fenced(bearings(ehd, "examples/roller-bearing.toml")),
             "Without costs, balance errors and times."),
     }
+    judged = functools.cache(
+        lambda: json.loads(run(ehd, "judge", "cases/submissions/ehd-fast-1e-3.json", "--json", "-")))
     written = {
+        JUDGE: lambda: filled(typed(ehd, JUDGE), JUDGE, "first", first_cases(judged())),
         "README.md": lambda: filled(typed(ehd, "README.md"), "README.md", "numbers", numbers(comparison(), suite())),
         CASE_FORMAT: lambda: filled(typed(ehd, CASE_FORMAT), CASE_FORMAT, "keys", run(ehd, "new", "keys")),
     }

@@ -22,7 +22,7 @@ inline constexpr std::array<FirstCase, 10> first_cases{{
     {"own-moes-100-10", "a thin film: the constant of the film equation is 50 times the film"},
     {"own-barus-3-4-flooded", "a light load, flooded: the pressure begins far outside the contact"},
     {"own-moes-200-15-flooded", "a short inlet zone and a sharp spike next to the exit"},
-    {"own-moes-1000-20", "a heavy load: 1024 equal cells of line_contact.py leave 0.6 digits"},
+    {"own-moes-1000-20", "a heavy load: 1024 equal cells of line_contact.f90 leave 0.6 digits"},
 }};
 
 }  // namespace ehd::judging

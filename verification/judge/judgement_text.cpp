@@ -116,6 +116,7 @@ std::string human_text(const Judgement& judgement) {
   std::string text =
       fmt::format("{}{}{}, {}\n\ndigits (> bounded by the certified digits; ! above the stated error)\n{}", from.name,
                   from.version.empty() ? "" : " ", from.version, one_line(from.file.string()), digits_table(judgement));
+  text += "what each of the first ten cases tests: ehd judge --help\n";
   text += "\ndigits by regime (a missing number counts as 0)\n" + regime_table(judgement);
   text += honesty_lines(judgement);
   if (const std::string gates = gate_lines(judgement); !gates.empty()) text += "\ngates\n" + gates;

@@ -130,6 +130,17 @@ BOOST_AUTO_TEST_CASE(every_first_case_certifies_both_films_to_seven_digits) {
   }
 }
 
+// The words about the heaviest case name what a kept submission scores.
+BOOST_AUTO_TEST_CASE(the_last_first_case_says_what_the_small_solvers_leave) {
+  const std::filesystem::path kept = std::filesystem::path(EHD_SOURCE_DIR) / "cases" / "submissions";
+  const FirstCase& last = first_cases.back();
+  const Judgement fortran = judgement_of(read_submission(kept / "line-contact-f90.json"), {});
+  BOOST_TEST(std::string(last.tests)
+                 .ends_with(fmt::format("cells of line_contact.f90 leave {:.1f} digits",
+                                        score_in(of_case(fortran, std::string(last.id)), minimum).digits)),
+             last.tests);
+}
+
 BOOST_AUTO_TEST_CASE(a_missing_first_case_scores_nothing_and_says_missing) {
   const test::Folder folder;
   std::vector<json> results;
