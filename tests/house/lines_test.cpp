@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Scripts, C, Makefile, CMake files and CI steps have lines of at most 120 columns. clang-format holds those of C++.
+// README.md has at most 120 lines.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <filesystem>
@@ -54,6 +55,16 @@ BOOST_AUTO_TEST_CASE(no_script_has_one) {
       if (endings.contains(entry.path().extension().string()) || names.contains(entry.path().filename().string()))
         read(entry.path());
   BOOST_CHECK_MESSAGE(files >= 50, files << " scripts: were the folders read?");
+}
+
+BOOST_AUTO_TEST_CASE(the_root_readme_stays_short) {
+  constexpr int most = 120;
+  std::ifstream text(std::filesystem::path(EHD_SOURCE_DIR) / "README.md");
+  int lines = 0;
+  for (std::string line; std::getline(text, line);) ++lines;
+  BOOST_CHECK_MESSAGE(lines > 0, "README.md was not read");
+  BOOST_CHECK_MESSAGE(lines <= most, "README.md has " << lines << " lines; allowed are " << most
+                                                      << ": what is longer belongs on a page of docs/");
 }
 
 BOOST_AUTO_TEST_SUITE_END()
