@@ -20,6 +20,8 @@ HERE = pathlib.Path(__file__).resolve().parent
 SOLVERS = HERE.parents[1] / "examples" / "solvers"
 OWN = {  # file: (solver, tolerance)
     "ehd-reference": ("reference", "1e-8"),
+    "ehd-reference-linear-1e-3": ("reference.linear", "1e-3"),
+    "ehd-reference-uniform-1e-2": ("reference.uniform", "1e-2"),  # to 1e-3 two of the cases take minutes, and miss it
     "ehd-fast-1e-6": ("fast", "1e-6"),
     "ehd-fast-1e-3": ("fast", "1e-3"),
     "ehd-fast-uniform-1e-3": ("fast.uniform", "1e-3"),
