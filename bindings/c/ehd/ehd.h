@@ -85,7 +85,8 @@ EHD_API int ehd_get(const ehd_result *result, const char *path, double *value);
  * Returns how many numbers there are; 0 where there is no such field. */
 EHD_API size_t ehd_field(const ehd_result *result, const char *name, double *buffer, size_t length);
 
-/* The JSON that the program writes for this result. Lives as long as the result. NULL for NULL, and without memory. */
+/* The JSON that the program writes for this result; that of a bearing without "error_budget". Lives as long as the
+ * result. NULL for NULL, and without memory. */
 EHD_API const char *ehd_json(const ehd_result *result);
 
 /* NULL is allowed. */
