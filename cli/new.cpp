@@ -36,7 +36,8 @@ Examples:
   ehd new keys                         every key of a case as a table (Markdown)
 
 Each key stands with its unit, default and meaning. Optional keys, and the other ways to state the same, are comments.
-A file that exists is never overwritten. docs/your-bearing.md and docs/your-contact.md go through one case each.)";
+A file that exists is never overwritten. The id of a case is the name of its file, also of one that the shell writes
+(ehd new contact > NAME.toml); in a pipe the case is called my-contact or my-bearing. docs/your-bearing.md and docs/your-contact.md go through one case each.)";
 
 std::string names_of_types() {
   std::vector<std::string_view> names;
@@ -69,9 +70,18 @@ std::string text_of(const NewOptions& options, const std::string& id) {
   return options.what == "keys" ? case_key_tables() : types_text();
 }
 
+/// The id of a case on standard output: the name of the file NAME.toml to which the shell sends it, because a case has
+/// the name of its file. Absent where standard output is no such file, or where the system does not tell its name.
+std::optional<std::string> id_of_standard_output() {
+  std::error_code none;
+  const std::filesystem::path file = std::filesystem::read_symlink("/proc/self/fd/1", none);
+  if (ending_of(file) != ".toml" || !std::filesystem::is_regular_file(file, none)) return std::nullopt;
+  return id_of_file(file);
+}
+
 int make_new(const NewOptions& options) {
   if (!options.file) {
-    print(text_of(options, "my-" + options.what));
+    print(text_of(options, id_of_standard_output().value_or("my-" + options.what)));
     return success;
   }
   const std::filesystem::path file = *options.file;

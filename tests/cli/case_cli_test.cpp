@@ -191,6 +191,28 @@ BOOST_AUTO_TEST_CASE(a_new_bearing_is_balanced_as_it_stands_and_never_overwritte
   BOOST_TEST(test::ehd_run(folder, "solve " + capital + " --tolerance 1e-2").exit_code == 0);
 }
 
+BOOST_AUTO_TEST_CASE(a_new_case_that_the_shell_writes_into_a_file_has_its_name) {
+  const test::Folder folder;
+  const std::string program = "'" EHD_PROGRAM "' ";
+  for (const auto& [what, compute] :
+       {std::pair{"contact", "solve --tolerance 1e-2"}, {"bearing", "bearing --law hertz"}}) {
+    const std::string file = (folder.path() / fmt::format("redirected-{}.toml", what)).string();
+    const auto ended =
+        test::ehd_run(folder, fmt::format("new {} > '{}' && {}{} '{}'", what, file, program, compute, file));
+    BOOST_TEST(ended.exit_code == 0, ended.err);
+    BOOST_TEST(test::read(file).find(fmt::format("id = \"redirected-{}\"", what)) != std::string::npos);
+  }
+  const std::string there = "--version > /dev/null && cd '" + folder.path().string() + "' && " + program;
+  for (const std::string into : {"| cat", "> case.txt; cat case.txt"})
+    BOOST_TEST(
+        test::ehd_run(folder, there + "new contact " + into).out.find("id = \"my-contact\"") != std::string::npos,
+        into);
+  test::check_refused(
+      folder,
+      "--version > /dev/null && (cd '" + folder.path().string() + "' && " + program + "new contact > 'two words.toml')",
+      "the file's name without .toml is no id");
+}
+
 BOOST_AUTO_TEST_CASE(a_bearing_shows_its_summary_first_and_costs_only_with_details) {
   const test::Folder folder;
   const auto brief = test::ehd_run(folder, "bearing iso-6-rollers --law iso");
