@@ -95,7 +95,7 @@ int convert(const ConvertOptions& options) {
   if (target.to_standard_output()) return success;
   constexpr std::size_t all_columns = 3;
   std::string text = aligned(rows, all_columns, "");
-  if (!open.empty()) text += "not fixed by these numbers: " + list(open) + "\n";
+  if (!open.empty()) text += wrapped("not fixed by these numbers: " + list(open), "  ");
   print(text);
   return success;
 }

@@ -355,7 +355,7 @@ std::string remarks(const std::vector<BearingResult>& results, bool details) {
   for (const std::string& heading : headings) {
     text += fmt::format("\n  notes on {}\n", heading);
     for (const auto& [note, laws] : laws_of_notes)
-      if (laws == heading) text += fmt::format("    - {}\n", note);
+      if (laws == heading) text += wrapped("    - " + note, "      ");
   }
   return text;
 }
@@ -364,7 +364,7 @@ std::string remarks(const std::vector<BearingResult>& results, bool details) {
 std::string warnings(const std::vector<BearingResult>& results) {
   std::string text;
   for (const auto& [warning, laws] : laws_of_each(results, warnings_of))
-    text += fmt::format("  {}: {}\n", laws, warning);
+    text += wrapped(fmt::format("  {}: {}", laws, warning), "    ");
   return text.empty() ? text : text + "\n";
 }
 

@@ -161,8 +161,9 @@ std::string human_table(const ResponseRun& run, const std::string& title) {
                     known ? plain(at.error, 2) : "-", std::string(to_string(at.status))});
   }
   if (!rows.empty()) text += "\n" + aligned(rows, 0);
-  for (const std::string& note : run.notes) text += "\nnote: " + note;
-  return text + (run.notes.empty() ? "" : "\n");
+  if (!run.notes.empty()) text += "\n";
+  for (const std::string& note : run.notes) text += wrapped("note: " + note, "      ");
+  return text;
 }
 
 }  // namespace ehd

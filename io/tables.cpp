@@ -259,7 +259,7 @@ std::string human_plan(const Plan& plan) {
 std::string human_table(const ContactRun& run, const std::string& title, bool styled) {
   std::string text = heading(run, title, styled) + groups_table(run) + observables_table(run) + self_checks(run) +
                      formulas_table(run) + cost_line(run);
-  for (const auto& note : run.notes) text += fmt::format("note  {}\n", note);
+  for (const auto& note : run.notes) text += wrapped("note  " + note, "      ");
   return text;
 }
 

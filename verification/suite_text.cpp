@@ -66,19 +66,22 @@ std::string human_summary(const SuiteResult& result, bool all) {
     for (const Claim& claim : result.claims) {
       if (claim.says.rung != rung) continue;
       if (claim.finding) {
-        lines += fmt::format("  finding  {}\n        {}\n", claim.says.statement, claim.note);
+        lines += wrapped("  finding  " + claim.says.statement, "    ") + wrapped("        " + claim.note, "        ");
         continue;
       }
       if (!all && claim.verdict == Verdict::pass) continue;
-      lines += fmt::format("  {}  {}\n        {}\n", to_string(claim.verdict), claim.says.statement, numbers_of(claim));
-      if (!claim.note.empty()) lines += "        " + claim.note + "\n";
+      lines += wrapped(fmt::format("  {}  {}", to_string(claim.verdict), claim.says.statement), "    ");
+      lines += wrapped("        " + numbers_of(claim), "        ");
+      if (!claim.note.empty()) lines += wrapped("        " + claim.note, "        ");
       if (claim.verdict == Verdict::inconclusive) {
-        if (const auto reason = accepted_as_inconclusive(claim.says.id)) lines += "        accepted: " + *reason + "\n";
+        if (const auto reason = accepted_as_inconclusive(claim.says.id))
+          lines += wrapped("        accepted: " + *reason, "        ");
       }
     }
     for (const SkippedClaim& one : result.skipped) {
       if (one.says.rung != rung) continue;
-      if (all || nothing_judged) lines += fmt::format("  skipped  {}: {}\n", one.says.statement, one.why);
+      if (all || nothing_judged)
+        lines += wrapped(fmt::format("  skipped  {}: {}", one.says.statement, one.why), "    ");
     }
     if (summary.pass + summary.fail + summary.inconclusive + summary.skipped == 0) continue;
     total[0] += summary.pass;

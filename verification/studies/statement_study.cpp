@@ -280,16 +280,20 @@ std::string human_study(const std::vector<StudyRow>& rows) {
     for (const StudyRow& row : rows)
       if (row.law == law) table.push_back(study_cells(row));
     if (table.size() == 1) continue;
-    text += fmt::format(
-        "{}dry law against {}: changes of the roller load and of delta_i at psi = 0; \"apart\" and \"loaded\" are the "
-        "worst of the distribution\n{}",
-        text.empty() ? "" : "\n", to_string(law), aligned_in_parts(table, 2, "  "));
+    text += text.empty() ? "" : "\n";
+    text +=
+        wrapped(fmt::format("dry law against {}: changes of the roller load and of delta_i at psi = 0; \"apart\" and "
+                            "\"loaded\" are the worst of the distribution",
+                            to_string(law)),
+                "  ");
+    text += aligned_in_parts(table, 2, "  ");
   }
   text += "\n";
   for (const StudySummary& one : summarise(rows))
-    text += fmt::format("  ({}), {}: holds in {} of {}{}{}{}{}\n", one.letter, to_string(one.law), one.holds, one.of,
-                        one.exceptions.empty() ? "" : ", ", one.exceptions,
-                        one.at_top_alone.empty() ? "" : "; at psi = 0 alone also with ", one.at_top_alone);
+    text += wrapped(fmt::format("  ({}), {}: holds in {} of {}{}{}{}{}", one.letter, to_string(one.law), one.holds,
+                                one.of, one.exceptions.empty() ? "" : ", ", one.exceptions,
+                                one.at_top_alone.empty() ? "" : "; at psi = 0 alone also with ", one.at_top_alone),
+                    "      ");
   return text;
 }
 
