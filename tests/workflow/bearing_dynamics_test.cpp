@@ -313,7 +313,8 @@ BOOST_AUTO_TEST_CASE(a_contact_without_a_response_leaves_the_balance_and_a_reaso
     const std::string note = json.at("notes").back(), text = human_table(one, {result}, {});
     BOOST_TEST(note.find("balanced, but its stiffness and damping in motion are not known") != std::string::npos, note);
     BOOST_TEST(note.find("the time is over") != std::string::npos, note);
-    BOOST_TEST(text.find(note) != std::string::npos, text);
+    for (const char* words : {"balanced, but its stiffness and damping in motion are not known", "the time is over"})
+      BOOST_TEST(text.find(words) != std::string::npos, text);  // on two lines: the table is not that wide
   }
 }
 
