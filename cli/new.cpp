@@ -36,8 +36,9 @@ Examples:
   ehd new keys                         every key of a case as a table (Markdown)
 
 Each key stands with its unit, default and meaning. Optional keys, and the other ways to state the same, are comments.
-A file that exists is never overwritten. The id of a case is the name of its file, also of one that the shell writes
-(ehd new contact > NAME.toml); in a pipe the case is called my-contact or my-bearing. docs/your-bearing.md and docs/your-contact.md go through one case each.)";
+A file that exists is never overwritten. The id of a case is the name of its file, also where the shell writes it:
+ehd new contact > NAME.toml. In a pipe the case is called my-contact or my-bearing. docs/your-bearing.md and
+docs/your-contact.md go through one case each.)";
 
 std::string names_of_types() {
   std::vector<std::string_view> names;

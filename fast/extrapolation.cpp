@@ -43,7 +43,7 @@ double last_move(const std::vector<double>& f) { return std::abs(1 - f[f.size() 
 constexpr double central_three_mild = 0.15, central_three = 0.25, central_three_on_first_map = 0.8;
 /// Beyond this L three grids may agree on a wrong central film: the last move of either film counts too.
 constexpr double central_move_L = 10, central_move = 0.25;
-/// The same of more grids beyond mild_L, on a map that is not settled.
+/// With more grids this part of the last move counts, beyond mild_L and on a map that is not settled.
 constexpr double central_move_of_more = 0.1;
 struct CentralParts {
   double s, r;
@@ -118,7 +118,7 @@ constexpr SmallestRule of_unsettled{.regular = unsettled_parts, .irregular = uns
 /// There three grids may miss the spike, unless it is wide: the last move of either film counts too.
 constexpr double unsettled_three_wide = 0.5, unsettled_three_middle = 1, unsettled_three_stiff = 1.6;
 constexpr double unsettled_move = 0.55;
-/// Beyond mild_L more grids may miss it too: so much of that move counts.
+/// Beyond mild_L more than three grids may miss the spike too: this part of that move counts.
 constexpr double unsettled_move_of_more = 0.75;
 
 SmallestFactors smallest_factors(MapFit fit, double L) {

@@ -16,10 +16,11 @@ namespace {
 /// Newton's target for a solution that only serves to make a map. The residual decides: with a jump in the first
 /// iterate (steep_fall) the films are good before the spike stands at its place.
 constexpr Target for_maps{.residual = 1e-3, .film_error = 1e-2, .film_residual = 1e-3};
-/// Tolerances below these get full care: the smallest film's, the central film's. The central film depends little on
-/// the map: of 3,100 contacts asked for 1e-3 (H_min) and 1e-4 to 2e-5 (H_cen), full care took 1.5 times the time.
+/// Full care begins below the first tolerance for the smallest film, below the second for the central film, which
+/// depends little on the map. At 3,100 contacts asked for 1e-3 (H_min) and 1e-4 to 2e-5 (H_cen) full care took 1.5
+/// times the time.
 constexpr double loose_tolerance = 3e-4, loose_central_tolerance = 5e-5;
-/// Both films get the least care from this tolerance on, or up to this L.
+/// Least care is enough from this tolerance of both films on, or up to this L.
 constexpr double loosest_tolerance = 10 * loose_tolerance, least_care_L = 10;
 /// Here the spike stands near X = 0, and even the central film alone needs more maps than the first: with it alone, of
 /// 300 contacts (Barus) 6 of 1045 errors of four grids missed, at most 4 times.

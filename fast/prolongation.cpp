@@ -22,8 +22,8 @@ constexpr double fading = 0.5;
 constexpr double unmoved = 6.4;
 /// A move beyond this part of the distance from spike to exit is not believed. The pressure is then only interpolated.
 constexpr double largest_move = 0.2;
-/// The same where the spike's peak is further from the middle of its fall than so many of these distances. Where the
-/// pressure falls from the centre (L <= 1, M >= 500), a move costs up to 20 % more products than interpolation alone.
+/// Nor is a move where the peak is further from the middle of its fall than so many of these distances: the pressure
+/// then falls from the centre (L <= 1, M >= 500), and a move costs up to 20 % more products than interpolation alone.
 constexpr double farthest_peak = 2;
 /// Steps to the index of a place within its cell.
 constexpr int place_steps = 3;
@@ -37,16 +37,6 @@ struct Profile {
   [[nodiscard]] double X(Eigen::Index i) const { return inlet + length() * grid.place[i]; }
   [[nodiscard]] Array X() const { return inlet + length() * grid.place; }
 };
-
-/// The node from which the pressure falls to its steepest fall.
-Eigen::Index peak_of(const Profile& profile) {
-  const Array& P = profile.state.P;
-  const int n = profile.grid.n;
-  Eigen::Index peak = 0;
-  ((P.head(n) - P.tail(n)) * profile.grid.inverse_spacing).maxCoeff(&peak);
-  while (peak > 0 && P[peak - 1] > P[peak]) --peak;
-  return peak;
-}
 
 /// Where the pressure has fallen from this peak to the level.
 double fall_to(double level, Eigen::Index peak, const Profile& profile) {
@@ -89,7 +79,8 @@ struct Move {
 
 /// Empty where there is no spike to follow.
 std::optional<Move> next_move_of(const Profile& before, const Profile& last) {
-  const Eigen::Index peak_before = peak_of(before), peak = peak_of(last);
+  const Eigen::Index peak_before = peak_before_fall(before.X(), before.state.P),
+                     peak = peak_before_fall(last.X(), last.state.P);
   const double level = std::min(before.state.P[peak_before], last.state.P[peak]) / 2;
   const double spike = fall_to(level, peak, last), to_exit = last.state.exit - spike;
   const double spike_move = next_spike_move * (spike - fall_to(level, peak_before, before));

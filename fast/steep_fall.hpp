@@ -17,6 +17,9 @@
 
 namespace ehd::fast {
 
+/// The node from which the pressure P at the places X falls to its steepest fall.
+[[nodiscard]] Eigen::Index peak_before_fall(const Array& X, const Array& P);
+
 struct SteepFall {
   Eigen::Index top = 0, bottom = 0;  ///< its first and last node
   double P_top = 0, P_bottom = 0;    ///< the pressure there
