@@ -153,11 +153,10 @@ class MovingBearing {
   MovingRaceway inner_, outer_;
 };
 
-/// 1, 2, 5, 10, 20, ... Hz up to the highest frequency that may be asked for, between two frequencies.
+/// Those of 1, 2, 5, 10, 20, ... Hz that lie between two frequencies.
 std::vector<double> round_frequencies_Hz(double above_Hz, double below_Hz) {
-  constexpr double highest_Hz = 1e9;
   std::vector<double> frequencies;
-  for (double decade = 1; decade < highest_Hz; decade *= 10)
+  for (double decade = 1; decade < below_Hz; decade *= 10)
     for (const double step : {1.0, 2.0, 5.0})
       if (step * decade > above_Hz && step * decade < below_Hz) frequencies.push_back(step * decade);
   return frequencies;
