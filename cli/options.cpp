@@ -59,6 +59,20 @@ Request RequestOptions::request() const {
   return request;
 }
 
+void RequestOptions::require_wanted(const Wanted& wanted) const {
+  const auto require = [&](const char* option, const std::optional<std::string>& text, Quantity film) {
+    if (!text || serves(film, wanted)) return;
+    std::string names;
+    for (const Quantity quantity : wanted) names.append(names.empty() ? "" : ", ").append(to_string(quantity));
+    throw option_error(option, *text,
+                       fmt::format("is of a film that {} does not need; allowed is the tolerance of the other film, or "
+                                   "--quantity {} as well",
+                                   names, to_string(film)));
+  };
+  require("--tolerance-minimum", tolerance_minimum, Quantity::film_minimum);
+  require("--tolerance-central", tolerance_central, Quantity::film_central);
+}
+
 const RegisteredSolver& solver_named(const std::string& name) {
   const auto* solver = find_solver(name);
   if (!solver) throw unknown_word_error("--solver", name, solver_names());

@@ -26,6 +26,8 @@ struct RequestOptions {
   [[nodiscard]] bool states_accuracy() const { return tolerance || tolerance_minimum || tolerance_central || nodes; }
   /// Throws UsageError: out of range, fewer than 16 nodes, two ways to state the accuracy.
   [[nodiscard]] Request request() const;
+  /// Throws UsageError where --tolerance-minimum or --tolerance-central is of a film that no wanted quantity needs.
+  void require_wanted(const Wanted& wanted) const;
 };
 
 /// Throws UsageError for an unknown name.

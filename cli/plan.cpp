@@ -47,6 +47,7 @@ int plan(const PlanOptions& options) {
   const auto& solver = solver_named(options.solver.value_or(default_solver().name));
   const Request request = options.request.request();
   const Wanted wanted = quantities_named(options.quantities);
+  options.request.require_wanted(wanted);
   const Case any = options.changes.read(options.case_name);
   require_distinct({{"the case", any.file}}, {{"--json", options.json.value_or("")}});
   // A request that solve or bearing would refuse is refused here as well.

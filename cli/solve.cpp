@@ -200,6 +200,7 @@ int solve(const SolveOptions& options) {
   const auto& solver = solver_named(options.solver);
   const Request request = options.request.request();
   const Wanted wanted = quantities_named(options.quantities);
+  options.request.require_wanted(wanted);
   const Stated stated = stated_by(options);
   if (!stated.contact.dry()) require_memory(solver, request);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/quantities.hpp"
 
+#include <algorithm>
+
 #include "contact/hertz.hpp"
 #include "contact/observables.hpp"
 #include "contact/solution.hpp"
@@ -18,6 +20,7 @@ constexpr std::array<QuantityRow, quantity_count> table{{
      .name = "film.minimum",
      .meaning = "smallest film thickness",
      .unit = "h R/b^2",
+     .served_by = ServedBy::minimum,
      .in_moes_units = true,
      .SI = SIScale::film,
      .kostreva_factor = kostreva_film,
@@ -30,6 +33,7 @@ constexpr std::array<QuantityRow, quantity_count> table{{
      .name = "film.central",
      .meaning = "film thickness at X = 0",
      .unit = "h R/b^2",
+     .served_by = ServedBy::central,
      .in_moes_units = true,
      .SI = SIScale::film,
      .kostreva_factor = kostreva_film,
@@ -42,6 +46,7 @@ constexpr std::array<QuantityRow, quantity_count> table{{
      .name = "film.couette",
      .meaning = "flux over speed: rho H at the exit",
      .unit = "h R/b^2",
+     .served_by = ServedBy::central,
      .in_moes_units = true,
      .SI = SIScale::film,
      .kostreva_factor = kostreva_film,
@@ -54,6 +59,7 @@ constexpr std::array<QuantityRow, quantity_count> table{{
      .meaning = "the constant H_0 of the film equation",
      .unit = "h R/b^2",
      .error = ErrorKind::absolute,
+     .served_by = ServedBy::central,
      .kostreva_factor = kostreva_film,
      .json_entry = "film.offset",
      .json_value = "hertz",
@@ -96,6 +102,7 @@ constexpr std::array<QuantityRow, quantity_count> table{{
      .meaning = "approach of the bodies with datum b: -H_0",
      .unit = "delta R/b^2",
      .error = ErrorKind::absolute,
+     .served_by = ServedBy::central,
      .SI = SIScale::film,
      .json_entry = "approach",
      .json_value = "hertz",
@@ -158,6 +165,19 @@ std::string names_of_quantities(bool (*holds)(Quantity)) {
     names += row.name;
   }
   return names;
+}
+
+bool serves(Quantity film, Quantity quantity) {
+  switch (row_of(quantity).served_by) {
+    case ServedBy::minimum: return film == Quantity::film_minimum;
+    case ServedBy::central: return film == Quantity::film_central;
+    case ServedBy::both: return true;
+  }
+  return true;
+}
+
+bool serves(Quantity film, const Wanted& wanted) {
+  return std::any_of(wanted.begin(), wanted.end(), [&](Quantity quantity) { return serves(film, quantity); });
 }
 
 const Wanted& want_everything() {

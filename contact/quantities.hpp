@@ -50,6 +50,9 @@ enum class QuantityKind {
 /// The error of an offset or an approach is absolute, because the value may vanish. All others are relative.
 enum class ErrorKind { relative, absolute };
 
+/// The films whose tolerance also decides how well a quantity is known.
+enum class ServedBy { minimum, central, both };
+
 /// The factor from Hertz units to SI.
 enum class SIScale {
   none,      ///< the quantity is not reported in SI
@@ -67,6 +70,7 @@ struct QuantityRow {
   std::string_view meaning;  ///< in a few words, for help texts
   std::string_view unit;     ///< of Reading::value, in Hertz scaling
   ErrorKind error = ErrorKind::relative;
+  ServedBy served_by = ServedBy::both;
   bool in_moes_units = false;                  ///< (h/R) U_s^(-1/2) is also reported
   SIScale SI = SIScale::none;                  ///< how the quantity is reported in SI
   std::optional<double> kostreva_factor = {};  ///< value in Kostreva's scaling over the value in Hertz units, if any
@@ -101,6 +105,10 @@ inline constexpr std::array judged_films{Quantity::film_minimum, Quantity::film_
 
 /// The quantities that a caller asks for. All others are not computed.
 using Wanted = std::set<Quantity>;
+/// The tolerance of `film`, one of judged_films, decides how well the quantity is known.
+[[nodiscard]] bool serves(Quantity film, Quantity quantity);
+/// The same of at least one of these quantities.
+[[nodiscard]] bool serves(Quantity film, const Wanted& wanted);
 [[nodiscard]] const Wanted& want_everything();
 
 }  // namespace ehd

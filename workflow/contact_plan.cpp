@@ -63,18 +63,43 @@ std::string asked_films(const FilmTolerances& asked) {
   return fmt::format("{}, {}, and {}, {}", minimum, plain(*asked.minimum), central, plain(*asked.central));
 }
 
-void decide_grids(Plan& plan, const Request& request) {
+/// Where a film has a tolerance but is not wanted: the wanted quantities that it serves.
+std::string why_asked(const FilmTolerances& asked, const Wanted& wanted) {
+  std::string films, served;
+  const auto add = [](std::string& names, Quantity one, std::string_view between) {
+    names.append(names.empty() ? "" : between).append(to_string(one));
+  };
+  Wanted unwanted;
+  if (asked.minimum && !wanted.contains(Quantity::film_minimum)) unwanted.insert(Quantity::film_minimum);
+  if (asked.central && !wanted.contains(Quantity::film_central)) unwanted.insert(Quantity::film_central);
+  for (const Quantity film : unwanted) add(films, film, " and ");
+  for (const Quantity quantity : wanted) {
+    const bool follows = std::ranges::any_of(unwanted, [&](Quantity film) { return serves(film, quantity); });
+    if (follows) add(served, quantity, ", ");
+  }
+  return served.empty() ? "" : fmt::format(" ({} for {})", films, served);
+}
+
+void decide_grids(Plan& plan, const Request& request, const Wanted& wanted) {
   if (request.nodes) {
     const std::string given = fmt::format("the number of intervals is given, {}", *request.nodes);
     plan.decide(stage::grids, given);
     plan.decide(stage::finer, given);
   } else {
     plan.decide(stage::grids);
-    plan.decide(stage::finer, "a coarser grid already meets the tolerance of " + asked_films(request.tolerance));
+    plan.decide(stage::finer, "a coarser grid already meets the tolerance of " + asked_films(request.tolerance) +
+                                  why_asked(request.tolerance, wanted));
   }
 }
 
 }  // namespace
+
+Request request_for(const Request& request, const Wanted& wanted) {
+  Request served = request;
+  if (!serves(Quantity::film_minimum, wanted)) served.tolerance.minimum.reset();
+  if (!serves(Quantity::film_central, wanted)) served.tolerance.central.reset();
+  return served.tolerance.any() ? served : request;
+}
 
 Plan plan_contact(const ContactCase& contact, const RegisteredSolver& solver, const Request& request,
                   const Wanted& wanted) {
@@ -90,7 +115,7 @@ Plan plan_contact(const ContactCase& contact, const RegisteredSolver& solver, co
   plan.decide(stage::density, why_no_density(reading.problem, *contact.lubricant));
   plan.decide(stage::fft_plan, solver.uses_fft ? "" : solver.name + " multiplies by a dense matrix");
   plan.decide(stage::solve);
-  decide_grids(plan, request);
+  decide_grids(plan, request_for(request, wanted), wanted);
   for (const Quantity quantity : all_quantities)
     plan.decide(stage::observe(quantity), wanted.count(quantity) ? "" : "not asked for");
   const bool any_film = std::any_of(wanted.begin(), wanted.end(), is_film);

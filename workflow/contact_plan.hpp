@@ -28,7 +28,13 @@ inline constexpr const char* formulas = "film formulas beside the result";
 [[nodiscard]] std::string observe(Quantity quantity);
 }  // namespace stage
 
-/// Throws StatementError where the statement makes no problem (a case from read_case always makes one).
+/// The request with the tolerances alone that serve a wanted quantity: film.couette, film.offset and approach follow
+/// the central film, each film itself, and all others both films. Where none serves one, the tolerances stay as they
+/// are.
+[[nodiscard]] Request request_for(const Request& request, const Wanted& wanted);
+
+/// With request_for(request, wanted). Throws StatementError where the statement makes no problem (a case from read_case
+/// always makes one).
 [[nodiscard]] Plan plan_contact(const ContactCase& contact, const RegisteredSolver& solver, const Request& request,
                                 const Wanted& wanted);
 

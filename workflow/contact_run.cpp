@@ -55,7 +55,7 @@ void run_lubricated(const ContactCase& contact, const RegisteredSolver& solver, 
   run.oil = contact.oil;
   run.notes = contact.oil ? notes_of(*contact.oil, reading.notes) : reading.notes;
   run.solver = solver.name;
-  run.solution = solver.solve(problem, request);
+  run.solution = solver.solve(problem, request_for(request, problem.wanted));
   // A solver may observe more than the plan wants, for its own use. Only wanted quantities are reported.
   std::erase_if(run.solution.observables, [&](const auto& entry) { return !problem.wanted.count(entry.first); });
   if (run.status() == StopReason::diverged) run.solution.observables.clear();

@@ -39,8 +39,9 @@ struct ContactRun {
   [[nodiscard]] std::optional<double> known_G() const;
 };
 
-/// Plans and runs one contact; quantities outside `wanted` are neither computed nor returned. status() says how the
-/// solver ended. Throws StatementError where the statement makes no problem (a case from read_case always makes one).
+/// Plans and runs one contact; quantities outside `wanted` are neither computed nor returned, and only tolerances that
+/// serve a wanted quantity hold (request_for in contact_plan.hpp). status() says how the solver ended. Throws
+/// StatementError where the statement makes no problem (a case from read_case always makes one).
 [[nodiscard]] ContactRun run_contact(const ContactCase& contact, const RegisteredSolver& solver, const Request& request,
                                      const Wanted& wanted = want_everything());
 

@@ -166,6 +166,44 @@ BOOST_AUTO_TEST_CASE(a_film_that_is_not_asked_for_refines_no_grid) {
              std::string::npos);
 }
 
+// Counters: a wanted quantity costs what the tolerance of its film alone costs.
+BOOST_AUTO_TEST_CASE(a_tolerance_holds_for_the_films_that_the_wanted_quantities_need) {
+  const auto any = contact(7, 3, ViscosityLaw::barus, DensityLaw::incompressible);
+  const auto work = [&](const Request& request, const Wanted& wanted = want_everything()) {
+    return run_contact(any, fast(), request, wanted).solution.record.cost.convolutions;
+  };
+  const Request both{.tolerance = 1e-6}, minimum{.tolerance = {1e-6, std::nullopt}},
+      central{.tolerance = {std::nullopt, 1e-6}};
+  BOOST_TEST(work(central) < work(both));
+  for (const Quantity one : {Quantity::film_central, Quantity::film_couette, Quantity::film_offset, Quantity::approach})
+    BOOST_TEST(work(both, {one}) == work(central), to_string(one));
+  BOOST_TEST(work(both, {Quantity::film_minimum}) == work(minimum));
+  for (const Quantity one : {Quantity::pressure_maximum, Quantity::pressure_exit, Quantity::rolling_force})
+    BOOST_TEST(work(both, {one}) == work(both), to_string(one));
+  BOOST_TEST(work(both, {Quantity::film_minimum, Quantity::film_couette}) == work(both));
+}
+
+BOOST_AUTO_TEST_CASE(the_plan_names_the_films_that_the_wanted_quantities_need) {
+  const auto any = contact(7, 3, ViscosityLaw::barus, DensityLaw::incompressible);
+  const auto why = [&](const Wanted& wanted) {
+    return reason(plan_contact(any, fast(), {.tolerance = 1e-6}, wanted), stage::finer);
+  };
+  const std::string begin = "a coarser grid already meets the tolerance of ";
+  BOOST_TEST(why({Quantity::film_minimum}) == begin + "film.minimum, 1e-6");
+  BOOST_TEST(why({Quantity::film_central, Quantity::approach}) == begin + "film.central, 1e-6");
+  BOOST_TEST(why({Quantity::film_couette, Quantity::film_offset}) ==
+             begin + "film.central, 1e-6 (film.central for film.couette, film.offset)");
+  BOOST_TEST(why({Quantity::pressure_maximum}) ==
+             begin + "film.minimum and film.central, 1e-6 (film.minimum and film.central for pressure.maximum)");
+  BOOST_TEST(why(want_everything()) == begin + "film.minimum and film.central, 1e-6");
+}
+
+// A library caller may state such a request; the command line refuses it.
+BOOST_AUTO_TEST_CASE(a_tolerance_that_serves_no_wanted_quantity_still_ends_the_solve) {
+  const Request central{.tolerance = {std::nullopt, 1e-2}};
+  BOOST_TEST((request_for(central, {Quantity::film_minimum}).tolerance == central.tolerance));
+}
+
 BOOST_AUTO_TEST_CASE(a_number_of_nodes_switches_the_search_for_a_grid_off) {
   const auto any = contact(7, 3, ViscosityLaw::barus, DensityLaw::incompressible);
   Request request;
