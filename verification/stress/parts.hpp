@@ -191,8 +191,11 @@ struct MotionNumber {
 };
 /// "kappa" is taken at Omega. "wavy film" is the amplitude of the film at X = 0, from a wavy body.
 inline constexpr const char* motion_numbers[] = {"kappa", "kappa_0", "kappa_1", "wavy film"};
+/// Every contact is solved to each of these tolerances, and judged by one solve of `reference`.
+inline constexpr double motion_tolerances[] = {1e-4, 1e-3};
 struct MotionPoint {
   BoxContact contact = {};
+  double asked = motion_tolerances[0];
   double Omega = 0;
   Waviness waviness = {};
   std::array<MotionNumber, std::size(motion_numbers)> numbers = {};

@@ -131,7 +131,7 @@ RepeatRow repeat_row() {
           .same_in_process = 3};
 }
 
-/// A hundred points whose stated errors hold by far.
+/// A hundred points for each tolerance, one tolerance after the other, whose stated errors hold by far.
 std::vector<MotionPoint> motion_points() {
   const MotionNumber number{.differ = 3e-6, .stated = 2e-5, .truth_error = 1e-8};
   const MotionPoint point{.contact = {.moes = {7, 6}},
@@ -142,7 +142,9 @@ std::vector<MotionPoint> motion_points() {
                           .nodes = 256,
                           .wall_s = 0.01,
                           .truth_s = 1};
-  return std::vector<MotionPoint>(100, point);
+  std::vector<MotionPoint> points(100 * std::size(motion_tolerances), point);
+  for (std::size_t k = 0; k < points.size(); ++k) points[k].asked = motion_tolerances[k / 100];
+  return points;
 }
 
 /// The verdict of one row after it was spoilt.
@@ -541,12 +543,15 @@ BOOST_AUTO_TEST_CASE(repeats_fail_on_one_solution_that_differs) {
 }
 
 BOOST_AUTO_TEST_CASE(motion_fails_where_three_of_a_hundred_stated_errors_do_not_hold) {
-  const auto verdict = [](std::size_t count, auto spoil) {
+  std::size_t first = 0;
+  const auto verdict = [&](std::size_t count, auto spoil) {
     std::vector<MotionPoint> points = motion_points();
-    for (std::size_t k = 0; k < count; ++k) spoil(points[k]);
+    for (std::size_t k = first; k < first + count; ++k) spoil(points[k]);
     return judge_motion(points).verdict;
   };
-  for (std::size_t number = 0; number < std::size(motion_numbers); ++number) {
+  for (std::size_t one = 0; one < std::size(motion_tolerances) * std::size(motion_numbers); ++one) {
+    const std::size_t number = one % std::size(motion_numbers);
+    first = 100 * (one / std::size(motion_numbers));
     const auto too_small = [&](MotionPoint& p) { p.numbers[number].stated = 2.9e-6; };
     BOOST_TEST(verdict(2, too_small) == Verdict::pass);
     BOOST_TEST(verdict(3, too_small) == Verdict::fail);
@@ -562,7 +567,7 @@ BOOST_AUTO_TEST_CASE(motion_fails_where_three_of_a_hundred_stated_errors_do_not_
              Verdict::inconclusive);
   BOOST_TEST(judge_motion({}).verdict == Verdict::inconclusive);
   const Part part = judge_motion(motion_points());
-  BOOST_TEST(part.table.rows.size() == std::size(motion_numbers));
+  BOOST_TEST(part.table.rows.size() == std::size(motion_tolerances) * std::size(motion_numbers));
   for (const auto& row : part.table.rows) BOOST_TEST(row.size() == part.table.columns.size());
   for (const auto& row : part.points->rows) BOOST_TEST(row.size() == part.points->columns.size());
 }
