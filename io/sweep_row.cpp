@@ -13,6 +13,7 @@
 #include "io/content_hash.hpp"
 #include "io/program_text.hpp"
 #include "io/provenance.hpp"
+#include "workflow/bearing_run.hpp"
 #include "workflow/contact_memory.hpp"
 #include "workflow/contact_run.hpp"
 #include "workflow/film_table_run.hpp"
@@ -113,8 +114,8 @@ std::string kept_text(const Sweep& sweep, std::size_t row, const std::string& ha
 std::string row_hash(const Sweep& sweep, const SweepRequest& request, std::size_t row) {
   static const std::string program = program_identity();
   const double tolerance = sweep.bearing ? bearing_contact_request().tolerance.tightest() : sweep.tolerance;
-  std::string content = fmt::format("{}\n{}\n{}\n{} {}\n{}\n", sweep_schema, program, sweep.solver,
-                                    request.max_iterations, shortest(request.time_limit_s), shortest(tolerance));
+  std::string content = fmt::format("{}\n{}\n{}\n{}\n{}\n", sweep_schema, program, sweep.solver, request.max_iterations,
+                                    shortest(tolerance));
   for (const bearing::Law law : sweep.laws) content += std::string(to_string(law)) + " ";
   content += "\n" + sweep.case_id + "\n";
   if (sweep.table) {
@@ -155,8 +156,8 @@ bool lacked_time_or_memory(const std::string& kept) {
   // Inside a text of the row the quotation marks would be escaped.
   static const std::string status = "\"status\":\"" + std::string(to_string(StopReason::limit_reached)) + "\"";
   const auto says = [&](const char* why) { return kept.find(why) != std::string::npos; };
-  return kept.find(status) != std::string::npos &&
-         (says(Deadline::out_of_time) || says(Deadline::not_run) || says(out_of_memory));
+  return kept.find(status) != std::string::npos && (says(Deadline::out_of_time) || says(Deadline::not_run) ||
+                                                    says(out_of_memory) || says(limit_ended_film_curves));
 }
 
 bool converged(const Json& result) { return result["status"] == to_string(StopReason::converged); }

@@ -32,8 +32,9 @@ struct SweepRequest {
   std::function<void(std::size_t known, std::size_t all, std::size_t computed)> progress = {};
 };
 
-/// The content_hash of all that a row's numbers follow from: the case with its values, laws, solver, tolerance, limits,
-/// and the program (its commit, or its own bytes where the commit does not identify the build).
+/// The content_hash of all that a row's numbers follow from: the case with its values, laws, solver, tolerance, limit
+/// on iterations, and the program (its commit, or its own bytes where the commit does not identify the build). Not the
+/// time limit: a row that ended in time does not follow from it, and another row lacked time.
 [[nodiscard]] std::string row_hash(const Sweep& sweep, const SweepRequest& request, std::size_t row);
 
 /// A row as it is kept: all of its object in rows.json but its number. io/stored_row reads it back.
@@ -49,7 +50,8 @@ struct ComputedRow {
 /// A row that could not be computed: each result is `limit-reached` with this reason.
 [[nodiscard]] ComputedRow row_not_computed(const Sweep& sweep, std::size_t row, const std::string& hash,
                                            const std::string& why);
-/// A result of the kept row lacked time or memory, and another run may get further.
+/// A result of the kept row lacked time or memory, and another run may get further. Film curves that a limit ended
+/// count too, because their row does not say whether it was the one on time.
 [[nodiscard]] bool lacked_time_or_memory(const std::string& kept);
 
 [[nodiscard]] bool converged(const Json& result);

@@ -112,7 +112,7 @@ void judge_contacts(BearingResult& result) {
   const bool limit = limit_ended_films(result);
   if (limit) {
     result.status = StopReason::limit_reached;
-    result.why = "the limit on iterations or time ended contacts of the film curves";
+    result.why = limit_ended_film_curves;
   }
   if (result.curve && (has_unjudged_gap(result.curve->inner) || has_unjudged_gap(result.curve->outer))) {
     if (!limit) result.status = StopReason::tolerance_not_met;

@@ -34,6 +34,10 @@ struct BearingRequest {
 /// The laws that a result was balanced with; absent where it has none (no balance).
 [[nodiscard]] std::optional<bearing::LawPair> laws_of(const BearingCase& body, const BearingResult& result);
 
+/// Why a result with films is `limit_reached`, if it is not said otherwise: the begin of its reason.
+inline constexpr const char* limit_ended_film_curves =
+    "the limit on iterations or time ended contacts of the film curves";
+
 /// All laws of the request that the plan runs, in that order. Every way to end is in the results' status. Throws
 /// CaseError for an EHD law at rest, or (`explicitly`) without a lubricant, and for a law without the ring thickness
 /// that it needs, before anything is solved.

@@ -47,6 +47,31 @@ BOOST_AUTO_TEST_CASE(a_row_that_lacked_time_is_tried_again_unless_it_is_to_be_ke
   BOOST_TEST(again(true).computed == 0u);
 }
 
+// A row that ended in time does not depend on the time that it might have had.
+BOOST_AUTO_TEST_CASE(another_time_limit_keeps_the_rows_that_ended_in_time) {
+  const Folder folder;
+  const Sweep read = read_sweep(folder.write("s.toml", contact_sweep));
+  const auto out = folder.path() / "out", cut = folder.path() / "cut";
+  BOOST_TEST(run_sweep(read, {.time_limit_s = 100}, out).computed == 3u);
+  const Files before(out);
+  BOOST_TEST(run_sweep(read, {.time_limit_s = 200}, out).computed == 0u);
+  BOOST_TEST((Files(out) == before));
+  BOOST_TEST(run_sweep(read, {.time_limit_s = 1e-9}, cut).failures.rows == 3u);
+  const SweepCost whole = run_sweep(read, {.time_limit_s = 200}, cut);
+  BOOST_TEST(whole.computed == 3u);
+  BOOST_TEST(whole.failures.rows == 0u);
+  BOOST_TEST((Files(cut) == before));
+}
+
+// Film curves may end where one of their contacts lacked time. Their row then says no more than that.
+BOOST_AUTO_TEST_CASE(a_row_whose_film_curves_were_cut_by_a_limit_is_tried_again) {
+  const Folder folder;
+  const Sweep read = read_sweep(folder.write("s.toml", dry_sweep));
+  const std::string why = std::string(limit_ended_film_curves) + "; and more";
+  BOOST_TEST(lacked_time_or_memory(row_not_computed(read, 0, std::string(32, '0'), why).text));
+  BOOST_TEST(!lacked_time_or_memory(row_not_computed(read, 0, std::string(32, '0'), "50 iterations").text));
+}
+
 BOOST_AUTO_TEST_CASE(rows_after_the_deadline_are_named_and_run_by_the_next_run) {
   const Folder folder;
   const Sweep read = read_sweep(folder.write("s.toml", contact_sweep));
@@ -166,6 +191,7 @@ BOOST_AUTO_TEST_CASE(what_a_row_follows_from_is_in_its_hash) {
   add(other(head("laws = [\"hertz\"]\ncombine = \"zip\"\n" + key + "[1001.0]\n")), {});
   add(other(head("laws = [\"hertz\"]\nsolver = \"reference\"\ncombine = \"zip\"\n" + key + "[1e3]\n")), {});
   add(other(head("laws = [\"hertz\"]\ncombine = \"zip\"\n" + key + "[1e3]\n")), {.max_iterations = 7});
+  add(other(head("laws = [\"hertz\"]\ncombine = \"zip\"\n" + key + "[1e3]\n")), {.time_limit_s = 7});  // no other row
   add(other("case = \"na4908-10um\"\nlaws = [\"hertz\"]\ncombine = \"zip\"\n" + key + "[1e3]\n"), {});
   BOOST_TEST(hashes.size() == 6u);
 }
