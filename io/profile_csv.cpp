@@ -54,23 +54,28 @@ std::optional<Array> in_SI(const ContactRun& run, SIScale scale, const Array& va
   return known ? std::optional<Array>(values * *run.SI_per_hertz(scale)) : std::nullopt;
 }
 
-/// The relative error of H at the nodes; NaN beside a spike of unknown height, where it is not known.
-std::optional<Array> film_errors(const ContactRun& run) {
-  const auto error = field_error(run.solution);
-  if (!error) return std::nullopt;
-  const Array& X = run.solution.fields.X;
+/// The error of a whole field at the nodes; NaN beside a spike of unknown height, where it is not known.
+std::optional<Array> at_nodes(const std::optional<double>& error, const Solution& solution) {
+  const Array& X = solution.fields.X;
+  if (!error || X.size() == 0) return std::nullopt;
   const Array errors = Array::Constant(X.size(), *error);
-  const auto spike = vague_spike(run.solution);
+  const auto spike = vague_spike(solution);
   if (!spike) return errors;
   return ((X - *spike->place).abs() <= reach_of_spike).select(no_number, errors);
 }
 
+std::optional<Array> film_errors(const ContactRun& run) { return at_nodes(field_error(run.solution), run.solution); }
+
+std::optional<Array> pressure_errors(const ContactRun& run) {
+  return at_nodes(pressure_error(run.solution), run.solution);
+}
+
 std::optional<Array> is_unresolved(const ContactRun& run) {
-  if (!pressure_cut(run.solution)) return std::nullopt;
+  if (pressure_known(run.solution) || run.solution.fields.P.size() == 0) return std::nullopt;
   return cut_nodes(run.solution).cast<double>();
 }
 
-static_assert(shown_of_unresolved == 1.5);  // the last row names it
+static_assert(shown_of_unresolved == 1.5);  // the row of P_unresolved names it
 constexpr std::array<ProfileRow, most_profile_columns> columns_of_profile{{
     {"X", "x/b", [](const ContactRun& run) { return std::optional(run.solution.fields.X); }},
     {"P", "p/p_H", [](const ContactRun& run) { return std::optional(shown_pressure(run.solution)); }},
@@ -81,7 +86,8 @@ constexpr std::array<ProfileRow, most_profile_columns> columns_of_profile{{
     {"p_Pa", "Pa", [](const ContactRun& run) { return in_SI(run, SIScale::pressure, shown_pressure(run.solution)); }},
     {"h_m", "m", [](const ContactRun& run) { return in_SI(run, SIScale::film, run.solution.fields.H); }},
     {"H_error", "relative", film_errors},
-    {"P_unresolved", "1: cut at 1.5", is_unresolved},
+    {"P_unresolved", "maximum not known; 1: cut at 1.5", is_unresolved},
+    {"P_error", "relative in L2", pressure_errors},
 }};
 
 }  // namespace

@@ -165,9 +165,10 @@ BOOST_AUTO_TEST_CASE(a_profile_has_a_column_for_each_field_and_si_where_it_is_kn
   std::getline(csv, header);
   std::getline(csv, row);
   std::getline(csv, spike);
-  BOOST_TEST(header == "X [x/b],P [p/p_H],H [h R/b^2],rho [rho/rho_0],eta [eta/eta_0],x_m [m],p_Pa [Pa],h_m [m]");
-  BOOST_TEST(row == "-4,0,7.7,1,1,-0.0008,0,3.08e-05");
-  BOOST_TEST(spike == "0.5,0.9,0.08,1.2,,0.0001,720000000,3.2e-07");
+  const std::string SI = ",x_m [m],p_Pa [Pa],h_m [m]", unknown = "P_unresolved [maximum not known; 1: cut at 1.5]";
+  BOOST_TEST(header == "X [x/b],P [p/p_H],H [h R/b^2],rho [rho/rho_0],eta [eta/eta_0]" + SI + "," + unknown);
+  BOOST_TEST(row == "-4,0,7.7,1,1,-0.0008,0,3.08e-05,0");
+  BOOST_TEST(spike == "0.5,0.9,0.08,1.2,,0.0001,720000000,3.2e-07,0");
   ContactRun groups_only = made_run();
   groups_only.scales.reset();
   BOOST_TEST(profile_csv(groups_only).find("x_m") == std::string::npos);
@@ -182,7 +183,7 @@ BOOST_AUTO_TEST_CASE(a_spike_of_unknown_height_is_cut_in_the_profile) {
   std::getline(csv, header);
   std::getline(csv, row);
   std::getline(csv, spike);
-  BOOST_TEST(header.ends_with(",h_m [m],P_unresolved [1: cut at 1.5]"));
+  BOOST_TEST(header.ends_with(",h_m [m],P_unresolved [maximum not known; 1: cut at 1.5]"));
   BOOST_TEST(row == "-4,0,7.7,1,1,-0.0008,0,3.08e-05,0");
   BOOST_TEST(spike == "0.5,1.5,0.08,,,0.0001,1200000000,3.2e-07,1");
   BOOST_TEST(to_json(run)["fields"]["pressure_resolved"] == false);
@@ -191,6 +192,46 @@ BOOST_AUTO_TEST_CASE(a_spike_of_unknown_height_is_cut_in_the_profile) {
   BOOST_TEST(profile_csv(run).find("unresolved") == std::string::npos);
   BOOST_TEST(profile_csv(run).find("0.5,17,") != std::string::npos);
   BOOST_TEST(to_json(run)["fields"]["pressure_resolved"] == true);
+}
+
+// The CSV says of its pressures what the JSON says of them.
+BOOST_AUTO_TEST_CASE(a_profile_says_whether_its_highest_pressure_is_known) {
+  ContactRun run = made_run();
+  const auto has = [&](const char* name) {
+    const std::vector<ProfileColumn> columns = profile_of(run);
+    return std::ranges::find(columns, name, &ProfileColumn::name) != columns.end();
+  };
+  BOOST_TEST(to_json(run)["fields"]["pressure_resolved"] == false);
+  BOOST_TEST(has("P_unresolved"));
+  run.solution.observables[Quantity::pressure_maximum] = {.value = 0.9, .error = 0.01};
+  BOOST_TEST(to_json(run)["fields"]["pressure_resolved"] == true);
+  BOOST_TEST(!has("P_unresolved"));
+}
+
+BOOST_AUTO_TEST_CASE(a_profile_has_the_error_of_its_pressure) {
+  ContactRun run = made_run();
+  BOOST_TEST(profile_csv(run).find("P_error") == std::string::npos);
+  Fields& fields = run.solution.fields;
+  fields.X = Array(7);
+  fields.X << -1, 0, 0.8, 0.94, 0.95, 0.96, 1.05;
+  fields.P = Array(7);
+  fields.P << 0, 1, 0.6, 0.8, 0.9, 0.8, 0;  // the spike stands at 0.95
+  fields.H = fields.density = Array::Constant(7, 1);
+  fields.log_viscosity = Array::Zero(7);
+  run.solution.beside = {fields};
+  run.solution.beside[0].P *= 1.01;
+  const double stated = to_json(run)["fields"]["pressure_error"];
+  const auto errors = [&] {
+    const std::vector<ProfileColumn> columns = profile_of(run);
+    const auto column = std::ranges::find(columns, "P_error", &ProfileColumn::name);
+    BOOST_REQUIRE((column != columns.end()));
+    return column->values;
+  };
+  const Array beside_spike = errors();
+  for (const Eigen::Index i : {0, 1, 2, 6}) BOOST_TEST(beside_spike[i] == stated);
+  BOOST_TEST(!beside_spike.segment(3, 3).isFinite().any());
+  run.solution.observables[Quantity::pressure_spike] = {.value = 0.9, .error = 0.01};
+  BOOST_TEST((errors() == stated).all());
 }
 
 // The films of a result may be extrapolated over grids; those of the fields err by more.
@@ -209,7 +250,9 @@ BOOST_AUTO_TEST_CASE(fields_state_the_error_of_their_own_film) {
   std::string header, row;
   std::getline(csv, header);
   std::getline(csv, row);
-  BOOST_TEST(header.ends_with(",H_error [relative]"));
+  BOOST_TEST(header.ends_with(",H_error [relative],P_unresolved [maximum not known; 1: cut at 1.5]"));
+  BOOST_REQUIRE(row.ends_with(",0"));
+  row.erase(row.rfind(','));
   EHD_CHECK(error(std::stod(row.substr(row.rfind(',') + 1)), expected), Tolerance::round_off(100, 100));
   run.solution.observables.erase(Quantity::film_central);
   BOOST_TEST(!to_json(run)["fields"].contains("film_error"));

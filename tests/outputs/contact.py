@@ -35,6 +35,8 @@ class Inputs:
     profile: list       # rows of the CSV of the same run; empty where there is none
     dense: bool = False  # the solver has neither transforms nor Krylov iterations
     field_error: float | None = None    # what the result states of its fields
+    pressure_error: float | None = None
+    pressure_resolved: bool = True
     spike_reported: bool = False
     offset: float | None = None         # H_0 from the profile
     rolling_force: float | None = None  # from the profile
@@ -308,6 +310,11 @@ def audit_row(k, inputs):
         tops = [at["X"] for left, at, right in zip(nodes, nodes[1:], nodes[2:]) if left["P"] < at["P"] > right["P"]]
         spike = tops[-1]
         said.near("X without an error", row["X"], spike, absolute=0.04)
+    said.equal("P_unresolved", row.get("P_unresolved"), None if inputs.pressure_resolved else 0)
+    if "H_error" in row and inputs.pressure_error is not None:
+        said.near("P_error", row["P_error"], inputs.pressure_error, relative=ROUND_OFF)
+    else:
+        said.equal("P_error", "P_error" in row, False)
     groups, unit_m = scales_of(inputs.case)
     p_H, lubricant = groups.get("hertz_pressure_Pa"), inputs.case["lubricant"]
     if p_H:
@@ -346,6 +353,8 @@ def solve(program, case, options, ends=0, truth=None):
     inputs.dense = result["solver"].startswith("reference")
     inputs.profile = read_csv(profile_csv)
     inputs.field_error = result["fields"]["film_error"]
+    inputs.pressure_error = result["fields"].get("pressure_error")
+    inputs.pressure_resolved = result["fields"]["pressure_resolved"]
     inputs.spike_reported = "spike" in result["pressure"]
     flooded = inputs.case["domain"]["inlet"] == "flooded"
     inputs.offset, inputs.rolling_force = from_profile(inputs.profile, flooded)

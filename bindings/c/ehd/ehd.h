@@ -80,7 +80,7 @@ EHD_API int ehd_get(const ehd_result *result, const char *path, double *value);
 
 /* A field of a contact over its nodes, from inlet to exit; the columns of `ehd solve --profile`: "X", "P", "H" in Hertz
  * units; "rho" = rho/rho_0 and "eta" = eta/eta_0 where there is a lubricant; "x_m", "p_Pa", "h_m" where SI is known;
- * "H_error", "P_unresolved" where the profile has them. NaN where the profile is empty.
+ * "H_error", "P_unresolved", "P_error" where the profile has them. NaN where the profile is empty.
  *   buffer  gets the first numbers, at most length of them; may be NULL with length 0
  * Returns how many numbers there are; 0 where there is no such field. */
 EHD_API size_t ehd_field(const ehd_result *result, const char *name, double *buffer, size_t length);

@@ -16,7 +16,8 @@ from .errors import InputError
 
 _FILM_ARGUMENTS = ("M", "L", "tolerance", "threads", "raise_on_failure")  # of `films`, beside the keys of the oil
 # The columns of `ehd solve --profile`.
-_FIELDS = ("X", "P", "H", "rho", "eta", "x_m", "p_Pa", "h_m", "H_error", "P_unresolved")
+_FIELDS = ("X", "P", "H", "rho", "eta", "x_m", "p_Pa", "h_m", "H_error", "P_unresolved",
+           "P_error")
 
 
 class Contact(Result):
@@ -25,8 +26,9 @@ class Contact(Result):
     The fields are read-only float64 arrays of one length: ``X`` = x/b, ``P`` = p/p_H and ``H`` = h R/b^2 with the half
     width b and the pressure p_H of the dry contact; ``rho`` and ``eta``, relative to ambient pressure, where there is a
     lubricant; ``x_m``, ``p_Pa``, ``h_m`` where SI is known; ``H_error``, the relative error of the film,
-    NaN beside a spike of unknown height. Where such a spike is higher than 1.5 there is ``P_unresolved``: at nodes
-    where it is 1, the pressure is cut, and rho and eta are NaN. A diverged solve has no fields.
+    and ``P_error``, that of the pressure in the L2 norm, both NaN beside a spike of unknown height. ``P_unresolved`` is
+    there where the largest pressure is not known. It is 1 at nodes where a spike of unknown height is cut at 1.5; rho
+    and eta are NaN there. A diverged solve has no fields.
     """
 
     __slots__ = ("_fields",)
