@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ehd statements: the paper's statements under the choices that the paper leaves open.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -32,14 +33,18 @@ struct StatementsOptions {
   std::optional<std::string> json;
 };
 
-const char* const statements_examples = R"(
+std::string statements_examples() {
+  return fmt::format(R"(
 Examples:
   ehd statements                        the paper's bearing at its three clearances
   ehd statements --json study.json
 
-One choice that the paper leaves open is changed at a time: viscosity, alpha, fit range, datum, rotating ring,
-unloading rule, length; then two at once, of which one is a short x_0. Every row is judged as the paper's statements (a)
-to (d) read; x_0 is scanned where a row leaves it open.)";
+One choice that the paper leaves open is changed at a time:
+  {}
+Then two are changed at once, of which one is a short x_0. Every row is judged as the paper's
+statements (a) to (d) read. x_0 is scanned where a row leaves it open.)",
+                     fmt::join(open_choices, ", "));
+}
 
 int statements(const StatementsOptions& options) {
   std::vector<Case> cases;
@@ -83,7 +88,7 @@ int statements(const StatementsOptions& options) {
 void describe_statements(Command& command) {
   auto options = std::make_shared<StatementsOptions>();
   command.summary("Which choices that the paper leaves open change its statements");
-  command.examples(statements_examples);
+  command.examples(statements_examples());
   command.list("CASE", options->cases, "one bearing at three or more clearances (na4908, na4908-2.5um, na4908-10um)");
   command.text("--json", options->json, "the study as JSON into a file, or - for standard output");
   command.runs([options] { return statements(*options); });

@@ -15,6 +15,7 @@
 #include "tests/check.hpp"
 #include "tests/files.hpp"
 #include "tests/process.hpp"
+#include "verification/studies/statement_study.hpp"
 
 using namespace ehd;
 using namespace ehd::verification;
@@ -689,6 +690,13 @@ BOOST_AUTO_TEST_CASE(help_and_version_are_printed_with_exit_code_0) {
   for (const char* part : {"FFTW 3.", "\ncompiler ", "\nflags ", "\nlibraries ", "CLI11 ", "Eigen 3.", "GSL 2.", "fmt ",
                            "nlohmann_json 3.", "tomlplusplus ", "xxhash 0."})
     BOOST_CHECK_MESSAGE(version.out.find(part) != std::string::npos, part << " is not in " << version.out);
+}
+
+BOOST_AUTO_TEST_CASE(the_help_of_statements_names_every_choice_of_the_study) {
+  const test::Folder folder;
+  const auto ended = test::ehd_run(folder, "statements --help");
+  for (const std::string_view choice : verification::open_choices)
+    BOOST_TEST(ended.out.find(choice) != std::string::npos, choice << " is not in: " << ended.out);
 }
 
 BOOST_AUTO_TEST_CASE(help_is_at_most_a_hundred_columns_wide) {

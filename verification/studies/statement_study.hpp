@@ -3,9 +3,11 @@
 // statements are judged again. Films do not depend on the datum, so another datum costs no contact solve.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "io/json.hpp"
@@ -14,12 +16,15 @@
 
 namespace ehd::verification {
 
+/// The choices that the paper leaves open, in the order of the rows that change them.
+inline constexpr std::array<std::string_view, 10> open_choices{"viscosity",     "alpha",     "density", "K_Hertz",
+                                                               "fit direction", "fit range", "datum",   "rotating ring",
+                                                               "unloading",     "length"};
+
 /// One choice changed, and the statements judged with it.
 struct StudyRow {
-  /// "as the case", "viscosity", "alpha", "density", "K_Hertz", "fit direction", "fit range", "datum", "rotating ring",
-  /// "unloading", "length"; "two choices"
-  std::string factor;
-  std::string value;  ///< with its unit
+  std::string factor;  ///< "as the case", one of open_choices, or "two choices"
+  std::string value;   ///< with its unit
   bearing::Law law = bearing::Law::ehd_linear;
   std::vector<PaperStatement> statements;  ///< empty where a balance is missing
   std::string why;                         ///< why a balance is missing
