@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -56,6 +57,15 @@ std::string unknown_word(CLI::App& app, const std::string& command) {
   const std::string word = given.substr(0, given.starts_with("--") ? given.find('=') : std::string::npos);
   return fmt::format("{}: unknown; {}{} --help shows what is allowed", word, did_you_mean(word, names_like(word, app)),
                      command);
+}
+
+/// What takes less memory, of the options that the command has. Empty: none.
+std::string needs_less_memory(const CLI::App& app) {
+  std::string advice;
+  for (const char* less : {"a smaller --nodes", "a larger --tolerance", "a smaller --threads"})
+    if (app.get_option_no_throw(less + std::string_view(less).find("--")))
+      advice += (advice.empty() ? "" : " or ") + std::string(less);
+  return advice.empty() ? "" : advice + " needs less";
 }
 
 /// The options of a command with their names, for the shell that completes them.
@@ -127,7 +137,9 @@ Option Command::flag(const std::string& name, bool& value, const std::string& he
 }
 
 void Command::runs(std::function<int()> body) {
-  app_.callback([&exit_code = exit_code_, body = std::move(body)] { exit_code = run_guarded(body); });
+  app_.callback([&app = app_, &exit_code = exit_code_, body = std::move(body)] {
+    exit_code = run_guarded(body, needs_less_memory(app));
+  });
 }
 
 int run_command_line(const Program& program, int argc, char** argv) {

@@ -29,7 +29,7 @@ UsageError unknown_word_error(const std::string& option, const std::string& valu
   return option_error(option, value, is_unknown(value, allowed));
 }
 
-int run_guarded(const std::function<int()>& body) {
+int run_guarded(const std::function<int()>& body, const std::string& without_memory) {
   const auto refuse = [&](const std::string& line) {
     complain(line);
     return bad_input;
@@ -47,7 +47,7 @@ int run_guarded(const std::function<int()>& body) {
   } catch (const StatementError& error) {
     return refuse(fmt::format("ehd: {}: {}", error.key(), error.what()));
   } catch (const std::bad_alloc&) {
-    complain("ehd: memory is exhausted; a smaller --nodes or a larger --tolerance needs less");
+    complain("ehd: memory is exhausted" + (without_memory.empty() ? "" : "; " + without_memory));
     return not_met;
   }
 }

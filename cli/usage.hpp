@@ -26,8 +26,9 @@ class UsageError : public std::runtime_error {
                                             const std::string& allowed);
 
 /// Runs a subcommand's body and returns the exit code. Wrong input (CaseError, UsageError, OutputError, StatementError)
-/// ends in one line on standard error and exit code 2, lack of memory in one line and exit code 1.
-[[nodiscard]] int run_guarded(const std::function<int()>& body);
+/// ends in one line on standard error and exit code 2, lack of memory in one line and exit code 1. `without_memory`:
+/// what the user may do about that lack.
+[[nodiscard]] int run_guarded(const std::function<int()>& body, const std::string& without_memory = "");
 
 /// A number of the command line: the whole text must be one, inside the range. The UsageError names the option and what
 /// is allowed.

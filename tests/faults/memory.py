@@ -29,6 +29,7 @@ LADDERS = {
     "verify, exact solutions": (["verify", "--quick", "--rung", "5", "--output", "out"], (19200, 26400)),
     "compare": (["compare", "own-moes-20-10", "--tolerance", "1e-2"], (0, 1000, 4000, 10000)),
     "statements": (["statements", "--json", "a.json"], (0, 1000)),
+    "atlas --motion": (["atlas", "--motion", "--only", "roelands-m20-l10", "--output", "out"], (0, 2000)),
     "atlas": (["atlas", "--only", "roelands-m20-l10-", "--output", "out"], (0, 2000, 8000)),
     "bench": (["bench", "--part", "convolution", "--output", "out"], (0, 500, 2000)),
     "stress": (["stress", "--quick", "--part", "h", "--output", "out"], (0, 2000)),
@@ -40,6 +41,8 @@ LADDERS = {
     "bearing --dynamic": (["bearing", "na4908", "--law", "ehd", "--dynamic", "--json", "a.json"],
                           (0, 1000, 2000, 4000, 8000)),
     "export law": (["export", "law", "na4908", "--raceway", "inner", "--output", "law.csv"], (0, 1000, 4000)),
+    "export films": (["export", "films", "own-moes-20-10", "--M", "15:25", "--L", "8:10", "--tolerance", "1e-2",
+                      "--output", "films.c"], (0, 1000, 4000)),
     "judge": (["judge", "mine.csv", "--output", "out"], (0, 500, 2000)),
     "convert": (["convert", "M=20", "L=10"], (0, 500, 1000)),
     "new": (["new", "bearing", "a.toml"], (0, 500, 1000)),
@@ -76,6 +79,17 @@ def smallest(program):
     return enough
 
 
+@functools.cache
+def help_of(program, command):
+    return subprocess.run([program.path, command, "--help"], capture_output=True, check=False).stdout.decode()
+
+
+def foreign_advice(program, ended, command):
+    """Options that a message names and the command does not have."""
+    words = {word.strip(";,.:") for word in ended.err.split() if word.startswith("--")}
+    return sorted(word for word in words if word not in help_of(program, command))
+
+
 def ladder(arguments, step):
     def attack(room):
         room.write("s.toml", SWEEP)
@@ -89,6 +103,9 @@ def ladder(arguments, step):
         if ended.code in (0, LOADER_FAILED):
             return None
         wrong = wrong_with(ended, (1, 2)) if ended.err.count("\n") <= 1 else []
+        foreign = foreign_advice(room.program, ended, arguments[0])
+        if foreign:
+            wrong.append(f"advises {foreign}, which the command does not have")
         if ended.code < 0:
             wrong = [f"ended by signal {-ended.code}"]
         if "\n  fail" in ended.out:  # as ehd verify and ehd stress begin such lines
