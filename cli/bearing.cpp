@@ -157,10 +157,10 @@ struct Asked {
   }
 };
 
-/// Texts and JSON of all results, for output at the end.
+/// JSON and complaints of all results, for output at the end. The text of a case is printed when the case is finished.
 struct Account {
   Json list = Json::array();
-  std::string text;
+  std::string text;                     ///< of the last case
   std::vector<std::string> complaints;  ///< lines for standard error
   bool all_balanced = true;
 };
@@ -203,7 +203,7 @@ void add_case(Account& account, const Case& one, std::vector<BearingResult>& res
     account.complaints.push_back(
         fmt::format("ehd: {}: {}: {}: {}", one.id, to_string(result.law), to_string(result.status), result.why));
   }
-  account.text += (account.text.empty() ? "" : "\n") + human_table(one, results, view) + (asked.details ? budgets : "");
+  account.text = human_table(one, results, view) + (asked.details ? budgets : "");
   if (!std::get<BearingCase>(one.body).lubricant && asked.laws.empty())
     account.text += "\n  ehd-linear and ehd are skipped: the case has no lubricant\n";
 }
@@ -255,8 +255,11 @@ int bearing(const BearingOptions& options) {
   for (const Case& one : computed.cases) {
     computed.results.push_back(run_bearing(one, asked.of(one), memory));
     add_case(account, one, computed.results.back(), asked, memory);
+    if (json.to_standard_output()) continue;
+    progress.show("");
+    print((computed.results.size() > 1 ? "\n" : "") + account.text);
   }
-  if (!json.to_standard_output()) account.text += statements_of(computed, memory, asked.form);
+  const std::string statements = json.to_standard_output() ? "" : statements_of(computed, memory, asked.form);
   progress.show("");
   if (csv) {
     if (const auto rows = bearing_csv(computed.cases, computed.results))
@@ -272,7 +275,7 @@ int bearing(const BearingOptions& options) {
   }
   for (Json& result : account.list) options.changes.put_into(result);
   json.commit(account.list.size() == 1 ? account.list.front() : account.list, {address_of(csv), plot.file()});
-  if (!json.to_standard_output()) print(account.text);
+  print(statements);
   for (const std::string& complaint : account.complaints) complain(complaint);
   return account.all_balanced ? success : not_met;
 }
