@@ -36,8 +36,6 @@ std::string compared(const std::string& with, const std::string& without) {
   return with == without ? with + " as without it" : fmt::format("{} instead of {}", with, without);
 }
 
-std::string error_text(double error) { return std::isfinite(error) ? plain(error, 2) : "not known"; }
-
 /// A visit: a new note does not compile until it has words.
 struct Words {
   const BearingResult& result;
@@ -170,6 +168,8 @@ std::vector<std::string> with_reason(std::vector<std::string> texts, const Beari
 }
 
 }  // namespace
+
+std::string error_text(double error) { return std::isfinite(error) ? plain(error, 2) : "not known"; }
 
 std::vector<std::string> notes_of(const BearingResult& result) {
   return with_reason(texts_of(result, [](const BearingNote&) { return true; }), result);

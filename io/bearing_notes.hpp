@@ -9,6 +9,9 @@
 
 namespace ehd {
 
+/// A relative error with two digits; "not known" where it is not finite.
+[[nodiscard]] std::string error_text(double error);
+
 /// One line a note. The last one says which accuracy was missed, where one was.
 [[nodiscard]] std::vector<std::string> notes_of(const BearingResult& result);
 /// Those that a reader has to know before any number: that a line does not describe its contacts, that rollers overlap.

@@ -8,6 +8,7 @@
 
 #include "contact/rheology.hpp"
 #include "contact/text.hpp"
+#include "io/bearing_notes.hpp"
 #include "io/contact_json.hpp"
 #include "io/csv.hpp"
 #include "io/program_text.hpp"
@@ -46,8 +47,6 @@ std::string oil_of(const LawExport& law) {
   if (oil.z) words += fmt::format(", z {}", plain(*oil.z));
   return words;
 }
-
-std::string error_text(double error) { return std::isfinite(error) ? plain(error, 2) : "not known"; }
 
 constexpr const char* how_to_interpolate =
     "Between two knots ln(force), ln(film) and damping are cubic Hermite polynomials of delta (value and slope at both "
