@@ -181,7 +181,7 @@ kernels: configure  ## Time the kernels of fast/ in multiples of one FFT convolu
 	@$(BUILD)/ehd_kernels
 
 # Built in out/mutants, from a copy of the tree: the tree itself is never changed.
-mutants:    ## Run each wrong program of verification/mutants (40 minutes; ONLY=part of an id; PART=3/10: a tenth)
+mutants:    ## Run each wrong program of verification/mutants (an hour; ONLY=part of an id; PART=3/10: a tenth)
 	@sh cmake/setup.sh python3
 	@python3 verification/mutants/run.py $(if $(ONLY),--only $(ONLY)) $(if $(PART),--part $(PART)) --jobs $(JOBS)
 

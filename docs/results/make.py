@@ -4,7 +4,7 @@
 
   make.py EHD          the quick pages (a minute): make results
   make.py --check EHD  compares instead of writing; a difference fails: make results-check
-  make.py --full EHD   the slow pages (15 minutes), which nobody compares: make results-full
+  make.py --full EHD   the slow pages (see `make help`), which nobody compares: make results-full
   --only NAME          of these, the pages whose file has NAME in its path
 
 Times, and numbers that rounding decides, are left out of the quick pages: another machine has to make the same text.
