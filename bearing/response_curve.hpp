@@ -139,8 +139,9 @@ struct ResponseCurveRequest {
 /// contact has no solution. A failure of any other solve is a SolveFailure. So is a kappa_0 that is not positive, or
 /// such a kappa_1 at the lightest force.
 ///
-/// A frequency without an answer at one contact is unknown at all, and the other contacts are not asked for it. Where
-/// there are frequencies, the heaviest contact is solved first, because its Omega is the highest.
+/// Where one contact has no answer at a frequency, that frequency is unknown on the whole curve, and no other contact
+/// is asked for it. Where there are frequencies, the heaviest contact is solved first, because its Omega is the
+/// highest.
 ///
 /// With few forces in read_at_N, the points are these, the lightest force and two forces above it. Besides them only
 /// the contact at half the lightest force is solved. The errors between the points are then unknown and stated as 0:

@@ -17,6 +17,7 @@
 #include "io/find_case.hpp"
 #include "io/json.hpp"
 #include "io/result_head.hpp"
+#include "io/tables.hpp"
 #include "verification/studies/paper_statements.hpp"
 #include "verification/studies/statement_study.hpp"
 #include "workflow/case.hpp"
@@ -40,10 +41,9 @@ Examples:
   ehd statements --json study.json
 
 One choice that the paper leaves open is changed at a time:
-  {}
-Then two are changed at once, of which one is a short x_0. Every row is judged as the paper's
+{}Then two are changed at once, of which one is a short x_0. Every row is judged as the paper's
 statements (a) to (d) read. x_0 is scanned where a row leaves it open.)",
-                     fmt::join(open_choices, ", "));
+                     wrapped(fmt::format("  {}", fmt::join(open_choices, ", ")), "  "));
 }
 
 int statements(const StatementsOptions& options) {
