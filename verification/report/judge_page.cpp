@@ -92,11 +92,12 @@ void add_first_cases(Page& page, const Judgements& judgements) {
       "Digits of the smallest film, by solver: -log<sub>10</sub> of the relative error against the certified number. A "
       "case that a submission leaves out is missing and counts as 0. &gt; the case knows no more digits. ! the "
       "error is above the one that the solver states.");
-  Table table{.columns = {"case", "what it tests"}};
+  Table table{.columns = {"case, and what it tests"}};  // one column of words: there is a column a submission beside it
   for (const View& judgement : judgements) table.columns.push_back(breakable(name_of(judgement)));
   for (const View& one : judgements.front().list("cases")) {
     if (!one.has("place")) continue;
-    std::vector<TableCell> row{words(one.text("case")), words(regime_of(one) + ": " + one.text("tests"))};
+    std::vector<TableCell> row{
+        {escaped(one.text("case")) + "<br>" + escaped(regime_of(one) + ": " + one.text("tests"))}};
     for (const View& judgement : judgements)
       row.push_back(digits_cell(score_in(case_in(judgement, one.text("case")), smallest_film)));
     table.rows.push_back(std::move(row));
