@@ -6,7 +6,7 @@ namespace ehd::report {
 
 namespace {
 
-constexpr const char* page = R"js(
+constexpr const char* page_js = R"js(
 (function () {
   var root = document.documentElement;
   root.classList.add("js");
@@ -186,6 +186,6 @@ constexpr const char* page = R"js(
 
 }  // namespace
 
-const char* page_script() { return page; }
+const char* page_script() { return page_js; }
 
 }  // namespace ehd::report
