@@ -39,9 +39,9 @@ Examples:
 Parts: a box (every load and material), b starts (random first states), c precision (double against long double and
 34 digits), d rounding (the four rounding modes), e condition (inputs moved by one ulp and by 1e-8), f grids (2^4 to
 2^20 intervals), g extremes (random and impossible inputs, limits), h repeatability (the same bits again), i random
-bearings (every force law), j motion (random stiffness and damping). After Ctrl-C or SIGTERM, stress.json has the
-finished parts, and the others as inconclusive. Exit code: 0 every part that ran passes; 1 one fails or is
-inconclusive; 2 wrong usage.)";
+bearings (every force law), j motion (random stiffness and damping), k films (stated errors at random contacts). After
+Ctrl-C or SIGTERM, stress.json has the finished parts, and the others as inconclusive. Exit code: 0 every part that ran
+passes; 1 one fails or is inconclusive; 2 wrong usage.)";
 
 /// Writes the finished parts; the others are inconclusive. Returns the line for standard error.
 std::string keep_parts(std::vector<verification::stress::Part> parts,
@@ -91,7 +91,7 @@ int stress(const StressOptions& options) {
   std::vector<const PartEntry*> chosen;
   for (const auto& text : options.parts) {
     const PartEntry* part = find_part(text);
-    if (!part) throw option_error("--part", text, "is unknown; allowed is a to j, or the name of a part");
+    if (!part) throw option_error("--part", text, "is unknown; allowed is a to k, or the name of a part");
     if (std::find(chosen.begin(), chosen.end(), part) == chosen.end()) chosen.push_back(part);
   }
   if (chosen.empty()) {
@@ -124,7 +124,7 @@ void describe_stress(Command& command) {
   command.summary("Numerical stability: starts, precision, rounding, condition, extremes");
   command.examples(stress_examples);
   command.text("--output", options->output, "folder for stress.json").called("DIR");
-  command.list("--part", options->parts, "a to j, or its name (repeatable; all)").called("PART");
+  command.list("--part", options->parts, "a to k, or its name (repeatable; all)").called("PART");
   command.text("--threads", options->threads, "threads (as many as there are cores)").called("N");
   command.flag("--quick", options->quick, "a small form of every part");
   command.runs([options] { return stress(*options); });

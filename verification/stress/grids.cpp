@@ -14,9 +14,8 @@
 // cells, then ~ n. It is allowed beside the line of the order, but not beside a stated error, which contains the
 // rounding.
 //
-// A stated error is wrong where |difference| - truth_error > stated. It holds where |difference| + truth_error <=
-// stated, or where |difference| <= stated and the truth is ten times better. Else it is undecided. That needs a stated
-// error below ten times truth_tolerance, since the truth has to be as good as asked.
+// A stated error holds, is missed or is undecided by judged_error(). Undecided needs a stated error below ten times
+// truth_tolerance, since the truth has to be as good as asked.
 //
 // How a solve may end. Every solver: converged only where the stated error of both films is below 10 %. Equal cells:
 // under-resolved below 0.75 cells in the inlet zone; above 3 converged, unless an error of 10 % or more is stated;
@@ -52,17 +51,17 @@ constexpr int fewest_with_a_film = 64;
 /// order is declared for smooth solutions. Equal cells do not resolve a spike: beside one the error of H_min only has
 /// to be smaller on a grid twice as fine.
 constexpr double above_the_line = 4, declared_order = 2;
-/// A truth known to this share of a stated error counts as exact.
-constexpr double truth_within = 0.1;
 
 bool has_bars(const GridRow& row) { return row.error[0] && row.error[1] && row.stated[0] && row.stated[1]; }
 
-/// Judges a stated error by the rule at the head of this file; absent where it is undecided. What is not a finite
-/// number is inconclusive.
+/// The verdict of judged_error(); absent where it is undecided. What is not a finite number is inconclusive.
 std::optional<Verdict> judge_bar(double error, double stated, double truth_error) {
   if (!std::isfinite(error) || !std::isfinite(stated) || !std::isfinite(truth_error)) return Verdict::inconclusive;
-  if (error - truth_error > stated) return Verdict::fail;
-  if (error + truth_error <= stated || (error <= stated && truth_error <= truth_within * stated)) return Verdict::pass;
+  switch (judged_error({error, stated, truth_error})) {
+    case StatedError::holds: return Verdict::pass;
+    case StatedError::missed: return Verdict::fail;
+    case StatedError::undecided: break;
+  }
   return std::nullopt;
 }
 

@@ -25,10 +25,6 @@ constexpr unsigned seed = 20261125;  // not that of the claim response/fast/rand
 constexpr double lightest_M = 0.5, heaviest_M = 1000, largest_L = 20, largest_Omega = 10;
 constexpr double shortest_wave = 0.5, longest_wave = 5, largest_slip = 2;
 constexpr double nearest_cut = -2.5, farthest_cut = -10, lightest_cut_M = 2, share_of_cut = 0.4;
-/// A truth that is ten times tighter than the stated error judges it.
-constexpr double truth_share = 0.1;
-/// At least so many of the stated errors of a number have to be judged.
-constexpr double least_judged = 0.9;
 
 MotionPoint drawn_point(Draw& draw) {
   MotionPoint point;
@@ -51,7 +47,7 @@ std::string name_of(const MotionPoint& point) {
                      plain(point.waviness.wavelength), plain(point.waviness.slip), plain(point.asked));
 }
 
-MotionNumber compared(std::complex<double> value, double stated, std::complex<double> truth, double truth_error) {
+Compared compared(std::complex<double> value, double stated, std::complex<double> truth, double truth_error) {
   return {.differ = std::abs(value - truth) / std::abs(truth), .stated = stated, .truth_error = truth_error};
 }
 
@@ -102,40 +98,6 @@ std::vector<MotionPoint> run_motion(const Scope& scope) {
 
 namespace {
 
-enum class Stated { holds, missed, undecided };
-
-/// Missed where the truth, with its own error, is outside; undecided where the truth is too vague, or nothing is
-/// stated.
-Stated judged_error(const MotionNumber& number) {
-  const auto& [differ, stated, truth_error] = number;
-  if (!std::isfinite(differ) || !std::isfinite(stated) || !std::isfinite(truth_error)) return Stated::undecided;
-  if (differ - truth_error > stated) return Stated::missed;
-  return differ + truth_error <= stated || truth_error <= truth_share * stated ? Stated::holds : Stated::undecided;
-}
-
-/// One of motion_numbers at all points with one tolerance.
-struct Count {
-  double asked = 0;
-  long judged = 0, held = 0, within = 0, known = 0;  ///< error at most `asked`; stated error at most `asked`
-  double worst = 0, largest = 0;                     ///< difference over stated error; difference
-  std::vector<double> inflation = {};                ///< stated error over difference
-
-  void add(const MotionNumber& number, Stated stated) {
-    known += number.stated <= asked ? 1 : 0;
-    if (stated == Stated::undecided) return;
-    ++judged;
-    held += stated == Stated::holds ? 1 : 0;
-    within += number.differ + number.truth_error <= asked ? 1 : 0;
-    worst = std::max(worst, number.differ / number.stated);
-    largest = std::max(largest, number.differ);
-    inflation.push_back(number.stated / number.differ);
-  }
-};
-
-const std::vector<Column> number_columns = columns_of(
-    "number | tolerance | points | judged | stated error holds | differs by at most the tolerance | states at most the "
-    "tolerance | difference/stated [most] | difference [most] | stated/difference [median]");
-
 const std::vector<Column> motion_columns = columns_of(
     "laws | M | L | inlet | Omega | wavelength | slip | tolerance | status | reference status | intervals | kappa: "
     "difference | stated | of reference | kappa_0: difference | stated | of reference | kappa_1: difference | stated | "
@@ -163,40 +125,23 @@ std::vector<Cell> cells_of(const MotionPoint& point) {
 
 Verdict judge_end(const MotionPoint& point) { return holds_in_time(point.status == StopReason::converged, point.late); }
 
-/// The share of stated errors of one number that do not hold, where nearly all could be judged.
-void judge_share(const Count& count, std::size_t points, const Tolerance& tolerance, const std::string& what,
-                 Tally& tally) {
-  const auto judged = static_cast<double>(count.judged);
-  tally.add(count.judged > 0 ? static_cast<double>(count.judged - count.held) / judged : std::nan(""), 0, tolerance,
-            what + ": share of stated errors that do not hold");
-  if (judged < least_judged * static_cast<double>(points))
-    tally.add(Verdict::inconclusive,
-              fmt::format("{}: only {} of {} stated errors could be judged", what, count.judged, points));
-}
-
-}  // namespace
-
-namespace {
-
 /// What the points with one tolerance say.
 struct AtTolerance {
   std::size_t points = 0;
-  Count counts[std::size(motion_numbers)] = {};
+  ErrorCount counts[std::size(motion_numbers)] = {};
   long converged = 0;
 };
 
 /// The points with this tolerance, counted; `missed` grows by a clause for each stated error that does not hold.
 AtTolerance counted(const std::vector<MotionPoint>& points, double asked, std::string& missed) {
   AtTolerance at;
-  for (Count& count : at.counts) count.asked = asked;
+  for (ErrorCount& count : at.counts) count.asked = asked;
   for (const MotionPoint& point : points) {
     if (point.asked != asked) continue;
     ++at.points;
     at.converged += point.status == StopReason::converged ? 1 : 0;
     for (std::size_t k = 0; k < point.numbers.size(); ++k) {
-      const Stated stated = judged_error(point.numbers[k]);
-      at.counts[k].add(point.numbers[k], stated);
-      if (stated == Stated::missed)
+      if (at.counts[k].add(point.numbers[k]) == StatedError::missed)
         missed += fmt::format("; {} at {}: {} stated errors off", motion_numbers[k], name_of(point),
                               plain(point.numbers[k].differ / point.numbers[k].stated, 3));
     }
@@ -215,7 +160,7 @@ Part empty_part() {
                    {"time_limit_s", time_limit_s},   {"seed", seed},
                    {"M", {lightest_M, heaviest_M}},  {"L", {0, largest_L}},
                    {"Omega", {0, largest_Omega}}};
-  part.table.columns = number_columns;
+  part.table.columns = columns_of(error_count_columns);
   part.points = Table{.columns = motion_columns};
   return part;
 }
@@ -236,12 +181,10 @@ Part judge_motion(const std::vector<MotionPoint>& points) {
     const AtTolerance at = counted(points, asked, missed);
     std::string held;
     for (std::size_t k = 0; k < std::size(motion_numbers); ++k) {
-      const Count& count = at.counts[k];
+      const ErrorCount& count = at.counts[k];
       judge_share(count, at.points, *part.tolerance, fmt::format("{}, to {}", motion_numbers[k], plain(asked)), tally);
       held += fmt::format("{}{} {} of {}", k > 0 ? ", " : "", motion_numbers[k], count.held, count.judged);
-      part.table.rows.push_back({motion_numbers[k], asked, at.points, count.judged, count.held, count.within,
-                                 count.known, count.worst, count.largest,
-                                 count.judged > 0 ? std::optional(median(count.inflation)) : std::nullopt});
+      part.table.rows.push_back(count.cells(motion_numbers[k], at.points));
     }
     part.summary += fmt::format("kappa is known to {} at {} of {} points; stated errors hold: {}; ", plain(asked),
                                 at.converged, at.points, held);

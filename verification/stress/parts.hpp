@@ -5,13 +5,14 @@
 
 #include <array>
 #include <iterator>
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "contact/quantities.hpp"
 #include "contact/solver.hpp"
 #include "io/json.hpp"
+#include "verification/stress/stated_errors.hpp"
 #include "verification/stress/stress.hpp"
 #include "verification/studies/box.hpp"
 #include "workflow/registry.hpp"
@@ -184,11 +185,6 @@ struct BearingRow {
 [[nodiscard]] Part judge_bearings(const std::vector<BearingRow>& rows);
 
 // (j) -- random small motions -------------------------------------------------------------------------------------
-/// A number as `fast` has it, against `reference`; all relative. NaN where one of them has none.
-struct MotionNumber {
-  double differ = std::numeric_limits<double>::quiet_NaN();
-  double stated = 0, truth_error = 0;  ///< errors that `fast` and `reference` state
-};
 /// "kappa" is taken at Omega. "wavy film" is the amplitude of the film at X = 0, from a wavy body.
 inline constexpr const char* motion_numbers[] = {"kappa", "kappa_0", "kappa_1", "wavy film"};
 /// Every contact is solved to each of these tolerances, and judged by one solve of `reference`.
@@ -198,7 +194,7 @@ struct MotionPoint {
   double asked = motion_tolerances[0];
   double Omega = 0;
   Waviness waviness = {};
-  std::array<MotionNumber, std::size(motion_numbers)> numbers = {};
+  std::array<Compared, std::size(motion_numbers)> numbers = {};
   StopReason status = StopReason::diverged;        ///< of kappa by `fast`
   StopReason truth_status = StopReason::diverged;  ///< of kappa by `reference`
   bool late = false;                               ///< the time limit ended `fast`
@@ -207,5 +203,21 @@ struct MotionPoint {
 };
 [[nodiscard]] std::vector<MotionPoint> run_motion(const Scope& scope);
 [[nodiscard]] Part judge_motion(const std::vector<MotionPoint>& points);
+
+// (k) -- stated errors of films at random contacts ----------------------------------------------------------------
+/// Every contact is solved to each of these tolerances, and judged by one solve of `reference`.
+inline constexpr double film_tolerances[] = {1e-3, 1e-4, 1e-5};
+struct FilmPoint {
+  BoxContact contact = {};
+  double asked = film_tolerances[0];
+  std::array<Compared, std::size(judged_films)> films = {};  ///< in the order of judged_films
+  StopReason status = StopReason::diverged;                  ///< of `fast`
+  StopReason truth_status = StopReason::diverged;            ///< of `reference`
+  bool late = false;                                         ///< the time limit ended `fast`
+  int nodes = 0;                                             ///< of the finest grid of `fast`
+  double wall_s = 0, truth_s = 0;
+};
+[[nodiscard]] std::vector<FilmPoint> run_films(const Scope& scope);
+[[nodiscard]] Part judge_films(const std::vector<FilmPoint>& points);
 
 }  // namespace ehd::verification::stress

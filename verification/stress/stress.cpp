@@ -112,6 +112,7 @@ const std::vector<PartEntry>& parts() {
       {"h", "repeatability", [](const Scope& scope) { return judge_repeats(run_repeats(scope)); }},
       {"i", "bearings", [](const Scope& scope) { return judge_bearings(run_bearings(scope)); }},
       {"j", "motion", [](const Scope& scope) { return judge_motion(run_motion(scope)); }},
+      {"k", "films", [](const Scope& scope) { return judge_films(run_films(scope)); }},
   };
   return list;
 }

@@ -40,7 +40,7 @@ struct Table {
 
 /// One part as stress.json has it.
 struct Part {
-  std::string id = {};        ///< "a" … "j"
+  std::string id = {};        ///< "a" … "k"
   std::string name = {};      ///< "box"
   std::string question = {};  ///< one sentence
   Verdict verdict = Verdict::inconclusive;

@@ -133,7 +133,7 @@ RepeatRow repeat_row() {
 
 /// A hundred points for each tolerance, one tolerance after the other, whose stated errors hold by far.
 std::vector<MotionPoint> motion_points() {
-  const MotionNumber number{.differ = 3e-6, .stated = 2e-5, .truth_error = 1e-8};
+  const Compared number{.differ = 3e-6, .stated = 2e-5, .truth_error = 1e-8};
   const MotionPoint point{.contact = {.moes = {7, 6}},
                           .Omega = 2,
                           .numbers = {number, number, number, number},
@@ -144,6 +144,21 @@ std::vector<MotionPoint> motion_points() {
                           .truth_s = 1};
   std::vector<MotionPoint> points(100 * std::size(motion_tolerances), point);
   for (std::size_t k = 0; k < points.size(); ++k) points[k].asked = motion_tolerances[k / 100];
+  return points;
+}
+
+/// A hundred contacts for each tolerance, one tolerance after the other, whose stated errors hold by far.
+std::vector<FilmPoint> film_points() {
+  const Compared number{.differ = 3e-7, .stated = 2e-6, .truth_error = 1e-9};
+  const FilmPoint point{.contact = {.moes = {7, 6}},
+                        .films = {number, number},
+                        .status = StopReason::converged,
+                        .truth_status = StopReason::converged,
+                        .nodes = 256,
+                        .wall_s = 0.01,
+                        .truth_s = 1};
+  std::vector<FilmPoint> points(100 * std::size(film_tolerances), point);
+  for (std::size_t k = 0; k < points.size(); ++k) points[k].asked = film_tolerances[k / 100];
   return points;
 }
 
@@ -182,10 +197,10 @@ BOOST_AUTO_TEST_CASE(every_part_is_listed_once_by_letter_and_name) {
     BOOST_TEST(find_part(part.id) == &part);
     BOOST_TEST(find_part(part.name) == &part);
   }
-  BOOST_TEST(ids == (std::set<std::string>{"a", "b", "c", "d", "e", "f", "g", "h", "i", "j"}),
+  BOOST_TEST(ids == (std::set<std::string>{"a", "b", "c", "d", "e", "f", "g", "h", "i", "j", "k"}),
              boost::test_tools::per_element());
-  BOOST_TEST(names.size() == 10u);
-  BOOST_TEST(!find_part("k"));
+  BOOST_TEST(names.size() == 11u);
+  BOOST_TEST(!find_part("l"));
 }
 
 BOOST_AUTO_TEST_CASE(a_part_that_throws_is_a_part_that_fails) {
@@ -572,11 +587,48 @@ BOOST_AUTO_TEST_CASE(motion_fails_where_three_of_a_hundred_stated_errors_do_not_
   for (const auto& row : part.points->rows) BOOST_TEST(row.size() == part.points->columns.size());
 }
 
+BOOST_AUTO_TEST_CASE(films_fail_where_two_of_a_hundred_stated_errors_do_not_hold) {
+  std::size_t first = 0;
+  const auto verdict = [&](std::size_t count, auto spoil) {
+    std::vector<FilmPoint> points = film_points();
+    for (std::size_t k = first; k < first + count; ++k) spoil(points[k]);
+    return judge_films(points).verdict;
+  };
+  for (std::size_t one = 0; one < std::size(film_tolerances) * std::size(judged_films); ++one) {
+    const std::size_t film = one % std::size(judged_films);
+    first = 100 * (one / std::size(judged_films));
+    const auto too_small = [&](FilmPoint& p) { p.films[film].stated = 2.9e-7; };
+    BOOST_TEST(verdict(1, too_small) == Verdict::pass);
+    BOOST_TEST(verdict(2, too_small) == Verdict::fail);
+    const auto vague = [&](FilmPoint& p) { p.films[film].truth_error = 4e-7; };
+    BOOST_TEST(verdict(10, [&](FilmPoint& p) { too_small(p), vague(p); }) == Verdict::pass);  // undecided
+    BOOST_TEST(verdict(11, [&](FilmPoint& p) { too_small(p), vague(p); }) == Verdict::inconclusive);
+    BOOST_TEST(verdict(100, [&](FilmPoint& p) { p.films[film] = {}; }) == Verdict::inconclusive);
+  }
+  BOOST_TEST(verdict(1, [](FilmPoint& p) { p.status = StopReason::tolerance_not_met; }) == Verdict::fail);
+  BOOST_TEST(verdict(1, [](FilmPoint& p) { p.status = StopReason::limit_reached, p.late = true; }) ==
+             Verdict::inconclusive);
+  BOOST_TEST(judge_films({}).verdict == Verdict::inconclusive);
+  const Part part = judge_films(film_points());
+  BOOST_TEST(part.table.rows.size() == std::size(film_tolerances) * std::size(judged_films));
+  for (const auto& row : part.table.rows) BOOST_TEST(row.size() == part.table.columns.size());
+  for (const auto& row : part.points->rows) BOOST_TEST(row.size() == part.points->columns.size());
+}
+
+BOOST_AUTO_TEST_CASE(a_stated_error_is_judged_against_a_truth_with_its_own_error) {
+  BOOST_TEST((judged_error({1, 2, 0.5}) == StatedError::holds));
+  BOOST_TEST((judged_error({1.9, 2, 0.2}) == StatedError::holds));  // a truth ten times tighter is exact
+  BOOST_TEST((judged_error({1.9, 2, 0.3}) == StatedError::undecided));
+  BOOST_TEST((judged_error({2.1, 2, 0.2}) == StatedError::undecided));
+  BOOST_TEST((judged_error({2.3, 2, 0.2}) == StatedError::missed));
+  BOOST_TEST((judged_error({std::nan(""), 2, 0.2}) == StatedError::undecided));
+}
+
 BOOST_AUTO_TEST_CASE(wrong_usage_is_one_line_and_leaves_nothing) {
   const test::Folder folder;
   const std::string out = (folder.path() / "out").string();
   for (const auto& [arguments, says] : std::initializer_list<std::pair<std::string, std::string>>{
-           {"--part z", "--part = z: is unknown; allowed is a to j, or the name of a part"},
+           {"--part z", "--part = z: is unknown; allowed is a to k, or the name of a part"},
            {"--threads 0", "--threads = 0: is out of range"},
            {"extra", "ehd stress --help"}}) {
     test::check_refused(folder, fmt::format("stress --quick --output '{}' {}", out, arguments), says);
