@@ -7,8 +7,10 @@
 #include <variant>
 
 #include "contact/hertz.hpp"
+#include "contact/quantities.hpp"
 #include "contact/text.hpp"
 #include "workflow/plausibility.hpp"
+#include "workflow/shown_pressure.hpp"
 
 namespace ehd {
 
@@ -112,6 +114,22 @@ void name_near_cut(const ContactCase& contact, SolveRecord& record) {
       plain(cut->x, digits), plain(nearest_cut));
 }
 
+/// For a caller who chose quantities: a pressure without a spike says so, and a result whose chosen pressure is not known
+/// well enough has not met what was asked.
+void name_unknown_pressures(const Wanted& wanted, ContactRun& run) {
+  if (wanted == want_everything() || run.status() != StopReason::converged) return;
+  for (const Quantity quantity : wanted) {
+    if (!is_pressure_peak(quantity) || run.solution.observables.contains(quantity)) continue;
+    const std::string name(to_string(quantity));
+    if (quantity == Quantity::pressure_spike && !vague_spike(run.solution)) {
+      run.notes.push_back(name + ": this pressure has no spike");
+    } else {
+      run.solution.record.status = StopReason::tolerance_not_met;
+      run.solution.record.reason = name + " is not known well enough";
+    }
+  }
+}
+
 }  // namespace
 
 ContactRun run_contact(const ContactCase& contact, const RegisteredSolver& solver, const Request& request,
@@ -121,6 +139,7 @@ ContactRun run_contact(const ContactCase& contact, const RegisteredSolver& solve
   if (run.plan.runs(stage::solve)) {
     run_lubricated(contact, solver, request, run);
     name_near_cut(contact, run.solution.record);
+    name_unknown_pressures(wanted, run);
   } else {
     run_dry(contact, run);
   }

@@ -40,7 +40,8 @@ struct ContactRun {
 };
 
 /// Plans and runs one contact; quantities outside `wanted` are neither computed nor returned, and only tolerances that
-/// serve a wanted quantity hold (request_for in contact_plan.hpp). status() says how the solver ended. Throws
+/// serve a wanted quantity hold (request_for in contact_plan.hpp). status() says how the solver ended; it is
+/// tolerance_not_met where `wanted` is a choice, and one of its pressures is not known well enough. Throws
 /// StatementError where the statement makes no problem (a case from read_case always makes one).
 [[nodiscard]] ContactRun run_contact(const ContactCase& contact, const RegisteredSolver& solver, const Request& request,
                                      const Wanted& wanted = want_everything());

@@ -321,6 +321,20 @@ BOOST_AUTO_TEST_CASE(a_table_has_no_empty_columns) {
   BOOST_TEST(head_of("film.minimum").find("at X") != std::string::npos);
 }
 
+BOOST_AUTO_TEST_CASE(a_chosen_pressure_has_a_number_or_the_solve_says_why_not) {
+  const test::Folder folder;
+  const auto solved = [&](const std::string& arguments) { return test::ehd_run(folder, "solve " + arguments); };
+  const test::Ended without = solved("--M 5 --L 2 --quantity pressure.spike");
+  BOOST_TEST(without.exit_code == 0);
+  BOOST_TEST(without.out.find("pressure.spike: this pressure has no spike") != std::string::npos, without.out);
+  const std::string sharp = "--M 200 --L 15 --tolerance 1e-2";
+  const test::Ended unknown = solved(sharp + " --quantity pressure.spike");
+  BOOST_TEST(unknown.exit_code == 1);
+  BOOST_TEST(unknown.out.find("tolerance-not-met") != std::string::npos, unknown.out);
+  BOOST_TEST(unknown.out.find("pressure.spike is not known well enough") != std::string::npos, unknown.out);
+  BOOST_TEST(solved(sharp).exit_code == 0);  // nobody chose the spike
+}
+
 BOOST_AUTO_TEST_CASE(the_stiffness_of_a_fitted_law_in_motion_is_as_wrong_as_it_is_far_from_ehd) {
   const test::Folder folder;
   const std::string bearing =
