@@ -114,8 +114,8 @@ void name_near_cut(const ContactCase& contact, SolveRecord& record) {
       plain(cut->x, digits), plain(nearest_cut));
 }
 
-/// For a caller who chose quantities: a pressure without a spike says so, and a result whose chosen pressure is not known
-/// well enough has not met what was asked.
+/// For a caller who chose quantities: a pressure without a spike says so, and a result whose chosen pressure is not
+/// known well enough has not met what was asked.
 void name_unknown_pressures(const Wanted& wanted, ContactRun& run) {
   if (wanted == want_everything() || run.status() != StopReason::converged) return;
   for (const Quantity quantity : wanted) {
